@@ -1,0 +1,3 @@
+//! The command `bouncelab`.
+
+fn main() {}

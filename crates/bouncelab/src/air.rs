@@ -1,0 +1,1 @@
+//! What it falls through: density and viscosity of air.

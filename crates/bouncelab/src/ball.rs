@@ -1,0 +1,1 @@
+//! What falls: mass, diameter, presets with their source.

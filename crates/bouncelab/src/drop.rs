@@ -1,0 +1,1 @@
+//! A whole history: release to rest.

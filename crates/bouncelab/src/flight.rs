@@ -1,0 +1,1 @@
+//! One flight: launch speed to time, apex and impact speed, and back.

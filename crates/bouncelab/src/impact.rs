@@ -1,0 +1,1 @@
+//! What a bounce keeps: restitution laws and contact time.

@@ -1,0 +1,1 @@
+//! The listener: samples in, trains out.

@@ -1,0 +1,1 @@
+//! Samples to onset candidates.

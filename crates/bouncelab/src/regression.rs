@@ -1,0 +1,1 @@
+//! The paper's straight line, Eqs. 4-8.

@@ -1,0 +1,1 @@
+//! Drag-corrected restitution of each impact.

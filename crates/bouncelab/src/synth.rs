@@ -1,0 +1,1 @@
+//! A history as sound, with noise of known strength.

@@ -1,0 +1,1 @@
+//! Candidates to trains: which are the impacts of one drop.
