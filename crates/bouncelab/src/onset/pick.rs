@@ -1,0 +1,198 @@
+//! The time at which a sound begins, below a sample.
+//!
+//! What came before is modelled by autoregression (Levinson-Durbin), and the model's prediction
+//! error is the signal without its hum, rumble and the ringing of the impact before. An impact is
+//! the moment at which the error grows: for a change of variance at sample k of N the negative
+//! logarithm of the likelihood is k/2 ln var(before) + (N - k)/2 ln var(after), the AIC function of
+//! seismology (Maeda 1985; with autoregression, Leonard & Kennett 1999). Its exponential is the
+//! posterior of k: its mean is the time, below a sample, and its width the standard error.
+
+/// Coefficients of the autoregression. Few, because it is learnt from a few milliseconds.
+const ORDER: usize = 10;
+/// Seconds before the rough time from which the model is learnt.
+const LEARN_S: f64 = 0.020;
+/// Seconds to both sides of the rough time in which the onset is sought.
+const BEFORE_S: f64 = 0.005;
+const AFTER_S: f64 = 0.004;
+/// The variance on either side is estimated from at least so many samples.
+const LEAST: usize = 4;
+
+/// A time in samples from the start of the buffer, and its standard error.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Pick {
+    pub(super) sample: f64,
+    pub(super) sigma: f64,
+}
+
+/// Picks onsets; holds the sizes for one sample rate and scratch space.
+pub(super) struct Picker {
+    learn: usize,
+    before: usize,
+    after: usize,
+    error_energy: Vec<f64>,
+    score: Vec<f64>,
+}
+
+impl Picker {
+    pub(super) fn new(sample_rate_hz: f64) -> Self {
+        let samples = |time_s: f64, least: usize| ((time_s * sample_rate_hz) as usize).max(least);
+        Self {
+            learn: samples(LEARN_S, 4 * ORDER),
+            before: samples(BEFORE_S, 2 * LEAST),
+            after: samples(AFTER_S, 2 * LEAST),
+            error_energy: Vec::new(),
+            score: Vec::new(),
+        }
+    }
+
+    /// How many samples before the rough time the picker wants to see.
+    pub(super) fn history(&self) -> usize {
+        self.learn + self.before
+    }
+
+    /// How many samples from the rough time the picker wants to see.
+    pub(super) fn future(&self) -> usize {
+        self.after
+    }
+
+    /// The onset near sample `rough`; `noise_power` is the least there can be.
+    pub(super) fn pick(&mut self, samples: &[f32], rough: usize, noise_power: f64) -> Pick {
+        let end = (rough + self.after).min(samples.len());
+        let start = rough.saturating_sub(self.before).max(ORDER);
+        if end < start + 4 * LEAST {
+            // At the very edge of a recording: no more than the rough time is known.
+            return Pick {
+                sample: rough as f64,
+                sigma: self.after as f64 / 2.0,
+            };
+        }
+        let model = Autoregression::learn(
+            &samples[start.saturating_sub(self.learn)..start],
+            noise_power,
+        );
+        self.error_energy.clear();
+        self.error_energy.push(0.0);
+        let mut sum = 0.0;
+        for n in start..end {
+            sum += model.error(&samples[n - ORDER..=n]).powi(2) + noise_power;
+            self.error_energy.push(sum);
+        }
+        self.change_point(start)
+    }
+
+    fn change_point(&mut self, start: usize) -> Pick {
+        let n = self.error_energy.len() - 1;
+        let total = self.error_energy[n];
+        let first = LEAST;
+        self.score.clear();
+        self.score.extend((first..=n - LEAST).map(|k| {
+            let before = self.error_energy[k];
+            let (a, b) = (k as f64, (n - k) as f64);
+            0.5 * (a * (before / a).ln() + b * ((total - before) / b).ln())
+        }));
+        let best = self.score.iter().copied().fold(f64::INFINITY, f64::min);
+        let (mut weight, mut mean, mut square) = (0.0, 0.0, 0.0);
+        for (k, score) in self.score.iter().enumerate() {
+            let nats = best - score;
+            if nats > -30.0 {
+                let w = nats.exp();
+                weight += w;
+                mean += w * k as f64;
+                square += w * (k * k) as f64;
+            }
+        }
+        mean /= weight;
+        // No pick is better than the rounding to whole samples.
+        let variance = (square / weight - mean * mean).max(1.0 / 12.0);
+        Pick {
+            sample: (start + first) as f64 + mean,
+            sigma: variance.sqrt(),
+        }
+    }
+}
+
+/// A prediction of the next sample from the ones before.
+struct Autoregression {
+    mean: f64,
+    /// Weights of the samples before, the latest first.
+    weights: [f64; ORDER],
+}
+
+impl Autoregression {
+    fn learn(samples: &[f32], noise_power: f64) -> Self {
+        let n = samples.len() as f64;
+        let mean = samples.iter().map(|&v| f64::from(v)).sum::<f64>() / n.max(1.0);
+        let centred: Vec<f64> = samples.iter().map(|&v| f64::from(v) - mean).collect();
+        let mut covariance: [f64; ORDER + 1] = std::array::from_fn(|lag| {
+            let later = centred.get(lag..).unwrap_or_default();
+            later.iter().zip(&centred).map(|(a, b)| a * b).sum::<f64>() / n.max(1.0)
+        });
+        // Rounding noise, and a little more, keeps the recursion well conditioned.
+        covariance[0] = covariance[0] * (1.0 + 1e-7) + noise_power + f64::MIN_POSITIVE;
+        Self {
+            mean,
+            weights: levinson_durbin(&covariance),
+        }
+    }
+
+    /// The last sample less its prediction from the `ORDER` samples before it.
+    fn error(&self, window: &[f32]) -> f64 {
+        let prediction: f64 = window[..ORDER]
+            .iter()
+            .rev()
+            .zip(&self.weights)
+            .map(|(&v, w)| w * (f64::from(v) - self.mean))
+            .sum();
+        f64::from(window[ORDER]) - self.mean - prediction
+    }
+}
+
+/// Solves the Toeplitz system of linear prediction.
+fn levinson_durbin(covariance: &[f64; ORDER + 1]) -> [f64; ORDER] {
+    let mut weights = [0.0; ORDER];
+    let mut error = covariance[0];
+    for m in 0..ORDER {
+        let rest: f64 = (0..m).map(|i| weights[i] * covariance[m - i]).sum();
+        let reflection = (covariance[m + 1] - rest) / error;
+        let old = weights;
+        for i in 0..m {
+            weights[i] = old[i] - reflection * old[m - 1 - i];
+        }
+        weights[m] = reflection;
+        error *= 1.0 - reflection * reflection;
+    }
+    weights
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn levinson_durbin_recovers_an_autoregression() {
+        // x[n] = 0.9 x[n-1] + w has covariance 0.9^k.
+        let covariance = std::array::from_fn(|k| 0.9f64.powi(k as i32));
+        let weights = levinson_durbin(&covariance);
+        assert!((weights[0] - 0.9).abs() < 1e-12);
+        assert!(weights[1..].iter().all(|w| w.abs() < 1e-12));
+    }
+
+    #[test]
+    fn a_step_in_variance_is_found_to_the_sample() {
+        // Alternating signs of a fixed pseudo-random sequence, 40 dB louder from sample 1500.
+        let mut state = 1u32;
+        let samples: Vec<f32> = (0..3000)
+            .map(|n| {
+                state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+                let noise = f64::from(state >> 8) / f64::from(1 << 24) - 0.5;
+                (noise * if n >= 1500 { 0.1 } else { 0.001 }) as f32
+            })
+            .collect();
+        let mut picker = Picker::new(44_100.0);
+        for rough in [1380, 1490, 1500, 1560] {
+            let pick = picker.pick(&samples, rough, 0.0);
+            assert!((pick.sample - 1500.0).abs() < 1.0, "{rough}: {pick:?}");
+            assert!(pick.sigma < 2.0);
+        }
+    }
+}

@@ -1,1 +1,0 @@
-//! Candidates to trains: which are the impacts of one drop.

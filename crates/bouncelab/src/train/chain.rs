@@ -1,0 +1,291 @@
+//! The best chain of onsets by dynamic programming.
+//!
+//! A state is a pair of successive impacts: it fixes the last flight, and the best way to it fixes
+//! the ratio to expect next. Each state keeps its one best way (the Viterbi algorithm with
+//! per-survivor processing of the ratio), so the cost is that of trying every impact after every
+//! pair, not every subset.
+
+use super::evidence::{self, Surroundings};
+use super::{FEWEST_IMPACTS, Onset};
+
+/// The longest flight, in seconds: an apex of 4.9 m.
+const LONGEST_S: f64 = 2.0;
+/// The shortest flight in seconds: an apex of 0.1 mm; the sounds run into each other.
+const SHORTEST_S: f64 = 0.008;
+/// The shortest first flight of a train, in seconds: below it, pitch of a voice looks like flights.
+const SHORTEST_FIRST_S: f64 = 0.04;
+/// At most this many impacts in a row may be missing.
+const MOST_MISSED: usize = 2;
+/// Logarithms of the flight ratios of a dead and of a nearly perfect bounce.
+const LEAST_LN_RATIO: f64 = -0.9;
+const GREATEST_LN_RATIO: f64 = -0.005;
+/// A predicted flight time is never further off than this, in its logarithm.
+const FARTHEST: f64 = 0.5;
+/// The ratio follows its trend with at least this gain, and no single odd impact moves it further
+/// than this.
+const LEAST_GAIN: f64 = 0.15;
+const GREATEST_STEP: f64 = 0.05;
+/// Pairs with less evidence than this are not pursued.
+const HOPELESS: f64 = -16.0;
+
+/// A sequence of onsets that may be the impacts of a drop.
+pub(super) struct Chain {
+    pub(super) links: Vec<Link>,
+    pub(super) evidence: f64,
+    around: Vec<Surroundings>,
+}
+
+/// One onset of a chain and its number, missed impacts counted.
+#[derive(Clone, Copy)]
+pub(super) struct Link {
+    pub(super) onset: usize,
+    pub(super) number: u32,
+}
+
+/// What the way to a pair of impacts says of the next.
+#[derive(Clone, Copy)]
+struct State {
+    evidence: f64,
+    ln_flight: f64,
+    ln_ratio: f64,
+    /// How many ratios of flights went into `ln_ratio`.
+    ratios: u32,
+    /// Logarithm of the next interval over the last flight, with 0, 1, 2 impacts missed in it.
+    expected: [f64; MOST_MISSED + 1],
+}
+
+/// The pair of onsets that a step leads to.
+struct Step {
+    ln_interval: f64,
+    /// Standard error of `ln_interval` from timing.
+    sd: f64,
+    /// Evidence that does not depend on the way here.
+    common: f64,
+}
+
+impl Step {
+    fn new(onsets: &[Onset], around: &[Surroundings], pair: (usize, usize)) -> Self {
+        let (earlier, later) = (&onsets[pair.0], &onsets[pair.1]);
+        let interval_s = later.time_s - earlier.time_s;
+        Self {
+            ln_interval: interval_s.ln(),
+            sd: 2.0 * earlier.sigma_s.hypot(later.sigma_s) / interval_s,
+            common: evidence::likeness(earlier, later, &around[pair.0])
+                + evidence::unlikely_by_chance(&around[pair.1], interval_s),
+        }
+    }
+}
+
+impl State {
+    /// The first two impacts of a train.
+    fn birth(step: &Step, around_first: &Surroundings) -> Option<Self> {
+        let interval_s = step.ln_interval.exp();
+        (SHORTEST_FIRST_S..=LONGEST_S)
+            .contains(&interval_s)
+            .then(|| Self {
+                evidence: evidence::BIRTH
+                    + step.common
+                    + evidence::unlikely_by_chance(around_first, interval_s),
+                ln_flight: step.ln_interval,
+                ln_ratio: 0.0,
+                ratios: 0,
+                expected: [0.0; MOST_MISSED + 1],
+            })
+    }
+
+    /// The most evidence any step can have from here.
+    fn bound(&self, step: &Step) -> f64 {
+        self.evidence + step.common + evidence::most_from_ratio()
+    }
+
+    /// The same train one impact later.
+    fn next(&self, step: &Step, missed: usize) -> Option<Self> {
+        if self.ratios == 0 {
+            return if missed == 0 { self.third(step) } else { None };
+        }
+        let change = step.ln_interval - self.ln_flight;
+        let innovation = change - self.expected[missed];
+        if innovation.abs() > FARTHEST {
+            return None;
+        }
+        let seen = f64::from(self.ratios);
+        let sd = step.sd.hypot(0.01 / seen.sqrt());
+        let gain = (1.0 / (seen + 1.0)).max(LEAST_GAIN);
+        let ln_ratio = self.ln_ratio + gain * innovation.clamp(-GREATEST_STEP, GREATEST_STEP);
+        Some(Self::with_ratio(
+            self.evidence
+                + step.common
+                + evidence::ratio_change(innovation, sd)
+                + evidence::against_rhythm(change)
+                + missed as f64 * evidence::MISSED,
+            // Of an interval with missed impacts, the last flight alone.
+            step.ln_interval - self.expected[missed] + (missed + 1) as f64 * self.ln_ratio,
+            ln_ratio,
+            self.ratios + 1,
+        ))
+    }
+
+    /// The third impact sets the ratio.
+    fn third(&self, step: &Step) -> Option<Self> {
+        let ln_ratio = step.ln_interval - self.ln_flight;
+        (LEAST_LN_RATIO..=2.0 * step.sd)
+            .contains(&ln_ratio)
+            .then(|| {
+                let evidence = self.evidence
+                    + step.common
+                    + evidence::FIRST_RATIO
+                    + evidence::against_rhythm(ln_ratio);
+                Self::with_ratio(evidence, step.ln_interval, ln_ratio, 1)
+            })
+    }
+
+    fn with_ratio(evidence: f64, ln_flight: f64, ln_ratio: f64, ratios: u32) -> Self {
+        let ln_ratio = ln_ratio.clamp(LEAST_LN_RATIO, GREATEST_LN_RATIO);
+        let ratio = ln_ratio.exp();
+        let mut sum = 0.0;
+        let mut power = 1.0;
+        let expected = std::array::from_fn(|_| {
+            power *= ratio;
+            sum += power;
+            sum.ln()
+        });
+        Self {
+            evidence,
+            ln_flight,
+            ln_ratio,
+            ratios,
+            expected,
+        }
+    }
+}
+
+/// A state of the search and the best way to it.
+struct Node {
+    state: State,
+    from: u32,
+    missed: u32,
+    back: Option<u32>,
+}
+
+/// The chain with the most evidence, if any has enough impacts.
+pub(super) fn best(onsets: &[Onset]) -> Option<Chain> {
+    let around = Surroundings::of(onsets);
+    let mut nodes: Vec<Node> = Vec::new();
+    // The nodes that end at onset j are nodes[ends[j]..ends[j + 1]].
+    let mut ends = vec![0];
+    for later in 0..onsets.len() {
+        for earlier in (0..later).rev() {
+            let interval_s = onsets[later].time_s - onsets[earlier].time_s;
+            if interval_s > LONGEST_S * (1 + MOST_MISSED) as f64 {
+                break;
+            }
+            if interval_s < SHORTEST_S {
+                continue;
+            }
+            let step = Step::new(onsets, &around, (earlier, later));
+            let before = ends[earlier]..ends[earlier + 1];
+            let birth = State::birth(&step, &around[earlier]);
+            if let Some(node) = best_way(&nodes, before, earlier, &step, birth) {
+                nodes.push(node);
+            }
+        }
+        ends.push(nodes.len());
+    }
+    let end = (0..nodes.len())
+        .filter(|&n| nodes[n].state.ratios as usize + 2 >= FEWEST_IMPACTS)
+        .max_by(|&a, &b| nodes[a].state.evidence.total_cmp(&nodes[b].state.evidence))?;
+    let last_onset = ends.partition_point(|&e| e <= end) - 1;
+    let evidence = nodes[end].state.evidence;
+    Some(Chain {
+        links: trace(&nodes, end, last_onset),
+        evidence,
+        around,
+    })
+}
+
+fn best_way(
+    nodes: &[Node],
+    before: std::ops::Range<usize>,
+    from: usize,
+    step: &Step,
+    birth: Option<State>,
+) -> Option<Node> {
+    let mut best = birth.map(|state| Node {
+        state,
+        from: from as u32,
+        missed: 0,
+        back: None,
+    });
+    let mut most = best
+        .as_ref()
+        .map_or(HOPELESS, |node| node.state.evidence.max(HOPELESS));
+    for back in before {
+        let state = &nodes[back].state;
+        if state.bound(step) <= most {
+            continue;
+        }
+        for missed in 0..=MOST_MISSED {
+            if let Some(next) = state.next(step, missed)
+                && next.evidence > most
+            {
+                most = next.evidence;
+                best = Some(Node {
+                    state: next,
+                    from: from as u32,
+                    missed: missed as u32,
+                    back: Some(back as u32),
+                });
+            }
+        }
+    }
+    best.filter(|node| node.state.evidence > HOPELESS)
+}
+
+/// The way to a node, from its beginning.
+fn trace(nodes: &[Node], end: usize, last_onset: usize) -> Vec<Link> {
+    let mut links = vec![Link {
+        onset: last_onset,
+        number: 0,
+    }];
+    let mut at = Some(end as u32);
+    let mut back_number = 0;
+    while let Some(index) = at {
+        let node = &nodes[index as usize];
+        back_number += node.missed + 1;
+        links.push(Link {
+            onset: node.from as usize,
+            number: back_number,
+        });
+        at = node.back;
+    }
+    links.reverse();
+    for link in &mut links {
+        link.number = back_number - link.number;
+    }
+    links
+}
+
+impl Chain {
+    /// The evidence that is left if the onset at this position is taken for a missed impact.
+    pub(super) fn evidence_without(&self, onsets: &[Onset], position: usize) -> f64 {
+        let mut links = self.links.clone();
+        links.remove(position);
+        self.evidence_of(onsets, &links)
+            .unwrap_or(f64::NEG_INFINITY)
+    }
+
+    fn evidence_of(&self, onsets: &[Onset], links: &[Link]) -> Option<f64> {
+        let step = |pair: &[Link]| Step::new(onsets, &self.around, (pair[0].onset, pair[1].onset));
+        let mut pairs = links.windows(2);
+        let first = pairs.next()?;
+        let mut state = State::birth(&step(first), &self.around[first[0].onset])?;
+        for pair in pairs {
+            let missed = (pair[1].number - pair[0].number - 1) as usize;
+            if missed > MOST_MISSED {
+                return None;
+            }
+            state = state.next(&step(pair), missed)?;
+        }
+        Some(state.evidence)
+    }
+}

@@ -1,0 +1,290 @@
+//! Candidates to trains: which onsets are the impacts of one drop, and which are missing.
+//!
+//! The flight times of a drop shrink by a ratio that changes slowly, and the impacts of one ball
+//! on one spot sound alike. Clicks, voices, claps, clocks and rallies do none of this for long.
+//! So the question is put as a choice between two explanations of the same onsets: *a drop*, whose
+//! next impact is predicted by the ones before, or *other sounds*, which come when they like. The
+//! logarithm of their probability ratio is the evidence, in nats. It adds up over the impacts
+//! ([`evidence`]), so that the best train of all is found by dynamic programming ([`chain`]).
+//! There is no threshold on loudness anywhere.
+//!
+//! ```
+//! use bouncelab::onset::Onset;
+//! use bouncelab::train;
+//!
+//! // Ten impacts whose flights shrink by 0.9, as candidates of equal sound.
+//! let mut time_s = 0.1;
+//! let onsets: Vec<Onset> = (0..10)
+//!     .map(|n| {
+//!         time_s += 0.4 * 0.9_f64.powi(n);
+//!         Onset { time_s, ..Onset::click(0.0) }
+//!     })
+//!     .collect();
+//! let found = train::find(&onsets);
+//! assert_eq!(found.trains.len(), 1);
+//! assert_eq!(found.trains[0].impacts().len(), 10);
+//! ```
+
+mod chain;
+mod evidence;
+
+use crate::onset::Onset;
+use chain::Chain;
+use std::fmt;
+
+/// The fewest impacts that can be told from chance: three set the ratio of the flights, two more
+/// confirm it.
+pub const FEWEST_IMPACTS: usize = 5;
+
+/// Evidence in nats from which a train is believed: e to the 3rd, odds of 20 to 1.
+const BELIEVED: f64 = 3.0;
+
+/// A train that is heard this much fainter than another, at the same speed of impact, is another
+/// ball farther away: 12 dB is four times the distance.
+const DISTANT_DB: f64 = 12.0;
+
+/// An impact as heard.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct HeardImpact {
+    /// Where and how it was heard.
+    pub onset: Onset,
+    /// Number in the train, counted from 0 at the first impact heard; a missed impact takes a
+    /// number too, so that numbers may have gaps.
+    pub number: u32,
+    /// Probability that this onset is an impact of the drop, given that the rest of the train is.
+    pub probability: f64,
+}
+
+/// The impacts of one drop, in order of time.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Train {
+    impacts: Vec<HeardImpact>,
+    evidence: f64,
+}
+
+impl Train {
+    /// The impacts heard, at least [`FEWEST_IMPACTS`], in order of time.
+    pub fn impacts(&self) -> &[HeardImpact] {
+        &self.impacts
+    }
+
+    /// Evidence that this is a drop and not chance, in nats.
+    pub fn evidence(&self) -> f64 {
+        self.evidence
+    }
+
+    /// Probability that this is a drop and not chance.
+    pub fn probability(&self) -> f64 {
+        logistic(self.evidence)
+    }
+
+    /// Time of the first impact heard, in seconds.
+    pub fn start_s(&self) -> f64 {
+        self.impacts[0].onset.time_s
+    }
+
+    /// Time of the last impact heard, in seconds.
+    pub fn end_s(&self) -> f64 {
+        self.impacts[self.impacts.len() - 1].onset.time_s
+    }
+
+    /// How many impacts between the first and the last were not heard.
+    pub fn missed(&self) -> usize {
+        let last = self.impacts[self.impacts.len() - 1].number as usize;
+        last + 1 - self.impacts.len()
+    }
+
+    /// Level in dB relative to full scale that an impact at 1 m/s would have, if the amplitude
+    /// follows the speed: how near and how hard the surface is, whatever the height of the drop.
+    fn level_at_unit_speed_db(&self) -> f64 {
+        let mut levels: Vec<f64> = self
+            .impacts
+            .windows(2)
+            .filter(|pair| pair[1].number == pair[0].number + 1)
+            .map(|pair| {
+                let flight_s = pair[1].onset.time_s - pair[0].onset.time_s;
+                // An impact is followed by a flight of duration 2 v/g, near enough.
+                pair[0].onset.level_db - 20.0 * (flight_s * 9.81 / 2.0).log10()
+            })
+            .collect();
+        levels.sort_by(f64::total_cmp);
+        levels
+            .get(levels.len() / 2)
+            .copied()
+            .unwrap_or(f64::NEG_INFINITY)
+    }
+}
+
+/// What was found among the onsets.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Found {
+    /// The trains, in order of time; they do not overlap.
+    pub trains: Vec<Train>,
+    /// Trains left out because they are far fainter than the rest: other balls, farther away.
+    pub distant: Vec<Train>,
+    /// Sequences that look like a train but come at equal intervals: a clock, a machine.
+    pub regular: Vec<Regular>,
+}
+
+/// Sounds at equal intervals.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Regular {
+    /// Time of the first sound in seconds.
+    pub start_s: f64,
+    /// Mean interval in seconds.
+    pub interval_s: f64,
+    /// How many sounds.
+    pub count: usize,
+}
+
+impl Found {
+    /// Why there is no drop, in words; `onsets` is how many candidates there were.
+    pub fn reason(&self, onsets: usize) -> NoDrop {
+        match (onsets, self.regular.first()) {
+            (_, Some(&regular)) => NoDrop::Regular(regular),
+            (0, None) => NoDrop::NoSound,
+            (n, None) if n < FEWEST_IMPACTS => NoDrop::TooFew(n),
+            (n, None) => NoDrop::NoPattern(n),
+        }
+    }
+}
+
+/// Why no drop was found.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum NoDrop {
+    /// Nothing stands out of the background.
+    NoSound,
+    /// So many sounds stand out, too few for a drop.
+    TooFew(usize),
+    /// The sounds come at equal intervals.
+    Regular(Regular),
+    /// So many sounds stand out, but their intervals do not shrink as those of a bouncing ball.
+    NoPattern(usize),
+}
+
+impl fmt::Display for NoDrop {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::NoSound => write!(f, "no sound stands out of the background"),
+            Self::TooFew(count) => write!(
+                f,
+                "only {count} sound{} out of the background; a drop is told from chance by at \
+                 least {FEWEST_IMPACTS} impacts",
+                if *count == 1 { " stands" } else { "s stand" }
+            ),
+            Self::Regular(r) => write!(
+                f,
+                "{} sounds come at equal intervals of {:.3} s, as of a clock; the flights of a \
+                 ball shrink",
+                r.count, r.interval_s
+            ),
+            Self::NoPattern(count) => write!(
+                f,
+                "{count} sounds stand out of the background, but no {FEWEST_IMPACTS} of them come \
+                 at shrinking intervals as the impacts of a ball do"
+            ),
+        }
+    }
+}
+
+/// Finds the drops among onset candidates, which must be in order of time.
+pub fn find(onsets: &[Onset]) -> Found {
+    let mut found = Found::default();
+    search(onsets, &mut found);
+    set_distant_apart(&mut found);
+    found
+}
+
+/// Takes the best train and searches again before and after it.
+fn search(onsets: &[Onset], found: &mut Found) {
+    if onsets.len() < FEWEST_IMPACTS {
+        return;
+    }
+    let Some(chain) = chain::best(onsets).filter(|chain| chain.evidence >= BELIEVED) else {
+        return;
+    };
+    if let Some(regular) = regular(onsets, &chain) {
+        found.regular.push(regular);
+        let rest: Vec<Onset> = (0..onsets.len())
+            .filter(|index| chain.links.iter().all(|link| link.onset != *index))
+            .map(|index| onsets[index])
+            .collect();
+        search(&rest, found);
+        return;
+    }
+    let first = chain.links[0].onset;
+    let last = chain.links[chain.links.len() - 1].onset;
+    search(&onsets[..first], found);
+    found.trains.push(train(onsets, &chain));
+    search(&onsets[last + 1..], found);
+}
+
+fn train(onsets: &[Onset], chain: &Chain) -> Train {
+    let impacts = chain
+        .links
+        .iter()
+        .enumerate()
+        .map(|(position, link)| HeardImpact {
+            onset: onsets[link.onset],
+            number: link.number,
+            probability: logistic(chain.evidence - chain.evidence_without(onsets, position)),
+        })
+        .collect();
+    Train {
+        impacts,
+        evidence: chain.evidence,
+    }
+}
+
+fn set_distant_apart(found: &mut Found) {
+    let levels: Vec<f64> = found
+        .trains
+        .iter()
+        .map(Train::level_at_unit_speed_db)
+        .collect();
+    let loudest = levels.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+    let (near, distant) = std::mem::take(&mut found.trains)
+        .into_iter()
+        .zip(levels)
+        .partition::<Vec<_>, _>(|(_, level)| *level >= loudest - DISTANT_DB);
+    found.trains = near.into_iter().map(|(train, _)| train).collect();
+    found.distant = distant.into_iter().map(|(train, _)| train).collect();
+}
+
+/// Whether the intervals of a chain are equal: the straight line through their logarithms does not
+/// fall by more than its own uncertainty.
+fn regular(onsets: &[Onset], chain: &Chain) -> Option<Regular> {
+    /// No surface keeps more than this of a ball's speed, so flights shrink by half a percent.
+    const LEAST_FALL: f64 = 0.005;
+    let points: Vec<(f64, f64)> = chain
+        .links
+        .windows(2)
+        .filter(|pair| pair[1].number == pair[0].number + 1)
+        .map(|pair| {
+            let interval_s = onsets[pair[1].onset].time_s - onsets[pair[0].onset].time_s;
+            (f64::from(pair[0].number), interval_s.ln())
+        })
+        .collect();
+    let n = points.len() as f64;
+    let mean_x = points.iter().map(|p| p.0).sum::<f64>() / n;
+    let mean_y = points.iter().map(|p| p.1).sum::<f64>() / n;
+    let sxx: f64 = points.iter().map(|p| (p.0 - mean_x).powi(2)).sum();
+    let sxy: f64 = points.iter().map(|p| (p.0 - mean_x) * (p.1 - mean_y)).sum();
+    let slope = sxy / sxx;
+    let misfit: f64 = points
+        .iter()
+        .map(|p| (p.1 - mean_y - slope * (p.0 - mean_x)).powi(2))
+        .sum();
+    let error = (misfit / (n - 2.0).max(1.0) / sxx).sqrt();
+    let falls = slope < -LEAST_FALL && slope < -3.0 * error;
+    (!falls).then(|| Regular {
+        start_s: onsets[chain.links[0].onset].time_s,
+        interval_s: mean_y.exp(),
+        count: chain.links.len(),
+    })
+}
+
+fn logistic(evidence: f64) -> f64 {
+    1.0 / (1.0 + (-evidence).exp())
+}
