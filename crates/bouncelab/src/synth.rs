@@ -159,7 +159,8 @@ impl Loudness {
     }
 }
 
-/// The independent sources of chance.
+/// The independent sources of chance. Their order numbers the streams of the seed, so a new one
+/// goes to the end.
 #[derive(Clone, Copy)]
 enum Chance {
     Lost,
