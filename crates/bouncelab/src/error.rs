@@ -1,20 +1,23 @@
 //! What can go wrong in the science.
 
-/// What can go wrong in the science: always something that was asked of it.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+/// The result of a calculation that can refuse its input.
+pub type Result<T> = std::result::Result<T, Error>;
+
+/// Why a calculation was refused.
+///
+/// Every message says what was wrong and what to do about it, so it can be shown to a person as it
+/// is. The enum grows with the rooms of the crate.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum Error {
-    /// A quantity outside the range in which it means something.
-    #[error("{quantity} is {value}, expected {expected}")]
-    Invalid {
-        /// What the number stands for, with its unit.
+    /// A number lies outside the values for which the calculation makes sense (this includes NaN).
+    #[error("{quantity} is {value}; it must be {allowed}")]
+    OutOfRange {
+        /// The quantity with its unit, as in "mass in kg".
         quantity: &'static str,
-        /// The number that was given.
+        /// The value that was given.
         value: f64,
-        /// What would have been accepted.
-        expected: &'static str,
+        /// The values that are accepted, in words.
+        allowed: &'static str,
     },
 }
-
-/// A result of the science.
-pub type Result<T, E = Error> = std::result::Result<T, E>;

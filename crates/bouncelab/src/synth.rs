@@ -76,7 +76,8 @@ pub struct SynthImpact {
     /// Impact speed in metres per second.
     pub speed_m_s: f64,
     /// 20 log10 of the root mean square of this impact alone over its first 5 ms, over that of
-    /// the background noise; infinite without noise. For a lost impact: what it would have been.
+    /// the background noise. Infinite without noise; minus infinity for an impact over 120 dB
+    /// below the loudest, which is not rendered. For a lost impact: what it would have been.
     pub snr_db: f64,
     /// Whether it was left out of the sound.
     pub lost: bool,
@@ -90,10 +91,9 @@ pub struct SynthImpact {
 ///
 /// # Errors
 ///
-/// [`Error::Invalid`] if a number of the scene is outside its range, if a strike has a negative
+/// [`Error::OutOfRange`] if a number of the scene is outside its range, if a strike has a negative
 /// time or a speed that is not positive, if the strikes are not in the order of time, if a lost
-/// impact is not in the list, if no mode of the voice lies below half the sample rate or all die
-/// out between two samples, or if the recording would have more samples than an hour at 48 kHz.
+/// impact is not in the list, if the voice makes no sound at this sample rate, or if the recording would have more samples than an hour at 48 kHz.
 pub fn render(strikes: &[Strike], scene: &Scene, seed: u64) -> Result<Rendered> {
     scene.check()?;
     check_strikes(strikes)?;
@@ -116,7 +116,7 @@ pub fn render(strikes: &[Strike], scene: &Scene, seed: u64) -> Result<Rendered> 
         .map(|(strike, (sound, lost))| SynthImpact {
             time_s: scene.lead_in_s + strike.time_s,
             speed_m_s: strike.speed_m_s,
-            snr_db: 20.0 * (gain * sound.rms / noise_rms).log10(),
+            snr_db: snr_db(gain * sound.rms, noise_rms),
             lost,
         })
         .collect();
@@ -188,10 +188,10 @@ impl<'a> Studio<'a> {
         let mut modes = voice.modes.clone();
         modes.retain(|mode| mode.frequency_hz < sample_rate_hz / 2.0);
         if modes.is_empty() {
-            return Err(Error::Invalid {
+            return Err(Error::OutOfRange {
                 quantity: "sample rate in Hz",
                 value: sample_rate_hz,
-                expected: "more than twice the lowest mode of the voice",
+                allowed: "more than twice the lowest mode of the voice",
             });
         }
         let loudest = modes.iter().fold(0.0, |top: f64, mode| top.max(mode.level));
@@ -239,10 +239,10 @@ impl<'a> Studio<'a> {
             }
             Lost::At(indices) => {
                 for &index in indices {
-                    *lost.get_mut(index).ok_or(Error::Invalid {
+                    *lost.get_mut(index).ok_or(Error::OutOfRange {
                         quantity: "index of a lost impact",
                         value: index as f64,
-                        expected: "less than the number of strikes",
+                        allowed: "less than the number of strikes",
                     })? = true;
                 }
             }
@@ -287,8 +287,14 @@ impl<'a> Studio<'a> {
                 burst.strike(0.0, modes, 1.0, self.rise_s, self.sample_rate_hz);
                 Loudness::of(&burst)
             });
-        // Every other level is a multiple of this one.
-        checks::positive("rms of the loudest impact heard", loudest.rms)?;
+        // Everything is scaled by this, so it must be well above the limits of the samples' type.
+        checks::within(
+            "rms of the loudest impact heard, its loudest mode being 1",
+            loudest.rms,
+            1e-9..=f64::MAX,
+            "at least 1e-9: the modes die out between two samples, swing too slowly to sound, or \
+             all that is heard is over 120 dB below what is lost",
+        )?;
         Ok(loudest)
     }
 
@@ -344,6 +350,14 @@ impl<'a> Studio<'a> {
         let mut rng = self.rng(Chance::Noise);
         background::add_noise(samples, noise.colour, rms, self.sample_rate_hz, &mut rng);
         rms
+    }
+}
+
+fn snr_db(rms: f64, noise_rms: f64) -> f64 {
+    if noise_rms > 0.0 {
+        20.0 * (rms / noise_rms).log10()
+    } else {
+        f64::INFINITY
     }
 }
 

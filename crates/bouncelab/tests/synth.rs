@@ -12,6 +12,7 @@ use bouncelab::impact::Strike;
 use bouncelab::synth::{
     BitDepth, Clicks, Colour, Hum, Lost, Mode, Noise, Rendered, Reverb, Scene, Voice, render,
 };
+use proptest::prelude::*;
 use realfft::RealFftPlanner;
 
 /// Four impacts at times that lie on no sample of any usual rate.
@@ -559,7 +560,7 @@ fn refused(scene: &Scene) -> &'static str {
 
 fn refused_strikes(strikes: &[Strike], scene: &Scene) -> &'static str {
     match render(strikes, scene, 1) {
-        Err(Error::Invalid { quantity, .. }) => quantity,
+        Err(Error::OutOfRange { quantity, .. }) => quantity,
         other => panic!(
             "accepted, or refused otherwise: {:?}",
             other.map(|r| r.impacts)
@@ -718,6 +719,60 @@ fn a_voice_that_no_sample_catches_is_refused() {
     assert_eq!(with(Mode::new(30e3, 0.01, 1.0)), "sample rate in Hz");
     assert_eq!(
         with(Mode::new(1e3, 1e-12, 1.0)),
-        "rms of the loudest impact heard"
+        "rms of the loudest impact heard, its loudest mode being 1"
     );
+}
+
+#[test]
+fn an_impact_too_faint_to_render_has_no_level_and_is_not_nan() {
+    let strikes = [strike(0.0, 1.0), strike(0.1, 1e-9)];
+    let recording = render(&strikes, &bare(), 1).unwrap();
+    assert_eq!(recording.impacts[1].snr_db, f64::INFINITY);
+    let noise = Some(Noise::white(20.0));
+    let recording = render(&strikes, &Scene { noise, ..bare() }, 1).unwrap();
+    assert_eq!(recording.impacts[1].snr_db, f64::NEG_INFINITY);
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(64))]
+
+    /// Whatever a scene asks for, there is a clear refusal or a sound recording.
+    #[test]
+    fn any_scene_is_refused_or_gives_finite_samples_and_ordered_truth(
+        sample_rate_hz in prop_oneof![4_000_u32..=192_000, 0..4_000_u32],
+        name in prop::sample::select(&Voice::NAMES[..]),
+        decay_s in prop_oneof![Just(0.01), 1e-9..1.0],
+        speeds in prop::collection::vec(prop_oneof![0.1..5.0, 1e-12..1e12], 0..8),
+        (peak, level_scatter) in (1e-6..100.0, 0.0..1.0),
+        (snr_db, hum_hz, rt60_s) in (-60.0..200.0, 1.0..3_000.0, 0.01..2.0),
+        rate_per_s in 0.01..1000.0,
+        chance in 0.0..1.0,
+        bit_depth in prop::sample::select(vec![BitDepth::Eight, BitDepth::Float]),
+        seed: u64,
+    ) {
+        let strikes: Vec<_> = (0..).map(|n| 0.05 * f64::from(n)).zip(speeds)
+            .map(|(time_s, speed_m_s)| strike(time_s, speed_m_s))
+            .collect();
+        let mut voice = Voice::named(name).expect("the name is in the list");
+        voice.modes[0].decay_s = decay_s;
+        let scene = Scene {
+            sample_rate_hz,
+            voice,
+            peak,
+            level_scatter,
+            noise: Some(Noise::white(snr_db)),
+            hum: Some(Hum { frequency_hz: hum_hz, harmonics: 3, level_db: -20.0 }),
+            reverb: Some(Reverb { rt60_s, direct_to_reverberant_db: 3.0 }),
+            clicks: Some(Clicks { rate_per_s, level_db: 0.0 }),
+            lost: Lost::Chance(chance),
+            bit_depth,
+            ..Scene::default()
+        };
+        if let Ok(recording) = render(&strikes, &scene, seed) {
+            prop_assert!(recording.samples.iter().all(|x| x.is_finite()));
+            prop_assert!(recording.impacts.iter().all(|impact| !impact.snr_db.is_nan()));
+            prop_assert_eq!(recording.impacts.len(), strikes.len());
+            prop_assert!(recording.clicks_s.is_sorted());
+        }
+    }
 }

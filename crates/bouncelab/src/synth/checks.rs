@@ -9,27 +9,27 @@ pub(super) fn within(
     quantity: &'static str,
     value: f64,
     range: RangeInclusive<f64>,
-    expected: &'static str,
+    allowed: &'static str,
 ) -> Result<()> {
     if range.contains(&value) {
         Ok(())
     } else {
-        Err(Error::Invalid {
+        Err(Error::OutOfRange {
             quantity,
             value,
-            expected,
+            allowed,
         })
     }
 }
 
-/// Accepts a value above zero and not above `max`, which `expected` names.
+/// Accepts a value above zero and not above `max`, which `allowed` names.
 pub(super) fn positive_up_to(
     quantity: &'static str,
     value: f64,
     max: f64,
-    expected: &'static str,
+    allowed: &'static str,
 ) -> Result<()> {
-    within(quantity, value, f64::MIN_POSITIVE..=max, expected)
+    within(quantity, value, f64::MIN_POSITIVE..=max, allowed)
 }
 
 /// Accepts any finite value above zero.

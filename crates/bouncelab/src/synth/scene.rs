@@ -87,7 +87,7 @@ impl Scene {
             "sample rate in Hz",
             f64::from(self.sample_rate_hz),
             4e3..=192e3,
-            "4000 to 192000",
+            "from 4000 to 192000",
         )?;
         within("lead-in in s", self.lead_in_s, 0.0..=f64::MAX, "0 or more")?;
         within("tail in s", self.tail_s, 0.005..=f64::MAX, "0.005 or more")?;
@@ -96,13 +96,13 @@ impl Scene {
             "scatter of the level",
             self.level_scatter,
             0.0..=1.0,
-            "0 to 1",
+            "from 0 to 1",
         )?;
         within(
             "scatter of the phases in rad",
             self.phase_scatter_rad,
             0.0..=std::f64::consts::PI,
-            "0 to pi",
+            "from 0 to pi",
         )?;
         positive_up_to(
             "peak as a fraction of full scale",
@@ -114,7 +114,7 @@ impl Scene {
             "DC offset as a fraction of full scale",
             self.dc_offset,
             -1.0..=1.0,
-            "-1 to 1",
+            "from -1 to 1",
         )?;
         if let Some(level) = self.clip_at {
             positive_up_to(
@@ -130,7 +130,7 @@ impl Scene {
     fn check_disturbances(&self) -> Result<()> {
         let nyquist_hz = f64::from(self.sample_rate_hz) / 2.0;
         if let Some(noise) = &self.noise {
-            within("SNR in dB", noise.snr_db, -60.0..=200.0, "-60 to 200")?;
+            within("SNR in dB", noise.snr_db, -60.0..=200.0, "from -60 to 200")?;
         }
         if let Some(hum) = &self.hum {
             positive_up_to(
@@ -143,13 +143,13 @@ impl Scene {
                 "number of harmonics of the hum",
                 hum.harmonics as f64,
                 1.0..=100.0,
-                "1 to 100",
+                "from 1 to 100",
             )?;
             within(
                 "level of the hum in dB",
                 hum.level_db,
                 -200.0..=60.0,
-                "-200 to 60",
+                "from -200 to 60",
             )?;
         }
         if let Some(reverb) = &self.reverb {
@@ -157,13 +157,13 @@ impl Scene {
                 "reverberation time in s",
                 reverb.rt60_s,
                 0.01..=20.0,
-                "0.01 to 20",
+                "from 0.01 to 20",
             )?;
             within(
                 "direct to reverberant ratio in dB",
                 reverb.direct_to_reverberant_db,
                 -60.0..=120.0,
-                "-60 to 120",
+                "from -60 to 120",
             )?;
         }
         if let Some(clicks) = &self.clicks {
@@ -177,11 +177,16 @@ impl Scene {
                 "level of the clicks in dB",
                 clicks.level_db,
                 -200.0..=60.0,
-                "-200 to 60",
+                "from -200 to 60",
             )?;
         }
         if let Lost::Chance(chance) = self.lost {
-            within("chance of losing an impact", chance, 0.0..=1.0, "0 to 1")?;
+            within(
+                "chance of losing an impact",
+                chance,
+                0.0..=1.0,
+                "from 0 to 1",
+            )?;
         }
         Ok(())
     }

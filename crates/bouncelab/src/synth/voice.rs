@@ -8,7 +8,7 @@ use crate::Result;
 pub struct Mode {
     /// Frequency in hertz; positive. A mode at or above half the sample rate is left out.
     pub frequency_hz: f64,
-    /// Time in seconds in which the amplitude falls to 1/e; above 0, at most 10.
+    /// Time in seconds in which the amplitude falls to 1/e; above 0, at most 1.
     pub decay_s: f64,
     /// Amplitude relative to the other modes of the same voice; positive.
     pub level: f64,
@@ -150,15 +150,15 @@ impl Voice {
             "number of modes of the voice",
             self.modes.len() as f64,
             1.0..=1000.0,
-            "1 to 1000",
+            "from 1 to 1000",
         )?;
         for mode in &self.modes {
             positive("frequency of a mode in Hz", mode.frequency_hz)?;
             positive_up_to(
                 "decay time of a mode in s",
                 mode.decay_s,
-                10.0,
-                "above 0, at most 10",
+                1.0,
+                "above 0, at most 1",
             )?;
             positive("level of a mode", mode.level)?;
         }
@@ -172,13 +172,13 @@ impl Voice {
             "attack as a part of the contact",
             self.attack,
             0.0..=1.0,
-            "0 to 1",
+            "from 0 to 1",
         )?;
         within(
             "exponent of level against speed",
             self.level_exponent,
             0.0..=4.0,
-            "0 to 4",
+            "from 0 to 4",
         )
     }
 }
