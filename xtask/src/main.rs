@@ -1,3 +1,71 @@
-//! The project chores.
+//! The project's own chores: `cargo xtask help` lists them.
+//!
+//! One module for each chore; a new one is a module and a line in [`CHORES`]. Only the standard
+//! library is used, so that a fresh clone starts checking at once.
 
-fn main() {}
+mod bench;
+mod cargo;
+mod test;
+
+use std::process::ExitCode;
+
+/// Why a chore did not succeed, ready to be printed.
+type Result<T = ()> = std::result::Result<T, String>;
+
+struct Chore {
+    name: &'static str,
+    arguments: &'static str,
+    about: &'static str,
+    run: fn(&[String]) -> Result,
+}
+
+const CHORES: [Chore; 2] = [
+    Chore {
+        name: "test",
+        arguments: "[CHECK...]",
+        about: test::ABOUT,
+        run: test::run,
+    },
+    Chore {
+        name: "bench",
+        arguments: "[FILTER...]",
+        about: bench::ABOUT,
+        run: bench::run,
+    },
+];
+
+fn main() -> ExitCode {
+    let mut arguments = std::env::args().skip(1);
+    let name = arguments.next().unwrap_or_else(|| "help".into());
+    if ["help", "--help", "-h"].contains(&name.as_str()) {
+        print!("{}", help());
+        return ExitCode::SUCCESS;
+    }
+    let Some(chore) = CHORES.iter().find(|chore| chore.name == name) else {
+        eprint!("There is no chore '{name}'.\n\n{}", help());
+        return ExitCode::from(2);
+    };
+    match (chore.run)(&arguments.collect::<Vec<_>>()) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(reason) => {
+            eprintln!("cargo xtask {name}: {reason}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+fn help() -> String {
+    let chores = CHORES.iter().map(|chore| {
+        let usage = format!("{} {}", chore.name, chore.arguments);
+        format!("  cargo xtask {usage:<20} {}\n", chore.about)
+    });
+    let checks = test::CHECKS.iter().map(|check| {
+        let command = check.words.join(" ");
+        format!("  {:<9} cargo {command}\n", check.name)
+    });
+    format!(
+        "The project's chores:\n{}\nThe checks of `cargo xtask test`, in order:\n{}",
+        chores.collect::<String>(),
+        checks.collect::<String>()
+    )
+}

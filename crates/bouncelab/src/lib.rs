@@ -14,3 +14,5 @@ pub mod regression;
 pub mod restitution;
 pub mod synth;
 pub mod train;
+
+pub use error::{Error, Result};

@@ -1,0 +1,38 @@
+//! Range checks of a scene's numbers. Not-a-number lies in no range.
+
+use std::ops::RangeInclusive;
+
+use crate::{Error, Result};
+
+/// Accepts a value in the closed range.
+pub(super) fn within(
+    quantity: &'static str,
+    value: f64,
+    range: RangeInclusive<f64>,
+    allowed: &'static str,
+) -> Result<()> {
+    if range.contains(&value) {
+        Ok(())
+    } else {
+        Err(Error::OutOfRange {
+            quantity,
+            value,
+            allowed,
+        })
+    }
+}
+
+/// Accepts a value above zero and not above `max`, which `allowed` names.
+pub(super) fn positive_up_to(
+    quantity: &'static str,
+    value: f64,
+    max: f64,
+    allowed: &'static str,
+) -> Result<()> {
+    within(quantity, value, f64::MIN_POSITIVE..=max, allowed)
+}
+
+/// Accepts any finite value above zero.
+pub(super) fn positive(quantity: &'static str, value: f64) -> Result<()> {
+    positive_up_to(quantity, value, f64::MAX, "a positive number")
+}

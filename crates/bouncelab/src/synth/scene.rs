@@ -1,0 +1,297 @@
+//! Where and how the drop is recorded: every setting of [`render`](super::render).
+
+use super::checks::{positive_up_to, within};
+use super::voice::Voice;
+use crate::Result;
+
+/// Everything between the drop and the file: voice, room, disturbances, recorder.
+///
+/// The default is a clean table-tennis drop at 44.1 kHz and 16 bit, with white noise 60 dB
+/// below the loudest impact. Levels in decibels are all relative to the loudest impact that is
+/// heard: its root mean square over the first 5 ms, before reverberation. If none is heard,
+/// they are relative to the one that the voice would have made.
+///
+/// ```
+/// use bouncelab::synth::{BitDepth, Noise, Scene, Voice};
+///
+/// let gym = Scene {
+///     voice: Voice::basketball(),
+///     noise: Some(Noise::pink(25.0)),
+///     sample_rate_hz: 48_000,
+///     bit_depth: BitDepth::TwentyFour,
+///     ..Scene::default()
+/// };
+/// assert_eq!(gym.lead_in_s, 0.5);
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct Scene {
+    /// Samples a second, 4 000 to 192 000.
+    pub sample_rate_hz: u32,
+    /// Seconds of recording before time 0 of the strikes; not negative.
+    pub lead_in_s: f64,
+    /// Seconds of recording after the last strike; at least 0.005.
+    pub tail_s: f64,
+    /// What an impact sounds like.
+    pub voice: Voice,
+    /// Standard deviation of the natural logarithm of the level from impact to impact, 0 to 1.
+    pub level_scatter: f64,
+    /// Standard deviation of the phase of each mode from impact to impact in radians, 0 to pi.
+    pub phase_scatter_rad: f64,
+    /// Peak of the loudest impact as a fraction of full scale, above 0, at most 100.
+    /// Above 1, a recorder of 8, 16 or 24 bit clips.
+    pub peak: f64,
+    /// Background noise, if any.
+    pub noise: Option<Noise>,
+    /// Mains hum, if any.
+    pub hum: Option<Hum>,
+    /// Reverberation of impacts and clicks, if any.
+    pub reverb: Option<Reverb>,
+    /// Sounds that are no impact, if any.
+    pub clicks: Option<Clicks>,
+    /// Impacts that are not heard.
+    pub lost: Lost,
+    /// Constant added by the recorder, as a fraction of full scale, -1 to 1.
+    pub dc_offset: f64,
+    /// Level, as a fraction of full scale, at which the signal is cut off (above 0, at most 1);
+    /// `None` leaves that to the bit depth.
+    pub clip_at: Option<f64>,
+    /// How the samples are stored.
+    pub bit_depth: BitDepth,
+}
+
+impl Default for Scene {
+    fn default() -> Self {
+        Self {
+            sample_rate_hz: 44_100,
+            lead_in_s: 0.5,
+            tail_s: 0.5,
+            voice: Voice::default(),
+            level_scatter: 0.1,
+            phase_scatter_rad: 0.1,
+            peak: 0.5,
+            noise: Some(Noise::white(60.0)),
+            hum: None,
+            reverb: None,
+            clicks: None,
+            lost: Lost::None,
+            dc_offset: 0.0,
+            clip_at: None,
+            bit_depth: BitDepth::Sixteen,
+        }
+    }
+}
+
+impl Scene {
+    pub(super) fn check(&self) -> Result<()> {
+        within(
+            "sample rate in Hz",
+            f64::from(self.sample_rate_hz),
+            4e3..=192e3,
+            "from 4000 to 192000",
+        )?;
+        within("lead-in in s", self.lead_in_s, 0.0..=f64::MAX, "0 or more")?;
+        within("tail in s", self.tail_s, 0.005..=f64::MAX, "0.005 or more")?;
+        self.voice.check()?;
+        within(
+            "scatter of the level",
+            self.level_scatter,
+            0.0..=1.0,
+            "from 0 to 1",
+        )?;
+        within(
+            "scatter of the phases in rad",
+            self.phase_scatter_rad,
+            0.0..=std::f64::consts::PI,
+            "from 0 to pi",
+        )?;
+        positive_up_to(
+            "peak as a fraction of full scale",
+            self.peak,
+            100.0,
+            "above 0, at most 100",
+        )?;
+        within(
+            "DC offset as a fraction of full scale",
+            self.dc_offset,
+            -1.0..=1.0,
+            "from -1 to 1",
+        )?;
+        if let Some(level) = self.clip_at {
+            positive_up_to(
+                "clipping level as a fraction of full scale",
+                level,
+                1.0,
+                "above 0, at most 1",
+            )?;
+        }
+        self.check_disturbances()
+    }
+
+    fn check_disturbances(&self) -> Result<()> {
+        let nyquist_hz = f64::from(self.sample_rate_hz) / 2.0;
+        if let Some(noise) = &self.noise {
+            within("SNR in dB", noise.snr_db, -60.0..=200.0, "from -60 to 200")?;
+        }
+        if let Some(hum) = &self.hum {
+            positive_up_to(
+                "frequency of the hum in Hz",
+                hum.frequency_hz,
+                nyquist_hz.next_down(),
+                "above 0 and below half the sample rate",
+            )?;
+            within(
+                "number of harmonics of the hum",
+                hum.harmonics as f64,
+                1.0..=100.0,
+                "from 1 to 100",
+            )?;
+            within(
+                "level of the hum in dB",
+                hum.level_db,
+                -200.0..=60.0,
+                "from -200 to 60",
+            )?;
+        }
+        if let Some(reverb) = &self.reverb {
+            within(
+                "reverberation time in s",
+                reverb.rt60_s,
+                0.01..=20.0,
+                "from 0.01 to 20",
+            )?;
+            within(
+                "direct to reverberant ratio in dB",
+                reverb.direct_to_reverberant_db,
+                -60.0..=120.0,
+                "from -60 to 120",
+            )?;
+        }
+        if let Some(clicks) = &self.clicks {
+            positive_up_to(
+                "rate of clicks in 1/s",
+                clicks.rate_per_s,
+                1000.0,
+                "above 0, at most 1000",
+            )?;
+            within(
+                "level of the clicks in dB",
+                clicks.level_db,
+                -200.0..=60.0,
+                "from -200 to 60",
+            )?;
+        }
+        if let Lost::Chance(chance) = self.lost {
+            within(
+                "chance of losing an impact",
+                chance,
+                0.0..=1.0,
+                "from 0 to 1",
+            )?;
+        }
+        Ok(())
+    }
+}
+
+/// Background noise of known strength, Gaussian.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Noise {
+    /// How its power lies over frequency.
+    pub colour: Colour,
+    /// Signal-to-noise ratio in decibels, -60 to 200: 20 log10 of the root mean square of the
+    /// loudest impact over its first 5 ms, over that of the noise over the whole recording.
+    pub snr_db: f64,
+}
+
+impl Noise {
+    /// White noise at this signal-to-noise ratio.
+    pub const fn white(snr_db: f64) -> Self {
+        Self {
+            colour: Colour::White,
+            snr_db,
+        }
+    }
+
+    /// Pink noise at this signal-to-noise ratio.
+    pub const fn pink(snr_db: f64) -> Self {
+        Self {
+            colour: Colour::Pink,
+            snr_db,
+        }
+    }
+}
+
+/// How the power of a noise lies over frequency.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Colour {
+    /// The same power in every hertz.
+    White,
+    /// The same power in every octave above 10 Hz: rooms, wind, traffic.
+    Pink,
+}
+
+/// Mains hum: a fundamental and its harmonics, the k-th at 1/k of the amplitude.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Hum {
+    /// The fundamental in hertz, usually 50 or 60.
+    pub frequency_hz: f64,
+    /// How many partials, the fundamental counted, 1 to 100. Those at or above half the sample
+    /// rate are left out.
+    pub harmonics: usize,
+    /// Root mean square of the whole hum relative to the loudest impact, in decibels, -200 to 60.
+    pub level_db: f64,
+}
+
+/// Reverberation: a tail of Gaussian noise that decays exponentially, as in a large room.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Reverb {
+    /// Time in seconds in which the tail falls by 60 dB, 0.01 to 20.
+    pub rt60_s: f64,
+    /// Energy of the direct sound over that of the tail, in decibels, -60 to 120.
+    pub direct_to_reverberant_db: f64,
+}
+
+/// Sounds that are no impact: short ticks of random pitch at random times (Poisson).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Clicks {
+    /// How many a second on average, above 0, at most 1000.
+    pub rate_per_s: f64,
+    /// Root mean square of each over its first 5 ms relative to the loudest impact, in decibels,
+    /// -200 to 60.
+    pub level_db: f64,
+}
+
+/// Which impacts are not heard.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Lost {
+    /// None: all are heard.
+    None,
+    /// Each is lost with this chance, 0 to 1.
+    Chance(f64),
+    /// Those at these places in the list of strikes, counted from 0.
+    At(Vec<usize>),
+}
+
+/// How samples are stored, and with it how finely they are rounded.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum BitDepth {
+    /// 8 bit: 256 levels.
+    Eight,
+    /// 16 bit: 65 536 levels.
+    Sixteen,
+    /// 24 bit: 16 777 216 levels.
+    TwentyFour,
+    /// 32 bit floating point: no rounding to levels and no limit.
+    Float,
+}
+
+impl BitDepth {
+    /// Bits of an integer sample; `None` for floating point.
+    pub const fn bits(self) -> Option<u32> {
+        match self {
+            Self::Eight => Some(8),
+            Self::Sixteen => Some(16),
+            Self::TwentyFour => Some(24),
+            Self::Float => None,
+        }
+    }
+}

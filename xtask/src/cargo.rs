@@ -1,0 +1,41 @@
+//! Running cargo in the root of the workspace.
+
+use std::path::Path;
+use std::process::{Command, Stdio};
+
+use crate::Result;
+
+/// The cargo that runs this chore, in the root of the workspace.
+pub(crate) fn cargo<'a>(words: impl IntoIterator<Item = &'a str>) -> Command {
+    let program = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
+    let mut command = Command::new(program);
+    command.args(words).current_dir(root());
+    command
+}
+
+/// Runs a command to its end, its output going where ours goes.
+pub(crate) fn run(command: &mut Command) -> Result {
+    let status = command
+        .status()
+        .map_err(|error| format!("cannot start {}: {error}", command.get_program().display()))?;
+    if status.success() {
+        Ok(())
+    } else {
+        Err(format!(
+            "{} ended with {status}",
+            command.get_program().display()
+        ))
+    }
+}
+
+/// Whether cargo knows this subcommand.
+pub(crate) fn has(subcommand: &str) -> bool {
+    let mut command = cargo([subcommand, "--version"]);
+    command.stdout(Stdio::null()).stderr(Stdio::null());
+    run(&mut command).is_ok()
+}
+
+fn root() -> &'static Path {
+    let here = Path::new(env!("CARGO_MANIFEST_DIR"));
+    here.parent().expect("xtask is a folder of the workspace")
+}
