@@ -1,0 +1,154 @@
+use std::fmt;
+use std::io;
+
+/// What can go wrong between a file and its samples or times.
+///
+/// Each message says which file, what was wrong with it and what to do next. Faults that leave
+/// something worth hearing are no errors: see [`Warning`](crate::Warning).
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum Error {
+    /// There is no such file.
+    #[error("{name}: no such file; check the spelling and the folder")]
+    NotFound {
+        /// The file as the caller named it.
+        name: String,
+    },
+
+    /// The path leads to a folder.
+    #[error("{name}: is a folder; name the recordings in it")]
+    Directory {
+        /// The folder as the caller named it.
+        name: String,
+    },
+
+    /// The file has no bytes, or a header and nothing after it.
+    #[error("{name}: empty: {what}; record or export it again")]
+    Empty {
+        /// The file as the caller named it.
+        name: String,
+        /// What is missing.
+        what: &'static str,
+    },
+
+    /// The content is none of the known sound formats, whatever the name of the file says.
+    #[error(
+        "{name}: not a sound file: it looks like {looks_like}; \
+         known are WAV, AIFF, FLAC, MP3, AAC, Ogg, WebM, Matroska, MP4, M4A and MOV"
+    )]
+    NotSound {
+        /// The file as the caller named it.
+        name: String,
+        /// What the first bytes look like.
+        looks_like: &'static str,
+    },
+
+    /// The format is known, but the file breaks its rules before any sound was decoded.
+    #[error("{name}: damaged {format} file: cannot {stage} ({detail}); copy or export it again")]
+    Malformed {
+        /// The file as the caller named it.
+        name: String,
+        /// The container, for example "MP4".
+        format: &'static str,
+        /// What was being done.
+        stage: Stage,
+        /// The complaint of the reader or decoder.
+        detail: String,
+    },
+
+    /// The container holds no track with sound.
+    #[error("{name}: this {format} file has no audio track; was the microphone off?")]
+    NoAudioTrack {
+        /// The file as the caller named it.
+        name: String,
+        /// The container, for example "MP4".
+        format: &'static str,
+    },
+
+    /// A sound file of a kind that cannot be decoded: its codec, its rate or its channels.
+    #[error("{name}: {what}; convert it, for example with: ffmpeg -i INPUT output.wav")]
+    Unsupported {
+        /// The file as the caller named it.
+        name: String,
+        /// What is not supported.
+        what: String,
+    },
+
+    /// A list of impact times is not one.
+    #[error("{name}{}: {problem}", AtLine(*line))]
+    Times {
+        /// The file as the caller named it.
+        name: String,
+        /// The line, counted from 1; `None` if the fault is in no particular line.
+        line: Option<usize>,
+        /// What is wrong and what is expected.
+        problem: String,
+    },
+
+    /// Samples that cannot be written as a WAV file.
+    #[error("{name}: cannot write this sound: {problem}")]
+    Unwritable {
+        /// The file as the caller named it.
+        name: String,
+        /// What is wrong and what is allowed.
+        problem: String,
+    },
+
+    /// The operating system refused to read or write.
+    #[error("{name}: {source}")]
+    Io {
+        /// The file as the caller named it.
+        name: String,
+        /// The system's reason.
+        source: io::Error,
+    },
+}
+
+/// What was being done to a file when it turned out to be damaged.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Stage {
+    /// Reading the container's header.
+    Header,
+    /// Reading the set-up of the codec.
+    Codec,
+    /// Decoding the sound.
+    Sound,
+}
+
+impl fmt::Display for Stage {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Header => "read the header",
+            Self::Codec => "set up the decoder",
+            Self::Sound => "decode any sound",
+        })
+    }
+}
+
+/// Shorthand for results with this crate's [`Error`].
+pub type Result<T> = std::result::Result<T, Error>;
+
+impl Error {
+    /// The error for a path the system would not open, read or write.
+    pub(crate) fn io(name: &str, source: io::Error) -> Self {
+        let name = name.to_owned();
+        match source.kind() {
+            io::ErrorKind::NotFound => Self::NotFound { name },
+            io::ErrorKind::IsADirectory => Self::Directory { name },
+            _ => Self::Io { name, source },
+        }
+    }
+}
+
+/// Prints ", line 3", or nothing.
+struct AtLine(Option<usize>);
+
+impl fmt::Display for AtLine {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self.0 {
+            Some(line) => write!(f, ", line {line}"),
+            None => Ok(()),
+        }
+    }
+}

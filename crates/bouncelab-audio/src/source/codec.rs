@@ -1,0 +1,133 @@
+//! From packets to samples: one face for all codecs.
+
+use symphonia::core::codecs::audio::well_known::{
+    CODEC_ID_AAC, CODEC_ID_AC3, CODEC_ID_ALAC, CODEC_ID_EAC3, CODEC_ID_FLAC, CODEC_ID_MP3,
+    CODEC_ID_OPUS, CODEC_ID_PCM_ALAW, CODEC_ID_PCM_F32BE, CODEC_ID_PCM_F32LE, CODEC_ID_PCM_F64BE,
+    CODEC_ID_PCM_F64LE, CODEC_ID_PCM_MULAW, CODEC_ID_PCM_S32LE, CODEC_ID_VORBIS,
+};
+use symphonia::core::codecs::audio::{
+    AudioCodecId, AudioCodecParameters, AudioDecoder, AudioDecoderOptions, CODEC_ID_NULL_AUDIO,
+};
+use symphonia::core::errors::{Error as SymphoniaError, Result as SymphoniaResult};
+use symphonia::core::packet::Packet;
+
+use super::opus;
+
+/// More channels than any recorder has, and few enough to hold a block of each.
+pub(super) const MAX_CHANNELS: usize = 64;
+
+/// No codec packs more frames into one packet; damaged headers ask for gigabytes.
+pub(super) const MAX_PACKET_FRAMES: u64 = 1 << 16;
+
+/// A decoder for one track.
+pub(super) enum Decoder {
+    Symphonia(Box<dyn AudioDecoder>),
+    Opus(Box<opus::Decoder>),
+}
+
+/// Rate and channels of decoded sound.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) struct Layout {
+    pub(super) sample_rate_hz: u32,
+    pub(super) channels: usize,
+}
+
+/// Why a decoder could not be made.
+pub(super) enum Refusal {
+    /// The codec, or this use of it, is not supported.
+    Unsupported(String),
+    /// The parameters contradict themselves.
+    Malformed(String),
+}
+
+impl Decoder {
+    /// A decoder for this track.
+    pub(super) fn new(params: &AudioCodecParameters) -> Result<Self, Refusal> {
+        if params.codec == CODEC_ID_OPUS {
+            let head = opus_head(params).map_err(Refusal::Unsupported)?;
+            let decoder = opus::Decoder::new(head).map_err(Refusal::Malformed)?;
+            return Ok(Self::Opus(Box::new(decoder)));
+        }
+        check_sizes(params)?;
+        // Vorbis decodes one packet less than it is given, which only its own trimming knows. All
+        // other encoder delays are taken out here, from what the container says: the trimming of
+        // MP3 would also cut the end of files whose length is merely estimated.
+        let options = AudioDecoderOptions::default().gapless(params.codec == CODEC_ID_VORBIS);
+        match symphonia::default::get_codecs().make_audio_decoder(params, &options) {
+            Ok(decoder) => Ok(Self::Symphonia(decoder)),
+            Err(SymphoniaError::Unsupported(why)) => {
+                Err(Refusal::Unsupported(format!("{}: {why}", name(params.codec))))
+            }
+            Err(fault) => Err(Refusal::Malformed(fault.to_string())),
+        }
+    }
+
+    /// Decodes one packet into one plane for each channel. An empty result is not an error:
+    /// some codecs need a packet to start.
+    pub(super) fn decode(
+        &mut self,
+        packet: &Packet,
+        planes: &mut Vec<Vec<f32>>,
+    ) -> SymphoniaResult<Layout> {
+        match self {
+            Self::Symphonia(decoder) => {
+                let decoded = decoder.decode(packet)?;
+                decoded.copy_to_vecs_planar(planes);
+                let spec = decoded.spec();
+                Ok(Layout { sample_rate_hz: spec.rate(), channels: spec.channels().count() })
+            }
+            Self::Opus(decoder) => {
+                decoder.decode(&packet.data, planes)?;
+                let frames = planes.first().map_or(0, Vec::len);
+                let padding = packet.trim_end.get() as usize;
+                planes.iter_mut().for_each(|plane| plane.truncate(frames.saturating_sub(padding)));
+                Ok(Layout { sample_rate_hz: opus::SAMPLE_RATE_HZ, channels: planes.len() })
+            }
+        }
+    }
+}
+
+/// Refuses headers that would make a decoder claim absurd amounts of memory.
+fn check_sizes(params: &AudioCodecParameters) -> Result<(), Refusal> {
+    let channels = params.channels.as_ref().map_or(0, |channels| channels.count());
+    if channels > MAX_CHANNELS {
+        let what = format!("{channels} channels (at most {MAX_CHANNELS} are read)");
+        return Err(Refusal::Unsupported(what));
+    }
+    // The ALAC set-up starts with the frames in a packet.
+    let alac_frames = match (params.codec, params.extra_data.as_deref()) {
+        (CODEC_ID_ALAC, Some([a, b, c, d, ..])) => u32::from_be_bytes([*a, *b, *c, *d]),
+        _ => 0,
+    };
+    let frames = params.max_frames_per_packet.unwrap_or(0).max(u64::from(alac_frames));
+    if frames > MAX_PACKET_FRAMES {
+        return Err(Refusal::Malformed(format!("packets of {frames} frames")));
+    }
+    Ok(())
+}
+
+/// The header of an Opus track, which holds its delay and gain.
+pub(super) fn opus_head(params: &AudioCodecParameters) -> Result<opus::Head, String> {
+    opus::Head::parse(params.extra_data.as_deref().unwrap_or_default())
+}
+
+/// What people call a codec.
+pub(super) fn name(codec: AudioCodecId) -> &'static str {
+    match codec {
+        CODEC_ID_AAC => "AAC",
+        CODEC_ID_ALAC => "ALAC",
+        CODEC_ID_FLAC => "FLAC",
+        CODEC_ID_MP3 => "MP3",
+        CODEC_ID_OPUS => "Opus",
+        CODEC_ID_VORBIS => "Vorbis",
+        CODEC_ID_AC3 => "AC-3",
+        CODEC_ID_EAC3 => "E-AC-3",
+        CODEC_ID_PCM_F32LE | CODEC_ID_PCM_F32BE => "32-bit float",
+        CODEC_ID_PCM_F64LE | CODEC_ID_PCM_F64BE => "64-bit float",
+        CODEC_ID_PCM_ALAW => "A-law",
+        CODEC_ID_PCM_MULAW => "mu-law",
+        id if (CODEC_ID_PCM_S32LE..CODEC_ID_PCM_F32LE).contains(&id) => "PCM",
+        CODEC_ID_NULL_AUDIO => "an unknown codec",
+        _ => "another codec",
+    }
+}

@@ -1,0 +1,168 @@
+//! Edit lists of MP4, M4A and MOV files: which part of a track is heard.
+//!
+//! Encoders put 1024 (ffmpeg), 2112 (Apple) or other numbers of AAC frames in front of the sound
+//! and tell players by an edit list (ISO/IEC 14496-12, boxes `edts` and `elst`) to skip them. The
+//! demuxer in use reads these boxes but ignores them, so they are read here.
+
+use std::io::{self, Read, Seek, SeekFrom};
+
+/// The edits of one track, in seconds.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct TrackEdits {
+    pub(super) track_id: u32,
+    pub(super) edits: Vec<Edit>,
+}
+
+/// A part of the track that is heard.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Edit {
+    /// Where the part starts, in seconds from the first sample of the track.
+    pub(super) start_s: f64,
+    /// How long it is; `None` for "to the end".
+    pub(super) duration_s: Option<f64>,
+    /// Whether it is played at another speed than it was recorded.
+    pub(super) warped: bool,
+}
+
+/// No sane file comes near this many; it bounds the work a damaged one can cause.
+const MAX_BOXES: usize = 10_000;
+const MAX_EDITS: usize = 1_000;
+
+/// Reads the edits of all tracks. Damage here means no edits: the demuxer that follows reads the
+/// same boxes and reports it.
+pub(super) fn read<S: Read + Seek + ?Sized>(source: &mut S) -> Vec<TrackEdits> {
+    read_movie(source).unwrap_or_default()
+}
+
+fn read_movie<S: Read + Seek + ?Sized>(source: &mut S) -> io::Result<Vec<TrackEdits>> {
+    let end = source.seek(SeekFrom::End(0))?;
+    let mut found = Vec::new();
+    for movie in boxes(source, 0..end)?.iter().filter(|inner| &inner.kind == b"moov") {
+        let parts = boxes(source, movie.start..movie.end)?;
+        let Some(header) = first(&parts, *b"mvhd") else { continue };
+        let movie_scale = timescale(source, header)?;
+        for track in parts.iter().filter(|inner| &inner.kind == b"trak") {
+            found.extend(read_track(source, track, movie_scale)?);
+        }
+    }
+    Ok(found)
+}
+
+fn read_track<S: Read + Seek + ?Sized>(
+    source: &mut S,
+    track: &BoxSpan,
+    movie_scale: f64,
+) -> io::Result<Option<TrackEdits>> {
+    let parts = boxes(source, track.start..track.end)?;
+    let (Some(header), Some(edits), Some(media)) =
+        (first(&parts, *b"tkhd"), first(&parts, *b"edts"), first(&parts, *b"mdia"))
+    else {
+        return Ok(None);
+    };
+    let edits = boxes(source, edits.start..edits.end)?;
+    let media = boxes(source, media.start..media.end)?;
+    let (Some(list), Some(media_header)) = (first(&edits, *b"elst"), first(&media, *b"mdhd"))
+    else {
+        return Ok(None);
+    };
+    let media_scale = timescale(source, media_header)?;
+    Ok(Some(TrackEdits {
+        track_id: track_id(source, header)?,
+        edits: edit_list(source, list, movie_scale, media_scale)?,
+    }))
+}
+
+/// Where the content of a box lies in the file.
+struct BoxSpan {
+    kind: [u8; 4],
+    start: u64,
+    end: u64,
+}
+
+fn first(boxes: &[BoxSpan], kind: [u8; 4]) -> Option<&BoxSpan> {
+    boxes.iter().find(|inner| inner.kind == kind)
+}
+
+/// The boxes in a stretch of the file, not looking into them. A box that does not fit ends the
+/// list: a file cut short can still have whole boxes in front.
+fn boxes<S: Read + Seek + ?Sized>(
+    source: &mut S,
+    within: std::ops::Range<u64>,
+) -> io::Result<Vec<BoxSpan>> {
+    let mut found = Vec::new();
+    let mut at = within.start;
+    while within.end.saturating_sub(at) >= 8 && found.len() < MAX_BOXES {
+        source.seek(SeekFrom::Start(at))?;
+        let short_size = u64::from(read_u32(source)?);
+        let kind = read_bytes(source)?;
+        let (header, size) = match short_size {
+            0 => (8, within.end - at),
+            1 => (16, u64::from_be_bytes(read_bytes(source)?)),
+            size => (8, size),
+        };
+        let Some(end) = at.checked_add(size).filter(|_| size >= header) else { break };
+        found.push(BoxSpan { kind, start: at + header, end: end.min(within.end) });
+        at = end;
+    }
+    Ok(found)
+}
+
+/// Ticks in a second, from a movie or media header (`mvhd`, `mdhd`).
+fn timescale<S: Read + Seek + ?Sized>(source: &mut S, header: &BoxSpan) -> io::Result<f64> {
+    let wide = open_versioned(source, header)? == 1;
+    source.seek(SeekFrom::Current(if wide { 16 } else { 8 }))?;
+    Ok(f64::from(read_u32(source)?.max(1)))
+}
+
+fn track_id<S: Read + Seek + ?Sized>(source: &mut S, header: &BoxSpan) -> io::Result<u32> {
+    let wide = open_versioned(source, header)? == 1;
+    source.seek(SeekFrom::Current(if wide { 16 } else { 8 }))?;
+    read_u32(source)
+}
+
+fn edit_list<S: Read + Seek + ?Sized>(
+    source: &mut S,
+    list: &BoxSpan,
+    movie_scale: f64,
+    media_scale: f64,
+) -> io::Result<Vec<Edit>> {
+    let wide = open_versioned(source, list)? == 1;
+    let count = read_u32(source)? as usize;
+    let mut edits = Vec::new();
+    for _ in 0..count.min(MAX_EDITS) {
+        let (duration, start) = if wide {
+            (u64::from_be_bytes(read_bytes(source)?), i64::from_be_bytes(read_bytes(source)?))
+        } else {
+            let duration = u64::from(read_u32(source)?);
+            (duration, i64::from(i32::from_be_bytes(read_bytes(source)?)))
+        };
+        let speed = read_u32(source)?;
+        // A start of -1 is a pause. In front of the sound it only says that the picture starts
+        // first; the clock here starts with the sound.
+        if start >= 0 {
+            edits.push(Edit {
+                start_s: start as f64 / media_scale,
+                duration_s: (duration > 0).then(|| duration as f64 / movie_scale),
+                warped: speed != 0x0001_0000,
+            });
+        }
+    }
+    Ok(edits)
+}
+
+/// Goes to the first field after version and flags; the version.
+fn open_versioned<S: Read + Seek + ?Sized>(source: &mut S, inner: &BoxSpan) -> io::Result<u8> {
+    source.seek(SeekFrom::Start(inner.start))?;
+    let [version, ..] = read_bytes::<4, S>(source)?;
+    Ok(version)
+}
+
+fn read_u32<S: Read + ?Sized>(source: &mut S) -> io::Result<u32> {
+    Ok(u32::from_be_bytes(read_bytes(source)?))
+}
+
+fn read_bytes<const N: usize, S: Read + ?Sized>(source: &mut S) -> io::Result<[u8; N]> {
+    let mut bytes = [0; N];
+    source.read_exact(&mut bytes)?;
+    Ok(bytes)
+}

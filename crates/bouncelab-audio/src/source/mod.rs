@@ -1,0 +1,440 @@
+//! A recording as a stream of blocks of samples.
+
+mod codec;
+mod contain;
+mod container;
+mod edits;
+mod opus;
+mod presentation;
+mod track;
+
+use std::fs::File;
+use std::io::{self, Cursor, Read, Seek, SeekFrom};
+use std::ops::Range;
+use std::path::Path;
+use std::sync::Arc;
+
+use symphonia::core::io::MediaSource;
+
+use self::codec::{Layout, MAX_CHANNELS};
+use self::container::Content;
+use self::presentation::Presentation;
+use self::track::{Step, Track};
+use crate::error::{Error, Result};
+use crate::warning::Warning;
+
+/// The lowest sample rate that is read, in hertz. Below it there is nothing left of a click, and
+/// its onset is no better known than a quarter of a millisecond.
+pub const MIN_SAMPLE_RATE_HZ: u32 = 4_000;
+
+/// The most frames in one [`Block`].
+pub const MAX_BLOCK_FRAMES: usize = 4_096;
+
+/// A recording being read, block by block, in memory that does not grow with its length.
+///
+/// The first frame is time zero and the frame `i` is at `i / sample_rate_hz` seconds. What an
+/// encoder put in front of the sound (21 ms in most AAC, 7 ms in Opus) is taken out wherever the
+/// file says how much it is, so that times agree with those of other players:
+///
+/// | format | what says how much is not sound |
+/// |---|---|
+/// | MP4, M4A, MOV | the track's edit list; Opus without one: its pre-skip |
+/// | Opus in Ogg, WebM, Matroska | the pre-skip in the Opus header |
+/// | MP3 | the LAME or Info tag |
+/// | Vorbis | the stream itself |
+///
+/// A file that does not say (an MP3 without tag, AAC in a bare stream or in Matroska) starts
+/// late by a constant 20 to 50 ms, in other players as here. Differences between times, all that
+/// the physics needs, do not suffer.
+///
+/// Integer samples are scaled to `-1.0..1.0`; float samples are taken as they are, except that
+/// NaN and infinity become zero and are reported ([`Warning::NonFinite`]): one bad sample of an
+/// exporting program must not cost the recording, nor spread into everything computed from it.
+///
+/// ```
+/// use bouncelab_audio::Source;
+///
+/// # let wav = include_bytes!("../../tests/fixtures/pcm16.wav").to_vec();
+/// let mut source = Source::from_bytes(wav, "clicks.wav")?;
+/// let mut loudest: f32 = 0.0;
+/// while let Some(block) = source.next_block()? {
+///     loudest = block.channel(0).iter().fold(loudest, |peak, sample| peak.max(sample.abs()));
+/// }
+/// assert!(loudest > 0.4);
+/// assert!(source.warnings().is_empty());
+/// # Ok::<(), bouncelab_audio::Error>(())
+/// ```
+pub struct Source {
+    name: String,
+    track: Track,
+    layout: Layout,
+    presentation: Presentation,
+    /// Decoded frames, all channels; the first is frame `planes_start` of the decoded stream.
+    planes: Vec<Vec<f32>>,
+    planes_start: u64,
+    /// The frames in `planes` that were not yet looked at.
+    pending: Range<u64>,
+    /// How many frames were handed out.
+    presented: u64,
+    ended: bool,
+    warnings: Vec<Warning>,
+}
+
+/// A stretch of consecutive samples of all channels.
+#[derive(Debug, Clone)]
+pub struct Block<'a> {
+    planes: &'a [Vec<f32>],
+    within: Range<usize>,
+    start_frame: u64,
+}
+
+impl Block<'_> {
+    /// The samples of one channel, counted from 0.
+    ///
+    /// # Panics
+    ///
+    /// If there is no such channel: see [`Source::channels`].
+    pub fn channel(&self, channel: usize) -> &[f32] {
+        &self.planes[channel][self.within.clone()]
+    }
+
+    /// How many channels there are: always [`Source::channels`].
+    pub fn channels(&self) -> usize {
+        self.planes.len()
+    }
+
+    /// How many samples each channel has: 1 to [`MAX_BLOCK_FRAMES`].
+    pub fn frames(&self) -> usize {
+        self.within.len()
+    }
+
+    /// The place of the first sample in the recording, in frames.
+    pub fn start_frame(&self) -> u64 {
+        self.start_frame
+    }
+}
+
+impl Source {
+    /// Opens a file and decodes its first packet.
+    ///
+    /// # Errors
+    ///
+    /// Any variant of [`Error`] but [`Error::Times`] and [`Error::Unwritable`]: the file is not
+    /// there, not sound, damaged before the first sample, or of a kind that is not supported.
+    pub fn open(path: impl AsRef<Path>) -> Result<Self> {
+        let path = path.as_ref();
+        let name = path.display().to_string();
+        // Opening a folder succeeds on some systems and fails with the strangest errors on others.
+        if path.is_dir() {
+            return Err(Error::Directory { name });
+        }
+        let file = File::open(path).map_err(|reason| Error::io(&name, reason))?;
+        Self::from_reader(file, &name)
+    }
+
+    /// Reads a recording from memory; the name is for messages only.
+    ///
+    /// # Errors
+    ///
+    /// As for [`Source::open`].
+    pub fn from_bytes(bytes: impl Into<Arc<[u8]>>, name: &str) -> Result<Self> {
+        Self::from_reader(Cursor::new(bytes.into()), name)
+    }
+
+    /// Reads a recording from anything that can be read and searched; the name is for messages
+    /// only.
+    ///
+    /// # Errors
+    ///
+    /// As for [`Source::open`].
+    pub fn from_reader<R>(reader: R, name: &str) -> Result<Self>
+    where
+        R: Read + Seek + Send + Sync + 'static,
+    {
+        let fail = |reason| Error::io(name, reason);
+        let mut reader = Measured::new(reader).map_err(fail)?;
+        let container = match container::identify(&mut reader).map_err(fail)? {
+            Content::Sound(container) => container,
+            Content::Other(looks_like) => {
+                return Err(Error::NotSound { name: name.to_owned(), looks_like });
+            }
+            Content::Nothing => {
+                let what = "the file has no content";
+                return Err(Error::Empty { name: name.to_owned(), what });
+            }
+        };
+        let track = Track::open(container, Box::new(reader), name)?;
+        Self::start(track, name)
+    }
+
+    /// Decodes up to the first sound. A source that exists can be read, and its layout is that of
+    /// the sound, not of a header that may differ.
+    fn start(mut track: Track, name: &str) -> Result<Self> {
+        let mut planes = Vec::new();
+        let mut damaged = 0;
+        let mut detail = None;
+        let layout = loop {
+            match track.step(name, &mut planes)? {
+                Step::Sound { layout, .. } if !planes.iter().all(Vec::is_empty) => break layout,
+                Step::Sound { .. } => {}
+                Step::Damaged { detail: fault, .. } => {
+                    damaged += 1;
+                    detail = Some(fault);
+                }
+                Step::Cut { detail: fault } => return Err(track.undecodable(name, fault)),
+                Step::End => return Err(match detail {
+                    Some(fault) => track.undecodable(name, fault),
+                    None => {
+                        let what = "there is a header but no sound";
+                        Error::Empty { name: name.to_owned(), what }
+                    }
+                }),
+            }
+        };
+        check_layout(layout, name)?;
+        let edited = track.presentation(layout);
+        let mut source = Self {
+            name: name.to_owned(),
+            layout,
+            pending: 0..planes[0].len() as u64,
+            planes,
+            planes_start: 0,
+            presented: 0,
+            ended: false,
+            warnings: Vec::new(),
+            presentation: edited.clone().unwrap_or_else(|| track.unedited()),
+            track,
+        };
+        if edited.is_none() {
+            source.warnings.push(Warning::EditsIgnored);
+        }
+        // Silence in front of the first sound would only move all times.
+        if damaged > 0 {
+            source.warnings.push(Warning::Damaged { packets: damaged, first_s: 0.0 });
+        }
+        source.scrub();
+        Ok(source)
+    }
+
+    /// Samples in a second of each channel.
+    pub fn sample_rate_hz(&self) -> u32 {
+        self.layout.sample_rate_hz
+    }
+
+    /// How many channels there are: 1 to 64.
+    pub fn channels(&self) -> usize {
+        self.layout.channels
+    }
+
+    /// What the recording is, for people: for example "AAC in MOV" or "16-bit WAV".
+    pub fn format(&self) -> String {
+        self.track.format()
+    }
+
+    /// The file, as the caller named it.
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+
+    /// How long the sound is according to the file, in seconds; `None` if it does not say, as
+    /// recordings from a browser do not. For progress, not for physics: the header may be wrong,
+    /// and without a header it is an estimate.
+    pub fn duration_s(&self) -> Option<f64> {
+        let announced = self.track.announced(self.layout, &self.presentation)?;
+        Some(self.seconds(announced.frames))
+    }
+
+    /// What was wrong with the recording, as far as it was read.
+    pub fn warnings(&self) -> &[Warning] {
+        &self.warnings
+    }
+
+    /// The next samples, or `None` at the end.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Io`] if the system fails to read. Damage in the file is no error here: what can
+    /// be decoded is, and the rest is in [`Source::warnings`].
+    pub fn next_block(&mut self) -> Result<Option<Block<'_>>> {
+        loop {
+            if let Some(part) = self.presentation.first_within(&self.pending) {
+                let end = part.end.min(part.start + MAX_BLOCK_FRAMES as u64);
+                self.pending.start = end;
+                let start_frame = self.presented;
+                self.presented += end - part.start;
+                let place = |frame| (frame - self.planes_start) as usize;
+                let within = place(part.start)..place(end);
+                return Ok(Some(Block { planes: &self.planes, within, start_frame }));
+            }
+            if self.ended {
+                return Ok(None);
+            }
+            self.decode_more()?;
+        }
+    }
+
+    /// Puts the next packet into `planes`, or finds the end.
+    fn decode_more(&mut self) -> Result<()> {
+        let at = self.pending.end;
+        if at >= self.presentation.end() {
+            self.ended = true;
+            return Ok(());
+        }
+        match self.track.step(&self.name, &mut self.planes)? {
+            Step::Sound { layout, .. } if layout != self.layout => {
+                self.warnings.push(Warning::FormatChange { at_s: self.presented_s(at) });
+                self.end(at);
+            }
+            Step::Sound { missing_s, .. } => {
+                if let Some(missing_s) = missing_s {
+                    self.warnings.push(Warning::Gap { at_s: self.presented_s(at), missing_s });
+                }
+                self.take_planes(at);
+                self.scrub();
+            }
+            Step::Damaged { frames, .. } => {
+                self.note_damage(at);
+                self.planes.resize(self.layout.channels, Vec::new());
+                for plane in &mut self.planes {
+                    plane.clear();
+                    plane.resize(frames as usize, 0.0);
+                }
+                self.take_planes(at);
+            }
+            Step::End => {
+                self.end(at);
+                self.note_truncation(at, false);
+            }
+            Step::Cut { .. } => {
+                self.end(at);
+                self.note_truncation(at, true);
+            }
+        }
+        Ok(())
+    }
+
+    /// The planes now hold the decoded stream from this frame on.
+    fn take_planes(&mut self, at: u64) {
+        self.planes_start = at;
+        self.pending = at..at + self.planes[0].len() as u64;
+    }
+
+    fn end(&mut self, at: u64) {
+        self.ended = true;
+        self.pending = at..at;
+    }
+
+    /// Replaces what is not a number.
+    fn scrub(&mut self) {
+        let mut count = 0;
+        let mut first = usize::MAX;
+        for plane in &mut self.planes {
+            for (place, sample) in plane.iter_mut().enumerate() {
+                if !sample.is_finite() {
+                    *sample = 0.0;
+                    count += 1;
+                    first = first.min(place);
+                }
+            }
+        }
+        if count == 0 {
+            return;
+        }
+        let noted = self.warnings.iter_mut().find_map(|warning| match warning {
+            Warning::NonFinite { samples, .. } => Some(samples),
+            _ => None,
+        });
+        if let Some(samples) = noted {
+            *samples += count;
+        } else {
+            let first_s = self.presented_s(self.planes_start + first as u64);
+            self.warnings.push(Warning::NonFinite { samples: count, first_s });
+        }
+    }
+
+    fn note_damage(&mut self, at: u64) {
+        let noted = self.warnings.iter_mut().find_map(|warning| match warning {
+            Warning::Damaged { packets, .. } => Some(packets),
+            _ => None,
+        });
+        if let Some(packets) = noted {
+            *packets += 1;
+        } else {
+            self.warnings.push(Warning::Damaged { packets: 1, first_s: self.presented_s(at) });
+        }
+    }
+
+    /// Warns if the file ends early: by its own account, or because it breaks off.
+    fn note_truncation(&mut self, at: u64, cut: bool) {
+        let read_s = self.presented_s(at);
+        let announced = self.track.announced(self.layout, &self.presentation);
+        let expected_s =
+            announced.filter(|it| it.exact).map(|announced| self.seconds(announced.frames));
+        if cut || expected_s.is_some_and(|expected_s| expected_s - read_s > TRUNCATION_S) {
+            self.warnings.push(Warning::Truncated { read_s, expected_s });
+        }
+    }
+
+    /// The presented time of a decoded frame.
+    fn presented_s(&self, decoded: u64) -> f64 {
+        self.seconds(self.presentation.count(decoded))
+    }
+
+    fn seconds(&self, frames: u64) -> f64 {
+        frames as f64 / f64::from(self.layout.sample_rate_hz)
+    }
+}
+
+/// A file that is shorter than announced by less than this is not cut short: headers count in
+/// packets or in milliseconds.
+const TRUNCATION_S: f64 = 0.05;
+
+fn check_layout(layout: Layout, name: &str) -> Result<()> {
+    let Layout { sample_rate_hz, channels } = layout;
+    let what = if sample_rate_hz < MIN_SAMPLE_RATE_HZ {
+        format!(
+            "{sample_rate_hz} samples a second are too few to time an impact \
+             (at least {MIN_SAMPLE_RATE_HZ} are needed); record again at 44100 if you can"
+        )
+    } else if channels > MAX_CHANNELS {
+        format!("{channels} channels (at most {MAX_CHANNELS} are read)")
+    } else {
+        return Ok(());
+    };
+    Err(Error::Unsupported { name: name.to_owned(), what })
+}
+
+/// Something to read from, with its length, as the demuxers want it.
+struct Measured<R> {
+    reader: R,
+    len: u64,
+}
+
+impl<R: Read + Seek> Measured<R> {
+    fn new(mut reader: R) -> io::Result<Self> {
+        let len = reader.seek(SeekFrom::End(0))?;
+        Ok(Self { reader, len })
+    }
+}
+
+impl<R: Read> Read for Measured<R> {
+    fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
+        self.reader.read(buffer)
+    }
+}
+
+impl<R: Seek> Seek for Measured<R> {
+    fn seek(&mut self, to: SeekFrom) -> io::Result<u64> {
+        self.reader.seek(to)
+    }
+}
+
+impl<R: Read + Seek + Send + Sync> MediaSource for Measured<R> {
+    fn is_seekable(&self) -> bool {
+        true
+    }
+
+    fn byte_len(&self) -> Option<u64> {
+        Some(self.len)
+    }
+}

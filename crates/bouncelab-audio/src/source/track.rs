@@ -1,0 +1,276 @@
+//! The one audio track of a file that is read: packets in, decoded frames out.
+
+use std::io::SeekFrom;
+
+use symphonia::core::codecs::CodecParameters;
+use symphonia::core::codecs::audio::AudioCodecParameters;
+use symphonia::core::codecs::audio::well_known::{CODEC_ID_MP3, CODEC_ID_OPUS};
+use symphonia::core::errors::Error as SymphoniaError;
+use symphonia::core::formats::{FormatReader, Track as TrackInfo, TrackFlags, TrackType};
+use symphonia::core::io::MediaSource;
+use symphonia::core::packet::Packet;
+use symphonia::core::units::{Duration, TimeBase};
+
+use super::codec::{self, Decoder, Layout, MAX_PACKET_FRAMES, Refusal};
+use super::contain::{contain, is_panic};
+use super::container::Container;
+use super::edits::{self, Edit};
+use super::presentation::Presentation;
+use crate::error::{Error, Result, Stage};
+
+/// Packets that follow each other further apart than this have lost sound between them. Browsers
+/// write whole milliseconds, and packets last 20 ms.
+const GAP_S: f64 = 0.015;
+
+pub(super) struct Track {
+    container: Container,
+    reader: Box<dyn FormatReader>,
+    info: TrackInfo,
+    params: AudioCodecParameters,
+    decoder: Decoder,
+    edits: Vec<Edit>,
+    clock: Clock,
+}
+
+/// What came of the next packet.
+pub(super) enum Step {
+    /// It was decoded. `missing_s` of sound were lost in front of it.
+    Sound { layout: Layout, missing_s: Option<f64> },
+    /// It could not be decoded, and would have held about so many frames.
+    Damaged { frames: u64, detail: String },
+    /// There are no more.
+    End,
+    /// There should be more, but they cannot be read.
+    Cut { detail: String },
+}
+
+/// How much sound the container announces.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Announced {
+    pub(super) frames: u64,
+    /// Whether it is counted, not estimated from the size of the file.
+    pub(super) exact: bool,
+}
+
+impl Track {
+    /// Opens a container and chooses its track: the default one among those that can be decoded,
+    /// else the first of them.
+    pub(super) fn open(
+        container: Container,
+        mut source: Box<dyn MediaSource>,
+        name: &str,
+    ) -> Result<Self> {
+        let mut edits = Vec::new();
+        if container.has_edit_lists() {
+            edits = edits::read(&mut source);
+            source.seek(SeekFrom::Start(0)).map_err(|reason| Error::io(name, reason))?;
+        }
+        let reader = open_reader(container, source, name)?;
+        let (info, params, decoder) = choose(reader.tracks(), container, name)?;
+        let edits = edits.into_iter().find(|track| track.track_id == info.id);
+        Ok(Self {
+            container,
+            reader,
+            edits: edits.map_or_else(Vec::new, |track| track.edits),
+            info,
+            params,
+            decoder,
+            clock: Clock::default(),
+        })
+    }
+
+    /// A description for people, for example "AAC in MOV" or "16-bit WAV".
+    pub(super) fn format(&self) -> String {
+        let container = self.container.name();
+        match (codec::name(self.params.codec), self.params.bits_per_sample) {
+            ("PCM", Some(bits)) => format!("{bits}-bit {container}"),
+            (codec, _) if codec == container => codec.to_owned(),
+            (codec, _) if codec.ends_with("float") => format!("{codec} {container}"),
+            (codec, _) => format!("{codec} in {container}"),
+        }
+    }
+
+    /// Which decoded frames are heard; `None` if the edit list cannot be followed.
+    pub(super) fn presentation(&self, layout: Layout) -> Option<Presentation> {
+        let rate = f64::from(layout.sample_rate_hz);
+        if self.edits.is_empty() {
+            return Some(self.unedited());
+        }
+        if self.edits.iter().any(|edit| edit.warped) {
+            return None;
+        }
+        let frames = |seconds: f64| (seconds * rate).round() as u64;
+        let stretch = |edit: &Edit| {
+            let end = edit.duration_s.map_or(u64::MAX, |length| frames(edit.start_s + length));
+            frames(edit.start_s)..end
+        };
+        Presentation::stretches(self.edits.iter().map(stretch).collect())
+    }
+
+    /// Which decoded frames are heard according to anything but edits.
+    pub(super) fn unedited(&self) -> Presentation {
+        if self.params.codec == CODEC_ID_OPUS {
+            let head = codec::opus_head(&self.params);
+            return Presentation::from_frame(head.map_or(0, |head| head.pre_skip));
+        }
+        match (self.params.codec, self.info.delay, self.info.num_frames) {
+            // The tag of an MP3 file gives both ends.
+            (CODEC_ID_MP3, Some(delay), Some(frames)) => {
+                let delay = u64::from(delay);
+                Presentation::stretches(vec![delay..delay.saturating_add(frames)])
+                    .unwrap_or_else(|| Presentation::from_frame(delay))
+            }
+            _ => Presentation::from_frame(0),
+        }
+    }
+
+    /// How much presented sound the container announces.
+    pub(super) fn announced(&self, layout: Layout, presented: &Presentation) -> Option<Announced> {
+        let media = self.reader.media_info();
+        let frames = match self.container {
+            // Counted in presented time.
+            Container::Mpeg | Container::Adts | Container::Ogg => self.info.num_frames,
+            Container::WebM | Container::Matroska => {
+                frames_lasting(layout, media.time_base, media.duration)
+            }
+            // Counted in decoded time.
+            _ => self
+                .info
+                .num_frames
+                .or_else(|| frames_lasting(layout, self.info.time_base, self.info.duration))
+                .map(|decoded| presented.count(decoded)),
+        };
+        let exact = match self.container {
+            Container::Mpeg => self.info.delay.is_some(),
+            Container::Adts => false,
+            _ => true,
+        };
+        // A file written as a stream announces nothing, which some readers turn into zero.
+        frames.filter(|frames| *frames > 0).map(|frames| Announced { frames, exact })
+    }
+
+    /// The error for a track of which nothing can be decoded.
+    pub(super) fn undecodable(&self, name: &str, detail: String) -> Error {
+        malformed(self.container, name, Stage::Sound, detail)
+    }
+
+    /// Reads and decodes the next packet into the planes.
+    ///
+    /// # Errors
+    ///
+    /// Only [`Error::Io`]: the system failed to read.
+    pub(super) fn step(&mut self, name: &str, planes: &mut Vec<Vec<f32>>) -> Result<Step> {
+        let packet = loop {
+            match contain(|| self.reader.next_packet()) {
+                Ok(Some(packet)) if packet.track_id == self.info.id => break packet,
+                Ok(Some(_)) => {}
+                Ok(None) => return Ok(Step::End),
+                // Readers report damage as made-up system errors too; the real ones have a number.
+                Err(SymphoniaError::IoError(fault)) if fault.raw_os_error().is_some() => {
+                    return Err(Error::io(name, fault));
+                }
+                Err(fault) => return Ok(Step::Cut { detail: fault.to_string() }),
+            }
+        };
+        match contain(|| self.decoder.decode(&packet, planes)) {
+            Ok(layout) => {
+                let frames = planes.first().map_or(0, Vec::len);
+                let missing_s = self.clock.advance(&self.info, &packet, frames, layout);
+                let missing_s = missing_s.filter(|_| self.container.has_clock());
+                Ok(Step::Sound { layout, missing_s })
+            }
+            Err(fault) if is_panic(&fault) => Ok(Step::Cut { detail: fault.to_string() }),
+            Err(fault) => {
+                self.clock = Clock::default();
+                let frames = self.frames_in(&packet);
+                Ok(Step::Damaged { frames, detail: fault.to_string() })
+            }
+        }
+    }
+
+    /// How many frames a packet holds, as the container has it.
+    fn frames_in(&self, packet: &Packet) -> u64 {
+        let seconds = self.info.time_base.and_then(|base| base.calc_duration(packet.block_dur()));
+        let rate = f64::from(self.params.sample_rate.unwrap_or(0));
+        let frames = seconds.map_or(0.0, |seconds| seconds.as_secs_f64() * rate);
+        (frames.round() as u64).min(MAX_PACKET_FRAMES)
+    }
+}
+
+/// Compares the container's clock with the count of frames.
+#[derive(Default)]
+struct Clock {
+    /// When the next packet is due.
+    due_s: Option<f64>,
+}
+
+impl Clock {
+    /// Takes note of a decoded packet; how much sound is missing in front of it, if any.
+    fn advance(
+        &mut self,
+        info: &TrackInfo,
+        packet: &Packet,
+        frames: usize,
+        layout: Layout,
+    ) -> Option<f64> {
+        let time_s = info.time_base?.calc_time(packet.pts)?.as_secs_f64();
+        let missing_s = self.due_s.map(|due_s| time_s - due_s).filter(|gap| *gap > GAP_S);
+        self.due_s = Some(time_s + frames as f64 / f64::from(layout.sample_rate_hz.max(1)));
+        missing_s
+    }
+}
+
+fn frames_lasting(
+    layout: Layout,
+    base: Option<TimeBase>,
+    duration: Option<Duration>,
+) -> Option<u64> {
+    let seconds = base?.calc_duration(duration?)?.as_secs_f64();
+    Some((seconds * f64::from(layout.sample_rate_hz)).round() as u64)
+}
+
+fn open_reader(
+    container: Container,
+    source: Box<dyn MediaSource>,
+    name: &str,
+) -> Result<Box<dyn FormatReader>> {
+    contain(|| container.reader(source)).map_err(|fault| match fault {
+        SymphoniaError::IoError(reason) if reason.raw_os_error().is_some() => {
+            Error::io(name, reason)
+        }
+        fault => malformed(container, name, Stage::Header, fault.to_string()),
+    })
+}
+
+/// The best track that can be decoded, with its decoder.
+fn choose(
+    tracks: &[TrackInfo],
+    container: Container,
+    name: &str,
+) -> Result<(TrackInfo, AudioCodecParameters, Decoder)> {
+    let mut audio: Vec<_> =
+        tracks.iter().filter(|track| track.track_type() == Some(TrackType::Audio)).collect();
+    audio.sort_by_key(|track| !track.flags.contains(TrackFlags::DEFAULT));
+    let mut first_refusal = None;
+    for info in audio {
+        let Some(CodecParameters::Audio(params)) = &info.codec_params else { continue };
+        let made = contain(|| Ok(Decoder::new(params)))
+            .unwrap_or_else(|fault| Err(Refusal::Malformed(fault.to_string())));
+        match made {
+            Ok(decoder) => return Ok((info.clone(), params.clone(), decoder)),
+            Err(refusal) => first_refusal = first_refusal.or(Some(refusal)),
+        }
+    }
+    Err(match first_refusal {
+        Some(Refusal::Unsupported(what)) => {
+            let what = format!("cannot decode the sound in this {} file: {what}", container.name());
+            Error::Unsupported { name: name.to_owned(), what }
+        }
+        Some(Refusal::Malformed(detail)) => malformed(container, name, Stage::Codec, detail),
+        None => Error::NoAudioTrack { name: name.to_owned(), format: container.name() },
+    })
+}
+
+fn malformed(container: Container, name: &str, stage: Stage, detail: String) -> Error {
+    Error::Malformed { name: name.to_owned(), format: container.name(), stage, detail }
+}
