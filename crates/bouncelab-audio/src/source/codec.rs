@@ -55,9 +55,10 @@ impl Decoder {
         let options = AudioDecoderOptions::default().gapless(params.codec == CODEC_ID_VORBIS);
         match symphonia::default::get_codecs().make_audio_decoder(params, &options) {
             Ok(decoder) => Ok(Self::Symphonia(decoder)),
-            Err(SymphoniaError::Unsupported(why)) => {
-                Err(Refusal::Unsupported(format!("{}: {why}", name(params.codec))))
-            }
+            Err(SymphoniaError::Unsupported(why)) => Err(Refusal::Unsupported(format!(
+                "{}: {why}",
+                name(params.codec)
+            ))),
             Err(fault) => Err(Refusal::Malformed(fault.to_string())),
         }
     }
@@ -74,14 +75,22 @@ impl Decoder {
                 let decoded = decoder.decode(packet)?;
                 decoded.copy_to_vecs_planar(planes);
                 let spec = decoded.spec();
-                Ok(Layout { sample_rate_hz: spec.rate(), channels: spec.channels().count() })
+                Ok(Layout {
+                    sample_rate_hz: spec.rate(),
+                    channels: spec.channels().count(),
+                })
             }
             Self::Opus(decoder) => {
                 decoder.decode(&packet.data, planes)?;
                 let frames = planes.first().map_or(0, Vec::len);
                 let padding = packet.trim_end.get() as usize;
-                planes.iter_mut().for_each(|plane| plane.truncate(frames.saturating_sub(padding)));
-                Ok(Layout { sample_rate_hz: opus::SAMPLE_RATE_HZ, channels: planes.len() })
+                planes
+                    .iter_mut()
+                    .for_each(|plane| plane.truncate(frames.saturating_sub(padding)));
+                Ok(Layout {
+                    sample_rate_hz: opus::SAMPLE_RATE_HZ,
+                    channels: planes.len(),
+                })
             }
         }
     }
@@ -89,7 +98,10 @@ impl Decoder {
 
 /// Refuses headers that would make a decoder claim absurd amounts of memory.
 fn check_sizes(params: &AudioCodecParameters) -> Result<(), Refusal> {
-    let channels = params.channels.as_ref().map_or(0, |channels| channels.count());
+    let channels = params
+        .channels
+        .as_ref()
+        .map_or(0, |channels| channels.count());
     if channels > MAX_CHANNELS {
         let what = format!("{channels} channels (at most {MAX_CHANNELS} are read)");
         return Err(Refusal::Unsupported(what));
@@ -99,7 +111,10 @@ fn check_sizes(params: &AudioCodecParameters) -> Result<(), Refusal> {
         (CODEC_ID_ALAC, Some([a, b, c, d, ..])) => u32::from_be_bytes([*a, *b, *c, *d]),
         _ => 0,
     };
-    let frames = params.max_frames_per_packet.unwrap_or(0).max(u64::from(alac_frames));
+    let frames = params
+        .max_frames_per_packet
+        .unwrap_or(0)
+        .max(u64::from(alac_frames));
     if frames > MAX_PACKET_FRAMES {
         return Err(Refusal::Malformed(format!("packets of {frames} frames")));
     }

@@ -113,8 +113,12 @@ fn read_head<S: Read + ?Sized>(source: &mut S) -> io::Result<Vec<u8>> {
 
 /// The length of the ID3v2 tag that starts here, with its header and footer.
 fn id3_len(head: &[u8]) -> Option<u64> {
-    let tag = head.first_chunk::<10>().filter(|tag| tag.starts_with(b"ID3"))?;
-    let size = tag[6..].iter().fold(0, |size, byte| size << 7 | u64::from(byte & 0x7f));
+    let tag = head
+        .first_chunk::<10>()
+        .filter(|tag| tag.starts_with(b"ID3"))?;
+    let size = tag[6..]
+        .iter()
+        .fold(0, |size, byte| size << 7 | u64::from(byte & 0x7f));
     let footer = if tag[5] & 0x10 == 0 { 0 } else { 10 };
     Some(10 + size + footer)
 }
@@ -162,7 +166,11 @@ fn looks_like(head: &[u8]) -> &'static str {
     if head.iter().all(|&byte| byte == 0) {
         return "nothing but zeros";
     }
-    if is_text(head) { "text" } else { "data of an unknown kind" }
+    if is_text(head) {
+        "text"
+    } else {
+        "data of an unknown kind"
+    }
 }
 
 /// Whether these bytes are text: no control characters, and UTF-8 up to a cut at the end.

@@ -156,11 +156,17 @@ impl Source {
         let container = match container::identify(&mut reader).map_err(fail)? {
             Content::Sound(container) => container,
             Content::Other(looks_like) => {
-                return Err(Error::NotSound { name: name.to_owned(), looks_like });
+                return Err(Error::NotSound {
+                    name: name.to_owned(),
+                    looks_like,
+                });
             }
             Content::Nothing => {
                 let what = "the file has no content";
-                return Err(Error::Empty { name: name.to_owned(), what });
+                return Err(Error::Empty {
+                    name: name.to_owned(),
+                    what,
+                });
             }
         };
         let track = Track::open(container, Box::new(reader), name)?;
@@ -182,13 +188,18 @@ impl Source {
                     detail = Some(fault);
                 }
                 Step::Cut { detail: fault } => return Err(track.undecodable(name, fault)),
-                Step::End => return Err(match detail {
-                    Some(fault) => track.undecodable(name, fault),
-                    None => {
-                        let what = "there is a header but no sound";
-                        Error::Empty { name: name.to_owned(), what }
-                    }
-                }),
+                Step::End => {
+                    return Err(match detail {
+                        Some(fault) => track.undecodable(name, fault),
+                        None => {
+                            let what = "there is a header but no sound";
+                            Error::Empty {
+                                name: name.to_owned(),
+                                what,
+                            }
+                        }
+                    });
+                }
             }
         };
         check_layout(layout, name)?;
@@ -210,7 +221,10 @@ impl Source {
         }
         // Silence in front of the first sound would only move all times.
         if damaged > 0 {
-            source.warnings.push(Warning::Damaged { packets: damaged, first_s: 0.0 });
+            source.warnings.push(Warning::Damaged {
+                packets: damaged,
+                first_s: 0.0,
+            });
         }
         source.scrub();
         Ok(source)
@@ -264,7 +278,11 @@ impl Source {
                 self.presented += end - part.start;
                 let place = |frame| (frame - self.planes_start) as usize;
                 let within = place(part.start)..place(end);
-                return Ok(Some(Block { planes: &self.planes, within, start_frame }));
+                return Ok(Some(Block {
+                    planes: &self.planes,
+                    within,
+                    start_frame,
+                }));
             }
             if self.ended {
                 return Ok(None);
@@ -282,12 +300,17 @@ impl Source {
         }
         match self.track.step(&self.name, &mut self.planes)? {
             Step::Sound { layout, .. } if layout != self.layout => {
-                self.warnings.push(Warning::FormatChange { at_s: self.presented_s(at) });
+                self.warnings.push(Warning::FormatChange {
+                    at_s: self.presented_s(at),
+                });
                 self.end(at);
             }
             Step::Sound { missing_s, .. } => {
                 if let Some(missing_s) = missing_s {
-                    self.warnings.push(Warning::Gap { at_s: self.presented_s(at), missing_s });
+                    self.warnings.push(Warning::Gap {
+                        at_s: self.presented_s(at),
+                        missing_s,
+                    });
                 }
                 self.take_planes(at);
                 self.scrub();
@@ -348,7 +371,10 @@ impl Source {
             *samples += count;
         } else {
             let first_s = self.presented_s(self.planes_start + first as u64);
-            self.warnings.push(Warning::NonFinite { samples: count, first_s });
+            self.warnings.push(Warning::NonFinite {
+                samples: count,
+                first_s,
+            });
         }
     }
 
@@ -360,7 +386,10 @@ impl Source {
         if let Some(packets) = noted {
             *packets += 1;
         } else {
-            self.warnings.push(Warning::Damaged { packets: 1, first_s: self.presented_s(at) });
+            self.warnings.push(Warning::Damaged {
+                packets: 1,
+                first_s: self.presented_s(at),
+            });
         }
     }
 
@@ -368,10 +397,12 @@ impl Source {
     fn note_truncation(&mut self, at: u64, cut: bool) {
         let read_s = self.presented_s(at);
         let announced = self.track.announced(self.layout, &self.presentation);
-        let expected_s =
-            announced.filter(|it| it.exact).map(|announced| self.seconds(announced.frames));
+        let expected_s = announced
+            .filter(|it| it.exact)
+            .map(|announced| self.seconds(announced.frames));
         if cut || expected_s.is_some_and(|expected_s| expected_s - read_s > TRUNCATION_S) {
-            self.warnings.push(Warning::Truncated { read_s, expected_s });
+            self.warnings
+                .push(Warning::Truncated { read_s, expected_s });
         }
     }
 
@@ -390,7 +421,10 @@ impl Source {
 const TRUNCATION_S: f64 = 0.05;
 
 fn check_layout(layout: Layout, name: &str) -> Result<()> {
-    let Layout { sample_rate_hz, channels } = layout;
+    let Layout {
+        sample_rate_hz,
+        channels,
+    } = layout;
     let what = if sample_rate_hz < MIN_SAMPLE_RATE_HZ {
         format!(
             "{sample_rate_hz} samples a second are too few to time an impact \
@@ -401,7 +435,10 @@ fn check_layout(layout: Layout, name: &str) -> Result<()> {
     } else {
         return Ok(());
     };
-    Err(Error::Unsupported { name: name.to_owned(), what })
+    Err(Error::Unsupported {
+        name: name.to_owned(),
+        what,
+    })
 }
 
 /// Something to read from, with its length, as the demuxers want it.

@@ -35,7 +35,10 @@ pub(super) struct Track {
 /// What came of the next packet.
 pub(super) enum Step {
     /// It was decoded. `missing_s` of sound were lost in front of it.
-    Sound { layout: Layout, missing_s: Option<f64> },
+    Sound {
+        layout: Layout,
+        missing_s: Option<f64>,
+    },
     /// It could not be decoded, and would have held about so many frames.
     Damaged { frames: u64, detail: String },
     /// There are no more.
@@ -63,7 +66,9 @@ impl Track {
         let mut edits = Vec::new();
         if container.has_edit_lists() {
             edits = edits::read(&mut source);
-            source.seek(SeekFrom::Start(0)).map_err(|reason| Error::io(name, reason))?;
+            source
+                .seek(SeekFrom::Start(0))
+                .map_err(|reason| Error::io(name, reason))?;
         }
         let reader = open_reader(container, source, name)?;
         let (info, params, decoder) = choose(reader.tracks(), container, name)?;
@@ -101,7 +106,9 @@ impl Track {
         }
         let frames = |seconds: f64| (seconds * rate).round() as u64;
         let stretch = |edit: &Edit| {
-            let end = edit.duration_s.map_or(u64::MAX, |length| frames(edit.start_s + length));
+            let end = edit
+                .duration_s
+                .map_or(u64::MAX, |length| frames(edit.start_s + length));
             frames(edit.start_s)..end
         };
         Presentation::stretches(self.edits.iter().map(stretch).collect())
@@ -146,7 +153,9 @@ impl Track {
             _ => true,
         };
         // A file written as a stream announces nothing, which some readers turn into zero.
-        frames.filter(|frames| *frames > 0).map(|frames| Announced { frames, exact })
+        frames
+            .filter(|frames| *frames > 0)
+            .map(|frames| Announced { frames, exact })
     }
 
     /// The error for a track of which nothing can be decoded.
@@ -169,7 +178,11 @@ impl Track {
                 Err(SymphoniaError::IoError(fault)) if fault.raw_os_error().is_some() => {
                     return Err(Error::io(name, fault));
                 }
-                Err(fault) => return Ok(Step::Cut { detail: fault.to_string() }),
+                Err(fault) => {
+                    return Ok(Step::Cut {
+                        detail: fault.to_string(),
+                    });
+                }
             }
         };
         match contain(|| self.decoder.decode(&packet, planes)) {
@@ -179,18 +192,26 @@ impl Track {
                 let missing_s = missing_s.filter(|_| self.container.has_clock());
                 Ok(Step::Sound { layout, missing_s })
             }
-            Err(fault) if is_panic(&fault) => Ok(Step::Cut { detail: fault.to_string() }),
+            Err(fault) if is_panic(&fault) => Ok(Step::Cut {
+                detail: fault.to_string(),
+            }),
             Err(fault) => {
                 self.clock = Clock::default();
                 let frames = self.frames_in(&packet);
-                Ok(Step::Damaged { frames, detail: fault.to_string() })
+                Ok(Step::Damaged {
+                    frames,
+                    detail: fault.to_string(),
+                })
             }
         }
     }
 
     /// How many frames a packet holds, as the container has it.
     fn frames_in(&self, packet: &Packet) -> u64 {
-        let seconds = self.info.time_base.and_then(|base| base.calc_duration(packet.block_dur()));
+        let seconds = self
+            .info
+            .time_base
+            .and_then(|base| base.calc_duration(packet.block_dur()));
         let rate = f64::from(self.params.sample_rate.unwrap_or(0));
         let frames = seconds.map_or(0.0, |seconds| seconds.as_secs_f64() * rate);
         (frames.round() as u64).min(MAX_PACKET_FRAMES)
@@ -214,7 +235,10 @@ impl Clock {
         layout: Layout,
     ) -> Option<f64> {
         let time_s = info.time_base?.calc_time(packet.pts)?.as_secs_f64();
-        let missing_s = self.due_s.map(|due_s| time_s - due_s).filter(|gap| *gap > GAP_S);
+        let missing_s = self
+            .due_s
+            .map(|due_s| time_s - due_s)
+            .filter(|gap| *gap > GAP_S);
         self.due_s = Some(time_s + frames as f64 / f64::from(layout.sample_rate_hz.max(1)));
         missing_s
     }
@@ -248,12 +272,16 @@ fn choose(
     container: Container,
     name: &str,
 ) -> Result<(TrackInfo, AudioCodecParameters, Decoder)> {
-    let mut audio: Vec<_> =
-        tracks.iter().filter(|track| track.track_type() == Some(TrackType::Audio)).collect();
+    let mut audio: Vec<_> = tracks
+        .iter()
+        .filter(|track| track.track_type() == Some(TrackType::Audio))
+        .collect();
     audio.sort_by_key(|track| !track.flags.contains(TrackFlags::DEFAULT));
     let mut first_refusal = None;
     for info in audio {
-        let Some(CodecParameters::Audio(params)) = &info.codec_params else { continue };
+        let Some(CodecParameters::Audio(params)) = &info.codec_params else {
+            continue;
+        };
         let made = contain(|| Ok(Decoder::new(params)))
             .unwrap_or_else(|fault| Err(Refusal::Malformed(fault.to_string())));
         match made {
@@ -263,14 +291,28 @@ fn choose(
     }
     Err(match first_refusal {
         Some(Refusal::Unsupported(what)) => {
-            let what = format!("cannot decode the sound in this {} file: {what}", container.name());
-            Error::Unsupported { name: name.to_owned(), what }
+            let what = format!(
+                "cannot decode the sound in this {} file: {what}",
+                container.name()
+            );
+            Error::Unsupported {
+                name: name.to_owned(),
+                what,
+            }
         }
         Some(Refusal::Malformed(detail)) => malformed(container, name, Stage::Codec, detail),
-        None => Error::NoAudioTrack { name: name.to_owned(), format: container.name() },
+        None => Error::NoAudioTrack {
+            name: name.to_owned(),
+            format: container.name(),
+        },
     })
 }
 
 fn malformed(container: Container, name: &str, stage: Stage, detail: String) -> Error {
-    Error::Malformed { name: name.to_owned(), format: container.name(), stage, detail }
+    Error::Malformed {
+        name: name.to_owned(),
+        format: container.name(),
+        stage,
+        detail,
+    }
 }

@@ -1,14 +1,16 @@
 //! The best chain of onsets by dynamic programming.
 //!
-//! A state is a pair of successive impacts: it fixes the last flight, and the best way to it fixes
-//! the ratio to expect next. Each state keeps its one best way (the Viterbi algorithm with
+//! A state is a pair of successive impacts: it fixes the last flight, and the way to it fixes the
+//! ratio to expect next. Each state keeps its few best ways (the Viterbi algorithm with
 //! per-survivor processing of the ratio), so the cost is that of trying every impact after every
 //! pair, not every subset.
+
+use std::ops::Range;
 
 use super::evidence::{self, Surroundings};
 use super::{FEWEST_IMPACTS, Onset};
 
-/// The longest flight, in seconds: an apex of 4.9 m.
+/// The longest time between two impacts heard, in seconds: an apex of 4.9 m.
 const LONGEST_S: f64 = 2.0;
 /// The shortest flight in seconds: an apex of 0.1 mm; the sounds run into each other.
 const SHORTEST_S: f64 = 0.008;
@@ -20,13 +22,22 @@ const MOST_MISSED: usize = 2;
 const LEAST_LN_RATIO: f64 = -0.9;
 const GREATEST_LN_RATIO: f64 = -0.005;
 /// A predicted flight time is never further off than this, in its logarithm.
-const FARTHEST: f64 = 0.5;
+const FARTHEST: f64 = 0.25;
 /// The ratio follows its trend with at least this gain, and no single odd impact moves it further
 /// than this.
 const LEAST_GAIN: f64 = 0.15;
 const GREATEST_STEP: f64 = 0.05;
-/// Pairs with less evidence than this are not pursued.
-const HOPELESS: f64 = -16.0;
+/// Variance of a ratio seen once, as a prediction of the next.
+const RATIO_VARIANCE: f64 = 1e-4;
+/// Each pair of impacts keeps this many ways to it, whose ratios differ by more than this: which
+/// is right is often seen only one or two impacts later.
+const KEPT: usize = 3;
+const SAME_RATIO: f64 = 0.04;
+/// Ways with less evidence than this are not pursued.
+const HOPELESS: f64 = -10.0;
+
+/// An onset that fits as badly as this is better taken for a missed impact.
+const HOPELESS_STEP: f64 = -4.0;
 
 /// A sequence of onsets that may be the impacts of a drop.
 pub(super) struct Chain {
@@ -54,11 +65,12 @@ struct State {
     expected: [f64; MOST_MISSED + 1],
 }
 
-/// The pair of onsets that a step leads to.
+/// A step to a pair of onsets.
 struct Step {
+    interval_s: f64,
     ln_interval: f64,
-    /// Standard error of `ln_interval` from timing.
-    sd: f64,
+    /// Variance of `ln_interval` from timing.
+    variance: f64,
     /// Evidence that does not depend on the way here.
     common: f64,
 }
@@ -67,11 +79,13 @@ impl Step {
     fn new(onsets: &[Onset], around: &[Surroundings], pair: (usize, usize)) -> Self {
         let (earlier, later) = (&onsets[pair.0], &onsets[pair.1]);
         let interval_s = later.time_s - earlier.time_s;
+        let timing = earlier.sigma_s.powi(2) + later.sigma_s.powi(2);
+        let likeness = around[pair.0].likeness(earlier, later);
         Self {
+            interval_s,
             ln_interval: interval_s.ln(),
-            sd: 2.0 * earlier.sigma_s.hypot(later.sigma_s) / interval_s,
-            common: evidence::likeness(earlier, later, &around[pair.0])
-                + evidence::unlikely_by_chance(&around[pair.1], interval_s),
+            variance: 4.0 * timing / interval_s.powi(2),
+            common: (likeness * around[pair.1].by_chance(interval_s)).ln(),
         }
     }
 }
@@ -79,64 +93,52 @@ impl Step {
 impl State {
     /// The first two impacts of a train.
     fn birth(step: &Step, around_first: &Surroundings) -> Option<Self> {
-        let interval_s = step.ln_interval.exp();
-        (SHORTEST_FIRST_S..=LONGEST_S)
-            .contains(&interval_s)
-            .then(|| Self {
-                evidence: evidence::BIRTH
-                    + step.common
-                    + evidence::unlikely_by_chance(around_first, interval_s),
-                ln_flight: step.ln_interval,
-                ln_ratio: 0.0,
-                ratios: 0,
-                expected: [0.0; MOST_MISSED + 1],
-            })
+        (step.interval_s >= SHORTEST_FIRST_S).then(|| Self {
+            evidence: evidence::LN_BIRTH
+                + step.common
+                + around_first.by_chance(step.interval_s).ln(),
+            ln_flight: step.ln_interval,
+            ln_ratio: 0.0,
+            ratios: 0,
+            expected: [0.0; MOST_MISSED + 1],
+        })
     }
 
-    /// The most evidence any step can have from here.
-    fn bound(&self, step: &Step) -> f64 {
-        self.evidence + step.common + evidence::most_from_ratio()
-    }
-
-    /// The same train one impact later.
-    fn next(&self, step: &Step, missed: usize) -> Option<Self> {
-        if self.ratios == 0 {
-            return if missed == 0 { self.third(step) } else { None };
-        }
+    /// The same train one impact later, if its evidence exceeds `least`.
+    fn next(&self, step: &Step, missed: usize, least: f64) -> Option<Self> {
         let change = step.ln_interval - self.ln_flight;
-        let innovation = change - self.expected[missed];
-        if innovation.abs() > FARTHEST {
+        if self.ratios == 0 {
+            return if missed == 0 {
+                self.third(step, change, least)
+            } else {
+                None
+            };
+        }
+        let surprise = change - self.expected[missed];
+        if surprise.abs() > FARTHEST {
             return None;
         }
         let seen = f64::from(self.ratios);
-        let sd = step.sd.hypot(0.01 / seen.sqrt());
-        let gain = (1.0 / (seen + 1.0)).max(LEAST_GAIN);
-        let ln_ratio = self.ln_ratio + gain * innovation.clamp(-GREATEST_STEP, GREATEST_STEP);
-        Some(Self::with_ratio(
-            self.evidence
-                + step.common
-                + evidence::ratio_change(innovation, sd)
-                + evidence::against_rhythm(change)
-                + missed as f64 * evidence::MISSED,
+        let variance = step.variance + RATIO_VARIANCE / seen;
+        let evidence = self.evidence
+            + step.common
+            + evidence::next_ratio(change, surprise, variance).ln()
+            + missed as f64 * evidence::LN_MISSED;
+        (evidence > least).then(|| {
+            let gain = (1.0 / (seen + 1.0)).max(LEAST_GAIN);
+            let ln_ratio = self.ln_ratio + gain * surprise.clamp(-GREATEST_STEP, GREATEST_STEP);
             // Of an interval with missed impacts, the last flight alone.
-            step.ln_interval - self.expected[missed] + (missed + 1) as f64 * self.ln_ratio,
-            ln_ratio,
-            self.ratios + 1,
-        ))
+            let last = missed as f64 * self.ln_ratio + self.ln_ratio - self.expected[missed];
+            Self::with_ratio(evidence, step.ln_interval + last, ln_ratio, self.ratios + 1)
+        })
     }
 
     /// The third impact sets the ratio.
-    fn third(&self, step: &Step) -> Option<Self> {
-        let ln_ratio = step.ln_interval - self.ln_flight;
-        (LEAST_LN_RATIO..=2.0 * step.sd)
-            .contains(&ln_ratio)
-            .then(|| {
-                let evidence = self.evidence
-                    + step.common
-                    + evidence::FIRST_RATIO
-                    + evidence::against_rhythm(ln_ratio);
-                Self::with_ratio(evidence, step.ln_interval, ln_ratio, 1)
-            })
+    fn third(&self, step: &Step, change: f64, least: f64) -> Option<Self> {
+        let possible = LEAST_LN_RATIO..=step.variance.sqrt();
+        let evidence = self.evidence + step.common + evidence::first_ratio(change).ln();
+        (possible.contains(&change) && evidence > least)
+            .then(|| Self::with_ratio(evidence, step.ln_interval, change, 1))
     }
 
     fn with_ratio(evidence: f64, ln_flight: f64, ln_ratio: f64, ratios: u32) -> Self {
@@ -176,18 +178,20 @@ pub(super) fn best(onsets: &[Onset]) -> Option<Chain> {
     for later in 0..onsets.len() {
         for earlier in (0..later).rev() {
             let interval_s = onsets[later].time_s - onsets[earlier].time_s;
-            if interval_s > LONGEST_S * (1 + MOST_MISSED) as f64 {
+            if interval_s > LONGEST_S {
                 break;
             }
             if interval_s < SHORTEST_S {
                 continue;
             }
             let step = Step::new(onsets, &around, (earlier, later));
+            if step.common < HOPELESS_STEP {
+                continue;
+            }
             let before = ends[earlier]..ends[earlier + 1];
             let birth = State::birth(&step, &around[earlier]);
-            if let Some(node) = best_way(&nodes, before, earlier, &step, birth) {
-                nodes.push(node);
-            }
+            let survivors = survivors(&nodes, before, earlier, &step, birth);
+            nodes.extend(survivors);
         }
         ends.push(nodes.len());
     }
@@ -203,42 +207,63 @@ pub(super) fn best(onsets: &[Onset]) -> Option<Chain> {
     })
 }
 
-fn best_way(
+/// The best ways to a pair, one for each ratio that may follow from it.
+fn survivors(
     nodes: &[Node],
-    before: std::ops::Range<usize>,
+    before: Range<usize>,
     from: usize,
     step: &Step,
     birth: Option<State>,
-) -> Option<Node> {
-    let mut best = birth.map(|state| Node {
-        state,
-        from: from as u32,
-        missed: 0,
-        back: None,
-    });
-    let mut most = best
-        .as_ref()
-        .map_or(HOPELESS, |node| node.state.evidence.max(HOPELESS));
+) -> Vec<Node> {
+    let from = from as u32;
+    let most = step.common + evidence::most_from_ratio().ln();
+    let mut kept: Vec<Node> = Vec::new();
     for back in before {
         let state = &nodes[back].state;
-        if state.bound(step) <= most {
+        let least = if kept.len() < KEPT {
+            HOPELESS
+        } else {
+            kept[KEPT - 1].state.evidence
+        };
+        if state.evidence + most <= least {
             continue;
         }
         for missed in 0..=MOST_MISSED {
-            if let Some(next) = state.next(step, missed)
-                && next.evidence > most
-            {
-                most = next.evidence;
-                best = Some(Node {
-                    state: next,
-                    from: from as u32,
-                    missed: missed as u32,
-                    back: Some(back as u32),
-                });
+            if let Some(next) = state.next(step, missed, least) {
+                let back = Some(back as u32);
+                keep(
+                    &mut kept,
+                    Node {
+                        state: next,
+                        from,
+                        missed: missed as u32,
+                        back,
+                    },
+                );
             }
         }
     }
-    best.filter(|node| node.state.evidence > HOPELESS)
+    kept.extend(birth.map(|state| Node {
+        state,
+        from,
+        missed: 0,
+        back: None,
+    }));
+    kept
+}
+
+/// Puts a node in its place by evidence, unless a better one expects the same ratio.
+fn keep(kept: &mut Vec<Node>, node: Node) {
+    let alike = |other: &Node| (other.state.ln_ratio - node.state.ln_ratio).abs() < SAME_RATIO;
+    let place = kept.partition_point(|other| other.state.evidence >= node.state.evidence);
+    if kept[..place].iter().any(alike) {
+        return;
+    }
+    if let Some(worse) = (place..kept.len()).find(|&i| alike(&kept[i])) {
+        kept.remove(worse);
+    }
+    kept.insert(place, node);
+    kept.truncate(KEPT);
 }
 
 /// The way to a node, from its beginning.
@@ -284,7 +309,7 @@ impl Chain {
             if missed > MOST_MISSED {
                 return None;
             }
-            state = state.next(&step(pair), missed)?;
+            state = state.next(&step(pair), missed, f64::NEG_INFINITY)?;
         }
         Some(state.evidence)
     }
