@@ -14,5 +14,6 @@ pub mod regression;
 pub mod restitution;
 pub mod synth;
 pub mod train;
+mod whiten;
 
 pub use error::{Error, Result};

@@ -1,1 +1,364 @@
-//! The listener: samples in, trains out.
+//! The listener: samples in, drops out.
+//!
+//! It takes a recording of any length in blocks of any size, channel by channel, and remembers no
+//! more of it than the longest drop lasts. All channels are heard; the one whose drops have the
+//! most evidence is believed, and the result says which that is.
+//!
+//! ```
+//! use bouncelab::impact::Strike;
+//! use bouncelab::listen::Listener;
+//! use bouncelab::synth::{self, Scene};
+//!
+//! let mut time_s = 0.0;
+//! let strikes: Vec<Strike> = (0..20)
+//!     .map(|n| {
+//!         let speed_m_s = 2.4 * 0.9_f64.powi(n);
+//!         let strike = Strike { time_s, speed_m_s };
+//!         time_s += 2.0 * 0.9 * speed_m_s / 9.81;
+//!         strike
+//!     })
+//!     .collect();
+//! let recording = synth::render(&strikes, &Scene::default(), 7)?;
+//!
+//! let mut listener = Listener::new(recording.sample_rate_hz, 1);
+//! for block in recording.samples.chunks(1024) {
+//!     listener.push(&[block]);
+//! }
+//! let heard = listener.finish();
+//! assert_eq!(heard.found.trains.len(), 1);
+//! assert_eq!(heard.found.trains[0].impacts().len(), 20);
+//! # Ok::<(), bouncelab::Error>(())
+//! ```
+
+use crate::onset::{Detector, Onset};
+use crate::train::{self, Found, NoDrop};
+
+/// No drop lasts longer than this many seconds: what is older is forgotten.
+const MEMORY_S: f64 = 120.0;
+/// A train goes on if its last impact was heard less than this many seconds ago.
+const OPEN_S: f64 = 10.0;
+
+/// Listens to one or more channels.
+pub struct Listener {
+    sample_rate_hz: u32,
+    /// Channels that were equal to the first so far are `None`: they share its ear.
+    ears: Vec<Option<Ear>>,
+}
+
+/// What was heard in a recording.
+#[derive(Clone, Debug)]
+pub struct Heard {
+    /// The channel that is believed, counted from 0.
+    pub channel: usize,
+    /// How many channels there were that differ from each other.
+    pub distinct_channels: usize,
+    /// The drops in it.
+    pub found: Found,
+    /// How many sounds stand out of its background.
+    pub onsets: usize,
+    /// Its loudness over time, for a picture.
+    pub envelope: Envelope,
+    /// Length of the recording in seconds.
+    pub duration_s: f64,
+    /// How many of its samples lie at full scale or at its own limit, in runs: clipping.
+    pub clipped_samples: u64,
+}
+
+impl Heard {
+    /// Why there is no drop; `None` if there is one.
+    pub fn no_drop(&self) -> Option<NoDrop> {
+        if !self.found.trains.is_empty() {
+            return None;
+        }
+        Some(if self.envelope.is_constant() {
+            NoDrop::Silence
+        } else {
+            self.found.reason(self.onsets)
+        })
+    }
+}
+
+impl Listener {
+    /// A listener for this many channels (at least one) at this rate.
+    pub fn new(sample_rate_hz: u32, channels: usize) -> Self {
+        let mut ears: Vec<Option<Ear>> = vec![Some(Ear::new(sample_rate_hz))];
+        ears.resize_with(channels.max(1), || None);
+        Self {
+            sample_rate_hz,
+            ears,
+        }
+    }
+
+    /// Takes the next samples of every channel.
+    ///
+    /// # Panics
+    ///
+    /// If there are not as many slices as channels, or they differ in length.
+    pub fn push(&mut self, channels: &[&[f32]]) {
+        assert_eq!(
+            channels.len(),
+            self.ears.len(),
+            "one slice for each channel"
+        );
+        assert!(
+            channels.iter().all(|c| c.len() == channels[0].len()),
+            "channels of equal length"
+        );
+        for (index, samples) in channels.iter().enumerate().skip(1) {
+            if self.ears[index].is_none() && *samples != channels[0] {
+                self.ears[index] = self.ears[0].clone();
+            }
+        }
+        for (ear, samples) in self.ears.iter_mut().zip(channels) {
+            if let Some(ear) = ear {
+                ear.push(samples);
+            }
+        }
+    }
+
+    /// Ends the recording and believes the channel with the most evidence.
+    pub fn finish(self) -> Heard {
+        let rate = self.sample_rate_hz;
+        let distinct_channels = self.ears.iter().flatten().count();
+        let heard = self
+            .ears
+            .into_iter()
+            .enumerate()
+            .filter_map(|(channel, ear)| Some((channel, ear?)))
+            .map(|(channel, ear)| ear.finish(channel, distinct_channels, rate));
+        // Of equals, the first.
+        heard
+            .reduce(|best, other| {
+                if other.found.evidence() > best.found.evidence() {
+                    other
+                } else {
+                    best
+                }
+            })
+            .unwrap_or_else(|| unreachable!("the first channel always has an ear"))
+    }
+}
+
+/// Hears one channel.
+#[derive(Clone)]
+struct Ear {
+    sample_rate_hz: f64,
+    detector: Detector,
+    /// Onsets not yet judged.
+    onsets: Vec<Onset>,
+    onsets_judged: usize,
+    /// The samples in which they lie, from sample number `first` on.
+    samples: Vec<f32>,
+    first: u64,
+    found: Found,
+    envelope: Envelope,
+    clipping: Clipping,
+}
+
+impl Ear {
+    fn new(sample_rate_hz: u32) -> Self {
+        Self {
+            sample_rate_hz: f64::from(sample_rate_hz),
+            detector: Detector::new(sample_rate_hz),
+            onsets: Vec::new(),
+            onsets_judged: 0,
+            samples: Vec::new(),
+            first: 0,
+            found: Found::default(),
+            envelope: Envelope::new(sample_rate_hz),
+            clipping: Clipping::default(),
+        }
+    }
+
+    fn now_s(&self) -> f64 {
+        (self.first as f64 + self.samples.len() as f64) / self.sample_rate_hz
+    }
+
+    fn push(&mut self, samples: &[f32]) {
+        self.detector.push(samples, &mut self.onsets);
+        self.envelope.push(samples);
+        self.clipping.push(samples);
+        self.samples.extend_from_slice(samples);
+        if self.samples.len() as f64 > 2.0 * MEMORY_S * self.sample_rate_hz {
+            self.judge_the_past();
+        }
+    }
+
+    /// Judges the onsets that no later sound can change, and forgets them.
+    fn judge_the_past(&mut self) {
+        let now_s = self.now_s();
+        let mut found = Found::default();
+        train::search(&self.onsets, &mut found);
+        let open = found.trains.iter().position(|t| t.end_s() > now_s - OPEN_S);
+        let open_from_s = open.map_or(f64::INFINITY, |index| found.trains[index].start_s());
+        found.trains.truncate(open.unwrap_or(found.trains.len()));
+        // A train that has yet to show itself may have begun at any time since the last one.
+        let last_end_s = found.trains.last().map_or(0.0, train::Train::end_s);
+        let past_s = last_end_s.max(now_s - MEMORY_S).min(open_from_s - 1e-3);
+        found.regular.retain(|r| r.start_s <= past_s);
+        self.take(found);
+        let judged = self.onsets.partition_point(|o| o.time_s <= past_s);
+        self.onsets.drain(..judged);
+        self.onsets_judged += judged;
+        let forget = (past_s * self.sample_rate_hz) as u64;
+        let forget = (forget.saturating_sub(self.first) as usize).min(self.samples.len());
+        self.samples.drain(..forget);
+        self.first += forget as u64;
+    }
+
+    /// Sharpens the times of these trains while their samples are at hand, and keeps them.
+    fn take(&mut self, mut found: Found) {
+        let start_s = self.first as f64 / self.sample_rate_hz;
+        for train in &mut found.trains {
+            train.align(&self.samples, start_s, self.sample_rate_hz as u32);
+        }
+        self.found.trains.append(&mut found.trains);
+        self.found.regular.append(&mut found.regular);
+    }
+
+    fn finish(mut self, channel: usize, distinct_channels: usize, sample_rate_hz: u32) -> Heard {
+        let duration_s = self.now_s();
+        let detector = std::mem::replace(&mut self.detector, Detector::new(sample_rate_hz));
+        detector.finish(&mut self.onsets);
+        let mut found = Found::default();
+        train::search(&self.onsets, &mut found);
+        self.take(found);
+        self.found.set_distant_apart();
+        Heard {
+            channel,
+            distinct_channels,
+            found: self.found,
+            onsets: self.onsets_judged + self.onsets.len(),
+            envelope: self.envelope,
+            duration_s,
+            clipped_samples: self.clipping.count(),
+        }
+    }
+}
+
+/// Least and greatest sample in equal steps of time: a picture of a recording of any length, in
+/// constant memory.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Envelope {
+    sample_rate_hz: f64,
+    samples_per_step: usize,
+    least: Vec<f32>,
+    greatest: Vec<f32>,
+    in_step: usize,
+}
+
+impl Envelope {
+    /// The most steps that are kept; beyond, two become one.
+    const MOST_STEPS: usize = 1 << 15;
+
+    fn new(sample_rate_hz: u32) -> Self {
+        Self {
+            sample_rate_hz: f64::from(sample_rate_hz),
+            samples_per_step: 1,
+            least: Vec::new(),
+            greatest: Vec::new(),
+            in_step: 0,
+        }
+    }
+
+    /// Seconds for each step.
+    pub fn step_s(&self) -> f64 {
+        self.samples_per_step as f64 / self.sample_rate_hz
+    }
+
+    /// The least sample of each step.
+    pub fn least(&self) -> &[f32] {
+        &self.least
+    }
+
+    /// The greatest sample of each step.
+    pub fn greatest(&self) -> &[f32] {
+        &self.greatest
+    }
+
+    /// Whether all samples have the same value: silence, or a dead microphone.
+    pub fn is_constant(&self) -> bool {
+        let least = self.least.iter().copied().fold(f32::INFINITY, f32::min);
+        let greatest = self
+            .greatest
+            .iter()
+            .copied()
+            .fold(f32::NEG_INFINITY, f32::max);
+        greatest <= least
+    }
+
+    fn push(&mut self, samples: &[f32]) {
+        for &sample in samples.iter().filter(|s| s.is_finite()) {
+            match (self.least.last_mut(), self.greatest.last_mut()) {
+                (Some(least), Some(greatest)) if self.in_step < self.samples_per_step => {
+                    *least = least.min(sample);
+                    *greatest = greatest.max(sample);
+                    self.in_step += 1;
+                }
+                _ => {
+                    if self.least.len() == Self::MOST_STEPS {
+                        self.halve();
+                    }
+                    self.least.push(sample);
+                    self.greatest.push(sample);
+                    self.in_step = 1;
+                }
+            }
+        }
+    }
+
+    fn halve(&mut self) {
+        let pairs = |values: &[f32], pick: fn(f32, f32) -> f32| {
+            values
+                .chunks(2)
+                .map(|pair| pair.iter().copied().reduce(pick).unwrap_or(0.0))
+                .collect()
+        };
+        self.least = pairs(&self.least, f32::min);
+        self.greatest = pairs(&self.greatest, f32::max);
+        self.samples_per_step *= 2;
+    }
+}
+
+/// Counts samples cut off at the limit of the recorder: runs of the same extreme value.
+#[derive(Clone, Default)]
+struct Clipping {
+    extreme: f32,
+    last: f32,
+    run: u64,
+    count: u64,
+}
+
+impl Clipping {
+    /// So many equal samples in a row at the extreme are no coincidence.
+    const RUN: u64 = 3;
+    /// Below this share of full scale a flat top is not the recorder's limit.
+    const LOUD: f32 = 0.3;
+
+    fn push(&mut self, samples: &[f32]) {
+        for &sample in samples {
+            let size = sample.abs();
+            if size > self.extreme {
+                self.extreme = size;
+                self.count = 0;
+            }
+            self.run = if size >= self.extreme && sample.to_bits() == self.last.to_bits() {
+                self.run + 1
+            } else {
+                1
+            };
+            if size >= self.extreme && size > Self::LOUD {
+                match self.run {
+                    Self::RUN => self.count += Self::RUN,
+                    n if n > Self::RUN => self.count += 1,
+                    _ => {}
+                }
+            }
+            self.last = sample;
+        }
+    }
+
+    fn count(&self) -> u64 {
+        self.count
+    }
+}

@@ -85,6 +85,7 @@ const BAR: f64 = 2.0;
 const SPARE: usize = 1 << 14;
 
 /// Finds onset candidates in a stream of samples, in constant memory.
+#[derive(Clone)]
 pub struct Detector {
     sample_rate_hz: f64,
     hop: usize,

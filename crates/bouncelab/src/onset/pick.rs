@@ -1,14 +1,13 @@
 //! The time at which a sound begins, below a sample.
 //!
-//! What came before is modelled by autoregression (Levinson-Durbin), and the model's prediction
-//! error is the signal without its hum, rumble and the ringing of the impact before. An impact is
-//! the moment at which the error grows: for a change of variance at sample k of N the negative
+//! The signal is whitened by what came before it, which takes out hum, rumble and the ringing of
+//! the impact before. An impact is the moment at which the prediction error grows: for a change of variance at sample k of N the negative
 //! logarithm of the likelihood is k/2 ln var(before) + (N - k)/2 ln var(after), the AIC function of
 //! seismology (Maeda 1985; with autoregression, Leonard & Kennett 1999). Its exponential is the
 //! posterior of k: its mean is the time, below a sample, and its width the standard error.
 
-/// Coefficients of the autoregression. Few, because it is learnt from a few milliseconds.
-const ORDER: usize = 10;
+use crate::whiten::{Autoregression, ORDER};
+
 /// Seconds before the rough time from which the model is learnt.
 const LEARN_S: f64 = 0.020;
 /// Seconds to both sides of the rough time in which the onset is sought.
@@ -25,6 +24,7 @@ pub(super) struct Pick {
 }
 
 /// Picks onsets; holds the sizes for one sample rate and scratch space.
+#[derive(Clone)]
 pub(super) struct Picker {
     learn: usize,
     before: usize,
@@ -50,11 +50,6 @@ impl Picker {
         self.learn + self.before
     }
 
-    /// How many samples from the rough time the picker wants to see.
-    pub(super) fn future(&self) -> usize {
-        self.after
-    }
-
     /// The onset near sample `rough`; `noise_power` is the least there can be.
     pub(super) fn pick(&mut self, samples: &[f32], rough: usize, noise_power: f64) -> Pick {
         let end = (rough + self.after).min(samples.len());
@@ -73,8 +68,8 @@ impl Picker {
         self.error_energy.clear();
         self.error_energy.push(0.0);
         let mut sum = 0.0;
-        for n in start..end {
-            sum += model.error(&samples[n - ORDER..=n]).powi(2) + noise_power;
+        for error in model.errors(&samples[start - ORDER..end]) {
+            sum += error * error + noise_power;
             self.error_energy.push(sum);
         }
         self.change_point(start)
@@ -111,71 +106,9 @@ impl Picker {
     }
 }
 
-/// A prediction of the next sample from the ones before.
-struct Autoregression {
-    mean: f64,
-    /// Weights of the samples before, the latest first.
-    weights: [f64; ORDER],
-}
-
-impl Autoregression {
-    fn learn(samples: &[f32], noise_power: f64) -> Self {
-        let n = samples.len() as f64;
-        let mean = samples.iter().map(|&v| f64::from(v)).sum::<f64>() / n.max(1.0);
-        let centred: Vec<f64> = samples.iter().map(|&v| f64::from(v) - mean).collect();
-        let mut covariance: [f64; ORDER + 1] = std::array::from_fn(|lag| {
-            let later = centred.get(lag..).unwrap_or_default();
-            later.iter().zip(&centred).map(|(a, b)| a * b).sum::<f64>() / n.max(1.0)
-        });
-        // Rounding noise, and a little more, keeps the recursion well conditioned.
-        covariance[0] = covariance[0] * (1.0 + 1e-7) + noise_power + f64::MIN_POSITIVE;
-        Self {
-            mean,
-            weights: levinson_durbin(&covariance),
-        }
-    }
-
-    /// The last sample less its prediction from the `ORDER` samples before it.
-    fn error(&self, window: &[f32]) -> f64 {
-        let prediction: f64 = window[..ORDER]
-            .iter()
-            .rev()
-            .zip(&self.weights)
-            .map(|(&v, w)| w * (f64::from(v) - self.mean))
-            .sum();
-        f64::from(window[ORDER]) - self.mean - prediction
-    }
-}
-
-/// Solves the Toeplitz system of linear prediction.
-fn levinson_durbin(covariance: &[f64; ORDER + 1]) -> [f64; ORDER] {
-    let mut weights = [0.0; ORDER];
-    let mut error = covariance[0];
-    for m in 0..ORDER {
-        let rest: f64 = (0..m).map(|i| weights[i] * covariance[m - i]).sum();
-        let reflection = (covariance[m + 1] - rest) / error;
-        let old = weights;
-        for i in 0..m {
-            weights[i] = old[i] - reflection * old[m - 1 - i];
-        }
-        weights[m] = reflection;
-        error *= 1.0 - reflection * reflection;
-    }
-    weights
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn levinson_durbin_recovers_an_autoregression() {
-        // x[n] = 0.9 x[n-1] + w has covariance 0.9^k.
-        let covariance = std::array::from_fn(|k| 0.9f64.powi(k as i32));
-        let weights = levinson_durbin(&covariance);
-        assert!((weights[0] - 0.9).abs() < 1e-12);
-        assert!(weights[1..].iter().all(|w| w.abs() < 1e-12));
-    }
 
     #[test]
     fn a_step_in_variance_is_found_to_the_sample() {

@@ -25,6 +25,7 @@
 //! assert_eq!(found.trains[0].impacts().len(), 10);
 //! ```
 
+mod align;
 mod chain;
 mod evidence;
 
@@ -94,6 +95,19 @@ impl Train {
         last + 1 - self.impacts.len()
     }
 
+    /// Sharpens the times by what the sounds of the impacts have in common (`align`).
+    ///
+    /// `samples` are the recording from `start_s` on. Impacts outside them, or unlike the others,
+    /// keep their times.
+    pub fn align(&mut self, samples: &[f32], start_s: f64, sample_rate_hz: u32) {
+        align::align(
+            &mut self.impacts,
+            samples,
+            start_s,
+            f64::from(sample_rate_hz),
+        );
+    }
+
     /// Level in dB relative to full scale that an impact at 1 m/s would have, if the amplitude
     /// follows the speed: how near and how hard the surface is, whatever the height of the drop.
     fn level_at_unit_speed_db(&self) -> f64 {
@@ -138,6 +152,24 @@ pub struct Regular {
 }
 
 impl Found {
+    /// Moves the trains that are far fainter than the loudest from `trains` to `distant`.
+    pub(crate) fn set_distant_apart(&mut self) {
+        let levels: Vec<f64> = self
+            .trains
+            .iter()
+            .map(Train::level_at_unit_speed_db)
+            .collect();
+        let loudest = levels.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+        let mut levels = levels.into_iter();
+        let is_distant = |_: &mut Train| levels.next().is_some_and(|l| l < loudest - DISTANT_DB);
+        self.distant.extend(self.trains.extract_if(.., is_distant));
+    }
+
+    /// The evidence of all trains together, in nats.
+    pub fn evidence(&self) -> f64 {
+        self.trains.iter().map(Train::evidence).sum()
+    }
+
     /// Why there is no drop, in words; `onsets` is how many candidates there were.
     pub fn reason(&self, onsets: usize) -> NoDrop {
         match (onsets, self.regular.first()) {
@@ -153,6 +185,8 @@ impl Found {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum NoDrop {
+    /// All samples have the same value.
+    Silence,
     /// Nothing stands out of the background.
     NoSound,
     /// So many sounds stand out, too few for a drop.
@@ -166,6 +200,10 @@ pub enum NoDrop {
 impl fmt::Display for NoDrop {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
+            Self::Silence => write!(
+                f,
+                "the recording is silent: all samples have the same value"
+            ),
             Self::NoSound => write!(f, "no sound stands out of the background"),
             Self::TooFew(count) => write!(
                 f,
@@ -192,12 +230,12 @@ impl fmt::Display for NoDrop {
 pub fn find(onsets: &[Onset]) -> Found {
     let mut found = Found::default();
     search(onsets, &mut found);
-    set_distant_apart(&mut found);
+    found.set_distant_apart();
     found
 }
 
 /// Takes the best train and searches again before and after it.
-fn search(onsets: &[Onset], found: &mut Found) {
+pub(crate) fn search(onsets: &[Onset], found: &mut Found) {
     if onsets.len() < FEWEST_IMPACTS {
         return;
     }
@@ -235,21 +273,6 @@ fn train(onsets: &[Onset], chain: &Chain) -> Train {
         impacts,
         evidence: chain.evidence,
     }
-}
-
-fn set_distant_apart(found: &mut Found) {
-    let levels: Vec<f64> = found
-        .trains
-        .iter()
-        .map(Train::level_at_unit_speed_db)
-        .collect();
-    let loudest = levels.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-    let (near, distant) = std::mem::take(&mut found.trains)
-        .into_iter()
-        .zip(levels)
-        .partition::<Vec<_>, _>(|(_, level)| *level >= loudest - DISTANT_DB);
-    found.trains = near.into_iter().map(|(train, _)| train).collect();
-    found.distant = distant.into_iter().map(|(train, _)| train).collect();
 }
 
 /// Whether the intervals of a chain are equal: the straight line through their logarithms does not

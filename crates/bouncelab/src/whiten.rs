@@ -1,0 +1,116 @@
+//! What a sound brings that the sound before it did not foretell.
+//!
+//! A linear prediction learnt from the background takes hum, rumble and ringing out of a signal;
+//! what is left, the prediction error, is white where only the background is heard.
+
+/// How many samples a prediction looks back. Few, because it is learnt from a few milliseconds.
+pub(crate) const ORDER: usize = 10;
+
+/// A prediction of the next sample from the ones before.
+pub(crate) struct Autoregression {
+    mean: f64,
+    /// Weights of the samples before, the earliest first.
+    weights: [f64; ORDER],
+}
+
+impl Autoregression {
+    /// Learns from a stretch of background; `noise_power` is the least there can be.
+    pub(crate) fn learn(samples: &[f32], noise_power: f64) -> Self {
+        let (mean, mut covariance) = moments(samples);
+        // Rounding noise, and a little more, keeps the recursion well conditioned.
+        covariance[0] = covariance[0] * (1.0 + 1e-7) + noise_power + f64::MIN_POSITIVE;
+        Self {
+            mean,
+            weights: levinson_durbin(&covariance),
+        }
+    }
+
+    /// Learns from several stretches, a loud one counting no more than a quiet one.
+    pub(crate) fn learn_from_many<'a>(stretches: impl Iterator<Item = &'a [f32]>) -> Self {
+        let mut mean = 0.0;
+        let mut sum = [0.0; ORDER + 1];
+        let mut count = 0.0;
+        for stretch in stretches {
+            let (stretch_mean, covariance) = moments(stretch);
+            mean += stretch_mean;
+            count += 1.0;
+            if covariance[0] > 0.0 {
+                for (sum, value) in sum.iter_mut().zip(covariance) {
+                    *sum += value / covariance[0];
+                }
+            }
+        }
+        sum[0] = sum[0] * (1.0 + 1e-7) + f64::MIN_POSITIVE;
+        Self {
+            mean: mean / f64::max(count, 1.0),
+            weights: levinson_durbin(&sum),
+        }
+    }
+
+    /// The prediction errors of all samples but the first `ORDER`.
+    pub(crate) fn errors<'a>(&'a self, samples: &'a [f32]) -> impl Iterator<Item = f64> + 'a {
+        samples.windows(ORDER + 1).map(|window| {
+            let centred = |v: f32| f64::from(v) - self.mean;
+            let prediction: f64 = window[..ORDER]
+                .iter()
+                .zip(&self.weights)
+                .map(|(&v, w)| w * centred(v))
+                .sum();
+            centred(window[ORDER]) - prediction
+        })
+    }
+}
+
+/// Mean and autocovariance.
+fn moments(samples: &[f32]) -> (f64, [f64; ORDER + 1]) {
+    let n = samples.len().max(1) as f64;
+    let mean = samples.iter().map(|&v| f64::from(v)).sum::<f64>() / n;
+    let centred: Vec<f64> = samples.iter().map(|&v| f64::from(v) - mean).collect();
+    let covariance = std::array::from_fn(|lag| {
+        let later = centred.get(lag..).unwrap_or_default();
+        later.iter().zip(&centred).map(|(a, b)| a * b).sum::<f64>() / n
+    });
+    (mean, covariance)
+}
+
+/// Solves the Toeplitz system of linear prediction (Levinson-Durbin); the earliest weight first.
+fn levinson_durbin(covariance: &[f64; ORDER + 1]) -> [f64; ORDER] {
+    let mut weights = [0.0; ORDER];
+    let mut error = covariance[0];
+    for m in 0..ORDER {
+        let rest: f64 = (0..m).map(|i| weights[i] * covariance[m - i]).sum();
+        let reflection = (covariance[m + 1] - rest) / error;
+        let old = weights;
+        for i in 0..m {
+            weights[i] = old[i] - reflection * old[m - 1 - i];
+        }
+        weights[m] = reflection;
+        error *= 1.0 - reflection * reflection;
+    }
+    weights.reverse();
+    weights
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn levinson_durbin_recovers_an_autoregression() {
+        // x[n] = 0.9 x[n-1] + w has covariance 0.9^k.
+        let covariance = std::array::from_fn(|k| 0.9f64.powf(k as f64));
+        let weights = levinson_durbin(&covariance);
+        assert!((weights[ORDER - 1] - 0.9).abs() < 1e-12);
+        assert!(weights[..ORDER - 1].iter().all(|w| w.abs() < 1e-12));
+    }
+
+    #[test]
+    fn a_tone_with_an_offset_is_foretold() {
+        let tone: Vec<f32> = (0..600)
+            .map(|n| 0.3 + 0.5 * (0.2 * n as f32).sin())
+            .collect();
+        let model = Autoregression::learn(&tone[..400], 1e-12);
+        let error: f64 = model.errors(&tone[400..]).map(|e| e * e).sum::<f64>() / 190.0;
+        assert!(error < 1e-4 * 0.125, "{error}");
+    }
+}
