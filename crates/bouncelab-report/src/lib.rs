@@ -1,1 +1,60 @@
-//! Figures and tables for bouncelab.
+//! Figures, tables and rounded numbers: how bouncelab shows what it found.
+//!
+//! Everything here takes plain data with its unit in the name and gives back text or a
+//! picture; nothing depends on how the numbers were found.
+//!
+//! ```
+//! use bouncelab_report::figure::{self, Line, TimedFlight};
+//! use bouncelab_report::{Quantity, Unit};
+//!
+//! let flights: Vec<_> = (1..=10)
+//!     .map(|number| TimedFlight {
+//!         number,
+//!         time_s: 0.4605 * 0.94_f64.powi(number as i32),
+//!         standard_error_s: None,
+//!         used: true,
+//!     })
+//!     .collect();
+//! let line = Line { slope: 0.94_f64.log10(), intercept: 0.4605_f64.log10() };
+//! let figure = figure::flight_times(&flights, Some(line));
+//! assert!(figure.svg().starts_with("<svg"));
+//! println!("{}", figure.caption());
+//!
+//! let height = Quantity::measured(0.3042, 0.0061, Unit::Length);
+//! assert_eq!(height.to_string(), "30.4 ± 0.6 cm");
+//! ```
+//!
+//! The rooms, each using only those before it:
+//!
+//! | room | question it answers |
+//! |---|---|
+//! | [`error`](Error) | what can go wrong |
+//! | [`quantity`](Quantity) | how many digits, and which prefix |
+//! | [`table`](Table) | how numbers stand under each other |
+//! | [`theme`] | what a colour means |
+//! | `canvas` | where ink goes: the only room that knows the drawing library |
+//! | `scale` | where a value lies on an axis, and which values get a tick |
+//! | `sheet` | title, key, panels with axes |
+//! | [`figure`] | one file a figure |
+//! | [`save`] | figures as files |
+//!
+//! All but [`save`] work in a browser. The feature `png` (on by default) adds
+//! [`Figure::png`](figure::Figure::png) and [`save`].
+
+mod canvas;
+mod error;
+pub mod figure;
+mod quantity;
+#[cfg(all(feature = "png", not(target_family = "wasm")))]
+mod save;
+mod scale;
+mod sheet;
+mod table;
+pub mod theme;
+
+pub use error::{Error, Result};
+pub use figure::Figure;
+pub use quantity::{CANNOT_TELL, Quantity, Unit};
+#[cfg(all(feature = "png", not(target_family = "wasm")))]
+pub use save::{Saved, save};
+pub use table::{Align, Table};

@@ -1,0 +1,407 @@
+//! Where ink goes.
+//!
+//! The only room that knows the drawing library. It adds what the library leaves out: points
+//! that are not numbers are skipped instead of drawn, dashes run on across the points of a
+//! curve (the library starts them anew at each point when it makes a PNG), and the SVG
+//! scales with the page and can be read aloud.
+
+use kuva::backend::svg::SvgBackend;
+use kuva::render::color::Color;
+use kuva::render::render::{PathData, Primitive, Scene, TextAnchor, TextSpan};
+
+use crate::theme::{self, Colour};
+
+/// A place on the sheet, in figure pixels from the upper left corner.
+pub(crate) type Point = (f64, f64);
+
+/// A rectangle on the sheet, in figure pixels.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Rect {
+    pub(crate) left: f64,
+    pub(crate) top: f64,
+    pub(crate) right: f64,
+    pub(crate) bottom: f64,
+}
+
+impl Rect {
+    pub(crate) fn width(&self) -> f64 {
+        self.right - self.left
+    }
+
+    pub(crate) fn height(&self) -> f64 {
+        self.bottom - self.top
+    }
+}
+
+/// Lengths of the strokes and gaps of a line, in figure pixels.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Dash {
+    pub(crate) stroke: f64,
+    pub(crate) gap: f64,
+}
+
+/// How a line looks.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Pen {
+    pub(crate) colour: Colour,
+    pub(crate) width: f64,
+    pub(crate) dash: Option<Dash>,
+}
+
+impl Pen {
+    pub(crate) const fn solid(colour: Colour, width: f64) -> Self {
+        Self {
+            colour,
+            width,
+            dash: None,
+        }
+    }
+}
+
+/// Which part of a text lies at its place.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) enum Anchor {
+    Start,
+    Middle,
+    End,
+}
+
+/// How a text looks.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Style {
+    pub(crate) size: u32,
+    pub(crate) colour: Colour,
+    pub(crate) anchor: Anchor,
+    pub(crate) bold: bool,
+}
+
+impl Style {
+    pub(crate) const fn new(size: u32, colour: Colour, anchor: Anchor) -> Self {
+        Self {
+            size,
+            colour,
+            anchor,
+            bold: false,
+        }
+    }
+}
+
+/// A sheet being drawn on.
+#[derive(Debug)]
+pub(crate) struct Canvas {
+    scene: Scene,
+    clips: usize,
+}
+
+impl Canvas {
+    pub(crate) fn new(width: f64, height: f64) -> Self {
+        let mut scene = Scene::new(width, height);
+        scene.background_color = Some(theme::PAPER.to_string());
+        scene.text_color = Some(theme::INK.to_string());
+        scene.font_family = Some(theme::FONT_FAMILY.to_owned());
+        Self { scene, clips: 0 }
+    }
+
+    pub(crate) fn width(&self) -> f64 {
+        self.scene.width
+    }
+
+    pub(crate) fn height(&self) -> f64 {
+        self.scene.height
+    }
+
+    /// A curve through the points; it is interrupted where a point is not a number.
+    pub(crate) fn polyline(&mut self, points: &[Point], pen: Pen) {
+        for run in points.split(|&point| !is_finite(point)) {
+            match pen.dash {
+                None => self.stroke(run.to_vec(), pen),
+                Some(dash) => {
+                    for piece in dashes(run, dash) {
+                        self.stroke(piece, pen);
+                    }
+                }
+            }
+        }
+    }
+
+    pub(crate) fn line(&mut self, from: Point, to: Point, pen: Pen) {
+        self.polyline(&[from, to], pen);
+    }
+
+    fn stroke(&mut self, points: Vec<Point>, pen: Pen) {
+        if points.len() < 2 {
+            return;
+        }
+        self.scene.add(Primitive::PolyLine {
+            points,
+            stroke: color(pen.colour),
+            stroke_width: pen.width,
+            stroke_dasharray: None,
+        });
+    }
+
+    /// A filled shape; nothing if a corner is not a number.
+    pub(crate) fn area(&mut self, corners: &[Point], colour: Colour) {
+        if corners.len() < 3 || !corners.iter().copied().all(is_finite) {
+            return;
+        }
+        let corner = |(i, (x, y)): (usize, &Point)| {
+            let command = if i == 0 { 'M' } else { 'L' };
+            format!("{command}{x:.2} {y:.2}")
+        };
+        let mut d: String = corners.iter().enumerate().map(corner).collect();
+        d.push('Z');
+        self.scene.add(Primitive::Path(Box::new(PathData {
+            d,
+            fill: Some(color(colour)),
+            stroke: Color::None,
+            stroke_width: 0.0,
+            opacity: None,
+            stroke_dasharray: None,
+        })));
+    }
+
+    pub(crate) fn rect(&mut self, rect: Rect, colour: Colour) {
+        let Rect {
+            left,
+            top,
+            right,
+            bottom,
+        } = rect;
+        self.area(
+            &[(left, top), (right, top), (right, bottom), (left, bottom)],
+            colour,
+        );
+    }
+
+    /// A filled circle.
+    pub(crate) fn dot(&mut self, (cx, cy): Point, r: f64, colour: Colour) {
+        self.circle((cx, cy), r, colour, None);
+    }
+
+    /// An open circle, white inside so that lines do not run through it.
+    pub(crate) fn ring(&mut self, (cx, cy): Point, r: f64, colour: Colour) {
+        self.circle((cx, cy), r, theme::PAPER, Some(colour));
+    }
+
+    fn circle(&mut self, (cx, cy): Point, r: f64, fill: Colour, edge: Option<Colour>) {
+        if is_finite((cx, cy)) {
+            self.scene.add(Primitive::Circle {
+                cx,
+                cy,
+                r,
+                fill: color(fill),
+                fill_opacity: None,
+                stroke: edge.map(color),
+                stroke_width: edge.map(|_| 1.5),
+            });
+        }
+    }
+
+    pub(crate) fn text(&mut self, (x, y): Point, text: &str, style: Style) {
+        if !is_finite((x, y)) {
+            return;
+        }
+        let mut span = TextSpan::plain(printable(text));
+        span.bold = style.bold;
+        self.scene.add(Primitive::RichText {
+            x,
+            y,
+            spans: vec![span],
+            size: style.size,
+            anchor: match style.anchor {
+                Anchor::Start => TextAnchor::Start,
+                Anchor::Middle => TextAnchor::Middle,
+                Anchor::End => TextAnchor::End,
+            },
+            color: Some(color(style.colour)),
+        });
+    }
+
+    /// Draws with everything outside `rect` cut off.
+    pub(crate) fn clipped(&mut self, rect: Rect, draw: impl FnOnce(&mut Self)) {
+        self.clips += 1;
+        self.scene.add(Primitive::ClipStart {
+            x: rect.left,
+            y: rect.top,
+            width: rect.width(),
+            height: rect.height(),
+            id: format!("clip-{}", self.clips),
+        });
+        draw(self);
+        self.scene.add(Primitive::ClipEnd);
+    }
+
+    /// The drawing as SVG that scales with its container, with a title and a description for
+    /// those who cannot see it.
+    pub(crate) fn svg(&self, title: &str, description: &str) -> String {
+        let drawn = SvgBackend::new().render_scene(&self.scene);
+        let opening = format!(
+            r#"<svg viewBox="0 0 {} {}" role="img" stroke-linejoin="round" "#,
+            self.width(),
+            self.height()
+        );
+        let spoken = format!(
+            "><title>{}</title><desc>{}</desc>",
+            escape(title),
+            escape(description)
+        );
+        drawn
+            .replacen("<svg ", &opening, 1)
+            .replacen('>', &spoken, 1)
+    }
+
+    /// The drawing as a PNG picture of the given width in pixels.
+    #[cfg(feature = "png")]
+    pub(crate) fn png(&self, width_px: u32) -> std::result::Result<Vec<u8>, String> {
+        // The library rounds the size up; aiming a hair low hits the width exactly.
+        let scale = (f64::from(width_px) - 0.01) / self.width();
+        kuva::backend::raster::RasterBackend::new()
+            .with_scale(scale as f32)
+            .render_scene(&self.scene)
+    }
+}
+
+/// Width of a text in figure pixels, rather too wide than too narrow: by the classes of
+/// letters of `DejaVu Sans`, which is wider than the fonts of most systems.
+pub(crate) fn text_width(text: &str, size: u32) -> f64 {
+    let em: f64 = text.chars().map(letter_width).sum();
+    em * f64::from(size)
+}
+
+fn letter_width(letter: char) -> f64 {
+    match letter {
+        'i' | 'j' | 'l' | 'I' | '.' | ',' | ' ' | '\'' | ':' | ';' | '|' | 'f' | 't' | 'r'
+        | '(' | ')' | '-' | '/' => 0.42,
+        'm' | 'w' | 'M' | 'W' | '%' | '@' => 1.0,
+        'A'..='Z' => 0.75,
+        _ if letter.is_ascii() => 0.64,
+        '±' | '×' | '−' | '≈' => 0.84,
+        '⁰'..='⁹' | '⁻' | '¹' | '²' | '³' => 0.5,
+        _ if (letter as u32) < 0x0250 => 0.7,
+        _ => 1.1,
+    }
+}
+
+/// The text, shortened with an ellipsis if it is wider than `width` figure pixels.
+pub(crate) fn shortened(text: &str, size: u32, width: f64) -> String {
+    if text_width(text, size) <= width {
+        return text.to_owned();
+    }
+    let mut short = String::new();
+    for letter in text.chars() {
+        if text_width(&short, size) + f64::from(size) * (letter_width(letter) + 1.1) > width {
+            break;
+        }
+        short.push(letter);
+    }
+    short.truncate(short.trim_end().len());
+    short.push('…');
+    short
+}
+
+/// The strokes that make a dashed line along the points.
+fn dashes(points: &[Point], dash: Dash) -> Vec<Vec<Point>> {
+    let mut pieces = Vec::new();
+    let mut piece: Vec<Point> = points.first().copied().into_iter().collect();
+    let mut drawing = true;
+    let mut left = dash.stroke;
+    for pair in points.windows(2) {
+        let (mut from, to) = (pair[0], pair[1]);
+        let mut length = (to.0 - from.0).hypot(to.1 - from.1);
+        while length > left {
+            let share = left / length;
+            from = (
+                from.0 + share * (to.0 - from.0),
+                from.1 + share * (to.1 - from.1),
+            );
+            length -= left;
+            if drawing {
+                piece.push(from);
+                pieces.push(std::mem::take(&mut piece));
+            } else {
+                piece = vec![from];
+            }
+            drawing = !drawing;
+            left = if drawing { dash.stroke } else { dash.gap };
+        }
+        left -= length;
+        if drawing {
+            piece.push(to);
+        }
+    }
+    pieces.push(piece);
+    pieces
+}
+
+fn color(colour: Colour) -> Color {
+    let [red, green, blue] = colour.rgb;
+    Color::Rgb(red, green, blue)
+}
+
+fn is_finite((x, y): Point) -> bool {
+    x.is_finite() && y.is_finite()
+}
+
+/// Without the control characters that XML forbids.
+fn printable(text: &str) -> String {
+    text.chars()
+        .map(|c| if c.is_control() { ' ' } else { c })
+        .collect()
+}
+
+fn escape(text: &str) -> String {
+    printable(text)
+        .replace('&', "&amp;")
+        .replace('<', "&lt;")
+        .replace('>', "&gt;")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn dashes_run_on_across_the_points_of_a_curve() {
+        let dash = Dash {
+            stroke: 6.0,
+            gap: 4.0,
+        };
+        // The same 30-pixel line, as one segment and as thirty.
+        let coarse = dashes(&[(0.0, 0.0), (30.0, 0.0)], dash);
+        let fine: Vec<Point> = (0..=30).map(|x| (f64::from(x), 0.0)).collect();
+        let ends = |pieces: &[Vec<Point>]| -> Vec<(f64, f64)> {
+            pieces
+                .iter()
+                .filter(|piece| piece.len() > 1)
+                .map(|piece| (piece[0].0, piece[piece.len() - 1].0))
+                .collect()
+        };
+        assert_eq!(ends(&coarse), [(0.0, 6.0), (10.0, 16.0), (20.0, 26.0)]);
+        assert_eq!(ends(&dashes(&fine, dash)), ends(&coarse));
+    }
+
+    #[test]
+    fn points_that_are_not_numbers_interrupt_a_curve() {
+        let mut canvas = Canvas::new(100.0, 100.0);
+        let nan = (f64::NAN, 1.0);
+        canvas.polyline(
+            &[(0.0, 0.0), (1.0, 1.0), nan, (2.0, 2.0), (3.0, 3.0), nan],
+            Pen::solid(theme::INK, 1.0),
+        );
+        let svg = canvas.svg("", "");
+        assert_eq!(svg.matches("<path").count(), 2);
+        assert!(!svg.contains("NaN"));
+    }
+
+    #[test]
+    fn shortened_texts_fit() {
+        let text = "a rather long name of a curve";
+        let short = shortened(text, 14, 100.0);
+        assert!(
+            short.ends_with('…') && text_width(&short, 14) <= 100.0,
+            "{short}"
+        );
+        assert_eq!(shortened(text, 14, 1000.0), text);
+    }
+}

@@ -1,0 +1,62 @@
+//! What can go wrong when figures are drawn and saved.
+
+use std::path::PathBuf;
+
+/// What can go wrong when figures are drawn and saved.
+///
+/// Drawing itself never fails: a figure without usable data says so on its face.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum Error {
+    /// The bins of an envelope do not fit together.
+    #[error("cannot make an envelope of the sound: {problem}")]
+    Envelope {
+        /// What is wrong, and what is expected.
+        problem: String,
+    },
+    /// The picture asked for is too small to read or too large to hold in memory.
+    #[error(
+        "a picture cannot be {width_px} pixels wide: give a width from {} to {}",
+        crate::figure::MIN_WIDTH_PX,
+        crate::figure::MAX_WIDTH_PX
+    )]
+    PictureWidth {
+        /// The width asked for, in pixels.
+        width_px: u32,
+    },
+    /// The drawing library could not make the picture.
+    #[error("cannot turn the figure '{title}' into a PNG picture: {problem}")]
+    Picture {
+        /// Title of the figure.
+        title: String,
+        /// What the drawing library said.
+        problem: String,
+    },
+    /// The name is not a plain file name.
+    #[error(
+        "'{name}' cannot name a figure: use letters, digits, '-', '_' and '.', and do not start with '.'"
+    )]
+    Name {
+        /// The name given.
+        name: String,
+    },
+    /// The folder for the figures cannot be used.
+    #[error("cannot use '{}' as a folder for figures: {source}; choose another folder", folder.display())]
+    Folder {
+        /// The folder.
+        folder: PathBuf,
+        /// What the operating system said.
+        source: std::io::Error,
+    },
+    /// A figure could not be written.
+    #[error("cannot write the figure '{}': {source}; is the folder writable, and the disk not full?", path.display())]
+    Write {
+        /// The file that was to be written.
+        path: PathBuf,
+        /// What the operating system said.
+        source: std::io::Error,
+    },
+}
+
+/// A result whose error is [`Error`].
+pub type Result<T> = std::result::Result<T, Error>;

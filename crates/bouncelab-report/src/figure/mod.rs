@@ -1,0 +1,190 @@
+//! The figures, one file each.
+//!
+//! Each takes plain data and gives a [`Figure`]. Points that are not numbers are left out;
+//! a figure without any usable point says so instead of showing empty axes.
+
+mod drag;
+mod flight_times;
+mod height;
+mod restitution;
+mod waveform;
+
+pub use drag::{DragAxes, drag};
+pub use flight_times::{Line, TimedFlight, flight_times};
+pub use height::height;
+pub use restitution::{Restitution, restitution};
+pub use waveform::{Envelope, Mark, SURE, waveform};
+
+use crate::canvas::{Canvas, Dash, Pen};
+use crate::scale::Scale;
+use crate::sheet::{KeyEntry, Sheet, Swatch};
+use crate::theme::Meaning;
+
+/// The narrowest picture, in pixels: below it nothing can be read.
+pub const MIN_WIDTH_PX: u32 = 120;
+/// The widest picture, in pixels.
+pub const MAX_WIDTH_PX: u32 = 8000;
+
+/// A drawn figure.
+#[derive(Debug)]
+pub struct Figure {
+    canvas: Canvas,
+    title: String,
+    caption: String,
+}
+
+impl Figure {
+    fn new(sheet: Sheet, title: &str, caption: impl Into<String>) -> Self {
+        Self {
+            canvas: sheet.canvas,
+            title: title.to_owned(),
+            caption: caption.into(),
+        }
+    }
+
+    /// A figure that says why it shows nothing.
+    fn empty(height: f64, title: &str, reason: &str) -> Self {
+        let mut sheet = Sheet::new(height, title);
+        sheet.message(reason);
+        Self::new(sheet, title, reason)
+    }
+
+    /// The title, which also stands on the figure.
+    pub fn title(&self) -> &str {
+        &self.title
+    }
+
+    /// One sentence that says what to see in it.
+    pub fn caption(&self) -> &str {
+        &self.caption
+    }
+
+    /// Width and height of the drawing in figure pixels: its natural size on a page.
+    pub fn size(&self) -> (f64, f64) {
+        (self.canvas.width(), self.canvas.height())
+    }
+
+    /// The figure as SVG, which scales to any size; the caption is its description for those
+    /// who cannot see it.
+    pub fn svg(&self) -> String {
+        self.canvas.svg(&self.title, &self.caption)
+    }
+
+    /// The figure as a PNG picture of the given width in pixels.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::PictureWidth`](crate::Error::PictureWidth) if the width is not from
+    /// [`MIN_WIDTH_PX`] to [`MAX_WIDTH_PX`], [`Error::Picture`](crate::Error::Picture) if the
+    /// drawing library fails.
+    #[cfg(feature = "png")]
+    pub fn png(&self, width_px: u32) -> crate::Result<Vec<u8>> {
+        if !(MIN_WIDTH_PX..=MAX_WIDTH_PX).contains(&width_px) {
+            return Err(crate::Error::PictureWidth { width_px });
+        }
+        self.canvas
+            .png(width_px)
+            .map_err(|problem| crate::Error::Picture {
+                title: self.title.clone(),
+                problem,
+            })
+    }
+}
+
+/// A named curve.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Curve {
+    /// Name, as in the key: short, plain text.
+    pub name: String,
+    /// What it shows, which decides its colour. Curves with the same meaning differ by their
+    /// dashes.
+    pub meaning: Meaning,
+    /// The points in the order of drawing; the figure says in which units. A point that is
+    /// not a number interrupts the curve.
+    pub points: Vec<(f64, f64)>,
+}
+
+/// A pen for each curve: the colour by its meaning, dashes by how many of the same meaning
+/// came before.
+fn pens(curves: &[Curve]) -> Vec<Pen> {
+    const DASHES: [Option<Dash>; 4] = [
+        None,
+        Some(Dash {
+            stroke: 9.0,
+            gap: 5.0,
+        }),
+        Some(Dash {
+            stroke: 2.5,
+            gap: 4.0,
+        }),
+        Some(Dash {
+            stroke: 18.0,
+            gap: 5.0,
+        }),
+    ];
+    curves
+        .iter()
+        .enumerate()
+        .map(|(i, curve)| {
+            let before = &curves[..i];
+            let same = before.iter().filter(|c| c.meaning == curve.meaning).count();
+            Pen {
+                colour: curve.meaning.colour(),
+                width: 2.0,
+                dash: DASHES[same % DASHES.len()],
+            }
+        })
+        .collect()
+}
+
+/// The curves' entries in the key.
+fn curve_key(curves: &[Curve], pens: &[Pen]) -> Vec<KeyEntry> {
+    curves
+        .iter()
+        .zip(pens)
+        .map(|(curve, &pen)| KeyEntry::new(Swatch::Line(pen), curve.name.clone()))
+        .collect()
+}
+
+fn is_finite(point: (f64, f64)) -> bool {
+    point.0.is_finite() && point.1.is_finite()
+}
+
+/// A scale that shows the bulk of the values and leaves outliers out: those further from the
+/// quartiles than three times the distance between the quartiles (Tukey's "far out").
+///
+/// Each value comes with its standard error, which is given room up to the same bound.
+fn robust_scale(values: &[(f64, Option<f64>)]) -> Scale {
+    let mut sorted: Vec<f64> = values
+        .iter()
+        .map(|(value, _)| *value)
+        .filter(|value| value.is_finite())
+        .collect();
+    if sorted.is_empty() {
+        return Scale::linear([]);
+    }
+    sorted.sort_by(f64::total_cmp);
+    let quartile = |share: f64| sorted[(share * (sorted.len() - 1) as f64).round() as usize];
+    let (lower, upper) = (quartile(0.25), quartile(0.75));
+    let far = 3.0 * (upper - lower);
+    let near = |value: &f64| (lower - far..=upper + far).contains(value);
+    let ends = values
+        .iter()
+        .filter(|(value, _)| near(value))
+        .flat_map(|(value, error)| {
+            let error = error.filter(|e| e.is_finite()).unwrap_or(0.0);
+            [value - error, value + error]
+        })
+        .map(|end| end.clamp(lower - far.max(f64::MIN_POSITIVE), upper + far))
+        .chain(sorted.iter().copied().filter(near));
+    Scale::linear(ends)
+}
+
+/// "1 impact", "2 impacts".
+fn count(n: usize, thing: &str) -> String {
+    if n == 1 {
+        format!("1 {thing}")
+    } else {
+        format!("{n} {thing}s")
+    }
+}

@@ -1,0 +1,99 @@
+//! Restitution against impact speed.
+
+use super::{Figure, robust_scale};
+use crate::canvas::Pen;
+use crate::scale::Scale;
+use crate::sheet::{Axis, KeyEntry, Panel, Sheet, Swatch};
+use crate::theme::Meaning;
+
+const TITLE: &str = "Bounciness of each impact";
+const HEIGHT: f64 = 400.0;
+
+/// The restitution of one impact.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Restitution {
+    /// Speed before the impact, in m/s.
+    pub speed_m_s: f64,
+    /// Speed after the impact divided by the speed before it.
+    pub value: f64,
+    /// Standard error of the value, if known.
+    pub standard_error: Option<f64>,
+}
+
+/// Restitution against impact speed: `raw` as if there were no air (the ratio of neighbouring
+/// flight times), `corrected` for air drag, and the one value of the straight line. The
+/// vertical axis shows the bulk of the values; those far off are arrow heads at its edge.
+pub fn restitution(raw: &[Restitution], corrected: &[Restitution], line: Option<f64>) -> Figure {
+    let raw = usable(raw);
+    let corrected = usable(corrected);
+    let all = || raw.iter().chain(&corrected);
+    if all().next().is_none() {
+        return Figure::empty(
+            HEIGHT,
+            TITLE,
+            "There are no impacts with a known restitution.",
+        );
+    }
+    let line = line.filter(|value| value.is_finite());
+    let shown: Vec<_> = all().map(|r| (r.value, r.standard_error)).collect();
+    let bulk = robust_scale(&shown);
+    let ends = [bulk.low(), bulk.high()].into_iter().chain(line);
+    let y = Axis::new(
+        Scale::linear(ends).padded(0.08, 0.08),
+        "restitution: speed after / before",
+    );
+    let speeds = all().map(|r| r.speed_m_s).chain([0.0]);
+    let x = Axis::new(
+        Scale::linear(speeds).padded(0.0, 0.04),
+        "speed at the impact (m/s)",
+    );
+
+    let mut sheet = Sheet::new(HEIGHT, TITLE);
+    let grey = Meaning::NoDrag.colour();
+    let blue = Meaning::Measured.colour();
+    let pen = Pen::solid(grey, 2.0);
+    let mut key = Vec::new();
+    if !corrected.is_empty() {
+        key.push(KeyEntry::new(Swatch::Dot(blue), "corrected for drag"));
+    }
+    if !raw.is_empty() {
+        key.push(KeyEntry::new(Swatch::Ring(grey), "as if there were no air"));
+    }
+    if let Some(value) = line {
+        let name = format!("straight line: {value:.4}");
+        key.push(KeyEntry::new(Swatch::Line(pen), name));
+    }
+    sheet.key(&key);
+    let panel = Panel::fill(&mut sheet, &x, &y, 0.0);
+    if let Some(value) = line {
+        panel.level(&mut sheet.canvas, value, pen);
+    }
+    for (impacts, swatch) in [(&raw, Swatch::Ring(grey)), (&corrected, Swatch::Dot(blue))] {
+        for impact in impacts {
+            let point = (impact.speed_m_s, impact.value);
+            panel.measured(&mut sheet.canvas, point, impact.standard_error, swatch);
+        }
+    }
+    Figure::new(
+        sheet,
+        TITLE,
+        caption(!raw.is_empty() && !corrected.is_empty()),
+    )
+}
+
+fn usable(impacts: &[Restitution]) -> Vec<Restitution> {
+    impacts
+        .iter()
+        .copied()
+        .filter(|impact| impact.speed_m_s.is_finite() && impact.value.is_finite())
+        .collect()
+}
+
+fn caption(both: bool) -> String {
+    if both {
+        "What the ball keeps of its speed at each impact; the gap between grey and blue is what the air takes, which a straight line counts as lost in the bounce."
+    } else {
+        "What the ball keeps of its speed at each impact."
+    }
+    .to_owned()
+}

@@ -1,0 +1,321 @@
+//! The sound with its impacts (paper, Fig. 4).
+
+use super::{Figure, count};
+use crate::canvas::{Anchor, Pen, Style, text_width};
+use crate::error::{Error, Result};
+use crate::scale::Scale;
+use crate::sheet::{Axis, KeyEntry, Panel, Sheet, Swatch, mark};
+use crate::theme::{self, Meaning};
+
+const TITLE: &str = "The sound and its impacts";
+const HEIGHT: f64 = 360.0;
+
+/// An impact at least this probable is drawn as sure.
+pub const SURE: f64 = 0.9;
+
+/// The lowest and highest sample in each of many short stretches of a sound: all that a
+/// picture can show of it, however long it is.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Envelope {
+    start_s: f64,
+    step_s: f64,
+    min: Vec<f32>,
+    max: Vec<f32>,
+}
+
+impl Envelope {
+    /// An envelope of bins that each last `step_s`, the first starting at `start_s`, with
+    /// the lowest and highest sample of each, relative to full scale. A bin whose samples
+    /// are not numbers is a gap.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Envelope`] if there are not as many lowest as highest samples, or the times
+    /// are not numbers, or `step_s` is not above zero.
+    pub fn new(start_s: f64, step_s: f64, min: Vec<f32>, max: Vec<f32>) -> Result<Self> {
+        if min.len() != max.len() {
+            let problem = format!(
+                "{} lowest and {} highest samples; give one of each for every bin",
+                min.len(),
+                max.len()
+            );
+            return Err(Error::Envelope { problem });
+        }
+        if !start_s.is_finite() || !step_s.is_finite() || step_s <= 0.0 {
+            let problem = format!(
+                "bins of {step_s} s that start at {start_s} s; both must be numbers and a bin must last longer than 0 s"
+            );
+            return Err(Error::Envelope { problem });
+        }
+        Ok(Self {
+            start_s,
+            step_s,
+            min,
+            max,
+        })
+    }
+
+    /// The envelope of samples in memory, in at most `bins` bins, starting at time zero.
+    /// For a sound in a long file, gather the bins while reading and use [`Envelope::new`].
+    ///
+    /// ```
+    /// use bouncelab_report::figure::Envelope;
+    /// let envelope = Envelope::from_samples(&[0.0, 0.5, -0.5, 0.1], 4.0, 2)?;
+    /// assert_eq!(envelope, Envelope::new(0.0, 0.5, vec![0.0, -0.5], vec![0.5, 0.1])?);
+    /// # Ok::<(), bouncelab_report::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Envelope`] if the sample rate is not a number above zero.
+    pub fn from_samples(samples: &[f32], sample_rate_hz: f64, bins: usize) -> Result<Self> {
+        let per_bin = samples.len().div_ceil(bins.max(1)).max(1);
+        let step_s = per_bin as f64 / sample_rate_hz;
+        let (min, max) = samples.chunks(per_bin).map(ends).unzip();
+        Self::new(0.0, step_s, min, max)
+    }
+
+    fn end_s(&self) -> f64 {
+        self.start_s + self.min.len() as f64 * self.step_s
+    }
+
+    /// Neighbouring bins joined until there are at most `bins`.
+    fn joined(&self, bins: usize) -> Self {
+        let per_bin = self.min.len().div_ceil(bins).max(1);
+        Self {
+            start_s: self.start_s,
+            step_s: self.step_s * per_bin as f64,
+            min: self.min.chunks(per_bin).map(|bin| ends(bin).0).collect(),
+            max: self.max.chunks(per_bin).map(|bin| ends(bin).1).collect(),
+        }
+    }
+}
+
+/// Lowest and highest number; not a number if there is none.
+fn ends(values: &[f32]) -> (f32, f32) {
+    values.iter().fold((f32::NAN, f32::NAN), |(low, high), &v| {
+        if v.is_finite() {
+            (low.min(v), high.max(v))
+        } else {
+            (low, high)
+        }
+    })
+}
+
+/// An impact, marked on the sound.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Mark {
+    /// When it begins, in seconds.
+    pub time_s: f64,
+    /// How probable it is that this is an impact of its drop, 0 to 1; below [`SURE`] it is
+    /// drawn as uncertain.
+    pub probability: f64,
+    /// Which drop it belongs to, counted from 1.
+    pub drop: usize,
+}
+
+/// The sound against time, with a mark at each impact; uncertain ones are open and orange.
+///
+/// ```
+/// use bouncelab_report::figure::{Envelope, Mark, waveform};
+/// let sound = Envelope::from_samples(&[0.0, 0.9, -0.4, 0.1, 0.0, 0.5, -0.2, 0.0], 8.0, 8)?;
+/// let marks = [0.125, 0.625].map(|time_s| Mark { time_s, probability: 0.99, drop: 1 });
+/// assert_eq!(
+///     waveform(&sound, &marks).caption(),
+///     "2 impacts of one drop: their spacing shrinks by nearly the same ratio each time."
+/// );
+/// # Ok::<(), bouncelab_report::Error>(())
+/// ```
+pub fn waveform(sound: &Envelope, marks: &[Mark]) -> Figure {
+    if sound.min.iter().chain(&sound.max).all(|v| !v.is_finite()) {
+        return Figure::empty(HEIGHT, TITLE, "There is no sound to show.");
+    }
+    let mut marks: Vec<Mark> = marks
+        .iter()
+        .copied()
+        .filter(|mark| mark.time_s.is_finite())
+        .collect();
+    marks.sort_by(|a, b| a.time_s.total_cmp(&b.time_s));
+    let uncertain = marks.iter().filter(|mark| !is_sure(mark)).count();
+    let drops = drops(&marks);
+
+    let mut sheet = Sheet::new(HEIGHT, TITLE);
+    if uncertain > 0 {
+        sheet.key(&key(marks.len() > uncertain));
+    }
+    let unit = TimeUnit::of(sound.end_s() - sound.start_s);
+    let times = [sound.start_s, sound.end_s()].map(|t| t / unit.seconds);
+    let x = Axis::new(Scale::linear(times), format!("time ({})", unit.symbol));
+    let y = Axis::new(amplitudes(sound), "amplitude, relative to full scale");
+    let rows = if drops.len() > 1 { 2.0 } else { 1.0 };
+    let room = if marks.is_empty() {
+        0.0
+    } else {
+        14.0 + 16.0 * rows
+    };
+    let panel = Panel::fill(&mut sheet, &x, &y, room);
+    draw_marks(&mut sheet, &panel, &marks, unit);
+    draw_sound(&mut sheet, &panel, sound, unit);
+    draw_numbers(&mut sheet, &panel, &marks, unit, &drops);
+    Figure::new(sheet, TITLE, caption(marks.len(), uncertain, drops.len()))
+}
+
+fn is_sure(mark: &Mark) -> bool {
+    mark.probability >= SURE
+}
+
+/// The numbers of the drops, in the order of their first impacts.
+fn drops(marks: &[Mark]) -> Vec<usize> {
+    let mut drops: Vec<usize> = Vec::new();
+    for mark in marks {
+        if !drops.contains(&mark.drop) {
+            drops.push(mark.drop);
+        }
+    }
+    drops
+}
+
+fn key(some_are_sure: bool) -> Vec<KeyEntry> {
+    let sure = Swatch::Mark {
+        colour: Meaning::Measured.colour(),
+        filled: true,
+    };
+    let uncertain = Swatch::Mark {
+        colour: Meaning::Warning.colour(),
+        filled: false,
+    };
+    let mut key = vec![KeyEntry::new(uncertain, "uncertain impact")];
+    if some_are_sure {
+        key.insert(0, KeyEntry::new(sure, "impact"));
+    }
+    key
+}
+
+/// Symmetric about zero, and never so fine that the noise of silence looks loud.
+fn amplitudes(sound: &Envelope) -> Scale {
+    let peak = sound
+        .min
+        .iter()
+        .chain(&sound.max)
+        .filter(|v| v.is_finite())
+        .fold(1e-5_f64, |peak, v| peak.max(f64::from(v.abs())));
+    Scale::linear([-peak, peak]).padded(0.02, 0.02)
+}
+
+fn draw_sound(sheet: &mut Sheet, panel: &Panel, sound: &Envelope, unit: TimeUnit) {
+    let sound = sound.joined(2 * panel.frame.width() as usize);
+    let colour = Meaning::Measured.colour();
+    let mut upper = Vec::new();
+    let mut lower = Vec::new();
+    let mut shapes = Vec::new();
+    for (i, (min, max)) in sound.min.iter().zip(&sound.max).enumerate() {
+        if !min.is_finite() || !max.is_finite() {
+            shapes.push((std::mem::take(&mut upper), std::mem::take(&mut lower)));
+            continue;
+        }
+        // A bin is a step, so that a single loud one has a width; and silence has a height.
+        for edge in [i, i + 1] {
+            let time = (sound.start_s + edge as f64 * sound.step_s) / unit.seconds;
+            let (x, y) = panel.at((time, f64::from(*max)));
+            upper.push((x, y - 0.4));
+            let (x, y) = panel.at((time, f64::from(*min)));
+            lower.push((x, y + 0.4));
+        }
+    }
+    shapes.push((upper, lower));
+    for (mut outline, lower) in shapes {
+        outline.extend(lower.into_iter().rev());
+        sheet.canvas.area(&outline, colour);
+    }
+}
+
+/// A hairline through the sound and a triangle above it for each impact.
+fn draw_marks(sheet: &mut Sheet, panel: &Panel, marks: &[Mark], unit: TimeUnit) {
+    let frame = panel.frame;
+    // Sure ones last: where the impacts are dense, an uncertain one must not hide them.
+    let (sure, uncertain): (Vec<&Mark>, Vec<&Mark>) = marks.iter().partition(|m| is_sure(m));
+    for (marks, meaning) in [(uncertain, Meaning::Warning), (sure, Meaning::Measured)] {
+        for impact in marks {
+            let (x, _) = panel.at((impact.time_s / unit.seconds, 0.0));
+            if !(frame.left..=frame.right).contains(&x) {
+                continue;
+            }
+            let colour = meaning.colour();
+            let pen = Pen::solid(colour.tint(), 1.0);
+            sheet.canvas.line((x, frame.top), (x, frame.bottom), pen);
+            let filled = meaning == Meaning::Measured;
+            mark(&mut sheet.canvas, (x, frame.top - 2.0), colour, filled);
+        }
+    }
+}
+
+/// Above the triangles: which impact it is, where there is room; above that, which drop.
+fn draw_numbers(sheet: &mut Sheet, panel: &Panel, marks: &[Mark], unit: TimeUnit, drops: &[usize]) {
+    let frame = panel.frame;
+    let style = Style::new(theme::TICK_SIZE, theme::SOFT_INK, Anchor::Middle);
+    let place = |mark: &Mark| panel.at((mark.time_s / unit.seconds, 0.0)).0;
+    let mut free = f64::NEG_INFINITY;
+    for &drop in drops {
+        let train: Vec<f64> = marks.iter().filter(|m| m.drop == drop).map(place).collect();
+        let (Some(first), Some(last)) = (train.first(), train.last()) else {
+            continue;
+        };
+        let mut taken = free;
+        for (i, &x) in train.iter().enumerate() {
+            let number = (i + 1).to_string();
+            let half = text_width(&number, style.size) / 2.0 + 2.0;
+            let worth_it = i == 0 || (i + 1) % 5 == 0 || i + 1 == train.len();
+            let on_sheet = (frame.left..=frame.right).contains(&x);
+            if worth_it && on_sheet && x - half > taken {
+                sheet.canvas.text((x, frame.top - 16.0), &number, style);
+                taken = x + half;
+            }
+        }
+        if drops.len() > 1 {
+            let name = format!("drop {drop}");
+            let half = text_width(&name, style.size) / 2.0;
+            let middle = f64::midpoint(*first, *last).clamp(frame.left + half, frame.right - half);
+            if middle - half > free {
+                sheet.canvas.text((middle, frame.top - 34.0), &name, style);
+                free = middle + half + 4.0;
+            }
+        }
+        free = free.max(taken);
+    }
+}
+
+fn caption(impacts: usize, uncertain: usize, drops: usize) -> String {
+    if impacts == 0 {
+        return "The sound, in which no impacts were found.".to_owned();
+    }
+    let of = if drops == 1 {
+        "one drop".to_owned()
+    } else {
+        count(drops, "drop")
+    };
+    let doubt = match uncertain {
+        0 => String::new(),
+        1 => " (1 uncertain, open and orange)".to_owned(),
+        n => format!(" ({n} uncertain, open and orange)"),
+    };
+    let impacts = count(impacts, "impact");
+    format!("{impacts} of {of}{doubt}: their spacing shrinks by nearly the same ratio each time.")
+}
+
+/// The unit of the time axis.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct TimeUnit {
+    seconds: f64,
+    symbol: &'static str,
+}
+
+impl TimeUnit {
+    fn of(duration_s: f64) -> Self {
+        let (seconds, symbol) = match duration_s {
+            d if d < 0.2 => (1e-3, "ms"),
+            d if d < 600.0 => (1.0, "s"),
+            _ => (60.0, "min"),
+        };
+        Self { seconds, symbol }
+    }
+}

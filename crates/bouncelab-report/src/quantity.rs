@@ -1,0 +1,373 @@
+//! How many digits a number deserves, and which prefix its unit.
+//!
+//! The rule for an uncertainty: one significant digit, or two when it begins with 1 or 2
+//! (there one digit would change it by up to half); the value ends at the same place. So a
+//! reader can take every printed digit seriously.
+
+use std::fmt;
+
+use crate::scale::superscript;
+
+/// What is said of a value that is not known.
+pub const CANNOT_TELL: &str = "cannot tell";
+
+/// Digits beyond which a double-precision number says nothing of use.
+const MOST_DIGITS: i32 = 12;
+
+/// What a quantity is, and so its SI unit and the prefixes that suit it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub enum Unit {
+    /// A plain number.
+    Number,
+    /// A share of one, shown in per cent.
+    Percent,
+    /// Metres, shown as µm, mm, cm or m.
+    Length,
+    /// Seconds, shown as µs, ms or s.
+    Time,
+    /// Metres per second.
+    Speed,
+    /// Kilograms, shown as mg, g or kg.
+    Mass,
+    /// Joules, shown as µJ, mJ or J.
+    Energy,
+    /// Metres per second squared.
+    Acceleration,
+    /// Kilograms per cubic metre.
+    Density,
+}
+
+impl Unit {
+    /// The units to choose from: the size of each in SI, and its symbol, the smallest first.
+    const fn steps(self) -> &'static [(f64, &'static str)] {
+        match self {
+            Self::Number => &[(1.0, "")],
+            Self::Percent => &[(1e-2, "%")],
+            Self::Length => &[(1e-6, "µm"), (1e-3, "mm"), (1e-2, "cm"), (1.0, "m")],
+            Self::Time => &[(1e-6, "µs"), (1e-3, "ms"), (1.0, "s")],
+            Self::Speed => &[(1.0, "m/s")],
+            Self::Mass => &[(1e-6, "mg"), (1e-3, "g"), (1.0, "kg")],
+            Self::Energy => &[(1e-6, "µJ"), (1e-3, "mJ"), (1.0, "J")],
+            Self::Acceleration => &[(1.0, "m/s²")],
+            Self::Density => &[(1.0, "kg/m³")],
+        }
+    }
+
+    /// The largest unit that is not larger than the quantity.
+    fn step_for(self, size: f64) -> (f64, &'static str) {
+        let steps = self.steps();
+        let fitting = steps.iter().rev().find(|(step, _)| size >= *step);
+        // Zero is shown in the largest, which is the SI unit itself.
+        let otherwise = if size > 0.0 { 0 } else { steps.len() - 1 };
+        *fitting.unwrap_or(&steps[otherwise])
+    }
+}
+
+/// What is known about the precision of a value.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Precision {
+    StandardError(f64),
+    Digits(u8),
+}
+
+/// A value with its unit, displayed with as many digits as it deserves.
+///
+/// ```
+/// use bouncelab_report::{Quantity, Unit};
+///
+/// let restitution = Quantity::measured(0.937_512, 0.001_23, Unit::Number);
+/// assert_eq!(restitution.to_string(), "0.9375 ± 0.0012");
+///
+/// let height = Quantity::measured(0.3042, 0.0061, Unit::Length);
+/// assert_eq!(height.to_string(), "30.4 ± 0.6 cm");
+///
+/// let contact = Quantity::rounded(0.000_812, 2, Unit::Time);
+/// assert_eq!(contact.to_string(), "810 µs");
+///
+/// let unknown = Quantity::measured(f64::NAN, 0.1, Unit::Length);
+/// assert_eq!(unknown.to_string(), "cannot tell");
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Quantity {
+    value: f64,
+    precision: Precision,
+    unit: Unit,
+}
+
+impl Quantity {
+    /// A value with its standard error, both in SI units (a share of one for
+    /// [`Unit::Percent`]).
+    ///
+    /// A standard error of zero, or one below the twelfth digit of the value, is shown as
+    /// none. If the value or the standard error is not a finite number, or the standard
+    /// error is negative, the display is [`CANNOT_TELL`].
+    pub const fn measured(value: f64, standard_error: f64, unit: Unit) -> Self {
+        Self {
+            value,
+            precision: Precision::StandardError(standard_error),
+            unit,
+        }
+    }
+
+    /// A value in SI units, rounded to a number of significant digits, 1 to 12.
+    pub const fn rounded(value: f64, significant_digits: u8, unit: Unit) -> Self {
+        Self {
+            value,
+            precision: Precision::Digits(significant_digits),
+            unit,
+        }
+    }
+
+    /// The number and the symbol of its unit apart: `("30.4 ± 0.6", "cm")`. The symbol is
+    /// empty for a plain number and for a value that is not known.
+    pub fn parts(&self) -> (String, &'static str) {
+        let (value, error) = match self.precision {
+            Precision::StandardError(error) => (self.value, error),
+            Precision::Digits(_) => (self.value, 0.0),
+        };
+        if !value.is_finite() || !error.is_finite() || error < 0.0 {
+            return (CANNOT_TELL.to_owned(), "");
+        }
+        let (step, symbol) = self.unit.step_for(value.abs().max(error));
+        let (value, error) = (value / step, error / step);
+        let number = match self.precision {
+            Precision::Digits(digits) => with_digits(value, i32::from(digits)),
+            Precision::StandardError(_) if is_visible(error, value) => with_error(value, error),
+            Precision::StandardError(_) => {
+                without_trailing_zeros(&with_digits(value, MOST_DIGITS)).to_owned()
+            }
+        };
+        (number, symbol)
+    }
+}
+
+impl fmt::Display for Quantity {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let (number, symbol) = self.parts();
+        if symbol.is_empty() {
+            f.pad(&number)
+        } else {
+            f.pad(&format!("{number} {symbol}"))
+        }
+    }
+}
+
+/// The value at the place of its rounded error; both as multiples of a power of ten when they
+/// would otherwise need many zeros.
+fn with_error(value: f64, error: f64) -> String {
+    let place = error_place(error);
+    let power = leading_place(value.abs().max(error));
+    if is_plain(power, place) {
+        return format!("{} ± {}", at_place(value, place), at_place(error, place));
+    }
+    let scaled = |x: f64| at_place(x / 10_f64.powi(power), place - power);
+    let raised = superscript(power);
+    format!("({} ± {})×10{raised}", scaled(value), scaled(error))
+}
+
+/// Whether an error reaches the digits of the value that mean something.
+fn is_visible(error: f64, value: f64) -> bool {
+    error > 0.0 && (value == 0.0 || error_place(error) > leading_place(value) - MOST_DIGITS)
+}
+
+/// The value with a number of significant digits.
+fn with_digits(value: f64, digits: i32) -> String {
+    let digits = digits.clamp(1, MOST_DIGITS);
+    // Rounding may add a digit in front: 9.99 to two digits is 10, not 10.0.
+    let value = rounded_at(value, leading_place(value) - digits + 1);
+    let power = leading_place(value);
+    let place = power - digits + 1;
+    if is_plain(power, place.min(power)) || value == 0.0 {
+        at_place(value, place)
+    } else {
+        let number = at_place(value / 10_f64.powi(power), 1 - digits);
+        format!("{number}×10{}", superscript(power))
+    }
+}
+
+/// The decimal place (a power of ten) to which an error above zero is rounded.
+fn error_place(error: f64) -> i32 {
+    let place = leading_place(error);
+    let first_digit = error / 10_f64.powi(place);
+    if first_digit < 3.0 { place - 1 } else { place }
+}
+
+/// The power of ten of the first significant digit; 0 for zero.
+fn leading_place(value: f64) -> i32 {
+    if value == 0.0 {
+        return 0;
+    }
+    // The decimal form, not the logarithm: exact at powers of ten.
+    let scientific = format!("{value:e}");
+    let exponent = scientific.rsplit('e').next();
+    exponent.and_then(|e| e.parse().ok()).unwrap_or(0)
+}
+
+/// Whether a number from the place of its first to the place of its last digit is short
+/// enough to be written without a power of ten.
+fn is_plain(first: i32, last: i32) -> bool {
+    first <= 8 && last >= -9
+}
+
+/// The value rounded to a decimal place.
+fn rounded_at(value: f64, place: i32) -> f64 {
+    let digits = at_place(value, place).replace('−', "-");
+    digits.parse().unwrap_or(value)
+}
+
+/// The value with digits down to a decimal place. Minus zero becomes zero.
+fn at_place(value: f64, place: i32) -> String {
+    let number = if place < 0 {
+        format!("{value:.*}", place.unsigned_abs() as usize)
+    } else {
+        let unit = 10_f64.powi(place);
+        format!("{:.0}", (value / unit).round() * unit)
+    };
+    if number.trim_matches(['-', '0', '.']).is_empty() {
+        number.replace('-', "")
+    } else {
+        number.replace('-', "−")
+    }
+}
+
+fn without_trailing_zeros(number: &str) -> &str {
+    if number.contains('.') {
+        number.trim_end_matches('0').trim_end_matches('.')
+    } else {
+        number
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+
+    fn measured(value: f64, error: f64, unit: Unit) -> String {
+        Quantity::measured(value, error, unit).to_string()
+    }
+
+    fn rounded(value: f64, digits: u8, unit: Unit) -> String {
+        Quantity::rounded(value, digits, unit).to_string()
+    }
+
+    /// Worked by hand with the rule in the head of this file.
+    #[test]
+    fn an_error_keeps_one_digit_or_two_when_it_begins_with_1_or_2() {
+        for (value, error, text) in [
+            (0.937_512, 0.001_23, "0.9375 ± 0.0012"),
+            (0.937_512, 0.002_96, "0.9375 ± 0.0030"),
+            (0.937_512, 0.003_01, "0.938 ± 0.003"),
+            (0.937_512, 0.009_96, "0.938 ± 0.010"),
+            (0.9996, 0.03, "1.00 ± 0.03"),
+            (12.3, 1.0, "12.3 ± 1.0"),
+            (5234.0, 1234.0, "5200 ± 1200"),
+            (5234.0, 567.0, "5200 ± 600"),
+            (-0.0004, 0.03, "0.00 ± 0.03"),
+            (-0.04, 0.03, "−0.04 ± 0.03"),
+            (0.0, 0.5, "0.0 ± 0.5"),
+            (3.0, 200.0, "0 ± 200"),
+        ] {
+            assert_eq!(measured(value, error, Unit::Number), text);
+        }
+    }
+
+    #[test]
+    fn the_prefix_suits_the_size() {
+        for (value, error, unit, text) in [
+            (0.3042, 0.0061, Unit::Length, "30.4 ± 0.6 cm"),
+            (0.0042, 0.0001, Unit::Length, "4.20 ± 0.10 mm"),
+            (1.2345, 0.01, Unit::Length, "1.234 ± 0.010 m"),
+            (0.432_105, 0.000_021, Unit::Time, "432.105 ± 0.021 ms"),
+            (7.5, 0.04, Unit::Time, "7.50 ± 0.04 s"),
+            (0.000_05, 0.000_004, Unit::Time, "50 ± 4 µs"),
+            (0.00734, 0.0001, Unit::Energy, "7.34 ± 0.10 mJ"),
+            (0.0025, 0.000_005, Unit::Mass, "2.500 ± 0.005 g"),
+            (0.9463, 0.002, Unit::Percent, "94.63 ± 0.20 %"),
+            (2.405, 0.05, Unit::Speed, "2.40 ± 0.05 m/s"),
+            (0.001, 0.4, Unit::Length, "0 ± 40 cm"),
+        ] {
+            assert_eq!(measured(value, error, unit), text);
+        }
+    }
+
+    #[test]
+    fn without_an_error_the_digits_are_counted() {
+        for (value, digits, unit, text) in [
+            (0.304, 3, Unit::Length, "30.4 cm"),
+            (0.304, 1, Unit::Length, "30 cm"),
+            (9.99, 2, Unit::Number, "10"),
+            (0.0999, 2, Unit::Number, "0.10"),
+            (1234.5, 2, Unit::Number, "1200"),
+            (0.0, 3, Unit::Length, "0.00 m"),
+            (-2.5e-4, 2, Unit::Time, "−250 µs"),
+        ] {
+            assert_eq!(rounded(value, digits, unit), text);
+        }
+    }
+
+    #[test]
+    fn what_is_not_known_is_said_to_be_unknown() {
+        for (value, error) in [
+            (f64::NAN, 0.1),
+            (f64::INFINITY, 0.1),
+            (0.9, f64::NAN),
+            (0.9, f64::INFINITY),
+            (0.9, -0.1),
+        ] {
+            assert_eq!(measured(value, error, Unit::Length), CANNOT_TELL);
+        }
+        assert_eq!(rounded(f64::NAN, 3, Unit::Time), CANNOT_TELL);
+    }
+
+    #[test]
+    fn an_error_of_zero_or_below_the_digits_of_the_number_is_not_shown() {
+        assert_eq!(measured(0.3, 0.0, Unit::Length), "30 cm");
+        assert_eq!(measured(0.3, 1e-18, Unit::Length), "30 cm");
+        assert_eq!(measured(1.0 / 3.0, 0.0, Unit::Number), "0.333333333333");
+        assert_eq!(measured(0.0, 0.0, Unit::Number), "0");
+    }
+
+    #[test]
+    fn extreme_sizes_become_powers_of_ten() {
+        assert_eq!(
+            measured(1.234e-12, 5e-14, Unit::Number),
+            "(1.23 ± 0.05)×10⁻¹²"
+        );
+        assert_eq!(measured(5.0e20, 1e18, Unit::Number), "(5.000 ± 0.010)×10²⁰");
+        assert_eq!(rounded(6.022e23, 3, Unit::Number), "6.02×10²³");
+    }
+
+    #[test]
+    fn the_width_of_the_format_is_kept() {
+        let number = Quantity::rounded(0.94, 2, Unit::Number);
+        assert_eq!(format!("[{number:>6}]"), "[  0.94]");
+    }
+
+    proptest! {
+        /// Read back, the printed numbers are the given ones to half of their last place, and
+        /// the printed error is within a sixth of the given one (0.35 printed as 0.3 or 0.4).
+        #[test]
+        fn what_is_printed_can_be_read_back(value in -1e7..1e7_f64, exponent in -4..6_i32, digits in 1.0..9.99_f64) {
+            let error = digits * 10_f64.powi(exponent);
+            let text = measured(value, error, Unit::Number).replace('−', "-");
+            let (read, read_error) = text.split_once(" ± ").unwrap();
+            let (read, read_error): (f64, f64) = (read.parse().unwrap(), read_error.parse().unwrap());
+            prop_assert!((read_error / error - 1.0).abs() <= 1.0 / 6.0 + 1e-9, "{text}");
+            prop_assert!((read - value).abs() <= 0.5 * error + 1e-9, "{text}");
+        }
+
+        /// No number of any size makes it panic or become long.
+        #[test]
+        fn every_number_has_a_short_text(value: f64, error: f64, digits: u8) {
+            for unit in [Unit::Number, Unit::Percent, Unit::Length, Unit::Energy] {
+                for text in [measured(value, error, unit), rounded(value, digits, unit)] {
+                    prop_assert!(text.chars().count() <= 48, "{text}");
+                    prop_assert!(!text.contains("NaN") && !text.contains("inf"), "{text}");
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,69 @@
+//! Figures as files.
+
+use std::fs;
+use std::io::Write;
+use std::path::{Path, PathBuf};
+
+use crate::error::{Error, Result};
+use crate::figure::Figure;
+
+/// Width of a saved picture in pixels: sharp on a page, and small enough to send.
+const PICTURE_WIDTH_PX: u32 = 1600;
+
+/// Where a figure was saved.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Saved {
+    /// The drawing.
+    pub svg: PathBuf,
+    /// The picture, 1600 pixels wide.
+    pub png: PathBuf,
+}
+
+/// Writes a figure as `NAME.svg` and `NAME.png` into a folder, which is made if needed.
+///
+/// Each file appears whole or not at all: it is written beside its place under a name that
+/// begins with a dot, and then moved there. Existing files of these names are replaced.
+///
+/// # Errors
+///
+/// [`Error::Name`] if the name could lead out of the folder or hide the file,
+/// [`Error::Folder`] if the folder cannot be made, [`Error::Write`] if a file cannot be
+/// written, [`Error::Picture`] if there is no picture to write.
+pub fn save(figure: &Figure, folder: &Path, name: &str) -> Result<Saved> {
+    let allowed = |c: char| c.is_alphanumeric() || matches!(c, '-' | '_' | '.');
+    if name.is_empty() || name.starts_with('.') || !name.chars().all(allowed) {
+        let name = name.to_owned();
+        return Err(Error::Name { name });
+    }
+    let picture = figure.png(PICTURE_WIDTH_PX)?;
+    fs::create_dir_all(folder).map_err(|source| Error::Folder {
+        folder: folder.to_owned(),
+        source,
+    })?;
+    Ok(Saved {
+        svg: write_whole(folder, &format!("{name}.svg"), figure.svg().as_bytes())?,
+        png: write_whole(folder, &format!("{name}.png"), &picture)?,
+    })
+}
+
+fn write_whole(folder: &Path, file: &str, bytes: &[u8]) -> Result<PathBuf> {
+    let path = folder.join(file);
+    let draft = folder.join(format!(".{file}.{}.part", std::process::id()));
+    let written = write_through(&draft, bytes).and_then(|()| fs::rename(&draft, &path));
+    written.map_err(|source| {
+        // The reason for the failure matters, not whether the draft could be removed.
+        let _ = fs::remove_file(&draft);
+        Error::Write {
+            path: path.clone(),
+            source,
+        }
+    })?;
+    Ok(path)
+}
+
+/// Writes to the disk before the name is given, so that a power cut leaves no empty figure.
+fn write_through(path: &Path, bytes: &[u8]) -> std::io::Result<()> {
+    let mut file = fs::File::create(path)?;
+    file.write_all(bytes)?;
+    file.sync_all()
+}

@@ -1,0 +1,364 @@
+//! The furniture of a figure: a title, a key, and panels with axes.
+
+use crate::canvas::{Anchor, Canvas, Pen, Point, Rect, Style, shortened, text_width};
+use crate::scale::{Scale, Ticks};
+use crate::theme::{self, Colour};
+
+/// Distance of everything from the edge of the sheet.
+const MARGIN: f64 = 16.0;
+/// Curves may leave their panel (and are cut off there), but not for the next county.
+const FAR: f64 = 1e4;
+
+const AXIS_NAME: Style = Style::new(theme::LABEL_SIZE, theme::SOFT_INK, Anchor::Start);
+const KEY_TEXT: Style = Style::new(theme::LABEL_SIZE, theme::INK, Anchor::Start);
+
+/// What stands before a name in the key.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) enum Swatch {
+    Line(Pen),
+    Dot(Colour),
+    Ring(Colour),
+    /// A triangle that points down, filled or open.
+    Mark {
+        colour: Colour,
+        filled: bool,
+    },
+    Patch(Colour),
+}
+
+/// A name in the key.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct KeyEntry {
+    pub(crate) swatch: Swatch,
+    pub(crate) name: String,
+}
+
+impl KeyEntry {
+    pub(crate) fn new(swatch: Swatch, name: impl Into<String>) -> Self {
+        Self {
+            swatch,
+            name: name.into(),
+        }
+    }
+}
+
+/// A sheet with its title and key; what is below `top` is free.
+#[derive(Debug)]
+pub(crate) struct Sheet {
+    pub(crate) canvas: Canvas,
+    top: f64,
+}
+
+impl Sheet {
+    pub(crate) fn new(height: f64, title: &str) -> Self {
+        let mut canvas = Canvas::new(theme::WIDTH, height);
+        let mut style = Style::new(theme::TITLE_SIZE, theme::INK, Anchor::Start);
+        style.bold = true;
+        canvas.text((MARGIN, 29.0), title, style);
+        Self { canvas, top: 40.0 }
+    }
+
+    /// A key under the title, in as many rows as it needs.
+    pub(crate) fn key(&mut self, entries: &[KeyEntry]) {
+        const SWATCH: f64 = 26.0;
+        const GAP: f64 = 22.0;
+        const ROW: f64 = 21.0;
+        if entries.is_empty() {
+            return;
+        }
+        let right = self.canvas.width() - MARGIN;
+        let mut x = MARGIN;
+        let mut y = self.top + 10.0;
+        for entry in entries {
+            let name = shortened(&entry.name, KEY_TEXT.size, right - MARGIN - SWATCH);
+            let width = SWATCH + 7.0 + text_width(&name, KEY_TEXT.size);
+            if x > MARGIN && x + width > right {
+                x = MARGIN;
+                y += ROW;
+            }
+            swatch(&mut self.canvas, entry.swatch, (x, y), SWATCH);
+            self.canvas
+                .text((x + SWATCH + 7.0, y + 5.0), &name, KEY_TEXT);
+            x += width + GAP;
+        }
+        self.top = y + 14.0;
+    }
+
+    /// A sentence in the middle, where a figure without data would have its panel.
+    pub(crate) fn message(&mut self, text: &str) {
+        let style = Style::new(theme::LABEL_SIZE, theme::SOFT_INK, Anchor::Middle);
+        let middle = (
+            self.canvas.width() / 2.0,
+            f64::midpoint(self.top, self.canvas.height()),
+        );
+        let text = shortened(text, style.size, self.canvas.width() - 2.0 * MARGIN);
+        self.canvas.text(middle, &text, style);
+    }
+}
+
+fn swatch(canvas: &mut Canvas, swatch: Swatch, (x, y): Point, width: f64) {
+    let middle = (x + width / 2.0, y);
+    match swatch {
+        Swatch::Line(pen) => canvas.line((x, y), (x + width, y), pen),
+        Swatch::Dot(colour) => canvas.dot(middle, DOT, colour),
+        Swatch::Ring(colour) => canvas.ring(middle, DOT, colour),
+        Swatch::Mark { colour, filled } => mark(canvas, (middle.0, y + 5.0), colour, filled),
+        Swatch::Patch(colour) => canvas.rect(
+            Rect {
+                left: x + 3.0,
+                top: y - 7.0,
+                right: x + width - 3.0,
+                bottom: y + 7.0,
+            },
+            colour,
+        ),
+    }
+}
+
+/// Radius of the dot of a measured point.
+pub(crate) const DOT: f64 = 4.0;
+
+/// A triangle standing on its tip; an open one is white inside.
+pub(crate) fn mark(canvas: &mut Canvas, (x, y): Point, colour: Colour, filled: bool) {
+    const HALF: f64 = 5.0;
+    const HEIGHT: f64 = 9.0;
+    let corners = [(x, y), (x - HALF, y - HEIGHT), (x + HALF, y - HEIGHT)];
+    canvas.area(&corners, if filled { colour } else { theme::PAPER });
+    let outline = [corners[0], corners[1], corners[2], corners[0]];
+    canvas.polyline(&outline, Pen::solid(colour, 1.5));
+}
+
+/// An axis: its scale and its name with the unit.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Axis {
+    pub(crate) scale: Scale,
+    pub(crate) name: String,
+}
+
+impl Axis {
+    pub(crate) fn new(scale: Scale, name: impl Into<String>) -> Self {
+        Self {
+            scale,
+            name: name.into(),
+        }
+    }
+}
+
+/// The height a panel has: the frame's, when the names of its axes are taken off.
+#[derive(Debug, Clone, Copy)]
+struct Rows {
+    top: f64,
+    bottom: f64,
+    /// Whether the horizontal axis is labelled.
+    labelled: bool,
+}
+
+impl Rows {
+    fn new(top: f64, bottom: f64, labelled: bool) -> Self {
+        Self {
+            top: top + 30.0,
+            bottom: bottom - if labelled { 52.0 } else { 8.0 },
+            labelled,
+        }
+    }
+}
+
+/// A region with two axes, drawn on when made.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Panel {
+    /// Where the data go.
+    pub(crate) frame: Rect,
+    x: Scale,
+    y: Scale,
+}
+
+impl Panel {
+    /// A panel over the rest of the sheet, with free room between the name of its vertical
+    /// axis and its frame.
+    pub(crate) fn fill(sheet: &mut Sheet, x: &Axis, y: &Axis, room: f64) -> Self {
+        let rows = Rows::new(sheet.top + room, sheet.canvas.height(), true);
+        let left = left_of_labels(&[(y, rows)]);
+        Self::draw(sheet, rows, left, x, y, room)
+    }
+
+    /// Two panels over the rest of the sheet, one under the other, with the same horizontal
+    /// axis; the upper one takes the given share of the height.
+    pub(crate) fn stack(
+        sheet: &mut Sheet,
+        x: &Axis,
+        [upper, lower]: [&Axis; 2],
+        share: f64,
+    ) -> [Self; 2] {
+        let (top, bottom) = (sheet.top, sheet.canvas.height());
+        let split = top + share * (bottom - top);
+        let above = Rows::new(top, split, false);
+        let below = Rows::new(split, bottom, true);
+        let left = left_of_labels(&[(upper, above), (lower, below)]);
+        [(upper, above), (lower, below)].map(|(y, rows)| Self::draw(sheet, rows, left, x, y, 0.0))
+    }
+
+    fn draw(sheet: &mut Sheet, rows: Rows, left: f64, x: &Axis, y: &Axis, room: f64) -> Self {
+        let canvas = &mut sheet.canvas;
+        let name_y = rows.top - 13.0 - room;
+        canvas.text((MARGIN, name_y), &y.name, AXIS_NAME);
+        let frame = Rect {
+            left,
+            top: rows.top,
+            right: canvas.width() - MARGIN - 8.0,
+            bottom: rows.bottom,
+        };
+        let panel = Self {
+            frame,
+            x: x.scale,
+            y: y.scale,
+        };
+        panel.draw_y_axis(canvas);
+        panel.draw_x_axis(canvas, rows.labelled.then_some(x.name.as_str()));
+        panel
+    }
+
+    fn draw_y_axis(&self, canvas: &mut Canvas) {
+        let Rect { left, right, .. } = self.frame;
+        let style = Style::new(theme::TICK_SIZE, theme::SOFT_INK, Anchor::End);
+        let ticks = y_ticks(&self.y, self.frame.height());
+        for value in ticks.minor {
+            let y = self.y_at(value);
+            canvas.line(
+                (left - 4.0, y),
+                (left, y),
+                Pen::solid(theme::BASE_LINE, 1.0),
+            );
+        }
+        for tick in ticks.major {
+            let y = self.y_at(tick.value);
+            canvas.line((left, y), (right, y), Pen::solid(theme::GRID, 1.0));
+            canvas.text((left - 9.0, y + 4.5), &tick.label, style);
+        }
+    }
+
+    fn draw_x_axis(&self, canvas: &mut Canvas, name: Option<&str>) {
+        let Rect {
+            left,
+            top,
+            right,
+            bottom,
+        } = self.frame;
+        let ticks = x_ticks(&self.x, self.frame.width());
+        for tick in &ticks.major {
+            let x = self.x_at(tick.value);
+            canvas.line((x, top), (x, bottom), Pen::solid(theme::GRID, 1.0));
+        }
+        let pen = Pen::solid(theme::BASE_LINE, 1.0);
+        canvas.line((left, bottom), (right, bottom), pen);
+        let Some(name) = name else { return };
+        for value in ticks.minor {
+            let x = self.x_at(value);
+            canvas.line((x, bottom), (x, bottom + 4.0), pen);
+        }
+        let style = Style::new(theme::TICK_SIZE, theme::SOFT_INK, Anchor::Middle);
+        for tick in ticks.major {
+            let x = self.x_at(tick.value);
+            canvas.line((x, bottom), (x, bottom + 6.0), pen);
+            canvas.text((x, bottom + 20.0), &tick.label, style);
+        }
+        let style = Style::new(theme::LABEL_SIZE, theme::SOFT_INK, Anchor::Middle);
+        let middle = f64::midpoint(left, right);
+        canvas.text((middle, bottom + 41.0), name, style);
+    }
+
+    fn x_at(&self, x: f64) -> f64 {
+        (self.frame.left + self.x.share(x) * self.frame.width()).clamp(-FAR, FAR)
+    }
+
+    fn y_at(&self, y: f64) -> f64 {
+        (self.frame.bottom - self.y.share(y) * self.frame.height()).clamp(-FAR, FAR)
+    }
+
+    /// The place of a point, which may lie outside the frame; not numbers where there is
+    /// none.
+    pub(crate) fn at(&self, (x, y): (f64, f64)) -> Point {
+        (self.x_at(x), self.y_at(y))
+    }
+
+    /// A curve, cut off at the frame.
+    pub(crate) fn curve(&self, canvas: &mut Canvas, points: &[(f64, f64)], pen: Pen) {
+        let places: Vec<Point> = points.iter().map(|&point| self.at(point)).collect();
+        canvas.clipped(self.frame, |canvas| canvas.polyline(&places, pen));
+    }
+
+    /// A horizontal line over the whole width.
+    pub(crate) fn level(&self, canvas: &mut Canvas, y: f64, pen: Pen) {
+        let y = self.y_at(y);
+        if (self.frame.top..=self.frame.bottom).contains(&y) {
+            canvas.line((self.frame.left, y), (self.frame.right, y), pen);
+        }
+    }
+
+    /// A measured point with its standard error; a point above or below the frame becomes a
+    /// small arrow head at the edge, so that none is lost unseen.
+    pub(crate) fn measured(
+        &self,
+        canvas: &mut Canvas,
+        (x, y): (f64, f64),
+        standard_error: Option<f64>,
+        swatch: Swatch,
+    ) {
+        let (Swatch::Dot(colour) | Swatch::Ring(colour)) = swatch else {
+            return;
+        };
+        let (px, py) = self.at((x, y));
+        let Rect { top, bottom, .. } = self.frame;
+        if py < top || py > bottom {
+            let (tip, base) = if py < top {
+                (top + 1.0, top + 8.0)
+            } else {
+                (bottom - 1.0, bottom - 8.0)
+            };
+            canvas.area(&[(px, tip), (px - 4.0, base), (px + 4.0, base)], colour);
+            return;
+        }
+        if let Some(error) = standard_error.filter(|error| *error > 0.0) {
+            let ends = [(x, y - error), (x, y + error)].map(|end| {
+                let (x, y) = self.at(end);
+                (x, y.clamp(top, bottom))
+            });
+            canvas.polyline(&ends, Pen::solid(colour, 1.5));
+        }
+        match swatch {
+            Swatch::Ring(_) => canvas.ring((px, py), DOT, colour),
+            _ => canvas.dot((px, py), DOT, colour),
+        }
+    }
+}
+
+fn x_ticks(scale: &Scale, width: f64) -> Ticks {
+    // Wide labels leave room for few of them, and fewer labels may be narrower.
+    (2..=10)
+        .rev()
+        .map(|most| scale.ticks(most))
+        .find(|ticks| fits(ticks, width))
+        .unwrap_or_default()
+}
+
+fn fits(ticks: &Ticks, width: f64) -> bool {
+    let text: f64 = ticks
+        .major
+        .iter()
+        .map(|tick| text_width(&tick.label, theme::TICK_SIZE) + 16.0)
+        .fold(0.0, f64::max);
+    text * ticks.major.len() as f64 <= width
+}
+
+fn y_ticks(scale: &Scale, height: f64) -> Ticks {
+    scale.ticks((height / 42.0) as usize)
+}
+
+/// Where a frame must begin for the numbers of its vertical axes to fit.
+fn left_of_labels(axes: &[(&Axis, Rows)]) -> f64 {
+    let widest = axes
+        .iter()
+        .flat_map(|(axis, rows)| y_ticks(&axis.scale, rows.bottom - rows.top).major)
+        .map(|tick| text_width(&tick.label, theme::TICK_SIZE))
+        .fold(0.0, f64::max);
+    (MARGIN + widest + 9.0).max(48.0)
+}

@@ -1,0 +1,98 @@
+//! What a colour means, and the sizes of things.
+//!
+//! The colours are those of Okabe and Ito (2008), which people with any kind of colour
+//! vision can tell apart. Each has one meaning, the same in every figure, on the command
+//! line and in the browser. Colour is never the only sign: the key also shows the shape or
+//! the dashes.
+
+use std::fmt;
+
+/// An opaque colour.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Colour {
+    /// Red, green and blue, 0 to 255.
+    pub rgb: [u8; 3],
+}
+
+impl Colour {
+    const fn new(red: u8, green: u8, blue: u8) -> Self {
+        Self {
+            rgb: [red, green, blue],
+        }
+    }
+
+    /// The same hue at 20 % on white: the colour of an uncertainty.
+    ///
+    /// Mixed rather than transparent, so that overlapping uncertainties do not look denser.
+    #[must_use]
+    pub fn tint(self) -> Self {
+        Self {
+            rgb: self
+                .rgb
+                .map(|part| (0.2 * f64::from(part) + 0.8 * 255.0).round() as u8),
+        }
+    }
+}
+
+/// As in a style sheet: `#0072b2`.
+impl fmt::Display for Colour {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let [red, green, blue] = self.rgb;
+        write!(f, "#{red:02x}{green:02x}{blue:02x}")
+    }
+}
+
+/// What is shown, which decides its colour.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Meaning {
+    /// Measured, or found from measurements with everything taken into account.
+    Measured,
+    /// A model with air drag.
+    Drag,
+    /// The straight line, or anything that leaves drag out.
+    NoDrag,
+    /// Something to be careful with.
+    Warning,
+}
+
+impl Meaning {
+    /// Its colour.
+    ///
+    /// ```
+    /// use bouncelab_report::theme::Meaning;
+    /// assert_eq!(Meaning::Measured.colour().to_string(), "#0072b2");
+    /// ```
+    pub const fn colour(self) -> Colour {
+        match self {
+            Self::Measured => Colour::new(0x00, 0x72, 0xb2),
+            Self::Drag => Colour::new(0xd5, 0x5e, 0x00),
+            Self::NoDrag => Colour::new(0x76, 0x76, 0x76),
+            Self::Warning => Colour::new(0xe6, 0x9f, 0x00),
+        }
+    }
+}
+
+/// Titles and labels.
+pub const INK: Colour = Colour::new(0x22, 0x22, 0x22);
+/// Numbers along the axes and names of the axes.
+pub const SOFT_INK: Colour = Colour::new(0x59, 0x59, 0x59);
+/// The line a panel stands on.
+pub const BASE_LINE: Colour = Colour::new(0x99, 0x99, 0x99);
+/// Grid lines.
+pub const GRID: Colour = Colour::new(0xe8, 0xe8, 0xe8);
+/// The page.
+pub const PAPER: Colour = Colour::new(0xff, 0xff, 0xff);
+
+/// The fonts of whatever system shows the figure.
+pub const FONT_FAMILY: &str = "system-ui, -apple-system, 'Segoe UI', Roboto, 'Helvetica Neue', Arial, 'DejaVu Sans', sans-serif";
+
+/// Size of the title, in figure pixels. A figure is [`WIDTH`] figure pixels wide.
+pub const TITLE_SIZE: u32 = 17;
+/// Size of labels and names of axes, in figure pixels.
+pub const LABEL_SIZE: u32 = 14;
+/// Size of the numbers along the axes, in figure pixels; still legible when the figure is
+/// shown 480 pixels wide.
+pub const TICK_SIZE: u32 = 13;
+
+/// Width of every figure, in figure pixels.
+pub const WIDTH: f64 = 640.0;
