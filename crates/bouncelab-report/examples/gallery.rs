@@ -37,6 +37,7 @@ fn gallery() -> bouncelab_report::Result<Vec<(&'static str, Figure)>> {
         ("waveform-2", waveform(2, FIRST_S)?),
         ("waveform-short", waveform(12, 0.012)?),
         ("waveform-drops", several_drops()?),
+        ("waveform-long", twenty_minutes()?),
         (
             "waveform-empty",
             figure::waveform(&Envelope::from_samples(&[], 44_100.0, 10)?, &[]),
@@ -70,7 +71,7 @@ fn impact_times(impacts: usize, first_s: f64) -> Vec<f64> {
     (1..=impacts)
         .map(|n| {
             let now = time_s;
-            time_s += first_s * RATIO.powi(n as i32);
+            time_s += first_s * RATIO.powf(n as f64);
             now
         })
         .collect()
@@ -89,7 +90,7 @@ fn sound(impacts: &[f64], duration_s: f64, rate_hz: f64) -> Vec<f32> {
         let first = (impact * rate_hz) as usize;
         for (i, sample) in samples.iter_mut().skip(first).take(2000).enumerate() {
             let time_s = i as f64 / rate_hz;
-            let level = 0.8 * RATIO.powi(n as i32) * (-time_s / 0.004).exp();
+            let level = 0.8 * RATIO.powf(n as f64) * (-time_s / 0.004).exp();
             *sample += level * (TAU * 4200.0 * time_s).sin();
         }
     }
@@ -126,6 +127,24 @@ fn several_drops() -> bouncelab_report::Result<Figure> {
     let times: Vec<f64> = marks.iter().map(|mark| mark.time_s).collect();
     let rate_hz = 44_100.0;
     let envelope = Envelope::from_samples(&sound(&times, 16.0, rate_hz), rate_hz, 2000)?;
+    Ok(figure::waveform(&envelope, &marks))
+}
+
+/// A long and quiet recording with a drop in the middle of it.
+fn twenty_minutes() -> bouncelab_report::Result<Figure> {
+    let max: Vec<f32> = (0..2400_u16)
+        .map(|i| 2e-4 + 1e-4 * f32::from(i % 7))
+        .collect();
+    let min = max.iter().map(|level| -level).collect();
+    let marks: Vec<Mark> = impact_times(20, FIRST_S)
+        .iter()
+        .map(|time_s| Mark {
+            time_s: 700.0 + time_s,
+            probability: 0.95,
+            drop: 1,
+        })
+        .collect();
+    let envelope = Envelope::new(0.0, 0.5, min, max)?;
     Ok(figure::waveform(&envelope, &marks))
 }
 
@@ -235,7 +254,7 @@ fn height() -> Figure {
 fn raw(count: usize) -> Vec<Restitution> {
     (1..=count)
         .map(|n| {
-            let speed_m_s = 2.3 * RATIO.powi(n as i32);
+            let speed_m_s = 2.3 * RATIO.powf(n as f64);
             let wobble = 0.003 * (1.9 * n as f64).sin() * (1.0 + n as f64 / 10.0);
             Restitution {
                 speed_m_s,

@@ -161,19 +161,6 @@ impl Canvas {
         })));
     }
 
-    pub(crate) fn rect(&mut self, rect: Rect, colour: Colour) {
-        let Rect {
-            left,
-            top,
-            right,
-            bottom,
-        } = rect;
-        self.area(
-            &[(left, top), (right, top), (right, bottom), (left, bottom)],
-            colour,
-        );
-    }
-
     /// A filled circle.
     pub(crate) fn dot(&mut self, (cx, cy): Point, r: f64, colour: Colour) {
         self.circle((cx, cy), r, colour, None);
@@ -237,7 +224,7 @@ impl Canvas {
     pub(crate) fn svg(&self, title: &str, description: &str) -> String {
         let drawn = SvgBackend::new().render_scene(&self.scene);
         let opening = format!(
-            r#"<svg viewBox="0 0 {} {}" role="img" stroke-linejoin="round" "#,
+            r#"<svg viewBox="0 0 {} {}" role="img" stroke-linejoin="round" stroke-linecap="round" "#,
             self.width(),
             self.height()
         );
@@ -271,14 +258,14 @@ pub(crate) fn text_width(text: &str, size: u32) -> f64 {
 
 fn letter_width(letter: char) -> f64 {
     match letter {
-        'i' | 'j' | 'l' | 'I' | '.' | ',' | ' ' | '\'' | ':' | ';' | '|' | 'f' | 't' | 'r'
-        | '(' | ')' | '-' | '/' => 0.42,
-        'm' | 'w' | 'M' | 'W' | '%' | '@' => 1.0,
-        'A'..='Z' => 0.75,
-        _ if letter.is_ascii() => 0.64,
-        '±' | '×' | '−' | '≈' => 0.84,
+        ' ' | '.' | ',' | 'i' | 'j' | 'l' | 'I' | '\'' => 0.32,
+        'f' | 't' | 'r' | '(' | ')' | '-' | '/' | ':' | ';' | '|' | '!' => 0.42,
+        'w' | '=' | '+' | '<' | '>' | '±' | '×' | '−' | '≈' => 0.84,
+        'm' | 'M' | 'W' | '%' | '@' => 1.0,
+        'A'..='Z' => 0.79,
         '⁰'..='⁹' | '⁻' | '¹' | '²' | '³' => 0.5,
-        _ if (letter as u32) < 0x0250 => 0.7,
+        _ if (letter as u32) < 0x80 => 0.64,
+        _ if (letter as u32) < 0x0250 => 0.75,
         _ => 1.1,
     }
 }

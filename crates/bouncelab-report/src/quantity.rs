@@ -12,7 +12,7 @@ use crate::scale::superscript;
 pub const CANNOT_TELL: &str = "cannot tell";
 
 /// Digits beyond which a double-precision number says nothing of use.
-const MOST_DIGITS: i32 = 12;
+const MOST_DIGITS: u8 = 12;
 
 /// What a quantity is, and so its SI unit and the prefixes that suit it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -126,17 +126,15 @@ impl Quantity {
             Precision::StandardError(error) => (self.value, error),
             Precision::Digits(_) => (self.value, 0.0),
         };
+        let (step, symbol) = self.unit.step_for(value.abs().max(error));
+        let (value, error) = (value / step, error / step);
         if !value.is_finite() || !error.is_finite() || error < 0.0 {
             return (CANNOT_TELL.to_owned(), "");
         }
-        let (step, symbol) = self.unit.step_for(value.abs().max(error));
-        let (value, error) = (value / step, error / step);
         let number = match self.precision {
-            Precision::Digits(digits) => with_digits(value, i32::from(digits)),
+            Precision::Digits(digits) => with_digits(value, digits),
             Precision::StandardError(_) if is_visible(error, value) => with_error(value, error),
-            Precision::StandardError(_) => {
-                without_trailing_zeros(&with_digits(value, MOST_DIGITS)).to_owned()
-            }
+            Precision::StandardError(_) => exact(value),
         };
         (number, symbol)
     }
@@ -158,62 +156,89 @@ impl fmt::Display for Quantity {
 fn with_error(value: f64, error: f64) -> String {
     let place = error_place(error);
     let power = leading_place(value.abs().max(error));
-    if is_plain(power, place) {
+    if is_plain(power) {
         return format!("{} ± {}", at_place(value, place), at_place(error, place));
     }
-    let scaled = |x: f64| at_place(x / 10_f64.powi(power), place - power);
+    let (value, error) = (shifted(value, power), shifted(error, power));
+    let place = place - power;
     let raised = superscript(power);
-    format!("({} ± {})×10{raised}", scaled(value), scaled(error))
+    format!(
+        "({} ± {})×10{raised}",
+        at_place(value, place),
+        at_place(error, place)
+    )
+}
+
+/// The value with a number of significant digits.
+fn with_digits(value: f64, digits: u8) -> String {
+    let decimals = digits.clamp(1, MOST_DIGITS) - 1;
+    let rounded = format!("{value:.*e}", usize::from(decimals));
+    let (mantissa, power) = split(&rounded);
+    if is_plain(power) {
+        at_place(value, power - i32::from(decimals))
+    } else {
+        with_power(mantissa, power)
+    }
+}
+
+/// The value with the digits it has, up to the last that means something.
+fn exact(value: f64) -> String {
+    let decimals = usize::from(MOST_DIGITS - 1);
+    let rounded: f64 = format!("{value:.decimals$e}").parse().unwrap_or(value);
+    let shortest = format!("{rounded:e}");
+    let (mantissa, power) = split(&shortest);
+    if is_plain(power) {
+        with_minus(&rounded.to_string())
+    } else {
+        with_power(mantissa, power)
+    }
 }
 
 /// Whether an error reaches the digits of the value that mean something.
 fn is_visible(error: f64, value: f64) -> bool {
-    error > 0.0 && (value == 0.0 || error_place(error) > leading_place(value) - MOST_DIGITS)
-}
-
-/// The value with a number of significant digits.
-fn with_digits(value: f64, digits: i32) -> String {
-    let digits = digits.clamp(1, MOST_DIGITS);
-    // Rounding may add a digit in front: 9.99 to two digits is 10, not 10.0.
-    let value = rounded_at(value, leading_place(value) - digits + 1);
-    let power = leading_place(value);
-    let place = power - digits + 1;
-    if is_plain(power, place.min(power)) || value == 0.0 {
-        at_place(value, place)
-    } else {
-        let number = at_place(value / 10_f64.powi(power), 1 - digits);
-        format!("{number}×10{}", superscript(power))
-    }
+    let last = leading_place(value) - i32::from(MOST_DIGITS);
+    error > 0.0 && (value == 0.0 || error_place(error) > last)
 }
 
 /// The decimal place (a power of ten) to which an error above zero is rounded.
 fn error_place(error: f64) -> i32 {
-    let place = leading_place(error);
-    let first_digit = error / 10_f64.powi(place);
-    if first_digit < 3.0 { place - 1 } else { place }
-}
-
-/// The power of ten of the first significant digit; 0 for zero.
-fn leading_place(value: f64) -> i32 {
-    if value == 0.0 {
-        return 0;
+    let decimal = format!("{error:e}");
+    let place = split(&decimal).1;
+    if decimal.starts_with(['1', '2']) {
+        place - 1
+    } else {
+        place
     }
-    // The decimal form, not the logarithm: exact at powers of ten.
-    let scientific = format!("{value:e}");
-    let exponent = scientific.rsplit('e').next();
-    exponent.and_then(|e| e.parse().ok()).unwrap_or(0)
 }
 
-/// Whether a number from the place of its first to the place of its last digit is short
-/// enough to be written without a power of ten.
-fn is_plain(first: i32, last: i32) -> bool {
-    first <= 8 && last >= -9
+/// The power of ten of the first significant digit; 0 for zero. From the decimal form, not
+/// from the logarithm, which can be off by one at powers of ten.
+fn leading_place(value: f64) -> i32 {
+    split(&format!("{value:e}")).1
 }
 
-/// The value rounded to a decimal place.
-fn rounded_at(value: f64, place: i32) -> f64 {
-    let digits = at_place(value, place).replace('−', "-");
-    digits.parse().unwrap_or(value)
+/// `"-1.5e-7"` as `("-1.5", -7)`.
+fn split(scientific: &str) -> (&str, i32) {
+    let (mantissa, power) = scientific.split_once('e').unwrap_or((scientific, "0"));
+    (mantissa, power.parse().unwrap_or(0))
+}
+
+/// The value divided by a power of ten, however large or small both are.
+fn shifted(value: f64, power: i32) -> f64 {
+    let decimal = format!("{value:e}");
+    let (mantissa, own) = split(&decimal);
+    format!("{mantissa}e{}", own - power)
+        .parse()
+        .unwrap_or(value)
+}
+
+/// Whether a number whose first digit is at this power of ten is written out.
+fn is_plain(power: i32) -> bool {
+    (-5..=8).contains(&power)
+}
+
+fn with_power(mantissa: &str, power: i32) -> String {
+    format!("{}×10{}", with_minus(mantissa), superscript(power))
 }
 
 /// The value with digits down to a decimal place. Minus zero becomes zero.
@@ -224,19 +249,13 @@ fn at_place(value: f64, place: i32) -> String {
         let unit = 10_f64.powi(place);
         format!("{:.0}", (value / unit).round() * unit)
     };
-    if number.trim_matches(['-', '0', '.']).is_empty() {
-        number.replace('-', "")
-    } else {
-        number.replace('-', "−")
-    }
+    with_minus(&number)
 }
 
-fn without_trailing_zeros(number: &str) -> &str {
-    if number.contains('.') {
-        number.trim_end_matches('0').trim_end_matches('.')
-    } else {
-        number
-    }
+/// With a true minus sign, and none before zero.
+fn with_minus(number: &str) -> String {
+    let is_zero = number.chars().all(|c| matches!(c, '-' | '0' | '.'));
+    number.replace('-', if is_zero { "" } else { "−" })
 }
 
 #[cfg(test)]

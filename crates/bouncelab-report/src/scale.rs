@@ -3,12 +3,24 @@
 /// Nothing has more ticks than this, whatever the numbers.
 const MOST_TICKS: usize = 60;
 
+/// Values beyond this, or as many times smaller than 1 on a logarithmic axis, do not decide
+/// what an axis shows: nothing that bounces has such a size, and sums would overflow.
+const LARGEST: f64 = 1e100;
+
 /// Maps values to the share of an axis's length, from 0 to 1.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Scale {
-    log: bool,
+    kind: Kind,
     low: f64,
     high: f64,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Kind {
+    Linear,
+    /// Linear with ticks at whole numbers only.
+    Counting,
+    Log,
 }
 
 /// A value with the text beside it.
@@ -28,18 +40,32 @@ pub(crate) struct Ticks {
 impl Scale {
     /// A linear scale over the values; around a single value, or from 0 to 1 without any.
     pub(crate) fn linear(values: impl IntoIterator<Item = f64>) -> Self {
-        let (low, high) = extent(values.into_iter().filter(|v| v.is_finite()))
+        let (low, high) = extent(values.into_iter().filter(|v| v.abs() <= LARGEST))
             .map_or((0.0, 1.0), |(low, high)| apart(low, high));
         Self {
-            log: false,
+            kind: Kind::Linear,
             low,
             high,
         }
     }
 
+    /// A linear scale over whole numbers, with ticks at whole numbers only.
+    pub(crate) fn counting(values: impl IntoIterator<Item = u32>) -> Self {
+        let values = values.into_iter().map(f64::from);
+        let (low, high) = extent(values).unwrap_or((0.0, 1.0));
+        let room = if low < high { 0.0 } else { 0.5 };
+        Self {
+            kind: Kind::Counting,
+            low: low - room,
+            high: high + room,
+        }
+    }
+
     /// A logarithmic scale over the values above zero; from 0.1 to 1 without any.
     pub(crate) fn log(values: impl IntoIterator<Item = f64>) -> Self {
-        let usable = values.into_iter().filter(|v| v.is_finite() && *v > 0.0);
+        let usable = values
+            .into_iter()
+            .filter(|v| (LARGEST.recip()..=LARGEST).contains(v));
         let (low, high) = extent(usable).map_or((0.1, 1.0), |(low, high)| {
             if high / low < 1.05 {
                 (low / 1.1, high * 1.1)
@@ -48,7 +74,7 @@ impl Scale {
             }
         });
         Self {
-            log: true,
+            kind: Kind::Log,
             low,
             high,
         }
@@ -57,8 +83,8 @@ impl Scale {
     /// With room below and above, as shares of the length.
     #[must_use]
     pub(crate) fn padded(self, below: f64, above: f64) -> Self {
-        let Self { log, low, high } = self;
-        let (low, high) = if log {
+        let Self { kind, low, high } = self;
+        let (low, high) = if kind == Kind::Log {
             let decades = (high / low).log10();
             (
                 low / 10_f64.powf(below * decades),
@@ -68,7 +94,7 @@ impl Scale {
             let span = high - low;
             (low - below * span, high + above * span)
         };
-        Self { log, low, high }
+        Self { kind, low, high }
     }
 
     pub(crate) fn low(&self) -> f64 {
@@ -82,7 +108,7 @@ impl Scale {
     /// Where the value lies: 0 at the low end, 1 at the high end; not a number if it has no
     /// place on this axis.
     pub(crate) fn share(&self, value: f64) -> f64 {
-        if self.log {
+        if self.kind == Kind::Log {
             if value > 0.0 {
                 (value / self.low).ln() / (self.high / self.low).ln()
             } else {
@@ -96,7 +122,7 @@ impl Scale {
     /// At most about `most` labelled ticks at round values.
     pub(crate) fn ticks(&self, most: usize) -> Ticks {
         let most = most.clamp(2, MOST_TICKS);
-        if self.log {
+        if self.kind == Kind::Log {
             self.log_ticks(most)
         } else {
             Ticks {
@@ -108,6 +134,20 @@ impl Scale {
 
     fn linear_ticks(&self, most: usize) -> Vec<Tick> {
         let step = round_step((self.high - self.low) / most as f64);
+        let ticks = self.ticks_every(step);
+        let finer = self.ticks_every(round_step(0.4 * step));
+        if finer.len() <= most + 1 || ticks.len() < 2 {
+            finer
+        } else {
+            ticks
+        }
+    }
+
+    fn ticks_every(&self, step: f64) -> Vec<Tick> {
+        let step = match self.kind {
+            Kind::Counting => step.max(1.0),
+            Kind::Linear | Kind::Log => step,
+        };
         let first = (self.low / step - 1e-9).ceil();
         let last = (self.high / step + 1e-9).floor();
         let count = (last - first + 1.0).clamp(0.0, MOST_TICKS as f64) as usize;
@@ -134,14 +174,19 @@ impl Scale {
             minor.clone(),
         ];
         let enough = most.min(3);
-        let Some(values) = candidates
+        let powers = candidates[0].clone();
+        let found = candidates
             .into_iter()
-            .find(|values| values.len() >= enough && values.len() <= most.max(9))
-        else {
-            return Ticks {
-                major: self.linear_ticks(most),
-                minor: Vec::new(),
-            };
+            .find(|values| values.len() >= enough && values.len() <= most.max(9));
+        let values = match found {
+            Some(values) => values,
+            None if decades > 1.0 => powers,
+            None => {
+                return Ticks {
+                    major: self.linear_ticks(most),
+                    minor: Vec::new(),
+                };
+            }
         };
         let plain = values.iter().all(|v| (9.9e-4..=1.01e4).contains(v));
         Ticks {
@@ -156,7 +201,11 @@ impl Scale {
                     },
                 })
                 .collect(),
-            minor: if decades > 9.0 { Vec::new() } else { minor },
+            minor: if 1.5 * decades <= most as f64 {
+                minor
+            } else {
+                self.digits(&[1], 1)
+            },
         }
     }
 
@@ -182,13 +231,14 @@ fn extent(values: impl Iterator<Item = f64>) -> Option<(f64, f64)> {
 /// Two ends far enough apart that floating-point numbers can tell points between them.
 fn apart(low: f64, high: f64) -> (f64, f64) {
     let size = low.abs().max(high.abs());
-    // Halves, because the whole span of the largest numbers is not finite.
-    let half = high / 2.0 - low / 2.0;
-    if half > 1e-9 * size && half.is_normal() {
-        let limit = f64::MAX / 1e3;
-        return (low.max(-limit), high.min(limit));
+    if high - low > (1e-9 * size).max(LARGEST.recip()) {
+        return (low, high);
     }
-    let room = if size < 1e-300 { 0.5 } else { 0.05 * size };
+    let room = if size > LARGEST.recip() {
+        0.05 * size
+    } else {
+        0.5
+    };
     (low - room, high + room)
 }
 
@@ -277,6 +327,13 @@ mod tests {
             labels(Scale::linear([0.93, 0.95]), 4),
             ["0.930", "0.935", "0.940", "0.945", "0.950"]
         );
+    }
+
+    #[test]
+    fn what_is_counted_has_ticks_at_whole_numbers() {
+        let scale = Scale::counting([1, 2]).padded(0.1, 0.1);
+        assert_eq!(labels(scale, 8), ["1", "2"]);
+        assert_eq!(labels(Scale::counting([7]).padded(0.1, 0.1), 8), ["7"]);
     }
 
     #[test]

@@ -23,7 +23,6 @@ pub(crate) enum Swatch {
         colour: Colour,
         filled: bool,
     },
-    Patch(Colour),
 }
 
 /// A name in the key.
@@ -60,7 +59,7 @@ impl Sheet {
 
     /// A key under the title, in as many rows as it needs.
     pub(crate) fn key(&mut self, entries: &[KeyEntry]) {
-        const SWATCH: f64 = 26.0;
+        const AFTER_SWATCH: f64 = 7.0;
         const GAP: f64 = 22.0;
         const ROW: f64 = 21.0;
         if entries.is_empty() {
@@ -70,15 +69,17 @@ impl Sheet {
         let mut x = MARGIN;
         let mut y = self.top + 10.0;
         for entry in entries {
-            let name = shortened(&entry.name, KEY_TEXT.size, right - MARGIN - SWATCH);
-            let width = SWATCH + 7.0 + text_width(&name, KEY_TEXT.size);
+            let before_name = entry.swatch.width() + AFTER_SWATCH;
+            let room = right - MARGIN - before_name;
+            let name = shortened(&entry.name, KEY_TEXT.size, room);
+            let width = before_name + text_width(&name, KEY_TEXT.size);
             if x > MARGIN && x + width > right {
                 x = MARGIN;
                 y += ROW;
             }
-            swatch(&mut self.canvas, entry.swatch, (x, y), SWATCH);
-            self.canvas
-                .text((x + SWATCH + 7.0, y + 5.0), &name, KEY_TEXT);
+            entry.swatch.draw(&mut self.canvas, (x, y));
+            let place = (x + before_name, y + 5.0);
+            self.canvas.text(place, &name, KEY_TEXT);
             x += width + GAP;
         }
         self.top = y + 14.0;
@@ -96,36 +97,43 @@ impl Sheet {
     }
 }
 
-fn swatch(canvas: &mut Canvas, swatch: Swatch, (x, y): Point, width: f64) {
-    let middle = (x + width / 2.0, y);
-    match swatch {
-        Swatch::Line(pen) => canvas.line((x, y), (x + width, y), pen),
-        Swatch::Dot(colour) => canvas.dot(middle, DOT, colour),
-        Swatch::Ring(colour) => canvas.ring(middle, DOT, colour),
-        Swatch::Mark { colour, filled } => mark(canvas, (middle.0, y + 5.0), colour, filled),
-        Swatch::Patch(colour) => canvas.rect(
-            Rect {
-                left: x + 3.0,
-                top: y - 7.0,
-                right: x + width - 3.0,
-                bottom: y + 7.0,
-            },
-            colour,
-        ),
+impl Swatch {
+    fn width(self) -> f64 {
+        match self {
+            Self::Line(_) => 28.0,
+            Self::Dot(_) | Self::Ring(_) | Self::Mark { .. } => 12.0,
+        }
+    }
+
+    /// Draws it with its left end at `x`, its middle at `y`.
+    fn draw(self, canvas: &mut Canvas, (x, y): Point) {
+        let middle = x + self.width() / 2.0;
+        match self {
+            Self::Line(pen) => canvas.line((x, y), (x + self.width(), y), pen),
+            Self::Dot(colour) => canvas.dot((middle, y), DOT, colour),
+            Self::Ring(colour) => canvas.ring((middle, y), DOT, colour),
+            Self::Mark { colour, filled } => {
+                mark(canvas, (middle, y + 5.0), MARK, colour, filled);
+            }
+        }
     }
 }
 
 /// Radius of the dot of a measured point.
 pub(crate) const DOT: f64 = 4.0;
 
-/// A triangle standing on its tip; an open one is white inside.
-pub(crate) fn mark(canvas: &mut Canvas, (x, y): Point, colour: Colour, filled: bool) {
-    const HALF: f64 = 5.0;
-    const HEIGHT: f64 = 9.0;
-    let corners = [(x, y), (x - HALF, y - HEIGHT), (x + HALF, y - HEIGHT)];
+/// Half the width of a mark that has room.
+pub(crate) const MARK: f64 = 5.0;
+
+/// A triangle standing on its tip, of the given half width; an open one is white inside.
+pub(crate) fn mark(canvas: &mut Canvas, (x, y): Point, half: f64, colour: Colour, filled: bool) {
+    let top = y - 2.0 * MARK + 1.0;
+    let corners = [(x, y), (x - half, top), (x + half, top)];
     canvas.area(&corners, if filled { colour } else { theme::PAPER });
-    let outline = [corners[0], corners[1], corners[2], corners[0]];
-    canvas.polyline(&outline, Pen::solid(colour, 1.5));
+    if !filled {
+        let outline = [corners[0], corners[1], corners[2], corners[0]];
+        canvas.polyline(&outline, Pen::solid(colour, 1.5));
+    }
 }
 
 /// An axis: its scale and its name with the unit.
@@ -259,6 +267,9 @@ impl Panel {
         for tick in ticks.major {
             let x = self.x_at(tick.value);
             canvas.line((x, bottom), (x, bottom + 6.0), pen);
+            // A wide number at the end of the axis stays on the sheet.
+            let half = text_width(&tick.label, style.size) / 2.0;
+            let x = x.min(canvas.width() - half);
             canvas.text((x, bottom + 20.0), &tick.label, style);
         }
         let style = Style::new(theme::LABEL_SIZE, theme::SOFT_INK, Anchor::Middle);
@@ -294,41 +305,45 @@ impl Panel {
         }
     }
 
-    /// A measured point with its standard error; a point above or below the frame becomes a
-    /// small arrow head at the edge, so that none is lost unseen.
-    pub(crate) fn measured(
-        &self,
-        canvas: &mut Canvas,
-        (x, y): (f64, f64),
-        standard_error: Option<f64>,
-        swatch: Swatch,
-    ) {
-        let (Swatch::Dot(colour) | Swatch::Ring(colour)) = swatch else {
+    /// The standard error of a point: a broad bar in the tint of its colour.
+    pub(crate) fn uncertainty(&self, canvas: &mut Canvas, point: Measured, colour: Colour) {
+        let (x, y) = point.place;
+        let Some(error) = point.standard_error.filter(|error| *error > 0.0) else {
             return;
         };
-        let (px, py) = self.at((x, y));
+        let ends = [y - error, y + error].map(|end| self.at((x, end)));
+        canvas.clipped(self.frame, |canvas| {
+            canvas.polyline(&ends, Pen::solid(colour.tint(), 5.0));
+        });
+    }
+
+    /// A point as a dot or ring; one above or below the frame becomes an arrow head at the
+    /// edge, so that none is lost unseen.
+    pub(crate) fn point(&self, canvas: &mut Canvas, point: Measured, swatch: Swatch) {
+        let (x, y) = self.at(point.place);
         let Rect { top, bottom, .. } = self.frame;
-        if py < top || py > bottom {
-            let (tip, base) = if py < top {
-                (top + 1.0, top + 8.0)
-            } else {
-                (bottom - 1.0, bottom - 8.0)
-            };
-            canvas.area(&[(px, tip), (px - 4.0, base), (px + 4.0, base)], colour);
-            return;
-        }
-        if let Some(error) = standard_error.filter(|error| *error > 0.0) {
-            let ends = [(x, y - error), (x, y + error)].map(|end| {
-                let (x, y) = self.at(end);
-                (x, y.clamp(top, bottom))
-            });
-            canvas.polyline(&ends, Pen::solid(colour, 1.5));
-        }
         match swatch {
-            Swatch::Ring(_) => canvas.ring((px, py), DOT, colour),
-            _ => canvas.dot((px, py), DOT, colour),
+            Swatch::Dot(colour) | Swatch::Ring(colour) if y < top => {
+                canvas.area(&arrow_head((x, top + 1.0), 7.0), colour);
+            }
+            Swatch::Dot(colour) | Swatch::Ring(colour) if y > bottom => {
+                canvas.area(&arrow_head((x, bottom - 1.0), -7.0), colour);
+            }
+            _ => swatch.draw(canvas, (x - swatch.width() / 2.0, y)),
         }
     }
+}
+
+fn arrow_head((x, tip): Point, length: f64) -> [Point; 3] {
+    let base = tip + length;
+    [(x, tip), (x - 4.0, base), (x + 4.0, base)]
+}
+
+/// A value on the axes of a panel with its standard error, if known.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Measured {
+    pub(crate) place: (f64, f64),
+    pub(crate) standard_error: Option<f64>,
 }
 
 fn x_ticks(scale: &Scale, width: f64) -> Ticks {
@@ -350,7 +365,7 @@ fn fits(ticks: &Ticks, width: f64) -> bool {
 }
 
 fn y_ticks(scale: &Scale, height: f64) -> Ticks {
-    scale.ticks((height / 42.0) as usize)
+    scale.ticks(((height / 32.0) as usize).max(4))
 }
 
 /// Where a frame must begin for the numbers of its vertical axes to fit.

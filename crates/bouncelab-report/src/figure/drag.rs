@@ -1,10 +1,11 @@
 //! Air drag relative to weight against speed (paper, Figs. 6 and 7).
 
 use super::{Curve, Figure, curve_key, is_finite, pens};
-use crate::canvas::Rect;
+use crate::canvas::{Anchor, Pen, Rect, Style, text_width};
+use crate::quantity::{Quantity, Unit};
 use crate::scale::Scale;
-use crate::sheet::{Axis, KeyEntry, Panel, Sheet, Swatch};
-use crate::theme::Meaning;
+use crate::sheet::{Axis, Panel, Sheet};
+use crate::theme::{self, Meaning};
 
 const TITLE: &str = "Air drag relative to weight";
 const HEIGHT: f64 = 400.0;
@@ -19,8 +20,8 @@ pub enum DragAxes {
     Logarithmic,
 }
 
-/// Curves of drag divided by weight against speed in m/s, with the speeds that the drop
-/// reached shaded, up to `fastest_m_s`.
+/// Curves of drag divided by weight against speed in m/s, with a line at the fastest speed
+/// that the drop reached, if it lies on the axis.
 pub fn drag(curves: &[Curve], axes: DragAxes, fastest_m_s: Option<f64>) -> Figure {
     let usable = |&(speed, drag): &(f64, f64)| {
         is_finite((speed, drag)) && (axes == DragAxes::Linear || (speed > 0.0 && drag > 0.0))
@@ -40,31 +41,45 @@ pub fn drag(curves: &[Curve], axes: DragAxes, fastest_m_s: Option<f64>) -> Figur
         ),
         DragAxes::Logarithmic => (Scale::log(speeds), Scale::log(drags).padded(0.03, 0.03)),
     };
-    let fastest = fastest_m_s.filter(|v| v.is_finite() && *v > x.low());
+    let fastest = fastest_m_s.filter(|v| *v > 0.0 && (x.low()..=x.high()).contains(v));
     let x = Axis::new(x, "speed (m/s)");
     let y = Axis::new(y, "drag / weight");
 
     let pens = pens(curves);
     let mut sheet = Sheet::new(HEIGHT, TITLE);
-    let mut key = curve_key(curves, &pens);
-    let reached = Meaning::Measured.colour().tint();
-    if fastest.is_some() {
-        key.push(KeyEntry::new(Swatch::Patch(reached), "speeds of this drop"));
-    }
-    sheet.key(&key);
+    sheet.key(&curve_key(curves, &pens));
     let panel = Panel::fill(&mut sheet, &x, &y, 0.0);
     if let Some(fastest) = fastest {
-        let (right, _) = panel.at((fastest, 0.0));
-        let patch = Rect {
-            right: right.min(panel.frame.right),
-            ..panel.frame
-        };
-        sheet.canvas.rect(patch, reached);
+        draw_fastest(&mut sheet, &panel, fastest);
     }
     for (curve, pen) in curves.iter().zip(pens) {
         panel.curve(&mut sheet.canvas, &curve.points, pen);
     }
     Figure::new(sheet, TITLE, caption(axes, fastest))
+}
+
+/// A vertical line at the fastest speed, with its name beside it at the top, where the curves
+/// have not yet come to.
+fn draw_fastest(sheet: &mut Sheet, panel: &Panel, fastest_m_s: f64) {
+    let Rect {
+        left, top, bottom, ..
+    } = panel.frame;
+    let (x, _) = panel.at((fastest_m_s, 0.0));
+    let pen = Pen::solid(Meaning::Measured.colour(), 1.5);
+    sheet.canvas.line((x, top), (x, bottom), pen);
+    let name = format!("this drop: up to {}", speed(fastest_m_s));
+    let fits_before = x - left > text_width(&name, theme::LABEL_SIZE) + 8.0;
+    let (place, anchor) = if fits_before {
+        (x - 8.0, Anchor::End)
+    } else {
+        (x + 8.0, Anchor::Start)
+    };
+    let style = Style::new(theme::LABEL_SIZE, Meaning::Measured.colour(), anchor);
+    sheet.canvas.text((place, top + 15.0), &name, style);
+}
+
+fn speed(speed_m_s: f64) -> Quantity {
+    Quantity::rounded(speed_m_s, 2, Unit::Speed)
 }
 
 fn caption(axes: DragAxes, fastest_m_s: Option<f64>) -> String {
@@ -76,8 +91,8 @@ fn caption(axes: DragAxes, fastest_m_s: Option<f64>) -> String {
             "A constant drag coefficient is a straight line here; the laws part at low speed, where drag is too weak to matter"
         }
     };
-    let reached = fastest_m_s.map_or(String::new(), |speed| {
-        format!("; this drop reached {speed:.1} m/s (shaded)")
+    let reached = fastest_m_s.map_or(String::new(), |fastest| {
+        format!("; this drop reached {}", speed(fastest))
     });
     format!("{what}{reached}.")
 }

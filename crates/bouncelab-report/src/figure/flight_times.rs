@@ -1,9 +1,10 @@
 //! Flight time against bounce number, with the straight line of the paper (Fig. 5).
 
-use super::{Figure, count, robust_scale};
+use super::{Figure, LINE, count, robust_scale};
 use crate::canvas::{Dash, Pen};
+use crate::quantity::{Quantity, Unit};
 use crate::scale::Scale;
-use crate::sheet::{Axis, KeyEntry, Panel, Sheet, Swatch};
+use crate::sheet::{Axis, KeyEntry, Measured, Panel, Sheet, Swatch};
 use crate::theme::Meaning;
 
 const TITLE: &str = "Flight times and the straight line";
@@ -32,6 +33,11 @@ pub struct Line {
 }
 
 impl Line {
+    /// How long a flight lasts as a share of the one before.
+    fn ratio(self) -> Quantity {
+        Quantity::rounded(10_f64.powf(self.slope), 4, Unit::Number)
+    }
+
     fn time_s(self, number: f64) -> f64 {
         10_f64.powf(self.slope * number + self.intercept)
     }
@@ -51,9 +57,9 @@ pub fn flight_times(flights: &[TimedFlight], line: Option<Line>) -> Figure {
         return Figure::empty(HEIGHT, TITLE, "There are no flights to show.");
     }
     let line = line.filter(|line| line.slope.is_finite() && line.intercept.is_finite());
-    let numbers = || flights.iter().map(|flight| f64::from(flight.number));
+    let numbers = flights.iter().map(|flight| flight.number);
     let x = Axis::new(
-        Scale::linear(numbers()).padded(0.03, 0.03),
+        Scale::counting(numbers).padded(0.03, 0.03),
         "number of the flight",
     );
     let times = Scale::log(flights.iter().flat_map(|flight| {
@@ -64,37 +70,51 @@ pub fn flight_times(flights: &[TimedFlight], line: Option<Line>) -> Figure {
 
     let mut sheet = Sheet::new(HEIGHT, TITLE);
     sheet.key(&key(&flights, line));
+    let time = |flight: &TimedFlight| Measured {
+        place: (f64::from(flight.number), flight.time_s),
+        standard_error: flight.standard_error_s,
+    };
     let Some(line) = line else {
         let panel = Panel::fill(&mut sheet, &x, &y, 0.0);
-        draw_flights(&mut sheet, &panel, &flights, |flight| {
-            (flight.time_s, flight.standard_error_s)
-        });
+        draw_flights(&mut sheet, &panel, &flights, time);
         return Figure::new(sheet, TITLE, caption(&flights, None));
     };
-    let percent = |flight: &TimedFlight| {
-        let fitted = line.time_s(f64::from(flight.number));
-        let share = |time_s: f64| 100.0 * time_s / fitted;
-        (
-            share(flight.time_s) - 100.0,
-            flight.standard_error_s.map(share),
-        )
+    let off_line = |flight: &TimedFlight| {
+        let number = f64::from(flight.number);
+        let percent = 100.0 / line.time_s(number);
+        Measured {
+            place: (number, flight.time_s * percent - 100.0),
+            standard_error: flight.standard_error_s.map(|error| error * percent),
+        }
     };
-    let (used, others): (Vec<_>, Vec<_>) = flights.iter().partition(|flight| flight.used);
-    let bulk = if used.is_empty() { others } else { used };
-    let residuals: Vec<_> = bulk.into_iter().map(percent).collect();
-    let lower = Axis::new(around_zero(robust_scale(&residuals)), "off the line (%)");
-    let [panel, below] = Panel::stack(&mut sheet, &x, [&y, &lower], 0.6);
+    let lower = Axis::new(residual_scale(&flights, off_line), "off the line (%)");
+    let [panel, below] = Panel::stack(&mut sheet, &x, [&y, &lower], 0.57);
     draw_line(&mut sheet, &panel, &x, &flights, line);
-    below.level(
-        &mut sheet.canvas,
-        0.0,
-        Pen::solid(Meaning::NoDrag.colour(), 2.0),
-    );
-    draw_flights(&mut sheet, &panel, &flights, |flight| {
-        (flight.time_s, flight.standard_error_s)
-    });
-    draw_flights(&mut sheet, &below, &flights, percent);
+    draw_flights(&mut sheet, &panel, &flights, time);
+    let pen = Pen::solid(Meaning::NoDrag.colour(), LINE);
+    below.level(&mut sheet.canvas, 0.0, pen);
+    draw_flights(&mut sheet, &below, &flights, off_line);
     Figure::new(sheet, TITLE, caption(&flights, Some(line)))
+}
+
+/// Shows zero and the flights used, with as much room again for the others.
+fn residual_scale(flights: &[TimedFlight], off_line: impl Fn(&TimedFlight) -> Measured) -> Scale {
+    let any_used = flights.iter().any(|flight| flight.used);
+    let shown: Vec<_> = flights
+        .iter()
+        .filter(|flight| flight.used || !any_used)
+        .map(|flight| {
+            let point = off_line(flight);
+            (point.place.1, point.standard_error)
+        })
+        .collect();
+    let bulk = robust_scale(&shown);
+    let room = if flights.iter().all(|flight| flight.used) {
+        0.12
+    } else {
+        0.5
+    };
+    Scale::linear([bulk.low().min(0.0), bulk.high().max(0.0)]).padded(room, room)
 }
 
 fn key(flights: &[TimedFlight], line: Option<Line>) -> Vec<KeyEntry> {
@@ -115,8 +135,8 @@ fn key(flights: &[TimedFlight], line: Option<Line>) -> Vec<KeyEntry> {
         key.push(KeyEntry::new(Swatch::Ring(measured), name));
     }
     if let Some(line) = line {
-        let name = format!("straight line: × {:.4} each time", 10_f64.powf(line.slope));
-        let pen = Pen::solid(Meaning::NoDrag.colour(), 2.0);
+        let name = format!("straight line: × {} each time", line.ratio());
+        let pen = Pen::solid(Meaning::NoDrag.colour(), LINE);
         key.push(KeyEntry::new(Swatch::Line(pen), name));
     }
     key
@@ -129,7 +149,7 @@ fn draw_line(sheet: &mut Sheet, panel: &Panel, x: &Axis, flights: &[TimedFlight]
         let number = f64::from(flight.number);
         (low.min(number), high.max(number))
     });
-    let pen = Pen::solid(Meaning::NoDrag.colour(), 2.0);
+    let pen = Pen::solid(Meaning::NoDrag.colour(), LINE);
     let dashed = Pen {
         dash: Some(Dash {
             stroke: 5.0,
@@ -150,29 +170,25 @@ fn draw_line(sheet: &mut Sheet, panel: &Panel, x: &Axis, flights: &[TimedFlight]
     segment(last, x.scale.high(), dashed);
 }
 
-/// The flights in a panel; `value` gives the value shown and its standard error.
+/// The flights in a panel, at the places that `point` gives.
 fn draw_flights(
     sheet: &mut Sheet,
     panel: &Panel,
     flights: &[TimedFlight],
-    value: impl Fn(&TimedFlight) -> (f64, Option<f64>),
+    point: impl Fn(&TimedFlight) -> Measured,
 ) {
     let colour = Meaning::Measured.colour();
     for flight in flights {
-        let (y, error) = value(flight);
+        panel.uncertainty(&mut sheet.canvas, point(flight), colour);
+    }
+    for flight in flights {
         let swatch = if flight.used {
             Swatch::Dot(colour)
         } else {
             Swatch::Ring(colour)
         };
-        let point = (f64::from(flight.number), y);
-        panel.measured(&mut sheet.canvas, point, error, swatch);
+        panel.point(&mut sheet.canvas, point(flight), swatch);
     }
-}
-
-/// The scale, widened to show zero, with room for the dots.
-fn around_zero(scale: Scale) -> Scale {
-    Scale::linear([scale.low().min(0.0), scale.high().max(0.0)]).padded(0.12, 0.12)
 }
 
 fn caption(flights: &[TimedFlight], line: Option<Line>) -> String {
@@ -182,8 +198,8 @@ fn caption(flights: &[TimedFlight], line: Option<Line>) -> String {
             count(flights.len(), "flight")
         );
     };
-    let ratio = 10_f64.powf(line.slope);
     format!(
-        "Without air each flight would last the same share of the one before, {ratio:.4} by the line; a bend in the lower panel is what the air does."
+        "Without air each flight would last the same share of the one before, {} by the line; a bend in the lower panel is what the air does.",
+        line.ratio()
     )
 }

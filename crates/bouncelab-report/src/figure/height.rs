@@ -2,7 +2,7 @@
 
 use super::{Curve, Figure, curve_key, is_finite, pens};
 use crate::scale::Scale;
-use crate::sheet::{Axis, KeyEntry, Panel, Sheet, Swatch};
+use crate::sheet::{Axis, KeyEntry, Measured, Panel, Sheet, Swatch};
 use crate::theme::Meaning;
 
 const TITLE: &str = "Height of the ball";
@@ -50,7 +50,11 @@ pub fn height(curves: &[Curve], apexes: &[(f64, f64)]) -> Figure {
         panel.curve(&mut sheet.canvas, &points, pen);
     }
     for apex in apexes {
-        panel.measured(&mut sheet.canvas, shown(apex), None, Swatch::Dot(colour));
+        let point = Measured {
+            place: shown(apex),
+            standard_error: None,
+        };
+        panel.point(&mut sheet.canvas, point, Swatch::Dot(colour));
     }
     Figure::new(sheet, TITLE, caption(curves.len(), !apexes.is_empty()))
 }

@@ -104,6 +104,9 @@ pub struct Curve {
     pub points: Vec<(f64, f64)>,
 }
 
+/// Width of a line that shows data, in figure pixels.
+const LINE: f64 = 2.25;
+
 /// A pen for each curve: the colour by its meaning, dashes by how many of the same meaning
 /// came before.
 fn pens(curves: &[Curve]) -> Vec<Pen> {
@@ -130,7 +133,7 @@ fn pens(curves: &[Curve]) -> Vec<Pen> {
             let same = before.iter().filter(|c| c.meaning == curve.meaning).count();
             Pen {
                 colour: curve.meaning.colour(),
-                width: 2.0,
+                width: LINE,
                 dash: DASHES[same % DASHES.len()],
             }
         })

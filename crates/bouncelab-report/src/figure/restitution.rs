@@ -1,9 +1,10 @@
 //! Restitution against impact speed.
 
-use super::{Figure, robust_scale};
+use super::{Figure, LINE, robust_scale};
 use crate::canvas::Pen;
+use crate::quantity::{Quantity, Unit};
 use crate::scale::Scale;
-use crate::sheet::{Axis, KeyEntry, Panel, Sheet, Swatch};
+use crate::sheet::{Axis, KeyEntry, Measured, Panel, Sheet, Swatch};
 use crate::theme::Meaning;
 
 const TITLE: &str = "Bounciness of each impact";
@@ -18,6 +19,15 @@ pub struct Restitution {
     pub value: f64,
     /// Standard error of the value, if known.
     pub standard_error: Option<f64>,
+}
+
+impl From<Restitution> for Measured {
+    fn from(impact: Restitution) -> Self {
+        Self {
+            place: (impact.speed_m_s, impact.value),
+            standard_error: impact.standard_error,
+        }
+    }
 }
 
 /// Restitution against impact speed: `raw` as if there were no air (the ratio of neighbouring
@@ -51,7 +61,7 @@ pub fn restitution(raw: &[Restitution], corrected: &[Restitution], line: Option<
     let mut sheet = Sheet::new(HEIGHT, TITLE);
     let grey = Meaning::NoDrag.colour();
     let blue = Meaning::Measured.colour();
-    let pen = Pen::solid(grey, 2.0);
+    let pen = Pen::solid(grey, LINE);
     let mut key = Vec::new();
     if !corrected.is_empty() {
         key.push(KeyEntry::new(Swatch::Dot(blue), "corrected for drag"));
@@ -60,18 +70,27 @@ pub fn restitution(raw: &[Restitution], corrected: &[Restitution], line: Option<
         key.push(KeyEntry::new(Swatch::Ring(grey), "as if there were no air"));
     }
     if let Some(value) = line {
-        let name = format!("straight line: {value:.4}");
+        let value = Quantity::rounded(value, 4, Unit::Number);
+        let name = format!("straight line: {value}");
         key.push(KeyEntry::new(Swatch::Line(pen), name));
     }
     sheet.key(&key);
     let panel = Panel::fill(&mut sheet, &x, &y, 0.0);
+    let groups = [
+        (&raw, Swatch::Ring(grey), grey),
+        (&corrected, Swatch::Dot(blue), blue),
+    ];
+    for (impacts, _, colour) in groups {
+        for &impact in impacts {
+            panel.uncertainty(&mut sheet.canvas, impact.into(), colour);
+        }
+    }
     if let Some(value) = line {
         panel.level(&mut sheet.canvas, value, pen);
     }
-    for (impacts, swatch) in [(&raw, Swatch::Ring(grey)), (&corrected, Swatch::Dot(blue))] {
-        for impact in impacts {
-            let point = (impact.speed_m_s, impact.value);
-            panel.measured(&mut sheet.canvas, point, impact.standard_error, swatch);
+    for (impacts, swatch, _) in groups {
+        for &impact in impacts {
+            panel.point(&mut sheet.canvas, impact.into(), swatch);
         }
     }
     Figure::new(

@@ -4,7 +4,7 @@ use super::{Figure, count};
 use crate::canvas::{Anchor, Pen, Style, text_width};
 use crate::error::{Error, Result};
 use crate::scale::Scale;
-use crate::sheet::{Axis, KeyEntry, Panel, Sheet, Swatch, mark};
+use crate::sheet::{Axis, KeyEntry, MARK, Panel, Sheet, Swatch, mark};
 use crate::theme::{self, Meaning};
 
 const TITLE: &str = "The sound and its impacts";
@@ -164,6 +164,14 @@ fn is_sure(mark: &Mark) -> bool {
     mark.probability >= SURE
 }
 
+fn meaning(mark: &Mark) -> Meaning {
+    if is_sure(mark) {
+        Meaning::Measured
+    } else {
+        Meaning::Warning
+    }
+}
+
 /// The numbers of the drops, in the order of their first impacts.
 fn drops(marks: &[Mark]) -> Vec<usize> {
     let mut drops: Vec<usize> = Vec::new();
@@ -204,48 +212,59 @@ fn amplitudes(sound: &Envelope) -> Scale {
 
 fn draw_sound(sheet: &mut Sheet, panel: &Panel, sound: &Envelope, unit: TimeUnit) {
     let sound = sound.joined(2 * panel.frame.width() as usize);
-    let colour = Meaning::Measured.colour();
     let mut upper = Vec::new();
     let mut lower = Vec::new();
     let mut shapes = Vec::new();
-    for (i, (min, max)) in sound.min.iter().zip(&sound.max).enumerate() {
+    let mut before = None;
+    for (i, (&min, &max)) in sound.min.iter().zip(&sound.max).enumerate() {
         if !min.is_finite() || !max.is_finite() {
             shapes.push((std::mem::take(&mut upper), std::mem::take(&mut lower)));
+            before = None;
             continue;
         }
+        // A sound is continuous: between two bins it passes all values between them.
+        let (low, high) = before.map_or((min, max), |(low, high)| (min.min(high), max.max(low)));
+        before = Some((min, max));
         // A bin is a step, so that a single loud one has a width; and silence has a height.
         for edge in [i, i + 1] {
             let time = (sound.start_s + edge as f64 * sound.step_s) / unit.seconds;
-            let (x, y) = panel.at((time, f64::from(*max)));
+            let (x, y) = panel.at((time, f64::from(high)));
             upper.push((x, y - 0.4));
-            let (x, y) = panel.at((time, f64::from(*min)));
+            let (x, y) = panel.at((time, f64::from(low)));
             lower.push((x, y + 0.4));
         }
     }
     shapes.push((upper, lower));
     for (mut outline, lower) in shapes {
         outline.extend(lower.into_iter().rev());
+        let colour = Meaning::Measured.colour();
         sheet.canvas.area(&outline, colour);
     }
 }
 
-/// A hairline through the sound and a triangle above it for each impact.
+/// A hairline through the sound and a triangle above it for each impact; narrower triangles
+/// where the impacts are dense.
 fn draw_marks(sheet: &mut Sheet, panel: &Panel, marks: &[Mark], unit: TimeUnit) {
     let frame = panel.frame;
-    // Sure ones last: where the impacts are dense, an uncertain one must not hide them.
-    let (sure, uncertain): (Vec<&Mark>, Vec<&Mark>) = marks.iter().partition(|m| is_sure(m));
-    for (marks, meaning) in [(uncertain, Meaning::Warning), (sure, Meaning::Measured)] {
-        for impact in marks {
-            let (x, _) = panel.at((impact.time_s / unit.seconds, 0.0));
-            if !(frame.left..=frame.right).contains(&x) {
-                continue;
-            }
-            let colour = meaning.colour();
-            let pen = Pen::solid(colour.tint(), 1.0);
-            sheet.canvas.line((x, frame.top), (x, frame.bottom), pen);
-            let filled = meaning == Meaning::Measured;
-            mark(&mut sheet.canvas, (x, frame.top - 2.0), colour, filled);
-        }
+    let places: Vec<f64> = marks
+        .iter()
+        .map(|mark| panel.at((mark.time_s / unit.seconds, 0.0)).0)
+        .collect();
+    let on_sheet = |&i: &usize| (frame.left..=frame.right).contains(&places[i]);
+    // The uncertain ones last: a filled mark beside must not hide one.
+    let (sure, uncertain): (Vec<usize>, Vec<usize>) = (0..marks.len())
+        .filter(on_sheet)
+        .partition(|&i| is_sure(&marks[i]));
+    for i in sure.into_iter().chain(uncertain) {
+        let x = places[i];
+        let colour = meaning(&marks[i]).colour();
+        let pen = Pen::solid(colour.tint(), 1.0);
+        sheet.canvas.line((x, frame.top), (x, frame.bottom), pen);
+        let before = i.checked_sub(1).map_or(f64::INFINITY, |j| x - places[j]);
+        let after = places.get(i + 1).map_or(f64::INFINITY, |next| next - x);
+        let half = (0.45 * before.min(after)).clamp(1.5, MARK);
+        let tip = (x, frame.top - 2.0);
+        mark(&mut sheet.canvas, tip, half, colour, is_sure(&marks[i]));
     }
 }
 

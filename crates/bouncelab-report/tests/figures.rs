@@ -1,0 +1,424 @@
+//! Every figure, with data as they come and as they should not come: it must be a drawing
+//! that any program can read, with its axes named, its colours kept and nothing outside.
+
+use bouncelab_report::figure::{
+    self, Curve, DragAxes, Envelope, Figure, Line, Mark, Restitution, TimedFlight,
+};
+use bouncelab_report::theme::{self, Meaning};
+use proptest::prelude::*;
+
+const LINE: Line = Line {
+    slope: -0.0269,
+    intercept: -0.3367,
+};
+
+fn flights(count: u32, used: u32) -> Vec<TimedFlight> {
+    (1..=count)
+        .map(|number| TimedFlight {
+            number,
+            time_s: 0.4605 * 0.94_f64.powf(f64::from(number)),
+            standard_error_s: Some(0.0005),
+            used: number <= used,
+        })
+        .collect()
+}
+
+fn marks(probability: f64) -> Vec<Mark> {
+    let mark = |n: u16| Mark {
+        time_s: 2.0 - 2.0 * 0.94_f64.powf(f64::from(n)),
+        probability,
+        drop: 1,
+    };
+    (0..60).map(mark).collect()
+}
+
+fn sound() -> Envelope {
+    let samples: Vec<f32> = (0..20_000_u16)
+        .map(|i| (f32::from(i) * 0.3).sin() * 0.9_f32.powf(f32::from(i % 2000) / 20.0))
+        .collect();
+    Envelope::from_samples(&samples, 10_000.0, 3000).unwrap()
+}
+
+fn curve(meaning: Meaning, name: &str) -> Curve {
+    let point = |i: u16| (f64::from(i) / 10.0, (f64::from(i) / 94.0).powi(2));
+    Curve {
+        name: name.to_owned(),
+        meaning,
+        points: (0..100).map(point).collect(),
+    }
+}
+
+fn impacts() -> Vec<Restitution> {
+    let impact = |n: u16| Restitution {
+        speed_m_s: 2.3 * 0.94_f64.powf(f64::from(n)),
+        value: 0.94 + 0.002 * f64::from(n % 3),
+        standard_error: Some(0.002),
+    };
+    (1..30).map(impact).collect()
+}
+
+/// Each figure with usual data, and the names of the axes it must show.
+fn usual() -> Vec<(Figure, &'static [&'static str])> {
+    let curves = [
+        curve(Meaning::Drag, "constant 0.4"),
+        curve(Meaning::NoDrag, "no air"),
+    ];
+    vec![
+        (
+            figure::waveform(&sound(), &marks(0.99)),
+            &["time (s)", "amplitude, relative to full scale"],
+        ),
+        (
+            figure::flight_times(&flights(38, 10), Some(LINE)),
+            &[
+                "flight time (s)",
+                "number of the flight",
+                "off the line (%)",
+            ],
+        ),
+        (
+            figure::drag(&curves, DragAxes::Linear, Some(2.4)),
+            &["speed (m/s)", "drag / weight"],
+        ),
+        (
+            figure::drag(&curves, DragAxes::Logarithmic, Some(2.4)),
+            &["speed (m/s)", "drag / weight"],
+        ),
+        (
+            figure::height(&curves, &[(0.5, 0.2), (1.0, 0.1)]),
+            &["time (s)", "height (m)"],
+        ),
+        (
+            figure::restitution(&impacts(), &impacts(), Some(0.9375)),
+            &[
+                "speed at the impact (m/s)",
+                "restitution: speed after / before",
+            ],
+        ),
+    ]
+}
+
+fn text_of(node: roxmltree::Node) -> String {
+    let parts = node.descendants().filter(roxmltree::Node::is_text);
+    parts.filter_map(|part| part.text()).collect()
+}
+
+fn texts(svg: &str) -> Vec<String> {
+    let document = roxmltree::Document::parse(svg).unwrap();
+    let nodes = document.descendants();
+    nodes
+        .filter(|node| node.has_tag_name("text"))
+        .map(text_of)
+        .collect()
+}
+
+/// Well-formed, no number that is none, and every text within the sheet by its anchor and the
+/// width of the widest usual font (0.6 em a letter on average is more than any of them has).
+fn check_drawing(figure: &Figure) -> Result<(), TestCaseError> {
+    let svg = figure.svg();
+    let parsed = roxmltree::Document::parse(&svg);
+    prop_assert!(parsed.is_ok(), "{:?}: {svg}", parsed.err());
+    let document = parsed.unwrap();
+    let (width, height) = figure.size();
+    for node in document.descendants() {
+        for attribute in node.attributes() {
+            let value = attribute.value();
+            prop_assert!(!value.contains("NaN") && !value.contains("inf"), "{value}");
+        }
+        if !node.has_tag_name("text") {
+            continue;
+        }
+        let number = |name| node.attribute(name).unwrap().parse::<f64>().unwrap();
+        let letters = text_of(node).chars().count();
+        let wide = 0.6 * number("font-size") * letters as f64;
+        let left = match node.attribute("text-anchor") {
+            Some("middle") => number("x") - wide / 2.0,
+            Some("end") => number("x") - wide,
+            _ => number("x"),
+        };
+        prop_assert!(left >= -2.0 && left + wide <= width + 2.0, "{node:?}");
+        prop_assert!((10.0..height).contains(&number("y")), "{node:?}");
+    }
+    prop_assert!(!figure.caption().is_empty());
+    Ok(())
+}
+
+#[test]
+fn every_figure_is_well_formed_and_names_its_axes_with_units() {
+    for (figure, axes) in usual() {
+        check_drawing(&figure).unwrap();
+        let texts = texts(&figure.svg());
+        for axis in axes {
+            assert!(texts.iter().any(|text| text == axis), "{axis}: {texts:?}");
+        }
+        assert!(texts.contains(&figure.title().to_owned()));
+    }
+}
+
+#[test]
+fn a_screen_reader_finds_the_title_and_the_caption() {
+    for (figure, _) in usual() {
+        let svg = figure.svg();
+        let document = roxmltree::Document::parse(&svg).unwrap();
+        let text = |tag: &str| {
+            let mut nodes = document.descendants();
+            let node = nodes.find(|node| node.has_tag_name(tag)).unwrap();
+            node.text().unwrap().to_owned()
+        };
+        assert_eq!(text("title"), figure.title());
+        assert_eq!(text("desc"), figure.caption());
+        assert_eq!(document.root_element().attribute("role"), Some("img"));
+    }
+}
+
+#[test]
+fn colours_keep_their_meaning() {
+    let has =
+        |figure: &Figure, meaning: Meaning| figure.svg().contains(&meaning.colour().to_string());
+    let sure = figure::waveform(&sound(), &marks(0.99));
+    assert!(has(&sure, Meaning::Measured) && !has(&sure, Meaning::Warning));
+    let uncertain = figure::waveform(&sound(), &marks(0.5));
+    assert!(has(&uncertain, Meaning::Warning));
+    let line = figure::flight_times(&flights(10, 10), Some(LINE));
+    assert!(has(&line, Meaning::Measured) && has(&line, Meaning::NoDrag));
+    assert!(!has(&line, Meaning::Drag));
+    let height = figure::height(&[curve(Meaning::Drag, "air")], &[]);
+    assert!(has(&height, Meaning::Drag) && !has(&height, Meaning::Measured));
+    let error = Meaning::Measured.colour().tint().to_string();
+    assert!(line.svg().contains(&error), "the standard errors");
+}
+
+/// Contrast as in the Web Content Accessibility Guidelines 2.1: texts need 4.5 to 1.
+#[test]
+fn texts_can_be_read_on_paper() {
+    let luminance = |colour: theme::Colour| {
+        let linear = colour.rgb.map(|part| {
+            let part = f64::from(part) / 255.0;
+            if part <= 0.04045 {
+                part / 12.92
+            } else {
+                ((part + 0.055) / 1.055).powf(2.4)
+            }
+        });
+        0.2126 * linear[0] + 0.7152 * linear[1] + 0.0722 * linear[2]
+    };
+    for ink in [theme::INK, theme::SOFT_INK, Meaning::Measured.colour()] {
+        let contrast = (luminance(theme::PAPER) + 0.05) / (luminance(ink) + 0.05);
+        assert!(contrast >= 4.5, "{ink}: {contrast}");
+    }
+}
+
+#[test]
+fn without_data_a_figure_says_so() {
+    let nothing = Curve {
+        name: "nothing".to_owned(),
+        meaning: Meaning::Drag,
+        points: vec![(f64::NAN, 1.0)],
+    };
+    let no_sound = Envelope::from_samples(&[], 44_100.0, 100).unwrap();
+    for figure in [
+        figure::waveform(&no_sound, &[]),
+        figure::flight_times(&[], Some(LINE)),
+        figure::drag(std::slice::from_ref(&nothing), DragAxes::Linear, None),
+        figure::drag(&[], DragAxes::Logarithmic, Some(1.0)),
+        figure::height(&[nothing], &[]),
+        figure::restitution(&[], &[], Some(0.9)),
+    ] {
+        check_drawing(&figure).unwrap();
+        let texts = texts(&figure.svg());
+        assert_eq!(texts, [figure.title(), figure.caption()]);
+        assert!(figure.caption().contains(" no "), "{}", figure.caption());
+    }
+}
+
+#[test]
+fn names_from_outside_cannot_break_the_drawing() {
+    let name = "<b> & \"$x$\" \u{0} \u{1b}[31m".repeat(20);
+    let figure = figure::height(&[curve(Meaning::Drag, &name)], &[]);
+    check_drawing(&figure).unwrap();
+    assert!(
+        texts(&figure.svg())
+            .iter()
+            .any(|text| text.starts_with("<b> & \"$x$\""))
+    );
+}
+
+#[test]
+fn a_restitution_far_off_does_not_flatten_the_others() {
+    let mut impacts = impacts();
+    impacts[5].value = 40.0;
+    let svg = figure::restitution(&impacts, &[], None).svg();
+    let ticks = texts(&svg);
+    assert!(ticks.contains(&"0.940".to_owned()), "{ticks:?}");
+}
+
+#[test]
+fn envelopes_must_fit_together() {
+    let message = Envelope::new(0.0, 0.1, vec![0.0; 3], vec![0.0; 2])
+        .unwrap_err()
+        .to_string();
+    assert!(message.contains("3 lowest and 2 highest"), "{message}");
+    assert!(Envelope::new(0.0, 0.0, vec![], vec![]).is_err());
+    assert!(Envelope::new(f64::NAN, 1.0, vec![], vec![]).is_err());
+    assert!(Envelope::from_samples(&[0.5], 0.0, 10).is_err());
+    assert!(Envelope::from_samples(&[0.5], 8000.0, 0).is_ok());
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(64))]
+
+    /// Numbers of any kind and size: a drawing all the same.
+    #[test]
+    fn no_numbers_break_a_drawing(
+        numbers in proptest::collection::vec((any::<f64>(), any::<f64>()), 0..12),
+        errors: Option<f64>,
+        line in (any::<f64>(), any::<f64>()),
+    ) {
+        let curve = |meaning| Curve { name: "any".to_owned(), meaning, points: numbers.clone() };
+        let curves = [curve(Meaning::Drag), curve(Meaning::Drag)];
+        let impacts: Vec<_> = numbers
+            .iter()
+            .map(|&(speed_m_s, value)| Restitution { speed_m_s, value, standard_error: errors })
+            .collect();
+        let flights: Vec<_> = numbers
+            .iter()
+            .map(|&(time_s, other)| TimedFlight {
+                number: other as u32,
+                time_s,
+                standard_error_s: errors,
+                used: other > 0.0,
+            })
+            .collect();
+        let marks: Vec<_> = numbers
+            .iter()
+            .map(|&(time_s, probability)| Mark { time_s, probability, drop: time_s as usize })
+            .collect();
+        let lows = numbers.iter().map(|n| n.0 as f32).collect();
+        let highs = numbers.iter().map(|n| n.1 as f32).collect();
+        let line = Line { slope: line.0, intercept: line.1 };
+        check_drawing(&figure::height(&curves, &numbers))?;
+        check_drawing(&figure::drag(&curves, DragAxes::Linear, errors))?;
+        check_drawing(&figure::drag(&curves, DragAxes::Logarithmic, errors))?;
+        check_drawing(&figure::restitution(&impacts, &impacts, errors))?;
+        check_drawing(&figure::flight_times(&flights, Some(line)))?;
+        if let Ok(sound) = Envelope::new(line.slope, line.intercept.abs(), lows, highs) {
+            check_drawing(&figure::waveform(&sound, &marks))?;
+        }
+    }
+
+    /// Any number of bounces, times from microseconds to hours.
+    #[test]
+    fn drops_of_any_length_are_drawn(count in 1_u32..200, first_s in 1e-6..1e4_f64, ratio in 0.3..0.999_f64) {
+        let mut flights = flights(count, count / 2);
+        for flight in &mut flights {
+            flight.time_s = first_s * ratio.powf(f64::from(flight.number));
+        }
+        check_drawing(&figure::flight_times(&flights, Some(LINE)))?;
+        let time = |n: u32| first_s * (1.0 - ratio.powf(f64::from(n)));
+        let marks: Vec<_> = (0..count)
+            .map(|n| Mark { time_s: time(n), probability: 0.95, drop: 1 })
+            .collect();
+        let sound = Envelope::new(0.0, first_s / 500.0, vec![-0.5; 500], vec![0.5; 500]);
+        check_drawing(&figure::waveform(&sound.unwrap(), &marks))?;
+    }
+}
+
+#[cfg(feature = "png")]
+mod pictures {
+    use super::*;
+    use bouncelab_report::{Error, save};
+
+    #[test]
+    fn a_picture_is_as_wide_as_asked_and_keeps_its_shape() {
+        for (figure, _) in usual() {
+            for width in [120_u32, 333, 480, 1600] {
+                let bytes = figure.png(width).unwrap();
+                let mut reader = png::Decoder::new(std::io::Cursor::new(bytes))
+                    .read_info()
+                    .unwrap();
+                let mut pixels = vec![0; reader.output_buffer_size().unwrap()];
+                let frame = reader.next_frame(&mut pixels).unwrap();
+                assert_eq!(frame.width, width);
+                let expected = f64::from(width) * figure.size().1 / figure.size().0;
+                assert!((f64::from(frame.height) - expected).abs() <= 1.0);
+                let inked = pixels
+                    .chunks(4)
+                    .filter(|p| p[..3] != [255, 255, 255])
+                    .count();
+                assert!(inked > pixels.len() / 400, "hardly anything is drawn");
+            }
+        }
+    }
+
+    #[test]
+    fn a_picture_has_a_sensible_width() {
+        let figure = figure::restitution(&[], &[], None);
+        for width in [0, 119, 8001, u32::MAX] {
+            let error = figure.png(width).unwrap_err();
+            assert!(matches!(error, Error::PictureWidth { width_px } if width_px == width));
+        }
+        let message = figure.png(7).unwrap_err().to_string();
+        assert_eq!(
+            message,
+            "a picture cannot be 7 pixels wide: give a width from 120 to 8000"
+        );
+    }
+
+    #[test]
+    fn a_saved_figure_is_two_whole_files_and_nothing_else() {
+        let folder = tempfile::tempdir().unwrap();
+        let inner = folder.path().join("new/figures");
+        let figure = figure::flight_times(&flights(5, 5), Some(LINE));
+        let saved = save(&figure, &inner, "flight-times").unwrap();
+        // Again: files of the same name are replaced.
+        save(&figure, &inner, "flight-times").unwrap();
+        assert_eq!(std::fs::read_to_string(&saved.svg).unwrap(), figure.svg());
+        assert_eq!(
+            std::fs::read(&saved.png).unwrap(),
+            figure.png(1600).unwrap()
+        );
+        let mut names: Vec<_> = std::fs::read_dir(&inner)
+            .unwrap()
+            .map(|entry| entry.unwrap().file_name())
+            .collect();
+        names.sort();
+        assert_eq!(names, ["flight-times.png", "flight-times.svg"]);
+    }
+
+    #[test]
+    fn a_folder_that_cannot_be_used_is_named() {
+        let folder = tempfile::tempdir().unwrap();
+        let file = folder.path().join("file");
+        std::fs::write(&file, "here").unwrap();
+        let figure = figure::restitution(&[], &[], None);
+        let error = save(&figure, &file, "restitution").unwrap_err();
+        assert!(matches!(error, Error::Folder { .. }), "{error}");
+        assert!(
+            error.to_string().contains(file.to_str().unwrap()),
+            "{error}"
+        );
+        assert_eq!(std::fs::read_to_string(&file).unwrap(), "here");
+    }
+
+    #[test]
+    fn a_failed_write_leaves_nothing_behind() {
+        let folder = tempfile::tempdir().unwrap();
+        // A folder of that name cannot be replaced by a file.
+        std::fs::create_dir(folder.path().join("height.svg")).unwrap();
+        let figure = figure::height(&[], &[]);
+        let error = save(&figure, folder.path(), "height").unwrap_err();
+        assert!(matches!(error, Error::Write { .. }), "{error}");
+        assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 1);
+    }
+
+    #[test]
+    fn a_name_cannot_lead_out_of_the_folder() {
+        let folder = tempfile::tempdir().unwrap();
+        let figure = figure::height(&[], &[]);
+        for name in ["", "..", "../x", "a/b", ".hidden", "a\\b", "a b\n"] {
+            let error = save(&figure, folder.path(), name).unwrap_err();
+            assert!(matches!(error, Error::Name { .. }), "{name}");
+        }
+        assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 0);
+    }
+}
