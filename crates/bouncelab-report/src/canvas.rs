@@ -90,7 +90,6 @@ impl Style {
 #[derive(Debug)]
 pub(crate) struct Canvas {
     scene: Scene,
-    clips: usize,
 }
 
 impl Canvas {
@@ -99,7 +98,7 @@ impl Canvas {
         scene.background_color = Some(theme::PAPER.to_string());
         scene.text_color = Some(theme::INK.to_string());
         scene.font_family = Some(theme::FONT_FAMILY.to_owned());
-        Self { scene, clips: 0 }
+        Self { scene }
     }
 
     pub(crate) fn width(&self) -> f64 {
@@ -120,6 +119,15 @@ impl Canvas {
                         self.stroke(piece, pen);
                     }
                 }
+            }
+        }
+    }
+
+    /// The same, without the parts outside `rect`.
+    pub(crate) fn polyline_within(&mut self, rect: Rect, points: &[Point], pen: Pen) {
+        for run in points.split(|&point| !is_finite(point)) {
+            for piece in within(rect, run) {
+                self.polyline(&piece, pen);
             }
         }
     }
@@ -205,20 +213,6 @@ impl Canvas {
         });
     }
 
-    /// Draws with everything outside `rect` cut off.
-    pub(crate) fn clipped(&mut self, rect: Rect, draw: impl FnOnce(&mut Self)) {
-        self.clips += 1;
-        self.scene.add(Primitive::ClipStart {
-            x: rect.left,
-            y: rect.top,
-            width: rect.width(),
-            height: rect.height(),
-            id: format!("clip-{}", self.clips),
-        });
-        draw(self);
-        self.scene.add(Primitive::ClipEnd);
-    }
-
     /// The drawing as SVG that scales with its container, with a title and a description for
     /// those who cannot see it.
     pub(crate) fn svg(&self, title: &str, description: &str) -> String {
@@ -241,11 +235,7 @@ impl Canvas {
     /// The drawing as a PNG picture of the given width in pixels.
     #[cfg(feature = "png")]
     pub(crate) fn png(&self, width_px: u32) -> std::result::Result<Vec<u8>, String> {
-        // The library rounds the size up; aiming a hair low hits the width exactly.
-        let scale = (f64::from(width_px) - 0.01) / self.width();
-        kuva::backend::raster::RasterBackend::new()
-            .with_scale(scale as f32)
-            .render_scene(&self.scene)
+        crate::picture::png(&self.scene, width_px)
     }
 }
 
@@ -285,6 +275,53 @@ pub(crate) fn shortened(text: &str, size: u32, width: f64) -> String {
     short.truncate(short.trim_end().len());
     short.push('…');
     short
+}
+
+/// The parts of a curve inside a rectangle. Cut here and not by the library, which would need
+/// names for the regions that are then not unique on a page with several figures.
+fn within(rect: Rect, points: &[Point]) -> Vec<Vec<Point>> {
+    let mut pieces: Vec<Vec<Point>> = Vec::new();
+    let mut open = false;
+    for pair in points.windows(2) {
+        let Some([from, to]) = segment_within(rect, pair[0], pair[1]) else {
+            open = false;
+            continue;
+        };
+        match pieces.last_mut() {
+            Some(piece) if open => piece.push(to),
+            _ => pieces.push(vec![from, to]),
+        }
+        open = to == pair[1];
+    }
+    pieces
+}
+
+/// The part of a segment inside a rectangle (Liang and Barsky 1984).
+fn segment_within(rect: Rect, from: Point, to: Point) -> Option<[Point; 2]> {
+    let (dx, dy) = (to.0 - from.0, to.1 - from.1);
+    let (mut start, mut end) = (0.0_f64, 1.0_f64);
+    for (run, room) in [
+        (-dx, from.0 - rect.left),
+        (dx, rect.right - from.0),
+        (-dy, from.1 - rect.top),
+        (dy, rect.bottom - from.1),
+    ] {
+        if run == 0.0 {
+            if room < 0.0 {
+                return None;
+            }
+        } else if run < 0.0 {
+            start = start.max(room / run);
+        } else {
+            end = end.min(room / run);
+        }
+    }
+    let at = |share: f64| match share {
+        0.0 => from,
+        1.0 => to,
+        _ => (from.0 + share * dx, from.1 + share * dy),
+    };
+    (start <= end).then(|| [at(start), at(end)])
 }
 
 /// The strokes that make a dashed line along the points.
@@ -379,6 +416,32 @@ mod tests {
         let svg = canvas.svg("", "");
         assert_eq!(svg.matches("<path").count(), 2);
         assert!(!svg.contains("NaN"));
+    }
+
+    #[test]
+    fn curves_end_at_the_frame_and_come_back() {
+        let rect = Rect {
+            left: 0.0,
+            top: 0.0,
+            right: 10.0,
+            bottom: 10.0,
+        };
+        // In, out above, and in again; then a segment that passes outside a corner.
+        let points = [
+            (0.0, 5.0),
+            (5.0, -5.0),
+            (10.0, 5.0),
+            (15.0, 5.0),
+            (5.0, 16.0),
+        ];
+        let pieces = within(rect, &points);
+        assert_eq!(
+            pieces,
+            [
+                vec![(0.0, 5.0), (2.5, 0.0)],
+                vec![(7.5, 0.0), (10.0, 5.0), (10.0, 5.0)],
+            ]
+        );
     }
 
     #[test]

@@ -32,7 +32,8 @@
 //! | [`quantity`](Quantity) | how many digits, and which prefix |
 //! | [`table`](Table) | how numbers stand under each other |
 //! | [`theme`] | what a colour means |
-//! | `canvas` | where ink goes: the only room that knows the drawing library |
+//! | `picture` | how a drawing becomes pixels |
+//! | `canvas` | where ink goes: the only room besides that knows the drawing library |
 //! | `scale` | where a value lies on an axis, and which values get a tick |
 //! | `sheet` | title, key, panels with axes |
 //! | [`figure`] | one file a figure |
@@ -44,6 +45,8 @@
 mod canvas;
 mod error;
 pub mod figure;
+#[cfg(feature = "png")]
+mod picture;
 mod quantity;
 #[cfg(all(feature = "png", not(target_family = "wasm")))]
 mod save;

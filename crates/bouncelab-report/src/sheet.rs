@@ -269,7 +269,7 @@ impl Panel {
             canvas.line((x, bottom), (x, bottom + 6.0), pen);
             // A wide number at the end of the axis stays on the sheet.
             let half = text_width(&tick.label, style.size) / 2.0;
-            let x = x.min(canvas.width() - half);
+            let x = x.min(canvas.width() - half - 6.0);
             canvas.text((x, bottom + 20.0), &tick.label, style);
         }
         let style = Style::new(theme::LABEL_SIZE, theme::SOFT_INK, Anchor::Middle);
@@ -294,7 +294,7 @@ impl Panel {
     /// A curve, cut off at the frame.
     pub(crate) fn curve(&self, canvas: &mut Canvas, points: &[(f64, f64)], pen: Pen) {
         let places: Vec<Point> = points.iter().map(|&point| self.at(point)).collect();
-        canvas.clipped(self.frame, |canvas| canvas.polyline(&places, pen));
+        canvas.polyline_within(self.frame, &places, pen);
     }
 
     /// A horizontal line over the whole width.
@@ -312,9 +312,7 @@ impl Panel {
             return;
         };
         let ends = [y - error, y + error].map(|end| self.at((x, end)));
-        canvas.clipped(self.frame, |canvas| {
-            canvas.polyline(&ends, Pen::solid(colour.tint(), 5.0));
-        });
+        canvas.polyline_within(self.frame, &ends, Pen::solid(colour.tint(), 5.0));
     }
 
     /// A point as a dot or ring; one above or below the frame becomes an arrow head at the
@@ -365,7 +363,7 @@ fn fits(ticks: &Ticks, width: f64) -> bool {
 }
 
 fn y_ticks(scale: &Scale, height: f64) -> Ticks {
-    scale.ticks(((height / 32.0) as usize).max(4))
+    scale.ticks(((height / 32.0) as usize).max(3))
 }
 
 /// Where a frame must begin for the numbers of its vertical axes to fit.

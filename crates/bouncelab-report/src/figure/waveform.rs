@@ -13,6 +13,9 @@ const HEIGHT: f64 = 360.0;
 /// An impact at least this probable is drawn as sure.
 pub const SURE: f64 = 0.9;
 
+/// No recording lasts longer, in seconds: thirty years.
+const LONGEST_S: f64 = 1e9;
+
 /// The lowest and highest sample in each of many short stretches of a sound: all that a
 /// picture can show of it, however long it is.
 #[derive(Debug, Clone, PartialEq)]
@@ -30,8 +33,8 @@ impl Envelope {
     ///
     /// # Errors
     ///
-    /// [`Error::Envelope`] if there are not as many lowest as highest samples, or the times
-    /// are not numbers, or `step_s` is not above zero.
+    /// [`Error::Envelope`] if there are not as many lowest as highest samples, or `step_s` is
+    /// not above zero, or the times are not numbers or beyond a billion seconds.
     pub fn new(start_s: f64, step_s: f64, min: Vec<f32>, max: Vec<f32>) -> Result<Self> {
         if min.len() != max.len() {
             let problem = format!(
@@ -41,9 +44,12 @@ impl Envelope {
             );
             return Err(Error::Envelope { problem });
         }
-        if !start_s.is_finite() || !step_s.is_finite() || step_s <= 0.0 {
+        let end_s = start_s + min.len() as f64 * step_s;
+        let ends_in_time = start_s.abs() < LONGEST_S && end_s.abs() < LONGEST_S;
+        // Negated, so that what is not a number is caught as well.
+        if !(step_s > 0.0 && ends_in_time) {
             let problem = format!(
-                "bins of {step_s} s that start at {start_s} s; both must be numbers and a bin must last longer than 0 s"
+                "bins of {step_s} s from {start_s} s to {end_s} s; a bin must last longer than 0 s, and the times must lie within {LONGEST_S:e} s"
             );
             return Err(Error::Envelope { problem });
         }
@@ -211,7 +217,7 @@ fn amplitudes(sound: &Envelope) -> Scale {
 }
 
 fn draw_sound(sheet: &mut Sheet, panel: &Panel, sound: &Envelope, unit: TimeUnit) {
-    let sound = sound.joined(2 * panel.frame.width() as usize);
+    let sound = sound.joined(panel.frame.width() as usize);
     let mut upper = Vec::new();
     let mut lower = Vec::new();
     let mut shapes = Vec::new();
@@ -272,35 +278,51 @@ fn draw_marks(sheet: &mut Sheet, panel: &Panel, marks: &[Mark], unit: TimeUnit) 
 fn draw_numbers(sheet: &mut Sheet, panel: &Panel, marks: &[Mark], unit: TimeUnit, drops: &[usize]) {
     let frame = panel.frame;
     let style = Style::new(theme::TICK_SIZE, theme::SOFT_INK, Anchor::Middle);
-    let place = |mark: &Mark| panel.at((mark.time_s / unit.seconds, 0.0)).0;
     let mut free = f64::NEG_INFINITY;
     for &drop in drops {
-        let train: Vec<f64> = marks.iter().filter(|m| m.drop == drop).map(place).collect();
-        let (Some(first), Some(last)) = (train.first(), train.last()) else {
+        let train: Vec<f64> = marks
+            .iter()
+            .filter(|mark| mark.drop == drop)
+            .map(|mark| panel.at((mark.time_s / unit.seconds, 0.0)).0)
+            .filter(|x| (frame.left..=frame.right).contains(x))
+            .collect();
+        let (Some(&first), Some(&last)) = (train.first(), train.last()) else {
             continue;
         };
         let mut taken = free;
-        for (i, &x) in train.iter().enumerate() {
-            let number = (i + 1).to_string();
+        for (number, x) in numbers(&train) {
             let half = text_width(&number, style.size) / 2.0 + 2.0;
-            let worth_it = i == 0 || (i + 1) % 5 == 0 || i + 1 == train.len();
-            let on_sheet = (frame.left..=frame.right).contains(&x);
-            if worth_it && on_sheet && x - half > taken {
+            if x - half > taken {
                 sheet.canvas.text((x, frame.top - 16.0), &number, style);
                 taken = x + half;
             }
         }
         if drops.len() > 1 {
             let name = format!("drop {drop}");
-            let half = text_width(&name, style.size) / 2.0;
-            let middle = f64::midpoint(*first, *last).clamp(frame.left + half, frame.right - half);
+            let half = text_width(&name, style.size) / 2.0 + 2.0;
+            let middle = f64::midpoint(first, last);
             if middle - half > free {
                 sheet.canvas.text((middle, frame.top - 34.0), &name, style);
-                free = middle + half + 4.0;
+                taken = taken.max(middle + half);
             }
         }
-        free = free.max(taken);
+        free = taken;
     }
+}
+
+/// The numbers worth showing, each with its place: the first, every fifth and the last, or
+/// one label for all if they are too close.
+fn numbers(train: &[f64]) -> Vec<(String, f64)> {
+    const CLOSE: f64 = 24.0;
+    let count = train.len();
+    let (first, last) = (train[0], train[count - 1]);
+    if count > 1 && last - first < CLOSE {
+        return vec![(format!("1–{count}"), f64::midpoint(first, last))];
+    }
+    (1..=count)
+        .filter(|number| *number == 1 || number % 5 == 0 || *number == count)
+        .map(|number| (number.to_string(), train[number - 1]))
+        .collect()
 }
 
 fn caption(impacts: usize, uncertain: usize, drops: usize) -> String {
