@@ -37,10 +37,10 @@
 //! | `scale` | where a value lies on an axis, and which values get a tick |
 //! | `sheet` | title, key, panels with axes |
 //! | [`figure`] | one file a figure |
-//! | [`save`] | figures as files |
+//! | [`save()`] | figures as files |
 //!
-//! All but [`save`] work in a browser. The feature `png` (on by default) adds
-//! [`Figure::png`](figure::Figure::png) and [`save`].
+//! All but [`save()`] work in a browser. The feature `png` (on by default) adds
+//! [`Figure::png`](figure::Figure::png) and [`save()`].
 
 mod canvas;
 mod error;

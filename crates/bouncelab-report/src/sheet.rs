@@ -6,8 +6,9 @@ use crate::theme::{self, Colour};
 
 /// Distance of everything from the edge of the sheet.
 const MARGIN: f64 = 16.0;
-/// Curves may leave their panel (and are cut off there), but not for the next county.
-const FAR: f64 = 1e4;
+/// Points off the sheet are at most this far away, so that curves to them can be cut at the
+/// frame in finite numbers.
+const FAR: f64 = 1e9;
 
 const AXIS_NAME: Style = Style::new(theme::LABEL_SIZE, theme::SOFT_INK, Anchor::Start);
 const KEY_TEXT: Style = Style::new(theme::LABEL_SIZE, theme::INK, Anchor::Start);
@@ -319,7 +320,15 @@ impl Panel {
     /// edge, so that none is lost unseen.
     pub(crate) fn point(&self, canvas: &mut Canvas, point: Measured, swatch: Swatch) {
         let (x, y) = self.at(point.place);
-        let Rect { top, bottom, .. } = self.frame;
+        let Rect {
+            left,
+            top,
+            right,
+            bottom,
+        } = self.frame;
+        if !(left..=right).contains(&x) {
+            return;
+        }
         match swatch {
             Swatch::Dot(colour) | Swatch::Ring(colour) if y < top => {
                 canvas.area(&arrow_head((x, top + 1.0), 7.0), colour);
