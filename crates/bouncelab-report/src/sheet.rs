@@ -326,7 +326,8 @@ impl Panel {
             right,
             bottom,
         } = self.frame;
-        if !(left..=right).contains(&x) {
+        // Rounding may put the outermost point a hair outside.
+        if !(left - 1.0..=right + 1.0).contains(&x) {
             return;
         }
         match swatch {
