@@ -199,7 +199,7 @@ fn caption(flights: &[TimedFlight], line: Option<Line>) -> String {
         );
     };
     format!(
-        "Without air each flight would last the same share of the one before, {} by the line; a bend in the lower panel is what the air does.",
+        "Without air each flight would last the same share of the one before, {} by the line; a bend in the lower panel shows air drag, or a bounciness that changes with speed.",
         line.ratio()
     )
 }

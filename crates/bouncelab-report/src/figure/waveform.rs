@@ -126,10 +126,7 @@ pub struct Mark {
 /// use bouncelab_report::figure::{Envelope, Mark, waveform};
 /// let sound = Envelope::from_samples(&[0.0, 0.9, -0.4, 0.1, 0.0, 0.5, -0.2, 0.0], 8.0, 8)?;
 /// let marks = [0.125, 0.625].map(|time_s| Mark { time_s, probability: 0.99, drop: 1 });
-/// assert_eq!(
-///     waveform(&sound, &marks).caption(),
-///     "2 impacts of one drop: their spacing shrinks by nearly the same ratio each time."
-/// );
+/// assert_eq!(waveform(&sound, &marks).caption(), "2 impacts of one drop.");
 /// # Ok::<(), bouncelab_report::Error>(())
 /// ```
 pub fn waveform(sound: &Envelope, marks: &[Mark]) -> Figure {
@@ -339,8 +336,14 @@ fn caption(impacts: usize, uncertain: usize, drops: usize) -> String {
         1 => " (1 uncertain, open and orange)".to_owned(),
         n => format!(" ({n} uncertain, open and orange)"),
     };
+    // It takes three impacts to see a ratio.
+    let pattern = if impacts > 2 * drops {
+        ": their spacing shrinks by nearly the same ratio each time"
+    } else {
+        ""
+    };
     let impacts = count(impacts, "impact");
-    format!("{impacts} of {of}{doubt}: their spacing shrinks by nearly the same ratio each time.")
+    format!("{impacts} of {of}{doubt}{pattern}.")
 }
 
 /// The unit of the time axis.
