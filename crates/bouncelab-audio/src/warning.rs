@@ -52,22 +52,39 @@ pub enum Warning {
 impl fmt::Display for Warning {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Truncated { read_s, expected_s: Some(expected_s) } => write!(
+            Self::Truncated {
+                read_s,
+                expected_s: Some(expected_s),
+            } => write!(
                 f,
                 "the file is cut short: {read_s:.2} s of {expected_s:.2} s could be read"
             ),
-            Self::Truncated { read_s, expected_s: None } => {
-                write!(f, "the file is cut short or damaged: it was read up to {read_s:.2} s")
+            Self::Truncated {
+                read_s,
+                expected_s: None,
+            } => {
+                write!(
+                    f,
+                    "the file is cut short or damaged: it was read up to {read_s:.2} s"
+                )
             }
             Self::Damaged { packets, first_s } => write!(
                 f,
                 "{packets} damaged {} replaced by silence, the first at {first_s:.2} s",
-                if *packets == 1 { "packet was" } else { "packets were" }
+                if *packets == 1 {
+                    "packet was"
+                } else {
+                    "packets were"
+                }
             ),
             Self::NonFinite { samples, first_s } => write!(
                 f,
                 "{samples} {} replaced by zero, the first at {first_s:.4} s",
-                if *samples == 1 { "sample was not a number and" } else { "samples were not numbers and" }
+                if *samples == 1 {
+                    "sample was not a number and"
+                } else {
+                    "samples were not numbers and"
+                }
             ),
             Self::Gap { at_s, missing_s } => write!(
                 f,

@@ -37,9 +37,14 @@ pub(super) fn read<S: Read + Seek + ?Sized>(source: &mut S) -> Vec<TrackEdits> {
 fn read_movie<S: Read + Seek + ?Sized>(source: &mut S) -> io::Result<Vec<TrackEdits>> {
     let end = source.seek(SeekFrom::End(0))?;
     let mut found = Vec::new();
-    for movie in boxes(source, 0..end)?.iter().filter(|inner| &inner.kind == b"moov") {
+    for movie in boxes(source, 0..end)?
+        .iter()
+        .filter(|inner| &inner.kind == b"moov")
+    {
         let parts = boxes(source, movie.start..movie.end)?;
-        let Some(header) = first(&parts, *b"mvhd") else { continue };
+        let Some(header) = first(&parts, *b"mvhd") else {
+            continue;
+        };
         let movie_scale = timescale(source, header)?;
         for track in parts.iter().filter(|inner| &inner.kind == b"trak") {
             found.extend(read_track(source, track, movie_scale)?);
@@ -54,9 +59,11 @@ fn read_track<S: Read + Seek + ?Sized>(
     movie_scale: f64,
 ) -> io::Result<Option<TrackEdits>> {
     let parts = boxes(source, track.start..track.end)?;
-    let (Some(header), Some(edits), Some(media)) =
-        (first(&parts, *b"tkhd"), first(&parts, *b"edts"), first(&parts, *b"mdia"))
-    else {
+    let (Some(header), Some(edits), Some(media)) = (
+        first(&parts, *b"tkhd"),
+        first(&parts, *b"edts"),
+        first(&parts, *b"mdia"),
+    ) else {
         return Ok(None);
     };
     let edits = boxes(source, edits.start..edits.end)?;
@@ -100,8 +107,14 @@ fn boxes<S: Read + Seek + ?Sized>(
             1 => (16, u64::from_be_bytes(read_bytes(source)?)),
             size => (8, size),
         };
-        let Some(end) = at.checked_add(size).filter(|_| size >= header) else { break };
-        found.push(BoxSpan { kind, start: at + header, end: end.min(within.end) });
+        let Some(end) = at.checked_add(size).filter(|_| size >= header) else {
+            break;
+        };
+        found.push(BoxSpan {
+            kind,
+            start: at + header,
+            end: end.min(within.end),
+        });
         at = end;
     }
     Ok(found)
@@ -131,7 +144,10 @@ fn edit_list<S: Read + Seek + ?Sized>(
     let mut edits = Vec::new();
     for _ in 0..count.min(MAX_EDITS) {
         let (duration, start) = if wide {
-            (u64::from_be_bytes(read_bytes(source)?), i64::from_be_bytes(read_bytes(source)?))
+            (
+                u64::from_be_bytes(read_bytes(source)?),
+                i64::from_be_bytes(read_bytes(source)?),
+            )
         } else {
             let duration = u64::from(read_u32(source)?);
             (duration, i64::from(i32::from_be_bytes(read_bytes(source)?)))

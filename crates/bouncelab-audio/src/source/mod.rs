@@ -39,7 +39,7 @@ pub const MAX_BLOCK_FRAMES: usize = 4_096;
 /// | format | what says how much is not sound |
 /// |---|---|
 /// | MP4, M4A, MOV | the track's edit list; Opus without one: its pre-skip |
-/// | Opus in Ogg, WebM, Matroska | the pre-skip in the Opus header |
+/// | Opus in Ogg and Matroska (`.webm`, `.mkv`) | the pre-skip in the Opus header |
 /// | MP3 | the LAME or Info tag |
 /// | Vorbis | the stream itself |
 ///
@@ -152,17 +152,24 @@ impl Source {
         R: Read + Seek + Send + Sync + 'static,
     {
         let fail = |reason| Error::io(name, reason);
-        let mut reader = Measured::new(reader).map_err(fail)?;
+        let mut reader = Input::new(reader).map_err(fail)?;
         let container = match container::identify(&mut reader).map_err(fail)? {
             Content::Sound(container) => container,
             Content::Other(looks_like) => {
-                return Err(Error::NotSound { name: name.to_owned(), looks_like });
+                return Err(Error::NotSound {
+                    name: name.to_owned(),
+                    looks_like,
+                });
             }
             Content::Nothing => {
                 let what = "the file has no content";
-                return Err(Error::Empty { name: name.to_owned(), what });
+                return Err(Error::Empty {
+                    name: name.to_owned(),
+                    what,
+                });
             }
         };
+        reader.is_stream = container.is_stream();
         let track = Track::open(container, Box::new(reader), name)?;
         Self::start(track, name)
     }
@@ -181,14 +188,19 @@ impl Source {
                     damaged += 1;
                     detail = Some(fault);
                 }
-                Step::Cut { detail: fault } => return Err(track.undecodable(name, fault)),
-                Step::End => return Err(match detail {
-                    Some(fault) => track.undecodable(name, fault),
-                    None => {
-                        let what = "there is a header but no sound";
-                        Error::Empty { name: name.to_owned(), what }
-                    }
-                }),
+                Step::Broken { detail: fault } => return Err(track.undecodable(name, fault)),
+                Step::End => {
+                    return Err(match detail {
+                        Some(fault) => track.undecodable(name, fault),
+                        None => {
+                            let what = "there is a header but no sound";
+                            Error::Empty {
+                                name: name.to_owned(),
+                                what,
+                            }
+                        }
+                    });
+                }
             }
         };
         check_layout(layout, name)?;
@@ -210,7 +222,10 @@ impl Source {
         }
         // Silence in front of the first sound would only move all times.
         if damaged > 0 {
-            source.warnings.push(Warning::Damaged { packets: damaged, first_s: 0.0 });
+            source.warnings.push(Warning::Damaged {
+                packets: damaged,
+                first_s: 0.0,
+            });
         }
         source.scrub();
         Ok(source)
@@ -264,7 +279,11 @@ impl Source {
                 self.presented += end - part.start;
                 let place = |frame| (frame - self.planes_start) as usize;
                 let within = place(part.start)..place(end);
-                return Ok(Some(Block { planes: &self.planes, within, start_frame }));
+                return Ok(Some(Block {
+                    planes: &self.planes,
+                    within,
+                    start_frame,
+                }));
             }
             if self.ended {
                 return Ok(None);
@@ -282,12 +301,17 @@ impl Source {
         }
         match self.track.step(&self.name, &mut self.planes)? {
             Step::Sound { layout, .. } if layout != self.layout => {
-                self.warnings.push(Warning::FormatChange { at_s: self.presented_s(at) });
-                self.end(at);
+                self.warnings.push(Warning::FormatChange {
+                    at_s: self.presented_s(at),
+                });
+                self.stop(at);
             }
             Step::Sound { missing_s, .. } => {
                 if let Some(missing_s) = missing_s {
-                    self.warnings.push(Warning::Gap { at_s: self.presented_s(at), missing_s });
+                    self.warnings.push(Warning::Gap {
+                        at_s: self.presented_s(at),
+                        missing_s,
+                    });
                 }
                 self.take_planes(at);
                 self.scrub();
@@ -301,14 +325,8 @@ impl Source {
                 }
                 self.take_planes(at);
             }
-            Step::End => {
-                self.end(at);
-                self.note_truncation(at, false);
-            }
-            Step::Cut { .. } => {
-                self.end(at);
-                self.note_truncation(at, true);
-            }
+            Step::End => self.end(at, false),
+            Step::Broken { .. } => self.end(at, true),
         }
         Ok(())
     }
@@ -319,9 +337,24 @@ impl Source {
         self.pending = at..at + self.planes[0].len() as u64;
     }
 
-    fn end(&mut self, at: u64) {
+    fn stop(&mut self, at: u64) {
         self.ended = true;
         self.pending = at..at;
+    }
+
+    /// Stops, and warns if that is too early: because the file is broken there, or is shorter than
+    /// it says.
+    fn end(&mut self, at: u64, broken: bool) {
+        self.stop(at);
+        let read_s = self.presented_s(at);
+        let announced = self.track.announced(self.layout, &self.presentation);
+        let expected_s = announced
+            .filter(|it| it.exact)
+            .map(|it| self.seconds(it.frames));
+        if broken || expected_s.is_some_and(|expected_s| expected_s - read_s > TRUNCATION_S) {
+            self.warnings
+                .push(Warning::Truncated { read_s, expected_s });
+        }
     }
 
     /// Replaces what is not a number.
@@ -348,7 +381,10 @@ impl Source {
             *samples += count;
         } else {
             let first_s = self.presented_s(self.planes_start + first as u64);
-            self.warnings.push(Warning::NonFinite { samples: count, first_s });
+            self.warnings.push(Warning::NonFinite {
+                samples: count,
+                first_s,
+            });
         }
     }
 
@@ -360,18 +396,10 @@ impl Source {
         if let Some(packets) = noted {
             *packets += 1;
         } else {
-            self.warnings.push(Warning::Damaged { packets: 1, first_s: self.presented_s(at) });
-        }
-    }
-
-    /// Warns if the file ends early: by its own account, or because it breaks off.
-    fn note_truncation(&mut self, at: u64, cut: bool) {
-        let read_s = self.presented_s(at);
-        let announced = self.track.announced(self.layout, &self.presentation);
-        let expected_s =
-            announced.filter(|it| it.exact).map(|announced| self.seconds(announced.frames));
-        if cut || expected_s.is_some_and(|expected_s| expected_s - read_s > TRUNCATION_S) {
-            self.warnings.push(Warning::Truncated { read_s, expected_s });
+            self.warnings.push(Warning::Damaged {
+                packets: 1,
+                first_s: self.presented_s(at),
+            });
         }
     }
 
@@ -390,8 +418,11 @@ impl Source {
 const TRUNCATION_S: f64 = 0.05;
 
 fn check_layout(layout: Layout, name: &str) -> Result<()> {
-    let Layout { sample_rate_hz, channels } = layout;
-    let what = if sample_rate_hz < MIN_SAMPLE_RATE_HZ {
+    let Layout {
+        sample_rate_hz,
+        channels,
+    } = layout;
+    let problem = if sample_rate_hz < MIN_SAMPLE_RATE_HZ {
         format!(
             "{sample_rate_hz} samples a second are too few to time an impact \
              (at least {MIN_SAMPLE_RATE_HZ} are needed); record again at 44100 if you can"
@@ -401,40 +432,48 @@ fn check_layout(layout: Layout, name: &str) -> Result<()> {
     } else {
         return Ok(());
     };
-    Err(Error::Unsupported { name: name.to_owned(), what })
+    Err(Error::UnsupportedLayout {
+        name: name.to_owned(),
+        problem,
+    })
 }
 
-/// Something to read from, with its length, as the demuxers want it.
-struct Measured<R> {
+/// Something to read from, as the demuxers want it.
+struct Input<R> {
     reader: R,
     len: u64,
+    is_stream: bool,
 }
 
-impl<R: Read + Seek> Measured<R> {
+impl<R: Read + Seek> Input<R> {
     fn new(mut reader: R) -> io::Result<Self> {
         let len = reader.seek(SeekFrom::End(0))?;
-        Ok(Self { reader, len })
+        Ok(Self {
+            reader,
+            len,
+            is_stream: false,
+        })
     }
 }
 
-impl<R: Read> Read for Measured<R> {
+impl<R: Read> Read for Input<R> {
     fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
         self.reader.read(buffer)
     }
 }
 
-impl<R: Seek> Seek for Measured<R> {
+impl<R: Seek> Seek for Input<R> {
     fn seek(&mut self, to: SeekFrom) -> io::Result<u64> {
         self.reader.seek(to)
     }
 }
 
-impl<R: Read + Seek + Send + Sync> MediaSource for Measured<R> {
+impl<R: Read + Seek + Send + Sync> MediaSource for Input<R> {
     fn is_seekable(&self) -> bool {
-        true
+        !self.is_stream
     }
 
     fn byte_len(&self) -> Option<u64> {
-        Some(self.len)
+        (!self.is_stream).then_some(self.len)
     }
 }

@@ -26,8 +26,19 @@ impl Head {
             .strip_prefix(b"OpusHead")
             .and_then(<[u8]>::first_chunk::<11>)
             .ok_or("the Opus header is incomplete")?;
-        let [_version, channels, skip_low, skip_high, _, _, _, _, gain_low, gain_high, family] =
-            *fields;
+        let [
+            _version,
+            channels,
+            skip_low,
+            skip_high,
+            _,
+            _,
+            _,
+            _,
+            gain_low,
+            gain_high,
+            family,
+        ] = *fields;
         match (family, channels) {
             (0, 1 | 2) => Ok(Self {
                 channels: usize::from(channels),
@@ -35,22 +46,28 @@ impl Head {
                 // Q7.8 decibels.
                 gain: 10_f32.powf(f32::from(i16::from_le_bytes([gain_low, gain_high])) / 5120.0),
             }),
-            _ => Err(format!("Opus with {channels} channels in mapping family {family}")),
+            _ => Err(format!(
+                "Opus with {channels} channels in mapping family {family}"
+            )),
         }
     }
 }
 
 /// A decoder for one stream.
 pub(super) struct Decoder {
-    decoder: OpusDecoder,
+    inner: OpusDecoder,
     head: Head,
     interleaved: Vec<f32>,
 }
 
 impl Decoder {
     pub(super) fn new(head: Head) -> Result<Self, String> {
-        let decoder = OpusDecoder::new(SAMPLE_RATE_HZ, head.channels).map_err(|e| e.to_string())?;
-        Ok(Self { decoder, head, interleaved: vec![0.0; MAX_FRAMES * head.channels] })
+        let inner = OpusDecoder::new(SAMPLE_RATE_HZ, head.channels).map_err(|e| e.to_string())?;
+        Ok(Self {
+            inner,
+            head,
+            interleaved: vec![0.0; MAX_FRAMES * head.channels],
+        })
     }
 
     /// Decodes one packet into one plane for each channel.
@@ -65,7 +82,7 @@ impl Decoder {
         }
         let channels = self.head.channels;
         let frames = self
-            .decoder
+            .inner
             .decode_float(packet, &mut self.interleaved, false)
             .map_err(|_| Error::DecodeError("damaged Opus packet"))?;
         let samples = &self.interleaved[..frames * channels];
@@ -97,12 +114,20 @@ mod tests {
     fn gain_is_read_as_decibels_in_steps_of_one_256th() {
         let head = Head::parse(&header(2, 312, -6 * 256, 0)).unwrap();
         assert_eq!((head.channels, head.pre_skip), (2, 312));
-        assert!((head.gain - 0.501_187).abs() < 1e-6, "-6 dB is {}", head.gain);
+        assert!(
+            (head.gain - 0.501_187).abs() < 1e-6,
+            "-6 dB is {}",
+            head.gain
+        );
     }
 
     #[test]
     fn surround_and_broken_headers_are_refused() {
-        assert!(Head::parse(&header(6, 312, 0, 1)).unwrap_err().contains("6 channels"));
+        assert!(
+            Head::parse(&header(6, 312, 0, 1))
+                .unwrap_err()
+                .contains("6 channels")
+        );
         assert!(Head::parse(&header(2, 312, 0, 0)[..15]).is_err());
         assert!(Head::parse(b"").is_err());
     }

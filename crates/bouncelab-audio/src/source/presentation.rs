@@ -15,12 +15,21 @@ pub(super) struct Presentation {
 impl Presentation {
     /// All frames from this one on.
     pub(super) fn from_frame(start: u64) -> Self {
-        Self { stretches: vec![start..u64::MAX] }
+        Self {
+            stretches: std::iter::once(start..u64::MAX).collect(),
+        }
+    }
+
+    /// One stretch; `None` if it is empty.
+    pub(super) fn only(stretch: Range<u64>) -> Option<Self> {
+        Self::stretches(std::iter::once(stretch).collect())
     }
 
     /// These stretches; `None` unless they are in order, apart, and none is empty.
     pub(super) fn stretches(stretches: Vec<Range<u64>>) -> Option<Self> {
-        let in_order = stretches.windows(2).all(|pair| pair[0].end <= pair[1].start);
+        let in_order = stretches
+            .windows(2)
+            .all(|pair| pair[0].end <= pair[1].start);
         let none_empty = stretches.iter().all(|stretch| stretch.start < stretch.end);
         (in_order && none_empty && !stretches.is_empty()).then_some(Self { stretches })
     }
@@ -32,10 +41,12 @@ impl Presentation {
 
     /// The first presented stretch within these decoded frames.
     pub(super) fn first_within(&self, decoded: &Range<u64>) -> Option<Range<u64>> {
-        let overlap = |stretch: &Range<u64>| {
-            stretch.start.max(decoded.start)..stretch.end.min(decoded.end)
-        };
-        self.stretches.iter().map(overlap).find(|part| part.start < part.end)
+        let overlap =
+            |stretch: &Range<u64>| stretch.start.max(decoded.start)..stretch.end.min(decoded.end);
+        self.stretches
+            .iter()
+            .map(overlap)
+            .find(|part| part.start < part.end)
     }
 
     /// How many of the first `decoded` frames are presented.
@@ -63,7 +74,7 @@ mod tests {
     #[test]
     fn stretches_that_go_back_are_refused() {
         assert_eq!(Presentation::stretches(vec![10..20, 15..30]), None);
-        assert_eq!(Presentation::stretches(vec![10..10]), None);
+        assert_eq!(Presentation::only(10..10), None);
         assert_eq!(Presentation::stretches(vec![]), None);
     }
 }

@@ -1,6 +1,6 @@
 //! The one audio track of a file that is read: packets in, decoded frames out.
 
-use std::io::SeekFrom;
+use std::io::{self, SeekFrom};
 
 use symphonia::core::codecs::CodecParameters;
 use symphonia::core::codecs::audio::AudioCodecParameters;
@@ -8,6 +8,7 @@ use symphonia::core::codecs::audio::well_known::{CODEC_ID_MP3, CODEC_ID_OPUS};
 use symphonia::core::errors::Error as SymphoniaError;
 use symphonia::core::formats::{FormatReader, Track as TrackInfo, TrackFlags, TrackType};
 use symphonia::core::io::MediaSource;
+use symphonia::core::meta::RawValue;
 use symphonia::core::packet::Packet;
 use symphonia::core::units::{Duration, TimeBase};
 
@@ -29,19 +30,23 @@ pub(super) struct Track {
     params: AudioCodecParameters,
     decoder: Decoder,
     edits: Vec<Edit>,
+    itunes: Option<Presentation>,
     clock: Clock,
 }
 
 /// What came of the next packet.
 pub(super) enum Step {
     /// It was decoded. `missing_s` of sound were lost in front of it.
-    Sound { layout: Layout, missing_s: Option<f64> },
+    Sound {
+        layout: Layout,
+        missing_s: Option<f64>,
+    },
     /// It could not be decoded, and would have held about so many frames.
     Damaged { frames: u64, detail: String },
-    /// There are no more.
+    /// There are no more. Whether there should be is told by what the container announced.
     End,
-    /// There should be more, but they cannot be read.
-    Cut { detail: String },
+    /// There are more, but they cannot be read.
+    Broken { detail: String },
 }
 
 /// How much sound the container announces.
@@ -63,13 +68,16 @@ impl Track {
         let mut edits = Vec::new();
         if container.has_edit_lists() {
             edits = edits::read(&mut source);
-            source.seek(SeekFrom::Start(0)).map_err(|reason| Error::io(name, reason))?;
+            source
+                .seek(SeekFrom::Start(0))
+                .map_err(|reason| Error::io(name, reason))?;
         }
-        let reader = open_reader(container, source, name)?;
+        let mut reader = open_reader(container, source, name)?;
         let (info, params, decoder) = choose(reader.tracks(), container, name)?;
         let edits = edits.into_iter().find(|track| track.track_id == info.id);
         Ok(Self {
             container,
+            itunes: itunes_gapless(reader.as_mut()),
             reader,
             edits: edits.map_or_else(Vec::new, |track| track.edits),
             info,
@@ -101,7 +109,9 @@ impl Track {
         }
         let frames = |seconds: f64| (seconds * rate).round() as u64;
         let stretch = |edit: &Edit| {
-            let end = edit.duration_s.map_or(u64::MAX, |length| frames(edit.start_s + length));
+            let end = edit
+                .duration_s
+                .map_or(u64::MAX, |length| frames(edit.start_s + length));
             frames(edit.start_s)..end
         };
         Presentation::stretches(self.edits.iter().map(stretch).collect())
@@ -113,11 +123,14 @@ impl Track {
             let head = codec::opus_head(&self.params);
             return Presentation::from_frame(head.map_or(0, |head| head.pre_skip));
         }
+        if let Some(itunes) = &self.itunes {
+            return itunes.clone();
+        }
         match (self.params.codec, self.info.delay, self.info.num_frames) {
             // The tag of an MP3 file gives both ends.
             (CODEC_ID_MP3, Some(delay), Some(frames)) => {
                 let delay = u64::from(delay);
-                Presentation::stretches(vec![delay..delay.saturating_add(frames)])
+                Presentation::only(delay..delay.saturating_add(frames))
                     .unwrap_or_else(|| Presentation::from_frame(delay))
             }
             _ => Presentation::from_frame(0),
@@ -129,7 +142,7 @@ impl Track {
         let media = self.reader.media_info();
         let frames = match self.container {
             // Counted in presented time.
-            Container::Mpeg | Container::Adts | Container::Ogg => self.info.num_frames,
+            Container::Mpeg | Container::Adts => self.info.num_frames,
             Container::WebM | Container::Matroska => {
                 frames_lasting(layout, media.time_base, media.duration)
             }
@@ -146,7 +159,9 @@ impl Track {
             _ => true,
         };
         // A file written as a stream announces nothing, which some readers turn into zero.
-        frames.filter(|frames| *frames > 0).map(|frames| Announced { frames, exact })
+        frames
+            .filter(|frames| *frames > 0)
+            .map(|frames| Announced { frames, exact })
     }
 
     /// The error for a track of which nothing can be decoded.
@@ -164,12 +179,27 @@ impl Track {
             match contain(|| self.reader.next_packet()) {
                 Ok(Some(packet)) if packet.track_id == self.info.id => break packet,
                 Ok(Some(_)) => {}
+                // The last page of an Ogg file is marked, and tells the length.
+                Ok(None) if self.container == Container::Ogg && self.info.num_frames.is_none() => {
+                    let detail = "the last page is missing".to_owned();
+                    return Ok(Step::Broken { detail });
+                }
                 Ok(None) => return Ok(Step::End),
+                // Files that were written as a stream just stop, in the view of some readers.
+                Err(SymphoniaError::IoError(fault))
+                    if fault.kind() == io::ErrorKind::UnexpectedEof =>
+                {
+                    return Ok(Step::End);
+                }
                 // Readers report damage as made-up system errors too; the real ones have a number.
                 Err(SymphoniaError::IoError(fault)) if fault.raw_os_error().is_some() => {
                     return Err(Error::io(name, fault));
                 }
-                Err(fault) => return Ok(Step::Cut { detail: fault.to_string() }),
+                Err(fault) => {
+                    return Ok(Step::Broken {
+                        detail: fault.to_string(),
+                    });
+                }
             }
         };
         match contain(|| self.decoder.decode(&packet, planes)) {
@@ -179,18 +209,26 @@ impl Track {
                 let missing_s = missing_s.filter(|_| self.container.has_clock());
                 Ok(Step::Sound { layout, missing_s })
             }
-            Err(fault) if is_panic(&fault) => Ok(Step::Cut { detail: fault.to_string() }),
+            Err(fault) if is_panic(&fault) => Ok(Step::Broken {
+                detail: fault.to_string(),
+            }),
             Err(fault) => {
                 self.clock = Clock::default();
                 let frames = self.frames_in(&packet);
-                Ok(Step::Damaged { frames, detail: fault.to_string() })
+                Ok(Step::Damaged {
+                    frames,
+                    detail: fault.to_string(),
+                })
             }
         }
     }
 
     /// How many frames a packet holds, as the container has it.
     fn frames_in(&self, packet: &Packet) -> u64 {
-        let seconds = self.info.time_base.and_then(|base| base.calc_duration(packet.block_dur()));
+        let seconds = self
+            .info
+            .time_base
+            .and_then(|base| base.calc_duration(packet.block_dur()));
         let rate = f64::from(self.params.sample_rate.unwrap_or(0));
         let frames = seconds.map_or(0.0, |seconds| seconds.as_secs_f64() * rate);
         (frames.round() as u64).min(MAX_PACKET_FRAMES)
@@ -214,7 +252,10 @@ impl Clock {
         layout: Layout,
     ) -> Option<f64> {
         let time_s = info.time_base?.calc_time(packet.pts)?.as_secs_f64();
-        let missing_s = self.due_s.map(|due_s| time_s - due_s).filter(|gap| *gap > GAP_S);
+        let missing_s = self
+            .due_s
+            .map(|due_s| time_s - due_s)
+            .filter(|gap| *gap > GAP_S);
         self.due_s = Some(time_s + frames as f64 / f64::from(layout.sample_rate_hz.max(1)));
         missing_s
     }
@@ -242,18 +283,41 @@ fn open_reader(
     })
 }
 
+/// What the iTunSMPB tag, which iTunes and others write instead of an edit list, says is heard.
+fn itunes_gapless(reader: &mut dyn FormatReader) -> Option<Presentation> {
+    let mut metadata = reader.metadata();
+    let tags = &metadata.skip_to_latest()?.media.tags;
+    let tag = tags.iter().find(|tag| tag.raw.key.ends_with("iTunSMPB"))?;
+    let RawValue::String(text) = &tag.raw.value else {
+        return None;
+    };
+    parse_itunes_gapless(text)
+}
+
+/// Hexadecimal fields: zero, delay, padding, frames that are heard, and more.
+fn parse_itunes_gapless(text: &str) -> Option<Presentation> {
+    let mut fields = text.split_ascii_whitespace().skip(1);
+    let mut field = || u64::from_str_radix(fields.next()?, 16).ok();
+    let (delay, _padding, heard) = (field()?, field()?, field()?);
+    Presentation::only(delay..delay.checked_add(heard)?)
+}
+
 /// The best track that can be decoded, with its decoder.
 fn choose(
     tracks: &[TrackInfo],
     container: Container,
     name: &str,
 ) -> Result<(TrackInfo, AudioCodecParameters, Decoder)> {
-    let mut audio: Vec<_> =
-        tracks.iter().filter(|track| track.track_type() == Some(TrackType::Audio)).collect();
+    let mut audio: Vec<_> = tracks
+        .iter()
+        .filter(|track| track.track_type() == Some(TrackType::Audio))
+        .collect();
     audio.sort_by_key(|track| !track.flags.contains(TrackFlags::DEFAULT));
     let mut first_refusal = None;
     for info in audio {
-        let Some(CodecParameters::Audio(params)) = &info.codec_params else { continue };
+        let Some(CodecParameters::Audio(params)) = &info.codec_params else {
+            continue;
+        };
         let made = contain(|| Ok(Decoder::new(params)))
             .unwrap_or_else(|fault| Err(Refusal::Malformed(fault.to_string())));
         match made {
@@ -262,15 +326,41 @@ fn choose(
         }
     }
     Err(match first_refusal {
-        Some(Refusal::Unsupported(what)) => {
-            let what = format!("cannot decode the sound in this {} file: {what}", container.name());
-            Error::Unsupported { name: name.to_owned(), what }
-        }
+        Some(Refusal::Codec(codec)) => Error::UnsupportedCodec {
+            name: name.to_owned(),
+            format: container.name(),
+            codec,
+        },
         Some(Refusal::Malformed(detail)) => malformed(container, name, Stage::Codec, detail),
-        None => Error::NoAudioTrack { name: name.to_owned(), format: container.name() },
+        None => Error::NoAudioTrack {
+            name: name.to_owned(),
+            format: container.name(),
+        },
     })
 }
 
 fn malformed(container: Container, name: &str, stage: Stage, detail: String) -> Error {
-    Error::Malformed { name: name.to_owned(), format: container.name(), stage, detail }
+    Error::Malformed {
+        name: name.to_owned(),
+        format: container.name(),
+        stage,
+        detail,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_itunes_tag_gives_both_ends() {
+        // As written for a sound of 52920 frames behind 2112 of priming.
+        let text = " 00000000 00000840 000000F8 000000000000CEB8 00000000 00000000";
+        assert_eq!(parse_itunes_gapless(text), Presentation::only(2112..55_032));
+        assert_eq!(parse_itunes_gapless(" 00000000 00000840"), None);
+        assert_eq!(
+            parse_itunes_gapless(" 0 FFFFFFFFFFFFFFFF 0 FFFFFFFFFFFFFFFF"),
+            None
+        );
+    }
 }
