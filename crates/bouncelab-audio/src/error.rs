@@ -44,7 +44,7 @@ pub enum Error {
     },
 
     /// The format is known, but the file breaks its rules before any sound was decoded.
-    #[error("{name}: damaged {format} file: cannot {stage} ({detail}); copy or export it again")]
+    #[error("{name}: damaged or unusual {format} file: cannot {stage} ({detail}); export it again")]
     Malformed {
         /// The file as the caller named it.
         name: String,

@@ -1,7 +1,7 @@
 //! Samples to WAV files.
 
 use std::fs::{self, File};
-use std::io::{BufWriter, Cursor, Seek, Write};
+use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
 
 use crate::error::{Error, Result};
@@ -29,6 +29,22 @@ impl SampleFormat {
             Self::Int16 => 16,
             Self::Int24 => 24,
             Self::Int32 | Self::Float32 => 32,
+        }
+    }
+
+    fn encode(self, sample: f32, target: &mut impl Write) -> io::Result<()> {
+        let full_scale = f64::from(self.bits() - 1).exp2();
+        let level = (f64::from(sample) * full_scale)
+            .round()
+            .clamp(-full_scale, full_scale - 1.0);
+        let level = level as i32;
+        match self {
+            // By the rules of the format these, and only these, have no sign.
+            Self::Int8 => target.write_all(&[(level + 128) as u8]),
+            Self::Int16 | Self::Int24 | Self::Int32 => {
+                target.write_all(&level.to_le_bytes()[..usize::from(self.bits() / 8)])
+            }
+            Self::Float32 => target.write_all(&sample.to_le_bytes()),
         }
     }
 }
@@ -60,16 +76,15 @@ pub fn write_wav(
 ) -> Result<()> {
     let path = path.as_ref();
     let name = path.display().to_string();
-    let spec = check(&name, sample_rate_hz, format, channels)?;
+    let sound = Sound::new(&name, sample_rate_hz, format, channels)?;
     if path.is_dir() {
         return Err(Error::Directory { name });
     }
     let partial = partial_path(path);
     let written = File::create(&partial)
-        .map_err(hound::Error::IoError)
-        .and_then(|file| encode(BufWriter::new(file), spec, channels))
-        .map_err(|fault| failed(&name, fault))
-        .and_then(|()| fs::rename(&partial, path).map_err(|reason| Error::io(&name, reason)));
+        .and_then(|file| sound.encode(BufWriter::new(file)))
+        .and_then(|()| fs::rename(&partial, path))
+        .map_err(|reason| Error::io(&name, reason));
     if written.is_err() {
         // Nothing better can be done if even this fails; the first error is the one to tell.
         let _ = fs::remove_file(&partial);
@@ -88,10 +103,12 @@ pub fn encode_wav(
     channels: &[&[f32]],
 ) -> Result<Vec<u8>> {
     const NAME: &str = "WAV in memory";
-    let spec = check(NAME, sample_rate_hz, format, channels)?;
-    let mut bytes = Cursor::new(Vec::new());
-    encode(&mut bytes, spec, channels).map_err(|fault| failed(NAME, fault))?;
-    Ok(bytes.into_inner())
+    let sound = Sound::new(NAME, sample_rate_hz, format, channels)?;
+    let mut bytes = Vec::new();
+    sound
+        .encode(&mut bytes)
+        .map_err(|reason| Error::io(NAME, reason))?;
+    Ok(bytes)
 }
 
 /// A name in the same folder, so that renaming is one step, and of this process alone.
@@ -101,84 +118,95 @@ fn partial_path(path: &Path) -> PathBuf {
     path.with_file_name(name)
 }
 
-fn check(
-    name: &str,
+/// A sound that fits into a WAV file.
+struct Sound<'a> {
     sample_rate_hz: u32,
     format: SampleFormat,
-    channels: &[&[f32]],
-) -> Result<hound::WavSpec> {
-    let refuse = |problem: String| {
-        Err(Error::Unwritable {
-            name: name.to_owned(),
-            problem,
-        })
-    };
-    let Some(first) = channels.first() else {
-        return refuse("there is no channel".to_owned());
-    };
-    if sample_rate_hz == 0 {
-        return refuse("the sample rate is zero".to_owned());
-    }
-    let Ok(count) = u16::try_from(channels.len()) else {
-        return refuse(format!("{} channels are too many", channels.len()));
-    };
-    if let Some(other) = channels.iter().find(|channel| channel.len() != first.len()) {
-        return refuse(format!(
-            "channels of {} and {} samples",
-            first.len(),
-            other.len()
-        ));
-    }
-    for (number, channel) in channels.iter().enumerate() {
-        if let Some(place) = channel.iter().position(|sample| !sample.is_finite()) {
+    channels: &'a [&'a [f32]],
+    channel_count: u16,
+    /// The size of all samples.
+    data_len: u32,
+}
+
+impl<'a> Sound<'a> {
+    fn new(
+        name: &str,
+        sample_rate_hz: u32,
+        format: SampleFormat,
+        channels: &'a [&'a [f32]],
+    ) -> Result<Self> {
+        let refuse = |problem: String| {
+            Err(Error::Unwritable {
+                name: name.to_owned(),
+                problem,
+            })
+        };
+        let Some(first) = channels.first() else {
+            return refuse("there is no channel".to_owned());
+        };
+        if sample_rate_hz == 0 {
+            return refuse("the sample rate is zero".to_owned());
+        }
+        if let Some(other) = channels.iter().find(|channel| channel.len() != first.len()) {
             return refuse(format!(
-                "sample {place} of channel {number} is not a number"
+                "channels of {} and {} samples",
+                first.len(),
+                other.len()
             ));
         }
-    }
-    let bytes = first.len() as u64 * u64::from(count) * u64::from(format.bits() / 8);
-    // The header's sizes have 32 bits and count the rest of the header too.
-    if bytes > u64::from(u32::MAX) - 1024 {
-        return refuse("a WAV file cannot hold more than 4 GB".to_owned());
-    }
-    Ok(hound::WavSpec {
-        channels: count,
-        sample_rate: sample_rate_hz,
-        bits_per_sample: format.bits(),
-        sample_format: match format {
-            SampleFormat::Float32 => hound::SampleFormat::Float,
-            _ => hound::SampleFormat::Int,
-        },
-    })
-}
-
-fn encode<W: Write + Seek>(
-    target: W,
-    spec: hound::WavSpec,
-    channels: &[&[f32]],
-) -> std::result::Result<(), hound::Error> {
-    let mut writer = hound::WavWriter::new(target, spec)?;
-    let full_scale = f64::from(spec.bits_per_sample - 1).exp2();
-    for frame in 0..channels[0].len() {
-        for channel in channels {
-            match spec.sample_format {
-                hound::SampleFormat::Float => writer.write_sample(channel[frame])?,
-                hound::SampleFormat::Int => {
-                    let level = (f64::from(channel[frame]) * full_scale).round();
-                    writer.write_sample(level.clamp(-full_scale, full_scale - 1.0) as i32)?;
-                }
+        for (number, channel) in channels.iter().enumerate() {
+            if let Some(place) = channel.iter().position(|sample| !sample.is_finite()) {
+                return refuse(format!(
+                    "sample {place} of channel {number} is not a number"
+                ));
             }
         }
+        let frame_len = channels.len() as u64 * u64::from(format.bits() / 8);
+        let data_len = u32::try_from(first.len() as u64 * frame_len).ok();
+        match (
+            u16::try_from(frame_len),
+            data_len.filter(|len| *len < u32::MAX - 64),
+        ) {
+            (Ok(_), Some(data_len)) => Ok(Self {
+                sample_rate_hz,
+                format,
+                channels,
+                channel_count: channels.len() as u16,
+                data_len,
+            }),
+            (Err(_), _) => refuse(format!("{} channels are too many", channels.len())),
+            (_, None) => refuse("a WAV file cannot hold more than 4 GB".to_owned()),
+        }
     }
-    writer.finalize()
-}
 
-fn failed(name: &str, fault: hound::Error) -> Error {
-    match fault {
-        hound::Error::IoError(reason) => Error::io(name, reason),
-        other => Error::Unwritable {
-            name: name.to_owned(),
-            problem: other.to_string(),
-        },
+    /// Writes the whole file. The header is the plain one of 1991, not the "extensible" one of
+    /// later: that needs a place in the room for each channel, which a channel here has not, and
+    /// some programs refuse mono whose only channel is "front left".
+    fn encode(&self, mut target: impl Write) -> io::Result<()> {
+        let bits = self.format.bits();
+        let frame_len = self.channel_count * (bits / 8);
+        let padding = self.data_len % 2;
+        let is_float = self.format == SampleFormat::Float32;
+
+        target.write_all(b"RIFF")?;
+        target.write_all(&(36 + self.data_len + padding).to_le_bytes())?;
+        target.write_all(b"WAVEfmt ")?;
+        target.write_all(&16_u32.to_le_bytes())?;
+        target.write_all(&(if is_float { 3_u16 } else { 1 }).to_le_bytes())?;
+        target.write_all(&self.channel_count.to_le_bytes())?;
+        target.write_all(&self.sample_rate_hz.to_le_bytes())?;
+        let bytes_per_second = self.sample_rate_hz.saturating_mul(u32::from(frame_len));
+        target.write_all(&bytes_per_second.to_le_bytes())?;
+        target.write_all(&frame_len.to_le_bytes())?;
+        target.write_all(&bits.to_le_bytes())?;
+        target.write_all(b"data")?;
+        target.write_all(&self.data_len.to_le_bytes())?;
+        for frame in 0..self.channels[0].len() {
+            for channel in self.channels {
+                self.format.encode(channel[frame], &mut target)?;
+            }
+        }
+        target.write_all(&[0][..padding as usize])?;
+        target.flush()
     }
 }

@@ -188,19 +188,10 @@ impl Source {
                     damaged += 1;
                     detail = Some(fault);
                 }
-                Step::Broken { detail: fault } => return Err(track.undecodable(name, fault)),
-                Step::End => {
-                    return Err(match detail {
-                        Some(fault) => track.undecodable(name, fault),
-                        None => {
-                            let what = "there is a header but no sound";
-                            Error::Empty {
-                                name: name.to_owned(),
-                                what,
-                            }
-                        }
-                    });
+                Step::Broken { detail: fault } => {
+                    return Err(track.undecodable(name, Some(fault)));
                 }
+                Step::End => return Err(track.undecodable(name, detail)),
             }
         };
         check_layout(layout, name)?;

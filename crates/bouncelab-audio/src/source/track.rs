@@ -164,9 +164,15 @@ impl Track {
             .map(|frames| Announced { frames, exact })
     }
 
-    /// The error for a track of which nothing can be decoded.
-    pub(super) fn undecodable(&self, name: &str, detail: String) -> Error {
-        malformed(self.container, name, Stage::Sound, detail)
+    /// The error for a track that ended before anything was decoded, with the last complaint.
+    pub(super) fn undecodable(&self, name: &str, complaint: Option<String>) -> Error {
+        match complaint {
+            Some(detail) => malformed(self.container, name, Stage::Sound, detail),
+            None => Error::Empty {
+                name: name.to_owned(),
+                what: "there is a header but no sound",
+            },
+        }
     }
 
     /// Reads and decodes the next packet into the planes.
