@@ -15,8 +15,8 @@ use std::path::Path;
 
 use crate::error::{Error, Result};
 
-/// A time, and the line it was read from.
-type Entry = (usize, f64);
+/// A time, and the line it was read from where the format has lines.
+type Entry = (Option<usize>, f64);
 
 /// Whether a file of this name is read as a list of times.
 pub(crate) fn is_list(name: &str) -> bool {
@@ -178,8 +178,7 @@ impl List<'_> {
             return Ok(Vec::new());
         }
         match serde_json::from_str::<Vec<f64>>(text) {
-            // An array has entries, not lines: they are as good a place to point at.
-            Ok(times) => Ok((1..).zip(times).collect()),
+            Ok(times) => Ok(times.into_iter().map(|time_s| (None, time_s)).collect()),
             Err(fault) => {
                 let line = Some(fault.line()).filter(|line| *line > 0);
                 self.refuse(
@@ -192,7 +191,7 @@ impl List<'_> {
 
     fn number(&self, cell: &str, line: usize, point: char) -> Result<Entry> {
         match to_number(cell, point) {
-            Some(time_s) if time_s.is_finite() => Ok((line, time_s)),
+            Some(time_s) if time_s.is_finite() => Ok((Some(line), time_s)),
             _ => self.refuse(
                 Some(line),
                 format!("{cell:?} is not a time in seconds; expected a number such as 0.125"),
@@ -209,8 +208,8 @@ impl List<'_> {
             });
         }
         match entries.windows(2).find(|pair| pair[1].1 <= pair[0].1) {
-            Some([(_, before), (place, time)]) => self.refuse(
-                Some(*place),
+            Some([(_, before), (line, time)]) => self.refuse(
+                *line,
                 format!("{time} is not later than {before} before it; list impacts in order"),
             ),
             _ => Ok(()),

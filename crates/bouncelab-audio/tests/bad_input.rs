@@ -104,11 +104,8 @@ fn rates_too_low_for_timing_are_refused() {
 fn too_many_channels_are_refused() {
     let channels = vec![&[0.0; 10][..]; 65];
     let wav = encode_wav(8_000, SampleFormat::Int16, &channels).unwrap();
-    assert!(
-        refusal(wav, "array.wav")
-            .to_string()
-            .contains("65 channels")
-    );
+    let error = refusal(wav, "array.wav");
+    assert!(error.to_string().contains("channel count"), "{error}");
 }
 
 #[test]

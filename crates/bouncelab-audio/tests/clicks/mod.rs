@@ -30,7 +30,7 @@ pub fn click(time_s: f64) -> f64 {
 /// The sound, sampled.
 pub fn signal(sample_rate_hz: u32) -> Vec<f32> {
     let rate = f64::from(sample_rate_hz);
-    let level = |number: usize| LEVEL * 0.9_f64.powi(number as i32);
+    let level = |number: usize| LEVEL * 0.9_f64.powf(number as f64);
     (0..(DURATION_S * rate) as usize)
         .map(|frame| {
             let clicks = TIMES_S.iter().enumerate();
