@@ -44,7 +44,7 @@ pub enum Error {
     },
 
     /// The format is known, but the file breaks its rules before any sound was decoded.
-    #[error("{name}: damaged {format} file: cannot {stage} ({detail}); copy or export it again")]
+    #[error("{name}: damaged or unusual {format} file: cannot {stage} ({detail}); export it again")]
     Malformed {
         /// The file as the caller named it.
         name: String,
@@ -65,13 +65,27 @@ pub enum Error {
         format: &'static str,
     },
 
-    /// A sound file of a kind that cannot be decoded: its codec, its rate or its channels.
-    #[error("{name}: {what}; convert it, for example with: ffmpeg -i INPUT output.wav")]
-    Unsupported {
+    /// There is sound, but its codec, or this use of it, cannot be decoded.
+    #[error(
+        "{name}: cannot decode the sound in this {format} file: {codec}; \
+         convert it, for example with: ffmpeg -i INPUT output.wav"
+    )]
+    UnsupportedCodec {
         /// The file as the caller named it.
         name: String,
-        /// What is not supported.
-        what: String,
+        /// The container, for example "MP4".
+        format: &'static str,
+        /// The codec, and what about it is not supported.
+        codec: String,
+    },
+
+    /// The sound was decoded but is of no use: sampled too slowly, or in too many channels.
+    #[error("{name}: {problem}")]
+    UnsupportedLayout {
+        /// The file as the caller named it.
+        name: String,
+        /// What is wrong and what is expected.
+        problem: String,
     },
 
     /// A list of impact times is not one.

@@ -1,9 +1,36 @@
-//! Files to samples for bouncelab.
+//! Files to samples.
+//!
+//! [`Source`] reads a recording of nearly any format as a stream of blocks of `f32` samples, in
+//! memory that does not grow with its length; [`times`] reads impact times that something else
+//! measured; [`Input`] takes either. [`write_wav`] writes a synthesised recording.
+//!
+//! | format | codecs |
+//! |---|---|
+//! | WAV, AIFF | 8, 16, 24 and 32 bit integers, 32 and 64 bit float, A-law, mu-law |
+//! | FLAC, also in Ogg and Matroska | FLAC |
+//! | MP3 | MPEG layer 3 |
+//! | MP4, M4A, MOV, with or without video | AAC-LC, ALAC, Opus, MP3, FLAC, integers and float |
+//! | Ogg | Vorbis, Opus |
+//! | Matroska and `.webm`, with or without video | Opus, Vorbis, AAC-LC, MP3, FLAC |
+//! | ADTS (`.aac`) | AAC-LC |
+//!
+//! Not read: HE-AAC, surround Opus, ADPCM, AC-3, CAF, WMA; the error says so and how to convert.
+//!
+//! What a program needs to know of a damaged recording is in [`Source::warnings`]; what makes it
+//! useless is an [`Error`]. No content of a file, however broken, makes this crate panic.
+//!
+//! The crate starts no threads and builds for wasm32, where [`Source::from_bytes`] and
+//! [`Input::from_bytes`] take the place of files.
 
 mod error;
+mod input;
 mod source;
+pub mod times;
 mod warning;
+mod wav;
 
 pub use error::{Error, Result, Stage};
+pub use input::Input;
 pub use source::{Block, MAX_BLOCK_FRAMES, MIN_SAMPLE_RATE_HZ, Source};
 pub use warning::Warning;
+pub use wav::{SampleFormat, encode_wav, write_wav};

@@ -1,9 +1,11 @@
 //! From packets to samples: one face for all codecs.
 
+use symphonia::core::audio::Channels;
 use symphonia::core::codecs::audio::well_known::{
-    CODEC_ID_AAC, CODEC_ID_AC3, CODEC_ID_ALAC, CODEC_ID_EAC3, CODEC_ID_FLAC, CODEC_ID_MP3,
-    CODEC_ID_OPUS, CODEC_ID_PCM_ALAW, CODEC_ID_PCM_F32BE, CODEC_ID_PCM_F32LE, CODEC_ID_PCM_F64BE,
-    CODEC_ID_PCM_F64LE, CODEC_ID_PCM_MULAW, CODEC_ID_PCM_S32LE, CODEC_ID_VORBIS,
+    CODEC_ID_AAC, CODEC_ID_AC3, CODEC_ID_ADPCM_IMA_QT, CODEC_ID_ADPCM_IMA_WAV, CODEC_ID_ADPCM_MS,
+    CODEC_ID_ALAC, CODEC_ID_EAC3, CODEC_ID_FLAC, CODEC_ID_MP3, CODEC_ID_OPUS, CODEC_ID_PCM_ALAW,
+    CODEC_ID_PCM_F32BE, CODEC_ID_PCM_F32LE, CODEC_ID_PCM_F64BE, CODEC_ID_PCM_F64LE,
+    CODEC_ID_PCM_MULAW, CODEC_ID_PCM_S32LE, CODEC_ID_VORBIS,
 };
 use symphonia::core::codecs::audio::{
     AudioCodecId, AudioCodecParameters, AudioDecoder, AudioDecoderOptions, CODEC_ID_NULL_AUDIO,
@@ -35,7 +37,7 @@ pub(super) struct Layout {
 /// Why a decoder could not be made.
 pub(super) enum Refusal {
     /// The codec, or this use of it, is not supported.
-    Unsupported(String),
+    Codec(String),
     /// The parameters contradict themselves.
     Malformed(String),
 }
@@ -44,21 +46,24 @@ impl Decoder {
     /// A decoder for this track.
     pub(super) fn new(params: &AudioCodecParameters) -> Result<Self, Refusal> {
         if params.codec == CODEC_ID_OPUS {
-            let head = opus_head(params).map_err(Refusal::Unsupported)?;
+            let head = opus_head(params).map_err(Refusal::Codec)?;
             let decoder = opus::Decoder::new(head).map_err(Refusal::Malformed)?;
             return Ok(Self::Opus(Box::new(decoder)));
         }
         check_sizes(params)?;
+        let codecs = symphonia::default::get_codecs();
+        if codecs.get_audio_decoder(params.codec).is_none() {
+            return Err(Refusal::Codec(name(params.codec).to_owned()));
+        }
         // Vorbis decodes one packet less than it is given, which only its own trimming knows. All
         // other encoder delays are taken out here, from what the container says: the trimming of
         // MP3 would also cut the end of files whose length is merely estimated.
         let options = AudioDecoderOptions::default().gapless(params.codec == CODEC_ID_VORBIS);
-        match symphonia::default::get_codecs().make_audio_decoder(params, &options) {
+        match codecs.make_audio_decoder(params, &options) {
             Ok(decoder) => Ok(Self::Symphonia(decoder)),
-            Err(SymphoniaError::Unsupported(why)) => Err(Refusal::Unsupported(format!(
-                "{}: {why}",
-                name(params.codec)
-            ))),
+            Err(SymphoniaError::Unsupported(why)) => {
+                Err(Refusal::Codec(format!("{} ({why})", name(params.codec))))
+            }
             Err(fault) => Err(Refusal::Malformed(fault.to_string())),
         }
     }
@@ -84,9 +89,9 @@ impl Decoder {
                 decoder.decode(&packet.data, planes)?;
                 let frames = planes.first().map_or(0, Vec::len);
                 let padding = packet.trim_end.get() as usize;
-                planes
-                    .iter_mut()
-                    .for_each(|plane| plane.truncate(frames.saturating_sub(padding)));
+                for plane in planes.iter_mut() {
+                    plane.truncate(frames.saturating_sub(padding));
+                }
                 Ok(Layout {
                     sample_rate_hz: opus::SAMPLE_RATE_HZ,
                     channels: planes.len(),
@@ -98,13 +103,11 @@ impl Decoder {
 
 /// Refuses headers that would make a decoder claim absurd amounts of memory.
 fn check_sizes(params: &AudioCodecParameters) -> Result<(), Refusal> {
-    let channels = params
-        .channels
-        .as_ref()
-        .map_or(0, |channels| channels.count());
+    let channels = params.channels.as_ref().map_or(0, Channels::count);
     if channels > MAX_CHANNELS {
-        let what = format!("{channels} channels (at most {MAX_CHANNELS} are read)");
-        return Err(Refusal::Unsupported(what));
+        return Err(Refusal::Codec(format!(
+            "{channels} channels, more than {MAX_CHANNELS}"
+        )));
     }
     // The ALAC set-up starts with the frames in a packet.
     let alac_frames = match (params.codec, params.extra_data.as_deref()) {
@@ -141,6 +144,7 @@ pub(super) fn name(codec: AudioCodecId) -> &'static str {
         CODEC_ID_PCM_F64LE | CODEC_ID_PCM_F64BE => "64-bit float",
         CODEC_ID_PCM_ALAW => "A-law",
         CODEC_ID_PCM_MULAW => "mu-law",
+        CODEC_ID_ADPCM_MS | CODEC_ID_ADPCM_IMA_WAV | CODEC_ID_ADPCM_IMA_QT => "ADPCM",
         id if (CODEC_ID_PCM_S32LE..CODEC_ID_PCM_F32LE).contains(&id) => "PCM",
         CODEC_ID_NULL_AUDIO => "an unknown codec",
         _ => "another codec",

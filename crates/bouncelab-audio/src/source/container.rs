@@ -4,7 +4,7 @@ use std::io::{self, Read, Seek, SeekFrom};
 
 use symphonia::core::errors::Result as SymphoniaResult;
 use symphonia::core::formats::{FormatOptions, FormatReader};
-use symphonia::core::io::{MediaSource, MediaSourceStream};
+use symphonia::core::io::{MediaSource, MediaSourceStream, MediaSourceStreamOptions};
 use symphonia::default::formats::{
     AdtsReader, AiffReader, FlacReader, IsoMp4Reader, MkvReader, MpaReader, OggReader, WavReader,
 };
@@ -63,12 +63,18 @@ impl Container {
         matches!(self, Self::WebM | Self::Matroska)
     }
 
+    /// Whether the file is best read from front to back, as a stream of unknown length. These
+    /// readers would look at its end first and give up on a file that was cut short.
+    pub(super) fn is_stream(self) -> bool {
+        matches!(self, Self::WebM | Self::Matroska | Self::Aiff)
+    }
+
     /// The reader for this container. The source stands at the container's first byte.
     pub(super) fn reader(
         self,
         source: Box<dyn MediaSource>,
     ) -> SymphoniaResult<Box<dyn FormatReader>> {
-        let stream = MediaSourceStream::new(source, Default::default());
+        let stream = MediaSourceStream::new(source, MediaSourceStreamOptions::default());
         let options = FormatOptions::default();
         Ok(match self {
             Self::Wav => Box::new(WavReader::try_new(stream, options)?),
@@ -111,7 +117,7 @@ fn read_head<S: Read + ?Sized>(source: &mut S) -> io::Result<Vec<u8>> {
     Ok(head)
 }
 
-/// The length of the ID3v2 tag that starts here, with its header and footer.
+/// The length of the ID3 tag that starts here, with its header and footer.
 fn id3_len(head: &[u8]) -> Option<u64> {
     let tag = head
         .first_chunk::<10>()
@@ -130,10 +136,14 @@ fn container(head: &[u8]) -> Option<Container> {
         b"FORM" if form == b"AIFF" || form == b"AIFC" => Some(Container::Aiff),
         b"fLaC" => Some(Container::Flac),
         b"OggS" => Some(Container::Ogg),
-        [0x1a, 0x45, 0xdf, 0xa3] => Some(match head.windows(4).any(|word| word == b"webm") {
-            true => Container::WebM,
-            false => Container::Matroska,
-        }),
+        [0x1a, 0x45, 0xdf, 0xa3] => {
+            let is_web = head.windows(4).any(|word| word == b"webm");
+            Some(if is_web {
+                Container::WebM
+            } else {
+                Container::Matroska
+            })
+        }
         _ if head.get(4..8) == Some(b"ftyp") => Some(match form {
             b"qt  " => Container::Mov,
             b"M4A " | b"M4B " => Container::M4a,

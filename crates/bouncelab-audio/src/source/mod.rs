@@ -39,7 +39,7 @@ pub const MAX_BLOCK_FRAMES: usize = 4_096;
 /// | format | what says how much is not sound |
 /// |---|---|
 /// | MP4, M4A, MOV | the track's edit list; Opus without one: its pre-skip |
-/// | Opus in Ogg, WebM, Matroska | the pre-skip in the Opus header |
+/// | Opus in Ogg and Matroska (`.webm`, `.mkv`) | the pre-skip in the Opus header |
 /// | MP3 | the LAME or Info tag |
 /// | Vorbis | the stream itself |
 ///
@@ -152,7 +152,7 @@ impl Source {
         R: Read + Seek + Send + Sync + 'static,
     {
         let fail = |reason| Error::io(name, reason);
-        let mut reader = Measured::new(reader).map_err(fail)?;
+        let mut reader = Input::new(reader).map_err(fail)?;
         let container = match container::identify(&mut reader).map_err(fail)? {
             Content::Sound(container) => container,
             Content::Other(looks_like) => {
@@ -169,6 +169,7 @@ impl Source {
                 });
             }
         };
+        reader.is_stream = container.is_stream();
         let track = Track::open(container, Box::new(reader), name)?;
         Self::start(track, name)
     }
@@ -187,19 +188,10 @@ impl Source {
                     damaged += 1;
                     detail = Some(fault);
                 }
-                Step::Cut { detail: fault } => return Err(track.undecodable(name, fault)),
-                Step::End => {
-                    return Err(match detail {
-                        Some(fault) => track.undecodable(name, fault),
-                        None => {
-                            let what = "there is a header but no sound";
-                            Error::Empty {
-                                name: name.to_owned(),
-                                what,
-                            }
-                        }
-                    });
+                Step::Broken { detail: fault } => {
+                    return Err(track.undecodable(name, Some(fault)));
                 }
+                Step::End => return Err(track.undecodable(name, detail)),
             }
         };
         check_layout(layout, name)?;
@@ -303,7 +295,7 @@ impl Source {
                 self.warnings.push(Warning::FormatChange {
                     at_s: self.presented_s(at),
                 });
-                self.end(at);
+                self.stop(at);
             }
             Step::Sound { missing_s, .. } => {
                 if let Some(missing_s) = missing_s {
@@ -324,14 +316,8 @@ impl Source {
                 }
                 self.take_planes(at);
             }
-            Step::End => {
-                self.end(at);
-                self.note_truncation(at, false);
-            }
-            Step::Cut { .. } => {
-                self.end(at);
-                self.note_truncation(at, true);
-            }
+            Step::End => self.end(at, false),
+            Step::Broken { .. } => self.end(at, true),
         }
         Ok(())
     }
@@ -342,9 +328,24 @@ impl Source {
         self.pending = at..at + self.planes[0].len() as u64;
     }
 
-    fn end(&mut self, at: u64) {
+    fn stop(&mut self, at: u64) {
         self.ended = true;
         self.pending = at..at;
+    }
+
+    /// Stops, and warns if that is too early: because the file is broken there, or is shorter than
+    /// it says.
+    fn end(&mut self, at: u64, broken: bool) {
+        self.stop(at);
+        let read_s = self.presented_s(at);
+        let announced = self.track.announced(self.layout, &self.presentation);
+        let expected_s = announced
+            .filter(|it| it.exact)
+            .map(|it| self.seconds(it.frames));
+        if broken || expected_s.is_some_and(|expected_s| expected_s - read_s > TRUNCATION_S) {
+            self.warnings
+                .push(Warning::Truncated { read_s, expected_s });
+        }
     }
 
     /// Replaces what is not a number.
@@ -393,19 +394,6 @@ impl Source {
         }
     }
 
-    /// Warns if the file ends early: by its own account, or because it breaks off.
-    fn note_truncation(&mut self, at: u64, cut: bool) {
-        let read_s = self.presented_s(at);
-        let announced = self.track.announced(self.layout, &self.presentation);
-        let expected_s = announced
-            .filter(|it| it.exact)
-            .map(|announced| self.seconds(announced.frames));
-        if cut || expected_s.is_some_and(|expected_s| expected_s - read_s > TRUNCATION_S) {
-            self.warnings
-                .push(Warning::Truncated { read_s, expected_s });
-        }
-    }
-
     /// The presented time of a decoded frame.
     fn presented_s(&self, decoded: u64) -> f64 {
         self.seconds(self.presentation.count(decoded))
@@ -425,7 +413,7 @@ fn check_layout(layout: Layout, name: &str) -> Result<()> {
         sample_rate_hz,
         channels,
     } = layout;
-    let what = if sample_rate_hz < MIN_SAMPLE_RATE_HZ {
+    let problem = if sample_rate_hz < MIN_SAMPLE_RATE_HZ {
         format!(
             "{sample_rate_hz} samples a second are too few to time an impact \
              (at least {MIN_SAMPLE_RATE_HZ} are needed); record again at 44100 if you can"
@@ -435,43 +423,48 @@ fn check_layout(layout: Layout, name: &str) -> Result<()> {
     } else {
         return Ok(());
     };
-    Err(Error::Unsupported {
+    Err(Error::UnsupportedLayout {
         name: name.to_owned(),
-        what,
+        problem,
     })
 }
 
-/// Something to read from, with its length, as the demuxers want it.
-struct Measured<R> {
+/// Something to read from, as the demuxers want it.
+struct Input<R> {
     reader: R,
     len: u64,
+    is_stream: bool,
 }
 
-impl<R: Read + Seek> Measured<R> {
+impl<R: Read + Seek> Input<R> {
     fn new(mut reader: R) -> io::Result<Self> {
         let len = reader.seek(SeekFrom::End(0))?;
-        Ok(Self { reader, len })
+        Ok(Self {
+            reader,
+            len,
+            is_stream: false,
+        })
     }
 }
 
-impl<R: Read> Read for Measured<R> {
+impl<R: Read> Read for Input<R> {
     fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
         self.reader.read(buffer)
     }
 }
 
-impl<R: Seek> Seek for Measured<R> {
+impl<R: Seek> Seek for Input<R> {
     fn seek(&mut self, to: SeekFrom) -> io::Result<u64> {
         self.reader.seek(to)
     }
 }
 
-impl<R: Read + Seek + Send + Sync> MediaSource for Measured<R> {
+impl<R: Read + Seek + Send + Sync> MediaSource for Input<R> {
     fn is_seekable(&self) -> bool {
-        true
+        !self.is_stream
     }
 
     fn byte_len(&self) -> Option<u64> {
-        Some(self.len)
+        (!self.is_stream).then_some(self.len)
     }
 }

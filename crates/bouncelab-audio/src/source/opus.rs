@@ -55,16 +55,16 @@ impl Head {
 
 /// A decoder for one stream.
 pub(super) struct Decoder {
-    decoder: OpusDecoder,
+    inner: OpusDecoder,
     head: Head,
     interleaved: Vec<f32>,
 }
 
 impl Decoder {
     pub(super) fn new(head: Head) -> Result<Self, String> {
-        let decoder = OpusDecoder::new(SAMPLE_RATE_HZ, head.channels).map_err(|e| e.to_string())?;
+        let inner = OpusDecoder::new(SAMPLE_RATE_HZ, head.channels).map_err(|e| e.to_string())?;
         Ok(Self {
-            decoder,
+            inner,
             head,
             interleaved: vec![0.0; MAX_FRAMES * head.channels],
         })
@@ -82,7 +82,7 @@ impl Decoder {
         }
         let channels = self.head.channels;
         let frames = self
-            .decoder
+            .inner
             .decode_float(packet, &mut self.interleaved, false)
             .map_err(|_| Error::DecodeError("damaged Opus packet"))?;
         let samples = &self.interleaved[..frames * channels];

@@ -16,8 +16,13 @@ impl Presentation {
     /// All frames from this one on.
     pub(super) fn from_frame(start: u64) -> Self {
         Self {
-            stretches: vec![start..u64::MAX],
+            stretches: std::iter::once(start..u64::MAX).collect(),
         }
+    }
+
+    /// One stretch; `None` if it is empty.
+    pub(super) fn only(stretch: Range<u64>) -> Option<Self> {
+        Self::stretches(std::iter::once(stretch).collect())
     }
 
     /// These stretches; `None` unless they are in order, apart, and none is empty.
@@ -69,7 +74,7 @@ mod tests {
     #[test]
     fn stretches_that_go_back_are_refused() {
         assert_eq!(Presentation::stretches(vec![10..20, 15..30]), None);
-        assert_eq!(Presentation::stretches(vec![10..10]), None);
+        assert_eq!(Presentation::only(10..10), None);
         assert_eq!(Presentation::stretches(vec![]), None);
     }
 }

@@ -1,6 +1,6 @@
 //! The one audio track of a file that is read: packets in, decoded frames out.
 
-use std::io::SeekFrom;
+use std::io::{self, SeekFrom};
 
 use symphonia::core::codecs::CodecParameters;
 use symphonia::core::codecs::audio::AudioCodecParameters;
@@ -8,6 +8,7 @@ use symphonia::core::codecs::audio::well_known::{CODEC_ID_MP3, CODEC_ID_OPUS};
 use symphonia::core::errors::Error as SymphoniaError;
 use symphonia::core::formats::{FormatReader, Track as TrackInfo, TrackFlags, TrackType};
 use symphonia::core::io::MediaSource;
+use symphonia::core::meta::RawValue;
 use symphonia::core::packet::Packet;
 use symphonia::core::units::{Duration, TimeBase};
 
@@ -29,6 +30,7 @@ pub(super) struct Track {
     params: AudioCodecParameters,
     decoder: Decoder,
     edits: Vec<Edit>,
+    itunes: Option<Presentation>,
     clock: Clock,
 }
 
@@ -41,10 +43,10 @@ pub(super) enum Step {
     },
     /// It could not be decoded, and would have held about so many frames.
     Damaged { frames: u64, detail: String },
-    /// There are no more.
+    /// There are no more. Whether there should be is told by what the container announced.
     End,
-    /// There should be more, but they cannot be read.
-    Cut { detail: String },
+    /// There are more, but they cannot be read.
+    Broken { detail: String },
 }
 
 /// How much sound the container announces.
@@ -70,11 +72,12 @@ impl Track {
                 .seek(SeekFrom::Start(0))
                 .map_err(|reason| Error::io(name, reason))?;
         }
-        let reader = open_reader(container, source, name)?;
+        let mut reader = open_reader(container, source, name)?;
         let (info, params, decoder) = choose(reader.tracks(), container, name)?;
         let edits = edits.into_iter().find(|track| track.track_id == info.id);
         Ok(Self {
             container,
+            itunes: itunes_gapless(reader.as_mut()),
             reader,
             edits: edits.map_or_else(Vec::new, |track| track.edits),
             info,
@@ -120,11 +123,14 @@ impl Track {
             let head = codec::opus_head(&self.params);
             return Presentation::from_frame(head.map_or(0, |head| head.pre_skip));
         }
+        if let Some(itunes) = &self.itunes {
+            return itunes.clone();
+        }
         match (self.params.codec, self.info.delay, self.info.num_frames) {
             // The tag of an MP3 file gives both ends.
             (CODEC_ID_MP3, Some(delay), Some(frames)) => {
                 let delay = u64::from(delay);
-                Presentation::stretches(vec![delay..delay.saturating_add(frames)])
+                Presentation::only(delay..delay.saturating_add(frames))
                     .unwrap_or_else(|| Presentation::from_frame(delay))
             }
             _ => Presentation::from_frame(0),
@@ -136,7 +142,7 @@ impl Track {
         let media = self.reader.media_info();
         let frames = match self.container {
             // Counted in presented time.
-            Container::Mpeg | Container::Adts | Container::Ogg => self.info.num_frames,
+            Container::Mpeg | Container::Adts => self.info.num_frames,
             Container::WebM | Container::Matroska => {
                 frames_lasting(layout, media.time_base, media.duration)
             }
@@ -158,9 +164,15 @@ impl Track {
             .map(|frames| Announced { frames, exact })
     }
 
-    /// The error for a track of which nothing can be decoded.
-    pub(super) fn undecodable(&self, name: &str, detail: String) -> Error {
-        malformed(self.container, name, Stage::Sound, detail)
+    /// The error for a track that ended before anything was decoded, with the last complaint.
+    pub(super) fn undecodable(&self, name: &str, complaint: Option<String>) -> Error {
+        match complaint {
+            Some(detail) => malformed(self.container, name, Stage::Sound, detail),
+            None => Error::Empty {
+                name: name.to_owned(),
+                what: "there is a header but no sound",
+            },
+        }
     }
 
     /// Reads and decodes the next packet into the planes.
@@ -173,13 +185,24 @@ impl Track {
             match contain(|| self.reader.next_packet()) {
                 Ok(Some(packet)) if packet.track_id == self.info.id => break packet,
                 Ok(Some(_)) => {}
+                // The last page of an Ogg file is marked, and tells the length.
+                Ok(None) if self.container == Container::Ogg && self.info.num_frames.is_none() => {
+                    let detail = "the last page is missing".to_owned();
+                    return Ok(Step::Broken { detail });
+                }
                 Ok(None) => return Ok(Step::End),
+                // Files that were written as a stream just stop, in the view of some readers.
+                Err(SymphoniaError::IoError(fault))
+                    if fault.kind() == io::ErrorKind::UnexpectedEof =>
+                {
+                    return Ok(Step::End);
+                }
                 // Readers report damage as made-up system errors too; the real ones have a number.
                 Err(SymphoniaError::IoError(fault)) if fault.raw_os_error().is_some() => {
                     return Err(Error::io(name, fault));
                 }
                 Err(fault) => {
-                    return Ok(Step::Cut {
+                    return Ok(Step::Broken {
                         detail: fault.to_string(),
                     });
                 }
@@ -192,7 +215,7 @@ impl Track {
                 let missing_s = missing_s.filter(|_| self.container.has_clock());
                 Ok(Step::Sound { layout, missing_s })
             }
-            Err(fault) if is_panic(&fault) => Ok(Step::Cut {
+            Err(fault) if is_panic(&fault) => Ok(Step::Broken {
                 detail: fault.to_string(),
             }),
             Err(fault) => {
@@ -266,6 +289,25 @@ fn open_reader(
     })
 }
 
+/// What the iTunSMPB tag, which iTunes and others write instead of an edit list, says is heard.
+fn itunes_gapless(reader: &mut dyn FormatReader) -> Option<Presentation> {
+    let mut metadata = reader.metadata();
+    let tags = &metadata.skip_to_latest()?.media.tags;
+    let tag = tags.iter().find(|tag| tag.raw.key.ends_with("iTunSMPB"))?;
+    let RawValue::String(text) = &tag.raw.value else {
+        return None;
+    };
+    parse_itunes_gapless(text)
+}
+
+/// Hexadecimal fields: zero, delay, padding, frames that are heard, and more.
+fn parse_itunes_gapless(text: &str) -> Option<Presentation> {
+    let mut fields = text.split_ascii_whitespace().skip(1);
+    let mut field = || u64::from_str_radix(fields.next()?, 16).ok();
+    let (delay, _padding, heard) = (field()?, field()?, field()?);
+    Presentation::only(delay..delay.checked_add(heard)?)
+}
+
 /// The best track that can be decoded, with its decoder.
 fn choose(
     tracks: &[TrackInfo],
@@ -290,16 +332,11 @@ fn choose(
         }
     }
     Err(match first_refusal {
-        Some(Refusal::Unsupported(what)) => {
-            let what = format!(
-                "cannot decode the sound in this {} file: {what}",
-                container.name()
-            );
-            Error::Unsupported {
-                name: name.to_owned(),
-                what,
-            }
-        }
+        Some(Refusal::Codec(codec)) => Error::UnsupportedCodec {
+            name: name.to_owned(),
+            format: container.name(),
+            codec,
+        },
         Some(Refusal::Malformed(detail)) => malformed(container, name, Stage::Codec, detail),
         None => Error::NoAudioTrack {
             name: name.to_owned(),
@@ -314,5 +351,22 @@ fn malformed(container: Container, name: &str, stage: Stage, detail: String) -> 
         format: container.name(),
         stage,
         detail,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_itunes_tag_gives_both_ends() {
+        // As written for a sound of 52920 frames behind 2112 of priming.
+        let text = " 00000000 00000840 000000F8 000000000000CEB8 00000000 00000000";
+        assert_eq!(parse_itunes_gapless(text), Presentation::only(2112..55_032));
+        assert_eq!(parse_itunes_gapless(" 00000000 00000840"), None);
+        assert_eq!(
+            parse_itunes_gapless(" 0 FFFFFFFFFFFFFFFF 0 FFFFFFFFFFFFFFFF"),
+            None
+        );
     }
 }

@@ -1,0 +1,239 @@
+//! Lists of impact times: published tables, stopwatch apps, other programs' exports.
+//!
+//! | extension | content |
+//! |---|---|
+//! | `.txt` | one time a line; blank lines and lines that start with `#` are skipped |
+//! | `.csv` | one time a line, or columns with a header, one of them `time` or `time_s`; separated by commas or semicolons; `#` as above |
+//! | `.json` | an array of numbers |
+//!
+//! Times are in **seconds** on any clock: they may start anywhere, but must increase. Times in
+//! milliseconds cannot be told from times in seconds with certainty and are not guessed at: that
+//! is for the caller, who knows how long a flight can last.
+
+use std::fs;
+use std::path::Path;
+
+use crate::error::{Error, Result};
+
+/// A time, and the line it was read from where the format has lines.
+type Entry = (Option<usize>, f64);
+
+/// Whether a file of this name is read as a list of times.
+pub(crate) fn is_list(name: &str) -> bool {
+    Format::of(name).is_some()
+}
+
+/// Reads the times in a file.
+///
+/// # Errors
+///
+/// [`Error::Times`] with the line at fault if the extension is none of the three, something is
+/// not a number, or the times do not increase; [`Error::Empty`] if there are none;
+/// [`Error::NotFound`], [`Error::Directory`] or [`Error::Io`] if the file cannot be read.
+pub fn read(path: impl AsRef<Path>) -> Result<Vec<f64>> {
+    let path = path.as_ref();
+    let name = path.display().to_string();
+    if path.is_dir() {
+        return Err(Error::Directory { name });
+    }
+    let bytes = fs::read(path).map_err(|reason| Error::io(&name, reason))?;
+    parse(&bytes, &name)
+}
+
+/// Reads the times in the content of a file; the extension of its name says how.
+///
+/// ```
+/// let times = bouncelab_audio::times::parse(b"# seconds\n0.10\n0.45\n0.72\n", "drop.txt")?;
+/// assert_eq!(times, [0.10, 0.45, 0.72]);
+/// # Ok::<(), bouncelab_audio::Error>(())
+/// ```
+///
+/// # Errors
+///
+/// As for [`read`], but those of the file system.
+pub fn parse(content: &[u8], name: &str) -> Result<Vec<f64>> {
+    let list = List { name };
+    let Some(format) = Format::of(name) else {
+        return list.refuse(
+            None,
+            "not a list of times: the name ends in none of .txt, .csv, .json",
+        );
+    };
+    let content = content.strip_prefix(b"\xef\xbb\xbf").unwrap_or(content);
+    let Ok(text) = std::str::from_utf8(content) else {
+        return list.refuse(None, "not text; save the list as UTF-8");
+    };
+    let entries = match format {
+        Format::Txt => list.lines(text)?,
+        Format::Csv => list.table(text)?,
+        Format::Json => list.array(text)?,
+    };
+    list.check(&entries)?;
+    Ok(entries.into_iter().map(|(_, time_s)| time_s).collect())
+}
+
+enum Format {
+    Txt,
+    Csv,
+    Json,
+}
+
+impl Format {
+    fn of(name: &str) -> Option<Self> {
+        let extension = Path::new(name).extension()?.to_str()?;
+        match extension.to_ascii_lowercase().as_str() {
+            "txt" => Some(Self::Txt),
+            "csv" => Some(Self::Csv),
+            "json" => Some(Self::Json),
+            _ => None,
+        }
+    }
+}
+
+/// A list being read; knows its name for the errors.
+struct List<'a> {
+    name: &'a str,
+}
+
+impl List<'_> {
+    fn refuse<T>(&self, line: Option<usize>, problem: impl Into<String>) -> Result<T> {
+        Err(Error::Times {
+            name: self.name.to_owned(),
+            line,
+            problem: problem.into(),
+        })
+    }
+
+    fn lines(&self, text: &str) -> Result<Vec<Entry>> {
+        text.lines()
+            .map(str::trim)
+            .zip(1..)
+            .filter(|(content, _)| !content.is_empty() && !content.starts_with('#'))
+            .map(|(content, line)| self.number(content, line, '.'))
+            .collect()
+    }
+
+    fn table(&self, text: &str) -> Result<Vec<Entry>> {
+        let separator = separator(text);
+        // Where semicolons separate, a comma in a number is its decimal point.
+        let point = if separator == b';' { ',' } else { '.' };
+        let mut reader = csv::ReaderBuilder::new()
+            .has_headers(false)
+            .flexible(true)
+            .delimiter(separator)
+            .comment(Some(b'#'))
+            .trim(csv::Trim::All)
+            .from_reader(text.as_bytes());
+        let mut entries = Vec::new();
+        let mut column = None;
+        for record in reader.records() {
+            let record = match record {
+                Ok(record) => record,
+                Err(fault) => return self.refuse(None, fault.to_string()),
+            };
+            let line = record
+                .position()
+                .map_or(0, |position| position.line() as usize);
+            let Some(column) = column else {
+                let is_header = record.iter().any(|cell| to_number(cell, point).is_none());
+                column = Some(self.column(&record, line, is_header)?);
+                if !is_header {
+                    entries.push(self.number(&record[0], line, point)?);
+                }
+                continue;
+            };
+            match record.get(column) {
+                Some(cell) => entries.push(self.number(cell, line, point)?),
+                None => return self.refuse(Some(line), "the time is missing"),
+            }
+        }
+        Ok(entries)
+    }
+
+    /// Which column of the table holds the times, from its first line.
+    fn column(&self, first: &csv::StringRecord, line: usize, is_header: bool) -> Result<usize> {
+        let is_time = |cell: &str| matches!(cell.to_ascii_lowercase().as_str(), "time" | "time_s");
+        match first.iter().position(is_time) {
+            Some(column) => Ok(column),
+            None if is_header => self.refuse(
+                Some(line),
+                format!(
+                    "no column is named time or time_s; found: {}",
+                    first.iter().collect::<Vec<_>>().join(", ")
+                ),
+            ),
+            None if first.len() > 1 => self.refuse(
+                Some(line),
+                format!(
+                    "{} columns; name the one with the times in a first line: time_s",
+                    first.len()
+                ),
+            ),
+            None => Ok(0),
+        }
+    }
+
+    fn array(&self, text: &str) -> Result<Vec<Entry>> {
+        if text.trim().is_empty() {
+            return Ok(Vec::new());
+        }
+        match serde_json::from_str::<Vec<f64>>(text) {
+            Ok(times) => Ok(times.into_iter().map(|time_s| (None, time_s)).collect()),
+            Err(fault) => {
+                let line = Some(fault.line()).filter(|line| *line > 0);
+                self.refuse(
+                    line,
+                    format!("expected an array of numbers, [0.1, 0.45]: {fault}"),
+                )
+            }
+        }
+    }
+
+    fn number(&self, cell: &str, line: usize, point: char) -> Result<Entry> {
+        match to_number(cell, point) {
+            Some(time_s) if time_s.is_finite() => Ok((Some(line), time_s)),
+            _ => self.refuse(
+                Some(line),
+                format!("{cell:?} is not a time in seconds; expected a number such as 0.125"),
+            ),
+        }
+    }
+
+    fn check(&self, entries: &[Entry]) -> Result<()> {
+        if entries.is_empty() {
+            let what = "there is no time in it";
+            return Err(Error::Empty {
+                name: self.name.to_owned(),
+                what,
+            });
+        }
+        match entries.windows(2).find(|pair| pair[1].1 <= pair[0].1) {
+            Some([(_, before), (line, time)]) => self.refuse(
+                *line,
+                format!("{time} is not later than {before} before it; list impacts in order"),
+            ),
+            _ => Ok(()),
+        }
+    }
+}
+
+/// The separator of a table: the one its first line has more of.
+fn separator(text: &str) -> u8 {
+    let first = text
+        .lines()
+        .find(|line| !line.trim().is_empty() && !line.starts_with('#'));
+    let count = |separator| first.unwrap_or_default().matches(separator).count();
+    if count(';') > 0 && count(';') >= count(',') {
+        b';'
+    } else {
+        b','
+    }
+}
+
+fn to_number(cell: &str, point: char) -> Option<f64> {
+    if point == '.' {
+        cell.parse().ok()
+    } else {
+        cell.replace(point, ".").parse().ok()
+    }
+}

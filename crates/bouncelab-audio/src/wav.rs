@@ -1,0 +1,212 @@
+//! Samples to WAV files.
+
+use std::fs::{self, File};
+use std::io::{self, BufWriter, Write};
+use std::path::{Path, PathBuf};
+
+use crate::error::{Error, Result};
+
+/// How a sample is stored in a WAV file.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum SampleFormat {
+    /// 8-bit integers.
+    Int8,
+    /// 16-bit integers, as on a compact disc.
+    Int16,
+    /// 24-bit integers.
+    Int24,
+    /// 32-bit integers.
+    Int32,
+    /// 32-bit floating point.
+    Float32,
+}
+
+impl SampleFormat {
+    /// How many bits a sample takes.
+    pub fn bits(self) -> u16 {
+        match self {
+            Self::Int8 => 8,
+            Self::Int16 => 16,
+            Self::Int24 => 24,
+            Self::Int32 | Self::Float32 => 32,
+        }
+    }
+
+    fn encode(self, sample: f32, target: &mut impl Write) -> io::Result<()> {
+        let full_scale = f64::from(self.bits() - 1).exp2();
+        let level = (f64::from(sample) * full_scale)
+            .round()
+            .clamp(-full_scale, full_scale - 1.0);
+        let level = level as i32;
+        match self {
+            // By the rules of the format these, and only these, have no sign.
+            Self::Int8 => target.write_all(&[(level + 128) as u8]),
+            Self::Int16 | Self::Int24 | Self::Int32 => {
+                target.write_all(&level.to_le_bytes()[..usize::from(self.bits() / 8)])
+            }
+            Self::Float32 => target.write_all(&sample.to_le_bytes()),
+        }
+    }
+}
+
+/// Writes a WAV file: one slice of samples for each channel, all of the same length.
+///
+/// Samples are in `-1.0..1.0`; in the integer formats what lies outside is clipped, as a sound
+/// card would. The file gets its name only once it is complete, so that a program that is
+/// interrupted leaves nothing that looks like a whole recording.
+///
+/// ```no_run
+/// use bouncelab_audio::{SampleFormat, write_wav};
+///
+/// let click: Vec<f32> = (0..441).map(|i| (-i as f32 / 50.0).exp()).collect();
+/// write_wav("click.wav", 44_100, SampleFormat::Int16, &[&click])?;
+/// # Ok::<(), bouncelab_audio::Error>(())
+/// ```
+///
+/// # Errors
+///
+/// [`Error::Unwritable`] if there is no channel, the channels differ in length, a sample is not
+/// a finite number, the rate is zero or the file would exceed 4 GB; [`Error::NotFound`] or
+/// [`Error::Io`] if the system fails to write.
+pub fn write_wav(
+    path: impl AsRef<Path>,
+    sample_rate_hz: u32,
+    format: SampleFormat,
+    channels: &[&[f32]],
+) -> Result<()> {
+    let path = path.as_ref();
+    let name = path.display().to_string();
+    let sound = Sound::new(&name, sample_rate_hz, format, channels)?;
+    if path.is_dir() {
+        return Err(Error::Directory { name });
+    }
+    let partial = partial_path(path);
+    let written = File::create(&partial)
+        .and_then(|file| sound.encode(BufWriter::new(file)))
+        .and_then(|()| fs::rename(&partial, path))
+        .map_err(|reason| Error::io(&name, reason));
+    if written.is_err() {
+        // Nothing better can be done if even this fails; the first error is the one to tell.
+        let _ = fs::remove_file(&partial);
+    }
+    written
+}
+
+/// The bytes that [`write_wav`] would write, for programs without a file system.
+///
+/// # Errors
+///
+/// [`Error::Unwritable`], as for [`write_wav`].
+pub fn encode_wav(
+    sample_rate_hz: u32,
+    format: SampleFormat,
+    channels: &[&[f32]],
+) -> Result<Vec<u8>> {
+    const NAME: &str = "WAV in memory";
+    let sound = Sound::new(NAME, sample_rate_hz, format, channels)?;
+    let mut bytes = Vec::new();
+    sound
+        .encode(&mut bytes)
+        .map_err(|reason| Error::io(NAME, reason))?;
+    Ok(bytes)
+}
+
+/// A name in the same folder, so that renaming is one step, and of this process alone.
+fn partial_path(path: &Path) -> PathBuf {
+    let mut name = path.file_name().unwrap_or_default().to_owned();
+    name.push(format!(".{}.part", std::process::id()));
+    path.with_file_name(name)
+}
+
+/// A sound that fits into a WAV file.
+struct Sound<'a> {
+    sample_rate_hz: u32,
+    format: SampleFormat,
+    channels: &'a [&'a [f32]],
+    channel_count: u16,
+    /// The size of all samples.
+    data_len: u32,
+}
+
+impl<'a> Sound<'a> {
+    fn new(
+        name: &str,
+        sample_rate_hz: u32,
+        format: SampleFormat,
+        channels: &'a [&'a [f32]],
+    ) -> Result<Self> {
+        let refuse = |problem: String| {
+            Err(Error::Unwritable {
+                name: name.to_owned(),
+                problem,
+            })
+        };
+        let Some(first) = channels.first() else {
+            return refuse("there is no channel".to_owned());
+        };
+        if sample_rate_hz == 0 {
+            return refuse("the sample rate is zero".to_owned());
+        }
+        if let Some(other) = channels.iter().find(|channel| channel.len() != first.len()) {
+            return refuse(format!(
+                "channels of {} and {} samples",
+                first.len(),
+                other.len()
+            ));
+        }
+        for (number, channel) in channels.iter().enumerate() {
+            if let Some(place) = channel.iter().position(|sample| !sample.is_finite()) {
+                return refuse(format!(
+                    "sample {place} of channel {number} is not a number"
+                ));
+            }
+        }
+        let frame_len = channels.len() as u64 * u64::from(format.bits() / 8);
+        let data_len = u32::try_from(first.len() as u64 * frame_len).ok();
+        match (
+            u16::try_from(frame_len),
+            data_len.filter(|len| *len < u32::MAX - 64),
+        ) {
+            (Ok(_), Some(data_len)) => Ok(Self {
+                sample_rate_hz,
+                format,
+                channels,
+                channel_count: channels.len() as u16,
+                data_len,
+            }),
+            (Err(_), _) => refuse(format!("{} channels are too many", channels.len())),
+            (_, None) => refuse("a WAV file cannot hold more than 4 GB".to_owned()),
+        }
+    }
+
+    /// Writes the whole file. The header is the plain one of 1991, not the "extensible" one of
+    /// later: that needs a place in the room for each channel, which a channel here has not, and
+    /// some programs refuse mono whose only channel is "front left".
+    fn encode(&self, mut target: impl Write) -> io::Result<()> {
+        let bits = self.format.bits();
+        let frame_len = self.channel_count * (bits / 8);
+        let padding = self.data_len % 2;
+        let is_float = self.format == SampleFormat::Float32;
+
+        target.write_all(b"RIFF")?;
+        target.write_all(&(36 + self.data_len + padding).to_le_bytes())?;
+        target.write_all(b"WAVEfmt ")?;
+        target.write_all(&16_u32.to_le_bytes())?;
+        target.write_all(&(if is_float { 3_u16 } else { 1 }).to_le_bytes())?;
+        target.write_all(&self.channel_count.to_le_bytes())?;
+        target.write_all(&self.sample_rate_hz.to_le_bytes())?;
+        let bytes_per_second = self.sample_rate_hz.saturating_mul(u32::from(frame_len));
+        target.write_all(&bytes_per_second.to_le_bytes())?;
+        target.write_all(&frame_len.to_le_bytes())?;
+        target.write_all(&bits.to_le_bytes())?;
+        target.write_all(b"data")?;
+        target.write_all(&self.data_len.to_le_bytes())?;
+        for frame in 0..self.channels[0].len() {
+            for channel in self.channels {
+                self.format.encode(channel[frame], &mut target)?;
+            }
+        }
+        target.write_all(&[0][..padding as usize])?;
+        target.flush()
+    }
+}

@@ -1,0 +1,164 @@
+//! What is wrong with a file is said in words that help, and what can be saved is saved.
+
+mod clicks;
+
+use std::fs;
+use std::path::PathBuf;
+
+use bouncelab_audio::{Error, Input, SampleFormat, Source, Warning, encode_wav};
+
+fn fixture(name: &str) -> Vec<u8> {
+    let folder = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("tests/fixtures");
+    fs::read(folder.join(name)).unwrap()
+}
+
+fn refusal(bytes: impl Into<Vec<u8>>, name: &str) -> Error {
+    match Source::from_bytes(bytes.into(), name) {
+        Ok(_) => panic!("{name} was accepted"),
+        Err(error) => error,
+    }
+}
+
+/// Seconds that can be read, and the warnings.
+fn salvage(bytes: Vec<u8>, name: &str) -> (f64, Vec<Warning>) {
+    let mut source = Source::from_bytes(bytes, name).unwrap();
+    let mut frames = 0;
+    while let Some(block) = source.next_block().unwrap() {
+        frames += block.frames();
+    }
+    (
+        frames as f64 / f64::from(source.sample_rate_hz()),
+        source.warnings().to_vec(),
+    )
+}
+
+#[test]
+fn a_missing_file_and_a_folder_are_told_apart() {
+    let missing = Input::open("no/such/file.wav").err().unwrap();
+    assert!(matches!(missing, Error::NotFound { .. }));
+    assert!(
+        missing
+            .to_string()
+            .starts_with("no/such/file.wav: no such file")
+    );
+    let folder = Input::open(env!("CARGO_MANIFEST_DIR")).err().unwrap();
+    assert!(matches!(folder, Error::Directory { .. }));
+}
+
+#[test]
+fn empty_files_and_files_without_samples_are_called_empty() {
+    assert!(matches!(refusal([], "a.wav"), Error::Empty { .. }));
+    let header = encode_wav(44_100, SampleFormat::Int16, &[&[]]).unwrap();
+    assert!(matches!(refusal(header, "b.wav"), Error::Empty { .. }));
+}
+
+#[test]
+fn one_sample_is_a_recording() {
+    let wav = encode_wav(44_100, SampleFormat::Int16, &[&[0.5]]).unwrap();
+    let (seconds, warnings) = salvage(wav, "one.wav");
+    assert!((seconds - 1.0 / 44_100.0).abs() < 1e-12);
+    assert_eq!(warnings, []);
+}
+
+#[test]
+fn content_that_is_not_sound_is_named() {
+    for (content, what) in [
+        (&b"time_s\n0.1\n0.4\n"[..], "text"),
+        (b"\x89PNG\r\n\x1a\n\0\0\0\rIHDR", "a PNG picture"),
+        (b"PK\x03\x04 and so on", "ZIP"),
+        (&[0; 600], "nothing but zeros"),
+        (b"\x01\x02\x03\x04\x05", "unknown kind"),
+    ] {
+        let error = refusal(content, "renamed.wav");
+        assert!(matches!(error, Error::NotSound { .. }), "{error:?}");
+        assert!(error.to_string().contains(what), "{error}");
+    }
+}
+
+#[test]
+fn pictures_without_sound_are_refused_as_such() {
+    let error = refusal(fixture("silent.mp4"), "silent.mp4");
+    assert!(
+        matches!(error, Error::NoAudioTrack { format: "MP4", .. }),
+        "{error:?}"
+    );
+}
+
+#[test]
+fn a_codec_that_cannot_be_decoded_is_named_with_a_way_out() {
+    let error = refusal(fixture("adpcm.wav"), "phone.wav");
+    assert!(matches!(&error, Error::UnsupportedCodec { codec, .. } if codec == "ADPCM"));
+    assert!(error.to_string().contains("ffmpeg -i"), "{error}");
+}
+
+#[test]
+fn rates_too_low_for_timing_are_refused() {
+    let sound = [0.0; 100];
+    let wav = encode_wav(3_999, SampleFormat::Int16, &[&sound]).unwrap();
+    let error = refusal(wav, "slow.wav");
+    assert!(matches!(error, Error::UnsupportedLayout { .. }));
+    assert!(error.to_string().contains("at least 4000"), "{error}");
+}
+
+#[test]
+fn too_many_channels_are_refused() {
+    let channels = vec![&[0.0; 10][..]; 65];
+    let wav = encode_wav(8_000, SampleFormat::Int16, &channels).unwrap();
+    let error = refusal(wav, "array.wav");
+    assert!(error.to_string().contains("channel count"), "{error}");
+}
+
+#[test]
+fn of_a_file_cut_short_the_front_is_read_with_a_warning() {
+    for name in [
+        "pcm8.wav",
+        "pcm16.wav",
+        "pcm24.wav",
+        "float32.wav",
+        "pcm16.aiff",
+        "lossless.flac",
+        "lame-tag.mp3",
+        "opus.webm",
+    ] {
+        let mut bytes = fixture(name);
+        bytes.truncate(bytes.len() * 7 / 10);
+        let (seconds, warnings) = salvage(bytes, name);
+        assert!((0.05..0.55).contains(&seconds), "{name}: {seconds} s");
+        let [
+            Warning::Truncated {
+                read_s,
+                expected_s: Some(expected_s),
+            },
+        ] = warnings[..]
+        else {
+            panic!("{name}: {warnings:?}");
+        };
+        assert!((read_s - seconds).abs() < 1e-9, "{name}");
+        assert!((expected_s - 0.6).abs() < 0.01, "{name}");
+    }
+}
+
+#[test]
+fn a_movie_without_its_table_of_contents_is_called_damaged() {
+    // Its last box says where everything is.
+    let mut bytes = fixture("aac.m4a");
+    bytes.truncate(bytes.len() / 2);
+    let error = refusal(bytes, "cut.m4a");
+    assert!(
+        matches!(error, Error::Malformed { format: "M4A", .. }),
+        "{error:?}"
+    );
+}
+
+#[test]
+fn damage_in_the_middle_leaves_the_times_behind_it() {
+    // 27648 frames of MP3 in packets of about 208 bytes; three of them are wiped out.
+    let intact = salvage(fixture("lame-tag.mp3"), "intact.mp3").0;
+    let mut bytes = fixture("lame-tag.mp3");
+    let middle = bytes.len() / 2;
+    for byte in &mut bytes[middle + 8..middle + 200] {
+        *byte ^= 0x55;
+    }
+    let (seconds, _) = salvage(bytes, "hit.mp3");
+    assert!((seconds - intact).abs() < 0.03, "{seconds} s of {intact} s");
+}
