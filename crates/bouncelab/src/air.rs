@@ -221,7 +221,7 @@ mod tests {
         }
     }
 
-    /// The paper: F_buoy = 3.46e-4 N, 1.41 % of the weight.
+    /// The paper: a buoyancy of 3.46e-4 N, 1.41 % of the weight.
     #[test]
     fn buoyancy_of_the_papers_ball() {
         let ball = Ball::new(2.5e-3, 38e-3).unwrap();

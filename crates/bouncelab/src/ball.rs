@@ -220,7 +220,7 @@ static PRESETS: [Preset; 10] = [
 mod tests {
     use super::*;
 
-    /// The paper: F_body = 2.45e-2 N with m = 2.5 g and g = 9.81 m/s².
+    /// The paper: a weight of 2.45e-2 N with m = 2.5 g and g = 9.81 m/s².
     #[test]
     fn weight_of_the_papers_ball() {
         let ball = preset("table-tennis-38").unwrap().ball;

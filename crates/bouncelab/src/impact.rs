@@ -130,6 +130,7 @@ mod tests {
     use super::*;
 
     #[test]
+    #[expect(clippy::float_cmp, reason = "the ends of the range are exact")]
     fn restitution_stays_a_fraction() {
         let line = Restitution::linear(0.9, 0.1).unwrap();
         assert_eq!(line.at(0.0), 0.9);
