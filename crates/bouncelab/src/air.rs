@@ -1,1 +1,293 @@
 //! What it falls through: density and viscosity of air.
+//!
+//! ```
+//! use bouncelab::air::{Air, Conditions};
+//!
+//! let air = Air::moist(&Conditions::default())?; // 20 °C, 101 325 Pa, half saturated
+//! assert_eq!(format!("{:.4}", air.density_kg_m3()), "1.1993");
+//! # Ok::<(), bouncelab::Error>(())
+//! ```
+
+use crate::ball::Ball;
+use crate::error::{Result, positive, require};
+
+/// A still gas (or liquid) of uniform density and viscosity, or nothing at all.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Air {
+    density_kg_m3: f64,
+    viscosity_pa_s: f64,
+}
+
+impl Air {
+    /// Air of a known density and dynamic viscosity.
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`](crate::Error::OutOfRange) unless both are finite and above zero. For
+    /// no air at all use [`Air::vacuum`].
+    pub fn new(density_kg_m3: f64, viscosity_pa_s: f64) -> Result<Self> {
+        Ok(Self {
+            density_kg_m3: positive("density of the air in kg/m3", density_kg_m3)?,
+            viscosity_pa_s: positive("viscosity of the air in Pa s", viscosity_pa_s)?,
+        })
+    }
+
+    /// No air: no drag, no buoyancy, no added mass.
+    pub const fn vacuum() -> Self {
+        Self {
+            density_kg_m3: 0.0,
+            viscosity_pa_s: 0.0,
+        }
+    }
+
+    /// Moist air: density by the CIPM-2007 equation (Picard et al. 2008, with 400 ppm of carbon
+    /// dioxide), viscosity by Sutherland's law (US Standard Atmosphere 1976, which neglects
+    /// humidity: less than 1 %).
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`](crate::Error::OutOfRange) outside 250 to 330 K, 30 to 120 kPa or a
+    /// relative humidity of 0 to 1. The equation promises its 22 ppm in a narrower range: see
+    /// [`Conditions::within_cipm_range`].
+    pub fn moist(conditions: &Conditions) -> Result<Self> {
+        let Conditions {
+            temperature_k,
+            pressure_pa,
+            relative_humidity,
+        } = *conditions;
+        require(
+            (250.0..=330.0).contains(&temperature_k),
+            "temperature of the air in K",
+            temperature_k,
+            "from 250 to 330 (-23 to 57 degrees Celsius)",
+        )?;
+        require(
+            (30e3..=120e3).contains(&pressure_pa),
+            "pressure of the air in Pa",
+            pressure_pa,
+            "from 30000 to 120000",
+        )?;
+        require(
+            (0.0..=1.0).contains(&relative_humidity),
+            "relative humidity",
+            relative_humidity,
+            "from 0 (dry) to 1 (saturated)",
+        )?;
+        Self::new(
+            cipm_2007_density_kg_m3(conditions),
+            sutherland_viscosity_pa_s(temperature_k),
+        )
+    }
+
+    /// Density in kg/m³; zero in a vacuum.
+    pub fn density_kg_m3(&self) -> f64 {
+        self.density_kg_m3
+    }
+
+    /// Dynamic viscosity in Pa s; zero in a vacuum.
+    pub fn viscosity_pa_s(&self) -> f64 {
+        self.viscosity_pa_s
+    }
+
+    /// Whether there is no air.
+    pub fn is_vacuum(&self) -> bool {
+        self.density_kg_m3 == 0.0
+    }
+
+    /// Reynolds number ρ v D/μ of a ball at a speed; zero in a vacuum.
+    pub fn reynolds(&self, ball: &Ball, speed_m_s: f64) -> f64 {
+        if self.is_vacuum() {
+            return 0.0;
+        }
+        self.density_kg_m3 * speed_m_s * ball.diameter_m() / self.viscosity_pa_s
+    }
+}
+
+impl Ball {
+    /// Buoyancy ρ g V in newtons.
+    pub fn buoyancy_n(&self, air: &Air, gravity_m_s2: f64) -> f64 {
+        air.density_kg_m3 * gravity_m_s2 * self.volume_m3()
+    }
+}
+
+/// The weather in the room.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Conditions {
+    /// Temperature in kelvin.
+    pub temperature_k: f64,
+    /// Pressure in pascal, as it is at the place (not reduced to sea level).
+    pub pressure_pa: f64,
+    /// Relative humidity from 0 (dry) to 1 (saturated).
+    pub relative_humidity: f64,
+}
+
+impl Default for Conditions {
+    /// A room at sea level: 20 °C, 101 325 Pa, half saturated.
+    fn default() -> Self {
+        Self {
+            temperature_k: 293.15,
+            pressure_pa: 101_325.0,
+            relative_humidity: 0.5,
+        }
+    }
+}
+
+impl Conditions {
+    /// Whether the density is as good as CIPM-2007 states (22 ppm): 15 to 27 °C, 600 to 1100 hPa.
+    ///
+    /// Outside, the equation still agrees with the ideal gas law to better than 0.1 %, far below
+    /// what the drag of a ball is known to.
+    pub fn within_cipm_range(&self) -> bool {
+        (288.15..=300.15).contains(&self.temperature_k)
+            && (60e3..=110e3).contains(&self.pressure_pa)
+    }
+}
+
+/// Density of moist air, CIPM-2007: Picard, Davis, Gläser & Fujii 2008, Metrologia 45, 149.
+fn cipm_2007_density_kg_m3(conditions: &Conditions) -> f64 {
+    const GAS_CONSTANT: f64 = 8.314_472;
+    const MOLAR_MASS_DRY: f64 = 28.965_46e-3;
+    const MOLAR_MASS_WATER: f64 = 18.015_28e-3;
+
+    let Conditions {
+        temperature_k,
+        pressure_pa,
+        relative_humidity,
+    } = *conditions;
+    let celsius = temperature_k - 273.15;
+    let saturation_pa = (1.237_884_7e-5 * temperature_k * temperature_k
+        - 1.912_131_6e-2 * temperature_k
+        + 33.937_110_47
+        - 6.343_164_5e3 / temperature_k)
+        .exp();
+    let enhancement = 1.000_62 + 3.14e-8 * pressure_pa + 5.6e-7 * celsius * celsius;
+    let vapour = relative_humidity * enhancement * saturation_pa / pressure_pa;
+    let z = compressibility(pressure_pa / temperature_k, celsius, vapour);
+    pressure_pa * MOLAR_MASS_DRY / (z * GAS_CONSTANT * temperature_k)
+        * (1.0 - vapour * (1.0 - MOLAR_MASS_WATER / MOLAR_MASS_DRY))
+}
+
+/// Compressibility factor Z of moist air, CIPM-2007; `vapour` is the mole fraction of water.
+fn compressibility(pressure_over_temperature: f64, celsius: f64, vapour: f64) -> f64 {
+    let a = 1.581_23e-6 - 2.9331e-8 * celsius + 1.1043e-10 * celsius * celsius;
+    let b = 5.707e-6 - 2.051e-8 * celsius;
+    let c = 1.9898e-4 - 2.376e-6 * celsius;
+    1.0 - pressure_over_temperature * (a + b * vapour + c * vapour * vapour)
+        + pressure_over_temperature.powi(2) * (1.83e-11 - 0.765e-8 * vapour * vapour)
+}
+
+/// Sutherland's law with the constants of the US Standard Atmosphere 1976.
+fn sutherland_viscosity_pa_s(temperature_k: f64) -> f64 {
+    1.458e-6 * temperature_k.powf(1.5) / (temperature_k + 110.4)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn at(celsius: f64, pressure_pa: f64, relative_humidity: f64) -> Air {
+        let temperature_k = celsius + 273.15;
+        Air::moist(&Conditions {
+            temperature_k,
+            pressure_pa,
+            relative_humidity,
+        })
+        .unwrap()
+    }
+
+    /// Densities computed independently from the published equation, to all their digits.
+    #[test]
+    fn density_follows_cipm_2007() {
+        for (celsius, pressure_pa, humidity, density) in [
+            (20.0, 101_325.0, 0.5, "1.1993139"),
+            (20.0, 101_325.0, 0.0, "1.2045573"),
+            (15.0, 101_325.0, 0.0, "1.2255213"),
+            (25.0, 101_325.0, 0.5, "1.1773154"),
+            (22.5, 85_000.0, 0.3, "0.9982228"),
+        ] {
+            assert_eq!(
+                format!("{:.7}", at(celsius, pressure_pa, humidity).density_kg_m3()),
+                density
+            );
+        }
+    }
+
+    /// US Standard Atmosphere 1976: 1.789 38e-5 Pa s at 15 °C.
+    #[test]
+    fn viscosity_follows_sutherland() {
+        for (celsius, viscosity) in [(20.0, "1.81341e-5"), (15.0, "1.78938e-5")] {
+            assert_eq!(
+                format!("{:.5e}", at(celsius, 101_325.0, 0.0).viscosity_pa_s()),
+                viscosity
+            );
+        }
+    }
+
+    /// The paper: a buoyancy of 3.46e-4 N, 1.41 % of the weight.
+    #[test]
+    fn buoyancy_of_the_papers_ball() {
+        let ball = Ball::new(2.5e-3, 38e-3).unwrap();
+        let air = Air::new(1.2276, 1.2276 * 1.5e-5).unwrap();
+        let buoyancy = ball.buoyancy_n(&air, 9.81);
+        assert_eq!(format!("{buoyancy:.2e}"), "3.46e-4");
+        assert_eq!(
+            format!("{:.2}", 100.0 * buoyancy / ball.weight_n(9.81)),
+            "1.41"
+        );
+    }
+
+    /// The paper: Re = 6200 at 2.45 m/s; recomputed 6197 at sqrt(2 g h0).
+    #[test]
+    fn reynolds_number_of_the_papers_ball() {
+        let ball = Ball::new(2.5e-3, 38e-3).unwrap();
+        let air = Air::new(1.2276, 1.2276 * 1.5e-5).unwrap();
+        let speed = (2.0_f64 * 9.81 * 0.305).sqrt();
+        assert_eq!(format!("{:.0}", air.reynolds(&ball, speed)), "6197");
+        assert!(Air::vacuum().reynolds(&ball, speed) == 0.0);
+    }
+
+    #[test]
+    fn absurd_air_is_refused() {
+        assert!(Air::new(-1.2, 1.8e-5).is_err());
+        assert!(Air::new(1.2, 0.0).is_err());
+        let room = Conditions::default();
+        for conditions in [
+            Conditions {
+                temperature_k: 20.0,
+                ..room
+            },
+            Conditions {
+                pressure_pa: 1013.25,
+                ..room
+            },
+            Conditions {
+                relative_humidity: 50.0,
+                ..room
+            },
+            Conditions {
+                temperature_k: f64::NAN,
+                ..room
+            },
+        ] {
+            assert!(Air::moist(&conditions).is_err(), "{conditions:?}");
+        }
+    }
+
+    #[test]
+    fn the_stated_range_of_cipm_is_known() {
+        let room = Conditions::default();
+        assert!(room.within_cipm_range());
+        assert!(
+            !Conditions {
+                temperature_k: 283.15,
+                ..room
+            }
+            .within_cipm_range()
+        );
+        assert!(
+            !Conditions {
+                pressure_pa: 55e3,
+                ..room
+            }
+            .within_cipm_range()
+        );
+    }
+}

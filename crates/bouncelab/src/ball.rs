@@ -1,1 +1,277 @@
 //! What falls: mass, diameter, presets with their source.
+//!
+//! ```
+//! use bouncelab::ball::{self, Ball};
+//!
+//! let ball = ball::preset("table-tennis-38")?.ball;
+//! assert_eq!(ball, Ball::new(2.5e-3, 38e-3)?);
+//! assert_eq!(format!("{:.3e}", ball.weight_n(9.81)), "2.453e-2");
+//! # Ok::<(), bouncelab::Error>(())
+//! ```
+
+use std::f64::consts::PI;
+
+use crate::error::{Error, Result, positive};
+
+/// Density of bearing steel (100Cr6, ISO 683-17), kg/m³.
+const STEEL_KG_M3: f64 = 7810.0;
+
+/// Density of soda-lime glass, of which marbles are made, kg/m³.
+const GLASS_KG_M3: f64 = 2500.0;
+
+/// A sphere with a mass and a diameter.
+///
+/// Both are finite and above zero.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Ball {
+    mass_kg: f64,
+    diameter_m: f64,
+}
+
+impl Ball {
+    /// A ball of any mass and diameter.
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`] unless both are finite and above zero.
+    pub fn new(mass_kg: f64, diameter_m: f64) -> Result<Self> {
+        Ok(Self {
+            mass_kg: positive("mass of the ball in kg", mass_kg)?,
+            diameter_m: positive("diameter of the ball in m", diameter_m)?,
+        })
+    }
+
+    /// A solid steel bearing ball (density 7810 kg/m³).
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`] unless the diameter is finite and above zero.
+    pub fn steel(diameter_m: f64) -> Result<Self> {
+        Self::solid(STEEL_KG_M3, diameter_m)
+    }
+
+    /// A solid glass marble (density 2500 kg/m³).
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`] unless the diameter is finite and above zero.
+    pub fn glass(diameter_m: f64) -> Result<Self> {
+        Self::solid(GLASS_KG_M3, diameter_m)
+    }
+
+    fn solid(density_kg_m3: f64, diameter_m: f64) -> Result<Self> {
+        let diameter_m = positive("diameter of the ball in m", diameter_m)?;
+        Self::new(density_kg_m3 * sphere_volume_m3(diameter_m), diameter_m)
+    }
+
+    /// Mass in kilograms.
+    pub fn mass_kg(&self) -> f64 {
+        self.mass_kg
+    }
+
+    /// Diameter in metres.
+    pub fn diameter_m(&self) -> f64 {
+        self.diameter_m
+    }
+
+    /// Cross-section A = π D²/4 in square metres.
+    pub fn area_m2(&self) -> f64 {
+        PI / 4.0 * self.diameter_m * self.diameter_m
+    }
+
+    /// Volume V = π D³/6 in cubic metres.
+    pub fn volume_m3(&self) -> f64 {
+        sphere_volume_m3(self.diameter_m)
+    }
+
+    /// Weight m g in newtons.
+    pub fn weight_n(&self, gravity_m_s2: f64) -> f64 {
+        self.mass_kg * gravity_m_s2
+    }
+}
+
+fn sphere_volume_m3(diameter_m: f64) -> f64 {
+    PI / 6.0 * diameter_m.powi(3)
+}
+
+/// A ball one can name.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Preset {
+    /// The name by which it is looked up, as in "table-tennis-40".
+    pub name: &'static str,
+    /// The name for people.
+    pub label: &'static str,
+    /// Mass and diameter.
+    pub ball: Ball,
+    /// How long one impact lasts on a hard surface, in seconds.
+    ///
+    /// An order of magnitude from the sports literature, good to a factor of two: it depends on
+    /// the surface, the speed and the inflation. Measure it where it matters (it is 2 % of a late
+    /// flight of a table-tennis ball).
+    pub contact_time_s: f64,
+    /// Where mass and diameter come from.
+    pub source: &'static str,
+}
+
+/// Every preset: the balls of sports whose rules fix mass and size.
+///
+/// Steel and glass balls come in any size: see [`Ball::steel`] and [`Ball::glass`].
+pub fn presets() -> &'static [Preset] {
+    &PRESETS
+}
+
+/// The preset with a name.
+///
+/// # Errors
+/// [`Error::UnknownName`] with the nearest name if there is none.
+///
+/// ```
+/// let error = bouncelab::ball::preset("table-tenis").unwrap_err();
+/// assert!(error.to_string().contains("the nearest is \"table-tennis-"));
+/// ```
+pub fn preset(name: &str) -> Result<&'static Preset> {
+    PRESETS
+        .iter()
+        .find(|preset| preset.name == name)
+        .ok_or_else(|| {
+            let known: Vec<&str> = PRESETS.iter().map(|preset| preset.name).collect();
+            Error::unknown_name("ball", name, &known)
+        })
+}
+
+const fn ball(mass_g: f64, diameter_mm: f64) -> Ball {
+    Ball {
+        mass_kg: mass_g / 1000.0,
+        diameter_m: diameter_mm / 1000.0,
+    }
+}
+
+static PRESETS: [Preset; 10] = [
+    Preset {
+        name: "table-tennis-40",
+        label: "table tennis 40+",
+        ball: ball(2.7, 40.0),
+        contact_time_s: 1e-3,
+        source: "ITTF: 2.67-2.77 g, 40.00-40.60 mm; the nominal 2.7 g and 40.0 mm",
+    },
+    Preset {
+        name: "table-tennis-38",
+        label: "table tennis 38 mm (to 2000)",
+        ball: ball(2.5, 38.0),
+        contact_time_s: 1e-3,
+        source: "ITTF rules until September 2000: 2.5 g, 38 mm",
+    },
+    Preset {
+        name: "tennis",
+        label: "tennis",
+        ball: ball(57.7, 66.0),
+        contact_time_s: 5e-3,
+        source: "ITF: 56.0-59.4 g, 65.4-68.6 mm; middle mass, 66 mm without the loose felt",
+    },
+    Preset {
+        name: "football",
+        label: "football, size 5",
+        ball: ball(430.0, 220.0),
+        contact_time_s: 1e-2,
+        source: "IFAB law 2: 410-450 g, circumference 68-70 cm; the middle",
+    },
+    Preset {
+        name: "basketball",
+        label: "basketball, size 7",
+        ball: ball(600.0, 243.0),
+        contact_time_s: 1.5e-2,
+        source: "FIBA: 580-620 g, circumference 75-77 cm; middle mass, 76.3 cm",
+    },
+    Preset {
+        name: "golf",
+        label: "golf",
+        ball: ball(45.93, 42.67),
+        contact_time_s: 5e-4,
+        source: "R&A: at most 45.93 g, at least 42.67 mm; both limits, as balls are made",
+    },
+    Preset {
+        name: "squash",
+        label: "squash",
+        ball: ball(24.0, 40.0),
+        contact_time_s: 4e-3,
+        source: "World Squash: 23-25 g, 39.5-40.5 mm; the middle",
+    },
+    Preset {
+        name: "racquetball",
+        label: "racquetball",
+        ball: ball(39.7, 57.15),
+        contact_time_s: 4e-3,
+        source: "USA Racquetball: 1.4 oz, 2 1/4 in",
+    },
+    Preset {
+        name: "pickleball",
+        label: "pickleball",
+        ball: ball(24.3, 74.2),
+        contact_time_s: 2e-3,
+        source: "USA Pickleball: 0.78-0.935 oz, 2.87-2.97 in; the middle",
+    },
+    Preset {
+        name: "padel",
+        label: "padel",
+        ball: ball(57.7, 65.6),
+        contact_time_s: 5e-3,
+        source: "FIP: 56.0-59.4 g, 63.5-67.7 mm; the middle",
+    },
+];
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The paper: a weight of 2.45e-2 N with m = 2.5 g and g = 9.81 m/s².
+    #[test]
+    fn weight_of_the_papers_ball() {
+        let ball = preset("table-tennis-38").unwrap().ball;
+        assert!((ball.weight_n(9.81) - 2.4525e-2).abs() < 1e-12);
+    }
+
+    #[test]
+    fn presets_have_unique_names_and_valid_balls() {
+        for (i, preset) in presets().iter().enumerate() {
+            assert!(presets()[..i].iter().all(|other| other.name != preset.name));
+            assert_eq!(
+                Ball::new(preset.ball.mass_kg(), preset.ball.diameter_m()),
+                Ok(preset.ball),
+                "{}",
+                preset.name
+            );
+            assert!(preset.contact_time_s > 0.0);
+        }
+    }
+
+    /// A 10 mm bearing ball weighs 4.09 g.
+    #[test]
+    fn solid_balls_follow_from_their_diameter() {
+        assert!((Ball::steel(0.01).unwrap().mass_kg() - 4.09e-3).abs() < 5e-6);
+        assert!((Ball::glass(0.016).unwrap().mass_kg() - 5.36e-3).abs() < 5e-6);
+    }
+
+    #[test]
+    fn absurd_balls_are_refused() {
+        for (mass_kg, diameter_m) in [
+            (-1.0, 0.04),
+            (0.0, 0.04),
+            (0.0027, 0.0),
+            (f64::NAN, 0.04),
+            (0.0027, f64::INFINITY),
+        ] {
+            assert!(matches!(
+                Ball::new(mass_kg, diameter_m),
+                Err(Error::OutOfRange { .. })
+            ));
+        }
+        assert!(Ball::steel(-0.01).is_err());
+    }
+
+    #[test]
+    fn an_unknown_preset_offers_the_nearest_and_the_list() {
+        let message = preset("golfball").unwrap_err().to_string();
+        assert!(message.contains("nearest is \"golf\""), "{message}");
+        assert!(
+            message.contains("table-tennis-40, table-tennis-38, tennis"),
+            "{message}"
+        );
+    }
+}

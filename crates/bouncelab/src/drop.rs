@@ -1,1 +1,347 @@
 //! A whole history: release to rest.
+//!
+//! ```
+//! use bouncelab::drop::{self, Start, Stop};
+//! use bouncelab::flight::FlightModel;
+//! use bouncelab::impact::{Contact, Restitution};
+//!
+//! // The paper's Fig. 8: constant drag coefficient, e = 0.935, from 30.5 cm.
+//! let model = FlightModel::with_terminal_speed(9.81, 9.385)?;
+//! let contact = Contact::instantaneous(Restitution::constant(0.935)?);
+//! let history = drop::simulate(&model, &contact, Start::Height(0.305), Stop::below(1e-9))?;
+//!
+//! assert_eq!(format!("{:.2}", history.total_time_s()), "6.45");
+//! assert_eq!(format!("{:.2}", history.total_path_m()), "3.68");
+//! assert_eq!(history.strikes().count(), history.bounces().len() + 1);
+//! # Ok::<(), bouncelab::Error>(())
+//! ```
+
+use crate::error::{Error, Result, not_negative, positive, require};
+use crate::flight::{Fall, Flight, FlightModel, State};
+use crate::impact::{Contact, Strike};
+
+/// A history is given up after this many bounces: it would be of no use to anyone.
+pub const MAX_BOUNCES: usize = 100_000;
+
+/// How a drop begins, at time zero.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Start {
+    /// Released from rest at a height in m.
+    Height(f64),
+    /// Launched upwards off the surface at a speed in m/s.
+    Launch(f64),
+}
+
+/// When a drop counts as over.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Stop {
+    apex_m: f64,
+    bounces: usize,
+}
+
+impl Stop {
+    /// At the first impact after which the ball would rise no higher than this (m, not below zero).
+    pub const fn below(apex_m: f64) -> Self {
+        Self {
+            apex_m,
+            bounces: usize::MAX,
+        }
+    }
+
+    /// After a number of bounces: impacts that are followed by a flight.
+    pub const fn after(bounces: usize) -> Self {
+        Self {
+            apex_m: 0.0,
+            bounces,
+        }
+    }
+
+    /// The same, but after a number of bounces at the latest.
+    #[must_use]
+    pub const fn or_after(self, bounces: usize) -> Self {
+        Self { bounces, ..self }
+    }
+}
+
+/// The way to the first impact.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Opening {
+    /// A fall from rest.
+    Fall(Fall),
+    /// A flight off the surface.
+    Flight(Flight),
+}
+
+impl Opening {
+    fn time_s(&self) -> f64 {
+        match self {
+            Self::Fall(fall) => fall.time_s,
+            Self::Flight(flight) => flight.time_s(),
+        }
+    }
+
+    fn impact_speed_m_s(&self) -> f64 {
+        match self {
+            Self::Fall(fall) => fall.impact_speed_m_s,
+            Self::Flight(flight) => flight.impact_speed_m_s,
+        }
+    }
+
+    fn path_m(&self) -> f64 {
+        match self {
+            Self::Fall(fall) => fall.height_m,
+            Self::Flight(flight) => 2.0 * flight.apex_m,
+        }
+    }
+}
+
+/// An impact and the flight after it.
+///
+/// Energies are per kilogram of [`FlightModel::moving_mass_kg`]: multiply to get joules.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Bounce {
+    /// When the ball touches the surface, s after the start. It leaves a contact time later.
+    pub time_s: f64,
+    /// Speed just before the impact, m/s.
+    pub impact_speed_m_s: f64,
+    /// Coefficient of restitution of the impact.
+    pub restitution: f64,
+    /// The flight after the impact.
+    pub flight: Flight,
+    /// Energy that the impact takes, J/kg.
+    pub lost_to_surface_j_kg: f64,
+    /// Energy that the air takes in the flight, J/kg.
+    pub lost_to_air_j_kg: f64,
+}
+
+/// A drop from its start to the impact with which it ends.
+///
+/// The history is an opening, then bounces, each an impact with the flight after it, and at last a
+/// landing: the impact after which the ball counts as at rest.
+#[derive(Debug, Clone, PartialEq)]
+pub struct History {
+    model: FlightModel,
+    contact_time_s: f64,
+    opening: Opening,
+    bounces: Vec<Bounce>,
+    landing: Strike,
+}
+
+/// Simulates a drop.
+///
+/// # Errors
+/// [`Error::OutOfRange`] for a start or stop that makes no sense, [`Error::ReynoldsTooHigh`] if the
+/// drag law does not know so fast a ball, [`Error::EndlessDrop`] if the drop is not over after
+/// [`MAX_BOUNCES`].
+pub fn simulate(
+    model: &FlightModel,
+    contact: &Contact,
+    start: Start,
+    stop: Stop,
+) -> Result<History> {
+    not_negative("height in m at which to stop", stop.apex_m)?;
+    let opening = match start {
+        Start::Height(height_m) => {
+            Opening::Fall(model.fall(positive("release height in m", height_m)?)?)
+        }
+        Start::Launch(speed_m_s) => {
+            Opening::Flight(model.launch(positive("launch speed in m/s", speed_m_s)?)?)
+        }
+    };
+    let mut landing = Strike {
+        time_s: opening.time_s(),
+        speed_m_s: opening.impact_speed_m_s(),
+    };
+    let mut bounces = Vec::with_capacity(stop.bounces.min(64));
+    while bounces.len() < stop.bounces {
+        let bounce = bounce(model, contact, landing)?;
+        if bounce.flight.apex_m <= stop.apex_m {
+            break;
+        }
+        if bounces.len() == MAX_BOUNCES {
+            let apex_m = bounce.flight.apex_m;
+            return Err(Error::EndlessDrop {
+                bounces: MAX_BOUNCES,
+                apex_m,
+            });
+        }
+        landing = Strike {
+            time_s: bounce.time_s + contact.contact_time_s() + bounce.flight.time_s(),
+            speed_m_s: bounce.flight.impact_speed_m_s,
+        };
+        bounces.push(bounce);
+    }
+    Ok(History {
+        model: *model,
+        contact_time_s: contact.contact_time_s(),
+        opening,
+        bounces,
+        landing,
+    })
+}
+
+fn bounce(model: &FlightModel, contact: &Contact, strike: Strike) -> Result<Bounce> {
+    let restitution = contact.restitution().at(strike.speed_m_s);
+    let flight = model.launch(restitution * strike.speed_m_s)?;
+    let launch_energy = kinetic_j_kg(flight.launch_speed_m_s);
+    Ok(Bounce {
+        time_s: strike.time_s,
+        impact_speed_m_s: strike.speed_m_s,
+        restitution,
+        flight,
+        lost_to_surface_j_kg: kinetic_j_kg(strike.speed_m_s) - launch_energy,
+        lost_to_air_j_kg: launch_energy - kinetic_j_kg(flight.impact_speed_m_s),
+    })
+}
+
+fn kinetic_j_kg(speed_m_s: f64) -> f64 {
+    0.5 * speed_m_s * speed_m_s
+}
+
+impl History {
+    /// The way to the first impact.
+    pub fn opening(&self) -> Opening {
+        self.opening
+    }
+
+    /// The impacts that are followed by a flight, in order; the first is bounce 1 of the paper.
+    pub fn bounces(&self) -> &[Bounce] {
+        &self.bounces
+    }
+
+    /// The impact with which the history ends.
+    pub fn landing(&self) -> Strike {
+        self.landing
+    }
+
+    /// All impacts in order, the landing included.
+    pub fn strikes(&self) -> impl Iterator<Item = Strike> + '_ {
+        self.bounces
+            .iter()
+            .map(|bounce| Strike {
+                time_s: bounce.time_s,
+                speed_m_s: bounce.impact_speed_m_s,
+            })
+            .chain([self.landing])
+    }
+
+    /// Time from the start to the landing, s.
+    pub fn total_time_s(&self) -> f64 {
+        self.landing.time_s
+    }
+
+    /// Length of the way from the start to the landing, m.
+    pub fn total_path_m(&self) -> f64 {
+        let flights: f64 = self
+            .bounces
+            .iter()
+            .map(|bounce| 2.0 * bounce.flight.apex_m)
+            .sum();
+        self.opening.path_m() + flights
+    }
+
+    /// Energy at the start, J/kg.
+    pub fn initial_energy_j_kg(&self) -> f64 {
+        match self.opening {
+            Opening::Fall(fall) => self.model.gravity_m_s2() * fall.height_m,
+            Opening::Flight(flight) => kinetic_j_kg(flight.launch_speed_m_s),
+        }
+    }
+
+    /// Energy that the air takes before the first impact, J/kg.
+    pub fn opening_lost_to_air_j_kg(&self) -> f64 {
+        // Without drag the difference is rounding of either sign.
+        (self.initial_energy_j_kg() - kinetic_j_kg(self.opening.impact_speed_m_s())).max(0.0)
+    }
+
+    /// Height of the lowest point of the ball at a time after the start, m.
+    ///
+    /// The ball stays at zero while it touches the surface and after the landing; before the start
+    /// it is where it starts.
+    pub fn height_at(&self, time_s: f64) -> f64 {
+        self.state_at(time_s).height_m
+    }
+
+    /// Height and velocity at a time after the start, as [`History::height_at`].
+    ///
+    /// The velocity counts as zero while the ball touches the surface.
+    pub fn state_at(&self, time_s: f64) -> State {
+        const AT_REST: State = State {
+            height_m: 0.0,
+            velocity_m_s: 0.0,
+        };
+        if time_s >= self.landing.time_s {
+            return AT_REST;
+        }
+        let begun = self
+            .bounces
+            .partition_point(|bounce| bounce.time_s <= time_s);
+        let Some(bounce) = begun.checked_sub(1).map(|last| &self.bounces[last]) else {
+            return match &self.opening {
+                Opening::Fall(fall) => self.model.fall_state(fall, time_s),
+                Opening::Flight(flight) => self.model.state(flight, time_s),
+            };
+        };
+        let since_launch = time_s - bounce.time_s - self.contact_time_s;
+        if since_launch < 0.0 {
+            AT_REST
+        } else {
+            self.model.state(&bounce.flight, since_launch)
+        }
+    }
+}
+
+/// Total time from release to rest without drag, s (paper Eq. 7).
+///
+/// # Errors
+/// [`Error::OutOfRange`] unless 0 <= e < 1, the height is not negative and gravity above zero.
+pub fn total_time_s(restitution: f64, drop_height_m: f64, gravity_m_s2: f64) -> Result<f64> {
+    check_series(restitution, drop_height_m)?;
+    let fall_time_s = fall_time_s(drop_height_m, gravity_m_s2)?;
+    Ok((1.0 + restitution) / (1.0 - restitution) * fall_time_s)
+}
+
+/// Total length of the way from release to rest without drag, m (paper Eq. 8).
+///
+/// # Errors
+/// [`Error::OutOfRange`] unless 0 <= e < 1 and the height is not negative.
+pub fn total_path_m(restitution: f64, drop_height_m: f64) -> Result<f64> {
+    check_series(restitution, drop_height_m)?;
+    let energy_kept = restitution * restitution;
+    Ok((1.0 + energy_kept) / (1.0 - energy_kept) * drop_height_m)
+}
+
+/// The restitution that makes a drop without drag last a given time from release to rest: Eq. 7
+/// solved for e.
+///
+/// # Errors
+/// [`Error::OutOfRange`] unless height and gravity are above zero and the time is no shorter than
+/// the first fall.
+pub fn restitution_of_total_time(
+    total_time_s: f64,
+    drop_height_m: f64,
+    gravity_m_s2: f64,
+) -> Result<f64> {
+    let fall_time_s = fall_time_s(positive("drop height in m", drop_height_m)?, gravity_m_s2)?;
+    require(
+        total_time_s >= fall_time_s && total_time_s.is_finite(),
+        "total time in s",
+        total_time_s,
+        "finite and no shorter than the fall to the first impact",
+    )?;
+    Ok((total_time_s - fall_time_s) / (total_time_s + fall_time_s))
+}
+
+fn check_series(restitution: f64, drop_height_m: f64) -> Result<()> {
+    require(
+        (0.0..1.0).contains(&restitution),
+        "coefficient of restitution",
+        restitution,
+        "from 0 to below 1: at 1 the ball never comes to rest",
+    )?;
+    not_negative("drop height in m", drop_height_m).map(drop)
+}
+
+fn fall_time_s(height_m: f64, gravity_m_s2: f64) -> Result<f64> {
+    Ok((2.0 * height_m / positive("gravity in m/s2", gravity_m_s2)?).sqrt())
+}

@@ -20,4 +20,135 @@ pub enum Error {
         /// The values that are accepted, in words.
         allowed: &'static str,
     },
+
+    /// A name that is not in one of the crate's lists.
+    #[error("no {kind} is called \"{name}\"; the nearest is \"{nearest}\" (known: {known})")]
+    UnknownName {
+        /// What was looked up: "ball", "drag law".
+        kind: &'static str,
+        /// The name that was given.
+        name: String,
+        /// The known name most like it.
+        nearest: String,
+        /// All known names, separated by commas.
+        known: String,
+    },
+
+    /// The ball is faster than the chosen drag law knows.
+    #[error(
+        "the drag law {law} is known up to Reynolds number {max_reynolds:.3e}, but the ball reaches \
+         {reynolds:.3e}; choose a law with a wider range (clift-grace-weber has no upper end) or a \
+         slower ball"
+    )]
+    ReynoldsTooHigh {
+        /// Name of the law.
+        law: &'static str,
+        /// The Reynolds number that was asked for.
+        reynolds: f64,
+        /// The upper end of the law.
+        max_reynolds: f64,
+    },
+
+    /// The air that the ball displaces weighs as much as the ball, so it never comes down.
+    #[error(
+        "the ball weighs {mass_kg} kg and displaces {displaced_kg} kg of air, so it floats; check \
+         mass and diameter, or switch buoyancy off"
+    )]
+    Floats {
+        /// Mass of the ball.
+        mass_kg: f64,
+        /// Mass of the air it displaces.
+        displaced_kg: f64,
+    },
+
+    /// A drop that would go on for more bounces than anyone can use.
+    #[error(
+        "the ball still rises {apex_m:.3e} m after {bounces} bounces; lower the restitution, stop at \
+         a greater height, or ask for a number of bounces"
+    )]
+    EndlessDrop {
+        /// How many bounces were simulated before giving up.
+        bounces: usize,
+        /// The height it still reaches.
+        apex_m: f64,
+    },
+
+    /// A straight line needs two points.
+    #[error(
+        "a straight line through log flight time needs at least 2 flights, but there are {flights}; \
+         use a recording with at least 3 impacts, or a wider range of flights"
+    )]
+    TooFewFlights {
+        /// How many flights were given.
+        flights: usize,
+    },
+
+    /// Two flights carry the same number, or impacts are not in order.
+    #[error(
+        "{what} number {number} is not above the number before it; number them in order, once each"
+    )]
+    NotInOrder {
+        /// What is numbered: "flight" or "impact".
+        what: &'static str,
+        /// The number that does not follow.
+        number: usize,
+    },
+}
+
+impl Error {
+    /// An [`Error::UnknownName`] that offers the known name most like `name`.
+    pub(crate) fn unknown_name(kind: &'static str, name: &str, known: &[&str]) -> Self {
+        let likeness = |candidate: &&&str| strsim::jaro_winkler(name, candidate);
+        let nearest = known
+            .iter()
+            .max_by(|a, b| likeness(a).total_cmp(&likeness(b)));
+        Self::UnknownName {
+            kind,
+            name: name.to_owned(),
+            nearest: nearest.map_or_else(String::new, ToString::to_string),
+            known: known.join(", "),
+        }
+    }
+}
+
+/// `Ok` if `holds`, otherwise an [`Error::OutOfRange`] for the quantity.
+///
+/// Conditions are written so that NaN makes them false.
+pub(crate) fn require(
+    holds: bool,
+    quantity: &'static str,
+    value: f64,
+    allowed: &'static str,
+) -> Result<()> {
+    if holds {
+        Ok(())
+    } else {
+        Err(Error::OutOfRange {
+            quantity,
+            value,
+            allowed,
+        })
+    }
+}
+
+/// The value back if it is finite and above zero.
+pub(crate) fn positive(quantity: &'static str, value: f64) -> Result<f64> {
+    require(
+        value > 0.0 && value.is_finite(),
+        quantity,
+        value,
+        "finite and above 0",
+    )?;
+    Ok(value)
+}
+
+/// The value back if it is finite and not negative.
+pub(crate) fn not_negative(quantity: &'static str, value: f64) -> Result<f64> {
+    require(
+        value >= 0.0 && value.is_finite(),
+        quantity,
+        value,
+        "finite and not below 0",
+    )?;
+    Ok(value)
 }

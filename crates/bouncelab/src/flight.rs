@@ -1,1 +1,406 @@
 //! One flight: launch speed to time, apex and impact speed, and back.
+//!
+//! A [`FlightModel`] is a ball in its surroundings. Where the drag coefficient is constant (or there
+//! is no drag) every answer is the exact closed form of the paper (Eqs. 11 to 17), written so that
+//! it passes to the drag-free limit without losing a digit. Where it follows the Reynolds number
+//! the same answers come from quadrature, to 1e-11 relative.
+//!
+//! ```
+//! use bouncelab::air::Air;
+//! use bouncelab::ball;
+//! use bouncelab::drag::DragLaw;
+//! use bouncelab::flight::{Environment, FlightModel};
+//!
+//! // The paper's ball, air and constant drag coefficient.
+//! let surroundings = Environment {
+//!     gravity_m_s2: 9.81,
+//!     air: Air::new(1.2276, 1.8414e-5)?,
+//!     drag: DragLaw::Constant(0.4),
+//!     buoyancy: false,
+//!     added_mass: false,
+//! };
+//! let model = FlightModel::new(&ball::preset("table-tennis-38")?.ball, &surroundings)?;
+//! assert_eq!(format!("{:.2}", model.terminal_speed_m_s().unwrap()), "9.38");
+//!
+//! // Dropped from 30.5 cm it arrives with 2.405 m/s (Eq. 15).
+//! assert_eq!(format!("{:.3}", model.fall(0.305)?.impact_speed_m_s), "2.405");
+//!
+//! // The silence between two impacts tells the launch speed.
+//! let flight = model.from_flight_time(0.4272)?;
+//! assert!((flight.time_s() - 0.4272).abs() < 1e-15);
+//! assert!(flight.impact_speed_m_s < flight.launch_speed_m_s);
+//! # Ok::<(), bouncelab::Error>(())
+//! ```
+
+mod quadratic;
+mod quadrature;
+mod reynolds;
+#[cfg(test)]
+mod tests;
+
+use crate::air::Air;
+use crate::ball::Ball;
+use crate::drag::DragLaw;
+use crate::error::{Error, Result, not_negative, positive, require};
+use quadratic::QuadraticDrag;
+use reynolds::ReynoldsDrag;
+
+/// What a ball flies through.
+///
+/// Plain numbers; they are checked when a [`FlightModel`] is made of them.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Environment {
+    /// Gravity in m/s², above zero.
+    pub gravity_m_s2: f64,
+    /// The air.
+    pub air: Air,
+    /// The drag of the ball in the air.
+    pub drag: DragLaw,
+    /// Whether the air carries its share of the weight (off in the paper).
+    pub buoyancy: bool,
+    /// Whether the ball must push along half its volume of air whenever it speeds up or slows down
+    /// (off in the paper). The flow of a bouncing ball is not the potential flow of the textbook, so
+    /// one half is an estimate.
+    pub added_mass: bool,
+}
+
+/// A flight from a launch off the surface to the next impact on it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Flight {
+    /// Speed just after the impact that starts the flight, m/s.
+    pub launch_speed_m_s: f64,
+    /// Speed just before the impact that ends it, m/s.
+    pub impact_speed_m_s: f64,
+    /// Greatest height above the surface, m.
+    pub apex_m: f64,
+    /// Time from the launch to the apex, s.
+    pub rise_time_s: f64,
+    /// Time from the apex to the impact, s.
+    pub fall_time_s: f64,
+}
+
+impl Flight {
+    /// The flight time, s: from leaving the surface to touching it again.
+    pub fn time_s(&self) -> f64 {
+        self.rise_time_s + self.fall_time_s
+    }
+}
+
+/// A fall from rest.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Fall {
+    /// Height of the lowest point of the ball above the surface at release, m.
+    pub height_m: f64,
+    /// Time from release to impact, s.
+    pub time_s: f64,
+    /// Speed just before the impact, m/s.
+    pub impact_speed_m_s: f64,
+}
+
+/// Where a ball is and how fast.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct State {
+    /// Height of its lowest point above the surface, m.
+    pub height_m: f64,
+    /// Velocity, upwards positive, m/s.
+    pub velocity_m_s: f64,
+}
+
+/// How a flight changes with its launch speed; exact for every drag law.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct LaunchDerivatives {
+    /// d(flight time)/d(launch speed), s²/m.
+    pub time: f64,
+    /// d(impact speed)/d(launch speed).
+    pub impact_speed: f64,
+    /// d(apex)/d(launch speed), s.
+    pub apex: f64,
+}
+
+impl LaunchDerivatives {
+    /// With v the launch speed, v' the impact speed, h the apex and η drag over weight, energy gives
+    /// dh/dv = v/(g (1 + η(v))) = (dv'/dv) v'/(g (1 - η(v'))), and from there dT/dv =
+    /// (1 + v/v')/(g (1 + η(v))). So no drag law needs a quadrature for them.
+    fn of(flight: &Flight, gravity: f64, eta_at_launch: f64, eta_at_impact: f64) -> Self {
+        let Flight {
+            launch_speed_m_s,
+            impact_speed_m_s,
+            ..
+        } = *flight;
+        let slowing = gravity * (1.0 + eta_at_launch);
+        let gaining = gravity * (1.0 - eta_at_impact);
+        let ratio = if impact_speed_m_s > 0.0 {
+            launch_speed_m_s / impact_speed_m_s
+        } else {
+            1.0
+        };
+        Self {
+            time: (1.0 + ratio) / slowing,
+            impact_speed: ratio * gaining / slowing,
+            apex: launch_speed_m_s / slowing,
+        }
+    }
+}
+
+/// A ball in its surroundings, ready to fly.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct FlightModel {
+    resistance: Resistance,
+    moving_mass_kg: Option<f64>,
+}
+
+/// The two ways to solve a flight.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Resistance {
+    Quadratic(QuadraticDrag),
+    Reynolds(ReynoldsDrag),
+}
+
+impl FlightModel {
+    /// A ball in an environment.
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`] for a gravity or a constant drag coefficient that makes no sense,
+    /// [`Error::Floats`] if buoyancy is on and the ball is lighter than air.
+    pub fn new(ball: &Ball, environment: &Environment) -> Result<Self> {
+        let Environment {
+            gravity_m_s2,
+            air,
+            drag,
+            buoyancy,
+            added_mass,
+        } = *environment;
+        positive("gravity in m/s2", gravity_m_s2)?;
+        drag.check()?;
+        let displaced_kg = air.density_kg_m3() * ball.volume_m3();
+        let carried_kg = if buoyancy { displaced_kg } else { 0.0 };
+        if carried_kg >= ball.mass_kg() {
+            return Err(Error::Floats {
+                mass_kg: ball.mass_kg(),
+                displaced_kg,
+            });
+        }
+        let moving_mass_kg = ball.mass_kg() + if added_mass { displaced_kg / 2.0 } else { 0.0 };
+        let weight_n = (ball.mass_kg() - carried_kg) * gravity_m_s2;
+        let gravity = weight_n / moving_mass_kg;
+        let coefficient = match drag {
+            DragLaw::None => Some(0.0),
+            DragLaw::Constant(coefficient) => Some(coefficient),
+            _ if air.is_vacuum() => Some(0.0),
+            _ => None,
+        };
+        let resistance = match coefficient {
+            Some(coefficient) => {
+                let force_per_speed_squared =
+                    air.density_kg_m3() * ball.area_m2() * coefficient / 2.0;
+                Resistance::Quadratic(QuadraticDrag::new(
+                    gravity,
+                    (force_per_speed_squared / weight_n).sqrt(),
+                ))
+            }
+            None => Resistance::Reynolds(ReynoldsDrag::new(ball, &air, drag, weight_n, gravity)),
+        };
+        Ok(Self {
+            resistance,
+            moving_mass_kg: Some(moving_mass_kg),
+        })
+    }
+
+    /// A flight without air.
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`] unless gravity is finite and above zero.
+    pub fn drag_free(gravity_m_s2: f64) -> Result<Self> {
+        Self::with_terminal_speed(gravity_m_s2, f64::INFINITY)
+    }
+
+    /// A flight with a constant drag coefficient, given by the terminal speed it leads to; an
+    /// infinite terminal speed means no drag.
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`] unless gravity is finite and above zero and the terminal speed above
+    /// zero.
+    pub fn with_terminal_speed(gravity_m_s2: f64, terminal_speed_m_s: f64) -> Result<Self> {
+        positive("gravity in m/s2", gravity_m_s2)?;
+        require(
+            terminal_speed_m_s > 0.0,
+            "terminal speed in m/s",
+            terminal_speed_m_s,
+            "above 0 (infinite for no drag)",
+        )?;
+        let drag = QuadraticDrag::new(gravity_m_s2, terminal_speed_m_s.recip());
+        Ok(Self {
+            resistance: Resistance::Quadratic(drag),
+            moving_mass_kg: None,
+        })
+    }
+
+    /// The flight that starts at a launch speed (paper Eqs. 16 and 17).
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`] unless the speed is finite and not below zero,
+    /// [`Error::ReynoldsTooHigh`] if the drag law does not know so high a speed.
+    pub fn launch(&self, speed_m_s: f64) -> Result<Flight> {
+        not_negative("launch speed in m/s", speed_m_s)?;
+        match &self.resistance {
+            Resistance::Quadratic(drag) => {
+                let flight = drag.launch(speed_m_s);
+                let in_numbers = flight.apex_m.is_finite();
+                require(in_numbers, "launch speed in m/s", speed_m_s, "below 1e150")?;
+                Ok(flight)
+            }
+            Resistance::Reynolds(drag) => drag.launch(speed_m_s),
+        }
+    }
+
+    /// The flight that lasts a given time: the inverse of [`FlightModel::launch`], to 1e-12.
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`] unless the time is finite and not below zero, or if drag makes so long
+    /// a flight impossible; [`Error::ReynoldsTooHigh`] as for a launch.
+    pub fn from_flight_time(&self, time_s: f64) -> Result<Flight> {
+        not_negative("flight time in s", time_s)?;
+        match &self.resistance {
+            Resistance::Quadratic(drag) => {
+                let speed_m_s = drag.launch_speed_of_time(time_s);
+                require(
+                    speed_m_s.is_finite(),
+                    "flight time in s",
+                    time_s,
+                    "shorter: no launch speed leads to so long a flight with this drag",
+                )?;
+                self.launch(speed_m_s)
+            }
+            Resistance::Reynolds(drag) => drag.launch_lasting(time_s),
+        }
+    }
+
+    /// The flight that rises to a given height.
+    ///
+    /// # Errors
+    /// As for [`FlightModel::from_flight_time`].
+    pub fn from_apex(&self, apex_m: f64) -> Result<Flight> {
+        not_negative("apex in m", apex_m)?;
+        match &self.resistance {
+            Resistance::Quadratic(drag) => {
+                let speed_m_s = drag.launch_speed_of_apex(apex_m);
+                require(
+                    speed_m_s.is_finite(),
+                    "apex in m",
+                    apex_m,
+                    "lower: no launch speed leads so high with this drag",
+                )?;
+                self.launch(speed_m_s)
+            }
+            Resistance::Reynolds(drag) => drag.launch_rising_to(apex_m),
+        }
+    }
+
+    /// A fall from rest (paper Eqs. 11 and 13 to 15).
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`] unless the height is finite and not below zero,
+    /// [`Error::ReynoldsTooHigh`] if the ball gets faster than the drag law knows.
+    pub fn fall(&self, height_m: f64) -> Result<Fall> {
+        not_negative("height in m", height_m)?;
+        match &self.resistance {
+            Resistance::Quadratic(drag) => {
+                let fall = drag.fall(height_m);
+                require(
+                    fall.time_s.is_finite(),
+                    "height in m",
+                    height_m,
+                    "below 1e150",
+                )?;
+                Ok(fall)
+            }
+            Resistance::Reynolds(drag) => drag.fall(height_m),
+        }
+    }
+
+    /// Height and velocity at a time after the launch of a flight of this model (paper Eq. 12 for
+    /// the rise, Eqs. 11 and 14 for the fall).
+    ///
+    /// Times before the launch and after the impact count as launch and impact.
+    pub fn state(&self, flight: &Flight, time_s: f64) -> State {
+        let time_s = time_s.clamp(0.0, flight.time_s());
+        if time_s < flight.rise_time_s {
+            return match &self.resistance {
+                Resistance::Quadratic(drag) => drag.rising(flight.launch_speed_m_s, time_s),
+                Resistance::Reynolds(drag) => drag.rising(flight, time_s),
+            };
+        }
+        self.fallen(flight.apex_m, time_s - flight.rise_time_s)
+    }
+
+    /// Height and velocity at a time after the release of a fall of this model (paper Eqs. 11, 14).
+    ///
+    /// Times before the release and after the impact count as release and impact.
+    pub fn fall_state(&self, fall: &Fall, time_s: f64) -> State {
+        self.fallen(fall.height_m, time_s.clamp(0.0, fall.time_s))
+    }
+
+    /// The state at a time after coming to rest at a height.
+    fn fallen(&self, height_m: f64, time_s: f64) -> State {
+        let (depth_m, speed_m_s) = match &self.resistance {
+            Resistance::Quadratic(drag) => drag.falling(time_s),
+            Resistance::Reynolds(drag) => drag.falling(time_s),
+        };
+        State {
+            height_m: (height_m - depth_m).max(0.0),
+            velocity_m_s: -speed_m_s,
+        }
+    }
+
+    /// How a flight of this model changes with its launch speed.
+    ///
+    /// # Errors
+    /// [`Error::ReynoldsTooHigh`] if the flight is not one of this model.
+    pub fn launch_derivatives(&self, flight: &Flight) -> Result<LaunchDerivatives> {
+        Ok(LaunchDerivatives::of(
+            flight,
+            self.gravity_m_s2(),
+            self.drag_over_weight(flight.launch_speed_m_s)?,
+            self.drag_over_weight(flight.impact_speed_m_s)?,
+        ))
+    }
+
+    /// Drag over (buoyant) weight at a speed: the paper's β v² and η(v).
+    ///
+    /// # Errors
+    /// [`Error::ReynoldsTooHigh`] above the range of the drag law.
+    pub fn drag_over_weight(&self, speed_m_s: f64) -> Result<f64> {
+        not_negative("speed in m/s", speed_m_s)?;
+        match &self.resistance {
+            Resistance::Quadratic(drag) => Ok(drag.over_weight(speed_m_s)),
+            Resistance::Reynolds(drag) => {
+                drag.check_speed(speed_m_s)?;
+                Ok(drag.over_weight(speed_m_s))
+            }
+        }
+    }
+
+    /// The gravity that the ball obeys, m/s²: less than the gravity of the environment by
+    /// (1 - r)/(1 + r/2), r = ρV/m, with buoyancy and added mass.
+    pub fn gravity_m_s2(&self) -> f64 {
+        match &self.resistance {
+            Resistance::Quadratic(drag) => drag.gravity(),
+            Resistance::Reynolds(drag) => drag.gravity(),
+        }
+    }
+
+    /// The speed at which drag balances weight, m/s; `None` without drag, or if the drag law ends
+    /// before it.
+    pub fn terminal_speed_m_s(&self) -> Option<f64> {
+        match &self.resistance {
+            Resistance::Quadratic(drag) => drag.terminal_speed(),
+            Resistance::Reynolds(drag) => drag.terminal_speed(),
+        }
+    }
+
+    /// Mass of the ball and of the air it drags along, kg; `None` if the model was made without a
+    /// ball. Energies of a drop are given per kilogram of it.
+    pub fn moving_mass_kg(&self) -> Option<f64> {
+        self.moving_mass_kg
+    }
+}

@@ -1,1 +1,222 @@
 //! Drag-corrected restitution of each impact.
+//!
+//! A flight time gives the launch speed and the impact speed of its flight exactly, once ball and
+//! air are known. Every impact between two heard flights so has its own coefficient of restitution,
+//! at its own speed: launch speed of the flight after it over impact speed of the flight before it.
+//! The bare ratio of flight times that a straight line sees is smaller, because the air slows the
+//! ball too.
+//!
+//! ```
+//! use bouncelab::flight::FlightModel;
+//! use bouncelab::restitution::{self, TimedImpact};
+//!
+//! let model = FlightModel::with_terminal_speed(9.81, 9.385)?;
+//! let impacts: Vec<_> = [0.0, 0.4605, 0.8877, 1.2854]
+//!     .iter()
+//!     .zip(1..)
+//!     .map(|(&time_s, number)| TimedImpact { number, time_s, standard_error_s: Some(5e-5) })
+//!     .collect();
+//! let corrected = restitution::of_impacts(&impacts, 0.0, &model)?;
+//! let second = &corrected.impacts[0];
+//! assert_eq!(format!("{:.3}", second.raw_ratio), "0.928");
+//! assert_eq!(format!("{:.3}", second.restitution.value), "0.953");
+//! # Ok::<(), bouncelab::Error>(())
+//! ```
+
+use crate::error::{Error, Result, not_negative, positive, require};
+use crate::flight::{Flight, FlightModel};
+use crate::regression::Estimate;
+
+/// When an impact was heard.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct TimedImpact {
+    /// Number of the impact in its drop. Missed impacts leave gaps.
+    pub number: usize,
+    /// When the ball touched the surface, s.
+    pub time_s: f64,
+    /// Standard error of the time, s, if known; errors of different impacts are independent.
+    pub standard_error_s: Option<f64>,
+}
+
+/// A flight between two impacts that follow each other, found from its time.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct TimedFlight {
+    /// Number of the impact before it.
+    pub number: usize,
+    /// The flight: its time is the time between the impacts less the contact time.
+    pub flight: Flight,
+    /// Standard error of the apex, m, if both times have one.
+    pub apex_standard_error_m: Option<f64>,
+}
+
+/// What an impact between two timed flights kept of the speed of the ball.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ImpactRestitution {
+    /// Number of the impact.
+    pub number: usize,
+    /// Speed just before the impact, m/s.
+    pub impact_speed_m_s: f64,
+    /// Coefficient of restitution, with the standard error that the three times leave it.
+    pub restitution: Estimate,
+    /// Ratio of the flight time after the impact to the one before it: the restitution if there
+    /// were no air.
+    pub raw_ratio: f64,
+    /// Derivatives of ln e by the times of the impact before, this one and the one after, 1/s.
+    ///
+    /// Neighbouring impacts share times, so their errors are correlated; with these rows the whole
+    /// covariance can be put together.
+    pub log_gradient_per_s: [f64; 3],
+}
+
+/// Every flight and restitution that a list of impact times contains.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Corrected {
+    /// Flights between impacts that follow each other.
+    pub flights: Vec<TimedFlight>,
+    /// Restitutions of impacts with a flight on both sides.
+    pub impacts: Vec<ImpactRestitution>,
+}
+
+/// The restitution of every impact whose neighbours on both sides were heard too.
+///
+/// The contact time is taken off every interval: a ball that touches the surface does not fly. A
+/// list too short for any flight gives an empty answer.
+///
+/// # Errors
+/// [`Error::NotInOrder`] if a number does not exceed the one before, [`Error::OutOfRange`] if two
+/// impacts are no farther apart than the contact time or a standard error is negative, and the
+/// errors of [`FlightModel::from_flight_time`].
+pub fn of_impacts(
+    impacts: &[TimedImpact],
+    contact_time_s: f64,
+    model: &FlightModel,
+) -> Result<Corrected> {
+    not_negative("contact time in s", contact_time_s)?;
+    check(impacts)?;
+    let mut corrected = Corrected::default();
+    let mut before = None;
+    for pair in impacts.windows(2) {
+        let next = Interval::between(&pair[0], &pair[1], contact_time_s, model)?;
+        if let Some(interval) = &next {
+            corrected.flights.push(interval.timed_flight());
+            if let Some(before) = &before {
+                corrected
+                    .impacts
+                    .push(restitution_between(before, interval));
+            }
+        }
+        before = next;
+    }
+    Ok(corrected)
+}
+
+fn check(impacts: &[TimedImpact]) -> Result<()> {
+    if let Some(pair) = impacts
+        .windows(2)
+        .find(|pair| pair[1].number <= pair[0].number)
+    {
+        return Err(Error::NotInOrder {
+            what: "impact",
+            number: pair[1].number,
+        });
+    }
+    for impact in impacts {
+        require(
+            impact.time_s.is_finite(),
+            "impact time in s",
+            impact.time_s,
+            "finite",
+        )?;
+        if let Some(error) = impact.standard_error_s {
+            not_negative("standard error of an impact time in s", error)?;
+        }
+    }
+    Ok(())
+}
+
+/// A flight with the impacts at its ends and how it answers to its time.
+struct Interval {
+    start: TimedImpact,
+    end: TimedImpact,
+    flight: Flight,
+    /// d ln(launch speed)/dT and d ln(impact speed)/dT, 1/s.
+    log_launch_per_s: f64,
+    log_impact_per_s: f64,
+    /// d(apex)/dT, m/s.
+    apex_per_s: f64,
+}
+
+impl Interval {
+    /// `None` if impacts are missing in between.
+    fn between(
+        start: &TimedImpact,
+        end: &TimedImpact,
+        contact_time_s: f64,
+        model: &FlightModel,
+    ) -> Result<Option<Self>> {
+        if end.number != start.number + 1 {
+            return Ok(None);
+        }
+        let time_s = end.time_s - start.time_s - contact_time_s;
+        positive(
+            "time between two impacts less the contact time in s",
+            time_s,
+        )?;
+        let flight = model.from_flight_time(time_s)?;
+        let slopes = model.launch_derivatives(&flight)?;
+        Ok(Some(Self {
+            start: *start,
+            end: *end,
+            flight,
+            log_launch_per_s: 1.0 / (slopes.time * flight.launch_speed_m_s),
+            log_impact_per_s: slopes.impact_speed / (slopes.time * flight.impact_speed_m_s),
+            apex_per_s: slopes.apex / slopes.time,
+        }))
+    }
+
+    fn timed_flight(&self) -> TimedFlight {
+        let apex_standard_error_m = standard_error(
+            [&self.start, &self.end],
+            [-self.apex_per_s, self.apex_per_s],
+        );
+        TimedFlight {
+            number: self.start.number,
+            flight: self.flight,
+            apex_standard_error_m,
+        }
+    }
+}
+
+fn restitution_between(before: &Interval, after: &Interval) -> ImpactRestitution {
+    let value = after.flight.launch_speed_m_s / before.flight.impact_speed_m_s;
+    // ln e = ln v(T after) - ln v'(T before), and each T is a difference of two times.
+    let (launch, impact) = (after.log_launch_per_s, before.log_impact_per_s);
+    let log_gradient_per_s = [impact, -launch - impact, launch];
+    let of_log = standard_error(
+        [&before.start, &after.start, &after.end],
+        log_gradient_per_s,
+    );
+    ImpactRestitution {
+        number: after.start.number,
+        impact_speed_m_s: before.flight.impact_speed_m_s,
+        restitution: Estimate {
+            value,
+            standard_error: of_log.map(|error| error * value),
+        },
+        raw_ratio: after.flight.time_s() / before.flight.time_s(),
+        log_gradient_per_s,
+    }
+}
+
+/// Standard error of a quantity with these derivatives by independent times; `None` if the error
+/// of any of them is unknown.
+fn standard_error<const N: usize>(
+    impacts: [&TimedImpact; N],
+    derivatives: [f64; N],
+) -> Option<f64> {
+    let mut variance = 0.0;
+    for (impact, derivative) in impacts.iter().zip(derivatives) {
+        variance += (derivative * impact.standard_error_s?).powi(2);
+    }
+    Some(variance.sqrt())
+}

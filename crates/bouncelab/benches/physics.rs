@@ -1,0 +1,135 @@
+//! What the physics costs: `cargo bench -p bouncelab --bench physics`.
+
+use bouncelab::air::{Air, Conditions};
+use bouncelab::ball;
+use bouncelab::drag::DragLaw;
+use bouncelab::drop::{self, Start, Stop};
+use bouncelab::flight::{Environment, FlightModel};
+use bouncelab::impact::{Contact, Restitution};
+use bouncelab::regression::{self, NumberedFlight};
+use bouncelab::restitution::{self, TimedImpact};
+use divan::counter::ItemsCount;
+use divan::{Bencher, black_box};
+
+/// Bounces in each simulated drop: divide its time by this, or read the items per second.
+const BOUNCES: usize = 1000;
+
+/// The laws that know the speeds of a table-tennis ball.
+const LAWS: [DragLaw; 8] = [
+    DragLaw::CliftGauvin,
+    DragLaw::TurtonLevenspiel,
+    DragLaw::HaiderLevenspiel,
+    DragLaw::BrownLawler,
+    DragLaw::Almedeij,
+    DragLaw::Cheng,
+    DragLaw::Morrison,
+    DragLaw::CliftGraceWeber,
+];
+
+fn main() {
+    divan::main();
+}
+
+fn model(drag: DragLaw) -> FlightModel {
+    let environment = Environment {
+        gravity_m_s2: 9.81,
+        air: Air::moist(&Conditions::default()).unwrap(),
+        drag,
+        buoyancy: true,
+        added_mass: true,
+    };
+    FlightModel::new(&ball::preset("table-tennis-40").unwrap().ball, &environment).unwrap()
+}
+
+fn contact(restitution: f64) -> Contact {
+    Contact::new(Restitution::constant(restitution).unwrap(), 1e-3).unwrap()
+}
+
+#[divan::bench(args = DragLaw::NAMED)]
+fn drag_coefficient(bencher: Bencher, law: DragLaw) {
+    let reynolds = 0.9 * law.max_reynolds().min(6200.0);
+    bencher.bench_local(|| black_box(law).coefficient(black_box(reynolds)));
+}
+
+#[divan::bench]
+fn flight_closed_form(bencher: Bencher) {
+    let model = model(DragLaw::Constant(0.4));
+    bencher.bench_local(|| black_box(&model).launch(black_box(2.0)));
+}
+
+#[divan::bench]
+fn flight_from_time_closed_form(bencher: Bencher) {
+    let model = model(DragLaw::Constant(0.4));
+    bencher.bench_local(|| black_box(&model).from_flight_time(black_box(0.4)));
+}
+
+#[divan::bench]
+fn state_closed_form(bencher: Bencher) {
+    let model = model(DragLaw::Constant(0.4));
+    let flight = model.launch(2.0).unwrap();
+    bencher.bench_local(|| black_box(&model).state(&flight, black_box(0.1)));
+}
+
+#[divan::bench(args = LAWS)]
+fn model_by_law(bencher: Bencher, law: DragLaw) {
+    bencher.bench_local(|| model(black_box(law)));
+}
+
+#[divan::bench(args = LAWS)]
+fn flight_by_quadrature(bencher: Bencher, law: DragLaw) {
+    let model = model(law);
+    bencher.bench_local(|| black_box(&model).launch(black_box(2.0)));
+}
+
+#[divan::bench(args = LAWS)]
+fn flight_from_time_by_quadrature(bencher: Bencher, law: DragLaw) {
+    let model = model(law);
+    bencher.bench_local(|| black_box(&model).from_flight_time(black_box(0.4)));
+}
+
+/// A whole drop of `BOUNCES` bounces, the history included; items are bounces.
+#[divan::bench(args = [DragLaw::None, DragLaw::Constant(0.4), DragLaw::CliftGraceWeber])]
+fn drop_of_1000_bounces(bencher: Bencher, law: DragLaw) {
+    let model = model(law);
+    let contact = contact(0.999);
+    bencher.counter(ItemsCount::new(BOUNCES)).bench_local(|| {
+        let start = black_box(Start::Height(0.305));
+        drop::simulate(black_box(&model), &contact, start, Stop::after(BOUNCES))
+    });
+}
+
+#[divan::bench(args = [10, 40])]
+fn regression_of_flights(bencher: Bencher, count: usize) {
+    let flights: Vec<_> = (1..=count)
+        .map(|number| NumberedFlight {
+            number,
+            time_s: 0.5 * 0.94_f64.powf(number as f64),
+        })
+        .collect();
+    bencher.bench_local(|| regression::fit(black_box(&flights), 9.81));
+}
+
+/// Restitution of the 39 inner impacts of a drop with 41; items are impacts.
+#[divan::bench(args = [DragLaw::Constant(0.4), DragLaw::CliftGraceWeber])]
+fn drag_corrected_restitution(bencher: Bencher, law: DragLaw) {
+    let model = model(law);
+    let history = drop::simulate(
+        &model,
+        &contact(0.93),
+        Start::Height(0.305),
+        Stop::after(40),
+    )
+    .unwrap();
+    let impacts: Vec<_> = history
+        .strikes()
+        .zip(1..)
+        .map(|(strike, number)| TimedImpact {
+            number,
+            time_s: strike.time_s,
+            standard_error_s: Some(5e-5),
+        })
+        .collect();
+    bencher
+        .counter(ItemsCount::new(impacts.len()))
+        .bench_local(|| restitution::of_impacts(black_box(&impacts), 1e-3, &model));
+}

@@ -1,0 +1,233 @@
+//! An independent check of every flight: the equations of motion (paper Eqs. 9, 10, 18 and 19)
+//! solved by an ODE library that finds the apex and the ground contact as events.
+//!
+//! The equations are scaled by the launch speed v and gravity g, so that a flight of 0.1 ms and one
+//! of a day are the same problem to the solver: speed in v, time in v/g, height in v²/g.
+
+use bouncelab::air::Air;
+use bouncelab::ball::Ball;
+use bouncelab::drag::DragLaw;
+use bouncelab::flight::{Environment, Flight, FlightModel};
+use diffsol::{NalgebraMat, OdeBuilder, OdeSolverMethod, OdeSolverStopReason};
+
+/// Agreement that is asked for, relative.
+const AGREEMENT: f64 = 1e-9;
+
+/// Tolerance of the solver, relative and absolute in the scaled problem.
+const SOLVER_TOLERANCE: f64 = 1e-13;
+
+/// Integrates speed u and way y from rest or launch until the event, and returns [time, u, y].
+fn until(
+    start: [f64; 2],
+    acceleration: impl Fn(f64) -> f64,
+    event: impl Fn(f64, f64) -> f64,
+) -> [f64; 3] {
+    let problem = OdeBuilder::<NalgebraMat<f64>>::new()
+        .rtol(SOLVER_TOLERANCE)
+        .atol([SOLVER_TOLERANCE, SOLVER_TOLERANCE])
+        .h0(1e-4)
+        .rhs(|x: &[f64], _p: &[f64], _t: f64, dx: &mut [f64]| {
+            dx[0] = acceleration(x[0]);
+            dx[1] = x[0];
+        })
+        .init(
+            |_p: &[f64], _t: f64, x: &mut [f64]| x.copy_from_slice(&start),
+            2,
+        )
+        .root(
+            |x: &[f64], _p: &[f64], _t: f64, g: &mut [f64]| g[0] = event(x[0], x[1]),
+            1,
+        )
+        .build()
+        .unwrap();
+    let mut solver = problem.tsit45().unwrap();
+    solver.set_stop_time(1e3).unwrap();
+    loop {
+        match solver.step().unwrap() {
+            OdeSolverStopReason::RootFound(time, _) => {
+                let state = solver.interpolate(time).unwrap();
+                return [time, state[0], state[1]];
+            }
+            OdeSolverStopReason::TstopReached => panic!("the event was not found"),
+            OdeSolverStopReason::InternalTimestep => {}
+        }
+    }
+}
+
+/// A flight by the ODE solver.
+fn flight_by_ode(model: &FlightModel, speed: f64) -> Flight {
+    let drag = |u: f64| model.drag_over_weight(speed * u.abs()).unwrap();
+    let [rise_time, _, apex] = until([1.0, 0.0], |u| -1.0 - drag(u), |u, _| u);
+    let [fall_time, impact, _] = until([0.0, 0.0], |u| 1.0 - drag(u), |_, y| y - apex);
+    let time_unit = speed / model.gravity_m_s2();
+    Flight {
+        launch_speed_m_s: speed,
+        impact_speed_m_s: impact * speed,
+        apex_m: apex * speed * time_unit,
+        rise_time_s: rise_time * time_unit,
+        fall_time_s: fall_time * time_unit,
+    }
+}
+
+/// The largest relative difference between the two flights.
+fn disagreement(a: &Flight, b: &Flight) -> f64 {
+    [
+        (a.impact_speed_m_s, b.impact_speed_m_s),
+        (a.apex_m, b.apex_m),
+        (a.rise_time_s, b.rise_time_s),
+        (a.fall_time_s, b.fall_time_s),
+    ]
+    .into_iter()
+    .map(|(a, b)| ((a - b) / b).abs())
+    .fold(0.0, f64::max)
+}
+
+#[track_caller]
+fn assert_agrees(model: &FlightModel, speed: f64) {
+    let apart = disagreement(&model.launch(speed).unwrap(), &flight_by_ode(model, speed));
+    assert!(apart < AGREEMENT, "{model:?} at {speed} m/s: {apart:e}");
+}
+
+/// Launch speeds from 1e-3 m/s to 0.99 of the terminal speed.
+fn speeds_up_to(terminal: f64) -> impl Iterator<Item = f64> {
+    let top = 0.99 * terminal;
+    (0..=6).map(move |i| 1e-3 * (top / 1e-3).powf(f64::from(i) / 6.0))
+}
+
+/// The closed form over terminal speeds from 1 to 1e6 m/s.
+#[test]
+fn closed_form_agrees_with_the_equations_of_motion() {
+    for terminal in [1.0, 3.0, 9.385, 30.0, 1e3, 1e6] {
+        let model = FlightModel::with_terminal_speed(9.81, terminal).unwrap();
+        for speed in speeds_up_to(terminal) {
+            assert_agrees(&model, speed);
+        }
+    }
+}
+
+/// Every law of the Reynolds number, with a ball light enough that its terminal speed lies within
+/// the range of the law.
+#[test]
+fn quadrature_agrees_with_the_equations_of_motion() {
+    for drag in DragLaw::NAMED {
+        let (mass_kg, diameter_m) = match drag {
+            DragLaw::Stokes => (1e-13, 3e-5),
+            DragLaw::SchillerNaumann => (1e-6, 5e-3),
+            _ => (2.7e-3, 40e-3),
+        };
+        let environment = Environment {
+            gravity_m_s2: 9.81,
+            air: Air::new(1.2, 1.8e-5).unwrap(),
+            drag,
+            buoyancy: false,
+            added_mass: true,
+        };
+        let model =
+            FlightModel::new(&Ball::new(mass_kg, diameter_m).unwrap(), &environment).unwrap();
+        let terminal = model.terminal_speed_m_s().unwrap();
+        for speed in speeds_up_to(terminal) {
+            assert_agrees(&model, speed);
+        }
+    }
+}
+
+/// The standard drag curve over terminal speeds from 1 to 1e6 m/s: balls of one size in ever thinner
+/// and more viscous gas, so that all pieces of the curve but the drag crisis are passed.
+#[test]
+fn the_standard_curve_agrees_over_all_terminal_speeds() {
+    for terminal in [1.0, 10.0, 1e2, 1e3, 1e4, 1e5, 1e6] {
+        let ball = Ball::new(2.7e-3, 40e-3).unwrap();
+        let density = ball.weight_n(9.81) / (0.5 * 0.4 * ball.area_m2() * f64::powi(terminal, 2));
+        let viscosity = density * terminal * ball.diameter_m() / 1e4;
+        let environment = Environment {
+            gravity_m_s2: 9.81,
+            air: Air::new(density, viscosity).unwrap(),
+            drag: DragLaw::CliftGraceWeber,
+            buoyancy: false,
+            added_mass: false,
+        };
+        let model = FlightModel::new(&ball, &environment).unwrap();
+        let found = model.terminal_speed_m_s().unwrap();
+        assert!((found / terminal - 1.0).abs() < 0.05);
+        for speed in speeds_up_to(found) {
+            assert_agrees(&model, speed);
+        }
+    }
+}
+
+/// Launches above the terminal speed and the drag crisis: a light ball thrown hard.
+#[test]
+fn fast_launches_agree_too() {
+    let environment = Environment {
+        gravity_m_s2: 9.81,
+        air: Air::new(1.2, 1.8e-5).unwrap(),
+        drag: DragLaw::Morrison,
+        buoyancy: true,
+        added_mass: true,
+    };
+    let football = Ball::new(0.43, 0.22).unwrap();
+    let model = FlightModel::new(&football, &environment).unwrap();
+    for speed in [20.0, 30.0, 45.0] {
+        assert_agrees(&model, speed);
+    }
+    let constant = FlightModel::with_terminal_speed(9.81, 2.0).unwrap();
+    for speed in [2.0, 6.0, 20.0] {
+        assert_agrees(&constant, speed);
+    }
+}
+
+/// Falls from rest (paper Eqs. 11 and 13 to 15).
+#[test]
+fn falls_agree_with_the_equations_of_motion() {
+    for terminal in [1.0, 9.385, 1e3, 1e6] {
+        let model = FlightModel::with_terminal_speed(9.81, terminal).unwrap();
+        for height in [
+            1e-3,
+            0.305,
+            0.1 * terminal * terminal,
+            0.5 * terminal * terminal,
+        ] {
+            let fall = model.fall(height).unwrap();
+            let unit = (9.81 * height).sqrt();
+            let drag = |u: f64| model.drag_over_weight(unit * u.abs()).unwrap();
+            let [time, speed, _] = until([0.0, 0.0], |u| 1.0 - drag(u), |_, y| y - 1.0);
+            assert!((time * unit / 9.81 / fall.time_s - 1.0).abs() < AGREEMENT);
+            assert!((speed * unit / fall.impact_speed_m_s - 1.0).abs() < AGREEMENT);
+        }
+    }
+}
+
+/// Height and velocity within a flight, on the way up and on the way down.
+#[test]
+fn states_agree_with_the_equations_of_motion() {
+    let environment = Environment {
+        gravity_m_s2: 9.81,
+        air: Air::new(1.2, 1.8e-5).unwrap(),
+        drag: DragLaw::CliftGauvin,
+        buoyancy: false,
+        added_mass: false,
+    };
+    let general = FlightModel::new(&Ball::new(2.7e-3, 40e-3).unwrap(), &environment).unwrap();
+    for model in [
+        general,
+        FlightModel::with_terminal_speed(9.81, 9.0).unwrap(),
+    ] {
+        let speed = 8.0;
+        let flight = model.launch(speed).unwrap();
+        let drag = |u: f64| model.drag_over_weight(speed * u.abs()).unwrap();
+        let height_unit = speed * speed / 9.81;
+        for part in [0.1, 0.5, 0.9] {
+            let level = part * flight.apex_m / height_unit;
+            let [time, u, _] = until([1.0, 0.0], |u| -1.0 - drag(u), |_, y| y - level);
+            let state = model.state(&flight, time * speed / 9.81);
+            assert!((state.height_m / (level * height_unit) - 1.0).abs() < AGREEMENT);
+            assert!((state.velocity_m_s / (u * speed) - 1.0).abs() < AGREEMENT);
+
+            let [time, u, _] = until([0.0, 0.0], |u| 1.0 - drag(u), |_, y| y - level);
+            let state = model.state(&flight, flight.rise_time_s + time * speed / 9.81);
+            let above = flight.apex_m - level * height_unit;
+            assert!((state.height_m - above).abs() < AGREEMENT * flight.apex_m);
+            assert!((state.velocity_m_s / (-u * speed) - 1.0).abs() < AGREEMENT);
+        }
+    }
+}
