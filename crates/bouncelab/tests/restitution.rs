@@ -7,7 +7,7 @@ use bouncelab::drag::DragLaw;
 use bouncelab::drop::{self, History, Start, Stop};
 use bouncelab::flight::{Environment, FlightModel};
 use bouncelab::impact::{Contact, Restitution};
-use bouncelab::restitution::{TimedImpact, of_impacts};
+use bouncelab::restitution::{Corrected, TimedImpact, of_impacts};
 use proptest::prelude::*;
 
 fn table_tennis(drag: DragLaw) -> FlightModel {
