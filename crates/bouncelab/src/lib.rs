@@ -65,6 +65,7 @@
 //! scope: the ball goes straight up and down.
 
 pub mod air;
+pub mod analysis;
 pub mod ball;
 pub mod drag;
 pub mod drop;

@@ -290,6 +290,33 @@ fn trace(nodes: &[Node], end: usize, last_onset: usize) -> Vec<Link> {
     links
 }
 
+/// The most likely number of each onset, if all of them are impacts of one drop.
+pub(super) fn numbers(onsets: &[Onset]) -> Option<Vec<u32>> {
+    let around = Surroundings::of(onsets);
+    let mut ways: Vec<(State, Vec<u32>)> = Vec::new();
+    for later in 1..onsets.len() {
+        let step = Step::new(onsets, &around, (later - 1, later));
+        if later == 1 {
+            ways.push((State::birth(&step, &around[0])?, vec![0, 1]));
+            continue;
+        }
+        let mut longer: Vec<(State, Vec<u32>)> = Vec::new();
+        for (state, numbers) in &ways {
+            for missed in 0..=MOST_MISSED {
+                if let Some(next) = state.next(&step, missed, f64::NEG_INFINITY) {
+                    let last = numbers[numbers.len() - 1];
+                    let number = last + 1 + missed as u32;
+                    longer.push((next, [numbers.as_slice(), &[number]].concat()));
+                }
+            }
+        }
+        longer.sort_by(|a, b| b.0.evidence.total_cmp(&a.0.evidence));
+        longer.truncate(KEPT);
+        ways = longer;
+    }
+    ways.into_iter().next().map(|(_, numbers)| numbers)
+}
+
 impl Chain {
     /// The evidence that is left if the onset at this position is taken for a missed impact.
     pub(super) fn evidence_without(&self, onsets: &[Onset], position: usize) -> f64 {

@@ -234,6 +234,16 @@ pub fn find(onsets: &[Onset]) -> Found {
     found
 }
 
+/// Numbers the impacts of one drop, the first 0, so that the flights shrink most evenly: an
+/// interval that is too long counts for several flights.
+///
+/// `times_s` must increase. Where they do not look like a drop at all, every interval counts for
+/// one flight.
+pub fn number_impacts(times_s: &[f64]) -> Vec<u32> {
+    let onsets: Vec<Onset> = times_s.iter().map(|&time_s| Onset::click(time_s)).collect();
+    chain::numbers(&onsets).unwrap_or_else(|| (0..times_s.len() as u32).collect())
+}
+
 /// Takes the best train and searches again before and after it.
 pub(crate) fn search(onsets: &[Onset], found: &mut Found) {
     if onsets.len() < FEWEST_IMPACTS {
