@@ -1,3 +1,49 @@
-//! The command `bouncelab`.
+//! The command `bouncelab`: drop a ball near a microphone, get the physics.
 
-fn main() {}
+mod analyze;
+mod demo;
+mod failure;
+mod paper;
+mod physics;
+mod simulate;
+mod synth;
+mod units;
+
+use std::process::ExitCode;
+
+use clap::{Parser, Subcommand};
+
+/// Drop a ball near a microphone, get the physics out of the silence between the bounces.
+#[derive(Parser)]
+#[command(version, arg_required_else_help = true, help_expected = true, after_help = EXAMPLES)]
+struct Cli {
+    #[command(subcommand)]
+    command: Command,
+}
+
+const EXAMPLES: &str = "\
+Examples:
+  bouncelab demo                                   hear, analyse and draw a made-up drop
+  bouncelab analyze drop.wav                       what a recording says
+  bouncelab analyze drop.m4a --ball tennis --figures figures
+  bouncelab simulate --height 30.5cm --restitution 0.935";
+
+#[derive(Subcommand)]
+enum Command {
+    Analyze(analyze::Arguments),
+    Simulate(simulate::Arguments),
+    Synth(synth::Arguments),
+    Paper(paper::Arguments),
+    Demo(demo::Arguments),
+}
+
+fn main() -> ExitCode {
+    let result = match Cli::parse().command {
+        Command::Analyze(arguments) => analyze::run(&arguments),
+        Command::Simulate(arguments) => simulate::run(&arguments),
+        Command::Synth(arguments) => synth::run(&arguments),
+        Command::Paper(arguments) => paper::run(&arguments),
+        Command::Demo(arguments) => demo::run(&arguments),
+    };
+    result.map_or_else(|failure| failure.report(), |()| ExitCode::SUCCESS)
+}

@@ -47,7 +47,8 @@ impl Default for Settings {
     /// A 40 mm table-tennis ball in air of 20 &deg;C with the standard drag curve and gravity, and
     /// with buoyancy and added mass.
     fn default() -> Self {
-        let preset = &ball::presets()[DEFAULT_PRESET];
+        // The list begins with it.
+        let preset = &ball::presets()[0];
         let air = Air::moist(&Conditions::default());
         Self {
             ball: preset.ball,
@@ -63,9 +64,6 @@ impl Default for Settings {
         }
     }
 }
-
-/// The place of the 40 mm table-tennis ball among the presets.
-const DEFAULT_PRESET: usize = 1;
 
 /// The time of an impact and how it is known.
 #[derive(Clone, Copy, Debug, PartialEq)]

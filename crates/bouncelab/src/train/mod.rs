@@ -5,7 +5,7 @@
 //! So the question is put as a choice between two explanations of the same onsets: *a drop*, whose
 //! next impact is predicted by the ones before, or *other sounds*, which come when they like. The
 //! logarithm of their probability ratio is the evidence, in nats. It adds up over the impacts
-//! ([`evidence`]), so that the best train of all is found by dynamic programming ([`chain`]).
+//! (the room `evidence`), so that the best train of all is found by dynamic programming (`chain`).
 //! There is no threshold on loudness anywhere.
 //!
 //! ```

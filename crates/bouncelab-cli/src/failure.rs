@@ -1,0 +1,54 @@
+//! How a command fails: what it says on stderr, and its exit status.
+
+use std::io;
+use std::process::ExitCode;
+
+/// Why a command did not do what was asked.
+#[derive(Debug, thiserror::Error)]
+pub(crate) enum Failure {
+    /// The arguments make no sense: exit status 2.
+    #[error("{0}")]
+    Usage(String),
+    /// The input cannot be read or holds nothing: exit status 1. Empty if all was said already.
+    #[error("{0}")]
+    Input(String),
+    /// The result could not be printed: exit status 1.
+    #[error("cannot write the result: {0}")]
+    Output(#[from] io::Error),
+}
+
+impl Failure {
+    /// Says why on stderr and gives the exit status.
+    pub(crate) fn report(&self) -> ExitCode {
+        // Who reads the result may have had enough of it (`| head`).
+        let unheard =
+            matches!(self, Self::Output(reason) if reason.kind() == io::ErrorKind::BrokenPipe);
+        let message = self.to_string();
+        if !unheard && !message.is_empty() {
+            eprintln!("bouncelab: {message}");
+        }
+        match self {
+            Self::Usage(_) => ExitCode::from(2),
+            Self::Input(_) | Self::Output(_) => ExitCode::FAILURE,
+        }
+    }
+}
+
+/// An argument that the science refuses.
+impl From<bouncelab::Error> for Failure {
+    fn from(refusal: bouncelab::Error) -> Self {
+        Self::Usage(refusal.to_string())
+    }
+}
+
+impl From<bouncelab_audio::Error> for Failure {
+    fn from(fault: bouncelab_audio::Error) -> Self {
+        Self::Input(fault.to_string())
+    }
+}
+
+impl From<bouncelab_report::Error> for Failure {
+    fn from(fault: bouncelab_report::Error) -> Self {
+        Self::Input(fault.to_string())
+    }
+}

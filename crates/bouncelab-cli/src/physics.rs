@@ -1,0 +1,205 @@
+//! The arguments that say what falls, through what, and how hard it is pulled.
+
+use bouncelab::air::{Air, Conditions};
+use bouncelab::analysis::Settings;
+use bouncelab::ball::{self, Ball};
+use bouncelab::drag::DragLaw;
+use bouncelab::flight::Environment;
+use bouncelab::gravity;
+use clap::Args;
+
+use crate::failure::Failure;
+use crate::units;
+
+/// Ball, air, drag and gravity.
+#[derive(Args, Clone, Debug)]
+pub(crate) struct PhysicsArguments {
+    /// The ball: a name such as table-tennis-40, tennis or basketball, or steel:10mm, glass:16mm
+    /// (default: table-tennis-40)
+    #[arg(long, value_name = "NAME", help_heading = "Ball", conflicts_with_all = ["mass", "diameter"])]
+    ball: Option<String>,
+    /// Mass of the ball, as in 2.5g; goes with --diameter
+    #[arg(long, value_parser = units::mass, help_heading = "Ball", requires = "diameter")]
+    mass: Option<f64>,
+    /// Diameter of the ball, as in 38mm; goes with --mass
+    #[arg(long, value_parser = units::length, help_heading = "Ball", requires = "mass")]
+    diameter: Option<f64>,
+    /// How long the ball touches the surface, as in 1ms (default: typical of the ball)
+    #[arg(long, value_name = "TIME", value_parser = units::time, help_heading = "Ball")]
+    contact_time: Option<f64>,
+
+    /// Drag law: none, constant:0.4, or a sphere law such as clift-grace-weber or morrison
+    #[arg(
+        long,
+        value_name = "LAW",
+        default_value = "clift-grace-weber",
+        help_heading = "Air"
+    )]
+    pub(crate) drag: String,
+    /// Temperature of the air, as in 20C
+    #[arg(long, value_parser = units::temperature, allow_hyphen_values = true, help_heading = "Air")]
+    temperature: Option<f64>,
+    /// Pressure of the air, as in 1013hPa
+    #[arg(long, value_parser = units::pressure, help_heading = "Air")]
+    pressure: Option<f64>,
+    /// Relative humidity of the air, as in 50%
+    #[arg(long, value_parser = units::share, help_heading = "Air")]
+    humidity: Option<f64>,
+    /// Density of the air instead, as in 1.2kg/m3; 0 is vacuum
+    #[arg(
+        long, value_name = "DENSITY", value_parser = units::density, help_heading = "Air",
+        conflicts_with_all = ["temperature", "pressure", "humidity"]
+    )]
+    air_density: Option<f64>,
+    /// Viscosity of the air, as in 18.1uPa.s; goes with --air-density
+    #[arg(
+        long, value_name = "VISCOSITY", value_parser = units::viscosity, help_heading = "Air",
+        requires = "air_density"
+    )]
+    air_viscosity: Option<f64>,
+    /// Leave out the buoyancy of the ball in air
+    #[arg(long, help_heading = "Air")]
+    no_buoyancy: bool,
+    /// Leave out the mass of the air that moves with the ball
+    #[arg(long, help_heading = "Air")]
+    no_added_mass: bool,
+
+    /// Gravity, as in 9.81 (default: the standard 9.80665 m/s2)
+    #[arg(
+        long, value_parser = units::acceleration, help_heading = "Gravity",
+        conflicts_with_all = ["latitude", "altitude"]
+    )]
+    gravity: Option<f64>,
+    /// Latitude, from which gravity follows, as in 47.5 or 33.9S
+    #[arg(long, value_parser = units::latitude, allow_hyphen_values = true, help_heading = "Gravity")]
+    latitude: Option<f64>,
+    /// Height above the sea, as in 500m; goes with --latitude
+    #[arg(
+        long, value_parser = units::length, allow_hyphen_values = true, help_heading = "Gravity",
+        requires = "latitude"
+    )]
+    altitude: Option<f64>,
+}
+
+/// The physics of a run, and what of it nobody stated.
+pub(crate) struct Physics {
+    /// The settings for the science.
+    pub(crate) settings: Settings,
+    /// The ball in words.
+    pub(crate) ball_label: String,
+    /// What was assumed, one phrase for each.
+    pub(crate) assumptions: Vec<String>,
+}
+
+impl PhysicsArguments {
+    /// Ball, air and gravity of these arguments.
+    pub(crate) fn physics(&self) -> Result<Physics, Failure> {
+        let mut assumptions = Vec::new();
+        let (ball, ball_label, contact_time_s) = self.ball(&mut assumptions)?;
+        let environment = Environment {
+            gravity_m_s2: self.gravity(&mut assumptions)?,
+            air: self.air(&mut assumptions)?,
+            drag: self.drag.parse()?,
+            buoyancy: !self.no_buoyancy,
+            added_mass: !self.no_added_mass,
+        };
+        let settings = Settings {
+            ball,
+            environment,
+            contact_time_s,
+            flights: None,
+        };
+        // Whatever does not go together is found here, before any file is read.
+        settings.model()?;
+        Ok(Physics {
+            settings,
+            ball_label,
+            assumptions,
+        })
+    }
+
+    fn ball(&self, assumptions: &mut Vec<String>) -> Result<(Ball, String, f64), Failure> {
+        /// An order of magnitude, where nothing is known of the ball.
+        const CONTACT_S: f64 = 1e-3;
+        /// Steel and glass touch far shorter than hollow balls.
+        const HARD_CONTACT_S: f64 = 5e-5;
+        let (ball, label, typical_s) =
+            if let (Some(mass), Some(diameter)) = (self.mass, self.diameter) {
+                let label = format!("{} g, {} mm", rounded(mass * 1e3), rounded(diameter * 1e3));
+                (Ball::new(mass, diameter)?, label, CONTACT_S)
+            } else {
+                let name = self.ball.as_deref().unwrap_or("table-tennis-40");
+                match name.split_once(':') {
+                    Some((material @ ("steel" | "glass"), diameter)) => {
+                        let diameter_m = units::length(diameter).map_err(Failure::Usage)?;
+                        let make = if material == "steel" {
+                            Ball::steel
+                        } else {
+                            Ball::glass
+                        };
+                        let label = format!("{material}, {} mm", rounded(diameter_m * 1e3));
+                        (make(diameter_m)?, label, HARD_CONTACT_S)
+                    }
+                    _ => {
+                        let preset = ball::preset(name)?;
+                        if self.ball.is_none() {
+                            assumptions.push(format!("the ball is {}", preset.label));
+                        }
+                        (preset.ball, preset.label.to_owned(), preset.contact_time_s)
+                    }
+                }
+            };
+        if self.contact_time.is_none() {
+            assumptions.push(format!("it touches for {} ms", rounded(typical_s * 1e3)));
+        }
+        Ok((ball, label, self.contact_time.unwrap_or(typical_s)))
+    }
+
+    fn air(&self, assumptions: &mut Vec<String>) -> Result<Air, Failure> {
+        let usual = Conditions::default();
+        if let Some(density) = self.air_density {
+            let viscosity = match self.air_viscosity {
+                Some(viscosity) => viscosity,
+                None if density > 0.0 => Air::moist(&usual)?.viscosity_pa_s(),
+                None => return Ok(Air::vacuum()),
+            };
+            return Ok(Air::new(density, viscosity)?);
+        }
+        let conditions = Conditions {
+            temperature_k: self.temperature.unwrap_or(usual.temperature_k),
+            pressure_pa: self.pressure.unwrap_or(usual.pressure_pa),
+            relative_humidity: self.humidity.unwrap_or(usual.relative_humidity),
+        };
+        if self.temperature.is_none() || self.pressure.is_none() || self.humidity.is_none() {
+            assumptions.push(format!(
+                "air of {} C, {} hPa, {} % humidity",
+                rounded(conditions.temperature_k - 273.15),
+                rounded(conditions.pressure_pa / 100.0),
+                rounded(conditions.relative_humidity * 100.0),
+            ));
+        }
+        Ok(Air::moist(&conditions)?)
+    }
+
+    fn gravity(&self, assumptions: &mut Vec<String>) -> Result<f64, Failure> {
+        match (self.gravity, self.latitude) {
+            (Some(gravity), _) => Ok(gravity),
+            (None, Some(latitude)) => Ok(gravity::at(latitude, self.altitude.unwrap_or(0.0))?),
+            (None, None) => {
+                assumptions.push(format!("gravity {} m/s2", gravity::STANDARD_M_S2));
+                Ok(gravity::STANDARD_M_S2)
+            }
+        }
+    }
+}
+
+/// A number without the noise of binary fractions.
+fn rounded(value: f64) -> f64 {
+    (value * 1e6).round() / 1e6
+}
+
+/// The drag law that an argument names.
+pub(crate) fn drag_law(text: &str) -> Result<DragLaw, String> {
+    text.parse()
+        .map_err(|refusal: bouncelab::Error| refusal.to_string())
+}
