@@ -163,7 +163,7 @@ static PRESETS: [Preset; 10] = [
         label: "tennis",
         ball: ball(57.7, 66.0),
         contact_time_s: 5e-3,
-        source: "ITF: 56.0-59.4 g, 65.4-68.6 mm; middle mass, 66 mm without the loose felt",
+        source: "ITF: 56.0-59.4 g, 65.4-68.6 mm; the middle mass, 66 mm",
     },
     Preset {
         name: "football",
@@ -177,7 +177,7 @@ static PRESETS: [Preset; 10] = [
         label: "basketball, size 7",
         ball: ball(600.0, 243.0),
         contact_time_s: 1.5e-2,
-        source: "FIBA: 580-620 g, circumference 75-77 cm; middle mass, 76.3 cm",
+        source: "FIBA: 580-620 g, circumference 75-77 cm; the middle mass, 76.3 cm",
     },
     Preset {
         name: "golf",

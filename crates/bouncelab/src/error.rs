@@ -64,7 +64,7 @@ pub enum Error {
     /// A drop that would go on for more bounces than anyone can use.
     #[error(
         "the ball still rises {apex_m:.3e} m after {bounces} bounces; lower the restitution, stop at \
-         a greater height, or ask for a number of bounces"
+         a greater height, or ask for at most {bounces} bounces"
     )]
     EndlessDrop {
         /// How many bounces were simulated before giving up.

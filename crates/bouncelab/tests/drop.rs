@@ -188,7 +188,10 @@ fn an_endless_drop_is_an_error_that_helps() {
         }
     ));
     let message = error.to_string();
-    assert!(message.contains("ask for a number of bounces"), "{message}");
+    assert!(
+        message.contains("ask for at most 100000 bounces"),
+        "{message}"
+    );
     assert_eq!(
         stopped(1.0, Stop::after(1000)).unwrap().bounces().len(),
         1000
