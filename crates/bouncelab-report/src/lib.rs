@@ -1,7 +1,7 @@
 //! Figures, tables and rounded numbers: how bouncelab shows what it found.
 //!
-//! Everything here takes plain data with its unit in the name and gives back text or a
-//! picture; nothing depends on how the numbers were found.
+//! Figures, tables and quantities take plain data with its unit in the name and give back text or
+//! a picture; only [`document`] knows how the numbers were found.
 //!
 //! ```
 //! use bouncelab_report::figure::{self, Line, TimedFlight};
@@ -38,11 +38,13 @@
 //! | `sheet` | title, key, panels with axes |
 //! | [`figure`] | one file a figure |
 //! | [`save()`] | figures as files |
+//! | [`document`] | an analysis as data for other programs |
 //!
 //! All but [`save()`] work in a browser. The feature `png` (on by default) adds
 //! [`Figure::png`](figure::Figure::png) and [`save()`].
 
 mod canvas;
+pub mod document;
 mod error;
 pub mod figure;
 #[cfg(feature = "png")]

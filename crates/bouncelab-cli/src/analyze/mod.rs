@@ -1,0 +1,221 @@
+//! `bouncelab analyze`: what recordings, or lists of impact times, say.
+
+mod figures;
+mod hear;
+mod rows;
+mod text;
+
+pub(crate) use figures::save_figures;
+pub(crate) use hear::{Hearing, Heeded, hear};
+
+use std::io::{self, Write};
+use std::ops::RangeInclusive;
+use std::path::PathBuf;
+
+use bouncelab_report::document::Document;
+use clap::{Args, ValueEnum};
+
+use crate::failure::Failure;
+use crate::physics::{Physics, PhysicsArguments};
+use crate::units;
+
+/// Find the drops in recordings, or in lists of impact times
+///
+/// Reads WAV, AIFF, FLAC, MP3, OGG, Opus, WebM, M4A, MP4 and MOV, and impact times in seconds as
+/// .txt (one a line), .csv (one a line, or a column `time` or `time_s`) or .json (an array). Exit
+/// status: 0 if every file holds a drop, 1 if one does not or cannot be read, 2 for wrong usage.
+#[derive(Args)]
+#[command(after_help = EXAMPLES)]
+pub(crate) struct Arguments {
+    /// Recordings, or lists of impact times
+    #[arg(required = true, value_name = "FILE")]
+    files: Vec<PathBuf>,
+    /// How to print the result; JSON is documented in docs/json.md
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    format: Format,
+    /// Write figures as SVG and PNG into this folder
+    #[arg(long, value_name = "DIR")]
+    figures: Option<PathBuf>,
+    /// Flights for the straight line, as in 1..10, ..20 or 3..
+    #[arg(long, value_name = "A..B", value_parser = flight_range)]
+    flights: Option<(usize, usize)>,
+    /// Listen to this channel only, the first being 1 (default: the one that tells most)
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
+    channel: Option<u16>,
+    /// Leave out the impacts at these times, as in 1.234s,2.5s
+    #[arg(long, value_name = "TIMES", value_delimiter = ',', value_parser = units::time)]
+    exclude: Vec<f64>,
+    /// Add impacts at these times
+    #[arg(long, value_name = "TIMES", value_delimiter = ',', value_parser = units::time)]
+    include: Vec<f64>,
+    /// Print also each flight and how sure each impact is
+    #[arg(long)]
+    details: bool,
+    #[command(flatten)]
+    physics: PhysicsArguments,
+}
+
+const EXAMPLES: &str = "\
+Examples:
+  bouncelab analyze drop.wav
+  bouncelab analyze drop.m4a --ball tennis --temperature 25C --figures figures
+  bouncelab analyze drop.wav --mass 2.5g --diameter 38mm --drag constant:0.4
+  bouncelab analyze drop.wav --flights 1..10            the paper's ten flights
+  bouncelab analyze drop.wav --exclude 2.317 --include 4.1,4.25
+  bouncelab analyze times.csv --format json
+  bouncelab analyze class/*.wav --format csv > class.csv";
+
+#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum Format {
+    /// For people
+    Text,
+    /// For programs: one object; several files, one object a line
+    Json,
+    /// One row for each impact
+    Csv,
+}
+
+pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
+    let mut physics = arguments.physics.physics()?;
+    physics.settings.flights = arguments
+        .flights
+        .map(|(first, last)| RangeInclusive::new(first, last));
+    let heeded = Heeded {
+        channel: arguments.channel.map(usize::from),
+        exclude_s: arguments.exclude.clone(),
+        include_s: arguments.include.clone(),
+    };
+    let mut printer = Printer::new(arguments)?;
+    let mut empty_handed = false;
+    for file in &arguments.files {
+        let name = file.display().to_string();
+        match hear(file, &heeded, &physics.settings) {
+            Ok(hearing) => {
+                empty_handed |= hearing.drops.is_empty();
+                if let Some(reason) = &hearing.no_drop {
+                    eprintln!("bouncelab: {name}: no drop found: {reason}");
+                }
+                if let Some(folder) = &arguments.figures {
+                    save_figures(&hearing, &physics, folder)?;
+                }
+                printer.print(&hearing, &physics)?;
+            }
+            Err(failure @ (Failure::Usage(_) | Failure::Output(_))) => return Err(failure),
+            Err(Failure::Input(reason)) => {
+                empty_handed = true;
+                eprintln!("bouncelab: {reason}");
+                printer.print_failed(&name, &reason)?;
+            }
+        }
+    }
+    printer.finish()?;
+    if empty_handed {
+        Err(Failure::Input(String::new()))
+    } else {
+        Ok(())
+    }
+}
+
+/// Prints results in the chosen format, as they come.
+struct Printer {
+    format: Format,
+    details: bool,
+    several: bool,
+    rows: Option<csv::Writer<io::Stdout>>,
+}
+
+impl Printer {
+    fn new(arguments: &Arguments) -> Result<Self, Failure> {
+        let rows =
+            (arguments.format == Format::Csv).then(|| csv::Writer::from_writer(io::stdout()));
+        let mut printer = Self {
+            format: arguments.format,
+            details: arguments.details,
+            several: arguments.files.len() > 1,
+            rows,
+        };
+        if let Some(rows) = &mut printer.rows {
+            rows.write_record(rows::HEADER).map_err(io::Error::from)?;
+        }
+        Ok(printer)
+    }
+
+    fn print(&mut self, hearing: &Hearing, physics: &Physics) -> Result<(), Failure> {
+        match self.format {
+            Format::Text if hearing.drops.is_empty() => Ok(()),
+            Format::Text => {
+                let text = text::report(hearing, physics, self.details);
+                Ok(io::stdout().lock().write_all(text.as_bytes())?)
+            }
+            Format::Json => self.print_document(&hearing.document(physics)),
+            Format::Csv => {
+                if let Some(rows) = &mut self.rows {
+                    for row in rows::of(&hearing.document(physics)) {
+                        rows.write_record(&row).map_err(io::Error::from)?;
+                    }
+                }
+                Ok(())
+            }
+        }
+    }
+
+    fn print_failed(&self, name: &str, reason: &str) -> Result<(), Failure> {
+        match self.format {
+            Format::Json => self.print_document(&Document::failed(name, reason)),
+            Format::Text | Format::Csv => Ok(()),
+        }
+    }
+
+    fn print_document(&self, document: &Document) -> Result<(), Failure> {
+        let mut out = io::stdout().lock();
+        if self.several {
+            serde_json::to_writer(&mut out, document).map_err(io::Error::from)?;
+        } else {
+            serde_json::to_writer_pretty(&mut out, document).map_err(io::Error::from)?;
+        }
+        Ok(writeln!(out)?)
+    }
+
+    fn finish(self) -> Result<(), Failure> {
+        match self.rows {
+            Some(mut rows) => Ok(rows.flush()?),
+            None => Ok(()),
+        }
+    }
+}
+
+/// Reads `1..10` (both ends included), `..10`, `3..` or `5`.
+fn flight_range(text: &str) -> Result<(usize, usize), String> {
+    let wrong = || format!("\"{text}\" is no range of flights; write it as in 1..10");
+    let number = |part: &str, otherwise: usize| match part {
+        "" => Ok(otherwise),
+        _ => part.parse().map_err(|_| wrong()),
+    };
+    let (first, last) = match text.split_once("..") {
+        Some((first, last)) => (
+            number(first, 1)?,
+            number(last.trim_start_matches('='), usize::MAX)?,
+        ),
+        None => (number(text, 0)?, number(text, 0)?),
+    };
+    if first == 0 || last < first {
+        return Err(format!("{}, counted from 1", wrong()));
+    }
+    Ok((first, last))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::flight_range;
+
+    #[test]
+    fn flight_ranges_include_both_ends() {
+        assert_eq!(flight_range("1..10"), Ok((1, 10)));
+        assert_eq!(flight_range("..10"), Ok((1, 10)));
+        assert_eq!(flight_range("3.."), Ok((3, usize::MAX)));
+        assert_eq!(flight_range("5"), Ok((5, 5)));
+        assert!(flight_range("10..1").is_err());
+        assert!(flight_range("0..3").is_err());
+        assert!(flight_range("a..b").is_err());
+    }
+}

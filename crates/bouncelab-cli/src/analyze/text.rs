@@ -1,0 +1,239 @@
+//! The result for people.
+
+use std::fmt::Write;
+
+use bouncelab::analysis::Analysis;
+use bouncelab::regression::Estimate;
+use bouncelab_report::document::Origin;
+use bouncelab_report::{Align, CANNOT_TELL, Quantity, Table, Unit};
+
+use super::hear::Hearing;
+use crate::physics::Physics;
+
+/// What a file says, in words and a table for each drop.
+pub(super) fn report(hearing: &Hearing, physics: &Physics, details: bool) -> String {
+    let mut text = String::new();
+    line(&mut text, &headline(hearing));
+    for (index, drop) in hearing.drops.iter().enumerate() {
+        line(&mut text, "");
+        line(&mut text, &drop_headline(hearing, index));
+        line(&mut text, "");
+        for sentence in findings(drop, physics) {
+            line(&mut text, &format!("  {sentence}"));
+        }
+        line(&mut text, "");
+        line(
+            &mut text,
+            &indented(&impact_table(drop, details).to_string()),
+        );
+        for warning in &drop.warnings {
+            line(&mut text, &format!("  Note: {warning}."));
+        }
+    }
+    for warning in &hearing.warnings {
+        line(&mut text, &format!("  Note: {warning}."));
+    }
+    if !physics.assumptions.is_empty() {
+        line(
+            &mut text,
+            &format!("  Assumed: {}.", physics.assumptions.join("; ")),
+        );
+    }
+    text
+}
+
+fn line(text: &mut String, words: &str) {
+    // Writing to a String cannot fail.
+    let _ = writeln!(text, "{}", words.trim_end());
+}
+
+fn indented(block: &str) -> String {
+    block.lines().map(|row| format!("  {row}\n")).collect()
+}
+
+fn headline(hearing: &Hearing) -> String {
+    match &hearing.origin {
+        Origin::Times => format!("{}: impact times", hearing.name),
+        Origin::Sound {
+            format,
+            sample_rate_hz,
+            channels,
+            channel,
+            duration_s,
+            ..
+        } => {
+            let heard = match channels {
+                1 => String::new(),
+                _ => format!(", channel {channel} of {channels}"),
+            };
+            let rate = f64::from(*sample_rate_hz) / 1000.0;
+            format!(
+                "{}: {format}, {rate} kHz{heard}, {duration_s:.1} s",
+                hearing.name
+            )
+        }
+    }
+}
+
+fn drop_headline(hearing: &Hearing, index: usize) -> String {
+    let impacts = &hearing.drops[index].impacts;
+    let which = match hearing.drops.len() {
+        1 => "Drop".to_owned(),
+        count => format!("Drop {} of {count}", index + 1),
+    };
+    let (first, last) = (&impacts[0], &impacts[impacts.len() - 1]);
+    let doubtful = impacts
+        .iter()
+        .filter(|impact| impact.probability < 0.9)
+        .count();
+    let doubt = match doubtful {
+        0 => String::new(),
+        _ => format!(", {doubtful} uncertain (?)"),
+    };
+    let sure = match hearing.probabilities.get(index) {
+        Some(probability) if *probability < 0.999 => {
+            format!(" (a drop with probability {probability:.2})")
+        }
+        _ => String::new(),
+    };
+    let count = impacts.len();
+    format!(
+        "{which}: {count} impacts from {:.3} s to {:.3} s{doubt}{sure}",
+        first.time_s, last.time_s
+    )
+}
+
+/// The results in sentences.
+fn findings(drop: &Analysis, physics: &Physics) -> Vec<String> {
+    let mut sentences = Vec::new();
+    match &drop.line {
+        Ok(fit) => {
+            let flights = drop.flights.iter().filter(|flight| flight.in_line).count();
+            sentences.push(format!(
+                "Straight line, no drag (paper):  e = {}   h0 = {}   ({flights} flights)",
+                shown(fit.restitution(), Unit::Number),
+                shown(fit.drop_height_m(), Unit::Length),
+            ));
+            if let (Some(time), Some(path)) = (fit.total_time_s(), fit.total_path_m()) {
+                sentences.push(format!(
+                    "                                 it keeps {} of the energy; in all {} and {}",
+                    shown(fit.energy_kept(), Unit::Percent),
+                    shown(time, Unit::Time),
+                    shown(path, Unit::Length),
+                ));
+            }
+        }
+        Err(reason) => sentences.push(format!("Straight line: {CANNOT_TELL}: {reason}.")),
+    }
+    sentences.push(corrected_sentence(drop, physics));
+    sentences.push("h0 is the height of the fall before the first impact heard.".to_owned());
+    sentences
+}
+
+fn corrected_sentence(drop: &Analysis, physics: &Physics) -> String {
+    let found = match &drop.corrected {
+        Ok(found) => found,
+        Err(reason) => return format!("Corrected for drag: {CANNOT_TELL}: {reason}."),
+    };
+    match (drop.corrected_restitution(), drop.speed_range_m_s()) {
+        (Some(restitution), Some((slowest, fastest))) => format!(
+            "Corrected for drag ({}):  e = {}   median of {} impacts at {slowest:.2} to {fastest:.2} m/s",
+            physics.settings.environment.drag,
+            shown(restitution, Unit::Number),
+            found.impacts.len(),
+        ),
+        _ => format!(
+            "Corrected for drag: {CANNOT_TELL} a mean with {} impact{} that {} one flight before \
+             and one after.",
+            found.impacts.len(),
+            if found.impacts.len() == 1 { "" } else { "s" },
+            if found.impacts.len() == 1 {
+                "has"
+            } else {
+                "have"
+            },
+        ),
+    }
+}
+
+/// A value with its standard error, or with four digits where there is none.
+fn shown(estimate: Estimate, unit: Unit) -> String {
+    match estimate.standard_error {
+        Some(error) => Quantity::measured(estimate.value, error, unit).to_string(),
+        None => Quantity::rounded(estimate.value, 4, unit).to_string(),
+    }
+}
+
+fn impact_table(drop: &Analysis, details: bool) -> Table {
+    let mut columns = vec![
+        ("impact", Align::Right),
+        ("time s", Align::Right),
+        ("flight s", Align::Right),
+        ("apex cm", Align::Right),
+        ("speed m/s", Align::Right),
+        ("e no drag", Align::Right),
+        ("e", Align::Right),
+    ];
+    if details {
+        columns.extend([
+            ("\u{b1} e", Align::Right),
+            ("\u{b1} time \u{b5}s", Align::Right),
+            ("level dB", Align::Right),
+            ("probability", Align::Right),
+            ("line %", Align::Right),
+        ]);
+    }
+    columns.push(("", Align::Left));
+    let mut table = Table::new(columns);
+    for index in 0..drop.impacts.len() {
+        table.row(impact_row(drop, index, details));
+    }
+    table
+}
+
+fn impact_row(drop: &Analysis, index: usize, details: bool) -> Vec<String> {
+    let impact = &drop.impacts[index];
+    let flight = drop
+        .flights
+        .iter()
+        .find(|flight| flight.number == impact.number);
+    let found = drop.corrected.as_ref().ok();
+    let corrected = found.and_then(|f| f.impacts.iter().find(|i| i.number == impact.number));
+    let modelled = found.and_then(|f| f.flights.iter().find(|f| f.number == impact.number));
+    let apex_m = modelled
+        .map(|m| m.flight.apex_m)
+        .or(flight.map(|f| f.plain_height_m));
+    let mut row = vec![
+        impact.number.to_string(),
+        format!("{:.4}", impact.time_s),
+        fixed(flight.map(|f| f.time_s), 4),
+        fixed(apex_m.map(|apex_m| apex_m * 100.0), 2),
+        fixed(corrected.map(|c| c.impact_speed_m_s), 3),
+        fixed(corrected.map(|c| c.raw_ratio), 4),
+        fixed(corrected.map(|c| c.restitution.value), 4),
+    ];
+    if details {
+        row.extend([
+            fixed(corrected.and_then(|c| c.restitution.standard_error), 4),
+            fixed(impact.sigma_s.map(|sigma_s| sigma_s * 1e6), 1),
+            fixed(impact.level_db, 1),
+            format!("{:.3}", impact.probability),
+            fixed(residual_percent(drop, impact.number), 2),
+        ]);
+    }
+    row.push(if impact.probability < 0.9 { "?" } else { "" }.to_owned());
+    row
+}
+
+/// How far the flight after an impact lies from the straight line, in per cent of its time.
+fn residual_percent(drop: &Analysis, number: usize) -> Option<f64> {
+    let fit = drop.line.as_ref().ok()?;
+    let flight = drop.flights.iter().find(|flight| flight.number == number)?;
+    Some((flight.time_s / fit.flight_time_s(number).value - 1.0) * 100.0)
+}
+
+fn fixed(value: Option<f64>, digits: usize) -> String {
+    value
+        .filter(|v| v.is_finite())
+        .map_or_else(String::new, |value| format!("{value:.digits$}"))
+}
