@@ -1,13 +1,215 @@
-//! `bouncelab demo`.
+//! `bouncelab demo`: a drop from end to end, with the truth beside the result.
 
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+
+use bouncelab::analysis::Settings;
+use bouncelab::ball;
+use bouncelab::drag::DragLaw;
+use bouncelab::drop::{self, History, Start, Stop};
+use bouncelab::flight::Environment;
+use bouncelab::impact::{Contact, Restitution, Strike};
+use bouncelab::regression::{Estimate, Regression};
+use bouncelab::synth::{self, Noise, Rendered, Scene};
+use bouncelab_audio::{SampleFormat, write_wav};
+use bouncelab_report::{Align, CANNOT_TELL, Quantity, Table, Unit};
 use clap::Args;
 
+use crate::analyze::{Hearing, Heeded, hear, save_figures};
 use crate::failure::Failure;
+use crate::physics::Physics;
 
-/// Make, hear and analyse a drop, and compare with the truth.
+/// Make, hear and analyse a drop, and print the truth beside the result
+///
+/// The drop is that of the paper: a 38 mm table-tennis ball from 30.5 cm, with drag. Its sound is
+/// written to a WAV file, analysed as if it had been recorded, and drawn.
 #[derive(Args)]
-pub(crate) struct Arguments {}
+#[command(after_help = EXAMPLES)]
+pub(crate) struct Arguments {
+    /// Folder for the recording and the figures
+    #[arg(long, value_name = "DIR", default_value = "bouncelab-demo")]
+    output: PathBuf,
+    /// Seed of the noise and of the small differences between impacts
+    #[arg(long, default_value_t = 1)]
+    seed: u64,
+}
 
-pub(crate) fn run(_: &Arguments) -> Result<(), Failure> {
+const EXAMPLES: &str = "\
+Examples:
+  bouncelab demo
+  bouncelab demo --output /tmp/demo --seed 7";
+
+/// The paper's drop height in metres.
+const DROP_HEIGHT_M: f64 = 0.305;
+/// With drag, this restitution gives the paper's straight line its slope over ten flights.
+const RESTITUTION: f64 = 0.9529;
+/// A quiet room, in dB.
+const SNR_DB: f64 = 40.0;
+
+pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
+    let physics = physics()?;
+    let history = history(&physics.settings)?;
+    let strikes: Vec<Strike> = history.strikes().collect();
+    let scene = Scene {
+        noise: Some(Noise::pink(SNR_DB)),
+        ..Scene::default()
+    };
+    let sound = synth::render(&strikes, &scene, arguments.seed)?;
+    let recording = write_recording(&sound, &arguments.output)?;
+    let hearing = hear(&recording, &Heeded::default(), &physics.settings)?;
+    print(&hearing, &history, &sound, &recording)?;
+    save_figures(&hearing, &physics, &arguments.output)
+}
+
+fn physics() -> Result<Physics, Failure> {
+    let preset = ball::preset("table-tennis-38")?;
+    let environment = Environment {
+        drag: DragLaw::CliftGraceWeber,
+        ..Settings::default().environment
+    };
+    let settings = Settings {
+        ball: preset.ball,
+        environment,
+        contact_time_s: preset.contact_time_s,
+        flights: Some(1..=10),
+    };
+    Ok(Physics {
+        settings,
+        ball_label: preset.label.to_owned(),
+        assumptions: Vec::new(),
+    })
+}
+
+fn history(settings: &Settings) -> Result<History, Failure> {
+    /// Below this height of bounce, in metres, the sounds run into each other.
+    const REST_M: f64 = 5e-4;
+    let contact = Contact::new(Restitution::constant(RESTITUTION)?, settings.contact_time_s)?;
+    let start = Start::Height(DROP_HEIGHT_M);
+    Ok(drop::simulate(
+        &settings.model()?,
+        &contact,
+        start,
+        Stop::below(REST_M),
+    )?)
+}
+
+fn write_recording(sound: &Rendered, folder: &Path) -> Result<PathBuf, Failure> {
+    std::fs::create_dir_all(folder).map_err(|reason| {
+        Failure::Input(format!(
+            "cannot make the folder {}: {reason}",
+            folder.display()
+        ))
+    })?;
+    let path = folder.join("demo.wav");
+    write_wav(
+        &path,
+        sound.sample_rate_hz,
+        SampleFormat::Int16,
+        &[&sound.samples],
+    )?;
+    eprintln!("wrote {}", path.display());
+    Ok(path)
+}
+
+fn print(
+    hearing: &Hearing,
+    history: &History,
+    sound: &Rendered,
+    recording: &Path,
+) -> Result<(), Failure> {
+    let mut out = io::stdout().lock();
+    writeln!(
+        out,
+        "A drop from 30.5 cm, made, heard and analysed ({})",
+        recording.display()
+    )?;
+    writeln!(out)?;
+    writeln!(out, "{}", comparison(hearing, history, sound))?;
+    writeln!(
+        out,
+        "The straight line takes the drag for lost bounciness and falls short in height;"
+    )?;
+    writeln!(
+        out,
+        "corrected for drag, the restitution is the one the drop was made with."
+    )?;
     Ok(())
+}
+
+/// Truth and result side by side.
+fn comparison(hearing: &Hearing, history: &History, sound: &Rendered) -> Table {
+    let mut table = Table::new([
+        ("", Align::Left),
+        ("truth", Align::Right),
+        ("heard", Align::Right),
+    ]);
+    let Some(drop) = hearing.drops.first() else {
+        table.row(["drop", "1", CANNOT_TELL]);
+        return table;
+    };
+    let number = |value: f64| Quantity::rounded(value, 4, Unit::Number).to_string();
+    table.row([
+        "impacts".to_owned(),
+        sound.impacts.len().to_string(),
+        drop.impacts.len().to_string(),
+    ]);
+    table.row([
+        "largest error of a flight time".to_owned(),
+        "0 \u{b5}s".to_owned(),
+        largest_error(hearing, sound),
+    ]);
+    let estimate = |found: Option<Estimate>, unit: Unit| {
+        found.map_or_else(
+            || CANNOT_TELL.to_owned(),
+            |e| Quantity::measured(e.value, e.standard_error.unwrap_or(0.0), unit).to_string(),
+        )
+    };
+    let line = drop.line.as_ref().ok();
+    table.row([
+        "e, straight line of ten flights".to_owned(),
+        number(RESTITUTION),
+        estimate(line.map(Regression::restitution), Unit::Number),
+    ]);
+    table.row([
+        "e, corrected for drag".to_owned(),
+        number(RESTITUTION),
+        estimate(drop.corrected_restitution(), Unit::Number),
+    ]);
+    table.row([
+        "drop height, straight line".to_owned(),
+        Quantity::rounded(DROP_HEIGHT_M, 3, Unit::Length).to_string(),
+        estimate(line.map(Regression::drop_height_m), Unit::Length),
+    ]);
+    let second = history
+        .bounces()
+        .get(1)
+        .map_or(f64::NAN, |bounce| bounce.impact_speed_m_s);
+    let found = drop
+        .corrected
+        .as_ref()
+        .ok()
+        .and_then(|found| found.impacts.first());
+    table.row([
+        "speed of the second impact".to_owned(),
+        Quantity::rounded(second, 4, Unit::Speed).to_string(),
+        found.map_or_else(
+            || CANNOT_TELL.to_owned(),
+            |impact| Quantity::rounded(impact.impact_speed_m_s, 4, Unit::Speed).to_string(),
+        ),
+    ]);
+    table
+}
+
+/// The largest difference between a flight time heard and the true one.
+fn largest_error(hearing: &Hearing, sound: &Rendered) -> String {
+    let truth = sound
+        .impacts
+        .windows(2)
+        .map(|pair| pair[1].time_s - pair[0].time_s);
+    let heard = &hearing.drops[0].flights;
+    let errors = heard.iter().map(|flight| {
+        let true_s = truth.clone().nth(flight.number - 1).unwrap_or(f64::NAN);
+        (flight.time_s - true_s).abs()
+    });
+    Quantity::rounded(errors.fold(0.0, f64::max), 2, Unit::Time).to_string()
 }

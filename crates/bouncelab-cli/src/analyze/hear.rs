@@ -64,18 +64,13 @@ impl Hearing {
 pub(crate) fn hear(file: &Path, heeded: &Heeded, settings: &Settings) -> Result<Hearing, Failure> {
     let name = file.display().to_string();
     match Input::open(file)? {
-        Input::Times(times_s) => hear_times(name, &times_s, heeded, settings),
+        Input::Times(times_s) => Ok(hear_times(name, &times_s, heeded, settings)),
         Input::Sound(source) => hear_sound(name, *source, heeded, settings),
     }
 }
 
 /// A list of times is one drop: whoever made it has chosen.
-fn hear_times(
-    name: String,
-    times_s: &[f64],
-    heeded: &Heeded,
-    settings: &Settings,
-) -> Result<Hearing, Failure> {
+fn hear_times(name: String, times_s: &[f64], heeded: &Heeded, settings: &Settings) -> Hearing {
     let mut drops = vec![analysis::impacts_of_times(times_s)];
     let warnings = edit(&mut drops, heeded);
     let no_drop = (drops.concat().len() < 2)
@@ -83,7 +78,7 @@ fn hear_times(
     if no_drop.is_some() {
         drops.clear();
     }
-    Ok(Hearing {
+    Hearing {
         name,
         origin: Origin::Times,
         probabilities: vec![1.0; drops.len()],
@@ -91,7 +86,7 @@ fn hear_times(
         no_drop,
         warnings,
         envelope: None,
-    })
+    }
 }
 
 fn hear_sound(

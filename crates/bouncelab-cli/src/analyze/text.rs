@@ -48,7 +48,8 @@ fn line(text: &mut String, words: &str) {
 }
 
 fn indented(block: &str) -> String {
-    block.lines().map(|row| format!("  {row}\n")).collect()
+    let rows: Vec<String> = block.lines().map(|row| format!("  {row}")).collect();
+    rows.join("\n")
 }
 
 fn headline(hearing: &Hearing) -> String {
@@ -103,57 +104,68 @@ fn drop_headline(hearing: &Hearing, index: usize) -> String {
     )
 }
 
-/// The results in sentences.
+/// The results, one line for each.
 fn findings(drop: &Analysis, physics: &Physics) -> Vec<String> {
-    let mut sentences = Vec::new();
+    let mut lines = Vec::new();
     match &drop.line {
         Ok(fit) => {
             let flights = drop.flights.iter().filter(|flight| flight.in_line).count();
-            sentences.push(format!(
-                "Straight line, no drag (paper):  e = {}   h0 = {}   ({flights} flights)",
-                shown(fit.restitution(), Unit::Number),
-                shown(fit.drop_height_m(), Unit::Length),
+            lines
+                .push("Straight line through log flight time, as if there were no air:".to_owned());
+            lines.push(format!(
+                "  restitution        e  = {}",
+                shown(fit.restitution(), Unit::Number)
+            ));
+            lines.push(format!(
+                "  drop height        h0 = {}   (before the first impact heard; {flights} flights)",
+                shown(fit.drop_height_m(), Unit::Length)
+            ));
+            lines.push(format!(
+                "  energy kept             {}",
+                shown(fit.energy_kept(), Unit::Percent)
             ));
             if let (Some(time), Some(path)) = (fit.total_time_s(), fit.total_path_m()) {
-                sentences.push(format!(
-                    "                                 it keeps {} of the energy; in all {} and {}",
-                    shown(fit.energy_kept(), Unit::Percent),
-                    shown(time, Unit::Time),
-                    shown(path, Unit::Length),
+                lines.push(format!(
+                    "  until rest              {}",
+                    shown(time, Unit::Time)
+                ));
+                lines.push(format!(
+                    "  path until rest         {}",
+                    shown(path, Unit::Length)
                 ));
             }
         }
-        Err(reason) => sentences.push(format!("Straight line: {CANNOT_TELL}: {reason}.")),
+        Err(reason) => lines.push(format!("Straight line: {CANNOT_TELL}: {reason}.")),
     }
-    sentences.push(corrected_sentence(drop, physics));
-    sentences.push("h0 is the height of the fall before the first impact heard.".to_owned());
-    sentences
+    lines.extend(corrected_lines(drop, physics));
+    lines
 }
 
-fn corrected_sentence(drop: &Analysis, physics: &Physics) -> String {
+fn corrected_lines(drop: &Analysis, physics: &Physics) -> Vec<String> {
     let found = match &drop.corrected {
         Ok(found) => found,
-        Err(reason) => return format!("Corrected for drag: {CANNOT_TELL}: {reason}."),
+        Err(reason) => return vec![format!("Corrected for drag: {CANNOT_TELL}: {reason}.")],
     };
-    match (drop.corrected_restitution(), drop.speed_range_m_s()) {
-        (Some(restitution), Some((slowest, fastest))) => format!(
-            "Corrected for drag ({}):  e = {}   median of {} impacts at {slowest:.2} to {fastest:.2} m/s",
-            physics.settings.environment.drag,
-            shown(restitution, Unit::Number),
-            found.impacts.len(),
+    let count = found.impacts.len();
+    let (Some(restitution), Some((slowest, fastest))) =
+        (drop.corrected_restitution(), drop.speed_range_m_s())
+    else {
+        return vec![format!(
+            "Corrected for drag: {CANNOT_TELL} a mean: {count} of the impacts lie between two \
+             flights, and it takes 3."
+        )];
+    };
+    vec![
+        format!(
+            "Corrected for drag ({}, {}):",
+            physics.ball_label, physics.settings.environment.drag
         ),
-        _ => format!(
-            "Corrected for drag: {CANNOT_TELL} a mean with {} impact{} that {} one flight before \
-             and one after.",
-            found.impacts.len(),
-            if found.impacts.len() == 1 { "" } else { "s" },
-            if found.impacts.len() == 1 {
-                "has"
-            } else {
-                "have"
-            },
+        format!(
+            "  restitution        e  = {}   (median of {count} impacts at {slowest:.2} to \
+             {fastest:.2} m/s)",
+            shown(restitution, Unit::Number)
         ),
-    }
+    ]
 }
 
 /// A value with its standard error, or with four digits where there is none.
