@@ -19,13 +19,13 @@ pub(crate) struct PhysicsArguments {
     #[arg(long, value_name = "NAME", help_heading = "Ball", conflicts_with_all = ["mass", "diameter"])]
     ball: Option<String>,
     /// Mass of the ball, as in 2.5g; goes with --diameter
-    #[arg(long, value_parser = units::mass, help_heading = "Ball", requires = "diameter")]
+    #[arg(long, allow_hyphen_values = true, value_parser = units::mass, help_heading = "Ball", requires = "diameter")]
     mass: Option<f64>,
     /// Diameter of the ball, as in 38mm; goes with --mass
-    #[arg(long, value_parser = units::length, help_heading = "Ball", requires = "mass")]
+    #[arg(long, allow_hyphen_values = true, value_parser = units::length, help_heading = "Ball", requires = "mass")]
     diameter: Option<f64>,
     /// How long the ball touches the surface, as in 1ms (default: typical of the ball)
-    #[arg(long, value_name = "TIME", value_parser = units::time, help_heading = "Ball")]
+    #[arg(long, value_name = "TIME", allow_hyphen_values = true, value_parser = units::time, help_heading = "Ball")]
     contact_time: Option<f64>,
 
     /// Drag law: none, constant:0.4, or a sphere law such as clift-grace-weber or morrison
@@ -40,20 +40,20 @@ pub(crate) struct PhysicsArguments {
     #[arg(long, value_parser = units::temperature, allow_hyphen_values = true, help_heading = "Air")]
     temperature: Option<f64>,
     /// Pressure of the air, as in 1013hPa
-    #[arg(long, value_parser = units::pressure, help_heading = "Air")]
+    #[arg(long, allow_hyphen_values = true, value_parser = units::pressure, help_heading = "Air")]
     pressure: Option<f64>,
     /// Relative humidity of the air, as in 50%
-    #[arg(long, value_parser = units::share, help_heading = "Air")]
+    #[arg(long, allow_hyphen_values = true, value_parser = units::share, help_heading = "Air")]
     humidity: Option<f64>,
     /// Density of the air instead, as in 1.2kg/m3; 0 is vacuum
     #[arg(
-        long, value_name = "DENSITY", value_parser = units::density, help_heading = "Air",
+        long, value_name = "DENSITY", allow_hyphen_values = true, value_parser = units::density, help_heading = "Air",
         conflicts_with_all = ["temperature", "pressure", "humidity"]
     )]
     air_density: Option<f64>,
     /// Viscosity of the air, as in 18.1uPa.s; goes with --air-density
     #[arg(
-        long, value_name = "VISCOSITY", value_parser = units::viscosity, help_heading = "Air",
+        long, value_name = "VISCOSITY", allow_hyphen_values = true, value_parser = units::viscosity, help_heading = "Air",
         requires = "air_density"
     )]
     air_viscosity: Option<f64>,
@@ -66,7 +66,7 @@ pub(crate) struct PhysicsArguments {
 
     /// Gravity, as in 9.81 (default: the standard 9.80665 m/s2)
     #[arg(
-        long, value_parser = units::acceleration, help_heading = "Gravity",
+        long, allow_hyphen_values = true, value_parser = units::acceleration, help_heading = "Gravity",
         conflicts_with_all = ["latitude", "altitude"]
     )]
     gravity: Option<f64>,
@@ -75,7 +75,7 @@ pub(crate) struct PhysicsArguments {
     latitude: Option<f64>,
     /// Height above the sea, as in 500m; goes with --latitude
     #[arg(
-        long, value_parser = units::length, allow_hyphen_values = true, help_heading = "Gravity",
+        long, allow_hyphen_values = true, value_parser = units::length, help_heading = "Gravity",
         requires = "latitude"
     )]
     altitude: Option<f64>,

@@ -1,0 +1,372 @@
+//! `bouncelab analyze` as its users meet it: good files, bad files, wrong arguments.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use assert_cmd::Command;
+use bouncelab::impact::Strike;
+use bouncelab::synth::{self, Noise, Scene};
+use bouncelab_audio::{SampleFormat, write_wav};
+use predicates::prelude::*;
+use serde_json::Value;
+use tempfile::TempDir;
+
+const RATE_HZ: u32 = 44_100;
+
+fn bouncelab() -> Command {
+    Command::cargo_bin("bouncelab").unwrap()
+}
+
+fn analyze(file: &Path) -> Command {
+    let mut command = bouncelab();
+    command.arg("analyze").arg(file);
+    command
+}
+
+fn json(command: &mut Command) -> Value {
+    let output = command.args(["--format", "json"]).output().unwrap();
+    serde_json::from_slice(&output.stdout).unwrap()
+}
+
+/// Strikes of a drag-free drop whose first impact, at 2.4 m/s, is at time 0.
+fn strikes(restitution: f64, count: usize) -> Vec<Strike> {
+    let mut time_s = 0.0;
+    let mut speed_m_s = 2.4;
+    (0..count)
+        .map(|_| {
+            let strike = Strike { time_s, speed_m_s };
+            speed_m_s *= restitution;
+            time_s += 2.0 * speed_m_s / 9.806_65;
+            strike
+        })
+        .collect()
+}
+
+fn write_samples(folder: &TempDir, name: &str, samples: &[f32]) -> PathBuf {
+    let path = folder.path().join(name);
+    write_wav(&path, RATE_HZ, SampleFormat::Float32, &[samples]).unwrap();
+    path
+}
+
+/// A recording of twenty impacts with restitution 0.9.
+fn recording(folder: &TempDir) -> PathBuf {
+    let sound = synth::render(&strikes(0.9, 20), &Scene::default(), 3).unwrap();
+    write_samples(folder, "drop.wav", &sound.samples)
+}
+
+fn write_text(folder: &TempDir, name: &str, text: &str) -> PathBuf {
+    let path = folder.path().join(name);
+    fs::write(&path, text).unwrap();
+    path
+}
+
+#[test]
+fn a_recording_gives_restitution_and_height() {
+    let folder = TempDir::new().unwrap();
+    let result = json(&mut analyze(&recording(&folder)));
+    assert_eq!(result["schema"], "bouncelab.analysis/1");
+    let drop = &result["drops"][0];
+    assert_eq!(drop["impacts"].as_array().unwrap().len(), 20);
+    assert!((drop["impacts"][0]["time_s"].as_f64().unwrap() - 0.5).abs() < 1e-4);
+    let line = &drop["regression"];
+    assert!((line["restitution"].as_f64().unwrap() - 0.9).abs() < 1e-4);
+    // v0^2 / 2 g.
+    let height_m = 2.4 * 2.4 / 2.0 / 9.806_65;
+    assert!((line["drop_height_m"].as_f64().unwrap() - height_m).abs() < 1e-3);
+    assert_eq!(
+        result["settings"]["assumptions"][0],
+        "the ball is table tennis 40+"
+    );
+}
+
+#[test]
+fn text_is_read_at_a_glance() {
+    let folder = TempDir::new().unwrap();
+    analyze(&recording(&folder)).assert().success().stdout(
+        predicate::str::contains("20 impacts")
+            .and(predicate::str::contains("restitution"))
+            .and(predicate::str::contains("drop height"))
+            .and(predicate::str::contains(
+                "Assumed: the ball is table tennis 40+",
+            )),
+    );
+}
+
+#[test]
+fn csv_has_a_row_for_each_impact() {
+    let folder = TempDir::new().unwrap();
+    let output = analyze(&recording(&folder))
+        .args(["--format", "csv"])
+        .output()
+        .unwrap();
+    let text = String::from_utf8(output.stdout).unwrap();
+    assert!(text.starts_with("file,drop,number,time_s,"));
+    assert_eq!(text.lines().count(), 21);
+}
+
+#[test]
+fn lists_of_times_are_read_in_three_formats() {
+    let folder = TempDir::new().unwrap();
+    let times: Vec<f64> = strikes(0.9, 8).iter().map(|strike| strike.time_s).collect();
+    let lines: Vec<String> = times.iter().map(ToString::to_string).collect();
+    let files = [
+        write_text(&folder, "a.txt", &lines.join("\n")),
+        write_text(&folder, "a.csv", &format!("time_s\n{}\n", lines.join("\n"))),
+        write_text(&folder, "a.json", &format!("[{}]", lines.join(","))),
+    ];
+    for file in files {
+        let result = json(&mut analyze(&file));
+        let restitution = result["drops"][0]["regression"]["restitution"]
+            .as_f64()
+            .unwrap();
+        assert!((restitution - 0.9).abs() < 1e-9, "{}", file.display());
+    }
+}
+
+#[test]
+fn a_missed_impact_in_a_list_leaves_a_gap() {
+    let folder = TempDir::new().unwrap();
+    let mut times: Vec<String> = strikes(0.9, 9)
+        .iter()
+        .map(|s| s.time_s.to_string())
+        .collect();
+    times.remove(4);
+    let file = write_text(&folder, "gap.txt", &times.join("\n"));
+    let result = json(&mut analyze(&file));
+    let drop = &result["drops"][0];
+    assert_eq!(drop["impacts"][4]["number"], 6);
+    assert!((drop["regression"]["restitution"].as_f64().unwrap() - 0.9).abs() < 1e-9);
+    assert!(drop["warnings"][0].as_str().unwrap().contains("not heard"));
+}
+
+#[test]
+fn impacts_are_left_out_and_added_by_hand() {
+    let folder = TempDir::new().unwrap();
+    let file = recording(&folder);
+    let time = (0.5 + strikes(0.9, 20)[5].time_s).to_string();
+    let without = json(analyze(&file).args(["--exclude", &time]));
+    assert_eq!(without["drops"][0]["impacts"].as_array().unwrap().len(), 19);
+    assert_eq!(without["drops"][0]["impacts"][5]["number"], 7);
+    let back = json(analyze(&file).args(["--exclude", &time, "--include", &time]));
+    assert_eq!(back["drops"][0]["impacts"].as_array().unwrap().len(), 20);
+    assert_eq!(back["drops"][0]["impacts"][5]["number"], 6);
+}
+
+#[test]
+fn a_range_of_flights_goes_into_the_line() {
+    let folder = TempDir::new().unwrap();
+    let result = json(analyze(&recording(&folder)).args(["--flights", "1..10"]));
+    assert_eq!(result["drops"][0]["regression"]["flights"], 10);
+}
+
+#[test]
+fn figures_are_written_whole() {
+    let folder = TempDir::new().unwrap();
+    let figures = folder.path().join("figures");
+    analyze(&recording(&folder))
+        .arg("--figures")
+        .arg(&figures)
+        .assert()
+        .success();
+    for name in [
+        "waveform",
+        "flight-times",
+        "restitution",
+        "height",
+        "drag",
+        "drag-log",
+    ] {
+        for ending in ["svg", "png"] {
+            let file = figures.join(format!("drop-{name}.{ending}"));
+            assert!(
+                fs::metadata(&file).unwrap().len() > 1000,
+                "{}",
+                file.display()
+            );
+        }
+    }
+    assert_eq!(fs::read_dir(&figures).unwrap().count(), 12);
+}
+
+#[test]
+fn a_folder_that_cannot_be_made_is_an_error() {
+    let folder = TempDir::new().unwrap();
+    let file = recording(&folder);
+    let inside_a_file = file.join("figures");
+    analyze(&file)
+        .arg("--figures")
+        .arg(inside_a_file)
+        .assert()
+        .code(1)
+        .stderr(predicate::str::contains("figures"));
+}
+
+#[test]
+fn several_files_give_one_json_object_a_line_and_one_bad_file_does_not_stop_the_rest() {
+    let folder = TempDir::new().unwrap();
+    let good = recording(&folder);
+    let missing = folder.path().join("missing.wav");
+    let output = bouncelab()
+        .args(["analyze", "--format", "json"])
+        .args([&missing, &good])
+        .assert()
+        .code(1)
+        .stderr(predicate::str::contains("missing.wav"))
+        .get_output()
+        .clone();
+    let lines: Vec<Value> = String::from_utf8(output.stdout)
+        .unwrap()
+        .lines()
+        .map(|line| serde_json::from_str(line).unwrap())
+        .collect();
+    assert_eq!(lines[0]["drops"].as_array().unwrap().len(), 0);
+    assert_eq!(lines[1]["drops"].as_array().unwrap().len(), 1);
+}
+
+/// A file without a drop: exit status 1, the reason on stderr, and empty `drops` in JSON.
+#[track_caller]
+fn no_drop(file: &Path, reason: &str) {
+    analyze(file)
+        .args(["--format", "json"])
+        .assert()
+        .code(1)
+        .stderr(predicate::str::contains(reason).and(predicate::str::contains("panicked").not()))
+        .stdout(predicate::function(|text: &str| {
+            let result: Value = serde_json::from_str(text).unwrap();
+            result["drops"].as_array().unwrap().is_empty() && result["no_drop"].is_string()
+        }));
+}
+
+#[test]
+fn bad_files_get_a_clear_message() {
+    let folder = TempDir::new().unwrap();
+    no_drop(&folder.path().join("missing.wav"), "missing.wav");
+    no_drop(folder.path(), "folder");
+    no_drop(&write_text(&folder, "empty.wav", ""), "empty");
+    no_drop(
+        &write_text(&folder, "text.wav", "Dear diary, today a ball bounced."),
+        "text.wav",
+    );
+    no_drop(&write_text(&folder, "words.txt", "one\ntwo\n"), "line 1");
+    no_drop(&write_text(&folder, "one.txt", "1.5\n"), "two impact times");
+    no_drop(&write_text(&folder, "unsorted.txt", "1\n3\n2\n"), "line 3");
+}
+
+#[test]
+fn sounds_without_a_drop_say_why() {
+    let folder = TempDir::new().unwrap();
+    let quiet = |name: &str, samples: &[f32]| write_samples(&folder, name, samples);
+    no_drop(&quiet("silence.wav", &[0.0; 44_100]), "silent");
+    no_drop(&quiet("constant.wav", &[0.3; 44_100]), "silent");
+    no_drop(&quiet("one.wav", &[0.5]), "no drop found");
+    no_drop(&not_numbers(&folder), "no drop found");
+    let noise = synth::render(
+        &[],
+        &Scene {
+            tail_s: 600.0,
+            noise: Some(Noise::pink(0.0)),
+            ..Scene::default()
+        },
+        5,
+    );
+    no_drop(
+        &quiet("noise.wav", &noise.unwrap().samples),
+        "no drop found",
+    );
+    let clock: Vec<Strike> = (0..20)
+        .map(|n| Strike {
+            time_s: 0.5 * f64::from(n),
+            speed_m_s: 1.0,
+        })
+        .collect();
+    let clock = synth::render(&clock, &Scene::default(), 5).unwrap();
+    no_drop(&quiet("clock.wav", &clock.samples), "equal intervals");
+}
+
+/// A recording of which every sample is NaN, as no writer would make it.
+fn not_numbers(folder: &TempDir) -> PathBuf {
+    let path = write_samples(folder, "nan.wav", &[0.25; 44_100]);
+    let mut bytes = fs::read(&path).unwrap();
+    let (from, to) = (0.25_f32.to_le_bytes(), f32::NAN.to_le_bytes());
+    let header = bytes.windows(4).position(|window| window == from).unwrap();
+    bytes[header..]
+        .as_chunks_mut::<4>()
+        .0
+        .iter_mut()
+        .for_each(|sample| *sample = to);
+    fs::write(&path, bytes).unwrap();
+    path
+}
+
+#[test]
+fn damaged_recordings_of_every_format_never_panic() {
+    let fixtures = Path::new(env!("CARGO_MANIFEST_DIR")).join("../bouncelab-audio/tests/fixtures");
+    let folder = TempDir::new().unwrap();
+    let mut formats = 0;
+    for entry in fs::read_dir(fixtures).unwrap() {
+        let path = entry.unwrap().path();
+        let name = path.file_name().unwrap().to_string_lossy().into_owned();
+        if name.ends_with(".sh") || name.ends_with(".md") {
+            continue;
+        }
+        formats += 1;
+        let bytes = fs::read(&path).unwrap();
+        let half = folder.path().join(format!("half-{name}"));
+        fs::write(&half, &bytes[..bytes.len() / 2]).unwrap();
+        let mut bent = bytes.clone();
+        for at in (64..bent.len()).step_by(97) {
+            bent[at] ^= 0x55;
+        }
+        let corrupt = folder.path().join(format!("corrupt-{name}"));
+        fs::write(&corrupt, bent).unwrap();
+        for file in [half, corrupt] {
+            let output = analyze(&file).output().unwrap();
+            let message = String::from_utf8_lossy(&output.stderr).into_owned();
+            assert!(
+                matches!(output.status.code(), Some(0 | 1)),
+                "{name}: {message}"
+            );
+            assert!(
+                !message.is_empty() || output.status.success(),
+                "{name} says nothing"
+            );
+        }
+    }
+    assert!(formats >= 12, "only {formats} fixtures");
+}
+
+#[test]
+fn absurd_arguments_are_refused_before_any_file_is_read() {
+    for (arguments, reason) in [
+        (&["--mass", "-2.5g", "--diameter", "38mm"][..], "mass"),
+        (&["--mass", "2.5g", "--diameter", "0"], "diameter"),
+        (&["--mass", "2.5g"], "--diameter"),
+        (&["--ball", "tenis"], "tennis"),
+        (&["--drag", "constnt:0.4"], "drag law"),
+        (&["--drag", "constant:-1"], "drag coefficient"),
+        (&["--temperature", "1000C"], "temperature"),
+        (&["--humidity", "140%"], "humidity"),
+        (&["--gravity", "0"], "gravity"),
+        (&["--latitude", "95"], "latitude"),
+        (&["--flights", "10..1"], "range"),
+        (&["--channel", "0"], "channel"),
+        (&["--pressure", "3kg"], "hPa"),
+    ] {
+        bouncelab()
+            .args(["analyze", "nothing.wav"])
+            .args(arguments)
+            .assert()
+            .code(2)
+            .stderr(predicate::str::contains(reason));
+    }
+}
+
+#[test]
+fn a_channel_that_is_not_there_is_wrong_usage() {
+    let folder = TempDir::new().unwrap();
+    analyze(&recording(&folder))
+        .args(["--channel", "3"])
+        .assert()
+        .code(2)
+        .stderr(predicate::str::contains("1 channel"));
+}

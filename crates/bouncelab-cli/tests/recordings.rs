@@ -1,0 +1,103 @@
+//! Real recordings: impacts found, drops counted, nothing where nothing is.
+//!
+//! They are not part of the project. `BOUNCELAB_RECORDINGS` names a folder with them and a
+//! `truth.json` of impact times; without it this test says that it was skipped.
+
+use std::path::{Path, PathBuf};
+
+use assert_cmd::Command;
+use serde_json::Value;
+
+/// An impact is found if it is heard within this many seconds of the truth.
+const TOLERANCE_S: f64 = 0.008;
+/// A detector may rightly hear more of a fading drop than the truth lists.
+const FADING_S: f64 = 1.2;
+
+#[test]
+fn real_recordings_are_understood() {
+    let Some(folder) = std::env::var_os("BOUNCELAB_RECORDINGS").map(PathBuf::from) else {
+        eprintln!("SKIPPED: set BOUNCELAB_RECORDINGS to a folder of recordings to run this test");
+        return;
+    };
+    let truth = std::fs::read(folder.join("truth.json")).expect("truth.json in the folder");
+    let truth: Value = serde_json::from_slice(&truth).unwrap();
+    let recordings = truth["recordings"].as_object().unwrap();
+    let (mut scores, mut counted_right, mut with_drops) = (Vec::new(), 0, 0);
+    for (name, recording) in recordings {
+        let found = drops(&folder.join(name));
+        let expected = recording["drops"].as_array().unwrap();
+        if expected.is_empty() {
+            assert!(
+                found.is_empty(),
+                "{name} holds no drop, but {} were found",
+                found.len()
+            );
+            continue;
+        }
+        let score = f1(&found.concat(), expected);
+        eprintln!(
+            "{name}: {} drops of {}, F1 {score:.3}",
+            found.len(),
+            expected.len()
+        );
+        with_drops += 1;
+        counted_right += usize::from(found.len() == expected.len());
+        scores.push(score);
+    }
+    let mean = scores.iter().sum::<f64>() / scores.len() as f64;
+    assert!(mean >= 0.93, "mean F1 {mean:.3}");
+    assert!(
+        counted_right + 1 >= with_drops,
+        "drops counted right in {counted_right}"
+    );
+}
+
+/// The impact times of each drop that is found.
+fn drops(file: &Path) -> Vec<Vec<f64>> {
+    let mut command = Command::cargo_bin("bouncelab").unwrap();
+    let output = command
+        .args(["analyze", "--format", "json"])
+        .arg(file)
+        .output()
+        .unwrap();
+    let result: Value = serde_json::from_slice(&output.stdout).unwrap();
+    let times = |drop: &Value| {
+        list(&drop["impacts"], |impact| {
+            impact["time_s"].as_f64().unwrap()
+        })
+    };
+    list(&result["drops"], times)
+}
+
+fn list<T>(values: &Value, of: impl Fn(&Value) -> T) -> Vec<T> {
+    values.as_array().into_iter().flatten().map(of).collect()
+}
+
+/// Harmonic mean of precision and recall over a whole recording.
+fn f1(found: &[f64], drops: &[Value]) -> f64 {
+    let numbers = |values: &Value| list(values, |v| v.as_f64().unwrap());
+    let mut unmatched = found.to_vec();
+    let mut matched = 0;
+    let mut expected = 0;
+    for drop in drops {
+        for time_s in numbers(&drop["impacts_s"]) {
+            expected += 1;
+            let near = |found: &f64| (found - time_s).abs() <= TOLERANCE_S;
+            if let Some(index) = unmatched.iter().position(near) {
+                unmatched.remove(index);
+                matched += 1;
+            }
+        }
+    }
+    for drop in drops {
+        let end_s = numbers(&drop["impacts_s"]).last().copied().unwrap();
+        let optional = numbers(&drop["optional_s"]);
+        unmatched.retain(|&found| {
+            !(found > end_s && found <= end_s + FADING_S)
+                && !optional.iter().any(|time_s| (found - time_s).abs() <= 0.02)
+        });
+    }
+    let precision = f64::from(matched) / (f64::from(matched) + unmatched.len() as f64);
+    let recall = f64::from(matched) / f64::from(expected);
+    2.0 * precision * recall / (precision + recall)
+}
