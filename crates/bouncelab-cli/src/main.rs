@@ -3,6 +3,7 @@
 mod analyze;
 mod demo;
 mod failure;
+mod history;
 mod paper;
 mod physics;
 mod simulate;

@@ -30,12 +30,13 @@ pub(crate) struct PhysicsArguments {
 
     /// Drag law: none, constant:0.4, or a sphere law such as clift-grace-weber or morrison
     #[arg(
+        value_parser = drag_law,
         long,
         value_name = "LAW",
         default_value = "clift-grace-weber",
         help_heading = "Air"
     )]
-    pub(crate) drag: String,
+    drag: DragLaw,
     /// Temperature of the air, as in 20C
     #[arg(long, value_parser = units::temperature, allow_hyphen_values = true, help_heading = "Air")]
     temperature: Option<f64>,
@@ -99,7 +100,7 @@ impl PhysicsArguments {
         let environment = Environment {
             gravity_m_s2: self.gravity(&mut assumptions)?,
             air: self.air(&mut assumptions)?,
-            drag: self.drag.parse()?,
+            drag: self.drag,
             buoyancy: !self.no_buoyancy,
             added_mass: !self.no_added_mass,
         };
@@ -129,24 +130,21 @@ impl PhysicsArguments {
                 (Ball::new(mass, diameter)?, label, CONTACT_S)
             } else {
                 let name = self.ball.as_deref().unwrap_or("table-tennis-40");
-                match name.split_once(':') {
-                    Some((material @ ("steel" | "glass"), diameter)) => {
-                        let diameter_m = units::length(diameter).map_err(Failure::Usage)?;
-                        let make = if material == "steel" {
-                            Ball::steel
-                        } else {
-                            Ball::glass
-                        };
-                        let label = format!("{material}, {} mm", rounded(diameter_m * 1e3));
-                        (make(diameter_m)?, label, HARD_CONTACT_S)
+                if let Some((material @ ("steel" | "glass"), diameter)) = name.split_once(':') {
+                    let diameter_m = units::length(diameter).map_err(Failure::Usage)?;
+                    let make = if material == "steel" {
+                        Ball::steel
+                    } else {
+                        Ball::glass
+                    };
+                    let label = format!("{material}, {} mm", rounded(diameter_m * 1e3));
+                    (make(diameter_m)?, label, HARD_CONTACT_S)
+                } else {
+                    let preset = ball::preset(name)?;
+                    if self.ball.is_none() {
+                        assumptions.push(format!("the ball is {}", preset.label));
                     }
-                    _ => {
-                        let preset = ball::preset(name)?;
-                        if self.ball.is_none() {
-                            assumptions.push(format!("the ball is {}", preset.label));
-                        }
-                        (preset.ball, preset.label.to_owned(), preset.contact_time_s)
-                    }
+                    (preset.ball, preset.label.to_owned(), preset.contact_time_s)
                 }
             };
         if self.contact_time.is_none() {

@@ -1,13 +1,338 @@
-//! `bouncelab simulate`.
+//! `bouncelab simulate`: from ball, air and surface to the history of a drop.
 
-use clap::Args;
+use std::io::{self, Write};
+use std::path::PathBuf;
+
+use bouncelab::analysis::Settings;
+use bouncelab::drag::DragLaw;
+use bouncelab::drop::History;
+use bouncelab::flight::Environment;
+use bouncelab_report::figure::{self, Curve};
+use bouncelab_report::theme::Meaning;
+use bouncelab_report::{Align, Quantity, Table, Unit, save};
+use clap::{Args, ValueEnum};
+use serde::Serialize;
 
 use crate::failure::Failure;
+use crate::history::HistoryArguments;
+use crate::physics::{Physics, PhysicsArguments, drag_law};
 
-/// Simulate a drop: a table, and height against time.
+/// Simulate a drop: a table of bounces, totals, and height against time
 #[derive(Args)]
-pub(crate) struct Arguments {}
+#[command(after_help = EXAMPLES)]
+pub(crate) struct Arguments {
+    #[command(flatten)]
+    history: HistoryArguments,
+    /// Simulate with this drag law too, for comparison; may be repeated
+    #[arg(long, value_name = "LAW", value_parser = drag_law)]
+    compare: Vec<DragLaw>,
+    /// How to print the result; JSON is documented in docs/json.md
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    format: Format,
+    /// Write height against time as SVG and PNG into this folder
+    #[arg(long, value_name = "DIR")]
+    figures: Option<PathBuf>,
+    #[command(flatten)]
+    physics: PhysicsArguments,
+}
 
-pub(crate) fn run(_: &Arguments) -> Result<(), Failure> {
-    Ok(())
+const EXAMPLES: &str = "\
+Examples:
+  bouncelab simulate --height 30.5cm --restitution 0.935
+  bouncelab simulate --compare none --compare constant:0.4 --figures figures
+  bouncelab simulate --ball tennis --height 2.54m --restitution 0.75 --bounces 5 --format csv
+  bouncelab simulate --restitution 0.95 --restitution-slope 0.01    e falls with speed
+  bouncelab simulate --air-density 0 --gravity 1.62                 on the Moon";
+
+#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum Format {
+    /// For people
+    Text,
+    /// For programs
+    Json,
+    /// One row for each bounce
+    Csv,
+}
+
+/// One simulated drop.
+struct Run {
+    law: DragLaw,
+    terminal_speed_m_s: Option<f64>,
+    /// Energies of the history are per kilogram of this mass.
+    mass_kg: f64,
+    history: History,
+}
+
+pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
+    let physics = arguments.physics.physics()?;
+    let laws = std::iter::once(physics.settings.environment.drag).chain(arguments.compare.clone());
+    let runs = laws
+        .map(|law| simulate(law, &physics.settings, &arguments.history))
+        .collect::<Result<Vec<Run>, Failure>>()?;
+    if let Some(folder) = &arguments.figures {
+        let saved = save(&height_figure(&runs), folder, "height")?;
+        eprintln!("wrote {} and .png", saved.svg.display());
+    }
+    let mut out = io::stdout().lock();
+    match arguments.format {
+        Format::Text => Ok(out.write_all(text(&runs, &physics).as_bytes())?),
+        Format::Json => {
+            serde_json::to_writer_pretty(&mut out, &Document::new(&runs, &physics))
+                .map_err(io::Error::from)?;
+            Ok(writeln!(out)?)
+        }
+        Format::Csv => csv(&runs, out),
+    }
+}
+
+fn simulate(law: DragLaw, settings: &Settings, history: &HistoryArguments) -> Result<Run, Failure> {
+    let environment = Environment {
+        drag: law,
+        ..settings.environment
+    };
+    let model = Settings {
+        environment,
+        ..settings.clone()
+    }
+    .model()?;
+    Ok(Run {
+        law,
+        terminal_speed_m_s: model.terminal_speed_m_s(),
+        mass_kg: model.moving_mass_kg().unwrap_or(f64::NAN),
+        history: history.simulate(&model, settings.contact_time_s)?,
+    })
+}
+
+fn text(runs: &[Run], physics: &Physics) -> String {
+    let mut parts = vec![format!(
+        "A drop of a ball ({}), simulated",
+        physics.ball_label
+    )];
+    parts.push(String::new());
+    parts.push(totals(runs).to_string());
+    if let Some(run) = runs.first() {
+        parts.push(format!("Each bounce, with drag {}:", run.law));
+        parts.push(String::new());
+        parts.push(bounces(run).to_string());
+    }
+    if !physics.assumptions.is_empty() {
+        parts.push(format!("Assumed: {}.", physics.assumptions.join("; ")));
+    }
+    parts.join("\n") + "\n"
+}
+
+/// The sums of each run, side by side.
+fn totals(runs: &[Run]) -> Table {
+    let mut columns = vec![("drag".to_owned(), Align::Left)];
+    columns.extend(runs.iter().map(|run| (run.law.to_string(), Align::Right)));
+    let mut table = Table::new(columns);
+    let mut row = |name: &str, value: &dyn Fn(&Run) -> String| {
+        table.row(std::iter::once(name.to_owned()).chain(runs.iter().map(value)));
+    };
+    let shown = |value: f64, unit: Unit| Quantity::rounded(value, 4, unit).to_string();
+    row("bounces", &|run| run.history.bounces().len().to_string());
+    row("speed of the first impact", &|run| {
+        shown(
+            run.history
+                .strikes()
+                .next()
+                .map_or(f64::NAN, |s| s.speed_m_s),
+            Unit::Speed,
+        )
+    });
+    row("terminal speed", &|run| {
+        run.terminal_speed_m_s
+            .map_or_else(|| "none".to_owned(), |v| shown(v, Unit::Speed))
+    });
+    row("time until the end", &|run| {
+        shown(run.history.total_time_s(), Unit::Time)
+    });
+    row("path until the end", &|run| {
+        shown(run.history.total_path_m(), Unit::Length)
+    });
+    row("energy at the start", &|run| {
+        shown(
+            run.mass_kg * run.history.initial_energy_j_kg(),
+            Unit::Energy,
+        )
+    });
+    row("lost to the surface", &|run| {
+        shown(run.lost_to_surface_j(), Unit::Energy)
+    });
+    row("lost to the air", &|run| {
+        shown(run.lost_to_air_j(), Unit::Energy)
+    });
+    table
+}
+
+impl Run {
+    fn lost_to_surface_j(&self) -> f64 {
+        let lost = self
+            .history
+            .bounces()
+            .iter()
+            .map(|bounce| bounce.lost_to_surface_j_kg);
+        self.mass_kg * lost.sum::<f64>()
+    }
+
+    fn lost_to_air_j(&self) -> f64 {
+        let lost = self
+            .history
+            .bounces()
+            .iter()
+            .map(|bounce| bounce.lost_to_air_j_kg);
+        self.mass_kg * (self.history.opening_lost_to_air_j_kg() + lost.sum::<f64>())
+    }
+}
+
+fn bounces(run: &Run) -> Table {
+    let mut table = Table::new(
+        [
+            "bounce",
+            "time s",
+            "speed m/s",
+            "e",
+            "flight s",
+            "apex cm",
+            "to surface \u{b5}J",
+            "to air \u{b5}J",
+        ]
+        .map(|heading| (heading, Align::Right)),
+    );
+    for (bounce, number) in run.history.bounces().iter().zip(1..) {
+        table.row([
+            format!("{number}"),
+            format!("{:.4}", bounce.time_s),
+            format!("{:.4}", bounce.impact_speed_m_s),
+            format!("{:.4}", bounce.restitution),
+            format!("{:.4}", bounce.flight.time_s()),
+            format!("{:.3}", bounce.flight.apex_m * 100.0),
+            format!("{:.1}", run.mass_kg * bounce.lost_to_surface_j_kg * 1e6),
+            format!("{:.1}", run.mass_kg * bounce.lost_to_air_j_kg * 1e6),
+        ]);
+    }
+    table
+}
+
+/// Height against time of all runs.
+fn height_figure(runs: &[Run]) -> figure::Figure {
+    /// Points along a curve.
+    const POINTS: usize = 4000;
+    let curves: Vec<Curve> = runs
+        .iter()
+        .map(|run| {
+            let end_s = run.history.total_time_s();
+            let times = (0..=POINTS).map(|point| end_s * point as f64 / POINTS as f64);
+            Curve {
+                name: format!("drag {}", run.law),
+                meaning: if run.law == DragLaw::None {
+                    Meaning::NoDrag
+                } else {
+                    Meaning::Drag
+                },
+                points: times
+                    .map(|time_s| (time_s, run.history.height_at(time_s)))
+                    .collect(),
+            }
+        })
+        .collect();
+    figure::height(&curves, &[])
+}
+
+/// The schema `bouncelab.simulation/1`.
+#[derive(Serialize)]
+struct Document {
+    schema: &'static str,
+    ball_mass_kg: f64,
+    ball_diameter_m: f64,
+    contact_time_s: f64,
+    air_density_kg_m3: f64,
+    gravity_m_s2: f64,
+    assumptions: Vec<String>,
+    simulations: Vec<Simulation>,
+}
+
+#[derive(Serialize)]
+struct Simulation {
+    drag: String,
+    terminal_speed_m_s: Option<f64>,
+    total_time_s: f64,
+    total_path_m: f64,
+    initial_energy_j: f64,
+    lost_to_surface_j: f64,
+    lost_to_air_j: f64,
+    bounces: Vec<Row>,
+}
+
+/// One bounce: an impact and the flight after it.
+#[derive(Serialize)]
+struct Row {
+    drag: String,
+    number: usize,
+    time_s: f64,
+    impact_speed_m_s: f64,
+    restitution: f64,
+    launch_speed_m_s: f64,
+    flight_time_s: f64,
+    apex_m: f64,
+    lost_to_surface_j: f64,
+    lost_to_air_j: f64,
+}
+
+impl Document {
+    fn new(runs: &[Run], physics: &Physics) -> Self {
+        let settings = &physics.settings;
+        Self {
+            schema: "bouncelab.simulation/1",
+            ball_mass_kg: settings.ball.mass_kg(),
+            ball_diameter_m: settings.ball.diameter_m(),
+            contact_time_s: settings.contact_time_s,
+            air_density_kg_m3: settings.environment.air.density_kg_m3(),
+            gravity_m_s2: settings.environment.gravity_m_s2,
+            assumptions: physics.assumptions.clone(),
+            simulations: runs.iter().map(Simulation::new).collect(),
+        }
+    }
+}
+
+impl Simulation {
+    fn new(run: &Run) -> Self {
+        Self {
+            drag: run.law.to_string(),
+            terminal_speed_m_s: run.terminal_speed_m_s,
+            total_time_s: run.history.total_time_s(),
+            total_path_m: run.history.total_path_m(),
+            initial_energy_j: run.mass_kg * run.history.initial_energy_j_kg(),
+            lost_to_surface_j: run.lost_to_surface_j(),
+            lost_to_air_j: run.lost_to_air_j(),
+            bounces: rows(run).collect(),
+        }
+    }
+}
+
+fn rows(run: &Run) -> impl Iterator<Item = Row> + '_ {
+    run.history
+        .bounces()
+        .iter()
+        .zip(1..)
+        .map(|(bounce, number)| Row {
+            drag: run.law.to_string(),
+            number,
+            time_s: bounce.time_s,
+            impact_speed_m_s: bounce.impact_speed_m_s,
+            restitution: bounce.restitution,
+            launch_speed_m_s: bounce.flight.launch_speed_m_s,
+            flight_time_s: bounce.flight.time_s(),
+            apex_m: bounce.flight.apex_m,
+            lost_to_surface_j: run.mass_kg * bounce.lost_to_surface_j_kg,
+            lost_to_air_j: run.mass_kg * bounce.lost_to_air_j_kg,
+        })
+}
+
+fn csv(runs: &[Run], out: impl Write) -> Result<(), Failure> {
+    let mut writer = csv::Writer::from_writer(out);
+    for row in runs.iter().flat_map(rows) {
+        writer.serialize(row).map_err(io::Error::from)?;
+    }
+    Ok(writer.flush()?)
 }

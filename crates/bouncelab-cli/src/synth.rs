@@ -1,13 +1,291 @@
-//! `bouncelab synth`.
+//! `bouncelab synth`: a recording of a drop, without a microphone.
 
-use clap::Args;
+use std::fs;
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+
+use bouncelab::impact::Strike;
+use bouncelab::synth::{self, BitDepth, Clicks, Hum, Lost, Noise, Rendered, Reverb, Scene, Voice};
+use bouncelab_audio::{SampleFormat, write_wav};
+use clap::{Args, ValueEnum};
 
 use crate::failure::Failure;
+use crate::history::HistoryArguments;
+use crate::physics::PhysicsArguments;
+use crate::units;
 
-/// Make a recording of a drop, without a microphone.
+/// Make a recording of a drop as a WAV file, without a microphone
+///
+/// The same arguments and seed give the same recording. The true impact times can be written
+/// beside it, in a form that `analyze` reads.
 #[derive(Args)]
-pub(crate) struct Arguments {}
+#[command(after_help = EXAMPLES)]
+pub(crate) struct Arguments {
+    /// The recording to write
+    #[arg(value_name = "OUT.wav")]
+    output: PathBuf,
+    /// Write the true impact times too, as .txt, .csv or .json
+    #[arg(long, value_name = "FILE")]
+    truth: Option<PathBuf>,
+    /// Overwrite files that exist
+    #[arg(long)]
+    force: bool,
+    /// Seed of everything random
+    #[arg(long, default_value_t = 1, help_heading = "Sound")]
+    seed: u64,
+    /// What an impact sounds like
+    #[arg(long, default_value = "table-tennis", help_heading = "Sound", value_parser = voice)]
+    voice: Voice,
+    /// How far the first impact stands above the noise, in dB
+    #[arg(
+        long,
+        value_name = "DB",
+        default_value_t = 40.0,
+        allow_hyphen_values = true,
+        help_heading = "Sound"
+    )]
+    snr: f64,
+    /// Colour of the background noise
+    #[arg(long, value_enum, default_value_t = Background::Pink, help_heading = "Sound")]
+    noise: Background,
+    /// Mains hum of this frequency in Hz, 20 dB below the first impact
+    #[arg(
+        long,
+        value_name = "HZ",
+        allow_hyphen_values = true,
+        help_heading = "Sound"
+    )]
+    hum: Option<f64>,
+    /// Reverberation that falls by 60 dB in this time, as in 0.4s
+    #[arg(long, value_name = "TIME", allow_hyphen_values = true, value_parser = units::time, help_heading = "Sound")]
+    reverb: Option<f64>,
+    /// Clicks that are no impact, so many a second
+    #[arg(
+        long,
+        value_name = "RATE",
+        allow_hyphen_values = true,
+        help_heading = "Sound"
+    )]
+    clicks: Option<f64>,
+    /// Share of the impacts that is not heard, as in 10%
+    #[arg(long, value_name = "SHARE", allow_hyphen_values = true, value_parser = units::share, help_heading = "Sound")]
+    lost: Option<f64>,
+    /// Cut the signal off at this share of full scale, as in 50%
+    #[arg(long, value_name = "SHARE", allow_hyphen_values = true, value_parser = units::share, help_heading = "Sound")]
+    clip: Option<f64>,
+    /// Time before the release, as in 0.5s
+    #[arg(long, value_name = "TIME", default_value = "0.5s", allow_hyphen_values = true, value_parser = units::time, help_heading = "Sound")]
+    lead_in: f64,
+    /// Time after the last impact, as in 0.5s
+    #[arg(long, value_name = "TIME", default_value = "0.5s", allow_hyphen_values = true, value_parser = units::time, help_heading = "Sound")]
+    tail: f64,
+    /// Samples a second
+    #[arg(
+        long,
+        value_name = "HZ",
+        default_value_t = 44_100,
+        help_heading = "Sound"
+    )]
+    sample_rate: u32,
+    /// Bits of a sample
+    #[arg(long, value_enum, default_value_t = Bits::Sixteen, help_heading = "Sound")]
+    bits: Bits,
+    #[command(flatten)]
+    history: HistoryArguments,
+    #[command(flatten)]
+    physics: PhysicsArguments,
+}
 
-pub(crate) fn run(_: &Arguments) -> Result<(), Failure> {
-    Ok(())
+const EXAMPLES: &str = "\
+Examples:
+  bouncelab synth drop.wav
+  bouncelab synth drop.wav --height 1m --restitution 0.9 --snr 20 --truth truth.csv
+  bouncelab synth gym.wav --ball basketball --voice basketball --height 1.8m --restitution 0.85
+  bouncelab synth hard.wav --snr 10 --clicks 2 --lost 10% --reverb 0.4s --hum 50 --seed 7";
+
+#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum Background {
+    /// The same power in every hertz
+    White,
+    /// The same power in every octave, as most rooms
+    Pink,
+}
+
+#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum Bits {
+    /// 8-bit integers
+    #[value(name = "8")]
+    Eight,
+    /// 16-bit integers
+    #[value(name = "16")]
+    Sixteen,
+    /// 24-bit integers
+    #[value(name = "24")]
+    TwentyFour,
+    /// 32-bit floating point
+    #[value(name = "float")]
+    Float,
+}
+
+impl Bits {
+    fn depth(self) -> BitDepth {
+        match self {
+            Self::Eight => BitDepth::Eight,
+            Self::Sixteen => BitDepth::Sixteen,
+            Self::TwentyFour => BitDepth::TwentyFour,
+            Self::Float => BitDepth::Float,
+        }
+    }
+
+    fn format(self) -> SampleFormat {
+        match self {
+            Self::Eight => SampleFormat::Int8,
+            Self::Sixteen => SampleFormat::Int16,
+            Self::TwentyFour => SampleFormat::Int24,
+            Self::Float => SampleFormat::Float32,
+        }
+    }
+}
+
+fn voice(name: &str) -> Result<Voice, String> {
+    Voice::named(name).ok_or_else(|| {
+        format!(
+            "no voice is called \"{name}\"; known: {}",
+            Voice::NAMES.join(", ")
+        )
+    })
+}
+
+/// Hum and clicks, in dB relative to the loudest impact.
+const HUM_DB: f64 = -20.0;
+const CLICKS_DB: f64 = -6.0;
+/// Direct sound over reverberation in dB, as a metre from the ball in a room.
+const DIRECT_TO_REVERBERANT_DB: f64 = 6.0;
+
+pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
+    let physics = arguments.physics.physics()?;
+    let truth = arguments
+        .truth
+        .as_deref()
+        .map(TruthFormat::of)
+        .transpose()?;
+    for file in std::iter::once(&arguments.output).chain(&arguments.truth) {
+        if file.exists() && !arguments.force {
+            let name = file.display();
+            return Err(Failure::Input(format!(
+                "{name} exists; use --force to overwrite it"
+            )));
+        }
+    }
+    let history = arguments
+        .history
+        .simulate(&physics.settings.model()?, physics.settings.contact_time_s)?;
+    let strikes: Vec<Strike> = history.strikes().collect();
+    let sound = synth::render(&strikes, &arguments.scene(), arguments.seed)?;
+    let format = arguments.bits.format();
+    write_wav(
+        &arguments.output,
+        sound.sample_rate_hz,
+        format,
+        &[&sound.samples],
+    )?;
+    if let (Some(file), Some(format)) = (&arguments.truth, truth) {
+        write_whole(file, &format.text(&sound))?;
+    }
+    let seconds = sound.samples.len() as f64 / f64::from(sound.sample_rate_hz);
+    let mut out = io::stdout().lock();
+    Ok(writeln!(
+        out,
+        "{}: {} impacts in {seconds:.1} s, {} Hz, seed {}",
+        arguments.output.display(),
+        sound.impacts.iter().filter(|impact| !impact.lost).count(),
+        sound.sample_rate_hz,
+        arguments.seed
+    )?)
+}
+
+impl Arguments {
+    fn scene(&self) -> Scene {
+        Scene {
+            sample_rate_hz: self.sample_rate,
+            lead_in_s: self.lead_in,
+            tail_s: self.tail,
+            voice: self.voice.clone(),
+            noise: Some(match self.noise {
+                Background::White => Noise::white(self.snr),
+                Background::Pink => Noise::pink(self.snr),
+            }),
+            hum: self.hum.map(|frequency_hz| Hum {
+                frequency_hz,
+                harmonics: 5,
+                level_db: HUM_DB,
+            }),
+            reverb: self.reverb.map(|rt60_s| Reverb {
+                rt60_s,
+                direct_to_reverberant_db: DIRECT_TO_REVERBERANT_DB,
+            }),
+            clicks: self.clicks.map(|rate_per_s| Clicks {
+                rate_per_s,
+                level_db: CLICKS_DB,
+            }),
+            lost: self.lost.map_or(Lost::None, Lost::Chance),
+            clip_at: self.clip,
+            bit_depth: self.bits.depth(),
+            ..Scene::default()
+        }
+    }
+}
+
+/// How true impact times are written; `analyze` reads all three.
+#[derive(Clone, Copy)]
+enum TruthFormat {
+    Text,
+    Csv,
+    Json,
+}
+
+impl TruthFormat {
+    fn of(file: &Path) -> Result<Self, Failure> {
+        match file.extension().and_then(|ending| ending.to_str()) {
+            Some("txt") => Ok(Self::Text),
+            Some("csv") => Ok(Self::Csv),
+            Some("json") => Ok(Self::Json),
+            _ => Err(Failure::Usage(format!(
+                "--truth {}: the name must end in .txt, .csv or .json",
+                file.display()
+            ))),
+        }
+    }
+
+    fn text(self, sound: &Rendered) -> String {
+        let times = sound.impacts.iter().map(|impact| impact.time_s.to_string());
+        match self {
+            Self::Text => times.map(|time| time + "\n").collect::<Vec<_>>().concat(),
+            Self::Json => format!("[{}]\n", times.collect::<Vec<_>>().join(", ")),
+            Self::Csv => {
+                let rows = sound.impacts.iter().map(|impact| {
+                    let (speed, snr) = (impact.speed_m_s, impact.snr_db);
+                    format!("{},{speed},{snr},{}\n", impact.time_s, impact.lost)
+                });
+                let header = "time_s,speed_m_s,snr_db,lost\n".to_owned();
+                std::iter::once(header)
+                    .chain(rows)
+                    .collect::<Vec<_>>()
+                    .concat()
+            }
+        }
+    }
+}
+
+/// Writes a file that is never seen half-written.
+fn write_whole(file: &Path, text: &str) -> Result<(), Failure> {
+    let folder = file
+        .parent()
+        .filter(|folder| !folder.as_os_str().is_empty());
+    let write = || -> io::Result<()> {
+        let mut draft = tempfile::NamedTempFile::new_in(folder.unwrap_or(Path::new(".")))?;
+        draft.write_all(text.as_bytes())?;
+        fs::rename(draft.into_temp_path().keep()?, file)
+    };
+    write().map_err(|reason| Failure::Input(format!("cannot write {}: {reason}", file.display())))
 }
