@@ -54,6 +54,9 @@ enum Format {
     Csv,
 }
 
+/// A table for people ends here.
+const MOST_ROWS: usize = 100;
+
 /// One simulated drop.
 struct Run {
     law: DragLaw,
@@ -114,6 +117,12 @@ fn text(runs: &[Run], physics: &Physics) -> String {
         parts.push(format!("Each bounce, with drag {}:", run.law));
         parts.push(String::new());
         parts.push(bounces(run).to_string());
+        let hidden = run.history.bounces().len().saturating_sub(MOST_ROWS);
+        if hidden > 0 {
+            parts.push(format!(
+                "... and {hidden} more; --format csv has them all.\n"
+            ));
+        }
     }
     if !physics.assumptions.is_empty() {
         parts.push(format!("Assumed: {}.", physics.assumptions.join("; ")));
@@ -199,7 +208,7 @@ fn bounces(run: &Run) -> Table {
         ]
         .map(|heading| (heading, Align::Right)),
     );
-    for (bounce, number) in run.history.bounces().iter().zip(1..) {
+    for (bounce, number) in run.history.bounces().iter().zip(1..=MOST_ROWS) {
         table.row([
             format!("{number}"),
             format!("{:.4}", bounce.time_s),

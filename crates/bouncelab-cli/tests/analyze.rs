@@ -256,8 +256,8 @@ fn bad_files_get_a_clear_message() {
 fn sounds_without_a_drop_say_why() {
     let folder = TempDir::new().unwrap();
     let quiet = |name: &str, samples: &[f32]| write_samples(&folder, name, samples);
-    no_drop(&quiet("silence.wav", &[0.0; 44_100]), "silent");
-    no_drop(&quiet("constant.wav", &[0.3; 44_100]), "silent");
+    no_drop(&quiet("silence.wav", &vec![0.0; 44_100]), "silent");
+    no_drop(&quiet("constant.wav", &vec![0.3; 44_100]), "silent");
     no_drop(&quiet("one.wav", &[0.5]), "no drop found");
     no_drop(&not_numbers(&folder), "no drop found");
     let noise = synth::render(
@@ -285,7 +285,7 @@ fn sounds_without_a_drop_say_why() {
 
 /// A recording of which every sample is NaN, as no writer would make it.
 fn not_numbers(folder: &TempDir) -> PathBuf {
-    let path = write_samples(folder, "nan.wav", &[0.25; 44_100]);
+    let path = write_samples(folder, "nan.wav", &vec![0.25; 44_100]);
     let mut bytes = fs::read(&path).unwrap();
     let (from, to) = (0.25_f32.to_le_bytes(), f32::NAN.to_le_bytes());
     let header = bytes.windows(4).position(|window| window == from).unwrap();
@@ -306,7 +306,10 @@ fn damaged_recordings_of_every_format_never_panic() {
     for entry in fs::read_dir(fixtures).unwrap() {
         let path = entry.unwrap().path();
         let name = path.file_name().unwrap().to_string_lossy().into_owned();
-        if name.ends_with(".sh") || name.ends_with(".md") {
+        if path
+            .extension()
+            .is_some_and(|ending| ending == "sh" || ending == "md")
+        {
             continue;
         }
         formats += 1;

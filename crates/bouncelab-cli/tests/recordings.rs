@@ -92,10 +92,9 @@ fn f1(found: &[f64], drops: &[Value]) -> f64 {
     for drop in drops {
         let end_s = numbers(&drop["impacts_s"]).last().copied().unwrap();
         let optional = numbers(&drop["optional_s"]);
-        unmatched.retain(|&found| {
-            !(found > end_s && found <= end_s + FADING_S)
-                && !optional.iter().any(|time_s| (found - time_s).abs() <= 0.02)
-        });
+        let fading = |found: f64| found > end_s && found <= end_s + FADING_S;
+        let is_optional = |found: f64| optional.iter().any(|time_s| (found - time_s).abs() <= 0.02);
+        unmatched.retain(|&found| !fading(found) && !is_optional(found));
     }
     let precision = f64::from(matched) / (f64::from(matched) + unmatched.len() as f64);
     let recall = f64::from(matched) / f64::from(expected);

@@ -250,7 +250,10 @@ impl History {
 
     /// Energy that the air takes before the first impact, J/kg.
     pub fn opening_lost_to_air_j_kg(&self) -> f64 {
-        // Without drag the difference is rounding of either sign.
+        if self.model.terminal_speed_m_s().is_none() {
+            // Without drag the difference would be rounding.
+            return 0.0;
+        }
         (self.initial_energy_j_kg() - kinetic_j_kg(self.opening.impact_speed_m_s())).max(0.0)
     }
 

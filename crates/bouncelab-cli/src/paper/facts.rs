@@ -5,21 +5,18 @@ use std::fmt;
 use bouncelab::Result;
 use bouncelab::drag::DragLaw;
 use bouncelab::drop::{self, Stop};
-use serde::{Serialize, Serializer};
 
 use super::experiment::{
     self, CONSTANT, DROP_HEIGHT_M, GRAVITY_M_S2, REGRESSED, SIMULATED, dropped, model, regressed,
 };
 
 /// Facts that belong together.
-#[derive(Serialize)]
 pub(super) struct Chapter {
     pub(super) title: &'static str,
     pub(super) facts: Vec<Fact>,
 }
 
 /// A number of the paper.
-#[derive(Serialize)]
 pub(super) struct Fact {
     pub(super) quantity: &'static str,
     /// As the paper prints it; `None` if it does not say.
@@ -27,9 +24,7 @@ pub(super) struct Fact {
     pub(super) computed: f64,
     pub(super) unit: &'static str,
     /// Decimals to show of the computed value.
-    #[serde(skip)]
     decimals: usize,
-    #[serde(rename = "verdict", serialize_with = "verdict_of")]
     kind: Kind,
     pub(super) note: &'static str,
 }
@@ -69,15 +64,6 @@ impl fmt::Display for Verdict {
             Self::NotInThePaper => "",
         })
     }
-}
-
-fn verdict_of<S: Serializer>(kind: &Kind, serializer: S) -> std::result::Result<S::Ok, S::Error> {
-    serializer.serialize_str(match kind {
-        Kind::Plain => "plain",
-        Kind::Corrected => "corrected",
-        Kind::ReadOff => "read off",
-        Kind::Misprint => "misprint",
-    })
 }
 
 impl Fact {
@@ -352,14 +338,14 @@ fn unsaid() -> Result<Vec<Fact>> {
         )
         .noted("Fig. 8 takes the drag into account twice"),
         Fact::new(
-            "  and to a drop height of",
+            "drop height of that straight line",
             "cm",
             100.0 * counted_twice.drop_height_m().value,
             2,
         ),
         Fact::new("e that regresses to 0.9375 with drag", "", behind, 4).noted("over ten flights"),
         Fact::new(
-            "  and to a drop height of",
+            "drop height of its straight line",
             "cm",
             100.0 * seen.drop_height_m().value,
             2,

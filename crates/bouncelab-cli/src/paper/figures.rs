@@ -7,6 +7,7 @@ use bouncelab::impact::Strike;
 use bouncelab::listen::Listener;
 use bouncelab::regression;
 use bouncelab::synth::{self, Noise, Scene};
+use bouncelab::train::Train;
 use bouncelab_report::Figure;
 use bouncelab_report::figure::{self, Curve, DragAxes, Envelope, Line, Mark, TimedFlight};
 use bouncelab_report::theme::Meaning;
@@ -78,7 +79,7 @@ fn sound() -> std::result::Result<Figure, Failure> {
         .found
         .trains
         .iter()
-        .flat_map(|train| train.impacts())
+        .flat_map(Train::impacts)
         .map(|impact| Mark {
             time_s: impact.onset.time_s,
             probability: impact.probability,

@@ -53,10 +53,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
     match arguments.format {
         Format::Text => out.write_all(text(&chapters).as_bytes())?,
         Format::Json => {
-            let document = Document {
-                schema: "bouncelab.paper/1",
-                chapters: &chapters,
-            };
+            let document = Document::new(&chapters);
             serde_json::to_writer_pretty(&mut out, &document).map_err(io::Error::from)?;
             writeln!(out)?;
         }
@@ -73,9 +70,41 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
 
 /// The schema `bouncelab.paper/1`.
 #[derive(Serialize)]
-struct Document<'a> {
+struct Document {
     schema: &'static str,
-    chapters: &'a [Chapter],
+    facts: Vec<Row>,
+}
+
+#[derive(Serialize)]
+struct Row {
+    chapter: &'static str,
+    quantity: &'static str,
+    /// As the paper prints it, to its digits; `null` if it does not say.
+    printed: Option<&'static str>,
+    computed: f64,
+    unit: &'static str,
+    verdict: String,
+    note: &'static str,
+}
+
+impl Document {
+    fn new(chapters: &[Chapter]) -> Self {
+        let rows = chapters.iter().flat_map(|chapter| {
+            chapter.facts.iter().map(|fact| Row {
+                chapter: chapter.title,
+                quantity: fact.quantity,
+                printed: fact.printed,
+                computed: fact.computed,
+                unit: fact.unit,
+                verdict: fact.verdict().to_string(),
+                note: fact.note,
+            })
+        });
+        Self {
+            schema: "bouncelab.paper/1",
+            facts: rows.collect(),
+        }
+    }
 }
 
 fn text(chapters: &[Chapter]) -> String {

@@ -1,0 +1,220 @@
+//! `simulate`, `synth`, `paper` and `demo` as their users meet them.
+
+use std::fs;
+
+use assert_cmd::Command;
+use predicates::prelude::*;
+use serde_json::Value;
+use tempfile::TempDir;
+
+fn bouncelab(arguments: &[&str]) -> Command {
+    let mut command = Command::cargo_bin("bouncelab").unwrap();
+    command.args(arguments);
+    command
+}
+
+fn json(command: &mut Command) -> Value {
+    serde_json::from_slice(&command.output().unwrap().stdout).unwrap()
+}
+
+#[test]
+fn simulate_prints_totals_and_bounces() {
+    bouncelab(&["simulate", "--compare", "none"])
+        .assert()
+        .success()
+        .stdout(
+            predicate::str::contains("time until the end")
+                .and(predicate::str::contains("clift-grace-weber"))
+                .and(predicate::str::contains("none"))
+                .and(predicate::str::contains("Assumed")),
+        );
+}
+
+/// Eq. 15 of the paper: 2.405 m/s, with its ball, air and gravity.
+#[test]
+fn simulate_reproduces_the_first_impact_of_the_paper() {
+    let result = json(&mut bouncelab(&[
+        "simulate",
+        "--ball",
+        "table-tennis-38",
+        "--drag",
+        "constant:0.4",
+        "--air-density",
+        "1.2276",
+        "--gravity",
+        "9.81",
+        "--no-buoyancy",
+        "--no-added-mass",
+        "--format",
+        "json",
+    ]));
+    assert_eq!(result["schema"], "bouncelab.simulation/1");
+    let speed = result["simulations"][0]["bounces"][0]["impact_speed_m_s"]
+        .as_f64()
+        .unwrap();
+    assert!((speed - 2.4053).abs() < 5e-5, "{speed}");
+}
+
+#[test]
+fn simulate_writes_csv_and_a_figure() {
+    let folder = TempDir::new().unwrap();
+    let output = bouncelab(&["simulate", "--bounces", "3", "--format", "csv", "--figures"])
+        .arg(folder.path())
+        .output()
+        .unwrap();
+    let text = String::from_utf8(output.stdout).unwrap();
+    assert!(text.starts_with("drag,number,time_s,"));
+    assert_eq!(text.lines().count(), 4);
+    assert!(folder.path().join("height.svg").exists() && folder.path().join("height.png").exists());
+}
+
+#[test]
+fn absurd_drops_are_refused() {
+    for (arguments, reason) in [
+        (&["--restitution", "1.2"][..], "restitution"),
+        (&["--height", "-1m"], "height"),
+        (&["--mass", "-2.5g", "--diameter", "38mm"], "mass"),
+        (&["--mass", "2.5g", "--diameter", "0"], "diameter"),
+        (&["--restitution", "1", "--drag", "none"], "bounces"),
+        (&["--mass", "1g", "--diameter", "1m"], "floats"),
+        (
+            &["--ball", "football", "--height", "10km", "--drag", "stokes"],
+            "Reynolds",
+        ),
+    ] {
+        bouncelab(&["simulate"])
+            .args(arguments)
+            .assert()
+            .code(2)
+            .stderr(predicate::str::contains(reason));
+    }
+}
+
+#[test]
+fn synth_then_analyze_is_a_round_trip() {
+    let folder = TempDir::new().unwrap();
+    let (sound, truth) = (
+        folder.path().join("drop.wav"),
+        folder.path().join("truth.csv"),
+    );
+    bouncelab(&["synth", "--restitution", "0.9", "--truth"])
+        .args([&truth, &sound])
+        .assert()
+        .success()
+        .stdout(predicate::str::contains("impacts"));
+    let times = |file| {
+        let drops = json(bouncelab(&["analyze", "--format", "json"]).arg(file));
+        let impacts = drops["drops"][0]["impacts"].as_array().unwrap().clone();
+        impacts
+            .iter()
+            .map(|i| i["time_s"].as_f64().unwrap())
+            .collect::<Vec<f64>>()
+    };
+    let (heard, true_times) = (times(&sound), times(&truth));
+    assert_eq!(heard.len(), true_times.len());
+    for (heard, truth) in heard.windows(2).zip(true_times.windows(2)) {
+        assert!(((heard[1] - heard[0]) - (truth[1] - truth[0])).abs() < 5e-5);
+    }
+    let restitution = |file| {
+        let result = json(bouncelab(&["analyze", "--format", "json"]).arg(file));
+        result["drops"][0]["corrected"]["restitution"]
+            .as_f64()
+            .unwrap()
+    };
+    assert!((restitution(&sound) / 0.9 - 1.0).abs() < 1e-3);
+}
+
+#[test]
+fn synth_does_not_overwrite_and_says_where_it_cannot_write() {
+    let folder = TempDir::new().unwrap();
+    let sound = folder.path().join("drop.wav");
+    fs::write(&sound, "precious").unwrap();
+    bouncelab(&["synth"])
+        .arg(&sound)
+        .assert()
+        .code(1)
+        .stderr(predicate::str::contains("--force"));
+    assert_eq!(fs::read_to_string(&sound).unwrap(), "precious");
+    bouncelab(&["synth", "--force"])
+        .arg(&sound)
+        .assert()
+        .success();
+    bouncelab(&["synth"])
+        .arg(sound.join("inside.wav"))
+        .assert()
+        .code(1)
+        .stderr(predicate::str::contains("inside.wav"));
+    bouncelab(&["synth", "--sample-rate", "10"])
+        .arg(folder.path().join("slow.wav"))
+        .assert()
+        .code(2)
+        .stderr(predicate::str::contains("sample rate"));
+    bouncelab(&["synth", "--voice", "violin", "x.wav"])
+        .assert()
+        .code(2)
+        .stderr(predicate::str::contains("table-tennis"));
+}
+
+#[test]
+fn the_same_seed_makes_the_same_recording() {
+    let folder = TempDir::new().unwrap();
+    let make = |name: &str, seed: &str| {
+        let path = folder.path().join(name);
+        bouncelab(&["synth", "--clicks", "2", "--lost", "10%", "--seed", seed])
+            .arg(&path)
+            .assert()
+            .success();
+        fs::read(path).unwrap()
+    };
+    assert!(make("a.wav", "5") == make("b.wav", "5"));
+    assert!(make("c.wav", "5") != make("d.wav", "6"));
+}
+
+#[test]
+fn paper_prints_the_numbers_and_draws_the_figures() {
+    let folder = TempDir::new().unwrap();
+    bouncelab(&["paper", "--figures"])
+        .arg(folder.path())
+        .assert()
+        .success()
+        .stdout(
+            predicate::str::contains("misprint").and(predicate::str::contains("differs").not()),
+        );
+    assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 12);
+    let result = json(&mut bouncelab(&[
+        "paper",
+        "--no-figures",
+        "--format",
+        "json",
+    ]));
+    assert_eq!(result["schema"], "bouncelab.paper/1");
+    assert_eq!(result["facts"][0]["verdict"], "agrees");
+}
+
+#[test]
+fn demo_hears_what_it_made() {
+    let folder = TempDir::new().unwrap();
+    bouncelab(&["demo", "--output"])
+        .arg(folder.path())
+        .assert()
+        .success()
+        .stdout(predicate::str::contains("truth").and(predicate::str::contains("0.9529")));
+    assert!(folder.path().join("demo.wav").exists());
+    assert!(folder.path().join("demo-waveform.png").exists());
+    bouncelab(&["demo", "--output"])
+        .arg(folder.path().join("demo.wav/inside"))
+        .assert()
+        .code(1)
+        .stderr(predicate::str::contains("folder"));
+}
+
+#[test]
+fn every_command_explains_itself_with_examples() {
+    for command in ["analyze", "simulate", "synth", "paper", "demo"] {
+        bouncelab(&[command, "--help"])
+            .assert()
+            .success()
+            .stdout(predicate::str::contains("Examples:").and(predicate::str::contains("Usage:")));
+    }
+    bouncelab(&[]).assert().code(2);
+}
