@@ -188,7 +188,8 @@ impl Detector {
         let rough = (moment.hop * self.hop as u64 - self.first_sample) as usize;
         let pick = self.picker.pick(&self.samples, rough, self.step.power());
         Onset {
-            time_s: (self.first_sample as f64 + pick.sample) / self.sample_rate_hz,
+            time_s: ((self.first_sample + pick.sample as u64) as f64 + pick.after)
+                / self.sample_rate_hz,
             sigma_s: pick.sigma / self.sample_rate_hz,
             strength: moment.strength,
             level_db: decibels(moment.gain.iter().sum()),

@@ -16,10 +16,13 @@ const AFTER_S: f64 = 0.004;
 /// The variance on either side is estimated from at least so many samples.
 const LEAST: usize = 4;
 
-/// A time in samples from the start of the buffer, and its standard error.
+/// A time in samples, and its standard error.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Pick {
-    pub(super) sample: f64,
+    /// A sample of the buffer, counted from its start.
+    pub(super) sample: usize,
+    /// How far after this sample; apart, lest the place of the buffer in the stream rounds it.
+    pub(super) after: f64,
     pub(super) sigma: f64,
 }
 
@@ -57,7 +60,8 @@ impl Picker {
         if end < start + 4 * LEAST {
             // At the very edge of a recording: no more than the rough time is known.
             return Pick {
-                sample: rough as f64,
+                sample: rough,
+                after: 0.0,
                 sigma: self.after as f64 / 2.0,
             };
         }
@@ -100,7 +104,8 @@ impl Picker {
         // No pick is better than the rounding to whole samples.
         let variance = (square / weight - mean * mean).max(1.0 / 12.0);
         Pick {
-            sample: (start + first) as f64 + mean,
+            sample: start + first,
+            after: mean,
             sigma: variance.sqrt(),
         }
     }
@@ -124,7 +129,10 @@ mod tests {
         let mut picker = Picker::new(44_100.0);
         for rough in [1380, 1490, 1500, 1560] {
             let pick = picker.pick(&samples, rough, 0.0);
-            assert!((pick.sample - 1500.0).abs() < 1.0, "{rough}: {pick:?}");
+            assert!(
+                (pick.sample as f64 + pick.after - 1500.0).abs() < 1.0,
+                "{rough}: {pick:?}"
+            );
             assert!(pick.sigma < 2.0);
         }
     }

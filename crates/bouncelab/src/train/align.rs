@@ -17,7 +17,7 @@ const AFTER_S: f64 = 0.0025;
 /// The noise before an impact from which the whitening is learnt, in seconds.
 const NOISE_S: f64 = 0.010;
 /// The farthest an impact is shifted, in seconds, and in standard errors of its pick.
-const FARTHEST_S: f64 = 0.0005;
+const FARTHEST_S: f64 = 0.006;
 const FARTHEST_SIGMA: f64 = 6.0;
 /// An impact that shares less than this with the others keeps its pick.
 const LEAST_CORRELATION: f64 = 0.6;
