@@ -18,6 +18,9 @@ const AFTER_S: f64 = 0.0025;
 const NOISE_S: f64 = 0.010;
 /// The farthest an impact is shifted, in seconds, and in standard errors of its pick.
 const FARTHEST_S: f64 = 0.006;
+/// A pick may be surer of itself than it should be, in the ringing of the impact before: every
+/// impact is sought at least so far around its pick, in seconds.
+const NEAREST_S: f64 = 0.0015;
 const FARTHEST_SIGMA: f64 = 6.0;
 /// An impact that shares less than this with the others keeps its pick.
 const LEAST_CORRELATION: f64 = 0.6;
@@ -61,6 +64,7 @@ struct Span {
     origin: usize,
     before: usize,
     length: usize,
+    nearest: f64,
     farthest: f64,
     noise: usize,
 }
@@ -74,6 +78,7 @@ impl Span {
             origin: before + farthest + KERNEL,
             before,
             length: before + samples(AFTER_S),
+            nearest: samples(NEAREST_S).max(2) as f64,
             farthest: farthest as f64,
             noise: samples(NOISE_S).max(4 * whiten::ORDER),
         }
@@ -134,7 +139,7 @@ fn whitened_sounds(
                     .map(|n| interpolate(&errors, n as f64 + fraction))
                     .collect(),
                 reach: (FARTHEST_SIGMA * pick_sigma)
-                    .clamp(2.0, span.farthest)
+                    .clamp(span.nearest, span.farthest)
                     .ceil() as usize,
                 pick_sigma,
                 shift: 0.0,
