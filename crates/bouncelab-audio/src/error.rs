@@ -57,7 +57,9 @@ pub enum Error {
     },
 
     /// The container holds no track with sound.
-    #[error("{name}: this {format} file has no audio track; was the microphone off?")]
+    #[error(
+        "{name}: this {format} file has no audio track, or none of a known kind; was the microphone off?"
+    )]
     NoAudioTrack {
         /// The file as the caller named it.
         name: String,

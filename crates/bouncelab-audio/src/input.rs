@@ -6,6 +6,7 @@ use crate::source::Source;
 use crate::times;
 
 /// What a file holds: a recording, or times that something else found in one.
+#[derive(Debug)]
 pub enum Input {
     /// A recording, opened.
     Sound(Box<Source>),

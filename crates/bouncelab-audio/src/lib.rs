@@ -19,6 +19,9 @@
 //! What a program needs to know of a damaged recording is in [`Source::warnings`]; what makes it
 //! useless is an [`Error`]. No content of a file, however broken, makes this crate panic.
 //!
+//! Opus is decoded by opus-pure, whose samples are those of libopus; ffmpeg's own Opus decoder
+//! differs from both in speech modes.
+//!
 //! The crate starts no threads and builds for wasm32, where [`Source::from_bytes`] and
 //! [`Input::from_bytes`] take the place of files.
 
@@ -31,6 +34,6 @@ mod wav;
 
 pub use error::{Error, Result, Stage};
 pub use input::Input;
-pub use source::{Block, MAX_BLOCK_FRAMES, MIN_SAMPLE_RATE_HZ, Source};
+pub use source::{Block, MAX_BLOCK_FRAMES, MAX_SAMPLE_RATE_HZ, MIN_SAMPLE_RATE_HZ, Source};
 pub use warning::Warning;
 pub use wav::{SampleFormat, encode_wav, write_wav};

@@ -13,10 +13,7 @@ fn fixture(name: &str) -> Vec<u8> {
 }
 
 fn refusal(bytes: impl Into<Vec<u8>>, name: &str) -> Error {
-    match Source::from_bytes(bytes.into(), name) {
-        Ok(_) => panic!("{name} was accepted"),
-        Err(error) => error,
-    }
+    Source::from_bytes(bytes.into(), name).expect_err(name)
 }
 
 /// Seconds that can be read, and the warnings.
@@ -98,6 +95,16 @@ fn rates_too_low_for_timing_are_refused() {
     let error = refusal(wav, "slow.wav");
     assert!(matches!(error, Error::UnsupportedLayout { .. }));
     assert!(error.to_string().contains("at least 4000"), "{error}");
+}
+
+#[test]
+fn rates_that_no_recorder_has_are_refused() {
+    let wav = encode_wav(u32::MAX, SampleFormat::Int16, &[&[0.0; 100]]).unwrap();
+    let error = refusal(wav, "lie.wav");
+    assert!(
+        matches!(error, Error::UnsupportedLayout { .. }),
+        "{error:?}"
+    );
 }
 
 #[test]

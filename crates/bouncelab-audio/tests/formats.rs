@@ -158,6 +158,12 @@ fn formats_that_do_not_name_their_priming_are_late_by_all_of_it() {
 }
 
 #[test]
+fn a_source_can_move_to_another_thread() {
+    fn sendable<T: Send + Sync>() {}
+    sendable::<Source>();
+}
+
+#[test]
 fn a_stream_without_lengths_has_no_duration_and_is_not_called_cut_short() {
     let (_, source) = decode("browser.webm");
     assert_eq!(source.duration_s(), None);

@@ -93,7 +93,7 @@ impl Decoder {
                     plane.truncate(frames.saturating_sub(padding));
                 }
                 Ok(Layout {
-                    sample_rate_hz: opus::SAMPLE_RATE_HZ,
+                    sample_rate_hz: u32::from(opus::SAMPLE_RATE_HZ),
                     channels: planes.len(),
                 })
             }

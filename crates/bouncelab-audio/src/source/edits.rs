@@ -182,3 +182,84 @@ fn read_bytes<const N: usize, S: Read + ?Sized>(source: &mut S) -> io::Result<[u
     source.read_exact(&mut bytes)?;
     Ok(bytes)
 }
+
+#[cfg(test)]
+mod tests {
+    use std::io::Cursor;
+
+    use super::*;
+
+    fn enclose(kind: &[u8], content: &[&[u8]]) -> Vec<u8> {
+        let content = content.concat();
+        let size = (content.len() + 8) as u32;
+        [&size.to_be_bytes(), kind, &content].concat()
+    }
+
+    fn words(words: &[u32]) -> Vec<u8> {
+        words.iter().flat_map(|word| word.to_be_bytes()).collect()
+    }
+
+    /// A movie of 600 ticks a second with one track, number 7, of 44100, and this edit list.
+    fn movie(list: &[u32]) -> Vec<u8> {
+        let movie_header = enclose(b"mvhd", &[&words(&[0, 0, 0, 600])]);
+        let track_header = enclose(b"tkhd", &[&words(&[0, 0, 0, 7])]);
+        let media_header = enclose(b"mdhd", &[&words(&[0, 0, 0, 44_100])]);
+        let media = enclose(b"mdia", &[&media_header]);
+        let edits = enclose(b"edts", &[&enclose(b"elst", &[&words(list)])]);
+        let track = enclose(b"trak", &[&track_header, &edits, &media]);
+        [
+            enclose(b"ftyp", &[b"qt  "]),
+            enclose(b"moov", &[&movie_header, &track]),
+        ]
+        .concat()
+    }
+
+    fn edits(file: Vec<u8>) -> Vec<Edit> {
+        let tracks = read(&mut Cursor::new(file));
+        tracks
+            .into_iter()
+            .filter(|track| track.track_id == 7)
+            .flat_map(|it| it.edits)
+            .collect()
+    }
+
+    const NORMAL_SPEED: u32 = 0x0001_0000;
+
+    #[test]
+    fn starts_count_in_the_clock_of_the_media_and_lengths_in_that_of_the_movie() {
+        let list = [0, 2, 300, 2_205, NORMAL_SPEED, 600, 44_100, NORMAL_SPEED];
+        let edit = |start_s, duration_s| Edit {
+            start_s,
+            duration_s: Some(duration_s),
+            warped: false,
+        };
+        assert_eq!(edits(movie(&list)), [edit(0.05, 0.5), edit(1.0, 1.0)]);
+    }
+
+    #[test]
+    fn wide_lists_open_ends_pauses_and_other_speeds_are_told() {
+        let version_1 = 1 << 24;
+        let wide = [version_1, 1, 0, 300, 0, 2_205, NORMAL_SPEED];
+        assert_eq!(
+            edits(movie(&wide)),
+            edits(movie(&[0, 1, 300, 2_205, NORMAL_SPEED]))
+        );
+        let pause_first = [0, 2, 90, u32::MAX, NORMAL_SPEED, 0, 0, NORMAL_SPEED];
+        let whole = Edit {
+            start_s: 0.0,
+            duration_s: None,
+            warped: false,
+        };
+        assert_eq!(edits(movie(&pause_first)), [whole]);
+        assert!(edits(movie(&[0, 1, 300, 0, NORMAL_SPEED / 2]))[0].warped);
+    }
+
+    #[test]
+    fn lists_that_break_off_are_no_lists() {
+        let file = movie(&[0, 1, 300, 2_205, NORMAL_SPEED]);
+        for len in 0..file.len() {
+            read(&mut Cursor::new(&file[..len]));
+        }
+        assert_eq!(edits(movie(&[0, 1_000_000, 300])), []);
+    }
+}

@@ -8,6 +8,7 @@ mod opus;
 mod presentation;
 mod track;
 
+use std::fmt;
 use std::fs::File;
 use std::io::{self, Cursor, Read, Seek, SeekFrom};
 use std::ops::Range;
@@ -27,6 +28,10 @@ use crate::warning::Warning;
 /// its onset is no better known than a quarter of a millisecond.
 pub const MIN_SAMPLE_RATE_HZ: u32 = 4_000;
 
+/// The highest sample rate that is read, in hertz: above that of any recorder, and below what a
+/// damaged header may claim.
+pub const MAX_SAMPLE_RATE_HZ: u32 = 10_000_000;
+
 /// The most frames in one [`Block`].
 pub const MAX_BLOCK_FRAMES: usize = 4_096;
 
@@ -38,7 +43,7 @@ pub const MAX_BLOCK_FRAMES: usize = 4_096;
 ///
 /// | format | what says how much is not sound |
 /// |---|---|
-/// | MP4, M4A, MOV | the track's edit list; Opus without one: its pre-skip |
+/// | MP4, M4A, MOV | the track's edit list, else the iTunes tag, else the pre-skip of Opus |
 /// | Opus in Ogg and Matroska (`.webm`, `.mkv`) | the pre-skip in the Opus header |
 /// | MP3 | the LAME or Info tag |
 /// | Vorbis | the stream itself |
@@ -111,6 +116,18 @@ impl Block<'_> {
     /// The place of the first sample in the recording, in frames.
     pub fn start_frame(&self) -> u64 {
         self.start_frame
+    }
+}
+
+impl fmt::Debug for Source {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Source")
+            .field("name", &self.name)
+            .field("format", &self.format())
+            .field("layout", &self.layout)
+            .field("presented", &self.presented)
+            .field("warnings", &self.warnings)
+            .finish_non_exhaustive()
     }
 }
 
@@ -417,6 +434,11 @@ fn check_layout(layout: Layout, name: &str) -> Result<()> {
         format!(
             "{sample_rate_hz} samples a second are too few to time an impact \
              (at least {MIN_SAMPLE_RATE_HZ} are needed); record again at 44100 if you can"
+        )
+    } else if sample_rate_hz > MAX_SAMPLE_RATE_HZ {
+        format!(
+            "the header claims {sample_rate_hz} samples a second \
+             (at most {MAX_SAMPLE_RATE_HZ} are read); export it again"
         )
     } else if channels > MAX_CHANNELS {
         format!("{channels} channels (at most {MAX_CHANNELS} are read)")

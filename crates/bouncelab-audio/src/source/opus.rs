@@ -1,13 +1,13 @@
 //! Opus packets to samples.
 
-use opus_decoder::OpusDecoder;
+use opus_pure::OpusDecoder;
 use symphonia::core::errors::{Error, Result as SymphoniaResult};
 
 /// Opus always decodes to this rate, whatever the microphone ran at.
-pub(super) const SAMPLE_RATE_HZ: u32 = 48_000;
+pub(super) const SAMPLE_RATE_HZ: u16 = 48_000;
 
 /// The longest packet: 120 ms.
-const MAX_FRAMES: usize = OpusDecoder::MAX_FRAME_SIZE_48K;
+const MAX_FRAMES: usize = SAMPLE_RATE_HZ as usize * 120 / 1_000;
 
 /// The identification header, RFC 7845 section 5.1.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -31,10 +31,7 @@ impl Head {
             channels,
             skip_low,
             skip_high,
-            _,
-            _,
-            _,
-            _,
+            ..,
             gain_low,
             gain_high,
             family,
@@ -62,7 +59,8 @@ pub(super) struct Decoder {
 
 impl Decoder {
     pub(super) fn new(head: Head) -> Result<Self, String> {
-        let inner = OpusDecoder::new(SAMPLE_RATE_HZ, head.channels).map_err(|e| e.to_string())?;
+        let inner = OpusDecoder::new(i32::from(SAMPLE_RATE_HZ), head.channels)
+            .map_err(|e| e.to_string())?;
         Ok(Self {
             inner,
             head,
@@ -83,7 +81,7 @@ impl Decoder {
         let channels = self.head.channels;
         let frames = self
             .inner
-            .decode_float(packet, &mut self.interleaved, false)
+            .decode(packet, MAX_FRAMES, &mut self.interleaved)
             .map_err(|_| Error::DecodeError("damaged Opus packet"))?;
         let samples = &self.interleaved[..frames * channels];
         planes.resize(channels, Vec::new());

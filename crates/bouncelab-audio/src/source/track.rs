@@ -32,6 +32,8 @@ pub(super) struct Track {
     edits: Vec<Edit>,
     itunes: Option<Presentation>,
     clock: Clock,
+    /// How many frames the latest packet held.
+    packet_frames: u64,
 }
 
 /// What came of the next packet.
@@ -84,6 +86,7 @@ impl Track {
             params,
             decoder,
             clock: Clock::default(),
+            packet_frames: 0,
         })
     }
 
@@ -211,6 +214,7 @@ impl Track {
         match contain(|| self.decoder.decode(&packet, planes)) {
             Ok(layout) => {
                 let frames = planes.first().map_or(0, Vec::len);
+                self.packet_frames = frames as u64;
                 let missing_s = self.clock.advance(&self.info, &packet, frames, layout);
                 let missing_s = missing_s.filter(|_| self.container.has_clock());
                 Ok(Step::Sound { layout, missing_s })
@@ -229,15 +233,18 @@ impl Track {
         }
     }
 
-    /// How many frames a packet holds, as the container has it.
+    /// How many frames a packet holds that cannot be decoded: as the container has it, or, as
+    /// Matroska seldom says, as many as the one before.
     fn frames_in(&self, packet: &Packet) -> u64 {
-        let seconds = self
-            .info
-            .time_base
-            .and_then(|base| base.calc_duration(packet.block_dur()));
+        let base = self.info.time_base;
+        let seconds = base.and_then(|base| base.calc_duration(packet.block_dur()));
         let rate = f64::from(self.params.sample_rate.unwrap_or(0));
-        let frames = seconds.map_or(0.0, |seconds| seconds.as_secs_f64() * rate);
-        (frames.round() as u64).min(MAX_PACKET_FRAMES)
+        let frames = seconds.map_or(0.0, |seconds| (seconds.as_secs_f64() * rate).round());
+        if frames > 0.0 {
+            (frames as u64).min(MAX_PACKET_FRAMES)
+        } else {
+            self.packet_frames
+        }
     }
 }
 
@@ -357,6 +364,28 @@ fn malformed(container: Container, name: &str, stage: Stage, detail: String) -> 
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn lost_sound_shows_as_a_jump_of_the_clock() {
+        // Matroska: milliseconds, rounded; packets of 960 frames at 48 kHz last 20 ms.
+        let mut info = TrackInfo::new(1);
+        info.with_time_base(TimeBase::try_new(1, 1_000).unwrap());
+        let layout = Layout {
+            sample_rate_hz: 48_000,
+            channels: 1,
+        };
+        let mut clock = Clock::default();
+        let mut missing_before = |time_ms: i64| {
+            let packet = Packet::new(1, time_ms.into(), Duration::new(20), Vec::new());
+            clock.advance(&info, &packet, 960, layout)
+        };
+        for time_ms in [-7, 13, 34, 53] {
+            assert_eq!(missing_before(time_ms), None, "{time_ms} ms");
+        }
+        let missing_s = missing_before(133).unwrap();
+        assert!((missing_s - 0.06).abs() < 1e-9, "{missing_s} s");
+        assert_eq!(missing_before(153), None);
+    }
 
     #[test]
     fn the_itunes_tag_gives_both_ends() {
