@@ -32,14 +32,20 @@ const LEAST_SIGMA: f64 = 0.05;
 /// Half the length of the interpolation kernel in samples.
 const KERNEL: usize = 8;
 
-/// Moves the times of these impacts to where their waveforms agree. `samples` begin at `start_s`
-/// of the recording; impacts too near their ends keep their times.
-pub(super) fn align(impacts: &mut [HeardImpact], samples: &[f32], start_s: f64, rate_hz: f64) {
+/// Moves the times of these impacts to where their waveforms agree, and says which of them agree.
+/// `samples` begin at `start_s` of the recording; impacts too near their ends keep their times.
+pub(super) fn align(
+    impacts: &mut [HeardImpact],
+    samples: &[f32],
+    start_s: f64,
+    rate_hz: f64,
+) -> Vec<bool> {
+    let mut agrees = vec![false; impacts.len()];
     let span = Span::new(rate_hz);
     let mut sounds = whitened_sounds(impacts, samples, start_s, rate_hz, &span);
     // With fewer there is no stack of others to speak of.
     if sounds.len() < 3 {
-        return;
+        return agrees;
     }
     for _ in 0..ROUNDS {
         let waves: Vec<Vec<f64>> = sounds.iter().map(|s| s.wave(&span, s.shift)).collect();
@@ -54,8 +60,10 @@ pub(super) fn align(impacts: &mut [HeardImpact], samples: &[f32], start_s: f64, 
             let onset = &mut impacts[sound.impact].onset;
             onset.time_s += sound.shift / rate_hz;
             onset.sigma_s = sigma / rate_hz;
+            agrees[sound.impact] = true;
         }
     }
+    agrees
 }
 
 /// Lengths in samples at one rate.

@@ -95,17 +95,22 @@ impl Train {
         last + 1 - self.impacts.len()
     }
 
-    /// Sharpens the times by what the sounds of the impacts have in common (`align`).
+    /// Sharpens the times by what the sounds of the impacts have in common (`align`), and finds
+    /// missed impacts between others where the same sound stands at the time to expect.
     ///
     /// `samples` are the recording from `start_s` on. Impacts outside them, or unlike the others,
     /// keep their times.
     pub fn align(&mut self, samples: &[f32], start_s: f64, sample_rate_hz: u32) {
-        align::align(
-            &mut self.impacts,
-            samples,
-            start_s,
-            f64::from(sample_rate_hz),
-        );
+        let heard = self.impacts.len();
+        self.impacts.extend(missed_between(&self.impacts));
+        let rate_hz = f64::from(sample_rate_hz);
+        let agrees = align::align(&mut self.impacts, samples, start_s, rate_hz);
+        let mut index = 0;
+        self.impacts.retain(|_| {
+            index += 1;
+            index <= heard || agrees[index - 1]
+        });
+        self.impacts.sort_by_key(|impact| impact.number);
     }
 
     /// Level in dB relative to full scale that an impact at 1 m/s would have, if the amplitude
@@ -242,6 +247,55 @@ pub fn find(onsets: &[Onset]) -> Found {
 pub fn number_impacts(times_s: &[f64]) -> Vec<u32> {
     let onsets: Vec<Onset> = times_s.iter().map(|&time_s| Onset::click(time_s)).collect();
     chain::numbers(&onsets).unwrap_or_else(|| (0..times_s.len() as u32).collect())
+}
+
+/// Where the impacts that are missing between others should be, as if they sounded like the one
+/// before and were as sure as the less sure of the two around them.
+fn missed_between(impacts: &[HeardImpact]) -> Vec<HeardImpact> {
+    /// Scatter of a predicted flight time.
+    const SCATTER: f64 = 0.02;
+    let mut missed = Vec::new();
+    for (index, pair) in impacts.windows(2).enumerate() {
+        let flights = pair[1].number - pair[0].number;
+        if flights == 1 {
+            continue;
+        }
+        let interval_s = pair[1].onset.time_s - pair[0].onset.time_s;
+        let ratio = ratio_near(impacts, index);
+        let whole: f64 = (0..flights).map(|n| ratio.powf(f64::from(n))).sum();
+        let first_s = interval_s / whole;
+        let mut time_s = pair[0].onset.time_s;
+        for n in 1..flights {
+            let flight_s = first_s * ratio.powf(f64::from(n - 1));
+            time_s += flight_s;
+            missed.push(HeardImpact {
+                onset: Onset {
+                    time_s,
+                    sigma_s: SCATTER * flight_s,
+                    ..pair[0].onset
+                },
+                number: pair[0].number + n,
+                probability: pair[0].probability.min(pair[1].probability),
+            });
+        }
+    }
+    missed
+}
+
+/// The median ratio of successive flights among the impacts around this one.
+fn ratio_near(impacts: &[HeardImpact], index: usize) -> f64 {
+    const AROUND: usize = 6;
+    let around = &impacts[index.saturating_sub(AROUND)..(index + AROUND).min(impacts.len())];
+    let mut ratios: Vec<f64> = around
+        .windows(3)
+        .filter(|three| three[2].number == three[0].number + 2)
+        .map(|three| {
+            let later_s = three[2].onset.time_s - three[1].onset.time_s;
+            later_s / (three[1].onset.time_s - three[0].onset.time_s)
+        })
+        .collect();
+    ratios.sort_by(f64::total_cmp);
+    ratios.get(ratios.len() / 2).copied().unwrap_or(1.0)
 }
 
 /// Takes the best train and searches again before and after it.
