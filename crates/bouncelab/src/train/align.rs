@@ -20,7 +20,7 @@ const NOISE_S: f64 = 0.010;
 const FARTHEST_S: f64 = 0.006;
 /// A pick may be surer of itself than it should be, in the ringing of the impact before: every
 /// impact is sought at least so far around its pick, in seconds.
-const NEAREST_S: f64 = 0.0015;
+const NEAREST_S: f64 = 0.003;
 const FARTHEST_SIGMA: f64 = 6.0;
 /// An impact that shares less than this with the others keeps its pick.
 const LEAST_CORRELATION: f64 = 0.6;

@@ -96,21 +96,28 @@ impl Train {
     }
 
     /// Sharpens the times by what the sounds of the impacts have in common (`align`), and finds
-    /// missed impacts between others where the same sound stands at the time to expect.
+    /// missed impacts, between others and after the last, where the same sound stands at the time
+    /// to expect.
     ///
     /// `samples` are the recording from `start_s` on. Impacts outside them, or unlike the others,
     /// keep their times.
     pub fn align(&mut self, samples: &[f32], start_s: f64, sample_rate_hz: u32) {
-        let heard = self.impacts.len();
-        self.impacts.extend(missed_between(&self.impacts));
         let rate_hz = f64::from(sample_rate_hz);
-        let agrees = align::align(&mut self.impacts, samples, start_s, rate_hz);
-        let mut index = 0;
-        self.impacts.retain(|_| {
-            index += 1;
-            index <= heard || agrees[index - 1]
-        });
-        self.impacts.sort_by_key(|impact| impact.number);
+        loop {
+            let heard = self.impacts.len();
+            let last = self.impacts[heard - 1].number;
+            self.impacts.extend(expected(&self.impacts));
+            let agrees = align::align(&mut self.impacts, samples, start_s, rate_hz);
+            let mut index = 0;
+            self.impacts.retain(|_| {
+                index += 1;
+                index <= heard || agrees[index - 1]
+            });
+            self.impacts.sort_by_key(|impact| impact.number);
+            if self.impacts[self.impacts.len() - 1].number == last {
+                return;
+            }
+        }
     }
 
     /// Level in dB relative to full scale that an impact at 1 m/s would have, if the amplitude
@@ -249,38 +256,53 @@ pub fn number_impacts(times_s: &[f64]) -> Vec<u32> {
     chain::numbers(&onsets).unwrap_or_else(|| (0..times_s.len() as u32).collect())
 }
 
-/// Where the impacts that are missing between others should be, as if they sounded like the one
-/// before and were as sure as the less sure of the two around them.
-fn missed_between(impacts: &[HeardImpact]) -> Vec<HeardImpact> {
-    /// Scatter of a predicted flight time.
-    const SCATTER: f64 = 0.02;
-    let mut missed = Vec::new();
+/// Where missing impacts should be: those between others, and the next after the last.
+fn expected(impacts: &[HeardImpact]) -> Vec<HeardImpact> {
+    /// With shorter flights, in seconds, an impact cannot be told from the ringing of another.
+    const SHORTEST_S: f64 = 0.012;
+    let mut expected = Vec::new();
     for (index, pair) in impacts.windows(2).enumerate() {
         let flights = pair[1].number - pair[0].number;
-        if flights == 1 {
-            continue;
-        }
-        let interval_s = pair[1].onset.time_s - pair[0].onset.time_s;
         let ratio = ratio_near(impacts, index);
         let whole: f64 = (0..flights).map(|n| ratio.powf(f64::from(n))).sum();
-        let first_s = interval_s / whole;
+        let mut flight_s = (pair[1].onset.time_s - pair[0].onset.time_s) / whole;
         let mut time_s = pair[0].onset.time_s;
-        for n in 1..flights {
-            let flight_s = first_s * ratio.powf(f64::from(n - 1));
+        let is_last = index + 2 == impacts.len();
+        for n in 1..=flights {
             time_s += flight_s;
-            missed.push(HeardImpact {
-                onset: Onset {
-                    time_s,
-                    sigma_s: SCATTER * flight_s,
-                    ..pair[0].onset
-                },
-                number: pair[0].number + n,
-                probability: pair[0].probability.min(pair[1].probability),
-            });
+            flight_s *= ratio;
+            if n < flights {
+                expected.push(unheard(&pair[0], n, time_s, flight_s));
+            } else if is_last && flight_s > SHORTEST_S {
+                expected.push(unheard(
+                    &pair[0],
+                    n + 1,
+                    pair[1].onset.time_s + flight_s,
+                    flight_s,
+                ));
+            }
         }
     }
-    missed
+    expected
 }
+
+/// An impact so many after another, as if it sounded like it and were a little less sure.
+fn unheard(before: &HeardImpact, steps: u32, time_s: f64, flight_s: f64) -> HeardImpact {
+    /// Scatter of a predicted flight time.
+    const SCATTER: f64 = 0.02;
+    HeardImpact {
+        onset: Onset {
+            time_s,
+            sigma_s: SCATTER * flight_s,
+            ..before.onset
+        },
+        number: before.number + steps,
+        probability: UNHEARD * before.probability,
+    }
+}
+
+/// How sure an impact is that only the sound of the others made heard.
+const UNHEARD: f64 = 0.9;
 
 /// The median ratio of successive flights among the impacts around this one.
 fn ratio_near(impacts: &[HeardImpact], index: usize) -> f64 {
