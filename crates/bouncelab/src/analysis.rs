@@ -39,7 +39,8 @@ pub struct Settings {
     pub environment: Environment,
     /// How long the ball touches the surface, in seconds.
     pub contact_time_s: f64,
-    /// The flights that go into the straight line, by number; all if `None`.
+    /// The flights that go into the straight line, by number; if `None`, all between impacts that
+    /// are sure ([`SURE`]).
     pub flights: Option<RangeInclusive<usize>>,
 }
 
@@ -64,6 +65,10 @@ impl Default for Settings {
         }
     }
 }
+
+/// An impact below this probability is marked as uncertain, and no flight from or to it goes into
+/// the straight line unless it is asked for.
+pub const SURE: f64 = 0.9;
 
 /// The time of an impact and how it is known.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -246,23 +251,25 @@ pub fn analyze(impacts: Vec<Impact>, settings: &Settings) -> Analysis {
 }
 
 fn flights(impacts: &[Impact], settings: &Settings) -> Vec<FlightFound> {
-    impacts
+    let sure = |pair: &[Impact]| pair.iter().all(|impact| impact.probability >= SURE);
+    let successive = impacts
         .windows(2)
-        .filter(|pair| pair[1].number == pair[0].number + 1)
+        .filter(|pair| pair[1].number == pair[0].number + 1);
+    let enough = successive.clone().filter(|pair| sure(pair)).count() >= 2;
+    successive
         .map(|pair| {
             let number = pair[0].number;
             let time_s = pair[1].time_s - pair[0].time_s;
+            let gravity_m_s2 = settings.environment.gravity_m_s2;
+            let in_line = match &settings.flights {
+                Some(range) => range.contains(&number),
+                None => !enough || sure(pair),
+            };
             FlightFound {
                 number,
                 time_s,
-                in_line: settings
-                    .flights
-                    .as_ref()
-                    .is_none_or(|range| range.contains(&number)),
-                plain_height_m: regression::height_of_flight_m(
-                    time_s,
-                    settings.environment.gravity_m_s2,
-                ),
+                in_line,
+                plain_height_m: regression::height_of_flight_m(time_s, gravity_m_s2),
             }
         })
         .collect()

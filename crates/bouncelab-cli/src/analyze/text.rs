@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use bouncelab::analysis::Analysis;
+use bouncelab::analysis::{Analysis, SURE};
 use bouncelab::regression::Estimate;
 use bouncelab_report::document::Origin;
 use bouncelab_report::{Align, CANNOT_TELL, Quantity, Table, Unit};
@@ -85,7 +85,7 @@ fn drop_headline(hearing: &Hearing, index: usize) -> String {
     let (first, last) = (&impacts[0], &impacts[impacts.len() - 1]);
     let doubtful = impacts
         .iter()
-        .filter(|impact| impact.probability < 0.9)
+        .filter(|impact| impact.probability < SURE)
         .count();
     let doubt = match doubtful {
         0 => String::new(),
@@ -233,7 +233,7 @@ fn impact_row(drop: &Analysis, index: usize, details: bool) -> Vec<String> {
             fixed(residual_percent(drop, impact.number), 2),
         ]);
     }
-    row.push(if impact.probability < 0.9 { "?" } else { "" }.to_owned());
+    row.push(if impact.probability < SURE { "?" } else { "" }.to_owned());
     row
 }
 

@@ -302,7 +302,7 @@ fn unheard(before: &HeardImpact, steps: u32, time_s: f64, flight_s: f64) -> Hear
 }
 
 /// How sure an impact is that only the sound of the others made heard.
-const UNHEARD: f64 = 0.9;
+const UNHEARD: f64 = 0.95;
 
 /// The median ratio of successive flights among the impacts around this one.
 fn ratio_near(impacts: &[HeardImpact], index: usize) -> f64 {

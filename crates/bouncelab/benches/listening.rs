@@ -1,0 +1,98 @@
+//! What listening costs: `cargo bench -p bouncelab --bench listening`.
+//!
+//! Items are samples: 44.1 million a second are 1000 times real time.
+
+use bouncelab::impact::Strike;
+use bouncelab::listen::Listener;
+use bouncelab::onset::{Detector, Onset};
+use bouncelab::synth::{self, Noise, Scene};
+use bouncelab::train;
+use divan::counter::ItemsCount;
+use divan::{Bencher, black_box};
+
+const RATE_HZ: u32 = 44_100;
+
+fn main() {
+    divan::main();
+}
+
+/// A drop of seventy-odd impacts in a minute of background.
+fn minute(noise: Noise) -> Vec<f32> {
+    let mut strikes = Vec::new();
+    let (mut time_s, mut speed_m_s) = (5.0, 2.4_f64);
+    while speed_m_s > 0.1 {
+        strikes.push(Strike { time_s, speed_m_s });
+        speed_m_s *= 0.955;
+        time_s += 2.0 * speed_m_s / 9.81;
+    }
+    let tail_s = 60.0 - time_s;
+    let scene = Scene {
+        noise: Some(noise),
+        tail_s,
+        ..Scene::default()
+    };
+    synth::render(&strikes, &scene, 1).unwrap().samples
+}
+
+fn onsets(samples: &[f32]) -> Vec<Onset> {
+    let mut onsets = Vec::new();
+    let mut detector = Detector::new(RATE_HZ);
+    detector.push(samples, &mut onsets);
+    detector.finish(&mut onsets);
+    onsets
+}
+
+/// Onset candidates of a minute with a drop.
+#[divan::bench]
+fn detector(bencher: Bencher) {
+    let samples = minute(Noise::pink(40.0));
+    bencher
+        .counter(ItemsCount::new(samples.len()))
+        .bench_local(|| onsets(black_box(&samples)));
+}
+
+/// The whole way from samples to aligned trains.
+#[divan::bench(args = [40.0, 10.0])]
+fn listener(bencher: Bencher, snr_db: f64) {
+    let samples = minute(Noise::pink(snr_db));
+    bencher
+        .counter(ItemsCount::new(samples.len()))
+        .bench_local(|| {
+            let mut listener = Listener::new(RATE_HZ, 1);
+            for block in black_box(&samples).chunks(4096) {
+                listener.push(&[block]);
+            }
+            listener.finish()
+        });
+}
+
+/// Onsets to trains; items are onsets.
+#[divan::bench]
+fn trains(bencher: Bencher) {
+    let onsets = onsets(&minute(Noise::pink(40.0)));
+    bencher
+        .counter(ItemsCount::new(onsets.len()))
+        .bench_local(|| train::find(black_box(&onsets)));
+}
+
+/// A worst case: thirty clicks a second at random; items are onsets.
+#[divan::bench]
+fn trains_in_a_crowd(bencher: Bencher) {
+    let mut state = 1_u32;
+    let mut time_s = 0.0;
+    let onsets: Vec<Onset> = (0..1800)
+        .map(|_| {
+            state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+            let chance = (f64::from(state >> 8) + 1.0) / f64::from(1 << 24);
+            time_s -= chance.ln() / 30.0;
+            Onset {
+                strength: 40.0 * chance,
+                level_db: -60.0 * chance,
+                ..Onset::click(time_s)
+            }
+        })
+        .collect();
+    bencher
+        .counter(ItemsCount::new(onsets.len()))
+        .bench_local(|| train::find(black_box(&onsets)));
+}
