@@ -143,9 +143,7 @@ fn whitened_sounds(
             let pick_sigma = impacts[impact].onset.sigma_s * rate_hz;
             Sound {
                 impact,
-                samples: (0..span.origin + span.after())
-                    .map(|n| interpolate(&errors, n as f64 + fraction))
-                    .collect(),
+                samples: resample(&errors, fraction, span.origin + span.after()),
                 reach: (FARTHEST_SIGMA * pick_sigma)
                     .clamp(span.nearest, span.farthest)
                     .ceil() as usize,
@@ -161,9 +159,7 @@ impl Sound {
     /// The waveform that begins this many samples after the pick.
     fn wave(&self, span: &Span, shift: f64) -> Vec<f64> {
         let first = (span.origin - span.before) as f64 + shift;
-        (0..span.length)
-            .map(|n| interpolate(&self.samples, first + n as f64))
-            .collect()
+        resample(&self.samples, first, span.length)
     }
 
     /// Finds the shift at which the sound fits the stack of the others.
@@ -249,30 +245,37 @@ fn norm(a: &[f64]) -> f64 {
     dot(a, a).sqrt()
 }
 
-/// The value between samples, by a windowed sinc.
-fn interpolate(samples: &[f64], position: f64) -> f64 {
+/// So many values from a position between samples on, by a windowed sinc.
+fn resample(samples: &[f64], position: f64, length: usize) -> Vec<f64> {
     let whole = position as usize;
-    let fraction = position - whole as f64;
-    if fraction == 0.0 {
-        return samples.get(whole).copied().unwrap_or(0.0);
-    }
-    let half = KERNEL as f64;
-    let sine = (PI * fraction).sin();
+    let kernel = kernel(position - whole as f64);
+    // The first weight belongs to this sample; before the beginning and after the end is silence.
     let first = (whole + 1).saturating_sub(KERNEL);
-    let end = (whole + 1 + KERNEL).min(samples.len());
-    (first..end)
+    let skipped = (KERNEL - 1).saturating_sub(whole);
+    (0..length)
         .map(|n| {
-            let x = n as f64 - position;
-            let window = 0.5 + 0.5 * (PI * x / half).cos();
-            // sin(pi x) is the same for all samples but for its sign.
-            let sign = if (n + whole).is_multiple_of(2) {
-                -1.0
-            } else {
-                1.0
-            };
-            samples[n] * window * sign * sine / (PI * x)
+            let skipped = skipped.saturating_sub(n);
+            let start = (whole + n + 1).saturating_sub(KERNEL).max(first);
+            let taps = samples.get(start..).unwrap_or_default();
+            kernel[skipped..]
+                .iter()
+                .zip(taps)
+                .map(|(weight, sample)| weight * sample)
+                .sum()
         })
-        .sum()
+        .collect()
+}
+
+/// The weights of the samples around a position this fraction after one of them.
+fn kernel(fraction: f64) -> [f64; 2 * KERNEL] {
+    std::array::from_fn(|tap| {
+        let x = (tap + 1) as f64 - KERNEL as f64 - fraction;
+        if x == 0.0 {
+            return 1.0;
+        }
+        let window = 0.5 + 0.5 * (PI * x / KERNEL as f64).cos();
+        window * (PI * x).sin() / (PI * x)
+    })
 }
 
 #[cfg(test)]
@@ -283,7 +286,7 @@ mod tests {
     fn interpolation_is_that_of_a_band_limited_signal() {
         let tone: Vec<f64> = (0..200).map(|n| (0.9 * f64::from(n)).sin()).collect();
         for position in [100.0, 100.25, 100.5, 101.9] {
-            let error = interpolate(&tone, position) - (0.9 * position).sin();
+            let error = resample(&tone, position, 1)[0] - (0.9 * position).sin();
             assert!(error.abs() < 2e-3, "{position}: {error}");
         }
     }
