@@ -288,22 +288,28 @@ impl Envelope {
     }
 
     fn push(&mut self, samples: &[f32]) {
-        for &sample in samples.iter().filter(|s| s.is_finite()) {
-            match (self.least.last_mut(), self.greatest.last_mut()) {
-                (Some(least), Some(greatest)) if self.in_step < self.samples_per_step => {
+        let mut rest = samples;
+        while !rest.is_empty() {
+            if self.in_step == self.samples_per_step || self.least.is_empty() {
+                if self.least.len() == Self::MOST_STEPS {
+                    self.halve();
+                }
+                self.least.push(f32::INFINITY);
+                self.greatest.push(f32::NEG_INFINITY);
+                self.in_step = 0;
+            }
+            let step = rest.len().min(self.samples_per_step - self.in_step);
+            let (now, later) = rest.split_at(step);
+            if let (Some(least), Some(greatest)) = (self.least.last_mut(), self.greatest.last_mut())
+            {
+                // `min` and `max` pass over NaN; infinity is none of the recorder's values either.
+                for &sample in now.iter().filter(|sample| sample.is_finite()) {
                     *least = least.min(sample);
                     *greatest = greatest.max(sample);
-                    self.in_step += 1;
-                }
-                _ => {
-                    if self.least.len() == Self::MOST_STEPS {
-                        self.halve();
-                    }
-                    self.least.push(sample);
-                    self.greatest.push(sample);
-                    self.in_step = 1;
                 }
             }
+            self.in_step += step;
+            rest = later;
         }
     }
 
@@ -336,6 +342,15 @@ impl Clipping {
     const LOUD: f32 = 0.3;
 
     fn push(&mut self, samples: &[f32]) {
+        let loudest = samples
+            .iter()
+            .fold(0.0, |loudest: f32, sample| loudest.max(sample.abs()));
+        if loudest < self.extreme.max(Self::LOUD) {
+            // Most blocks are nowhere near the limit.
+            self.run = 0;
+            self.last = 0.0;
+            return;
+        }
         for &sample in samples {
             let size = sample.abs();
             if size > self.extreme {
