@@ -21,7 +21,7 @@ use crate::units;
 
 /// Find the drops in recordings, or in lists of impact times
 ///
-/// Reads WAV, AIFF, FLAC, MP3, OGG, Opus, `WebM`, M4A, MP4 and MOV, and impact times in seconds as
+/// Reads WAV, AIFF, FLAC, MP3, OGG, Opus, WebM, M4A, MP4 and MOV, and impact times in seconds as
 /// .txt (one a line), .csv (one a line, or a column `time` or `time_s`) or .json (an array). Exit
 /// status: 0 if every file holds a drop, 1 if one does not or cannot be read, 2 for wrong usage.
 #[derive(Args)]
