@@ -88,7 +88,10 @@ struct Drop {
 }
 
 #[derive(Clone, Debug, PartialEq, Serialize)]
-#[expect(clippy::struct_field_names, reason = "the names are those of the schema")]
+#[expect(
+    clippy::struct_field_names,
+    reason = "the names are those of the schema"
+)]
 struct Impact {
     number: usize,
     time_s: f64,

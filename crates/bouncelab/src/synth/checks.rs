@@ -2,7 +2,8 @@
 
 use std::ops::RangeInclusive;
 
-use crate::{Error, Result};
+use crate::Result;
+use crate::error::{self, require};
 
 /// Accepts a value in the closed range.
 pub(super) fn within(
@@ -11,15 +12,7 @@ pub(super) fn within(
     range: RangeInclusive<f64>,
     allowed: &'static str,
 ) -> Result<()> {
-    if range.contains(&value) {
-        Ok(())
-    } else {
-        Err(Error::OutOfRange {
-            quantity,
-            value,
-            allowed,
-        })
-    }
+    require(range.contains(&value), quantity, value, allowed)
 }
 
 /// Accepts a value above zero and not above `max`, which `allowed` names.
@@ -34,5 +27,5 @@ pub(super) fn positive_up_to(
 
 /// Accepts any finite value above zero.
 pub(super) fn positive(quantity: &'static str, value: f64) -> Result<()> {
-    positive_up_to(quantity, value, f64::MAX, "a positive number")
+    error::positive(quantity, value).map(|_| ())
 }
