@@ -33,7 +33,7 @@ pub(crate) struct Arguments {
     /// Seed of everything random
     #[arg(long, default_value_t = 1, help_heading = "Sound")]
     seed: u64,
-    /// What an impact sounds like
+    /// What an impact sounds like: table-tennis, steel-ball, basketball or tennis
     #[arg(long, default_value = "table-tennis", help_heading = "Sound", value_parser = voice)]
     voice: Voice,
     /// How far the first impact stands above the noise, in dB
