@@ -83,6 +83,10 @@ pub enum Error {
         flights: usize,
     },
 
+    /// The data do not suffice for an inference, or it did not come to an end.
+    #[error("{0}")]
+    CannotInfer(String),
+
     /// Two flights carry the same number, or impacts are not in order.
     #[error(
         "{what} number {number} is not above the number before it; number them in order, once each"

@@ -35,6 +35,7 @@
 mod quadratic;
 mod quadrature;
 mod reynolds;
+pub(crate) mod table;
 #[cfg(test)]
 mod tests;
 

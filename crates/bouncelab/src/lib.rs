@@ -69,6 +69,7 @@ pub mod analysis;
 pub mod ball;
 pub mod drag;
 pub mod drop;
+pub mod estimate;
 mod error;
 pub mod flight;
 pub mod gravity;

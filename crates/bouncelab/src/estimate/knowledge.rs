@@ -1,0 +1,175 @@
+//! What is known besides the sounds: measurements, and how well each input is known.
+
+use crate::drag::DragLaw;
+use crate::error::{Result, not_negative, positive, require};
+
+/// A measured quantity.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Measured {
+    /// The value.
+    pub value: f64,
+    /// Its standard uncertainty, in the same unit.
+    pub sd: f64,
+}
+
+/// What the person knows besides the sounds.
+///
+/// The shares are relative standard uncertainties: 0.01 is one per cent, 0 is exact, and
+/// [`UNKNOWN`] leaves it to the data. They are the priors of the inference; the defaults say what
+/// one knows of a ball and a room that nobody has measured.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Knowledge {
+    /// Height of the lowest point of the ball above the surface at release, m.
+    pub drop_height_m: Option<Measured>,
+    /// When the ball was released, s, in the time of the impacts.
+    pub release_s: Option<Measured>,
+    /// Restitution laws to consider.
+    pub restitution_laws: Vec<LawKind>,
+    /// Drag laws to consider, each with a scale of its own.
+    pub drag_laws: Vec<DragLaw>,
+    /// Drag coefficient: how far a real ball may lie from the law. The good laws of smooth spheres
+    /// differ by 3 to 4 % at Reynolds numbers of 1,000 to 10,000.
+    pub drag: f64,
+    /// Gravity.
+    pub gravity: f64,
+    /// Density of the air: temperature, pressure, humidity.
+    pub air_density: f64,
+    /// Mass of the ball.
+    pub mass: f64,
+    /// Diameter of the ball.
+    pub diameter: f64,
+    /// Added mass of the air: potential flow says half the volume, a bouncing ball is no potential
+    /// flow.
+    pub added_mass: f64,
+    /// Contact time.
+    pub contact_time: f64,
+    /// The stated standard errors of the impact times, as a common factor.
+    pub timing: f64,
+}
+
+/// So little known that the data decide: a normal prior of the logarithm with standard deviation
+/// one, which is a factor of 2.7 either way.
+pub const UNKNOWN: f64 = 1.0;
+
+impl Default for Knowledge {
+    fn default() -> Self {
+        Self {
+            drop_height_m: None,
+            release_s: None,
+            restitution_laws: LawKind::ALL.to_vec(),
+            drag_laws: vec![DragLaw::CliftGraceWeber],
+            drag: 0.04,
+            // Half the range over the surface of the Earth, as a rectangle.
+            gravity: 0.0015,
+            // 5 K, 15 hPa and 25 % of humidity.
+            air_density: 0.023,
+            mass: 0.01,
+            diameter: 0.006,
+            added_mass: 0.3,
+            contact_time: 0.5,
+            timing: 0.3,
+        }
+    }
+}
+
+impl Knowledge {
+    pub(super) fn check(&self) -> Result<()> {
+        if let Some(height) = self.drop_height_m {
+            positive("measured drop height in m", height.value)?;
+            positive("standard uncertainty of the drop height in m", height.sd)?;
+        }
+        if let Some(release) = self.release_s {
+            require(
+                release.value.is_finite(),
+                "release time in s",
+                release.value,
+                "finite",
+            )?;
+            positive("standard uncertainty of the release time in s", release.sd)?;
+        }
+        for share in [
+            self.drag,
+            self.gravity,
+            self.air_density,
+            self.mass,
+            self.diameter,
+            self.added_mass,
+            self.contact_time,
+            self.timing,
+        ] {
+            not_negative("relative standard uncertainty of an input", share)?;
+        }
+        Ok(())
+    }
+}
+
+/// A family of restitution laws whose numbers the inference finds; see
+/// [`Restitution`](crate::impact::Restitution) for each of them.
+///
+/// v* is a speed in the middle of those heard. Every law has e* = e(v*), flat from 0 to 1 before
+/// the data, and the rest as said here.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub enum LawKind {
+    /// The same at every speed.
+    Constant,
+    /// A straight line; -d ln e/d ln v at v* is normal, 0 +- 0.1.
+    Linear,
+    /// A power law; the exponent is normal, 0 +- 0.1.
+    Power,
+    /// A viscoelastic sphere, which has no further number.
+    Viscoelastic,
+    /// Constant below a knee and falling above it; the knee lies anywhere in the speeds heard, and
+    /// the fall, as a share of e for each v*, is log-normal around 0.05 with a factor e.
+    Knee,
+}
+
+impl LawKind {
+    /// Every law.
+    pub const ALL: [Self; 5] = [
+        Self::Constant,
+        Self::Linear,
+        Self::Power,
+        Self::Viscoelastic,
+        Self::Knee,
+    ];
+
+    /// Its name, as in arguments and tables.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Constant => "constant",
+            Self::Linear => "linear",
+            Self::Power => "power",
+            Self::Viscoelastic => "viscoelastic",
+            Self::Knee => "knee",
+        }
+    }
+
+    /// How many numbers it has besides e*.
+    pub(super) const fn shapes(self) -> usize {
+        match self {
+            Self::Constant | Self::Viscoelastic => 0,
+            Self::Linear | Self::Power => 1,
+            Self::Knee => 2,
+        }
+    }
+}
+
+impl std::fmt::Display for LawKind {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(self.name())
+    }
+}
+
+impl std::str::FromStr for LawKind {
+    type Err = crate::Error;
+
+    fn from_str(text: &str) -> Result<Self> {
+        Self::ALL
+            .into_iter()
+            .find(|law| law.name() == text)
+            .ok_or_else(|| {
+                crate::Error::unknown_name("restitution law", text, &Self::ALL.map(Self::name))
+            })
+    }
+}

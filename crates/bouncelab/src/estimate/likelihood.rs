@@ -1,0 +1,374 @@
+//! How well an explanation fits the times: the likelihood, in one pass over the impacts.
+//!
+//! Two kinds of noise make the data. The times carry errors, known up to a common factor. The
+//! impacts carry scatter: ln e = ln e(v') + ε, and on a good recording that is the larger of the
+//! two. So the residual of an impact is
+//!
+//! r = ln v(flight after) - ln v'(flight before) - ln e(v'),
+//!
+//! and residuals of neighbours are correlated, because they share times, and share the scatter of
+//! missed impacts between them: their covariance has two bands beside the diagonal. Its Cholesky
+//! factors turn them, in O(N), into innovations: what each impact adds to what the ones before it
+//! foretold. The density of the *times* needs the Jacobian d ln v/dT too, since v depends on drag.
+//!
+//! The scatter of real impacts has heavier tails than a normal distribution (J.-Y. Montaine et al.,
+//! arXiv 1104.0049), so an innovation follows Student's t, and what an odd one seems to say of the
+//! times of its neighbours is taken back.
+
+use super::model::{Model, Point};
+use crate::flight::table::{FlightTable, Row};
+
+/// Degrees of freedom of an innovation: nearly normal in the middle, with tails like those
+/// published.
+pub(super) const FREEDOM: f64 = 6.0;
+
+/// Beyond about so many standard deviations an innovation is odd, and says nothing of its
+/// neighbours.
+const ODD: f64 = 3.0;
+
+/// An innovation: what one impact adds.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Innovation {
+    /// The impact it belongs to, by its place among those heard; the first is the drop itself.
+    pub(super) impact: usize,
+    /// In units of its standard deviation.
+    pub(super) standardised: f64,
+    /// Weight in the fit, 1 for an impact as good as any.
+    pub(super) weight: f64,
+}
+
+/// Works out likelihoods for one model; keeps its room, so that thousands cost no allocation.
+#[derive(Debug, Clone)]
+pub(super) struct Evaluator<'a> {
+    pub(super) model: &'a Model<'a>,
+    table: FlightTable,
+    strength: f64,
+    ends: Vec<End>,
+    residuals: Vec<Residual>,
+    pub(super) innovations: Vec<Innovation>,
+}
+
+/// A stretch as its ends see it.
+#[derive(Debug, Clone, Copy, Default)]
+struct End {
+    /// ln of the launch speed at its start and of the impact speed at its end.
+    log_launch: f64,
+    log_impact: f64,
+    impact: f64,
+    /// Derivatives of both by its duration, 1/s.
+    launch_per_s: f64,
+    impact_per_s: f64,
+    /// What the scatter of missed impacts does to them: squares and product.
+    launch_scatter: f64,
+    impact_scatter: f64,
+    shared_scatter: f64,
+}
+
+/// A residual with its noise.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct Residual {
+    pub(super) value: f64,
+    /// Derivatives by the time of the impact before, its own and the one after.
+    pub(super) timing: [f64; 3],
+    /// Variance by the scatter, for a scatter of one, and its covariance with the one before.
+    pub(super) scatter: f64,
+    pub(super) scatter_before: f64,
+    /// The impact in the middle of `timing`.
+    pub(super) impact: usize,
+    /// Variance of its own, such as that of a release time.
+    own_variance: f64,
+}
+
+/// The fall from the drop height, and the impacts before the first one heard.
+struct Opening {
+    gravity_height: f64,
+    height_slope: f64,
+    impact: f64,
+    /// Time from the release to the first impact heard.
+    time_s: f64,
+    /// Scatter of missed impacts in ln(impact speed) and in the time.
+    impact_scatter: f64,
+    time_scatter: f64,
+    shared_scatter: f64,
+}
+
+impl<'a> Evaluator<'a> {
+    pub(super) fn new(model: &'a Model<'a>) -> Self {
+        Self {
+            model,
+            table: FlightTable::new(),
+            strength: f64::NAN,
+            ends: Vec::new(),
+            residuals: Vec::new(),
+            innovations: Vec::new(),
+        }
+    }
+
+    /// Logarithm of prior times likelihood, but for a constant that all models of the same data
+    /// share; `None` where the vector makes no sense.
+    pub(super) fn log_posterior(&mut self, vector: &[f64]) -> Option<f64> {
+        let point = self.model.point(vector)?;
+        let (opening, log_jacobian) = self.residuals_at(&point)?;
+        let prior = self.model.log_prior(
+            vector,
+            opening.gravity_height,
+            opening.height_slope,
+            point.gravity_m_s2,
+        );
+        let total = prior + log_jacobian + self.log_density(&point);
+        total.is_finite().then_some(total)
+    }
+
+    /// The residuals at a point, for those who want to take them apart.
+    pub(super) fn residuals(&mut self, point: &Point) -> Option<&[Residual]> {
+        self.residuals_at(point)?;
+        Some(&self.residuals)
+    }
+
+    /// The flights of the table at a drag, filled if need be.
+    pub(super) fn table(&mut self, strength: f64) -> &FlightTable {
+        // The same bits mean the same table.
+        if self.strength.to_bits() != strength.to_bits() {
+            self.table.fill(&self.model.surroundings.profile, strength);
+            self.strength = strength;
+        }
+        &self.table
+    }
+
+    /// Fills the residuals; the opening and the logarithm of the Jacobian.
+    fn residuals_at(&mut self, point: &Point) -> Option<(Opening, f64)> {
+        self.table(point.drag_strength);
+        let opening = self.opening(point)?;
+        self.ends.clear();
+        for stretch in &self.model.observed.stretches {
+            let contact_s = stretch.flights as f64 * point.contact_time_s;
+            let gravity_time = point.gravity_m_s2 * (stretch.duration_s - contact_s);
+            let end = match stretch.flights {
+                1 => End::of_flight(&self.table.lasting(gravity_time)?, point.gravity_m_s2),
+                flights => self.stretch(gravity_time, flights, point)?,
+            };
+            self.ends.push(end);
+        }
+        self.residuals.clear();
+        let first_impact_s = self.model.observed.impacts[0].time_s;
+        if let Some(release) = self.model.release_s {
+            self.residuals.push(Residual {
+                value: first_impact_s - release.value - opening.time_s,
+                timing: [0.0, 1.0, 0.0],
+                scatter: opening.time_scatter,
+                own_variance: release.sd * release.sd,
+                ..Residual::default()
+            });
+        }
+        let mut log_jacobian = 0.0;
+        let mut before = End {
+            log_impact: opening.impact.ln(),
+            impact: opening.impact,
+            impact_scatter: opening.impact_scatter,
+            shared_scatter: -opening.shared_scatter,
+            ..End::default()
+        };
+        for (impact, after) in self.ends.iter().enumerate() {
+            self.residuals.push(Residual::between(&before, after, impact, point));
+            log_jacobian += after.launch_per_s.ln();
+            before = *after;
+        }
+        Some((opening, log_jacobian))
+    }
+
+    fn opening(&self, point: &Point) -> Option<Opening> {
+        let (gravity_height, gravity_fall, height_slope) = self.table.fall(point.fall_launch_m_s)?;
+        let fall = self.table.launch(point.fall_launch_m_s)?;
+        let flights = chain(&self.table, point, fall.impact, self.model.missed_first)?;
+        let gravity = point.gravity_m_s2;
+        let mut opening = Opening {
+            gravity_height,
+            height_slope,
+            impact: flights.last().map_or(fall.impact, |row| row.impact),
+            time_s: gravity_fall / gravity + flights.len() as f64 * point.contact_time_s,
+            impact_scatter: 0.0,
+            time_scatter: 0.0,
+            shared_scatter: 0.0,
+        };
+        for missed in 0..flights.len() {
+            opening.time_s += flights[missed].time / gravity;
+            let (time, impact) = response(&flights[missed..], point);
+            let time = time / gravity;
+            opening.impact_scatter += impact * impact;
+            opening.time_scatter += time * time;
+            opening.shared_scatter += impact * time;
+        }
+        Some(opening)
+    }
+
+    /// A stretch with missed impacts, which are taken to obey the law; how far they may not is
+    /// scatter.
+    fn stretch(&self, gravity_time: f64, flights: usize, point: &Point) -> Option<End> {
+        const STEPS: usize = 40;
+        // As if each flight were as long as the others.
+        let mut log_launch = (0.5 * gravity_time / flights as f64).ln();
+        for _ in 0..STEPS {
+            let rows = self.rows(log_launch.exp(), flights, point)?;
+            let total: f64 = rows.iter().map(|row| row.time).sum();
+            let (slope, _) = response(&rows, point);
+            let step = (gravity_time - total) / slope;
+            log_launch += step;
+            if step.abs() < 1e-9 {
+                break;
+            }
+        }
+        let rows = self.rows(log_launch.exp(), flights, point)?;
+        let last = rows[rows.len() - 1];
+        let (slope, impact) = response(&rows, point);
+        let launch_per_s = point.gravity_m_s2 / slope;
+        let mut end = End {
+            log_launch,
+            log_impact: last.impact.ln(),
+            impact: last.impact,
+            launch_per_s,
+            impact_per_s: impact * launch_per_s,
+            ..End::default()
+        };
+        for missed in 1..rows.len() {
+            // The duration is given: what a missed impact adds later must come off the launch.
+            let (later, on_impact) = response(&rows[missed..], point);
+            let on_launch = -later / slope;
+            let on_impact = on_impact + impact * on_launch;
+            end.launch_scatter += on_launch * on_launch;
+            end.impact_scatter += on_impact * on_impact;
+            end.shared_scatter += on_launch * on_impact;
+        }
+        Some(end)
+    }
+
+    /// The flights from a launch on, through impacts that obey the law.
+    fn rows(&self, launch: f64, flights: usize, point: &Point) -> Option<Vec<Row>> {
+        let first = self.table.launch(launch)?;
+        let mut rows = vec![first];
+        rows.extend(chain(&self.table, point, first.impact, flights - 1)?);
+        Some(rows)
+    }
+
+    /// Student's t of every innovation; notes the innovations.
+    fn log_density(&mut self, point: &Point) -> f64 {
+        let observed = self.model.observed;
+        let scatter = point.scatter * point.scatter;
+        let variance = |impact: usize| {
+            let sigma_s = point.timing * observed.sigma_s.get(impact).copied().unwrap_or(0.0);
+            sigma_s * sigma_s
+        };
+        self.innovations.clear();
+        let mut sum = 0.0;
+        // Factor rows of the two before: variance of the innovation and the innovation as far as it
+        // is believed; and the subdiagonal of the one before.
+        let (mut d1, mut d2, mut z1, mut z2, mut below1) = (1.0, 1.0, 0.0, 0.0, 0.0);
+        for (row, residual) in self.residuals.iter().enumerate() {
+            let [t0, t1, t2] = residual.timing;
+            let own = residual.impact;
+            let before = |steps: usize| row.checked_sub(steps).map(|r| &self.residuals[r]);
+            let mut diagonal = residual.own_variance
+                + scatter * residual.scatter
+                + t1 * t1 * variance(own)
+                + t2 * t2 * variance(own + 1);
+            if own > 0 {
+                diagonal += t0 * t0 * variance(own - 1);
+            }
+            let first = before(1).map_or(0.0, |other| {
+                covariance(other, residual, variance) + scatter * residual.scatter_before
+            });
+            let second = before(2).map_or(0.0, |other| covariance(other, residual, variance));
+            let l2 = second / d2;
+            let l1 = (first - l2 * below1 * d2) / d1;
+            let d = diagonal - l1 * l1 * d1 - l2 * l2 * d2;
+            let z = residual.value - l1 * z1 - l2 * z2;
+            let square = z * z / d;
+            sum -= 0.5 * (FREEDOM + 1.0) * (square / FREEDOM).ln_1p() + 0.5 * d.ln();
+            self.innovations.push(Innovation {
+                impact: own,
+                standardised: z / d.sqrt(),
+                weight: ((FREEDOM + 1.0) / (FREEDOM + square)).min(1.0),
+            });
+            let believed = z / (1.0 + (square / (ODD * ODD)).powi(2));
+            (d2, z2) = (d1, z1);
+            (d1, z1, below1) = (d, believed, l1);
+        }
+        sum
+    }
+}
+
+/// Covariance of two residuals through the times they share.
+pub(super) fn covariance(
+    earlier: &Residual,
+    later: &Residual,
+    variance: impl Fn(usize) -> f64,
+) -> f64 {
+    let mut sum = 0.0;
+    for (i, a) in earlier.timing.iter().enumerate() {
+        for (j, b) in later.timing.iter().enumerate() {
+            // Place 1 of `timing` is the impact itself.
+            let time = earlier.impact + i;
+            if time == later.impact + j && time > 0 {
+                sum += a * b * variance(time - 1);
+            }
+        }
+    }
+    sum
+}
+
+/// The flights after impacts that obey the law, from the speed at the first of them.
+fn chain(table: &FlightTable, point: &Point, impact: f64, flights: usize) -> Option<Vec<Row>> {
+    let mut rows = Vec::with_capacity(flights);
+    let mut impact = impact;
+    for _ in 0..flights {
+        let row = table.launch(impact * point.law.at(impact))?;
+        impact = row.impact;
+        rows.push(row);
+    }
+    Some(rows)
+}
+
+/// What a change of ln(launch speed) of the first flight does to the time of all (times gravity)
+/// and to ln(impact speed) at their end.
+fn response(rows: &[Row], point: &Point) -> (f64, f64) {
+    let (mut time, mut log_impact) = (0.0, 0.0);
+    let mut log_launch = 1.0;
+    for (flight, row) in rows.iter().enumerate() {
+        if flight > 0 {
+            log_launch = log_impact * (1.0 + point.law.log_slope(rows[flight - 1].impact));
+        }
+        time += log_launch * row.time_slope * row.time;
+        log_impact = log_launch * row.impact_slope;
+    }
+    (time, log_impact)
+}
+
+impl End {
+    fn of_flight(row: &Row, gravity: f64) -> Self {
+        let launch_per_s = gravity / (row.time_slope * row.time);
+        Self {
+            log_launch: row.launch.ln(),
+            log_impact: row.impact.ln(),
+            impact: row.impact,
+            launch_per_s,
+            impact_per_s: row.impact_slope * launch_per_s,
+            ..Self::default()
+        }
+    }
+}
+
+impl Residual {
+    /// The residual of the impact between two stretches.
+    fn between(before: &End, after: &End, impact: usize, point: &Point) -> Self {
+        let keeps = 1.0 + point.law.log_slope(before.impact);
+        let by_before = -keeps * before.impact_per_s;
+        let by_after = after.launch_per_s;
+        Self {
+            value: after.log_launch - before.log_impact - point.law.at(before.impact).ln(),
+            timing: [-by_before, by_before - by_after, by_after],
+            scatter: 1.0 + after.launch_scatter + keeps * keeps * before.impact_scatter,
+            scatter_before: -keeps * before.shared_scatter,
+            impact,
+            own_variance: 0.0,
+        }
+    }
+}

@@ -1,0 +1,439 @@
+//! The unknowns of a drop, their priors, and the place of each in a vector.
+
+use super::knowledge::{Knowledge, LawKind, Measured};
+use super::observed::Observed;
+use crate::ball::Ball;
+use crate::drag::DragLaw;
+use crate::error::{Error, Result};
+use crate::flight::table::DragProfile;
+use crate::flight::{Environment, FlightModel};
+use crate::impact::Restitution;
+
+/// Typical scatter of restitution from impact to impact on a good surface, and how far it may be
+/// off, as a factor: 0.2 to 0.5 % is published, and a rough floor is worse.
+const SCATTER: f64 = 0.004;
+const LOG_SCATTER_SD: f64 = 1.0;
+
+/// Prior of the slope -d ln e/d ln v, and of the fall above a knee.
+const SLOPE_SD: f64 = 0.1;
+const KNEE_FALL: f64 = 0.05;
+
+/// Makes the logistic of a standard normal nearly uniform from 0 to 1.
+const KNEE_PLACE: f64 = 1.6;
+
+/// How far the errors of times may be off that nobody stated, as a factor.
+const UNSTATED_TIMING_SD: f64 = 1.0;
+
+/// How far the launch speeds of a table reach beyond the fastest of a drag-free ball: room for drag
+/// and for the fall before a dead first impact.
+const TABLE_REACH: f64 = 5.0;
+
+/// One physical explanation of a drop: which restitution law, which drag law, and how many impacts
+/// went before the first one heard.
+#[derive(Debug, Clone)]
+pub(super) struct Model<'a> {
+    pub(super) observed: &'a Observed,
+    pub(super) law: LawKind,
+    pub(super) missed_first: usize,
+    pub(super) surroundings: &'a Surroundings,
+    pub(super) middle: &'a Middle,
+    pub(super) height_m: Option<Measured>,
+    pub(super) release_s: Option<Measured>,
+    pub(super) timing_sd: f64,
+    pub(super) contact_time_s: f64,
+    slots: Vec<Slot>,
+}
+
+/// Ball, air and gravity under one drag law, with what is not known of them.
+#[derive(Debug, Clone)]
+pub(super) struct Surroundings {
+    pub(super) drag_law: DragLaw,
+    pub(super) profile: DragProfile,
+    /// Effective gravity, m/s².
+    pub(super) gravity_m_s2: f64,
+    pub(super) drag_sd: f64,
+    pub(super) contact_sd: f64,
+    pub(super) inputs: Inputs,
+}
+
+/// The inputs act on a flight in two ways only: on the effective gravity and on drag over weight.
+/// Their joint prior is normal in the logarithms, and this is its triangular root.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Inputs {
+    /// One row for each input: name, d ln g, d ln(drag), each for one standard uncertainty.
+    pub(super) sources: Vec<(&'static str, f64, f64)>,
+    gravity_sd: f64,
+    drag_on_gravity: f64,
+    drag_sd: f64,
+}
+
+/// The middle of what was heard, at which laws are pinned.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Middle {
+    /// v*, the geometric mean of the impact speeds, m/s.
+    pub(super) speed_m_s: f64,
+    /// Slowest and fastest impact, m/s.
+    pub(super) slowest_m_s: f64,
+    pub(super) fastest_m_s: f64,
+    /// Median of the restitutions, or a guess.
+    pub(super) restitution: f64,
+    /// Launch speed after the first impact heard, m/s.
+    pub(super) first_launch_m_s: f64,
+    /// Robust standard deviation of ln e.
+    pub(super) scatter: f64,
+}
+
+/// An unknown with a place in the vector.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Slot {
+    /// logit e*.
+    Restitution,
+    /// The numbers of the law besides e*, as standard normals.
+    Shape(usize),
+    /// ln of the speed with which a launch would rise to the drop height, in m/s.
+    Height,
+    /// The rest are standard normals before the data: ln of the drag scale ...
+    Drag,
+    /// ... of the scatter ...
+    Scatter,
+    /// ... of the errors of the times ...
+    Timing,
+    /// ... of the contact time ...
+    Contact,
+    /// ... of effective gravity ...
+    Gravity,
+    /// ... and of drag over weight, apart from its coefficient.
+    Inputs,
+}
+
+/// Values of the unknowns.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Point {
+    pub(super) law: Restitution,
+    /// Factor on the drag coefficient of the law.
+    pub(super) drag_scale: f64,
+    /// Factor on drag over weight: the coefficient and everything else.
+    pub(super) drag_strength: f64,
+    pub(super) gravity_m_s2: f64,
+    pub(super) fall_launch_m_s: f64,
+    pub(super) scatter: f64,
+    pub(super) timing: f64,
+    pub(super) contact_time_s: f64,
+}
+
+impl Surroundings {
+    pub(super) fn new(
+        ball: &Ball,
+        environment: &Environment,
+        drag_law: DragLaw,
+        observed: &Observed,
+        knowledge: &Knowledge,
+    ) -> Result<Self> {
+        let environment = Environment {
+            drag: drag_law,
+            ..*environment
+        };
+        let model = FlightModel::new(ball, &environment)?;
+        let gravity_m_s2 = model.gravity_m_s2();
+        let mut fastest = 0.5 * gravity_m_s2 * observed.longest_flight_s();
+        if let Some(height) = knowledge.drop_height_m {
+            fastest = fastest.max((2.0 * gravity_m_s2 * height.value).sqrt());
+        }
+        let dragless = drag_law == DragLaw::None || environment.air.is_vacuum();
+        Ok(Self {
+            drag_law,
+            profile: DragProfile::new(&model, TABLE_REACH * fastest)?,
+            gravity_m_s2,
+            drag_sd: if dragless { 0.0 } else { knowledge.drag },
+            contact_sd: knowledge.contact_time,
+            inputs: Inputs::new(ball, &environment, knowledge, dragless),
+        })
+    }
+}
+
+impl Inputs {
+    /// With r the mass of the displaced air over that of the ball and c the added mass as a share
+    /// of it, g_eff = g (1 - r)/(1 + c r), and drag over weight goes as D² rho/((1 - r) m g).
+    fn new(ball: &Ball, environment: &Environment, knowledge: &Knowledge, dragless: bool) -> Self {
+        let displaced = environment.air.density_kg_m3() * ball.volume_m3() / ball.mass_kg();
+        let r = if environment.buoyancy { displaced } else { 0.0 };
+        let cr = if environment.added_mass {
+            0.5 * displaced
+        } else {
+            0.0
+        };
+        let lift = r / (1.0 - r);
+        let on_gravity = lift + cr / (1.0 + cr);
+        let drag = if dragless { 0.0 } else { 1.0 };
+        let mut sources = vec![
+            ("gravity", knowledge.gravity, -drag * knowledge.gravity),
+            (
+                "air density",
+                -on_gravity * knowledge.air_density,
+                drag * (1.0 + lift) * knowledge.air_density,
+            ),
+            (
+                "ball mass",
+                on_gravity * knowledge.mass,
+                -drag * (1.0 + lift) * knowledge.mass,
+            ),
+            (
+                "ball diameter",
+                -3.0 * on_gravity * knowledge.diameter,
+                drag * (2.0 + 3.0 * lift) * knowledge.diameter,
+            ),
+            (
+                "added mass",
+                -cr / (1.0 + cr) * knowledge.added_mass,
+                0.0,
+            ),
+        ];
+        sources.retain(|&(_, g, d)| g != 0.0 || d != 0.0);
+        let sum = |f: fn(f64, f64) -> f64| sources.iter().map(|&(_, g, d)| f(g, d)).sum::<f64>();
+        let gravity_sd = sum(|g, _| g * g).sqrt();
+        let drag_on_gravity = if gravity_sd > 0.0 {
+            sum(|g, d| g * d) / gravity_sd
+        } else {
+            0.0
+        };
+        let rest = sum(|_, d| d * d) - drag_on_gravity * drag_on_gravity;
+        Self {
+            gravity_sd,
+            drag_on_gravity,
+            drag_sd: rest.max(0.0).sqrt(),
+            sources,
+        }
+    }
+
+    /// What one standard uncertainty of an input moves the two standard normals by.
+    pub(super) fn whitened(&self, source: usize) -> [f64; 2] {
+        let (_, gravity, drag) = self.sources[source];
+        let divide = |a: f64, b: f64| if b > 0.0 { a / b } else { 0.0 };
+        let first = divide(gravity, self.gravity_sd);
+        [
+            first,
+            divide(drag - self.drag_on_gravity * first, self.drag_sd),
+        ]
+    }
+}
+
+impl<'a> Model<'a> {
+    pub(super) fn new(
+        observed: &'a Observed,
+        surroundings: &'a Surroundings,
+        middle: &'a Middle,
+        law: LawKind,
+        missed_first: usize,
+        knowledge: &Knowledge,
+        contact_time_s: f64,
+    ) -> Self {
+        let timing_sd = if observed.sigma_stated {
+            knowledge.timing
+        } else {
+            UNSTATED_TIMING_SD
+        };
+        let mut slots = vec![Slot::Restitution];
+        slots.extend((0..law.shapes()).map(Slot::Shape));
+        slots.extend([Slot::Height, Slot::Scatter]);
+        let optional = [
+            (Slot::Drag, surroundings.drag_sd),
+            (Slot::Timing, timing_sd),
+            (Slot::Contact, contact_time_s * surroundings.contact_sd),
+            (Slot::Gravity, surroundings.inputs.gravity_sd),
+            (Slot::Inputs, surroundings.inputs.drag_sd),
+        ];
+        slots.extend(optional.iter().filter(|(_, sd)| *sd > 0.0).map(|(slot, _)| slot));
+        Self {
+            observed,
+            law,
+            missed_first,
+            surroundings,
+            middle,
+            height_m: knowledge.drop_height_m,
+            release_s: knowledge.release_s,
+            timing_sd,
+            contact_time_s,
+            slots,
+        }
+    }
+
+    /// The unknowns, in the order of the vector.
+    pub(super) fn slots(&self) -> &[Slot] {
+        &self.slots
+    }
+
+    /// The place of an unknown in the vector.
+    pub(super) fn place(&self, slot: Slot) -> Option<usize> {
+        self.slots.iter().position(|&s| s == slot)
+    }
+
+    /// Whether an unknown is a standard normal before the data.
+    pub(super) fn is_standard_normal(slot: Slot) -> bool {
+        !matches!(slot, Slot::Restitution | Slot::Height)
+    }
+
+    /// The values that a vector stands for; `None` where the law makes no sense.
+    pub(super) fn point(&self, vector: &[f64]) -> Option<Point> {
+        let mut values = [0.0; 10];
+        for (slot, &value) in self.slots.iter().zip(vector) {
+            values[index(*slot)] = value;
+        }
+        let at = |slot: Slot| values[index(slot)];
+        let inputs = &self.surroundings.inputs;
+        let restitution = logistic(at(Slot::Restitution));
+        let drag_scale = (self.surroundings.drag_sd * at(Slot::Drag)).exp();
+        let log_inputs =
+            inputs.drag_on_gravity * at(Slot::Gravity) + inputs.drag_sd * at(Slot::Inputs);
+        let shapes = [at(Slot::Shape(0)), at(Slot::Shape(1))];
+        Some(Point {
+            law: self.restitution(restitution, shapes).ok()?,
+            drag_scale,
+            drag_strength: drag_scale * log_inputs.exp(),
+            gravity_m_s2: self.surroundings.gravity_m_s2
+                * (inputs.gravity_sd * at(Slot::Gravity)).exp(),
+            fall_launch_m_s: at(Slot::Height).exp(),
+            scatter: SCATTER * (LOG_SCATTER_SD * at(Slot::Scatter)).exp(),
+            timing: (self.timing_sd * at(Slot::Timing)).exp(),
+            contact_time_s: self.contact_time_s
+                * (self.surroundings.contact_sd * at(Slot::Contact)).exp(),
+        })
+    }
+
+    fn restitution(&self, reference: f64, shapes: [f64; 2]) -> Result<Restitution> {
+        let speed = self.middle.speed_m_s;
+        let slope = SLOPE_SD * shapes[0];
+        match self.law {
+            LawKind::Constant => Restitution::constant(reference),
+            LawKind::Linear => {
+                Restitution::linear(reference * (1.0 + slope), reference * slope / speed)
+            }
+            LawKind::Power => Restitution::power(reference, speed, slope),
+            LawKind::Viscoelastic => Restitution::viscoelastic_through(reference, speed),
+            LawKind::Knee => {
+                let (slow, fast) = (self.middle.slowest_m_s, self.middle.fastest_m_s);
+                let knee = slow * (fast / slow).powf(logistic(KNEE_PLACE * shapes[0]));
+                let fall = KNEE_FALL * shapes[1].exp();
+                Restitution::knee(reference, knee, reference * fall / speed)
+            }
+        }
+    }
+
+    /// Where a search may begin.
+    pub(super) fn start(&self) -> Vec<f64> {
+        let e = self.middle.restitution.clamp(0.05, 0.995);
+        let gravity = self.surroundings.gravity_m_s2;
+        // One missed impact more means a fall 1/e faster.
+        let heard = self.middle.first_launch_m_s / e.powi(self.missed_first as i32 + 1);
+        let known = self.height_m.map(|h| (2.0 * gravity * h.value).sqrt());
+        let scatter = (self.middle.scatter / SCATTER).ln() / LOG_SCATTER_SD;
+        self.slots
+            .iter()
+            .map(|slot| match slot {
+                Slot::Restitution => (e / (1.0 - e)).ln(),
+                Slot::Height => known.unwrap_or(heard).ln(),
+                Slot::Scatter => scatter.clamp(-3.0, 3.0),
+                _ => 0.0,
+            })
+            .collect()
+    }
+
+    /// Logarithm of the prior density of a vector whose fall has this gravity times height and this
+    /// d ln(height)/d ln(launch).
+    pub(super) fn log_prior(&self, vector: &[f64], gravity_height: f64, log_slope: f64, gravity: f64) -> f64 {
+        let mut sum = 0.0;
+        for (slot, &value) in self.slots.iter().zip(vector) {
+            sum += match slot {
+                // Flat in e: de/d(logit) = e (1 - e).
+                Slot::Restitution => -softplus(-value) - softplus(value),
+                Slot::Height => self.log_height_prior(gravity_height / gravity, log_slope),
+                _ => -0.5 * value * value,
+            };
+        }
+        sum
+    }
+
+    /// Flat in ln h if the height was not measured; normal if it was.
+    fn log_height_prior(&self, height_m: f64, log_slope: f64) -> f64 {
+        match self.height_m {
+            None => log_slope.ln(),
+            Some(Measured { value, sd }) => {
+                let off = (height_m - value) / sd;
+                -0.5 * off * off + (log_slope * height_m / sd).ln()
+            }
+        }
+    }
+}
+
+impl Middle {
+    /// From the restitution of each impact at the nominal drag; without any, from the heights of
+    /// the first flight.
+    pub(super) fn new(model: &FlightModel, observed: &Observed, contact_time_s: f64) -> Result<Self> {
+        let stretch = observed.stretches[0];
+        let first = model.from_flight_time(
+            stretch.duration_s / stretch.flights as f64 - contact_time_s,
+        )?;
+        let corrected =
+            crate::restitution::of_impacts(&observed.impacts, contact_time_s, model)?;
+        let speeds: Vec<f64> = corrected
+            .flights
+            .iter()
+            .map(|timed| timed.flight.impact_speed_m_s)
+            .chain([first.launch_speed_m_s])
+            .collect();
+        let mean_log = speeds.iter().map(|v| v.ln()).sum::<f64>() / speeds.len() as f64;
+        let mut logs: Vec<f64> = corrected
+            .impacts
+            .iter()
+            .map(|impact| impact.restitution.value.ln())
+            .collect();
+        let middle = median(&mut logs);
+        let mut off: Vec<f64> = logs.iter().map(|l| (l - middle.unwrap_or(0.0)).abs()).collect();
+        let scatter = 1.48 * median(&mut off).unwrap_or(SCATTER);
+        if middle.is_some_and(|log_e| log_e > 0.5) {
+            return Err(Error::CannotInfer(
+                "the flights get longer from impact to impact, which no ball on a surface at rest \
+                 does; are the times in order, and are they of one drop?"
+                    .to_owned(),
+            ));
+        }
+        let slowest_m_s = speeds.iter().copied().fold(f64::INFINITY, f64::min);
+        let fastest_m_s = speeds.iter().copied().fold(0.0, f64::max);
+        Ok(Self {
+            speed_m_s: mean_log.exp(),
+            slowest_m_s,
+            // A knee needs a range even where all impacts are alike.
+            fastest_m_s: fastest_m_s.max(1.05 * slowest_m_s),
+            restitution: middle.map_or(0.8, f64::exp),
+            first_launch_m_s: first.launch_speed_m_s,
+            scatter: scatter.max(1e-4),
+        })
+    }
+}
+
+fn index(slot: Slot) -> usize {
+    match slot {
+        Slot::Restitution => 0,
+        Slot::Shape(number) => 1 + number,
+        Slot::Height => 3,
+        Slot::Drag => 4,
+        Slot::Scatter => 5,
+        Slot::Timing => 6,
+        Slot::Contact => 7,
+        Slot::Gravity => 8,
+        Slot::Inputs => 9,
+    }
+}
+
+fn median(values: &mut [f64]) -> Option<f64> {
+    values.sort_by(f64::total_cmp);
+    values.get(values.len() / 2).copied()
+}
+
+fn logistic(x: f64) -> f64 {
+    1.0 / (1.0 + (-x).exp())
+}
+
+/// ln(1 + exp x) without overflow.
+fn softplus(x: f64) -> f64 {
+    x.max(0.0) + (-x.abs()).exp().ln_1p()
+}

@@ -1,0 +1,111 @@
+//! The impact times as the inference sees them: stretches between impacts that were heard.
+
+use crate::error::{Error, Result, not_negative, require};
+use crate::restitution::TimedImpact;
+
+/// The time from one heard impact to the next; more than one flight if impacts were missed.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Stretch {
+    /// Time between the two, contact included, s.
+    pub(super) duration_s: f64,
+    /// Flights in it.
+    pub(super) flights: usize,
+}
+
+/// The impacts of one drop, checked.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Observed {
+    pub(super) impacts: Vec<TimedImpact>,
+    pub(super) stretches: Vec<Stretch>,
+    /// Standard errors of the times, s.
+    pub(super) sigma_s: Vec<f64>,
+    /// Whether somebody stated the standard errors.
+    pub(super) sigma_stated: bool,
+}
+
+/// Standard error of times that come without one: what a person reads off a waveform.
+const READ_OFF_S: f64 = 1e-4;
+
+/// More missed impacts in a row than this leave nothing to hold on to.
+const MOST_MISSED: usize = 8;
+
+impl Observed {
+    /// Checks the impacts and cuts the drop into stretches.
+    ///
+    /// # Errors
+    /// [`Error::CannotInfer`] with fewer than two impacts, or if they are not in order of time.
+    pub(super) fn new(impacts: &[TimedImpact], contact_time_s: f64) -> Result<Self> {
+        if impacts.len() < 2 {
+            return Err(Error::CannotInfer(
+                "an inference needs a flight, and a flight needs two impacts".to_owned(),
+            ));
+        }
+        let mut stretches = Vec::with_capacity(impacts.len() - 1);
+        for pair in impacts.windows(2) {
+            stretches.push(stretch(&pair[0], &pair[1], contact_time_s)?);
+        }
+        let stated: Option<Vec<f64>> = impacts.iter().map(|i| i.standard_error_s).collect();
+        for &sigma_s in stated.iter().flatten() {
+            not_negative("standard error of an impact time in s", sigma_s)?;
+        }
+        let sigma_stated = stated.is_some();
+        let sigma_s = stated.unwrap_or_else(|| vec![read_off_s(impacts); impacts.len()]);
+        Ok(Self {
+            impacts: impacts.to_vec(),
+            stretches,
+            // A time without any error would make the covariance singular where there is no
+            // scatter; a nanosecond is nothing.
+            sigma_s: sigma_s.into_iter().map(|s| s.max(1e-9)).collect(),
+            sigma_stated,
+        })
+    }
+
+    /// The longest time of a single flight that there may be, s.
+    pub(super) fn longest_flight_s(&self) -> f64 {
+        let longest = |stretch: &Stretch| stretch.duration_s;
+        self.stretches.iter().map(longest).fold(0.0, f64::max)
+    }
+}
+
+fn stretch(from: &TimedImpact, to: &TimedImpact, contact_time_s: f64) -> Result<Stretch> {
+    if to.number <= from.number {
+        return Err(Error::NotInOrder {
+            what: "impact",
+            number: to.number,
+        });
+    }
+    let (duration_s, flights) = (to.time_s - from.time_s, to.number - from.number);
+    require(
+        duration_s > contact_time_s * flights as f64 && duration_s.is_finite(),
+        "time between two impacts in s",
+        duration_s,
+        "finite, in order, and longer than the contact time",
+    )?;
+    if flights > MOST_MISSED + 1 {
+        return Err(Error::CannotInfer(format!(
+            "{} impacts in a row were missed after impact {}",
+            flights - 1,
+            from.number
+        )));
+    }
+    Ok(Stretch {
+        duration_s,
+        flights,
+    })
+}
+
+/// Times of a list are as fine as their last digit, and no finer than a person reads them off.
+fn read_off_s(impacts: &[TimedImpact]) -> f64 {
+    let steps = [1e-2, 1e-3];
+    let on_grid = |step: f64| {
+        impacts.iter().all(|impact| {
+            let place = impact.time_s / step;
+            (place - place.round()).abs() < 1e-6 * place.abs().max(1.0)
+        })
+    };
+    // A rectangle of one step has a standard deviation of 1/12^1/2.
+    steps
+        .into_iter()
+        .find(|&step| on_grid(step))
+        .map_or(READ_OFF_S, |step| step / 12.0_f64.sqrt())
+}

@@ -1,0 +1,318 @@
+//! All explanations of a drop, weighed against each other.
+
+use nalgebra::DVector;
+use rand::{RngExt, SeedableRng};
+use rand_chacha::ChaCha8Rng;
+
+use super::fit::{self, Fit};
+use super::knowledge::{Knowledge, LawKind};
+use super::likelihood::{Evaluator, Innovation};
+use super::model::{Middle, Model, Surroundings};
+use super::observed::Observed;
+use super::sample::{self, GREATEST_PARETO_SHAPE, Sample};
+use crate::ball::Ball;
+use crate::drag::DragLaw;
+use crate::error::{Error, Result};
+use crate::flight::{Environment, FlightModel};
+use crate::restitution::TimedImpact;
+
+/// How much to compute.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Effort {
+    /// Draws of the posterior; as many effective ones are aimed at.
+    pub draws: usize,
+    /// Seed of the random numbers: the same seed gives the same answer to the last digit.
+    pub seed: u64,
+}
+
+impl Default for Effort {
+    fn default() -> Self {
+        Self {
+            draws: 4000,
+            seed: 1,
+        }
+    }
+}
+
+/// One explanation of a drop and how it fared.
+#[derive(Debug, Clone)]
+pub(super) struct Candidate {
+    pub(super) law: LawKind,
+    /// Which of the surroundings.
+    pub(super) surroundings: usize,
+    pub(super) missed_first: usize,
+    pub(super) fit: Fit,
+    /// Logarithm of prior probability times evidence.
+    pub(super) log_evidence: f64,
+    pub(super) weight: f64,
+    pub(super) sample: Option<Sample>,
+}
+
+/// One draw of the posterior over everything.
+#[derive(Debug, Clone)]
+pub(super) struct Draw {
+    pub(super) candidate: usize,
+    pub(super) vector: DVector<f64>,
+}
+
+/// Everything that the data and the priors say together.
+#[derive(Debug, Clone)]
+pub(super) struct Posterior {
+    pub(super) observed: Observed,
+    pub(super) surroundings: Vec<Surroundings>,
+    pub(super) middle: Middle,
+    pub(super) knowledge: Knowledge,
+    pub(super) contact_time_s: f64,
+    /// Most probable first.
+    pub(super) candidates: Vec<Candidate>,
+    /// Equally likely draws.
+    pub(super) draws: Vec<Draw>,
+}
+
+/// A candidate whose logarithm of the evidence is so far below the best is not sampled: at most one
+/// draw in a thousand would come from it.
+const HOPELESS: f64 = 7.0;
+
+/// A prior for impacts before the first one heard: each more is half as likely.
+const LOG_PRIOR_OF_MISSED: f64 = -std::f64::consts::LN_2;
+
+/// Nobody misses more of the loudest impacts than this.
+const MOST_MISSED_FIRST: usize = 12;
+
+impl Posterior {
+    /// Fits, samples and weighs every model that the knowledge admits.
+    ///
+    /// # Errors
+    /// [`Error::CannotInfer`] if no model can explain the times at all, and the errors of
+    /// [`FlightModel::new`] and [`Observed::new`].
+    pub(super) fn new(
+        impacts: &[TimedImpact],
+        ball: &Ball,
+        environment: &Environment,
+        contact_time_s: f64,
+        knowledge: &Knowledge,
+        effort: &Effort,
+    ) -> Result<Self> {
+        knowledge.check()?;
+        let observed = Observed::new(impacts, contact_time_s)?;
+        let nominal = FlightModel::new(ball, environment)?;
+        let middle = Middle::new(&nominal, &observed, contact_time_s)?;
+        let surroundings = knowledge
+            .drag_laws
+            .iter()
+            .map(|&law| Surroundings::new(ball, environment, law, &observed, knowledge))
+            .collect::<Result<Vec<_>>>()?;
+        let mut posterior = Self {
+            observed,
+            surroundings,
+            middle,
+            knowledge: knowledge.clone(),
+            contact_time_s,
+            candidates: Vec::new(),
+            draws: Vec::new(),
+        };
+        posterior.candidates = posterior.fitted();
+        if posterior.candidates.is_empty() {
+            return Err(Error::CannotInfer(
+                "no physical model explains these times; are they of one drop, in seconds, and is \
+                 the ball the right one?"
+                    .to_owned(),
+            ));
+        }
+        posterior.sample(effort);
+        Ok(posterior)
+    }
+
+    /// The model of a candidate.
+    pub(super) fn model(&self, candidate: &Candidate) -> Model<'_> {
+        self.model_of(candidate.law, candidate.surroundings, candidate.missed_first)
+    }
+
+    fn model_of(&self, law: LawKind, surroundings: usize, missed_first: usize) -> Model<'_> {
+        Model::new(
+            &self.observed,
+            &self.surroundings[surroundings],
+            &self.middle,
+            law,
+            missed_first,
+            &self.knowledge,
+            self.contact_time_s,
+        )
+    }
+
+    /// The best fit of every model, with the evidence that its curvature suggests (Laplace).
+    fn fitted(&self) -> Vec<Candidate> {
+        let mut candidates = Vec::new();
+        for &law in &self.knowledge.restitution_laws {
+            for surroundings in 0..self.surroundings.len() {
+                self.fit_missed(law, surroundings, &mut candidates);
+            }
+        }
+        candidates
+    }
+
+    /// Fits a model with 0, 1, 2, ... impacts before the first one heard, until more do not help.
+    fn fit_missed(&self, law: LawKind, surroundings: usize, candidates: &mut Vec<Candidate>) {
+        let known = self.knowledge.drop_height_m.is_some() || self.knowledge.release_s.is_some();
+        let most = if known { MOST_MISSED_FIRST } else { 0 };
+        let mut best = f64::NEG_INFINITY;
+        for missed_first in 0..=most {
+            let model = self.model_of(law, surroundings, missed_first);
+            let Some(fit) = fit::best_fit(&mut Evaluator::new(&model)) else {
+                continue;
+            };
+            let log_evidence =
+                fit.log_laplace_evidence() + missed_first as f64 * LOG_PRIOR_OF_MISSED;
+            if !log_evidence.is_finite() {
+                continue;
+            }
+            candidates.push(Candidate {
+                law,
+                surroundings,
+                missed_first,
+                fit,
+                log_evidence,
+                weight: 0.0,
+                sample: None,
+            });
+            if log_evidence < best - 2.0 * HOPELESS {
+                break;
+            }
+            best = best.max(log_evidence);
+        }
+    }
+
+    /// Samples the candidates that matter, weighs them by their evidence and pools their draws.
+    fn sample(&mut self, effort: &Effort) {
+        let mut rng = ChaCha8Rng::seed_from_u64(effort.seed);
+        let best = best_evidence(&self.candidates);
+        self.candidates
+            .retain(|candidate| candidate.log_evidence > best - 2.0 * HOPELESS);
+        let shares: Vec<f64> = self
+            .candidates
+            .iter()
+            .map(|candidate| (candidate.log_evidence - best).exp())
+            .collect();
+        let total: f64 = shares.iter().sum();
+        let mut candidates = std::mem::take(&mut self.candidates);
+        for (candidate, share) in candidates.iter_mut().zip(&shares) {
+            if candidate.log_evidence < best - HOPELESS {
+                continue;
+            }
+            let model = self.model(candidate);
+            let draws = (effort.draws as f64 * share / total) as usize;
+            let sample = sample::sample(
+                &mut Evaluator::new(&model),
+                &candidate.fit,
+                draws.max(effort.draws / 16),
+                &mut rng,
+            );
+            if let Some(sample) = sample {
+                candidate.log_evidence = sample.log_evidence
+                    + candidate.missed_first as f64 * LOG_PRIOR_OF_MISSED;
+                candidate.sample = Some(sample);
+            }
+        }
+        weigh(&mut candidates);
+        self.candidates = candidates;
+        self.draws = self.pooled(effort.draws, &mut rng);
+    }
+
+    /// Equally likely draws from all samples, by systematic resampling: one random number places a
+    /// comb over the weights.
+    fn pooled(&self, draws: usize, rng: &mut ChaCha8Rng) -> Vec<Draw> {
+        let sampled: f64 = self
+            .candidates
+            .iter()
+            .filter(|candidate| candidate.sample.is_some())
+            .map(|candidate| candidate.weight)
+            .sum();
+        let offset: f64 = rng.random();
+        let tooth = sampled / draws as f64;
+        let mut next = offset * tooth;
+        let mut sum = 0.0;
+        let mut pooled = Vec::with_capacity(draws);
+        for (index, candidate) in self.candidates.iter().enumerate() {
+            let Some(sample) = &candidate.sample else {
+                continue;
+            };
+            for (vector, weight) in sample.vectors.iter().zip(&sample.weights) {
+                sum += candidate.weight * weight;
+                while next < sum && pooled.len() < draws {
+                    pooled.push(Draw {
+                        candidate: index,
+                        vector: vector.clone(),
+                    });
+                    next += tooth;
+                }
+            }
+        }
+        pooled
+    }
+
+    /// How far the weights of the sampling can be trusted: the worst Pareto shape of a candidate
+    /// that matters.
+    pub(super) fn pareto_shape(&self) -> f64 {
+        self.candidates
+            .iter()
+            .filter(|candidate| candidate.weight > 0.05)
+            .map(|candidate| match &candidate.sample {
+                Some(sample) => sample.pareto_shape,
+                None => f64::INFINITY,
+            })
+            .fold(f64::NEG_INFINITY, f64::max)
+    }
+
+    /// Whether the sampling can be trusted.
+    pub(super) fn converged(&self) -> bool {
+        !self.draws.is_empty() && self.pareto_shape() < GREATEST_PARETO_SHAPE
+    }
+
+    /// Independent draws that would say as much as those made.
+    pub(super) fn effective_draws(&self) -> f64 {
+        // The pool is a mixture: its variance is the sum over candidates of weight² / effective.
+        let variance: f64 = self
+            .candidates
+            .iter()
+            .filter_map(|candidate| {
+                let effective = candidate.sample.as_ref()?.effective_draws();
+                Some(candidate.weight * candidate.weight / effective)
+            })
+            .sum();
+        1.0 / variance
+    }
+
+    /// What each impact adds at the best fit of the best candidate.
+    pub(super) fn innovations(&self) -> Vec<Innovation> {
+        let candidate = &self.candidates[0];
+        let model = self.model(candidate);
+        let mut evaluator = Evaluator::new(&model);
+        if evaluator
+            .log_posterior(candidate.fit.vector.as_slice())
+            .is_none()
+        {
+            return Vec::new();
+        }
+        evaluator.innovations
+    }
+}
+
+fn best_evidence(candidates: &[Candidate]) -> f64 {
+    candidates
+        .iter()
+        .map(|candidate| candidate.log_evidence)
+        .fold(f64::NEG_INFINITY, f64::max)
+}
+
+/// Sorts by evidence, and turns evidence into probability.
+fn weigh(candidates: &mut [Candidate]) {
+    candidates.sort_by(|a, b| b.log_evidence.total_cmp(&a.log_evidence));
+    let best = best_evidence(candidates);
+    let total: f64 = candidates
+        .iter()
+        .map(|candidate| (candidate.log_evidence - best).exp())
+        .sum();
+    for candidate in candidates {
+        candidate.weight = (candidate.log_evidence - best).exp() / total;
+    }
+}

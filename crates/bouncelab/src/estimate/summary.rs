@@ -1,0 +1,62 @@
+//! What a posterior says of one quantity.
+
+/// The posterior of one quantity.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Summary {
+    /// The median.
+    pub value: f64,
+    /// Standard deviation.
+    pub sd: f64,
+    /// The middle 68.27 %: what one standard deviation either way holds of a normal distribution.
+    pub interval68: [f64; 2],
+    /// The middle 95 %.
+    pub interval95: [f64; 2],
+}
+
+/// Half of 1 - 0.6827.
+const TAIL68: f64 = 0.158_655;
+const TAIL95: f64 = 0.025;
+
+impl Summary {
+    /// The summary of equally likely values; `None` without a finite value.
+    pub fn of(values: impl IntoIterator<Item = f64>) -> Option<Self> {
+        let mut sorted: Vec<f64> = values.into_iter().filter(|v| v.is_finite()).collect();
+        if sorted.is_empty() {
+            return None;
+        }
+        let count = sorted.len() as f64;
+        let mean = sorted.iter().sum::<f64>() / count;
+        let variance = sorted.iter().map(|v| (v - mean).powi(2)).sum::<f64>() / count;
+        sorted.sort_unstable_by(f64::total_cmp);
+        let at = |share: f64| quantile(&sorted, share);
+        Some(Self {
+            value: at(0.5),
+            sd: variance.sqrt(),
+            interval68: [at(TAIL68), at(1.0 - TAIL68)],
+            interval95: [at(TAIL95), at(1.0 - TAIL95)],
+        })
+    }
+}
+
+/// The value below which a share of sorted values lies, between neighbours in proportion.
+fn quantile(sorted: &[f64], share: f64) -> f64 {
+    let place = (share * sorted.len() as f64 - 0.5).clamp(0.0, (sorted.len() - 1) as f64);
+    let low = place as usize;
+    let high = (low + 1).min(sorted.len() - 1);
+    sorted[low] + (place - low as f64) * (sorted[high] - sorted[low])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_summary_of_evenly_spread_values() {
+        let summary = Summary::of((0..1000).map(|i| (f64::from(i) + 0.5) / 1000.0)).unwrap();
+        assert!((summary.value - 0.5).abs() < 1e-9);
+        assert!((summary.sd - 12.0_f64.sqrt().recip()).abs() < 1e-6);
+        assert!((summary.interval95[0] - 0.025).abs() < 1e-9);
+        assert!((summary.interval68[1] - 0.841_345).abs() < 1e-9);
+        assert_eq!(Summary::of([f64::NAN]), None);
+    }
+}

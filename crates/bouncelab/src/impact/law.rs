@@ -1,0 +1,367 @@
+//! Restitution laws: how much of its speed a ball keeps, by how fast it hits.
+
+use crate::error::{Result, not_negative, positive, require};
+
+/// The coefficient of restitution e as a function of the impact speed.
+///
+/// | law | e(v) | source |
+/// |---|---|---|
+/// | [constant](Self::constant) | e | the paper |
+/// | [linear](Self::linear) | e0 - k v | first order of any smooth law |
+/// | [power](Self::power) | e* (v/v*)^-p | p = 1/4: plastic contact (K. L. Johnson, Contact Mechanics, 1985, section 11.5) |
+/// | [viscoelastic](Self::viscoelastic) | 1 - 1.153 a v^1/5 + ... | P. Müller, T. Pöschel, Phys. Rev. E 84, 021302 (2011) |
+/// | [knee](Self::knee) | e0 at low speed, falling above a knee | a hollow ball buckles (R. Cross, Am. J. Phys. 82, 2014) |
+///
+/// Where a law leaves the range from 0 to 1, e stays at its end.
+///
+/// ```
+/// use bouncelab::impact::Restitution;
+///
+/// let stiff = Restitution::constant(0.95)?;
+/// assert_eq!(stiff.at(3.0), 0.95);
+///
+/// let softening = Restitution::linear(0.96, 0.01)?;
+/// assert_eq!(format!("{:.2}", softening.at(3.0)), "0.93");
+/// # Ok::<(), bouncelab::Error>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Restitution(Law);
+
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Law {
+    Constant(f64),
+    Linear {
+        at_rest: f64,
+        loss_per_speed: f64,
+    },
+    Power {
+        reference: f64,
+        reference_speed: f64,
+        exponent: f64,
+    },
+    Viscoelastic {
+        dissipation: f64,
+    },
+    Knee {
+        below: f64,
+        knee_speed: f64,
+        loss_per_speed: f64,
+    },
+}
+
+/// Numerator and denominator of the Padé form of Müller and Pöschel in x = (a v^1/5)^1/2. Expanded
+/// it is 1 - 1.15345 x² + 0.79826 x⁴: the series 1 - C1 a v^1/5 + C2 a² v^2/5 with C2 = 3/5 C1²,
+/// but it stays between 0 and 1 where the series runs away.
+mod pade {
+    const C1: f64 = 0.501_086;
+    const B: [f64; 4] = [0.501_086, 1.153_45, 0.577_977, 0.532_178];
+
+    /// e at x.
+    pub(super) fn restitution(x: f64) -> f64 {
+        (1.0 + C1 * x) / denominator(x)
+    }
+
+    /// d ln e / d ln x.
+    pub(super) fn log_slope(x: f64) -> f64 {
+        let slope = B[0] + x * (2.0 * B[1] + x * (3.0 * B[2] + x * 4.0 * B[3]));
+        x * (C1 / (1.0 + C1 * x) - slope / denominator(x))
+    }
+
+    fn denominator(x: f64) -> f64 {
+        1.0 + x * (B[0] + x * (B[1] + x * (B[2] + x * B[3])))
+    }
+}
+
+/// The knee is rounded over this share of its speed: a real ball has no corner, and neither should
+/// a likelihood.
+const KNEE_WIDTH: f64 = 0.1;
+
+impl Restitution {
+    /// The same e at every speed, as in the paper.
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`](crate::Error::OutOfRange) unless it is from 0 to 1.
+    pub fn constant(restitution: f64) -> Result<Self> {
+        Ok(Self(Law::Constant(fraction(
+            "coefficient of restitution",
+            restitution,
+        )?)))
+    }
+
+    /// e(v) = e0 - k v: falling with the impact speed if k is above zero.
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`](crate::Error::OutOfRange) unless e0 is above 0, not above 2, and k
+    /// (in s/m) is finite. An e0 above 1 is a line that meets 1 at a speed above zero.
+    pub fn linear(at_rest: f64, loss_per_speed_s_m: f64) -> Result<Self> {
+        require(
+            (0.0..=2.0).contains(&at_rest),
+            "coefficient of restitution at rest",
+            at_rest,
+            "from 0 to 2",
+        )?;
+        require(
+            loss_per_speed_s_m.is_finite(),
+            "loss of restitution with speed in s/m",
+            loss_per_speed_s_m,
+            "finite",
+        )?;
+        Ok(Self(Law::Linear {
+            at_rest,
+            loss_per_speed: loss_per_speed_s_m,
+        }))
+    }
+
+    /// e(v) = e* (v/v*)^-p; p = 1/4 for a contact that deforms for good.
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`](crate::Error::OutOfRange) unless e* is from 0 to 1, v* (m/s) above
+    /// zero and p finite.
+    pub fn power(reference: f64, reference_speed_m_s: f64, exponent: f64) -> Result<Self> {
+        fraction("coefficient of restitution", reference)?;
+        positive("reference speed in m/s", reference_speed_m_s)?;
+        require(
+            exponent.is_finite(),
+            "exponent of the restitution law",
+            exponent,
+            "finite",
+        )?;
+        Ok(Self(Law::Power {
+            reference,
+            reference_speed: reference_speed_m_s,
+            exponent,
+        }))
+    }
+
+    /// A viscoelastic sphere: 1 - 1.15344 a v^1/5 + 0.79826 a² v^2/5 - ..., in the Padé form that
+    /// stays valid where the series does not.
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`](crate::Error::OutOfRange) unless a, in (m/s)^-1/5, is finite and not
+    /// below zero.
+    pub fn viscoelastic(dissipation: f64) -> Result<Self> {
+        let dissipation = not_negative("dissipation of a viscoelastic ball", dissipation)?;
+        Ok(Self(Law::Viscoelastic { dissipation }))
+    }
+
+    /// The viscoelastic sphere that has a given restitution at a given speed.
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`](crate::Error::OutOfRange) unless the restitution is above 0, not above
+    /// 1, and the speed above zero.
+    ///
+    /// ```
+    /// let law = bouncelab::impact::Restitution::viscoelastic_through(0.9, 2.0)?;
+    /// assert!((law.at(2.0) - 0.9).abs() < 1e-12);
+    /// assert!(law.at(1.0) > 0.9);
+    /// # Ok::<(), bouncelab::Error>(())
+    /// ```
+    pub fn viscoelastic_through(restitution: f64, speed_m_s: f64) -> Result<Self> {
+        require(
+            restitution > 0.0 && restitution <= 1.0,
+            "coefficient of restitution",
+            restitution,
+            "above 0 and not above 1 (lossless)",
+        )?;
+        positive("reference speed in m/s", speed_m_s)?;
+        let x = pade_argument(restitution);
+        Self::viscoelastic(x * x / speed_m_s.powf(0.2))
+    }
+
+    /// e0 well below a knee speed, falling by k per m/s above it; the corner is rounded over a
+    /// tenth of the knee speed.
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`](crate::Error::OutOfRange) unless e0 is from 0 to 1, the knee (m/s)
+    /// above zero and k (s/m) finite.
+    pub fn knee(below: f64, knee_speed_m_s: f64, loss_per_speed_s_m: f64) -> Result<Self> {
+        fraction("coefficient of restitution below the knee", below)?;
+        positive("speed of the knee in m/s", knee_speed_m_s)?;
+        require(
+            loss_per_speed_s_m.is_finite(),
+            "loss of restitution with speed in s/m",
+            loss_per_speed_s_m,
+            "finite",
+        )?;
+        Ok(Self(Law::Knee {
+            below,
+            knee_speed: knee_speed_m_s,
+            loss_per_speed: loss_per_speed_s_m,
+        }))
+    }
+
+    /// The coefficient of restitution of an impact at a speed, from 0 to 1.
+    pub fn at(&self, impact_speed_m_s: f64) -> f64 {
+        self.unbounded(impact_speed_m_s).clamp(0.0, 1.0)
+    }
+
+    /// d ln e / d ln v at an impact speed: how many per cent e changes when the speed changes by
+    /// one. Zero where e is held at 0 or 1.
+    pub fn log_slope(&self, impact_speed_m_s: f64) -> f64 {
+        let v = impact_speed_m_s;
+        let e = self.unbounded(v);
+        if !(e > 0.0 && e < 1.0) {
+            return 0.0;
+        }
+        match self.0 {
+            Law::Constant(_) => 0.0,
+            Law::Linear { loss_per_speed, .. } => -loss_per_speed * v / e,
+            Law::Power { exponent, .. } => -exponent,
+            // x goes as v^1/10.
+            Law::Viscoelastic { dissipation } => 0.1 * pade::log_slope(viscous(dissipation, v)),
+            Law::Knee {
+                knee_speed,
+                loss_per_speed,
+                ..
+            } => {
+                let width = KNEE_WIDTH * knee_speed;
+                let past = 1.0 / (1.0 + (-(v - knee_speed) / width).exp());
+                -loss_per_speed * past * v / e
+            }
+        }
+    }
+
+    fn unbounded(&self, v: f64) -> f64 {
+        match self.0 {
+            Law::Constant(restitution) => restitution,
+            Law::Linear {
+                at_rest,
+                loss_per_speed,
+            } => at_rest - loss_per_speed * v,
+            Law::Power {
+                reference,
+                reference_speed,
+                exponent,
+            } => reference * (v / reference_speed).powf(-exponent),
+            Law::Viscoelastic { dissipation } => pade::restitution(viscous(dissipation, v)),
+            Law::Knee {
+                below,
+                knee_speed,
+                loss_per_speed,
+            } => {
+                let width = KNEE_WIDTH * knee_speed;
+                below - loss_per_speed * width * softplus((v - knee_speed) / width)
+            }
+        }
+    }
+}
+
+/// The Padé argument at a speed.
+fn viscous(dissipation: f64, speed: f64) -> f64 {
+    (dissipation * speed.powf(0.2)).sqrt()
+}
+
+/// The Padé argument at which e has a value: Newton on ln e over ln x, which is nearly straight.
+fn pade_argument(restitution: f64) -> f64 {
+    const STEPS: usize = 60;
+    if restitution >= 1.0 {
+        return 0.0;
+    }
+    let target = restitution.ln();
+    // 1 - 1.15 x² for a lively ball, about x^-3 for a dead one.
+    let mut x = ((1.0 - restitution) / 1.153_45).sqrt() + restitution.powf(-1.0 / 3.0) - 1.0;
+    for _ in 0..STEPS {
+        let log_e = pade::restitution(x).ln();
+        let step = (target - log_e) / pade::log_slope(x);
+        // At most a factor of e at once: the start is rough for balls that hardly bounce.
+        x *= step.clamp(-1.0, 1.0).exp();
+        if step.abs() < 1e-15 {
+            break;
+        }
+    }
+    x
+}
+
+/// ln(1 + exp x) without overflow.
+fn softplus(x: f64) -> f64 {
+    x.max(0.0) + (-x.abs()).exp().ln_1p()
+}
+
+fn fraction(quantity: &'static str, value: f64) -> Result<f64> {
+    require(
+        (0.0..=1.0).contains(&value),
+        quantity,
+        value,
+        "from 0 (dead) to 1 (lossless)",
+    )?;
+    Ok(value)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    #[expect(clippy::float_cmp, reason = "the ends of the range are exact")]
+    fn restitution_stays_a_fraction() {
+        let line = Restitution::linear(0.9, 0.1).unwrap();
+        assert_eq!(line.at(0.0), 0.9);
+        assert_eq!(line.at(100.0), 0.0);
+        assert_eq!(Restitution::linear(0.9, -0.1).unwrap().at(100.0), 1.0);
+        let power = Restitution::power(0.9, 1.0, 0.25).unwrap();
+        assert_eq!(power.at(1e-9), 1.0);
+    }
+
+    #[test]
+    fn absurd_laws_are_refused() {
+        for restitution in [-0.1, 1.1, f64::NAN, f64::INFINITY] {
+            assert!(Restitution::constant(restitution).is_err());
+            assert!(Restitution::power(restitution, 1.0, 0.1).is_err());
+            assert!(Restitution::knee(restitution, 1.0, 0.1).is_err());
+            assert!(Restitution::viscoelastic_through(restitution, 1.0).is_err());
+        }
+        assert!(Restitution::linear(2.1, 0.0).is_err());
+        assert!(Restitution::linear(0.9, f64::NAN).is_err());
+        assert!(Restitution::power(0.9, 0.0, 0.1).is_err());
+        assert!(Restitution::viscoelastic(-1.0).is_err());
+        assert!(Restitution::knee(0.9, 1.0, f64::INFINITY).is_err());
+    }
+
+    /// C1 = 1.15344 and C2 = 3/5 C1² of the viscoelastic series (T. Schwager, T. Pöschel, Phys.
+    /// Rev. E 57, 650, 1998), for a dissipation so small that the next term is below 1e-6.
+    #[test]
+    fn the_pade_form_begins_as_the_series() {
+        let (a, v) = (1e-3_f64, 2.0_f64);
+        let law = Restitution::viscoelastic(a).unwrap();
+        let z = a * v.powf(0.2);
+        let (c1, c2) = (1.15344, 0.6 * 1.15344 * 1.15344);
+        assert!((law.at(v) - (1.0 - c1 * z + c2 * z * z)).abs() < 1e-6);
+    }
+
+    #[test]
+    fn a_viscoelastic_ball_goes_through_its_point() {
+        for e in [0.01, 0.1, 0.5, 0.9, 0.99, 0.999_999] {
+            let law = Restitution::viscoelastic_through(e, 1.7).unwrap();
+            assert!((law.at(1.7) / e - 1.0).abs() < 1e-12, "{e}");
+        }
+        let lossless = Restitution::viscoelastic_through(1.0, 1.7).unwrap();
+        assert!((lossless.at(5.0) - 1.0).abs() < 1e-15);
+    }
+
+    /// The slope of each law against a central difference.
+    #[test]
+    fn log_slopes_are_the_derivatives() {
+        let laws = [
+            Restitution::constant(0.9),
+            Restitution::linear(0.95, 0.01),
+            Restitution::power(0.9, 2.0, 0.05),
+            Restitution::viscoelastic_through(0.9, 2.0),
+            Restitution::knee(0.95, 1.5, 0.02),
+        ];
+        for law in laws.map(Result::unwrap) {
+            for v in [0.5, 1.4, 1.6, 3.0_f64] {
+                let h = 1e-5;
+                let (above, below) = (law.at(v * (1.0 + h)).ln(), law.at(v * (1.0 - h)).ln());
+                let expected = (above - below) / (2.0 * h);
+                assert!((law.log_slope(v) - expected).abs() < 1e-8, "{law:?} at {v}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_knee_is_flat_below_and_straight_above() {
+        let law = Restitution::knee(0.95, 1.5, 0.02).unwrap();
+        assert!((law.at(0.5) - 0.95).abs() < 1e-5);
+        assert!((law.at(3.0) - (0.95 - 0.02 * 1.5)).abs() < 1e-5);
+    }
+}

@@ -1,0 +1,68 @@
+//! What a bounce keeps: restitution laws and contact time.
+
+mod law;
+
+pub use law::Restitution;
+
+use crate::error::{Result, not_negative};
+
+/// How a ball meets a surface: what it keeps of its speed and how long it stays.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Contact {
+    restitution: Restitution,
+    contact_time_s: f64,
+}
+
+impl Contact {
+    /// A contact with a restitution law and the same contact time at every speed.
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`](crate::Error::OutOfRange) unless the time is finite and not below zero.
+    pub fn new(restitution: Restitution, contact_time_s: f64) -> Result<Self> {
+        let contact_time_s = not_negative("contact time in s", contact_time_s)?;
+        Ok(Self {
+            restitution,
+            contact_time_s,
+        })
+    }
+
+    /// A contact without duration, as in the paper.
+    pub fn instantaneous(restitution: Restitution) -> Self {
+        Self {
+            restitution,
+            contact_time_s: 0.0,
+        }
+    }
+
+    /// The restitution law.
+    pub fn restitution(&self) -> Restitution {
+        self.restitution
+    }
+
+    /// How long the ball touches the surface in each impact, s.
+    pub fn contact_time_s(&self) -> f64 {
+        self.contact_time_s
+    }
+}
+
+/// One impact as a source of sound.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Strike {
+    /// When the ball touches the surface, s after release.
+    pub time_s: f64,
+    /// How fast it arrives, m/s.
+    pub speed_m_s: f64,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn absurd_contacts_are_refused() {
+        let restitution = Restitution::constant(0.9).unwrap();
+        for contact_time_s in [-1e-3, f64::NAN, f64::INFINITY] {
+            assert!(Contact::new(restitution, contact_time_s).is_err());
+        }
+    }
+}
