@@ -4,10 +4,9 @@ use std::cell::RefCell;
 use std::convert::Infallible;
 
 use basin::{Bfgs, CostFunction, DenseMatrix, Executor, FirstOrderState, Gradient};
-use nalgebra::{DMatrix, DVector};
+use nalgebra::{Cholesky, DMatrix, DVector};
 
 use super::likelihood::Evaluator;
-use super::model::{Model, Slot};
 
 /// The best vector of a model and the curvature there.
 #[derive(Debug, Clone)]
@@ -31,37 +30,25 @@ impl Fit {
 /// search steps back from it.
 const NOWHERE: f64 = 1e9;
 
-/// Step of a central difference, as a share of the scale of the coordinate.
-const DIFFERENCE: f64 = 1e-3;
+/// Step of a central difference, in standard deviations.
+const DIFFERENCE: f64 = 0.01;
 
+/// Slope of the cost by a coordinate of unit standard deviation at which the search ends: the rest
+/// is a twentieth of a standard deviation, and the sampling does not mind.
+const FLAT: f64 = 0.05;
+
+const MOST_STEPS: u64 = 40;
+
+/// The cost in coordinates u in which the posterior is round: vector = start + root u.
 struct Problem<'a, 'b> {
     evaluator: RefCell<&'b mut Evaluator<'a>>,
-    /// Scale of each coordinate.
-    scales: &'b [f64],
+    start: DVector<f64>,
+    root: DMatrix<f64>,
 }
 
 impl Problem<'_, '_> {
-    fn cost_at(&self, vector: &[f64]) -> f64 {
-        self.evaluator
-            .borrow_mut()
-            .log_posterior(vector)
-            .map_or(NOWHERE, |log| -log)
-    }
-
-    /// Central differences; the cost of one is a table, and there are about ten.
-    fn gradient_at(&self, vector: &[f64]) -> Vec<f64> {
-        let mut moved = vector.to_vec();
-        (0..vector.len())
-            .map(|i| {
-                let step = DIFFERENCE * self.scales[i];
-                moved[i] = vector[i] + step;
-                let above = self.cost_at(&moved);
-                moved[i] = vector[i] - step;
-                let below = self.cost_at(&moved);
-                moved[i] = vector[i];
-                (above - below) / (2.0 * step)
-            })
-            .collect()
+    fn vector(&self, u: &[f64]) -> DVector<f64> {
+        &self.start + &self.root * DVector::from_column_slice(u)
     }
 }
 
@@ -70,101 +57,63 @@ impl CostFunction for Problem<'_, '_> {
     type Output = f64;
     type Error = Infallible;
 
-    fn cost(&self, vector: &Vec<f64>) -> Result<f64, Infallible> {
-        Ok(self.cost_at(vector))
+    fn cost(&self, u: &Vec<f64>) -> Result<f64, Infallible> {
+        let vector = self.vector(u);
+        let log = self.evaluator.borrow_mut().log_posterior(vector.as_slice());
+        Ok(log.map_or(NOWHERE, |log| -log))
     }
 }
 
 impl Gradient for Problem<'_, '_> {
     type Gradient = Vec<f64>;
 
-    fn gradient(&self, vector: &Vec<f64>) -> Result<Vec<f64>, Infallible> {
-        Ok(self.gradient_at(vector))
+    fn gradient(&self, u: &Vec<f64>) -> Result<Vec<f64>, Infallible> {
+        let mut moved = u.clone();
+        let mut gradient = Vec::with_capacity(u.len());
+        for i in 0..u.len() {
+            moved[i] = u[i] + DIFFERENCE;
+            let above = self.cost(&moved)?;
+            moved[i] = u[i] - DIFFERENCE;
+            let below = self.cost(&moved)?;
+            moved[i] = u[i];
+            gradient.push((above - below) / (2.0 * DIFFERENCE));
+        }
+        Ok(gradient)
     }
 }
 
-/// Finds the best fit by BFGS. The scales of the coordinates, known from the noise, are its first
-/// guess at the curvature, which saves it half its steps.
+/// Finds the best fit by BFGS, in coordinates in which the information at the start makes the
+/// posterior round.
 ///
-/// `None` if no vector near the start makes sense, or the best is no maximum.
+/// `None` if no vector near the start makes sense.
 pub(super) fn best_fit(evaluator: &mut Evaluator) -> Option<Fit> {
-    const MOST_STEPS: u64 = 60;
-    let start = evaluator.model.start();
-    evaluator.log_posterior(&start)?;
-    let scales = scales(evaluator.model);
+    let start = DVector::from_vec(evaluator.model.start());
+    evaluator.log_posterior(start.as_slice())?;
+    let covariance = covariance(evaluator, start.as_slice())?;
     let problem = Problem {
+        root: Cholesky::new(covariance)?.l(),
+        start,
         evaluator: RefCell::new(&mut *evaluator),
-        scales: &scales,
     };
-    let seed = DenseMatrix::from_fn(scales.len(), scales.len(), |i, j| {
-        if i == j { scales[i] * scales[i] } else { 0.0 }
-    });
-    let solver = Bfgs::<Vec<f64>>::new().with_initial_inverse_hessian(seed);
-    let state = FirstOrderState::new(start);
+    let state = FirstOrderState::new(vec![0.0; problem.start.len()]);
+    let (start, root) = (problem.start.clone(), problem.root.clone());
+    let identity = DenseMatrix::from_fn(start.len(), start.len(), |i, j| f64::from(u8::from(i == j)));
+    let solver = Bfgs::<Vec<f64>>::new()
+        .with_initial_inverse_hessian(identity)
+        .with_absolute_gradient_tolerance(FLAT);
     let result = Executor::new(problem, solver, state)
         .max_iter(MOST_STEPS)
         .run()
         .ok()?;
-    let vector = result.best_param().clone();
-    let log_posterior = -result.best_cost();
-    let covariance = covariance(evaluator, &vector, &scales)?;
+    let vector = start + root * DVector::from_column_slice(result.best_param());
     Some(Fit {
-        vector: DVector::from_vec(vector),
-        log_posterior,
-        covariance,
+        covariance: self::covariance(evaluator, vector.as_slice())?,
+        vector,
+        log_posterior: -result.best_cost(),
     })
 }
 
-/// About how far each coordinate may move: one where it is a standard normal, and what the scatter
-/// leaves of e* and the height.
-fn scales(model: &Model) -> Vec<f64> {
-    let count = model.observed.stretches.len() as f64;
-    let scatter = model.middle.scatter.clamp(1e-4, 0.3);
-    let e = model.middle.restitution.clamp(0.05, 0.995);
-    model
-        .slots()
-        .iter()
-        .map(|slot| match slot {
-            Slot::Restitution => scatter / count.sqrt() / (1.0 - e),
-            Slot::Height => scatter,
-            Slot::Scatter => 1.0 / (2.0 * count).sqrt(),
-            _ => 0.5,
-        })
-        .collect()
+/// Inverse of the information at a vector.
+fn covariance(evaluator: &mut Evaluator, vector: &[f64]) -> Option<DMatrix<f64>> {
+    Some(Cholesky::new(evaluator.information(vector)?)?.inverse())
 }
-
-/// Inverse of the Hessian of the cost, by central differences of its gradient; directions in which
-/// it is not a bowl take the scale of their coordinate.
-fn covariance(evaluator: &mut Evaluator, vector: &[f64], scales: &[f64]) -> Option<DMatrix<f64>> {
-    let n = vector.len();
-    let problem = Problem {
-        evaluator: RefCell::new(evaluator),
-        scales,
-    };
-    let mut hessian = DMatrix::zeros(n, n);
-    let mut moved = vector.to_vec();
-    for i in 0..n {
-        let step = 0.1 * scales[i];
-        moved[i] = vector[i] + step;
-        let above = problem.gradient_at(&moved);
-        moved[i] = vector[i] - step;
-        let below = problem.gradient_at(&moved);
-        moved[i] = vector[i];
-        for j in 0..n {
-            // In units of the scales, where all entries are alike in size.
-            hessian[(i, j)] = (above[j] - below[j]) / (2.0 * step) * scales[i] * scales[j];
-        }
-    }
-    let symmetric = 0.5 * (&hessian + hessian.transpose());
-    if symmetric.iter().any(|entry| !entry.is_finite()) {
-        return None;
-    }
-    let eigen = symmetric.symmetric_eigen();
-    let inverse = eigen.eigenvalues.map(|value| 1.0 / value.max(LEAST_CURVATURE));
-    let scaled = &eigen.eigenvectors * DMatrix::from_diagonal(&inverse) * eigen.eigenvectors.transpose();
-    let unit = DMatrix::from_diagonal(&DVector::from_column_slice(scales));
-    Some(&unit * scaled * &unit)
-}
-
-/// No direction is taken to be wider than some ten of its scales.
-const LEAST_CURVATURE: f64 = 1e-2;

@@ -73,6 +73,44 @@ impl Default for Knowledge {
 }
 
 impl Knowledge {
+    /// The priors in words, one line for each.
+    pub fn statements(&self) -> Vec<String> {
+        let share = |name: &str, sd: f64| match sd {
+            0.0 => format!("{name}: exact"),
+            sd if sd >= UNKNOWN => format!("{name}: unknown (a factor e either way)"),
+            sd => format!("{name}: known to {} %", (sd * 1e4).round() / 100.0),
+        };
+        let laws: Vec<&str> = self.restitution_laws.iter().map(|law| law.name()).collect();
+        let drags: Vec<String> = self.drag_laws.iter().map(ToString::to_string).collect();
+        let mut statements = vec![
+            format!("restitution laws, equally probable: {}", laws.join(", ")),
+            "restitution: anything from 0 to 1".to_owned(),
+            "scatter of restitution: about 0.4 %, a factor e either way".to_owned(),
+            format!("drag laws, equally probable: {}", drags.join(", ")),
+            share("drag coefficient, around the law", self.drag),
+            share("gravity", self.gravity),
+            share("air density", self.air_density),
+            share("ball mass", self.mass),
+            share("ball diameter", self.diameter),
+            share("added mass", self.added_mass),
+            share("contact time", self.contact_time),
+            share("stated errors of the times", self.timing),
+        ];
+        statements.push(match self.drop_height_m {
+            Some(Measured { value, sd }) => {
+                format!("drop height: measured, {value} +- {sd} m")
+            }
+            None => "drop height: anything (flat in its logarithm)".to_owned(),
+        });
+        if let Some(Measured { value, sd }) = self.release_s {
+            statements.push(format!("release: measured, {value} +- {sd} s"));
+        }
+        if self.drop_height_m.is_some() || self.release_s.is_some() {
+            statements.push("each further impact missed at the start: half as likely".to_owned());
+        }
+        statements
+    }
+
     pub(super) fn check(&self) -> Result<()> {
         if let Some(height) = self.drop_height_m {
             positive("measured drop height in m", height.value)?;

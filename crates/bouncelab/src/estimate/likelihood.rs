@@ -15,12 +15,13 @@
 //! arXiv 1104.0049), so an innovation follows Student's t, and what an odd one seems to say of the
 //! times of its neighbours is taken back.
 
-use super::model::{Model, Point};
+use nalgebra::{DMatrix, DVector};
+
+use super::model::{Model, Point, Slot};
 use crate::flight::table::{FlightTable, Row};
 
-/// Degrees of freedom of an innovation: nearly normal in the middle, with tails like those
-/// published.
-pub(super) const FREEDOM: f64 = 6.0;
+/// Degrees of freedom of the scatter: nearly normal in the middle, with tails like those published.
+const FREEDOM: f64 = 8.0;
 
 /// Beyond about so many standard deviations an innovation is odd, and says nothing of its
 /// neighbours.
@@ -45,7 +46,31 @@ pub(super) struct Evaluator<'a> {
     strength: f64,
     ends: Vec<End>,
     residuals: Vec<Residual>,
+    factors: Vec<Factor>,
     pub(super) innovations: Vec<Innovation>,
+}
+
+/// A row of the Cholesky factors L D L' of the covariance of the residuals.
+#[derive(Debug, Clone, Copy, Default)]
+struct Factor {
+    /// Entries of L one and two places before the diagonal.
+    before: [f64; 2],
+    /// Entry of D: the variance of the innovation.
+    variance: f64,
+    /// Which share of the variance of the residual is scatter.
+    scatter_share: f64,
+}
+
+/// A drop as the times tell it.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Told {
+    pub(super) drop_height_m: f64,
+    /// From the release to the first impact heard, s.
+    pub(super) release_to_first_s: f64,
+    /// Speed at each impact heard, m/s.
+    pub(super) impact_speeds: Vec<f64>,
+    /// Launch speed after each impact heard but the last, m/s.
+    pub(super) launch_speeds: Vec<f64>,
 }
 
 /// A stretch as its ends see it.
@@ -100,6 +125,7 @@ impl<'a> Evaluator<'a> {
             strength: f64::NAN,
             ends: Vec::new(),
             residuals: Vec::new(),
+            factors: Vec::new(),
             innovations: Vec::new(),
         }
     }
@@ -123,6 +149,19 @@ impl<'a> Evaluator<'a> {
     pub(super) fn residuals(&mut self, point: &Point) -> Option<&[Residual]> {
         self.residuals_at(point)?;
         Some(&self.residuals)
+    }
+
+    /// The drop that the times tell, if the unknowns have these values.
+    pub(super) fn told(&mut self, point: &Point) -> Option<Told> {
+        let (opening, _) = self.residuals_at(point)?;
+        let mut impact_speeds = vec![opening.impact];
+        impact_speeds.extend(self.ends.iter().map(|end| end.impact));
+        Some(Told {
+            drop_height_m: opening.gravity_height / point.gravity_m_s2,
+            release_to_first_s: opening.time_s,
+            impact_speeds,
+            launch_speeds: self.ends.iter().map(|end| end.log_launch.exp()).collect(),
+        })
     }
 
     /// The flights of the table at a drag, filled if need be.
@@ -251,68 +290,201 @@ impl<'a> Evaluator<'a> {
 
     /// Student's t of every innovation; notes the innovations.
     fn log_density(&mut self, point: &Point) -> f64 {
-        let observed = self.model.observed;
-        let scatter = point.scatter * point.scatter;
-        let variance = |impact: usize| {
-            let sigma_s = point.timing * observed.sigma_s.get(impact).copied().unwrap_or(0.0);
-            sigma_s * sigma_s
-        };
+        self.factorise(point);
         self.innovations.clear();
         let mut sum = 0.0;
-        // Factor rows of the two before: variance of the innovation and the innovation as far as it
-        // is believed; and the subdiagonal of the one before.
-        let (mut d1, mut d2, mut z1, mut z2, mut below1) = (1.0, 1.0, 0.0, 0.0, 0.0);
+        // The innovations before, as far as they are believed.
+        let mut before = [0.0; 2];
+        for (residual, factor) in self.residuals.iter().zip(&self.factors) {
+            let z = residual.value - factor.before[0] * before[0] - factor.before[1] * before[1];
+            let square = z * z / factor.variance;
+            let tail = Tail::of(factor.scatter_share);
+            sum += tail.log_density(square) - 0.5 * factor.variance.ln();
+            self.innovations.push(Innovation {
+                impact: residual.impact,
+                standardised: z / factor.variance.sqrt(),
+                weight: tail.weight(square),
+            });
+            let odd = square / (ODD * ODD);
+            before = [z / (1.0 + odd * odd), before[0]];
+        }
+        sum
+    }
+
+    /// Cholesky factors of the covariance of the residuals.
+    fn factorise(&mut self, point: &Point) {
+        let observed = self.model.observed;
+        let scatter = point.scatter * point.scatter;
+        let timing = point.timing * point.timing;
+        let variance = |impact: usize| {
+            let sigma_s = observed.sigma_s.get(impact).copied().unwrap_or(0.0);
+            timing * sigma_s * sigma_s
+        };
+        self.factors.clear();
+        let mut one = Factor {
+            variance: 1.0,
+            ..Factor::default()
+        };
+        let mut two = one;
         for (row, residual) in self.residuals.iter().enumerate() {
             let [t0, t1, t2] = residual.timing;
             let own = residual.impact;
-            let before = |steps: usize| row.checked_sub(steps).map(|r| &self.residuals[r]);
-            let mut diagonal = residual.own_variance
-                + scatter * residual.scatter
-                + t1 * t1 * variance(own)
-                + t2 * t2 * variance(own + 1);
+            let mut by_time = t1 * t1 * variance(own) + t2 * t2 * variance(own + 1);
             if own > 0 {
-                diagonal += t0 * t0 * variance(own - 1);
+                by_time += t0 * t0 * variance(own - 1);
             }
-            let first = before(1).map_or(0.0, |other| {
-                covariance(other, residual, variance) + scatter * residual.scatter_before
-            });
-            let second = before(2).map_or(0.0, |other| covariance(other, residual, variance));
-            let l2 = second / d2;
-            let l1 = (first - l2 * below1 * d2) / d1;
-            let d = diagonal - l1 * l1 * d1 - l2 * l2 * d2;
-            let z = residual.value - l1 * z1 - l2 * z2;
-            let square = z * z / d;
-            sum -= 0.5 * (FREEDOM + 1.0) * (square / FREEDOM).ln_1p() + 0.5 * d.ln();
-            self.innovations.push(Innovation {
-                impact: own,
-                standardised: z / d.sqrt(),
-                weight: ((FREEDOM + 1.0) / (FREEDOM + square)).min(1.0),
-            });
-            let believed = z / (1.0 + (square / (ODD * ODD)).powi(2));
-            (d2, z2) = (d1, z1);
-            (d1, z1, below1) = (d, believed, l1);
+            let by_scatter = scatter * residual.scatter;
+            let diagonal = residual.own_variance + by_scatter + by_time;
+            let (mut first, mut second) = (0.0, 0.0);
+            if row > 0 {
+                first = covariance(&self.residuals[row - 1], residual, variance)
+                    + scatter * residual.scatter_before;
+            }
+            if row > 1 {
+                second = covariance(&self.residuals[row - 2], residual, variance);
+            }
+            let l2 = second / two.variance;
+            let l1 = (first - l2 * one.before[0] * two.variance) / one.variance;
+            let factor = Factor {
+                before: [l1, l2],
+                variance: diagonal - l1 * l1 * one.variance - l2 * l2 * two.variance,
+                scatter_share: by_scatter / diagonal,
+            };
+            self.factors.push(factor);
+            (two, one) = (one, factor);
         }
-        sum
+    }
+
+    /// The information about the unknowns at a vector: how fast the log posterior falls off in each
+    /// direction. Exact for a normal posterior, and near enough for a search.
+    pub(super) fn information(&mut self, vector: &[f64]) -> Option<DMatrix<f64>> {
+        let columns = self.whitened_slopes(vector)?;
+        let model = self.model;
+        let weights = self.innovations.iter().map(|i| i.weight);
+        let weighted = DMatrix::from_diagonal(&DVector::from_iterator(columns.nrows(), weights));
+        let mut information = columns.transpose() * weighted * &columns;
+        // The noise: the logarithm of a standard deviation is known to 1/2^1/2 from one residual,
+        // less from one with tails.
+        let tells = 2.0 * FREEDOM / (FREEDOM + 3.0);
+        let shares = |slot: Slot, factor: &Factor| match slot {
+            Slot::Scatter => model.log_scatter_sd() * factor.scatter_share,
+            Slot::Timing => model.timing_sd * (1.0 - factor.scatter_share),
+            _ => 0.0,
+        };
+        for (i, &a) in model.slots().iter().enumerate() {
+            for (j, &b) in model.slots().iter().enumerate() {
+                let product = |factor: &Factor| shares(a, factor) * shares(b, factor);
+                information[(i, j)] += tells * self.factors.iter().map(product).sum::<f64>();
+            }
+            information[(i, i)] += model.prior_information(a, vector[i]);
+        }
+        Some(information)
+    }
+
+    /// Derivatives of the residuals by the unknowns, with the noise turned into independent noise of
+    /// unit variance.
+    fn whitened_slopes(&mut self, vector: &[f64]) -> Option<DMatrix<f64>> {
+        let mut slopes = self.slopes(vector)?;
+        self.log_posterior(vector)?;
+        for mut column in slopes.column_iter_mut() {
+            for row in 0..self.factors.len() {
+                let Factor { before, .. } = self.factors[row];
+                let one = row.checked_sub(1).map_or(0.0, |r| column[r]);
+                let two = row.checked_sub(2).map_or(0.0, |r| column[r]);
+                column[row] -= before[0] * one + before[1] * two;
+            }
+            for (entry, factor) in column.iter_mut().zip(&self.factors) {
+                *entry /= factor.variance.sqrt();
+            }
+        }
+        Some(slopes)
+    }
+
+    /// Derivatives of the residuals by the unknowns, by central differences.
+    pub(super) fn slopes(&mut self, vector: &[f64]) -> Option<DMatrix<f64>> {
+        const STEP: f64 = 1e-4;
+        let mut moved = vector.to_vec();
+        let mut slopes = DMatrix::zeros(self.rows_of_data(), vector.len());
+        for i in 0..vector.len() {
+            if !self.model.slots()[i].moves_residuals() {
+                continue;
+            }
+            moved[i] = vector[i] + STEP;
+            let above: Vec<f64> = self.residual_values(&moved)?;
+            moved[i] = vector[i] - STEP;
+            let below: Vec<f64> = self.residual_values(&moved)?;
+            moved[i] = vector[i];
+            for (row, (a, b)) in above.iter().zip(&below).enumerate() {
+                slopes[(row, i)] = (a - b) / (2.0 * STEP);
+            }
+        }
+        Some(slopes)
+    }
+
+    fn residual_values(&mut self, vector: &[f64]) -> Option<Vec<f64>> {
+        let point = self.model.point(vector)?;
+        self.residuals_at(&point)?;
+        Some(self.residuals.iter().map(|residual| residual.value).collect())
+    }
+
+    /// How many residuals the data make.
+    fn rows_of_data(&self) -> usize {
+        self.model.observed.stretches.len() + usize::from(self.model.release_s.is_some())
+    }
+}
+
+/// Student's t with variance one, of an innovation that is scatter only in part.
+///
+/// The times have normal errors, so the tails are lighter the less of the innovation is scatter. The
+/// degrees of freedom are those that give it the fourth moment of the sum: excess 6/(ν - 4), times
+/// the square of the share.
+struct Tail {
+    freedom: f64,
+}
+
+impl Tail {
+    /// So light a tail is normal.
+    const LIGHTEST: f64 = 1e6;
+
+    fn of(scatter_share: f64) -> Self {
+        let freedom = 4.0 + (FREEDOM - 4.0) / (scatter_share * scatter_share);
+        Self {
+            freedom: freedom.min(Self::LIGHTEST),
+        }
+    }
+
+    /// Logarithm of the density at a squared deviation, but for ln (2 π)^1/2.
+    fn log_density(&self, square: f64) -> f64 {
+        let nu = self.freedom;
+        // ln Γ((ν + 1)/2) - ln Γ(ν/2) - ½ ln(ν/2), to 1e-6 from 8 degrees on.
+        let constant = -0.25 / nu + 1.0 / (24.0 * nu.powi(3));
+        constant
+            - 0.5 * ((nu - 2.0) / nu).ln()
+            - 0.5 * (nu + 1.0) * (square / (nu - 2.0)).ln_1p()
+    }
+
+    /// Weight in the fit: what is left of the pull of the deviation, against a normal distribution;
+    /// 1 in the middle.
+    fn weight(&self, square: f64) -> f64 {
+        ((self.freedom + 1.0) / (self.freedom - 2.0 + square)).min(1.0)
     }
 }
 
 /// Covariance of two residuals through the times they share.
+#[inline]
 pub(super) fn covariance(
     earlier: &Residual,
     later: &Residual,
     variance: impl Fn(usize) -> f64,
 ) -> f64 {
-    let mut sum = 0.0;
-    for (i, a) in earlier.timing.iter().enumerate() {
-        for (j, b) in later.timing.iter().enumerate() {
-            // Place 1 of `timing` is the impact itself.
-            let time = earlier.impact + i;
-            if time == later.impact + j && time > 0 {
-                sum += a * b * variance(time - 1);
-            }
-        }
+    let (a, b, own) = (earlier.timing, later.timing, later.impact);
+    match own - earlier.impact {
+        // The release and the first impact heard have the same one in the middle.
+        0 => a[1] * b[1] * variance(own),
+        1 => a[1] * b[0] * variance(own - 1) + a[2] * b[1] * variance(own),
+        2 => a[2] * b[0] * variance(own - 1),
+        _ => 0.0,
     }
-    sum
 }
 
 /// The flights after impacts that obey the law, from the speed at the first of them.
@@ -357,6 +529,11 @@ impl End {
 }
 
 impl Residual {
+    /// Variance that it shares with no other residual.
+    pub(super) fn own_variance(&self) -> f64 {
+        self.own_variance
+    }
+
     /// The residual of the impact between two stretches.
     fn between(before: &End, after: &End, impact: usize, point: &Point) -> Self {
         let keeps = 1.0 + point.law.log_slope(before.impact);

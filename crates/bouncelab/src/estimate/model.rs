@@ -5,7 +5,7 @@ use super::observed::Observed;
 use crate::ball::Ball;
 use crate::drag::DragLaw;
 use crate::error::{Error, Result};
-use crate::flight::table::DragProfile;
+use crate::flight::table::{DragProfile, FlightTable, Row};
 use crate::flight::{Environment, FlightModel};
 use crate::impact::Restitution;
 
@@ -84,26 +84,36 @@ pub(super) struct Middle {
 }
 
 /// An unknown with a place in the vector.
+///
+/// Those that change the table of flights come first: in a triangular change of coordinates the
+/// later ones then leave the table alone, which saves most of the time of a search.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Slot {
+    /// Standard normals before the data: ln of the drag scale ...
+    Drag,
+    /// ... of effective gravity ...
+    Gravity,
+    /// ... and of drag over weight, apart from its coefficient.
+    Inputs,
     /// logit e*.
     Restitution,
     /// The numbers of the law besides e*, as standard normals.
     Shape(usize),
     /// ln of the speed with which a launch would rise to the drop height, in m/s.
     Height,
-    /// The rest are standard normals before the data: ln of the drag scale ...
-    Drag,
-    /// ... of the scatter ...
+    /// Standard normals again: ln of the scatter ...
     Scatter,
     /// ... of the errors of the times ...
     Timing,
-    /// ... of the contact time ...
+    /// ... and of the contact time.
     Contact,
-    /// ... of effective gravity ...
-    Gravity,
-    /// ... and of drag over weight, apart from its coefficient.
-    Inputs,
+}
+
+impl Slot {
+    /// Whether it is more than a size of the noise.
+    pub(super) fn moves_residuals(self) -> bool {
+        !matches!(self, Self::Scatter | Self::Timing)
+    }
 }
 
 /// Values of the unknowns.
@@ -205,6 +215,15 @@ impl Inputs {
         }
     }
 
+    /// How much of a change of the effective gravity one expects to be gravity itself.
+    pub(super) fn gravity_share(&self) -> f64 {
+        let own = self.sources.iter().find(|(name, ..)| *name == "gravity");
+        match own {
+            Some((_, sd, _)) if self.gravity_sd > 0.0 => (sd / self.gravity_sd).powi(2),
+            _ => 0.0,
+        }
+    }
+
     /// What one standard uncertainty of an input moves the two standard normals by.
     pub(super) fn whitened(&self, source: usize) -> [f64; 2] {
         let (_, gravity, drag) = self.sources[source];
@@ -232,17 +251,23 @@ impl<'a> Model<'a> {
         } else {
             UNSTATED_TIMING_SD
         };
-        let mut slots = vec![Slot::Restitution];
-        slots.extend((0..law.shapes()).map(Slot::Shape));
-        slots.extend([Slot::Height, Slot::Scatter]);
-        let optional = [
-            (Slot::Drag, surroundings.drag_sd),
-            (Slot::Timing, timing_sd),
-            (Slot::Contact, contact_time_s * surroundings.contact_sd),
-            (Slot::Gravity, surroundings.inputs.gravity_sd),
-            (Slot::Inputs, surroundings.inputs.drag_sd),
+        let inputs = &surroundings.inputs;
+        let wanted = [
+            (Slot::Drag, surroundings.drag_sd > 0.0),
+            (Slot::Gravity, inputs.gravity_sd > 0.0),
+            (Slot::Inputs, inputs.drag_sd > 0.0),
+            (Slot::Restitution, true),
+            (Slot::Shape(0), law.shapes() > 0),
+            (Slot::Shape(1), law.shapes() > 1),
+            (Slot::Height, true),
+            (Slot::Scatter, true),
+            (Slot::Timing, timing_sd > 0.0),
+            (Slot::Contact, contact_time_s * surroundings.contact_sd > 0.0),
         ];
-        slots.extend(optional.iter().filter(|(_, sd)| *sd > 0.0).map(|(slot, _)| slot));
+        let slots = wanted
+            .into_iter()
+            .filter_map(|(slot, wanted)| wanted.then_some(slot))
+            .collect();
         Self {
             observed,
             law,
@@ -267,9 +292,21 @@ impl<'a> Model<'a> {
         self.slots.iter().position(|&s| s == slot)
     }
 
-    /// Whether an unknown is a standard normal before the data.
-    pub(super) fn is_standard_normal(slot: Slot) -> bool {
-        !matches!(slot, Slot::Restitution | Slot::Height)
+    /// How far the scatter may be off before the data, as a logarithm.
+    pub(super) fn log_scatter_sd(&self) -> f64 {
+        LOG_SCATTER_SD
+    }
+
+    /// What the prior alone says of an unknown: minus the second derivative of its logarithm.
+    pub(super) fn prior_information(&self, slot: Slot, value: f64) -> f64 {
+        match slot {
+            Slot::Restitution => 2.0 * logistic(value) * logistic(-value),
+            // ln h is about twice ln v.
+            Slot::Height => self
+                .height_m
+                .map_or(0.0, |height| (2.0 * height.value / height.sd).powi(2)),
+            _ => 1.0,
+        }
     }
 
     /// The values that a vector stands for; `None` where the law makes no sense.
@@ -365,50 +402,72 @@ impl<'a> Model<'a> {
 }
 
 impl Middle {
-    /// From the restitution of each impact at the nominal drag; without any, from the heights of
-    /// the first flight.
-    pub(super) fn new(model: &FlightModel, observed: &Observed, contact_time_s: f64) -> Result<Self> {
-        let stretch = observed.stretches[0];
-        let first = model.from_flight_time(
-            stretch.duration_s / stretch.flights as f64 - contact_time_s,
-        )?;
-        let corrected =
-            crate::restitution::of_impacts(&observed.impacts, contact_time_s, model)?;
-        let speeds: Vec<f64> = corrected
-            .flights
+    /// From the restitution of each impact at the nominal drag; a guess where there is none.
+    ///
+    /// # Errors
+    /// [`Error::CannotInfer`] if the ball gains speed in most impacts, or a flight is too long for
+    /// a ball with so much drag.
+    pub(super) fn new(
+        observed: &Observed,
+        surroundings: &Surroundings,
+        contact_time_s: f64,
+    ) -> Result<Self> {
+        let mut table = FlightTable::new();
+        table.fill(&surroundings.profile, 1.0);
+        let rows = observed
+            .stretches
             .iter()
-            .map(|timed| timed.flight.impact_speed_m_s)
-            .chain([first.launch_speed_m_s])
-            .collect();
-        let mean_log = speeds.iter().map(|v| v.ln()).sum::<f64>() / speeds.len() as f64;
-        let mut logs: Vec<f64> = corrected
-            .impacts
-            .iter()
-            .map(|impact| impact.restitution.value.ln())
+            .map(|stretch| {
+                let time_s = stretch.duration_s / stretch.flights as f64 - contact_time_s;
+                table.lasting(surroundings.gravity_m_s2 * time_s)
+            })
+            .collect::<Option<Vec<Row>>>()
+            .ok_or_else(|| {
+                Error::CannotInfer(
+                    "air drag makes so long a flight impossible for this ball; check mass, \
+                     diameter and the unit of the times"
+                        .to_owned(),
+                )
+            })?;
+        let single = |place: usize| observed.stretches[place].flights == 1;
+        let mut logs: Vec<f64> = (1..rows.len())
+            .filter(|&place| single(place) && single(place - 1))
+            .map(|place| (rows[place].launch / rows[place - 1].impact).ln())
             .collect();
         let middle = median(&mut logs);
-        let mut off: Vec<f64> = logs.iter().map(|l| (l - middle.unwrap_or(0.0)).abs()).collect();
-        let scatter = 1.48 * median(&mut off).unwrap_or(SCATTER);
-        if middle.is_some_and(|log_e| log_e > 0.5) {
+        let mut off: Vec<f64> = logs
+            .iter()
+            .map(|log| (log - middle.unwrap_or(0.0)).abs())
+            .collect();
+        if middle.is_some_and(|log_e| log_e > 0.1) {
             return Err(Error::CannotInfer(
                 "the flights get longer from impact to impact, which no ball on a surface at rest \
                  does; are the times in order, and are they of one drop?"
                     .to_owned(),
             ));
         }
-        let slowest_m_s = speeds.iter().copied().fold(f64::INFINITY, f64::min);
-        let fastest_m_s = speeds.iter().copied().fold(0.0, f64::max);
+        let speeds = rows
+            .iter()
+            .map(|row| row.impact)
+            .chain([rows[0].launch]);
+        let slowest_m_s = speeds.clone().fold(f64::INFINITY, f64::min);
+        let fastest_m_s = speeds.clone().fold(0.0, f64::max);
+        let mean_log = speeds.map(f64::ln).sum::<f64>() / (rows.len() + 1) as f64;
         Ok(Self {
             speed_m_s: mean_log.exp(),
             slowest_m_s,
             // A knee needs a range even where all impacts are alike.
             fastest_m_s: fastest_m_s.max(1.05 * slowest_m_s),
-            restitution: middle.map_or(0.8, f64::exp),
-            first_launch_m_s: first.launch_speed_m_s,
-            scatter: scatter.max(1e-4),
+            restitution: middle.map_or(GUESS, f64::exp),
+            first_launch_m_s: rows[0].launch,
+            // The median deviation of a normal distribution is 0.6745 of the standard one.
+            scatter: (1.4826 * median(&mut off).unwrap_or(SCATTER)).max(1e-4),
         })
     }
 }
+
+/// A restitution to start from where no impact shows one.
+const GUESS: f64 = 0.8;
 
 fn index(slot: Slot) -> usize {
     match slot {

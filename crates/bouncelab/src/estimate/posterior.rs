@@ -7,19 +7,18 @@ use rand_chacha::ChaCha8Rng;
 use super::fit::{self, Fit};
 use super::knowledge::{Knowledge, LawKind};
 use super::likelihood::{Evaluator, Innovation};
-use super::model::{Middle, Model, Surroundings};
+use super::model::{Middle, Model, Point, Surroundings};
 use super::observed::Observed;
 use super::sample::{self, GREATEST_PARETO_SHAPE, Sample};
 use crate::ball::Ball;
-use crate::drag::DragLaw;
 use crate::error::{Error, Result};
-use crate::flight::{Environment, FlightModel};
+use crate::flight::Environment;
 use crate::restitution::TimedImpact;
 
 /// How much to compute.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Effort {
-    /// Draws of the posterior; as many effective ones are aimed at.
+    /// Draws of the posterior that count as independent.
     pub draws: usize,
     /// Seed of the random numbers: the same seed gives the same answer to the last digit.
     pub seed: u64,
@@ -63,6 +62,8 @@ pub(super) struct Posterior {
     pub(super) middle: Middle,
     pub(super) knowledge: Knowledge,
     pub(super) contact_time_s: f64,
+    /// Gravity as stated, m/s².
+    pub(super) gravity_m_s2: f64,
     /// Most probable first.
     pub(super) candidates: Vec<Candidate>,
     /// Equally likely draws.
@@ -84,7 +85,7 @@ impl Posterior {
     ///
     /// # Errors
     /// [`Error::CannotInfer`] if no model can explain the times at all, and the errors of
-    /// [`FlightModel::new`] and [`Observed::new`].
+    /// [`FlightModel::new`](crate::flight::FlightModel::new) and [`Observed::new`].
     pub(super) fn new(
         impacts: &[TimedImpact],
         ball: &Ball,
@@ -95,19 +96,22 @@ impl Posterior {
     ) -> Result<Self> {
         knowledge.check()?;
         let observed = Observed::new(impacts, contact_time_s)?;
-        let nominal = FlightModel::new(ball, environment)?;
-        let middle = Middle::new(&nominal, &observed, contact_time_s)?;
         let surroundings = knowledge
             .drag_laws
             .iter()
             .map(|&law| Surroundings::new(ball, environment, law, &observed, knowledge))
             .collect::<Result<Vec<_>>>()?;
+        let Some(nominal) = surroundings.first() else {
+            return Err(Error::CannotInfer("no drag law to consider".to_owned()));
+        };
+        let middle = Middle::new(&observed, nominal, contact_time_s)?;
         let mut posterior = Self {
             observed,
             surroundings,
             middle,
             knowledge: knowledge.clone(),
             contact_time_s,
+            gravity_m_s2: environment.gravity_m_s2,
             candidates: Vec::new(),
             draws: Vec::new(),
         };
@@ -287,13 +291,27 @@ impl Posterior {
         let candidate = &self.candidates[0];
         let model = self.model(candidate);
         let mut evaluator = Evaluator::new(&model);
-        if evaluator
-            .log_posterior(candidate.fit.vector.as_slice())
-            .is_none()
-        {
-            return Vec::new();
-        }
-        evaluator.innovations
+        // Where the fit makes no sense there is nothing to report.
+        let sense = evaluator.log_posterior(candidate.fit.vector.as_slice());
+        sense.map_or_else(Vec::new, |_| evaluator.innovations)
+    }
+
+    /// Works out a value for each of the draws, or for every so many of them.
+    pub(super) fn each<T>(
+        &self,
+        every: usize,
+        mut value: impl FnMut(&mut Evaluator, &Point) -> Option<T>,
+    ) -> Vec<T> {
+        let models: Vec<Model> = self.candidates.iter().map(|c| self.model(c)).collect();
+        let mut evaluators: Vec<Evaluator> = models.iter().map(Evaluator::new).collect();
+        self.draws
+            .iter()
+            .step_by(every.max(1))
+            .filter_map(|draw| {
+                let point = models[draw.candidate].point(draw.vector.as_slice())?;
+                value(&mut evaluators[draw.candidate], &point)
+            })
+            .collect()
     }
 }
 

@@ -101,19 +101,37 @@ fn log_gamma(x: f64) -> f64 {
     }
 }
 
-/// Draws from the posterior around a best fit; `None` if no draw makes sense.
+/// Draws from the posterior around a best fit, about as many as count as so many independent ones;
+/// `None` if no draw makes sense.
 pub(super) fn sample(
     evaluator: &mut Evaluator,
     fit: &Fit,
-    draws: usize,
+    effective_draws: usize,
     rng: &mut ChaCha8Rng,
 ) -> Option<Sample> {
-    let pilot_draws = (draws / 5).max(40 * fit.vector.len());
-    let first = Proposal::new(fit.vector.clone(), fit.covariance.clone())?;
-    let pilot = round(evaluator, &first, pilot_draws, rng)?;
-    let second = adapted(&pilot, fit).unwrap_or(first);
-    round(evaluator, &second, draws, rng)
+    let pilot_draws = 40 * fit.vector.len();
+    let mut proposal = Proposal::new(fit.vector.clone(), fit.covariance.clone())?;
+    let mut share = 0.0;
+    for _ in 0..MOST_PILOTS {
+        let pilot = round(evaluator, &proposal, pilot_draws, rng)?;
+        share = pilot.effective_draws() / pilot_draws as f64;
+        if let Some(adapted) = adapted(&pilot) {
+            proposal = adapted;
+        }
+        if share > GOOD_SHARE {
+            break;
+        }
+    }
+    let wanted = effective_draws as f64 / share.clamp(LEAST_SHARE, 1.0);
+    round(evaluator, &proposal, wanted as usize, rng)
 }
+
+/// Pilots that may correct the proposal, and the share of effective draws that needs no more.
+const MOST_PILOTS: usize = 5;
+const GOOD_SHARE: f64 = 0.5;
+
+/// A proposal that fits badly is not drawn from for ever: at most three draws for one.
+const LEAST_SHARE: f64 = 0.33;
 
 fn round(
     evaluator: &mut Evaluator,
@@ -149,18 +167,27 @@ fn round(
     })
 }
 
-/// The proposal with the mean and covariance that a pilot found, if it found enough.
-fn adapted(pilot: &Sample, fit: &Fit) -> Option<Proposal> {
-    let dimensions = fit.vector.len();
-    if pilot.effective_draws() < 10.0 * dimensions as f64 {
-        return None;
-    }
+/// The proposal with the mean and covariance that a pilot found. Where few draws have all the
+/// weight, the weights are flattened until enough count: a step in the right direction.
+fn adapted(pilot: &Sample) -> Option<Proposal> {
+    let dimensions = pilot.vectors[0].len();
+    let flattened = [1.0, 0.5, 0.25]
+        .into_iter()
+        .map(|power| {
+            let powers: Vec<f64> = pilot.weights.iter().map(|w| w.powf(power)).collect();
+            let total: f64 = powers.iter().sum();
+            powers.iter().map(|w| w / total).collect::<Vec<f64>>()
+        })
+        .find(|weights| {
+            let squares: f64 = weights.iter().map(|w| w * w).sum();
+            1.0 / squares > 8.0 * dimensions as f64
+        })?;
     let mut mean = DVector::zeros(dimensions);
-    for (vector, &weight) in pilot.vectors.iter().zip(&pilot.weights) {
-        mean += vector * weight;
+    for (vector, &weight) in pilot.vectors.iter().zip(&flattened) {
+        mean.axpy(weight, vector, 1.0);
     }
     let mut covariance = DMatrix::zeros(dimensions, dimensions);
-    for (vector, &weight) in pilot.vectors.iter().zip(&pilot.weights) {
+    for (vector, &weight) in pilot.vectors.iter().zip(&flattened) {
         let off = vector - &mean;
         covariance.ger(weight, &off, &off, 1.0);
     }

@@ -15,7 +15,7 @@ use super::FlightModel;
 use crate::error::Result;
 
 /// Nodes of the march over the launch speed.
-const NODES: usize = 80;
+const NODES: usize = 64;
 
 /// Nodes of the drag profile: it is read between the nodes of the march too.
 const PROFILE: usize = 1024;

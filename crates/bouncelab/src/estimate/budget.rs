@@ -1,0 +1,256 @@
+//! Where the uncertainty comes from: a budget in the form of the GUM.
+//!
+//! At the best fit the estimate is a linear function of everything that went into it: the errors of
+//! the times, the scatter of the impacts, and each prior, which is an input like any other. So its
+//! variance is a sum over sources, and each source has a share (JCGM 100:2008, clause 5).
+
+use nalgebra::{Cholesky, DMatrix, DVector};
+
+use super::likelihood::{Evaluator, covariance};
+use super::model::{Model, Slot};
+use super::posterior::Posterior;
+
+/// What one source adds to the uncertainty of a quantity.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Share {
+    /// The source, in words.
+    pub source: &'static str,
+    /// The standard uncertainty that it alone would leave, in the unit of the quantity.
+    pub sd: f64,
+    /// Its share of the variance, from 0 to 1.
+    pub share: f64,
+}
+
+/// The budget of the restitution and of the drop height, largest share first.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Budget {
+    /// Of the restitution at the stated speed.
+    pub restitution: Vec<Share>,
+    /// Of the drop height, m.
+    pub drop_height_m: Vec<Share>,
+}
+
+/// The budget at the best fit of the best model; what differs between models and between numbers of
+/// missed impacts comes from all of them. `None` if the fit is too odd to be taken apart.
+pub(super) fn budget(posterior: &Posterior, at_speed_m_s: f64) -> Option<Budget> {
+    let candidate = posterior.candidates.first()?;
+    let model = posterior.model(candidate);
+    let mut evaluator = Evaluator::new(&model);
+    let vector = candidate.fit.vector.as_slice();
+    let linear = Linear::new(&mut evaluator, vector)?;
+    let restitution = |evaluator: &mut Evaluator, vector: &[f64]| {
+        let point = evaluator.model.point(vector)?;
+        Some(point.law.at(at_speed_m_s))
+    };
+    let height = |evaluator: &mut Evaluator, vector: &[f64]| {
+        let point = evaluator.model.point(vector)?;
+        let (gravity_height, ..) = evaluator.table(point.drag_strength).fall(point.fall_launch_m_s)?;
+        Some(gravity_height / point.gravity_m_s2)
+    };
+    let [between_laws, between_missed] = between(posterior, at_speed_m_s);
+    let mut of_restitution = linear.sources(&gradient(&mut evaluator, vector, restitution)?, &model);
+    of_restitution.push(("choice of law", between_laws[0]));
+    of_restitution.push(("number of impacts", between_missed[0]));
+    let mut of_height = linear.sources(&gradient(&mut evaluator, vector, height)?, &model);
+    of_height.push(("choice of law", between_laws[1]));
+    of_height.push(("number of impacts", between_missed[1]));
+    Some(Budget {
+        restitution: shares(of_restitution),
+        drop_height_m: shares(of_height),
+    })
+}
+
+/// The estimate as a linear function of its inputs.
+struct Linear {
+    /// Covariance of the unknowns.
+    covariance: DMatrix<f64>,
+    /// What one unit of each residual moves the unknowns by.
+    gain: DMatrix<f64>,
+    by_time: DMatrix<f64>,
+    by_scatter: DMatrix<f64>,
+    by_release: DMatrix<f64>,
+}
+
+impl Linear {
+    fn new(evaluator: &mut Evaluator, vector: &[f64]) -> Option<Self> {
+        let model = evaluator.model;
+        let point = model.point(vector)?;
+        let slopes = evaluator.slopes(vector)?;
+        evaluator.log_posterior(vector)?;
+        let weights: Vec<f64> = evaluator.innovations.iter().map(|i| i.weight).collect();
+        let residuals = evaluator.residuals(&point)?;
+        let observed = model.observed;
+        let variance = |impact: usize| {
+            let sigma_s = observed.sigma_s.get(impact).copied().unwrap_or(0.0);
+            (point.timing * sigma_s).powi(2)
+        };
+        let rows = residuals.len();
+        let mut by_time = DMatrix::zeros(rows, rows);
+        let mut by_scatter = DMatrix::zeros(rows, rows);
+        let mut by_release = DMatrix::zeros(rows, rows);
+        for (row, residual) in residuals.iter().enumerate() {
+            for earlier in row.saturating_sub(2)..=row {
+                let shared = match row - earlier {
+                    0 => own_variance(&residual.timing, residual.impact, variance),
+                    _ => covariance(&residuals[earlier], residual, variance),
+                };
+                by_time[(row, earlier)] = shared;
+                by_time[(earlier, row)] = shared;
+            }
+            let scatter = point.scatter * point.scatter;
+            // An odd impact counts less, as if its scatter were larger.
+            by_scatter[(row, row)] = scatter * residual.scatter / weights[row].max(1e-3);
+            if row > 0 {
+                by_scatter[(row, row - 1)] = scatter * residual.scatter_before;
+                by_scatter[(row - 1, row)] = scatter * residual.scatter_before;
+            }
+            by_release[(row, row)] = residual.own_variance();
+        }
+        let noise = &by_time + &by_scatter + &by_release;
+        let precise = Cholesky::new(noise)?.inverse();
+        let priors = model
+            .slots()
+            .iter()
+            .zip(vector)
+            .map(|(&slot, &value)| model.prior_information(slot, value));
+        let priors = DMatrix::from_diagonal(&DVector::from_iterator(vector.len(), priors));
+        let information = slopes.transpose() * &precise * &slopes + priors;
+        let covariance = Cholesky::new(information)?.inverse();
+        Some(Self {
+            gain: &covariance * slopes.transpose() * precise,
+            covariance,
+            by_time,
+            by_scatter,
+            by_release,
+        })
+    }
+
+    /// Variance of a quantity with this gradient by the unknowns, source by source.
+    fn sources(&self, gradient: &DVector<f64>, model: &Model) -> Vec<(&'static str, f64)> {
+        let pull = self.gain.transpose() * gradient;
+        let of_noise = |noise: &DMatrix<f64>| pull.dot(&(noise * &pull));
+        let mut sources = vec![
+            ("timing of the impacts", of_noise(&self.by_time)),
+            ("scatter of restitution", of_noise(&self.by_scatter)),
+            ("release time", of_noise(&self.by_release)),
+        ];
+        // A prior with unit variance moves the unknowns by its column of the covariance.
+        let response = &self.covariance * gradient;
+        let of_slot = |slot: Slot| model.place(slot).map_or(0.0, |place| response[place]);
+        sources.extend([
+            ("drag law", of_slot(Slot::Drag).powi(2)),
+            ("contact time", of_slot(Slot::Contact).powi(2)),
+            (
+                "slope of restitution",
+                of_slot(Slot::Shape(0)).powi(2) + of_slot(Slot::Shape(1)).powi(2),
+            ),
+        ]);
+        if let Some(height) = model.height_m {
+            let sensitivity = (2.0 * height.value / height.sd) * of_slot(Slot::Height);
+            sources.push(("measured height", sensitivity * sensitivity));
+        }
+        for (index, (name, ..)) in model.surroundings.inputs.sources.iter().enumerate() {
+            let [on_gravity, on_drag] = model.surroundings.inputs.whitened(index);
+            let moved = of_slot(Slot::Gravity) * on_gravity + of_slot(Slot::Inputs) * on_drag;
+            sources.push((name, moved * moved));
+        }
+        sources
+    }
+}
+
+fn own_variance(timing: &[f64; 3], impact: usize, variance: impl Fn(usize) -> f64) -> f64 {
+    let [before, own, after] = timing;
+    let mut sum = own * own * variance(impact) + after * after * variance(impact + 1);
+    if impact > 0 {
+        sum += before * before * variance(impact - 1);
+    }
+    sum
+}
+
+/// Derivatives of a quantity by the unknowns, by central differences.
+fn gradient(
+    evaluator: &mut Evaluator,
+    vector: &[f64],
+    quantity: impl Fn(&mut Evaluator, &[f64]) -> Option<f64>,
+) -> Option<DVector<f64>> {
+    const STEP: f64 = 1e-4;
+    let mut moved = vector.to_vec();
+    let mut gradient = DVector::zeros(vector.len());
+    for i in 0..vector.len() {
+        moved[i] = vector[i] + STEP;
+        let above = quantity(evaluator, &moved)?;
+        moved[i] = vector[i] - STEP;
+        let below = quantity(evaluator, &moved)?;
+        moved[i] = vector[i];
+        gradient[i] = (above - below) / (2.0 * STEP);
+    }
+    Some(gradient)
+}
+
+/// Variance of the means of restitution and height between laws, and between numbers of missed
+/// impacts.
+fn between(posterior: &Posterior, at_speed_m_s: f64) -> [[f64; 2]; 2] {
+    let keys: Vec<(usize, usize)> = posterior
+        .candidates
+        .iter()
+        .map(|candidate| {
+            let law = candidate.law as usize * posterior.surroundings.len() + candidate.surroundings;
+            (law, candidate.missed_first)
+        })
+        .collect();
+    let values = posterior.each(4, |evaluator, point| {
+        let told = evaluator.told(point)?;
+        Some([point.law.at(at_speed_m_s), told.drop_height_m])
+    });
+    let of_draw: Vec<(usize, usize)> = posterior
+        .draws
+        .iter()
+        .step_by(4)
+        .map(|draw| keys[draw.candidate])
+        .collect();
+    if of_draw.len() != values.len() {
+        return [[0.0; 2]; 2];
+    }
+    let variance = |key: &dyn Fn(&(usize, usize)) -> usize, quantity: usize| {
+        let groups = of_draw.iter().map(key);
+        variance_of_means(groups.zip(values.iter().map(|value| value[quantity])))
+    };
+    [
+        [0, 1].map(|quantity| variance(&|&(law, _)| law, quantity)),
+        [0, 1].map(|quantity| variance(&|&(_, missed)| missed, quantity)),
+    ]
+}
+
+fn variance_of_means(values: impl Iterator<Item = (usize, f64)>) -> f64 {
+    let mut groups = std::collections::BTreeMap::<usize, (f64, f64)>::new();
+    for (key, value) in values {
+        let (count, sum) = groups.entry(key).or_default();
+        *count += 1.0;
+        *sum += value;
+    }
+    let (count, sum) = groups
+        .values()
+        .fold((0.0, 0.0), |(c, s), (count, sum)| (c + count, s + sum));
+    let mean = sum / count;
+    groups
+        .values()
+        .map(|(n, sum)| n * (sum / n - mean).powi(2))
+        .sum::<f64>()
+        / count
+}
+
+/// Sorted, with the share of each.
+fn shares(sources: Vec<(&'static str, f64)>) -> Vec<Share> {
+    let total: f64 = sources.iter().map(|(_, variance)| variance).sum();
+    let mut shares: Vec<Share> = sources
+        .into_iter()
+        .filter(|(_, variance)| *variance > 0.0)
+        .map(|(source, variance)| Share {
+            source,
+            sd: variance.sqrt(),
+            share: variance / total,
+        })
+        .collect();
+    shares.sort_by(|a, b| b.share.total_cmp(&a.share));
+    shares
+}

@@ -1,0 +1,128 @@
+//! What the data told, and what only the priors did.
+
+use std::fmt;
+
+use super::knowledge::LawKind;
+use super::model::{Model, Slot};
+use super::posterior::Posterior;
+
+/// Something that was not known before the data.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub enum Unknown {
+    /// The drag coefficient, as a factor on that of the law.
+    Drag,
+    /// The slope of restitution over speed, if the law has one.
+    Slope,
+    /// The scatter of restitution from impact to impact.
+    Scatter,
+    /// The errors of the times, as a factor on those stated.
+    Timing,
+    /// The contact time.
+    ContactTime,
+    /// Effective gravity: gravity, buoyancy and added mass.
+    Gravity,
+}
+
+impl fmt::Display for Unknown {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Drag => "drag coefficient",
+            Self::Slope => "slope of restitution",
+            Self::Scatter => "scatter of restitution",
+            Self::Timing => "errors of the times",
+            Self::ContactTime => "contact time",
+            Self::Gravity => "gravity",
+        })
+    }
+}
+
+/// How much the data narrowed what was known of something.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Narrowed {
+    /// Of what.
+    pub unknown: Unknown,
+    /// Standard deviation after the data over the one before: 1 if they told nothing, 0 if all.
+    pub remaining: f64,
+}
+
+/// Above this, the data told next to nothing.
+pub const TOLD_NOTHING: f64 = 0.9;
+
+/// How much the data narrowed each unknown, over the models that have it.
+pub(super) fn narrowed(posterior: &Posterior) -> Vec<Narrowed> {
+    let unknowns = [
+        (Unknown::Drag, Slot::Drag),
+        (Unknown::Slope, Slot::Shape(0)),
+        (Unknown::Scatter, Slot::Scatter),
+        (Unknown::Timing, Slot::Timing),
+        (Unknown::ContactTime, Slot::Contact),
+        (Unknown::Gravity, Slot::Gravity),
+    ];
+    let models: Vec<Model> = posterior.candidates.iter().map(|c| posterior.model(c)).collect();
+    unknowns
+        .into_iter()
+        .filter_map(|(unknown, slot)| {
+            let values: Vec<f64> = posterior
+                .draws
+                .iter()
+                .filter_map(|draw| {
+                    let model = &models[draw.candidate];
+                    // A knee has a place and a fall, which are no slope.
+                    if unknown == Unknown::Slope && model.law == LawKind::Knee {
+                        return None;
+                    }
+                    Some(draw.vector[model.place(slot)?])
+                })
+                .collect();
+            // Too few draws have it: it says nothing of the average.
+            (10 * values.len() > posterior.draws.len()).then(|| Narrowed {
+                unknown,
+                // Before the data all of these are standard normals.
+                remaining: sd(&values),
+            })
+        })
+        .collect()
+}
+
+/// Correlations between the quantities of interest.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Correlations {
+    /// What they are, in order.
+    pub quantities: Vec<&'static str>,
+    /// From -1 to 1, one row for each quantity.
+    pub matrix: Vec<Vec<f64>>,
+}
+
+/// Correlations of columns of equal length; those that do not vary are left out.
+pub(super) fn correlations(columns: Vec<(&'static str, Vec<f64>)>) -> Correlations {
+    let columns: Vec<_> = columns
+        .into_iter()
+        .filter(|(_, values)| sd(values) > 1e-12 * mean(values).abs().max(1e-12))
+        .collect();
+    let correlation = |a: &[f64], b: &[f64]| {
+        let (mean_a, mean_b) = (mean(a), mean(b));
+        let products: Vec<f64> = a
+            .iter()
+            .zip(b)
+            .map(|(x, y)| (x - mean_a) * (y - mean_b))
+            .collect();
+        mean(&products) / (sd(a) * sd(b))
+    };
+    Correlations {
+        quantities: columns.iter().map(|(name, _)| *name).collect(),
+        matrix: columns
+            .iter()
+            .map(|(_, a)| columns.iter().map(|(_, b)| correlation(a, b)).collect())
+            .collect(),
+    }
+}
+
+fn mean(values: &[f64]) -> f64 {
+    values.iter().sum::<f64>() / values.len().max(1) as f64
+}
+
+fn sd(values: &[f64]) -> f64 {
+    let mean = mean(values);
+    (values.iter().map(|v| (v - mean).powi(2)).sum::<f64>() / values.len().max(1) as f64).sqrt()
+}

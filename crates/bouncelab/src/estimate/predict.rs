@@ -1,0 +1,112 @@
+//! What the drop goes on to do, and what another drop of the same ball would do.
+
+use super::likelihood::Evaluator;
+use super::model::Point;
+use crate::flight::table::FlightTable;
+
+/// A drop that has not come to rest after so many bounces never will.
+const MOST_BOUNCES: usize = 20_000;
+
+/// At this launch speed a ball rises a twentieth of a millimetre: it rests.
+const REST_M_S: f64 = 0.03;
+
+/// Time and path from release to rest.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Rest {
+    pub(super) time_s: f64,
+    pub(super) path_m: f64,
+}
+
+/// The drop to its end: as heard, and after the last impact by the law.
+///
+/// `None` if it does not come to rest.
+pub(super) fn until_rest(evaluator: &mut Evaluator, point: &Point) -> Option<Rest> {
+    let told = evaluator.told(point)?;
+    let observed = evaluator.model.observed;
+    let missed_first = evaluator.model.missed_first;
+    let heard_s = observed.impacts[observed.impacts.len() - 1].time_s - observed.impacts[0].time_s;
+    let gravity = point.gravity_m_s2;
+    let table = evaluator.table(point.drag_strength);
+    let mut rest = Rest {
+        time_s: told.release_to_first_s + heard_s,
+        path_m: told.drop_height_m,
+    };
+    // The flights before the first impact heard obey the law too.
+    let mut impact = table.launch(point.fall_launch_m_s)?.impact;
+    for _ in 0..missed_first {
+        let launch = impact * point.law.at(impact);
+        rest.path_m += 2.0 * table.fall(launch)?.0 / gravity;
+        impact = table.launch(launch)?.impact;
+    }
+    for (launch, stretch) in told.launch_speeds.iter().zip(&observed.stretches) {
+        let mut launch = *launch;
+        for _ in 0..stretch.flights {
+            rest.path_m += 2.0 * table.fall(launch)?.0 / gravity;
+            let impact = table.launch(launch)?.impact;
+            launch = impact * point.law.at(impact);
+        }
+    }
+    let mut impact = told.impact_speeds[told.impact_speeds.len() - 1];
+    for _ in 0..MOST_BOUNCES {
+        let launch = impact * point.law.at(impact);
+        if launch < REST_M_S {
+            // What is left is a geometric series, without air.
+            let left = 1.0 / (1.0 - point.law.at(launch));
+            rest.time_s += 2.0 * launch / gravity * left + point.contact_time_s;
+            rest.path_m += launch * launch / gravity * left;
+            return rest.time_s.is_finite().then_some(rest);
+        }
+        let row = table.launch(launch)?;
+        rest.time_s += row.time / gravity + point.contact_time_s;
+        rest.path_m += 2.0 * table.fall(launch)?.0 / gravity;
+        impact = row.impact;
+    }
+    None
+}
+
+/// The height from which the flight after a bounce (1 for the first) rises to an apex, with the
+/// restitution that the law expects.
+pub(super) fn drop_height_for(
+    evaluator: &mut Evaluator,
+    point: &Point,
+    bounce: usize,
+    apex_m: f64,
+) -> Option<f64> {
+    let gravity = point.gravity_m_s2;
+    let table = evaluator.table(point.drag_strength);
+    let mut launch = table.rising_to(gravity * apex_m)?;
+    for _ in 0..bounce {
+        let impact = impact_before(point, launch)?;
+        launch = launch_leading_to(table, impact)?;
+    }
+    Some(table.fall(launch)?.0 / gravity)
+}
+
+const STEPS: usize = 60;
+
+/// The impact speed that a law turns into a launch speed.
+fn impact_before(point: &Point, launch: f64) -> Option<f64> {
+    let mut impact = launch / point.law.at(launch);
+    for _ in 0..STEPS {
+        let off = (launch / (impact * point.law.at(impact))).ln();
+        impact *= (off / (1.0 + point.law.log_slope(impact)).max(0.1)).exp();
+        if off.abs() < 1e-10 {
+            return impact.is_finite().then_some(impact);
+        }
+    }
+    None
+}
+
+/// The launch speed whose flight ends with an impact speed.
+fn launch_leading_to(table: &FlightTable, impact: f64) -> Option<f64> {
+    let mut launch = impact;
+    for _ in 0..STEPS {
+        let row = table.launch(launch)?;
+        let off = (impact / row.impact).ln();
+        launch *= (off / row.impact_slope.max(1e-3)).exp();
+        if off.abs() < 1e-10 {
+            return Some(launch);
+        }
+    }
+    None
+}

@@ -1,0 +1,239 @@
+//! What a person should know about an inference before believing it.
+
+use std::fmt;
+
+use super::LawKind;
+use super::fit;
+use super::identify::{Narrowed, TOLD_NOTHING, Unknown};
+use super::knowledge::{Knowledge, Measured};
+use super::likelihood::{Evaluator, Innovation};
+use super::posterior::Posterior;
+
+/// Something to know about an inference.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub enum Remark {
+    /// The sampling did not converge: the Pareto shape of its weights is this.
+    NotConverged(f64),
+    /// So few impacts leave most to the priors.
+    FewImpacts(usize),
+    /// These impacts (by number) are odd and count less.
+    Odd(Vec<usize>),
+    /// The measured height does not go with the flight times, whatever number of impacts was
+    /// missed.
+    HeightContradicts {
+        /// The height that was measured, m.
+        measured_m: f64,
+        /// The height from which the flight times say the ball fell before the first impact heard,
+        /// m.
+        heard_m: f64,
+        /// The gravity that would make both true, m/s².
+        gravity_m_s2: f64,
+    },
+    /// Impacts before the first one heard were missed, with this probability.
+    MissedFirst(f64),
+    /// No height was measured: the drop height is that of the fall before the first impact *heard*.
+    HeightIsOfFirstHeard,
+    /// The data say nothing of the drag coefficient: it is what the sphere laws say.
+    DragFromPrior,
+    /// Drag and a restitution that falls with speed make the same flight times.
+    DragOrSlope,
+    /// No model wins; the answer is an average over several.
+    NoLawWins,
+    /// The restitution is so close to 1 that the ball does not come to rest.
+    NeverRests,
+}
+
+impl fmt::Display for Remark {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::NotConverged(shape) => write!(
+                f,
+                "the sampling did not converge (Pareto shape {shape:.2}; it should be below 0.7), \
+                 so the intervals cannot be trusted; the impacts may not be of one drop"
+            ),
+            Self::FewImpacts(count) => write!(
+                f,
+                "{count} impacts show {} of the ball; the rest of the answer is what is \
+                 known of balls in general",
+                match count {
+                    2 => "a single flight and no restitution",
+                    3 => "a single restitution",
+                    _ => "few restitutions",
+                }
+            ),
+            Self::Odd(numbers) => write!(
+                f,
+                "impact{} {} {} odd and count{} less: the ball may have drifted, hit an edge, or \
+                 the sound is something else",
+                if numbers.len() == 1 { "" } else { "s" },
+                list(numbers),
+                if numbers.len() == 1 { "is" } else { "are" },
+                if numbers.len() == 1 { "s" } else { "" },
+            ),
+            Self::HeightContradicts {
+                measured_m,
+                heard_m,
+                gravity_m_s2,
+            } => write!(
+                f,
+                "the measured height of {measured_m:.3} m does not go with the flight times, which \
+                 speak of {heard_m:.3} m: both would be true if gravity were {gravity_m_s2:.2} \
+                 m/s2; a wrong sample rate, a wrong ball, or a wrong height"
+            ),
+            Self::MissedFirst(probability) => write!(
+                f,
+                "impacts before the first one heard were missed, with probability {probability:.3}"
+            ),
+            Self::HeightIsOfFirstHeard => write!(
+                f,
+                "the drop height is of the fall before the first impact heard; with the measured \
+                 height (--height) missed impacts would show"
+            ),
+            Self::DragFromPrior => write!(
+                f,
+                "these flight times say next to nothing about drag: the drag coefficient is what \
+                 is known of spheres"
+            ),
+            Self::DragOrSlope => write!(
+                f,
+                "drag and falling restitution cannot be told apart from this recording; a measured \
+                 drop height or a denser ball would"
+            ),
+            Self::NoLawWins => write!(
+                f,
+                "no restitution law wins; the answer is averaged over those that may be true"
+            ),
+            Self::NeverRests => write!(
+                f,
+                "with so little loss the ball does not come to rest in any reasonable time"
+            ),
+        }
+    }
+}
+
+fn list(numbers: &[usize]) -> String {
+    let words: Vec<String> = numbers.iter().map(ToString::to_string).collect();
+    words.join(", ")
+}
+
+/// An impact with less weight than this is called odd.
+pub(super) const ODD_WEIGHT: f64 = 0.55;
+
+/// Fewer impacts than this leave most to the priors.
+const FEW: usize = 5;
+
+/// So many standard deviations between what was measured and what was heard are no chance.
+const CONTRADICTION: f64 = 4.0;
+
+/// Every remark that applies.
+pub(super) fn remarks(
+    posterior: &Posterior,
+    innovations: &[Innovation],
+    narrowed: &[Narrowed],
+    rests: bool,
+) -> Vec<Remark> {
+    let mut remarks = Vec::new();
+    if !posterior.converged() {
+        remarks.push(Remark::NotConverged(posterior.pareto_shape()));
+    }
+    let impacts = &posterior.observed.impacts;
+    if impacts.len() < FEW {
+        remarks.push(Remark::FewImpacts(impacts.len()));
+    }
+    // The first innovation belongs to the drop height, and is no impact of its own.
+    let odd: Vec<usize> = innovations
+        .iter()
+        .filter(|innovation| innovation.impact > 0 && innovation.weight < ODD_WEIGHT)
+        .map(|innovation| impacts[innovation.impact].number)
+        .collect();
+    if !odd.is_empty() {
+        remarks.push(Remark::Odd(odd));
+    }
+    remarks.extend(about_the_height(posterior));
+    let remaining = |unknown: Unknown| {
+        let found = narrowed.iter().find(|n| n.unknown == unknown);
+        found.map(|n| n.remaining)
+    };
+    let drag_unknown = remaining(Unknown::Drag).is_some_and(|share| share > TOLD_NOTHING);
+    if drag_unknown {
+        remarks.push(Remark::DragFromPrior);
+    }
+    let slope_possible = posterior
+        .candidates
+        .iter()
+        .any(|candidate| candidate.law != LawKind::Constant && candidate.weight > 0.05);
+    if drag_unknown && slope_possible {
+        remarks.push(Remark::DragOrSlope);
+    }
+    if law_weight(posterior) < 0.9 {
+        remarks.push(Remark::NoLawWins);
+    }
+    if !rests {
+        remarks.push(Remark::NeverRests);
+    }
+    remarks
+}
+
+/// Probability of the most probable restitution law.
+fn law_weight(posterior: &Posterior) -> f64 {
+    let laws = &posterior.knowledge.restitution_laws;
+    laws.iter()
+        .map(|&law| {
+            let of_law = posterior.candidates.iter().filter(|c| c.law == law);
+            of_law.map(|c| c.weight).sum::<f64>()
+        })
+        .fold(0.0, f64::max)
+}
+
+fn about_the_height(posterior: &Posterior) -> Option<Remark> {
+    let Some(measured) = posterior.knowledge.drop_height_m else {
+        return Some(Remark::HeightIsOfFirstHeard);
+    };
+    if let Some(contradiction) = contradiction(posterior, measured) {
+        return Some(contradiction);
+    }
+    let missed: f64 = posterior
+        .candidates
+        .iter()
+        .filter(|candidate| candidate.missed_first > 0)
+        .map(|candidate| candidate.weight)
+        .sum();
+    (missed > 0.05).then_some(Remark::MissedFirst(missed))
+}
+
+/// Whether the measured height lies far from what the times say without it, for every number of
+/// missed impacts that is worth a thought.
+fn contradiction(posterior: &Posterior, measured: Measured) -> Option<Remark> {
+    let without = Posterior {
+        knowledge: Knowledge {
+            drop_height_m: None,
+            ..posterior.knowledge.clone()
+        },
+        candidates: Vec::new(),
+        draws: Vec::new(),
+        ..posterior.clone()
+    };
+    let mut heard_m = None;
+    for candidate in &posterior.candidates {
+        let model = without.model(candidate);
+        let mut evaluator = Evaluator::new(&model);
+        let fit = fit::best_fit(&mut evaluator)?;
+        let point = model.point(fit.vector.as_slice())?;
+        let told = evaluator.told(&point)?;
+        let place = model.place(super::model::Slot::Height)?;
+        let log_sd = 2.0 * fit.covariance[(place, place)].sqrt();
+        let off = (measured.value / told.drop_height_m).ln();
+        if off.abs() < CONTRADICTION * log_sd.hypot(measured.sd / measured.value) {
+            return None;
+        }
+        heard_m.get_or_insert(told.drop_height_m);
+    }
+    let heard_m = heard_m?;
+    let gravity = posterior.gravity_m_s2 * measured.value / heard_m;
+    Some(Remark::HeightContradicts {
+        measured_m: measured.value,
+        heard_m,
+        gravity_m_s2: gravity,
+    })
+}
