@@ -7,6 +7,7 @@ use bouncelab::analysis::Settings;
 use bouncelab::ball;
 use bouncelab::drag::DragLaw;
 use bouncelab::drop::{self, History, Start, Stop};
+use bouncelab::estimate::{Knowledge, Measured, Question};
 use bouncelab::flight::Environment;
 use bouncelab::impact::{Contact, Restitution, Strike};
 use bouncelab::regression::{Estimate, Regression};
@@ -41,6 +42,8 @@ Examples:
 
 /// The paper's drop height in metres.
 const DROP_HEIGHT_M: f64 = 0.305;
+/// As well as one measures a height with a ruler.
+const HEIGHT_SD_M: f64 = 0.002;
 /// With drag, this restitution gives the paper's straight line its slope over ten flights.
 const RESTITUTION: f64 = 0.9529;
 /// A quiet room, in dB.
@@ -72,11 +75,20 @@ fn physics() -> Result<Physics, Failure> {
         environment,
         contact_time_s: preset.contact_time_s,
         flights: Some(1..=10),
+        knowledge: Knowledge {
+            drop_height_m: Some(Measured {
+                value: DROP_HEIGHT_M,
+                sd: HEIGHT_SD_M,
+            }),
+            ..Knowledge::of_preset(preset)
+        },
+        question: Some(Question::default()),
     };
     Ok(Physics {
         settings,
         ball_label: preset.label.to_owned(),
         assumptions: Vec::new(),
+        reach: Vec::new(),
     })
 }
 

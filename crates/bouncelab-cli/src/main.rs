@@ -4,6 +4,7 @@ mod analyze;
 mod demo;
 mod failure;
 mod history;
+mod knowledge;
 mod paper;
 mod physics;
 mod simulate;

@@ -4,6 +4,7 @@ use bouncelab::air::{Air, Conditions};
 use bouncelab::analysis::Settings;
 use bouncelab::ball::{self, Ball};
 use bouncelab::drag::DragLaw;
+use bouncelab::estimate::Knowledge;
 use bouncelab::flight::Environment;
 use bouncelab::gravity;
 use clap::Args;
@@ -90,13 +91,15 @@ pub(crate) struct Physics {
     pub(crate) ball_label: String,
     /// What was assumed, one phrase for each.
     pub(crate) assumptions: Vec<String>,
+    /// Bounces and the apexes, in m, for which to predict the drop height.
+    pub(crate) reach: Vec<(usize, f64)>,
 }
 
 impl PhysicsArguments {
     /// Ball, air and gravity of these arguments.
     pub(crate) fn physics(&self) -> Result<Physics, Failure> {
         let mut assumptions = Vec::new();
-        let (ball, ball_label, contact_time_s) = self.ball(&mut assumptions)?;
+        let (ball, ball_label, contact_time_s, of_ball) = self.ball(&mut assumptions)?;
         let environment = Environment {
             gravity_m_s2: self.gravity(&mut assumptions)?,
             air: self.air(&mut assumptions)?,
@@ -109,6 +112,8 @@ impl PhysicsArguments {
             environment,
             contact_time_s,
             flights: None,
+            knowledge: self.knowledge(of_ball),
+            question: None,
         };
         // Whatever does not go together is found here, before any file is read.
         settings.model()?;
@@ -116,18 +121,52 @@ impl PhysicsArguments {
             settings,
             ball_label,
             assumptions,
+            reach: Vec::new(),
         })
     }
 
-    fn ball(&self, assumptions: &mut Vec<String>) -> Result<(Ball, String, f64), Failure> {
+    /// How well the inputs are known that these arguments give.
+    fn knowledge(&self, of_ball: Knowledge) -> Knowledge {
+        /// What is stated is taken to be measured with ordinary care.
+        const STATED_AIR: f64 = 0.003;
+        const STATED_GRAVITY: f64 = 1e-4;
+        const STATED_CONTACT: f64 = 0.1;
+        let usual = of_ball;
+        let air_stated =
+            self.temperature.is_some() && self.pressure.is_some() || self.air_density.is_some();
+        let gravity_stated = self.gravity.is_some() || self.latitude.is_some();
+        let or = |stated: bool, known: f64, usual: f64| if stated { known } else { usual };
+        Knowledge {
+            air_density: or(air_stated, STATED_AIR, usual.air_density),
+            gravity: or(gravity_stated, STATED_GRAVITY, usual.gravity),
+            contact_time: or(
+                self.contact_time.is_some(),
+                STATED_CONTACT,
+                usual.contact_time,
+            ),
+            ..usual
+        }
+    }
+
+    /// The ball, its name, its contact time and how well it is known.
+    fn ball(
+        &self,
+        assumptions: &mut Vec<String>,
+    ) -> Result<(Ball, String, f64, Knowledge), Failure> {
         /// An order of magnitude, where nothing is known of the ball.
         const CONTACT_S: f64 = 1e-3;
         /// Steel and glass touch far shorter than hollow balls.
         const HARD_CONTACT_S: f64 = 5e-5;
-        let (ball, label, typical_s) =
+        // Weighed and measured by the person: scale and calliper.
+        let measured = Knowledge {
+            mass: 0.003,
+            diameter: 0.002,
+            ..Knowledge::default()
+        };
+        let (ball, label, typical_s, known) =
             if let (Some(mass), Some(diameter)) = (self.mass, self.diameter) {
                 let label = format!("{} g, {} mm", rounded(mass * 1e3), rounded(diameter * 1e3));
-                (Ball::new(mass, diameter)?, label, CONTACT_S)
+                (Ball::new(mass, diameter)?, label, CONTACT_S, measured)
             } else {
                 let name = self.ball.as_deref().unwrap_or("table-tennis-40");
                 if let Some((material @ ("steel" | "glass"), diameter)) = name.split_once(':') {
@@ -138,19 +177,24 @@ impl PhysicsArguments {
                         Ball::glass
                     };
                     let label = format!("{material}, {} mm", rounded(diameter_m * 1e3));
-                    (make(diameter_m)?, label, HARD_CONTACT_S)
+                    (make(diameter_m)?, label, HARD_CONTACT_S, measured)
                 } else {
                     let preset = ball::preset(name)?;
                     if self.ball.is_none() {
                         assumptions.push(format!("the ball is {}", preset.label));
                     }
-                    (preset.ball, preset.label.to_owned(), preset.contact_time_s)
+                    (
+                        preset.ball,
+                        preset.label.to_owned(),
+                        preset.contact_time_s,
+                        Knowledge::of_preset(preset),
+                    )
                 }
             };
         if self.contact_time.is_none() {
             assumptions.push(format!("it touches for {} ms", rounded(typical_s * 1e3)));
         }
-        Ok((ball, label, self.contact_time.unwrap_or(typical_s)))
+        Ok((ball, label, self.contact_time.unwrap_or(typical_s), known))
     }
 
     fn air(&self, assumptions: &mut Vec<String>) -> Result<Air, Failure> {

@@ -119,6 +119,34 @@ impl Quantity {
         }
     }
 
+    /// An interval in the unit and with the digits of this quantity: `"29.8 to 31.0 cm"`.
+    ///
+    /// ```
+    /// use bouncelab_report::{Quantity, Unit};
+    ///
+    /// let height = Quantity::measured(0.3042, 0.0061, Unit::Length);
+    /// assert_eq!(height.interval([0.2981, 0.3103]), "29.8 to 31.0 cm");
+    /// ```
+    pub fn interval(&self, [low, high]: [f64; 2]) -> String {
+        let (error, digits) = match self.precision {
+            Precision::StandardError(error) => (error, 4),
+            Precision::Digits(digits) => (0.0, digits),
+        };
+        let (step, symbol) = self.unit.step_for(self.value.abs().max(error));
+        let end = |value: f64| {
+            let (value, error) = (value / step, error / step);
+            if !value.is_finite() || !error.is_finite() {
+                CANNOT_TELL.to_owned()
+            } else if is_visible(error, value) && is_plain(leading_place(value.abs().max(error))) {
+                at_place(value, error_place(error))
+            } else {
+                with_digits(value, digits)
+            }
+        };
+        let space = if symbol.is_empty() { "" } else { " " };
+        format!("{} to {}{space}{symbol}", end(low), end(high))
+    }
+
     /// The number and the symbol of its unit apart: `("30.4 ± 0.6", "cm")`. The symbol is
     /// empty for a plain number and for a value that is not known.
     pub fn parts(&self) -> (String, &'static str) {

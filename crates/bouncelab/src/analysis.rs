@@ -23,6 +23,7 @@ use std::ops::RangeInclusive;
 use crate::air::{Air, Conditions};
 use crate::ball::{self, Ball};
 use crate::drag::DragLaw;
+use crate::estimate::{self, Inference, Knowledge, Question};
 use crate::flight::{Environment, FlightModel};
 use crate::gravity;
 use crate::regression::{self, Estimate, NumberedFlight, Regression};
@@ -42,6 +43,10 @@ pub struct Settings {
     /// The flights that go into the straight line, by number; if `None`, all between impacts that
     /// are sure ([`SURE`]).
     pub flights: Option<RangeInclusive<usize>>,
+    /// What is known besides the sounds.
+    pub knowledge: Knowledge,
+    /// What to ask of the inference; `None` leaves it out.
+    pub question: Option<Question>,
 }
 
 impl Default for Settings {
@@ -62,6 +67,8 @@ impl Default for Settings {
             },
             contact_time_s: preset.contact_time_s,
             flights: None,
+            knowledge: Knowledge::of_preset(preset),
+            question: Some(Question::default()),
         }
     }
 }
@@ -93,6 +100,16 @@ impl From<&HeardImpact> for Impact {
             sigma_s: Some(heard.onset.sigma_s),
             probability: heard.probability,
             level_db: Some(heard.onset.level_db),
+        }
+    }
+}
+
+impl From<&Impact> for TimedImpact {
+    fn from(impact: &Impact) -> Self {
+        Self {
+            number: impact.number,
+            time_s: impact.time_s,
+            standard_error_s: impact.sigma_s,
         }
     }
 }
@@ -163,6 +180,8 @@ pub struct Analysis {
     pub line: Result<Regression>,
     /// Restitution of each impact, corrected for drag, or why there is none.
     pub corrected: Result<Corrected>,
+    /// The full inference, or why there is none.
+    pub estimate: Result<Inference>,
     /// What is odd.
     pub warnings: Vec<Warning>,
 }
@@ -240,12 +259,14 @@ pub fn analyze(impacts: Vec<Impact>, settings: &Settings) -> Analysis {
         .collect();
     let line = regression::fit(&in_line, gravity_m_s2);
     let corrected = corrected(&impacts, settings);
+    let estimate = estimate(&impacts, settings);
     let warnings = warnings(&impacts, &flights, corrected.as_ref().ok());
     Analysis {
         impacts,
         flights,
         line,
         corrected,
+        estimate,
         warnings,
     }
 }
@@ -277,15 +298,28 @@ fn flights(impacts: &[Impact], settings: &Settings) -> Vec<FlightFound> {
 
 fn corrected(impacts: &[Impact], settings: &Settings) -> Result<Corrected> {
     let model = FlightModel::new(&settings.ball, &settings.environment)?;
+    let timed: Vec<TimedImpact> = impacts.iter().map(TimedImpact::from).collect();
+    restitution::of_impacts(&timed, settings.contact_time_s, &model)
+}
+
+/// The inference from all impacts that are more likely than not; the others count as missed.
+fn estimate(impacts: &[Impact], settings: &Settings) -> Result<Inference> {
+    let Some(question) = &settings.question else {
+        return Err(Error::CannotInfer("it was not asked for".to_owned()));
+    };
     let timed: Vec<TimedImpact> = impacts
         .iter()
-        .map(|impact| TimedImpact {
-            number: impact.number,
-            time_s: impact.time_s,
-            standard_error_s: impact.sigma_s,
-        })
+        .filter(|impact| impact.probability >= 0.5)
+        .map(TimedImpact::from)
         .collect();
-    restitution::of_impacts(&timed, settings.contact_time_s, &model)
+    estimate::infer(
+        &timed,
+        &settings.ball,
+        &settings.environment,
+        settings.contact_time_s,
+        &settings.knowledge,
+        question,
+    )
 }
 
 fn warnings(

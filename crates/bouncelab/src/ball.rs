@@ -106,6 +106,14 @@ pub struct Preset {
     /// the surface, the speed and the inflation. Measure it where it matters (it is 2 % of a late
     /// flight of a table-tennis ball).
     pub contact_time_s: f64,
+    /// How well the rules fix the mass: relative standard uncertainty, the range as a rectangle.
+    pub mass_sd: f64,
+    /// The same for the diameter.
+    pub diameter_sd: f64,
+    /// How far its drag coefficient may lie from that of a smooth sphere: relative standard
+    /// uncertainty. Felt, seams, holes and dimples are a judgement; the smooth laws themselves
+    /// differ by 4 %.
+    pub drag_sd: f64,
     /// Where mass and diameter come from.
     pub source: &'static str,
 }
@@ -149,6 +157,9 @@ static PRESETS: [Preset; 10] = [
         label: "table tennis 40+",
         ball: ball(2.7, 40.0),
         contact_time_s: 1e-3,
+        mass_sd: 0.011,
+        diameter_sd: 0.004,
+        drag_sd: 0.04,
         source: "ITTF: 2.67-2.77 g, 40.00-40.60 mm; the nominal 2.7 g and 40.0 mm",
     },
     Preset {
@@ -156,6 +167,9 @@ static PRESETS: [Preset; 10] = [
         label: "table tennis 38 mm (to 2000)",
         ball: ball(2.5, 38.0),
         contact_time_s: 1e-3,
+        mass_sd: 0.012,
+        diameter_sd: 0.004,
+        drag_sd: 0.04,
         source: "ITTF rules until September 2000: 2.5 g, 38 mm",
     },
     Preset {
@@ -163,6 +177,9 @@ static PRESETS: [Preset; 10] = [
         label: "tennis",
         ball: ball(57.7, 66.0),
         contact_time_s: 5e-3,
+        mass_sd: 0.017,
+        diameter_sd: 0.014,
+        drag_sd: 0.3,
         source: "ITF: 56.0-59.4 g, 65.4-68.6 mm; the middle mass, 66 mm",
     },
     Preset {
@@ -170,6 +187,9 @@ static PRESETS: [Preset; 10] = [
         label: "football, size 5",
         ball: ball(430.0, 220.0),
         contact_time_s: 1e-2,
+        mass_sd: 0.027,
+        diameter_sd: 0.008,
+        drag_sd: 0.15,
         source: "IFAB law 2: 410-450 g, circumference 68-70 cm; the middle",
     },
     Preset {
@@ -177,6 +197,9 @@ static PRESETS: [Preset; 10] = [
         label: "basketball, size 7",
         ball: ball(600.0, 243.0),
         contact_time_s: 1.5e-2,
+        mass_sd: 0.019,
+        diameter_sd: 0.008,
+        drag_sd: 0.15,
         source: "FIBA: 580-620 g, circumference 75-77 cm; the middle mass, 76.3 cm",
     },
     Preset {
@@ -184,6 +207,9 @@ static PRESETS: [Preset; 10] = [
         label: "golf",
         ball: ball(45.93, 42.67),
         contact_time_s: 5e-4,
+        mass_sd: 0.005,
+        diameter_sd: 0.002,
+        drag_sd: 0.15,
         source: "R&A: at most 45.93 g, at least 42.67 mm; both limits, as balls are made",
     },
     Preset {
@@ -191,6 +217,9 @@ static PRESETS: [Preset; 10] = [
         label: "squash",
         ball: ball(24.0, 40.0),
         contact_time_s: 4e-3,
+        mass_sd: 0.024,
+        diameter_sd: 0.007,
+        drag_sd: 0.06,
         source: "World Squash: 23-25 g, 39.5-40.5 mm; the middle",
     },
     Preset {
@@ -198,6 +227,9 @@ static PRESETS: [Preset; 10] = [
         label: "racquetball",
         ball: ball(39.7, 57.15),
         contact_time_s: 4e-3,
+        mass_sd: 0.01,
+        diameter_sd: 0.006,
+        drag_sd: 0.06,
         source: "USA Racquetball: 1.4 oz, 2 1/4 in",
     },
     Preset {
@@ -205,6 +237,9 @@ static PRESETS: [Preset; 10] = [
         label: "pickleball",
         ball: ball(24.3, 74.2),
         contact_time_s: 2e-3,
+        mass_sd: 0.052,
+        diameter_sd: 0.007,
+        drag_sd: 0.3,
         source: "USA Pickleball: 0.78-0.935 oz, 2.87-2.97 in; the middle",
     },
     Preset {
@@ -212,6 +247,9 @@ static PRESETS: [Preset; 10] = [
         label: "padel",
         ball: ball(57.7, 65.6),
         contact_time_s: 5e-3,
+        mass_sd: 0.017,
+        diameter_sd: 0.019,
+        drag_sd: 0.3,
         source: "FIP: 56.0-59.4 g, 63.5-67.7 mm; the middle",
     },
 ];

@@ -2,6 +2,7 @@
 
 mod figures;
 mod hear;
+mod inference;
 mod rows;
 mod text;
 
@@ -16,6 +17,7 @@ use bouncelab_report::document::Document;
 use clap::{Args, ValueEnum};
 
 use crate::failure::Failure;
+use crate::knowledge::KnowledgeArguments;
 use crate::physics::{Physics, PhysicsArguments};
 use crate::units;
 
@@ -53,6 +55,8 @@ pub(crate) struct Arguments {
     details: bool,
     #[command(flatten)]
     physics: PhysicsArguments,
+    #[command(flatten)]
+    knowledge: KnowledgeArguments,
 }
 
 const EXAMPLES: &str = "\
@@ -60,6 +64,9 @@ Examples:
   bouncelab analyze drop.wav
   bouncelab analyze drop.m4a --ball tennis --temperature 25C --figures figures
   bouncelab analyze drop.wav --mass 2.5g --diameter 38mm --drag constant:0.4
+  bouncelab analyze drop.wav --height 30.5cm --height-sd 1mm
+  bouncelab analyze drop.wav --law constant --infer drag
+  bouncelab analyze drop.wav --reach 2:28cm             from which height does bounce 2 reach 28 cm?
   bouncelab analyze drop.wav --flights 1..10            the paper's ten flights
   bouncelab analyze drop.wav --exclude 2.317 --include 4.1,4.25
   bouncelab analyze times.csv --format json
@@ -80,6 +87,10 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
     physics.settings.flights = arguments
         .flights
         .map(|(first, last)| RangeInclusive::new(first, last));
+    let of_inputs = std::mem::take(&mut physics.settings.knowledge);
+    physics.settings.knowledge = arguments.knowledge.knowledge(of_inputs);
+    physics.settings.question = arguments.knowledge.question()?;
+    physics.reach = arguments.knowledge.reach().to_vec();
     let heeded = Heeded {
         channel: arguments.channel.map(usize::from),
         exclude_s: arguments.exclude.clone(),

@@ -8,6 +8,7 @@ use bouncelab_report::document::Origin;
 use bouncelab_report::{Align, CANNOT_TELL, Quantity, Table, Unit};
 
 use super::hear::Hearing;
+use super::inference;
 use crate::physics::Physics;
 
 /// What a file says, in words and a table for each drop.
@@ -26,8 +27,18 @@ pub(super) fn report(hearing: &Hearing, physics: &Physics, details: bool) -> Str
             &mut text,
             &indented(&impact_table(drop, details).to_string()),
         );
+        if details {
+            for block in inference::details(drop) {
+                line(&mut text, "");
+                line(&mut text, &indented(&block));
+            }
+            line(&mut text, "");
+        }
         for warning in &drop.warnings {
             line(&mut text, &format!("  Note: {warning}."));
+        }
+        for remark in inference::remarks(drop) {
+            line(&mut text, &format!("  Note: {remark}."));
         }
     }
     for warning in &hearing.warnings {
@@ -137,7 +148,14 @@ fn findings(drop: &Analysis, physics: &Physics) -> Vec<String> {
         }
         Err(reason) => lines.push(format!("Straight line: {CANNOT_TELL}: {reason}.")),
     }
-    lines.extend(corrected_lines(drop, physics));
+    match inference::lines(drop, physics) {
+        Some(inferred) if drop.estimate.is_ok() => lines.extend(inferred),
+        Some(inferred) => {
+            lines.extend(corrected_lines(drop, physics));
+            lines.extend(inferred);
+        }
+        None => lines.extend(corrected_lines(drop, physics)),
+    }
     lines
 }
 

@@ -44,11 +44,14 @@ pub(super) fn budget(posterior: &Posterior, at_speed_m_s: f64) -> Option<Budget>
     };
     let height = |evaluator: &mut Evaluator, vector: &[f64]| {
         let point = evaluator.model.point(vector)?;
-        let (gravity_height, ..) = evaluator.table(point.drag_strength).fall(point.fall_launch_m_s)?;
+        let (gravity_height, ..) = evaluator
+            .table(point.drag_strength)
+            .fall(point.fall_launch_m_s)?;
         Some(gravity_height / point.gravity_m_s2)
     };
     let [between_laws, between_missed] = between(posterior, at_speed_m_s);
-    let mut of_restitution = linear.sources(&gradient(&mut evaluator, vector, restitution)?, &model);
+    let mut of_restitution =
+        linear.sources(&gradient(&mut evaluator, vector, restitution)?, &model);
     of_restitution.push(("choice of law", between_laws[0]));
     of_restitution.push(("number of impacts", between_missed[0]));
     let mut of_height = linear.sources(&gradient(&mut evaluator, vector, height)?, &model);
@@ -194,7 +197,8 @@ fn between(posterior: &Posterior, at_speed_m_s: f64) -> [[f64; 2]; 2] {
         .candidates
         .iter()
         .map(|candidate| {
-            let law = candidate.law as usize * posterior.surroundings.len() + candidate.surroundings;
+            let law =
+                candidate.law as usize * posterior.surroundings.len() + candidate.surroundings;
             (law, candidate.missed_first)
         })
         .collect();

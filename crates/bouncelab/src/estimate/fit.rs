@@ -97,7 +97,8 @@ pub(super) fn best_fit(evaluator: &mut Evaluator) -> Option<Fit> {
     };
     let state = FirstOrderState::new(vec![0.0; problem.start.len()]);
     let (start, root) = (problem.start.clone(), problem.root.clone());
-    let identity = DenseMatrix::from_fn(start.len(), start.len(), |i, j| f64::from(u8::from(i == j)));
+    let identity =
+        DenseMatrix::from_fn(start.len(), start.len(), |i, j| f64::from(u8::from(i == j)));
     let solver = Bfgs::<Vec<f64>>::new()
         .with_initial_inverse_hessian(identity)
         .with_absolute_gradient_tolerance(FLAT);

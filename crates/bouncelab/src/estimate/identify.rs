@@ -59,7 +59,11 @@ pub(super) fn narrowed(posterior: &Posterior) -> Vec<Narrowed> {
         (Unknown::ContactTime, Slot::Contact),
         (Unknown::Gravity, Slot::Gravity),
     ];
-    let models: Vec<Model> = posterior.candidates.iter().map(|c| posterior.model(c)).collect();
+    let models: Vec<Model> = posterior
+        .candidates
+        .iter()
+        .map(|c| posterior.model(c))
+        .collect();
     unknowns
         .into_iter()
         .filter_map(|(unknown, slot)| {

@@ -1,6 +1,6 @@
 //! What is known besides the sounds: measurements, and how well each input is known.
 
-use crate::drag::DragLaw;
+use crate::ball::Preset;
 use crate::error::{Result, not_negative, positive, require};
 
 /// A measured quantity.
@@ -25,8 +25,9 @@ pub struct Knowledge {
     pub release_s: Option<Measured>,
     /// Restitution laws to consider.
     pub restitution_laws: Vec<LawKind>,
-    /// Drag laws to consider, each with a scale of its own.
-    pub drag_laws: Vec<DragLaw>,
+    /// Whether to consider a constant drag coefficient too, beside a law of the Reynolds number: what
+    /// the law says at the middle speed heard.
+    pub constant_drag_too: bool,
     /// Drag coefficient: how far a real ball may lie from the law. The good laws of smooth spheres
     /// differ by 3 to 4 % at Reynolds numbers of 1,000 to 10,000.
     pub drag: f64,
@@ -57,7 +58,7 @@ impl Default for Knowledge {
             drop_height_m: None,
             release_s: None,
             restitution_laws: LawKind::ALL.to_vec(),
-            drag_laws: vec![DragLaw::CliftGraceWeber],
+            constant_drag_too: true,
             drag: 0.04,
             // Half the range over the surface of the Earth, as a rectangle.
             gravity: 0.0015,
@@ -73,6 +74,16 @@ impl Default for Knowledge {
 }
 
 impl Knowledge {
+    /// What the rules of its sport say of a ball, and what is known of rooms.
+    pub fn of_preset(preset: &Preset) -> Self {
+        Self {
+            mass: preset.mass_sd,
+            diameter: preset.diameter_sd,
+            drag: preset.drag_sd,
+            ..Self::default()
+        }
+    }
+
     /// The priors in words, one line for each.
     pub fn statements(&self) -> Vec<String> {
         let share = |name: &str, sd: f64| match sd {
@@ -81,12 +92,10 @@ impl Knowledge {
             sd => format!("{name}: known to {} %", (sd * 1e4).round() / 100.0),
         };
         let laws: Vec<&str> = self.restitution_laws.iter().map(|law| law.name()).collect();
-        let drags: Vec<String> = self.drag_laws.iter().map(ToString::to_string).collect();
         let mut statements = vec![
             format!("restitution laws, equally probable: {}", laws.join(", ")),
             "restitution: anything from 0 to 1".to_owned(),
             "scatter of restitution: about 0.4 %, a factor e either way".to_owned(),
-            format!("drag laws, equally probable: {}", drags.join(", ")),
             share("drag coefficient, around the law", self.drag),
             share("gravity", self.gravity),
             share("air density", self.air_density),
@@ -104,6 +113,9 @@ impl Knowledge {
         });
         if let Some(Measured { value, sd }) = self.release_s {
             statements.push(format!("release: measured, {value} +- {sd} s"));
+        }
+        if self.constant_drag_too {
+            statements.push("a constant drag coefficient: as probable as the law".to_owned());
         }
         if self.drop_height_m.is_some() || self.release_s.is_some() {
             statements.push("each further impact missed at the start: half as likely".to_owned());

@@ -208,7 +208,8 @@ impl<'a> Evaluator<'a> {
             ..End::default()
         };
         for (impact, after) in self.ends.iter().enumerate() {
-            self.residuals.push(Residual::between(&before, after, impact, point));
+            self.residuals
+                .push(Residual::between(&before, after, impact, point));
             log_jacobian += after.launch_per_s.ln();
             before = *after;
         }
@@ -216,7 +217,8 @@ impl<'a> Evaluator<'a> {
     }
 
     fn opening(&self, point: &Point) -> Option<Opening> {
-        let (gravity_height, gravity_fall, height_slope) = self.table.fall(point.fall_launch_m_s)?;
+        let (gravity_height, gravity_fall, height_slope) =
+            self.table.fall(point.fall_launch_m_s)?;
         let fall = self.table.launch(point.fall_launch_m_s)?;
         let flights = chain(&self.table, point, fall.impact, self.model.missed_first)?;
         let gravity = point.gravity_m_s2;
@@ -424,7 +426,12 @@ impl<'a> Evaluator<'a> {
     fn residual_values(&mut self, vector: &[f64]) -> Option<Vec<f64>> {
         let point = self.model.point(vector)?;
         self.residuals_at(&point)?;
-        Some(self.residuals.iter().map(|residual| residual.value).collect())
+        Some(
+            self.residuals
+                .iter()
+                .map(|residual| residual.value)
+                .collect(),
+        )
     }
 
     /// How many residuals the data make.
@@ -458,9 +465,7 @@ impl Tail {
         let nu = self.freedom;
         // ln Γ((ν + 1)/2) - ln Γ(ν/2) - ½ ln(ν/2), to 1e-6 from 8 degrees on.
         let constant = -0.25 / nu + 1.0 / (24.0 * nu.powi(3));
-        constant
-            - 0.5 * ((nu - 2.0) / nu).ln()
-            - 0.5 * (nu + 1.0) * (square / (nu - 2.0)).ln_1p()
+        constant - 0.5 * ((nu - 2.0) / nu).ln() - 0.5 * (nu + 1.0) * (square / (nu - 2.0)).ln_1p()
     }
 
     /// Weight in the fit: what is left of the pull of the deviation, against a normal distribution;

@@ -218,8 +218,6 @@ const THINNED: usize = 4;
 
 /// Infers everything that the times of one drop can tell.
 ///
-/// The drag law of the environment is the first to consider; [`Knowledge::drag_laws`] names others.
-///
 /// # Errors
 ///
 /// [`Error::CannotInfer`] with fewer than two impacts or if no physical model explains them,
@@ -234,7 +232,10 @@ pub fn infer(
     question: &Question,
 ) -> Result<Inference> {
     if let Some(speed_m_s) = question.at_speed_m_s {
-        positive("impact speed at which to state the restitution in m/s", speed_m_s)?;
+        positive(
+            "impact speed at which to state the restitution in m/s",
+            speed_m_s,
+        )?;
     }
     let posterior = Posterior::new(
         impacts,
@@ -322,13 +323,10 @@ impl Answers {
         });
         let rests = rest.iter().filter(|rest| rest.is_some()).count() * 2 > rest.len();
         let rest: Vec<predict::Rest> = rest.into_iter().flatten().filter(|_| rests).collect();
-        let drag = self.drag(posterior, ball, environment);
+        let drag_coefficient = self.drag_coefficients(posterior, ball, environment);
+        let drag = self.drag(posterior, ball, environment, &drag_coefficient);
         let gravity_m_s2 = of(&self.environment_gravity(posterior, environment))?;
         let remarks = remark::remarks(posterior, &innovations, &narrowed, rests);
-        let drag_coefficient = drag.as_ref().map_or_else(Vec::new, |drag| {
-            let nominal = drag.prior.value;
-            self.drag_scale.iter().map(|scale| scale * nominal).collect()
-        });
         Some(Inference {
             at_speed_m_s: self.at_speed_m_s,
             restitution: of(&self.restitution)?,
@@ -369,29 +367,60 @@ impl Answers {
         })
     }
 
-    /// The drag coefficient is that of the law at one Reynolds number, times the scale.
-    fn drag(&self, posterior: &Posterior, ball: &Ball, environment: &Environment) -> Option<Drag> {
-        let surroundings = &posterior.surroundings[posterior.candidates[0].surroundings];
-        if environment.air.is_vacuum() || surroundings.drag_law == DragLaw::None {
-            return None;
+    /// The drag coefficient of each draw: that of its law at the stated speed, times the scale.
+    fn drag_coefficients(
+        &self,
+        posterior: &Posterior,
+        ball: &Ball,
+        environment: &Environment,
+    ) -> Vec<f64> {
+        if environment.air.is_vacuum() || environment.drag == DragLaw::None {
+            return Vec::new();
         }
         let reynolds = environment.air.reynolds(ball, self.at_speed_m_s);
-        let nominal = surroundings.drag_law.coefficient(reynolds).ok()?;
-        let model = FlightModel::new(
-            ball,
-            &Environment {
-                drag: surroundings.drag_law,
-                ..*environment
-            },
-        )
-        .ok()?;
-        let terminal = self
-            .drag_strength
+        let nominal: Vec<f64> = posterior
+            .surroundings
             .iter()
-            .step_by(THINNED)
-            .filter_map(|&strength| terminal_speed(&model, strength));
+            .map(|s| s.drag_law.coefficient(reynolds).unwrap_or(f64::NAN))
+            .collect();
+        let of_draw = posterior.draws.iter().zip(&self.drag_scale);
+        of_draw
+            .map(|(draw, scale)| scale * nominal[posterior.candidates[draw.candidate].surroundings])
+            .collect()
+    }
+
+    fn drag(
+        &self,
+        posterior: &Posterior,
+        ball: &Ball,
+        environment: &Environment,
+        coefficients: &[f64],
+    ) -> Option<Drag> {
+        let coefficient = Summary::of(coefficients.iter().copied())?;
+        let reynolds = environment.air.reynolds(ball, self.at_speed_m_s);
+        let nominal = environment.drag.coefficient(reynolds).ok()?;
+        let models: Vec<FlightModel> = posterior
+            .surroundings
+            .iter()
+            .map(|surroundings| {
+                let drag = surroundings.drag_law;
+                FlightModel::new(
+                    ball,
+                    &Environment {
+                        drag,
+                        ..*environment
+                    },
+                )
+            })
+            .collect::<Result<_>>()
+            .ok()?;
+        let of_draw = posterior.draws.iter().zip(&self.drag_strength);
+        let terminal = of_draw.step_by(THINNED).filter_map(|(draw, &strength)| {
+            let surroundings = posterior.candidates[draw.candidate].surroundings;
+            terminal_speed(&models[surroundings], strength)
+        });
         Some(Drag {
-            coefficient: Summary::of(self.drag_scale.iter().map(|scale| scale * nominal))?,
+            coefficient,
             reynolds,
             prior: Measured {
                 value: nominal,
@@ -430,8 +459,8 @@ impl Answers {
                 let of_draw = posterior.draws.iter().zip(values);
                 Summary::of(of_draw.filter_map(|(draw, &value)| {
                     let drawn = &posterior.candidates[draw.candidate];
-                    let same = drawn.law == candidate.law
-                        && drawn.surroundings == candidate.surroundings;
+                    let same =
+                        drawn.law == candidate.law && drawn.surroundings == candidate.surroundings;
                     same.then_some(value)
                 }))
             };
@@ -456,7 +485,10 @@ impl Answers {
 impl Inference {
     /// The restitution law at a speed, m/s.
     pub fn restitution_at(&self, speed_m_s: f64) -> Option<Summary> {
-        Summary::of(self.posterior.each(1, |_, point| Some(point.law.at(speed_m_s))))
+        Summary::of(
+            self.posterior
+                .each(1, |_, point| Some(point.law.at(speed_m_s))),
+        )
     }
 
     /// The restitution law over a range of impact speeds, from a little below the slowest heard to
@@ -473,7 +505,12 @@ impl Inference {
             .map(|point| from + (to - from) * point as f64 / (points.max(2) - 1) as f64)
             .collect();
         let draws = self.posterior.each(THINNED, |_, point| {
-            Some(speeds.iter().map(|&v| point.law.at(v)).collect::<Vec<f64>>())
+            Some(
+                speeds
+                    .iter()
+                    .map(|&v| point.law.at(v))
+                    .collect::<Vec<f64>>(),
+            )
         });
         speeds
             .iter()
@@ -562,9 +599,8 @@ fn heard(
             let launches = stretches.get(place).is_some();
             let single = stretches.get(place).is_some_and(|s| s.flights == 1);
             let innovation = innovations.iter().rfind(|i| i.impact == place && launches);
-            let energy = |faster: f64, slower: f64| {
-                0.5 * mass_kg * (faster * faster - slower * slower)
-            };
+            let energy =
+                |faster: f64, slower: f64| 0.5 * mass_kg * (faster * faster - slower * slower);
             let when = |possible: bool, value: &dyn Fn(usize) -> f64| {
                 if possible {
                     Summary::of((0..told.len()).map(value))

@@ -192,11 +192,7 @@ impl Inputs {
                 -3.0 * on_gravity * knowledge.diameter,
                 drag * (2.0 + 3.0 * lift) * knowledge.diameter,
             ),
-            (
-                "added mass",
-                -cr / (1.0 + cr) * knowledge.added_mass,
-                0.0,
-            ),
+            ("added mass", -cr / (1.0 + cr) * knowledge.added_mass, 0.0),
         ];
         sources.retain(|&(_, g, d)| g != 0.0 || d != 0.0);
         let sum = |f: fn(f64, f64) -> f64| sources.iter().map(|&(_, g, d)| f(g, d)).sum::<f64>();
@@ -262,7 +258,10 @@ impl<'a> Model<'a> {
             (Slot::Height, true),
             (Slot::Scatter, true),
             (Slot::Timing, timing_sd > 0.0),
-            (Slot::Contact, contact_time_s * surroundings.contact_sd > 0.0),
+            (
+                Slot::Contact,
+                contact_time_s * surroundings.contact_sd > 0.0,
+            ),
         ];
         let slots = wanted
             .into_iter()
@@ -376,7 +375,13 @@ impl<'a> Model<'a> {
 
     /// Logarithm of the prior density of a vector whose fall has this gravity times height and this
     /// d ln(height)/d ln(launch).
-    pub(super) fn log_prior(&self, vector: &[f64], gravity_height: f64, log_slope: f64, gravity: f64) -> f64 {
+    pub(super) fn log_prior(
+        &self,
+        vector: &[f64],
+        gravity_height: f64,
+        log_slope: f64,
+        gravity: f64,
+    ) -> f64 {
         let mut sum = 0.0;
         for (slot, &value) in self.slots.iter().zip(vector) {
             sum += match slot {
@@ -446,10 +451,7 @@ impl Middle {
                     .to_owned(),
             ));
         }
-        let speeds = rows
-            .iter()
-            .map(|row| row.impact)
-            .chain([rows[0].launch]);
+        let speeds = rows.iter().map(|row| row.impact).chain([rows[0].launch]);
         let slowest_m_s = speeds.clone().fold(f64::INFINITY, f64::min);
         let fastest_m_s = speeds.clone().fold(0.0, f64::max);
         let mean_log = speeds.map(f64::ln).sum::<f64>() / (rows.len() + 1) as f64;

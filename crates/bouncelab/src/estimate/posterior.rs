@@ -11,6 +11,7 @@ use super::model::{Middle, Model, Point, Surroundings};
 use super::observed::Observed;
 use super::sample::{self, GREATEST_PARETO_SHAPE, Sample};
 use crate::ball::Ball;
+use crate::drag::DragLaw;
 use crate::error::{Error, Result};
 use crate::flight::Environment;
 use crate::restitution::TimedImpact;
@@ -96,15 +97,14 @@ impl Posterior {
     ) -> Result<Self> {
         knowledge.check()?;
         let observed = Observed::new(impacts, contact_time_s)?;
-        let surroundings = knowledge
-            .drag_laws
-            .iter()
-            .map(|&law| Surroundings::new(ball, environment, law, &observed, knowledge))
-            .collect::<Result<Vec<_>>>()?;
-        let Some(nominal) = surroundings.first() else {
-            return Err(Error::CannotInfer("no drag law to consider".to_owned()));
-        };
-        let middle = Middle::new(&observed, nominal, contact_time_s)?;
+        let under = |law: DragLaw| Surroundings::new(ball, environment, law, &observed, knowledge);
+        let mut surroundings = vec![under(environment.drag)?];
+        let middle = Middle::new(&observed, &surroundings[0], contact_time_s)?;
+        if knowledge.constant_drag_too && follows_reynolds(environment) {
+            let reynolds = environment.air.reynolds(ball, middle.speed_m_s);
+            let coefficient = environment.drag.coefficient(reynolds)?;
+            surroundings.push(under(DragLaw::Constant(coefficient))?);
+        }
         let mut posterior = Self {
             observed,
             surroundings,
@@ -129,7 +129,11 @@ impl Posterior {
 
     /// The model of a candidate.
     pub(super) fn model(&self, candidate: &Candidate) -> Model<'_> {
-        self.model_of(candidate.law, candidate.surroundings, candidate.missed_first)
+        self.model_of(
+            candidate.law,
+            candidate.surroundings,
+            candidate.missed_first,
+        )
     }
 
     fn model_of(&self, law: LawKind, surroundings: usize, missed_first: usize) -> Model<'_> {
@@ -212,8 +216,8 @@ impl Posterior {
                 &mut rng,
             );
             if let Some(sample) = sample {
-                candidate.log_evidence = sample.log_evidence
-                    + candidate.missed_first as f64 * LOG_PRIOR_OF_MISSED;
+                candidate.log_evidence =
+                    sample.log_evidence + candidate.missed_first as f64 * LOG_PRIOR_OF_MISSED;
                 candidate.sample = Some(sample);
             }
         }
@@ -313,6 +317,12 @@ impl Posterior {
             })
             .collect()
     }
+}
+
+/// Whether the drag coefficient is anything but constant.
+fn follows_reynolds(environment: &Environment) -> bool {
+    let constant = matches!(environment.drag, DragLaw::None | DragLaw::Constant(_));
+    !constant && !environment.air.is_vacuum()
 }
 
 fn best_evidence(candidates: &[Candidate]) -> f64 {

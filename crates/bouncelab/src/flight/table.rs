@@ -213,7 +213,11 @@ impl FlightTable {
             return None;
         }
         let node = place as usize;
-        Some((&self.nodes[node], &self.nodes[node + 1], place - node as f64))
+        Some((
+            &self.nodes[node],
+            &self.nodes[node + 1],
+            place - node as f64,
+        ))
     }
 }
 
@@ -288,7 +292,11 @@ mod tests {
                 let exact = model.launch(launch).unwrap();
                 let row = table.lasting(gravity * exact.time_s()).unwrap();
                 let near = |a: f64, b: f64| (a / b - 1.0).abs() < accuracy;
-                assert!(near(row.launch, launch), "{drag}: {:e} {launch}", row.launch / launch - 1.0);
+                assert!(
+                    near(row.launch, launch),
+                    "{drag}: {:e} {launch}",
+                    row.launch / launch - 1.0
+                );
                 assert!(near(row.impact, exact.impact_speed_m_s), "{drag} {launch}");
                 let (height, fall, _) = table.fall(launch).unwrap();
                 assert!(near(height, gravity * exact.apex_m), "{drag} {launch}");
@@ -297,7 +305,10 @@ mod tests {
                 let expected = slopes.time * launch / exact.time_s();
                 assert!((row.time_slope - expected).abs() < 1e-3, "{drag} {launch}");
                 let expected = slopes.impact_speed * launch / exact.impact_speed_m_s;
-                assert!((row.impact_slope - expected).abs() < 1e-3, "{drag} {launch}");
+                assert!(
+                    (row.impact_slope - expected).abs() < 1e-3,
+                    "{drag} {launch}"
+                );
                 let back = table.rising_to(gravity * exact.apex_m).unwrap();
                 assert!(near(back, launch), "{drag} {launch} {back}");
             }

@@ -1,0 +1,144 @@
+//! The arguments that say what is known besides the sounds, and what to ask of the inference.
+
+use bouncelab::estimate::{Effort, Knowledge, LawKind, Measured, Question, UNKNOWN};
+use clap::{Args, ValueEnum};
+
+use crate::failure::Failure;
+use crate::units;
+
+/// Measurements, priors and questions.
+#[derive(Args, Clone, Debug)]
+#[command(next_help_heading = "Inference")]
+pub(crate) struct KnowledgeArguments {
+    /// Measured drop height, floor to lowest point of the ball, as in 30.5cm
+    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true, value_parser = units::length)]
+    height: Option<f64>,
+    /// Standard uncertainty of the measured height [default: 2mm]
+    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true, value_parser = units::length, requires = "height")]
+    height_sd: Option<f64>,
+    /// When the ball was released, in the time of the recording
+    #[arg(long, value_name = "TIME", allow_hyphen_values = true, value_parser = units::time)]
+    release: Option<f64>,
+    /// Standard uncertainty of the release time [default: 5ms]
+    #[arg(long, value_name = "TIME", allow_hyphen_values = true, value_parser = units::time, requires = "release")]
+    release_sd: Option<f64>,
+    /// Restitution laws to consider: constant, linear, power, viscoelastic, knee [default: all]
+    #[arg(long, value_name = "LAWS", value_delimiter = ',', value_parser = law)]
+    law: Vec<LawKind>,
+    /// How far the drag coefficient may lie from the law, as in 4%; 0 fixes it [default: by ball]
+    #[arg(long, value_name = "SHARE", allow_hyphen_values = true, value_parser = units::share)]
+    drag_sd: Option<f64>,
+    /// Leave this to the data, as if nothing were known of it
+    #[arg(long, value_name = "WHAT", value_delimiter = ',', value_enum)]
+    infer: Vec<Inferred>,
+    /// State the restitution at this impact speed, as in 2.4m/s [default: the middle of those heard]
+    #[arg(long, value_name = "SPEED", allow_hyphen_values = true, value_parser = units::speed)]
+    at_speed: Option<f64>,
+    /// Predict the drop height from which a bounce reaches an apex, as in 2:28cm
+    #[arg(long, value_name = "BOUNCE:APEX", value_parser = reach)]
+    reach: Vec<(usize, f64)>,
+    /// Independent draws of the posterior to aim at
+    #[arg(long, value_name = "N", default_value_t = 4000, value_parser = clap::value_parser!(u32).range(100..=100_000))]
+    draws: u32,
+    /// Seed of the random numbers of the inference
+    #[arg(long, value_name = "N", default_value_t = 1)]
+    seed: u64,
+    /// Leave the inference out, for speed
+    #[arg(long)]
+    no_inference: bool,
+}
+
+/// What may be left to the data.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum Inferred {
+    /// The acceleration of gravity
+    Gravity,
+    /// The drag coefficient
+    Drag,
+    /// The contact time
+    ContactTime,
+}
+
+/// Heights are measured with a ruler.
+const HEIGHT_SD_M: f64 = 0.002;
+/// A release is seen in a video, or heard.
+const RELEASE_SD_S: f64 = 0.005;
+
+impl KnowledgeArguments {
+    /// What these arguments add to what the physics says.
+    pub(crate) fn knowledge(&self, physics: Knowledge) -> Knowledge {
+        let mut knowledge = physics;
+        let measured = |value: Option<f64>, sd: f64| value.map(|value| Measured { value, sd });
+        knowledge.drop_height_m = measured(self.height, self.height_sd.unwrap_or(HEIGHT_SD_M));
+        knowledge.release_s = measured(self.release, self.release_sd.unwrap_or(RELEASE_SD_S));
+        if !self.law.is_empty() {
+            knowledge.restitution_laws.clone_from(&self.law);
+            knowledge.restitution_laws.dedup();
+        }
+        if let Some(sd) = self.drag_sd {
+            knowledge.drag = sd;
+        }
+        for inferred in &self.infer {
+            match inferred {
+                Inferred::Gravity => knowledge.gravity = UNKNOWN,
+                Inferred::Drag => knowledge.drag = UNKNOWN,
+                Inferred::ContactTime => knowledge.contact_time = UNKNOWN,
+            }
+        }
+        knowledge
+    }
+
+    /// What to ask.
+    pub(crate) fn question(&self) -> Result<Option<Question>, Failure> {
+        if self.no_inference {
+            if self.reach.is_empty() {
+                return Ok(None);
+            }
+            return Err(Failure::Usage(
+                "--reach is an answer of the inference; leave out --no-inference".to_owned(),
+            ));
+        }
+        let effort = Effort {
+            draws: self.draws as usize,
+            seed: self.seed,
+        };
+        Ok(Some(Question {
+            at_speed_m_s: self.at_speed,
+            effort,
+        }))
+    }
+
+    /// Bounces and the apexes that they are to reach, m.
+    pub(crate) fn reach(&self) -> &[(usize, f64)] {
+        &self.reach
+    }
+}
+
+fn law(text: &str) -> Result<LawKind, String> {
+    text.parse()
+        .map_err(|refusal: bouncelab::Error| refusal.to_string())
+}
+
+/// Reads `2:28cm`.
+fn reach(text: &str) -> Result<(usize, f64), String> {
+    let wrong = || format!("\"{text}\" is no bounce with an apex; write it as in 2:28cm");
+    let (bounce, apex) = text.split_once(':').ok_or_else(wrong)?;
+    let bounce: usize = bounce.trim().parse().map_err(|_| wrong())?;
+    if !(1..=1000).contains(&bounce) {
+        return Err(format!("{}; bounces count from 1", wrong()));
+    }
+    Ok((bounce, units::length(apex.trim())?))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::reach;
+
+    #[test]
+    fn a_bounce_and_its_apex() {
+        assert_eq!(reach("2:28cm"), Ok((2, 0.28)));
+        assert!(reach("0:28cm").is_err());
+        assert!(reach("28cm").is_err());
+        assert!(reach("2:28kg").is_err());
+    }
+}
