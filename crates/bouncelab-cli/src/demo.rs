@@ -88,7 +88,6 @@ fn physics() -> Result<Physics, Failure> {
         settings,
         ball_label: preset.label.to_owned(),
         assumptions: Vec::new(),
-        reach: Vec::new(),
     })
 }
 

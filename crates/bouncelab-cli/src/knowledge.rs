@@ -1,6 +1,6 @@
 //! The arguments that say what is known besides the sounds, and what to ask of the inference.
 
-use bouncelab::estimate::{Effort, Knowledge, LawKind, Measured, Question, UNKNOWN};
+use bouncelab::estimate::{Effort, Knowledge, LawKind, Measured, Question, Reach, UNKNOWN};
 use clap::{Args, ValueEnum};
 
 use crate::failure::Failure;
@@ -22,7 +22,8 @@ pub(crate) struct KnowledgeArguments {
     /// Standard uncertainty of the release time [default: 5ms]
     #[arg(long, value_name = "TIME", allow_hyphen_values = true, value_parser = units::time, requires = "release")]
     release_sd: Option<f64>,
-    /// Restitution laws to consider: constant, linear, power, viscoelastic, knee [default: all]
+    /// Restitution laws to consider: constant, linear, power, viscoelastic, knee [default: all that the
+    /// impacts can tell apart]
     #[arg(long, value_name = "LAWS", value_delimiter = ',', value_parser = law)]
     law: Vec<LawKind>,
     /// How far the drag coefficient may lie from the law, as in 4%; 0 fixes it [default: by ball]
@@ -36,7 +37,10 @@ pub(crate) struct KnowledgeArguments {
     at_speed: Option<f64>,
     /// Predict the drop height from which a bounce reaches an apex, as in 2:28cm
     #[arg(long, value_name = "BOUNCE:APEX", value_parser = reach)]
-    reach: Vec<(usize, f64)>,
+    reach: Vec<Reach>,
+    /// The first impact heard is the first there was
+    #[arg(long)]
+    first_heard: bool,
     /// Independent draws of the posterior to aim at
     #[arg(long, value_name = "N", default_value_t = 4000, value_parser = clap::value_parser!(u32).range(100..=100_000))]
     draws: u32,
@@ -51,7 +55,7 @@ pub(crate) struct KnowledgeArguments {
 /// What may be left to the data.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 enum Inferred {
-    /// The acceleration of gravity
+    /// The acceleration of gravity; the first impact heard then counts as the first
     Gravity,
     /// The drag coefficient
     Drag,
@@ -70,11 +74,10 @@ impl KnowledgeArguments {
         let mut knowledge = physics;
         let measured = |value: Option<f64>, sd: f64| value.map(|value| Measured { value, sd });
         knowledge.drop_height_m = measured(self.height, self.height_sd.unwrap_or(HEIGHT_SD_M));
+        knowledge.first_was_heard = self.first_heard;
         knowledge.release_s = measured(self.release, self.release_sd.unwrap_or(RELEASE_SD_S));
-        if !self.law.is_empty() {
-            knowledge.restitution_laws.clone_from(&self.law);
-            knowledge.restitution_laws.dedup();
-        }
+        knowledge.restitution_laws.clone_from(&self.law);
+        knowledge.restitution_laws.dedup();
         if let Some(sd) = self.drag_sd {
             knowledge.drag = sd;
         }
@@ -104,13 +107,9 @@ impl KnowledgeArguments {
         };
         Ok(Some(Question {
             at_speed_m_s: self.at_speed,
+            reach: self.reach.clone(),
             effort,
         }))
-    }
-
-    /// Bounces and the apexes that they are to reach, m.
-    pub(crate) fn reach(&self) -> &[(usize, f64)] {
-        &self.reach
     }
 }
 
@@ -120,23 +119,28 @@ fn law(text: &str) -> Result<LawKind, String> {
 }
 
 /// Reads `2:28cm`.
-fn reach(text: &str) -> Result<(usize, f64), String> {
+fn reach(text: &str) -> Result<Reach, String> {
     let wrong = || format!("\"{text}\" is no bounce with an apex; write it as in 2:28cm");
     let (bounce, apex) = text.split_once(':').ok_or_else(wrong)?;
     let bounce: usize = bounce.trim().parse().map_err(|_| wrong())?;
     if !(1..=1000).contains(&bounce) {
         return Err(format!("{}; bounces count from 1", wrong()));
     }
-    Ok((bounce, units::length(apex.trim())?))
+    let apex_m = units::length(apex.trim())?;
+    Ok(Reach { bounce, apex_m })
 }
 
 #[cfg(test)]
 mod tests {
-    use super::reach;
+    use super::*;
 
     #[test]
     fn a_bounce_and_its_apex() {
-        assert_eq!(reach("2:28cm"), Ok((2, 0.28)));
+        let asked = Reach {
+            bounce: 2,
+            apex_m: 0.28,
+        };
+        assert_eq!(reach("2:28cm"), Ok(asked));
         assert!(reach("0:28cm").is_err());
         assert!(reach("28cm").is_err());
         assert!(reach("2:28kg").is_err());

@@ -29,7 +29,7 @@ pub(crate) struct PhysicsArguments {
     #[arg(long, value_name = "TIME", allow_hyphen_values = true, value_parser = units::time, help_heading = "Ball")]
     contact_time: Option<f64>,
 
-    /// Drag law: none, constant:0.4, or a sphere law such as clift-grace-weber or morrison
+    /// Drag law: none (as if there were no air), constant:0.4, or a sphere law such as clift-grace-weber or morrison
     #[arg(
         value_parser = drag_law,
         long,
@@ -91,8 +91,6 @@ pub(crate) struct Physics {
     pub(crate) ball_label: String,
     /// What was assumed, one phrase for each.
     pub(crate) assumptions: Vec<String>,
-    /// Bounces and the apexes, in m, for which to predict the drop height.
-    pub(crate) reach: Vec<(usize, f64)>,
 }
 
 impl PhysicsArguments {
@@ -104,8 +102,9 @@ impl PhysicsArguments {
             gravity_m_s2: self.gravity(&mut assumptions)?,
             air: self.air(&mut assumptions)?,
             drag: self.drag,
-            buoyancy: !self.no_buoyancy,
-            added_mass: !self.no_added_mass,
+            // No drag means as if there were no air at all.
+            buoyancy: !self.no_buoyancy && self.drag != DragLaw::None,
+            added_mass: !self.no_added_mass && self.drag != DragLaw::None,
         };
         let settings = Settings {
             ball,
@@ -121,7 +120,6 @@ impl PhysicsArguments {
             settings,
             ball_label,
             assumptions,
-            reach: Vec::new(),
         })
     }
 

@@ -1,14 +1,14 @@
 //! The inference for people.
 
 use bouncelab::analysis::Analysis;
-use bouncelab::estimate::{Inference, Share, Summary, UNKNOWN};
+use bouncelab::estimate::{Inference, Prediction, Reach, Share, Summary, UNKNOWN};
 use bouncelab_report::{Align, CANNOT_TELL, Quantity, Table, Unit};
 
 use crate::physics::Physics;
 
 /// The answers, one line for each; `None` if there is no inference to show.
 pub(super) fn lines(drop: &Analysis, physics: &Physics) -> Option<Vec<String>> {
-    physics.settings.question?;
+    physics.settings.question.as_ref()?;
     let found = match &drop.estimate {
         Ok(found) => found,
         Err(reason) => return Some(vec![format!("Inference: {CANNOT_TELL}: {reason}.")]),
@@ -56,9 +56,7 @@ pub(super) fn lines(drop: &Analysis, physics: &Physics) -> Option<Vec<String>> {
     if let Some(path) = &found.total_path_m {
         lines.push(entry("path until rest         ", path, Unit::Length, ""));
     }
-    for &(bounce, apex_m) in &physics.reach {
-        lines.push(reached(found, bounce, apex_m));
-    }
+    lines.extend(found.predictions.iter().map(predicted));
     Some(lines)
 }
 
@@ -72,6 +70,7 @@ pub(super) fn remarks(drop: &Analysis) -> Vec<String> {
 
 fn height_note(found: &Inference) -> String {
     match &found.missed_first {
+        None if found.first_was_heard() => String::new(),
         None => "before the first impact heard".to_owned(),
         Some(probabilities) => {
             let likely: Vec<String> = probabilities
@@ -85,11 +84,12 @@ fn height_note(found: &Inference) -> String {
     }
 }
 
-fn reached(found: &Inference, bounce: usize, apex_m: f64) -> String {
+fn predicted(prediction: &Prediction) -> String {
+    let Reach { bounce, apex_m } = prediction.reach;
     let apex = Quantity::rounded(apex_m, 4, Unit::Length);
     let question = format!("bounce {bounce} reaches {apex} from");
-    match found.drop_height_for(bounce, apex_m) {
-        Some(height) => entry(&format!("{question} "), &height, Unit::Length, ""),
+    match &prediction.drop_height_m {
+        Some(height) => entry(&format!("{question} "), height, Unit::Length, ""),
         None => format!("  {question}: {CANNOT_TELL}"),
     }
 }

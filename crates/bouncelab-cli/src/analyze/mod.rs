@@ -90,7 +90,6 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let of_inputs = std::mem::take(&mut physics.settings.knowledge);
     physics.settings.knowledge = arguments.knowledge.knowledge(of_inputs);
     physics.settings.question = arguments.knowledge.question()?;
-    physics.reach = arguments.knowledge.reach().to_vec();
     let heeded = Heeded {
         channel: arguments.channel.map(usize::from),
         exclude_s: arguments.exclude.clone(),

@@ -23,10 +23,13 @@ pub struct Knowledge {
     pub drop_height_m: Option<Measured>,
     /// When the ball was released, s, in the time of the impacts.
     pub release_s: Option<Measured>,
-    /// Restitution laws to consider.
+    /// Whether the first impact heard is the first there was. With gravity unknown it must be: a
+    /// missed impact and a weaker gravity look alike.
+    pub first_was_heard: bool,
+    /// Restitution laws to consider; if empty, all that so many impacts can tell from a constant.
     pub restitution_laws: Vec<LawKind>,
     /// Whether to consider a constant drag coefficient too, beside a law of the Reynolds number: what
-    /// the law says at the middle speed heard.
+    /// the law says at the fastest impact heard.
     pub constant_drag_too: bool,
     /// Drag coefficient: how far a real ball may lie from the law. The good laws of smooth spheres
     /// differ by 3 to 4 % at Reynolds numbers of 1,000 to 10,000.
@@ -57,7 +60,8 @@ impl Default for Knowledge {
         Self {
             drop_height_m: None,
             release_s: None,
-            restitution_laws: LawKind::ALL.to_vec(),
+            first_was_heard: false,
+            restitution_laws: Vec::new(),
             constant_drag_too: true,
             drag: 0.04,
             // Half the range over the surface of the Earth, as a rectangle.
@@ -91,9 +95,7 @@ impl Knowledge {
             sd if sd >= UNKNOWN => format!("{name}: unknown (a factor e either way)"),
             sd => format!("{name}: known to {} %", (sd * 1e4).round() / 100.0),
         };
-        let laws: Vec<&str> = self.restitution_laws.iter().map(|law| law.name()).collect();
         let mut statements = vec![
-            format!("restitution laws, equally probable: {}", laws.join(", ")),
             "restitution: anything from 0 to 1".to_owned(),
             "scatter of restitution: about 0.4 %, a factor e either way".to_owned(),
             share("drag coefficient, around the law", self.drag),
@@ -117,10 +119,27 @@ impl Knowledge {
         if self.constant_drag_too {
             statements.push("a constant drag coefficient: as probable as the law".to_owned());
         }
-        if self.drop_height_m.is_some() || self.release_s.is_some() {
+        if self.tells_missed() {
             statements.push("each further impact missed at the start: half as likely".to_owned());
         }
         statements
+    }
+
+    /// The laws to consider when so many restitutions were seen.
+    pub(super) fn laws(&self, restitutions: usize) -> Vec<LawKind> {
+        if !self.restitution_laws.is_empty() {
+            return self.restitution_laws.clone();
+        }
+        let mut laws = LawKind::ALL.to_vec();
+        // A ball seen to bounce once shows nothing of how its restitution changes.
+        laws.retain(|law| *law == LawKind::Constant || law.needs() <= restitutions);
+        laws
+    }
+
+    /// Whether something would show impacts missed before the first one heard.
+    pub(super) fn tells_missed(&self) -> bool {
+        let told = self.drop_height_m.is_some() || self.release_s.is_some();
+        told && !self.first_was_heard && self.gravity < UNKNOWN
     }
 
     pub(super) fn check(&self) -> Result<()> {
@@ -192,6 +211,15 @@ impl LawKind {
             Self::Power => "power",
             Self::Viscoelastic => "viscoelastic",
             Self::Knee => "knee",
+        }
+    }
+
+    /// How many restitutions, at different speeds, it takes to tell it from a constant.
+    pub const fn needs(self) -> usize {
+        match self {
+            Self::Constant => 1,
+            Self::Linear | Self::Power | Self::Viscoelastic => 2,
+            Self::Knee => 4,
         }
     }
 

@@ -72,13 +72,33 @@ use likelihood::{Evaluator, Innovation};
 use posterior::Posterior;
 
 /// What to ask of the posterior.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct Question {
     /// The impact speed at which to state the restitution, m/s; if `None`, the middle of those
     /// heard, where it is known best.
     pub at_speed_m_s: Option<f64>,
+    /// From which height does the flight after a bounce (1 for the first) rise to an apex, in m?
+    pub reach: Vec<Reach>,
     /// How much to compute.
     pub effort: Effort,
+}
+
+/// A bounce and the apex that it is to reach.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Reach {
+    /// Number of the bounce, 1 for the first.
+    pub bounce: usize,
+    /// Apex of the flight after it, m.
+    pub apex_m: f64,
+}
+
+/// The answer to a [`Reach`].
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Prediction {
+    /// What was asked.
+    pub reach: Reach,
+    /// The drop height, m, with the restitution that the law expects; `None` if no height does.
+    pub drop_height_m: Option<Summary>,
 }
 
 /// What the times of one drop say, all priors and models considered.
@@ -110,6 +130,8 @@ pub struct Inference {
     /// Probabilities of 0, 1, 2, ... impacts before the first one heard, if a height or a release
     /// time tells.
     pub missed_first: Option<Vec<f64>>,
+    /// The answers to [`Question::reach`].
+    pub predictions: Vec<Prediction>,
     /// The impacts heard.
     pub impacts: Vec<Impact>,
     /// The models that were weighed, most probable first.
@@ -134,7 +156,7 @@ pub struct Inference {
 pub struct Drag {
     /// The drag coefficient at a Reynolds number.
     pub coefficient: Summary,
-    /// That Reynolds number, of the speed at which the restitution is stated.
+    /// That Reynolds number: of the fastest impact heard, where drag shows most.
     pub reynolds: f64,
     /// The coefficient before the data, with its standard deviation.
     pub prior: Measured,
@@ -237,6 +259,9 @@ pub fn infer(
             speed_m_s,
         )?;
     }
+    for reach in &question.reach {
+        positive("apex to reach in m", reach.apex_m)?;
+    }
     let posterior = Posterior::new(
         impacts,
         ball,
@@ -247,7 +272,7 @@ pub fn infer(
     )?;
     let at_speed_m_s = question.at_speed_m_s.unwrap_or(posterior.middle.speed_m_s);
     Answers::new(&posterior, at_speed_m_s)
-        .and_then(|answers| answers.inference(&posterior, ball, environment))
+        .and_then(|answers| answers.inference(&posterior, ball, environment, question))
         .ok_or_else(|| {
             Error::CannotInfer(
                 "the posterior could not be sampled: no draw explains the times; are they of one \
@@ -314,6 +339,7 @@ impl Answers {
         posterior: &Posterior,
         ball: &Ball,
         environment: &Environment,
+        question: &Question,
     ) -> Option<Inference> {
         let of = |values: &[f64]| Summary::of(values.iter().copied());
         let innovations = posterior.innovations();
@@ -340,6 +366,7 @@ impl Answers {
             total_time_s: Summary::of(rest.iter().map(|rest| rest.time_s)),
             total_path_m: Summary::of(rest.iter().map(|rest| rest.path_m)),
             missed_first: missed_first(posterior),
+            predictions: predictions(posterior, &question.reach),
             impacts: heard(posterior, &innovations, ball, environment),
             models: self.models(posterior),
             narrowed,
@@ -367,7 +394,7 @@ impl Answers {
         })
     }
 
-    /// The drag coefficient of each draw: that of its law at the stated speed, times the scale.
+    /// The drag coefficient of each draw: that of its law at the fastest impact, times the scale.
     fn drag_coefficients(
         &self,
         posterior: &Posterior,
@@ -377,7 +404,7 @@ impl Answers {
         if environment.air.is_vacuum() || environment.drag == DragLaw::None {
             return Vec::new();
         }
-        let reynolds = environment.air.reynolds(ball, self.at_speed_m_s);
+        let reynolds = environment.air.reynolds(ball, posterior.middle.fastest_m_s);
         let nominal: Vec<f64> = posterior
             .surroundings
             .iter()
@@ -397,7 +424,7 @@ impl Answers {
         coefficients: &[f64],
     ) -> Option<Drag> {
         let coefficient = Summary::of(coefficients.iter().copied())?;
-        let reynolds = environment.air.reynolds(ball, self.at_speed_m_s);
+        let reynolds = environment.air.reynolds(ball, posterior.middle.fastest_m_s);
         let nominal = environment.drag.coefficient(reynolds).ok()?;
         let models: Vec<FlightModel> = posterior
             .surroundings
@@ -524,15 +551,10 @@ impl Inference {
             .collect()
     }
 
-    /// The height from which the flight after a bounce (1 for the first) rises to an apex, in m,
-    /// with the restitution that the law expects. `None` if no height does.
-    pub fn drop_height_for(&self, bounce: usize, apex_m: f64) -> Option<Summary> {
-        if !(apex_m > 0.0 && apex_m.is_finite()) {
-            return None;
-        }
-        Summary::of(self.posterior.each(THINNED, |evaluator, point| {
-            predict::drop_height_for(evaluator, point, bounce, apex_m)
-        }))
+    /// Whether the first impact heard was taken to be the first.
+    pub fn first_was_heard(&self) -> bool {
+        let knowledge = &self.posterior.knowledge;
+        knowledge.drop_height_m.is_some() && self.missed_first.is_none()
     }
 
     /// The priors, one line for each: what was assumed of balls and rooms before the data.
@@ -541,10 +563,24 @@ impl Inference {
     }
 }
 
+fn predictions(posterior: &Posterior, reach: &[Reach]) -> Vec<Prediction> {
+    let height = |reach: Reach| {
+        posterior.each(THINNED, |evaluator, point| {
+            predict::drop_height_for(evaluator, point, reach.bounce, reach.apex_m)
+        })
+    };
+    reach
+        .iter()
+        .map(|&reach| Prediction {
+            reach,
+            drop_height_m: Summary::of(height(reach)),
+        })
+        .collect()
+}
+
 /// Probabilities of numbers of missed impacts, if something tells.
 fn missed_first(posterior: &Posterior) -> Option<Vec<f64>> {
-    let knowledge = &posterior.knowledge;
-    if knowledge.drop_height_m.is_none() && knowledge.release_s.is_none() {
+    if !posterior.knowledge.tells_missed() {
         return None;
     }
     let most = posterior.candidates.iter().map(|c| c.missed_first).max()?;

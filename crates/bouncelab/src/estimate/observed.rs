@@ -60,6 +60,14 @@ impl Observed {
         })
     }
 
+    /// How many impacts lie between two single flights, and so show their restitution.
+    pub(super) fn restitutions(&self) -> usize {
+        let pairs = self.stretches.windows(2);
+        pairs
+            .filter(|pair| pair.iter().all(|stretch| stretch.flights == 1))
+            .count()
+    }
+
     /// The longest time of a single flight that there may be, s.
     pub(super) fn longest_flight_s(&self) -> f64 {
         let longest = |stretch: &Stretch| stretch.duration_s;

@@ -101,9 +101,11 @@ impl Posterior {
         let mut surroundings = vec![under(environment.drag)?];
         let middle = Middle::new(&observed, &surroundings[0], contact_time_s)?;
         if knowledge.constant_drag_too && follows_reynolds(environment) {
-            let reynolds = environment.air.reynolds(ball, middle.speed_m_s);
+            // Drag shows most at the fastest impact; four digits are more than anyone knows.
+            let reynolds = environment.air.reynolds(ball, middle.fastest_m_s);
             let coefficient = environment.drag.coefficient(reynolds)?;
-            surroundings.push(under(DragLaw::Constant(coefficient))?);
+            let rounded = (coefficient * 1e4).round() / 1e4;
+            surroundings.push(under(DragLaw::Constant(rounded))?);
         }
         let mut posterior = Self {
             observed,
@@ -151,7 +153,7 @@ impl Posterior {
     /// The best fit of every model, with the evidence that its curvature suggests (Laplace).
     fn fitted(&self) -> Vec<Candidate> {
         let mut candidates = Vec::new();
-        for &law in &self.knowledge.restitution_laws {
+        for law in self.knowledge.laws(self.observed.restitutions()) {
             for surroundings in 0..self.surroundings.len() {
                 self.fit_missed(law, surroundings, &mut candidates);
             }
@@ -161,8 +163,11 @@ impl Posterior {
 
     /// Fits a model with 0, 1, 2, ... impacts before the first one heard, until more do not help.
     fn fit_missed(&self, law: LawKind, surroundings: usize, candidates: &mut Vec<Candidate>) {
-        let known = self.knowledge.drop_height_m.is_some() || self.knowledge.release_s.is_some();
-        let most = if known { MOST_MISSED_FIRST } else { 0 };
+        let most = if self.knowledge.tells_missed() {
+            MOST_MISSED_FIRST
+        } else {
+            0
+        };
         let mut best = f64::NEG_INFINITY;
         for missed_first in 0..=most {
             let model = self.model_of(law, surroundings, missed_first);

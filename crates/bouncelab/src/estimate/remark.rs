@@ -17,6 +17,13 @@ pub enum Remark {
     NotConverged(f64),
     /// So few impacts leave most to the priors.
     FewImpacts(usize),
+    /// A restitution law was asked for that needs more restitutions than were seen.
+    TooFewFor {
+        /// The law.
+        law: LawKind,
+        /// How many restitutions were seen.
+        seen: usize,
+    },
     /// These impacts (by number) are odd and count less.
     Odd(Vec<usize>),
     /// The measured height does not go with the flight times, whatever number of impacts was
@@ -58,9 +65,16 @@ impl fmt::Display for Remark {
                  known of balls in general",
                 match count {
                     2 => "a single flight and no restitution",
-                    3 => "a single restitution",
+                    3 => "a single restitution, taken to be the same at every speed,",
                     _ => "few restitutions",
                 }
+            ),
+            Self::TooFewFor { law, seen } => write!(
+                f,
+                "the {law} restitution law takes {} impacts between two flights to be told from a \
+                 constant, and there {} {seen}: how restitution changes is what was assumed",
+                law.needs(),
+                if *seen == 1 { "is" } else { "are" },
             ),
             Self::Odd(numbers) => write!(
                 f,
@@ -141,6 +155,14 @@ pub(super) fn remarks(
     if impacts.len() < FEW {
         remarks.push(Remark::FewImpacts(impacts.len()));
     }
+    let seen = posterior.observed.restitutions();
+    let asked = &posterior.knowledge.restitution_laws;
+    remarks.extend(
+        asked
+            .iter()
+            .filter(|law| law.needs() > seen.max(1))
+            .map(|&law| Remark::TooFewFor { law, seen }),
+    );
     // The first innovation belongs to the drop height, and is no impact of its own.
     let odd: Vec<usize> = innovations
         .iter()
@@ -177,9 +199,9 @@ pub(super) fn remarks(
 
 /// Probability of the most probable restitution law.
 fn law_weight(posterior: &Posterior) -> f64 {
-    let laws = &posterior.knowledge.restitution_laws;
-    laws.iter()
-        .map(|&law| {
+    LawKind::ALL
+        .into_iter()
+        .map(|law| {
             let of_law = posterior.candidates.iter().filter(|c| c.law == law);
             of_law.map(|c| c.weight).sum::<f64>()
         })
