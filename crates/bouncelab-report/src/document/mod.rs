@@ -16,10 +16,14 @@
 //! assert_eq!(json["drops"][0]["impacts"][1]["time_s"], 0.4605);
 //! ```
 
+mod estimate;
+
 use bouncelab::analysis::{Analysis, Settings};
 use bouncelab::regression::{Estimate, Regression};
 use bouncelab::restitution::{ImpactRestitution, TimedFlight};
 use serde::Serialize;
+
+use estimate::Estimate as Estimated;
 
 /// Name and version of the schema.
 pub const SCHEMA: &str = "bouncelab.analysis/1";
@@ -84,6 +88,9 @@ struct Drop {
     flights: Vec<Flight>,
     regression: Option<Line>,
     corrected: Option<CorrectedSummary>,
+    estimate: Option<Estimated>,
+    /// Why there is no estimate.
+    no_estimate: Option<String>,
     warnings: Vec<String>,
 }
 
@@ -230,6 +237,8 @@ impl Drop {
                 .ok()
                 .map(|line| Line::new(line, in_line)),
             corrected: CorrectedSummary::new(analysis),
+            estimate: analysis.estimate.as_ref().ok().map(Estimated::from),
+            no_estimate: analysis.estimate.as_ref().err().map(ToString::to_string),
             warnings: analysis.warnings.iter().map(ToString::to_string).collect(),
         }
     }
