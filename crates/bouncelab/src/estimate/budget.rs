@@ -39,11 +39,10 @@ pub(super) fn budget(posterior: &Posterior, at_speed_m_s: f64) -> Option<Budget>
     let vector = candidate.fit.vector.as_slice();
     let linear = Linear::new(&mut evaluator, vector)?;
     let restitution = |evaluator: &mut Evaluator, vector: &[f64]| {
-        let point = evaluator.model.point(vector)?;
-        Some(point.law.at(at_speed_m_s))
+        Some(evaluator.point(vector)?.law.at(at_speed_m_s))
     };
     let height = |evaluator: &mut Evaluator, vector: &[f64]| {
-        let point = evaluator.model.point(vector)?;
+        let point = evaluator.point(vector)?;
         let (gravity_height, ..) = evaluator
             .table(point.drag_strength)
             .fall(point.fall_launch_m_s)?;
@@ -77,7 +76,7 @@ struct Linear {
 impl Linear {
     fn new(evaluator: &mut Evaluator, vector: &[f64]) -> Option<Self> {
         let model = evaluator.model;
-        let point = model.point(vector)?;
+        let point = evaluator.point(vector)?;
         let slopes = evaluator.slopes(vector)?;
         evaluator.log_posterior(vector)?;
         let weights: Vec<f64> = evaluator.innovations.iter().map(|i| i.weight).collect();

@@ -130,10 +130,41 @@ impl<'a> Evaluator<'a> {
         }
     }
 
+    /// The values that a vector stands for; `None` where it makes no sense.
+    ///
+    /// Where nobody measured the height, its coordinate says how far the fall is from what the law
+    /// makes of the first flight, in units of the noise between the two. That takes the height out
+    /// of the correlations of everything else, which are crooked where few impacts were heard.
+    pub(super) fn point(&mut self, vector: &[f64]) -> Option<Point> {
+        let mut point = self.model.point(vector)?;
+        if self.model.height_is_relative() {
+            let first = self.model.observed.stretches[0];
+            let flight_s = first.duration_s / first.flights as f64 - point.contact_time_s;
+            let table = self.table(point.drag_strength);
+            let launch = table.lasting(point.gravity_m_s2 * flight_s)?.launch;
+            let impact = point.impact_before(launch)?;
+            let suggested = table.launch_leading_to(impact)?;
+            let noise = self.first_noise(&point);
+            let off = vector[self.model.place(Slot::Height)?];
+            point.fall_launch_m_s = suggested * (noise * off).exp();
+            point.log_height_unit = noise.ln();
+        }
+        Some(point)
+    }
+
+    /// About the standard deviation of ln(launch speed) after the first impact heard, given the fall.
+    fn first_noise(&self, point: &Point) -> f64 {
+        let observed = self.model.observed;
+        let sigma_s = observed.sigma_s[0].hypot(observed.sigma_s[1]);
+        point
+            .scatter
+            .hypot(point.timing * sigma_s / observed.stretches[0].duration_s)
+    }
+
     /// Logarithm of prior times likelihood, but for a constant that all models of the same data
     /// share; `None` where the vector makes no sense.
     pub(super) fn log_posterior(&mut self, vector: &[f64]) -> Option<f64> {
-        let point = self.model.point(vector)?;
+        let point = self.point(vector)?;
         let (opening, log_jacobian) = self.residuals_at(&point)?;
         let prior = self.model.log_prior(
             vector,
@@ -141,6 +172,7 @@ impl<'a> Evaluator<'a> {
             opening.height_slope,
             point.gravity_m_s2,
         );
+        let log_jacobian = log_jacobian + point.log_height_unit;
         let total = prior + log_jacobian + self.log_density(&point);
         total.is_finite().then_some(total)
     }
@@ -424,7 +456,7 @@ impl<'a> Evaluator<'a> {
     }
 
     fn residual_values(&mut self, vector: &[f64]) -> Option<Vec<f64>> {
-        let point = self.model.point(vector)?;
+        let point = self.point(vector)?;
         self.residuals_at(&point)?;
         Some(
             self.residuals

@@ -12,7 +12,7 @@ use crate::impact::Restitution;
 /// Typical scatter of restitution from impact to impact on a good surface, and how far it may be
 /// off, as a factor: 0.2 to 0.5 % is published, and a rough floor is worse.
 const SCATTER: f64 = 0.004;
-const LOG_SCATTER_SD: f64 = 1.0;
+const LOG_SCATTER_SD: f64 = 0.7;
 
 /// Prior of the slope -d ln e/d ln v, and of the fall above a knee.
 const SLOPE_SD: f64 = 0.1;
@@ -99,7 +99,8 @@ pub(super) enum Slot {
     Restitution,
     /// The numbers of the law besides e*, as standard normals.
     Shape(usize),
-    /// ln of the speed with which a launch would rise to the drop height, in m/s.
+    /// ln of the speed with which a launch would rise to the drop height, if the height was measured;
+    /// else how far it is from what the first flight suggests, in units of the noise.
     Height,
     /// Standard normals again: ln of the scatter ...
     Scatter,
@@ -126,9 +127,28 @@ pub(super) struct Point {
     pub(super) drag_strength: f64,
     pub(super) gravity_m_s2: f64,
     pub(super) fall_launch_m_s: f64,
+    /// ln of the unit of the coordinate of the height, in ln(launch speed).
+    pub(super) log_height_unit: f64,
     pub(super) scatter: f64,
     pub(super) timing: f64,
     pub(super) contact_time_s: f64,
+}
+
+impl Point {
+    /// The impact speed that the law turns into a launch speed.
+    pub(super) fn impact_before(&self, launch: f64) -> Option<f64> {
+        const STEPS: usize = 60;
+        let mut impact = launch / self.law.at(launch);
+        for _ in 0..STEPS {
+            let step = (launch / (impact * self.law.at(impact))).ln()
+                / (1.0 + self.law.log_slope(impact)).max(0.1);
+            impact *= step.exp();
+            if step.abs() < 1e-9 {
+                return impact.is_finite().then_some(impact);
+            }
+        }
+        None
+    }
 }
 
 impl Surroundings {
@@ -291,6 +311,11 @@ impl<'a> Model<'a> {
         self.slots.iter().position(|&s| s == slot)
     }
 
+    /// Whether the height is told from the first flight.
+    pub(super) fn height_is_relative(&self) -> bool {
+        self.height_m.is_none() && self.missed_first == 0
+    }
+
     /// How far the scatter may be off before the data, as a logarithm.
     pub(super) fn log_scatter_sd(&self) -> f64 {
         LOG_SCATTER_SD
@@ -308,7 +333,8 @@ impl<'a> Model<'a> {
         }
     }
 
-    /// The values that a vector stands for; `None` where the law makes no sense.
+    /// The values that a vector stands for, with the height as its coordinate says; `None` where the
+    /// law makes no sense.
     pub(super) fn point(&self, vector: &[f64]) -> Option<Point> {
         let mut values = [0.0; 10];
         for (slot, &value) in self.slots.iter().zip(vector) {
@@ -328,6 +354,7 @@ impl<'a> Model<'a> {
             gravity_m_s2: self.surroundings.gravity_m_s2
                 * (inputs.gravity_sd * at(Slot::Gravity)).exp(),
             fall_launch_m_s: at(Slot::Height).exp(),
+            log_height_unit: 0.0,
             scatter: SCATTER * (LOG_SCATTER_SD * at(Slot::Scatter)).exp(),
             timing: (self.timing_sd * at(Slot::Timing)).exp(),
             contact_time_s: self.contact_time_s
@@ -361,12 +388,17 @@ impl<'a> Model<'a> {
         // One missed impact more means a fall 1/e faster.
         let heard = self.middle.first_launch_m_s / e.powi(self.missed_first as i32 + 1);
         let known = self.height_m.map(|h| (2.0 * gravity * h.value).sqrt());
+        let height = if self.height_is_relative() {
+            0.0
+        } else {
+            known.unwrap_or(heard).ln()
+        };
         let scatter = (self.middle.scatter / SCATTER).ln() / LOG_SCATTER_SD;
         self.slots
             .iter()
             .map(|slot| match slot {
                 Slot::Restitution => (e / (1.0 - e)).ln(),
-                Slot::Height => known.unwrap_or(heard).ln(),
+                Slot::Height => height,
                 Slot::Scatter => scatter.clamp(-3.0, 3.0),
                 _ => 0.0,
             })

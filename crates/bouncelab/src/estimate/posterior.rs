@@ -138,7 +138,13 @@ impl Posterior {
         )
     }
 
-    fn model_of(&self, law: LawKind, surroundings: usize, missed_first: usize) -> Model<'_> {
+    /// A model of these data.
+    pub(super) fn model_of(
+        &self,
+        law: LawKind,
+        surroundings: usize,
+        missed_first: usize,
+    ) -> Model<'_> {
         Model::new(
             &self.observed,
             &self.surroundings[surroundings],
@@ -317,8 +323,9 @@ impl Posterior {
             .iter()
             .step_by(every.max(1))
             .filter_map(|draw| {
-                let point = models[draw.candidate].point(draw.vector.as_slice())?;
-                value(&mut evaluators[draw.candidate], &point)
+                let evaluator = &mut evaluators[draw.candidate];
+                let point = evaluator.point(draw.vector.as_slice())?;
+                value(evaluator, &point)
             })
             .collect()
     }

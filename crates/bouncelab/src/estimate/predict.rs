@@ -2,7 +2,6 @@
 
 use super::likelihood::Evaluator;
 use super::model::Point;
-use crate::flight::table::FlightTable;
 
 /// A drop that has not come to rest after so many bounces never will.
 const MOST_BOUNCES: usize = 20_000;
@@ -76,37 +75,8 @@ pub(super) fn drop_height_for(
     let table = evaluator.table(point.drag_strength);
     let mut launch = table.rising_to(gravity * apex_m)?;
     for _ in 0..bounce {
-        let impact = impact_before(point, launch)?;
-        launch = launch_leading_to(table, impact)?;
+        let impact = point.impact_before(launch)?;
+        launch = table.launch_leading_to(impact)?;
     }
     Some(table.fall(launch)?.0 / gravity)
-}
-
-const STEPS: usize = 60;
-
-/// The impact speed that a law turns into a launch speed.
-fn impact_before(point: &Point, launch: f64) -> Option<f64> {
-    let mut impact = launch / point.law.at(launch);
-    for _ in 0..STEPS {
-        let off = (launch / (impact * point.law.at(impact))).ln();
-        impact *= (off / (1.0 + point.law.log_slope(impact)).max(0.1)).exp();
-        if off.abs() < 1e-10 {
-            return impact.is_finite().then_some(impact);
-        }
-    }
-    None
-}
-
-/// The launch speed whose flight ends with an impact speed.
-fn launch_leading_to(table: &FlightTable, impact: f64) -> Option<f64> {
-    let mut launch = impact;
-    for _ in 0..STEPS {
-        let row = table.launch(launch)?;
-        let off = (impact / row.impact).ln();
-        launch *= (off / row.impact_slope.max(1e-3)).exp();
-        if off.abs() < 1e-10 {
-            return Some(launch);
-        }
-    }
-    None
 }

@@ -138,7 +138,7 @@ pub(super) const ODD_WEIGHT: f64 = 0.55;
 const FEW: usize = 5;
 
 /// So many standard deviations between what was measured and what was heard are no chance.
-const CONTRADICTION: f64 = 4.0;
+const CONTRADICTION: f64 = 3.5;
 
 /// Every remark that applies.
 pub(super) fn remarks(
@@ -172,7 +172,7 @@ pub(super) fn remarks(
     if !odd.is_empty() {
         remarks.push(Remark::Odd(odd));
     }
-    remarks.extend(about_the_height(posterior));
+    remarks.extend(about_the_height(posterior, innovations));
     let remaining = |unknown: Unknown| {
         let found = narrowed.iter().find(|n| n.unknown == unknown);
         found.map(|n| n.remaining)
@@ -208,11 +208,11 @@ fn law_weight(posterior: &Posterior) -> f64 {
         .fold(0.0, f64::max)
 }
 
-fn about_the_height(posterior: &Posterior) -> Option<Remark> {
+fn about_the_height(posterior: &Posterior, innovations: &[Innovation]) -> Option<Remark> {
     let Some(measured) = posterior.knowledge.drop_height_m else {
         return Some(Remark::HeightIsOfFirstHeard);
     };
-    if let Some(contradiction) = contradiction(posterior, measured) {
+    if let Some(contradiction) = contradiction(posterior, innovations, measured) {
         return Some(contradiction);
     }
     let missed: f64 = posterior
@@ -224,38 +224,51 @@ fn about_the_height(posterior: &Posterior) -> Option<Remark> {
     (missed > 0.05).then_some(Remark::MissedFirst(missed))
 }
 
-/// Whether the measured height lies far from what the times say without it, for every number of
-/// missed impacts that is worth a thought.
-fn contradiction(posterior: &Posterior, measured: Measured) -> Option<Remark> {
+/// Whether even the best number of missed impacts leaves a gap between the measured height and the
+/// first flight. The gap shows in the first innovation, or as a height far from the measured one.
+fn contradiction(
+    posterior: &Posterior,
+    innovations: &[Innovation],
+    measured: Measured,
+) -> Option<Remark> {
+    let candidate = &posterior.candidates[0];
+    let model = posterior.model(candidate);
+    let mut evaluator = Evaluator::new(&model);
+    let point = evaluator.point(candidate.fit.vector.as_slice())?;
+    let fitted_m = evaluator.told(&point)?.drop_height_m;
+    let off = ((fitted_m - measured.value) / measured.sd).abs();
+    let first = innovations
+        .iter()
+        .filter(|innovation| innovation.impact == 0)
+        .map(|innovation| innovation.standardised.abs())
+        .fold(0.0, f64::max);
+    if off.max(first) < CONTRADICTION {
+        return None;
+    }
+    let heard_m = heard_height_m(posterior, candidate.law, candidate.surroundings)?;
+    Some(Remark::HeightContradicts {
+        measured_m: measured.value,
+        heard_m,
+        // A height from a flight time goes as gravity.
+        gravity_m_s2: posterior.gravity_m_s2 * measured.value / heard_m,
+    })
+}
+
+/// The height of the fall before the first impact heard, as the times alone have it.
+fn heard_height_m(posterior: &Posterior, law: LawKind, surroundings: usize) -> Option<f64> {
     let without = Posterior {
         knowledge: Knowledge {
             drop_height_m: None,
+            release_s: None,
             ..posterior.knowledge.clone()
         },
         candidates: Vec::new(),
         draws: Vec::new(),
         ..posterior.clone()
     };
-    let mut heard_m = None;
-    for candidate in &posterior.candidates {
-        let model = without.model(candidate);
-        let mut evaluator = Evaluator::new(&model);
-        let fit = fit::best_fit(&mut evaluator)?;
-        let point = model.point(fit.vector.as_slice())?;
-        let told = evaluator.told(&point)?;
-        let place = model.place(super::model::Slot::Height)?;
-        let log_sd = 2.0 * fit.covariance[(place, place)].sqrt();
-        let off = (measured.value / told.drop_height_m).ln();
-        if off.abs() < CONTRADICTION * log_sd.hypot(measured.sd / measured.value) {
-            return None;
-        }
-        heard_m.get_or_insert(told.drop_height_m);
-    }
-    let heard_m = heard_m?;
-    let gravity = posterior.gravity_m_s2 * measured.value / heard_m;
-    Some(Remark::HeightContradicts {
-        measured_m: measured.value,
-        heard_m,
-        gravity_m_s2: gravity,
-    })
+    let model = without.model_of(law, surroundings, 0);
+    let mut evaluator = Evaluator::new(&model);
+    let fit = fit::best_fit(&mut evaluator)?;
+    let point = evaluator.point(fit.vector.as_slice())?;
+    Some(evaluator.told(&point)?.drop_height_m)
 }

@@ -16,7 +16,7 @@ use super::likelihood::Evaluator;
 
 /// Degrees of freedom of the proposal: tails heavier than those of a posterior, so that no region
 /// is forgotten.
-const FREEDOM: f64 = 8.0;
+const FREEDOM: f64 = 5.0;
 
 /// The shape of the proposal is that of the posterior, a little wider.
 const WIDENING: f64 = 1.1;

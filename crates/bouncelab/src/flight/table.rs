@@ -206,6 +206,20 @@ impl FlightTable {
         Some(speed)
     }
 
+    /// The launch whose flight ends with an impact speed.
+    pub(crate) fn launch_leading_to(&self, impact: f64) -> Option<f64> {
+        let mut speed = impact;
+        for _ in 0..MAX_STEPS {
+            let row = self.launch(speed)?;
+            let step = (impact / row.impact).ln() / row.impact_slope.max(LEAST_SLOPE);
+            speed *= step.exp();
+            if step.abs() <= SMALL_STEP {
+                break;
+            }
+        }
+        Some(speed)
+    }
+
     #[inline]
     fn around(&self, speed: f64) -> Option<(&Node, &Node, f64)> {
         let place = speed / self.step;
@@ -224,6 +238,8 @@ impl FlightTable {
 /// Steps square the relative error, so after one this small nothing is left to gain.
 const SMALL_STEP: f64 = 1e-6;
 const MAX_STEPS: usize = 30;
+/// Near the terminal speed the impact speed hardly answers to the launch speed.
+const LEAST_SLOPE: f64 = 1e-3;
 
 impl Node {
     fn of(impact: [f64; 2], [time, height, fall]: [f64; 3], rates: [f64; 3]) -> Self {
@@ -311,6 +327,8 @@ mod tests {
                 );
                 let back = table.rising_to(gravity * exact.apex_m).unwrap();
                 assert!(near(back, launch), "{drag} {launch} {back}");
+                let back = table.launch_leading_to(row.impact).unwrap();
+                assert!((back / launch - 1.0).abs() < 1e-4, "{drag} {launch} {back}");
             }
         }
     }
