@@ -1,0 +1,283 @@
+//! Calibration of the inference by simulation.
+//!
+//! Thousands of drops are drawn from the priors, heard with noise, and inferred. If the inference is
+//! honest, the truth lies within its 68 and 95 % intervals that often, and its rank among the draws
+//! of the posterior is uniform (S. Talts et al., arXiv 1804.06788).
+//!
+//! ```text
+//! cargo run --release -p bouncelab --example calibration -- 4000
+//! ```
+//!
+//! prints the tables of `docs/validation.md`. The argument is the number of drops for each scenario.
+
+use std::thread;
+
+use bouncelab::air::Air;
+use bouncelab::analysis::Settings;
+use bouncelab::ball::Ball;
+use bouncelab::drag::DragLaw;
+use bouncelab::estimate::{Effort, Inference, Knowledge, LawKind, Measured, Question, infer};
+use bouncelab::flight::{Environment, FlightModel};
+use bouncelab::restitution::TimedImpact;
+use rand::{RngExt, SeedableRng};
+use rand_chacha::ChaCha8Rng;
+use rand_distr::StandardNormal;
+
+/// What is simulated.
+#[derive(Clone, Copy, PartialEq)]
+enum Scenario {
+    /// Times good to 50 µs, normal scatter.
+    Clean,
+    /// Times good to 1 ms, one impact in ten unheard.
+    NoisyWithGaps,
+    /// Scatter with two exponential tails.
+    HeavyTails,
+    /// As clean, with the height measured to 2 mm.
+    HeightMeasured,
+}
+
+impl Scenario {
+    const ALL: [Self; 4] = [
+        Self::Clean,
+        Self::NoisyWithGaps,
+        Self::HeavyTails,
+        Self::HeightMeasured,
+    ];
+
+    const fn name(self) -> &'static str {
+        match self {
+            Self::Clean => "clean",
+            Self::NoisyWithGaps => "noisy with gaps",
+            Self::HeavyTails => "heavy tails",
+            Self::HeightMeasured => "height measured",
+        }
+    }
+
+    const fn sigma_s(self) -> f64 {
+        match self {
+            Self::NoisyWithGaps => 1e-3,
+            _ => 5e-5,
+        }
+    }
+}
+
+/// Drops end at this many impacts, or when flights get as short as this, as they do in recordings.
+const MOST_IMPACTS: usize = 40;
+const SHORTEST_FLIGHT_S: f64 = 0.05;
+/// Fewer impacts make no drop for the listener.
+const FEWEST_IMPACTS: usize = 5;
+
+const DRAG: f64 = 0.4;
+const HEIGHT_SD_M: f64 = 0.002;
+
+/// A simulated drop and what was to be found.
+struct Drop {
+    impacts: Vec<TimedImpact>,
+    restitution: f64,
+    height_m: f64,
+    drag: f64,
+    measured_m: f64,
+}
+
+/// One table-tennis ball in a room, known as well as balls and rooms are.
+fn knowledge() -> Knowledge {
+    Knowledge {
+        restitution_laws: vec![LawKind::Constant],
+        // The simulation has no ball with half its added mass.
+        added_mass: 0.0,
+        ..Settings::default().knowledge
+    }
+}
+
+fn environment() -> Environment {
+    Environment {
+        drag: DragLaw::Constant(DRAG),
+        ..Settings::default().environment
+    }
+}
+
+/// A drop from the priors; `None` if it is too short to be heard as one.
+fn drawn(scenario: Scenario, rng: &mut ChaCha8Rng) -> Option<Drop> {
+    let settings = Settings::default();
+    let (known, nominal) = (knowledge(), environment());
+    let normal = |rng: &mut ChaCha8Rng| rng.sample::<f64, _>(StandardNormal);
+    let spread = |sd: f64, rng: &mut ChaCha8Rng| (sd * normal(rng)).exp();
+    let drag = DRAG * spread(known.drag, rng);
+    let gravity_m_s2 = nominal.gravity_m_s2 * spread(known.gravity, rng);
+    let density = nominal.air.density_kg_m3() * spread(known.air_density, rng);
+    let mass_kg = settings.ball.mass_kg() * spread(known.mass, rng);
+    let diameter_m = settings.ball.diameter_m() * spread(known.diameter, rng);
+    let contact_s = settings.contact_time_s * spread(known.contact_time, rng);
+    let scatter = 0.004 * spread(0.7, rng);
+    let sigma_s = scenario.sigma_s() * spread(known.timing, rng);
+    let restitution = 0.5 + 0.5 * rng.random::<f64>();
+    let height_m = 0.15 * 10_f64.powf(rng.random());
+    let measured_m = height_m + HEIGHT_SD_M * normal(rng);
+    let model = FlightModel::new(
+        &Ball::new(mass_kg, diameter_m).ok()?,
+        &Environment {
+            gravity_m_s2,
+            air: Air::new(density, nominal.air.viscosity_pa_s()).ok()?,
+            drag: DragLaw::Constant(drag),
+            ..nominal
+        },
+    )
+    .ok()?;
+    let mut speed = model.fall(height_m).ok()?.impact_speed_m_s;
+    let mut time_s = 0.0;
+    let mut impacts = Vec::new();
+    for number in 1..=MOST_IMPACTS {
+        let unheard = scenario == Scenario::NoisyWithGaps && rng.random::<f64>() < 0.1;
+        let off = normal(rng);
+        if number == 1 || !unheard {
+            impacts.push(TimedImpact {
+                number,
+                time_s: time_s + sigma_s * off,
+                standard_error_s: Some(scenario.sigma_s()),
+            });
+        }
+        let deviation = match scenario {
+            Scenario::HeavyTails => two_exponentials(rng),
+            _ => normal(rng),
+        };
+        let kept = restitution * (scatter * deviation).exp();
+        let flight = model.launch(speed * kept).ok()?;
+        if flight.time_s() < SHORTEST_FLIGHT_S {
+            break;
+        }
+        time_s += flight.time_s() + contact_s;
+        speed = flight.impact_speed_m_s;
+    }
+    (impacts.len() >= FEWEST_IMPACTS).then_some(Drop {
+        impacts,
+        restitution,
+        height_m,
+        drag,
+        measured_m,
+    })
+}
+
+/// The distribution that Montaine et al. found, in its symmetric form, with variance one.
+fn two_exponentials(rng: &mut ChaCha8Rng) -> f64 {
+    let size = -(1.0 - rng.random::<f64>()).ln() / std::f64::consts::SQRT_2;
+    if rng.random::<bool>() { size } else { -size }
+}
+
+/// Shares of the draws below the truth: of e, h0 and C_D; and whether the sampling converged.
+struct Ranks {
+    of: [f64; 3],
+    converged: bool,
+}
+
+fn ranks(scenario: Scenario, seed: u64) -> Option<Ranks> {
+    let drop = drawn(scenario, &mut ChaCha8Rng::seed_from_u64(seed))?;
+    let mut known = knowledge();
+    if scenario == Scenario::HeightMeasured {
+        known.drop_height_m = Some(Measured {
+            value: drop.measured_m,
+            sd: HEIGHT_SD_M,
+        });
+    }
+    let settings = Settings::default();
+    let question = Question {
+        effort: Effort { draws: 2000, seed },
+        ..Question::default()
+    };
+    let found: Inference = infer(
+        &drop.impacts,
+        &settings.ball,
+        &environment(),
+        settings.contact_time_s,
+        &known,
+        &question,
+    )
+    .ok()?;
+    let below = |draws: &[f64], truth: f64| {
+        draws.iter().filter(|draw| **draw < truth).count() as f64 / draws.len() as f64
+    };
+    Some(Ranks {
+        of: [
+            below(&found.draws.restitution, drop.restitution),
+            below(&found.draws.drop_height_m, drop.height_m),
+            below(&found.draws.drag_coefficient, drop.drag),
+        ],
+        converged: found.sampling.converged,
+    })
+}
+
+/// All drops of a scenario, on all cores.
+fn run(scenario: Scenario, drops: usize) -> Vec<Ranks> {
+    let threads = thread::available_parallelism().map_or(1, usize::from);
+    thread::scope(|scope| {
+        let workers: Vec<_> = (0..threads)
+            .map(|worker| {
+                scope.spawn(move || {
+                    // More seeds than drops, since some drops are too short.
+                    (0..)
+                        .skip(worker)
+                        .step_by(threads)
+                        .filter_map(|seed| ranks(scenario, seed))
+                        .take(drops.div_ceil(threads))
+                        .collect::<Vec<_>>()
+                })
+            })
+            .collect();
+        workers
+            .into_iter()
+            .flat_map(|worker| worker.join().unwrap_or_default())
+            .collect()
+    })
+}
+
+/// The chi-square statistic of 20 bins exceeds this once in a hundred times by chance.
+const CHI_SQUARE_LIMIT: f64 = 36.19;
+const BINS: usize = 20;
+
+fn report(scenario: Scenario, all: &[Ranks]) {
+    let count = all.len() as f64;
+    let failed = all.iter().filter(|ranks| !ranks.converged).count();
+    for (place, quantity) in ["e", "h0", "C_D"].iter().enumerate() {
+        let covered = |tail: f64| {
+            let inside = all
+                .iter()
+                .filter(|ranks| (tail..1.0 - tail).contains(&ranks.of[place]))
+                .count();
+            100.0 * inside as f64 / count
+        };
+        let mut bins = [0_usize; BINS];
+        for ranks in all {
+            bins[((ranks.of[place] * BINS as f64) as usize).min(BINS - 1)] += 1;
+        }
+        let expected = count / BINS as f64;
+        let chi_square: f64 = bins
+            .iter()
+            .map(|&bin| (bin as f64 - expected).powi(2) / expected)
+            .sum();
+        let uniform = if chi_square < CHI_SQUARE_LIMIT {
+            "yes"
+        } else {
+            "no"
+        };
+        println!(
+            "| {} | {} | {quantity} | {:.1} | {:.1} | {chi_square:.1} | {uniform} | {failed} | {bins:?} |",
+            scenario.name(),
+            all.len(),
+            covered(0.158_655),
+            covered(0.025),
+        );
+    }
+}
+
+fn main() {
+    let drops = std::env::args()
+        .nth(1)
+        .and_then(|argument| argument.parse().ok())
+        .unwrap_or(400);
+    println!(
+        "| scenario | drops | quantity | in 68 % | in 95 % | chi-square of ranks | uniform (p > 0.01) | not converged | ranks in 20 bins |"
+    );
+    println!("|---|---|---|---|---|---|---|---|---|");
+    for scenario in Scenario::ALL {
+        report(scenario, &run(scenario, drops));
+    }
+}
