@@ -60,9 +60,9 @@ fn gallery() -> bouncelab_report::Result<Vec<(&'static str, Figure)>> {
         ("restitution", restitution()),
         (
             "restitution-line",
-            figure::restitution(&raw(10), &[], Some(0.9375)),
+            figure::restitution(&raw(10), &[], &[], Some(0.9375)),
         ),
-        ("restitution-empty", figure::restitution(&[], &[], None)),
+        ("restitution-empty", figure::restitution(&[], &[], &[], None)),
     ])
 }
 
@@ -277,5 +277,5 @@ fn restitution() -> Figure {
             standard_error: Some(0.001 + 0.0002 * n as f64),
         })
         .collect();
-    figure::restitution(&raw, &corrected, Some(0.9375))
+    figure::restitution(&raw, &corrected, &[], Some(0.9375))
 }

@@ -292,6 +292,67 @@ impl Panel {
         (self.x_at(x), self.y_at(y))
     }
 
+    /// A small panel in a given place. An axis without a name has no numbers either.
+    pub(crate) fn inset(
+        canvas: &mut Canvas,
+        frame: Rect,
+        [x, y]: [Scale; 2],
+        [x_name, y_name]: [Option<&str>; 2],
+    ) -> Self {
+        let panel = Self { frame, x, y };
+        panel.draw_x_axis(canvas, x_name);
+        match y_name {
+            Some(name) => {
+                panel.draw_y_axis(canvas);
+                let place = (frame.left - 40.0, frame.top - 9.0);
+                canvas.text(place, name, AXIS_NAME);
+            }
+            None => panel.draw_grid(canvas),
+        }
+        panel
+    }
+
+    fn draw_grid(&self, canvas: &mut Canvas) {
+        let Rect { left, right, .. } = self.frame;
+        for tick in y_ticks(&self.y, self.frame.height()).major {
+            let y = self.y_at(tick.value);
+            canvas.line((left, y), (right, y), Pen::solid(theme::GRID, 1.0));
+        }
+    }
+
+    /// The region between two curves over the same points, cut off above and below the frame.
+    pub(crate) fn band(
+        &self,
+        canvas: &mut Canvas,
+        lower: &[(f64, f64)],
+        upper: &[(f64, f64)],
+        colour: Colour,
+    ) {
+        let Rect { left, right, .. } = self.frame;
+        let within = |&point: &(f64, f64)| {
+            let (x, y) = self.at(point);
+            (
+                x.clamp(left, right),
+                y.clamp(self.frame.top, self.frame.bottom),
+            )
+        };
+        let corners: Vec<Point> = lower
+            .iter()
+            .map(within)
+            .chain(upper.iter().rev().map(within))
+            .collect();
+        if corners.len() > 3 {
+            canvas.area(&corners, colour);
+        }
+    }
+
+    /// A rectangle between two values of each axis, cut off at the frame.
+    pub(crate) fn block(&self, canvas: &mut Canvas, x: [f64; 2], y: [f64; 2], colour: Colour) {
+        let corners = [(x[0], y[0]), (x[1], y[0])];
+        let above = [(x[0], y[1]), (x[1], y[1])];
+        self.band(canvas, &corners, &above, colour);
+    }
+
     /// A curve, cut off at the frame.
     pub(crate) fn curve(&self, canvas: &mut Canvas, points: &[(f64, f64)], pen: Pen) {
         let places: Vec<Point> = points.iter().map(|&point| self.at(point)).collect();

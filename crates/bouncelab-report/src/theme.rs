@@ -26,10 +26,17 @@ impl Colour {
     /// Mixed rather than transparent, so that overlapping uncertainties do not look denser.
     #[must_use]
     pub fn tint(self) -> Self {
+        self.mixed(0.2)
+    }
+
+    /// The same hue, a share of it from 0 (white) to 1, on white.
+    #[must_use]
+    pub fn mixed(self, share: f64) -> Self {
+        let share = share.clamp(0.0, 1.0);
         Self {
             rgb: self
                 .rgb
-                .map(|part| (0.2 * f64::from(part) + 0.8 * 255.0).round() as u8),
+                .map(|part| (share * f64::from(part) + (1.0 - share) * 255.0).round() as u8),
         }
     }
 }

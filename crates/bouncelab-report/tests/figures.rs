@@ -89,7 +89,7 @@ fn usual() -> Vec<(Figure, &'static [&'static str])> {
             &["time (s)", "height (m)"],
         ),
         (
-            figure::restitution(&impacts(), &impacts(), Some(0.9375)),
+            figure::restitution(&impacts(), &impacts(), &[], Some(0.9375)),
             &[
                 "speed at the impact (m/s)",
                 "restitution: speed after / before",
@@ -217,7 +217,7 @@ fn without_data_a_figure_says_so() {
         figure::drag(std::slice::from_ref(&nothing), DragAxes::Linear, None),
         figure::drag(&[], DragAxes::Logarithmic, Some(1.0)),
         figure::height(&[nothing], &[]),
-        figure::restitution(&[], &[], Some(0.9)),
+        figure::restitution(&[], &[], &[], Some(0.9)),
     ] {
         check_drawing(&figure).unwrap();
         let texts = texts(&figure.svg());
@@ -242,7 +242,7 @@ fn names_from_outside_cannot_break_the_drawing() {
 fn a_restitution_far_off_does_not_flatten_the_others() {
     let mut impacts = impacts();
     impacts[5].value = 40.0;
-    let svg = figure::restitution(&impacts, &[], None).svg();
+    let svg = figure::restitution(&impacts, &[], &[], None).svg();
     let ticks = texts(&svg);
     assert!(ticks.contains(&"0.940".to_owned()), "{ticks:?}");
 }
@@ -294,7 +294,7 @@ proptest! {
         check_drawing(&figure::height(&curves, &numbers))?;
         check_drawing(&figure::drag(&curves, DragAxes::Linear, errors))?;
         check_drawing(&figure::drag(&curves, DragAxes::Logarithmic, errors))?;
-        check_drawing(&figure::restitution(&impacts, &impacts, errors))?;
+        check_drawing(&figure::restitution(&impacts, &impacts, &[], errors))?;
         check_drawing(&figure::flight_times(&flights, Some(line)))?;
         if let Ok(sound) = Envelope::new(line.slope, line.intercept.abs(), lows, highs) {
             check_drawing(&figure::waveform(&sound, &marks))?;
@@ -360,7 +360,7 @@ mod pictures {
 
     #[test]
     fn a_picture_has_a_sensible_width() {
-        let figure = figure::restitution(&[], &[], None);
+        let figure = figure::restitution(&[], &[], &[], None);
         for width in [0, 119, 8001, u32::MAX] {
             let error = figure.png(width).unwrap_err();
             assert!(matches!(error, Error::PictureWidth { width_px } if width_px == width));
@@ -398,7 +398,7 @@ mod pictures {
         let folder = tempfile::tempdir().unwrap();
         let file = folder.path().join("file");
         std::fs::write(&file, "here").unwrap();
-        let figure = figure::restitution(&[], &[], None);
+        let figure = figure::restitution(&[], &[], &[], None);
         let error = save(&figure, &file, "restitution").unwrap_err();
         assert!(matches!(error, Error::Folder { .. }), "{error}");
         assert!(

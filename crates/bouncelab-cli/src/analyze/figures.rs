@@ -4,6 +4,7 @@ use std::path::Path;
 
 use bouncelab::analysis::Analysis;
 use bouncelab::drag::DragLaw;
+use bouncelab::estimate::Impact;
 use bouncelab::flight::{Environment, FlightModel};
 use bouncelab_report::figure::{
     self, Curve, DragAxes, Envelope, Line, Mark, Restitution, TimedFlight,
@@ -12,6 +13,7 @@ use bouncelab_report::theme::Meaning;
 use bouncelab_report::{Figure, save};
 
 use super::hear::Hearing;
+use super::inferred;
 use crate::failure::Failure;
 use crate::physics::Physics;
 
@@ -49,6 +51,9 @@ fn figures(hearing: &Hearing, physics: &Physics) -> Result<Vec<(String, Figure)>
         figures.push((of_drop("flight-times"), flight_times(drop)));
         figures.push((of_drop("restitution"), restitution(drop)));
         figures.push((of_drop("height"), height(drop, physics)));
+        for (name, drawn) in inferred::figures(drop, &physics.settings) {
+            figures.push((of_drop(name), drawn));
+        }
     }
     if let Some(fastest_m_s) = fastest_m_s(hearing) {
         let curves = drag_curves(physics, fastest_m_s)?;
@@ -123,6 +128,13 @@ fn flight_times(drop: &Analysis) -> Figure {
 }
 
 fn restitution(drop: &Analysis) -> Figure {
+    let is_odd = |number: usize| {
+        let found = drop.estimate.as_ref().ok();
+        found.is_some_and(|found| {
+            let impact = found.impacts.iter().find(|impact| impact.number == number);
+            impact.is_some_and(Impact::is_odd)
+        })
+    };
     let impacts = drop
         .corrected
         .as_ref()
@@ -133,6 +145,7 @@ fn restitution(drop: &Analysis) -> Figure {
             speed_m_s: impact.impact_speed_m_s,
             value: impact.raw_ratio,
             standard_error: None,
+            odd: false,
         })
         .collect();
     let corrected: Vec<Restitution> = impacts
@@ -141,10 +154,15 @@ fn restitution(drop: &Analysis) -> Figure {
             speed_m_s: impact.impact_speed_m_s,
             value: impact.restitution.value,
             standard_error: impact.restitution.standard_error,
+            odd: is_odd(impact.number),
         })
         .collect();
     let line = drop.line.as_ref().ok().map(|fit| fit.restitution().value);
-    figure::restitution(&raw, &corrected, line)
+    let band = drop
+        .estimate
+        .as_ref()
+        .map_or_else(|_| Vec::new(), inferred::band);
+    figure::restitution(&raw, &corrected, &band, line)
 }
 
 /// The height of each flight by the flight model, from impact to impact.

@@ -3,6 +3,7 @@
 mod figures;
 mod hear;
 mod inference;
+mod inferred;
 mod rows;
 mod text;
 

@@ -3,16 +3,26 @@
 //! Each takes plain data and gives a [`Figure`]. Points that are not numbers are left out;
 //! a figure without any usable point says so instead of showing empty axes.
 
+mod budget;
+mod corner;
+mod cut;
 mod drag;
 mod flight_times;
 mod height;
+mod models;
+mod residuals;
 mod restitution;
 mod waveform;
 
+pub use budget::{Budget, Source, budget};
+pub use corner::{CornerParameter, corner};
+pub use cut::{CutPoint, CutSeries, cut};
 pub use drag::{DragAxes, drag};
 pub use flight_times::{Line, TimedFlight, flight_times};
 pub use height::height;
-pub use restitution::{Restitution, restitution};
+pub use models::{ModelWeight, models};
+pub use residuals::{Residual, residuals};
+pub use restitution::{BandPoint, Restitution, restitution};
 pub use waveform::{Envelope, Mark, SURE, waveform};
 
 use crate::canvas::{Canvas, Dash, Pen};

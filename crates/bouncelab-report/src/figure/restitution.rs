@@ -19,6 +19,21 @@ pub struct Restitution {
     pub value: f64,
     /// Standard error of the value, if known.
     pub standard_error: Option<f64>,
+    /// Whether it is odd and counts less in the fit.
+    pub odd: bool,
+}
+
+/// The fitted restitution at a speed.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct BandPoint {
+    /// Speed before the impact, in m/s.
+    pub speed_m_s: f64,
+    /// Median.
+    pub value: f64,
+    /// Where it lies with a probability of 68 %.
+    pub interval68: [f64; 2],
+    /// Where it lies with a probability of 95 %.
+    pub interval95: [f64; 2],
 }
 
 impl From<Restitution> for Measured {
@@ -31,9 +46,15 @@ impl From<Restitution> for Measured {
 }
 
 /// Restitution against impact speed: `raw` as if there were no air (the ratio of neighbouring
-/// flight times), `corrected` for air drag, and the one value of the straight line. The
-/// vertical axis shows the bulk of the values; those far off are arrow heads at its edge.
-pub fn restitution(raw: &[Restitution], corrected: &[Restitution], line: Option<f64>) -> Figure {
+/// flight times), `corrected` for air drag, the fitted law as a `band`, and the one value of
+/// the straight line. The vertical axis shows the bulk of the values; those far off are arrow
+/// heads at its edge.
+pub fn restitution(
+    raw: &[Restitution],
+    corrected: &[Restitution],
+    band: &[BandPoint],
+    line: Option<f64>,
+) -> Figure {
     let raw = usable(raw);
     let corrected = usable(corrected);
     let all = || raw.iter().chain(&corrected);
@@ -47,12 +68,17 @@ pub fn restitution(raw: &[Restitution], corrected: &[Restitution], line: Option<
     let line = line.filter(|value| value.is_finite());
     let shown: Vec<_> = all().map(|r| (r.value, r.standard_error)).collect();
     let bulk = robust_scale(&shown);
-    let ends = [bulk.low(), bulk.high()].into_iter().chain(line);
+    let fitted = band.iter().flat_map(|point| point.interval68);
+    let ends = [bulk.low(), bulk.high()]
+        .into_iter()
+        .chain(line)
+        .chain(fitted);
     let y = Axis::new(
         Scale::linear(ends).padded(0.08, 0.08),
         "restitution: speed after / before",
     );
-    let speeds = all().map(|r| r.speed_m_s).chain([0.0]);
+    let fitted = band.iter().map(|point| point.speed_m_s);
+    let speeds = all().map(|r| r.speed_m_s).chain(fitted).chain([0.0]);
     let x = Axis::new(
         Scale::linear(speeds).padded(0.0, 0.04),
         "speed at the impact (m/s)",
@@ -61,6 +87,7 @@ pub fn restitution(raw: &[Restitution], corrected: &[Restitution], line: Option<
     let mut sheet = Sheet::new(HEIGHT, TITLE);
     let grey = Meaning::NoDrag.colour();
     let blue = Meaning::Measured.colour();
+    let orange = Meaning::Drag.colour();
     let pen = Pen::solid(grey, LINE);
     let mut key = Vec::new();
     if !corrected.is_empty() {
@@ -69,6 +96,17 @@ pub fn restitution(raw: &[Restitution], corrected: &[Restitution], line: Option<
     if !raw.is_empty() {
         key.push(KeyEntry::new(Swatch::Ring(grey), "as if there were no air"));
     }
+    if corrected.iter().any(|impact| impact.odd) {
+        let swatch = Swatch::Mark {
+            colour: orange,
+            filled: false,
+        };
+        key.push(KeyEntry::new(swatch, "odd, counts less"));
+    }
+    let fit = Pen::solid(orange, LINE);
+    if !band.is_empty() {
+        key.push(KeyEntry::new(Swatch::Line(fit), "fitted law, 68 and 95 %"));
+    }
     if let Some(value) = line {
         let value = Quantity::rounded(value, 4, Unit::Number);
         let name = format!("straight line: {value}");
@@ -76,6 +114,7 @@ pub fn restitution(raw: &[Restitution], corrected: &[Restitution], line: Option<
     }
     sheet.key(&key);
     let panel = Panel::fill(&mut sheet, &x, &y, 0.0);
+    draw_band(&panel, &mut sheet, band, fit);
     let groups = [
         (&raw, Swatch::Ring(grey), grey),
         (&corrected, Swatch::Dot(blue), blue),
@@ -93,11 +132,32 @@ pub fn restitution(raw: &[Restitution], corrected: &[Restitution], line: Option<
             panel.point(&mut sheet.canvas, impact.into(), swatch);
         }
     }
+    for &impact in corrected.iter().filter(|impact| impact.odd) {
+        let swatch = Swatch::Mark {
+            colour: orange,
+            filled: false,
+        };
+        panel.point(&mut sheet.canvas, impact.into(), swatch);
+    }
     Figure::new(
         sheet,
         TITLE,
         caption(!raw.is_empty() && !corrected.is_empty()),
     )
+}
+
+fn draw_band(panel: &Panel, sheet: &mut Sheet, band: &[BandPoint], pen: Pen) {
+    let ends = |of: fn(&BandPoint) -> [f64; 2], end: usize| -> Vec<(f64, f64)> {
+        band.iter().map(|p| (p.speed_m_s, of(p)[end])).collect()
+    };
+    let intervals: [(fn(&BandPoint) -> [f64; 2], f64); 2] =
+        [(|p| p.interval95, 0.13), (|p| p.interval68, 0.3)];
+    for (of, share) in intervals {
+        let colour = pen.colour.mixed(share);
+        panel.band(&mut sheet.canvas, &ends(of, 0), &ends(of, 1), colour);
+    }
+    let middle: Vec<(f64, f64)> = band.iter().map(|p| (p.speed_m_s, p.value)).collect();
+    panel.curve(&mut sheet.canvas, &middle, pen);
 }
 
 fn usable(impacts: &[Restitution]) -> Vec<Restitution> {

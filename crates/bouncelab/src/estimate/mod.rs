@@ -509,6 +509,13 @@ impl Answers {
     }
 }
 
+impl Impact {
+    /// Whether it is so odd that it counts little in the fit.
+    pub fn is_odd(&self) -> bool {
+        self.weight < remark::ODD_WEIGHT
+    }
+}
+
 impl Inference {
     /// The restitution law at a speed, m/s.
     pub fn restitution_at(&self, speed_m_s: f64) -> Option<Summary> {
