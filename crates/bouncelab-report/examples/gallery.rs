@@ -62,7 +62,10 @@ fn gallery() -> bouncelab_report::Result<Vec<(&'static str, Figure)>> {
             "restitution-line",
             figure::restitution(&raw(10), &[], &[], Some(0.9375)),
         ),
-        ("restitution-empty", figure::restitution(&[], &[], &[], None)),
+        (
+            "restitution-empty",
+            figure::restitution(&[], &[], &[], None),
+        ),
     ])
 }
 
@@ -260,6 +263,7 @@ fn raw(count: usize) -> Vec<Restitution> {
                 speed_m_s,
                 value: 0.945 - 0.007 * speed_m_s + wobble,
                 standard_error: None,
+                odd: false,
             }
         })
         .collect()
@@ -275,6 +279,7 @@ fn restitution() -> Figure {
             speed_m_s: impact.speed_m_s,
             value: impact.value + 0.008 * impact.speed_m_s,
             standard_error: Some(0.001 + 0.0002 * n as f64),
+            odd: false,
         })
         .collect();
     figure::restitution(&raw, &corrected, &[], Some(0.9375))

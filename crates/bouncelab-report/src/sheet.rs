@@ -179,6 +179,9 @@ pub(crate) struct Panel {
     pub(crate) frame: Rect,
     x: Scale,
     y: Scale,
+    /// How far a number along the horizontal axis may reach beyond the frame: little where another
+    /// panel follows.
+    label_room: f64,
 }
 
 impl Panel {
@@ -220,6 +223,7 @@ impl Panel {
             frame,
             x: x.scale,
             y: y.scale,
+            label_room: f64::INFINITY,
         };
         panel.draw_y_axis(canvas);
         panel.draw_x_axis(canvas, rows.labelled.then_some(x.name.as_str()));
@@ -271,6 +275,9 @@ impl Panel {
             // A wide number at the end of the axis stays on the sheet.
             let half = text_width(&tick.label, style.size) / 2.0;
             let x = x.min(canvas.width() - half - 6.0);
+            if x + half > right + self.label_room {
+                continue;
+            }
             canvas.text((x, bottom + 20.0), &tick.label, style);
         }
         let style = Style::new(theme::LABEL_SIZE, theme::SOFT_INK, Anchor::Middle);
@@ -299,7 +306,12 @@ impl Panel {
         [x, y]: [Scale; 2],
         [x_name, y_name]: [Option<&str>; 2],
     ) -> Self {
-        let panel = Self { frame, x, y };
+        let panel = Self {
+            frame,
+            x,
+            y,
+            label_room: 4.0,
+        };
         panel.draw_x_axis(canvas, x_name);
         match y_name {
             Some(name) => {

@@ -53,6 +53,7 @@ fn impacts() -> Vec<Restitution> {
         speed_m_s: 2.3 * 0.94_f64.powf(f64::from(n)),
         value: 0.94 + 0.002 * f64::from(n % 3),
         standard_error: Some(0.002),
+        odd: false,
     };
     (1..30).map(impact).collect()
 }
@@ -273,7 +274,7 @@ proptest! {
         let curves = [curve(Meaning::Drag), curve(Meaning::Drag)];
         let impacts: Vec<_> = numbers
             .iter()
-            .map(|&(speed_m_s, value)| Restitution { speed_m_s, value, standard_error: errors })
+            .map(|&(speed_m_s, value)| Restitution { speed_m_s, value, standard_error: errors, odd: false })
             .collect();
         let flights: Vec<_> = numbers
             .iter()

@@ -182,14 +182,15 @@ impl Knowledge {
 pub enum LawKind {
     /// The same at every speed.
     Constant,
-    /// A straight line; -d ln e/d ln v at v* is normal, 0 +- 0.1.
+    /// A straight line; the share of e that it loses from rest to the fastest impact is normal,
+    /// 0 +- 0.1.
     Linear,
     /// A power law; the exponent is normal, 0 +- 0.1.
     Power,
     /// A viscoelastic sphere, which has no further number.
     Viscoelastic,
     /// Constant below a knee and falling above it; the knee lies anywhere in the speeds heard, and
-    /// the fall, as a share of e for each v*, is log-normal around 0.05 with a factor e.
+    /// the share of e lost from the knee to twice its speed is log-normal, 0.05 with a factor e.
     Knee,
 }
 

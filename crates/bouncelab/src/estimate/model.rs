@@ -364,19 +364,20 @@ impl<'a> Model<'a> {
 
     fn restitution(&self, reference: f64, shapes: [f64; 2]) -> Result<Restitution> {
         let speed = self.middle.speed_m_s;
+        let (slow, fast) = (self.middle.slowest_m_s, self.middle.fastest_m_s);
         let slope = SLOPE_SD * shapes[0];
         match self.law {
             LawKind::Constant => Restitution::constant(reference),
             LawKind::Linear => {
-                Restitution::linear(reference * (1.0 + slope), reference * slope / speed)
+                let loss_per_speed = reference * slope / fast;
+                Restitution::linear(reference + loss_per_speed * speed, loss_per_speed)
             }
             LawKind::Power => Restitution::power(reference, speed, slope),
             LawKind::Viscoelastic => Restitution::viscoelastic_through(reference, speed),
             LawKind::Knee => {
-                let (slow, fast) = (self.middle.slowest_m_s, self.middle.fastest_m_s);
                 let knee = slow * (fast / slow).powf(logistic(KNEE_PLACE * shapes[0]));
                 let fall = KNEE_FALL * shapes[1].exp();
-                Restitution::knee(reference, knee, reference * fall / speed)
+                Restitution::knee(reference, knee, reference * fall / knee)
             }
         }
     }
@@ -399,6 +400,9 @@ impl<'a> Model<'a> {
             .map(|slot| match slot {
                 Slot::Restitution => (e / (1.0 - e)).ln(),
                 Slot::Height => height,
+                // A knee in the fast impacts, and not steep: from there the search can go anywhere.
+                Slot::Shape(0) if self.law == LawKind::Knee => 1.0,
+                Slot::Shape(1) => -1.0,
                 Slot::Scatter => scatter.clamp(-3.0, 3.0),
                 _ => 0.0,
             })
