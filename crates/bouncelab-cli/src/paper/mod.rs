@@ -5,6 +5,7 @@
 mod experiment;
 mod facts;
 mod figures;
+mod puzzle;
 
 use std::io::{self, Write};
 use std::path::PathBuf;
@@ -15,6 +16,7 @@ use serde::Serialize;
 
 use crate::failure::Failure;
 use facts::{Chapter, Fact};
+use puzzle::Explanation;
 
 /// Compute every number and figure of the paper, and what it did not say
 ///
@@ -49,11 +51,15 @@ enum Format {
 
 pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let chapters = facts::chapters()?;
+    let explanations = puzzle::explanations()?;
     let mut out = io::stdout().lock();
     match arguments.format {
-        Format::Text => out.write_all(text(&chapters).as_bytes())?,
+        Format::Text => {
+            out.write_all(text(&chapters).as_bytes())?;
+            write!(out, "\n{}", puzzle::chapter(&explanations))?;
+        }
         Format::Json => {
-            let document = Document::new(&chapters);
+            let document = Document::new(&chapters, explanations);
             serde_json::to_writer_pretty(&mut out, &document).map_err(io::Error::from)?;
             writeln!(out)?;
         }
@@ -73,6 +79,8 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
 struct Document {
     schema: &'static str,
     facts: Vec<Row>,
+    /// What would make the straight line say what it says in the paper.
+    puzzle: Vec<Explanation>,
 }
 
 #[derive(Serialize)]
@@ -88,7 +96,7 @@ struct Row {
 }
 
 impl Document {
-    fn new(chapters: &[Chapter]) -> Self {
+    fn new(chapters: &[Chapter], puzzle: Vec<Explanation>) -> Self {
         let rows = chapters.iter().flat_map(|chapter| {
             chapter.facts.iter().map(|fact| Row {
                 chapter: chapter.title,
@@ -103,6 +111,7 @@ impl Document {
         Self {
             schema: "bouncelab.paper/1",
             facts: rows.collect(),
+            puzzle,
         }
     }
 }
