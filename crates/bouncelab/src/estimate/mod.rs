@@ -67,6 +67,7 @@ use crate::ball::Ball;
 use crate::drag::DragLaw;
 use crate::error::{Error, Result, positive};
 use crate::flight::{Environment, FlightModel};
+use crate::impact::Restitution;
 use crate::restitution::TimedImpact;
 use likelihood::{Evaluator, Innovation};
 use posterior::Posterior;
@@ -280,6 +281,55 @@ pub fn infer(
                     .to_owned(),
             )
         })
+}
+
+/// The most probable drop under one law, without uncertainties.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct BestFit {
+    /// The restitution law.
+    pub law: Restitution,
+    /// Height of the fall before the first impact heard, m.
+    pub drop_height_m: f64,
+    /// Factor on the drag coefficient of the drag law.
+    pub drag_scale: f64,
+}
+
+/// The best fit alone: a hundred times faster than [`infer`], for those who watch while it bounces.
+///
+/// It takes the first restitution law of the knowledge (constant if it names none) and the drag law
+/// of the environment, and every impact from the first one heard.
+///
+/// # Errors
+///
+/// Those of [`infer`].
+pub fn best_fit(
+    impacts: &[TimedImpact],
+    ball: &Ball,
+    environment: &Environment,
+    contact_time_s: f64,
+    knowledge: &Knowledge,
+) -> Result<BestFit> {
+    let law = knowledge.restitution_laws.first();
+    let knowledge = Knowledge {
+        restitution_laws: vec![law.copied().unwrap_or(LawKind::Constant)],
+        constant_drag_too: false,
+        first_was_heard: true,
+        ..knowledge.clone()
+    };
+    let posterior = Posterior::fitted_only(impacts, ball, environment, contact_time_s, &knowledge)?;
+    let candidate = &posterior.candidates[0];
+    let model = posterior.model(candidate);
+    let mut evaluator = Evaluator::new(&model);
+    let point = evaluator.point(candidate.fit.vector.as_slice());
+    point
+        .and_then(|point| {
+            Some(BestFit {
+                law: point.law,
+                drop_height_m: evaluator.told(&point)?.drop_height_m,
+                drag_scale: point.drag_scale,
+            })
+        })
+        .ok_or_else(|| Error::CannotInfer("the best fit makes no sense".to_owned()))
 }
 
 /// The answers of each draw.

@@ -60,6 +60,16 @@ impl Observed {
         })
     }
 
+    /// Ratio of the second flight to the first, a rough idea of the restitution; 0 if there is only
+    /// one.
+    pub(super) fn first_ratio(&self) -> f64 {
+        let flight_s = |stretch: &Stretch| stretch.duration_s / stretch.flights as f64;
+        match self.stretches.as_slice() {
+            [first, second, ..] => flight_s(second) / flight_s(first),
+            _ => 0.0,
+        }
+    }
+
     /// How many impacts lie between two single flights, and so show their restitution.
     pub(super) fn restitutions(&self) -> usize {
         let pairs = self.stretches.windows(2);

@@ -95,6 +95,23 @@ impl Posterior {
         knowledge: &Knowledge,
         effort: &Effort,
     ) -> Result<Self> {
+        let mut posterior =
+            Self::fitted_only(impacts, ball, environment, contact_time_s, knowledge)?;
+        posterior.sample(effort);
+        Ok(posterior)
+    }
+
+    /// Fits every model, most probable first, and draws nothing.
+    ///
+    /// # Errors
+    /// Those of [`Posterior::new`].
+    pub(super) fn fitted_only(
+        impacts: &[TimedImpact],
+        ball: &Ball,
+        environment: &Environment,
+        contact_time_s: f64,
+        knowledge: &Knowledge,
+    ) -> Result<Self> {
         knowledge.check()?;
         let observed = Observed::new(impacts, contact_time_s)?;
         let under = |law: DragLaw| Surroundings::new(ball, environment, law, &observed, knowledge);
@@ -125,7 +142,7 @@ impl Posterior {
                     .to_owned(),
             ));
         }
-        posterior.sample(effort);
+        weigh(&mut posterior.candidates);
         Ok(posterior)
     }
 

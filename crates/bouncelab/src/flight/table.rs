@@ -14,9 +14,6 @@
 use super::FlightModel;
 use crate::error::Result;
 
-/// Nodes of the march over the launch speed.
-const NODES: usize = 64;
-
 /// Nodes of the drag profile: it is read between the nodes of the march too.
 const PROFILE: usize = 1024;
 
@@ -26,12 +23,14 @@ pub(crate) struct DragProfile {
     /// Drag over weight over speed, s/m, at equal steps of speed: nearly straight for every law.
     per_speed: Vec<f64>,
     step: f64,
+    /// Steps of the march over the launch speed.
+    march: usize,
 }
 
 impl DragProfile {
-    /// The drag of a model up to a speed; beyond the range of its law drag keeps the coefficient it
+    /// The drag of a model up to a speed, for tables of so many steps; beyond the range of its law drag keeps the coefficient it
     /// has there.
-    pub(crate) fn new(model: &FlightModel, greatest_speed_m_s: f64) -> Result<Self> {
+    pub(crate) fn new(model: &FlightModel, greatest_speed_m_s: f64, march: usize) -> Result<Self> {
         let step = greatest_speed_m_s / PROFILE as f64;
         let mut per_speed = Vec::with_capacity(PROFILE + 2);
         // At rest the ratio is that of creeping flow, which the first speed of all comes close to.
@@ -45,7 +44,11 @@ impl DragProfile {
             };
             per_speed.push(value);
         }
-        Ok(Self { per_speed, step })
+        Ok(Self {
+            per_speed,
+            step,
+            march,
+        })
     }
 
     /// The fastest launch that a table over this profile knows, m/s.
@@ -102,36 +105,39 @@ impl FlightTable {
     /// An empty table, to be filled by [`FlightTable::fill`].
     pub(crate) fn new() -> Self {
         Self {
-            nodes: vec![Node::default(); NODES + 1],
+            nodes: Vec::new(),
             step: 0.0,
         }
     }
 
     /// Solves all flights with so many times the drag of a profile.
     pub(crate) fn fill(&mut self, profile: &DragProfile, drag_scale: f64) {
-        self.step = profile.fastest() / NODES as f64;
+        self.step = profile.fastest() / profile.march as f64;
         let step = self.step;
         let over_weight = |speed: f64| drag_scale * profile.over_weight(speed);
-        let slowing = |v: f64| 1.0 + over_weight(v);
-        let ratio = |v: f64, impact: f64| if v > 0.0 { v / impact } else { 1.0 };
+        // One division each: this march is most of the time of an inference.
         let slope = |slowing: f64, v: f64, impact: f64| {
-            ratio(v, impact) * (1.0 - over_weight(impact)) / slowing
+            v * (1.0 - over_weight(impact)) / (impact * slowing)
         };
         // Time, g h and fall time.
         let rates = |slowing: f64, v: f64, impact: f64| {
-            let ratio = ratio(v, impact);
-            [(1.0 + ratio) / slowing, v / slowing, ratio / slowing]
+            let per_impact = 1.0 / (slowing * impact);
+            let fall = v * per_impact;
+            let per_slowing = impact * per_impact;
+            [per_slowing + fall, v * per_slowing, fall]
         };
-        let (mut impact, mut slope_here, mut slowing_here) = (0.0, 1.0, 1.0);
+        self.nodes.clear();
+        let (mut impact, mut slope_here) = (0.0, 1.0);
         let mut sums = [0.0; 3];
-        let mut rates_here = rates(1.0, 0.0, 0.0);
-        self.nodes[0] = Node::of([0.0, 1.0], sums, rates_here);
-        for node in 1..=NODES {
+        // At rest the impact speed is the launch speed.
+        let mut rates_here = [2.0, 0.0, 1.0];
+        self.nodes.push(Node::of([0.0, 1.0], sums, rates_here));
+        for node in 1..=profile.march {
             let v = step * (node - 1) as f64;
             let (middle, end) = (v + 0.5 * step, v + step);
-            let (slowing_middle, slowing_end) = (slowing(middle), slowing(end));
-            // Runge-Kutta for the impact speed.
-            let k1 = slope(slowing_here, v, impact);
+            let (slowing_middle, slowing_end) = (1.0 + over_weight(middle), 1.0 + over_weight(end));
+            // Runge-Kutta for the impact speed; its first slope is the last of the step before.
+            let k1 = slope_here;
             let k2 = slope(slowing_middle, middle, impact + 0.5 * step * k1);
             let k3 = slope(slowing_middle, middle, impact + 0.5 * step * k2);
             let k4 = slope(slowing_end, end, impact + step * k3);
@@ -144,8 +150,9 @@ impl FlightTable {
             for (i, sum) in sums.iter_mut().enumerate() {
                 *sum += step / 6.0 * (rates_here[i] + 4.0 * rates_middle[i] + rates_end[i]);
             }
-            self.nodes[node] = Node::of([next, slope_end], sums, rates_end);
-            (impact, slope_here, slowing_here) = (next, slope_end, slowing_end);
+            self.nodes
+                .push(Node::of([next, slope_end], sums, rates_end));
+            (impact, slope_here) = (next, slope_end);
             rates_here = rates_end;
         }
     }
@@ -223,7 +230,7 @@ impl FlightTable {
     #[inline]
     fn around(&self, speed: f64) -> Option<(&Node, &Node, f64)> {
         let place = speed / self.step;
-        if !(place > 0.0 && place < NODES as f64) {
+        if !(place > 0.0 && place + 1.0 < self.nodes.len() as f64) {
             return None;
         }
         let node = place as usize;
@@ -300,7 +307,7 @@ mod tests {
             (DragLaw::CliftGraceWeber, 2e-5),
         ] {
             let model = model(drag);
-            let profile = DragProfile::new(&model, 12.0).unwrap();
+            let profile = DragProfile::new(&model, 12.0, 80).unwrap();
             let mut table = FlightTable::new();
             table.fill(&profile, 1.0);
             let gravity = model.gravity_m_s2();
@@ -336,7 +343,7 @@ mod tests {
     /// Twice the drag in the table is the drag of twice the coefficient.
     #[test]
     fn a_table_scales_its_drag() {
-        let profile = DragProfile::new(&model(DragLaw::Constant(0.3)), 8.0).unwrap();
+        let profile = DragProfile::new(&model(DragLaw::Constant(0.3)), 8.0, 80).unwrap();
         let mut table = FlightTable::new();
         table.fill(&profile, 2.0);
         let exact = model(DragLaw::Constant(0.6)).launch(3.0).unwrap();
@@ -346,7 +353,7 @@ mod tests {
 
     #[test]
     fn what_lies_beyond_the_table_is_not_made_up() {
-        let profile = DragProfile::new(&model(DragLaw::Constant(0.4)), 5.0).unwrap();
+        let profile = DragProfile::new(&model(DragLaw::Constant(0.4)), 5.0, 80).unwrap();
         let mut table = FlightTable::new();
         table.fill(&profile, 1.0);
         assert!(table.launch(5.1).is_none());

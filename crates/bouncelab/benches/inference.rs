@@ -1,0 +1,110 @@
+//! What the inference costs: `cargo bench -p bouncelab --bench inference`.
+
+use bouncelab::analysis::Settings;
+use bouncelab::drag::DragLaw;
+use bouncelab::estimate::{self, Effort, Knowledge, LawKind, Question};
+use bouncelab::flight::{Environment, FlightModel};
+use bouncelab::restitution::TimedImpact;
+use divan::Bencher;
+use rand::{RngExt, SeedableRng};
+use rand_chacha::ChaCha8Rng;
+use rand_distr::StandardNormal;
+
+fn main() {
+    divan::main();
+}
+
+const LAWS: [DragLaw; 2] = [DragLaw::Constant(0.4), DragLaw::CliftGraceWeber];
+
+fn environment(drag: DragLaw) -> Environment {
+    Environment {
+        drag,
+        ..Settings::default().environment
+    }
+}
+
+/// Forty impacts of a table-tennis ball from half a metre, with scatter and errors.
+fn impacts() -> Vec<TimedImpact> {
+    const SIGMA_S: f64 = 5e-5;
+    let mut rng = ChaCha8Rng::seed_from_u64(1);
+    let mut normal = || rng.sample::<f64, _>(StandardNormal);
+    let settings = Settings::default();
+    let model = FlightModel::new(&settings.ball, &environment(LAWS[0])).unwrap();
+    let mut speed = model.fall(0.5).unwrap().impact_speed_m_s;
+    let mut time_s = 0.0;
+    (1..=40)
+        .map(|number| {
+            let heard = TimedImpact {
+                number,
+                time_s: time_s + SIGMA_S * normal(),
+                standard_error_s: Some(SIGMA_S),
+            };
+            let launch = speed * 0.945 * (0.003 * normal()).exp();
+            let flight = model.launch(launch).unwrap();
+            time_s += flight.time_s() + settings.contact_time_s;
+            speed = flight.impact_speed_m_s;
+            heard
+        })
+        .collect()
+}
+
+fn one_law() -> Knowledge {
+    Knowledge {
+        restitution_laws: vec![LawKind::Constant],
+        constant_drag_too: false,
+        ..Settings::default().knowledge
+    }
+}
+
+#[divan::bench(args = LAWS)]
+fn best_fit(bencher: Bencher, drag: DragLaw) {
+    let (impacts, settings) = (impacts(), Settings::default());
+    let (environment, knowledge) = (environment(drag), one_law());
+    bencher.bench_local(|| {
+        estimate::best_fit(
+            &impacts,
+            &settings.ball,
+            &environment,
+            settings.contact_time_s,
+            &knowledge,
+        )
+    });
+}
+
+/// One law, 4000 independent draws, and every answer.
+#[divan::bench(args = LAWS, sample_count = 10)]
+fn posterior(bencher: Bencher, drag: DragLaw) {
+    let (impacts, settings) = (impacts(), Settings::default());
+    let (environment, knowledge) = (environment(drag), one_law());
+    bencher.bench_local(|| {
+        estimate::infer(
+            &impacts,
+            &settings.ball,
+            &environment,
+            settings.contact_time_s,
+            &knowledge,
+            &Question::default(),
+        )
+    });
+}
+
+/// As `analyze` does it: all laws, with the law of drag and a constant coefficient.
+#[divan::bench(args = [1000, 4000], sample_count = 10)]
+fn all_models(bencher: Bencher, draws: usize) {
+    let (impacts, settings) = (impacts(), Settings::default());
+    let environment = environment(DragLaw::CliftGraceWeber);
+    let question = Question {
+        effort: Effort { draws, seed: 1 },
+        ..Question::default()
+    };
+    bencher.bench_local(|| {
+        estimate::infer(
+            &impacts,
+            &settings.ball,
+            &environment,
+            settings.contact_time_s,
+            &settings.knowledge,
+            &question,
+        )
+    });
+}
