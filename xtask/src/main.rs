@@ -4,6 +4,7 @@
 //! library is used, so that a fresh clone starts checking at once.
 
 mod bench;
+mod calibrate;
 mod cargo;
 mod test;
 
@@ -19,7 +20,7 @@ struct Chore {
     run: fn(&[String]) -> Result,
 }
 
-const CHORES: [Chore; 2] = [
+const CHORES: [Chore; 3] = [
     Chore {
         name: "test",
         arguments: "[CHECK...]",
@@ -31,6 +32,12 @@ const CHORES: [Chore; 2] = [
         arguments: "[FILTER...]",
         about: bench::ABOUT,
         run: bench::run,
+    },
+    Chore {
+        name: "calibrate",
+        arguments: "[DROPS [FOLDER]]",
+        about: calibrate::ABOUT,
+        run: calibrate::run,
     },
 ];
 

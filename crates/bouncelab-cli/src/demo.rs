@@ -7,7 +7,7 @@ use bouncelab::analysis::Settings;
 use bouncelab::ball;
 use bouncelab::drag::DragLaw;
 use bouncelab::drop::{self, History, Start, Stop};
-use bouncelab::estimate::{Knowledge, Measured, Question};
+use bouncelab::estimate::{Knowledge, Question, Summary};
 use bouncelab::flight::Environment;
 use bouncelab::impact::{Contact, Restitution, Strike};
 use bouncelab::regression::{Estimate, Regression};
@@ -42,8 +42,6 @@ Examples:
 
 /// The paper's drop height in metres.
 const DROP_HEIGHT_M: f64 = 0.305;
-/// As well as one measures a height with a ruler.
-const HEIGHT_SD_M: f64 = 0.002;
 /// With drag, this restitution gives the paper's straight line its slope over ten flights.
 const RESTITUTION: f64 = 0.9529;
 /// A quiet room, in dB.
@@ -75,13 +73,8 @@ fn physics() -> Result<Physics, Failure> {
         environment,
         contact_time_s: preset.contact_time_s,
         flights: Some(1..=10),
-        knowledge: Knowledge {
-            drop_height_m: Some(Measured {
-                value: DROP_HEIGHT_M,
-                sd: HEIGHT_SD_M,
-            }),
-            ..Knowledge::of_preset(preset)
-        },
+        // The height is left out: to find it again is the point.
+        knowledge: Knowledge::of_preset(preset),
         question: Some(Question::default()),
     };
     Ok(Physics {
@@ -142,7 +135,7 @@ fn print(
     )?;
     writeln!(
         out,
-        "corrected for drag, the restitution is the one the drop was made with."
+        "the inference knows the air, and finds the restitution and the height again."
     )?;
     Ok(())
 }
@@ -181,15 +174,27 @@ fn comparison(hearing: &Hearing, history: &History, sound: &Rendered) -> Table {
         number(RESTITUTION),
         estimate(line.map(Regression::restitution), Unit::Number),
     ]);
+    let inferred = drop.estimate.as_ref().ok();
+    let answer = |found: Option<Summary>, unit: Unit| {
+        found.map_or_else(
+            || CANNOT_TELL.to_owned(),
+            |s| Quantity::measured(s.value, s.sd, unit).to_string(),
+        )
+    };
     table.row([
-        "e, corrected for drag".to_owned(),
+        "e, inference".to_owned(),
         number(RESTITUTION),
-        estimate(drop.corrected_restitution(), Unit::Number),
+        answer(inferred.map(|found| found.restitution), Unit::Number),
     ]);
     table.row([
         "drop height, straight line".to_owned(),
         Quantity::rounded(DROP_HEIGHT_M, 3, Unit::Length).to_string(),
         estimate(line.map(Regression::drop_height_m), Unit::Length),
+    ]);
+    table.row([
+        "drop height, inference".to_owned(),
+        Quantity::rounded(DROP_HEIGHT_M, 3, Unit::Length).to_string(),
+        answer(inferred.map(|found| found.drop_height_m), Unit::Length),
     ]);
     let second = history
         .bounces()

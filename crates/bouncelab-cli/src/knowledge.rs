@@ -70,7 +70,7 @@ const RELEASE_SD_S: f64 = 0.005;
 
 impl KnowledgeArguments {
     /// What these arguments add to what the physics says.
-    pub(crate) fn knowledge(&self, physics: Knowledge) -> Knowledge {
+    pub(crate) fn knowledge(&self, physics: Knowledge) -> Result<Knowledge, Failure> {
         let mut knowledge = physics;
         let measured = |value: Option<f64>, sd: f64| value.map(|value| Measured { value, sd });
         knowledge.drop_height_m = measured(self.height, self.height_sd.unwrap_or(HEIGHT_SD_M));
@@ -88,7 +88,8 @@ impl KnowledgeArguments {
                 Inferred::ContactTime => knowledge.contact_time = UNKNOWN,
             }
         }
-        knowledge
+        knowledge.check()?;
+        Ok(knowledge)
     }
 
     /// What to ask.

@@ -175,6 +175,11 @@ fn figures_are_written_whole() {
         "height",
         "drag",
         "drag-log",
+        "posterior",
+        "residuals",
+        "budget",
+        "models",
+        "cut",
     ] {
         for ending in ["svg", "png"] {
             let file = figures.join(format!("drop-{name}.{ending}"));
@@ -185,7 +190,7 @@ fn figures_are_written_whole() {
             );
         }
     }
-    assert_eq!(fs::read_dir(&figures).unwrap().count(), 12);
+    assert_eq!(fs::read_dir(&figures).unwrap().count(), 22);
 }
 
 #[test]

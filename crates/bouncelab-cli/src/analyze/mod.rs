@@ -89,7 +89,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
         .flights
         .map(|(first, last)| RangeInclusive::new(first, last));
     let of_inputs = std::mem::take(&mut physics.settings.knowledge);
-    physics.settings.knowledge = arguments.knowledge.knowledge(of_inputs);
+    physics.settings.knowledge = arguments.knowledge.knowledge(of_inputs)?;
     physics.settings.question = arguments.knowledge.question()?;
     let heeded = Heeded {
         channel: arguments.channel.map(usize::from),

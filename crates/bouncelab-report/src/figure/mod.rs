@@ -4,6 +4,7 @@
 //! a figure without any usable point says so instead of showing empty axes.
 
 mod budget;
+mod calibration;
 mod corner;
 mod cut;
 mod drag;
@@ -15,6 +16,7 @@ mod restitution;
 mod waveform;
 
 pub use budget::{Budget, Source, budget};
+pub use calibration::{RankHistogram, calibration};
 pub use corner::{CornerParameter, corner};
 pub use cut::{CutPoint, CutSeries, cut};
 pub use drag::{DragAxes, drag};

@@ -142,7 +142,12 @@ impl Knowledge {
         told && !self.first_was_heard && self.gravity < UNKNOWN
     }
 
-    pub(super) fn check(&self) -> Result<()> {
+    /// Whether all of it makes sense.
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`](crate::Error::OutOfRange) for a height or an uncertainty that is not
+    /// above zero, a share below zero, or a number that is none.
+    pub fn check(&self) -> Result<()> {
         if let Some(height) = self.drop_height_m {
             positive("measured drop height in m", height.value)?;
             positive("standard uncertainty of the drop height in m", height.sd)?;

@@ -5,11 +5,13 @@
 //! of the posterior is uniform (S. Talts et al., arXiv 1804.06788).
 //!
 //! ```text
-//! cargo run --release -p bouncelab --example calibration -- 4000
+//! cargo xtask calibrate 4000
 //! ```
 //!
-//! prints the tables of `docs/validation.md`. The argument is the number of drops for each scenario.
+//! prints the table of `docs/validation.md` and draws its figure into the folder that the second
+//! argument names. The first is the number of drops for each scenario.
 
+use std::path::PathBuf;
 use std::thread;
 
 use bouncelab::air::Air;
@@ -19,6 +21,8 @@ use bouncelab::drag::DragLaw;
 use bouncelab::estimate::{Effort, Inference, Knowledge, LawKind, Measured, Question, infer};
 use bouncelab::flight::{Environment, FlightModel};
 use bouncelab::restitution::TimedImpact;
+use bouncelab_report::figure::{self, RankHistogram};
+use bouncelab_report::save;
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use rand_distr::StandardNormal;
@@ -233,9 +237,11 @@ fn run(scenario: Scenario, drops: usize) -> Vec<Ranks> {
 const CHI_SQUARE_LIMIT: f64 = 36.19;
 const BINS: usize = 20;
 
-fn report(scenario: Scenario, all: &[Ranks]) {
+/// Prints the rows of a scenario and gives its histograms.
+fn report(scenario: Scenario, all: &[Ranks]) -> Vec<RankHistogram> {
     let count = all.len() as f64;
     let failed = all.iter().filter(|ranks| !ranks.converged).count();
+    let mut histograms = Vec::new();
     for (place, quantity) in ["e", "h0", "C_D"].iter().enumerate() {
         let covered = |tail: f64| {
             let inside = all
@@ -244,14 +250,14 @@ fn report(scenario: Scenario, all: &[Ranks]) {
                 .count();
             100.0 * inside as f64 / count
         };
-        let mut bins = [0_usize; BINS];
+        let mut bins = [0_u32; BINS];
         for ranks in all {
             bins[((ranks.of[place] * BINS as f64) as usize).min(BINS - 1)] += 1;
         }
         let expected = count / BINS as f64;
         let chi_square: f64 = bins
             .iter()
-            .map(|&bin| (bin as f64 - expected).powi(2) / expected)
+            .map(|&bin| (f64::from(bin) - expected).powi(2) / expected)
             .sum();
         let uniform = if chi_square < CHI_SQUARE_LIMIT {
             "yes"
@@ -259,25 +265,38 @@ fn report(scenario: Scenario, all: &[Ranks]) {
             "no"
         };
         println!(
-            "| {} | {} | {quantity} | {:.1} | {:.1} | {chi_square:.1} | {uniform} | {failed} | {bins:?} |",
+            "| {} | {} | {quantity} | {:.1} | {:.1} | {chi_square:.1} | {uniform} | {failed} |",
             scenario.name(),
             all.len(),
             covered(0.158_655),
             covered(0.025),
         );
+        histograms.push(RankHistogram {
+            scenario: scenario.name().to_owned(),
+            quantity: (*quantity).to_owned(),
+            bins: bins.to_vec(),
+        });
     }
+    histograms
 }
 
-fn main() {
-    let drops = std::env::args()
-        .nth(1)
+fn main() -> bouncelab_report::Result<()> {
+    let mut arguments = std::env::args().skip(1);
+    let drops = arguments
+        .next()
         .and_then(|argument| argument.parse().ok())
         .unwrap_or(400);
+    let folder = arguments.next().map(PathBuf::from);
     println!(
-        "| scenario | drops | quantity | in 68 % | in 95 % | chi-square of ranks | uniform (p > 0.01) | not converged | ranks in 20 bins |"
+        "| scenario | drops | quantity | % in 68 | % in 95 | chi-square of ranks | uniform (p > 0.01) | not converged |"
     );
-    println!("|---|---|---|---|---|---|---|---|---|");
-    for scenario in Scenario::ALL {
-        report(scenario, &run(scenario, drops));
+    println!("|---|---|---|---|---|---|---|---|");
+    let histograms: Vec<RankHistogram> = Scenario::ALL
+        .into_iter()
+        .flat_map(|scenario| report(scenario, &run(scenario, drops)))
+        .collect();
+    if let Some(folder) = folder {
+        save(&figure::calibration(&histograms), &folder, "calibration")?;
     }
+    Ok(())
 }
