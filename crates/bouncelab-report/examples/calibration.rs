@@ -167,7 +167,7 @@ fn two_exponentials(rng: &mut ChaCha8Rng) -> f64 {
     if rng.random::<bool>() { size } else { -size }
 }
 
-/// Shares of the draws below the truth: of e, h0 and C_D; and whether the sampling converged.
+/// Shares of the draws below the truth: of e, drop height and drag coefficient; and whether the sampling converged.
 struct Ranks {
     of: [f64; 3],
     converged: bool,

@@ -84,6 +84,10 @@ struct Prediction {
 }
 
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[expect(
+    clippy::struct_field_names,
+    reason = "the names are those of the schema"
+)]
 struct Impact {
     number: usize,
     impact_speed_m_s: Summary,
@@ -131,6 +135,10 @@ struct Budget {
 }
 
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[expect(
+    clippy::struct_field_names,
+    reason = "the names are those of the schema"
+)]
 struct Share {
     source: String,
     sd: f64,

@@ -115,7 +115,7 @@ fn cell(scale: &Scale, value: f64) -> Option<usize> {
     let share = scale.share(value);
     (0.0..1.0)
         .contains(&share)
-        .then(|| (share * CELLS as f64) as usize)
+        .then_some((share * CELLS as f64) as usize)
 }
 
 /// Where a cell begins; with the number after the last, where that ends.
@@ -203,24 +203,22 @@ fn draw_pair(
 /// Each cell averaged with its neighbours, which takes the chance out of the counts.
 fn smoothed(counts: &[f64]) -> Vec<f64> {
     const KERNEL: [f64; 5] = [1.0, 4.0, 6.0, 4.0, 1.0];
-    let at = |row: i32, column: i32| {
-        let inside = 0..CELLS as i32;
-        if inside.contains(&row) && inside.contains(&column) {
-            counts[row as usize * CELLS + column as usize]
-        } else {
-            0.0
-        }
-    };
-    (0..CELLS * CELLS)
-        .map(|place| {
-            let (row, column) = ((place / CELLS) as i32, (place % CELLS) as i32);
-            let mut sum = 0.0;
-            for (down, a) in (-2..=2).zip(KERNEL) {
-                for (right, b) in (-2..=2).zip(KERNEL) {
-                    sum += a * b * at(row + down, column + right);
-                }
-            }
-            sum
+    // Across, then down: the kernel is a product.
+    let across = convolved(counts, &KERNEL, 1);
+    convolved(&across, &KERNEL, CELLS)
+}
+
+/// Convolution along a row (stride 1) or a column (stride of a row) of the cells.
+fn convolved(counts: &[f64], kernel: &[f64; 5], stride: usize) -> Vec<f64> {
+    let place_along = |index: usize| (index / stride) % CELLS;
+    (0..counts.len())
+        .map(|index| {
+            kernel
+                .iter()
+                .enumerate()
+                .filter(|(step, _)| (2..CELLS + 2).contains(&(place_along(index) + step)))
+                .map(|(step, weight)| weight * counts[index + step * stride - 2 * stride])
+                .sum()
         })
         .collect()
 }

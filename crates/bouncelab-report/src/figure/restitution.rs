@@ -147,14 +147,17 @@ pub fn restitution(
 }
 
 fn draw_band(panel: &Panel, sheet: &mut Sheet, band: &[BandPoint], pen: Pen) {
-    let ends = |of: fn(&BandPoint) -> [f64; 2], end: usize| -> Vec<(f64, f64)> {
-        band.iter().map(|p| (p.speed_m_s, of(p)[end])).collect()
-    };
-    let intervals: [(fn(&BandPoint) -> [f64; 2], f64); 2] =
-        [(|p| p.interval95, 0.13), (|p| p.interval68, 0.3)];
-    for (of, share) in intervals {
+    let wide: Vec<_> = band.iter().map(|p| (p.speed_m_s, p.interval95)).collect();
+    let narrow: Vec<_> = band.iter().map(|p| (p.speed_m_s, p.interval68)).collect();
+    for (region, share) in [(wide, 0.13), (narrow, 0.3)] {
+        let ends = |end: usize| -> Vec<(f64, f64)> {
+            region
+                .iter()
+                .map(|(speed, ends)| (*speed, ends[end]))
+                .collect()
+        };
         let colour = pen.colour.mixed(share);
-        panel.band(&mut sheet.canvas, &ends(of, 0), &ends(of, 1), colour);
+        panel.band(&mut sheet.canvas, &ends(0), &ends(1), colour);
     }
     let middle: Vec<(f64, f64)> = band.iter().map(|p| (p.speed_m_s, p.value)).collect();
     panel.curve(&mut sheet.canvas, &middle, pen);

@@ -17,7 +17,7 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use super::model::{Model, Point, Slot};
+use super::model::{LOG_SCATTER_SD, Model, Point, Slot};
 use crate::flight::table::{FlightTable, Row};
 
 /// Degrees of freedom of the scatter: nearly normal in the middle, with the fourth moment (an excess
@@ -402,7 +402,7 @@ impl<'a> Evaluator<'a> {
         // less from one with tails.
         let tells = 2.0 * FREEDOM / (FREEDOM + 3.0);
         let shares = |slot: Slot, factor: &Factor| match slot {
-            Slot::Scatter => model.log_scatter_sd() * factor.scatter_share,
+            Slot::Scatter => LOG_SCATTER_SD * factor.scatter_share,
             Slot::Timing => model.timing_sd * (1.0 - factor.scatter_share),
             _ => 0.0,
         };

@@ -12,7 +12,7 @@ use crate::impact::Restitution;
 /// Typical scatter of restitution from impact to impact on a good surface, and how far it may be
 /// off, as a factor: 0.2 to 0.5 % is published, and a rough floor is worse.
 const SCATTER: f64 = 0.004;
-const LOG_SCATTER_SD: f64 = 0.7;
+pub(super) const LOG_SCATTER_SD: f64 = 0.7;
 
 /// Prior of the slope -d ln e/d ln v, and of the fall above a knee.
 const SLOPE_SD: f64 = 0.1;
@@ -185,7 +185,7 @@ impl Surroundings {
 
 impl Inputs {
     /// With r the mass of the displaced air over that of the ball and c the added mass as a share
-    /// of it, g_eff = g (1 - r)/(1 + c r), and drag over weight goes as D² rho/((1 - r) m g).
+    /// of it, effective gravity is g (1 - r)/(1 + c r), and drag over weight goes as D² rho/((1 - r) m g).
     fn new(ball: &Ball, environment: &Environment, knowledge: &Knowledge, dragless: bool) -> Self {
         let displaced = environment.air.density_kg_m3() * ball.volume_m3() / ball.mass_kg();
         let r = if environment.buoyancy { displaced } else { 0.0 };
@@ -318,11 +318,6 @@ impl<'a> Model<'a> {
         self.height_m.is_none() && self.missed_first == 0
     }
 
-    /// How far the scatter may be off before the data, as a logarithm.
-    pub(super) fn log_scatter_sd(&self) -> f64 {
-        LOG_SCATTER_SD
-    }
-
     /// What the prior alone says of an unknown: minus the second derivative of its logarithm.
     pub(super) fn prior_information(&self, slot: Slot, value: f64) -> f64 {
         match slot {
@@ -389,7 +384,7 @@ impl<'a> Model<'a> {
         let e = self.middle.restitution.clamp(0.05, 0.995);
         let gravity = self.surroundings.gravity_m_s2;
         // One missed impact more means a fall 1/e faster.
-        let heard = self.middle.first_launch_m_s / e.powi(self.missed_first as i32 + 1);
+        let heard = self.middle.first_launch_m_s / e.powf(self.missed_first as f64 + 1.0);
         let known = self.height_m.map(|h| (2.0 * gravity * h.value).sqrt());
         let height = if self.height_is_relative() {
             0.0
