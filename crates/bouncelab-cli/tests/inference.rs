@@ -28,12 +28,11 @@ fn written(folder: &TempDir, text: &str) -> PathBuf {
 
 fn paper_times() -> String {
     let mut time_s = 0.0;
-    let mut text = String::from("0\n");
-    for flight_s in PAPER {
+    let times = PAPER.map(|flight_s| {
         time_s += flight_s;
-        text += &format!("{time_s:.4}\n");
-    }
-    text
+        format!("{time_s:.4}")
+    });
+    format!("0\n{}\n", times.join("\n"))
 }
 
 fn estimate(text: &str, arguments: &[&str]) -> Value {
