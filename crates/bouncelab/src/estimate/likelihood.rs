@@ -587,3 +587,192 @@ impl Residual {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::analysis::Settings;
+    use crate::drag::DragLaw;
+    use crate::estimate::knowledge::{Knowledge, LawKind, Measured};
+    use crate::estimate::model::{Middle, Surroundings};
+    use crate::estimate::observed::Observed;
+    use crate::flight::Environment;
+    use crate::restitution::TimedImpact;
+
+    /// Times of a drop with two gaps, one of them two impacts wide, and a release.
+    fn impacts() -> Vec<TimedImpact> {
+        let times = [
+            (1, 0.3),
+            (2, 0.8605),
+            (3, 1.3877),
+            (5, 2.3553),
+            (6, 2.8035),
+            (9, 3.9990),
+            (10, 4.3544),
+        ];
+        times
+            .map(|(number, time_s)| TimedImpact {
+                number,
+                time_s,
+                standard_error_s: Some(2e-4),
+            })
+            .to_vec()
+    }
+
+    /// Works with the likelihood of the times above, for a law that changes with speed.
+    fn with_evaluator<T>(
+        impacts: &[TimedImpact],
+        work: impl FnOnce(&mut Evaluator, &[f64]) -> T,
+    ) -> T {
+        let settings = Settings::default();
+        let environment = Environment {
+            drag: DragLaw::Constant(0.4),
+            ..settings.environment
+        };
+        let knowledge = Knowledge {
+            release_s: Some(Measured {
+                value: -0.02,
+                sd: 0.003,
+            }),
+            ..Knowledge::default()
+        };
+        let observed = Observed::new(impacts, settings.contact_time_s).unwrap();
+        let surroundings = Surroundings::new(
+            &settings.ball,
+            &environment,
+            environment.drag,
+            &observed,
+            &knowledge,
+        )
+        .unwrap();
+        let middle = Middle::new(&observed, &surroundings, settings.contact_time_s).unwrap();
+        let model = Model::new(
+            &observed,
+            &surroundings,
+            &middle,
+            LawKind::Linear,
+            1,
+            &knowledge,
+            settings.contact_time_s,
+        );
+        let mut vector = model.start();
+        vector[model.place(Slot::Shape(0)).unwrap()] = 0.6;
+        work(&mut Evaluator::new(&model), &vector)
+    }
+
+    fn values(impacts: &[TimedImpact]) -> Vec<f64> {
+        with_evaluator(impacts, |evaluator, vector| {
+            evaluator.residual_values(vector).unwrap()
+        })
+    }
+
+    /// The derivatives by the times, gaps included, against moving each time a little. The middle of
+    /// the data, at which laws are pinned, moves with them, but by far less.
+    #[test]
+    fn derivatives_by_the_times() {
+        const STEP_S: f64 = 1e-6;
+        let impacts = impacts();
+        let residuals = with_evaluator(&impacts, |evaluator, vector| {
+            let point = evaluator.point(vector).unwrap();
+            evaluator.residuals(&point).unwrap().to_vec()
+        });
+        let pinned = |moved: usize, by_s: f64| {
+            let mut times = impacts.clone();
+            times[moved].time_s += by_s;
+            // The same law: the point of the unmoved times.
+            let point = with_evaluator(&impacts, |evaluator, vector| {
+                evaluator.point(vector).unwrap()
+            });
+            with_evaluator(&times, |evaluator, _| {
+                let residuals = evaluator.residuals(&point).unwrap();
+                residuals.iter().map(|r| r.value).collect::<Vec<f64>>()
+            })
+        };
+        for moved in 0..impacts.len() {
+            let (above, below) = (pinned(moved, STEP_S), pinned(moved, -STEP_S));
+            for (row, residual) in residuals.iter().enumerate() {
+                let expected = (above[row] - below[row]) / (2.0 * STEP_S);
+                let place = (moved + 1).checked_sub(residual.impact);
+                let stated = place
+                    .and_then(|p| residual.timing.get(p))
+                    .copied()
+                    .unwrap_or(0.0);
+                assert!(
+                    (stated - expected).abs() < 2e-3,
+                    "row {row} time {moved}: {stated} {expected}"
+                );
+            }
+        }
+    }
+
+    /// The banded factors against the dense covariance of the same noise.
+    #[test]
+    fn factors_are_those_of_the_dense_covariance() {
+        with_evaluator(&impacts(), |evaluator, vector| {
+            let point = evaluator.point(vector).unwrap();
+            evaluator.log_posterior(vector).unwrap();
+            let residuals = evaluator.residuals(&point).unwrap().to_vec();
+            let (count, times) = (residuals.len(), evaluator.model.observed.sigma_s.len());
+            let mut by_time = DMatrix::zeros(count, times);
+            for (row, residual) in residuals.iter().enumerate() {
+                for (place, slope) in residual.timing.iter().enumerate() {
+                    if let Some(time) = (residual.impact + place).checked_sub(1)
+                        && time < times
+                    {
+                        by_time[(row, time)] =
+                            slope * point.timing * evaluator.model.observed.sigma_s[time];
+                    }
+                }
+            }
+            let mut dense = &by_time * by_time.transpose();
+            let scatter = point.scatter * point.scatter;
+            for (row, residual) in residuals.iter().enumerate() {
+                dense[(row, row)] += scatter * residual.scatter + residual.own_variance;
+                if row > 0 {
+                    dense[(row, row - 1)] += scatter * residual.scatter_before;
+                    dense[(row - 1, row)] += scatter * residual.scatter_before;
+                }
+            }
+            let expected = nalgebra::Cholesky::new(dense).unwrap().l();
+            for (row, factor) in evaluator.factors.iter().enumerate() {
+                let diagonal = expected[(row, row)];
+                assert!(
+                    (factor.variance / (diagonal * diagonal) - 1.0).abs() < 1e-9,
+                    "row {row}"
+                );
+            }
+        });
+    }
+
+    /// What the scatter of a missed impact does, against a drop in which one scatters.
+    #[test]
+    fn missed_impacts_scatter() {
+        let residuals = with_evaluator(&impacts(), |evaluator, vector| {
+            let point = evaluator.point(vector).unwrap();
+            evaluator.residuals(&point).unwrap().to_vec()
+        });
+        // The residuals beside a gap carry more than their own scatter, and share it.
+        assert!(residuals[1].scatter > 1.0, "a first impact was missed");
+        assert!(residuals[4].scatter > 1.1 && residuals[4].scatter_before != 0.0);
+        assert!((residuals[2].scatter - 1.0).abs() < 1e-12);
+        assert_eq!(values(&impacts()).len(), residuals.len());
+    }
+
+    /// Student's t with variance one: it adds up to one, and so does its variance.
+    #[test]
+    fn the_tails_are_a_density() {
+        for share in [1.0, 0.5, 0.1] {
+            let tail = Tail::of(share);
+            let (mut total, mut variance) = (0.0, 0.0);
+            let step = 0.01;
+            for place in -20_000..=20_000 {
+                let z = f64::from(place) * step;
+                let density = tail.log_density(z * z).exp() / (2.0 * std::f64::consts::PI).sqrt();
+                total += step * density;
+                variance += step * density * z * z;
+            }
+            assert!((total - 1.0).abs() < 1e-4, "{share}: {total}");
+            assert!((variance - 1.0).abs() < 2e-3, "{share}: {variance}");
+        }
+    }
+}

@@ -266,3 +266,36 @@ fn generalised_pareto(sorted: &[f64]) -> (f64, f64) {
     let scale = -shape / theta;
     ((count * shape + 5.0) / (count + 10.0), scale)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The estimator finds the shape of excesses that follow the distribution exactly.
+    #[test]
+    fn the_shape_of_a_tail_is_found() {
+        for shape in [0.2_f64, 0.5, 1.0] {
+            let excesses: Vec<f64> = (0..400)
+                .map(|i| {
+                    let probability = (f64::from(i) + 0.5) / 400.0;
+                    ((-shape * (-probability).ln_1p()).exp_m1()) / shape
+                })
+                .collect();
+            let (found, scale) = generalised_pareto(&excesses);
+            assert!((found - shape).abs() < 0.05, "{shape}: {found}");
+            assert!((scale - 1.0).abs() < 0.1, "{shape}: {scale}");
+        }
+    }
+
+    /// ln Γ at half and whole numbers: Γ(1/2) = π^1/2, Γ(4) = 6, Γ(9/2) = 105 π^1/2/16.
+    #[test]
+    fn the_gamma_function() {
+        let root = std::f64::consts::PI.sqrt();
+        for (argument, expected) in [(0.5, root), (4.0, 6.0), (4.5, 105.0 * root / 16.0)] {
+            assert!(
+                (log_gamma(argument) - f64::ln(expected)).abs() < 1e-12,
+                "{argument}"
+            );
+        }
+    }
+}
