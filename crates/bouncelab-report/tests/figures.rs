@@ -2,7 +2,8 @@
 //! that any program can read, with its axes named, its colours kept and nothing outside.
 
 use bouncelab_report::figure::{
-    self, Curve, DragAxes, Envelope, Figure, Line, Mark, Restitution, TimedFlight,
+    self, BandPoint, Budget, CornerParameter, Curve, CutPoint, CutSeries, DragAxes, Envelope,
+    Figure, Line, Mark, ModelWeight, RankHistogram, Residual, Restitution, Source, TimedFlight,
 };
 use bouncelab_report::theme::{self, Meaning};
 use proptest::prelude::*;
@@ -96,7 +97,147 @@ fn usual() -> Vec<(Figure, &'static [&'static str])> {
                 "restitution: speed after / before",
             ],
         ),
+        (
+            figure::restitution(&impacts(), &odd_impacts(), &band(), Some(0.9375)),
+            &["fitted law, 68 and 95 %", "odd, counts less"],
+        ),
+        (
+            figure::corner(&parameters(800)),
+            &["restitution", "height (cm)", "before the data"],
+        ),
+        (
+            figure::residuals(&residuals()),
+            &[
+                "impact",
+                "residual (standard deviations)",
+                "odd, counts less",
+            ],
+        ),
+        (
+            figure::budget(&[shares(9)]),
+            &["drop height: 30.4 \u{b1} 0.6 cm", "source 0", "all others"],
+        ),
+        (
+            figure::models(&weights(), "drop height (cm)"),
+            &["probability", "drop height (cm)", "law 0"],
+        ),
+        (
+            figure::cut(
+                &[cuts("straight line", 40.0), cuts("inference", 0.1)],
+                "height (cm)",
+                Some(30.5),
+            ),
+            &["flights used", "height (cm)", "truth"],
+        ),
+        (
+            figure::calibration(&histograms()),
+            &["clean", "e", "rank of the truth"],
+        ),
     ]
+}
+
+fn odd_impacts() -> Vec<Restitution> {
+    let mut impacts = impacts();
+    impacts[7].odd = true;
+    impacts
+}
+
+fn band() -> Vec<BandPoint> {
+    let point = |i: u8| BandPoint {
+        speed_m_s: 0.1 * f64::from(i),
+        value: 0.94,
+        interval68: [0.938, 0.942],
+        interval95: [0.936, 0.944],
+    };
+    (1..30).map(point).collect()
+}
+
+/// Three quantities of so many draws, two of them linked; a quasi-random walk takes the place of
+/// chance.
+fn parameters(draws: u32) -> Vec<CornerParameter> {
+    let even = |i: u32, step: f64| (f64::from(i) * step).fract() - 0.5;
+    let named = |name: &str, prior, value: &dyn Fn(u32) -> f64| CornerParameter {
+        name: name.to_owned(),
+        values: (0..draws).map(value).collect(),
+        prior,
+    };
+    let (a, b) = (0.618_034, 0.414_214);
+    vec![
+        named("restitution", None, &|i| 0.95 + 0.002 * even(i, a)),
+        named("drag coefficient", Some((0.4, 0.01)), &|i| {
+            0.4 + 0.02 * even(i, b)
+        }),
+        named("height (cm)", None, &|i| 30.0 + even(i, a) + even(i, b)),
+    ]
+}
+
+fn residuals() -> Vec<Residual> {
+    let residual = |number: u32| Residual {
+        number,
+        standardised: if number == 9 {
+            -11.0
+        } else {
+            f64::from(number % 5) - 2.0
+        },
+        odd: number == 9,
+    };
+    (1..30).map(residual).collect()
+}
+
+fn shares(count: u32) -> Budget {
+    let source = |i: u32| Source {
+        name: format!("source {i}"),
+        share: 0.6 / f64::from(4_u32.pow(i)),
+    };
+    Budget {
+        quantity: "drop height: 30.4 \u{b1} 0.6 cm".to_owned(),
+        sources: (0..count).map(source).collect(),
+    }
+}
+
+fn weights() -> Vec<ModelWeight> {
+    let model = |i: u8| ModelWeight {
+        name: format!("law {i}"),
+        weight: 0.5 / f64::from(i + 1),
+        value: (i != 2).then(|| (30.0 + f64::from(i), [29.0, 32.0])),
+    };
+    (0..4).map(model).collect()
+}
+
+fn cuts(name: &str, slope: f64) -> CutSeries {
+    let point = |flights: u32| CutPoint {
+        flights,
+        value: 30.0 - slope * f64::from(flights) / 40.0,
+        sd: 0.5,
+    };
+    CutSeries {
+        name: name.to_owned(),
+        meaning: Meaning::Measured,
+        points: [6, 10, 20, 40].map(point).to_vec(),
+    }
+}
+
+fn histograms() -> Vec<RankHistogram> {
+    ["clean", "noisy"]
+        .into_iter()
+        .flat_map(|scenario| ["e", "h0", "C_D"].map(|quantity| (scenario, quantity)))
+        .map(|(scenario, quantity)| RankHistogram {
+            scenario: scenario.to_owned(),
+            quantity: quantity.to_owned(),
+            bins: (0..20).map(|bin| 200 + bin % 7).collect(),
+        })
+        .collect()
+}
+
+/// Thousands of draws do not make a picture of thousands of shapes.
+#[test]
+fn a_corner_plot_stays_small() {
+    let (few, many) = (
+        figure::corner(&parameters(800)),
+        figure::corner(&parameters(40_000)),
+    );
+    assert!(many.svg().len() < 100_000, "{}", many.svg().len());
+    assert!(many.svg().len() < 3 * few.svg().len());
 }
 
 fn text_of(node: roxmltree::Node) -> String {
@@ -219,6 +360,12 @@ fn without_data_a_figure_says_so() {
         figure::drag(&[], DragAxes::Logarithmic, Some(1.0)),
         figure::height(&[nothing], &[]),
         figure::restitution(&[], &[], &[], Some(0.9)),
+        figure::corner(&[]),
+        figure::residuals(&[]),
+        figure::budget(&[]),
+        figure::models(&[], "drop height (cm)"),
+        figure::cut(&[], "drop height (cm)", Some(0.3)),
+        figure::calibration(&[]),
     ] {
         check_drawing(&figure).unwrap();
         let texts = texts(&figure.svg());

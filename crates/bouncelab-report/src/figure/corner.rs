@@ -34,7 +34,7 @@ pub fn corner(parameters: &[CornerParameter]) -> Figure {
         .collect();
     let count = usable.len();
     if count == 0 {
-        return Figure::empty(200.0, TITLE, "There is nothing to show.");
+        return Figure::empty(200.0, TITLE, "There are no quantities to show.");
     }
     let side = (theme::WIDTH - 90.0) / count as f64;
     let mut sheet = Sheet::new(140.0 + side * count as f64, TITLE);
