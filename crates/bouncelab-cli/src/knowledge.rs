@@ -26,9 +26,11 @@ pub(crate) struct KnowledgeArguments {
     /// impacts can tell apart]
     #[arg(long, value_name = "LAWS", value_delimiter = ',', value_parser = law)]
     law: Vec<LawKind>,
-    /// How far the drag coefficient may lie from the law, as in 4%; 0 fixes it [default: by ball]
-    #[arg(long, value_name = "SHARE", allow_hyphen_values = true, value_parser = units::share)]
-    drag_sd: Option<f64>,
+    /// How well an input is known, as in mass=0.1% or drag=0: mass, diameter, air-density, gravity,
+    /// added-mass, drag (around its law), contact-time, timing (the stated errors); scatter=2% is
+    /// what the restitution of this surface typically scatters by
+    #[arg(long, value_name = "WHAT=SHARE", value_delimiter = ',', value_parser = known)]
+    known: Vec<(Input, f64)>,
     /// Leave this to the data, as if nothing were known of it
     #[arg(long, value_name = "WHAT", value_delimiter = ',', value_enum)]
     infer: Vec<Inferred>,
@@ -63,6 +65,37 @@ enum Inferred {
     ContactTime,
 }
 
+/// An input whose uncertainty may be stated.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum Input {
+    Mass,
+    Diameter,
+    AirDensity,
+    Gravity,
+    AddedMass,
+    Drag,
+    ContactTime,
+    Timing,
+    Scatter,
+}
+
+impl Input {
+    /// Where the knowledge has it.
+    fn of(self, knowledge: &mut Knowledge) -> &mut f64 {
+        match self {
+            Self::Mass => &mut knowledge.mass,
+            Self::Diameter => &mut knowledge.diameter,
+            Self::AirDensity => &mut knowledge.air_density,
+            Self::Gravity => &mut knowledge.gravity,
+            Self::AddedMass => &mut knowledge.added_mass,
+            Self::Drag => &mut knowledge.drag,
+            Self::ContactTime => &mut knowledge.contact_time,
+            Self::Timing => &mut knowledge.timing,
+            Self::Scatter => &mut knowledge.scatter,
+        }
+    }
+}
+
 /// Heights are measured with a ruler.
 const HEIGHT_SD_M: f64 = 0.002;
 /// A release is seen in a video, or heard.
@@ -78,8 +111,8 @@ impl KnowledgeArguments {
         knowledge.release_s = measured(self.release, self.release_sd.unwrap_or(RELEASE_SD_S));
         knowledge.restitution_laws.clone_from(&self.law);
         knowledge.restitution_laws.dedup();
-        if let Some(sd) = self.drag_sd {
-            knowledge.drag = sd;
+        for &(input, share) in &self.known {
+            *input.of(&mut knowledge) = share;
         }
         for inferred in &self.infer {
             match inferred {
@@ -119,6 +152,21 @@ fn law(text: &str) -> Result<LawKind, String> {
         .map_err(|refusal: bouncelab::Error| refusal.to_string())
 }
 
+/// Reads `mass=0.1%`.
+fn known(text: &str) -> Result<(Input, f64), String> {
+    let (name, share) = text
+        .split_once('=')
+        .ok_or_else(|| format!("\"{text}\" is no input with a share; write it as in mass=0.1%"))?;
+    let input = Input::from_str(name.trim(), true).map_err(|_| {
+        let names: Vec<String> = Input::value_variants()
+            .iter()
+            .filter_map(|input| Some(input.to_possible_value()?.get_name().to_owned()))
+            .collect();
+        format!("\"{name}\" is none of {}", names.join(", "))
+    })?;
+    Ok((input, units::share(share.trim())?))
+}
+
 /// Reads `2:28cm`.
 fn reach(text: &str) -> Result<Reach, String> {
     let wrong = || format!("\"{text}\" is no bounce with an apex; write it as in 2:28cm");
@@ -134,6 +182,14 @@ fn reach(text: &str) -> Result<Reach, String> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn an_input_and_how_well_it_is_known() {
+        assert_eq!(known("mass=0.1%"), Ok((Input::Mass, 0.001)));
+        assert_eq!(known("contact-time = 0"), Ok((Input::ContactTime, 0.0)));
+        assert!(known("mass").is_err());
+        assert!(known("colour=1%").unwrap_err().contains("diameter"));
+    }
 
     #[test]
     fn a_bounce_and_its_apex() {

@@ -9,9 +9,7 @@ use crate::flight::table::{DragProfile, FlightTable, Row};
 use crate::flight::{Environment, FlightModel};
 use crate::impact::Restitution;
 
-/// Typical scatter of restitution from impact to impact on a good surface, and how far it may be
-/// off, as a factor: 0.2 to 0.5 % is published, and a rough floor is worse.
-const SCATTER: f64 = 0.004;
+/// How far the typical scatter of restitution may be off, as a factor.
 pub(super) const LOG_SCATTER_SD: f64 = 0.7;
 
 /// Prior of the slope -d ln e/d ln v, and of the fall above a knee.
@@ -41,6 +39,7 @@ pub(super) struct Model<'a> {
     pub(super) release_s: Option<Measured>,
     pub(super) timing_sd: f64,
     pub(super) contact_time_s: f64,
+    typical_scatter: f64,
     slots: Vec<Slot>,
 }
 
@@ -79,8 +78,8 @@ pub(super) struct Middle {
     pub(super) restitution: f64,
     /// Launch speed after the first impact heard, m/s.
     pub(super) first_launch_m_s: f64,
-    /// Robust standard deviation of ln e.
-    pub(super) scatter: f64,
+    /// Robust standard deviation of ln e, if any impact shows one.
+    pub(super) scatter: Option<f64>,
 }
 
 /// An unknown with a place in the vector.
@@ -299,6 +298,7 @@ impl<'a> Model<'a> {
             release_s: knowledge.release_s,
             timing_sd,
             contact_time_s,
+            typical_scatter: knowledge.scatter,
             slots,
         }
     }
@@ -352,7 +352,7 @@ impl<'a> Model<'a> {
                 * (inputs.gravity_sd * at(Slot::Gravity)).exp(),
             fall_launch_m_s: at(Slot::Height).exp(),
             log_height_unit: 0.0,
-            scatter: SCATTER * (LOG_SCATTER_SD * at(Slot::Scatter)).exp(),
+            scatter: self.typical_scatter * (LOG_SCATTER_SD * at(Slot::Scatter)).exp(),
             timing: (self.timing_sd * at(Slot::Timing)).exp(),
             contact_time_s: self.contact_time_s
                 * (self.surroundings.contact_sd * at(Slot::Contact)).exp(),
@@ -391,7 +391,9 @@ impl<'a> Model<'a> {
         } else {
             known.unwrap_or(heard).ln()
         };
-        let scatter = (self.middle.scatter / SCATTER).ln() / LOG_SCATTER_SD;
+        let scatter = self.middle.scatter.map_or(0.0, |scatter| {
+            (scatter / self.typical_scatter).ln() / LOG_SCATTER_SD
+        });
         self.slots
             .iter()
             .map(|slot| match slot {
@@ -496,7 +498,7 @@ impl Middle {
             restitution: middle.map_or(GUESS, f64::exp),
             first_launch_m_s: rows[0].launch,
             // The median deviation of a normal distribution is 0.6745 of the standard one.
-            scatter: (1.4826 * median(&mut off).unwrap_or(SCATTER)).max(1e-4),
+            scatter: median(&mut off).map(|off| (1.4826 * off).max(1e-4)),
         })
     }
 }
