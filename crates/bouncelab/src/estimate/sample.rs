@@ -122,13 +122,31 @@ pub(super) fn sample(
             break;
         }
     }
-    let wanted = effective_draws as f64 / share.clamp(LEAST_SHARE, 1.0);
-    round(evaluator, &proposal, wanted as usize, rng)
+    let wanted = (effective_draws as f64 / share.clamp(LEAST_SHARE, 1.0)) as usize;
+    let mut found = round(evaluator, &proposal, wanted, rng)?;
+    for _ in 0..MOST_RETRIES {
+        if found.pareto_shape < DOUBTFUL_SHAPE {
+            break;
+        }
+        // All these draws know the shape better than the pilots did.
+        let Some(adapted) = adapted(&found) else {
+            break;
+        };
+        let again = round(evaluator, &adapted, wanted, rng)?;
+        if again.pareto_shape < found.pareto_shape {
+            found = again;
+        }
+    }
+    Some(found)
 }
 
 /// Pilots that may correct the proposal, and the share of effective draws that needs no more.
 const MOST_PILOTS: usize = 5;
 const GOOD_SHARE: f64 = 0.5;
+
+/// Weights with a heavier tail than this are worth another try, but not for ever.
+const DOUBTFUL_SHAPE: f64 = 0.6;
+const MOST_RETRIES: usize = 2;
 
 /// A proposal that fits badly is not drawn from for ever: at most three draws for one.
 const LEAST_SHARE: f64 = 0.33;
