@@ -26,7 +26,10 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::{Duration, Instant};
 
 use cpal::traits::{DeviceTrait, HostTrait, StreamTrait};
-use cpal::{ErrorKind, FromSample, SizedSample, StreamInstant};
+use cpal::{
+    BufferSize, ErrorKind, FromSample, SizedSample, StreamInstant, SupportedBufferSize,
+    SupportedStreamConfig,
+};
 
 use self::handover::{Feeder, Taker, handover};
 use crate::error::{Error, Result};
@@ -114,16 +117,18 @@ impl Microphone {
         let config = device
             .default_input_config()
             .map_err(|reason| refused(&name, &reason))?;
-        let (sample_rate_hz, channels) = (config.sample_rate(), usize::from(config.channels()));
-        let (feeder, taker) = handover(sample_rate_hz, channels);
-        let faults = Arc::new(Faults::default());
-        let (stream, format) =
-            start(&device, &config, feeder, &faults).map_err(|reason| refused(&name, &reason))?;
+        let started = match start(&device, &config, buffer(&config)) {
+            Err(reason) if reason.kind() == ErrorKind::UnsupportedConfig => {
+                start(&device, &config, BufferSize::Default)
+            }
+            started => started,
+        };
+        let (stream, taker, faults) = started.map_err(|reason| refused(&name, &reason))?;
         Ok(Self {
             name,
-            sample_rate_hz,
-            channels,
-            format,
+            sample_rate_hz: config.sample_rate(),
+            channels: usize::from(config.channels()),
+            format: lossless(config.sample_format()),
             taker,
             faults,
             last_arrival: Instant::now(),
@@ -220,13 +225,37 @@ fn description(device: &cpal::Device) -> String {
     )
 }
 
+/// The size of the device's buffers that is asked for: a tenth of a second, where the device can.
+/// Nobody hears the delay, and a computer that is late by less loses nothing.
+fn buffer(config: &SupportedStreamConfig) -> BufferSize {
+    match *config.buffer_size() {
+        SupportedBufferSize::Range { min, max } if min <= max => {
+            BufferSize::Fixed((config.sample_rate() / 10).clamp(min, max))
+        }
+        _ => BufferSize::Default,
+    }
+}
+
+/// The format of a WAV file that keeps all that samples of a device say. Of 32-bit integers a
+/// converter fills 24 bits at most, which is what a float holds.
+fn lossless(format: cpal::SampleFormat) -> SampleFormat {
+    use cpal::SampleFormat as Device;
+    match format {
+        Device::I8 | Device::U8 | Device::I16 | Device::U16 => SampleFormat::Int16,
+        Device::I24 | Device::U24 => SampleFormat::Int24,
+        _ => SampleFormat::Float32,
+    }
+}
+
+/// A stream, where its samples come out, and its faults.
+type Started = (cpal::Stream, Taker, Arc<Faults>);
+
 /// Starts the stream in the format of the device.
 fn start(
     device: &cpal::Device,
-    config: &cpal::SupportedStreamConfig,
-    feeder: Feeder,
-    faults: &Arc<Faults>,
-) -> std::result::Result<(cpal::Stream, SampleFormat), cpal::Error> {
+    config: &SupportedStreamConfig,
+    buffer_size: BufferSize,
+) -> std::result::Result<Started, cpal::Error> {
     use cpal::SampleFormat as Device;
     let build = match config.sample_format() {
         Device::I8 => stream::<i8>,
@@ -239,17 +268,17 @@ fn start(
         Device::U32 => stream::<u32>,
         Device::F64 => stream::<f64>,
         Device::F32 => stream::<f32>,
-        _ => return Err(ErrorKind::UnsupportedConfig.into()),
+        _ => return Err(ErrorKind::UnsupportedOperation.into()),
     };
-    // Of 32-bit integers a converter fills 24 bits at most, which is what a float holds.
-    let format = match config.sample_format() {
-        Device::I8 | Device::U8 | Device::I16 | Device::U16 => SampleFormat::Int16,
-        Device::I24 | Device::U24 => SampleFormat::Int24,
-        _ => SampleFormat::Float32,
+    let (feeder, taker) = handover(config.sample_rate(), usize::from(config.channels()));
+    let faults = Arc::new(Faults::default());
+    let config = cpal::StreamConfig {
+        buffer_size,
+        ..config.config()
     };
-    let stream = build(device, config.config(), feeder, faults)?;
+    let stream = build(device, config, feeder, &faults)?;
     stream.play()?;
-    Ok((stream, format))
+    Ok((stream, taker, faults))
 }
 
 /// A stream that feeds samples of one type.
