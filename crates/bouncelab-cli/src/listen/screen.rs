@@ -39,7 +39,7 @@ pub(super) struct Status<'a> {
     pub(super) saving: Option<String>,
     /// How many frames were lost.
     pub(super) lost_frames: u64,
-    pub(super) watch: &'a Watch,
+    pub(super) watch: &'a mut Watch,
 }
 
 impl Screen {
@@ -72,7 +72,7 @@ impl Screen {
     }
 
     /// Brings the lines up to date, unless that was done a moment ago.
-    pub(super) fn draw(&mut self, status: &Status) {
+    pub(super) fn draw(&mut self, status: &mut Status) {
         let now = Instant::now();
         let is_early = self.drawn.is_some_and(|drawn| now - drawn < Self::EVERY);
         if self.bar.is_hidden() || is_early {
@@ -81,8 +81,9 @@ impl Screen {
         let pause = self.drawn.map_or(Self::EVERY, |drawn| now - drawn);
         self.drawn = Some(now);
         let mut lines = vec![self.level.line(now, pause), status.line()];
+        let number = status.drops + 1;
         if let Some(going) = status.watch.going() {
-            lines.extend(self.drop_lines(&going, status.drops + 1));
+            lines.extend(self.drop_lines(&going, number));
         }
         self.bar.set_message(lines.join("\n"));
     }

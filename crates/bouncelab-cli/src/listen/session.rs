@@ -140,11 +140,12 @@ impl<'a> Session<'a> {
                 Arrival::Nothing => thread::sleep(PAUSE),
                 Arrival::End => break,
             }
-            self.screen.draw(&Status {
+            let saving = self.saving();
+            self.screen.draw(&mut Status {
                 drops: self.drops.len(),
-                saving: self.saving(),
+                saving,
                 lost_frames: self.gaps.frames(),
-                watch: &self.watch,
+                watch: &mut self.watch,
             });
         }
         Ok(())
@@ -307,12 +308,17 @@ impl<'a> Session<'a> {
         }
         let (drops, screen) = (&mut self.drops, &self.screen);
         drops.retain(|told| {
-            let overlaps = |train: &Train| watch::overlap(train, &told.train);
-            let remains = whole.found.trains.iter().any(overlaps);
+            let is_in = |trains: &[Train]| trains.iter().any(|it| watch::overlap(it, &told.train));
+            let remains = is_in(&whole.found.trains);
+            let reason = if is_in(&whole.found.distant) {
+                "is a ball far fainter than the others"
+            } else {
+                "is not believed any more"
+            };
             if !remains {
+                let start_s = told.train.start_s();
                 screen.say(&format!(
-                    "the drop at {:.2} s is not believed any more, now that all is heard",
-                    told.train.start_s()
+                    "the drop at {start_s:.2} s {reason}, now that all is heard, and left out"
                 ));
             }
             remains

@@ -43,6 +43,7 @@ pub(super) fn flights(flights: &[(usize, f64)], width: usize) -> Vec<String> {
                 .map(|&eighths| RISING[eighths.saturating_sub(row * 8).min(8)]);
             let label = match row {
                 0 => format!("{:.0} ms", 1e3 * SHORTEST_S),
+                1 => "flight".to_owned(),
                 row if row == ROWS - 1 => format!("{LONGEST_S:.0} s"),
                 _ => String::new(),
             };
@@ -75,8 +76,8 @@ mod tests {
 
     #[test]
     fn flights_fall_in_a_straight_line() {
-        // Each flight is the tenth part of a decade shorter: 1.6 eighths of a row... sixteen
-        // eighths make a decade, four rows make two.
+        // Two rows, sixteen eighths, are a decade, so a tenth of one is 1.6 eighths: the heights
+        // are 32, 30, 29, 27, 26, 24 and so on; the last would be 0.
         let times: Vec<(usize, f64)> = (1..=21)
             .map(|number| (number, 10_f64.powf(-0.1 * (number - 1) as f64)))
             .collect();
@@ -85,9 +86,9 @@ mod tests {
             figure,
             [
                 "   1 s │█▆▅▃▂",
-                "       │█████▇▆▄▃▁",
-                "       │██████████▇▅▄▂",
-                " 10 ms │███████████████▇▅▄▂▁▁",
+                "       │██████▆▅▃▂",
+                "flight │███████████▆▅▃▂",
+                " 10 ms │████████████████▆▅▃▂▁",
             ]
             .map(str::to_owned)
         );

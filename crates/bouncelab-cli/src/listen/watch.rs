@@ -1,10 +1,16 @@
 //! Which drops are going on, and which are over.
 
+use std::time::Instant;
+
 use bouncelab::listen::{Heard, Listener};
 use bouncelab::train::{Found, HeardImpact, Train};
 
-/// How often is looked whether something is new, in seconds of sound.
+/// How often is looked whether something is to be told, in seconds of sound.
 const LOOK_S: f64 = 0.1;
+/// All sounds are judged anew this often at most, in seconds of sound, while no drop is known.
+const JUDGE_S: f64 = 1.0;
+/// For the eyes they are judged as often as takes this share of the time.
+const SHARE_FOR_EYES: f64 = 0.2;
 /// Sounds this much later than a drop, in seconds, no longer change how it is judged: no sound is
 /// compared with others farther away than 3 s, and none is noticed more than half a second late.
 const SETTLED_S: f64 = 3.6;
@@ -16,9 +22,11 @@ pub(super) struct Watch {
     /// How many frames were heard, and how many will have been at the next look.
     frames: u64,
     next_look: u64,
-    /// How many sounds there were when `heard` was new.
-    onsets: usize,
+    /// What was heard when all was last judged, when that was, and how many sounds there were.
     heard: Option<Heard>,
+    judged_s: f64,
+    judged_onsets: usize,
+    glimpse: Glimpse,
     told: Vec<Train>,
     /// What had been heard when a drop was last told of.
     last: Told,
@@ -29,6 +37,16 @@ pub(super) struct Watch {
 struct Told {
     time_s: f64,
     clipped_samples: u64,
+}
+
+/// What is shown of a drop that is going on. It changes nothing of what is told, so it may depend
+/// on how fast the computer is.
+#[derive(Default)]
+struct Glimpse {
+    trains: Vec<Train>,
+    onsets: usize,
+    /// Not sooner again than this.
+    next: Option<Instant>,
 }
 
 /// A drop that is going on.
@@ -45,8 +63,10 @@ impl Watch {
             sample_rate_hz: f64::from(sample_rate_hz),
             frames: 0,
             next_look: 0,
-            onsets: 0,
             heard: None,
+            judged_s: 0.0,
+            judged_onsets: 0,
+            glimpse: Glimpse::default(),
             told: Vec::new(),
             last: Told::default(),
         };
@@ -60,7 +80,7 @@ impl Watch {
 
     /// How many sounds have stood out of the background.
     pub(super) fn onsets(&self) -> usize {
-        self.onsets
+        self.listener.onsets()
     }
 
     /// How many frames there are until the next look.
@@ -81,8 +101,9 @@ impl Watch {
     }
 
     /// The drop that is going on, if there is one.
-    pub(super) fn going(&self) -> Option<Going<'_>> {
-        let train = self.untold().last()?;
+    pub(super) fn going(&mut self) -> Option<Going<'_>> {
+        self.glimpse.renew(&self.listener);
+        let train = self.untold(&self.glimpse.trains).last()?;
         Some(Going {
             impacts: train.impacts(),
             rests: self.now_s() > latest_next_s(train.impacts()),
@@ -103,17 +124,24 @@ impl Watch {
     }
 
     fn look(&mut self) -> Vec<Heard> {
+        let now_s = self.now_s();
         let onsets = self.listener.onsets();
-        if onsets != self.onsets {
-            self.onsets = onsets;
-            self.heard = Some(self.listener.so_far());
+        let is_new = onsets != self.judged_onsets && now_s >= self.judged_s + JUDGE_S;
+        let is_over = self
+            .untold(self.trains())
+            .any(|train| self.is_settled(train));
+        if !is_new && !is_over {
+            return Vec::new();
         }
-        if self.untold().any(|train| self.is_settled(train)) {
-            // Once more, with all that came since the last sound.
-            self.heard = Some(self.listener.so_far());
-        }
+        self.heard = Some(self.listener.so_far());
+        (self.judged_s, self.judged_onsets) = (now_s, onsets);
+        self.tell()
+    }
+
+    /// The drops that are over and were not told of, each as a recording of its own.
+    fn tell(&mut self) -> Vec<Heard> {
         let over: Vec<Train> = self
-            .untold()
+            .untold(self.trains())
             .filter(|train| self.is_settled(train))
             .cloned()
             .collect();
@@ -148,14 +176,31 @@ impl Watch {
         recordings
     }
 
-    /// The drops that were not told of yet.
-    fn untold(&self) -> impl Iterator<Item = &Train> {
-        let trains = self.heard.iter().flat_map(|heard| &heard.found.trains);
-        trains.filter(|train| self.told.iter().all(|told| !overlap(told, train)))
+    fn trains(&self) -> &[Train] {
+        self.heard.as_ref().map_or(&[], |heard| &heard.found.trains)
+    }
+
+    /// Those of these drops that were not told of yet.
+    fn untold<'a>(&'a self, trains: &'a [Train]) -> impl Iterator<Item = &'a Train> {
+        let is_told = |train: &Train| self.told.iter().any(|told| overlap(told, train));
+        trains.iter().filter(move |train| !is_told(train))
     }
 
     fn is_settled(&self, train: &Train) -> bool {
         self.now_s() > latest_next_s(train.impacts()).max(train.end_s() + SETTLED_S)
+    }
+}
+
+impl Glimpse {
+    /// Judges all sounds if there are new ones, unless that was done a moment ago.
+    fn renew(&mut self, listener: &Listener) {
+        let start = Instant::now();
+        if listener.onsets() == self.onsets || self.next.is_some_and(|next| start < next) {
+            return;
+        }
+        self.onsets = listener.onsets();
+        self.trains = listener.so_far().found.trains;
+        self.next = Some(start + start.elapsed().div_f64(SHARE_FOR_EYES));
     }
 }
 
@@ -280,14 +325,14 @@ mod tests {
             if !watch.push(&[piece]).is_empty() {
                 break;
             }
+            let now_s = watch.now_s();
             if let Some(going) = watch.going() {
                 counts.push(going.impacts.len());
                 rested |= going.rests;
                 assert_eq!(
                     going.rests,
-                    watch.now_s() > latest_next_s(going.impacts),
-                    "{} s",
-                    watch.now_s()
+                    now_s > latest_next_s(going.impacts),
+                    "{now_s} s"
                 );
             }
         }
