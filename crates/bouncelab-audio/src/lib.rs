@@ -3,7 +3,7 @@
 //! [`Source`] reads a recording of nearly any format as a stream of blocks of `f32` samples, in
 //! memory that does not grow with its length; [`times`] reads impact times that something else
 //! measured; [`Input`] takes either. [`write_wav`] writes a synthesised recording, a [`Recorder`]
-//! one that is still going on. With the feature `microphone`, [`microphone::Microphone`] listens.
+//! one that is still going on. With the feature `microphone`, `microphone::Microphone` listens.
 //!
 //! | format | codecs |
 //! |---|---|

@@ -135,7 +135,8 @@ fn it_ends_after_so_many_drops_or_seconds() {
     let file = three_drops(&folder);
     let count = |arguments: &[&str]| {
         let mut command = play(&file);
-        let output = command.args(["--format", "json"]).args(arguments).output();
+        command.args(["--no-inference", "--format", "json"]);
+        let output = command.args(arguments).output();
         drops(&lines(&output.unwrap().stdout)).len()
     };
     assert_eq!(count(&["--drops", "2"]), 2);
@@ -401,7 +402,7 @@ mod microphone {
         };
         let listen = || {
             let mut command = listen(&folder, &system);
-            command.args(["--seconds", "5"]);
+            command.args(["--no-inference", "--seconds", "5"]);
             command
         };
         listen().arg("--no-save").assert().success();
@@ -436,7 +437,7 @@ mod microphone {
         let folder = TempDir::new().unwrap();
         let system = sound_system(&folder, &sound(&[0.0], 0.88, 1.0));
         listen(&folder, &system)
-            .args(["--no-save", "--seconds", "200"])
+            .args(["--no-inference", "--no-save", "--seconds", "200"])
             .assert()
             .success()
             .stderr(predicate::str::contains("sound was lost").count(1))
