@@ -68,7 +68,7 @@ fn help() -> String {
     });
     let checks = test::CHECKS.iter().map(|check| {
         let command = check.words.join(" ");
-        format!("  {:<9} cargo {command}\n", check.name)
+        format!("  {:<10} cargo {command}\n", check.name)
     });
     format!(
         "The project's chores:\n{}\nThe checks of `cargo xtask test`, in order:\n{}",

@@ -1,6 +1,6 @@
 //! `cargo xtask test`: every check that a change must pass.
 
-use std::process::Command;
+use std::process::{Command, Stdio};
 use std::time::{Duration, Instant};
 
 use crate::Result;
@@ -12,15 +12,18 @@ pub(crate) const ABOUT: &str = "Run every check, or only the named ones";
 pub(crate) struct Check {
     pub(crate) name: &'static str,
     pub(crate) words: &'static [&'static str],
+    /// Whether it is about the microphone, which takes headers of the system.
+    pub(crate) is_live: bool,
 }
 
 /// All checks, in the order in which they run. They share one target folder and one profile:
 /// clippy and the documentation use the same metadata of the dependencies, tests and doc tests
 /// the same code, so that a dependency is compiled at most twice.
-pub(crate) const CHECKS: [Check; 5] = [
+pub(crate) const CHECKS: [Check; 7] = [
     Check {
         name: "format",
         words: &["fmt", "--all", "--check"],
+        is_live: false,
     },
     Check {
         name: "clippy",
@@ -32,18 +35,44 @@ pub(crate) const CHECKS: [Check; 5] = [
             "-D",
             "warnings",
         ],
+        is_live: false,
     },
     Check {
         name: "tests",
         words: &NEXTEST,
+        is_live: false,
     },
     Check {
         name: "doctests",
         words: &["test", "--workspace", "--doc"],
+        is_live: false,
     },
     Check {
         name: "docs",
         words: &["doc", "--workspace", "--no-deps"],
+        is_live: false,
+    },
+    Check {
+        name: "live",
+        words: &[
+            "clippy",
+            "--package",
+            "bouncelab-audio",
+            "--package",
+            "bouncelab-cli",
+            "--features",
+            "bouncelab-cli/microphone",
+            "--all-targets",
+            "--",
+            "-D",
+            "warnings",
+        ],
+        is_live: true,
+    },
+    Check {
+        name: "microphone",
+        words: &NEXTEST_LIVE,
+        is_live: true,
     },
 ];
 
@@ -59,10 +88,37 @@ const LIBTEST: [&str; 6] = [
     "--examples",
 ];
 
+/// The tests that need a microphone, or rather a sound system: those in rooms of that name.
+const NEXTEST_LIVE: [&str; 9] = [
+    "nextest",
+    "run",
+    "--package",
+    "bouncelab-audio",
+    "--package",
+    "bouncelab-cli",
+    "--features",
+    "bouncelab-cli/microphone",
+    "microphone::",
+];
+
+const LIBTEST_LIVE: [&str; 8] = [
+    "test",
+    "--package",
+    "bouncelab-audio",
+    "--package",
+    "bouncelab-cli",
+    "--features",
+    "bouncelab-cli/microphone",
+    "microphone::",
+];
+
 /// Runs the named checks, or all. A failure does not keep the later ones from running.
 pub(crate) fn run(names: &[String]) -> Result {
-    let checks = chosen(names)?;
+    let mut checks = chosen(names)?;
     ensure_components()?;
+    if checks.iter().any(|check| check.is_live) && !has_sound_headers() {
+        checks.retain(|check| !check.is_live);
+    }
     let start = Instant::now();
     let mut outcomes = Vec::new();
     for (index, check) in checks.iter().enumerate() {
@@ -116,13 +172,59 @@ fn ensure_components() -> Result {
     Ok(())
 }
 
+/// Whether the microphone can be built in: Linux needs the headers of ALSA. They are installed
+/// where that is allowed; else it is said how to, and those checks are left out.
+fn has_sound_headers() -> bool {
+    const INSTALL: [&str; 5] = [
+        "apt-get",
+        "install",
+        "--yes",
+        "libasound2-dev",
+        "pkg-config",
+    ];
+    if !cfg!(target_os = "linux") || succeeds(&["pkg-config", "--exists", "alsa"]) {
+        return true;
+    }
+    let words = INSTALL.join(" ");
+    println!("the headers of ALSA are missing, for the microphone: {words}");
+    let installed = is_root()
+        && succeeds(&["apt-get", "update"])
+        && succeeds(&INSTALL)
+        && succeeds(&["pkg-config", "--exists", "alsa"]);
+    if !installed {
+        println!(
+            "they could not be installed: the checks of the microphone are SKIPPED. Install them \
+             by hand (Debian, Ubuntu: sudo {words}; Fedora: alsa-lib-devel, pkgconf)"
+        );
+    }
+    installed
+}
+
+fn is_root() -> bool {
+    let id = Command::new("id").arg("-u").output();
+    id.is_ok_and(|id| id.stdout.trim_ascii() == b"0")
+}
+
+/// Runs a command of the system without a word of it.
+fn succeeds(words: &[&str]) -> bool {
+    let mut command = Command::new(words[0]);
+    command.args(&words[1..]);
+    command.stdout(Stdio::null()).stderr(Stdio::null());
+    command.status().is_ok_and(|status| status.success())
+}
+
 /// The words after `cargo`, allowing for a machine without nextest.
 fn words(check: &Check) -> &'static [&'static str] {
-    if check.words == NEXTEST && !has("nextest") {
-        println!("\ncargo-nextest is not installed: `cargo test` runs the same tests");
-        return &LIBTEST;
+    let without_nextest: &[&str] = match check.words {
+        words if words == NEXTEST => &LIBTEST,
+        words if words == NEXTEST_LIVE => &LIBTEST_LIVE,
+        words => return words,
+    };
+    if has("nextest") {
+        return check.words;
     }
-    check.words
+    println!("\ncargo-nextest is not installed: `cargo test` runs the same tests");
+    without_nextest
 }
 
 fn command(words: &[&str]) -> Command {
@@ -137,7 +239,7 @@ fn conclude(outcomes: &[(&str, Result, Duration)], total: Duration) -> Result {
     println!("\n== summary");
     for (name, outcome, time) in outcomes {
         let word = if outcome.is_ok() { "ok" } else { "FAILED" };
-        println!("   {name:<9} {word:<7} {:>6.1} s", time.as_secs_f64());
+        println!("   {name:<10} {word:<7} {:>6.1} s", time.as_secs_f64());
     }
     let failed: Vec<_> = outcomes
         .iter()

@@ -110,6 +110,22 @@ pub enum Error {
         problem: String,
     },
 
+    /// A recording would overwrite something.
+    #[error("{name}: exists already and is not overwritten; choose another name")]
+    Exists {
+        /// The file as the caller named it.
+        name: String,
+    },
+
+    /// The microphone cannot be opened, or stopped.
+    #[error("microphone {name}: {problem}")]
+    Microphone {
+        /// The device as the caller or the system names it.
+        name: String,
+        /// What is wrong and what to do.
+        problem: String,
+    },
+
     /// The operating system refused to read or write.
     #[error("{name}: {source}")]
     Io {
@@ -152,6 +168,7 @@ impl Error {
         match source.kind() {
             io::ErrorKind::NotFound => Self::NotFound { name },
             io::ErrorKind::IsADirectory => Self::Directory { name },
+            io::ErrorKind::AlreadyExists => Self::Exists { name },
             _ => Self::Io { name, source },
         }
     }

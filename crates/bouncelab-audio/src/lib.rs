@@ -1,8 +1,9 @@
-//! Files to samples.
+//! Files and microphones to samples.
 //!
 //! [`Source`] reads a recording of nearly any format as a stream of blocks of `f32` samples, in
 //! memory that does not grow with its length; [`times`] reads impact times that something else
-//! measured; [`Input`] takes either. [`write_wav`] writes a synthesised recording.
+//! measured; [`Input`] takes either. [`write_wav`] writes a synthesised recording, a [`Recorder`]
+//! one that is still going on. With the feature `microphone`, `microphone::Microphone` listens.
 //!
 //! | format | codecs |
 //! |---|---|
@@ -22,11 +23,14 @@
 //! Opus is decoded by opus-pure, whose samples are those of libopus; ffmpeg's own Opus decoder
 //! differs from both in speech modes.
 //!
-//! The crate starts no threads and builds for wasm32, where [`Source::from_bytes`] and
+//! Only the microphone starts a thread; without that feature the crate builds for wasm32, where [`Source::from_bytes`] and
 //! [`Input::from_bytes`] take the place of files.
 
 mod error;
 mod input;
+#[cfg(feature = "microphone")]
+pub mod microphone;
+mod recorder;
 mod source;
 pub mod times;
 mod warning;
@@ -34,6 +38,7 @@ mod wav;
 
 pub use error::{Error, Result, Stage};
 pub use input::Input;
+pub use recorder::Recorder;
 pub use source::{Block, MAX_BLOCK_FRAMES, MAX_SAMPLE_RATE_HZ, MIN_SAMPLE_RATE_HZ, Source};
 pub use warning::Warning;
 pub use wav::{SampleFormat, encode_wav, write_wav};

@@ -32,7 +32,7 @@ impl SampleFormat {
         }
     }
 
-    fn encode(self, sample: f32, target: &mut impl Write) -> io::Result<()> {
+    pub(crate) fn encode(self, sample: f32, target: &mut impl Write) -> io::Result<()> {
         let full_scale = f64::from(self.bits() - 1).exp2();
         let level = (f64::from(sample) * full_scale)
             .round()
@@ -179,34 +179,71 @@ impl<'a> Sound<'a> {
         }
     }
 
-    /// Writes the whole file. The header is the plain one of 1991, not the "extensible" one of
-    /// later: that needs a place in the room for each channel, which a channel here has not, and
-    /// some programs refuse mono whose only channel is "front left".
+    /// Writes the whole file.
     fn encode(&self, mut target: impl Write) -> io::Result<()> {
-        let bits = self.format.bits();
-        let frame_len = self.channel_count * (bits / 8);
-        let padding = self.data_len % 2;
-        let is_float = self.format == SampleFormat::Float32;
-
-        target.write_all(b"RIFF")?;
-        target.write_all(&(36 + self.data_len + padding).to_le_bytes())?;
-        target.write_all(b"WAVEfmt ")?;
-        target.write_all(&16_u32.to_le_bytes())?;
-        target.write_all(&(if is_float { 3_u16 } else { 1 }).to_le_bytes())?;
-        target.write_all(&self.channel_count.to_le_bytes())?;
-        target.write_all(&self.sample_rate_hz.to_le_bytes())?;
-        let bytes_per_second = self.sample_rate_hz.saturating_mul(u32::from(frame_len));
-        target.write_all(&bytes_per_second.to_le_bytes())?;
-        target.write_all(&frame_len.to_le_bytes())?;
-        target.write_all(&bits.to_le_bytes())?;
-        target.write_all(b"data")?;
-        target.write_all(&self.data_len.to_le_bytes())?;
+        let layout = Layout {
+            sample_rate_hz: self.sample_rate_hz,
+            channels: self.channel_count,
+            format: self.format,
+        };
+        target.write_all(&layout.header(self.data_len))?;
         for frame in 0..self.channels[0].len() {
             for channel in self.channels {
                 self.format.encode(channel[frame], &mut target)?;
             }
         }
-        target.write_all(&[0][..padding as usize])?;
+        target.write_all(&[0][..(self.data_len % 2) as usize])?;
         target.flush()
+    }
+}
+
+/// The length of a header in bytes.
+pub(crate) const HEADER_LEN: u32 = 44;
+
+/// What a header says of the samples.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Layout {
+    pub(crate) sample_rate_hz: u32,
+    pub(crate) channels: u16,
+    pub(crate) format: SampleFormat,
+}
+
+impl Layout {
+    /// How many bytes the samples of one moment take.
+    pub(crate) fn frame_len(self) -> u16 {
+        self.channels * (self.format.bits() / 8)
+    }
+
+    /// The header of a file with so many bytes of samples.
+    ///
+    /// It is the plain one of 1991, not the "extensible" one of later: that needs a place in the
+    /// room for each channel, which a channel here has not, and some programs refuse mono whose
+    /// only channel is "front left".
+    pub(crate) fn header(self, data_len: u32) -> [u8; HEADER_LEN as usize] {
+        let padding = data_len % 2;
+        let is_float = self.format == SampleFormat::Float32;
+        let bytes_per_second = self
+            .sample_rate_hz
+            .saturating_mul(u32::from(self.frame_len()));
+        let mut header = [0; HEADER_LEN as usize];
+        let fields: [&[u8]; 13] = [
+            b"RIFF",
+            &(HEADER_LEN - 8 + data_len + padding).to_le_bytes(),
+            b"WAVE",
+            b"fmt ",
+            &16_u32.to_le_bytes(),
+            &(if is_float { 3_u16 } else { 1 }).to_le_bytes(),
+            &self.channels.to_le_bytes(),
+            &self.sample_rate_hz.to_le_bytes(),
+            &bytes_per_second.to_le_bytes(),
+            &self.frame_len().to_le_bytes(),
+            &self.format.bits().to_le_bytes(),
+            b"data",
+            &data_len.to_le_bytes(),
+        ];
+        for (place, byte) in header.iter_mut().zip(fields.into_iter().flatten()) {
+            *place = *byte;
+        }
+        header
     }
 }

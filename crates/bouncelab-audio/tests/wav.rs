@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::PathBuf;
 
-use bouncelab_audio::{Error, SampleFormat, Source, encode_wav, write_wav};
+use bouncelab_audio::{Error, Recorder, SampleFormat, Source, encode_wav, write_wav};
 
 /// A folder of its own for each test, removed at the end.
 struct Folder(PathBuf);
@@ -100,4 +100,30 @@ fn a_failure_leaves_no_file() {
     let error = write_wav(&folder.0, 44_100, SampleFormat::Int16, &[&[0.0]]).unwrap_err();
     assert!(matches!(error, Error::Directory { .. }), "{error:?}");
     assert!(folder.is_empty());
+}
+
+#[test]
+fn a_recording_never_overwrites_anything() {
+    let folder = Folder::new("exists");
+    let path = folder.0.join("precious.wav");
+    fs::write(&path, "precious").unwrap();
+    let refusal = Recorder::create(&path, 8_000, 1, SampleFormat::Int16).unwrap_err();
+    assert!(matches!(refusal, Error::Exists { .. }), "{refusal}");
+    assert_eq!(fs::read(&path).unwrap(), b"precious");
+}
+
+#[test]
+fn an_unfinished_recording_can_be_read_up_to_its_last_second() {
+    let folder = Folder::new("unfinished");
+    let path = folder.0.join("going-on.wav");
+    let mut recorder = Recorder::create(&path, 8_000, 2, SampleFormat::Float32).unwrap();
+    let block = [0.25; 3_000];
+    for _ in 0..10 {
+        recorder.push(&[&block, &block]).unwrap();
+    }
+    // As if the program were killed: nothing of it runs any more.
+    std::mem::forget(recorder);
+    let planes = read(Source::open(&path).unwrap());
+    assert_eq!(planes.len(), 2);
+    assert!(planes[0].len() > 30_000 - 8_000);
 }

@@ -5,6 +5,7 @@ mod demo;
 mod failure;
 mod history;
 mod knowledge;
+mod listen;
 mod paper;
 mod physics;
 mod simulate;
@@ -28,11 +29,13 @@ Examples:
   bouncelab demo                                   hear, analyse and draw a made-up drop
   bouncelab analyze drop.wav                       what a recording says
   bouncelab analyze drop.m4a --ball tennis --figures figures
+  bouncelab listen                                 hear drops while they happen
   bouncelab simulate --height 30.5cm --restitution 0.935";
 
 #[derive(Subcommand)]
 enum Command {
     Analyze(analyze::Arguments),
+    Listen(listen::Arguments),
     Simulate(simulate::Arguments),
     Synth(synth::Arguments),
     Paper(paper::Arguments),
@@ -42,6 +45,7 @@ enum Command {
 fn main() -> ExitCode {
     let result = match Cli::parse().command {
         Command::Analyze(arguments) => analyze::run(&arguments),
+        Command::Listen(arguments) => listen::run(&arguments),
         Command::Simulate(arguments) => simulate::run(&arguments),
         Command::Synth(arguments) => synth::run(&arguments),
         Command::Paper(arguments) => paper::run(&arguments),

@@ -39,6 +39,7 @@ const MEMORY_S: f64 = 120.0;
 const OPEN_S: f64 = 10.0;
 
 /// Listens to one or more channels.
+#[derive(Clone)]
 pub struct Listener {
     sample_rate_hz: u32,
     /// Channels that were equal to the first so far are `None`: they share its ear.
@@ -114,6 +115,18 @@ impl Listener {
                 ear.push(samples);
             }
         }
+    }
+
+    /// How many sounds have stood out of the background so far, in all channels that differ.
+    pub fn onsets(&self) -> usize {
+        let ears = self.ears.iter().flatten();
+        ears.map(|ear| ear.onsets_judged + ear.onsets.len()).sum()
+    }
+
+    /// What was heard so far, as if the recording ended here. It takes as long as the judgement of
+    /// the sounds that are not yet judged: some milliseconds.
+    pub fn so_far(&self) -> Heard {
+        self.clone().finish()
     }
 
     /// Ends the recording and believes the channel with the most evidence.

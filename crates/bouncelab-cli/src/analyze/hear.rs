@@ -95,43 +95,77 @@ fn hear_sound(
     heeded: &Heeded,
     settings: &Settings,
 ) -> Result<Hearing, Failure> {
-    let format = source.format();
-    let (sample_rate_hz, channels) = (source.sample_rate_hz(), source.channels());
-    let (heard, mut warnings) = listen(source, heeded.channel)?;
-    let channel = heeded.channel.unwrap_or(heard.channel + 1);
-    warnings.extend(remarks(&heard));
-    let trains = &heard.found.trains;
-    let mut drops: Vec<Vec<Impact>> = trains
-        .iter()
-        .map(|train| train.impacts().iter().map(Impact::from).collect())
-        .collect();
-    let mut probabilities: Vec<f64> = trains
-        .iter()
-        .map(bouncelab::train::Train::probability)
-        .collect();
-    warnings.extend(edit(&mut drops, heeded));
-    // A drop added by hand is as sure as the hand.
-    probabilities.resize(drops.len(), 1.0);
-    let no_drop = heard
-        .no_drop()
-        .filter(|_| drops.is_empty())
-        .map(|reason| reason.to_string());
-    Ok(Hearing {
+    let recording = Recording {
         name,
-        origin: Origin::Sound {
-            format,
-            sample_rate_hz,
-            channels,
-            channel,
-            duration_s: heard.duration_s,
-            onsets: heard.onsets,
-        },
-        probabilities,
-        drops: analyze(drops, settings),
-        no_drop,
-        warnings,
-        envelope: Some(heard.envelope),
-    })
+        format: source.format(),
+        sample_rate_hz: source.sample_rate_hz(),
+        channels: source.channels(),
+        channel: heeded.channel,
+    };
+    let (heard, warnings) = listen(source, heeded.channel)?;
+    let edit = |drops: &mut Vec<Vec<Impact>>| edit(drops, heeded);
+    Ok(recording.hearing(heard, warnings, edit, settings))
+}
+
+/// What is known of a recording before anything is heard in it.
+#[derive(Clone)]
+pub(crate) struct Recording {
+    /// What it is called in results.
+    pub(crate) name: String,
+    /// Its format in words.
+    pub(crate) format: String,
+    /// Samples a second.
+    pub(crate) sample_rate_hz: u32,
+    /// How many channels it has.
+    pub(crate) channels: usize,
+    /// The only channel that is listened to, the first being 1.
+    pub(crate) channel: Option<usize>,
+}
+
+impl Recording {
+    /// Analyses every drop that was heard in it, after `edit`, which may change the impacts and
+    /// returns what it has to say.
+    pub(crate) fn hearing(
+        &self,
+        heard: Heard,
+        mut warnings: Vec<String>,
+        edit: impl FnOnce(&mut Vec<Vec<Impact>>) -> Vec<String>,
+        settings: &Settings,
+    ) -> Hearing {
+        warnings.extend(remarks(&heard));
+        let trains = &heard.found.trains;
+        let mut drops: Vec<Vec<Impact>> = trains
+            .iter()
+            .map(|train| train.impacts().iter().map(Impact::from).collect())
+            .collect();
+        let mut probabilities: Vec<f64> = trains
+            .iter()
+            .map(bouncelab::train::Train::probability)
+            .collect();
+        warnings.extend(edit(&mut drops));
+        // A drop added by hand is as sure as the hand.
+        probabilities.resize(drops.len(), 1.0);
+        let no_drop = heard
+            .no_drop()
+            .filter(|_| drops.is_empty())
+            .map(|reason| reason.to_string());
+        Hearing {
+            name: self.name.clone(),
+            origin: Origin::Sound {
+                format: self.format.clone(),
+                sample_rate_hz: self.sample_rate_hz,
+                channels: self.channels,
+                channel: self.channel.unwrap_or(heard.channel + 1),
+                duration_s: heard.duration_s,
+                onsets: heard.onsets,
+            },
+            probabilities,
+            drops: analyze(drops, settings),
+            no_drop,
+            warnings,
+            envelope: Some(heard.envelope),
+        }
+    }
 }
 
 fn analyze(drops: Vec<Vec<Impact>>, settings: &Settings) -> Vec<Analysis> {

@@ -8,7 +8,8 @@ mod rows;
 mod text;
 
 pub(crate) use figures::save_figures;
-pub(crate) use hear::{Hearing, Heeded, hear};
+pub(crate) use hear::{Hearing, Heeded, Recording, hear};
+pub(crate) use text::{report, shown};
 
 use std::io::{self, Write};
 use std::ops::RangeInclusive;
@@ -84,13 +85,7 @@ enum Format {
 }
 
 pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
-    let mut physics = arguments.physics.physics()?;
-    physics.settings.flights = arguments
-        .flights
-        .map(|(first, last)| RangeInclusive::new(first, last));
-    let of_inputs = std::mem::take(&mut physics.settings.knowledge);
-    physics.settings.knowledge = arguments.knowledge.knowledge(of_inputs)?;
-    physics.settings.question = arguments.knowledge.question()?;
+    let physics = physics(&arguments.physics, &arguments.knowledge, arguments.flights)?;
     let heeded = Heeded {
         channel: arguments.channel.map(usize::from),
         exclude_s: arguments.exclude.clone(),
@@ -125,6 +120,20 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
     } else {
         Ok(())
     }
+}
+
+/// The physics of a run, with what is known and asked, and the flights for the straight line.
+pub(crate) fn physics(
+    physics: &PhysicsArguments,
+    knowledge: &KnowledgeArguments,
+    flights: Option<(usize, usize)>,
+) -> Result<Physics, Failure> {
+    let mut physics = physics.physics()?;
+    physics.settings.flights = flights.map(|(first, last)| RangeInclusive::new(first, last));
+    let of_inputs = std::mem::take(&mut physics.settings.knowledge);
+    physics.settings.knowledge = knowledge.knowledge(of_inputs)?;
+    physics.settings.question = knowledge.question()?;
+    Ok(physics)
 }
 
 /// Prints results in the chosen format, as they come.
@@ -196,7 +205,7 @@ impl Printer {
 }
 
 /// Reads `1..10` (both ends included), `..10`, `3..` or `5`.
-fn flight_range(text: &str) -> Result<(usize, usize), String> {
+pub(crate) fn flight_range(text: &str) -> Result<(usize, usize), String> {
     let wrong = || format!("\"{text}\" is no range of flights; write it as in 1..10");
     let number = |part: &str, otherwise: usize| match part {
         "" => Ok(otherwise),

@@ -12,7 +12,7 @@ use super::inference;
 use crate::physics::Physics;
 
 /// What a file says, in words and a table for each drop.
-pub(super) fn report(hearing: &Hearing, physics: &Physics, details: bool) -> String {
+pub(crate) fn report(hearing: &Hearing, physics: &Physics, details: bool) -> String {
     let mut text = String::new();
     line(&mut text, &headline(hearing));
     for (index, drop) in hearing.drops.iter().enumerate() {
@@ -187,7 +187,7 @@ fn corrected_lines(drop: &Analysis, physics: &Physics) -> Vec<String> {
 }
 
 /// A value with its standard error, or with four digits where there is none.
-fn shown(estimate: Estimate, unit: Unit) -> String {
+pub(crate) fn shown(estimate: Estimate, unit: Unit) -> String {
     match estimate.standard_error {
         Some(error) => Quantity::measured(estimate.value, error, unit).to_string(),
         None => Quantity::rounded(estimate.value, 4, unit).to_string(),

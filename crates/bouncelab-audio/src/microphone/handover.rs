@@ -1,0 +1,239 @@
+//! Samples from the thread that must never wait to the one that may.
+//!
+//! The system calls the feeder at the pace of the sound. It must neither wait nor allocate, or
+//! sound is lost; so between the two threads lie two rings without locks, one for samples and one
+//! for what was lost between them.
+
+use rtrb::{Consumer, Producer, RingBuffer};
+
+/// How much sound the taker may be behind, in seconds: an analysis, or a disk that sleeps.
+const RING_S: usize = 30;
+/// How many losses may wait to be told.
+const MOST_LOSSES: usize = 1024;
+/// The most frames that are taken at once.
+const MOST_FRAMES: usize = 4096;
+
+/// Sound that was lost just before a frame.
+#[derive(Debug, Clone, Copy)]
+struct Loss {
+    /// The number of that frame, of those that were handed over.
+    before: u64,
+    /// How many frames were lost, as far as is known.
+    frames: u64,
+}
+
+/// The side of the thread that must not wait.
+pub(super) struct Feeder {
+    channels: usize,
+    samples: Producer<f32>,
+    losses: Producer<Loss>,
+    /// How many frames were handed over.
+    fed: u64,
+    /// What was lost since.
+    lost: Option<u64>,
+}
+
+/// The other side.
+pub(super) struct Taker {
+    channels: usize,
+    samples: Consumer<f32>,
+    losses: Consumer<Loss>,
+    taken: u64,
+}
+
+/// What came.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Arrival {
+    /// Samples.
+    Sound,
+    /// Sound is missing here: the computer was too slow, or the device had a fault.
+    Lost {
+        /// How many frames are missing, as far as is known; 0 if nothing is known of it.
+        frames: u64,
+    },
+    /// Nothing yet.
+    Nothing,
+}
+
+/// The two sides.
+pub(super) fn handover(sample_rate_hz: u32, channels: usize) -> (Feeder, Taker) {
+    with_room(sample_rate_hz as usize * RING_S, channels)
+}
+
+fn with_room(frames: usize, channels: usize) -> (Feeder, Taker) {
+    let (samples_in, samples_out) = RingBuffer::new(frames * channels);
+    let (losses_in, losses_out) = RingBuffer::new(MOST_LOSSES);
+    let feeder = Feeder {
+        channels,
+        samples: samples_in,
+        losses: losses_in,
+        fed: 0,
+        lost: None,
+    };
+    let taker = Taker {
+        channels,
+        samples: samples_out,
+        losses: losses_out,
+        taken: 0,
+    };
+    (feeder, taker)
+}
+
+impl Feeder {
+    /// Hands over whole frames, channel by channel within each; if there is no room, they are
+    /// lost, and counted.
+    pub(super) fn feed(&mut self, samples: impl ExactSizeIterator<Item = f32>) {
+        let frames = (samples.len() / self.channels) as u64;
+        let has_room = self.samples.slots() >= samples.len();
+        if !has_room || !self.tell_loss() {
+            self.lose(frames);
+            return;
+        }
+        if let Ok(chunk) = self.samples.write_chunk_uninit(samples.len()) {
+            chunk.fill_from_iter(samples);
+            self.fed += frames;
+        }
+    }
+
+    /// Notes that so many frames are missing here.
+    pub(super) fn lose(&mut self, frames: u64) {
+        self.lost = Some(self.lost.unwrap_or(0) + frames);
+    }
+
+    /// Passes on what is missing before the next frame; `false` if there is no room for that.
+    fn tell_loss(&mut self) -> bool {
+        let Some(frames) = self.lost else {
+            return true;
+        };
+        let before = self.fed;
+        let told = self.losses.push(Loss { before, frames }).is_ok();
+        if told {
+            self.lost = None;
+        }
+        told
+    }
+}
+
+impl Taker {
+    /// Takes what came next; samples replace those in `planes`, one plane for each channel.
+    pub(super) fn take(&mut self, planes: &mut Vec<Vec<f32>>) -> Arrival {
+        // In this order: a loss is told before the samples that follow it, so it is seen in time.
+        let mut frames = (self.samples.slots() / self.channels).min(MOST_FRAMES);
+        if let Ok(&Loss {
+            before,
+            frames: lost,
+        }) = self.losses.peek()
+        {
+            let until = (before - self.taken) as usize;
+            if until == 0 {
+                let _ = self.losses.pop();
+                return Arrival::Lost { frames: lost };
+            }
+            frames = frames.min(until);
+        }
+        if frames == 0 {
+            return Arrival::Nothing;
+        }
+        let Ok(chunk) = self.samples.read_chunk(frames * self.channels) else {
+            return Arrival::Nothing;
+        };
+        planes.resize_with(self.channels, Vec::new);
+        let (first, second) = chunk.as_slices();
+        for (channel, plane) in planes.iter_mut().enumerate() {
+            plane.clear();
+            let interleaved = first.iter().chain(second).skip(channel);
+            plane.extend(interleaved.step_by(self.channels));
+        }
+        chunk.commit_all();
+        self.taken += frames as u64;
+        Arrival::Sound
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::thread;
+
+    use super::*;
+
+    fn feed(feeder: &mut Feeder, samples: &[f32]) {
+        feeder.feed(samples.iter().copied());
+    }
+
+    #[test]
+    fn channels_come_apart_in_order() {
+        let (mut feeder, mut taker) = with_room(4, 2);
+        let mut planes = Vec::new();
+        assert_eq!(taker.take(&mut planes), Arrival::Nothing);
+        // Six frames through a ring of four: it wraps round.
+        for start in [0, 6] {
+            let samples: Vec<f32> = (start..start + 6).map(|n| n as f32).collect();
+            feed(&mut feeder, &samples);
+            assert_eq!(taker.take(&mut planes), Arrival::Sound);
+            let start = start as f32;
+            assert_eq!(planes[0], [start, start + 2.0, start + 4.0]);
+            assert_eq!(planes[1], [start + 1.0, start + 3.0, start + 5.0]);
+        }
+        assert_eq!(taker.take(&mut planes), Arrival::Nothing);
+    }
+
+    #[test]
+    fn what_finds_no_room_is_counted_where_it_is_missing() {
+        let (mut feeder, mut taker) = with_room(4, 1);
+        feed(&mut feeder, &[1.0, 2.0, 3.0]);
+        feed(&mut feeder, &[4.0, 5.0]);
+        feed(&mut feeder, &[6.0, 7.0, 8.0]);
+        let mut planes = Vec::new();
+        assert_eq!(taker.take(&mut planes), Arrival::Sound);
+        assert_eq!(planes[0], [1.0, 2.0, 3.0]);
+        feed(&mut feeder, &[9.0]);
+        assert_eq!(taker.take(&mut planes), Arrival::Lost { frames: 5 });
+        assert_eq!(taker.take(&mut planes), Arrival::Sound);
+        assert_eq!(planes[0], [9.0]);
+    }
+
+    #[test]
+    fn a_fault_of_unknown_length_is_told_too() {
+        let (mut feeder, mut taker) = with_room(8, 1);
+        feed(&mut feeder, &[1.0]);
+        feeder.lose(0);
+        feed(&mut feeder, &[2.0]);
+        let mut planes = Vec::new();
+        assert_eq!(taker.take(&mut planes), Arrival::Sound);
+        assert_eq!(planes[0], [1.0]);
+        assert_eq!(taker.take(&mut planes), Arrival::Lost { frames: 0 });
+        assert_eq!(taker.take(&mut planes), Arrival::Sound);
+        assert_eq!(planes[0], [2.0]);
+    }
+
+    #[test]
+    fn two_threads_agree_on_every_frame() {
+        // The feeder counts frames; the taker must see each of them, or a loss of that length.
+        const FRAMES: usize = 200_000;
+        let (mut feeder, mut taker) = with_room(512, 2);
+        let feeding = thread::spawn(move || {
+            let numbers: Vec<f32> = (0..FRAMES).flat_map(|n| [n as f32, -(n as f32)]).collect();
+            for block in numbers.chunks(2 * 37) {
+                feed(&mut feeder, block);
+            }
+            // The last loss is told with the frame after it.
+            thread::sleep(std::time::Duration::from_millis(100));
+            feed(&mut feeder, &[FRAMES as f32, -(FRAMES as f32)]);
+        });
+        let mut planes = Vec::new();
+        let mut next = 0;
+        while next <= FRAMES {
+            match taker.take(&mut planes) {
+                Arrival::Nothing => thread::yield_now(),
+                Arrival::Lost { frames } => next += frames as usize,
+                Arrival::Sound => {
+                    for (left, right) in planes[0].iter().zip(&planes[1]) {
+                        assert_eq!((*left, *right), (next as f32, -(next as f32)));
+                        next += 1;
+                    }
+                }
+            }
+        }
+        feeding.join().unwrap();
+    }
+}

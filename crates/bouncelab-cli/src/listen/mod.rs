@@ -1,0 +1,110 @@
+//! `bouncelab listen`: drops while they happen.
+//!
+//! Sound comes from a microphone or, by the same path, from a file (`sound`). It is saved as it
+//! comes (`save`) and heard (`watch`); what is going on shows on the terminal (`screen`), and each
+//! drop is analysed once it is over (`session`).
+
+mod gaps;
+mod save;
+mod screen;
+mod session;
+mod sketch;
+mod sound;
+mod stop;
+mod summary;
+mod watch;
+
+use std::path::PathBuf;
+
+use clap::{Args, ValueEnum};
+
+use crate::analyze;
+use crate::failure::Failure;
+use crate::knowledge::KnowledgeArguments;
+use crate::physics::PhysicsArguments;
+use crate::units;
+
+/// Hear drops while they happen, one after the other, until Ctrl-C
+///
+/// Each drop is analysed when the ball rests, as `analyze` would; at the end comes a table of all
+/// of them. Everything heard is saved as WAV while it comes. Exit status: 0 if a drop was heard, 1
+/// if none was or the sound broke off, 2 for wrong usage.
+#[derive(Args)]
+#[command(after_help = EXAMPLES)]
+#[expect(clippy::struct_excessive_bools, reason = "each is a flag of its own")]
+pub(crate) struct Arguments {
+    /// Play a recording instead of listening to the microphone
+    #[arg(long, value_name = "FILE")]
+    from: Option<PathBuf>,
+    /// Play it as fast as it goes, not as slowly as it sounded
+    #[arg(long, requires = "from")]
+    fast: bool,
+    /// The microphone, by its name in --devices or a part of it (default: that of the system)
+    #[arg(long, value_name = "NAME", conflicts_with = "from")]
+    device: Option<String>,
+    /// List the microphones and end
+    #[arg(long, conflicts_with_all = ["from", "device", "save"])]
+    devices: bool,
+    /// The WAV file to save the sound in; nothing is overwritten (default: bouncelab- and the
+    /// date; with --from, none)
+    #[arg(long, value_name = "FILE", conflicts_with = "no_save")]
+    save: Option<PathBuf>,
+    /// Do not save the sound
+    #[arg(long)]
+    no_save: bool,
+    /// End after so many drops
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
+    drops: Option<u64>,
+    /// End after this time, as in 60s or 5min
+    #[arg(long, value_name = "TIME", value_parser = duration)]
+    seconds: Option<f64>,
+    /// How to print the result; JSON is documented in docs/json.md
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    format: Format,
+    /// Flights for the straight line, as in 1..10, ..20 or 3..
+    #[arg(long, value_name = "A..B", value_parser = analyze::flight_range)]
+    flights: Option<(usize, usize)>,
+    /// Listen to this channel only, the first being 1 (default: the one that tells most)
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
+    channel: Option<u16>,
+    /// Print also each flight and how sure each impact is
+    #[arg(long)]
+    details: bool,
+    #[command(flatten)]
+    physics: PhysicsArguments,
+    #[command(flatten)]
+    knowledge: KnowledgeArguments,
+}
+
+const EXAMPLES: &str = "\
+Examples:
+  bouncelab listen                                 until Ctrl-C
+  bouncelab listen --ball tennis --drops 10 --save class.wav
+  bouncelab listen --devices                       which microphones are there?
+  bouncelab listen --device USB --seconds 5min --format json
+  bouncelab listen --from drop.wav                 as if it happened now
+  bouncelab listen --from drop.wav --fast";
+
+#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum Format {
+    /// For people
+    Text,
+    /// For programs: one object a line, for each drop
+    Json,
+}
+
+pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
+    if arguments.devices {
+        return sound::list_devices();
+    }
+    session::run(arguments)
+}
+
+fn duration(text: &str) -> Result<f64, String> {
+    let time_s = units::time(text)?;
+    if time_s > 0.0 {
+        Ok(time_s)
+    } else {
+        Err("the time must be more than 0".to_owned())
+    }
+}

@@ -1,0 +1,153 @@
+//! Everything that is heard, saved as it comes.
+
+use std::path::{Path, PathBuf};
+
+use bouncelab_audio::{Error, Recorder, SampleFormat};
+use jiff::Zoned;
+
+use super::Arguments;
+use crate::analyze::Recording;
+use crate::failure::Failure;
+
+/// Saves the sound in a WAV file, and in further ones when that is full.
+pub(super) struct Saver {
+    /// Where the sound goes; `None` once that failed, or if it is not wanted.
+    recorder: Option<Recorder>,
+    /// The files so far.
+    files: Vec<PathBuf>,
+    sample_rate_hz: u32,
+    channels: usize,
+    format: SampleFormat,
+}
+
+impl Saver {
+    /// Creates the file that the arguments name, or one of its own in the current folder if the
+    /// sound would be lost otherwise.
+    pub(super) fn create(
+        arguments: &Arguments,
+        recording: &Recording,
+        format: SampleFormat,
+    ) -> Result<Self, Failure> {
+        let mut saver = Self {
+            recorder: None,
+            files: Vec::new(),
+            sample_rate_hz: recording.sample_rate_hz,
+            channels: recording.channels,
+            format,
+        };
+        match &arguments.save {
+            Some(file) => saver.open(file.clone())?,
+            None if arguments.no_save || arguments.from.is_some() => {}
+            None => {
+                let date = Zoned::now().strftime("bouncelab-%Y-%m-%d-%H%M%S.wav");
+                saver
+                    .open(unused(Path::new(&date.to_string())))
+                    .map_err(|fault| {
+                        Failure::Input(format!(
+                            "{fault}\n  The sound cannot be saved in the current folder: name a \
+                             file in another with --save, or do without it with --no-save."
+                        ))
+                    })?;
+            }
+        }
+        Ok(saver)
+    }
+
+    fn open(&mut self, file: PathBuf) -> Result<(), Error> {
+        let recorder = Recorder::create(&file, self.sample_rate_hz, self.channels, self.format)?;
+        self.recorder = Some(recorder);
+        self.files.push(file);
+        Ok(())
+    }
+
+    /// The files, if the sound is saved at all.
+    pub(super) fn files(&self) -> &[PathBuf] {
+        &self.files
+    }
+
+    /// Whether it was wanted but goes on no more.
+    pub(super) fn has_failed(&self) -> bool {
+        self.recorder.is_none() && !self.files.is_empty()
+    }
+
+    /// Saves the next samples. If that fails, says why; nothing is saved from then on.
+    pub(super) fn push(&mut self, channels: &[&[f32]]) -> Option<String> {
+        let frames = channels.first().map_or(0, |samples| samples.len()) as u64;
+        let is_full = |recorder: &Recorder| recorder.room_frames() < frames;
+        let saved = if self.recorder.as_ref().is_some_and(is_full) {
+            self.continue_in_next().and_then(|()| self.write(channels))
+        } else {
+            self.write(channels)
+        };
+        self.heed(saved)
+    }
+
+    fn write(&mut self, channels: &[&[f32]]) -> Result<(), Error> {
+        self.recorder
+            .as_mut()
+            .map_or(Ok(()), |recorder| recorder.push(channels))
+    }
+
+    fn continue_in_next(&mut self) -> Result<(), Error> {
+        self.recorder.take().map_or(Ok(()), Recorder::finish)?;
+        let next = self.files.first().map(|first| unused(first));
+        next.map_or(Ok(()), |next| self.open(next))
+    }
+
+    /// Ends the file. If that fails, says why.
+    pub(super) fn finish(&mut self) -> Option<String> {
+        let finished = self.recorder.take().map_or(Ok(()), Recorder::finish);
+        finished
+            .err()
+            .map(|fault| format!("the end of the sound may not be saved: {fault}"))
+    }
+
+    fn heed(&mut self, saved: Result<(), Error>) -> Option<String> {
+        let fault = saved.err()?;
+        let saved_s = self.recorder.take().map_or(0.0, |it| it.saved_s());
+        Some(format!(
+            "the sound is saved no more: {fault}; {saved_s:.1} s are in the file. Listening goes on"
+        ))
+    }
+}
+
+/// This name, or if there is such a file the first of `name-2`, `name-3`, ... that is free.
+fn unused(file: &Path) -> PathBuf {
+    let numbered = |number: u64| {
+        let mut name = file.file_stem().unwrap_or_default().to_owned();
+        name.push(format!("-{number}"));
+        if let Some(ending) = file.extension() {
+            name.push(".");
+            name.push(ending);
+        }
+        file.with_file_name(name)
+    };
+    let mut candidate = file.to_owned();
+    let mut numbers = 2..;
+    while candidate.exists()
+        && let Some(number) = numbers.next()
+    {
+        candidate = numbered(number);
+    }
+    candidate
+}
+
+#[cfg(test)]
+mod tests {
+    use std::fs;
+
+    use tempfile::TempDir;
+
+    use super::*;
+
+    #[test]
+    fn names_that_are_taken_get_a_number() {
+        let folder = TempDir::new().unwrap();
+        let file = folder.path().join("drop.2.wav");
+        assert_eq!(unused(&file), file);
+        fs::write(&file, "").unwrap();
+        assert_eq!(unused(&file), folder.path().join("drop.2-2.wav"));
+        fs::write(unused(&file), "").unwrap();
+        assert_eq!(unused(&file), folder.path().join("drop.2-3.wav"));
+    }
+}

@@ -1,0 +1,186 @@
+//! What shows on the terminal while the sound comes; nothing if stderr is none.
+
+use std::io::{self, Write};
+use std::time::{Duration, Instant};
+
+use bouncelab::analysis::{self, Impact, Settings};
+use bouncelab_report::Unit;
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+
+use super::sketch;
+use super::watch::{Going, Watch};
+use crate::analyze;
+
+/// A few lines at the bottom of the terminal that are always up to date.
+pub(super) struct Screen {
+    bar: ProgressBar,
+    drawn: Option<Instant>,
+    level: Level,
+    /// What is known of ball and air, without the inference, which takes too long.
+    settings: Settings,
+}
+
+/// How loud it is.
+#[derive(Default)]
+struct Level {
+    /// The largest sample since the last drawing.
+    peak: f32,
+    /// What the meter shows, in dB relative to full scale.
+    shown_db: f64,
+    /// How long to go on warning of clipping.
+    warn_until: Option<Instant>,
+}
+
+/// What goes on besides the drop.
+pub(super) struct Status<'a> {
+    /// How many drops are over.
+    pub(super) drops: usize,
+    /// Where the sound is saved.
+    pub(super) saving: Option<String>,
+    /// How many frames were lost.
+    pub(super) lost_frames: u64,
+    pub(super) watch: &'a mut Watch,
+}
+
+impl Screen {
+    /// How often it is drawn.
+    const EVERY: Duration = Duration::from_millis(100);
+
+    pub(super) fn new(settings: &Settings) -> Self {
+        let bar = ProgressBar::with_draw_target(None, ProgressDrawTarget::stderr());
+        if let Ok(style) = ProgressStyle::with_template("{msg}") {
+            bar.set_style(style);
+        }
+        Self {
+            bar,
+            drawn: None,
+            level: Level::default(),
+            settings: Settings {
+                question: None,
+                ..settings.clone()
+            },
+        }
+    }
+
+    /// Measures how loud these samples are.
+    pub(super) fn hear(&mut self, channels: &[&[f32]]) {
+        if self.bar.is_hidden() {
+            return;
+        }
+        let samples = channels.iter().flat_map(|samples| samples.iter());
+        self.level.peak = samples.fold(self.level.peak, |peak, sample| peak.max(sample.abs()));
+    }
+
+    /// Brings the lines up to date, unless that was done a moment ago.
+    pub(super) fn draw(&mut self, status: &mut Status) {
+        let now = Instant::now();
+        let is_early = self.drawn.is_some_and(|drawn| now - drawn < Self::EVERY);
+        if self.bar.is_hidden() || is_early {
+            return;
+        }
+        let pause = self.drawn.map_or(Self::EVERY, |drawn| now - drawn);
+        self.drawn = Some(now);
+        let mut lines = vec![self.level.line(now, pause), status.line()];
+        let number = status.drops + 1;
+        if let Some(going) = status.watch.going() {
+            lines.extend(self.drop_lines(&going, number));
+        }
+        self.bar.set_message(lines.join("\n"));
+    }
+
+    /// The drop that is going on.
+    fn drop_lines(&self, going: &Going, number: usize) -> Vec<String> {
+        /// Narrow enough for any terminal.
+        const WIDTH: usize = 60;
+        let impacts: Vec<Impact> = going.impacts.iter().map(Impact::from).collect();
+        let drop = analysis::analyze(impacts, &self.settings);
+        let mut lines = Vec::new();
+        if let (Some(impact), Some(flight)) = (drop.impacts.last(), drop.flights.last()) {
+            let state = if going.rests { "; the ball rests" } else { "" };
+            lines.push(format!(
+                "drop {number}: impact {} at {:.2} s after {:.0} ms{state}",
+                impact.number,
+                impact.time_s,
+                flight.time_s * 1e3
+            ));
+        }
+        if let Ok(line) = &drop.line {
+            lines.push(format!(
+                "  e = {}, h0 = {} without air",
+                analyze::shown(line.restitution(), Unit::Number),
+                analyze::shown(line.drop_height_m(), Unit::Length)
+            ));
+        }
+        if let Some(restitution) = drop.corrected_restitution() {
+            let shown = analyze::shown(restitution, Unit::Number);
+            lines.push(format!("  e = {shown} corrected for drag"));
+        }
+        let times: Vec<(usize, f64)> = drop.flights.iter().map(|f| (f.number, f.time_s)).collect();
+        lines.extend(sketch::flights(&times, WIDTH));
+        lines
+    }
+
+    /// Says something on stderr, above the lines.
+    pub(super) fn say(&self, words: &str) {
+        self.bar.suspend(|| eprintln!("bouncelab: {words}"));
+    }
+
+    /// Prints a result on stdout, above the lines.
+    pub(super) fn print(&self, text: &str) -> io::Result<()> {
+        self.bar.suspend(|| {
+            let mut out = io::stdout().lock();
+            out.write_all(text.as_bytes())?;
+            out.flush()
+        })
+    }
+
+    /// Clears the lines.
+    pub(super) fn clear(&self) {
+        self.bar.finish_and_clear();
+    }
+}
+
+impl Level {
+    fn line(&mut self, now: Instant, pause: Duration) -> String {
+        /// The meter falls no faster than this, in dB each second, so that a click can be seen.
+        const FALL_DB_S: f64 = 30.0;
+        /// A sample this near to full scale is at the limit of the converter.
+        const LIMIT: f32 = 0.999;
+        const WARNING: Duration = Duration::from_secs(3);
+        if self.peak >= LIMIT {
+            self.warn_until = Some(now + WARNING);
+        }
+        let fallen_db = self.shown_db - FALL_DB_S * pause.as_secs_f64();
+        let now_db = 20.0 * f64::from(self.peak).max(1e-6).log10();
+        self.shown_db = now_db.max(fallen_db);
+        self.peak = 0.0;
+        let warning = if self.warn_until.is_some_and(|until| now < until) {
+            "  TOO LOUD: clipped"
+        } else {
+            ""
+        };
+        let meter = sketch::meter(self.shown_db);
+        format!("level ▕{meter}▏{:>4.0} dB{warning}", self.shown_db)
+    }
+}
+
+impl Status<'_> {
+    fn line(&self) -> String {
+        let sounds = self.watch.onsets();
+        let counted = |count: usize, what: &str| match count {
+            1 => format!("1 {what}"),
+            _ => format!("{count} {what}s"),
+        };
+        let mut facts = vec![
+            format!("{:.0} s", self.watch.now_s().floor()),
+            counted(self.drops, "drop"),
+            counted(sounds, "sound"),
+        ];
+        facts.extend(self.saving.clone());
+        if self.lost_frames > 0 {
+            facts.push(format!("{} samples LOST", self.lost_frames));
+        }
+        facts.push("Ctrl-C ends".to_owned());
+        facts.join("; ")
+    }
+}

@@ -1,0 +1,206 @@
+//! Where the sound comes from: a microphone, or a file that is played.
+
+use std::path::Path;
+use std::thread;
+use std::time::{Duration, Instant};
+
+#[cfg(feature = "microphone")]
+use bouncelab_audio::microphone::{self, Microphone};
+use bouncelab_audio::{Input, SampleFormat, Source};
+
+use super::Arguments;
+use crate::analyze::Recording;
+use crate::failure::Failure;
+
+/// Samples as they come.
+pub(super) enum Sound {
+    File(Player),
+    #[cfg(feature = "microphone")]
+    Microphone(Box<Microphone>),
+}
+
+/// What came.
+pub(super) enum Arrival {
+    /// Samples.
+    Sound,
+    /// So many frames were lost here, as far as is known.
+    #[cfg_attr(
+        not(feature = "microphone"),
+        expect(dead_code, reason = "of a file nothing is lost")
+    )]
+    Lost(u64),
+    /// Nothing yet.
+    #[cfg_attr(
+        not(feature = "microphone"),
+        expect(dead_code, reason = "a file is always there")
+    )]
+    Nothing,
+    /// Nothing more will come.
+    End,
+}
+
+impl Sound {
+    /// Opens what the arguments name.
+    pub(super) fn open(arguments: &Arguments) -> Result<Self, Failure> {
+        match &arguments.from {
+            Some(file) => Player::open(file, arguments.fast).map(Self::File),
+            None => Self::open_microphone(arguments),
+        }
+    }
+
+    #[cfg(feature = "microphone")]
+    fn open_microphone(arguments: &Arguments) -> Result<Self, Failure> {
+        let opened = Microphone::open(arguments.device.as_deref());
+        let microphone = opened.map_err(|fault| {
+            Failure::Input(format!(
+                "{fault}\n  `bouncelab listen --devices` lists the microphones, `bouncelab listen \
+                 --from FILE` plays a recording instead."
+            ))
+        })?;
+        Ok(Self::Microphone(Box::new(microphone)))
+    }
+
+    #[cfg(not(feature = "microphone"))]
+    fn open_microphone(_: &Arguments) -> Result<Self, Failure> {
+        Err(no_microphone())
+    }
+
+    /// What is known of the sound before it is heard.
+    pub(super) fn recording(&self, channel: Option<usize>) -> Recording {
+        match self {
+            Self::File(Player { source, .. }) => Recording {
+                name: source.name().to_owned(),
+                format: source.format(),
+                sample_rate_hz: source.sample_rate_hz(),
+                channels: source.channels(),
+                channel,
+            },
+            #[cfg(feature = "microphone")]
+            Self::Microphone(microphone) => Recording {
+                name: "microphone".to_owned(),
+                format: microphone.name().to_owned(),
+                sample_rate_hz: microphone.sample_rate_hz(),
+                channels: microphone.channels(),
+                channel,
+            },
+        }
+    }
+
+    /// The format of a WAV file that keeps all that the samples say.
+    pub(super) fn sample_format(&self) -> SampleFormat {
+        match self {
+            Self::File(_) => SampleFormat::Float32,
+            #[cfg(feature = "microphone")]
+            Self::Microphone(microphone) => microphone.format(),
+        }
+    }
+
+    /// Takes what came next, without waiting longer than a moment; samples replace those in
+    /// `planes`, one plane for each channel.
+    pub(super) fn next(&mut self, planes: &mut Vec<Vec<f32>>) -> Result<Arrival, Failure> {
+        match self {
+            Self::File(player) => player.next(planes),
+            #[cfg(feature = "microphone")]
+            Self::Microphone(microphone) => Ok(match microphone.read(planes)? {
+                microphone::Arrival::Sound => Arrival::Sound,
+                microphone::Arrival::Lost { frames } => Arrival::Lost(frames),
+                microphone::Arrival::Nothing => Arrival::Nothing,
+            }),
+        }
+    }
+
+    /// What was wrong with a file, once it has ended.
+    pub(super) fn warnings(&self) -> Vec<String> {
+        match self {
+            Self::File(Player { source, .. }) => {
+                source.warnings().iter().map(ToString::to_string).collect()
+            }
+            #[cfg(feature = "microphone")]
+            Self::Microphone(_) => Vec::new(),
+        }
+    }
+}
+
+/// A file that is played, at the pace at which it sounded or as fast as it goes.
+pub(super) struct Player {
+    source: Source,
+    pace: Option<Instant>,
+    frames: u64,
+}
+
+impl Player {
+    fn open(file: &Path, fast: bool) -> Result<Self, Failure> {
+        match Input::open(file)? {
+            Input::Sound(source) => Ok(Self {
+                source: *source,
+                pace: (!fast).then(Instant::now),
+                frames: 0,
+            }),
+            Input::Times(_) => Err(Failure::Usage(format!(
+                "{} is a list of times, which make no sound; analyze reads it",
+                file.display()
+            ))),
+        }
+    }
+
+    fn next(&mut self, planes: &mut Vec<Vec<f32>>) -> Result<Arrival, Failure> {
+        let rate_hz = f64::from(self.source.sample_rate_hz());
+        let Some(block) = self.source.next_block()? else {
+            return Ok(Arrival::End);
+        };
+        planes.resize_with(block.channels(), Vec::new);
+        for (channel, plane) in planes.iter_mut().enumerate() {
+            plane.clear();
+            plane.extend_from_slice(block.channel(channel));
+        }
+        self.frames += block.frames() as u64;
+        if let Some(start) = self.pace {
+            // A block has been heard when its last sample has.
+            let heard_by = start + Duration::from_secs_f64(self.frames as f64 / rate_hz);
+            thread::sleep(heard_by.saturating_duration_since(Instant::now()));
+        }
+        Ok(Arrival::Sound)
+    }
+}
+
+/// Prints the microphones.
+#[cfg(feature = "microphone")]
+pub(super) fn list_devices() -> Result<(), Failure> {
+    use bouncelab_report::{Align, Table};
+    use std::io::{self, Write};
+
+    let devices = microphone::devices()?;
+    if devices.is_empty() {
+        return Err(Failure::Input(
+            "the system lists no microphone; is one plugged in and switched on?".to_owned(),
+        ));
+    }
+    let mut table = Table::new([
+        ("name", Align::Left),
+        ("what it is", Align::Left),
+        ("", Align::Left),
+    ]);
+    for device in devices {
+        let mark = if device.is_default { "default" } else { "" };
+        table.row([device.id, device.description, mark.to_owned()]);
+    }
+    Ok(write!(io::stdout().lock(), "{table}")?)
+}
+
+#[cfg(not(feature = "microphone"))]
+pub(super) fn list_devices() -> Result<(), Failure> {
+    Err(no_microphone())
+}
+
+#[cfg(not(feature = "microphone"))]
+fn no_microphone() -> Failure {
+    let headers = if cfg!(target_os = "linux") {
+        "\n  sudo apt install libasound2-dev      (Debian, Ubuntu; Fedora: alsa-lib-devel)"
+    } else {
+        ""
+    };
+    Failure::Usage(format!(
+        "this bouncelab was built without the microphone. Play a recording with --from FILE, or \
+         build it anew:{headers}\n  cargo install --path crates/bouncelab-cli --features microphone"
+    ))
+}

@@ -1,0 +1,343 @@
+//! Which drops are going on, and which are over.
+
+use std::time::Instant;
+
+use bouncelab::listen::{Heard, Listener};
+use bouncelab::train::{Found, HeardImpact, Train};
+
+/// How often is looked whether something is to be told, in seconds of sound.
+const LOOK_S: f64 = 0.1;
+/// All sounds are judged anew this often at most, in seconds of sound, while no drop is known.
+const JUDGE_S: f64 = 1.0;
+/// For the eyes they are judged as often as takes this share of the time.
+const SHARE_FOR_EYES: f64 = 0.2;
+/// Sounds this much later than a drop, in seconds, no longer change how it is judged: no sound is
+/// compared with others farther away than 3 s, and none is noticed more than half a second late.
+const SETTLED_S: f64 = 3.6;
+
+/// Listens, and tells of each drop once, when it is over.
+pub(super) struct Watch {
+    listener: Listener,
+    sample_rate_hz: f64,
+    /// How many frames were heard, and how many will have been at the next look.
+    frames: u64,
+    next_look: u64,
+    /// What was heard when all was last judged, when that was, and how many sounds there were.
+    heard: Option<Heard>,
+    judged_s: f64,
+    judged_onsets: usize,
+    glimpse: Glimpse,
+    told: Vec<Train>,
+    /// What had been heard when a drop was last told of.
+    last: Told,
+}
+
+/// What is counted from drop to drop.
+#[derive(Clone, Copy, Default)]
+struct Told {
+    time_s: f64,
+    clipped_samples: u64,
+}
+
+/// What is shown of a drop that is going on. It changes nothing of what is told, so it may depend
+/// on how fast the computer is.
+#[derive(Default)]
+struct Glimpse {
+    trains: Vec<Train>,
+    onsets: usize,
+    /// Not sooner again than this.
+    next: Option<Instant>,
+}
+
+/// A drop that is going on.
+pub(super) struct Going<'a> {
+    pub(super) impacts: &'a [HeardImpact],
+    /// Whether the ball rests, or was stopped: any further impact would have been heard.
+    pub(super) rests: bool,
+}
+
+impl Watch {
+    pub(super) fn new(sample_rate_hz: u32, channels: usize) -> Self {
+        let mut watch = Self {
+            listener: Listener::new(sample_rate_hz, channels),
+            sample_rate_hz: f64::from(sample_rate_hz),
+            frames: 0,
+            next_look: 0,
+            heard: None,
+            judged_s: 0.0,
+            judged_onsets: 0,
+            glimpse: Glimpse::default(),
+            told: Vec::new(),
+            last: Told::default(),
+        };
+        watch.set_next_look();
+        watch
+    }
+
+    pub(super) fn now_s(&self) -> f64 {
+        self.frames as f64 / self.sample_rate_hz
+    }
+
+    /// How many sounds have stood out of the background.
+    pub(super) fn onsets(&self) -> usize {
+        self.listener.onsets()
+    }
+
+    /// How many frames there are until the next look.
+    pub(super) fn frames_until_look(&self) -> usize {
+        (self.next_look - self.frames) as usize
+    }
+
+    /// Hears the next samples, at most those until the next look, and returns the drops that are
+    /// over since: each as a recording of its own.
+    pub(super) fn push(&mut self, channels: &[&[f32]]) -> Vec<Heard> {
+        self.listener.push(channels);
+        self.frames += channels.first().map_or(0, |samples| samples.len()) as u64;
+        if self.frames < self.next_look {
+            return Vec::new();
+        }
+        self.set_next_look();
+        self.look()
+    }
+
+    /// The drop that is going on, if there is one.
+    pub(super) fn going(&mut self) -> Option<Going<'_>> {
+        self.glimpse.renew(&self.listener);
+        let train = self.untold(&self.glimpse.trains).last()?;
+        Some(Going {
+            impacts: train.impacts(),
+            rests: self.now_s() > latest_next_s(train.impacts()),
+        })
+    }
+
+    /// All that was heard, judged as a whole, as if the sound ended here.
+    pub(super) fn whole(&self) -> Heard {
+        self.listener.so_far()
+    }
+
+    /// Looks are at fixed times, so that the same sound gives the same answers whatever the
+    /// blocks in which it comes.
+    fn set_next_look(&mut self) {
+        let looks = (self.now_s() / LOOK_S + 0.5).floor() + 1.0;
+        let frame = (looks * LOOK_S * self.sample_rate_hz).round() as u64;
+        self.next_look = frame.max(self.frames + 1);
+    }
+
+    fn look(&mut self) -> Vec<Heard> {
+        let now_s = self.now_s();
+        let onsets = self.listener.onsets();
+        let is_new = onsets != self.judged_onsets && now_s >= self.judged_s + JUDGE_S;
+        let is_over = self
+            .untold(self.trains())
+            .any(|train| self.is_settled(train));
+        if !is_new && !is_over {
+            return Vec::new();
+        }
+        self.heard = Some(self.listener.so_far());
+        (self.judged_s, self.judged_onsets) = (now_s, onsets);
+        self.tell()
+    }
+
+    /// The drops that are over and were not told of, each as a recording of its own.
+    fn tell(&mut self) -> Vec<Heard> {
+        let over: Vec<Train> = self
+            .untold(self.trains())
+            .filter(|train| self.is_settled(train))
+            .cloned()
+            .collect();
+        let Some(heard) = &self.heard else {
+            return Vec::new();
+        };
+        let (before, now_s) = (self.last, self.now_s());
+        let as_recording = |train: &Train| Heard {
+            found: Found {
+                trains: vec![train.clone()],
+                distant: heard
+                    .found
+                    .distant
+                    .iter()
+                    .filter(|distant| distant.end_s() > before.time_s)
+                    .cloned()
+                    .collect(),
+                regular: Vec::new(),
+            },
+            duration_s: now_s,
+            clipped_samples: heard.clipped_samples.saturating_sub(before.clipped_samples),
+            ..heard.clone()
+        };
+        let recordings: Vec<Heard> = over.iter().map(as_recording).collect();
+        if !over.is_empty() {
+            self.last = Told {
+                time_s: now_s,
+                clipped_samples: heard.clipped_samples,
+            };
+            self.told.extend(over);
+        }
+        recordings
+    }
+
+    fn trains(&self) -> &[Train] {
+        self.heard.as_ref().map_or(&[], |heard| &heard.found.trains)
+    }
+
+    /// Those of these drops that were not told of yet.
+    fn untold<'a>(&'a self, trains: &'a [Train]) -> impl Iterator<Item = &'a Train> {
+        let is_told = |train: &Train| self.told.iter().any(|told| overlap(told, train));
+        trains.iter().filter(move |train| !is_told(train))
+    }
+
+    fn is_settled(&self, train: &Train) -> bool {
+        self.now_s() > latest_next_s(train.impacts()).max(train.end_s() + SETTLED_S)
+    }
+}
+
+impl Glimpse {
+    /// Judges all sounds if there are new ones, unless that was done a moment ago.
+    fn renew(&mut self, listener: &Listener) {
+        let start = Instant::now();
+        if listener.onsets() == self.onsets || self.next.is_some_and(|next| start < next) {
+            return;
+        }
+        self.onsets = listener.onsets();
+        self.trains = listener.so_far().found.trains;
+        self.next = Some(start + start.elapsed().div_f64(SHARE_FOR_EYES));
+    }
+}
+
+/// Whether two trains share a time.
+pub(super) fn overlap(a: &Train, b: &Train) -> bool {
+    a.start_s() <= b.end_s() && b.start_s() <= a.end_s()
+}
+
+/// The latest time at which another impact of this drop could be heard, in seconds: no flight is
+/// longer than the one before it, and no more than two impacts in a row escape notice.
+fn latest_next_s(impacts: &[HeardImpact]) -> f64 {
+    /// Two impacts that were missed, and the one that was heard.
+    const FLIGHTS: f64 = 3.0;
+    /// No two impacts heard are farther apart, in seconds: the flight would be 5 m high.
+    const LONGEST_S: f64 = 2.0;
+    /// An impact is noticed this much later at most, in seconds.
+    const NOTICE_S: f64 = 0.3;
+    let last_flight_s = impacts
+        .windows(2)
+        .map(|pair| {
+            let flights = f64::from(pair[1].number - pair[0].number);
+            (pair[1].onset.time_s - pair[0].onset.time_s) / flights
+        })
+        .next_back()
+        .unwrap_or(LONGEST_S);
+    let last_s = impacts.last().map_or(0.0, |impact| impact.onset.time_s);
+    last_s + (FLIGHTS * last_flight_s).min(LONGEST_S) + NOTICE_S
+}
+
+#[cfg(test)]
+mod tests {
+    use bouncelab::impact::Strike;
+    use bouncelab::onset::Onset;
+    use bouncelab::synth::{self, Scene};
+
+    use super::*;
+
+    fn impacts(times_s: &[f64]) -> Vec<HeardImpact> {
+        let numbered = times_s.iter().zip(0..);
+        numbered
+            .map(|(&time_s, number)| HeardImpact {
+                onset: Onset::click(time_s),
+                number,
+                probability: 1.0,
+            })
+            .collect()
+    }
+
+    #[test]
+    fn a_ball_rests_after_three_times_its_last_flight() {
+        assert!((latest_next_s(&impacts(&[0.0, 0.4, 0.7])) - (0.7 + 0.9 + 0.3)).abs() < 1e-12);
+        // But nobody drops from more than 5 m.
+        assert!((latest_next_s(&impacts(&[0.0, 1.5, 2.9])) - (2.9 + 2.0 + 0.3)).abs() < 1e-12);
+    }
+
+    /// Two drops of fifteen impacts each, 6 s apart.
+    fn two_drops() -> Vec<f32> {
+        let mut strikes = Vec::new();
+        for start_s in [0.0, 9.0] {
+            let mut time_s = start_s;
+            for n in 0..15 {
+                let speed_m_s = 2.4 * 0.88_f64.powi(n);
+                strikes.push(Strike { time_s, speed_m_s });
+                time_s += 2.0 * 0.88 * speed_m_s / 9.81;
+            }
+        }
+        let scene = Scene {
+            tail_s: 6.0,
+            ..Scene::default()
+        };
+        synth::render(&strikes, &scene, 2).unwrap().samples
+    }
+
+    /// What is told of, and after how many seconds, if the sound comes in blocks of this size.
+    fn told(samples: &[f32], block: usize) -> Vec<(Train, f64)> {
+        let mut watch = Watch::new(44_100, 1);
+        let mut told = Vec::new();
+        for block in samples.chunks(block) {
+            let mut rest = block;
+            while !rest.is_empty() {
+                let (piece, later) = rest.split_at(watch.frames_until_look().min(rest.len()));
+                rest = later;
+                for heard in watch.push(&[piece]) {
+                    told.push((heard.found.trains[0].clone(), watch.now_s()));
+                }
+            }
+        }
+        told
+    }
+
+    #[test]
+    fn each_drop_is_told_of_once_and_as_the_whole_recording_has_it() {
+        let samples = two_drops();
+        let told = told(&samples, 1024);
+        let mut listener = Listener::new(44_100, 1);
+        listener.push(&[&samples]);
+        let whole = listener.finish().found.trains;
+        assert_eq!(whole.len(), 2);
+        assert_eq!(told.len(), 2);
+        for ((train, time_s), whole) in told.iter().zip(&whole) {
+            assert_eq!(train.impacts(), whole.impacts());
+            assert!(*time_s > train.end_s() && *time_s < train.end_s() + SETTLED_S + 2.0 * LOOK_S);
+        }
+    }
+
+    #[test]
+    fn the_blocks_in_which_sound_comes_make_no_difference() {
+        let samples = two_drops();
+        let expected = told(&samples, 4096);
+        for block in [1, 777, 1_000_000] {
+            assert_eq!(told(&samples, block), expected, "blocks of {block}");
+        }
+    }
+
+    #[test]
+    fn a_drop_that_goes_on_is_seen_and_its_end_too() {
+        let samples = two_drops();
+        let mut watch = Watch::new(44_100, 1);
+        let mut counts = Vec::new();
+        let mut rested = false;
+        for piece in samples[..7 * 44_100].chunks(4410) {
+            if !watch.push(&[piece]).is_empty() {
+                break;
+            }
+            let now_s = watch.now_s();
+            if let Some(going) = watch.going() {
+                counts.push(going.impacts.len());
+                rested |= going.rests;
+                assert_eq!(
+                    going.rests,
+                    now_s > latest_next_s(going.impacts),
+                    "{now_s} s"
+                );
+            }
+        }
+        assert!(rested);
+        assert!(counts[0] < 10, "first seen with {} impacts", counts[0]);
+        assert_eq!(counts.last(), Some(&15));
+    }
+}
