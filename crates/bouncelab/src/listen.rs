@@ -30,17 +30,18 @@
 //! # Ok::<(), bouncelab::Error>(())
 //! ```
 
-use crate::onset::{Detector, Onset};
+use crate::onset::{self, Detector, Onset};
 use crate::train::{self, Found, NoDrop};
 
 /// No drop lasts longer than this many seconds: what is older is forgotten.
 const MEMORY_S: f64 = 120.0;
+/// The past is judged whenever this many more seconds have been heard.
+const SLACK_S: f64 = 60.0;
 /// A train goes on if its last impact was heard less than this many seconds ago.
 const OPEN_S: f64 = 10.0;
 
 /// Listens to one or more channels.
 pub struct Listener {
-    sample_rate_hz: u32,
     /// Channels that were equal to the first so far are `None`: they share its ear.
     ears: Vec<Option<Ear>>,
 }
@@ -83,10 +84,7 @@ impl Listener {
     pub fn new(sample_rate_hz: u32, channels: usize) -> Self {
         let mut ears: Vec<Option<Ear>> = vec![Some(Ear::new(sample_rate_hz))];
         ears.resize_with(channels.max(1), || None);
-        Self {
-            sample_rate_hz,
-            ears,
-        }
+        Self { ears }
     }
 
     /// Takes the next samples of every channel.
@@ -118,14 +116,13 @@ impl Listener {
 
     /// Ends the recording and believes the channel with the most evidence.
     pub fn finish(self) -> Heard {
-        let rate = self.sample_rate_hz;
         let distinct_channels = self.ears.iter().flatten().count();
         let heard = self
             .ears
             .into_iter()
             .enumerate()
             .filter_map(|(channel, ear)| Some((channel, ear?)))
-            .map(|(channel, ear)| ear.finish(channel, distinct_channels, rate));
+            .map(|(channel, ear)| ear.finish(channel, distinct_channels));
         // Of equals, the first.
         heard
             .reduce(|best, other| {
@@ -143,12 +140,12 @@ impl Listener {
 #[derive(Clone)]
 struct Ear {
     sample_rate_hz: f64,
+    /// Remembers the samples from the first onset not yet judged on.
     detector: Detector,
     /// Onsets not yet judged.
     onsets: Vec<Onset>,
     onsets_judged: usize,
-    /// The samples in which they lie, from sample number `first` on.
-    samples: Vec<f32>,
+    /// Where the memory begins, in samples.
     first: u64,
     found: Found,
     envelope: Envelope,
@@ -159,10 +156,9 @@ impl Ear {
     fn new(sample_rate_hz: u32) -> Self {
         Self {
             sample_rate_hz: f64::from(sample_rate_hz),
-            detector: Detector::new(sample_rate_hz),
+            detector: Detector::remembering(sample_rate_hz),
             onsets: Vec::new(),
             onsets_judged: 0,
-            samples: Vec::new(),
             first: 0,
             found: Found::default(),
             envelope: Envelope::new(sample_rate_hz),
@@ -171,16 +167,24 @@ impl Ear {
     }
 
     fn now_s(&self) -> f64 {
-        (self.first as f64 + self.samples.len() as f64) / self.sample_rate_hz
+        self.detector.history().end() as f64 / self.sample_rate_hz
     }
 
     fn push(&mut self, samples: &[f32]) {
-        self.detector.push(samples, &mut self.onsets);
+        let samples = &*onset::finite(samples);
         self.envelope.push(samples);
         self.clipping.push(samples);
-        self.samples.extend_from_slice(samples);
-        if self.samples.len() as f64 > 2.0 * MEMORY_S * self.sample_rate_hz {
-            self.judge_the_past();
+        let memory = ((MEMORY_S + SLACK_S) * self.sample_rate_hz) as u64;
+        let mut rest = samples;
+        // Wherever the blocks end, the past is judged at the same samples.
+        while !rest.is_empty() {
+            let room = self.first + memory - self.detector.history().end();
+            let (now, later) = rest.split_at(rest.len().min(room.max(1) as usize));
+            self.detector.push_finite(now, &mut self.onsets);
+            rest = later;
+            if self.detector.history().end() >= self.first + memory {
+                self.judge_the_past();
+            }
         }
     }
 
@@ -200,26 +204,29 @@ impl Ear {
         let judged = self.onsets.partition_point(|o| o.time_s <= past_s);
         self.onsets.drain(..judged);
         self.onsets_judged += judged;
-        let forget = (past_s * self.sample_rate_hz) as u64;
-        let forget = (forget.saturating_sub(self.first) as usize).min(self.samples.len());
-        self.samples.drain(..forget);
-        self.first += forget as u64;
+        self.first = (past_s * self.sample_rate_hz) as u64;
+        self.detector.history_mut().forget_before(self.first);
     }
 
     /// Sharpens the times of these trains while their samples are at hand, and keeps them.
     fn take(&mut self, mut found: Found) {
-        let start_s = self.first as f64 / self.sample_rate_hz;
+        /// Seconds before and after a train in which more of its impacts may be found.
+        const AROUND_S: f64 = 2.5;
+        let mut samples = Vec::new();
         for train in &mut found.trains {
-            train.align(&self.samples, start_s, self.sample_rate_hz as u32);
+            let number = |time_s: f64| (time_s * self.sample_rate_hz).max(0.0) as u64;
+            let around = number(train.start_s() - AROUND_S)..number(train.end_s() + AROUND_S);
+            let first = self.detector.history().read(around, &mut samples);
+            let start_s = first as f64 / self.sample_rate_hz;
+            train.align(&samples, start_s, self.sample_rate_hz as u32);
         }
         self.found.trains.append(&mut found.trains);
         self.found.regular.append(&mut found.regular);
     }
 
-    fn finish(mut self, channel: usize, distinct_channels: usize, sample_rate_hz: u32) -> Heard {
+    fn finish(mut self, channel: usize, distinct_channels: usize) -> Heard {
         let duration_s = self.now_s();
-        let detector = std::mem::replace(&mut self.detector, Detector::new(sample_rate_hz));
-        detector.finish(&mut self.onsets);
+        self.detector.flush(&mut self.onsets);
         let mut found = Found::default();
         train::search(&self.onsets, &mut found);
         self.take(found);
@@ -302,11 +309,9 @@ impl Envelope {
             let (now, later) = rest.split_at(step);
             if let (Some(least), Some(greatest)) = (self.least.last_mut(), self.greatest.last_mut())
             {
-                // `min` and `max` pass over NaN; infinity is none of the recorder's values either.
-                for &sample in now.iter().filter(|sample| sample.is_finite()) {
-                    *least = least.min(sample);
-                    *greatest = greatest.max(sample);
-                }
+                let (low, high) = extremes(now);
+                *least = least.min(low);
+                *greatest = greatest.max(high);
             }
             self.in_step += step;
             rest = later;
@@ -326,6 +331,31 @@ impl Envelope {
     }
 }
 
+/// Least and greatest of these samples, many at a time.
+#[inline]
+fn extremes(samples: &[f32]) -> (f32, f32) {
+    const LANES: usize = 16;
+    let less = |a: f32, b: f32| if b < a { b } else { a };
+    let more = |a: f32, b: f32| if b > a { b } else { a };
+    let mut low = [f32::INFINITY; LANES];
+    let mut high = [f32::NEG_INFINITY; LANES];
+    let chunks = samples.chunks_exact(LANES);
+    for &sample in chunks.remainder() {
+        low[0] = less(low[0], sample);
+        high[0] = more(high[0], sample);
+    }
+    for chunk in chunks {
+        for (lane, &sample) in chunk.iter().enumerate() {
+            low[lane] = less(low[lane], sample);
+            high[lane] = more(high[lane], sample);
+        }
+    }
+    (
+        low.into_iter().fold(f32::INFINITY, less),
+        high.into_iter().fold(f32::NEG_INFINITY, more),
+    )
+}
+
 /// Counts samples cut off at the limit of the recorder: runs of the same extreme value.
 #[derive(Clone, Default)]
 struct Clipping {
@@ -342,9 +372,8 @@ impl Clipping {
     const LOUD: f32 = 0.3;
 
     fn push(&mut self, samples: &[f32]) {
-        let loudest = samples
-            .iter()
-            .fold(0.0, |loudest: f32, sample| loudest.max(sample.abs()));
+        let (low, high) = extremes(samples);
+        let loudest = high.max(-low);
         if loudest < self.extreme.max(Self::LOUD) {
             // Most blocks are nowhere near the limit.
             self.run = 0;

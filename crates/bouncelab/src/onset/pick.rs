@@ -53,6 +53,11 @@ impl Picker {
         self.learn + self.before
     }
 
+    /// How many samples from the rough time on the picker wants to see.
+    pub(super) fn look_ahead(&self) -> usize {
+        self.after
+    }
+
     /// The onset near sample `rough`; `noise_power` is the least there can be.
     pub(super) fn pick(&mut self, samples: &[f32], rough: usize, noise_power: f64) -> Pick {
         let end = (rough + self.after).min(samples.len());
