@@ -35,8 +35,15 @@ use crate::train::{self, Found, NoDrop};
 
 /// No drop lasts longer than this many seconds: what is older is forgotten.
 const MEMORY_S: f64 = 120.0;
-/// The past is judged whenever this many more seconds have been heard.
+/// In a recording full of sounds the past is judged whenever this many more seconds were heard.
 const SLACK_S: f64 = 60.0;
+/// Sounds farther apart than this, in seconds, have nothing to do with each other: no flight is
+/// as long, and no sound is compared with others as far away.
+const GAP_S: f64 = 3.2;
+/// No onset comes later than this after its time, in seconds.
+const DELAY_S: f64 = 0.3;
+/// Seconds before and after a train in which more of its impacts may be found.
+const AROUND_S: f64 = 2.5;
 /// A train goes on if its last impact was heard less than this many seconds ago.
 const OPEN_S: f64 = 10.0;
 
@@ -145,8 +152,6 @@ struct Ear {
     /// Onsets not yet judged.
     onsets: Vec<Onset>,
     onsets_judged: usize,
-    /// Where the memory begins, in samples.
-    first: u64,
     found: Found,
     envelope: Envelope,
     clipping: Clipping,
@@ -159,7 +164,6 @@ impl Ear {
             detector: Detector::remembering(sample_rate_hz),
             onsets: Vec::new(),
             onsets_judged: 0,
-            first: 0,
             found: Found::default(),
             envelope: Envelope::new(sample_rate_hz),
             clipping: Clipping::default(),
@@ -172,25 +176,49 @@ impl Ear {
 
     fn push(&mut self, samples: &[f32]) {
         let samples = &*onset::finite(samples);
-        self.envelope.push(samples);
-        self.clipping.push(samples);
-        let memory = ((MEMORY_S + SLACK_S) * self.sample_rate_hz) as u64;
-        let mut rest = samples;
-        // Wherever the blocks end, the past is judged at the same samples.
-        while !rest.is_empty() {
-            let room = self.first + memory - self.detector.history().end();
-            let (now, later) = rest.split_at(rest.len().min(room.max(1) as usize));
-            self.detector.push_finite(now, &mut self.onsets);
-            rest = later;
-            if self.detector.history().end() >= self.first + memory {
-                self.judge_the_past();
+        let extremes = self.envelope.push(samples);
+        self.clipping.push(samples, extremes.size());
+        let heard = self.onsets.len();
+        self.detector.push_finite(samples, &mut self.onsets);
+        self.judge_onsets_from(heard);
+        // What comes from here on is too far from the last onset to change its judgement.
+        if let Some(last) = self.onsets.last()
+            && self.now_s() > last.time_s + GAP_S + DELAY_S
+        {
+            self.judge_all();
+        }
+        let first_s = self.onsets.first().map_or(self.now_s(), |o| o.time_s);
+        let needed = (first_s - DELAY_S - AROUND_S) * self.sample_rate_hz;
+        self.detector.history_mut().forget_before(needed as u64);
+    }
+
+    /// Judges the past as if the onsets from this one on came one by one, so that the blocks in
+    /// which they come make no difference.
+    fn judge_onsets_from(&mut self, first: usize) {
+        let new = self.onsets.split_off(first);
+        for onset in new {
+            let far_s =
+                |onset: Option<&Onset>, now: &Onset| onset.map_or(0.0, |o| now.time_s - o.time_s);
+            if far_s(self.onsets.last(), &onset) > GAP_S {
+                self.judge_all();
+            } else if far_s(self.onsets.first(), &onset) > MEMORY_S + SLACK_S {
+                self.judge_the_past(onset.time_s);
             }
+            self.onsets.push(onset);
         }
     }
 
-    /// Judges the onsets that no later sound can change, and forgets them.
-    fn judge_the_past(&mut self) {
-        let now_s = self.now_s();
+    /// Judges all onsets.
+    fn judge_all(&mut self) {
+        let mut found = Found::default();
+        train::search(&self.onsets, &mut found);
+        self.take(found);
+        self.onsets_judged += self.onsets.len();
+        self.onsets.clear();
+    }
+
+    /// Judges the onsets that no sound later than `now_s` can change, and forgets them.
+    fn judge_the_past(&mut self, now_s: f64) {
         let mut found = Found::default();
         train::search(&self.onsets, &mut found);
         let open = found.trains.iter().position(|t| t.end_s() > now_s - OPEN_S);
@@ -204,14 +232,10 @@ impl Ear {
         let judged = self.onsets.partition_point(|o| o.time_s <= past_s);
         self.onsets.drain(..judged);
         self.onsets_judged += judged;
-        self.first = (past_s * self.sample_rate_hz) as u64;
-        self.detector.history_mut().forget_before(self.first);
     }
 
     /// Sharpens the times of these trains while their samples are at hand, and keeps them.
     fn take(&mut self, mut found: Found) {
-        /// Seconds before and after a train in which more of its impacts may be found.
-        const AROUND_S: f64 = 2.5;
         let mut samples = Vec::new();
         for train in &mut found.trains {
             let number = |time_s: f64| (time_s * self.sample_rate_hz).max(0.0) as u64;
@@ -226,16 +250,16 @@ impl Ear {
 
     fn finish(mut self, channel: usize, distinct_channels: usize) -> Heard {
         let duration_s = self.now_s();
+        let heard = self.onsets.len();
         self.detector.flush(&mut self.onsets);
-        let mut found = Found::default();
-        train::search(&self.onsets, &mut found);
-        self.take(found);
+        self.judge_onsets_from(heard);
+        self.judge_all();
         self.found.set_distant_apart();
         Heard {
             channel,
             distinct_channels,
             found: self.found,
-            onsets: self.onsets_judged + self.onsets.len(),
+            onsets: self.onsets_judged,
             envelope: self.envelope,
             duration_s,
             clipped_samples: self.clipping.count(),
@@ -294,7 +318,9 @@ impl Envelope {
         greatest <= least
     }
 
-    fn push(&mut self, samples: &[f32]) {
+    /// Takes the next samples; returns the extremes of them.
+    fn push(&mut self, samples: &[f32]) -> Extremes {
+        let mut all = Extremes::NONE;
         let mut rest = samples;
         while !rest.is_empty() {
             if self.in_step == self.samples_per_step || self.least.is_empty() {
@@ -309,13 +335,15 @@ impl Envelope {
             let (now, later) = rest.split_at(step);
             if let (Some(least), Some(greatest)) = (self.least.last_mut(), self.greatest.last_mut())
             {
-                let (low, high) = extremes(now);
-                *least = least.min(low);
-                *greatest = greatest.max(high);
+                let extremes = Extremes::of(now);
+                all = all.with(extremes);
+                *least = least.min(extremes.least);
+                *greatest = greatest.max(extremes.greatest);
             }
             self.in_step += step;
             rest = later;
         }
+        all
     }
 
     fn halve(&mut self) {
@@ -331,29 +359,59 @@ impl Envelope {
     }
 }
 
-/// Least and greatest of these samples, many at a time.
-#[inline]
-fn extremes(samples: &[f32]) -> (f32, f32) {
-    const LANES: usize = 16;
-    let less = |a: f32, b: f32| if b < a { b } else { a };
-    let more = |a: f32, b: f32| if b > a { b } else { a };
-    let mut low = [f32::INFINITY; LANES];
-    let mut high = [f32::NEG_INFINITY; LANES];
-    let chunks = samples.chunks_exact(LANES);
-    for &sample in chunks.remainder() {
-        low[0] = less(low[0], sample);
-        high[0] = more(high[0], sample);
+/// The least and the greatest of some samples.
+#[derive(Clone, Copy)]
+struct Extremes {
+    least: f32,
+    greatest: f32,
+}
+
+impl Extremes {
+    const NONE: Self = Self {
+        least: f32::INFINITY,
+        greatest: f32::NEG_INFINITY,
+    };
+
+    /// Of these samples, many at a time.
+    fn of(samples: &[f32]) -> Self {
+        let (chunks, rest) = samples.as_chunks::<16>();
+        let mut least = [f32::INFINITY; 16];
+        let mut greatest = [f32::NEG_INFINITY; 16];
+        for chunk in chunks {
+            for lane in 0..16 {
+                let sample = chunk[lane];
+                least[lane] = if sample < least[lane] {
+                    sample
+                } else {
+                    least[lane]
+                };
+                greatest[lane] = if sample > greatest[lane] {
+                    sample
+                } else {
+                    greatest[lane]
+                };
+            }
+        }
+        let both = |all: Self, least: f32, greatest: f32| Self {
+            least: all.least.min(least),
+            greatest: all.greatest.max(greatest),
+        };
+        let all = std::iter::zip(least, greatest).fold(Self::NONE, |all, (l, g)| both(all, l, g));
+        rest.iter()
+            .fold(all, |all, &sample| both(all, sample, sample))
     }
-    for chunk in chunks {
-        for (lane, &sample) in chunk.iter().enumerate() {
-            low[lane] = less(low[lane], sample);
-            high[lane] = more(high[lane], sample);
+
+    fn with(self, other: Self) -> Self {
+        Self {
+            least: self.least.min(other.least),
+            greatest: self.greatest.max(other.greatest),
         }
     }
-    (
-        low.into_iter().fold(f32::INFINITY, less),
-        high.into_iter().fold(f32::NEG_INFINITY, more),
-    )
+
+    /// The greatest distance from 0.
+    fn size(self) -> f32 {
+        self.greatest.max(-self.least)
+    }
 }
 
 /// Counts samples cut off at the limit of the recorder: runs of the same extreme value.
@@ -371,9 +429,7 @@ impl Clipping {
     /// Below this share of full scale a flat top is not the recorder's limit.
     const LOUD: f32 = 0.3;
 
-    fn push(&mut self, samples: &[f32]) {
-        let (low, high) = extremes(samples);
-        let loudest = high.max(-low);
+    fn push(&mut self, samples: &[f32], loudest: f32) {
         if loudest < self.extreme.max(Self::LOUD) {
             // Most blocks are nowhere near the limit.
             self.run = 0;

@@ -78,7 +78,7 @@ impl Picker {
         self.error_energy.push(0.0);
         let mut sum = 0.0;
         for error in model.errors(&samples[start - ORDER..end]) {
-            sum += error * error + noise_power;
+            sum += f64::from(error).powi(2) + noise_power;
             self.error_energy.push(sum);
         }
         self.change_point(start)

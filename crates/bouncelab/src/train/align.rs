@@ -29,6 +29,8 @@ const ROUNDS: usize = 3;
 /// Impacts of one drop differ a little, which no residual shows: a standard error in samples that
 /// is added to that of the fit. Measured on synthetic impacts whose modes scatter by 0.1 radian.
 const LEAST_SIGMA: f64 = 0.05;
+/// After the first round an impact is sought so many samples around where it was found.
+const NEAR: usize = 6;
 /// Half the length of the interpolation kernel in samples.
 const KERNEL: usize = 8;
 
@@ -47,11 +49,11 @@ pub(super) fn align(
     if sounds.len() < 3 {
         return agrees;
     }
-    for _ in 0..ROUNDS {
-        let waves: Vec<Vec<f64>> = sounds.iter().map(|s| s.wave(&span, s.shift)).collect();
+    for round in 0..ROUNDS {
+        let waves: Vec<Vec<f32>> = sounds.iter().map(|s| s.wave(&span, s.shift)).collect();
         let stack = stack(&waves);
         for (sound, wave) in sounds.iter_mut().zip(&waves) {
-            sound.fit(wave, &stack, &span);
+            sound.fit(wave, &stack, &span, round == 0);
         }
         keep_mean(&mut sounds);
     }
@@ -102,7 +104,9 @@ impl Span {
 struct Sound {
     impact: usize,
     /// Samples on a grid that has the picked time at its origin.
-    samples: Vec<f64>,
+    samples: Vec<f32>,
+    /// Energy of the samples before each.
+    energy: Vec<f64>,
     /// How far the impact may be from its pick, in samples.
     reach: usize,
     /// Standard error of the pick in samples.
@@ -138,12 +142,14 @@ fn whitened_sounds(
         .map(|&(impact, at)| {
             let first = begin(at) - whiten::ORDER;
             let end = at as usize + span.after() + KERNEL;
-            let errors: Vec<f64> = model.errors(&samples[first..end]).collect();
+            let errors = model.errors(&samples[first..end]);
             let fraction = at - at.floor();
             let pick_sigma = impacts[impact].onset.sigma_s * rate_hz;
+            let samples = resample(&errors, fraction, span.origin + span.after());
             Sound {
                 impact,
-                samples: resample(&errors, fraction, span.origin + span.after()),
+                energy: running_energy(&samples),
+                samples,
                 reach: (FARTHEST_SIGMA * pick_sigma)
                     .clamp(span.nearest, span.farthest)
                     .ceil() as usize,
@@ -157,40 +163,52 @@ fn whitened_sounds(
 
 impl Sound {
     /// The waveform that begins this many samples after the pick.
-    fn wave(&self, span: &Span, shift: f64) -> Vec<f64> {
+    fn wave(&self, span: &Span, shift: f64) -> Vec<f32> {
         let first = (span.origin - span.before) as f64 + shift;
         resample(&self.samples, first, span.length)
     }
 
-    /// Finds the shift at which the sound fits the stack of the others.
-    fn fit(&mut self, wave: &[f64], stack: &[f64], span: &Span) {
-        let own = 1.0 / norm(wave).max(f64::MIN_POSITIVE);
-        let others: Vec<f64> = stack.iter().zip(wave).map(|(s, w)| s - w * own).collect();
-        self.shift = 0.0;
-        self.sigma = None;
-        if let Some(shift) = self.best_shift(&others, span) {
-            self.shift = shift;
-            self.sigma = Some(shift_error(&self.wave(span, shift), &others));
-        }
+    /// Finds the shift at which the sound fits the stack of the others: anywhere, or near where
+    /// it was found before.
+    fn fit(&mut self, wave: &[f32], stack: &[f32], span: &Span, anywhere: bool) {
+        let own = 1.0 / norm(wave).max(f32::MIN_POSITIVE);
+        let others: Vec<f32> = stack.iter().zip(wave).map(|(s, w)| s - w * own).collect();
+        let found = if anywhere {
+            self.best_shift(&others, span, 0, self.reach)
+        } else {
+            self.sigma.and_then(|_| {
+                let near = self.shift.round() as isize;
+                self.best_shift(&others, span, near, NEAR)
+            })
+        };
+        let found = found.or_else(|| self.best_shift(&others, span, 0, self.reach));
+        self.shift = found.unwrap_or(0.0);
+        self.sigma = found.map(|shift| shift_error(&self.wave(span, shift), &others));
     }
 
-    /// The highest correlation at whole samples, and a parabola through it.
-    fn best_shift(&self, others: &[f64], span: &Span) -> Option<f64> {
-        let first = span.origin - span.before - self.reach;
-        let scale = norm(others);
-        let fits: Vec<f64> = (0..=2 * self.reach)
+    /// The highest correlation at whole samples around `middle`, and a parabola through it.
+    fn best_shift(&self, others: &[f32], span: &Span, middle: isize, reach: usize) -> Option<f64> {
+        let reach = reach as isize;
+        let farthest = self.reach as isize;
+        let lags = (middle - reach).max(-farthest)..=(middle + reach).min(farthest);
+        let first_lag = *lags.start();
+        let scale = f64::from(norm(others));
+        let fits: Vec<f64> = lags
             .map(|lag| {
-                let wave = &self.samples[first + lag..first + lag + span.length];
-                dot(wave, others) / (norm(wave) * scale)
+                let first = (span.origin - span.before).saturating_add_signed(lag);
+                let end = first + span.length;
+                let energy = self.energy[end] - self.energy[first];
+                let product = f64::from(dot(&self.samples[first..end], others));
+                product / (energy.max(f64::MIN_POSITIVE).sqrt() * scale)
             })
             .collect();
-        let best = (1..fits.len() - 1)
+        let best = (1..fits.len().saturating_sub(1))
             .filter(|&i| fits[i] > LEAST_CORRELATION)
             .filter(|&i| fits[i] >= fits[i - 1] && fits[i] > fits[i + 1])
             .max_by(|&a, &b| fits[a].total_cmp(&fits[b]))?;
         let (left, right) = (fits[best - 1], fits[best + 1]);
         let vertex = 0.5 * (left - right) / (left - 2.0 * fits[best] + right);
-        Some(best as f64 - self.reach as f64 + vertex)
+        Some((first_lag + best as isize) as f64 + vertex)
     }
 }
 
@@ -210,10 +228,10 @@ fn keep_mean(sounds: &mut [Sound]) {
 }
 
 /// The sum of the waves, each at unit energy.
-fn stack(waves: &[Vec<f64>]) -> Vec<f64> {
+fn stack(waves: &[Vec<f32>]) -> Vec<f32> {
     let mut stack = vec![0.0; waves[0].len()];
     for wave in waves {
-        let scale = 1.0 / norm(wave).max(f64::MIN_POSITIVE);
+        let scale = 1.0 / norm(wave).max(f32::MIN_POSITIVE);
         for (sum, value) in stack.iter_mut().zip(wave) {
             *sum += value * scale;
         }
@@ -222,59 +240,77 @@ fn stack(waves: &[Vec<f64>]) -> Vec<f64> {
 }
 
 /// Standard error of the shift of a wave against a template, in samples.
-fn shift_error(wave: &[f64], template: &[f64]) -> f64 {
+fn shift_error(wave: &[f32], template: &[f32]) -> f64 {
     let amplitude = dot(wave, template) / dot(template, template);
-    let residual: f64 = wave
+    let residual: f32 = wave
         .iter()
         .zip(template)
         .map(|(w, t)| (w - amplitude * t).powi(2))
         .sum();
-    let slope: f64 = template
+    let slope: f32 = template
         .windows(3)
         .map(|t| (amplitude * (t[2] - t[0]) / 2.0).powi(2))
         .sum();
-    let noise = residual / (wave.len() - 2) as f64;
-    (noise / slope).sqrt().hypot(LEAST_SIGMA)
+    let noise = residual / (wave.len() - 2) as f32;
+    f64::from(noise / slope).sqrt().hypot(LEAST_SIGMA)
 }
 
-fn dot(a: &[f64], b: &[f64]) -> f64 {
-    a.iter().zip(b).map(|(x, y)| x * y).sum()
+fn dot(a: &[f32], b: &[f32]) -> f32 {
+    let ((a, rest_a), (b, rest_b)) = (a.as_chunks::<LANES>(), b.as_chunks::<LANES>());
+    let mut lanes = [0.0_f32; LANES];
+    for (a, b) in a.iter().zip(b) {
+        for lane in 0..LANES {
+            lanes[lane] += a[lane] * b[lane];
+        }
+    }
+    let rest: f32 = rest_a.iter().zip(rest_b).map(|(x, y)| x * y).sum();
+    lanes.iter().sum::<f32>() + rest
 }
 
-fn norm(a: &[f64]) -> f64 {
+/// So many products are added side by side.
+const LANES: usize = 16;
+
+fn norm(a: &[f32]) -> f32 {
     dot(a, a).sqrt()
 }
 
-/// So many values from a position between samples on, by a windowed sinc.
-fn resample(samples: &[f64], position: f64, length: usize) -> Vec<f64> {
-    let whole = position as usize;
-    let kernel = kernel(position - whole as f64);
-    // The first weight belongs to this sample; before the beginning and after the end is silence.
-    let first = (whole + 1).saturating_sub(KERNEL);
-    let skipped = (KERNEL - 1).saturating_sub(whole);
-    (0..length)
-        .map(|n| {
-            let skipped = skipped.saturating_sub(n);
-            let start = (whole + n + 1).saturating_sub(KERNEL).max(first);
-            let taps = samples.get(start..).unwrap_or_default();
-            kernel[skipped..]
-                .iter()
-                .zip(taps)
-                .map(|(weight, sample)| weight * sample)
-                .sum()
-        })
-        .collect()
+/// The energy before each of these samples, and of all.
+fn running_energy(samples: &[f32]) -> Vec<f64> {
+    let mut sum = 0.0;
+    let sums = samples.iter().map(|&sample| {
+        sum += f64::from(sample).powi(2);
+        sum
+    });
+    std::iter::once(0.0).chain(sums).collect()
+}
+
+/// So many values from a position between samples on, by a windowed sinc; silence lies before
+/// the first sample and after the last.
+fn resample(samples: &[f32], position: f64, length: usize) -> Vec<f32> {
+    let whole = position.floor();
+    let kernel = kernel(position - whole);
+    let first = whole as isize + 1 - KERNEL as isize;
+    let mut values = vec![0.0; length];
+    for (tap, weight) in kernel.into_iter().enumerate() {
+        let start = first + tap as isize;
+        let skipped = start.min(0).unsigned_abs().min(length);
+        let taps = samples.get(start.max(0) as usize..).unwrap_or_default();
+        for (value, sample) in values[skipped..].iter_mut().zip(taps) {
+            *value += weight * sample;
+        }
+    }
+    values
 }
 
 /// The weights of the samples around a position this fraction after one of them.
-fn kernel(fraction: f64) -> [f64; 2 * KERNEL] {
+fn kernel(fraction: f64) -> [f32; 2 * KERNEL] {
     std::array::from_fn(|tap| {
         let x = (tap + 1) as f64 - KERNEL as f64 - fraction;
         if x == 0.0 {
             return 1.0;
         }
         let window = 0.5 + 0.5 * (PI * x / KERNEL as f64).cos();
-        window * (PI * x).sin() / (PI * x)
+        (window * (PI * x).sin() / (PI * x)) as f32
     })
 }
 
@@ -284,9 +320,11 @@ mod tests {
 
     #[test]
     fn interpolation_is_that_of_a_band_limited_signal() {
-        let tone: Vec<f64> = (0..200).map(|n| (0.9 * f64::from(n)).sin()).collect();
+        let tone: Vec<f32> = (0..200)
+            .map(|n| (0.9 * f64::from(n)).sin() as f32)
+            .collect();
         for position in [100.0, 100.25, 100.5, 101.9] {
-            let error = resample(&tone, position, 1)[0] - (0.9 * position).sin();
+            let error = f64::from(resample(&tone, position, 1)[0]) - (0.9 * position).sin();
             assert!(error.abs() < 2e-3, "{position}: {error}");
         }
     }
