@@ -281,11 +281,13 @@ pub struct Envelope {
 impl Envelope {
     /// The most steps that are kept; beyond, two become one.
     const MOST_STEPS: usize = 1 << 15;
+    /// No step has fewer samples.
+    const FEWEST_SAMPLES: usize = 16;
 
     fn new(sample_rate_hz: u32) -> Self {
         Self {
             sample_rate_hz: f64::from(sample_rate_hz),
-            samples_per_step: 1,
+            samples_per_step: Self::FEWEST_SAMPLES,
             least: Vec::new(),
             greatest: Vec::new(),
             in_step: 0,
@@ -372,39 +374,18 @@ impl Extremes {
         greatest: f32::NEG_INFINITY,
     };
 
-    /// Of these samples, many at a time.
+    /// Of these samples.
     fn of(samples: &[f32]) -> Self {
-        let (chunks, rest) = samples.as_chunks::<16>();
-        let mut least = [f32::INFINITY; 16];
-        let mut greatest = [f32::NEG_INFINITY; 16];
-        for chunk in chunks {
-            for lane in 0..16 {
-                let sample = chunk[lane];
-                least[lane] = if sample < least[lane] {
-                    sample
-                } else {
-                    least[lane]
-                };
-                greatest[lane] = if sample > greatest[lane] {
-                    sample
-                } else {
-                    greatest[lane]
-                };
-            }
+        Self {
+            least: extreme(samples, lesser),
+            greatest: extreme(samples, greater),
         }
-        let both = |all: Self, least: f32, greatest: f32| Self {
-            least: all.least.min(least),
-            greatest: all.greatest.max(greatest),
-        };
-        let all = std::iter::zip(least, greatest).fold(Self::NONE, |all, (l, g)| both(all, l, g));
-        rest.iter()
-            .fold(all, |all, &sample| both(all, sample, sample))
     }
 
     fn with(self, other: Self) -> Self {
         Self {
-            least: self.least.min(other.least),
-            greatest: self.greatest.max(other.greatest),
+            least: lesser(other.least, self.least),
+            greatest: greater(other.greatest, self.greatest),
         }
     }
 
@@ -412,6 +393,30 @@ impl Extremes {
     fn size(self) -> f32 {
         self.greatest.max(-self.least)
     }
+}
+
+/// The most extreme of these samples, many at a time; infinite if there are none.
+#[inline]
+fn extreme(samples: &[f32], pick: impl Fn(f32, f32) -> f32) -> f32 {
+    const LANES: usize = 16;
+    let nothing = pick(f32::INFINITY, f32::NEG_INFINITY) * -1.0;
+    let (chunks, rest) = samples.as_chunks::<LANES>();
+    let mut lanes = [nothing; LANES];
+    for chunk in chunks {
+        lanes = std::array::from_fn(|lane| pick(chunk[lane], lanes[lane]));
+    }
+    let best = lanes.into_iter().fold(nothing, &pick);
+    rest.iter().copied().fold(best, &pick)
+}
+
+/// Without the care for NaN that `f32::min` takes: one instruction.
+fn lesser(a: f32, b: f32) -> f32 {
+    if a < b { a } else { b }
+}
+
+/// Without the care for NaN that `f32::max` takes.
+fn greater(a: f32, b: f32) -> f32 {
+    if a > b { a } else { b }
 }
 
 /// Counts samples cut off at the limit of the recorder: runs of the same extreme value.

@@ -149,7 +149,7 @@ impl HopEnergies {
     }
 
     /// Judges a hop, which lies here in the arrays.
-    #[inline(never)]
+    #[inline]
     fn judge(&self, hop: u64, at: usize) -> Novelty {
         let mut moment = Novelty {
             hop,
