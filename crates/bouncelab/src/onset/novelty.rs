@@ -43,8 +43,6 @@ struct Band {
     chance: f64,
     /// Share of the power of white noise in this band.
     share: f64,
-    /// Sums of the energies before each hop, from the first remembered on.
-    sums: Vec<f64>,
     floor: Quantile,
     /// The least that the band holds, noise floor or rounding.
     quiet: f64,
@@ -54,6 +52,8 @@ struct Band {
 #[derive(Clone)]
 pub(super) struct HopEnergies {
     bands: Vec<Band>,
+    /// Of each band the sums of the energies before each hop, from the first remembered on.
+    sums: [Vec<f64>; BANDS],
     /// Hops that are remembered from frame to frame.
     history: usize,
     /// Hops after a moment that it takes to judge it.
@@ -85,7 +85,6 @@ impl HopEnergies {
                     before: before[band],
                     chance: (variance(after[band]) + variance(before[band])).sqrt(),
                     share: bank.share[band],
-                    sums: vec![0.0; history + FRAME_HOPS + 1],
                     floor: Quantile::new(FLOOR_QUANTILE, hops(FLOOR_S, hop_s) / FLOOR_HOPS),
                     quiet: 0.0,
                 }
@@ -93,6 +92,7 @@ impl HopEnergies {
             .collect();
         Self {
             bands,
+            sums: std::array::from_fn(|_| vec![0.0; history + FRAME_HOPS + 1]),
             history,
             look_ahead,
             next: 0,
@@ -120,6 +120,7 @@ impl HopEnergies {
         bar: f64,
         moments: &mut Vec<Novelty>,
     ) {
+        self.add(energies);
         for (band, energies) in self.bands.iter_mut().zip(energies) {
             band.push(energies, noise_power);
         }
@@ -129,8 +130,8 @@ impl HopEnergies {
         } else {
             self.most.fill(0.0);
             let first = self.history - self.look_ahead;
-            for band in &self.bands {
-                band.add_most(first, &mut self.most);
+            for (band, sums) in self.bands.iter().zip(&self.sums) {
+                band.add_most(sums, first, &mut self.most);
             }
         }
         // Rounding of the bound must not hide a moment.
@@ -148,6 +149,33 @@ impl HopEnergies {
         self.next += FRAME_HOPS as u64;
     }
 
+    /// Goes on with the sums; all bands side by side, because each sum waits for the last.
+    #[inline]
+    fn add(&mut self, energies: &FrameEnergies) {
+        let mut last = [0.0; BANDS];
+        for (sums, last) in self.sums.iter_mut().zip(&mut last) {
+            // They start afresh with every frame, lest a loud past swallows a quiet present.
+            let base = sums[FRAME_HOPS];
+            sums.copy_within(FRAME_HOPS.., 0);
+            let past = sums.len() - FRAME_HOPS;
+            for sum in &mut sums[..past] {
+                *sum -= base;
+            }
+            *last = sums[past - 1];
+        }
+        let past = self.history + 1;
+        let mut new = self
+            .sums
+            .each_mut()
+            .map(|sums| &mut sums[past..][..FRAME_HOPS]);
+        for hop in 0..FRAME_HOPS {
+            for band in 0..BANDS {
+                last[band] += f64::from(energies[band][hop]);
+                new[band][hop] = last[band];
+            }
+        }
+    }
+
     /// Judges a hop, which lies here in the arrays.
     #[inline]
     fn judge(&self, hop: u64, at: usize) -> Novelty {
@@ -157,8 +185,8 @@ impl HopEnergies {
             gain: [0.0; BANDS],
             before: [0.0; BANDS],
         };
-        for (index, band) in self.bands.iter().enumerate() {
-            let sum = |hop: usize| band.sums[hop];
+        for (index, (band, sums)) in self.bands.iter().zip(&self.sums).enumerate() {
+            let sum = |hop: usize| sums[hop];
             let before = (band.before as u64).min(hop) as usize;
             let new = (sum(at + band.after) - sum(at)) / band.after as f64;
             let old = if before == 0 {
@@ -181,19 +209,6 @@ impl HopEnergies {
 impl Band {
     #[inline]
     fn push(&mut self, energies: &[f32; FRAME_HOPS], noise_power: f64) {
-        // The sums start afresh with every frame, lest a loud past swallows a quiet present.
-        let base = self.sums[FRAME_HOPS];
-        self.sums.copy_within(FRAME_HOPS.., 0);
-        let past = self.sums.len() - FRAME_HOPS;
-        let (past, present) = self.sums.split_at_mut(past);
-        for sum in past.iter_mut() {
-            *sum -= base;
-        }
-        let mut sum = past[past.len() - 1];
-        for (sums, &energy) in present.iter_mut().zip(energies) {
-            sum += f64::from(energy);
-            *sums = sum;
-        }
         for means in energies.chunks_exact(FLOOR_HOPS) {
             let mean: f32 = means.iter().sum::<f32>() / FLOOR_HOPS as f32;
             self.floor.push(mean);
@@ -208,8 +223,8 @@ impl Band {
     /// For x > 0, ln(1 + x) < x (6 + x) / (6 + 4 x), and hardly less while x is small: so nearly
     /// all moments need no logarithm.
     #[inline]
-    fn add_most(&self, first: usize, most: &mut [f32; FRAME_HOPS]) {
-        let sums = |from: usize| &self.sums[from..][..FRAME_HOPS];
+    fn add_most(&self, sums: &[f64], first: usize, most: &mut [f32; FRAME_HOPS]) {
+        let sums = |from: usize| &sums[from..][..FRAME_HOPS];
         let (now, end, start) = (
             sums(first),
             sums(first + self.after),
