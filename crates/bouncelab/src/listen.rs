@@ -399,7 +399,7 @@ impl Extremes {
 #[inline]
 fn extreme(samples: &[f32], pick: impl Fn(f32, f32) -> f32) -> f32 {
     const LANES: usize = 16;
-    let nothing = pick(f32::INFINITY, f32::NEG_INFINITY) * -1.0;
+    let nothing = -pick(f32::INFINITY, f32::NEG_INFINITY);
     let (chunks, rest) = samples.as_chunks::<LANES>();
     let mut lanes = [nothing; LANES];
     for chunk in chunks {

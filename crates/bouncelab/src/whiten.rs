@@ -126,7 +126,7 @@ mod tests {
             .map(|n| 0.3 + 0.5 * (0.2 * n as f32).sin())
             .collect();
         let model = Autoregression::learn(&tone[..400], 1e-12);
-        let error: f64 = model
+        let error: f32 = model
             .errors(&tone[400..])
             .iter()
             .map(|e| e * e)

@@ -164,7 +164,7 @@ impl HopEnergies {
             *last = sums[past - 1];
         }
         let past = self.history + 1;
-        let mut new = self
+        let new = self
             .sums
             .each_mut()
             .map(|sums| &mut sums[past..][..FRAME_HOPS]);

@@ -188,8 +188,8 @@ impl Sound {
 
     /// The highest correlation at whole samples around `middle`, and a parabola through it.
     fn best_shift(&self, others: &[f32], span: &Span, middle: isize, reach: usize) -> Option<f64> {
-        let reach = reach as isize;
-        let farthest = self.reach as isize;
+        let reach = reach.cast_signed();
+        let farthest = self.reach.cast_signed();
         let lags = (middle - reach).max(-farthest)..=(middle + reach).min(farthest);
         let first_lag = *lags.start();
         let scale = f64::from(norm(others));
@@ -208,7 +208,7 @@ impl Sound {
             .max_by(|&a, &b| fits[a].total_cmp(&fits[b]))?;
         let (left, right) = (fits[best - 1], fits[best + 1]);
         let vertex = 0.5 * (left - right) / (left - 2.0 * fits[best] + right);
-        Some((first_lag + best as isize) as f64 + vertex)
+        Some((first_lag + best.cast_signed()) as f64 + vertex)
     }
 }
 
@@ -289,10 +289,10 @@ fn running_energy(samples: &[f32]) -> Vec<f64> {
 fn resample(samples: &[f32], position: f64, length: usize) -> Vec<f32> {
     let whole = position.floor();
     let kernel = kernel(position - whole);
-    let first = whole as isize + 1 - KERNEL as isize;
+    let first = whole as isize + 1 - KERNEL.cast_signed();
     let mut values = vec![0.0; length];
     for (tap, weight) in kernel.into_iter().enumerate() {
-        let start = first + tap as isize;
+        let start = first + tap.cast_signed();
         let skipped = start.min(0).unsigned_abs().min(length);
         let taps = samples.get(start.max(0) as usize..).unwrap_or_default();
         for (value, sample) in values[skipped..].iter_mut().zip(taps) {

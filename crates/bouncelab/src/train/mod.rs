@@ -37,8 +37,8 @@ use std::fmt;
 /// confirm it.
 pub const FEWEST_IMPACTS: usize = 5;
 
-/// Evidence in nats from which a train is believed: e to the 3rd, odds of 20 to 1.
-const BELIEVED: f64 = 3.0;
+/// Evidence in nats from which a train is believed: a drop is then more likely than other sounds.
+const BELIEVED: f64 = 0.0;
 
 /// A train that is heard this much fainter than another, at the same speed of impact, is another
 /// ball farther away: 12 dB is four times the distance.
@@ -325,9 +325,14 @@ pub(crate) fn search(onsets: &[Onset], found: &mut Found) {
     if onsets.len() < FEWEST_IMPACTS {
         return;
     }
-    let Some(chain) = chain::best(onsets).filter(|chain| chain.evidence >= BELIEVED) else {
+    let Some(mut chain) = chain::best(onsets) else {
         return;
     };
+    chain.evidence += alone(onsets, &chain);
+    if chain.evidence < BELIEVED {
+        return;
+    }
+    chain.extend(onsets);
     if let Some(regular) = regular(onsets, &chain) {
         found.regular.push(regular);
         let rest: Vec<Onset> = (0..onsets.len())
@@ -337,11 +342,57 @@ pub(crate) fn search(onsets: &[Onset], found: &mut Found) {
         search(&rest, found);
         return;
     }
-    let first = chain.links[0].onset;
-    let last = chain.links[chain.links.len() - 1].onset;
-    search(&onsets[..first], found);
-    found.trains.push(train(onsets, &chain));
-    search(&onsets[last + 1..], found);
+    let found_train = train(onsets, &chain);
+    let (start_s, end_s) = (found_train.start_s(), found_train.end_s());
+    search(
+        &onsets[..onsets.partition_point(|o| o.time_s < start_s - HANDLING_S)],
+        found,
+    );
+    found.trains.push(found_train);
+    search(
+        &onsets[onsets.partition_point(|o| o.time_s <= end_s + HANDLING_S)..],
+        found,
+    );
+}
+
+/// A hand needs this many seconds between two drops; what bounces sooner is the same ball, coming
+/// to rest or not yet let go.
+const HANDLING_S: f64 = 0.5;
+
+/// Evidence from how alone the impacts are.
+///
+/// Other sounds are as likely to fall before, between and after the impacts of a drop as in their
+/// places. If n impacts and m other sounds as strong are heard, the rate of other sounds that
+/// explains all of them is (n + m) / m times the one that explains the rest beside the drop. The
+/// ratio of the two Poisson probabilities is exp(n) (m / (n + m))^m.
+fn alone(onsets: &[Onset], chain: &Chain) -> f64 {
+    /// Seconds before the first and after the last impact that count.
+    const AROUND_S: f64 = 0.5;
+    let time_s = |link: usize| onsets[chain.links[link].onset].time_s;
+    let start_s = time_s(0) - AROUND_S;
+    let end_s = time_s(chain.links.len() - 1) + AROUND_S;
+    let first = onsets.partition_point(|o| o.time_s < start_s);
+    let last = onsets.partition_point(|o| o.time_s <= end_s);
+    let impacts: Vec<f64> = chain
+        .links
+        .iter()
+        .map(|l| onsets[l.onset].strength)
+        .collect();
+    impacts
+        .iter()
+        .map(|&strength| {
+            let as_strong = |s: &&f64| **s >= strength;
+            let n = impacts.iter().filter(as_strong).count();
+            let all: Vec<f64> = onsets[first..last].iter().map(|o| o.strength).collect();
+            let m = all.iter().filter(as_strong).count() - n;
+            let (n, m) = (n as f64, m as f64);
+            if m > 0.0 {
+                n - m * (1.0 + n / m).ln()
+            } else {
+                n
+            }
+        })
+        .fold(0.0, f64::max)
 }
 
 fn train(onsets: &[Onset], chain: &Chain) -> Train {
