@@ -31,7 +31,7 @@
 //! ```
 
 use crate::onset::{self, Detector, Onset};
-use crate::train::{self, Found, NoDrop};
+use crate::train::{self, Found, NoDrop, Span};
 
 /// No drop lasts longer than this many seconds: what is older is forgotten.
 const MEMORY_S: f64 = 120.0;
@@ -152,6 +152,8 @@ struct Ear {
     /// Onsets not yet judged.
     onsets: Vec<Onset>,
     onsets_judged: usize,
+    /// The time up to which all is judged, in seconds, as far as it matters to what comes.
+    judged_s: f64,
     found: Found,
     envelope: Envelope,
     clipping: Clipping,
@@ -164,6 +166,7 @@ impl Ear {
             detector: Detector::remembering(sample_rate_hz),
             onsets: Vec::new(),
             onsets_judged: 0,
+            judged_s: 0.0,
             found: Found::default(),
             envelope: Envelope::new(sample_rate_hz),
             clipping: Clipping::default(),
@@ -185,7 +188,8 @@ impl Ear {
         if let Some(last) = self.onsets.last()
             && self.now_s() > last.time_s + GAP_S + DELAY_S
         {
-            self.judge_all();
+            let end_s = self.now_s();
+            self.judge_all(end_s);
         }
         let first_s = self.onsets.first().map_or(self.now_s(), |o| o.time_s);
         let needed = (first_s - DELAY_S - AROUND_S) * self.sample_rate_hz;
@@ -200,7 +204,7 @@ impl Ear {
             let far_s =
                 |onset: Option<&Onset>, now: &Onset| onset.map_or(0.0, |o| now.time_s - o.time_s);
             if far_s(self.onsets.last(), &onset) > GAP_S {
-                self.judge_all();
+                self.judge_all(onset.time_s);
             } else if far_s(self.onsets.first(), &onset) > MEMORY_S + SLACK_S {
                 self.judge_the_past(onset.time_s);
             }
@@ -208,19 +212,27 @@ impl Ear {
         }
     }
 
-    /// Judges all onsets.
-    fn judge_all(&mut self) {
+    /// Judges all onsets; what comes next comes at this time.
+    fn judge_all(&mut self, end_s: f64) {
         let mut found = Found::default();
-        train::search(&self.onsets, &mut found);
+        train::search(&self.onsets, self.span(end_s), &mut found);
         self.take(found);
         self.onsets_judged += self.onsets.len();
         self.onsets.clear();
     }
 
+    /// The time of the onsets that are not yet judged.
+    fn span(&self, end_s: f64) -> Span {
+        Span {
+            start_s: self.judged_s,
+            end_s,
+        }
+    }
+
     /// Judges the onsets that no sound later than `now_s` can change, and forgets them.
     fn judge_the_past(&mut self, now_s: f64) {
         let mut found = Found::default();
-        train::search(&self.onsets, &mut found);
+        train::search(&self.onsets, self.span(now_s), &mut found);
         let open = found.trains.iter().position(|t| t.end_s() > now_s - OPEN_S);
         let open_from_s = open.map_or(f64::INFINITY, |index| found.trains[index].start_s());
         found.trains.truncate(open.unwrap_or(found.trains.len()));
@@ -232,6 +244,7 @@ impl Ear {
         let judged = self.onsets.partition_point(|o| o.time_s <= past_s);
         self.onsets.drain(..judged);
         self.onsets_judged += judged;
+        self.judged_s = past_s;
     }
 
     /// Sharpens the times of these trains while their samples are at hand, and keeps them.
@@ -253,7 +266,7 @@ impl Ear {
         let heard = self.onsets.len();
         self.detector.flush(&mut self.onsets);
         self.judge_onsets_from(heard);
-        self.judge_all();
+        self.judge_all(duration_s);
         self.found.set_distant_apart();
         Heard {
             channel,

@@ -7,7 +7,7 @@
 
 use std::ops::Range;
 
-use super::evidence::{self, Surroundings};
+use super::evidence::{self, Span, Surroundings};
 use super::{FEWEST_IMPACTS, Onset};
 
 /// The longest time between two impacts heard, in seconds: an apex of 4.9 m.
@@ -207,8 +207,8 @@ struct Node {
 }
 
 /// The chain with the most evidence, if any has enough impacts.
-pub(super) fn best(onsets: &[Onset]) -> Option<Chain> {
-    let around = Surroundings::of(onsets);
+pub(super) fn best(onsets: &[Onset], span: Span) -> Option<Chain> {
+    let around = Surroundings::of(onsets, span);
     let mut nodes: Vec<Node> = Vec::new();
     // The nodes that end at onset j are nodes[ends[j]..ends[j + 1]].
     let mut ends = vec![0];
@@ -326,7 +326,7 @@ fn trace(nodes: &[Node], end: usize, last_onset: usize) -> Vec<Link> {
 
 /// The most likely number of each onset, if all of them are impacts of one drop.
 pub(super) fn numbers(onsets: &[Onset]) -> Option<Vec<u32>> {
-    let around = Surroundings::of(onsets);
+    let around = Surroundings::of(onsets, Span::EVER);
     let mut ways: Vec<(State, Vec<u32>)> = Vec::new();
     for later in 1..onsets.len() {
         let step = Step::new(onsets, &around, (later - 1, later));

@@ -146,6 +146,21 @@ fn harmonic(n: usize) -> f64 {
     (n as f64 + 0.5).ln() + GAMMA
 }
 
+/// A stretch of recording in which all onsets are known, in seconds.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Span {
+    pub(crate) start_s: f64,
+    pub(crate) end_s: f64,
+}
+
+impl Span {
+    /// All of time.
+    pub(crate) const EVER: Self = Self {
+        start_s: f64::NEG_INFINITY,
+        end_s: f64::INFINITY,
+    };
+}
+
 /// What surrounds an onset, which says how remarkable a next impact would be.
 pub(super) struct Surroundings {
     /// How many onsets at least as strong come each second, itself included.
@@ -158,9 +173,11 @@ pub(super) struct Surroundings {
 }
 
 impl Surroundings {
-    /// The surroundings of each of these onsets.
-    pub(super) fn of(onsets: &[Onset]) -> Vec<Self> {
+    /// The surroundings of each of these onsets, which are all that was heard in this span.
+    pub(super) fn of(onsets: &[Onset], span: Span) -> Vec<Self> {
         const REACH_S: f64 = 3.0;
+        /// So much is taken for heard at least.
+        const LEAST_HEARD_S: f64 = 0.5;
         /// Unrelated sounds that are imagined beside those around, so that a few impacts alone in
         /// a quiet room are not taken for the rule.
         const IMAGINED: f64 = 10.0;
@@ -177,10 +194,14 @@ impl Surroundings {
                 }
                 let near = &onsets[first..end];
                 let stronger = near.iter().filter(|o| o.strength >= onset.strength).count();
+                // Where nothing was recorded, it was not silent.
+                let heard_s = (onset.time_s + REACH_S).min(span.end_s)
+                    - (onset.time_s - REACH_S).max(span.start_s);
+                let heard_s = heard_s.max(LEAST_HEARD_S);
                 let similarities: f64 = near.iter().map(|o| similarity(onset, o)).sum();
                 Self {
-                    rate_hz: stronger as f64 * harmonic(near.len()) / (2.0 * REACH_S),
-                    any_rate_hz: near.len() as f64 / (2.0 * REACH_S),
+                    rate_hz: stronger as f64 * harmonic(near.len()) / heard_s,
+                    any_rate_hz: near.len() as f64 / heard_s,
                     mean_similarity: (IMAGINED + similarities) / (IMAGINED + near.len() as f64),
                 }
             })

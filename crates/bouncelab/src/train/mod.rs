@@ -31,6 +31,7 @@ mod evidence;
 
 use crate::onset::Onset;
 use chain::Chain;
+pub(crate) use evidence::Span;
 use std::fmt;
 
 /// The fewest impacts that can be told from chance: three set the ratio of the flights, two more
@@ -40,8 +41,8 @@ pub const FEWEST_IMPACTS: usize = 5;
 /// Evidence in nats from which a train is believed: a drop is then more likely than other sounds.
 const BELIEVED: f64 = 0.0;
 
-/// A train that is heard this much fainter than another, at the same speed of impact, is another
-/// ball farther away: 12 dB is four times the distance.
+/// A train that is heard this much fainter than a surer one, at the same speed of impact, is
+/// another ball farther away: 12 dB is four times the distance.
 const DISTANT_DB: f64 = 12.0;
 
 /// An impact as heard.
@@ -164,17 +165,21 @@ pub struct Regular {
 }
 
 impl Found {
-    /// Moves the trains that are far fainter than the loudest from `trains` to `distant`.
+    /// Moves the trains that are far fainter than another, surer one from `trains` to `distant`.
     pub(crate) fn set_distant_apart(&mut self) {
-        let levels: Vec<f64> = self
+        let heard: Vec<(f64, f64)> = self
             .trains
             .iter()
-            .map(Train::level_at_unit_speed_db)
+            .map(|train| (train.level_at_unit_speed_db(), train.evidence()))
             .collect();
-        let loudest = levels.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-        let mut levels = levels.into_iter();
-        let is_distant = |_: &mut Train| levels.next().is_some_and(|l| l < loudest - DISTANT_DB);
-        self.distant.extend(self.trains.extract_if(.., is_distant));
+        let is_distant = |&(level_db, evidence): &(f64, f64)| {
+            heard
+                .iter()
+                .any(|other| other.0 > level_db + DISTANT_DB && other.1 > evidence)
+        };
+        let mut distant = heard.iter().map(is_distant);
+        self.distant
+            .extend(self.trains.extract_if(.., |_| distant.next() == Some(true)));
     }
 
     /// The evidence of all trains together, in nats.
@@ -241,7 +246,7 @@ impl fmt::Display for NoDrop {
 /// Finds the drops among onset candidates, which must be in order of time.
 pub fn find(onsets: &[Onset]) -> Found {
     let mut found = Found::default();
-    search(onsets, &mut found);
+    search(onsets, Span::EVER, &mut found);
     found.set_distant_apart();
     found
 }
@@ -320,12 +325,13 @@ fn ratio_near(impacts: &[HeardImpact], index: usize) -> f64 {
     ratios.get(ratios.len() / 2).copied().unwrap_or(1.0)
 }
 
-/// Takes the best train and searches again before and after it.
-pub(crate) fn search(onsets: &[Onset], found: &mut Found) {
+/// Takes the best train and searches again before and after it. The onsets are all that was heard
+/// in this span.
+pub(crate) fn search(onsets: &[Onset], span: Span, found: &mut Found) {
     if onsets.len() < FEWEST_IMPACTS {
         return;
     }
-    let Some(mut chain) = chain::best(onsets) else {
+    let Some(mut chain) = chain::best(onsets, span) else {
         return;
     };
     chain.evidence += alone(onsets, &chain);
@@ -339,20 +345,23 @@ pub(crate) fn search(onsets: &[Onset], found: &mut Found) {
             .filter(|index| chain.links.iter().all(|link| link.onset != *index))
             .map(|index| onsets[index])
             .collect();
-        search(&rest, found);
+        search(&rest, span, found);
         return;
     }
-    let found_train = train(onsets, &chain);
-    let (start_s, end_s) = (found_train.start_s(), found_train.end_s());
-    search(
-        &onsets[..onsets.partition_point(|o| o.time_s < start_s - HANDLING_S)],
-        found,
-    );
-    found.trains.push(found_train);
-    search(
-        &onsets[onsets.partition_point(|o| o.time_s <= end_s + HANDLING_S)..],
-        found,
-    );
+    let best = train(onsets, &chain);
+    let before = Span {
+        end_s: best.start_s() - HANDLING_S,
+        ..span
+    };
+    let after = Span {
+        start_s: best.end_s() + HANDLING_S,
+        ..span
+    };
+    let first = onsets.partition_point(|o| o.time_s < before.end_s);
+    let rest = onsets.partition_point(|o| o.time_s <= after.start_s);
+    search(&onsets[..first], before, found);
+    found.trains.push(best);
+    search(&onsets[rest..], after, found);
 }
 
 /// A hand needs this many seconds between two drops; what bounces sooner is the same ball, coming
