@@ -11,9 +11,13 @@ use super::HeardImpact;
 use crate::whiten::{self, Autoregression};
 use std::f64::consts::PI;
 
-/// What is compared of each impact, in seconds before and after its time.
+/// What is compared of each impact, in seconds before and after its time: as long as it sounds,
+/// but no longer than this, lest the next one is heard in it.
 const BEFORE_S: f64 = 0.0005;
 const AFTER_S: f64 = 0.0025;
+const MOST_AFTER_S: f64 = 0.008;
+/// What sounds after that holds less than this share of the energy.
+const LEAST_SHARE: f64 = 0.03;
 /// The noise before an impact from which the whitening is learnt, in seconds.
 const NOISE_S: f64 = 0.010;
 /// The farthest an impact is shifted, in seconds, and in standard errors of its pick.
@@ -26,9 +30,13 @@ const FARTHEST_SIGMA: f64 = 6.0;
 const LEAST_CORRELATION: f64 = 0.6;
 /// Times settle to well below their errors in so many rounds.
 const ROUNDS: usize = 3;
-/// Impacts of one drop differ a little, which no residual shows: a standard error in samples that
-/// is added to that of the fit. Measured on synthetic impacts whose modes scatter by 0.1 radian.
-const LEAST_SIGMA: f64 = 0.05;
+/// Impacts of one drop differ a little, and not as noise does: what they leave unexplained is like
+/// so many numbers drawn at random, one or two for each mode that rings.
+const FREE_DIFFERENCES: f64 = 2.0;
+/// No shift is surer than this, in samples.
+const LEAST_SIGMA: f64 = 0.003;
+/// Steps of Newton's from the shift of highest correlation to that of the least misfit.
+const STEPS: usize = 2;
 /// After the first round an impact is sought so many samples around where it was found.
 const NEAR: usize = 6;
 /// Half the length of the interpolation kernel in samples.
@@ -43,17 +51,24 @@ pub(super) fn align(
     rate_hz: f64,
 ) -> Vec<bool> {
     let mut agrees = vec![false; impacts.len()];
-    let span = Span::new(rate_hz);
+    let mut span = Span::new(rate_hz);
     let mut sounds = whitened_sounds(impacts, samples, start_s, rate_hz, &span);
     // With fewer there is no stack of others to speak of.
     if sounds.len() < 3 {
         return agrees;
     }
+    span.length = span.before + sounding(&sounds, &span);
     for round in 0..ROUNDS {
         let waves: Vec<Vec<f32>> = sounds.iter().map(|s| s.wave(&span, s.shift)).collect();
-        let stack = stack(&waves);
+        let middle = middle_size(&waves);
+        // How much noise of one wave is in the stack.
+        let noise: f32 = waves.iter().map(|w| weight(w, middle).powi(2)).sum();
+        let stack = stack(&waves, middle);
         for (sound, wave) in sounds.iter_mut().zip(&waves) {
-            sound.fit(wave, &stack, &span, round == 0);
+            let own = weight(wave, middle);
+            let others: Vec<f32> = stack.iter().zip(wave).map(|(s, w)| s - w * own).collect();
+            let template = Template::new(&others, noise - own * own);
+            sound.fit(&template, &span, round == 0);
         }
         keep_mean(&mut sounds);
     }
@@ -74,6 +89,9 @@ struct Span {
     origin: usize,
     before: usize,
     length: usize,
+    /// The least and the greatest length after the picked time.
+    least: usize,
+    most: usize,
     nearest: f64,
     farthest: f64,
     noise: usize,
@@ -87,7 +105,9 @@ impl Span {
         Self {
             origin: before + farthest + KERNEL,
             before,
-            length: before + samples(AFTER_S),
+            length: before + samples(MOST_AFTER_S),
+            least: samples(AFTER_S),
+            most: samples(MOST_AFTER_S),
             nearest: samples(NEAREST_S).max(2) as f64,
             farthest: farthest as f64,
             noise: samples(NOISE_S).max(4 * whiten::ORDER),
@@ -96,7 +116,7 @@ impl Span {
 
     /// Samples of a sound after its origin.
     fn after(&self) -> usize {
-        self.length - self.before + self.farthest as usize + KERNEL + 1
+        self.most + self.farthest as usize + KERNEL + 1
     }
 }
 
@@ -107,6 +127,8 @@ struct Sound {
     samples: Vec<f32>,
     /// Energy of the samples before each.
     energy: Vec<f64>,
+    /// Power of the noise before the impact.
+    noise: f64,
     /// How far the impact may be from its pick, in samples.
     reach: usize,
     /// Standard error of the pick in samples.
@@ -146,9 +168,12 @@ fn whitened_sounds(
             let fraction = at - at.floor();
             let pick_sigma = impacts[impact].onset.sigma_s * rate_hz;
             let samples = resample(&errors, fraction, span.origin + span.after());
+            let energy = running_energy(&samples);
+            let quiet = span.origin - span.before - span.nearest as usize;
             Sound {
                 impact,
-                energy: running_energy(&samples),
+                noise: energy[quiet] / quiet as f64,
+                energy,
                 samples,
                 reach: (FARTHEST_SIGMA * pick_sigma)
                     .clamp(span.nearest, span.farthest)
@@ -170,20 +195,25 @@ impl Sound {
 
     /// Finds the shift at which the sound fits the stack of the others: anywhere, or near where
     /// it was found before.
-    fn fit(&mut self, wave: &[f32], stack: &[f32], span: &Span, anywhere: bool) {
-        let own = 1.0 / norm(wave).max(f32::MIN_POSITIVE);
-        let others: Vec<f32> = stack.iter().zip(wave).map(|(s, w)| s - w * own).collect();
+    fn fit(&mut self, template: &Template, span: &Span, anywhere: bool) {
+        let others = template.wave;
         let found = if anywhere {
-            self.best_shift(&others, span, 0, self.reach)
+            self.best_shift(others, span, 0, self.reach)
         } else {
             self.sigma.and_then(|_| {
                 let near = self.shift.round() as isize;
-                self.best_shift(&others, span, near, NEAR)
+                self.best_shift(others, span, near, NEAR)
             })
         };
-        let found = found.or_else(|| self.best_shift(&others, span, 0, self.reach));
+        let found = found.or_else(|| self.best_shift(others, span, 0, self.reach));
         self.shift = found.unwrap_or(0.0);
-        self.sigma = found.map(|shift| shift_error(&self.wave(span, shift), &others));
+        self.sigma = found.map(|_| {
+            for _ in 0..STEPS {
+                let wave = self.wave(span, self.shift);
+                self.shift += template.misfit(&wave).clamp(-0.5, 0.5);
+            }
+            template.shift_error(&self.wave(span, self.shift), self.noise)
+        });
     }
 
     /// The highest correlation at whole samples around `middle`, and a parabola through it.
@@ -227,11 +257,44 @@ fn keep_mean(sounds: &mut [Sound]) {
     }
 }
 
-/// The sum of the waves, each at unit energy.
-fn stack(waves: &[Vec<f32>]) -> Vec<f32> {
+/// How long the impacts sound, in samples after their times.
+fn sounding(sounds: &[Sound], span: &Span) -> usize {
+    let energy_in = |sound: &Sound, first: usize, length: usize| {
+        let first = span.origin + first;
+        let noise = sound.noise * length as f64;
+        (sound.energy[first + length] - sound.energy[first] - noise).max(0.0)
+    };
+    let share_after = |after: usize| {
+        let shares = sounds.iter().filter_map(|sound| {
+            let all = energy_in(sound, 0, span.most);
+            (all > 0.0).then(|| energy_in(sound, after, span.most - after) / all)
+        });
+        let shares: Vec<f64> = shares.collect();
+        shares.iter().sum::<f64>() / shares.len().max(1) as f64
+    };
+    (span.least..span.most)
+        .step_by(span.least / 4 + 1)
+        .find(|&after| share_after(after) < LEAST_SHARE)
+        .unwrap_or(span.most)
+}
+
+fn middle_size(waves: &[Vec<f32>]) -> f32 {
+    let mut sizes: Vec<f32> = waves.iter().map(|wave| norm(wave)).collect();
+    sizes.sort_by(f32::total_cmp);
+    sizes[sizes.len() / 2]
+}
+
+/// The weight of a wave in a stack of waves of this middle size.
+fn weight(wave: &[f32], middle: f32) -> f32 {
+    1.0 / norm(wave).max(middle).max(f32::MIN_POSITIVE)
+}
+
+/// The sum of the waves: each at unit energy, but those below the middle as quiet as they are,
+/// because they hold more noise.
+fn stack(waves: &[Vec<f32>], middle: f32) -> Vec<f32> {
     let mut stack = vec![0.0; waves[0].len()];
     for wave in waves {
-        let scale = 1.0 / norm(wave).max(f32::MIN_POSITIVE);
+        let scale = weight(wave, middle);
         for (sum, value) in stack.iter_mut().zip(wave) {
             *sum += value * scale;
         }
@@ -239,20 +302,81 @@ fn stack(waves: &[Vec<f32>]) -> Vec<f32> {
     stack
 }
 
-/// Standard error of the shift of a wave against a template, in samples.
-fn shift_error(wave: &[f32], template: &[f32]) -> f64 {
-    let amplitude = dot(wave, template) / dot(template, template);
-    let residual: f32 = wave
-        .iter()
-        .zip(template)
-        .map(|(w, t)| (w - amplitude * t).powi(2))
-        .sum();
-    let slope: f32 = template
-        .windows(3)
-        .map(|t| (amplitude * (t[2] - t[0]) / 2.0).powi(2))
-        .sum();
-    let noise = residual / (wave.len() - 2) as f32;
-    f64::from(noise / slope).sqrt().hypot(LEAST_SIGMA)
+/// What other impacts say an impact sounds like.
+struct Template<'a> {
+    wave: &'a [f32],
+    derivative: Vec<f32>,
+    energy: f32,
+    slope: f32,
+    /// Power of its noise over that of one impact.
+    noise: f32,
+}
+
+impl<'a> Template<'a> {
+    fn new(wave: &'a [f32], noise: f32) -> Self {
+        let derivative = derivative(wave);
+        Self {
+            wave,
+            noise,
+            energy: dot(wave, wave),
+            slope: dot(&derivative, &derivative),
+            derivative,
+        }
+    }
+
+    /// What the template at its best level leaves of a wave, and that level.
+    fn residual(&self, wave: &[f32]) -> (Vec<f32>, f32) {
+        let level = dot(wave, self.wave) / self.energy;
+        let pairs = wave.iter().zip(self.wave);
+        (pairs.map(|(w, t)| w - level * t).collect(), level)
+    }
+
+    /// By how many samples the wave comes late.
+    fn misfit(&self, wave: &[f32]) -> f64 {
+        let (residual, level) = self.residual(wave);
+        let late = -dot(&self.derivative, &residual) / (level * self.slope);
+        if late.is_finite() {
+            f64::from(late)
+        } else {
+            0.0
+        }
+    }
+
+    /// Standard error of the shift of a wave in noise of this power, in samples.
+    fn shift_error(&self, wave: &[f32], noise: f64) -> f64 {
+        let (residual, level) = self.residual(wave);
+        let slope = f64::from(level * level * self.slope).max(f64::MIN_POSITIVE);
+        let unexplained = f64::from(dot(&residual, &residual));
+        // What the noise of both leaves, and what it may leave by chance. (That of the template is
+        // common to all impacts, and shifts none against another.)
+        let count = wave.len() as f64;
+        let both = noise * (1.0 + f64::from(level * level * self.noise));
+        let by_chance = both * (count + 2.0 * (2.0 * count).sqrt());
+        let different = (unexplained - by_chance).max(0.0);
+        let variance = (noise + different / FREE_DIFFERENCES) / slope;
+        variance.sqrt().hypot(LEAST_SIGMA)
+    }
+}
+
+/// The derivative of a band-limited signal, for each sample.
+fn derivative(samples: &[f32]) -> Vec<f32> {
+    let at = |n: usize| samples.get(n).copied().unwrap_or(0.0);
+    let weights: [f32; KERNEL] = std::array::from_fn(|tap| {
+        let k = (tap + 1) as f64;
+        let window = 0.5 + 0.5 * (PI * k / (KERNEL + 1) as f64).cos();
+        let sign = if tap % 2 == 0 { 1.0 } else { -1.0 };
+        (sign * window / k) as f32
+    });
+    (0..samples.len())
+        .map(|n| {
+            let pairs = weights.iter().zip(1..);
+            let terms = pairs.map(|(weight, k)| {
+                let before = n.checked_sub(k).map_or(0.0, at);
+                weight * (at(n + k) - before)
+            });
+            terms.sum()
+        })
+        .collect()
 }
 
 fn dot(a: &[f32], b: &[f32]) -> f32 {
