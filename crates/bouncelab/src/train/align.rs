@@ -30,11 +30,15 @@ const FARTHEST_SIGMA: f64 = 6.0;
 const LEAST_CORRELATION: f64 = 0.6;
 /// Times settle to well below their errors in so many rounds.
 const ROUNDS: usize = 3;
+/// High frequencies are smoothed away while this share of the energy of the impacts is kept.
+const LEAST_KEPT: f64 = 0.9;
+/// So many of the loudest impacts are asked.
+const TRIED: usize = 6;
 /// Impacts of one drop differ a little, and not as noise does: what they leave unexplained is like
 /// so many numbers drawn at random, one or two for each mode that rings.
 const FREE_DIFFERENCES: f64 = 2.0;
 /// No shift is surer than this, in samples.
-const LEAST_SIGMA: f64 = 0.003;
+const LEAST_SIGMA: f64 = 0.001;
 /// Steps of Newton's from the shift of highest correlation to that of the least misfit.
 const STEPS: usize = 2;
 /// After the first round an impact is sought so many samples around where it was found.
@@ -57,6 +61,7 @@ pub(super) fn align(
     if sounds.len() < 3 {
         return agrees;
     }
+    smooth(&mut sounds, &span);
     span.length = span.before + sounding(&sounds, &span);
     for round in 0..ROUNDS {
         let waves: Vec<Vec<f32>> = sounds.iter().map(|s| s.wave(&span, s.shift)).collect();
@@ -127,8 +132,10 @@ struct Sound {
     samples: Vec<f32>,
     /// Energy of the samples before each.
     energy: Vec<f64>,
-    /// Power of the noise before the impact.
+    /// Power of the noise before the impact, and what it was before smoothing: its density in the
+    /// band that is left.
     noise: f64,
+    density: f64,
     /// How far the impact may be from its pick, in samples.
     reach: usize,
     /// Standard error of the pick in samples.
@@ -169,10 +176,11 @@ fn whitened_sounds(
             let pick_sigma = impacts[impact].onset.sigma_s * rate_hz;
             let samples = resample(&errors, fraction, span.origin + span.after());
             let energy = running_energy(&samples);
-            let quiet = span.origin - span.before - span.nearest as usize;
+            let noise = noise_power(&energy, span);
             Sound {
                 impact,
-                noise: energy[quiet] / quiet as f64,
+                noise,
+                density: noise,
                 energy,
                 samples,
                 reach: (FARTHEST_SIGMA * pick_sigma)
@@ -212,7 +220,7 @@ impl Sound {
                 let wave = self.wave(span, self.shift);
                 self.shift += template.misfit(&wave).clamp(-0.5, 0.5);
             }
-            template.shift_error(&self.wave(span, self.shift), self.noise)
+            template.shift_error(&self.wave(span, self.shift), self.noise, self.density)
         });
     }
 
@@ -255,6 +263,65 @@ fn keep_mean(sounds: &mut [Sound]) {
             sound.shift -= sum / weights;
         }
     }
+}
+
+/// Power of the noise before an impact.
+fn noise_power(energy: &[f64], span: &Span) -> f64 {
+    let quiet = span.origin - span.before - span.nearest as usize;
+    energy[quiet] / quiet as f64
+}
+
+/// Takes out the high frequencies in which the impacts do not sound: they would drown the slope
+/// of a dull thump.
+fn smooth(sounds: &mut [Sound], span: &Span) {
+    let loudness = |energy: &[f64], noise: f64| {
+        let (first, end) = (span.origin, span.origin + span.most);
+        (energy[end] - energy[first] - noise * span.most as f64).max(0.0)
+    };
+    let mut loudest: Vec<(f64, usize)> = (0..sounds.len())
+        .map(|n| (loudness(&sounds[n].energy, sounds[n].noise), n))
+        .filter(|&(loudness, _)| loudness > 0.0)
+        .collect();
+    loudest.sort_by(|a, b| b.0.total_cmp(&a.0));
+    loudest.truncate(TRIED);
+    let kept = |kernel: &[f32]| {
+        let shares = loudest.iter().map(|&(before, n)| {
+            let energy = running_energy(&convolve(&sounds[n].samples, kernel));
+            loudness(&energy, noise_power(&energy, span)) / before
+        });
+        shares.sum::<f64>() / loudest.len() as f64
+    };
+    let reaches = [16, 8, 4, 2, 1].map(smoothing);
+    if let Some(kernel) = reaches.iter().find(|kernel| kept(kernel) > LEAST_KEPT) {
+        for sound in sounds {
+            sound.samples = convolve(&sound.samples, kernel);
+            sound.energy = running_energy(&sound.samples);
+            sound.noise = noise_power(&sound.energy, span);
+        }
+    }
+}
+
+/// A bell of weights that reaches so far to both sides, its sum 1.
+fn smoothing(reach: usize) -> Vec<f32> {
+    let bell: Vec<f64> = (0..=2 * reach)
+        .map(|n| 1.0 - (PI * (n + 1) as f64 / (reach + 1) as f64).cos())
+        .collect();
+    let sum: f64 = bell.iter().sum();
+    bell.iter().map(|weight| (weight / sum) as f32).collect()
+}
+
+/// As many samples, each the weighted mean of those around it.
+fn convolve(samples: &[f32], kernel: &[f32]) -> Vec<f32> {
+    let reach = kernel.len() / 2;
+    let mut padded = vec![0.0; samples.len() + 2 * reach];
+    padded[reach..][..samples.len()].copy_from_slice(samples);
+    let mut sums = vec![0.0; samples.len()];
+    for (shift, weight) in kernel.iter().enumerate() {
+        for (sum, sample) in sums.iter_mut().zip(&padded[shift..]) {
+            *sum += weight * sample;
+        }
+    }
+    sums
 }
 
 /// How long the impacts sound, in samples after their times.
@@ -342,18 +409,19 @@ impl<'a> Template<'a> {
         }
     }
 
-    /// Standard error of the shift of a wave in noise of this power, in samples.
-    fn shift_error(&self, wave: &[f32], noise: f64) -> f64 {
+    /// Standard error of the shift of a wave in noise of this power and density, in samples.
+    fn shift_error(&self, wave: &[f32], noise: f64, density: f64) -> f64 {
         let (residual, level) = self.residual(wave);
         let slope = f64::from(level * level * self.slope).max(f64::MIN_POSITIVE);
         let unexplained = f64::from(dot(&residual, &residual));
         // What the noise of both leaves, and what it may leave by chance. (That of the template is
         // common to all impacts, and shifts none against another.)
         let count = wave.len() as f64;
+        let alike = density / noise.max(f64::MIN_POSITIVE);
         let both = noise * (1.0 + f64::from(level * level * self.noise));
-        let by_chance = both * (count + 2.0 * (2.0 * count).sqrt());
+        let by_chance = both * (count + 2.0 * (2.0 * count * alike).sqrt());
         let different = (unexplained - by_chance).max(0.0);
-        let variance = (noise + different / FREE_DIFFERENCES) / slope;
+        let variance = (density + different / FREE_DIFFERENCES) / slope;
         variance.sqrt().hypot(LEAST_SIGMA)
     }
 }
