@@ -30,18 +30,26 @@
 //! # Ok::<(), bouncelab::Error>(())
 //! ```
 
-use crate::onset::{Detector, Onset};
-use crate::train::{self, Found, NoDrop};
+use crate::onset::{self, Detector, Onset};
+use crate::train::{self, Found, NoDrop, Span};
 
 /// No drop lasts longer than this many seconds: what is older is forgotten.
 const MEMORY_S: f64 = 120.0;
+/// In a recording full of sounds the past is judged whenever this many more seconds were heard.
+const SLACK_S: f64 = 60.0;
+/// Sounds farther apart than this, in seconds, have nothing to do with each other: no flight is
+/// as long, and no sound is compared with others as far away.
+const GAP_S: f64 = 3.2;
+/// No onset comes later than this after its time, in seconds.
+const DELAY_S: f64 = 0.3;
+/// Seconds before and after a train in which more of its impacts may be found.
+const AROUND_S: f64 = 2.5;
 /// A train goes on if its last impact was heard less than this many seconds ago.
 const OPEN_S: f64 = 10.0;
 
 /// Listens to one or more channels.
 #[derive(Clone)]
 pub struct Listener {
-    sample_rate_hz: u32,
     /// Channels that were equal to the first so far are `None`: they share its ear.
     ears: Vec<Option<Ear>>,
 }
@@ -84,10 +92,7 @@ impl Listener {
     pub fn new(sample_rate_hz: u32, channels: usize) -> Self {
         let mut ears: Vec<Option<Ear>> = vec![Some(Ear::new(sample_rate_hz))];
         ears.resize_with(channels.max(1), || None);
-        Self {
-            sample_rate_hz,
-            ears,
-        }
+        Self { ears }
     }
 
     /// Takes the next samples of every channel.
@@ -131,14 +136,13 @@ impl Listener {
 
     /// Ends the recording and believes the channel with the most evidence.
     pub fn finish(self) -> Heard {
-        let rate = self.sample_rate_hz;
         let distinct_channels = self.ears.iter().flatten().count();
         let heard = self
             .ears
             .into_iter()
             .enumerate()
             .filter_map(|(channel, ear)| Some((channel, ear?)))
-            .map(|(channel, ear)| ear.finish(channel, distinct_channels, rate));
+            .map(|(channel, ear)| ear.finish(channel, distinct_channels));
         // Of equals, the first.
         heard
             .reduce(|best, other| {
@@ -156,13 +160,13 @@ impl Listener {
 #[derive(Clone)]
 struct Ear {
     sample_rate_hz: f64,
+    /// Remembers the samples from the first onset not yet judged on.
     detector: Detector,
     /// Onsets not yet judged.
     onsets: Vec<Onset>,
     onsets_judged: usize,
-    /// The samples in which they lie, from sample number `first` on.
-    samples: Vec<f32>,
-    first: u64,
+    /// The time up to which all is judged, in seconds, as far as it matters to what comes.
+    judged_s: f64,
     found: Found,
     envelope: Envelope,
     clipping: Clipping,
@@ -172,11 +176,10 @@ impl Ear {
     fn new(sample_rate_hz: u32) -> Self {
         Self {
             sample_rate_hz: f64::from(sample_rate_hz),
-            detector: Detector::new(sample_rate_hz),
+            detector: Detector::remembering(sample_rate_hz),
             onsets: Vec::new(),
             onsets_judged: 0,
-            samples: Vec::new(),
-            first: 0,
+            judged_s: 0.0,
             found: Found::default(),
             envelope: Envelope::new(sample_rate_hz),
             clipping: Clipping::default(),
@@ -184,24 +187,65 @@ impl Ear {
     }
 
     fn now_s(&self) -> f64 {
-        (self.first as f64 + self.samples.len() as f64) / self.sample_rate_hz
+        self.detector.history().end() as f64 / self.sample_rate_hz
     }
 
     fn push(&mut self, samples: &[f32]) {
-        self.detector.push(samples, &mut self.onsets);
-        self.envelope.push(samples);
-        self.clipping.push(samples);
-        self.samples.extend_from_slice(samples);
-        if self.samples.len() as f64 > 2.0 * MEMORY_S * self.sample_rate_hz {
-            self.judge_the_past();
+        let samples = &*onset::finite(samples);
+        let extremes = self.envelope.push(samples);
+        self.clipping.push(samples, extremes.size());
+        let heard = self.onsets.len();
+        self.detector.push_finite(samples, &mut self.onsets);
+        self.judge_onsets_from(heard);
+        // What comes from here on is too far from the last onset to change its judgement.
+        if let Some(last) = self.onsets.last()
+            && self.now_s() > last.time_s + GAP_S + DELAY_S
+        {
+            let end_s = self.now_s();
+            self.judge_all(end_s);
+        }
+        let first_s = self.onsets.first().map_or(self.now_s(), |o| o.time_s);
+        let needed = (first_s - DELAY_S - AROUND_S) * self.sample_rate_hz;
+        self.detector.history_mut().forget_before(needed as u64);
+    }
+
+    /// Judges the past as if the onsets from this one on came one by one, so that the blocks in
+    /// which they come make no difference.
+    fn judge_onsets_from(&mut self, first: usize) {
+        let new = self.onsets.split_off(first);
+        for onset in new {
+            let far_s =
+                |onset: Option<&Onset>, now: &Onset| onset.map_or(0.0, |o| now.time_s - o.time_s);
+            if far_s(self.onsets.last(), &onset) > GAP_S {
+                self.judge_all(onset.time_s);
+            } else if far_s(self.onsets.first(), &onset) > MEMORY_S + SLACK_S {
+                self.judge_the_past(onset.time_s);
+            }
+            self.onsets.push(onset);
         }
     }
 
-    /// Judges the onsets that no later sound can change, and forgets them.
-    fn judge_the_past(&mut self) {
-        let now_s = self.now_s();
+    /// Judges all onsets; what comes next comes at this time.
+    fn judge_all(&mut self, end_s: f64) {
         let mut found = Found::default();
-        train::search(&self.onsets, &mut found);
+        train::search(&self.onsets, self.span(end_s), &mut found);
+        self.take(found);
+        self.onsets_judged += self.onsets.len();
+        self.onsets.clear();
+    }
+
+    /// The time of the onsets that are not yet judged.
+    fn span(&self, end_s: f64) -> Span {
+        Span {
+            start_s: self.judged_s,
+            end_s,
+        }
+    }
+
+    /// Judges the onsets that no sound later than `now_s` can change, and forgets them.
+    fn judge_the_past(&mut self, now_s: f64) {
+        let mut found = Found::default();
+        train::search(&self.onsets, self.span(now_s), &mut found);
         let open = found.trains.iter().position(|t| t.end_s() > now_s - OPEN_S);
         let open_from_s = open.map_or(f64::INFINITY, |index| found.trains[index].start_s());
         found.trains.truncate(open.unwrap_or(found.trains.len()));
@@ -213,35 +257,35 @@ impl Ear {
         let judged = self.onsets.partition_point(|o| o.time_s <= past_s);
         self.onsets.drain(..judged);
         self.onsets_judged += judged;
-        let forget = (past_s * self.sample_rate_hz) as u64;
-        let forget = (forget.saturating_sub(self.first) as usize).min(self.samples.len());
-        self.samples.drain(..forget);
-        self.first += forget as u64;
+        self.judged_s = past_s;
     }
 
     /// Sharpens the times of these trains while their samples are at hand, and keeps them.
     fn take(&mut self, mut found: Found) {
-        let start_s = self.first as f64 / self.sample_rate_hz;
+        let mut samples = Vec::new();
         for train in &mut found.trains {
-            train.align(&self.samples, start_s, self.sample_rate_hz as u32);
+            let number = |time_s: f64| (time_s * self.sample_rate_hz).max(0.0) as u64;
+            let around = number(train.start_s() - AROUND_S)..number(train.end_s() + AROUND_S);
+            let first = self.detector.history().read(around, &mut samples);
+            let start_s = first as f64 / self.sample_rate_hz;
+            train.align(&samples, start_s, self.sample_rate_hz as u32);
         }
         self.found.trains.append(&mut found.trains);
         self.found.regular.append(&mut found.regular);
     }
 
-    fn finish(mut self, channel: usize, distinct_channels: usize, sample_rate_hz: u32) -> Heard {
+    fn finish(mut self, channel: usize, distinct_channels: usize) -> Heard {
         let duration_s = self.now_s();
-        let detector = std::mem::replace(&mut self.detector, Detector::new(sample_rate_hz));
-        detector.finish(&mut self.onsets);
-        let mut found = Found::default();
-        train::search(&self.onsets, &mut found);
-        self.take(found);
+        let heard = self.onsets.len();
+        self.detector.flush(&mut self.onsets);
+        self.judge_onsets_from(heard);
+        self.judge_all(duration_s);
         self.found.set_distant_apart();
         Heard {
             channel,
             distinct_channels,
             found: self.found,
-            onsets: self.onsets_judged + self.onsets.len(),
+            onsets: self.onsets_judged,
             envelope: self.envelope,
             duration_s,
             clipped_samples: self.clipping.count(),
@@ -263,11 +307,13 @@ pub struct Envelope {
 impl Envelope {
     /// The most steps that are kept; beyond, two become one.
     const MOST_STEPS: usize = 1 << 15;
+    /// No step has fewer samples.
+    const FEWEST_SAMPLES: usize = 16;
 
     fn new(sample_rate_hz: u32) -> Self {
         Self {
             sample_rate_hz: f64::from(sample_rate_hz),
-            samples_per_step: 1,
+            samples_per_step: Self::FEWEST_SAMPLES,
             least: Vec::new(),
             greatest: Vec::new(),
             in_step: 0,
@@ -300,7 +346,9 @@ impl Envelope {
         greatest <= least
     }
 
-    fn push(&mut self, samples: &[f32]) {
+    /// Takes the next samples; returns the extremes of them.
+    fn push(&mut self, samples: &[f32]) -> Extremes {
+        let mut all = Extremes::NONE;
         let mut rest = samples;
         while !rest.is_empty() {
             if self.in_step == self.samples_per_step || self.least.is_empty() {
@@ -315,15 +363,15 @@ impl Envelope {
             let (now, later) = rest.split_at(step);
             if let (Some(least), Some(greatest)) = (self.least.last_mut(), self.greatest.last_mut())
             {
-                // `min` and `max` pass over NaN; infinity is none of the recorder's values either.
-                for &sample in now.iter().filter(|sample| sample.is_finite()) {
-                    *least = least.min(sample);
-                    *greatest = greatest.max(sample);
-                }
+                let extremes = Extremes::of(now);
+                all = all.with(extremes);
+                *least = least.min(extremes.least);
+                *greatest = greatest.max(extremes.greatest);
             }
             self.in_step += step;
             rest = later;
         }
+        all
     }
 
     fn halve(&mut self) {
@@ -337,6 +385,64 @@ impl Envelope {
         self.greatest = pairs(&self.greatest, f32::max);
         self.samples_per_step *= 2;
     }
+}
+
+/// The least and the greatest of some samples.
+#[derive(Clone, Copy)]
+struct Extremes {
+    least: f32,
+    greatest: f32,
+}
+
+impl Extremes {
+    const NONE: Self = Self {
+        least: f32::INFINITY,
+        greatest: f32::NEG_INFINITY,
+    };
+
+    /// Of these samples.
+    fn of(samples: &[f32]) -> Self {
+        Self {
+            least: extreme(samples, lesser),
+            greatest: extreme(samples, greater),
+        }
+    }
+
+    fn with(self, other: Self) -> Self {
+        Self {
+            least: lesser(other.least, self.least),
+            greatest: greater(other.greatest, self.greatest),
+        }
+    }
+
+    /// The greatest distance from 0.
+    fn size(self) -> f32 {
+        self.greatest.max(-self.least)
+    }
+}
+
+/// The most extreme of these samples, many at a time; infinite if there are none.
+#[inline]
+fn extreme(samples: &[f32], pick: impl Fn(f32, f32) -> f32) -> f32 {
+    const LANES: usize = 16;
+    let nothing = -pick(f32::INFINITY, f32::NEG_INFINITY);
+    let (chunks, rest) = samples.as_chunks::<LANES>();
+    let mut lanes = [nothing; LANES];
+    for chunk in chunks {
+        lanes = std::array::from_fn(|lane| pick(chunk[lane], lanes[lane]));
+    }
+    let best = lanes.into_iter().fold(nothing, &pick);
+    rest.iter().copied().fold(best, &pick)
+}
+
+/// Without the care for NaN that `f32::min` takes: one instruction.
+fn lesser(a: f32, b: f32) -> f32 {
+    if a < b { a } else { b }
+}
+
+/// Without the care for NaN that `f32::max` takes.
+fn greater(a: f32, b: f32) -> f32 {
+    if a > b { a } else { b }
 }
 
 /// Counts samples cut off at the limit of the recorder: runs of the same extreme value.
@@ -354,10 +460,7 @@ impl Clipping {
     /// Below this share of full scale a flat top is not the recorder's limit.
     const LOUD: f32 = 0.3;
 
-    fn push(&mut self, samples: &[f32]) {
-        let loudest = samples
-            .iter()
-            .fold(0.0, |loudest: f32, sample| loudest.max(sample.abs()));
+    fn push(&mut self, samples: &[f32], loudest: f32) {
         if loudest < self.extreme.max(Self::LOUD) {
             // Most blocks are nowhere near the limit.
             self.run = 0;

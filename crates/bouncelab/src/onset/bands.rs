@@ -1,26 +1,35 @@
-//! Energy in several bands, by causal filters.
+//! Energy in several bands.
 //!
-//! Each band is a fourth-order high-pass and a second-order low-pass, Butterworth sections. The
-//! bands run side by side, one lane each, so that the compiler makes vector code of them. The low
-//! bands need double precision (their poles lie near 1), the high ones do not.
+//! The upper bands are octaves of half-band filters (`octaves`). What these leave, at an eighth or
+//! so of the sample rate, is split into the lower bands by causal filters: a fourth-order
+//! high-pass and a second-order low-pass, Butterworth sections. Their poles lie near 1, so they
+//! need double precision.
 
+use super::octaves::{self, Octaves};
 use std::f64::consts::{PI, SQRT_2};
-use std::ops::{Add, Mul, Sub};
 
 /// How many frequency bands the detector watches.
 pub const BANDS: usize = 5;
-const LOW: usize = 2;
-const HIGH: usize = 4;
-const SECTIONS: usize = 3;
 
-/// Band edges in Hz; a band above the Nyquist frequency is cut or dropped.
-const EDGES_HZ: [(f64, f64); BANDS] = [
-    (80.0, 400.0),
-    (400.0, 1500.0),
-    (1500.0, 4500.0),
-    (4500.0, 10_000.0),
-    (10_000.0, 18_000.0),
-];
+/// Hops are judged in frames of this many.
+pub(super) const FRAME_HOPS: usize = 64;
+/// No hop has more samples than this, whatever sample rate a broken file claims.
+const MOST_HOP: usize = 2048;
+
+/// Edges of the lower bands in Hz; a band above the Nyquist frequency is cut or dropped.
+const LOW: usize = 2;
+const LOW_EDGES_HZ: [(f64, f64); LOW] = [(80.0, 400.0), (400.0, 1500.0)];
+/// The sound is halved in rate until the rate is below this: 4 to 8 kHz for most recordings. The
+/// middle band takes two octaves from there, each upper band one.
+const LOW_RATE_HZ: f64 = 8000.0;
+/// Seconds for each value of band energy, nearly.
+const HOP_S: f64 = 0.0005;
+
+/// Real backgrounds fluctuate more than steady noise does: as if their bands were so much narrower.
+const STEADINESS: f64 = 0.65;
+
+/// The energies of one frame.
+pub(super) type FrameEnergies = [[f32; FRAME_HOPS]; BANDS];
 
 /// The filters of all bands, and what they say of noise.
 #[derive(Clone)]
@@ -31,63 +40,180 @@ pub(super) struct FilterBank {
     pub(super) width_hz: [f64; BANDS],
     /// Share of the power of white noise that falls in each band.
     pub(super) share: [f64; BANDS],
-    gain: [f64; BANDS],
-    low: Cascade<f64, LOW>,
-    high: Cascade<f32, HIGH>,
+    /// Samples of a hop.
+    pub(super) hop: usize,
+    octaves: Octaves,
+    /// The levels of the tree and the band each belongs to.
+    levels: Vec<(usize, usize)>,
+    low: LowBands,
+    energies: FrameEnergies,
+    has_begun: bool,
 }
 
 impl FilterBank {
     pub(super) fn new(sample_rate_hz: f64) -> Self {
+        let halvings = (sample_rate_hz / LOW_RATE_HZ).log2().floor() + 1.0;
+        let halvings = halvings.clamp(0.0, 8.0) as usize;
+        let low_rate_hz = sample_rate_hz / f64::from(1 << halvings);
+        let cells = ((low_rate_hz * HOP_S).round() as usize).clamp(1, MOST_HOP >> halvings);
+        let hop = cells << halvings;
         let mut bank = Self {
             bands: 0,
             width_hz: [1.0; BANDS],
             share: [0.0; BANDS],
-            gain: [0.0; BANDS],
-            low: Cascade::new(),
-            high: Cascade::new(),
+            hop,
+            octaves: Octaves::new(halvings, hop * FRAME_HOPS),
+            levels: Vec::new(),
+            low: LowBands::new(),
+            energies: [[0.0; FRAME_HOPS]; BANDS],
+            has_begun: false,
         };
-        for (band, &(low_hz, high_hz)) in EDGES_HZ.iter().enumerate() {
-            let high_hz = high_hz.min(0.45 * sample_rate_hz);
-            if high_hz < 1.3 * low_hz {
-                break;
-            }
-            bank.bands = band + 1;
-            bank.width_hz[band] = high_hz - low_hz;
-            bank.share[band] = (high_hz - low_hz) / (sample_rate_hz / 2.0);
-            let high_pass = Section::high_pass(low_hz / sample_rate_hz);
-            let low_pass = Section::low_pass(high_hz / sample_rate_hz);
-            let sections = [high_pass, high_pass, low_pass];
-            // The sections leave out their gains; the energy gets them at once.
-            bank.gain[band] = sections.iter().map(|s| s.gain * s.gain).product();
-            for (index, section) in sections.iter().enumerate() {
-                if band < LOW {
-                    bank.low.set(index, band, section, |c| c);
-                } else {
-                    bank.high.set(index, band - LOW, section, |c| c as f32);
-                }
-            }
+        bank.set_low_bands(low_rate_hz);
+        if bank.bands == LOW {
+            bank.set_octaves(halvings, sample_rate_hz);
         }
         bank
     }
 
-    /// Mean square of each band over these samples.
-    pub(super) fn energies(&mut self, samples: &[f32]) -> [f64; BANDS] {
-        // A whisper of an offset keeps the filters out of denormal numbers in digital silence.
-        const OFFSET: f32 = 1e-15;
-        let mut low = [0.0; LOW];
-        let mut high = [0.0; HIGH];
-        for &sample in samples {
-            self.low.add_energy(f64::from(sample + OFFSET), &mut low);
-            self.high.add_energy(sample + OFFSET, &mut high);
-        }
-        let sum = |band: usize| {
-            if band < LOW {
-                low[band]
-            } else {
-                f64::from(high[band - LOW])
+    fn set_low_bands(&mut self, rate_hz: f64) {
+        for (band, &(low_hz, high_hz)) in LOW_EDGES_HZ.iter().enumerate() {
+            let high_hz = high_hz.min(0.45 * rate_hz);
+            if high_hz < 1.3 * low_hz {
+                break;
             }
-        };
-        std::array::from_fn(|band| sum(band) * self.gain[band] / samples.len() as f64)
+            self.bands = band + 1;
+            self.width_hz[band] = high_hz - low_hz;
+            self.share[band] = (high_hz - low_hz) / (rate_hz / 2.0);
+            self.low.set(band, low_hz / rate_hz, high_hz / rate_hz);
+        }
+    }
+
+    fn set_octaves(&mut self, halvings: usize, sample_rate_hz: f64) {
+        for level in (0..=halvings).rev() {
+            // The last two levels make the middle band.
+            let band = LOW + (halvings - level).saturating_sub(1);
+            if band >= BANDS {
+                break;
+            }
+            let width_hz = STEADINESS * sample_rate_hz / f64::from(4 << level);
+            if level == halvings || band > LOW {
+                self.width_hz[band] = width_hz;
+            } else {
+                self.width_hz[band] += width_hz;
+            }
+            self.share[band] += octaves::WHITE_SHARE / f64::from(1 << level);
+            self.levels.push((level, band));
+            self.bands = band + 1;
+        }
+    }
+
+    /// Samples of a frame.
+    pub(super) fn frame(&self) -> usize {
+        self.hop * FRAME_HOPS
+    }
+
+    /// By how many samples the energies come late.
+    pub(super) fn delay(&self) -> usize {
+        self.octaves.delay()
+    }
+
+    /// Mean square of each band in each hop of the next frame of samples.
+    #[inline]
+    pub(super) fn energies(&mut self, frame: &[f32]) -> &FrameEnergies {
+        if !self.has_begun {
+            self.has_begun = true;
+            self.octaves.begin(frame[0]);
+            self.low.offset = f64::from(frame[0]);
+        }
+        self.energies = [[0.0; FRAME_HOPS]; BANDS];
+        let rest = self.octaves.push(frame);
+        self.low.energies(rest, &mut self.energies);
+        for &(level, band) in &self.levels {
+            self.octaves.add_energies(level, &mut self.energies[band]);
+        }
+        &self.energies
+    }
+}
+
+const SECTIONS: usize = 3;
+/// All sections of all bands.
+const LANES: usize = SECTIONS * LOW;
+
+/// The filters of the lower bands, in transposed direct form II. The sections of a band work on
+/// successive samples at a time, so that all of them can run side by side.
+#[derive(Clone)]
+struct LowBands {
+    offset: f64,
+    gain: [f64; LOW],
+    middle: [f64; LANES],
+    a1: [f64; LANES],
+    a2: [f64; LANES],
+    s1: [f64; LANES],
+    s2: [f64; LANES],
+    /// What each section said last.
+    out: [f64; LANES],
+}
+
+impl LowBands {
+    fn new() -> Self {
+        let zero = [0.0; LANES];
+        Self {
+            offset: 0.0,
+            gain: [0.0; LOW],
+            middle: zero,
+            a1: zero,
+            a2: zero,
+            s1: zero,
+            s2: zero,
+            out: zero,
+        }
+    }
+
+    /// Sets the edges of a band in units of the sample rate.
+    fn set(&mut self, band: usize, low: f64, high: f64) {
+        let high_pass = Section::high_pass(low);
+        let sections = [high_pass, high_pass, Section::low_pass(high)];
+        // The sections leave out their gains; the energy gets them at once.
+        self.gain[band] = sections.iter().map(|s| s.gain * s.gain).product();
+        for (index, section) in sections.iter().enumerate() {
+            let lane = index * LOW + band;
+            self.middle[lane] = section.middle;
+            self.a1[lane] = section.a1;
+            self.a2[lane] = section.a2;
+        }
+    }
+
+    /// Mean square of each band in each hop.
+    #[inline]
+    fn energies(&mut self, samples: &[f32], energies: &mut FrameEnergies) {
+        // A whisper of an offset keeps the filters out of denormal numbers in digital silence.
+        const WHISPER: f64 = 1e-15;
+        let length = samples.len() / FRAME_HOPS;
+        let offset = self.offset - WHISPER;
+        let gain = self.gain.map(|gain| gain / length as f64);
+        let Self { middle, a1, a2, .. } = *self;
+        let (mut s1, mut s2, mut out) = (self.s1, self.s2, self.out);
+        for (hop, samples) in samples.chunks_exact(length).enumerate() {
+            let mut sums = [0.0; LOW];
+            for &sample in samples {
+                let sample = f64::from(sample) - offset;
+                let x: [f64; LANES] =
+                    std::array::from_fn(|n| if n < LOW { sample } else { out[n - LOW] });
+                for n in 0..LANES {
+                    out[n] = x[n] + s1[n];
+                    s1[n] = (middle[n] * x[n] + s2[n]) - a1[n] * out[n];
+                    s2[n] = x[n] - a2[n] * out[n];
+                }
+                for band in 0..LOW {
+                    let last = out[LANES - LOW + band];
+                    sums[band] += last * last;
+                }
+            }
+            for band in 0..LOW {
+                energies[band][hop] = (sums[band] * gain[band]) as f32;
+            }
+        }
+        (self.s1, self.s2, self.out) = (s1, s2, out);
     }
 }
 
@@ -125,88 +251,52 @@ impl Section {
     }
 }
 
-/// Sections in a row, `N` lanes side by side, in transposed direct form II.
-#[derive(Clone)]
-struct Cascade<T, const N: usize> {
-    middle: [[T; N]; SECTIONS],
-    a1: [[T; N]; SECTIONS],
-    a2: [[T; N]; SECTIONS],
-    s1: [[T; N]; SECTIONS],
-    s2: [[T; N]; SECTIONS],
-}
-
-impl<T, const N: usize> Cascade<T, N>
-where
-    T: Copy + Default + Add<Output = T> + Sub<Output = T> + Mul<Output = T>,
-{
-    fn new() -> Self {
-        let zero = [[T::default(); N]; SECTIONS];
-        Self {
-            middle: zero,
-            a1: zero,
-            a2: zero,
-            s1: zero,
-            s2: zero,
-        }
-    }
-
-    fn set(&mut self, index: usize, lane: usize, section: &Section, cast: impl Fn(f64) -> T) {
-        self.middle[index][lane] = cast(section.middle);
-        self.a1[index][lane] = cast(section.a1);
-        self.a2[index][lane] = cast(section.a2);
-    }
-
-    #[inline]
-    fn add_energy(&mut self, sample: T, energy: &mut [T; N]) {
-        let mut x = [sample; N];
-        for i in 0..SECTIONS {
-            let y: [T; N] = std::array::from_fn(|n| x[n] + self.s1[i][n]);
-            self.s1[i] = std::array::from_fn(|n| {
-                self.middle[i][n] * x[n] - self.a1[i][n] * y[n] + self.s2[i][n]
-            });
-            self.s2[i] = std::array::from_fn(|n| x[n] - self.a2[i][n] * y[n]);
-            x = y;
-        }
-        for n in 0..N {
-            energy[n] = energy[n] + x[n] * x[n];
-        }
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    /// Energy of a sine of amplitude 1 in each band, after the filters have settled.
-    fn response(frequency_hz: f64, rate_hz: f64) -> [f64; BANDS] {
+    /// Energy of a sine of mean square 1 in each band, after the filters have settled.
+    fn response(frequency_hz: f64, rate_hz: f64) -> [f32; BANDS] {
         let mut bank = FilterBank::new(rate_hz);
         let sine: Vec<f32> = (0..rate_hz as usize)
-            .map(|n| (2.0 * PI * frequency_hz * n as f64 / rate_hz).sin() as f32)
+            .map(|n| ((2.0 * PI * frequency_hz * n as f64 / rate_hz).sin() * SQRT_2) as f32)
             .collect();
-        bank.energies(&sine[..sine.len() / 2]);
-        bank.energies(&sine[sine.len() / 2..])
+        let mut last = [0.0; BANDS];
+        for frame in sine.chunks_exact(bank.frame()) {
+            last = bank
+                .energies(frame)
+                .map(|hops| hops.iter().sum::<f32>() / FRAME_HOPS as f32);
+        }
+        last
     }
 
     #[test]
     fn a_tone_in_a_band_keeps_its_power_there_and_loses_it_elsewhere() {
         for rate in [44_100.0, 48_000.0, 192_000.0] {
-            for (band, &(low, high)) in EDGES_HZ.iter().enumerate() {
-                let energies = response((low * high).sqrt(), rate);
+            for (band, tone_hz) in [180.0, 800.0, 3600.0, 8000.0, 16_000.0]
+                .into_iter()
+                .enumerate()
+            {
+                let energies = response(tone_hz, rate);
                 assert!(
-                    (0.4..1.05).contains(&(energies[band] / 0.5)),
-                    "band {band}: {energies:?}"
+                    (0.5..1.1).contains(&energies[band]),
+                    "{rate} band {band}: {energies:?}"
                 );
             }
-            // Two octaves below a band the fourth-order high-pass leaves less than -46 dB.
-            assert!(response(1100.0, rate)[3] < 0.5 * 10f64.powf(-4.6));
+            // Two octaves below a band less than -46 dB is left.
+            assert!(response(1100.0, rate)[3] < 10f32.powf(-4.6));
         }
     }
 
     #[test]
     fn bands_above_the_nyquist_frequency_are_dropped() {
         assert_eq!(FilterBank::new(44_100.0).bands, 5);
+        assert_eq!(FilterBank::new(32_000.0).bands, 5);
+        assert_eq!(FilterBank::new(16_000.0).bands, 4);
         assert_eq!(FilterBank::new(8000.0).bands, 3);
-        assert_eq!(FilterBank::new(4000.0).bands, 2);
-        assert!(response(300.0, 4000.0)[0] > 0.3);
+        assert_eq!(FilterBank::new(4000.0).bands, 3);
+        assert_eq!(FilterBank::new(1000.0).bands, 1);
+        assert_eq!(FilterBank::new(1.0).bands, 0);
+        assert!(response(300.0, 4000.0)[0] > 0.5);
     }
 }

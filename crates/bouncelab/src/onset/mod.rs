@@ -33,15 +33,20 @@
 //! ```
 
 mod bands;
+mod floor;
+mod history;
 mod novelty;
+mod octaves;
 mod pick;
 
 pub use bands::BANDS;
+pub(crate) use history::History;
 
-use bands::FilterBank;
-use novelty::{HopEnergies, Novelty, QuantisationStep};
+use bands::{FRAME_HOPS, FilterBank};
+use floor::QuantisationStep;
+use novelty::{HopEnergies, Novelty};
 use pick::Picker;
-use std::collections::VecDeque;
+use std::borrow::Cow;
 
 /// A candidate for an impact.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -75,32 +80,36 @@ impl Onset {
     }
 }
 
-/// Seconds for each value of band energy.
-const HOP_S: f64 = 0.0005;
 /// A candidate is the strongest moment this far to both sides.
 const SPACING_S: f64 = 0.006;
 /// The bar for a candidate. White noise hardly reaches it, other backgrounds a few times a second.
 const BAR: f64 = 2.0;
-/// Samples that are no longer needed are dropped when there are this many of them.
-const SPARE: usize = 1 << 14;
+/// The steps of the format are sought in one sample of so many.
+const STEP_SHARE: usize = 4;
 
 /// Finds onset candidates in a stream of samples, in constant memory.
+///
+/// The samples are worked on in frames of some 30 ms, so a candidate comes up to a tenth of a
+/// second late, and does not depend on the blocks in which the samples come.
 #[derive(Clone)]
 pub struct Detector {
     sample_rate_hz: f64,
-    hop: usize,
-    spacing: usize,
+    spacing: u64,
     bank: FilterBank,
     energies: HopEnergies,
     step: QuantisationStep,
     picker: Picker,
-    /// The latest moments, `2 * spacing` of them at most, with the candidate in the middle.
-    moments: VecDeque<Novelty>,
-    /// The latest samples, and the number of the first of them in the stream.
-    samples: Vec<f32>,
-    first_sample: u64,
-    /// How many of `samples` have been through the filters.
-    filtered: usize,
+    /// The latest moments that reach the bar.
+    moments: Vec<Novelty>,
+    /// Number of the first moment that may still become a candidate.
+    open: u64,
+    history: History,
+    /// Whether the owner says what may be forgotten.
+    remembers: bool,
+    /// Number of the next frame.
+    frame: u64,
+    /// Samples around a moment.
+    around: Vec<f32>,
     last_onset_s: f64,
 }
 
@@ -108,88 +117,146 @@ impl Detector {
     /// A detector for samples at this rate.
     pub fn new(sample_rate_hz: u32) -> Self {
         let sample_rate_hz = f64::from(sample_rate_hz.max(1));
-        let hop = ((sample_rate_hz * HOP_S).round() as usize).max(1);
         let bank = FilterBank::new(sample_rate_hz);
-        let hop_s = hop as f64 / sample_rate_hz;
+        let hop_s = bank.hop as f64 / sample_rate_hz;
         Self {
             sample_rate_hz,
-            hop,
-            spacing: (SPACING_S / hop_s).round().max(1.0) as usize,
+            spacing: novelty::hops(SPACING_S, hop_s) as u64,
             energies: HopEnergies::new(&bank, hop_s),
-            bank,
-            step: QuantisationStep::default(),
+            step: QuantisationStep::new(),
             picker: Picker::new(sample_rate_hz),
-            moments: VecDeque::new(),
-            samples: Vec::new(),
-            first_sample: 0,
-            filtered: 0,
+            moments: Vec::new(),
+            open: 0,
+            history: History::new(bank.frame()),
+            remembers: false,
+            frame: 0,
+            around: Vec::new(),
             last_onset_s: f64::NEG_INFINITY,
+            bank,
         }
+    }
+
+    /// A detector that forgets no sample by itself.
+    pub(crate) fn remembering(sample_rate_hz: u32) -> Self {
+        Self {
+            remembers: true,
+            ..Self::new(sample_rate_hz)
+        }
+    }
+
+    /// The samples that are remembered.
+    pub(crate) fn history(&self) -> &History {
+        &self.history
+    }
+
+    /// The samples that are remembered.
+    pub(crate) fn history_mut(&mut self) -> &mut History {
+        &mut self.history
     }
 
     /// Takes the next samples and appends the candidates they complete to `onsets`, in order of
     /// time. A sample that is not finite counts as 0.
     pub fn push(&mut self, samples: &[f32], onsets: &mut Vec<Onset>) {
-        self.samples
-            .extend(samples.iter().map(|s| if s.is_finite() { *s } else { 0.0 }));
-        while self.filtered + self.hop <= self.samples.len() {
-            let hop = &self.samples[self.filtered..self.filtered + self.hop];
-            self.step.see(hop);
-            let energies = self.bank.energies(hop);
-            self.filtered += self.hop;
-            if let Some(moment) = self.energies.push(energies, self.step.power()) {
-                self.moments.push_back(moment);
-                self.consider_middle(onsets);
+        self.push_finite(&finite(samples), onsets);
+    }
+
+    /// The same for samples known to be finite.
+    pub(crate) fn push_finite(&mut self, samples: &[f32], onsets: &mut Vec<Onset>) {
+        let mut rest = samples;
+        while !rest.is_empty() {
+            let taken = self.history.push(rest);
+            rest = &rest[taken..];
+            while self.history.end() >= (self.frame + 1) * self.bank.frame() as u64 {
+                self.hear_frame();
+                self.settle(onsets);
+                if !self.remembers {
+                    self.forget();
+                }
             }
         }
-        self.forget();
     }
 
     /// Ends the stream and appends the last candidates.
     pub fn finish(mut self, onsets: &mut Vec<Onset>) {
-        let end_s = (self.first_sample as f64 + self.samples.len() as f64) / self.sample_rate_hz;
+        self.flush(onsets);
+    }
+
+    /// Appends the last candidates; nothing can be pushed after this.
+    pub(crate) fn flush(&mut self, onsets: &mut Vec<Onset>) {
+        let end = self.history.end();
         let before = onsets.len();
         // As if the last value went on: the last moments get their look ahead.
-        let hold = self.samples.last().copied().unwrap_or(0.0);
-        let look_ahead = (2 * self.spacing + self.energies.look_ahead() + 1) * self.hop;
-        self.push(&vec![hold; look_ahead], onsets);
+        let mut last = Vec::new();
+        self.history.read(end.saturating_sub(1)..end, &mut last);
+        let hold = last.first().copied().unwrap_or(0.0);
+        let hops = self.spacing as usize + self.energies.look_ahead() + 1 + FRAME_HOPS;
+        let length = hops * self.bank.hop + self.bank.delay();
+        self.push_finite(&vec![hold; length], onsets);
         // Where the sound breaks off is not an onset.
-        let last = onsets.partition_point(|o| o.time_s < end_s - 2.0 * HOP_S);
+        let end_s = (end as f64 - 2.0 * self.bank.hop as f64) / self.sample_rate_hz;
+        let last = onsets.partition_point(|o| o.time_s < end_s);
         onsets.truncate(last.max(before));
     }
 
-    /// Makes a candidate of the moment in the middle, if none nearby is stronger.
-    fn consider_middle(&mut self, onsets: &mut Vec<Onset>) {
-        if self.moments.len() <= 2 * self.spacing {
-            return;
-        }
-        let middle = self.moments[self.spacing];
-        let is_peak = middle.strength >= BAR
-            && self
-                .moments
-                .range(..self.spacing)
-                .all(|m| m.strength < middle.strength)
-            && self
-                .moments
-                .range(self.spacing + 1..)
-                .all(|m| m.strength <= middle.strength);
-        self.moments.pop_front();
-        if is_peak {
-            let onset = self.onset(&middle);
-            // Two peaks may share one onset, as of an impact with a loud echo.
-            if onset.time_s > self.last_onset_s + SPACING_S / 2.0 {
-                self.last_onset_s = onset.time_s;
-                onsets.push(onset);
+    fn hear_frame(&mut self) {
+        let frame = self.history.frame(self.frame);
+        self.frame += 1;
+        // A part of each frame shows the steps well enough.
+        self.step.see(&frame[..frame.len() / STEP_SHARE]);
+        let energies = self.bank.energies(frame);
+        self.energies
+            .push(energies, self.step.power(), BAR, &mut self.moments);
+    }
+
+    /// Makes candidates of the moments that are the strongest nearby.
+    fn settle(&mut self, onsets: &mut Vec<Onset>) {
+        let settled = self.energies.judged().saturating_sub(self.spacing);
+        let first = self.moments.partition_point(|m| m.hop < self.open);
+        let end = self.moments.partition_point(|m| m.hop < settled);
+        for at in first..end {
+            let moment = self.moments[at];
+            if self.is_strongest(at) {
+                let onset = self.onset(&moment);
+                // Two peaks may share one onset, as of an impact with a loud echo.
+                if onset.time_s > self.last_onset_s + SPACING_S / 2.0 {
+                    self.last_onset_s = onset.time_s;
+                    onsets.push(onset);
+                }
             }
         }
+        self.open = settled;
+        let near = settled.saturating_sub(self.spacing);
+        let past = self.moments.partition_point(|m| m.hop < near);
+        self.moments.drain(..past);
+    }
+
+    fn is_strongest(&self, at: usize) -> bool {
+        let (before, rest) = self.moments.split_at(at);
+        let Some((moment, after)) = rest.split_first() else {
+            return false;
+        };
+        let earlier = before
+            .iter()
+            .rev()
+            .take_while(|m| m.hop + self.spacing >= moment.hop);
+        let later = after
+            .iter()
+            .take_while(|m| m.hop <= moment.hop + self.spacing);
+        earlier.map(|m| m.strength).all(|s| s < moment.strength)
+            && later.map(|m| m.strength).all(|s| s <= moment.strength)
     }
 
     fn onset(&mut self, moment: &Novelty) -> Onset {
-        let rough = (moment.hop * self.hop as u64 - self.first_sample) as usize;
-        let pick = self.picker.pick(&self.samples, rough, self.step.power());
+        let delay = self.bank.delay() as u64;
+        let rough = (moment.hop * self.bank.hop as u64).saturating_sub(delay);
+        let from = rough.saturating_sub(self.picker.history() as u64);
+        let to = rough + self.picker.look_ahead() as u64;
+        let first = self.history.read(from..to, &mut self.around);
+        let pick = self
+            .picker
+            .pick(&self.around, (rough - first) as usize, self.step.power());
         Onset {
-            time_s: ((self.first_sample + pick.sample as u64) as f64 + pick.after)
-                / self.sample_rate_hz,
+            time_s: ((first + pick.sample as u64) as f64 + pick.after) / self.sample_rate_hz,
             sigma_s: pick.sigma / self.sample_rate_hz,
             strength: moment.strength,
             level_db: decibels(moment.gain.iter().sum()),
@@ -200,15 +267,27 @@ impl Detector {
 
     /// Drops the samples that no later candidate needs.
     fn forget(&mut self) {
-        let oldest_hop = self.moments.front().map_or(0, |m| m.hop);
-        let needed = (oldest_hop * self.hop as u64)
-            .saturating_sub(self.picker.history() as u64)
-            .saturating_sub(self.first_sample) as usize;
-        if needed > SPARE {
-            self.samples.drain(..needed);
-            self.filtered -= needed;
-            self.first_sample += needed as u64;
-        }
+        let needed = self.open * self.bank.hop as u64;
+        let back = (self.picker.history() + self.bank.delay()) as u64;
+        self.history.forget_before(needed.saturating_sub(back));
+    }
+}
+
+/// The same samples; those that are not finite become 0.
+pub(crate) fn finite(samples: &[f32]) -> Cow<'_, [f32]> {
+    // Of infinity and NaN all bits of the exponent are set. Without early exit, many at a time.
+    const EXPONENT: u32 = 0x7f80_0000;
+    let wild = samples.chunks(256).any(|chunk| {
+        let found = chunk
+            .iter()
+            .map(|x| u32::from(x.to_bits() & EXPONENT == EXPONENT));
+        found.fold(0, |any, one| any | one) != 0
+    });
+    if wild {
+        let clean = samples.iter().map(|x| if x.is_finite() { *x } else { 0.0 });
+        Cow::Owned(clean.collect())
+    } else {
+        Cow::Borrowed(samples)
     }
 }
 

@@ -1,7 +1,7 @@
 //! How far a moment stands out of what came before.
 
-use super::bands::{BANDS, FilterBank};
-use std::collections::VecDeque;
+use super::bands::{BANDS, FRAME_HOPS, FilterBank, FrameEnergies};
+use super::floor::Quantile;
 
 /// Seconds after and before a moment that are compared, for each band: a low band needs longer to
 /// gather as many independent values.
@@ -15,8 +15,10 @@ const FLOOR_QUANTILE: f64 = 0.3;
 const FLOOR_HOPS: usize = 4;
 /// A rise counts from this many standard deviations.
 const LEAST_RISE: f64 = 1.0;
-/// The sums start afresh after this many hops, lest a loud past swallows a quiet present.
-const REBASE_HOPS: u64 = 2048;
+/// Power of digital silence: its square can still be told from 0 in single precision.
+const LEAST_POWER: f64 = 1e-18;
+/// No time counts more hops than this, whatever sample rate a broken file claims.
+const MOST_HOPS: usize = 512;
 
 /// A moment and what begins there.
 #[derive(Clone, Copy, Debug)]
@@ -31,203 +33,216 @@ pub(super) struct Novelty {
     pub(super) before: [f64; BANDS],
 }
 
-/// The band energies of the latest hops, as running sums.
+/// The latest energies of one band, and what is expected of them.
+#[derive(Clone)]
+struct Band {
+    /// Hops after and before a moment that are compared.
+    after: usize,
+    before: usize,
+    /// Standard deviation of the logarithm of the energy ratio of stationary noise.
+    chance: f64,
+    /// Share of the power of white noise in this band.
+    share: f64,
+    floor: Quantile,
+    /// The least that the band holds, noise floor or rounding.
+    quiet: f64,
+}
+
+/// The band energies of the latest hops.
 #[derive(Clone)]
 pub(super) struct HopEnergies {
-    bands: usize,
-    after: [usize; BANDS],
-    before: [usize; BANDS],
-    /// Standard deviation of the logarithm of the energy ratio of stationary noise.
-    chance: [f64; BANDS],
-    share: [f64; BANDS],
-    /// Sums of the energy before each hop; the front is that of hop number `first`.
-    sums: VecDeque<[f64; BANDS]>,
-    first: u64,
-    floors: Vec<Quantile>,
+    bands: Vec<Band>,
+    /// Of each band the sums of the energies before each hop, from the first remembered on.
+    sums: [Vec<f64>; BANDS],
+    /// Hops that are remembered from frame to frame.
+    history: usize,
+    /// Hops after a moment that it takes to judge it.
+    look_ahead: usize,
+    /// Number of the first hop of the next frame.
+    next: u64,
+    /// How novel each moment of a frame can be at most: the square of its strength.
+    most: [f32; FRAME_HOPS],
+}
+
+/// So many hops make this time, nearly.
+pub(super) fn hops(time_s: f64, hop_s: f64) -> usize {
+    ((time_s / hop_s).round() as usize).clamp(1, MOST_HOPS)
 }
 
 impl HopEnergies {
     pub(super) fn new(bank: &FilterBank, hop_s: f64) -> Self {
-        let hops = |time_s: f64| ((time_s / hop_s).round() as usize).max(1);
-        let after = AFTER_S.map(hops);
-        let before = BEFORE_S.map(hops);
-        let chance = std::array::from_fn(|band| {
-            // Noise of bandwidth B has 2 B t degrees of freedom in a time t.
-            let freedom = 2.0 * bank.width_hz[band] * hop_s;
-            (2.0 / (freedom * after[band] as f64) + 2.0 / (freedom * before[band] as f64)).sqrt()
-        });
-        let capacity = hops(FLOOR_S) / FLOOR_HOPS;
+        let after = AFTER_S.map(|time_s| hops(time_s, hop_s));
+        let before = BEFORE_S.map(|time_s| hops(time_s, hop_s));
+        let look_ahead = after[0];
+        let history = look_ahead + before[0];
+        let bands = (0..bank.bands)
+            .map(|band| {
+                // Noise of bandwidth B has 2 B t degrees of freedom in a time t.
+                let freedom = 2.0 * bank.width_hz[band] * hop_s;
+                let variance = |hops: usize| 2.0 / (freedom * hops as f64);
+                Band {
+                    after: after[band],
+                    before: before[band],
+                    chance: (variance(after[band]) + variance(before[band])).sqrt(),
+                    share: bank.share[band],
+                    floor: Quantile::new(FLOOR_QUANTILE, hops(FLOOR_S, hop_s) / FLOOR_HOPS),
+                    quiet: 0.0,
+                }
+            })
+            .collect();
         Self {
-            bands: bank.bands,
-            after,
-            before,
-            chance,
-            share: bank.share,
-            sums: VecDeque::from([[0.0; BANDS]]),
-            first: 0,
-            floors: (0..BANDS)
-                .map(|_| Quantile::new(FLOOR_QUANTILE, capacity))
-                .collect(),
+            bands,
+            sums: std::array::from_fn(|_| vec![0.0; history + FRAME_HOPS + 1]),
+            history,
+            look_ahead,
+            next: 0,
+            most: [0.0; FRAME_HOPS],
         }
     }
 
     /// Hops after a moment that it takes to judge it.
     pub(super) fn look_ahead(&self) -> usize {
-        self.after[0]
+        self.look_ahead
     }
 
-    /// Takes the energies of the next hop; `noise_power` is that of rounding. Returns the moment
-    /// that can now be judged, if any.
-    pub(super) fn push(&mut self, energies: [f64; BANDS], noise_power: f64) -> Option<Novelty> {
-        let last = self.sums[self.sums.len() - 1];
-        self.sums
-            .push_back(std::array::from_fn(|band| last[band] + energies[band]));
-        let hops = self.first + self.sums.len() as u64 - 1;
-        if hops.is_multiple_of(FLOOR_HOPS as u64) {
-            let start = self.sums[self.sums.len() - 1 - FLOOR_HOPS];
-            let end = self.sums[self.sums.len() - 1];
-            for (band, floor) in self.floors.iter_mut().enumerate() {
-                floor.push((end[band] - start[band]) / FLOOR_HOPS as f64);
+    /// Number of the first hop that is not yet judged.
+    pub(super) fn judged(&self) -> u64 {
+        self.next.saturating_sub(self.look_ahead as u64)
+    }
+
+    /// Takes the energies of the next frame; `noise_power` is that of rounding. Appends the
+    /// moments that can now be judged and are at least as strong as `bar`.
+    #[inline]
+    pub(super) fn push(
+        &mut self,
+        energies: &FrameEnergies,
+        noise_power: f64,
+        bar: f64,
+        moments: &mut Vec<Novelty>,
+    ) {
+        self.add(energies);
+        for (band, energies) in self.bands.iter_mut().zip(energies) {
+            band.push(energies, noise_power);
+        }
+        // The first moments of a recording have little before them.
+        if self.next < self.history as u64 {
+            self.most.fill(f32::INFINITY);
+        } else {
+            self.most.fill(0.0);
+            let first = self.history - self.look_ahead;
+            for (band, sums) in self.bands.iter().zip(&self.sums) {
+                band.add_most(sums, first, &mut self.most);
             }
         }
-        let moment = self.judge(noise_power);
-        self.forget(hops);
-        moment
+        // Rounding of the bound must not hide a moment.
+        let screen = (0.99 * bar * bar) as f32;
+        for at in 0..FRAME_HOPS {
+            if self.most[at] >= screen
+                && let Some(hop) = (self.next + at as u64).checked_sub(self.look_ahead as u64)
+            {
+                let moment = self.judge(hop, self.history - self.look_ahead + at);
+                if moment.strength >= bar {
+                    moments.push(moment);
+                }
+            }
+        }
+        self.next += FRAME_HOPS as u64;
     }
 
-    fn judge(&self, noise_power: f64) -> Option<Novelty> {
-        let at = self.sums.len().checked_sub(1 + self.look_ahead())?;
+    /// Goes on with the sums; all bands side by side, because each sum waits for the last.
+    #[inline]
+    fn add(&mut self, energies: &FrameEnergies) {
+        let mut last = [0.0; BANDS];
+        for (sums, last) in self.sums.iter_mut().zip(&mut last) {
+            // They start afresh with every frame, lest a loud past swallows a quiet present.
+            let base = sums[FRAME_HOPS];
+            sums.copy_within(FRAME_HOPS.., 0);
+            let past = sums.len() - FRAME_HOPS;
+            for sum in &mut sums[..past] {
+                *sum -= base;
+            }
+            *last = sums[past - 1];
+        }
+        let past = self.history + 1;
+        let new = self
+            .sums
+            .each_mut()
+            .map(|sums| &mut sums[past..][..FRAME_HOPS]);
+        for hop in 0..FRAME_HOPS {
+            for band in 0..BANDS {
+                last[band] += f64::from(energies[band][hop]);
+                new[band][hop] = last[band];
+            }
+        }
+    }
+
+    /// Judges a hop, which lies here in the arrays.
+    #[inline]
+    fn judge(&self, hop: u64, at: usize) -> Novelty {
         let mut moment = Novelty {
-            hop: self.first + at as u64,
+            hop,
             strength: 0.0,
             gain: [0.0; BANDS],
             before: [0.0; BANDS],
         };
-        for band in 0..self.bands {
-            let before = self.before[band].min(at);
-            let sum = |hop: usize| self.sums[hop][band];
-            let new = (sum(at + self.after[band]) - sum(at)) / self.after[band] as f64;
-            let quiet = self.floors[band]
-                .value()
-                .max(noise_power * self.share[band]);
+        for (index, (band, sums)) in self.bands.iter().zip(&self.sums).enumerate() {
+            let sum = |hop: usize| sums[hop];
+            let before = (band.before as u64).min(hop) as usize;
+            let new = (sum(at + band.after) - sum(at)) / band.after as f64;
             let old = if before == 0 {
                 // The first moment of a recording has nothing before it.
                 new
             } else {
                 (sum(at) - sum(at - before)) / before as f64
             };
-            let old = old.max(quiet).max(f64::MIN_POSITIVE);
-            moment.before[band] = old;
-            moment.gain[band] = (new - old).max(0.0);
-            let chance = self.chance[band];
-            // ln(1 + x) < x: most moments need no logarithm.
-            if moment.gain[band] > LEAST_RISE * chance * old {
-                let rise = (new / old).ln() / chance - LEAST_RISE;
-                moment.strength += rise.max(0.0).powi(2);
-            }
+            let old = old.max(band.quiet);
+            moment.before[index] = old;
+            moment.gain[index] = (new - old).max(0.0);
+            let rise = (new / old).ln() / band.chance - LEAST_RISE;
+            moment.strength += rise.max(0.0).powi(2);
         }
         moment.strength = moment.strength.sqrt();
-        Some(moment)
-    }
-
-    fn forget(&mut self, hops: u64) {
-        if self.sums.len() > self.before[0] + self.look_ahead() + 1 {
-            self.sums.pop_front();
-            self.first += 1;
-        }
-        if hops.is_multiple_of(REBASE_HOPS) {
-            let base = self.sums[0];
-            for sums in &mut self.sums {
-                for (sum, base) in sums.iter_mut().zip(base) {
-                    *sum -= base;
-                }
-            }
-        }
+        moment
     }
 }
 
-/// A quantile of the latest values.
-#[derive(Clone)]
-struct Quantile {
-    share: f64,
-    capacity: usize,
-    recent: VecDeque<f64>,
-    sorted: Vec<f64>,
-}
-
-impl Quantile {
-    fn new(share: f64, capacity: usize) -> Self {
-        Self {
-            share,
-            capacity: capacity.max(1),
-            recent: VecDeque::new(),
-            sorted: Vec::new(),
+impl Band {
+    #[inline]
+    fn push(&mut self, energies: &[f32; FRAME_HOPS], noise_power: f64) {
+        for means in energies.chunks_exact(FLOOR_HOPS) {
+            let mean: f32 = means.iter().sum::<f32>() / FLOOR_HOPS as f32;
+            self.floor.push(mean);
         }
+        self.quiet = f64::from(self.floor.value())
+            .max(noise_power * self.share)
+            .max(LEAST_POWER);
     }
 
-    fn push(&mut self, value: f64) {
-        if self.recent.len() == self.capacity
-            && let Some(old) = self.recent.pop_front()
-        {
-            let at = self.sorted.partition_point(|v| *v < old);
-            self.sorted.remove(at);
+    /// Adds how novel this band can make the hops from this one on, at most.
+    ///
+    /// For x > 0, ln(1 + x) < x (6 + x) / (6 + 4 x), and hardly less while x is small: so nearly
+    /// all moments need no logarithm.
+    #[inline]
+    fn add_most(&self, sums: &[f64], first: usize, most: &mut [f32; FRAME_HOPS]) {
+        let sums = |from: usize| &sums[from..][..FRAME_HOPS];
+        let (now, end, start) = (
+            sums(first),
+            sums(first + self.after),
+            sums(first - self.before),
+        );
+        let (after, before) = (1.0 / self.after as f32, 1.0 / self.before as f32);
+        let quiet = self.quiet as f32;
+        let chance = (1.0 / self.chance) as f32;
+        for at in 0..FRAME_HOPS {
+            let new = (end[at] - now[at]) as f32 * after;
+            let old = (now[at] - start[at]) as f32 * before;
+            let old = if old > quiet { old } else { quiet };
+            let gain = if new > old { new - old } else { 0.0 };
+            // x = gain / old, in one division.
+            let rise = gain * (6.0 * old + gain) / (old * (6.0 * old + 4.0 * gain));
+            let rise = rise * chance - LEAST_RISE as f32;
+            let rise = if rise > 0.0 { rise } else { 0.0 };
+            most[at] += rise * rise;
         }
-        self.recent.push_back(value);
-        let at = self.sorted.partition_point(|v| *v < value);
-        self.sorted.insert(at, value);
-    }
-
-    fn value(&self) -> f64 {
-        let at = (self.sorted.len() as f64 * self.share) as usize;
-        self.sorted.get(at).copied().unwrap_or(0.0)
-    }
-}
-
-/// The smallest step between samples. What the format cannot resolve is noise, even where a
-/// recording is digitally silent.
-#[derive(Clone, Default)]
-pub(super) struct QuantisationStep {
-    last: f32,
-    smallest: Option<f32>,
-}
-
-impl QuantisationStep {
-    pub(super) fn see(&mut self, samples: &[f32]) {
-        for &sample in samples {
-            let step = (sample - self.last).abs();
-            self.last = sample;
-            if step > 0.0 && self.smallest.is_none_or(|smallest| step < smallest) {
-                self.smallest = Some(step);
-            }
-        }
-    }
-
-    /// Power of the noise that rounding to such steps makes.
-    pub(super) fn power(&self) -> f64 {
-        f64::from(self.smallest.unwrap_or(0.0)).powi(2) / 12.0
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn quantile_is_that_of_the_latest_values() {
-        let mut quantile = Quantile::new(0.3, 10);
-        for value in 0..100 {
-            quantile.push(f64::from((value * 37) % 100));
-        }
-        // The last ten values, sorted, at position 3.
-        let mut last: Vec<f64> = (90..100).map(|v| f64::from((v * 37) % 100)).collect();
-        last.sort_by(f64::total_cmp);
-        assert!((quantile.value() - last[3]).abs() < f64::EPSILON);
-    }
-
-    #[test]
-    fn quantisation_step_is_the_smallest_change() {
-        let mut step = QuantisationStep::default();
-        step.see(&[0.5, 0.5, 0.25, 0.375, 0.375]);
-        assert!((step.power() - 0.125f64.powi(2) / 12.0).abs() < f64::EPSILON);
     }
 }

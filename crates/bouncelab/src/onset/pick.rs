@@ -53,6 +53,11 @@ impl Picker {
         self.learn + self.before
     }
 
+    /// How many samples from the rough time on the picker wants to see.
+    pub(super) fn look_ahead(&self) -> usize {
+        self.after
+    }
+
     /// The onset near sample `rough`; `noise_power` is the least there can be.
     pub(super) fn pick(&mut self, samples: &[f32], rough: usize, noise_power: f64) -> Pick {
         let end = (rough + self.after).min(samples.len());
@@ -73,7 +78,7 @@ impl Picker {
         self.error_energy.push(0.0);
         let mut sum = 0.0;
         for error in model.errors(&samples[start - ORDER..end]) {
-            sum += error * error + noise_power;
+            sum += f64::from(error).powi(2) + noise_power;
             self.error_energy.push(sum);
         }
         self.change_point(start)

@@ -7,7 +7,7 @@
 
 use std::ops::Range;
 
-use super::evidence::{self, Surroundings};
+use super::evidence::{self, Span, Surroundings};
 use super::{FEWEST_IMPACTS, Onset};
 
 /// The longest time between two impacts heard, in seconds: an apex of 4.9 m.
@@ -22,17 +22,24 @@ const MOST_MISSED: usize = 2;
 const LEAST_LN_RATIO: f64 = -0.9;
 const GREATEST_LN_RATIO: f64 = -0.005;
 /// A predicted flight time is never further off than this, in its logarithm.
-const FARTHEST: f64 = 0.25;
+const FARTHEST: f64 = 0.3;
 /// The ratio follows its trend with at least this gain, and no single odd impact moves it further
 /// than this.
 const LEAST_GAIN: f64 = 0.15;
 const GREATEST_STEP: f64 = 0.05;
-/// Variance of a ratio seen once, as a prediction of the next.
-const RATIO_VARIANCE: f64 = 1e-4;
-/// Each pair of impacts keeps this many ways to it, whose ratios differ by more than this: which
-/// is right is often seen only one or two impacts later.
-const KEPT: usize = 3;
+/// Variance of a ratio seen once, as a prediction of the next, over that of the scatter.
+const RATIO_VARIANCE: f64 = 0.6;
+/// The scatter of the ratios is learnt from the drop itself; what is expected of it counts as much
+/// as so many ratios.
+const EXPECTED_COUNTS: f64 = 3.0;
+/// One odd impact, so many times the scatter off, teaches no more than this.
+const ODDEST: f64 = 2.0;
+/// Each pair of impacts keeps this many ways to it, whose ratios differ by more than this, or the
+/// variances of whose ratios by more than this factor: which is right is often seen only one or
+/// two impacts later.
+const KEPT: usize = 4;
 const SAME_RATIO: f64 = 0.04;
+const SAME_SCATTER: f64 = 3.0;
 /// Ways with less evidence than this are not pursued.
 const HOPELESS: f64 = -10.0;
 
@@ -61,6 +68,10 @@ struct State {
     ln_ratio: f64,
     /// How many ratios of flights went into `ln_ratio`.
     ratios: u32,
+    /// Variance of the ratios about their trend.
+    scatter2: f64,
+    /// The most evidence that the next ratio can add.
+    most: f64,
     /// Logarithm of the next interval over the last flight, with 0, 1, 2 impacts missed in it.
     expected: [f64; MOST_MISSED + 1],
 }
@@ -91,15 +102,23 @@ impl Step {
 }
 
 impl State {
-    /// The first two impacts of a train.
-    fn birth(step: &Step, around_first: &Surroundings) -> Option<Self> {
-        (step.interval_s >= SHORTEST_FIRST_S).then(|| Self {
-            evidence: evidence::LN_BIRTH
-                + step.common
-                + around_first.by_chance(step.interval_s).ln(),
-            ln_flight: step.ln_interval,
+    /// The first two impacts of a train, on a smooth and on a rough surface.
+    fn births(step: &Step, around_first: &Surroundings) -> impl Iterator<Item = Self> {
+        let by_chance = around_first.by_chance(step.interval_s).ln();
+        let evidence = evidence::LN_BIRTH + step.common + by_chance;
+        let ln_flight = step.ln_interval;
+        let surfaces = if step.interval_s < SHORTEST_FIRST_S {
+            &[]
+        } else {
+            evidence::SURFACES.as_slice()
+        };
+        surfaces.iter().map(move |surface| Self {
+            evidence: evidence + surface.ln_prior,
+            ln_flight,
             ln_ratio: 0.0,
             ratios: 0,
+            scatter2: surface.scatter.powi(2),
+            most: evidence::FIRST_RATIO_DENSITY.ln(),
             expected: [0.0; MOST_MISSED + 1],
         })
     }
@@ -119,7 +138,7 @@ impl State {
             return None;
         }
         let seen = f64::from(self.ratios);
-        let variance = step.variance + RATIO_VARIANCE / seen;
+        let variance = step.variance + self.scatter2 * (1.0 + RATIO_VARIANCE / seen);
         let evidence = self.evidence
             + step.common
             + evidence::next_ratio(change, surprise, variance).ln()
@@ -129,7 +148,12 @@ impl State {
             let ln_ratio = self.ln_ratio + gain * surprise.clamp(-GREATEST_STEP, GREATEST_STEP);
             // Of an interval with missed impacts, the last flight alone.
             let last = missed as f64 * self.ln_ratio + self.ln_ratio - self.expected[missed];
-            Self::with_ratio(evidence, step.ln_interval + last, ln_ratio, self.ratios + 1)
+            Self {
+                evidence,
+                ln_flight: step.ln_interval + last,
+                ratios: self.ratios + 1,
+                ..self.with_ratio(ln_ratio, self.learn(surprise, variance))
+            }
         })
     }
 
@@ -137,11 +161,24 @@ impl State {
     fn third(&self, step: &Step, change: f64, least: f64) -> Option<Self> {
         let possible = LEAST_LN_RATIO..=step.variance.sqrt();
         let evidence = self.evidence + step.common + evidence::first_ratio(change).ln();
-        (possible.contains(&change) && evidence > least)
-            .then(|| Self::with_ratio(evidence, step.ln_interval, change, 1))
+        (possible.contains(&change) && evidence > least).then(|| Self {
+            evidence,
+            ln_flight: step.ln_interval,
+            ratios: 1,
+            ..self.with_ratio(change, self.scatter2)
+        })
     }
 
-    fn with_ratio(evidence: f64, ln_flight: f64, ln_ratio: f64, ratios: u32) -> Self {
+    /// The scatter after this surprise, whose variance was expected to be this.
+    fn learn(&self, surprise: f64, variance: f64) -> f64 {
+        let counts = EXPECTED_COUNTS + f64::from(self.ratios - 1);
+        let share = self.scatter2 / variance;
+        let seen = (surprise * surprise * share).min(ODDEST * ODDEST * self.scatter2);
+        ((counts * self.scatter2 + seen) / (counts + 1.0)).max(evidence::LEAST_SCATTER.powi(2))
+    }
+
+    /// The same state with another ratio and scatter of ratios.
+    fn with_ratio(&self, ln_ratio: f64, scatter2: f64) -> Self {
         let ln_ratio = ln_ratio.clamp(LEAST_LN_RATIO, GREATEST_LN_RATIO);
         let ratio = ln_ratio.exp();
         let mut sum = 0.0;
@@ -152,11 +189,11 @@ impl State {
             sum.ln()
         });
         Self {
-            evidence,
-            ln_flight,
             ln_ratio,
-            ratios,
+            scatter2,
+            most: evidence::most_from_ratio(scatter2).ln(),
             expected,
+            ..*self
         }
     }
 }
@@ -170,8 +207,8 @@ struct Node {
 }
 
 /// The chain with the most evidence, if any has enough impacts.
-pub(super) fn best(onsets: &[Onset]) -> Option<Chain> {
-    let around = Surroundings::of(onsets);
+pub(super) fn best(onsets: &[Onset], span: Span) -> Option<Chain> {
+    let around = Surroundings::of(onsets, span);
     let mut nodes: Vec<Node> = Vec::new();
     // The nodes that end at onset j are nodes[ends[j]..ends[j + 1]].
     let mut ends = vec![0];
@@ -189,9 +226,15 @@ pub(super) fn best(onsets: &[Onset]) -> Option<Chain> {
                 continue;
             }
             let before = ends[earlier]..ends[earlier + 1];
-            let birth = State::birth(&step, &around[earlier]);
-            let survivors = survivors(&nodes, before, earlier, &step, birth);
-            nodes.extend(survivors);
+            let mut survivors = survivors(&nodes, before, earlier, &step);
+            let births = State::births(&step, &around[earlier]);
+            survivors.extend(births.map(|state| Node {
+                state,
+                from: earlier as u32,
+                missed: 0,
+                back: None,
+            }));
+            nodes.append(&mut survivors);
         }
         ends.push(nodes.len());
     }
@@ -208,15 +251,8 @@ pub(super) fn best(onsets: &[Onset]) -> Option<Chain> {
 }
 
 /// The best ways to a pair, one for each ratio that may follow from it.
-fn survivors(
-    nodes: &[Node],
-    before: Range<usize>,
-    from: usize,
-    step: &Step,
-    birth: Option<State>,
-) -> Vec<Node> {
+fn survivors(nodes: &[Node], before: Range<usize>, from: usize, step: &Step) -> Vec<Node> {
     let from = from as u32;
-    let most = step.common + evidence::most_from_ratio().ln();
     let mut kept: Vec<Node> = Vec::new();
     for back in before {
         let state = &nodes[back].state;
@@ -225,7 +261,7 @@ fn survivors(
         } else {
             kept[KEPT - 1].state.evidence
         };
-        if state.evidence + most <= least {
+        if state.evidence + step.common + state.most <= least {
             continue;
         }
         for missed in 0..=MOST_MISSED {
@@ -243,18 +279,16 @@ fn survivors(
             }
         }
     }
-    kept.extend(birth.map(|state| Node {
-        state,
-        from,
-        missed: 0,
-        back: None,
-    }));
     kept
 }
 
-/// Puts a node in its place by evidence, unless a better one expects the same ratio.
+/// Puts a node in its place by evidence, unless a better one expects the same ratio and scatter.
 fn keep(kept: &mut Vec<Node>, node: Node) {
-    let alike = |other: &Node| (other.state.ln_ratio - node.state.ln_ratio).abs() < SAME_RATIO;
+    let alike = |other: &Node| {
+        let (a, b) = (&other.state, &node.state);
+        let scatter = a.scatter2.max(b.scatter2) / a.scatter2.min(b.scatter2);
+        (a.ln_ratio - b.ln_ratio).abs() < SAME_RATIO && scatter < SAME_SCATTER
+    };
     let place = kept.partition_point(|other| other.state.evidence >= node.state.evidence);
     if kept[..place].iter().any(alike) {
         return;
@@ -292,12 +326,12 @@ fn trace(nodes: &[Node], end: usize, last_onset: usize) -> Vec<Link> {
 
 /// The most likely number of each onset, if all of them are impacts of one drop.
 pub(super) fn numbers(onsets: &[Onset]) -> Option<Vec<u32>> {
-    let around = Surroundings::of(onsets);
+    let around = Surroundings::of(onsets, Span::EVER);
     let mut ways: Vec<(State, Vec<u32>)> = Vec::new();
     for later in 1..onsets.len() {
         let step = Step::new(onsets, &around, (later - 1, later));
         if later == 1 {
-            ways.push((State::birth(&step, &around[0])?, vec![0, 1]));
+            ways.extend(State::births(&step, &around[0]).map(|birth| (birth, vec![0, 1])));
             continue;
         }
         let mut longer: Vec<(State, Vec<u32>)> = Vec::new();
@@ -327,17 +361,60 @@ impl Chain {
     }
 
     fn evidence_of(&self, onsets: &[Onset], links: &[Link]) -> Option<f64> {
+        self.state_after(onsets, links).map(|state| state.evidence)
+    }
+
+    /// What this sequence of onsets says of the next, on a smooth or a rough surface.
+    fn state_after(&self, onsets: &[Onset], links: &[Link]) -> Option<State> {
         let step = |pair: &[Link]| Step::new(onsets, &self.around, (pair[0].onset, pair[1].onset));
-        let mut pairs = links.windows(2);
-        let first = pairs.next()?;
-        let mut state = State::birth(&step(first), &self.around[first[0].onset])?;
-        for pair in pairs {
-            let missed = (pair[1].number - pair[0].number - 1) as usize;
-            if missed > MOST_MISSED {
-                return None;
+        let pairs = links.windows(2);
+        let first = pairs.clone().next()?;
+        State::births(&step(first), &self.around[first[0].onset])
+            .filter_map(|birth| {
+                pairs.clone().skip(1).try_fold(birth, |state, pair| {
+                    let missed = (pair[1].number - pair[0].number - 1) as usize;
+                    (missed <= MOST_MISSED)
+                        .then(|| state.next(&step(pair), missed, f64::NEG_INFINITY))?
+                })
+            })
+            .max_by(|a, b| a.evidence.total_cmp(&b.evidence))
+    }
+
+    /// Goes on after the last impact, down to the faintest: what is known of the drop by now says
+    /// when the next one must come and how loud, so that it need not stand out of the other sounds.
+    pub(super) fn extend(&mut self, onsets: &[Onset]) {
+        let Some(mut state) = self.state_after(onsets, &self.links) else {
+            return;
+        };
+        loop {
+            let last = self.links[self.links.len() - 1];
+            let near = onsets[last.onset + 1..]
+                .iter()
+                .take_while(|o| o.time_s - onsets[last.onset].time_s < LONGEST_S);
+            let mut best: Option<(State, Link)> = None;
+            for (ahead, _) in near.enumerate() {
+                let onset = last.onset + 1 + ahead;
+                let mut step = Step::new(onsets, &self.around, (last.onset, onset));
+                if step.interval_s < SHORTEST_S {
+                    continue;
+                }
+                let around = &self.around[onset];
+                step.common += around.any_by_chance(step.interval_s).ln()
+                    - around.by_chance(step.interval_s).ln();
+                for missed in 0..=MOST_MISSED {
+                    let least = best.as_ref().map_or(state.evidence, |b| b.0.evidence);
+                    if let Some(next) = state.next(&step, missed, least) {
+                        let number = last.number + 1 + missed as u32;
+                        best = Some((next, Link { onset, number }));
+                    }
+                }
             }
-            state = state.next(&step(pair), missed, f64::NEG_INFINITY)?;
+            let Some((next, link)) = best else {
+                return;
+            };
+            self.evidence += next.evidence - state.evidence;
+            state = next;
+            self.links.push(link);
         }
-        Some(state.evidence)
     }
 }

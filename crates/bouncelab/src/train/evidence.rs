@@ -13,7 +13,7 @@ pub(super) const LN_BIRTH: f64 = -7.4;
 
 /// The ratio of the first two flights is uniform in its logarithm between that of a dead ball
 /// (0.4) and that of a perfect one.
-const FIRST_RATIO_DENSITY: f64 = 1.1;
+pub(super) const FIRST_RATIO_DENSITY: f64 = 1.1;
 
 /// Logarithm of the ratio for an impact that was not heard.
 pub(super) const LN_MISSED: f64 = -3.0;
@@ -27,9 +27,30 @@ const LEAST_RATE: f64 = 0.5;
 const RHYTHM_WEIGHT: f64 = 3.0;
 const RHYTHM_JITTER: f64 = 0.1;
 
-/// Scatter of the ratio of successive flights about its slow trend: 1.3 % on a good surface, with
-/// the heavy tails that impacts have (Montaine et al. 2011): a Student distribution.
-const RATIO_SCATTER: f64 = 0.013;
+/// What a ball bounces on.
+pub(super) struct Surface {
+    /// Scatter of the ratio of successive flights about its slow trend, a Student distribution:
+    /// impacts have heavy tails (Montaine et al. 2011).
+    pub(super) scatter: f64,
+    /// Logarithm of how usual it is.
+    pub(super) ln_prior: f64,
+}
+
+/// On a good surface the ratio scatters by 1.3 %. On a rough one, and for a ball that spins, by
+/// several times as much; that is one drop in seven.
+pub(super) const SURFACES: [Surface; 2] = [
+    Surface {
+        scatter: 0.013,
+        ln_prior: -0.15,
+    },
+    Surface {
+        scatter: 0.05,
+        ln_prior: -2.0,
+    },
+];
+
+/// No surface is known to be smoother than this.
+pub(super) const LEAST_SCATTER: f64 = 0.003;
 /// Scatter in dB of the level from impact to impact, about a slow fall.
 const LEVEL_SCATTER_DB: f64 = 3.5;
 /// Usual fall of the level from impact to impact in dB.
@@ -55,14 +76,14 @@ pub(super) fn first_ratio(change: f64) -> f64 {
 }
 
 /// A later impact: `change` is the logarithm of the interval over the last flight, `surprise` its
-/// difference from the prediction, which has this variance from timing and from the prediction.
+/// difference from the prediction, which has this variance.
 pub(super) fn next_ratio(change: f64, surprise: f64, variance: f64) -> f64 {
-    student(surprise, RATIO_SCATTER * RATIO_SCATTER + variance) / rhythm(change)
+    student(surprise, variance) / rhythm(change)
 }
 
-/// The largest value of [`next_ratio`].
-pub(super) fn most_from_ratio() -> f64 {
-    student(0.0, RATIO_SCATTER * RATIO_SCATTER)
+/// The largest value of [`next_ratio`] for ratios that scatter with this variance.
+pub(super) fn most_from_ratio(scatter2: f64) -> f64 {
+    student(0.0, scatter2)
 }
 
 /// How much more likely other sounds are if they keep time.
@@ -73,7 +94,10 @@ fn rhythm(change: f64) -> f64 {
 
 /// How much alike two successive impacts of a drop sound, in level and in spectrum.
 fn similarity(earlier: &Onset, later: &Onset) -> f64 {
-    let fall_db = earlier.level_db - later.level_db - LEVEL_FALL_DB;
+    // A level below the noise is not known, only that it is no louder.
+    let noise_db = loudest_db(&earlier.band_noise_db).max(loudest_db(&later.band_noise_db));
+    let level_db = |onset: &Onset| onset.level_db.max(f64::from(noise_db));
+    let fall_db = level_db(earlier) - level_db(later) - LEVEL_FALL_DB;
     let level = student(fall_db, LEVEL_SCATTER_DB * LEVEL_SCATTER_DB) * LEVEL_RANGE_DB;
     level * timbre(earlier, later)
 }
@@ -95,8 +119,8 @@ fn timbre(earlier: &Onset, later: &Onset) -> f64 {
 fn timbre_distance2_db(a: &Onset, b: &Onset) -> Option<f64> {
     /// Bands this far below the loudest are left out: side lobes of its filter.
     const DEPTH_DB: f32 = 15.0;
-    let loudest = loudest_band_db(b);
-    let shift = loudest - loudest_band_db(a);
+    let loudest = loudest_db(&b.band_levels_db);
+    let shift = loudest - loudest_db(&a.band_levels_db);
     let (mut bands, mut sum) = (0, 0.0);
     for band in 0..BANDS {
         let (level_a, level_b) = (a.band_levels_db[band] + shift, b.band_levels_db[band]);
@@ -110,27 +134,50 @@ fn timbre_distance2_db(a: &Onset, b: &Onset) -> Option<f64> {
     (bands >= 2).then(|| f64::from(sum) / f64::from(bands))
 }
 
-fn loudest_band_db(onset: &Onset) -> f32 {
-    onset
-        .band_levels_db
-        .iter()
-        .copied()
-        .fold(f32::NEG_INFINITY, f32::max)
+fn loudest_db(bands_db: &[f32; BANDS]) -> f32 {
+    let louder = |a: f32, &b: &f32| if b > a { b } else { a };
+    bands_db.iter().fold(f32::NEG_INFINITY, louder)
+}
+
+/// The sum of 1/k for k up to n.
+fn harmonic(n: usize) -> f64 {
+    /// Of Euler and Mascheroni.
+    const GAMMA: f64 = 0.577_215_664_9;
+    (n as f64 + 0.5).ln() + GAMMA
+}
+
+/// A stretch of recording in which all onsets are known, in seconds.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Span {
+    pub(crate) start_s: f64,
+    pub(crate) end_s: f64,
+}
+
+impl Span {
+    /// All of time.
+    pub(crate) const EVER: Self = Self {
+        start_s: f64::NEG_INFINITY,
+        end_s: f64::INFINITY,
+    };
 }
 
 /// What surrounds an onset, which says how remarkable a next impact would be.
 pub(super) struct Surroundings {
     /// How many onsets at least as strong come each second, itself included.
     rate_hz: f64,
+    /// How many onsets come each second, whatever their strength.
+    any_rate_hz: f64,
     /// How much alike the onset and those around are: in steady noise all candidates sound alike,
     /// and it means nothing.
     mean_similarity: f64,
 }
 
 impl Surroundings {
-    /// The surroundings of each of these onsets.
-    pub(super) fn of(onsets: &[Onset]) -> Vec<Self> {
+    /// The surroundings of each of these onsets, which are all that was heard in this span.
+    pub(super) fn of(onsets: &[Onset], span: Span) -> Vec<Self> {
         const REACH_S: f64 = 3.0;
+        /// So much is taken for heard at least.
+        const LEAST_HEARD_S: f64 = 0.5;
         /// Unrelated sounds that are imagined beside those around, so that a few impacts alone in
         /// a quiet room are not taken for the rule.
         const IMAGINED: f64 = 10.0;
@@ -147,9 +194,14 @@ impl Surroundings {
                 }
                 let near = &onsets[first..end];
                 let stronger = near.iter().filter(|o| o.strength >= onset.strength).count();
+                // Where nothing was recorded, it was not silent.
+                let heard_s = (onset.time_s + REACH_S).min(span.end_s)
+                    - (onset.time_s - REACH_S).max(span.start_s);
+                let heard_s = heard_s.max(LEAST_HEARD_S);
                 let similarities: f64 = near.iter().map(|o| similarity(onset, o)).sum();
                 Self {
-                    rate_hz: stronger as f64 / (2.0 * REACH_S),
+                    rate_hz: stronger as f64 * harmonic(near.len()) / heard_s,
+                    any_rate_hz: near.len() as f64 / heard_s,
                     mean_similarity: (IMAGINED + similarities) / (IMAGINED + near.len() as f64),
                 }
             })
@@ -160,6 +212,11 @@ impl Surroundings {
     /// sounds is taken over the logarithm of the interval, as that of the next impact is.
     pub(super) fn by_chance(&self, interval_s: f64) -> f64 {
         1.0 / (self.rate_hz * interval_s).max(LEAST_RATE)
+    }
+
+    /// The same for any sound, however faint.
+    pub(super) fn any_by_chance(&self, interval_s: f64) -> f64 {
+        1.0 / (self.any_rate_hz * interval_s).max(LEAST_RATE)
     }
 
     /// How much alike the onset here and the next sound.

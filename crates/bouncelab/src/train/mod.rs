@@ -31,17 +31,18 @@ mod evidence;
 
 use crate::onset::Onset;
 use chain::Chain;
+pub(crate) use evidence::Span;
 use std::fmt;
 
 /// The fewest impacts that can be told from chance: three set the ratio of the flights, two more
 /// confirm it.
 pub const FEWEST_IMPACTS: usize = 5;
 
-/// Evidence in nats from which a train is believed: e to the 3rd, odds of 20 to 1.
-const BELIEVED: f64 = 3.0;
+/// Evidence in nats from which a train is believed: a drop is then more likely than other sounds.
+const BELIEVED: f64 = 0.0;
 
-/// A train that is heard this much fainter than another, at the same speed of impact, is another
-/// ball farther away: 12 dB is four times the distance.
+/// A train that is heard this much fainter than a surer one, at the same speed of impact, is
+/// another ball farther away: 12 dB is four times the distance.
 const DISTANT_DB: f64 = 12.0;
 
 /// An impact as heard.
@@ -164,17 +165,21 @@ pub struct Regular {
 }
 
 impl Found {
-    /// Moves the trains that are far fainter than the loudest from `trains` to `distant`.
+    /// Moves the trains that are far fainter than another, surer one from `trains` to `distant`.
     pub(crate) fn set_distant_apart(&mut self) {
-        let levels: Vec<f64> = self
+        let heard: Vec<(f64, f64)> = self
             .trains
             .iter()
-            .map(Train::level_at_unit_speed_db)
+            .map(|train| (train.level_at_unit_speed_db(), train.evidence()))
             .collect();
-        let loudest = levels.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-        let mut levels = levels.into_iter();
-        let is_distant = |_: &mut Train| levels.next().is_some_and(|l| l < loudest - DISTANT_DB);
-        self.distant.extend(self.trains.extract_if(.., is_distant));
+        let is_distant = |&(level_db, evidence): &(f64, f64)| {
+            heard
+                .iter()
+                .any(|other| other.0 > level_db + DISTANT_DB && other.1 > evidence)
+        };
+        let mut distant = heard.iter().map(is_distant);
+        self.distant
+            .extend(self.trains.extract_if(.., |_| distant.next() == Some(true)));
     }
 
     /// The evidence of all trains together, in nats.
@@ -241,7 +246,7 @@ impl fmt::Display for NoDrop {
 /// Finds the drops among onset candidates, which must be in order of time.
 pub fn find(onsets: &[Onset]) -> Found {
     let mut found = Found::default();
-    search(onsets, &mut found);
+    search(onsets, Span::EVER, &mut found);
     found.set_distant_apart();
     found
 }
@@ -320,28 +325,83 @@ fn ratio_near(impacts: &[HeardImpact], index: usize) -> f64 {
     ratios.get(ratios.len() / 2).copied().unwrap_or(1.0)
 }
 
-/// Takes the best train and searches again before and after it.
-pub(crate) fn search(onsets: &[Onset], found: &mut Found) {
+/// Takes the best train and searches again before and after it. The onsets are all that was heard
+/// in this span.
+pub(crate) fn search(onsets: &[Onset], span: Span, found: &mut Found) {
     if onsets.len() < FEWEST_IMPACTS {
         return;
     }
-    let Some(chain) = chain::best(onsets).filter(|chain| chain.evidence >= BELIEVED) else {
+    let Some(mut chain) = chain::best(onsets, span) else {
         return;
     };
+    chain.evidence += alone(onsets, &chain);
+    if chain.evidence < BELIEVED {
+        return;
+    }
+    chain.extend(onsets);
     if let Some(regular) = regular(onsets, &chain) {
         found.regular.push(regular);
         let rest: Vec<Onset> = (0..onsets.len())
             .filter(|index| chain.links.iter().all(|link| link.onset != *index))
             .map(|index| onsets[index])
             .collect();
-        search(&rest, found);
+        search(&rest, span, found);
         return;
     }
-    let first = chain.links[0].onset;
-    let last = chain.links[chain.links.len() - 1].onset;
-    search(&onsets[..first], found);
-    found.trains.push(train(onsets, &chain));
-    search(&onsets[last + 1..], found);
+    let best = train(onsets, &chain);
+    let before = Span {
+        end_s: best.start_s() - HANDLING_S,
+        ..span
+    };
+    let after = Span {
+        start_s: best.end_s() + HANDLING_S,
+        ..span
+    };
+    let first = onsets.partition_point(|o| o.time_s < before.end_s);
+    let rest = onsets.partition_point(|o| o.time_s <= after.start_s);
+    search(&onsets[..first], before, found);
+    found.trains.push(best);
+    search(&onsets[rest..], after, found);
+}
+
+/// A hand needs this many seconds between two drops; what bounces sooner is the same ball, coming
+/// to rest or not yet let go.
+const HANDLING_S: f64 = 0.5;
+
+/// Evidence from how alone the impacts are.
+///
+/// Other sounds are as likely to fall before, between and after the impacts of a drop as in their
+/// places. If n impacts and m other sounds as strong are heard, the rate of other sounds that
+/// explains all of them is (n + m) / m times the one that explains the rest beside the drop. The
+/// ratio of the two Poisson probabilities is exp(n) (m / (n + m))^m.
+fn alone(onsets: &[Onset], chain: &Chain) -> f64 {
+    /// Seconds before the first and after the last impact that count.
+    const AROUND_S: f64 = 0.5;
+    let time_s = |link: usize| onsets[chain.links[link].onset].time_s;
+    let start_s = time_s(0) - AROUND_S;
+    let end_s = time_s(chain.links.len() - 1) + AROUND_S;
+    let first = onsets.partition_point(|o| o.time_s < start_s);
+    let last = onsets.partition_point(|o| o.time_s <= end_s);
+    let impacts: Vec<f64> = chain
+        .links
+        .iter()
+        .map(|l| onsets[l.onset].strength)
+        .collect();
+    impacts
+        .iter()
+        .map(|&strength| {
+            let as_strong = |s: &&f64| **s >= strength;
+            let n = impacts.iter().filter(as_strong).count();
+            let all: Vec<f64> = onsets[first..last].iter().map(|o| o.strength).collect();
+            let m = all.iter().filter(as_strong).count() - n;
+            let (n, m) = (n as f64, m as f64);
+            if m > 0.0 {
+                n - m * (1.0 + n / m).ln()
+            } else {
+                n
+            }
+        })
+        .fold(0.0, f64::max)
 }
 
 fn train(onsets: &[Onset], chain: &Chain) -> Train {

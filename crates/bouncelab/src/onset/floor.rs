@@ -1,0 +1,169 @@
+//! What is quiet: a low quantile of the latest energies, and the noise of rounding.
+
+use std::collections::VecDeque;
+
+/// The bins of the histogram are an eighth of an octave in power: the exponent of a number and
+/// the first three bits after it.
+const SHIFT: u32 = 20;
+const BINS: usize = 1 << (31 - SHIFT);
+
+/// A quantile of the latest values, which must not be negative.
+///
+/// The values are counted in bins, and the bin of the quantile is sought from where it was: a new
+/// value costs the same however many there are.
+#[derive(Clone)]
+pub(super) struct Quantile {
+    share: f64,
+    capacity: usize,
+    recent: VecDeque<u16>,
+    counts: Vec<u16>,
+    /// The bin in which the quantile lies, and how many values lie below it.
+    bin: usize,
+    below: usize,
+}
+
+impl Quantile {
+    pub(super) fn new(share: f64, capacity: usize) -> Self {
+        let capacity = capacity.clamp(1, usize::from(u16::MAX));
+        Self {
+            share,
+            capacity,
+            recent: VecDeque::with_capacity(capacity),
+            counts: vec![0; BINS],
+            bin: 0,
+            below: 0,
+        }
+    }
+
+    pub(super) fn push(&mut self, value: f32) {
+        if self.recent.len() == self.capacity
+            && let Some(old) = self.recent.pop_front()
+        {
+            self.counts[usize::from(old)] -= 1;
+            self.below -= usize::from(usize::from(old) < self.bin);
+        }
+        let bin = (value.to_bits() >> SHIFT) as u16 & (BINS - 1) as u16;
+        self.recent.push_back(bin);
+        self.counts[usize::from(bin)] += 1;
+        self.below += usize::from(usize::from(bin) < self.bin);
+    }
+
+    /// How many values are less than the quantile.
+    fn rank(&self) -> usize {
+        (self.recent.len() as f64 * self.share) as usize
+    }
+
+    /// The quantile, within an eighth of an octave at worst; 0 without values.
+    pub(super) fn value(&mut self) -> f32 {
+        if self.recent.is_empty() {
+            return 0.0;
+        }
+        let rank = self.rank();
+        while self.below > rank {
+            self.bin -= 1;
+            self.below -= usize::from(self.counts[self.bin]);
+        }
+        while self.below + usize::from(self.counts[self.bin]) <= rank {
+            self.below += usize::from(self.counts[self.bin]);
+            self.bin += 1;
+        }
+        let edge = |bin: usize| f32::from_bits((bin as u32) << SHIFT);
+        let (low, high) = (edge(self.bin), edge(self.bin + 1));
+        let inside = (rank - self.below) as f32 + 0.5;
+        low + (high - low) * inside / f32::from(self.counts[self.bin])
+    }
+}
+
+/// The smallest step between samples. What the format cannot resolve is noise, even where a
+/// recording is digitally silent.
+#[derive(Clone)]
+pub(super) struct QuantisationStep {
+    last: f32,
+    smallest: f32,
+}
+
+impl QuantisationStep {
+    pub(super) fn new() -> Self {
+        Self {
+            last: 0.0,
+            smallest: f32::INFINITY,
+        }
+    }
+
+    #[inline]
+    pub(super) fn see(&mut self, samples: &[f32]) {
+        let (Some(first), Some(last)) = (samples.first(), samples.last()) else {
+            return;
+        };
+        let step = |a: f32, b: f32| {
+            let step = (b - a).abs();
+            if step > 0.0 { step } else { f32::INFINITY }
+        };
+        let least = |a: f32, b: f32| if b < a { b } else { a };
+        let mut lanes = [self.smallest; 16];
+        let (before, after) = (&samples[..samples.len() - 1], &samples[1..]);
+        let (before, after) = (before.chunks_exact(16), after.chunks_exact(16));
+        for (a, b) in before.remainder().iter().zip(after.remainder()) {
+            lanes[0] = least(lanes[0], step(*a, *b));
+        }
+        for (a, b) in before.zip(after) {
+            for (lane, (a, b)) in lanes.iter_mut().zip(a.iter().zip(b)) {
+                *lane = least(*lane, step(*a, *b));
+            }
+        }
+        let smallest = lanes.into_iter().fold(f32::INFINITY, least);
+        self.smallest = least(smallest, step(self.last, *first));
+        self.last = *last;
+    }
+
+    /// Power of the noise that rounding to such steps makes.
+    pub(super) fn power(&self) -> f64 {
+        if self.smallest.is_finite() {
+            f64::from(self.smallest).powi(2) / 12.0
+        } else {
+            0.0
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn quantile_is_that_of_the_latest_values() {
+        let mut quantile = Quantile::new(0.3, 100);
+        // Values over twelve decades, each larger or smaller than the one before.
+        let values: Vec<f32> = (0..1000)
+            .map(|n| 10f32.powf(((n * 37) % 100) as f32 / 8.0 - 9.0))
+            .collect();
+        for end in 1..values.len() {
+            quantile.push(values[end - 1]);
+            let mut latest = values[end.saturating_sub(100)..end].to_vec();
+            latest.sort_by(f32::total_cmp);
+            let expected = latest[(latest.len() as f64 * 0.3) as usize];
+            let ratio = quantile.value() / expected;
+            assert!((0.88..1.13).contains(&ratio), "{end}: {ratio}");
+        }
+    }
+
+    #[test]
+    fn quantile_of_silence_is_silence() {
+        let mut quantile = Quantile::new(0.3, 10);
+        assert!(quantile.value() < f32::MIN_POSITIVE);
+        quantile.push(0.0);
+        assert!(quantile.value() < f32::MIN_POSITIVE);
+    }
+
+    #[test]
+    fn quantisation_step_is_the_smallest_change() {
+        let mut step = QuantisationStep::new();
+        assert!(step.power() < f64::MIN_POSITIVE);
+        step.see(&[0.5, 0.5, 0.25, 0.375, 0.375]);
+        assert!((step.power() - 0.125f64.powi(2) / 12.0).abs() < f64::EPSILON);
+        let mut long = vec![0.5; 100];
+        long[63] += 0.01;
+        step.see(&long);
+        assert!((step.power() - 1e-4 / 12.0).abs() < 1e-8);
+    }
+}

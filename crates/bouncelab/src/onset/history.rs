@@ -1,0 +1,118 @@
+//! The latest samples of a stream, in pieces that are used again.
+
+use std::collections::VecDeque;
+use std::ops::Range;
+
+/// Frames in a piece.
+const PIECE_FRAMES: usize = 32;
+
+/// Remembers samples by their number in the stream. A frame lies in one piece.
+#[derive(Clone)]
+pub(crate) struct History {
+    frame: usize,
+    pieces: VecDeque<Vec<f32>>,
+    /// Number of the first sample of the first piece.
+    first: u64,
+    /// How many samples there have been.
+    end: u64,
+    spare: Vec<Vec<f32>>,
+}
+
+impl History {
+    pub(super) fn new(frame: usize) -> Self {
+        Self {
+            frame,
+            pieces: VecDeque::new(),
+            first: 0,
+            end: 0,
+            spare: Vec::new(),
+        }
+    }
+
+    /// How many samples there have been.
+    pub(crate) fn end(&self) -> u64 {
+        self.end
+    }
+
+    /// Takes as many of these samples as the last piece has room for; how many that is.
+    pub(super) fn push(&mut self, samples: &[f32]) -> usize {
+        let size = PIECE_FRAMES * self.frame;
+        let is_full = |piece: &Vec<f32>| piece.len() == size;
+        if self.pieces.back().is_none_or(is_full) {
+            let piece = self.spare.pop();
+            self.pieces
+                .push_back(piece.unwrap_or_else(|| Vec::with_capacity(size)));
+        }
+        let Some(piece) = self.pieces.back_mut() else {
+            return 0;
+        };
+        let taken = samples.len().min(size - piece.len());
+        piece.extend_from_slice(&samples[..taken]);
+        self.end += taken as u64;
+        taken
+    }
+
+    /// The frame of this number, which must be complete and remembered.
+    #[inline]
+    pub(super) fn frame(&self, number: u64) -> &[f32] {
+        let at = (number * self.frame as u64 - self.first) as usize;
+        let size = PIECE_FRAMES * self.frame;
+        &self.pieces[at / size][at % size..][..self.frame]
+    }
+
+    /// The samples of this range that are remembered, and the number of the first of them.
+    pub(crate) fn read(&self, range: Range<u64>, samples: &mut Vec<f32>) -> u64 {
+        samples.clear();
+        let size = (PIECE_FRAMES * self.frame) as u64;
+        let start = range.start.max(self.first);
+        let end = range.end.min(self.end);
+        let mut at = start;
+        while at < end {
+            let piece = &self.pieces[((at - self.first) / size) as usize];
+            let from = ((at - self.first) % size) as usize;
+            let length = (end - at).min(size - from as u64) as usize;
+            samples.extend_from_slice(&piece[from..from + length]);
+            at += length as u64;
+        }
+        start
+    }
+
+    /// Forgets whole pieces that lie before this sample.
+    pub(crate) fn forget_before(&mut self, sample: u64) {
+        let size = (PIECE_FRAMES * self.frame) as u64;
+        while self.first + size <= sample.min(self.end)
+            && let Some(mut piece) = self.pieces.pop_front()
+        {
+            piece.clear();
+            self.spare.push(piece);
+            self.first += size;
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_remembered_is_what_was_heard() {
+        let mut history = History::new(4);
+        let samples: Vec<f32> = (0..1000_u16).map(f32::from).collect();
+        let mut rest = samples.as_slice();
+        for length in (1..90).cycle() {
+            let taken = history.push(&rest[..length.min(rest.len())]);
+            rest = &rest[taken..];
+            if rest.is_empty() {
+                break;
+            }
+        }
+        assert_eq!(history.end(), 1000);
+        assert_eq!(history.frame(33), &samples[132..136]);
+        history.forget_before(400);
+        let mut read = Vec::new();
+        assert_eq!(history.read(0..2000, &mut read), 384);
+        assert_eq!(read, &samples[384..]);
+        assert_eq!(history.read(500..700, &mut read), 500);
+        assert_eq!(read, &samples[500..700]);
+    }
+}
