@@ -17,7 +17,7 @@ const RATE_HZ: u32 = 48_000;
 
 fn bouncelab(arguments: &[&str]) -> Command {
     let mut command = Command::cargo_bin("bouncelab").unwrap();
-    command.args(arguments).timeout(Duration::from_secs(60));
+    command.args(arguments).timeout(Duration::from_mins(1));
     command
 }
 
@@ -397,7 +397,7 @@ mod microphone {
             let entries = fs::read_dir(folder.path()).unwrap();
             let names = entries.map(|it| it.unwrap().file_name().into_string().unwrap());
             names
-                .filter(|name| name.ends_with(".wav"))
+                .filter(|name| name.contains(".wav"))
                 .collect::<Vec<_>>()
         };
         let listen = || {

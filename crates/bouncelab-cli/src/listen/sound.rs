@@ -14,7 +14,7 @@ use crate::failure::Failure;
 
 /// Samples as they come.
 pub(super) enum Sound {
-    File(Player),
+    File(Box<Player>),
     #[cfg(feature = "microphone")]
     Microphone(Box<Microphone>),
 }
@@ -43,7 +43,7 @@ impl Sound {
     /// Opens what the arguments name.
     pub(super) fn open(arguments: &Arguments) -> Result<Self, Failure> {
         match &arguments.from {
-            Some(file) => Player::open(file, arguments.fast).map(Self::File),
+            Some(file) => Player::open(file, arguments.fast),
             None => Self::open_microphone(arguments),
         }
     }
@@ -68,11 +68,11 @@ impl Sound {
     /// What is known of the sound before it is heard.
     pub(super) fn recording(&self, channel: Option<usize>) -> Recording {
         match self {
-            Self::File(Player { source, .. }) => Recording {
-                name: source.name().to_owned(),
-                format: source.format(),
-                sample_rate_hz: source.sample_rate_hz(),
-                channels: source.channels(),
+            Self::File(player) => Recording {
+                name: player.source.name().to_owned(),
+                format: player.source.format(),
+                sample_rate_hz: player.source.sample_rate_hz(),
+                channels: player.source.channels(),
                 channel,
             },
             #[cfg(feature = "microphone")]
@@ -112,8 +112,9 @@ impl Sound {
     /// What was wrong with a file, once it has ended.
     pub(super) fn warnings(&self) -> Vec<String> {
         match self {
-            Self::File(Player { source, .. }) => {
-                source.warnings().iter().map(ToString::to_string).collect()
+            Self::File(player) => {
+                let warnings = player.source.warnings().iter();
+                warnings.map(ToString::to_string).collect()
             }
             #[cfg(feature = "microphone")]
             Self::Microphone(_) => Vec::new(),
@@ -129,13 +130,13 @@ pub(super) struct Player {
 }
 
 impl Player {
-    fn open(file: &Path, fast: bool) -> Result<Self, Failure> {
+    fn open(file: &Path, fast: bool) -> Result<Sound, Failure> {
         match Input::open(file)? {
-            Input::Sound(source) => Ok(Self {
+            Input::Sound(source) => Ok(Sound::File(Box::new(Self {
                 source: *source,
                 pace: (!fast).then(Instant::now),
                 frames: 0,
-            }),
+            }))),
             Input::Times(_) => Err(Failure::Usage(format!(
                 "{} is a list of times, which make no sound; analyze reads it",
                 file.display()
