@@ -189,6 +189,7 @@ fn what_makes_no_sound_is_refused_with_a_reason() {
         (&missing, &[], 1, "no such file"),
         (&folder.path().to_owned(), &[], 1, "folder"),
         (&file, &["--channel", "2"], 2, "no channel 2"),
+        (&file, &["--save", "drop.txt"], 2, "ends in .wav"),
         (&file, &["--seconds", "0"], 2, "more than 0"),
         (&file, &["--drops", "0"], 2, "0"),
         (&file, &["--device", "USB"], 2, "cannot be used with"),

@@ -47,7 +47,7 @@ pub(crate) struct Arguments {
     devices: bool,
     /// The WAV file to save the sound in; nothing is overwritten (default: bouncelab- and the
     /// date; with --from, none)
-    #[arg(long, value_name = "FILE", conflicts_with = "no_save")]
+    #[arg(long, value_name = "FILE.wav", conflicts_with = "no_save", value_parser = wav)]
     save: Option<PathBuf>,
     /// Do not save the sound
     #[arg(long)]
@@ -98,6 +98,17 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
         return sound::list_devices();
     }
     session::run(arguments)
+}
+
+/// A name that says what is in the file, since other names mean other things to `analyze`.
+fn wav(name: &str) -> Result<PathBuf, String> {
+    let file = PathBuf::from(name);
+    let ending = file.extension().unwrap_or_default();
+    if ending.eq_ignore_ascii_case("wav") {
+        Ok(file)
+    } else {
+        Err("the sound is saved as WAV: name a file that ends in .wav".to_owned())
+    }
 }
 
 fn duration(text: &str) -> Result<f64, String> {
