@@ -5,6 +5,7 @@
 
 mod bench;
 mod cargo;
+mod grid;
 mod test;
 
 use std::process::ExitCode;
@@ -19,7 +20,7 @@ struct Chore {
     run: fn(&[String]) -> Result,
 }
 
-const CHORES: [Chore; 2] = [
+const CHORES: [Chore; 3] = [
     Chore {
         name: "test",
         arguments: "[CHECK...]",
@@ -31,6 +32,12 @@ const CHORES: [Chore; 2] = [
         arguments: "[FILTER...]",
         about: bench::ABOUT,
         run: bench::run,
+    },
+    Chore {
+        name: "grid",
+        arguments: "[PART...]",
+        about: grid::ABOUT,
+        run: grid::run,
     },
 ];
 
