@@ -13,15 +13,17 @@ import numpy as np
 import soundfile
 from obspy.signal.trigger import aic_simple, recursive_sta_lta, trigger_onset
 
-# A detection belongs to an impact this near, in seconds; and it is right if it is this near after
-# the median offset of the recording is taken out.
-NEAR_S = 0.008
+# A detection belongs to an impact this near, in seconds. A constant delay is forgiven: a detection
+# is right if it is this near after the median offset of the recording is taken out.
+NEAR_S = 0.02
 SAME_S = 0.003
 
 
 def by_aubio(samples, rate, _path):
-    hop = 256
-    detector = aubio.onset("default", 1024, hop, rate)
+    # Windows of 23 ms, as its default at 44.1 kHz, in powers of two.
+    window = 1 << round(np.log2(0.023 * rate))
+    hop = window // 4
+    detector = aubio.onset("default", window, hop, rate)
     times = []
     for start in range(0, len(samples) - hop + 1, hop):
         if detector(samples[start : start + hop]):
@@ -30,7 +32,13 @@ def by_aubio(samples, rate, _path):
 
 
 def by_librosa(samples, rate, _path):
-    return list(librosa.onset.onset_detect(y=samples, sr=rate, hop_length=128, units="time"))
+    hop, window = round(0.003 * rate), round(0.046 * rate)
+    strength = librosa.onset.onset_strength(
+        y=samples, sr=rate, hop_length=hop, n_fft=window, fmax=rate / 2
+    )
+    return list(
+        librosa.onset.onset_detect(onset_envelope=strength, sr=rate, hop_length=hop, units="time")
+    )
 
 
 def by_sta_lta(samples, rate, _path):
