@@ -6,6 +6,7 @@
 mod bench;
 mod calibrate;
 mod cargo;
+mod grid;
 mod test;
 
 use std::process::ExitCode;
@@ -20,7 +21,7 @@ struct Chore {
     run: fn(&[String]) -> Result,
 }
 
-const CHORES: [Chore; 3] = [
+const CHORES: [Chore; 4] = [
     Chore {
         name: "test",
         arguments: "[CHECK...]",
@@ -38,6 +39,12 @@ const CHORES: [Chore; 3] = [
         arguments: "[DROPS [FOLDER]]",
         about: calibrate::ABOUT,
         run: calibrate::run,
+    },
+    Chore {
+        name: "grid",
+        arguments: "[PART...]",
+        about: grid::ABOUT,
+        run: grid::run,
     },
 ];
 

@@ -15,7 +15,7 @@ struct Tally {
     found: usize,
     made_up: usize,
     drops: usize,
-    drops_right: usize,
+    heard: usize,
     false_drops: usize,
     errors_s: Vec<f64>,
 }
@@ -26,7 +26,7 @@ pub(crate) fn print(drops: u64) {
         if cell.group != group {
             group = cell.group;
             println!(
-                "\n| {group} | F1 | precision | recall | drops right | false drops | median error |"
+                "\n| {group} | F1 | precision | recall | drops heard | false drops | median error |"
             );
             println!("|---|---|---|---|---|---|---|");
         }
@@ -40,13 +40,25 @@ fn row(cell: &Cell, drops: u64) -> String {
         let recording = cell.record(seed);
         tally.add(&recording, &recording.hear());
     }
+    if tally.audible == 0 {
+        let Tally {
+            drops,
+            heard,
+            false_drops,
+            ..
+        } = tally;
+        return format!(
+            "| {} | - | - | - | {heard}/{drops} | {false_drops} | - |",
+            cell.name
+        );
+    }
     let precision = share(tally.found, tally.found + tally.made_up);
     let recall = share(tally.found.min(tally.audible), tally.audible);
     let f1 = 2.0 * precision * recall / (precision + recall).max(1e-9);
     format!(
         "| {} | {f1:.3} | {precision:.3} | {recall:.3} | {}/{} | {} | {} |",
         cell.name,
-        tally.drops_right,
+        tally.heard,
         tally.drops,
         tally.false_drops,
         median(&mut tally.errors_s).map_or("-".into(), |e| format!("{:.1} us", 1e6 * e)),
@@ -81,13 +93,7 @@ impl Tally {
             .filter(|t| is_true(t.start_s(), t.end_s()))
             .count();
         self.false_drops += trains.len() - true_trains;
-        // A drop too short or too faint to be one is right either way.
-        let is_drop = audible.len() >= 6;
-        self.drops_right += usize::from(if is_drop {
-            true_trains == 1
-        } else {
-            true_trains <= 1
-        });
+        self.heard += usize::from(true_trains == 1);
         for train in trains {
             let mut errors: Vec<f64> = train
                 .impacts()

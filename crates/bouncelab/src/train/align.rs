@@ -46,7 +46,8 @@ const NEAR: usize = 6;
 /// Half the length of the interpolation kernel in samples.
 const KERNEL: usize = 8;
 
-/// Moves the times of these impacts to where their waveforms agree, and says which of them agree.
+/// Moves the times of these impacts to where their waveforms agree, and says which of them agree
+/// and begin there.
 /// `samples` begin at `start_s` of the recording; impacts too near their ends keep their times.
 pub(super) fn align(
     impacts: &mut [HeardImpact],
@@ -82,7 +83,7 @@ pub(super) fn align(
             let onset = &mut impacts[sound.impact].onset;
             onset.time_s += sound.shift / rate_hz;
             onset.sigma_s = sigma / rate_hz;
-            agrees[sound.impact] = true;
+            agrees[sound.impact] = sound.begins(&span);
         }
     }
     agrees
@@ -199,6 +200,14 @@ impl Sound {
     fn wave(&self, span: &Span, shift: f64) -> Vec<f32> {
         let first = (span.origin - span.before) as f64 + shift;
         resample(&self.samples, first, span.length)
+    }
+
+    /// Whether something begins here: the ringing of the impact before may look alike, but fades.
+    fn begins(&self, span: &Span) -> bool {
+        let length = span.origin - span.before;
+        let at = (span.origin as f64 + self.shift) as usize - span.before;
+        let energy = |first: usize| self.energy[first + length] - self.energy[first];
+        energy(at) > energy(at.saturating_sub(length))
     }
 
     /// Finds the shift at which the sound fits the stack of the others: anywhere, or near where
