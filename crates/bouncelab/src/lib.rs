@@ -56,6 +56,7 @@
 //! | [`listen`] | samples in, trains out |
 //! | [`regression`] | the paper's straight line, Eqs. 4 to 8 |
 //! | [`restitution`] | the restitution of each impact, corrected for drag |
+//! | [`groups`] | what many drops say together |
 //!
 //! # Conventions
 //!
@@ -73,6 +74,7 @@ mod error;
 pub mod estimate;
 pub mod flight;
 pub mod gravity;
+pub mod groups;
 pub mod impact;
 pub mod listen;
 pub mod onset;
