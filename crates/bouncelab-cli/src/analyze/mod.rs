@@ -3,7 +3,6 @@
 mod figures;
 mod hear;
 mod inference;
-mod inferred;
 mod rows;
 mod text;
 
