@@ -54,7 +54,7 @@ pub mod illustration;
 #[cfg(feature = "png")]
 mod picture;
 mod quantity;
-
+pub mod report;
 #[cfg(all(feature = "png", not(target_family = "wasm")))]
 mod save;
 mod scale;

@@ -48,7 +48,7 @@ fn figures(hearing: &Hearing, physics: &Physics) -> Result<Vec<(String, Figure)>
 }
 
 /// The name of a file without folder and ending, fit for the name of another file.
-pub(crate) fn stem(name: &str) -> String {
+fn stem(name: &str) -> String {
     let stem = Path::new(name)
         .file_stem()
         .map(|stem| stem.to_string_lossy().into_owned());
