@@ -8,6 +8,7 @@ mod knowledge;
 mod listen;
 mod paper;
 mod physics;
+mod session;
 mod simulate;
 mod synth;
 mod units;
@@ -30,12 +31,14 @@ Examples:
   bouncelab analyze drop.wav                       what a recording says
   bouncelab analyze drop.m4a --ball tennis --figures figures
   bouncelab listen                                 hear drops while they happen
+  bouncelab session recordings                     what many drops say together
   bouncelab simulate --height 30.5cm --restitution 0.935";
 
 #[derive(Subcommand)]
 enum Command {
     Analyze(analyze::Arguments),
     Listen(listen::Arguments),
+    Session(session::Arguments),
     Simulate(simulate::Arguments),
     Synth(synth::Arguments),
     Paper(paper::Arguments),
@@ -46,6 +49,7 @@ fn main() -> ExitCode {
     let result = match Cli::parse().command {
         Command::Analyze(arguments) => analyze::run(&arguments),
         Command::Listen(arguments) => listen::run(&arguments),
+        Command::Session(arguments) => session::run(&arguments),
         Command::Simulate(arguments) => simulate::run(&arguments),
         Command::Synth(arguments) => synth::run(&arguments),
         Command::Paper(arguments) => paper::run(&arguments),

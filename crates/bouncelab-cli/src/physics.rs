@@ -93,7 +93,48 @@ pub(crate) struct Physics {
     pub(crate) assumptions: Vec<String>,
 }
 
+/// What was noted of the ball and the air of one recording.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(crate) struct Noted {
+    /// Name of the kind of ball, as after `--ball`.
+    pub(crate) ball: Option<String>,
+    /// Its mass in kg.
+    pub(crate) mass: Option<f64>,
+    /// Its diameter in m.
+    pub(crate) diameter: Option<f64>,
+    /// How long it touches the surface, in s.
+    pub(crate) contact_time: Option<f64>,
+    /// Temperature of the air in K.
+    pub(crate) temperature: Option<f64>,
+    /// Pressure of the air in Pa.
+    pub(crate) pressure: Option<f64>,
+    /// Relative humidity of the air.
+    pub(crate) humidity: Option<f64>,
+}
+
 impl PhysicsArguments {
+    /// Whether they say what ball it is.
+    pub(crate) fn names_ball(&self) -> bool {
+        self.ball.is_some() || self.mass.is_some()
+    }
+
+    /// The same with what was noted of a recording, which goes before what these say.
+    pub(crate) fn with(&self, noted: &Noted) -> Self {
+        let mut both = self.clone();
+        if noted.ball.is_some() {
+            both.ball.clone_from(&noted.ball);
+            both.mass = None;
+            both.diameter = None;
+        }
+        both.mass = noted.mass.or(both.mass);
+        both.diameter = noted.diameter.or(both.diameter);
+        both.contact_time = noted.contact_time.or(both.contact_time);
+        both.temperature = noted.temperature.or(both.temperature);
+        both.pressure = noted.pressure.or(both.pressure);
+        both.humidity = noted.humidity.or(both.humidity);
+        both
+    }
+
     /// Ball, air and gravity of these arguments.
     pub(crate) fn physics(&self) -> Result<Physics, Failure> {
         let mut assumptions = Vec::new();
@@ -155,14 +196,16 @@ impl PhysicsArguments {
         const CONTACT_S: f64 = 1e-3;
         /// Steel and glass touch far shorter than hollow balls.
         const HARD_CONTACT_S: f64 = 5e-5;
-        // Weighed and measured by the person: scale and calliper.
+        // Measured by the person, by scale and calliper.
+        const WEIGHED: f64 = 0.003;
+        const CALLIPERED: f64 = 0.002;
         let measured = Knowledge {
-            mass: 0.003,
-            diameter: 0.002,
+            mass: WEIGHED,
+            diameter: CALLIPERED,
             ..Knowledge::default()
         };
-        let (ball, label, typical_s, known) =
-            if let (Some(mass), Some(diameter)) = (self.mass, self.diameter) {
+        let (mut ball, label, typical_s, mut known) =
+            if let (None, Some(mass), Some(diameter)) = (&self.ball, self.mass, self.diameter) {
                 let label = format!("{} g, {} mm", rounded(mass * 1e3), rounded(diameter * 1e3));
                 (Ball::new(mass, diameter)?, label, CONTACT_S, measured)
             } else {
@@ -189,6 +232,15 @@ impl PhysicsArguments {
                     )
                 }
             };
+        // A ball of a known kind may have been weighed or measured besides.
+        if let Some(mass) = self.mass {
+            ball = Ball::new(mass, ball.diameter_m())?;
+            known.mass = WEIGHED;
+        }
+        if let Some(diameter) = self.diameter {
+            ball = Ball::new(ball.mass_kg(), diameter)?;
+            known.diameter = CALLIPERED;
+        }
         if self.contact_time.is_none() {
             assumptions.push(format!("it touches for {} ms", rounded(typical_s * 1e3)));
         }

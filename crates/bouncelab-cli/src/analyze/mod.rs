@@ -95,6 +95,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
         channel: arguments.channel.map(usize::from),
         exclude_s: arguments.exclude.clone(),
         include_s: arguments.include.clone(),
+        quiet: false,
     };
     let mut draft = match (&arguments.report, arguments.files.as_slice()) {
         (None, _) => None,

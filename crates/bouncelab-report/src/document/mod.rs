@@ -17,6 +17,7 @@
 //! ```
 
 mod estimate;
+mod session;
 
 use bouncelab::analysis::{Analysis, Settings};
 use bouncelab::regression::{Estimate, Regression};
@@ -24,6 +25,7 @@ use bouncelab::restitution::{ImpactRestitution, TimedFlight};
 use serde::Serialize;
 
 use estimate::Estimate as Estimated;
+pub use session::{AboutSession, Reason, SessionDocument};
 
 /// Name and version of the schema.
 pub const SCHEMA: &str = "bouncelab.analysis/1";

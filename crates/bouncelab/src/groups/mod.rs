@@ -41,5 +41,5 @@ pub use compare::{Difference, compare, compare_means};
 pub use mean::Mean;
 pub use mixed::{Component, Drop, Factor, Mixed};
 pub use outlier::{FAR, Outlier, outliers};
-pub use plan::{MOST_DROPS, drops_needed};
+pub use plan::{MOST_DROPS, drops_needed, run_limit};
 pub use study::{Group, Law, LawPoint, Study, StudyDrop, Varies};

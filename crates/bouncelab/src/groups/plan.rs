@@ -1,4 +1,4 @@
-//! How many drops a wanted uncertainty takes.
+//! How many drops a wanted uncertainty takes, and where the next ones should lie.
 
 use super::mean::Mean;
 use super::quantile::student;
@@ -46,6 +46,27 @@ pub fn drops_needed(mean: &Mean, half_width: f64) -> Option<usize> {
         }
     }
     Some(many)
+}
+
+/// How far single values lie from their mean as long as nothing changes: three standard deviations,
+/// from the differences of successive values, so that a drift does not widen it (chart of
+/// individuals: Montgomery, *Introduction to Statistical Quality Control*, 2012, section 6.4).
+/// `None` for fewer than two values.
+///
+/// ```
+/// // Successive values differ by 1, 2 and 3.
+/// let limit = bouncelab::groups::run_limit(&[1.0, 2.0, 0.0, 3.0]).unwrap();
+/// assert!((limit - 3.0 * 2.0 / 1.128).abs() < 1e-12);
+/// ```
+pub fn run_limit(values: &[f64]) -> Option<f64> {
+    /// Mean range of two normal values over their standard deviation, 2/sqrt(pi).
+    const RANGE_OF_TWO: f64 = 1.128;
+    if values.len() < 2 {
+        return None;
+    }
+    let ranges = values.windows(2).map(|pair| (pair[1] - pair[0]).abs());
+    let mean = ranges.sum::<f64>() / (values.len() - 1) as f64;
+    Some(3.0 * mean / RANGE_OF_TWO)
 }
 
 #[cfg(test)]

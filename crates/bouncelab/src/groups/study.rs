@@ -95,7 +95,8 @@ pub struct Group {
     pub shared_sd: f64,
     /// Typical scatter of restitution from impact to impact, relative (root mean square).
     pub between_impacts: Option<f64>,
-    /// How many drops in all the wanted half width of the 95 % interval takes.
+    /// How many drops in all the wanted half width of the 95 % interval takes, or half of the present
+    /// one if none was stated.
     pub drops_needed: Option<usize>,
     /// Restitution against speed, pooled over the drops that know it: at each speed a mean of its own.
     pub law: Vec<(f64, Mean)>,
@@ -253,7 +254,9 @@ fn group(
         drops: places.to_vec(),
         shared_sd: points.iter().map(|point| point.shared_sd).sum::<f64>() / points.len() as f64,
         between_impacts: (!scatters.is_empty()).then(|| (squares / scatters.len() as f64).sqrt()),
-        drops_needed: wanted.and_then(|wanted| drops_needed(&mean, wanted)),
+        drops_needed: wanted
+            .or_else(|| mean.interval95.map(|[low, high]| 0.25 * (high - low)))
+            .and_then(|wanted| drops_needed(&mean, wanted)),
         law: pooled_law(drops, places),
         mean,
     })
