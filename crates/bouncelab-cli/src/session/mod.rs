@@ -13,7 +13,7 @@ use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
 use bouncelab_session::journal::Journal;
-use bouncelab_session::table::{Form, TableWriter, write_whole};
+use bouncelab_session::table::{Form, TableWriter, remove_drafts, write_whole};
 use bouncelab_session::{Session, Sources};
 use clap::{Args, ValueEnum};
 
@@ -167,6 +167,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
     };
     let recordings = reading.understand(&session)?;
     let journal = Journal::open(&arguments.output)?;
+    remove_drafts(&arguments.output)?;
     if journal.damaged() > 0 {
         eprintln!(
             "bouncelab: {} results in the journal were cut off or damaged, and are made again",

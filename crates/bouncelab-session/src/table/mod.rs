@@ -232,6 +232,23 @@ pub fn write_whole(path: &Path, bytes: &[u8]) -> Result<()> {
     write().map_err(Error::output(path))
 }
 
+/// Removes the drafts that a killed run left in a folder. Nobody else may be writing there.
+///
+/// # Errors
+/// [`Error::Output`] if the folder cannot be read or a draft not be removed.
+pub fn remove_drafts(folder: &Path) -> Result<()> {
+    let entries = std::fs::read_dir(folder).map_err(Error::output(folder))?;
+    for entry in entries {
+        let entry = entry.map_err(Error::output(folder))?;
+        let name = entry.file_name();
+        let name = name.as_encoded_bytes();
+        if name.starts_with(b".") && name.ends_with(b".part") {
+            std::fs::remove_file(entry.path()).map_err(Error::output(folder))?;
+        }
+    }
+    Ok(())
+}
+
 fn failed(path: &Path) -> impl FnOnce(String) -> Error {
     let path = path.to_owned();
     |problem| Error::Table { path, problem }
