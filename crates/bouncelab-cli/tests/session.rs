@@ -365,5 +365,5 @@ fn kill_after(room: &Room, moment: Duration) {
 fn drafts(folder: &Path) -> Vec<String> {
     let entries = fs::read_dir(folder).unwrap();
     let names = entries.map(|entry| entry.unwrap().file_name().to_string_lossy().into_owned());
-    names.filter(|name| name.ends_with(".part")).collect()
+    names.filter(|name| name.starts_with('.')).collect()
 }
