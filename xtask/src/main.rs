@@ -7,6 +7,8 @@ mod bench;
 mod calibrate;
 mod cargo;
 mod grid;
+mod laboratory;
+mod tables;
 mod test;
 
 use std::process::ExitCode;
@@ -21,7 +23,7 @@ struct Chore {
     run: fn(&[String]) -> Result,
 }
 
-const CHORES: [Chore; 4] = [
+const CHORES: [Chore; 5] = [
     Chore {
         name: "test",
         arguments: "[CHECK...]",
@@ -39,6 +41,12 @@ const CHORES: [Chore; 4] = [
         arguments: "[DROPS [FOLDER]]",
         about: calibrate::ABOUT,
         run: calibrate::run,
+    },
+    Chore {
+        name: "laboratory",
+        arguments: "FOLDER COUNT",
+        about: laboratory::ABOUT,
+        run: laboratory::run,
     },
     Chore {
         name: "grid",

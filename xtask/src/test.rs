@@ -5,6 +5,7 @@ use std::time::{Duration, Instant};
 
 use crate::Result;
 use crate::cargo::{cargo, has, run as run_command};
+use crate::tables;
 
 pub(crate) const ABOUT: &str = "Run every check, or only the named ones";
 
@@ -19,7 +20,7 @@ pub(crate) struct Check {
 /// All checks, in the order in which they run. They share one target folder and one profile:
 /// clippy and the documentation use the same metadata of the dependencies, tests and doc tests
 /// the same code, so that a dependency is compiled at most twice.
-pub(crate) const CHECKS: [Check; 7] = [
+pub(crate) const CHECKS: [Check; 8] = [
     Check {
         name: "format",
         words: &["fmt", "--all", "--check"],
@@ -50,6 +51,11 @@ pub(crate) const CHECKS: [Check; 7] = [
     Check {
         name: "docs",
         words: &["doc", "--workspace", "--no-deps"],
+        is_live: false,
+    },
+    Check {
+        name: "tables",
+        words: &["test", "--package", "bouncelab-cli", "--test", "tables"],
         is_live: false,
     },
     Check {
@@ -119,6 +125,11 @@ pub(crate) fn run(names: &[String]) -> Result {
     if checks.iter().any(|check| check.is_live) && !has_sound_headers() {
         checks.retain(|check| !check.is_live);
     }
+    let mut python = None;
+    if checks.iter().any(|check| check.name == "tables") {
+        python = tables::python();
+        checks.retain(|check| check.name != "tables" || python.is_some());
+    }
     let start = Instant::now();
     let mut outcomes = Vec::new();
     for (index, check) in checks.iter().enumerate() {
@@ -131,7 +142,11 @@ pub(crate) fn run(names: &[String]) -> Result {
             words.join(" ")
         );
         let begun = Instant::now();
-        let outcome = run_command(&mut command(words));
+        let mut command = command(words);
+        if let Some(python) = &python {
+            command.env("BOUNCELAB_PYTHON", python);
+        }
+        let outcome = run_command(&mut command);
         outcomes.push((check.name, outcome, begun.elapsed()));
     }
     conclude(&outcomes, start.elapsed())
