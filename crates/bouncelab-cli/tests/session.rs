@@ -109,6 +109,7 @@ fn a_folder_with_names_that_speak() {
     {
         room.record(format!("{name}.wav"), seed as u16);
     }
+    let report = room.0.path().join("session.html");
     room.session()
         .args([
             "--pattern",
@@ -116,6 +117,9 @@ fn a_folder_with_names_that_speak() {
             "--ball",
             "table-tennis-40",
             "--figures",
+            "--details",
+            "--report",
+            report.to_str().unwrap(),
         ])
         .assert()
         .success()
@@ -125,6 +129,8 @@ fn a_folder_with_names_that_speak() {
     for figure in ["groups.svg", "intervals.png", "run.svg"] {
         assert!(room.results().join(figure).is_file(), "{figure}");
     }
+    let page = fs::read_to_string(report).unwrap();
+    assert!(page.contains("4 drops in 4 recordings") && page.contains("<svg"));
     let csv = fs::read_to_string(room.results().join("drops.csv")).unwrap();
     assert!(csv.starts_with("recording,drop,ball,height,noted_height_m,"));
     assert!(csv.contains("blue_25cm_1.wav,1,blue,25 cm,0.25,"));

@@ -1,6 +1,6 @@
 //! The tables of a session, opened by the programs that people use.
 //!
-//! `BOUNCELAB_PYTHON` names a Python that has Polars, DuckDB, pandas and `PyArrow`; without it this
+//! `BOUNCELAB_PYTHON` names a Python that has Polars, `DuckDB`, pandas and `PyArrow`; without it this
 //! does nothing. `cargo xtask test tables` makes one.
 
 use std::fs;

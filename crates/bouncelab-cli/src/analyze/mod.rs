@@ -9,6 +9,7 @@ mod text;
 
 pub(crate) use figures::save_figures;
 pub(crate) use hear::{Hearing, Heeded, Recording, hear};
+pub(crate) use report::{Draft, provenance};
 pub(crate) use text::{report, shown};
 
 use std::io::{self, Write};

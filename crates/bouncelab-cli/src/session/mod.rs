@@ -6,6 +6,7 @@ mod figures;
 mod notes;
 mod outcome;
 mod record;
+mod report;
 mod text;
 mod work;
 
@@ -17,6 +18,7 @@ use bouncelab_session::table::{Form, TableWriter, remove_drafts, write_whole};
 use bouncelab_session::{Session, Sources};
 use clap::{Args, ValueEnum};
 
+use crate::analyze::Draft;
 use crate::failure::Failure;
 use crate::knowledge::KnowledgeArguments;
 use crate::physics::PhysicsArguments;
@@ -97,6 +99,9 @@ pub(crate) struct Arguments {
     /// Write figures as SVG and PNG into the output folder
     #[arg(long)]
     figures: bool,
+    /// Write a report as one HTML file, or as Markdown
+    #[arg(long, value_name = "FILE.html|FILE.md")]
+    report: Option<PathBuf>,
     /// Recordings heard side by side [default: as many as there are processors]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
     jobs: Option<u16>,
@@ -112,6 +117,7 @@ Examples:
   bouncelab session recordings --table notes.csv --ball tennis
   bouncelab session session.toml --by surface --want 0.001
   bouncelab session session.toml --exclude red_steel_3.wav --details
+  bouncelab session session.toml --report session.html
   bouncelab session session.toml --format json > session.json";
 
 #[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
@@ -166,6 +172,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
         allow_missing: arguments.allow_missing,
     };
     let recordings = reading.understand(&session)?;
+    let draft = arguments.report.as_deref().map(Draft::new).transpose()?;
     let journal = Journal::open(&arguments.output)?;
     remove_drafts(&arguments.output)?;
     if journal.damaged() > 0 {
@@ -191,6 +198,9 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
     write_whole(&arguments.output.join("session.json"), json.as_bytes())?;
     if arguments.figures {
         figures::save(&outcome, &arguments.output)?;
+    }
+    if let Some(draft) = draft {
+        draft.write(&report::page(&outcome, &done))?;
     }
     let mut out = io::stdout().lock();
     match arguments.format {

@@ -77,6 +77,11 @@ pub(super) fn report(outcome: &Outcome, details: bool, wanted: Option<f64>) -> S
 
 fn headline(outcome: &Outcome, about: &AboutSession) -> String {
     let title = outcome.title.as_deref().unwrap_or("Session");
+    format!("{title}: {}", counts(about))
+}
+
+/// How many there are of what.
+pub(super) fn counts(about: &AboutSession) -> String {
     let count = |count: usize, one: &str, more: &str| match count {
         1 => format!("1 {one}"),
         _ => format!("{count} {more}"),
@@ -97,7 +102,7 @@ fn headline(outcome: &Outcome, about: &AboutSession) -> String {
             .filter(|(count, _)| *count > 0)
             .map(|(count, what)| format!("{count} {what}")),
     );
-    format!("{title}: {}", parts.join(", "))
+    parts.join(", ")
 }
 
 #[derive(Default)]
@@ -120,7 +125,7 @@ impl Page {
             "\nRestitution at an impact speed of {:.2} m/s:\n",
             study.at_speed_m_s
         ));
-        self.table(&group_table(outcome, study, details, wanted));
+        self.table(&group_table(outcome, study, wanted));
         self.line(&format!(
             "\n  \u{b1}: standard error of the mean; shared: what all drops have in common (drag law, air, \
              ball), which\n  no number of drops makes smaller; {}",
@@ -129,6 +134,10 @@ impl Page {
                 None => "needed: drops in all that would halve the interval".to_owned(),
             }
         ));
+        if details {
+            self.line("\n95 % intervals of restitution:\n");
+            self.table(&interval_table(outcome, study));
+        }
         if study.varies.len() > 1 {
             self.line("\nWho varies (standard deviation of restitution):\n");
             self.table(&varies_table(outcome, study));
@@ -165,12 +174,12 @@ impl Page {
     fn differences(
         &mut self,
         outcome: &Outcome,
-        factor: usize,
+        place: usize,
         differences: &[Difference],
         details: bool,
     ) {
         const MOST: usize = 10;
-        let factor = &outcome.factors[factor];
+        let factor = &outcome.factors[place];
         let others = outcome
             .factors
             .iter()
@@ -182,27 +191,12 @@ impl Page {
             factor.name,
             if others { ", all else equal" } else { "" }
         ));
-        let mut table = Table::new([
-            ("", Align::Left),
-            ("difference", Align::Right),
-            ("95 % interval", Align::Right),
-            ("p (Holm)", Align::Right),
-        ]);
-        let most = if details { usize::MAX } else { MOST };
-        for difference in differences.iter().take(most) {
-            let shown =
-                Quantity::measured(difference.value.value, difference.value.sd, Unit::Number);
-            table.row([
-                format!(
-                    "{} \u{2212} {}",
-                    factor.levels[difference.of], factor.levels[difference.less]
-                ),
-                shown.to_string(),
-                shown.interval(difference.interval95),
-                probability(difference.p_value),
-            ]);
-        }
-        self.table(&table);
+        let most = if details {
+            differences.len()
+        } else {
+            MOST.min(differences.len())
+        };
+        self.table(&difference_table(outcome, place, &differences[..most]));
         if differences.len() > most {
             let more = differences.len() - most;
             self.line(&format!("  and {more} more (--details)"));
@@ -287,8 +281,37 @@ impl Page {
     }
 }
 
-fn group_table(outcome: &Outcome, study: &Study, details: bool, wanted: Option<f64>) -> Table {
-    let mut columns = vec![
+/// Differences of the levels of a factor.
+pub(super) fn difference_table(
+    outcome: &Outcome,
+    factor: usize,
+    differences: &[Difference],
+) -> Table {
+    let factor = &outcome.factors[factor];
+    let mut table = Table::new([
+        ("", Align::Left),
+        ("difference", Align::Right),
+        ("95 % interval", Align::Right),
+        ("p (Holm)", Align::Right),
+    ]);
+    for difference in differences {
+        let shown = Quantity::measured(difference.value.value, difference.value.sd, Unit::Number);
+        table.row([
+            format!(
+                "{} \u{2212} {}",
+                factor.levels[difference.of], factor.levels[difference.less]
+            ),
+            shown.to_string(),
+            shown.interval(difference.interval95),
+            probability(difference.p_value),
+        ]);
+    }
+    table
+}
+
+/// The groups, and all of them together.
+pub(super) fn group_table(outcome: &Outcome, study: &Study, wanted: Option<f64>) -> Table {
+    let mut table = Table::new([
         ("group", Align::Left),
         ("drops", Align::Right),
         ("restitution", Align::Right),
@@ -296,22 +319,13 @@ fn group_table(outcome: &Outcome, study: &Study, details: bool, wanted: Option<f
         ("between drops", Align::Right),
         ("between impacts", Align::Right),
         ("needed", Align::Right),
-    ];
-    if details {
-        columns.extend([
-            ("95 % interval", Align::Right),
-            ("next drop, 95 %", Align::Right),
-            ("between drops, 95 %", Align::Right),
-        ]);
-    }
-    let mut table = Table::new(columns);
-    let mut row = |name: String, group: &Group| {
+    ]);
+    for (name, group) in named_groups(outcome, study) {
         let mean = &group.mean;
-        let shown = Quantity::measured(mean.value, mean.standard_error, Unit::Number);
-        let mut cells = vec![
+        table.row([
             name,
             mean.drops.to_string(),
-            shown.to_string(),
+            shown(group).to_string(),
             format!(
                 "\u{b1} {}",
                 Quantity::rounded(group.shared_sd, 1, Unit::Number)
@@ -322,26 +336,47 @@ fn group_table(outcome: &Outcome, study: &Study, details: bool, wanted: Option<f
                 .between_impacts
                 .map_or_else(String::new, |scatter| format!("{:.2} %", 100.0 * scatter)),
             needed(group, wanted),
-        ];
-        if details {
-            let interval =
-                |ends: Option<[f64; 2]>| ends.map_or_else(String::new, |ends| shown.interval(ends));
-            cells.extend([
-                interval(mean.interval95),
-                interval(mean.next95),
-                mean.between95
-                    .map_or_else(String::new, |[low, high]| format!("{low:.4} to {high:.4}")),
-            ]);
-        }
-        table.row(cells);
-    };
-    for group in &study.groups {
-        row(outcome.group_name(&group.levels), group);
-    }
-    if study.groups.len() > 1 {
-        row("all".to_owned(), &study.all);
+        ]);
     }
     table
+}
+
+/// 95 % intervals of the groups.
+pub(super) fn interval_table(outcome: &Outcome, study: &Study) -> Table {
+    let mut table = Table::new([
+        ("group", Align::Left),
+        ("mean", Align::Right),
+        ("next drop", Align::Right),
+        ("between drops", Align::Right),
+    ]);
+    for (name, group) in named_groups(outcome, study) {
+        let interval = |ends: Option<[f64; 2]>| {
+            ends.map_or_else(String::new, |ends| shown(group).interval(ends))
+        };
+        let mean = &group.mean;
+        table.row([
+            name,
+            interval(mean.interval95),
+            interval(mean.next95),
+            mean.between95
+                .map_or_else(String::new, |[low, high]| format!("{low:.4} to {high:.4}")),
+        ]);
+    }
+    table
+}
+
+/// The groups with their names, and all drops as one where there are several.
+fn named_groups<'a>(outcome: &Outcome, study: &'a Study) -> Vec<(String, &'a Group)> {
+    let named = |group: &'a Group| (outcome.group_name(&group.levels), group);
+    let mut groups: Vec<_> = study.groups.iter().map(named).collect();
+    if groups.len() > 1 {
+        groups.push(("all".to_owned(), &study.all));
+    }
+    groups
+}
+
+fn shown(group: &Group) -> Quantity {
+    Quantity::measured(group.mean.value, group.mean.standard_error, Unit::Number)
 }
 
 fn needed(group: &Group, wanted: Option<f64>) -> String {
@@ -352,7 +387,8 @@ fn needed(group: &Group, wanted: Option<f64>) -> String {
     }
 }
 
-fn varies_table(outcome: &Outcome, study: &Study) -> Table {
+/// Who varies.
+pub(super) fn varies_table(outcome: &Outcome, study: &Study) -> Table {
     let mut table = Table::new([
         ("", Align::Left),
         ("how many", Align::Right),

@@ -10,26 +10,26 @@ use bouncelab_audio::{SampleFormat, write_wav};
 
 /// How a ball bounces from a surface: e = at 1 m/s times v^-p, with scatter.
 #[derive(Debug, Clone, Copy)]
-pub struct Truth {
+pub(crate) struct Truth {
     /// Restitution at 1 m/s.
-    pub restitution: f64,
+    pub(crate) restitution: f64,
     /// How it falls with speed.
-    pub exponent: f64,
+    pub(crate) exponent: f64,
     /// Standard deviation of the restitution from drop to drop.
-    pub between_drops: f64,
+    pub(crate) between_drops: f64,
     /// Standard deviation of ln e from impact to impact.
-    pub between_impacts: f64,
+    pub(crate) between_impacts: f64,
 }
 
 impl Truth {
     /// The mean restitution at an impact speed.
-    pub fn at(&self, speed_m_s: f64) -> f64 {
+    pub(crate) fn at(&self, speed_m_s: f64) -> f64 {
         self.restitution * speed_m_s.powf(-self.exponent)
     }
 
     /// Writes a recording of a drop of a table-tennis ball from a height; the seed decides all that
     /// is random.
-    pub fn record(&self, path: &Path, height_m: f64, lead_in_s: f64, seed: u64) {
+    pub(crate) fn record(&self, path: &Path, height_m: f64, lead_in_s: f64, seed: u64) {
         let strikes = self.strikes(height_m, seed);
         let scene = Scene {
             noise: Some(Noise::pink(35.0)),
