@@ -28,7 +28,7 @@
 //!     &rule, &settings, &Conditions::default(), &[place], &[], Decision::default(),
 //! )?;
 //! assert_eq!(verdict.outcome, Outcome::Pass);
-//! assert!((verdict.rebound.unwrap().value - 0.254).abs() < 0.003);
+//! assert!(verdict.wrong_accept().unwrap() < 0.05);
 //! # Ok::<(), bouncelab::Error>(())
 //! ```
 
