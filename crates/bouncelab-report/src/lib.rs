@@ -39,6 +39,7 @@
 //! | [`figure`] | one file a figure |
 //! | [`save()`] | figures as files |
 //! | [`document`] | an analysis as data for other programs |
+//! | [`paper`] | what the paper says, and what its numbers are |
 //!
 //! All but [`save()`] work in a browser. The feature `png` (on by default) adds
 //! [`Figure::png`](figure::Figure::png) and [`save()`].
@@ -47,6 +48,7 @@ mod canvas;
 pub mod document;
 mod error;
 pub mod figure;
+pub mod paper;
 #[cfg(feature = "png")]
 mod picture;
 mod quantity;
