@@ -1,7 +1,7 @@
 //! Figures, tables and rounded numbers: how bouncelab shows what it found.
 //!
 //! Figures, tables and quantities take plain data with its unit in the name and give back text or
-//! a picture; only [`document`] knows how the numbers were found.
+//! a picture; only [`illustration`], [`document`] and [`report`] know how the numbers were found.
 //!
 //! ```
 //! use bouncelab_report::figure::{self, Line, TimedFlight};
@@ -38,8 +38,11 @@
 //! | `sheet` | title, key, panels with axes |
 //! | [`figure`] | one file a figure |
 //! | [`save()`] | figures as files |
+//! | [`illustration`] | which figures an analysis has |
+//! | [`tables`] | which tables an analysis has |
 //! | [`document`] | an analysis as data for other programs |
 //! | [`paper`] | what the paper says, and what its numbers are |
+//! | [`report`] | an analysis as a page to read, print and repeat |
 //!
 //! All but [`save()`] work in a browser. The feature `png` (on by default) adds
 //! [`Figure::png`](figure::Figure::png) and [`save()`].
@@ -48,15 +51,18 @@ mod canvas;
 pub mod document;
 mod error;
 pub mod figure;
+pub mod illustration;
 pub mod paper;
 #[cfg(feature = "png")]
 mod picture;
 mod quantity;
+pub mod report;
 #[cfg(all(feature = "png", not(target_family = "wasm")))]
 mod save;
 mod scale;
 mod sheet;
 mod table;
+pub mod tables;
 pub mod theme;
 
 pub use error::{Error, Result};

@@ -3,7 +3,7 @@
 mod figures;
 mod hear;
 mod inference;
-mod inferred;
+mod report;
 mod rows;
 mod text;
 
@@ -40,6 +40,10 @@ pub(crate) struct Arguments {
     /// Write figures as SVG and PNG into this folder
     #[arg(long, value_name = "DIR")]
     figures: Option<PathBuf>,
+    /// Write a report of one recording: .html (one file, to read and print) or .md (its figures in a
+    /// folder beside it)
+    #[arg(long, value_name = "FILE")]
+    report: Option<PathBuf>,
     /// Flights for the straight line, as in 1..10, ..20 or 3..
     #[arg(long, value_name = "A..B", value_parser = flight_range)]
     flights: Option<(usize, usize)>,
@@ -70,6 +74,7 @@ Examples:
   bouncelab analyze drop.wav --law constant --infer drag
   bouncelab analyze drop.wav --reach 2:28cm             from which height does bounce 2 reach 28 cm?
   bouncelab analyze drop.wav --flights 1..10            the paper's ten flights
+  bouncelab analyze drop.wav --report drop.html         to read, print and keep; or drop.md
   bouncelab analyze drop.wav --exclude 2.317 --include 4.1,4.25
   bouncelab analyze times.csv --format json
   bouncelab analyze class/*.wav --format csv > class.csv";
@@ -91,6 +96,11 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
         exclude_s: arguments.exclude.clone(),
         include_s: arguments.include.clone(),
     };
+    let mut draft = match (&arguments.report, arguments.files.as_slice()) {
+        (None, _) => None,
+        (Some(path), [_]) => Some(report::Draft::new(path)?),
+        (Some(_), _) => return Err(Failure::Usage(report::OF_ONE.to_owned())),
+    };
     let mut printer = Printer::new(arguments)?;
     let mut empty_handed = false;
     for file in &arguments.files {
@@ -103,6 +113,9 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
                 }
                 if let Some(folder) = &arguments.figures {
                     save_figures(&hearing, &physics, folder)?;
+                }
+                if let Some(draft) = draft.take() {
+                    draft.finish(file, &hearing, &physics)?;
                 }
                 printer.print(&hearing, &physics)?;
             }

@@ -6,9 +6,10 @@
 
 use nalgebra::{Cholesky, DMatrix, DVector};
 
-use super::likelihood::{Evaluator, covariance};
+use super::likelihood::Evaluator;
 use super::model::{Model, Slot};
 use super::posterior::Posterior;
+use super::residual::covariance;
 
 /// What one source adds to the uncertainty of a quantity.
 #[derive(Debug, Clone, PartialEq)]
@@ -106,7 +107,7 @@ impl Linear {
                 by_scatter[(row, row - 1)] = scatter * residual.scatter_before;
                 by_scatter[(row - 1, row)] = scatter * residual.scatter_before;
             }
-            by_release[(row, row)] = residual.own_variance();
+            by_release[(row, row)] = residual.own_variance;
         }
         let noise = &by_time + &by_scatter + &by_release;
         let precise = Cholesky::new(noise)?.inverse();

@@ -2,11 +2,13 @@
 
 use bouncelab::analysis::{self, Analysis, Settings};
 use bouncelab::estimate::{Effort, Inference, LawKind, Question, Share};
-use bouncelab_report::figure::{
-    self, BandPoint, Budget, CornerParameter, CutPoint, CutSeries, ModelWeight, Residual, Source,
+
+use crate::figure::{
+    self, BandPoint, Budget, CornerParameter, CutPoint, CutSeries, Figure, ModelWeight, Residual,
+    Source,
 };
-use bouncelab_report::theme::Meaning;
-use bouncelab_report::{Figure, Quantity, Unit};
+use crate::quantity::{Quantity, Unit};
+use crate::theme::Meaning;
 
 /// Points along the fitted law.
 const BAND_POINTS: usize = 60;
@@ -25,24 +27,8 @@ pub(super) fn band(found: &Inference) -> Vec<BandPoint> {
         .collect()
 }
 
-/// Name and drawing of every figure that needs the inference.
-pub(super) fn figures(drop: &Analysis, settings: &Settings) -> Vec<(&'static str, Figure)> {
-    let Ok(found) = &drop.estimate else {
-        return Vec::new();
-    };
-    let mut figures = vec![
-        ("posterior", corner(found)),
-        ("residuals", residuals(found)),
-        ("budget", budget(found)),
-    ];
-    if found.models.len() > 1 {
-        figures.push(("models", models(found)));
-    }
-    figures.extend(cut(drop, settings).map(|drawn| ("cut", drawn)));
-    figures
-}
-
-fn corner(found: &Inference) -> Figure {
+/// The posterior of restitution, drag coefficient and drop height, each alone and in pairs.
+pub fn corner(found: &Inference) -> Figure {
     let mut parameters = vec![CornerParameter {
         name: "restitution".to_owned(),
         values: found.draws.restitution.clone(),
@@ -68,7 +54,8 @@ fn corner(found: &Inference) -> Figure {
     figure::corner(&parameters)
 }
 
-fn residuals(found: &Inference) -> Figure {
+/// How far each impact lies from what the ones before foretold.
+pub fn residuals(found: &Inference) -> Figure {
     let residuals: Vec<Residual> = found
         .impacts
         .iter()
@@ -83,7 +70,8 @@ fn residuals(found: &Inference) -> Figure {
     figure::residuals(&residuals)
 }
 
-fn budget(found: &Inference) -> Figure {
+/// Where the uncertainty of restitution and drop height comes from.
+pub fn budget(found: &Inference) -> Figure {
     let sources = |shares: &[Share]| {
         shares
             .iter()
@@ -112,7 +100,11 @@ fn budget(found: &Inference) -> Figure {
     ])
 }
 
-fn models(found: &Inference) -> Figure {
+/// The laws that were weighed; `None` if there was only one.
+pub fn models(found: &Inference) -> Option<Figure> {
+    if found.models.len() < 2 {
+        return None;
+    }
     let models: Vec<ModelWeight> = found
         .models
         .iter()
@@ -124,12 +116,12 @@ fn models(found: &Inference) -> Figure {
                 .map(|h| (h.value * 100.0, h.interval68.map(|end| end * 100.0))),
         })
         .collect();
-    figure::models(&models, "drop height (cm)")
+    Some(figure::models(&models, "drop height (cm)"))
 }
 
 /// The drop height from the first flights only: by the straight line, and by the inference with a
-/// constant restitution. `None` for a drop too short to cut.
-fn cut(drop: &Analysis, settings: &Settings) -> Option<Figure> {
+/// constant restitution; the inference runs anew for each cut. `None` for a drop too short to cut.
+pub fn cut(drop: &Analysis, settings: &Settings) -> Option<Figure> {
     const CUTS: [usize; 4] = [6, 10, 20, 40];
     /// A figure needs fewer draws than an answer.
     const DRAWS: usize = 600;
