@@ -14,6 +14,9 @@ pub enum Error {
         /// What is wrong, and what is expected.
         problem: String,
     },
+    /// The physics refuses.
+    #[error(transparent)]
+    Physics(#[from] bouncelab::Error),
     /// The picture asked for is too small to read or too large to hold in memory.
     #[error(
         "a picture cannot be {width_px} pixels wide: give a width from {} to {}",

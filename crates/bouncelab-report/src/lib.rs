@@ -41,6 +41,7 @@
 //! | [`illustration`] | which figures an analysis has |
 //! | [`tables`] | which tables an analysis has |
 //! | [`document`] | an analysis as data for other programs |
+//! | [`paper`] | what the paper says, and what its numbers are |
 //! | [`report`] | an analysis as a page to read, print and repeat |
 //!
 //! All but [`save()`] work in a browser. The feature `png` (on by default) adds
@@ -51,6 +52,7 @@ pub mod document;
 mod error;
 pub mod figure;
 pub mod illustration;
+pub mod paper;
 #[cfg(feature = "png")]
 mod picture;
 mod quantity;
