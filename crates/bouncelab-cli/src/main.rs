@@ -10,10 +10,10 @@ mod paper;
 mod physics;
 mod simulate;
 mod synth;
-mod units;
 
 use std::process::ExitCode;
 
+use bouncelab_report::units;
 use clap::{Parser, Subcommand};
 
 /// Drop a ball near a microphone, get the physics out of the silence between the bounces.
