@@ -8,8 +8,10 @@ mod knowledge;
 mod listen;
 mod paper;
 mod physics;
+mod rules;
 mod simulate;
 mod synth;
+mod verdict;
 
 use std::process::ExitCode;
 
@@ -30,12 +32,15 @@ Examples:
   bouncelab analyze drop.wav                       what a recording says
   bouncelab analyze drop.m4a --ball tennis --figures figures
   bouncelab listen                                 hear drops while they happen
+  bouncelab verdict --rule ittf-ball drop.wav      does the ball obey the rule?
   bouncelab simulate --height 30.5cm --restitution 0.935";
 
 #[derive(Subcommand)]
 enum Command {
     Analyze(analyze::Arguments),
     Listen(listen::Arguments),
+    Verdict(verdict::Arguments),
+    Rules(rules::Arguments),
     Simulate(simulate::Arguments),
     Synth(synth::Arguments),
     Paper(paper::Arguments),
@@ -46,6 +51,8 @@ fn main() -> ExitCode {
     let result = match Cli::parse().command {
         Command::Analyze(arguments) => analyze::run(&arguments),
         Command::Listen(arguments) => listen::run(&arguments),
+        Command::Verdict(arguments) => verdict::run(&arguments),
+        Command::Rules(arguments) => rules::run(&arguments),
         Command::Simulate(arguments) => simulate::run(&arguments),
         Command::Synth(arguments) => synth::run(&arguments),
         Command::Paper(arguments) => paper::run(&arguments),

@@ -7,6 +7,7 @@ use bouncelab::drag::DragLaw;
 use bouncelab::estimate::Knowledge;
 use bouncelab::flight::Environment;
 use bouncelab::gravity;
+use bouncelab::rulebook;
 use clap::Args;
 
 use crate::failure::Failure;
@@ -94,6 +95,23 @@ pub(crate) struct Physics {
 }
 
 impl PhysicsArguments {
+    /// The same with a ball for those who state none; whether they did not.
+    pub(crate) fn or_ball(mut self, name: Option<&str>) -> (Self, bool) {
+        let stated = self.ball.is_some() || self.mass.is_some();
+        if !stated {
+            self.ball = name.map(str::to_owned);
+        }
+        (self, !stated)
+    }
+
+    /// What was stated of the room.
+    pub(crate) fn conditions(&self) -> rulebook::Conditions {
+        rulebook::Conditions {
+            temperature_k: self.temperature,
+            altitude_m: self.altitude,
+        }
+    }
+
     /// Ball, air and gravity of these arguments.
     pub(crate) fn physics(&self) -> Result<Physics, Failure> {
         let mut assumptions = Vec::new();

@@ -226,7 +226,7 @@ fn what_a_rule_wants_of_the_input_is_checked() {
     let unstated = judged(&warm, &[&drop], &[]);
     assert!(matches!(
         unstated.remarks[..],
-        [Remark::TemperatureNotStated(_), Remark::OneDrop]
+        [Remark::TemperatureNotStated(_), Remark::FewDrops(1)]
     ));
     let cold = Conditions {
         temperature_k: Some(283.15),

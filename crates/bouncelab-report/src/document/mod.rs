@@ -18,6 +18,7 @@
 
 mod estimate;
 pub mod simulation;
+pub mod verdict;
 
 use bouncelab::analysis::{Analysis, Settings};
 use bouncelab::regression::{Estimate, Regression};

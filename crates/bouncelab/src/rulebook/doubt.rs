@@ -119,8 +119,8 @@ pub enum Remark {
     /// The rule's impact is faster than any heard, by this factor: the rebound rests on how
     /// restitution depends on speed.
     Extrapolated(f64),
-    /// A single drop does not show how drops differ.
-    OneDrop,
+    /// So few drops, one or two, hardly show how drops differ.
+    FewDrops(usize),
 }
 
 impl fmt::Display for Remark {
@@ -164,9 +164,15 @@ impl fmt::Display for Remark {
                  how restitution depends on speed",
                 (factor - 1.0) * 100.0
             ),
-            Self::OneDrop => write!(
+            Self::FewDrops(1) => write!(
                 f,
-                "a single drop does not show how drops differ; several would"
+                "the verdict is of this one drop: how much drops differ it does not show; three or \
+                 more would"
+            ),
+            Self::FewDrops(_) => write!(
+                f,
+                "two drops hardly show how much drops differ, which makes their mean uncertain; a \
+                 third would help much"
             ),
         }
     }

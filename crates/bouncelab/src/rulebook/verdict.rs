@@ -450,8 +450,9 @@ fn of_circumstances(
     {
         remarks.push(Remark::Extrapolated(fall.impact_speed_m_s / fastest));
     }
-    if surface.iter().map(Vec::len).sum::<usize>() == 1 {
-        remarks.push(Remark::OneDrop);
+    let drops = surface.iter().map(Vec::len).sum::<usize>();
+    if (1..3).contains(&drops) {
+        remarks.push(Remark::FewDrops(drops));
     }
     remarks
 }
