@@ -23,7 +23,8 @@ fn drop(folder: &Path, name: &str, height: &str, restitution: &str) {
     let bounces = history["simulations"][0]["bounces"].as_array().unwrap();
     let times: Vec<String> = bounces
         .iter()
-        .map(|bounce| bounce["time_s"].to_string())
+        // As somebody would read them off.
+        .map(|bounce| format!("{:.4}", bounce["time_s"].as_f64().unwrap()))
         .collect();
     fs::write(folder.join(name), times.join("\n")).unwrap();
 }
