@@ -8,6 +8,7 @@ mod calibrate;
 mod cargo;
 mod grid;
 mod test;
+mod verdicts;
 
 use std::process::ExitCode;
 
@@ -21,7 +22,7 @@ struct Chore {
     run: fn(&[String]) -> Result,
 }
 
-const CHORES: [Chore; 4] = [
+const CHORES: [Chore; 5] = [
     Chore {
         name: "test",
         arguments: "[CHECK...]",
@@ -39,6 +40,12 @@ const CHORES: [Chore; 4] = [
         arguments: "[DROPS [FOLDER]]",
         about: calibrate::ABOUT,
         run: calibrate::run,
+    },
+    Chore {
+        name: "verdicts",
+        arguments: "[BALLS]",
+        about: verdicts::ABOUT,
+        run: verdicts::run,
     },
     Chore {
         name: "grid",
