@@ -10,6 +10,7 @@ mod grid;
 mod laboratory;
 mod tables;
 mod test;
+mod verdicts;
 
 use std::process::ExitCode;
 
@@ -23,7 +24,7 @@ struct Chore {
     run: fn(&[String]) -> Result,
 }
 
-const CHORES: [Chore; 5] = [
+const CHORES: [Chore; 6] = [
     Chore {
         name: "test",
         arguments: "[CHECK...]",
@@ -47,6 +48,12 @@ const CHORES: [Chore; 5] = [
         arguments: "FOLDER COUNT",
         about: laboratory::ABOUT,
         run: laboratory::run,
+    },
+    Chore {
+        name: "verdicts",
+        arguments: "[BALLS]",
+        about: verdicts::ABOUT,
+        run: verdicts::run,
     },
     Chore {
         name: "grid",

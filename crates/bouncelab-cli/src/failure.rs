@@ -12,6 +12,9 @@ pub(crate) enum Failure {
     /// The input cannot be read or holds nothing: exit status 1. Empty if all was said already.
     #[error("{0}")]
     Input(String),
+    /// All was said, and it is no pass: this exit status.
+    #[error("")]
+    NoPass(u8),
     /// The result could not be printed: exit status 1.
     #[error("cannot write the result: {0}")]
     Output(#[from] io::Error),
@@ -29,6 +32,7 @@ impl Failure {
         }
         match self {
             Self::Usage(_) => ExitCode::from(2),
+            Self::NoPass(status) => ExitCode::from(*status),
             Self::Input(_) | Self::Output(_) => ExitCode::FAILURE,
         }
     }

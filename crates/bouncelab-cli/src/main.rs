@@ -8,13 +8,15 @@ mod knowledge;
 mod listen;
 mod paper;
 mod physics;
+mod rules;
 mod session;
 mod simulate;
 mod synth;
-mod units;
+mod verdict;
 
 use std::process::ExitCode;
 
+use bouncelab_report::units;
 use clap::{Parser, Subcommand};
 
 /// Drop a ball near a microphone, get the physics out of the silence between the bounces.
@@ -32,6 +34,7 @@ Examples:
   bouncelab analyze drop.m4a --ball tennis --figures figures
   bouncelab listen                                 hear drops while they happen
   bouncelab session recordings                     what many drops say together
+  bouncelab verdict --rule ittf-ball drop.wav      does the ball obey the rule?
   bouncelab simulate --height 30.5cm --restitution 0.935";
 
 #[derive(Subcommand)]
@@ -39,6 +42,8 @@ enum Command {
     Analyze(analyze::Arguments),
     Listen(listen::Arguments),
     Session(session::Arguments),
+    Verdict(verdict::Arguments),
+    Rules(rules::Arguments),
     Simulate(simulate::Arguments),
     Synth(synth::Arguments),
     Paper(paper::Arguments),
@@ -50,6 +55,8 @@ fn main() -> ExitCode {
         Command::Analyze(arguments) => analyze::run(&arguments),
         Command::Listen(arguments) => listen::run(&arguments),
         Command::Session(arguments) => session::run(&arguments),
+        Command::Verdict(arguments) => verdict::run(&arguments),
+        Command::Rules(arguments) => rules::run(&arguments),
         Command::Simulate(arguments) => simulate::run(&arguments),
         Command::Synth(arguments) => synth::run(&arguments),
         Command::Paper(arguments) => paper::run(&arguments),

@@ -7,6 +7,7 @@ use bouncelab::drag::DragLaw;
 use bouncelab::estimate::Knowledge;
 use bouncelab::flight::Environment;
 use bouncelab::gravity;
+use bouncelab::rulebook;
 use clap::Args;
 
 use crate::failure::Failure;
@@ -133,6 +134,23 @@ impl PhysicsArguments {
         both.pressure = noted.pressure.or(both.pressure);
         both.humidity = noted.humidity.or(both.humidity);
         both
+    }
+
+    /// The same with a ball for those who state none; whether they did not.
+    pub(crate) fn or_ball(mut self, name: Option<&str>) -> (Self, bool) {
+        let assumed = !self.names_ball();
+        if assumed {
+            self.ball = name.map(str::to_owned);
+        }
+        (self, assumed)
+    }
+
+    /// What was stated of the room.
+    pub(crate) fn conditions(&self) -> rulebook::Conditions {
+        rulebook::Conditions {
+            temperature_k: self.temperature,
+            altitude_m: self.altitude,
+        }
     }
 
     /// Ball, air and gravity of these arguments.

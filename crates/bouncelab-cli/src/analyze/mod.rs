@@ -121,7 +121,9 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
                 }
                 printer.print(&hearing, &physics)?;
             }
-            Err(failure @ (Failure::Usage(_) | Failure::Output(_))) => return Err(failure),
+            Err(failure @ (Failure::Usage(_) | Failure::Output(_) | Failure::NoPass(_))) => {
+                return Err(failure);
+            }
             Err(Failure::Input(reason)) => {
                 empty_handed = true;
                 eprintln!("bouncelab: {reason}");

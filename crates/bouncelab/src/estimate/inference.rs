@@ -5,6 +5,7 @@ use super::budget::{self, Budget};
 use super::identify::{Correlations, Narrowed};
 use super::knowledge::{LawKind, Measured};
 use super::posterior::{Posterior, THINNED};
+use super::predict;
 use super::remark::{ODD_WEIGHT, Remark};
 use super::summary::Summary;
 use crate::drag::DragLaw;
@@ -157,6 +158,22 @@ impl Inference {
             self.posterior
                 .each(1, |_, point| Some(point.law.at(speed_m_s))),
         )
+    }
+
+    /// The apex after the first impact of a drop of this ball from a height, both of the lowest point
+    /// of the ball, m: one for each draw, with the restitution that the law expects.
+    ///
+    /// Empty if the height is so far beyond what was heard that nothing can be said.
+    pub fn rebounds_m(&self, drop_height_m: f64) -> Vec<f64> {
+        let rebounds = self.posterior.each(1, |evaluator, point| {
+            predict::rebound_m(evaluator, point, drop_height_m)
+        });
+        // A draw that cannot be worked out would leave the others one-sided.
+        if rebounds.len() == self.posterior.draws.len() {
+            rebounds
+        } else {
+            Vec::new()
+        }
     }
 
     /// The restitution law over a range of impact speeds, from a little below the slowest heard to

@@ -2,21 +2,14 @@
 //!
 //! The paper is M. Nagurka, "Aerodynamic Effects in a Dropped Ping-Pong Ball Experiment".
 
-mod experiment;
-mod facts;
-mod figures;
-mod puzzle;
-
 use std::io::{self, Write};
 use std::path::PathBuf;
 
+use bouncelab_report::paper::{self, Chapter, Document, Explanation, Fact};
 use bouncelab_report::{Align, Table, save};
 use clap::{Args, ValueEnum};
-use serde::Serialize;
 
 use crate::failure::Failure;
-use facts::{Chapter, Fact};
-use puzzle::Explanation;
 
 /// Compute every number and figure of the paper, and what it did not say
 ///
@@ -50,13 +43,13 @@ enum Format {
 }
 
 pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
-    let chapters = facts::chapters()?;
-    let explanations = puzzle::explanations()?;
+    let chapters = paper::chapters()?;
+    let explanations = paper::explanations()?;
     let mut out = io::stdout().lock();
     match arguments.format {
         Format::Text => {
             out.write_all(text(&chapters).as_bytes())?;
-            write!(out, "\n{}", puzzle::chapter(&explanations))?;
+            write!(out, "\n{}", puzzle(&explanations))?;
         }
         Format::Json => {
             let document = Document::new(&chapters, explanations);
@@ -67,53 +60,11 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
     if arguments.no_figures {
         return Ok(());
     }
-    for (name, figure) in figures::all()? {
+    for (name, figure) in paper::figures()? {
         let saved = save(&figure, &arguments.figures, name)?;
         eprintln!("wrote {} and .png", saved.svg.display());
     }
     Ok(())
-}
-
-/// The schema `bouncelab.paper/1`.
-#[derive(Serialize)]
-struct Document {
-    schema: &'static str,
-    facts: Vec<Row>,
-    /// What would make the straight line say what it says in the paper.
-    puzzle: Vec<Explanation>,
-}
-
-#[derive(Serialize)]
-struct Row {
-    chapter: &'static str,
-    quantity: &'static str,
-    /// As the paper prints it, to its digits; `null` if it does not say.
-    printed: Option<&'static str>,
-    computed: f64,
-    unit: &'static str,
-    verdict: String,
-    note: &'static str,
-}
-
-impl Document {
-    fn new(chapters: &[Chapter], puzzle: Vec<Explanation>) -> Self {
-        let rows = chapters.iter().flat_map(|chapter| {
-            chapter.facts.iter().map(|fact| Row {
-                chapter: chapter.title,
-                quantity: fact.quantity,
-                printed: fact.printed,
-                computed: fact.computed,
-                unit: fact.unit,
-                verdict: fact.verdict().to_string(),
-                note: fact.note,
-            })
-        });
-        Self {
-            schema: "bouncelab.paper/1",
-            facts: rows.collect(),
-            puzzle,
-        }
-    }
 }
 
 fn text(chapters: &[Chapter]) -> String {
@@ -144,4 +95,36 @@ fn table(facts: &[Fact]) -> Table {
         ]);
     }
     table
+}
+
+/// The puzzle and what would explain it.
+fn puzzle(explanations: &[Explanation]) -> String {
+    let mut table = Table::new([
+        ("restitution", Align::Left),
+        ("drag", Align::Left),
+        ("flights", Align::Right),
+        ("e at 2.4 m/s", Align::Right),
+        ("e at 0.5 m/s", Align::Right),
+        ("line says h0 cm", Align::Right),
+        ("the paper's 26.7?", Align::Left),
+    ]);
+    for explanation in explanations {
+        table.row([
+            explanation.restitution_law.clone(),
+            explanation.drag.clone(),
+            explanation.flights.to_string(),
+            format!("{:.4}", explanation.restitution_at_first),
+            format!("{:.4}", explanation.restitution_at_slow),
+            format!("{:.2}", explanation.drop_height_m * 100.0),
+            if explanation.reproduces { "yes" } else { "no" }.to_owned(),
+        ]);
+    }
+    format!(
+        "The puzzle: what makes the straight line say e = 0.9375 and h0 = 26.7 cm of a ball dropped \
+         from 30.5 cm?\n\n{table}\n\
+         Each law was chosen so that the line says e = 0.9375. Drag with a constant restitution\n\
+         gives 26.7 cm only with some 21 flights in the line; with ten flights the restitution must\n\
+         also fall with speed. A straight line cannot tell the two; how many flights go into it\n\
+         decides what it says.\n"
+    )
 }

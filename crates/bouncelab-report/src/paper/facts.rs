@@ -11,26 +11,34 @@ use super::experiment::{
 };
 
 /// Facts that belong together.
-pub(super) struct Chapter {
-    pub(super) title: &'static str,
-    pub(super) facts: Vec<Fact>,
+#[derive(Clone, Debug)]
+pub struct Chapter {
+    /// What they are about.
+    pub title: &'static str,
+    /// The facts, in the order of the paper.
+    pub facts: Vec<Fact>,
 }
 
 /// A number of the paper.
-pub(super) struct Fact {
-    pub(super) quantity: &'static str,
+#[derive(Clone, Debug)]
+pub struct Fact {
+    /// What it is.
+    pub quantity: &'static str,
     /// As the paper prints it; `None` if it does not say.
-    pub(super) printed: Option<&'static str>,
-    pub(super) computed: f64,
-    pub(super) unit: &'static str,
+    pub printed: Option<&'static str>,
+    /// As computed here.
+    pub computed: f64,
+    /// Unit of both.
+    pub unit: &'static str,
     /// Decimals to show of the computed value.
     decimals: usize,
     kind: Kind,
-    pub(super) note: &'static str,
+    /// What to know about it; empty if nothing.
+    pub note: &'static str,
 }
 
 /// On what ground a printed number is compared.
-#[derive(Clone, Copy, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Kind {
     /// It must come out as printed.
     Plain,
@@ -44,12 +52,18 @@ enum Kind {
 
 /// What the comparison says.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Verdict {
+pub enum Verdict {
+    /// The computed value rounds to the printed one.
     Agrees,
+    /// It does with a corrected equation or reading.
     AgreesWhenCorrected,
+    /// It does as well as one can read a figure.
     AgreesRoughly,
+    /// The printed equation gives something else.
     Misprint,
+    /// It does not.
     Differs,
+    /// The paper does not say.
     NotInThePaper,
 }
 
@@ -102,12 +116,12 @@ impl Fact {
     }
 
     /// The computed value in as many decimals as are of use.
-    pub(super) fn shown(&self) -> String {
+    pub fn shown(&self) -> String {
         format!("{:.*}", self.decimals, self.computed)
     }
 
     /// Whether the computed value rounds to the printed one.
-    pub(super) fn verdict(&self) -> Verdict {
+    pub fn verdict(&self) -> Verdict {
         let Some(printed) = self.printed else {
             return Verdict::NotInThePaper;
         };
@@ -137,7 +151,11 @@ impl Fact {
 }
 
 /// All of them, in the order of the paper.
-pub(super) fn chapters() -> Result<Vec<Chapter>> {
+///
+/// # Errors
+///
+/// Those of the physics; none with the numbers of the paper.
+pub fn chapters() -> Result<Vec<Chapter>> {
     Ok(vec![
         Chapter {
             title: "The numbers of the paper",

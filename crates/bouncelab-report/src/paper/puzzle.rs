@@ -7,7 +7,6 @@ use bouncelab::drop::{self, Start, Stop};
 use bouncelab::flight::FlightModel;
 use bouncelab::impact::{Contact, Restitution};
 use bouncelab::regression::{self, Regression};
-use bouncelab_report::{Align, Table};
 use serde::Serialize;
 
 use super::experiment::{self, CONSTANT, DROP_HEIGHT_M, GRAVITY_M_S2, REGRESSED};
@@ -21,18 +20,22 @@ const SLOW_M_S: f64 = 0.5;
 
 /// An explanation whose restitution was chosen so that the straight line says e = 0.9375.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-pub(super) struct Explanation {
-    restitution_law: String,
-    drag: String,
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
+pub struct Explanation {
+    /// The restitution law.
+    pub restitution_law: String,
+    /// The drag.
+    pub drag: String,
     /// Flights in the straight line.
-    flights: usize,
-    /// Restitution at the first impact, and at 0.5 m/s.
-    restitution_at_first: f64,
-    restitution_at_slow: f64,
+    pub flights: usize,
+    /// Restitution at the first impact.
+    pub restitution_at_first: f64,
+    /// Restitution at 0.5 m/s.
+    pub restitution_at_slow: f64,
     /// The height that the straight line gives, m.
-    drop_height_m: f64,
+    pub drop_height_m: f64,
     /// Whether that is the paper's, to its digits.
-    reproduces: bool,
+    pub reproduces: bool,
 }
 
 /// A family of laws: level and slope to law.
@@ -59,7 +62,11 @@ fn knee(level: f64, slope: f64) -> Result<Restitution> {
 }
 
 /// Every explanation that was tried.
-pub(super) fn explanations() -> Result<Vec<Explanation>> {
+///
+/// # Errors
+///
+/// Those of the physics; none with the numbers of the paper.
+pub fn explanations() -> Result<Vec<Explanation>> {
     let drag_free = FlightModel::drag_free(GRAVITY_M_S2)?;
     let constant_drag = experiment::model(CONSTANT)?;
     let sphere_drag = experiment::model(DragLaw::CliftGraceWeber)?;
@@ -183,38 +190,6 @@ fn described(
         drop_height_m,
         reproduces: (drop_height_m - REGRESSED_HEIGHT_M).abs() <= LAST_DIGIT_M,
     })
-}
-
-/// The explanations as a chapter for people.
-pub(super) fn chapter(explanations: &[Explanation]) -> String {
-    let mut table = Table::new([
-        ("restitution", Align::Left),
-        ("drag", Align::Left),
-        ("flights", Align::Right),
-        ("e at 2.4 m/s", Align::Right),
-        ("e at 0.5 m/s", Align::Right),
-        ("line says h0 cm", Align::Right),
-        ("the paper's 26.7?", Align::Left),
-    ]);
-    for explanation in explanations {
-        table.row([
-            explanation.restitution_law.clone(),
-            explanation.drag.clone(),
-            explanation.flights.to_string(),
-            format!("{:.4}", explanation.restitution_at_first),
-            format!("{:.4}", explanation.restitution_at_slow),
-            format!("{:.2}", explanation.drop_height_m * 100.0),
-            if explanation.reproduces { "yes" } else { "no" }.to_owned(),
-        ]);
-    }
-    format!(
-        "The puzzle: what makes the straight line say e = 0.9375 and h0 = 26.7 cm of a ball dropped \
-         from 30.5 cm?\n\n{table}\n\
-         Each law was chosen so that the line says e = 0.9375. Drag with a constant restitution\n\
-         gives 26.7 cm only with some 21 flights in the line; with ten flights the restitution must\n\
-         also fall with speed. A straight line cannot tell the two; how many flights go into it\n\
-         decides what it says.\n"
-    )
 }
 
 #[cfg(test)]

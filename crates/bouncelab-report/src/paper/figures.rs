@@ -1,6 +1,11 @@
 //! The figures of the paper, drawn again.
 
-use bouncelab::Result;
+use super::experiment::{
+    self, CONSTANT, GRAVITY_M_S2, REGRESSED, SIMULATED, behind_the_regression, dropped, model,
+};
+use crate::error::Result;
+use crate::figure::{self, Curve, DragAxes, Envelope, Figure, Line, Mark, TimedFlight};
+use crate::theme::Meaning;
 use bouncelab::drag::DragLaw;
 use bouncelab::drop::{History, Stop};
 use bouncelab::impact::Strike;
@@ -8,17 +13,13 @@ use bouncelab::listen::Listener;
 use bouncelab::regression;
 use bouncelab::synth::{self, Noise, Scene};
 use bouncelab::train::Train;
-use bouncelab_report::Figure;
-use bouncelab_report::figure::{self, Curve, DragAxes, Envelope, Line, Mark, TimedFlight};
-use bouncelab_report::theme::Meaning;
 
-use super::experiment::{
-    self, CONSTANT, GRAVITY_M_S2, REGRESSED, SIMULATED, behind_the_regression, dropped, model,
-};
-use crate::failure::Failure;
-
-/// Name and drawing of each, in the order of the paper.
-pub(super) fn all() -> std::result::Result<Vec<(&'static str, Figure)>, Failure> {
+/// Name and drawing of each of its figures that can be computed, in the order of the paper.
+///
+/// # Errors
+///
+/// Those of the physics; none with the numbers of the paper.
+pub fn figures() -> Result<Vec<(&'static str, Figure)>> {
     Ok(vec![
         ("fig2-height-without-drag", height_without_drag()?),
         ("fig4-sound", sound()?),
@@ -55,7 +56,7 @@ fn height_without_drag() -> Result<Figure> {
 }
 
 /// Fig. 4: the sound of the drop, synthesised, with the impacts that are heard in it.
-fn sound() -> std::result::Result<Figure, Failure> {
+fn sound() -> Result<Figure> {
     let history = dropped(
         &model(CONSTANT)?,
         behind_the_regression(10)?,
@@ -130,7 +131,7 @@ fn drag(axes: DragAxes, fastest_m_s: f64) -> Result<Figure> {
         let points = (0..=300)
             .map(|step| 0.1 * (fastest_m_s / 0.1).powf(f64::from(step) / 300.0))
             .map(|speed| Ok((speed, model.drag_over_weight(speed)?)))
-            .collect::<Result<Vec<_>>>()?;
+            .collect::<bouncelab::Result<Vec<_>>>()?;
         Ok(Curve {
             name: name.to_owned(),
             meaning,
