@@ -67,6 +67,7 @@
 pub mod air;
 pub mod analysis;
 pub mod ball;
+pub mod demo;
 pub mod drag;
 pub mod drop;
 mod error;
@@ -78,6 +79,7 @@ pub mod listen;
 pub mod onset;
 pub mod regression;
 pub mod restitution;
+pub mod stated;
 pub mod synth;
 pub mod train;
 mod whiten;

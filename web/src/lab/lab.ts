@@ -166,12 +166,22 @@ export class Lab {
 
   /** Draws the waveform with its impacts, as the program does. */
   async waveform(recording: Recording, request: AnalysisRequest): Promise<Drawn> {
-    const level = recording.sound?.levels.at(0);
-    if (level === undefined || recording.sound === null) {
+    const level = pictured(recording);
+    if (level === null || recording.sound === null) {
       throw new LabError('empty', 'a list of times has no waveform');
     }
     const { sampleRateHz } = recording.sound;
     return this.#back.call('waveform', { request, level, sampleRateHz });
+  }
+
+  /** The report of an analysis as one HTML file, as the program writes it. */
+  report(recording: Recording, request: AnalysisRequest, made: Date): Promise<string> {
+    return this.#back.call('report', {
+      request,
+      level: pictured(recording),
+      sampleRateHz: recording.sound?.sampleRateHz ?? 1,
+      made: made.toISOString().slice(0, 10),
+    });
   }
 
   /** The impacts as CSV, as the program writes them. */
@@ -325,6 +335,13 @@ export class Listening {
   async discard(): Promise<void> {
     await this.#connection.call('deafen', { ear: this.#ear });
   }
+}
+
+/** The level that a picture of the whole is drawn from. */
+function pictured(recording: Recording): Level | null {
+  const ENOUGH_BINS = 32_768;
+  const levels = recording.sound?.levels;
+  return levels?.find(({ extremes }) => extremes.length <= 2 * ENOUGH_BINS) ?? levels?.at(-1) ?? null;
 }
 
 function spawnWorker(): Port {

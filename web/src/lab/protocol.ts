@@ -69,6 +69,15 @@ export interface Calls {
     take: { request: AnalysisRequest; level: Level; sampleRateHz: number };
     give: Drawn;
   };
+  report: {
+    take: {
+      request: AnalysisRequest;
+      level: Level | null;
+      sampleRateHz: number;
+      made: string;
+    };
+    give: string;
+  };
   rows: { take: { request: AnalysisRequest }; give: string };
   onset: {
     take: { samples: Float32Array; sampleRateHz: number; startS: number; timeS: number };
