@@ -11,6 +11,7 @@ mod laboratory;
 mod tables;
 mod test;
 mod verdicts;
+mod web;
 
 use std::process::ExitCode;
 
@@ -24,7 +25,7 @@ struct Chore {
     run: fn(&[String]) -> Result,
 }
 
-const CHORES: [Chore; 6] = [
+const CHORES: [Chore; 7] = [
     Chore {
         name: "test",
         arguments: "[CHECK...]",
@@ -60,6 +61,12 @@ const CHORES: [Chore; 6] = [
         arguments: "[PART...]",
         about: grid::ABOUT,
         run: grid::run,
+    },
+    Chore {
+        name: "web",
+        arguments: "[PART]",
+        about: web::ABOUT,
+        run: web::run,
     },
 ];
 

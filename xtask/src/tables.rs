@@ -8,16 +8,24 @@ use crate::cargo::{root, run as run_command};
 /// Versions are pinned here.
 const REQUIREMENTS: &str = "benchmarks/requirements-tables.txt";
 
-/// The Python of a virtual environment in the target folder, made if needed; `None`, with the reason
-/// printed, where there is no Python or no package index.
-pub(crate) fn python() -> Option<PathBuf> {
-    let folder = root().join("target").join("tables-venv");
-    let python = if cfg!(windows) {
+/// The Python of a virtual environment in the target folder.
+pub(crate) fn python() -> PathBuf {
+    let folder = environment();
+    if cfg!(windows) {
         folder.join("Scripts").join("python.exe")
     } else {
         folder.join("bin").join("python")
-    };
-    let requirements = root().join(REQUIREMENTS);
+    }
+}
+
+fn environment() -> PathBuf {
+    root().join("target").join("tables-venv")
+}
+
+/// Whether [`python`] has them, now that they were installed if that was possible.
+pub(crate) fn have_readers() -> bool {
+    let folder = environment();
+    let (python, requirements) = (python(), root().join(REQUIREMENTS));
     println!(
         "the check of tables installs the packages of {REQUIREMENTS} into {}",
         folder.display()
@@ -35,12 +43,11 @@ pub(crate) fn python() -> Option<PathBuf> {
     install
         .args(["--only-binary", ":all:", "--requirement"])
         .arg(requirements);
-    if made && run_command(&mut install).is_ok() {
-        return Some(python);
+    let installed = made && run_command(&mut install).is_ok();
+    if !installed {
+        println!(
+            "they could not be installed: it takes Python 3.11 or later and its package index"
+        );
     }
-    println!(
-        "they could not be installed (no Python 3.11 or later, or no package index): the check of \
-         tables is SKIPPED"
-    );
-    None
+    installed
 }

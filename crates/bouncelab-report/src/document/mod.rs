@@ -17,6 +17,7 @@
 //! ```
 
 mod estimate;
+pub mod rows;
 mod session;
 pub mod simulation;
 pub mod verdict;
