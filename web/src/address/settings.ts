@@ -54,8 +54,7 @@ function flag(key: string, setting: FlagKey): Field {
       const value = settings[setting];
       return value === undefined || value === null ? undefined : value ? 'yes' : 'no';
     },
-    read: (word) =>
-      word === 'yes' || word === 'no' ? { [setting]: word === 'yes' } : undefined,
+    read: (word) => (word === 'yes' || word === 'no' ? { [setting]: word === 'yes' } : undefined),
   };
 }
 

@@ -1,5 +1,5 @@
 import { useEffect, useRef, useState } from 'preact/hooks';
-import { route } from '../address/route.ts';
+import { go, route } from '../address/route.ts';
 import { phase } from '../state/bench.ts';
 import { broken, catalogue } from '../state/engine.ts';
 import { openFile } from '../state/opening.ts';
@@ -18,7 +18,6 @@ export function App() {
   const first = useRef(true);
 
   // A new page is read from its beginning, also by a screen reader.
-  // biome-ignore lint/correctness/useExhaustiveDependencies: it is about the change of page
   useEffect(() => {
     if (!first.current) {
       main.current?.focus({ preventScroll: true });
@@ -29,16 +28,9 @@ export function App() {
 
   return (
     <>
-      <a
-        class="skip"
-        href="#main"
-        onClick={(event) => {
-          event.preventDefault();
-          main.current?.focus();
-        }}
-      >
+      <button type="button" class="skip" onClick={() => main.current?.focus()}>
         {words.skip}
-      </a>
+      </button>
       <Header />
       <main id="main" ref={main} tabIndex={-1}>
         <div class="page">
@@ -97,39 +89,30 @@ function DropZone() {
   const [over, setOver] = useState(false);
   useEffect(() => {
     const listeners = new AbortController();
-    const { signal } = listeners;
+    const on = <K extends keyof WindowEventMap>(
+      kind: K,
+      listener: (event: WindowEventMap[K]) => void,
+    ): void => globalThis.addEventListener(kind, listener, { signal: listeners.signal });
     const hasFile = (event: DragEvent): boolean =>
       event.dataTransfer?.types.includes('Files') ?? false;
     const busy = (): boolean => !['empty', 'ready'].includes(phase.peek().kind);
-    addEventListener(
-      'dragover',
-      (event) => {
-        if (!hasFile(event)) return;
-        event.preventDefault();
-        setOver(!busy());
-      },
-      { signal },
-    );
-    addEventListener(
-      'dragleave',
-      (event) => {
-        if (event.relatedTarget === null) setOver(false);
-      },
-      { signal },
-    );
-    addEventListener(
-      'drop',
-      (event) => {
-        if (!hasFile(event)) return;
-        event.preventDefault();
-        setOver(false);
-        const file = event.dataTransfer?.files[0];
-        if (!file || busy()) return;
-        location.hash = '#lab';
-        void openFile(file);
-      },
-      { signal },
-    );
+    on('dragover', (event) => {
+      if (!hasFile(event)) return;
+      event.preventDefault();
+      setOver(!busy());
+    });
+    on('dragleave', (event) => {
+      if (event.relatedTarget === null) setOver(false);
+    });
+    on('drop', (event) => {
+      if (!hasFile(event)) return;
+      event.preventDefault();
+      setOver(false);
+      const file = event.dataTransfer?.files[0];
+      if (!file || busy()) return;
+      go('lab');
+      void openFile(file);
+    });
     return () => listeners.abort();
   }, []);
   return over ? <div class="drop-here">{texts.value.app.dropHere}</div> : null;

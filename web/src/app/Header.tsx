@@ -1,4 +1,4 @@
-import { hashOf, route, type View, VIEWS } from '../address/route.ts';
+import { hashOf, route, VIEWS, type View } from '../address/route.ts';
 import { settingsToParameters } from '../address/settings.ts';
 import { settings } from '../state/settings.ts';
 import { dark, theme } from '../style/colours.ts';

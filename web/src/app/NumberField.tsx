@@ -24,8 +24,7 @@ export function NumberField({ label, unit, value, usual, min, max, onChange }: P
       return;
     }
     const read = readNumber(written);
-    const fine =
-      read !== undefined && read >= (min ?? read) && read <= (max ?? read);
+    const fine = read !== undefined && read >= (min ?? read) && read <= (max ?? read);
     setWrong(!fine);
     if (fine) onChange(read);
   };

@@ -2,9 +2,7 @@
 export function Rich({ parts }: { readonly parts: readonly string[] }) {
   return (
     <>
-      {parts.map((part, index) =>
-        index % 2 === 1 ? <strong key={index}>{part}</strong> : part,
-      )}
+      {parts.map((part, index) => (index % 2 === 1 ? <strong key={index}>{part}</strong> : part))}
     </>
   );
 }

@@ -34,7 +34,6 @@ export function Chart({ spec, label }: { readonly spec: ChartSpec; readonly labe
       watcher.disconnect();
       plot?.destroy();
     };
-    // biome-ignore lint/correctness/useExhaustiveDependencies: the theme changes the colours
   }, [spec, isDark, spoken]);
 
   return <div ref={box} class="chart" role="img" aria-label={label} />;

@@ -1,5 +1,5 @@
-import { type ChartSpec, keyOf, type Layer } from './spec.ts';
 import { inKey } from './painters.ts';
+import { type ChartSpec, keyOf, type Layer } from './spec.ts';
 
 /** Names what is not named in the picture itself. */
 export function Key({ spec }: { readonly spec: ChartSpec }) {
@@ -19,5 +19,6 @@ export function Key({ spec }: { readonly spec: ChartSpec }) {
 
 function shapeOf(layer: Layer): string {
   if (layer.kind === 'points') return layer.hollow ? 'ring' : 'dot';
+  if (layer.kind === 'band') return 'band';
   return layer.kind === 'line' ? 'stroke' : 'patch';
 }

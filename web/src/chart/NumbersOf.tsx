@@ -1,5 +1,5 @@
 import { signal } from '@preact/signals';
-import { plain, PLAIN } from '../format/quantity.ts';
+import { PLAIN, plain } from '../format/quantity.ts';
 import { language, texts } from '../text/language.ts';
 import type { ChartSpec, Layer } from './spec.ts';
 
@@ -28,7 +28,7 @@ function Table({ spec }: { readonly spec: ChartSpec }) {
   const rows = spec.layers.flatMap(rowsOf);
   const number = (value: number): string => plain(value, PLAIN, 4, language.value);
   return (
-    <div class="scroll impacts" tabIndex={0} role="region" aria-label={spec.y.label}>
+    <section class="scroll impacts" tabIndex={0} aria-label={spec.y.label}>
       <table>
         <thead>
           <tr>
@@ -47,7 +47,7 @@ function Table({ spec }: { readonly spec: ChartSpec }) {
           ))}
         </tbody>
       </table>
-    </div>
+    </section>
   );
 }
 

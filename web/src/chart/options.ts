@@ -1,7 +1,7 @@
 /** How a chart looks and moves: the one place that knows uPlot's options. */
 import type uPlot from 'uplot';
 import { fixed } from '../format/quantity.ts';
-import { colour } from '../style/colours.ts';
+import { colour, fontOf } from '../style/colours.ts';
 import { drawBars, drawErrors, drawLabels, drawLevels } from './painters.ts';
 import { type Axis, type ChartSpec, type Layer, padded, yValues } from './spec.ts';
 import { tip } from './tip.ts';
@@ -62,7 +62,7 @@ function ranger(all: [number, number]): uPlot.Scale.Range {
 function axis(of: Axis, language: string, upright: boolean): uPlot.Axis {
   const size = rem();
   const soft = colour('soft');
-  const font = `${0.8125 * size}px ${getComputedStyle(document.documentElement).fontFamily}`;
+  const font = fontOf(0.8125);
   return {
     label: of.label,
     labelFont: font,
@@ -88,7 +88,9 @@ function labels(splits: readonly (number | null)[], of: Axis, language: string):
       if (split === null) return '';
       const leading = Number((split / 10 ** Math.floor(Math.log10(split) + 1e-9)).toPrecision(1));
       const shown = many ? [1, 2, 5].includes(leading) : leading !== 7 && leading !== 9;
-      return shown ? fixed(split, Math.max(0, -Math.floor(Math.log10(split) + 1e-9)), language) : '';
+      return shown
+        ? fixed(split, Math.max(0, -Math.floor(Math.log10(split) + 1e-9)), language)
+        : '';
     });
   }
   const step = Math.abs((splits[1] ?? 1) - (splits[0] ?? 0)) || 1;
@@ -113,7 +115,6 @@ function seriesOf(layer: Layer): uPlot.Series[] {
       return [
         {
           stroke,
-          // biome-ignore lint/style/useNamingConvention: uPlot's name
           paths: () => null,
           points: {
             show: true,
@@ -138,7 +139,12 @@ function bandsOf(layers: readonly Layer[]): uPlot.Band[] {
   let column = 1;
   for (const layer of layers) {
     if (layer.kind === 'band') {
-      const tint = layer.meaning === 'drag' ? 'drag-tint' : layer.meaning === 'plain' ? 'plain-tint' : 'measured-tint';
+      const tint =
+        layer.meaning === 'drag'
+          ? 'drag-tint'
+          : layer.meaning === 'plain'
+            ? 'plain-tint'
+            : 'measured-tint';
       bands.push({ series: [column + 1, column], fill: colour(tint), dir: -1 });
       column += 2;
     } else column += 1;

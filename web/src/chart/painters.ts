@@ -1,6 +1,6 @@
 /** What uPlot does not draw by itself: error bars, stacked bars, levels and direct labels. */
 import type uPlot from 'uplot';
-import { colour, type Meaning } from '../style/colours.ts';
+import { colour, fontOf, type Meaning } from '../style/colours.ts';
 import type { ChartSpec, Layer, Line } from './spec.ts';
 
 /** Ink for words in a colour: as dark as reading needs. */
@@ -80,7 +80,14 @@ export function drawLevels(plot: uPlot, spec: ChartSpec): void {
     const pad = 5 * devicePixelRatio;
     if (level.upright) {
       const room = bbox.left + bbox.width - at > bbox.width / 3;
-      write(plot, level.label, at + (room ? pad : -pad), bbox.top + 3 * pad, level.meaning, room ? 'left' : 'right');
+      write(
+        plot,
+        level.label,
+        at + (room ? pad : -pad),
+        bbox.top + 3 * pad,
+        level.meaning,
+        room ? 'left' : 'right',
+      );
     } else write(plot, level.label, bbox.left + pad, at - pad, level.meaning, 'left');
     context.restore();
   }
@@ -109,7 +116,10 @@ function lastInSight(plot: uPlot, layer: Line): { x: number; y: number } | undef
     const x = px(plot, layer.x[i] as number);
     const y = py(plot, value);
     const inside =
-      x <= bbox.left + bbox.width + 1 && x > bbox.left && y > bbox.top + 8 && y < bbox.top + bbox.height;
+      x <= bbox.left + bbox.width + 1 &&
+      x > bbox.left &&
+      y > bbox.top + 8 &&
+      y < bbox.top + bbox.height;
     if (inside) return { x, y };
   }
   return undefined;
@@ -124,9 +134,8 @@ function write(
   align: CanvasTextAlign,
 ): void {
   const { ctx: context } = plot;
-  const { fontSize, fontFamily } = getComputedStyle(document.documentElement);
   context.save();
-  context.font = `${0.8125 * Number.parseFloat(fontSize) * devicePixelRatio}px ${fontFamily}`;
+  context.font = fontOf(0.8125 * devicePixelRatio);
   context.textAlign = align;
   context.textBaseline = 'alphabetic';
   context.setLineDash([]);

@@ -56,7 +56,12 @@ export interface ChartSpec {
   readonly y: Axis;
   readonly layers: readonly Layer[];
   /** A level or a place to compare with. */
-  readonly levels?: readonly { readonly at: number; readonly label: string; readonly meaning: Meaning; readonly upright?: boolean }[];
+  readonly levels?: readonly {
+    readonly at: number;
+    readonly label: string;
+    readonly meaning: Meaning;
+    readonly upright?: boolean;
+  }[];
   /** In units of the width of text. */
   readonly heightRem?: number;
 }

@@ -1,6 +1,6 @@
 /** Shows the value of the point nearest to the pointer, also after a tap. */
 import type uPlot from 'uplot';
-import { plain, PLAIN } from '../format/quantity.ts';
+import { PLAIN, plain } from '../format/quantity.ts';
 import type { ChartSpec } from './spec.ts';
 
 const REACH = 28;

@@ -22,7 +22,12 @@ export function compareChart(
       y: from.height_m.map((height) => (height === null ? null : 100 * height)),
     });
   };
-  curve(overlay ?? series.simulated, overlay ? words.compare.overlay : words.compare.simulated, 'drag', false);
+  curve(
+    overlay ?? series.simulated,
+    overlay ? words.compare.overlay : words.compare.simulated,
+    'drag',
+    false,
+  );
   curve(series.measured, words.measured, 'measured', true);
   return {
     x: { label: words.compare.x },

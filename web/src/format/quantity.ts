@@ -10,18 +10,18 @@ export interface Unit {
   readonly symbol: string;
 }
 
-export const PLAIN: Unit = { size: 1, symbol: "" };
-export const PERCENT: Unit = { size: 0.01, symbol: "%" };
-export const CENTIMETRE: Unit = { size: 0.01, symbol: "cm" };
-export const METRE: Unit = { size: 1, symbol: "m" };
-export const MILLIMETRE: Unit = { size: 1e-3, symbol: "mm" };
-export const SECOND: Unit = { size: 1, symbol: "s" };
-export const MILLISECOND: Unit = { size: 1e-3, symbol: "ms" };
-export const METRE_PER_SECOND: Unit = { size: 1, symbol: "m/s" };
-export const MILLIJOULE: Unit = { size: 1e-3, symbol: "mJ" };
+export const PLAIN: Unit = { size: 1, symbol: '' };
+export const PERCENT: Unit = { size: 0.01, symbol: '%' };
+export const CENTIMETRE: Unit = { size: 0.01, symbol: 'cm' };
+export const METRE: Unit = { size: 1, symbol: 'm' };
+export const MILLIMETRE: Unit = { size: 1e-3, symbol: 'mm' };
+export const SECOND: Unit = { size: 1, symbol: 's' };
+export const MILLISECOND: Unit = { size: 1e-3, symbol: 'ms' };
+export const METRE_PER_SECOND: Unit = { size: 1, symbol: 'm/s' };
+export const MILLIJOULE: Unit = { size: 1e-3, symbol: 'mJ' };
 
 /** Narrow no-break space: between a number and its unit. */
-const THIN = "\u202f";
+const THIN = '\u202f';
 
 /** Decimals that an uncertainty deserves; negative when it is larger than ten. */
 export function decimalsFor(uncertainty: number): number {
@@ -46,7 +46,7 @@ export function fixed(value: number, decimals: number, language: string): string
     useGrouping: false,
   })
     .format(decimals < 0 ? rounded : value)
-    .replace("-", "\u2212");
+    .replace('-', '\u2212');
 }
 
 /** A value without an uncertainty, in so many significant digits. */
@@ -85,7 +85,7 @@ export function between(
 }
 
 function withUnit(number: string, unit: Unit): string {
-  return unit.symbol === "" ? number : `${number}${THIN}${unit.symbol}`;
+  return unit.symbol === '' ? number : `${number}${THIN}${unit.symbol}`;
 }
 
 /** Centimetres for what fits on a table, metres for what does not. */

@@ -3,18 +3,23 @@
  * noise suppression and gain control are made for voices and eat impacts.
  */
 
+import tapUrl from './tap.worklet.js?url';
+
 /** Why there is no sound, for the words on the page. */
 export type MicrophoneFault =
-  | "refused"
-  | "missing"
-  | "busy"
-  | "insecure"
-  | "unsupported"
-  | "ended"
-  | "unknown";
+  | 'refused'
+  | 'missing'
+  | 'busy'
+  | 'insecure'
+  | 'unsupported'
+  | 'ended'
+  | 'unknown';
 
 export class MicrophoneError extends Error {
-  constructor(readonly fault: MicrophoneFault, cause?: unknown) {
+  constructor(
+    readonly fault: MicrophoneFault,
+    cause?: unknown,
+  ) {
     super(fault, { cause });
   }
 }
@@ -34,17 +39,17 @@ export interface MicrophoneEvents {
 }
 
 export async function openMicrophone(events: MicrophoneEvents): Promise<Microphone> {
-  if (!globalThis.isSecureContext) throw new MicrophoneError("insecure");
+  if (!globalThis.isSecureContext) throw new MicrophoneError('insecure');
   const devices = navigator.mediaDevices as MediaDevices | undefined;
-  if (!devices || typeof AudioWorkletNode === "undefined") {
-    throw new MicrophoneError("unsupported");
+  if (!devices || typeof AudioWorkletNode === 'undefined') {
+    throw new MicrophoneError('unsupported');
   }
   const stream = await rawStream(devices);
   try {
     return await tap(stream, events);
   } catch (error) {
     stopAll(stream);
-    throw new MicrophoneError("unknown", error);
+    throw new MicrophoneError('unknown', error);
   }
 }
 
@@ -64,26 +69,26 @@ async function rawStream(devices: MediaDevices): Promise<MediaStream> {
 }
 
 function faultOf(error: unknown): MicrophoneFault {
-  switch (error instanceof DOMException ? error.name : "") {
-    case "NotAllowedError":
-    case "SecurityError":
-      return "refused";
-    case "NotFoundError":
-    case "OverconstrainedError":
-      return "missing";
-    case "NotReadableError":
-    case "AbortError":
-      return "busy";
+  switch (error instanceof DOMException ? error.name : '') {
+    case 'NotAllowedError':
+    case 'SecurityError':
+      return 'refused';
+    case 'NotFoundError':
+    case 'OverconstrainedError':
+      return 'missing';
+    case 'NotReadableError':
+    case 'AbortError':
+      return 'busy';
     default:
-      return "unknown";
+      return 'unknown';
   }
 }
 
 async function tap(stream: MediaStream, events: MicrophoneEvents): Promise<Microphone> {
   const context = contextFor(stream);
-  await context.audioWorklet.addModule(`${import.meta.env.BASE_URL}tap.worklet.js`);
+  await context.audioWorklet.addModule(tapUrl);
   const source = context.createMediaStreamSource(stream);
-  const node = new AudioWorkletNode(context, "tap", { numberOfOutputs: 1 });
+  const node = new AudioWorkletNode(context, 'tap', { numberOfOutputs: 1 });
   node.port.onmessage = (message: MessageEvent<Float32Array<ArrayBuffer>>) => {
     events.block(message.data);
   };

@@ -1,4 +1,4 @@
-import { signal } from "@preact/signals";
+import { signal } from '@preact/signals';
 
 /** How fast a part is heard; slower is also lower, as with a tape, so that nothing is invented. */
 export const SPEEDS = [1, 0.5, 0.25, 0.1] as const;

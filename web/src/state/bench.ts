@@ -84,8 +84,7 @@ export function lookAt(index: number): void {
   chosenDrop.value = index;
   const impacts = edits.peek()[index]?.present ?? [];
   const [first, last] = [impacts[0], impacts.at(-1)];
-  view.value =
-    first && last ? framing(first.timeS, last.timeS, durationS) : whole(durationS);
+  view.value = first && last ? framing(first.timeS, last.timeS, durationS) : whole(durationS);
 }
 
 /** Shows what went wrong; what lies on the bench stays. */

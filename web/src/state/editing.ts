@@ -1,13 +1,13 @@
 /** What a hand does to the impacts of the chosen drop. Each step can be undone. */
 import { signal } from '@preact/signals';
 import { fixed } from '../format/quantity.ts';
+import type { DropMarks } from '../lab/index.ts';
 import { language, texts } from '../text/language.ts';
+import type { Mark } from '../wave/mark.ts';
+import { revealing, widthS } from '../wave/viewport.ts';
 import { chosenDrop, cursorS, edits, onBench, present, selected, view } from './bench.ts';
 import { advance, redo as redone, replace, undo as undone } from './history.ts';
 import { added, type Edits, markAt, marksOf, removed, withChange } from './marks.ts';
-import type { DropMarks } from '../lab/index.ts';
-import type { Mark } from '../wave/mark.ts';
-import { revealing, widthS } from '../wave/viewport.ts';
 
 /** What was done, for screen readers. */
 export const announced = signal('');
@@ -29,7 +29,10 @@ const say = (timeS: number): string => fixed(timeS, 4, language.peek());
 /** What the sound says of a moment that a hand chose: its exact time, if a sound begins there. */
 async function snapped(timeS: number): Promise<Partial<Mark>> {
   const reach = Math.min(SNAP_MOST_S, SNAP_SHARE * widthS(view.peek()));
-  const found = await onBench.peek()?.recording.onsetNear(timeS, reach).catch(() => null);
+  const found = await onBench
+    .peek()
+    ?.recording.onsetNear(timeS, reach)
+    .catch(() => null);
   return found
     ? { timeS: found.time_s, sigmaS: found.sigma_s, levelDb: found.level_db }
     : { timeS };

@@ -1,14 +1,14 @@
 /** Keeping drops in the browser, and what is said of all of them together. */
 import { signal } from '@preact/signals';
+import { go } from '../address/route.ts';
+import type { DocumentDrop } from '../lab/index.ts';
 import { allDrops, deleteDrop, type KeptDrop, type Known, putDrop } from '../store/drops.ts';
 import { deleteRecording, putBlock, putRecording } from '../store/recordings.ts';
-import type { DocumentDrop } from '../lab/index.ts';
 import { analysed, drop, onBench, present } from './bench.ts';
-import { forEngine } from './marks.ts';
 import { setMarks } from './editing.ts';
+import { forEngine } from './marks.ts';
 import { openStored, openTimes } from './opening.ts';
 import { settings, writeSettings } from './settings.ts';
-import { go } from '../address/route.ts';
 
 export const kept = signal<readonly KeptDrop[]>([]);
 /** False where the browser keeps nothing. */

@@ -3,10 +3,10 @@
  * comes: `recordings` says what each is, `blocks` holds the samples. `drops` holds what was kept.
  */
 
-const NAME = "bouncelab";
+const NAME = 'bouncelab';
 const VERSION = 1;
 
-export type StoreName = "recordings" | "blocks" | "drops";
+export type StoreName = 'recordings' | 'blocks' | 'drops';
 
 let opened: Promise<IDBDatabase> | undefined;
 
@@ -15,16 +15,16 @@ function open(): Promise<IDBDatabase> {
     const request = indexedDB.open(NAME, VERSION);
     request.onupgradeneeded = () => {
       const database = request.result;
-      database.createObjectStore("recordings", { keyPath: "id" });
-      database.createObjectStore("blocks", { keyPath: ["recording", "index"] });
-      database.createObjectStore("drops", { keyPath: "id" });
+      database.createObjectStore('recordings', { keyPath: 'id' });
+      database.createObjectStore('blocks', { keyPath: ['recording', 'index'] });
+      database.createObjectStore('drops', { keyPath: 'id' });
     };
     request.onsuccess = () => {
       // Another tab with a newer page must be able to upgrade.
       request.result.onversionchange = () => request.result.close();
       resolve(request.result);
     };
-    request.onerror = () => reject(request.error ?? new Error("no database"));
+    request.onerror = () => reject(request.error ?? new Error('no database'));
   }).catch((error: unknown) => {
     opened = undefined;
     throw error;
@@ -43,8 +43,8 @@ export async function transact<T>(
     const transaction = database.transaction(stores, mode);
     const request = work(transaction);
     transaction.oncomplete = () => resolve(request?.result);
-    transaction.onabort = () => reject(transaction.error ?? new Error("aborted"));
-    transaction.onerror = () => reject(transaction.error ?? new Error("failed"));
+    transaction.onabort = () => reject(transaction.error ?? new Error('aborted'));
+    transaction.onerror = () => reject(transaction.error ?? new Error('failed'));
   });
 }
 
@@ -55,5 +55,5 @@ export function blocksOf(recording: string): IDBKeyRange {
 
 /** Whether an error says that the disk is full. */
 export function isFull(error: unknown): boolean {
-  return error instanceof DOMException && error.name === "QuotaExceededError";
+  return error instanceof DOMException && error.name === 'QuotaExceededError';
 }

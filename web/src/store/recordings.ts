@@ -1,5 +1,5 @@
 /** Sounds in the browser's database, written as they come, so that a crash loses a second at most. */
-import { blocksOf, transact } from "./database.ts";
+import { blocksOf, transact } from './database.ts';
 
 /** What is known of a sound that was kept. */
 export interface StoredRecording {
@@ -19,7 +19,7 @@ interface Block {
 }
 
 export async function putRecording(recording: StoredRecording): Promise<void> {
-  await transact(["recordings"], "readwrite", (t) => t.objectStore("recordings").put(recording));
+  await transact(['recordings'], 'readwrite', (t) => t.objectStore('recordings').put(recording));
 }
 
 export async function putBlock(
@@ -28,28 +28,28 @@ export async function putBlock(
   samples: Float32Array<ArrayBuffer>,
 ): Promise<void> {
   const block: Block = { recording, index, samples };
-  await transact(["blocks"], "readwrite", (t) => t.objectStore("blocks").put(block));
+  await transact(['blocks'], 'readwrite', (t) => t.objectStore('blocks').put(block));
 }
 
 export async function getRecording(id: string): Promise<StoredRecording | undefined> {
-  return transact<StoredRecording>(["recordings"], "readonly", (t) =>
-    t.objectStore("recordings").get(id),
+  return transact<StoredRecording>(['recordings'], 'readonly', (t) =>
+    t.objectStore('recordings').get(id),
   );
 }
 
 /** The sound of a recording, block by block. */
 export async function samplesOf(id: string): Promise<Float32Array<ArrayBuffer>[]> {
   const blocks =
-    (await transact<Block[]>(["blocks"], "readonly", (t) =>
-      t.objectStore("blocks").getAll(blocksOf(id)),
+    (await transact<Block[]>(['blocks'], 'readonly', (t) =>
+      t.objectStore('blocks').getAll(blocksOf(id)),
     )) ?? [];
   return blocks.map((block) => block.samples);
 }
 
 export async function deleteRecording(id: string): Promise<void> {
-  await transact(["recordings", "blocks"], "readwrite", (t) => {
-    t.objectStore("recordings").delete(id);
-    t.objectStore("blocks").delete(blocksOf(id));
+  await transact(['recordings', 'blocks'], 'readwrite', (t) => {
+    t.objectStore('recordings').delete(id);
+    t.objectStore('blocks').delete(blocksOf(id));
     return undefined;
   });
 }
@@ -57,8 +57,8 @@ export async function deleteRecording(id: string): Promise<void> {
 /** Recordings that a crash or a closed page cut short. */
 export async function interrupted(): Promise<StoredRecording[]> {
   const all =
-    (await transact<StoredRecording[]>(["recordings"], "readonly", (t) =>
-      t.objectStore("recordings").getAll(),
+    (await transact<StoredRecording[]>(['recordings'], 'readonly', (t) =>
+      t.objectStore('recordings').getAll(),
     )) ?? [];
   return all.filter((recording) => !recording.finished);
 }

@@ -2,12 +2,12 @@
  * Writes a recording to the database while it is heard. It never stops the listening: when the disk is
  * full it says so once, and the sound stays in memory, whole.
  */
-import { joined } from "./blocks.ts";
-import { isFull } from "./database.ts";
-import { putBlock, putRecording, type StoredRecording } from "./recordings.ts";
+import { joined } from './blocks.ts';
+import { isFull } from './database.ts';
+import { putBlock, putRecording, type StoredRecording } from './recordings.ts';
 
 /** What can go wrong with keeping. */
-export type KeepFault = "full" | "unavailable";
+export type KeepFault = 'full' | 'unavailable';
 
 export class Safekeeper {
   #waiting: Float32Array<ArrayBuffer>[] = [];
@@ -62,7 +62,7 @@ export class Safekeeper {
     try {
       await work();
     } catch (error) {
-      this.#fault = isFull(error) ? "full" : "unavailable";
+      this.#fault = isFull(error) ? 'full' : 'unavailable';
       this.onFault(this.#fault);
     }
   }

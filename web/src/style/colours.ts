@@ -36,6 +36,12 @@ export function followTheme(): void {
   });
 }
 
+/** The font of the page in a size, for canvases. */
+export function fontOf(sizeRem: number): string {
+  const { fontSize } = getComputedStyle(document.documentElement);
+  return `${sizeRem * Number.parseFloat(fontSize)}px ${getComputedStyle(document.body).fontFamily}`;
+}
+
 /** A colour of the style sheet, resolved for the present theme. */
 export function colour(name: Meaning | `${Meaning}-tint` | `${Meaning}-text` | 'paper'): string {
   return getComputedStyle(document.documentElement).getPropertyValue(`--${name}`).trim();

@@ -1,7 +1,7 @@
 import type { Signal } from '@preact/signals';
 import { useEffect, useRef } from 'preact/hooks';
 import { colour, dark } from '../style/colours.ts';
-import { columnOf, levelFor, peakOf, type Pyramid } from './pyramid.ts';
+import { columnOf, levelFor, type Pyramid, peakOf } from './pyramid.ts';
 import { panned, type Viewport, widthS } from './viewport.ts';
 
 interface Props {
@@ -17,7 +17,6 @@ export function Overview({ pyramid, durationS, view, label }: Props) {
   const seen = view.value;
   const isDark = dark.value;
 
-  // biome-ignore lint/correctness/useExhaustiveDependencies: the theme changes the colours
   useEffect(() => {
     const element = canvas.current;
     if (!element) return undefined;

@@ -1,13 +1,13 @@
-import { useEffect, useMemo, useRef } from 'preact/hooks';
 import type { Signal } from '@preact/signals';
-import { dark } from '../style/colours.ts';
-import { language, texts } from '../text/language.ts';
+import { useEffect, useMemo, useRef } from 'preact/hooks';
 import { fixed } from '../format/quantity.ts';
+import { dark, fontOf } from '../style/colours.ts';
+import { language, texts } from '../text/language.ts';
 import { type GestureTarget, listenToGestures } from './gestures.ts';
 import { type Action, actionOf } from './keys.ts';
 import { beside, CERTAIN, type Mark, nearest } from './mark.ts';
 import { paint, palette, type Scene, type Surface } from './painter.ts';
-import { peakOf, type Pyramid } from './pyramid.ts';
+import { type Pyramid, peakOf } from './pyramid.ts';
 import { clamped, revealing, type Viewport, whole, widthS, zoomed } from './viewport.ts';
 
 /** What the reader does to the impacts. */
@@ -68,9 +68,7 @@ export function Waveform(props: WaveformProps) {
     cursorS.value,
     isPlaying.value,
   ];
-  // biome-ignore lint/correctness/useExhaustiveDependencies: they are what the picture shows
   useEffect(() => painter.request(), [now, chosen, cursor, sounding, marks, pyramid, isDark]);
-  // biome-ignore lint/correctness/useExhaustiveDependencies: the colours change with the theme only
   useEffect(() => painter.forgetColours(), [isDark]);
 
   const at = cursor ?? now.startS;
@@ -168,10 +166,12 @@ function moveCursor({ cursorS, view, selected, durationS, marks }: WaveformProps
 
 /** Selects a mark and brings it into sight. */
 export function choose(
-  { cursorS, view, selected, durationS }: Pick<
-    WaveformProps,
-    'cursorS' | 'view' | 'selected' | 'durationS'
-  >,
+  {
+    cursorS,
+    view,
+    selected,
+    durationS,
+  }: Pick<WaveformProps, 'cursorS' | 'view' | 'selected' | 'durationS'>,
   mark: Mark,
 ): void {
   selected.value = mark.id;
@@ -252,8 +252,7 @@ class Painter {
     const { clientWidth: width, clientHeight: height } = canvas;
     canvas.width = Math.round(width * ratio);
     canvas.height = Math.round(height * ratio);
-    const { fontSize, fontFamily } = getComputedStyle(document.documentElement);
-    const font = `${0.75 * Number.parseFloat(fontSize)}px ${fontFamily}`;
+    const font = fontOf(0.75);
     this.#surface = { context, width, height, ratio, font, palette: palette() };
     this.#paint();
   }

@@ -162,4 +162,3 @@ export function listenToGestures(element: HTMLElement, target: GestureTarget): (
   element.addEventListener('wheel', wheel, { signal, passive: false });
   return () => listeners.abort();
 }
-

@@ -4,7 +4,11 @@ import type { LiveEnvelope } from '../sound/live-envelope.ts';
 import { colour } from '../style/colours.ts';
 import { CERTAIN } from './mark.ts';
 
-export function paintLive(canvas: HTMLCanvasElement, envelope: LiveEnvelope, soFar: SoFar | null): void {
+export function paintLive(
+  canvas: HTMLCanvasElement,
+  envelope: LiveEnvelope,
+  soFar: SoFar | null,
+): void {
   const context = canvas.getContext('2d');
   if (!context) return;
   const ratio = devicePixelRatio;

@@ -33,11 +33,7 @@ export function nearest(marks: readonly Mark[], timeS: number, reachS: number): 
 }
 
 /** The next mark after a moment, or before it. */
-export function beside(
-  marks: readonly Mark[],
-  timeS: number,
-  direction: 1 | -1,
-): Mark | undefined {
+export function beside(marks: readonly Mark[], timeS: number, direction: 1 | -1): Mark | undefined {
   const sorted = inOrder(marks);
   const beyond = (mark: Mark): boolean => (mark.timeS - timeS) * direction > 1e-9;
   return direction > 0 ? sorted.find(beyond) : sorted.findLast(beyond);

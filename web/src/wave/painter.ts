@@ -2,7 +2,7 @@
 import { colour } from '../style/colours.ts';
 import { CERTAIN, type Mark } from './mark.ts';
 import { columnOf, levelFor, type Pyramid } from './pyramid.ts';
-import { ticks, tickDecimals, type Viewport, widthS } from './viewport.ts';
+import { tickDecimals, ticks, type Viewport, widthS } from './viewport.ts';
 
 /** Room for the flags of the marks above, and the ruler below, in CSS pixels. */
 export const FLAGS = 22;
@@ -160,6 +160,7 @@ function paintSamples(surface: Surface, scene: Scene): void {
 function paintMarks(surface: Surface, { marks, view, selected }: Scene): void {
   const { context, width, height, palette: colours } = surface;
   let lastLabel = Number.NEGATIVE_INFINITY;
+  let lastX = Number.NEGATIVE_INFINITY;
   marks.forEach((mark, index) => {
     const x = xOf(mark.timeS, view, width);
     if (x < -12 || x > width + 12) return;
@@ -172,12 +173,16 @@ function paintMarks(surface: Surface, { marks, view, selected }: Scene): void {
     }
     context.strokeStyle = certain ? colours.mark : colours.doubtful;
     context.lineWidth = chosen ? 2 : 1;
+    // Where the marks stand close the sound must stay in sight.
+    context.globalAlpha = chosen ? 1 : 0.25 + 0.5 * Math.min(1, (x - lastX) / 24);
+    lastX = x;
     context.setLineDash(certain ? [] : [4, 3]);
     context.beginPath();
     context.moveTo(at, FLAGS - 4);
     context.lineTo(at, height - RULER);
     context.stroke();
     context.setLineDash([]);
+    context.globalAlpha = 1;
     paintFlag(surface, at, certain, chosen);
     const label = String(index + 1);
     if (chosen || x - lastLabel > 22) {

@@ -94,10 +94,6 @@ const deutsch: Texts = {
   words: {
     restitution:
       'Die Stoßzahl ist das Tempo gleich nach einem Aufprall geteilt durch das Tempo gleich davor.',
-    missed: (n) =>
-      n === 1
-        ? 'Ein Aufprall dazwischen wurde nicht gehört; er ist mitgezählt.'
-        : `${n} Aufpralle dazwischen wurden nicht gehört; sie sind mitgezählt.`,
   },
   faults: {
     refused: {
@@ -522,7 +518,6 @@ const deutsch: Texts = {
       power: 'fallend, Potenzgesetz',
       'knee at 1.5 m/s': 'fallend über 1,5 m/s',
     },
-    facts: {},
     tryIt: 'Jetzt selbst einen Ball fallen lassen',
   },
   drops: {
@@ -563,28 +558,131 @@ const deutsch: Texts = {
     csv: 'Tabelle speichern (CSV)',
     json: 'Alles speichern (JSON)',
     deleteAll: 'Alle löschen',
-    deletedAll: (count) =>
-      `${count} ${zahl(count, 'Versuch ist', 'Versuche sind')} gelöscht.`,
+    deletedAll: (count) => `${count} ${zahl(count, 'Versuch ist', 'Versuche sind')} gelöscht.`,
     unavailable: 'Der Browser hebt hier nichts auf (ein privates Fenster?).',
     noSound: 'nur Zeiten',
   },
-  remarks: {
-    silence: 'Die Aufnahme ist stumm: Jeder Abtastwert ist gleich.',
-    noSound: 'Kein Laut hebt sich vom Hintergrund ab.',
-    tooFew: (count) =>
-      `Nur ${count} ${zahl(count, 'Laut hebt', 'Laute heben')} sich vom Hintergrund ab; zu wenige, um einen springenden Ball zu erkennen.`,
-    regular: (count, interval) =>
-      `${count} Laute kommen in gleichen Abständen von ${interval}, wie von einer Uhr; die Flüge eines Balls werden kürzer.`,
-    noPattern: (count) =>
-      `${count} Laute heben sich ab, aber ihre Abstände schrumpfen nicht wie die eines springenden Balls.`,
-    gains: (list, count) =>
-      `${zahl(count, 'Aufprall', 'Die Aufpralle')} ${list} ${zahl(count, 'gäbe', 'gäben')} dem Ball Energie: doppelt ausgelöst, ein bewegter Untergrund oder kein Aufprall. Entferne ihn, wenn er im Schallbild falsch aussieht.`,
-    doubtful: (count) =>
-      `${count} ${zahl(count, 'Aufprall ist', 'Aufpralle sind')} eher etwas anderes.`,
-    grows: (number) =>
-      `Flug ${number} ist länger als der vor ihm, was auf ruhendem Untergrund nicht geht.`,
-    milliseconds:
+  engine: {
+    'one impact in between was not heard; it is counted':
+      'Ein Aufprall dazwischen wurde nicht gehört; er ist mitgezählt.',
+    '{} impacts in between were not heard; they are counted':
+      '{} Aufpralle dazwischen wurden nicht gehört; sie sind mitgezählt.',
+    'impact {} would give energy (restitution above 1): a double trigger, a moving surface, or a sound that is no impact; leave it out by hand (--exclude TIME)':
+      'Aufprall {} gäbe dem Ball Energie: doppelt ausgelöst, ein bewegter Untergrund oder kein Aufprall. Entferne ihn, wenn er im Schallbild falsch aussieht.',
+    'impacts {} would give energy (restitution above 1): a double trigger, a moving surface, or a sound that is no impact; leave it out by hand (--exclude TIME)':
+      'Die Aufpralle {} gäben dem Ball Energie: doppelt ausgelöst, ein bewegter Untergrund oder keine Aufpralle. Entferne sie, wenn sie im Schallbild falsch aussehen.',
+    '1 impact is more likely something else (probability below 1/2)':
+      'Ein Aufprall ist eher etwas anderes.',
+    '{} impacts are more likely something else (probability below 1/2)':
+      '{} Aufpralle sind eher etwas anderes.',
+    'flight {} is longer than the one before it, which no surface at rest does':
+      'Flug {} ist länger als der vor ihm, was auf ruhendem Untergrund nicht geht.',
+    'flights of more than 30 s: times are read in seconds; are these milliseconds?':
       'Flüge von mehr als 30 s: Zeiten werden in Sekunden gelesen. Sind das Millisekunden?',
+    'the sampling did not converge (Pareto shape {}; it should be below 0.7), so the intervals cannot be trusted; the impacts may not be of one drop':
+      'Die Rechnung lief nicht zusammen (Pareto-Form {}; sie sollte unter 0,7 liegen), darum ist den Bereichen nicht zu trauen; vielleicht gehören die Aufpralle nicht zu einem Ball.',
+    '{} impacts show a single flight and no restitution of the ball; the rest of the answer is what is known of balls in general':
+      '{} Aufpralle zeigen nur einen Flug und keine Stoßzahl; der Rest der Antwort ist, was man von Bällen überhaupt weiß.',
+    '{} impacts show a single restitution, taken to be the same at every speed, of the ball; the rest of the answer is what is known of balls in general':
+      '{} Aufpralle zeigen eine einzige Stoßzahl, die für jedes Tempo gelten soll; der Rest der Antwort ist, was man von Bällen überhaupt weiß.',
+    '{} impacts show few restitutions of the ball; the rest of the answer is what is known of balls in general':
+      '{} Aufpralle zeigen nur wenige Stoßzahlen; der Rest der Antwort ist, was man von Bällen überhaupt weiß.',
+    'impact {} is odd and counts less: the ball may have drifted, hit an edge, or the sound is something else':
+      'Aufprall {} fällt aus der Reihe und zählt weniger: Der Ball ist vielleicht weggesprungen, traf eine Kante, oder der Laut ist etwas anderes.',
+    'impacts {} are odd and count less: the ball may have drifted, hit an edge, or the sound is something else':
+      'Die Aufpralle {} fallen aus der Reihe und zählen weniger: Der Ball ist vielleicht weggesprungen, traf eine Kante, oder die Laute sind etwas anderes.',
+    'the measured height of {} m does not go with the flight times, which speak of {} m: both would be true if gravity were {} m/s2; a wrong sample rate, a wrong ball, or a wrong height':
+      'Die gemessene Höhe von {} m passt nicht zu den Flugzeiten, die von {} m sprechen; beides stimmte bei einer Fallbeschleunigung von {} m/s². Falsche Abtastrate, falscher Ball oder falsche Höhe?',
+    'impacts before the first one heard were missed, with probability {}':
+      'Mit der Wahrscheinlichkeit {} fehlen Aufpralle vor dem ersten gehörten.',
+    'the drop height is of the fall before the first impact heard; with the measured height (--height) missed impacts would show':
+      'Die Fallhöhe ist die vor dem ersten gehörten Aufprall; mit einer gemessenen Höhe (unter „ändern“) fielen verpasste Aufpralle auf.',
+    'these flight times say next to nothing about drag: the drag coefficient is what is known of spheres':
+      'Diese Flugzeiten sagen fast nichts über den Luftwiderstand: Der Beiwert ist, was man von Kugeln weiß.',
+    'drag and falling restitution cannot be told apart from this recording; a measured drop height or a denser ball would':
+      'Luftwiderstand und fallende Stoßzahl lassen sich an dieser Aufnahme nicht unterscheiden; eine gemessene Fallhöhe oder ein dichterer Ball könnte es.',
+    'no restitution law wins; the answer is averaged over those that may be true':
+      'Kein Gesetz der Stoßzahl gewinnt; die Antwort ist das Mittel über alle, die wahr sein können.',
+    'with so little loss the ball does not come to rest in any reasonable time':
+      'Bei so wenig Verlust kommt der Ball in keiner vernünftigen Zeit zur Ruhe.',
+    'the recording is silent: all samples have the same value':
+      'Die Aufnahme ist stumm: Jeder Abtastwert ist gleich.',
+    'no sound stands out of the background': 'Kein Laut hebt sich vom Hintergrund ab.',
+    'only 1 sound stands out of the background; a drop is told from chance by at least {} impacts':
+      'Nur ein Laut hebt sich vom Hintergrund ab; einen springenden Ball erkennt man an mindestens {} Aufprallen.',
+    'only {} sounds stand out of the background; a drop is told from chance by at least {} impacts':
+      'Nur {} Laute heben sich vom Hintergrund ab; einen springenden Ball erkennt man an mindestens {} Aufprallen.',
+    '{} sounds come at equal intervals of {} s, as of a clock; the flights of a ball shrink':
+      '{} Laute kommen in gleichen Abständen von {} s, wie von einer Uhr; die Flüge eines Balls werden kürzer.',
+    '{} sounds stand out of the background, but no {} of them come at shrinking intervals as the impacts of a ball do':
+      '{} Laute heben sich ab, aber keine {} davon kommen in schrumpfenden Abständen wie die Aufpralle eines Balls.',
+    'drag coefficient': 'Widerstandsbeiwert',
+    'slope of restitution': 'Gefälle der Stoßzahl',
+    'scatter of restitution': 'Streuung der Stoßzahl',
+    'errors of the times': 'Fehler der Zeiten',
+    'contact time': 'Kontaktzeit',
+    gravity: 'Fallbeschleunigung',
+    'The numbers of the paper': 'Die Zahlen des Aufsatzes',
+    'Restitution, time and distance without drag': 'Stoßzahl, Zeit und Weg ohne Luftwiderstand',
+    'Equations as printed, and as they must be':
+      'Gleichungen, wie gedruckt und wie sie sein müssen',
+    'What the paper did not say': 'Was der Aufsatz nicht sagt',
+    'The drop that its straight line sees: e = 0.9529 with drag':
+      'Der Ball, den seine Gerade sieht: e = 0,9529 mit Luftwiderstand',
+    weight: 'Gewicht',
+    buoyancy: 'Auftrieb',
+    'it fixes the density of air, 1.2276 kg/m3': 'legt die Dichte der Luft fest, 1,2276 kg/m³',
+    'buoyancy over weight': 'Auftrieb durch Gewicht',
+    'first impact, no drag': 'erster Aufprall, ohne Luftwiderstand',
+    'Reynolds number there': 'Reynolds-Zahl dort',
+    'not turbulent as printed: below the drag crisis, a laminar boundary layer':
+      'nicht turbulent wie gedruckt: unterhalb der Widerstandskrise, mit laminarer Grenzschicht',
+    'terminal speed, C_D = 0.4': 'Endgeschwindigkeit, C_D = 0,4',
+    '9.385 lies on the edge of rounding': '9,385 liegt auf der Grenze des Rundens',
+    'first impact, C_D = 0.4 (Eq. 15)': 'erster Aufprall, C_D = 0,4 (Gl. 15)',
+    'drag over weight at 2.4 m/s, C_D(Re)': 'Luftwiderstand durch Gewicht bei 2,4 m/s, C_D(Re)',
+    'the paper read its curve off a figure': 'der Aufsatz las seine Kurve aus einer Abbildung ab',
+    'terminal speed, C_D(Re)': 'Endgeschwindigkeit, C_D(Re)',
+    'the same': 'ebenso',
+    'e by the rule book, steel, least': 'e nach dem Regelbuch, Stahl, kleinstes',
+    'e by the rule book, steel, most': 'e nach dem Regelbuch, Stahl, größtes',
+    'e by the rule book, table, least': 'e nach dem Regelbuch, Tisch, kleinstes',
+    'e by the rule book, table, most': 'e nach dem Regelbuch, Tisch, größtes',
+    'error of h0 = 26.7 cm': 'Fehler von h₀ = 26,7 cm',
+    'from the rounded 26.7 cm; the flight times are not printed':
+      'aus den gerundeten 26,7 cm; die Flugzeiten sind nicht gedruckt',
+    'e from 7.50 s after the first impact': 'e aus 7,50 s nach dem ersten Aufprall',
+    'if the 7.50 s count from the first impact': 'wenn die 7,50 s ab dem ersten Aufprall zählen',
+    'e from 7.50 s after the release (Eq. 7)': 'e aus 7,50 s nach dem Loslassen (Gl. 7)',
+    'Eq. 7 counts from the release': 'Gl. 7 zählt ab dem Loslassen',
+    'path until rest at e = 0.94 (Eq. 8)': 'Weg bis zur Ruhe bei e = 0,94 (Gl. 8)',
+    'h0 by Eq. 6 as printed: g 10^b/8': 'h₀ nach Gl. 6 wie gedruckt: g 10^b/8',
+    '10^b = 2 v0/g must be squared': '10^b = 2 v₀/g gehört quadriert',
+    'h0 by Eq. 6 corrected: g (10^b)^2/8': 'h₀ nach Gl. 6 berichtigt: g (10^b)²/8',
+    'Eq. 13 at the first impact': 'Gl. 13 beim ersten Aufprall',
+    'the drop height: its left side is the distance y, not v':
+      'die Fallhöhe: links steht der Weg y, nicht v',
+    'Eq. 14 at the first impact': 'Gl. 14 beim ersten Aufprall',
+    'e = 0.935 with drag (Fig. 8) regresses to':
+      'e = 0,935 mit Luftwiderstand (Abb. 8) gibt als Gerade',
+    'Fig. 8 takes the drag into account twice': 'Abb. 8 rechnet den Luftwiderstand doppelt',
+    'drop height of that straight line': 'Fallhöhe dieser Geraden',
+    'e that regresses to 0.9375 with drag': 'e, das mit Luftwiderstand als Gerade 0,9375 gibt',
+    'over ten flights': 'über zehn Flüge',
+    'drop height of its straight line': 'Fallhöhe seiner Geraden',
+    'share of the gap to 30.5 cm that drag explains':
+      'Anteil der Lücke zu 30,5 cm, den der Luftwiderstand erklärt',
+    'the rest: restitution that falls with speed, or more flights in the fit':
+      'der Rest: eine Stoßzahl, die mit dem Tempo fällt, oder mehr Flüge in der Geraden',
+    'drop height, same e, twenty flights': 'Fallhöhe, gleiches e, zwanzig Flüge',
+    'the straight line depends on how many flights it is drawn through':
+      'die Gerade hängt davon ab, durch wie viele Flüge sie geht',
+    'gravity lost to buoyancy and added mass':
+      'was Auftrieb und mitbewegte Luft der Fallbeschleunigung nehmen',
+    'buoyancy alone 1.4 %; every height shrinks with it':
+      'der Auftrieb allein 1,4 %; jede Höhe schrumpft mit',
+    'time until rest with drag, e = {}': 'Zeit bis zur Ruhe mit Luftwiderstand, e = {}',
+    'path until rest with drag, e = {}': 'Weg bis zur Ruhe mit Luftwiderstand, e = {}',
   },
 };
 

@@ -45,7 +45,8 @@ export default {
     demo: 'try the demo',
     openLabel: 'Recording or list of impact times',
     pasteLabel: 'Impact times in seconds, one on each line',
-    pasteHint: 'From a spreadsheet, an oscilloscope or your own ears. Flights are what lies between.',
+    pasteHint:
+      'From a spreadsheet, an oscilloscope or your own ears. Flights are what lies between.',
     pasteDo: 'Analyse',
     pastedName: 'pasted times',
     demoName: 'demo',
@@ -94,10 +95,6 @@ export default {
   },
   words: {
     restitution: 'Restitution is the speed just after an impact over the speed just before it.',
-    missed: (n: number) =>
-      n === 1
-        ? 'One impact in between was not heard; it is counted.'
-        : `${n} impacts in between were not heard; they are counted.`,
   },
   faults: {
     refused: {
@@ -394,12 +391,26 @@ export default {
     run: (index: number) => `run ${index}`,
     remove: (name: string) => `Remove ${name}`,
     see: 'Height against time. With air the bounces come sooner and die earlier.',
-    seeTimes: 'Flight times on a logarithmic scale: without air and with constant restitution, a straight line.',
-    says: (bounces: string, time: string, path: string) =>
-      ['It bounces ', bounces, ' times in ', time, ' and travels ', path, '.'],
+    seeTimes:
+      'Flight times on a logarithmic scale: without air and with constant restitution, a straight line.',
+    says: (bounces: string, time: string, path: string) => [
+      'It bounces ',
+      bounces,
+      ' times in ',
+      time,
+      ' and travels ',
+      path,
+      '.',
+    ],
     terminal: (speed: string) => ['It could never fall faster than ', speed, ' here.'],
     noTerminal: ['There is no air to slow it down.'],
-    losses: (surface: string, air: string) => ['Of its energy ', surface, ' goes into the bounces, ', air, ' into the air.'],
+    losses: (surface: string, air: string) => [
+      'Of its energy ',
+      surface,
+      ' goes into the bounces, ',
+      air,
+      ' into the air.',
+    ],
     x: 'time (s)',
     y: 'height (cm)',
     flightY: 'flight time (s)',
@@ -435,7 +446,8 @@ export default {
       ],
       equation: 'F/W = ½ ρ A C_D v² / mg',
       see: 'Drag over weight against speed, by both laws. On the log scale a constant coefficient is a straight line of slope 2.',
-      seeHeight: 'The whole drop with e = 0.935, with air and without: six per cent of the weight, and the ball rests seconds earlier.',
+      seeHeight:
+        'The whole drop with e = 0.935, with air and without: six per cent of the weight, and the ball rests seconds earlier.',
     },
     four: {
       title: '4. Does drag solve the puzzle?',
@@ -504,12 +516,12 @@ export default {
       power: 'falling, power law',
       'knee at 1.5 m/s': 'falling above 1.5 m/s',
     } as Record<string, string>,
-    facts: {} as Record<string, string>,
     tryIt: 'Now drop a ball yourself',
   },
   drops: {
     title: 'Table of drops',
-    empty: 'No drop is kept yet. After a drop, “Keep this drop” puts it here, in this browser only.',
+    empty:
+      'No drop is kept yet. After a drop, “Keep this drop” puts it here, in this browser only.',
     toLab: 'To the laboratory',
     name: 'Name',
     when: 'When',
@@ -529,8 +541,15 @@ export default {
     mean: 'Mean',
     scatter: 'Scatter (standard deviation)',
     ofDrops: (count: number) => `of ${count} ${plural(count, 'drop', 'drops')}`,
-    scatterSentence: (mean: string, scatter: string, inside: string) =>
-      ['On average the ball kept ', mean, ' of its speed. From drop to drop this scattered by ', scatter, '; each single drop claims ± ', inside, '.'],
+    scatterSentence: (mean: string, scatter: string, inside: string) => [
+      'On average the ball kept ',
+      mean,
+      ' of its speed. From drop to drop this scattered by ',
+      scatter,
+      '; each single drop claims ± ',
+      inside,
+      '.',
+    ],
     see: 'Restitution of each drop with its uncertainty. If the bars miss each other, something changed between the drops.',
     seeRestitution: 'Restitution against speed of the chosen drops, the air taken out.',
     x: 'drop',
@@ -541,21 +560,17 @@ export default {
     unavailable: 'The browser keeps nothing here (a private window?).',
     noSound: 'times only',
   },
-  remarks: {
-    silence: 'The recording is silent: every sample has the same value.',
-    noSound: 'No sound stands out of the background.',
-    tooFew: (count: number) =>
-      `Only ${count} ${plural(count, 'sound stands', 'sounds stand')} out of the background; that is too few to be sure of a drop.`,
-    regular: (count: number, interval: string) =>
-      `${count} sounds come at equal intervals of ${interval}, as of a clock; the flights of a ball shrink.`,
-    noPattern: (count: number) =>
-      `${count} sounds stand out, but their intervals do not shrink as those of a bouncing ball.`,
-    gains: (list: string, count: number) =>
-      `${plural(count, 'Impact', 'Impacts')} ${list} would give energy to the ball: a double trigger, a moving surface, or a sound that is no impact. Remove it if it looks wrong in the waveform.`,
-    doubtful: (count: number) =>
-      `${count} ${plural(count, 'impact is', 'impacts are')} more likely something else.`,
-    grows: (number: number) =>
-      `Flight ${number} is longer than the one before it, which no surface at rest does.`,
-    milliseconds: 'Flights of more than 30 s: times are read in seconds. Are these milliseconds?',
-  },
+  /**
+   * What the engine says, which is English already: only what names options of the command line is
+   * said in another way here. In other languages every template is translated; `{}` is what the
+   * engine puts there.
+   */
+  engine: {
+    'the drop height is of the fall before the first impact heard; with the measured height (--height) missed impacts would show':
+      'The drop height is of the fall before the first impact heard; with a measured height (under “change”) missed impacts would show.',
+    'impact {} would give energy (restitution above 1): a double trigger, a moving surface, or a sound that is no impact; leave it out by hand (--exclude TIME)':
+      'Impact {} would give energy to the ball: a double trigger, a moving surface, or a sound that is no impact. Remove it if it looks wrong in the waveform.',
+    'impacts {} would give energy (restitution above 1): a double trigger, a moving surface, or a sound that is no impact; leave it out by hand (--exclude TIME)':
+      'Impacts {} would give energy to the ball: double triggers, a moving surface, or sounds that are no impacts. Remove them if they look wrong in the waveform.',
+  } as Record<string, string>,
 };

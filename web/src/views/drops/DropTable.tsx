@@ -1,6 +1,5 @@
 import { fixed, lengthUnit, PLAIN, uncertain } from '../../format/quantity.ts';
-import { openKept, remove, rename, spreadOf } from '../../state/keeping.ts';
-import { kept } from '../../state/keeping.ts';
+import { kept, openKept, remove, rename, spreadOf } from '../../state/keeping.ts';
 import type { KeptDrop } from '../../store/drops.ts';
 import { language, texts } from '../../text/language.ts';
 import { ballName } from '../laboratory/SettingsLine.tsx';
@@ -10,7 +9,7 @@ import { compared } from './Drops.tsx';
 export function DropTable({ chosen }: { readonly chosen: readonly KeptDrop[] }) {
   const words = texts.value.drops;
   return (
-    <div class="scroll" tabIndex={0} role="region" aria-label={words.title}>
+    <section class="scroll" tabIndex={0} aria-label={words.title}>
       <table class="wide">
         <thead>
           <tr>
@@ -31,7 +30,7 @@ export function DropTable({ chosen }: { readonly chosen: readonly KeptDrop[] }) 
         </tbody>
         {chosen.length > 1 && <Summary chosen={chosen} />}
       </table>
-    </div>
+    </section>
   );
 }
 

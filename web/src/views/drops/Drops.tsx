@@ -1,7 +1,7 @@
 import { signal } from '@preact/signals';
 import { hashOf } from '../../address/route.ts';
 import { Rich } from '../../app/Rich.tsx';
-import { PERCENT, uncertain, fixed, decimalsFor } from '../../format/quantity.ts';
+import { decimalsFor, fixed, PERCENT, uncertain } from '../../format/quantity.ts';
 import { bringBack, canKeep, deleted, kept, remove, spreadOf } from '../../state/keeping.ts';
 import { language, texts } from '../../text/language.ts';
 import { Comparison } from './Comparison.tsx';
@@ -14,9 +14,7 @@ export const compared = signal<ReadonlySet<string>>(new Set());
 /** The drops that were kept, side by side. */
 export function Drops() {
   const words = texts.value.drops;
-  const chosen = kept.value.filter(
-    ({ id }) => compared.value.size === 0 || compared.value.has(id),
-  );
+  const chosen = kept.value.filter(({ id }) => compared.value.size === 0 || compared.value.has(id));
   return (
     <div class="stack wide drops">
       <h1>{words.title}</h1>
@@ -73,9 +71,7 @@ function Undo() {
 /** Mean and scatter in words: the first thing a teacher wants to see. */
 function Scatter() {
   const spoken = language.value;
-  const chosen = kept.value.filter(
-    ({ id }) => compared.value.size === 0 || compared.value.has(id),
-  );
+  const chosen = kept.value.filter(({ id }) => compared.value.size === 0 || compared.value.has(id));
   const spread = spreadOf(chosen.map(({ restitution }) => restitution));
   if (!spread || spread.scatter === null) return null;
   const points = (value: number): string =>

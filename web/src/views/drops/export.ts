@@ -24,7 +24,7 @@ export function csvOf(drops: readonly KeptDrop[]): string {
     drop.dropHeightM?.sd ?? '',
     drop.marks.impacts.length,
   ]);
-  return [COLUMNS, ...rows].map((row) => row.join(',')).join('\r\n') + '\r\n';
+  return [COLUMNS, ...rows].map((row) => `${row.join(',')}\r\n`).join('');
 }
 
 /** A name may hold commas and quotes, and must not be taken for a formula. */

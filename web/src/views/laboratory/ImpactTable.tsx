@@ -1,8 +1,8 @@
-import { fixed, MILLISECOND, plain, uncertain, PLAIN } from '../../format/quantity.ts';
+import { signal } from '@preact/signals';
+import { fixed, MILLISECOND, PLAIN, plain, uncertain } from '../../format/quantity.ts';
 import { cursorS, drop, marks, onBench, selected, view } from '../../state/bench.ts';
 import { remove } from '../../state/editing.ts';
 import { language, texts } from '../../text/language.ts';
-import { signal } from '@preact/signals';
 import { CERTAIN, type Mark } from '../../wave/mark.ts';
 import { choose } from '../../wave/Waveform.tsx';
 
@@ -23,7 +23,7 @@ export function ImpactTable() {
       {listed.value && (
         <>
           {onBench.value?.pyramid && <p class="small soft">{words.pointer}</p>}
-          <div class="impacts" tabIndex={0} role="region" aria-label={words.list}>
+          <section class="impacts" tabIndex={0} aria-label={words.list}>
             <table>
               <thead>
                 <tr>
@@ -42,7 +42,7 @@ export function ImpactTable() {
                 ))}
               </tbody>
             </table>
-          </div>
+          </section>
         </>
       )}
     </details>
@@ -69,15 +69,15 @@ function Row({ mark, index }: { readonly mark: Mark; readonly index: number }) {
         </button>
       </td>
       <td class="figure">{fixed(mark.timeS, 4, spoken)} s</td>
-      <td class="figure">
-        {next ? plain(next.timeS - mark.timeS, MILLISECOND, 4, spoken) : ''}
-      </td>
+      <td class="figure">{next ? plain(next.timeS - mark.timeS, MILLISECOND, 4, spoken) : ''}</td>
       <td class="figure">
         {mark.probability >= CERTAIN ? sure : <span class="doubt">{sure} ?</span>}
       </td>
       <td class="figure">{mark.levelDb === null ? '' : `${fixed(mark.levelDb, 0, spoken)} dB`}</td>
       <td class="figure">
-        {impact?.restitution ? uncertain(impact.restitution, impact.restitution_sd, PLAIN, spoken) : ''}
+        {impact?.restitution
+          ? uncertain(impact.restitution, impact.restitution_sd, PLAIN, spoken)
+          : ''}
       </td>
       <td>
         <button

@@ -1,6 +1,11 @@
 import { signal } from '@preact/signals';
 import { openStored } from '../../state/opening.ts';
-import { deleteRecording, interrupted, putRecording, type StoredRecording } from '../../store/recordings.ts';
+import {
+  deleteRecording,
+  interrupted,
+  putRecording,
+  type StoredRecording,
+} from '../../store/recordings.ts';
 import { language, texts } from '../../text/language.ts';
 
 const found = signal<readonly StoredRecording[]>([]);

@@ -1,13 +1,13 @@
 import { signal } from '@preact/signals';
 import { useRef } from 'preact/hooks';
-import { fileName, saveText } from '../../app/save.ts';
 import { addressOf, hashOf } from '../../address/route.ts';
 import { settingsToParameters } from '../../address/settings.ts';
 import { FaultNotice } from '../../app/FaultNotice.tsx';
-import { analysed, drop, onBench } from '../../state/bench.ts';
-import { keepDrop } from '../../state/keeping.ts';
+import { fileName, saveText } from '../../app/save.ts';
 import { request } from '../../state/analysing.ts';
+import { analysed, drop, onBench } from '../../state/bench.ts';
 import { engine } from '../../state/engine.ts';
+import { keepDrop } from '../../state/keeping.ts';
 import { settings } from '../../state/settings.ts';
 import { texts } from '../../text/language.ts';
 import { SaveSound } from './SaveSound.tsx';
@@ -29,18 +29,10 @@ export function Keep() {
         <SaveSound />
         {analysed.value && (
           <>
-            <button
-              type="button"
-              class="quiet"
-              onClick={() => void saveCsv(stem)}
-            >
+            <button type="button" class="quiet" onClick={() => void saveCsv(stem)}>
               {words.csv}
             </button>
-            <button
-              type="button"
-              class="quiet"
-              onClick={() => saveJson(stem)}
-            >
+            <button type="button" class="quiet" onClick={() => saveJson(stem)}>
               {words.json}
             </button>
             <button type="button" class="quiet" onClick={() => globalThis.print()}>

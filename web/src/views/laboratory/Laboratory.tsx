@@ -1,7 +1,7 @@
 import { FaultNotice } from '../../app/FaultNotice.tsx';
 import { fault, onBench, phase } from '../../state/bench.ts';
-import { texts } from '../../text/language.ts';
 import { unreadable } from '../../state/settings.ts';
+import { texts } from '../../text/language.ts';
 import { FigureTabs } from './FigureTabs.tsx';
 import { Interrupted } from './Interrupted.tsx';
 import { Keep } from './Keep.tsx';

@@ -18,4 +18,3 @@ export function NoDrop() {
     </div>
   );
 }
-

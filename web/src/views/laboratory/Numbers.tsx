@@ -9,8 +9,8 @@ import {
   PLAIN,
   plain,
   SECOND,
-  uncertain,
   type Unit,
+  uncertain,
 } from '../../format/quantity.ts';
 import type { DocumentDrop, Posterior } from '../../lab/index.ts';
 import { drop } from '../../state/bench.ts';

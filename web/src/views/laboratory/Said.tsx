@@ -60,9 +60,7 @@ function Sentences({ said }: { readonly said: DocumentDrop }) {
       {height && (
         <p class="second">
           <Rich
-            parts={words.fell(
-              uncertain(height.value, height.sd, lengthUnit(height.value), spoken),
-            )}
+            parts={words.fell(uncertain(height.value, height.sd, lengthUnit(height.value), spoken))}
           />
         </p>
       )}
@@ -102,9 +100,7 @@ function Air({ said }: { readonly said: DocumentDrop }) {
   return (
     <div class="stack">
       <p>
-        {points > 0.05
-          ? words.airExplains(fixed(points, 1, language.value))
-          : words.airNothing}
+        {points > 0.05 ? words.airExplains(fixed(points, 1, language.value)) : words.airNothing}
       </p>
       <Why />
     </div>

@@ -26,9 +26,11 @@ export function SaveFigure({ id, log }: { readonly id: FigureId; readonly log: b
 /** The name by which the engine draws it; with several drops it begins with the drop. */
 function nameOf(id: FigureId, log: boolean): string | undefined {
   const wanted = engineName(id, log);
-  const names = analysed.value?.figures.map(({ name }) => name) ?? [];
-  return names.find((name) => name === `drop${chosenDrop.value + 1}-${wanted}`) ??
-    names.find((name) => name === wanted);
+  const names = analysed.value?.figures ?? [];
+  return (
+    names.find((name) => name === `drop${chosenDrop.value + 1}-${wanted}`) ??
+    names.find((name) => name === wanted)
+  );
 }
 
 async function saveFigure(name: string, format: 'svg' | 'png'): Promise<void> {

@@ -20,10 +20,12 @@ export function SettingsLine() {
       )}
       <details>
         <summary>
-          <span class="line">
-            {ballInWords()} · {airInWords()} · {gravityInWords()}
-          </span>{' '}
-          {words.change}
+          <span>
+            <span class="line">
+              {ballInWords()} · {airInWords()} · {gravityInWords()}
+            </span>{' '}
+            {words.change}
+          </span>
         </summary>
         <SettingsForm />
       </details>
@@ -32,8 +34,7 @@ export function SettingsLine() {
 }
 
 /** Marks what nobody stated. */
-const unlessStated = (stated: boolean): string =>
-  stated ? '' : ` (${texts.value.lab.assumed})`;
+const unlessStated = (stated: boolean): string => (stated ? '' : ` (${texts.value.lab.assumed})`);
 
 function ballInWords(): string {
   const words = texts.value.settings;

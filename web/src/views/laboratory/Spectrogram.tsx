@@ -1,9 +1,9 @@
 import { signal } from '@preact/signals';
 import { useEffect, useRef } from 'preact/hooks';
+import type { Spectrogram as Picture } from '../../lab/index.ts';
 import { onBench, view } from '../../state/bench.ts';
 import { colour, dark } from '../../style/colours.ts';
 import { texts } from '../../text/language.ts';
-import type { Spectrogram as Picture } from '../../lab/index.ts';
 
 export const showSpectrogram = signal(false);
 
@@ -18,7 +18,6 @@ export function Spectrogram() {
   const shown = showSpectrogram.value;
   const isDark = dark.value;
 
-  // biome-ignore lint/correctness/useExhaustiveDependencies: the theme changes the colours
   useEffect(() => {
     const element = canvas.current;
     const bench = onBench.peek();

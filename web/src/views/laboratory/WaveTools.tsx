@@ -1,5 +1,16 @@
 import type { ComponentChildren } from 'preact';
-import { All, Back, Bin, Closer, Forth, Magnet, Pause, Play, Plus, Wider } from '../../app/icons.tsx';
+import {
+  All,
+  Back,
+  Bin,
+  Closer,
+  Forth,
+  Magnet,
+  Pause,
+  Play,
+  Plus,
+  Wider,
+} from '../../app/icons.tsx';
 import { playing, SPEEDS, type Speed } from '../../sound/player.ts';
 import { cursorS, edited, onBench, present, selected, view } from '../../state/bench.ts';
 import * as editing from '../../state/editing.ts';

@@ -27,7 +27,7 @@ function Chapter({ facts, name }: ChapterProps) {
   const words = texts.value.paper;
   const head = words.six;
   return (
-    <div class="scroll" tabIndex={0} role="region" aria-label={translated(name)}>
+    <section class="scroll" tabIndex={0} aria-label={translated(name)}>
       <table class="wide">
         <thead>
           <tr>
@@ -51,7 +51,7 @@ function Chapter({ facts, name }: ChapterProps) {
           ))}
         </tbody>
       </table>
-    </div>
+    </section>
   );
 }
 

@@ -1,8 +1,8 @@
 import { hashOf } from '../../address/route.ts';
 import { texts } from '../../text/language.ts';
 import { EveryNumber } from './EveryNumber.tsx';
-import { Facts } from './paper-data.ts';
 import { Puzzle } from './Puzzle.tsx';
+import { Facts } from './paper-data.ts';
 import { Resolution } from './Resolution.tsx';
 import { DragFigure, HeightFigure, RulerFigure } from './Sections.tsx';
 

@@ -17,8 +17,8 @@ interface Choice {
 }
 
 const MOST_FLIGHTS = 40;
-/** The slope with which ten flights reproduce the paper, by the power law (`bouncelab paper`). */
-const SOLVING_SLOPE = 0.0145;
+/** What a bounce loses for each m/s when ten flights reproduce the paper (`bouncelab paper`). */
+const SOLVING_SLOPE = 0.02374;
 
 /** The puzzle as a toy: make a drop with air, lay the paper's line through it, compare. */
 export function Puzzle() {
@@ -28,7 +28,9 @@ export function Puzzle() {
   const drag = useSimulation(
     requestOf('constant:0.4', choice.restitution, choice.slope, MOST_FLIGHTS + 1),
   );
-  const vacuum = useSimulation(requestOf('none', choice.restitution, choice.slope, MOST_FLIGHTS + 1));
+  const vacuum = useSimulation(
+    requestOf('none', choice.restitution, choice.slope, MOST_FLIGHTS + 1),
+  );
   const times = drag ? flightTimes(drag) : [];
   const line = lineThrough(times.slice(0, choice.flights));
   const hit =
@@ -95,11 +97,7 @@ export function Puzzle() {
           {words.paperSays} {words.truth}
         </p>
       </div>
-      <Sinking
-        drag={times}
-        vacuum={vacuum ? flightTimes(vacuum) : []}
-        flights={choice.flights}
-      />
+      <Sinking drag={times} vacuum={vacuum ? flightTimes(vacuum) : []} flights={choice.flights} />
     </section>
   );
 }
@@ -115,7 +113,6 @@ function Sinking({ drag, vacuum, flights }: SinkingProps) {
   const all = texts.value;
   const words = all.paper.four;
   const key = `${drag.join()}|${vacuum.join()}|${flights}`;
-  // biome-ignore lint/correctness/useExhaustiveDependencies: the key stands for the numbers
   const spec = useMemo((): ChartSpec | undefined => {
     if (drag.length < 4 || vacuum.length < 4) return undefined;
     const heights = (times: readonly number[]) =>

@@ -8,7 +8,7 @@ export function Resolution({ puzzle }: { readonly puzzle: readonly Explanation[]
   const head = words.five;
   const spoken = language.value;
   return (
-    <div class="scroll" tabIndex={0} role="region" aria-label={head.caption}>
+    <section class="scroll" tabIndex={0} aria-label={head.caption}>
       <table>
         <caption>{head.caption}</caption>
         <thead>
@@ -36,6 +36,6 @@ export function Resolution({ puzzle }: { readonly puzzle: readonly Explanation[]
           ))}
         </tbody>
       </table>
-    </div>
+    </section>
   );
 }

@@ -82,7 +82,9 @@ export function DragFigure() {
           y: SPEEDS.map((speed) => 100 * dragOverWeight(speed)),
         },
       ],
-      levels: [{ at: 2.405, label: words.figures.drag.fastest, meaning: 'measured', upright: true }],
+      levels: [
+        { at: 2.405, label: words.figures.drag.fastest, meaning: 'measured', upright: true },
+      ],
     };
   }, [constant, sphere, words]);
   return <Figure spec={spec} see={words.paper.three.see} />;
@@ -90,8 +92,12 @@ export function DragFigure() {
 
 /** By the drag law of Clift and Gauvin (1971), as the engine has it. */
 function dragOverWeight(speed: number): number {
-  const { diameter_m = 0, mass_kg = 1, air_density_kg_m3: density = 0, air_viscosity_pa_s = 1 } =
-    settingsOf('');
+  const {
+    diameter_m = 0,
+    mass_kg = 1,
+    air_density_kg_m3: density = 0,
+    air_viscosity_pa_s = 1,
+  } = settingsOf('');
   const reynolds = (density * speed * diameter_m) / air_viscosity_pa_s;
   const coefficient =
     (24 / reynolds) * (1 + 0.15 * reynolds ** 0.687) + 0.42 / (1 + 42500 * reynolds ** -1.16);

@@ -25,6 +25,7 @@ export function settingsOf(drag: string): Settings {
   };
 }
 
+/** A drop of it; the restitution is that at 1 m/s, and falls by `slope` for each m/s. */
 export function requestOf(
   drag: string,
   restitution: number,
@@ -37,7 +38,7 @@ export function requestOf(
     restitution:
       slope === 0
         ? { law: 'constant', restitution }
-        : { law: 'power', restitution, at_speed_m_s: 1, exponent: slope },
+        : { law: 'linear', at_rest: restitution + slope, loss_per_speed_s_m: slope },
     ...(bounces === undefined ? {} : { bounces }),
   };
 }

@@ -1,8 +1,8 @@
 import { signal } from '@preact/signals';
 import { hashOf } from '../../address/route.ts';
 import { Pause, Play } from '../../app/icons.tsx';
-import { playing, stop } from '../../sound/player.ts';
 import { fixed } from '../../format/quantity.ts';
+import { playing, stop } from '../../sound/player.ts';
 import { drop } from '../../state/bench.ts';
 import {
   analyseRun,
@@ -75,8 +75,7 @@ function Runs() {
       {runs.value.map((run) => (
         <li key={run.number}>
           <span>
-            <strong>{words.run(run.number)}</strong>{' '}
-            <span class="small soft">{inWords(run)}</span>
+            <strong>{words.run(run.number)}</strong> <span class="small soft">{inWords(run)}</span>
           </span>
           <button
             type="button"

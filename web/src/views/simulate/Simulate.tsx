@@ -8,9 +8,9 @@ import type { Simulation } from '../../lab/index.ts';
 import { impossible, runs, simulated } from '../../state/simulating.ts';
 import { language, texts } from '../../text/language.ts';
 import { translated } from '../../text/remarks.ts';
+import { flightsOfRuns, heightsOfRuns } from './charts.ts';
 import { RunTools } from './RunTools.tsx';
 import { Sliders } from './Sliders.tsx';
-import { flightsOfRuns, heightsOfRuns } from './charts.ts';
 
 /** Drop a ball that does not exist: sliders on one side, what follows on the other. */
 export function Simulate() {

@@ -17,7 +17,13 @@ export function Sliders() {
   const world = offered?.worlds.find(({ name }) => name === now.world);
   const slider = (name: SliderName) => {
     const { min, max, step } = SLIDERS[name];
-    return { min, max, step, value: now[name], onInput: (value: number) => move({ [name]: value }) };
+    return {
+      min,
+      max,
+      step,
+      value: now[name],
+      onInput: (value: number) => move({ [name]: value }),
+    };
   };
   return (
     <div class="sliders">

@@ -23,4 +23,4 @@ class Tap extends AudioWorkletProcessor {
   }
 }
 
-registerProcessor("tap", Tap);
+registerProcessor('tap', Tap);
