@@ -8,6 +8,7 @@ mod calibrate;
 mod cargo;
 mod grid;
 mod test;
+mod web;
 
 use std::process::ExitCode;
 
@@ -21,7 +22,7 @@ struct Chore {
     run: fn(&[String]) -> Result,
 }
 
-const CHORES: [Chore; 4] = [
+const CHORES: [Chore; 5] = [
     Chore {
         name: "test",
         arguments: "[CHECK...]",
@@ -45,6 +46,12 @@ const CHORES: [Chore; 4] = [
         arguments: "[PART...]",
         about: grid::ABOUT,
         run: grid::run,
+    },
+    Chore {
+        name: "web",
+        arguments: "[PART]",
+        about: web::ABOUT,
+        run: web::run,
     },
 ];
 

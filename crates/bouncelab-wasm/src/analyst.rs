@@ -311,10 +311,15 @@ impl HeightCurve {
 }
 
 fn draws(found: &Inference) -> Draws {
+    /// More points say no more on a screen.
+    const SHOWN: usize = 1000;
+    let all = &found.draws;
+    let step = all.restitution.len().div_ceil(SHOWN).max(1);
+    let thinned = |values: &[f64]| values.iter().copied().step_by(step).collect();
     Draws {
-        restitution: found.draws.restitution.clone(),
-        drag_coefficient: found.draws.drag_coefficient.clone(),
-        drop_height_m: found.draws.drop_height_m.clone(),
+        restitution: thinned(&all.restitution),
+        drag_coefficient: thinned(&all.drag_coefficient),
+        drop_height_m: thinned(&all.drop_height_m),
     }
 }
 

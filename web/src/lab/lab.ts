@@ -341,7 +341,9 @@ export class Listening {
 function pictured(recording: Recording): Level | null {
   const ENOUGH_BINS = 32_768;
   const levels = recording.sound?.levels;
-  return levels?.find(({ extremes }) => extremes.length <= 2 * ENOUGH_BINS) ?? levels?.at(-1) ?? null;
+  return (
+    levels?.find(({ extremes }) => extremes.length <= 2 * ENOUGH_BINS) ?? levels?.at(-1) ?? null
+  );
 }
 
 function spawnWorker(): Port {

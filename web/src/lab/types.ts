@@ -2,7 +2,7 @@
 // crates/bouncelab-wasm/src/wire.rs by `cargo xtask web`. Do not edit.
 
 /** Kinds of trouble that a page may want to tell apart. */
-export type RefusalKind = "empty" | "unsupported" | "damaged" | "times" | "setting" | "fault";
+export type RefusalKind = "empty" | "unsupported" | "damaged" | "times" | "setting" | "too-long" | "fault";
 
 /** Why something could not be done. */
 export type Refusal = {
@@ -18,6 +18,15 @@ name: string,
 /** Upper end of its range; `null` if it has none. */
 max_reynolds: number | null, };
 
+/** Air by temperature, pressure and humidity. */
+export type MoistAir = {
+/** Temperature. */
+temperature_k: number,
+/** Pressure. */
+pressure_pa: number,
+/** Relative humidity, 0 to 1. */
+relative_humidity: number, };
+
 /** Gravity and air of a world. */
 export type World = {
 /** Name, as a key for translation. */
@@ -28,15 +37,6 @@ gravity_m_s2: number,
 air_density_kg_m3: number,
 /** Viscosity of its air there; `null` in vacuum. */
 air_viscosity_pa_s: number | null, };
-
-/** Air by temperature, pressure and humidity. */
-export type MoistAir = {
-/** Temperature. */
-temperature_k: number,
-/** Pressure. */
-pressure_pa: number,
-/** Relative humidity, 0 to 1. */
-relative_humidity: number, };
 
 /** A ball whose rules fix mass and size. */
 export type BallPreset = {
@@ -222,15 +222,15 @@ sigma_s: number,
 /** Level relative to full scale. */
 level_db: number, };
 
+/** How far to go. */
+export type Effort = "quick" | "full";
+
 /** The impacts of one drop, as they are to be analysed. */
 export type DropMarks = {
 /** Its impacts, in order of time. */
 impacts: Array<Mark>,
 /** Whether a hand has changed them: then they are numbered anew. */
 edited: boolean, };
-
-/** How far to go. */
-export type Effort = "quick" | "full";
 
 /** What to analyse. */
 export type AnalysisRequest = {
@@ -249,16 +249,12 @@ settings: Settings,
 /** How far to go. */
 effort: Effort, };
 
-/** Drag over weight against speed. */
-export type DragCurve = {
-/** The drag law. */
-law: string,
-/** Whether it is the law of the settings; else it is a constant coefficient to compare with. */
-chosen: boolean,
-/** Speeds. */
-speed_m_s: Array<number>,
-/** Drag over weight at each. */
-drag_over_weight: Array<number>, };
+/** Height against time. */
+export type HeightCurve = {
+/** Times. */
+time_s: Array<number>,
+/** Height of the lowest point of the ball at each. */
+height_m: Array<number | null>, };
 
 /** What became of the energy at an impact and in the flight before it. */
 export type Energy = {
@@ -270,13 +266,6 @@ before_j: number,
 lost_to_surface_j: number,
 /** What the air took in the flight after it. */
 lost_to_air_j: number, };
-
-/** Height against time. */
-export type HeightCurve = {
-/** Times. */
-time_s: Array<number>,
-/** Height of the lowest point of the ball at each. */
-height_m: Array<number | null>, };
 
 /** Equally likely values of the answers; those with the same index belong together. */
 export type Draws = {
@@ -379,6 +368,17 @@ export type AnalysisDocument = { schema: string,
 bouncelab: string, file: string, source: Origin | null, settings: SettingsUsed | null, drops: Array<DocumentDrop>,
 /** Why there is no drop, in words. */
 no_drop: string | null, warnings: Array<string>, };
+
+/** Drag over weight against speed. */
+export type DragCurve = {
+/** The drag law. */
+law: string,
+/** Whether it is the law of the settings; else it is a constant coefficient to compare with. */
+chosen: boolean,
+/** Speeds. */
+speed_m_s: Array<number>,
+/** Drag over weight at each. */
+drag_over_weight: Array<number>, };
 
 /** What the impacts say. */
 export type Analysed = {
