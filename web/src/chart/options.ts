@@ -75,27 +75,32 @@ function axis(of: Axis, language: string, upright: boolean): uPlot.Axis {
     grid: { stroke: colour('line'), width: 1 },
     ticks: { show: false },
     ...(of.counting ? { incrs: [1, 2, 5, 10, 20, 50, 100, 200, 500, 1000] } : {}),
+    filter: (_plot, splits) => splits,
     values: (_plot, splits) => labels(splits, of, language),
   };
 }
 
 /** Numbers along an axis, with as many decimals as they differ by. */
 function labels(splits: readonly (number | null)[], of: Axis, language: string): string[] {
-  if (of.log) {
-    const decades = splits.filter((s): s is number => s !== null);
-    const many = Math.log10((decades.at(-1) ?? 1) / (decades[0] ?? 1)) > 1.3;
-    return splits.map((split) => {
-      if (split === null) return '';
-      const leading = Number((split / 10 ** Math.floor(Math.log10(split) + 1e-9)).toPrecision(1));
-      const shown = many ? [1, 2, 5].includes(leading) : leading !== 7 && leading !== 9;
-      return shown
-        ? fixed(split, Math.max(0, -Math.floor(Math.log10(split) + 1e-9)), language)
-        : '';
-    });
-  }
+  if (of.log) return splits.map((split) => logLabel(split, splits, language));
   const step = Math.abs((splits[1] ?? 1) - (splits[0] ?? 0)) || 1;
   const decimals = Math.max(0, -Math.floor(Math.log10(step) + 1e-6));
   return splits.map((split) => (split === null ? '' : fixed(split, decimals, language)));
+}
+
+/** On a logarithmic axis only round numbers are written: fewer the more decades there are. */
+function logLabel(
+  split: number | null,
+  splits: readonly (number | null)[],
+  language: string,
+): string {
+  if (split === null || !(split > 0)) return '';
+  const known = splits.filter((other): other is number => other !== null && other > 0);
+  const decades = Math.log10((known.at(-1) ?? 1) / (known[0] ?? 1));
+  const exponent = Math.floor(Math.log10(split) + 1e-9);
+  const leading = Math.round(split / 10 ** exponent);
+  const written = decades > 2.2 ? [1] : decades > 1.2 ? [1, 2, 5] : [1, 2, 3, 5, 7];
+  return written.includes(leading) ? fixed(split, Math.max(0, -exponent), language) : '';
 }
 
 function seriesOf(layer: Layer): uPlot.Series[] {

@@ -71,16 +71,16 @@ export function uncertain(
   return withUnit(`${shown} ± ${fixed(sd / unit.size, decimals, language)}`, unit);
 }
 
-/** A range, as in "46.0 to 49.3 cm", with the digits that its width deserves. */
+/** A range, as in "46.0 to 49.3 cm", with the digits that the uncertainty deserves. */
 export function between(
   interval: readonly [number, number],
+  sd: number,
   unit: Unit,
   word: string,
   language: string,
 ): string {
-  const [low, high] = interval;
-  const decimals = decimalsFor((high - low) / 4 / unit.size);
-  const ends = [low, high].map((end) => fixed(end / unit.size, decimals, language));
+  const decimals = decimalsFor(sd / unit.size);
+  const ends = interval.map((end) => fixed(end / unit.size, decimals, language));
   return withUnit(ends.join(` ${word} `), unit);
 }
 

@@ -68,6 +68,7 @@ const deutsch: Texts = {
     dropsHeard: 'Versuche in dieser Aufnahme',
     airExplains: (points) =>
       `Der Luftwiderstand erklärt ${points} Prozentpunkte dessen, was eine Ausgleichsgerade für verlorene Sprungkraft hielte.`,
+    lineHeight: (height) => `Die Fallhöhe wäre nach dieser Geraden ${height}.`,
     airNothing: 'Der Luftwiderstand macht hier fast nichts aus: Die Gerade sagt dasselbe.',
     whyAir: [
       'Eine Gerade durch die Logarithmen der Flugzeiten ist der klassische Weg zur Sprungkraft. Doch auch die Luft bremst den Ball, und die Gerade hält das für Verlust beim Aufprall.',
@@ -448,6 +449,7 @@ const deutsch: Texts = {
       ],
       equation: 'F/W = ½ ρ A C_D v² / mg',
       see: 'Luftwiderstand durch Gewicht über dem Tempo, nach beiden Gesetzen. Auf der log. Skala gibt ein gleichbleibender Beiwert eine Gerade der Steigung 2.',
+      first: 'erster Aufprall',
       seeHeight:
         'Der ganze Fall mit e = 0,935, mit Luft und ohne: sechs Prozent des Gewichts, und der Ball ruht Sekunden früher.',
     },

@@ -70,6 +70,7 @@ export default {
     dropsHeard: 'Drops in this recording',
     airExplains: (points: string) =>
       `Air drag explains ${points} points of what a straight-line fit would call lost bounciness.`,
+    lineHeight: (height: string) => `That line would put the drop height at ${height}.`,
     airNothing: 'Air drag makes next to no difference here: the straight line says the same.',
     whyAir: [
       'A straight line through the logarithm of the flight times is the classic way to measure bounciness. But air slows the ball too, and the line takes that for energy lost in the bounce.',
@@ -446,6 +447,7 @@ export default {
       ],
       equation: 'F/W = ½ ρ A C_D v² / mg',
       see: 'Drag over weight against speed, by both laws. On the log scale a constant coefficient is a straight line of slope 2.',
+      first: 'first impact',
       seeHeight:
         'The whole drop with e = 0.935, with air and without: six per cent of the weight, and the ball rests seconds earlier.',
     },

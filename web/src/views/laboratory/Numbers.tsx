@@ -62,7 +62,9 @@ function inferredEntries({ estimate }: DocumentDrop): Entry[] {
           {
             name,
             value: uncertain(posterior.value, posterior.sd, unit, spoken),
-            note: words.interval(between(posterior.interval95, unit, texts.value.to, spoken)),
+            note: words.interval(
+              between(posterior.interval95, posterior.sd, unit, texts.value.to, spoken),
+            ),
           },
         ]
       : [];

@@ -1,5 +1,5 @@
 import { Rich } from '../../app/Rich.tsx';
-import { fixed, lengthUnit, PERCENT, uncertain } from '../../format/quantity.ts';
+import { fixed, lengthUnit, PERCENT, plain, uncertain } from '../../format/quantity.ts';
 import type { DocumentDrop } from '../../lab/index.ts';
 import { drop, edited, marks, onBench, refining } from '../../state/bench.ts';
 import { language, texts } from '../../text/language.ts';
@@ -96,11 +96,14 @@ function Air({ said }: { readonly said: DocumentDrop }) {
   const words = texts.value.lab;
   const { estimate, regression } = said;
   if (!estimate || !regression) return null;
+  const spoken = language.value;
+  const height = regression.drop_height_m;
   const points = 100 * (estimate.restitution.value - regression.restitution);
   return (
     <div class="stack">
       <p>
-        {points > 0.05 ? words.airExplains(fixed(points, 1, language.value)) : words.airNothing}
+        {points > 0.05 ? words.airExplains(fixed(points, 1, spoken)) : words.airNothing}{' '}
+        {words.lineHeight(plain(height, lengthUnit(height), 3, spoken))}
       </p>
       <Why />
     </div>

@@ -82,9 +82,7 @@ export function DragFigure() {
           y: SPEEDS.map((speed) => 100 * dragOverWeight(speed)),
         },
       ],
-      levels: [
-        { at: 2.405, label: words.figures.drag.fastest, meaning: 'measured', upright: true },
-      ],
+      levels: [{ at: 2.405, label: words.paper.three.first, meaning: 'measured', upright: true }],
     };
   }, [constant, sphere, words]);
   return <Figure spec={spec} see={words.paper.three.see} />;
