@@ -7,7 +7,7 @@ import { tickDecimals, ticks, type Viewport, widthS } from './viewport.ts';
 /** Room for the flags of the marks above, and the ruler below, in CSS pixels. */
 export const FLAGS = 22;
 export const RULER = 20;
-const TICK_SPACING = 84;
+const TICK_SPACING = 66;
 
 /** Colours of one theme, read once and not for every frame. */
 export interface Palette {
