@@ -84,9 +84,11 @@ function axis(of: Axis, language: string, upright: boolean): uPlot.Axis {
 function labels(splits: readonly (number | null)[], of: Axis, language: string): string[] {
   if (of.log) return splits.map((split) => logLabel(split, splits, language));
   const step = Math.abs((splits[1] ?? 1) - (splits[0] ?? 0)) || 1;
-  const decimals = Math.max(0, -Math.floor(Math.log10(step) + 1e-6));
+  const decimals = [0, 1, 2, 3, 4, 5, 6].find((places) => isWhole(step * 10 ** places)) ?? 6;
   return splits.map((split) => (split === null ? '' : fixed(split, decimals, language)));
 }
+
+const isWhole = (value: number): boolean => Math.abs(value - Math.round(value)) < 1e-6 * value;
 
 /** On a logarithmic axis only round numbers are written: fewer the more decades there are. */
 function logLabel(

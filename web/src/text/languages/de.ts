@@ -11,7 +11,7 @@ const deutsch: Texts = {
     nav: 'Seiten',
     lab: 'Zuhören',
     simulate: 'Simulieren',
-    paper: 'Der Aufsatz',
+    paper: 'Aufsatz',
     drops: 'Versuche',
     language: 'Sprache',
     toDark: 'Dunkel',

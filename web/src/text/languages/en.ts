@@ -13,7 +13,7 @@ export default {
     nav: 'Pages',
     lab: 'Listen',
     simulate: 'Simulate',
-    paper: 'The paper',
+    paper: 'Paper',
     drops: 'Drops',
     language: 'Language',
     toDark: 'Dark',
