@@ -29,10 +29,7 @@ export function decimalsFor(uncertainty: number): number {
   const exponent = Math.floor(Math.log10(uncertainty));
   const leading = Math.round((uncertainty / 10 ** exponent) * 100) / 100;
   const digits = leading < 3 ? 2 : 1;
-  // 0.0996 rounds to 0.10: one place less.
-  const rounded = Number(uncertainty.toPrecision(digits));
-  const carried = Math.floor(Math.log10(rounded)) > exponent;
-  return Math.min(12, digits - 1 - exponent - (carried && digits === 2 ? 1 : 0));
+  return Math.min(12, digits - 1 - exponent);
 }
 
 /** A number with fixed decimals in the manner of a language. */

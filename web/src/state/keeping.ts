@@ -2,7 +2,7 @@
 import { signal } from '@preact/signals';
 import { go } from '../address/route.ts';
 import type { DocumentDrop } from '../lab/index.ts';
-import { allDrops, deleteDrop, type KeptDrop, type Known, putDrop } from '../store/drops.ts';
+import { allDrops, deleteDrop, type KeptDrop, putDrop } from '../store/drops.ts';
 import { deleteRecording, putBlock, putRecording } from '../store/recordings.ts';
 import { analysed, drop, onBench, present } from './bench.ts';
 import { setMarks } from './editing.ts';
@@ -119,36 +119,6 @@ async function forgetDeleted(): Promise<void> {
     if (recording !== null && !used.has(recording)) await deleteRecording(recording);
   }
   deleted.value = [];
-}
-
-/** Mean and scatter of several values. */
-export interface Spread {
-  readonly count: number;
-  readonly mean: number;
-  readonly meanSd: number | null;
-  readonly scatter: number | null;
-  /** What a single one claims, on average (root mean square). */
-  readonly claimed: number | null;
-}
-
-export function spreadOf(values: readonly (Known | null)[]): Spread | undefined {
-  const known = values.filter((value): value is Known => value !== null);
-  const count = known.length;
-  if (count === 0) return undefined;
-  const mean = known.reduce((sum, { value }) => sum + value, 0) / count;
-  const squares = known.reduce((sum, { value }) => sum + (value - mean) ** 2, 0);
-  const scatter = count > 1 ? Math.sqrt(squares / (count - 1)) : null;
-  const claims = known.flatMap(({ sd }) => (sd === null ? [] : [sd ** 2]));
-  return {
-    count,
-    mean,
-    meanSd: scatter === null ? null : scatter / Math.sqrt(count),
-    scatter,
-    claimed:
-      claims.length === 0
-        ? null
-        : Math.sqrt(claims.reduce((sum, claim) => sum + claim, 0) / claims.length),
-  };
 }
 
 /** Puts a kept drop back on the bench, as it was left: its sound, its set-up, its impacts. */

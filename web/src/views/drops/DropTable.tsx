@@ -1,5 +1,6 @@
 import { fixed, lengthUnit, PLAIN, uncertain } from '../../format/quantity.ts';
-import { kept, openKept, remove, rename, spreadOf } from '../../state/keeping.ts';
+import { kept, openKept, remove, rename } from '../../state/keeping.ts';
+import { spreadOf } from '../../state/spread.ts';
 import type { KeptDrop } from '../../store/drops.ts';
 import { language, texts } from '../../text/language.ts';
 import { ballName } from '../laboratory/SettingsLine.tsx';
