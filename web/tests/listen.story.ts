@@ -1,0 +1,141 @@
+/** Listening: a drop into the microphone, its result, its sound; and all that can go wrong with it. */
+import { mkdtempSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import type { Browser, Page } from 'playwright-core';
+import { afterAll, afterEach, beforeAll, expect, test } from 'vitest';
+import { launch, type Microphone, open, said, settled } from './support/browser.ts';
+import { type Site, serve } from './support/site.ts';
+import { drop, samplesOf, TRUTH } from './support/sounds.ts';
+
+let site: Site;
+let heard: string;
+let browser: Browser | undefined;
+
+beforeAll(async () => {
+  site = await serve();
+  heard = drop('microphone');
+});
+afterAll(() => site.close());
+afterEach(async () => {
+  await browser?.close();
+});
+
+async function opened(microphone: Microphone) {
+  browser = await launch(microphone);
+  return open(browser, site.url);
+}
+
+const listen = (page: Page) => page.getByRole('button', { name: 'Listen' }).click();
+
+/** All blocks that the page wrote to its database, one after the other. */
+const stored = (page: Page): Promise<number[]> =>
+  page.evaluate(
+    () =>
+      new Promise<number[]>((resolve, reject) => {
+        const request = indexedDB.open('bouncelab');
+        request.onerror = () => reject(request.error);
+        request.onsuccess = () => {
+          const all = request.result.transaction('blocks').objectStore('blocks').getAll();
+          all.onsuccess = () =>
+            resolve(all.result.flatMap((block: { samples: Float32Array }) => [...block.samples]));
+        };
+      }),
+  );
+
+async function savedWav(page: Page) {
+  const coming = page.waitForEvent('download');
+  await page.getByRole('button', { name: 'Sound (WAV)' }).first().click();
+  const file = join(mkdtempSync(join(tmpdir(), 'bouncelab-saved-')), 'saved.wav');
+  await (await coming).saveAs(file);
+  return samplesOf(file);
+}
+
+test('a drop is heard, ends by itself, and is told within its uncertainty', async () => {
+  const { page, complaints } = await opened({ plays: heard });
+  await listen(page);
+  await page.getByText(/impacts so far/).waitFor();
+  const { kept, fell } = await said(page);
+  // Three standard deviations, and half of the last digit that is shown.
+  expect(Math.abs(kept.value - 100 * TRUTH.restitution)).toBeLessThan(3.5 * kept.sd);
+  expect(Math.abs(fell.value - 100 * TRUTH.heightM)).toBeLessThan(3.5 * fell.sd);
+  expect(complaints).toEqual([]);
+
+  const wav = await savedWav(page);
+  const kepts = await stored(page);
+  expect(wav.samples.length).toBe(kepts.length);
+  expect(wav.samples.every((sample, i) => sample === kepts[i])).toBe(true);
+  expect(likeness(wav, samplesOf(heard))).toBeGreaterThan(0.95);
+});
+
+/**
+ * Correlation of the energies, in bins of 2 ms, of what was saved with what was played, where they fit
+ * best. Energies, because a browser may resample its microphone.
+ */
+function likeness(saved: Sound, played: Sound): number {
+  const [a, b] = [energies(saved), energies(played)];
+  const loudest = (bins: readonly number[]): number => bins.indexOf(Math.max(...bins));
+  const lags = Array.from({ length: 41 }, (_, i) => loudest(b) - loudest(a) + i - 20);
+  const at = (lag: number): number => {
+    const pairs = a.map((energy, i) => [energy, b[i + lag] ?? 0] as const);
+    const sum = (of: (x: number, y: number) => number): number =>
+      pairs.reduce((total, [x, y]) => total + of(x, y), 0);
+    return sum((x, y) => x * y) / Math.sqrt(sum((x) => x * x) * sum((_, y) => y * y));
+  };
+  return Math.max(...lags.map(at));
+}
+
+type Sound = ReturnType<typeof samplesOf>;
+
+function energies({ rateHz, samples }: Sound): number[] {
+  const size = Math.round(rateHz / 500);
+  return Array.from({ length: Math.floor(samples.length / size) }, (_, bin) =>
+    samples
+      .subarray(bin * size, (bin + 1) * size)
+      .reduce((total, sample) => total + sample * sample, 0),
+  );
+}
+
+test('a refused microphone says what happened and what to do', async () => {
+  const { page } = await opened('refused');
+  await listen(page);
+  await page.getByText('The browser may not use the microphone.').waitFor();
+  await page.getByText(/Allow it in the address bar/).waitFor();
+  expect(await page.getByRole('button', { name: 'open a file' }).isEnabled()).toBe(true);
+});
+
+test('a computer without a microphone says so', async () => {
+  const { page } = await opened('missing');
+  await listen(page);
+  await page.getByText('No microphone was found.').waitFor();
+});
+
+test('a page that is closed while it listens loses nothing', async () => {
+  const { page } = await opened({ plays: heard });
+  await listen(page);
+  await page.getByText(/(\d\d) impacts so far/).waitFor();
+  await page.reload();
+  await page.getByText(/was cut short/).waitFor();
+  await page.getByRole('button', { name: 'Open it' }).click();
+  await settled(page);
+  expect(await page.getByText(/\d+ impacts/).count()).toBeGreaterThan(0);
+});
+
+test('a full storage is told, and the recording can still be saved whole', async () => {
+  browser = await launch({ plays: heard });
+  const context = await browser.newContext({ locale: 'en-GB' });
+  await context.addInitScript(() => {
+    const put = IDBObjectStore.prototype.put;
+    IDBObjectStore.prototype.put = function (this: IDBObjectStore, ...words) {
+      if (this.name === 'blocks') throw new DOMException('no room', 'QuotaExceededError');
+      return put.apply(this, words);
+    };
+  });
+  const page = await context.newPage();
+  await page.goto(site.url);
+  await listen(page);
+  await page.getByText('The storage of the browser is full.').waitFor();
+  await settled(page);
+  const { samples, rateHz } = await savedWav(page);
+  expect(samples.length / rateHz).toBeGreaterThan(5);
+});

@@ -1,0 +1,102 @@
+/** A real Chromium with the page in it. */
+import { existsSync } from 'node:fs';
+import { type Browser, type BrowserContextOptions, chromium, type Page } from 'playwright-core';
+
+const PLACES = ['/usr/bin/chromium', '/usr/bin/chromium-browser', '/usr/bin/google-chrome'];
+
+function executable(): string {
+  const found = [process.env['CHROMIUM'] ?? '', ...PLACES].find((path) => existsSync(path));
+  if (found === undefined) {
+    throw new Error('no Chromium here: install it (apt install chromium) or name it in CHROMIUM');
+  }
+  return found;
+}
+
+/** What the microphone hears: a file, or nothing because it is refused or missing. */
+export type Microphone = { readonly plays: string } | 'refused' | 'missing';
+
+export function launch(microphone: Microphone = 'missing'): Promise<Browser> {
+  const fake =
+    microphone === 'missing'
+      ? ['--use-fake-ui-for-media-stream']
+      : microphone === 'refused'
+        ? ['--use-fake-device-for-media-stream']
+        : [
+            '--use-fake-ui-for-media-stream',
+            '--use-fake-device-for-media-stream',
+            `--use-file-for-fake-audio-capture=${microphone.plays}%noloop`,
+          ];
+  return chromium.launch({
+    executablePath: executable(),
+    args: ['--no-sandbox', '--autoplay-policy=no-user-gesture-required', ...fake],
+  });
+}
+
+/** Opens the page; whatever it complains about in the console fails the story. */
+export async function open(
+  browser: Browser,
+  url: string,
+  options: BrowserContextOptions = {},
+): Promise<{ page: Page; complaints: string[] }> {
+  const context = await browser.newContext({
+    locale: 'en-GB',
+    viewport: { width: 1280, height: 900 },
+    ...options,
+  });
+  const page = await context.newPage();
+  const complaints: string[] = [];
+  page.on('console', (message) => {
+    if (message.type() === 'error' || message.type() === 'warning') complaints.push(message.text());
+  });
+  page.on('pageerror', (error) => complaints.push(error.message));
+  await page.goto(url);
+  await page.getByRole('navigation').waitFor();
+  return { page, complaints };
+}
+
+/** A value and its uncertainty as the page writes them, in the unit that it shows. */
+export interface Said {
+  readonly value: number;
+  readonly sd: number;
+}
+
+/** The numbers in the first two sentences: restitution in per cent, drop height in centimetres. */
+export async function said(page: Page): Promise<{ kept: Said; fell: Said }> {
+  await settled(page);
+  const read = async (place: string): Promise<Said> => {
+    const words = ((await page.locator(place).first().textContent()) ?? '').replace(/\u2212/g, '-');
+    const found = /(\d[\d.]*) ± (\d[\d.]*)/.exec(words);
+    if (!found) throw new Error(`no number with its uncertainty in "${words}"`);
+    return { value: Number(found[1]), sd: Number(found[2]) };
+  };
+  return { kept: await read('.said .first strong'), fell: await read('.said .second strong') };
+}
+
+/** Waits until the inference is done. */
+export async function settled(page: Page): Promise<void> {
+  await page.locator('.said[aria-busy="false"] .first').waitFor({ timeout: 30_000 });
+}
+
+/** Drops a file onto the page, as a hand would. */
+export async function dropFile(
+  page: Page,
+  name: string,
+  content: Buffer,
+  claimedSize?: number,
+): Promise<void> {
+  await page.evaluate(
+    ({ fileName, base64, size }) => {
+      const bytes = Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
+      const file = new File([bytes], fileName);
+      if (size !== undefined) Object.defineProperty(file, 'size', { value: size });
+      const transfer = new DataTransfer();
+      transfer.items.add(file);
+      // A transfer hands out copies, which would lose the claimed size.
+      const event = new DragEvent('drop', { bubbles: true, cancelable: true });
+      const carried = { types: ['Files'], files: size === undefined ? transfer.files : [file] };
+      Object.defineProperty(event, 'dataTransfer', { value: carried });
+      document.body.dispatchEvent(event);
+    },
+    { fileName: name, base64: content.toString('base64'), size: claimedSize },
+  );
+}
