@@ -101,7 +101,7 @@ async function place(timeS: number): Promise<number> {
 test('an impact can be removed from the list, and a double click adds one', async () => {
   const all = await impacts();
   await page.getByText('List of impacts').click();
-  await page.getByRole('button', { name: 'Remove impact 5' }).click();
+  await page.getByRole('button', { name: 'Remove impact 5', exact: true }).click();
   await counts(all - 1);
   const box = await waveform().boundingBox();
   if (!box) throw new Error('no waveform');

@@ -69,31 +69,47 @@ test('a drop is heard, ends by itself, and is told within its uncertainty', asyn
 });
 
 /**
- * Correlation of the energies, in bins of 2 ms, of what was saved with what was played, where they fit
- * best. Energies, because a browser may resample its microphone.
+ * Correlation of the loudness of what was saved with what was played, where they fit best. Loudness,
+ * because a browser resamples its microphone.
  */
 function likeness(saved: Sound, played: Sound): number {
-  const [a, b] = [energies(saved), energies(played)];
-  const loudest = (bins: readonly number[]): number => bins.indexOf(Math.max(...bins));
-  const lags = Array.from({ length: 41 }, (_, i) => loudest(b) - loudest(a) + i - 20);
-  const at = (lag: number): number => {
-    const pairs = a.map((energy, i) => [energy, b[i + lag] ?? 0] as const);
-    const sum = (of: (x: number, y: number) => number): number =>
-      pairs.reduce((total, [x, y]) => total + of(x, y), 0);
-    return sum((x, y) => x * y) / Math.sqrt(sum((x) => x * x) * sum((_, y) => y * y));
-  };
-  return Math.max(...lags.map(at));
+  const one = loudness(saved, 0);
+  const others = Array.from({ length: STEPS }, (_, step) => loudness(played, step));
+  return Math.max(...others.map((other) => best(one, other)));
 }
 
 type Sound = ReturnType<typeof samplesOf>;
 
-function energies({ rateHz, samples }: Sound): number[] {
-  const size = Math.round(rateHz / 500);
-  return Array.from({ length: Math.floor(samples.length / size) }, (_, bin) =>
-    samples
-      .subarray(bin * size, (bin + 1) * size)
-      .reduce((total, sample) => total + sample * sample, 0),
+/** Hundredths of a second, and the parts of one in which the two may be out of step. */
+const BIN_S = 0.01;
+const STEPS = 10;
+
+function loudness({ rateHz, samples }: Sound, step: number): number[] {
+  const size = Math.round(rateHz * BIN_S);
+  const first = Math.round((step / STEPS) * size);
+  return Array.from({ length: Math.floor((samples.length - first) / size) }, (_, bin) =>
+    Math.sqrt(
+      samples
+        .subarray(first + bin * size, first + (bin + 1) * size)
+        .reduce((total, sample) => total + sample * sample, 0),
+    ),
   );
+}
+
+function best(a: readonly number[], b: readonly number[]): number {
+  const loudest = (bins: readonly number[]): number => bins.indexOf(Math.max(...bins));
+  const correlation = (lag: number): number => {
+    let [both, one, other] = [0, 0, 0];
+    a.forEach((x, i) => {
+      const y = b[i + lag] ?? 0;
+      both += x * y;
+      one += x * x;
+      other += y * y;
+    });
+    return both / Math.sqrt(one * other);
+  };
+  const middle = loudest(b) - loudest(a);
+  return Math.max(...[-1, 0, 1].map((by) => correlation(middle + by)));
 }
 
 test('a refused microphone says what happened and what to do', async () => {
