@@ -136,7 +136,7 @@ test('a shared set-up arrives: the address says what the form says', async () =>
   await page.goto(`${site.url}#lab?ball=tennis&temperature_c=25`);
   await settled(page);
   await page.getByText(/Ball: tennis · Air: 25 °C/).waitFor();
-  await page.getByText('change').click();
+  await page.locator('.settings summary').click();
   await page.getByLabel('Temperature').fill('10,5');
   await page.getByLabel('Temperature').press('Enter');
   await page.waitForURL(/temperature_c=10.5/);

@@ -87,21 +87,23 @@ function Panel() {
   );
   const sentence = words.figures[id].see;
   return (
-    <figure class="figure-box" id="figure" role="tabpanel" aria-labelledby={`tab-${id}`}>
-      <figcaption>{charts.length > 0 ? sentence : words.figures.nothing}</figcaption>
-      {charts[0] && <Key spec={charts[0]} />}
-      {charts.map((spec, index) => (
-        <Chart key={index} spec={spec} label={sentence} />
-      ))}
-      {charts.length > 0 && (
-        <div class="row no-print">
-          {id === 'drag' && <DragScale />}
-          <SaveFigure id={id} log={log} />
-          <span class="small soft">{words.figures.reset}</span>
-        </div>
-      )}
-      {charts.length > 0 && <NumbersOf charts={charts} />}
-    </figure>
+    <div id="figure" role="tabpanel" aria-labelledby={`tab-${id}`}>
+      <figure class="figure-box">
+        <figcaption>{charts.length > 0 ? sentence : words.figures.nothing}</figcaption>
+        {charts[0] && <Key spec={charts[0]} />}
+        {charts.map((spec, index) => (
+          <Chart key={index} spec={spec} label={sentence} />
+        ))}
+        {charts.length > 0 && (
+          <div class="row no-print">
+            {id === 'drag' && <DragScale />}
+            <SaveFigure id={id} log={log} />
+            <span class="small soft">{words.figures.reset}</span>
+          </div>
+        )}
+        {charts.length > 0 && <NumbersOf charts={charts} />}
+      </figure>
+    </div>
   );
 }
 
