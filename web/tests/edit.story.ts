@@ -1,15 +1,16 @@
 /** Correcting impacts: with the mouse, and with the keyboard alone. */
 import type { Browser, Page } from 'playwright-core';
 import { afterAll, beforeAll, beforeEach, expect, test } from 'vitest';
-import { launch, open, said } from './support/browser.ts';
-import { type Site, serve } from './support/site.ts';
+import { launch } from './harness/browser.ts';
+import { Site } from './harness/site.ts';
+import { open, said } from './support/page.ts';
 
 let site: Site;
 let browser: Browser;
 let page: Page;
 
 beforeAll(async () => {
-  site = await serve();
+  site = await Site.open();
   browser = await launch();
 });
 afterAll(async () => {

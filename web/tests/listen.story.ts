@@ -4,8 +4,9 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import type { Browser, Page } from 'playwright-core';
 import { afterAll, afterEach, beforeAll, expect, test } from 'vitest';
-import { launch, type Microphone, open, said, settled } from './support/browser.ts';
-import { type Site, serve } from './support/site.ts';
+import { launch, type Microphone } from './harness/browser.ts';
+import { Site } from './harness/site.ts';
+import { open, said, settled } from './support/page.ts';
 import { drop, samplesOf, TRUTH } from './support/sounds.ts';
 
 let site: Site;
@@ -13,7 +14,7 @@ let heard: string;
 let browser: Browser | undefined;
 
 beforeAll(async () => {
-  site = await serve();
+  site = await Site.open();
   heard = drop('microphone');
 });
 afterAll(() => site.close());
@@ -52,14 +53,14 @@ async function savedWav(page: Page) {
 }
 
 test('a drop is heard, ends by itself, and is told within its uncertainty', async () => {
-  const { page, complaints } = await opened({ plays: heard });
+  const { page, troubles } = await opened({ file: heard });
   await listen(page);
   await page.getByText(/impacts so far/).waitFor();
   const { kept, fell } = await said(page);
   // Three standard deviations, and half of the last digit that is shown.
   expect(Math.abs(kept.value - 100 * TRUTH.restitution)).toBeLessThan(3.5 * kept.sd);
   expect(Math.abs(fell.value - 100 * TRUTH.heightM)).toBeLessThan(3.5 * fell.sd);
-  expect(complaints).toEqual([]);
+  expect(troubles).toEqual([]);
 
   const wav = await savedWav(page);
   const kepts = await stored(page);
@@ -127,7 +128,7 @@ test('a computer without a microphone says so', async () => {
 });
 
 test('a page that is closed while it listens loses nothing', async () => {
-  const { page } = await opened({ plays: heard });
+  const { page } = await opened({ file: heard });
   await listen(page);
   await page.getByText(/(\d\d) impacts so far/).waitFor();
   await page.reload();
@@ -138,7 +139,7 @@ test('a page that is closed while it listens loses nothing', async () => {
 });
 
 test('a full storage is told, and the recording can still be saved whole', async () => {
-  browser = await launch({ plays: heard });
+  browser = await launch({ file: heard });
   const context = await browser.newContext({ locale: 'en-GB' });
   await context.addInitScript(() => {
     const put = IDBObjectStore.prototype.put;

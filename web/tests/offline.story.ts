@@ -2,14 +2,15 @@
 
 import type { Browser } from 'playwright-core';
 import { afterAll, beforeAll, expect, test } from 'vitest';
-import { launch, open, said } from './support/browser.ts';
-import { type Site, serve } from './support/site.ts';
+import { launch } from './harness/browser.ts';
+import { Site } from './harness/site.ts';
+import { open, said } from './support/page.ts';
 
 let site: Site;
 let browser: Browser;
 
 beforeAll(async () => {
-  site = await serve();
+  site = await Site.open();
   browser = await launch();
 });
 afterAll(() => browser.close());
@@ -32,7 +33,7 @@ test('it reloads, speaks German and analyses without a server', async () => {
 });
 
 test('nothing is asked of another origin', async () => {
-  const other = await serve();
+  const other = await Site.open();
   const { page } = await open(browser, other.url);
   const asked: string[] = [];
   page.on('request', (request) => asked.push(new URL(request.url()).origin));

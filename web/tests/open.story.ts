@@ -3,8 +3,9 @@ import { existsSync, readdirSync, readFileSync } from 'node:fs';
 import { basename, join } from 'node:path';
 import type { Browser, Page } from 'playwright-core';
 import { afterAll, beforeAll, expect, test } from 'vitest';
-import { dropFile, launch, open, said } from './support/browser.ts';
-import { type Site, serve } from './support/site.ts';
+import { launch } from './harness/browser.ts';
+import { Site } from './harness/site.ts';
+import { dropFile, open, said } from './support/page.ts';
 import { drop, TRUTH } from './support/sounds.ts';
 
 let site: Site;
@@ -12,7 +13,7 @@ let browser: Browser;
 let recording: string;
 
 beforeAll(async () => {
-  site = await serve();
+  site = await Site.open();
   browser = await launch();
   recording = drop('file');
 });

@@ -4,14 +4,15 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import type { Browser } from 'playwright-core';
 import { afterAll, beforeAll, expect, test } from 'vitest';
-import { launch, open } from './support/browser.ts';
-import { type Site, serve } from './support/site.ts';
+import { launch } from './harness/browser.ts';
+import { Site } from './harness/site.ts';
+import { open } from './support/page.ts';
 
 let site: Site;
 let browser: Browser;
 
 beforeAll(async () => {
-  site = await serve();
+  site = await Site.open();
   browser = await launch();
 });
 afterAll(async () => {

@@ -4,8 +4,9 @@ import { createRequire } from 'node:module';
 import { join } from 'node:path';
 import type { Browser, Page } from 'playwright-core';
 import { afterAll, beforeAll, describe, expect, test } from 'vitest';
-import { launch, open, said, settled } from './support/browser.ts';
-import { type Site, serve } from './support/site.ts';
+import { launch } from './harness/browser.ts';
+import { Site } from './harness/site.ts';
+import { open, said, settled } from './support/page.ts';
 
 const AXE = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
 const SHOTS = join(import.meta.dirname, 'screenshots');
@@ -14,7 +15,7 @@ let site: Site;
 let browser: Browser;
 
 beforeAll(async () => {
-  site = await serve();
+  site = await Site.open();
   browser = await launch();
   mkdirSync(SHOTS, { recursive: true });
 });
@@ -67,7 +68,7 @@ describe.each([
     ['light', 'en-GB'],
     ['dark', 'de-DE'],
   ] as const)('in %s, %s', async (colorScheme, locale) => {
-    const { page, complaints } = await open(browser, site.url, {
+    const { page, troubles } = await open(browser, site.url, {
       viewport,
       locale,
       colorScheme,
@@ -100,7 +101,7 @@ describe.each([
     await page.goto(`${site.url}#drops`);
     await page.locator('tbody tr').nth(2).waitFor();
     await look(page, name('drops'));
-    expect(complaints).toEqual([]);
+    expect(troubles).toEqual([]);
     await page.context().close();
   });
 });

@@ -57,37 +57,43 @@ fn stories(names: &[String]) -> Result {
     run_command(command.args(names))
 }
 
+/// What the page loads: the science at once, the decoders when a file is opened.
+const PARTS: [&str; 2] = ["engine", "decoders"];
+
 /// Compiles the science for the browser and puts it where the page looks for it. Nothing is done
 /// twice: cargo knows whether the science has changed, and what follows depends on its result.
+///
+/// Binaryen's `wasm-opt` is left out: what it saves of these bytes, a tenth, compresses worse than
+/// what it finds, by 5 % in the end, and it takes a minute.
 fn engine() -> Result {
-    let compiled = compile()?;
     modules()?;
     let folder = web().join("src/lab/engine");
-    let stamp = target().join("optimised-from.wasm");
-    let is_same = same_content(&compiled, &stamp) && folder.join("bouncelab_bg.wasm").is_file();
-    if is_same {
-        return Ok(());
-    }
     fs::create_dir_all(&folder).map_err(|reason| said(&folder, &reason))?;
-    let bindgen = bindgen()?;
-    run_command(
-        Command::new(bindgen)
-            .arg(&compiled)
-            .arg(&folder)
-            .arg("bouncelab"),
-    )?;
-    optimise(&folder.join("bouncelab_bg.wasm"))?;
-    fs::copy(&compiled, &stamp)
-        .map(drop)
-        .map_err(|reason| said(&stamp, &reason))
+    for part in PARTS {
+        let compiled = compile(part)?;
+        let stamp = target().join(format!("{part}.wasm"));
+        let made = folder.join(format!("{part}_bg.wasm"));
+        if same_content(&compiled, &stamp) && made.is_file() {
+            continue;
+        }
+        run_command(
+            Command::new(bindgen()?)
+                .arg(&compiled)
+                .arg(&folder)
+                .arg(part),
+        )?;
+        fs::copy(&compiled, &stamp).map_err(|reason| said(&stamp, &reason))?;
+    }
+    Ok(())
 }
 
-/// The science as WebAssembly, in a target folder of its own: another profile and another target
-/// would only push the usual build out of it.
-fn compile() -> Result<PathBuf> {
+/// A part of the science as WebAssembly, in a target folder of its own: another profile and another
+/// target would only push the usual build out of it.
+fn compile(part: &str) -> Result<PathBuf> {
     let mut command = cargo(["build", "--package", "bouncelab-wasm", "--profile", "web"]);
-    command.args(["--target", TARGET, "--target-dir"]);
+    command.args(["--features", part, "--target", TARGET, "--target-dir"]);
     command.arg(target());
+    // Every browser of the last years computes with four numbers at once.
     command.env("RUSTFLAGS", "-C target-feature=+simd128");
     if !system::has_target(TARGET) {
         println!("rustup has no {TARGET} here: trying the compiler of Debian");
@@ -104,22 +110,6 @@ fn bindgen() -> Result<PathBuf> {
     command.arg(root().join("xtask/bindgen/Cargo.toml"));
     run_command(command.arg("--target-dir").arg(&folder))?;
     Ok(folder.join("debug/bindgen"))
-}
-
-fn optimise(file: &Path) -> Result {
-    let tool = web().join("node_modules/.bin/wasm-opt");
-    let mut command = Command::new(tool);
-    command.args(["-Os", "--strip-debug", "--strip-producers"]);
-    command.args([
-        "--enable-bulk-memory",
-        "--enable-mutable-globals",
-        "--enable-nontrapping-float-to-int",
-        "--enable-reference-types",
-        "--enable-sign-ext",
-        "--enable-simd",
-        "--enable-multivalue",
-    ]);
-    run_command(command.arg(file).arg("-o").arg(file))
 }
 
 /// Installs what the page is built with, if it is not what the lock file says.

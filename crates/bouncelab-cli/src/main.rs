@@ -8,6 +8,8 @@ mod knowledge;
 mod listen;
 mod paper;
 mod physics;
+#[cfg(feature = "serve")]
+mod serve;
 mod simulate;
 mod synth;
 mod units;
@@ -40,6 +42,8 @@ enum Command {
     Synth(synth::Arguments),
     Paper(paper::Arguments),
     Demo(demo::Arguments),
+    #[cfg(feature = "serve")]
+    Serve(serve::Arguments),
 }
 
 fn main() -> ExitCode {
@@ -50,6 +54,8 @@ fn main() -> ExitCode {
         Command::Synth(arguments) => synth::run(&arguments),
         Command::Paper(arguments) => paper::run(&arguments),
         Command::Demo(arguments) => demo::run(&arguments),
+        #[cfg(feature = "serve")]
+        Command::Serve(arguments) => serve::run(&arguments),
     };
     result.map_or_else(|failure| failure.report(), |()| ExitCode::SUCCESS)
 }

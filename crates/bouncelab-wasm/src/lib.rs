@@ -2,8 +2,11 @@
 //!
 //! The page never sees this crate: a worker does, and hands on what a page asks for. What is asked
 //! and answered is plain data ([`wire`]), of which `web/src/lab/types.ts` is made. The rooms answer
-//! in Rust, so that they are tested like everything else; `bindings`, which exists on wasm only,
-//! turns their answers into JSON and arrays.
+//! in Rust, so that they are tested like everything else; `engine`, which exists on wasm only, turns
+//! their answers into JSON and arrays.
+//!
+//! It is compiled twice, with the feature `engine` and with the feature `decoders`: nearly half of it
+//! all are decoders, which a page needs only once a file is opened.
 //!
 //! | room | question it answers |
 //! |---|---|
@@ -18,9 +21,11 @@
 //! | [`simulator`] | what would a drop do, and how would it sound? |
 
 pub mod analyst;
-#[cfg(target_family = "wasm")]
-mod bindings;
 pub mod catalogue;
+#[cfg(all(target_family = "wasm", feature = "decoders"))]
+pub mod decoders;
+#[cfg(all(target_family = "wasm", feature = "engine"))]
+pub mod engine;
 pub mod pyramid;
 pub mod refusal;
 mod settings;

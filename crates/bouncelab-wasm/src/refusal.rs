@@ -51,3 +51,12 @@ impl From<serde_json::Error> for Refusal {
         }
     }
 }
+
+/// A refusal as it is thrown.
+#[cfg(target_family = "wasm")]
+impl From<Refusal> for wasm_bindgen::JsValue {
+    fn from(refusal: Refusal) -> Self {
+        let json = serde_json::to_string(&refusal);
+        Self::from_str(&json.unwrap_or(refusal.message))
+    }
+}

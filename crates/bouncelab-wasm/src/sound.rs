@@ -1,16 +1,17 @@
-//! What is heard in sound, and what did it look like?
+//! What is heard in sound, and what does it look like?
 
 use bouncelab::analysis::{self, Impact};
 use bouncelab::listen::{Heard, Listener};
 use bouncelab::onset::Detector;
 use bouncelab::regression::{self, NumberedFlight};
 use bouncelab::train::{self, Train};
-use bouncelab_audio::{Input, Source};
+use bouncelab_audio::times;
 use bouncelab_report::document::Origin;
 
 use crate::pyramid::{Level, Pyramid};
 use crate::refusal::Result;
-use crate::wire::{self, HeardDrop, Mark, OnsetFound, Refusal, RefusalKind, SoFar};
+use crate::settings::setting;
+use crate::wire::{self, HeardDrop, Mark, OnsetFound, SoFar};
 
 /// Hears sound as it comes.
 pub struct Ear {
@@ -26,19 +27,31 @@ pub struct Ear {
     trains: Vec<Train>,
 }
 
-/// What a recording is called, and of what format it is.
+/// What is known of a recording besides its sound.
 pub struct Label {
     /// Its name.
     pub name: String,
     /// Its format in words.
     pub format: String,
+    /// What is odd about the file.
+    pub warnings: Vec<String>,
 }
 
 impl Ear {
-    /// An ear for so many channels, which listens to one of them (counted from 0) or to all.
-    pub fn new(sample_rate_hz: u32, channels: usize, channel: Option<usize>) -> Self {
+    /// An ear for so many channels, which listens to one of them (counted from 1) or to all.
+    ///
+    /// # Errors
+    ///
+    /// If there is no channel of this number.
+    pub fn new(sample_rate_hz: u32, channels: usize, channel: Option<usize>) -> Result<Self> {
+        if let Some(number) = channel.filter(|number| !(1..=channels).contains(number)) {
+            return Err(setting(&format!(
+                "the recording has {channels} channels, so there is no channel {number}"
+            )));
+        }
+        let channel = channel.map(|number| number - 1);
         let heard = if channel.is_some() { 1 } else { channels };
-        Self {
+        Ok(Self {
             listener: Listener::new(sample_rate_hz, heard),
             pyramids: vec![Pyramid::default(); channels],
             channel,
@@ -46,7 +59,7 @@ impl Ear {
             frames: 0,
             judged_onsets: 0,
             trains: Vec::new(),
-        }
+        })
     }
 
     /// Takes the next samples of each channel.
@@ -84,7 +97,7 @@ impl Ear {
     }
 
     /// Ends the recording: what was heard, and the picture of the channel that is believed.
-    pub fn finish(mut self, label: Label, warnings: Vec<String>) -> (wire::Heard, Vec<Level>) {
+    pub fn finish(mut self, label: Label) -> (wire::Heard, Vec<Level>) {
         let channels = self.pyramids.len();
         let heard = self.listener.finish();
         let believed = self.channel.unwrap_or(heard.channel);
@@ -97,7 +110,7 @@ impl Ear {
             duration_s: heard.duration_s,
             onsets: heard.onsets,
         };
-        (told(label.name, origin, &heard, warnings), levels)
+        (told(label.name, origin, &heard, label.warnings), levels)
     }
 }
 
@@ -138,48 +151,13 @@ fn plain_restitution(train: &Train) -> Option<f64> {
     Some(line.restitution().value)
 }
 
-/// A file that is being read.
-pub struct Opening {
-    source: Source,
-    ear: Ear,
-    label: Label,
-}
-
-/// What a file turned out to be.
-pub enum Opened {
-    /// A list of times: nothing more to do.
-    Times(wire::Heard),
-    /// Sound, which is to be read block by block.
-    Sound(Box<Opening>),
-}
-
-/// Opens the content of a file; listens to the channel of this number, the first being 1, or to
-/// all.
+/// Reads a list of times; the ending of its name says how.
 ///
 /// # Errors
 ///
-/// If it is neither sound nor a list of times, and if it has no channel of this number.
-pub fn open(bytes: Vec<u8>, name: &str, channel: Option<usize>) -> Result<Opened> {
-    let source = match Input::from_bytes(bytes, name)? {
-        Input::Times(times_s) => return Ok(Opened::Times(of_times(name, &times_s))),
-        Input::Sound(source) => *source,
-    };
-    let channels = source.channels();
-    if let Some(number) = channel.filter(|number| !(1..=channels).contains(number)) {
-        return Err(Refusal {
-            kind: RefusalKind::Setting,
-            message: format!("{name} has {channels} channels, so there is no channel {number}"),
-        });
-    }
-    let channel = channel.map(|number| number - 1);
-    Ok(Opened::Sound(Box::new(Opening {
-        ear: Ear::new(source.sample_rate_hz(), channels, channel),
-        label: Label {
-            name: name.to_owned(),
-            format: source.format(),
-        },
-        source,
-    })))
+/// If it is none.
+pub fn times(content: &[u8], name: &str) -> Result<wire::Heard> {
+    Ok(of_times(name, &times::parse(content, name)?))
 }
 
 /// A list of times is one drop: whoever made it has chosen.
@@ -196,50 +174,6 @@ fn of_times(name: &str, times_s: &[f64]) -> wire::Heard {
         drops: if too_few { Vec::new() } else { vec![drop] },
         no_drop: too_few.then(|| analysis::TOO_FEW_TIMES.to_owned()),
         warnings: Vec::new(),
-    }
-}
-
-impl Opening {
-    /// Samples a second.
-    pub fn sample_rate_hz(&self) -> u32 {
-        self.source.sample_rate_hz()
-    }
-
-    /// How many channels it has.
-    pub fn channels(&self) -> usize {
-        self.source.channels()
-    }
-
-    /// Its length in seconds, as far as the file says.
-    pub fn duration_s(&self) -> Option<f64> {
-        self.source.duration_s()
-    }
-
-    /// Hears the next block and adds its samples to those of each channel; `false` at the end.
-    ///
-    /// # Errors
-    ///
-    /// If the file cannot be read any further.
-    pub fn hear_block(&mut self, samples: &mut [Vec<f32>]) -> Result<bool> {
-        let channels = self.source.channels();
-        let Some(block) = self.source.next_block()? else {
-            return Ok(false);
-        };
-        let slices: Vec<&[f32]> = (0..channels)
-            .map(|channel| block.channel(channel))
-            .collect();
-        self.ear.push(&slices);
-        for (all, slice) in samples.iter_mut().zip(slices) {
-            all.extend_from_slice(slice);
-        }
-        Ok(true)
-    }
-
-    /// Ends the reading.
-    pub fn finish(self) -> (wire::Heard, Vec<Level>) {
-        let warnings = self.source.warnings();
-        let warnings = warnings.iter().map(ToString::to_string).collect();
-        self.ear.finish(self.label, warnings)
     }
 }
 

@@ -1,6 +1,8 @@
 //! How does the energy lie over time and frequency?
 
-use realfft::RealFftPlanner;
+use rustfft::algorithm::Radix4;
+use rustfft::num_complex::Complex;
+use rustfft::{Fft, FftDirection};
 
 /// Samples in a window: 12 ms at 44.1 kHz, about as long as an impact sounds.
 const WINDOW: usize = 512;
@@ -30,27 +32,26 @@ pub fn spectrogram(
     rows: usize,
 ) -> Spectrogram {
     let top_hz = TOP_HZ.min(sample_rate_hz / 2.0);
-    let fft = RealFftPlanner::<f32>::new().plan_fft_forward(WINDOW);
+    let fft = Radix4::new(WINDOW, FftDirection::Forward);
     let window: Vec<f32> = (0..WINDOW)
         .map(|n| {
             let phase = std::f64::consts::TAU * (n as f64 + 0.5) / WINDOW as f64;
             (0.5 - 0.5 * phase.cos()) as f32
         })
         .collect();
-    let mut windowed = fft.make_input_vec();
-    let mut spectrum = fft.make_output_vec();
-    let mut powers = vec![0.0_f32; spectrum.len()];
+    let mut spectrum = vec![Complex::new(0.0, 0.0); WINDOW];
+    let mut powers = vec![0.0_f32; WINDOW / 2 + 1];
     let mut cells = Vec::with_capacity(columns * rows);
     let bins_per_row = top_hz / (sample_rate_hz / WINDOW as f64) / rows.max(1) as f64;
     for column in 0..columns {
         powers.fill(0.0);
         for start in starts(samples.len(), columns, column) {
-            for (n, value) in windowed.iter_mut().enumerate() {
+            for (n, value) in spectrum.iter_mut().enumerate() {
                 let sample = (start + n).checked_sub(WINDOW / 2);
-                *value = sample.and_then(|n| samples.get(n)).unwrap_or(&0.0) * window[n];
+                let sample = sample.and_then(|n| samples.get(n)).unwrap_or(&0.0);
+                *value = Complex::new(sample * window[n], 0.0);
             }
-            // The lengths are those of the plan, so it cannot fail.
-            let _ = fft.process(&mut windowed, &mut spectrum);
+            fft.process(&mut spectrum);
             for (power, value) in powers.iter_mut().zip(&spectrum) {
                 *power = power.max(value.norm_sqr());
             }

@@ -102,7 +102,7 @@ export type Give<C extends Call> = Calls[C]['give'];
 
 /** From the page to the worker. */
 export type ToWorker =
-  | { kind: 'start'; module: WebAssembly.Module }
+  | { kind: 'start'; engine: WebAssembly.Module; decoders: WebAssembly.Module | null }
   | { [C in Call]: { kind: 'call'; id: number; call: C; take: Take<C> } }[Call];
 
 /** From the worker to the page. */

@@ -4,8 +4,9 @@
  * Calls are answered one by one. If the science traps (a fault in it, or a file that breaks a
  * decoder), it must not be used again: the answer says so, and the page starts another worker.
  */
-import * as science from './engine/bouncelab.js';
-import type { Call, FromWorker, Give, Level, Take, ToWorker } from './protocol.ts';
+import * as decoding from './engine/decoders.js';
+import * as science from './engine/engine.js';
+import type { Call, FromWorker, Give, Level, Sound, Take, ToWorker } from './protocol.ts';
 import type { Demo, Drawn, Heard, PaperDocument, Refusal } from './types.ts';
 
 /** Samples that do not fit into this memory cannot be kept, in bytes. */
@@ -25,59 +26,52 @@ const handlers: Handlers = {
   catalogue: () => ({ give: JSON.parse(science.catalogue()) }),
 
   open: ({ bytes, name, channel }, progress) => {
-    const reader = new science.Reader(new Uint8Array(bytes), name, channel ?? undefined);
-    const sampleRateHz = reader.sampleRateHz();
-    const expected = (reader.durationS() ?? 0) * sampleRateHz;
-    const channels = Array.from({ length: reader.channels() }, () => new Samples(expected));
-    let more = channels.length > 0;
+    const content = new Uint8Array(bytes);
+    if (science.isList(name)) {
+      return { give: { heard: JSON.parse(science.hearTimes(content, name)), sound: null } };
+    }
+    const decoder = new decoding.Decoder(content, name);
+    const sampleRateHz = decoder.sampleRateHz();
+    const expected = (decoder.durationS() ?? 0) * sampleRateHz;
+    const channels = Array.from({ length: decoder.channels() }, () => new Samples(expected));
+    const hearer = new science.Hearer(sampleRateHz, channels.length, channel);
+    let frames = 0;
+    let more = true;
     while (more) {
-      more = reader.hearOn();
-      channels.forEach((samples, channel) => {
-        samples.push(reader.takeSamples(channel));
+      more = decoder.decodeOn();
+      channels.forEach((all, channel) => {
+        const samples = decoder.takeSamples(channel);
+        hearer.bring(channel, samples);
+        all.push(samples);
+        frames = all.length;
       });
-      const [first] = channels;
-      if (first !== undefined && 4 * first.length * channels.length > MOST_SAMPLE_BYTES) {
+      hearer.hear();
+      if (4 * frames * channels.length > MOST_SAMPLE_BYTES) {
         throw new TooLong(
           `${name} is too long for a browser (more than ` +
-            `${Math.floor(first.length / sampleRateHz / 60)} minutes in ${channels.length} ` +
-            'channels); cut it to the drop, or use the program on a computer',
+            `${Math.floor(frames / sampleRateHz / 60)} minutes in ${channels.length} channels); ` +
+            'cut it to the drop, or use the program on a computer',
         );
       }
       if (expected > 0) {
-        progress(Math.min(1, (first?.length ?? 0) / expected));
+        progress(Math.min(1, frames / expected));
       }
     }
-    const heard: Heard = JSON.parse(reader.finish());
-    if (channels.length === 0) {
-      return { give: { heard, sound: null } };
-    }
     const planes = channels.map((samples) => samples.all());
-    const levels = levelsOf(reader);
-    return {
-      give: { heard, sound: { sampleRateHz, channels: planes, levels } },
-      transfer: buffers([...planes, ...levels.map((level) => level.extremes)]),
-    };
+    return heardAt(hearer, decoder.format(), decoder.warnings(), name, planes, sampleRateHz);
   },
 
   hear: ({ channels, sampleRateHz, name, format }, progress) => {
-    const [left, right] = channels;
-    const hearer = new science.Hearer(sampleRateHz, channels.length);
-    const frames = left?.length ?? 0;
+    const hearer = new science.Hearer(sampleRateHz, channels.length, null);
+    const frames = channels[0]?.length ?? 0;
     for (let at = 0; at < frames; at += sampleRateHz) {
-      const block = left?.subarray(at, at + sampleRateHz) ?? new Float32Array();
-      if (right === undefined) {
-        hearer.push(block);
-      } else {
-        hearer.pushStereo(block, right.subarray(at, at + sampleRateHz));
-      }
+      channels.forEach((samples, channel) => {
+        hearer.bring(channel, samples.subarray(at, at + sampleRateHz));
+      });
+      hearer.hear();
       progress(Math.min(1, (at + sampleRateHz) / frames));
     }
-    const heard: Heard = JSON.parse(hearer.finish(name, format));
-    const levels = levelsOf(hearer);
-    return {
-      give: { heard, sound: { sampleRateHz, channels, levels } },
-      transfer: buffers([...channels, ...levels.map((level) => level.extremes)]),
-    };
+    return heardAt(hearer, format, [], name, channels, sampleRateHz);
   },
 
   demo: ({ seed }) => {
@@ -91,18 +85,19 @@ const handlers: Handlers = {
   },
 
   listen: ({ ear, sampleRateHz }) => {
-    ears.set(ear, new science.Hearer(sampleRateHz, 1));
+    ears.set(ear, new science.Hearer(sampleRateHz, 1, null));
     return { give: null };
   },
   push: ({ ear, samples }) => {
     const hearer = known(ear);
-    hearer.push(samples);
+    hearer.bring(0, samples);
+    hearer.hear();
     return { give: JSON.parse(hearer.soFar()) };
   },
   finish: ({ ear, name, format }) => {
     const hearer = known(ear);
     ears.delete(ear);
-    const heard: Heard = JSON.parse(hearer.finish(name, format));
+    const heard: Heard = JSON.parse(hearer.finish(name, format, []));
     const levels = levelsOf(hearer);
     return { give: { heard, levels }, transfer: buffers(levels.map((level) => level.extremes)) };
   },
@@ -187,7 +182,23 @@ class Samples {
   }
 }
 
-function levelsOf(finished: science.Reader | science.Hearer): Level[] {
+function heardAt(
+  hearer: science.Hearer,
+  format: string,
+  warnings: string[],
+  name: string,
+  channels: Float32Array[],
+  sampleRateHz: number,
+): { give: { heard: Heard; sound: Sound }; transfer: Transferable[] } {
+  const heard: Heard = JSON.parse(hearer.finish(name, format, warnings));
+  const levels = levelsOf(hearer);
+  return {
+    give: { heard, sound: { sampleRateHz, channels, levels } },
+    transfer: buffers([...channels, ...levels.map((level) => level.extremes)]),
+  };
+}
+
+function levelsOf(finished: science.Hearer): Level[] {
   return Array.from(finished.samplesPerBin(), (samplesPerBin, level) => ({
     samplesPerBin,
     extremes: finished.takeLevel(level),
@@ -251,7 +262,10 @@ let waiting: (() => void)[] | null = [];
 
 addEventListener('message', ({ data }: MessageEvent<ToWorker>) => {
   if (data.kind === 'start') {
-    science.initSync({ module: data.module });
+    science.initSync({ module: data.engine });
+    if (data.decoders !== null) {
+      decoding.initSync({ module: data.decoders });
+    }
     const calls = waiting ?? [];
     waiting = null;
     for (const call of calls) {

@@ -253,7 +253,8 @@ class Painter {
     canvas.width = Math.round(width * ratio);
     canvas.height = Math.round(height * ratio);
     const font = fontOf(0.75);
-    this.#surface = { context, width, height, ratio, font, palette: palette() };
+    const scale = Number.parseFloat(getComputedStyle(document.documentElement).fontSize) / 16;
+    this.#surface = { context, width, height, ratio, scale, font, palette: palette() };
     this.#paint();
   }
 

@@ -4,9 +4,9 @@ import { CERTAIN, type Mark } from './mark.ts';
 import { columnOf, levelFor, type Pyramid } from './pyramid.ts';
 import { tickDecimals, ticks, type Viewport, widthS } from './viewport.ts';
 
-/** Room for the flags of the marks above, and the ruler below, in CSS pixels. */
-export const FLAGS = 22;
-export const RULER = 20;
+/** Room for the flags of the marks above and the ruler below, and between ticks, as texts of 16 px. */
+const FLAGS = 22;
+const RULER = 20;
 const TICK_SPACING = 66;
 
 /** Colours of one theme, read once and not for every frame. */
@@ -51,6 +51,8 @@ export interface Surface {
   readonly width: number;
   readonly height: number;
   readonly ratio: number;
+  /** How much larger than 16 px the text of the page is. */
+  readonly scale: number;
   readonly font: string;
   readonly palette: Palette;
 }
@@ -73,30 +75,31 @@ export function paint(surface: Surface, scene: Scene): void {
 }
 
 function paintRuler(surface: Surface, { view, seconds }: Scene): void {
-  const { context, width, height, font, palette: colours } = surface;
+  const { context, width, height, scale, font, palette: colours } = surface;
+  const spacing = TICK_SPACING * scale;
   context.font = font;
   context.textBaseline = 'alphabetic';
   context.fillStyle = colours.text;
   context.strokeStyle = colours.grid;
   context.lineWidth = 1;
-  const decimals = tickDecimals(view, width, TICK_SPACING);
+  const decimals = tickDecimals(view, width, spacing);
   context.beginPath();
-  for (const tick of ticks(view, width, TICK_SPACING)) {
+  for (const tick of ticks(view, width, spacing)) {
     const x = Math.round(xOf(tick, view, width)) + 0.5;
-    context.moveTo(x, FLAGS);
-    context.lineTo(x, height - RULER);
+    context.moveTo(x, FLAGS * scale);
+    context.lineTo(x, height - RULER * scale);
     const label = seconds(tick, decimals);
     const half = context.measureText(label).width / 2;
     const at = Math.min(Math.max(x, half + 1), width - half - 1);
-    context.fillText(label, at - half, height - 5);
+    context.fillText(label, at - half, height - 5 * scale);
   }
   context.stroke();
 }
 
 /** Height of the sound above and below its middle. */
-function frame(height: number): { middle: number; half: number } {
-  const room = height - FLAGS - RULER;
-  return { middle: FLAGS + room / 2, half: room / 2 - 2 };
+function frame({ height, scale }: Surface): { middle: number; half: number } {
+  const room = height - (FLAGS + RULER) * scale;
+  return { middle: FLAGS * scale + room / 2, half: room / 2 - 2 };
 }
 
 function paintSound(surface: Surface, scene: Scene): void {
@@ -118,7 +121,7 @@ function paintColumns(surface: Surface, scene: Scene, perColumn: number): void {
   const count = Math.ceil(width * ratio);
   if (columns.length < 2 * count) columns = new Float32Array(2 * count);
   const from = view.startS * pyramid.rateHz;
-  const { middle, half } = frame(height);
+  const { middle, half } = frame(surface);
   const scale = peak > 0 ? half / peak : 0;
   const step = 1 / ratio;
   context.fillStyle = colours.wave;
@@ -140,7 +143,7 @@ function paintSamples(surface: Surface, scene: Scene): void {
   const { context, width, height, palette: colours } = surface;
   const { pyramid, view, peak } = scene;
   const { rateHz, samples } = pyramid;
-  const { middle, half } = frame(height);
+  const { middle, half } = frame(surface);
   const scale = peak > 0 ? half / peak : 0;
   const first = Math.max(0, Math.floor(view.startS * rateHz));
   const last = Math.min(samples.length - 1, Math.ceil(view.endS * rateHz));
@@ -158,7 +161,8 @@ function paintSamples(surface: Surface, scene: Scene): void {
 }
 
 function paintMarks(surface: Surface, { marks, view, selected }: Scene): void {
-  const { context, width, height, palette: colours } = surface;
+  const { context, width, height, scale, palette: colours } = surface;
+  const [flags, foot] = [FLAGS * scale, height - RULER * scale];
   let lastLabel = Number.NEGATIVE_INFINITY;
   let lastX = Number.NEGATIVE_INFINITY;
   marks.forEach((mark, index) => {
@@ -169,7 +173,7 @@ function paintMarks(surface: Surface, { marks, view, selected }: Scene): void {
     const at = Math.round(x) + 0.5;
     if (chosen) {
       context.fillStyle = colours.chosen;
-      context.fillRect(at - 6, FLAGS, 12, height - FLAGS - RULER);
+      context.fillRect(at - 6 * scale, flags, 12 * scale, foot - flags);
     }
     context.strokeStyle = certain ? colours.mark : colours.doubtful;
     context.lineWidth = chosen ? 2 : 1;
@@ -178,16 +182,16 @@ function paintMarks(surface: Surface, { marks, view, selected }: Scene): void {
     lastX = x;
     context.setLineDash(certain ? [] : [4, 3]);
     context.beginPath();
-    context.moveTo(at, FLAGS - 4);
-    context.lineTo(at, height - RULER);
+    context.moveTo(at, flags - 4 * scale);
+    context.lineTo(at, foot);
     context.stroke();
     context.setLineDash([]);
     context.globalAlpha = 1;
     paintFlag(surface, at, certain, chosen);
     const label = String(index + 1);
-    if (chosen || x - lastLabel > 22) {
+    if (chosen || x - lastLabel > 22 * scale) {
       context.fillStyle = chosen ? colours.mark : colours.text;
-      context.fillText(label, at - context.measureText(label).width / 2, 11);
+      context.fillText(label, at - context.measureText(label).width / 2, 11 * scale);
       lastLabel = x;
     }
   });
@@ -195,9 +199,9 @@ function paintMarks(surface: Surface, { marks, view, selected }: Scene): void {
 
 /** A disc when certain, a ring when not: the colour is never the only sign. */
 function paintFlag(surface: Surface, x: number, certain: boolean, chosen: boolean): void {
-  const { context, palette: colours } = surface;
+  const { context, scale, palette: colours } = surface;
   context.beginPath();
-  context.arc(x, FLAGS - 5, chosen ? 5 : 3.5, 0, 2 * Math.PI);
+  context.arc(x, (FLAGS - 5) * scale, (chosen ? 5 : 3.5) * scale, 0, 2 * Math.PI);
   context.fillStyle = certain ? colours.mark : colours.paper;
   context.fill();
   context.strokeStyle = certain ? colours.mark : colours.doubtful;
@@ -213,14 +217,14 @@ function paintLine(
   dash: number[],
 ): void {
   if (timeS === null || timeS < view.startS || timeS > view.endS) return;
-  const { context, width, height } = surface;
+  const { context, width, height, scale } = surface;
   const x = Math.round(xOf(timeS, view, width)) + 0.5;
   context.strokeStyle = stroke;
   context.lineWidth = 1.5;
   context.setLineDash(dash);
   context.beginPath();
-  context.moveTo(x, FLAGS);
-  context.lineTo(x, height - RULER);
+  context.moveTo(x, FLAGS * scale);
+  context.lineTo(x, height - RULER * scale);
   context.stroke();
   context.setLineDash([]);
 }

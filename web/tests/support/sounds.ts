@@ -1,31 +1,15 @@
-/** Drops with a known truth, made by `bouncelab synth`. */
-import { execFileSync } from 'node:child_process';
-import { mkdtempSync, readFileSync } from 'node:fs';
-import { tmpdir } from 'node:os';
-import { join, resolve } from 'node:path';
-
-const ROOT = resolve(import.meta.dirname, '../../..');
-const folder = mkdtempSync(join(tmpdir(), 'bouncelab-stories-'));
+/** Drops with a known truth, and the samples of what was saved. */
+import { readFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { folder, synth } from '../harness/program.ts';
 
 export const TRUTH = { restitution: 0.93, heightM: 0.305 } as const;
 
-/** Writes a drop as WAV; `more` are further arguments of `bouncelab synth`. */
-export function drop(name: string, more: readonly string[] = []): string {
-  const file = join(folder, `${name}.wav`);
-  const usual = ['--height', `${TRUTH.heightM}m`, '--restitution', String(TRUTH.restitution)];
+/** A drop as WAV, made by `bouncelab synth`. */
+export function drop(name: string): string {
+  const truth = ['--height', `${TRUTH.heightM}m`, '--restitution', String(TRUTH.restitution)];
   const scene = ['--lead-in', '1s', '--tail', '3s', '--sample-rate', '48000', '--bits', '16'];
-  program(['synth', file, '--force', ...usual, ...scene, ...more]);
-  return file;
-}
-
-/** Runs the command line: one that is there already, else cargo's. */
-function program(words: readonly string[]): void {
-  const known = process.env['BOUNCELAB_PROGRAM'];
-  if (known !== undefined) execFileSync(known, words, { stdio: 'ignore' });
-  else {
-    const cargo = ['run', '--quiet', '--package', 'bouncelab-cli', '--', ...words];
-    execFileSync('cargo', cargo, { cwd: ROOT, stdio: ['ignore', 'ignore', 'inherit'] });
-  }
+  return synth(join(folder(), `${name}.wav`), ...truth, ...scene).path;
 }
 
 /** Samples of a WAV file of one channel, 16-bit or 32-bit float. */

@@ -14,7 +14,15 @@ fn main() -> ExitCode {
     let made = Bindgen::new()
         .input_path(input)
         .web(true)
-        .and_then(|bindgen| bindgen.typescript(true).out_name(name).generate(folder));
+        .and_then(|bindgen| {
+            // Names are for debuggers; they would be a fifth of the file.
+            bindgen
+                .typescript(true)
+                .remove_name_section(true)
+                .remove_producers_section(true)
+                .out_name(name)
+                .generate(folder)
+        });
     match made {
         Ok(()) => ExitCode::SUCCESS,
         Err(reason) => {

@@ -13,6 +13,7 @@ use crate::failure::Failure;
 pub(super) struct Saver {
     /// Where the sound goes; `None` once that failed, or if it is not wanted.
     recorder: Option<Recorder>,
+    has_failed: bool,
     /// The files so far.
     files: Vec<PathBuf>,
     sample_rate_hz: u32,
@@ -30,6 +31,7 @@ impl Saver {
     ) -> Result<Self, Failure> {
         let mut saver = Self {
             recorder: None,
+            has_failed: false,
             files: Vec::new(),
             sample_rate_hz: recording.sample_rate_hz,
             channels: recording.channels,
@@ -65,9 +67,9 @@ impl Saver {
         &self.files
     }
 
-    /// Whether it was wanted but goes on no more.
+    /// Whether saving was wanted but broke off.
     pub(super) fn has_failed(&self) -> bool {
-        self.recorder.is_none() && !self.files.is_empty()
+        self.has_failed
     }
 
     /// Saves the next samples. If that fails, says why; nothing is saved from then on.
@@ -104,6 +106,7 @@ impl Saver {
 
     fn heed(&mut self, saved: Result<(), Error>) -> Option<String> {
         let fault = saved.err()?;
+        self.has_failed = true;
         let saved_s = self.recorder.take().map_or(0.0, |it| it.saved_s());
         Some(format!(
             "the sound is saved no more: {fault}; {saved_s:.1} s are in the file. Listening goes on"
@@ -139,6 +142,31 @@ mod tests {
     use tempfile::TempDir;
 
     use super::*;
+
+    #[test]
+    fn when_a_file_is_full_another_goes_on() {
+        let folder = TempDir::new().unwrap();
+        let mut saver = Saver {
+            recorder: None,
+            has_failed: false,
+            files: Vec::new(),
+            sample_rate_hz: 8000,
+            channels: 1,
+            format: SampleFormat::Int16,
+        };
+        saver.open(folder.path().join("a.wav")).unwrap();
+        assert!(saver.push(&[&[0.25; 100]]).is_none());
+        saver.continue_in_next().unwrap();
+        assert!(saver.push(&[&[0.5; 50]]).is_none());
+        assert!(saver.finish().is_none());
+        assert!(!saver.has_failed());
+        // 44 bytes of header, two for each sample.
+        let lengths = ["a.wav", "a-2.wav"].map(|name| {
+            let file = folder.path().join(name);
+            fs::metadata(file).unwrap().len()
+        });
+        assert_eq!(lengths, [244, 144]);
+    }
 
     #[test]
     fn names_that_are_taken_get_a_number() {

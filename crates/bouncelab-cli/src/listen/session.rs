@@ -273,6 +273,7 @@ impl<'a> Session<'a> {
         let whole = self.watch.whole();
         self.judge_again(&whole, &warnings)?;
         self.tell_losses();
+        self.tell_saved();
         if self.drops.is_empty() {
             return self.tell_nothing(whole, warnings);
         }
@@ -281,13 +282,19 @@ impl<'a> Session<'a> {
             let table = summary::table(&analyses);
             self.screen.print(&format!("\nAll drops:\n\n{table}"))?;
         }
+        Ok(())
+    }
+
+    fn tell_saved(&self) {
+        if self.saver.has_failed() {
+            return;
+        }
         for file in self.saver.files() {
+            let file = file.display();
             self.screen.say(&format!(
-                "the sound is in {0}; hear it again: bouncelab analyze {0}",
-                file.display()
+                "the sound is in {file}; to hear it again: bouncelab analyze {file}"
             ));
         }
-        Ok(())
     }
 
     fn judge_again(&mut self, whole: &Heard, warnings: &[String]) -> Result<(), Failure> {

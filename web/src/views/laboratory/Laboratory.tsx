@@ -50,12 +50,12 @@ function Bench() {
     <>
       <WaveBench />
       <div class="bench">
-        <div class="stack">
-          <Said />
+        <Said />
+        <FigureTabs />
+        <div class="stack rest">
           <SettingsLine />
           <Keep />
         </div>
-        <FigureTabs />
       </div>
     </>
   );

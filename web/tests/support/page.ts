@@ -1,57 +1,17 @@
-/** A real Chromium with the page in it. */
-import { existsSync } from 'node:fs';
-import { type Browser, type BrowserContextOptions, chromium, type Page } from 'playwright-core';
+/** What stories do with the page, and read from it. */
+import type { Browser, BrowserContextOptions, Page } from 'playwright-core';
+import { openPage } from '../harness/browser.ts';
 
-const PLACES = ['/usr/bin/chromium', '/usr/bin/chromium-browser', '/usr/bin/google-chrome'];
-
-function executable(): string {
-  const found = [process.env['CHROMIUM'] ?? '', ...PLACES].find((path) => existsSync(path));
-  if (found === undefined) {
-    throw new Error('no Chromium here: install it (apt install chromium) or name it in CHROMIUM');
-  }
-  return found;
-}
-
-/** What the microphone hears: a file, or nothing because it is refused or missing. */
-export type Microphone = { readonly plays: string } | 'refused' | 'missing';
-
-export function launch(microphone: Microphone = 'missing'): Promise<Browser> {
-  const fake =
-    microphone === 'missing'
-      ? ['--use-fake-ui-for-media-stream']
-      : microphone === 'refused'
-        ? ['--use-fake-device-for-media-stream']
-        : [
-            '--use-fake-ui-for-media-stream',
-            '--use-fake-device-for-media-stream',
-            `--use-file-for-fake-audio-capture=${microphone.plays}%noloop`,
-          ];
-  return chromium.launch({
-    executablePath: executable(),
-    args: ['--no-sandbox', '--autoplay-policy=no-user-gesture-required', ...fake],
-  });
-}
-
-/** Opens the page; whatever it complains about in the console fails the story. */
+/** The page in English on a desktop, unless other options are given, ready to be used. */
 export async function open(
   browser: Browser,
   url: string,
   options: BrowserContextOptions = {},
-): Promise<{ page: Page; complaints: string[] }> {
-  const context = await browser.newContext({
-    locale: 'en-GB',
-    viewport: { width: 1280, height: 900 },
-    ...options,
-  });
-  const page = await context.newPage();
-  const complaints: string[] = [];
-  page.on('console', (message) => {
-    if (message.type() === 'error' || message.type() === 'warning') complaints.push(message.text());
-  });
-  page.on('pageerror', (error) => complaints.push(error.message));
-  await page.goto(url);
-  await page.getByRole('navigation').waitFor();
-  return { page, complaints };
+): Promise<{ page: Page; troubles: string[] }> {
+  const usual = { locale: 'en-GB', viewport: { width: 1280, height: 900 } };
+  const opened = await openPage(browser, url, { ...usual, ...options });
+  await opened.page.getByRole('navigation').waitFor();
+  return opened;
 }
 
 /** A value and its uncertainty as the page writes them, in the unit that it shows. */

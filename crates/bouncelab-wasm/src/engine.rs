@@ -1,7 +1,7 @@
-//! The rooms as JavaScript sees them: data as JSON, samples as arrays.
+//! The engine as JavaScript sees it: data as JSON, samples as arrays.
 
 use bouncelab::listen::Envelope;
-use bouncelab_audio::{SampleFormat, encode_wav};
+use bouncelab_audio::{SampleFormat, encode_wav, times};
 use bouncelab_report::paper;
 use serde::Serialize;
 use serde::de::DeserializeOwned;
@@ -12,17 +12,9 @@ use crate::catalogue::catalogue;
 use crate::pyramid::Level;
 use crate::refusal::Result;
 use crate::simulator;
-use crate::sound::{self, Ear, Label, Opened, Opening};
+use crate::sound::{self, Ear, Label};
 use crate::spectrogram::{self, FLOOR_DB};
-use crate::wire::{Drawn, Heard, Refusal};
-
-/// A refusal as it is thrown.
-impl From<Refusal> for JsValue {
-    fn from(refusal: Refusal) -> Self {
-        let json = serde_json::to_string(&refusal);
-        Self::from_str(&json.unwrap_or(refusal.message))
-    }
-}
+use crate::wire::Drawn;
 
 fn json<T: Serialize>(value: &T) -> Result<String> {
     Ok(serde_json::to_string(value)?)
@@ -38,99 +30,16 @@ pub fn js_catalogue() -> Result<String> {
     json(&catalogue()?)
 }
 
-/// A file that is being read.
-#[wasm_bindgen]
-pub struct Reader {
-    opening: Option<Box<Opening>>,
-    heard: Option<Heard>,
-    samples: Vec<Vec<f32>>,
-    levels: Vec<Level>,
+/// Whether a file of this name is read as a list of times.
+#[wasm_bindgen(js_name = isList)]
+pub fn is_list(name: &str) -> bool {
+    times::is_list(name)
 }
 
-#[wasm_bindgen]
-impl Reader {
-    /// Opens the content of a file; `channel` counts from 1.
-    #[wasm_bindgen(constructor)]
-    pub fn new(bytes: Vec<u8>, name: &str, channel: Option<u32>) -> Result<Self> {
-        let channel = channel.map(|number| number as usize);
-        Ok(match sound::open(bytes, name, channel)? {
-            Opened::Times(heard) => Self {
-                opening: None,
-                heard: Some(heard),
-                samples: Vec::new(),
-                levels: Vec::new(),
-            },
-            Opened::Sound(opening) => Self {
-                samples: vec![Vec::new(); opening.channels()],
-                opening: Some(opening),
-                heard: None,
-                levels: Vec::new(),
-            },
-        })
-    }
-
-    /// Samples a second; 0 for a list of times.
-    #[wasm_bindgen(js_name = sampleRateHz)]
-    pub fn sample_rate_hz(&self) -> u32 {
-        let opening = self.opening.as_ref();
-        opening.map_or(0, |opening| opening.sample_rate_hz())
-    }
-
-    /// How many channels; 0 for a list of times.
-    pub fn channels(&self) -> usize {
-        self.samples.len()
-    }
-
-    /// Length in seconds, as far as the file says.
-    #[wasm_bindgen(js_name = durationS)]
-    pub fn duration_s(&self) -> Option<f64> {
-        self.opening.as_ref()?.duration_s()
-    }
-
-    /// Hears about a second; `false` at the end.
-    #[wasm_bindgen(js_name = hearOn)]
-    pub fn hear_on(&mut self) -> Result<bool> {
-        let Some(opening) = &mut self.opening else {
-            return Ok(false);
-        };
-        let wanted = opening.sample_rate_hz() as usize;
-        while self.samples.first().is_some_and(|all| all.len() < wanted) {
-            if !opening.hear_block(&mut self.samples)? {
-                return Ok(false);
-            }
-        }
-        Ok(true)
-    }
-
-    /// The samples of a channel since they were last taken.
-    #[wasm_bindgen(js_name = takeSamples)]
-    pub fn take_samples(&mut self, channel: usize) -> Vec<f32> {
-        self.samples
-            .get_mut(channel)
-            .map_or_else(Vec::new, std::mem::take)
-    }
-
-    /// What was heard.
-    pub fn finish(&mut self) -> Result<String> {
-        if let Some(opening) = self.opening.take() {
-            let (heard, levels) = opening.finish();
-            self.heard = Some(heard);
-            self.levels = levels;
-        }
-        json(&self.heard)
-    }
-
-    /// Samples in a bin of each level, fine to coarse, once it is finished.
-    #[wasm_bindgen(js_name = samplesPerBin)]
-    pub fn samples_per_bin(&self) -> Vec<u32> {
-        samples_per_bin(&self.levels)
-    }
-
-    /// Least and greatest of each bin of a level.
-    #[wasm_bindgen(js_name = takeLevel)]
-    pub fn take_level(&mut self, level: usize) -> Vec<f32> {
-        take_level(&mut self.levels, level)
-    }
+/// What a list of times says.
+#[wasm_bindgen(js_name = hearTimes)]
+pub fn hear_times(content: &[u8], name: &str) -> Result<String> {
+    json(&sound::times(content, name)?)
 }
 
 fn samples_per_bin(levels: &[Level]) -> Vec<u32> {
@@ -148,33 +57,37 @@ fn take_level(levels: &mut [Level], level: usize) -> Vec<f32> {
 #[wasm_bindgen]
 pub struct Hearer {
     ear: Option<Ear>,
+    /// What was brought of each channel and is not yet heard.
+    brought: Vec<Vec<f32>>,
     levels: Vec<Level>,
 }
 
 #[wasm_bindgen]
 impl Hearer {
-    /// For one or two channels.
+    /// For so many channels; `channel`, counted from 1, is the only one that is listened to.
     #[wasm_bindgen(constructor)]
-    pub fn new(sample_rate_hz: u32, channels: usize) -> Self {
-        Self {
-            ear: Some(Ear::new(sample_rate_hz, channels.clamp(1, 2), None)),
+    pub fn new(sample_rate_hz: u32, channels: usize, channel: Option<u32>) -> Result<Self> {
+        let channel = channel.map(|number| number as usize);
+        Ok(Self {
+            ear: Some(Ear::new(sample_rate_hz, channels, channel)?),
+            brought: vec![Vec::new(); channels],
             levels: Vec::new(),
+        })
+    }
+
+    /// Brings the next samples of one channel, counted from 0.
+    pub fn bring(&mut self, channel: usize, samples: Vec<f32>) {
+        if let Some(brought) = self.brought.get_mut(channel) {
+            *brought = samples;
         }
     }
 
-    /// Takes the next samples of one channel.
-    pub fn push(&mut self, samples: &[f32]) {
+    /// Hears what was brought of all channels.
+    pub fn hear(&mut self) {
+        let frames = self.brought.iter().map(Vec::len).min().unwrap_or(0);
+        let slices: Vec<&[f32]> = self.brought.iter().map(|all| &all[..frames]).collect();
         if let Some(ear) = &mut self.ear {
-            ear.push(&[samples]);
-        }
-    }
-
-    /// Takes the next samples of two channels, as many of each.
-    #[wasm_bindgen(js_name = pushStereo)]
-    pub fn push_stereo(&mut self, left: &[f32], right: &[f32]) {
-        if let Some(ear) = &mut self.ear {
-            let frames = left.len().min(right.len());
-            ear.push(&[&left[..frames], &right[..frames]]);
+            ear.push(&slices);
         }
     }
 
@@ -185,9 +98,18 @@ impl Hearer {
     }
 
     /// What was heard, all told.
-    pub fn finish(&mut self, name: String, format: String) -> Result<String> {
+    pub fn finish(
+        &mut self,
+        name: String,
+        format: String,
+        warnings: Vec<String>,
+    ) -> Result<String> {
         let heard = self.ear.take().map(|ear| {
-            let (heard, levels) = ear.finish(Label { name, format }, Vec::new());
+            let (heard, levels) = ear.finish(Label {
+                name,
+                format,
+                warnings,
+            });
             self.levels = levels;
             heard
         });
