@@ -114,7 +114,7 @@ function paintSound(surface: Surface, scene: Scene): void {
 let columns = new Float32Array(0);
 
 function paintColumns(surface: Surface, scene: Scene, perColumn: number): void {
-  const { context, width, height, ratio, palette: colours } = surface;
+  const { context, width, ratio, palette: colours } = surface;
   const { pyramid, view, peak } = scene;
   const level = levelFor(pyramid, perColumn);
   if (!level) return;
@@ -140,7 +140,7 @@ function paintColumns(surface: Surface, scene: Scene, perColumn: number): void {
 
 /** Closer than the pyramid: the samples themselves, joined by a line. */
 function paintSamples(surface: Surface, scene: Scene): void {
-  const { context, width, height, palette: colours } = surface;
+  const { context, width, palette: colours } = surface;
   const { pyramid, view, peak } = scene;
   const { rateHz, samples } = pyramid;
   const { middle, half } = frame(surface);
