@@ -530,6 +530,34 @@ proptest! {
         check_drawing(&figure::drag(&curves, DragAxes::Logarithmic, errors))?;
         check_drawing(&figure::restitution(&impacts, &impacts, &[], errors))?;
         check_drawing(&figure::flight_times(&flights, Some(line)))?;
+        let points = numbers.iter().map(|&(speed_m_s, value)| GroupPoint {
+            speed_m_s,
+            value,
+            interval95: errors.map(|error| [error, value]),
+        });
+        let law = GroupLaw { name: "any".to_owned(), impacts: numbers.clone(), law: points.collect() };
+        check_drawing(&figure::groups(&[law]))?;
+        let intervals: Vec<_> = numbers
+            .iter()
+            .map(|&(mean, end)| GroupInterval {
+                name: "any".to_owned(),
+                mean,
+                interval95: Some([mean, end]),
+                next95: errors.map(|error| [error, end]),
+                drops: vec![(end, end > 0.0)],
+            })
+            .collect();
+        check_drawing(&figure::intervals("Any", &intervals, "any"))?;
+        let run: Vec<_> = numbers
+            .iter()
+            .map(|&(off, other)| RunPoint {
+                off,
+                standard_error: errors,
+                group: other as usize,
+                outlier: other > 0.0,
+            })
+            .collect();
+        check_drawing(&figure::run_chart(&run, &names(2), errors))?;
         if let Ok(sound) = Envelope::new(line.slope, line.intercept.abs(), lows, highs) {
             check_drawing(&figure::waveform(&sound, &marks))?;
         }

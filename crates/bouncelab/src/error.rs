@@ -84,7 +84,7 @@ pub enum Error {
     },
 
     /// A mean of no drops, or more means than drops can tell.
-    #[error("this takes at least {needed} drops, but there are {drops}; make more drops")]
+    #[error("this takes {needed} drops or more, and there are {drops}")]
     TooFewDrops {
         /// How many it takes.
         needed: usize,

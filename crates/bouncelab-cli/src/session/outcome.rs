@@ -183,12 +183,11 @@ impl Outcome {
             wish.wanted,
         );
         self.study = study.map_err(|refusal| match wish.at_speed_m_s {
-            Some(speed) if !drops.is_empty() => {
-                format!(
-                    "no drop knows its restitution at {speed} m/s: its impacts are slower or faster"
-                )
-            }
-            _ => refusal.to_string(),
+            _ if drops.is_empty() => "no drop has an inference that could be compared".to_owned(),
+            Some(speed) => format!(
+                "no drop knows its restitution at {speed} m/s: its impacts are slower or faster"
+            ),
+            None => refusal.to_string(),
         });
         Ok(())
     }

@@ -189,7 +189,7 @@ impl Study {
                 levels: drops[place].levels.clone(),
             })
             .collect();
-        let apart = Apart::new(&modelled, factors);
+        let apart = Apart::new(modelled, factors);
         Ok(Self {
             at_speed_m_s: speed_m_s,
             left_out: (0..drops.len()).filter(|&i| known[i].is_none()).collect(),
@@ -276,18 +276,39 @@ fn pooled_law(drops: &[StudyDrop], places: &[usize]) -> Vec<(f64, Mean)> {
 }
 
 /// The factors that can be told apart, with the drops.
-struct Apart<'a> {
-    drops: &'a [Drop],
-    factors: &'a [Factor],
+struct Apart {
+    drops: Vec<Drop>,
+    /// With the levels that these drops have, and no others.
+    factors: Vec<Factor>,
+    /// What the levels of each factor are called outside.
+    outside: Vec<Vec<usize>>,
     /// Factors of two levels or more; those that always go together share an entry.
     distinct: Vec<Vec<usize>>,
 }
 
-impl<'a> Apart<'a> {
-    fn new(drops: &'a [Drop], factors: &'a [Factor]) -> Self {
+impl Apart {
+    fn new(mut drops: Vec<Drop>, factors: &[Factor]) -> Self {
+        let mut own = Vec::new();
+        let mut outside = Vec::new();
+        for (place, factor) in factors.iter().enumerate() {
+            let has = |level: &usize| drops.iter().any(|d| d.levels[place] == Some(*level));
+            let levels: Vec<usize> = (0..factor.levels.len()).filter(has).collect();
+            for drop in &mut drops {
+                let level = drop.levels[place];
+                drop.levels[place] = levels.iter().position(|known| level == Some(*known));
+            }
+            own.push(Factor {
+                name: factor.name.clone(),
+                levels: levels
+                    .iter()
+                    .map(|&level| factor.levels[level].clone())
+                    .collect(),
+            });
+            outside.push(levels);
+        }
         let mut distinct: Vec<(Vec<usize>, Vec<usize>)> = Vec::new();
         for factor in 0..factors.len() {
-            let partition = partition(drops, factor);
+            let partition = partition(&drops, factor);
             if partition.iter().max().is_none_or(|&last| last == 0) {
                 continue;
             }
@@ -298,14 +319,15 @@ impl<'a> Apart<'a> {
         }
         Self {
             drops,
-            factors,
+            factors: own,
+            outside,
             distinct: distinct.into_iter().map(|(_, factors)| factors).collect(),
         }
     }
 
     fn varies(&self) -> Vec<Varies> {
         let random: Vec<usize> = self.distinct.iter().map(|together| together[0]).collect();
-        let Ok(fit) = Mixed::fit(self.drops, self.factors, None, &random) else {
+        let Ok(fit) = Mixed::fit(&self.drops, &self.factors, None, &random) else {
             return Vec::new();
         };
         let mut varies: Vec<Varies> = self
@@ -337,11 +359,15 @@ impl<'a> Apart<'a> {
                 .map(|together| together[0])
                 .filter(|&other| other != factor)
                 .collect();
-            let differences = if others.is_empty() {
+            let mut differences = if others.is_empty() {
                 compare_means(&self.means(factor)?)
             } else {
-                compare(self.drops, self.factors, factor, &others).ok()?
+                compare(&self.drops, &self.factors, factor, &others).ok()?
             };
+            for difference in &mut differences {
+                difference.of = self.outside[factor][difference.of];
+                difference.less = self.outside[factor][difference.less];
+            }
             Some((factor, differences))
         };
         self.distinct.iter().filter_map(of_factor).collect()
@@ -451,6 +477,33 @@ mod tests {
         let fast = Study::of(&drops, &[], &[], Some(4.0), None).unwrap();
         assert_eq!(fast.left_out, [0, 1, 3]);
         assert!(Study::of(&drops, &[], &[], Some(40.0), None).is_err());
+    }
+
+    /// The low drops never were as fast, so their height is no level there; the others are compared.
+    #[test]
+    fn levels_that_do_not_know_the_speed_do_not_hide_the_others() {
+        let factors = [
+            factor("height", &["low", "middle", "high"]),
+            factor("ball", &["a", "b"]),
+        ];
+        let drops: Vec<StudyDrop> = (0..18)
+            .map(|drop| StudyDrop {
+                law: law(0.5, [1.5, 3.0, 4.5][drop % 3], |_| {
+                    0.9 + 0.01 * (drop / 3 % 2) as f64 + 0.0004 * (drop / 6) as f64
+                }),
+                scatter: None,
+                levels: vec![Some(drop % 3), Some(drop / 3 % 2)],
+            })
+            .collect();
+        let study = Study::of(&drops, &factors, &[1], Some(2.5), None).unwrap();
+        assert_eq!(study.left_out.len(), 6);
+        let (factor, of_height) = &study.differences[0];
+        assert_eq!((*factor, of_height.len()), (0, 1));
+        assert_eq!((of_height[0].of, of_height[0].less), (2, 1));
+        let (factor, of_ball) = &study.differences[1];
+        assert_eq!(*factor, 1);
+        assert!((of_ball[0].value.value - 0.01).abs() < 1e-6);
+        assert_eq!(study.varies[0].levels, 2);
     }
 
     #[test]
