@@ -603,6 +603,33 @@ const deutsch: Texts = {
       '{} Laute kommen in gleichen Abständen von {} s, wie von einer Uhr; die Flüge eines Balls werden kürzer.',
     '{} sounds stand out of the background, but no {} of them come at shrinking intervals as the impacts of a ball do':
       '{} Laute heben sich ab, aber keine {} davon kommen in schrumpfenden Abständen wie die Aufpralle eines Balls.',
+    'the file is cut short: {} s of {} s could be read':
+      'Die Datei ist abgeschnitten: {} s von {} s waren lesbar.',
+    'the file is cut short or damaged: it was read up to {} s':
+      'Die Datei ist abgeschnitten oder beschädigt: Sie wurde bis {} s gelesen.',
+    '{} damaged packet was replaced by silence, the first at {} s':
+      '{} beschädigtes Stück wurde durch Stille ersetzt, bei {} s.',
+    '{} damaged packets were replaced by silence, the first at {} s':
+      '{} beschädigte Stücke wurden durch Stille ersetzt, das erste bei {} s.',
+    '{} sample was not a number and replaced by zero, the first at {} s':
+      '{} Abtastwert war keine Zahl und wurde zu Null, bei {} s.',
+    '{} samples were not numbers and replaced by zero, the first at {} s':
+      '{} Abtastwerte waren keine Zahlen und wurden zu Null, der erste bei {} s.',
+    '{} s of sound are missing at {} s: later times are too early':
+      '{} s Ton fehlen bei {} s: Spätere Zeiten sind zu früh.',
+    'the sound changes its rate or channels at {} s; it was read up to there':
+      'Der Ton wechselt bei {} s Rate oder Kanäle; er wurde bis dort gelesen.',
+    "the file's edit list reorders or warps the sound; it was read as recorded":
+      'Die Schnittliste der Datei ordnet den Ton um; er wurde gelesen, wie er aufgenommen ist.',
+    '{} samples are clipped: the recorder was too loud; times suffer little, levels do':
+      '{} Abtastwerte sind übersteuert: Die Aufnahme war zu laut; Zeiten leiden kaum, Pegel schon.',
+    'the drag law {} is known up to Reynolds number {}, but the ball reaches {}; choose a law with a wider range (clift-grace-weber has no upper end) or a slower ball':
+      'Das Widerstandsgesetz {} ist bis zur Reynolds-Zahl {} bekannt, der Ball erreicht aber {}; wähle ein Gesetz, das weiter reicht (Clift–Grace–Weber hat kein Ende), oder einen langsameren Ball.',
+    'the ball weighs {} kg and displaces {} kg of air, so it floats; check mass and diameter, or switch buoyancy off':
+      'Der Ball wiegt {} kg und verdrängt {} kg Luft, er schwebt also; prüfe Masse und Durchmesser.',
+    'the ball still rises {} m after {} bounces; lower the restitution, stop at a greater height, or ask for at most {} bounces':
+      'Der Ball steigt noch {} m nach {} Sprüngen; senke die Stoßzahl, oder begnüge dich mit {} Sprüngen.',
+    '{} is {}; it must be {}': '{} ist {}; es muss so sein: {}',
     'drag coefficient': 'Widerstandsbeiwert',
     'slope of restitution': 'Gefälle der Stoßzahl',
     'scatter of restitution': 'Streuung der Stoßzahl',
