@@ -8,11 +8,11 @@ import { workOffline } from './app/offline.ts';
 import { keepAnalysed } from './state/analysing.ts';
 import { start } from './state/engine.ts';
 import { loadKept } from './state/keeping.ts';
+import { findLeftovers } from './state/leftovers.ts';
 import { readSettings } from './state/settings.ts';
 import { keepSimulated, readSimulation } from './state/simulating.ts';
 import { followTheme } from './style/colours.ts';
 import { preferred, speak } from './text/language.ts';
-import { findInterrupted } from './views/laboratory/Interrupted.tsx';
 
 followTheme();
 readSettings();
@@ -27,6 +27,8 @@ if (place) render(<App />, place);
 keepAnalysed();
 keepSimulated();
 void start();
-void loadKept();
-void findInterrupted();
+// Where the browser keeps nothing there is nothing left over either.
+void loadKept()
+  .then(findLeftovers)
+  .catch(() => undefined);
 void workOffline();

@@ -89,7 +89,8 @@ describe.each([
     await look(page, name('lab'));
     for (const fold of await page.locator('main summary').all()) await fold.click();
     await look(page, name('lab-unfolded'));
-    for (const tab of await page.getByRole('tab').all()) {
+    // The figures differ less from screen to screen than they take to look at.
+    for (const tab of screen === 'desktop' ? await page.getByRole('tab').all() : []) {
       await tab.click();
       await look(page, name(`figure-${await tab.getAttribute('id')}`));
     }

@@ -93,36 +93,65 @@ export function drawLevels(plot: uPlot, spec: ChartSpec): void {
   }
 }
 
-/** Curves are named where they end: no key to look up. Points are named in the key above. */
+/**
+ * Curves are named beside them: no key to look up. Curves that only rise or fall have their name at
+ * their middle, on the side that is free; others at their end. Points are named in the key above.
+ */
 export function drawLabels(plot: uPlot, spec: ChartSpec): void {
-  const taken: number[] = [];
+  const gap = 8 * devicePixelRatio;
+  const height = 16 * devicePixelRatio;
+  let steady = 0;
+  let wavy = 0;
   for (const layer of spec.layers) {
     if (layer.kind !== 'line' || layer.label === '') continue;
-    const end = lastInSight(plot, layer);
-    if (!end) continue;
-    const line = 16 * devicePixelRatio;
-    let y = end.y - 6 * devicePixelRatio;
-    while (taken.some((other) => Math.abs(other - y) < line)) y -= line;
-    taken.push(y);
-    write(plot, layer.label, end.x - 4 * devicePixelRatio, y, layer.meaning, 'right');
+    const seen = inSight(plot, layer);
+    const [middle, end] = [seen[Math.floor(0.6 * seen.length)], seen.at(-1)];
+    if (!middle || !end) continue;
+    if (isSteady(seen)) {
+      const falls = (seen[0]?.y ?? 0) <= end.y;
+      const above = steady % 2 === 0;
+      const y = above ? middle.y - gap : middle.y + gap + height / 2;
+      const right = falls === above;
+      write(
+        plot,
+        layer.label,
+        middle.x + (right ? gap : -gap),
+        y,
+        layer.meaning,
+        right ? 'left' : 'right',
+      );
+      steady += 1;
+    } else {
+      write(plot, layer.label, end.x, end.y - gap - wavy * height, layer.meaning, 'right');
+      wavy += 1;
+    }
   }
 }
 
-function lastInSight(plot: uPlot, layer: Line): { x: number; y: number } | undefined {
-  const { bbox } = plot;
-  for (let i = layer.x.length - 1; i >= 0; i -= 1) {
+interface Place {
+  readonly x: number;
+  readonly y: number;
+}
+
+function inSight(plot: uPlot, layer: Line): readonly Place[] {
+  const { left, top, width, height } = plot.bbox;
+  return layer.x.flatMap((at, i) => {
     const value = layer.y[i];
-    if (value === null || value === undefined) continue;
-    const x = px(plot, layer.x[i] as number);
-    const y = py(plot, value);
+    if (value === null || value === undefined) return [];
+    const place = { x: px(plot, at), y: py(plot, value) };
     const inside =
-      x <= bbox.left + bbox.width + 1 &&
-      x > bbox.left &&
-      y > bbox.top + 8 &&
-      y < bbox.top + bbox.height;
-    if (inside) return { x, y };
-  }
-  return undefined;
+      place.x >= left - 1 &&
+      place.x <= left + width + 1 &&
+      place.y >= top - 1 &&
+      place.y <= top + height + 1;
+    return inside ? [place] : [];
+  });
+}
+
+/** Whether a curve only rises or only falls. */
+function isSteady(places: readonly Place[]): boolean {
+  const steps = places.slice(1).map((place, i) => place.y - (places[i]?.y ?? place.y));
+  return steps.every((step) => step >= -0.5) || steps.every((step) => step <= 0.5);
 }
 
 function write(

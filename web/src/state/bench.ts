@@ -15,7 +15,8 @@ export type Phase =
   | { readonly kind: 'empty' }
   | { readonly kind: 'starting' }
   | { readonly kind: 'listening' }
-  | { readonly kind: 'reading'; readonly name: string }
+  /** `share` is how far it is, 0 to 1, where that can be told. */
+  | { readonly kind: 'reading'; readonly name: string; readonly share?: number }
   | { readonly kind: 'ready' };
 
 /** A recording, or a list of times, on the bench. */

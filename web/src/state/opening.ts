@@ -23,7 +23,13 @@ async function bring(
 export function openFile(file: File): Promise<void> {
   return bring(file.name, async () => {
     if (file.size === 0) throw new LabError('empty', `${file.name} has no content`);
-    return engine().open(file);
+    return engine().open(file, {
+      onProgress: (share) => {
+        if (phase.peek().kind === 'reading') {
+          phase.value = { kind: 'reading', name: file.name, share };
+        }
+      },
+    });
   });
 }
 

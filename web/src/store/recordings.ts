@@ -54,11 +54,11 @@ export async function deleteRecording(id: string): Promise<void> {
   });
 }
 
-/** Recordings that a crash or a closed page cut short. */
-export async function interrupted(): Promise<StoredRecording[]> {
+/** Every sound in the database, the oldest first. */
+export async function allRecordings(): Promise<StoredRecording[]> {
   const all =
     (await transact<StoredRecording[]>(['recordings'], 'readonly', (t) =>
       t.objectStore('recordings').getAll(),
     )) ?? [];
-  return all.filter((recording) => !recording.finished);
+  return all.sort((a, b) => a.startedAt - b.startedAt);
 }

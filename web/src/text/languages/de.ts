@@ -25,7 +25,6 @@ const deutsch: Texts = {
     reload: 'Neu laden',
     undo: 'Rückgängig',
     redo: 'Wiederholen',
-    close: 'Schließen',
     cancel: 'Abbrechen',
     why: 'Warum?',
     dropHere: 'Loslassen, dann wird zugehört',
@@ -54,12 +53,9 @@ const deutsch: Texts = {
     soFar: (count) => `${count} ${zahl(count, 'Aufprall', 'Aufpralle')} bisher`,
     soFarKeeps: (share) => `er behält etwa ${share} seines Tempos`,
     endsItself: 'Es endet von selbst, wenn der Ball ruht.',
-    level: 'Pegel',
-    hearing: 'Ich rechne …',
     opening: (name) => `Lese ${name} …`,
     kept: (share) => ['Der Ball behielt bei jedem Aufprall ', share, ' seines Tempos.'],
     fell: (height) => ['Er fiel aus ', height, ' Höhe.'],
-    fellBefore: (height) => ['Vor dem ersten gehörten Aufprall fiel er aus ', height, ' Höhe.'],
     cannotTell: 'Das sind zu wenige Aufpralle, um zu sagen, wie gut der Ball springt.',
     impacts: (count) => `${count} ${zahl(count, 'Aufprall', 'Aufpralle')}`,
     uncertain: (count) => `${count} unsicher`,
@@ -80,14 +76,12 @@ const deutsch: Texts = {
     narrowedLead: 'Wie weit der Ton eingegrenzt hat, was man vorher schon wusste:',
     narrowed: (unknown, share) => `${unknown}: ${share} der Breite bleiben`,
     assumed: 'angenommen',
-    given: 'angegeben',
-    notices: 'Gut zu wissen',
     noDropTitle: 'Kein springender Ball gehört.',
     noDropHint:
       'Stell das Mikrofon nah an die Stelle, wo der Ball aufkommt, nimm einen harten Untergrund und lass den Ball ausspringen. Siehst du die Aufpralle im Bild, dann markiere sie von Hand: Doppelklick, oder Eingabetaste am Zeiger.',
-    tryAgain: 'Noch einmal',
-    saveSound: 'Ton speichern (WAV)',
     interruptedTitle: (date) => `Eine Aufnahme vom ${date} wurde unterbrochen.`,
+    progress: 'Wie weit es ist',
+    unkeptTitle: (date) => `Die Aufnahme vom ${date} steht nicht in der Tabelle der Versuche.`,
     interruptedHint: 'Nichts davon ist verloren.',
     interruptedOpen: 'Öffnen',
     interruptedDrop: 'Wegwerfen',
@@ -155,7 +149,7 @@ const deutsch: Texts = {
     },
     huge: {
       what: 'Die Datei ist zu groß für einen Browser.',
-      do: 'Bis 1 GB oder zwei Stunden. Schneide sie auf die Minuten mit dem Ball, oder nimm die Kommandozeile: bouncelab analyze.',
+      do: 'Bis 500 MB und etwa vierzig Minuten Ton. Schneide sie auf die Minuten mit dem Ball, oder nimm die Kommandozeile: bouncelab analyze.',
     },
     setting: {
       what: 'Eine Einstellung passt nicht zu den anderen.',
@@ -205,7 +199,6 @@ const deutsch: Texts = {
     moved: (number, seconds) => `Aufprall ${number} auf ${seconds} s verschoben.`,
     undone: 'Rückgängig gemacht.',
     redone: 'Wiederholt.',
-    help: 'Ansehen und verbessern, so geht es',
     keys: 'Pfeiltasten bewegen den Zeiger, mit Umschalttaste fein; Bild auf und Bild ab gehen von Aufprall zu Aufprall; Plus und Minus vergrößern und verkleinern, 0 zeigt alles; Eingabe setzt einen Aufprall, Entf entfernt den gewählten, Komma und Punkt schieben ihn, S rastet ihn am Ton ein; Leertaste spielt ab; Strg+Z macht rückgängig.',
     pointer:
       'Ziehen verschiebt, Spreizen oder Mausrad vergrößert (vorher anklicken), Tippen wählt einen Aufprall, Ziehen bewegt ihn, Doppeltippen setzt einen neuen.',
@@ -225,7 +218,6 @@ const deutsch: Texts = {
     measured: 'gemessen',
     notUsed: 'nicht in der Geraden',
     model: 'Modell mit Luft',
-    band: '95-%-Band',
     line95: 'was das Gesetz sein kann',
     flights: {
       tab: 'Flüge',
@@ -253,7 +245,6 @@ const deutsch: Texts = {
       y: 'Energie (mJ)',
       surface: 'beim Aufprall verloren',
       air: 'an die Luft verloren',
-      before: 'vor dem Aufprall',
     },
     drag: {
       tab: 'Luft',
@@ -358,8 +349,7 @@ const deutsch: Texts = {
     share: 'Einstellungen teilen',
     shared: 'Die Adresse mit diesen Einstellungen ist kopiert.',
     shareByHand: 'Diese Adresse kopieren:',
-    report: 'Bericht',
-    saveAs: 'Speichern',
+    report: 'Bericht (HTML)',
   },
   simulate: {
     title: 'Lass einen Ball fallen, den es nicht gibt',
@@ -369,8 +359,6 @@ const deutsch: Texts = {
     slope: 'Fällt mit dem Tempo um',
     slopeHint: '0: bei jedem Tempo gleich',
     ball: 'Ball',
-    mass: 'Masse',
-    diameter: 'Durchmesser',
     drag: 'Luftwiderstand',
     pressure: 'Luftdruck',
     world: 'Wo',
@@ -382,7 +370,6 @@ const deutsch: Texts = {
       titan: 'Titan',
       jupiter: 'Jupiter',
     },
-    custom: 'eigene Luft',
     keepRun: 'Diesen Lauf behalten',
     hear: 'Anhören',
     stop: 'Stopp',
@@ -418,7 +405,6 @@ const deutsch: Texts = {
     y: 'Höhe (cm)',
     flightY: 'Flugzeit (s)',
     flightX: 'Flug',
-    height_cm: 'Höhe (cm)',
     impossible: 'Das lässt sich nicht simulieren:',
     address: 'Die Regler stehen in der Adresse: Teile sie, und andere sehen denselben Lauf.',
   },
@@ -562,7 +548,6 @@ const deutsch: Texts = {
     deleteAll: 'Alle löschen',
     deletedAll: (count) => `${count} ${zahl(count, 'Versuch ist', 'Versuche sind')} gelöscht.`,
     unavailable: 'Der Browser hebt hier nichts auf (ein privates Fenster?).',
-    noSound: 'nur Zeiten',
   },
   engine: {
     'one impact in between was not heard; it is counted':
@@ -618,6 +603,33 @@ const deutsch: Texts = {
       '{} Laute kommen in gleichen Abständen von {} s, wie von einer Uhr; die Flüge eines Balls werden kürzer.',
     '{} sounds stand out of the background, but no {} of them come at shrinking intervals as the impacts of a ball do':
       '{} Laute heben sich ab, aber keine {} davon kommen in schrumpfenden Abständen wie die Aufpralle eines Balls.',
+    'the file is cut short: {} s of {} s could be read':
+      'Die Datei ist abgeschnitten: {} s von {} s waren lesbar.',
+    'the file is cut short or damaged: it was read up to {} s':
+      'Die Datei ist abgeschnitten oder beschädigt: Sie wurde bis {} s gelesen.',
+    '{} damaged packet was replaced by silence, the first at {} s':
+      '{} beschädigtes Stück wurde durch Stille ersetzt, bei {} s.',
+    '{} damaged packets were replaced by silence, the first at {} s':
+      '{} beschädigte Stücke wurden durch Stille ersetzt, das erste bei {} s.',
+    '{} sample was not a number and replaced by zero, the first at {} s':
+      '{} Abtastwert war keine Zahl und wurde zu Null, bei {} s.',
+    '{} samples were not numbers and replaced by zero, the first at {} s':
+      '{} Abtastwerte waren keine Zahlen und wurden zu Null, der erste bei {} s.',
+    '{} s of sound are missing at {} s: later times are too early':
+      '{} s Ton fehlen bei {} s: Spätere Zeiten sind zu früh.',
+    'the sound changes its rate or channels at {} s; it was read up to there':
+      'Der Ton wechselt bei {} s Rate oder Kanäle; er wurde bis dort gelesen.',
+    "the file's edit list reorders or warps the sound; it was read as recorded":
+      'Die Schnittliste der Datei ordnet den Ton um; er wurde gelesen, wie er aufgenommen ist.',
+    '{} samples are clipped: the recorder was too loud; times suffer little, levels do':
+      '{} Abtastwerte sind übersteuert: Die Aufnahme war zu laut; Zeiten leiden kaum, Pegel schon.',
+    'the drag law {} is known up to Reynolds number {}, but the ball reaches {}; choose a law with a wider range (clift-grace-weber has no upper end) or a slower ball':
+      'Das Widerstandsgesetz {} ist bis zur Reynolds-Zahl {} bekannt, der Ball erreicht aber {}; wähle ein Gesetz, das weiter reicht (Clift–Grace–Weber hat kein Ende), oder einen langsameren Ball.',
+    'the ball weighs {} kg and displaces {} kg of air, so it floats; check mass and diameter, or switch buoyancy off':
+      'Der Ball wiegt {} kg und verdrängt {} kg Luft, er schwebt also; prüfe Masse und Durchmesser.',
+    'the ball still rises {} m after {} bounces; lower the restitution, stop at a greater height, or ask for at most {} bounces':
+      'Der Ball steigt noch {} m nach {} Sprüngen; senke die Stoßzahl, oder begnüge dich mit {} Sprüngen.',
+    '{} is {}; it must be {}': '{} ist {}; es muss so sein: {}',
     'drag coefficient': 'Widerstandsbeiwert',
     'slope of restitution': 'Gefälle der Stoßzahl',
     'scatter of restitution': 'Streuung der Stoßzahl',

@@ -35,7 +35,7 @@ export function Keep() {
             <button type="button" class="quiet" onClick={() => saveJson(stem)}>
               {words.json}
             </button>
-            <button type="button" class="quiet" onClick={() => globalThis.print()}>
+            <button type="button" class="quiet" onClick={() => void saveReport(stem)}>
               {words.report}
             </button>
           </>
@@ -49,6 +49,14 @@ export function Keep() {
 async function saveCsv(stem: string): Promise<void> {
   const asked = request();
   if (asked) saveText(await engine().rows(asked), 'text/csv', `${stem}.csv`);
+}
+
+/** One file to print, send or hand in: the same as the command line writes. */
+async function saveReport(stem: string): Promise<void> {
+  const [asked, bench] = [request(), onBench.peek()];
+  if (!asked || !bench) return;
+  const html = await engine().report(bench.recording, asked, new Date());
+  saveText(html, 'text/html', `${stem}.html`);
 }
 
 /** The document of the command line, as it is. */

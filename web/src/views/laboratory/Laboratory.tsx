@@ -3,8 +3,8 @@ import { fault, onBench, phase } from '../../state/bench.ts';
 import { unreadable } from '../../state/settings.ts';
 import { texts } from '../../text/language.ts';
 import { FigureTabs } from './FigureTabs.tsx';
-import { Interrupted } from './Interrupted.tsx';
 import { Keep } from './Keep.tsx';
+import { Leftovers } from './Leftovers.tsx';
 import { ListenBar } from './ListenBar.tsx';
 import { LiveStrip } from './LiveStrip.tsx';
 import { Said } from './Said.tsx';
@@ -40,7 +40,7 @@ export function Troubles() {
       {unreadable.value.length > 0 && (
         <p class="notice">{texts.value.app.unreadableLink(unreadable.value.join(', '))}</p>
       )}
-      <Interrupted />
+      <Leftovers />
     </>
   );
 }

@@ -24,8 +24,19 @@ export function LiveStrip() {
       <p class="lead" role="status">
         <RunningSentence />
       </p>
-      <p class="soft">{texts.value.lab.endsItself}</p>
+      {phase.value.kind === 'reading' ? (
+        <Progress share={phase.value.share} />
+      ) : (
+        <p class="soft">{texts.value.lab.endsItself}</p>
+      )}
     </section>
+  );
+}
+
+/** How far the reading of a file is. */
+function Progress({ share }: { readonly share: number | undefined }) {
+  return share === undefined ? null : (
+    <progress value={share} max={1} aria-label={texts.value.lab.progress} />
   );
 }
 

@@ -1,7 +1,6 @@
 import { onBench } from '../../state/bench.ts';
 import { texts } from '../../text/language.ts';
 import { translated } from '../../text/remarks.ts';
-import { SaveSound } from './SaveSound.tsx';
 
 /** Why there is no drop, and what to do about it. */
 export function NoDrop() {
@@ -14,7 +13,6 @@ export function NoDrop() {
       </p>
       {reason && <p>{translated(reason)}</p>}
       <p>{words.noDropHint}</p>
-      <SaveSound />
     </div>
   );
 }
