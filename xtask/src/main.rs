@@ -9,6 +9,7 @@ mod cargo;
 mod grid;
 mod test;
 mod verdicts;
+mod web;
 
 use std::process::ExitCode;
 
@@ -22,7 +23,7 @@ struct Chore {
     run: fn(&[String]) -> Result,
 }
 
-const CHORES: [Chore; 5] = [
+const CHORES: [Chore; 6] = [
     Chore {
         name: "test",
         arguments: "[CHECK...]",
@@ -52,6 +53,12 @@ const CHORES: [Chore; 5] = [
         arguments: "[PART...]",
         about: grid::ABOUT,
         run: grid::run,
+    },
+    Chore {
+        name: "web",
+        arguments: "[PART]",
+        about: web::ABOUT,
+        run: web::run,
     },
 ];
 

@@ -1,6 +1,7 @@
 //! The arguments that say what is known besides the sounds, and what to ask of the inference.
 
-use bouncelab::estimate::{Effort, Knowledge, LawKind, Measured, Question, Reach, UNKNOWN};
+use bouncelab::estimate::{Effort, Knowledge, LawKind, Question, Reach};
+use bouncelab::stated::StatedDrop;
 use clap::{Args, ValueEnum};
 
 use crate::failure::Failure;
@@ -96,33 +97,25 @@ impl Input {
     }
 }
 
-/// Heights are measured with a ruler.
-const HEIGHT_SD_M: f64 = 0.002;
-/// A release is seen in a video, or heard.
-const RELEASE_SD_S: f64 = 0.005;
-
 impl KnowledgeArguments {
     /// What these arguments add to what the physics says.
     pub(crate) fn knowledge(&self, physics: Knowledge) -> Result<Knowledge, Failure> {
-        let mut knowledge = physics;
-        let measured = |value: Option<f64>, sd: f64| value.map(|value| Measured { value, sd });
-        knowledge.drop_height_m = measured(self.height, self.height_sd.unwrap_or(HEIGHT_SD_M));
-        knowledge.first_was_heard = self.first_heard;
-        knowledge.release_s = measured(self.release, self.release_sd.unwrap_or(RELEASE_SD_S));
-        knowledge.restitution_laws.clone_from(&self.law);
-        knowledge.restitution_laws.dedup();
+        let stated = StatedDrop {
+            height_m: self.height,
+            height_sd_m: self.height_sd,
+            release_s: self.release,
+            release_sd_s: self.release_sd,
+            first_heard: self.first_heard,
+            laws: self.law.clone(),
+            infer_gravity: self.infer.contains(&Inferred::Gravity),
+            infer_drag: self.infer.contains(&Inferred::Drag),
+            infer_contact_time: self.infer.contains(&Inferred::ContactTime),
+        };
+        let mut known = physics;
         for &(input, share) in &self.known {
-            *input.of(&mut knowledge) = share;
+            *input.of(&mut known) = share;
         }
-        for inferred in &self.infer {
-            match inferred {
-                Inferred::Gravity => knowledge.gravity = UNKNOWN,
-                Inferred::Drag => knowledge.drag = UNKNOWN,
-                Inferred::ContactTime => knowledge.contact_time = UNKNOWN,
-            }
-        }
-        knowledge.check()?;
-        Ok(knowledge)
+        Ok(stated.add_to(known)?)
     }
 
     /// What to ask.

@@ -9,6 +9,8 @@ mod listen;
 mod paper;
 mod physics;
 mod rules;
+#[cfg(feature = "serve")]
+mod serve;
 mod simulate;
 mod synth;
 mod verdict;
@@ -45,6 +47,8 @@ enum Command {
     Synth(synth::Arguments),
     Paper(paper::Arguments),
     Demo(demo::Arguments),
+    #[cfg(feature = "serve")]
+    Serve(serve::Arguments),
 }
 
 fn main() -> ExitCode {
@@ -57,6 +61,8 @@ fn main() -> ExitCode {
         Command::Synth(arguments) => synth::run(&arguments),
         Command::Paper(arguments) => paper::run(&arguments),
         Command::Demo(arguments) => demo::run(&arguments),
+        #[cfg(feature = "serve")]
+        Command::Serve(arguments) => serve::run(&arguments),
     };
     result.map_or_else(|failure| failure.report(), |()| ExitCode::SUCCESS)
 }

@@ -1,37 +1,35 @@
-//! bouncelab for the browser.
-#![allow(missing_docs)]
-pub mod wire;
-#[cfg(target_family = "wasm")]
-use wasm_bindgen::prelude::*;
+//! bouncelab for the browser: the laboratory's engine.
+//!
+//! The page never sees this crate: a worker does, and hands on what a page asks for. What is asked
+//! and answered is plain data ([`wire`]), of which `web/src/lab/types.ts` is made. The rooms answer
+//! in Rust, so that they are tested like everything else; `engine`, which exists on wasm only, turns
+//! their answers into JSON and arrays.
+//!
+//! It is compiled twice, with the feature `engine` and with the feature `decoders`: nearly half of it
+//! all are decoders, which a page needs only once a file is opened.
+//!
+//! | room | question it answers |
+//! |---|---|
+//! | [`wire`] | what does the page ask, and what is it told? |
+//! | [`refusal`] | why was it not done? |
+//! | `settings` | what does the page state, in the words of the science? |
+//! | [`catalogue`] | what is there to choose from? |
+//! | [`pyramid`] | how loud is it, at any zoom? |
+//! | [`spectrogram`] | how does the energy lie over time and frequency? |
+//! | [`sound`] | what is heard in it? |
+//! | [`analyst`] | what do the impacts say? |
+//! | [`simulator`] | what would a drop do, and how would it sound? |
 
-#[cfg(target_family = "wasm")]
-#[wasm_bindgen]
-pub fn probe(bytes: Vec<u8>, name: &str) -> String {
-    use bouncelab::analysis::{self, Impact, Settings};
-    let Ok(mut source) = bouncelab_audio::Source::from_bytes(bytes, name) else {
-        return String::new();
-    };
-    let mut listener = bouncelab::listen::Listener::new(source.sample_rate_hz(), source.channels());
-    while let Ok(Some(block)) = source.next_block() {
-        let slices: Vec<&[f32]> = (0..block.channels()).map(|i| block.channel(i)).collect();
-        listener.push(&slices);
-    }
-    let heard = listener.finish();
-    let settings = Settings::default();
-    let drops: Vec<_> = heard
-        .found
-        .trains
-        .iter()
-        .map(|t| analysis::analyze(t.impacts().iter().map(Impact::from).collect(), &settings))
-        .collect();
-    let doc = bouncelab_report::document::Document::new(
-        name,
-        bouncelab_report::document::Origin::Times,
-        &settings,
-        vec![],
-        &drops,
-        vec![],
-    );
-    let figure = bouncelab_report::figure::height(&[], &[]);
-    serde_json::to_string(&doc).unwrap_or_default() + &figure.svg()
-}
+pub mod analyst;
+pub mod catalogue;
+#[cfg(all(target_family = "wasm", feature = "decoders"))]
+pub mod decoders;
+#[cfg(all(target_family = "wasm", feature = "engine"))]
+pub mod engine;
+pub mod pyramid;
+pub mod refusal;
+mod settings;
+pub mod simulator;
+pub mod sound;
+pub mod spectrogram;
+pub mod wire;

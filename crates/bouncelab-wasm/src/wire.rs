@@ -34,6 +34,8 @@ pub enum RefusalKind {
     Times,
     /// A setting that the physics refuses.
     Setting,
+    /// It does not fit into the memory of a browser.
+    TooLong,
     /// A fault of the program itself.
     Fault,
 }
@@ -314,20 +316,8 @@ pub struct Analysed {
     pub series: Vec<Series>,
     /// Drag against speed; empty if there is none.
     pub drag: Vec<DragCurve>,
-    /// Names of the figures that [`figure`](crate::Analysis::figure) can draw.
-    pub figures: Vec<FigureName>,
-}
-
-/// A figure that can be drawn.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-#[cfg_attr(not(target_family = "wasm"), derive(TS))]
-pub struct FigureName {
-    /// Name, also of its file.
-    pub name: String,
-    /// Title.
-    pub title: String,
-    /// One sentence on what to see in it.
-    pub caption: String,
+    /// Names of the figures that can be drawn of it.
+    pub figures: Vec<String>,
 }
 
 /// Points of one drop for the charts, besides those in the document.
@@ -339,6 +329,8 @@ pub struct Series {
     pub measured: HeightCurve,
     /// The drop that the best fit would make, from its release; empty without inference.
     pub simulated: HeightCurve,
+    /// Time and height of each apex, in the same way.
+    pub apexes: HeightCurve,
     /// Energies at each impact with a flight on both sides.
     pub energies: Vec<Energy>,
     /// The posterior; empty without inference.

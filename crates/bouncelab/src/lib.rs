@@ -70,6 +70,7 @@
 pub mod air;
 pub mod analysis;
 pub mod ball;
+pub mod demo;
 pub mod drag;
 pub mod drop;
 mod error;
@@ -82,6 +83,7 @@ pub mod onset;
 pub mod regression;
 pub mod restitution;
 pub mod rulebook;
+pub mod stated;
 pub mod synth;
 pub mod train;
 mod whiten;

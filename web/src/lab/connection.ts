@@ -9,6 +9,12 @@ export interface Port {
   onerror: ((event: ErrorEvent) => void) | null;
 }
 
+/** The science, compiled; and the decoders where they are needed. */
+export interface Modules {
+  engine: WebAssembly.Module;
+  decoders: WebAssembly.Module | null;
+}
+
 interface Pending {
   resolve(give: unknown): void;
   reject(error: LabError): void;
@@ -23,14 +29,14 @@ interface Pending {
  */
 export class Connection {
   readonly #spawn: () => Port;
-  readonly #module: Promise<WebAssembly.Module>;
+  readonly #modules: Promise<Modules>;
   #port: Port | null = null;
   #pending = new Map<number, Pending>();
   #next = 0;
 
-  constructor(spawn: () => Port, module: Promise<WebAssembly.Module>) {
+  constructor(spawn: () => Port, modules: Promise<Modules>) {
     this.#spawn = spawn;
-    this.#module = module;
+    this.#modules = modules;
   }
 
   get isBusy(): boolean {
@@ -74,8 +80,8 @@ export class Connection {
     this.#port = port;
     port.onmessage = ({ data }) => this.#hear(data);
     port.onerror = (event) => this.#lose(event.message);
-    this.#module.then(
-      (module) => port.postMessage({ kind: 'start', module }, []),
+    this.#modules.then(
+      (modules) => port.postMessage({ kind: 'start', ...modules }, []),
       (reason) => this.#lose(String(reason)),
     );
     return port;

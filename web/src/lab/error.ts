@@ -6,9 +6,8 @@ import type { Refusal, RefusalKind } from './types.ts';
  *
  * - `superseded`: a newer request took its place; nothing to tell anyone.
  * - `cancelled`: the page called it off.
- * - `too-long`: the recording does not fit into memory.
  */
-export type LabErrorKind = RefusalKind | 'superseded' | 'cancelled' | 'too-long';
+export type LabErrorKind = RefusalKind | 'superseded' | 'cancelled';
 
 export class LabError extends Error {
   readonly kind: LabErrorKind;

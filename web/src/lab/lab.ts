@@ -1,4 +1,4 @@
-import { Connection, type Port } from './connection.ts';
+import { Connection, type Modules, type Port } from './connection.ts';
 import { LabError } from './error.ts';
 import type { Level, Spectrogram } from './protocol.ts';
 import { Recording } from './recording.ts';
@@ -43,7 +43,7 @@ const LARGEST_FILE_BYTES = 512e6;
  */
 export class Lab {
   readonly #spawn: () => Port;
-  readonly #module: Promise<WebAssembly.Module>;
+  readonly #load: (part: Part) => Promise<WebAssembly.Module>;
   /** What must answer at once. */
   readonly #front: Connection;
   /** What may take a while. */
@@ -51,11 +51,19 @@ export class Lab {
   #turn = 0;
   #ears = 0;
 
-  constructor(spawn: () => Port = spawnWorker, module = compile()) {
+  constructor(spawn: () => Port = spawnWorker, load = loader()) {
     this.#spawn = spawn;
-    this.#module = module;
-    this.#front = new Connection(spawn, module);
-    this.#back = new Connection(spawn, module);
+    this.#load = load;
+    this.#front = new Connection(spawn, this.#modules(false));
+    this.#back = new Connection(spawn, this.#modules(false));
+  }
+
+  /**
+   * Loads the decoders, which are due when a file is opened: to be called when the page has nothing
+   * else to do.
+   */
+  async prepare(): Promise<void> {
+    await this.#load('decoders');
   }
 
   /** Balls, laws, voices and worlds to choose from. */
@@ -81,7 +89,7 @@ export class Lab {
     });
     const take = { bytes, name: file.name, channel: options.channel ?? null };
     // A worker of its own: a damaged file may break the decoder, and long ones can be called off.
-    const { heard, sound } = await this.#alone(options.signal, (connection) =>
+    const { heard, sound } = await this.#alone(true, options.signal, (connection) =>
       connection.call('open', take, { transfer: [bytes], progress: options.onProgress }),
     );
     return new Recording(heard, sound, this.#services);
@@ -101,7 +109,7 @@ export class Lab {
     format = 'samples',
   ): Promise<Recording> {
     const transfer = channels.map((channel) => channel.buffer as ArrayBuffer);
-    const { heard, sound } = await this.#alone(undefined, (connection) =>
+    const { heard, sound } = await this.#alone(false, undefined, (connection) =>
       connection.call('hear', { channels, sampleRateHz, name, format }, { transfer }),
     );
     return new Recording(heard, sound, this.#services);
@@ -166,12 +174,22 @@ export class Lab {
 
   /** Draws the waveform with its impacts, as the program does. */
   async waveform(recording: Recording, request: AnalysisRequest): Promise<Drawn> {
-    const level = recording.sound?.levels.at(0);
-    if (level === undefined || recording.sound === null) {
+    const level = pictured(recording);
+    if (level === null || recording.sound === null) {
       throw new LabError('empty', 'a list of times has no waveform');
     }
     const { sampleRateHz } = recording.sound;
     return this.#back.call('waveform', { request, level, sampleRateHz });
+  }
+
+  /** The report of an analysis as one HTML file, as the program writes it. */
+  report(recording: Recording, request: AnalysisRequest, made: Date): Promise<string> {
+    return this.#back.call('report', {
+      request,
+      level: pictured(recording),
+      sampleRateHz: recording.sound?.sampleRateHz ?? 1,
+      made: made.toISOString().slice(0, 10),
+    });
   }
 
   /** The impacts as CSV, as the program writes them. */
@@ -219,12 +237,21 @@ export class Lab {
     }
   }
 
+  async #modules(withDecoders: boolean): Promise<Modules> {
+    const [engine, decoders] = await Promise.all([
+      this.#load('engine'),
+      withDecoders ? this.#load('decoders') : null,
+    ]);
+    return { engine, decoders };
+  }
+
   /** Work in a worker of its own, which ends with it. */
   async #alone<T>(
+    withDecoders: boolean,
     signal: AbortSignal | undefined,
     work: (connection: Connection) => Promise<T>,
   ): Promise<T> {
-    const connection = new Connection(this.#spawn, this.#module);
+    const connection = new Connection(this.#spawn, this.#modules(withDecoders));
     const cancel = () => connection.close();
     if (signal?.aborted) {
       throw new LabError('cancelled', 'called off');
@@ -327,16 +354,46 @@ export class Listening {
   }
 }
 
+/** The level that a picture of the whole is drawn from. */
+function pictured(recording: Recording): Level | null {
+  const ENOUGH_BINS = 32_768;
+  const levels = recording.sound?.levels;
+  return (
+    levels?.find(({ extremes }) => extremes.length <= 2 * ENOUGH_BINS) ?? levels?.at(-1) ?? null
+  );
+}
+
 function spawnWorker(): Port {
   return new Worker(new URL('./worker.ts', import.meta.url), { type: 'module', name: 'lab' });
 }
 
-/** The science, compiled once for all workers. */
-async function compile(): Promise<WebAssembly.Module> {
-  const url = new URL('./engine/bouncelab_bg.wasm', import.meta.url);
-  const response = await fetch(url);
-  if (!response.ok) {
-    throw new LabError('fault', `the science could not be loaded (${response.status})`);
+/** What is compiled of the science. */
+type Part = 'engine' | 'decoders';
+
+/** Loads and compiles the parts of the science, each once for all workers. */
+function loader(): (part: Part) => Promise<WebAssembly.Module> {
+  const urls = {
+    engine: new URL('./engine/engine_bg.wasm', import.meta.url),
+    decoders: new URL('./engine/decoders_bg.wasm', import.meta.url),
+  };
+  const loaded = new Map<Part, Promise<WebAssembly.Module>>();
+  return (part) => {
+    const known = loaded.get(part);
+    if (known !== undefined) {
+      return known;
+    }
+    const loading = compile(urls[part]);
+    loaded.set(part, loading);
+    // What failed, perhaps for want of a network, is tried again.
+    loading.catch(() => loaded.delete(part));
+    return loading;
+  };
+}
+
+async function compile(url: URL): Promise<WebAssembly.Module> {
+  try {
+    return await WebAssembly.compileStreaming(fetch(url));
+  } catch (error) {
+    throw new LabError('fault', 'a part of the laboratory could not be loaded', { cause: error });
   }
-  return WebAssembly.compileStreaming(response);
 }

@@ -69,6 +69,15 @@ export interface Calls {
     take: { request: AnalysisRequest; level: Level; sampleRateHz: number };
     give: Drawn;
   };
+  report: {
+    take: {
+      request: AnalysisRequest;
+      level: Level | null;
+      sampleRateHz: number;
+      made: string;
+    };
+    give: string;
+  };
   rows: { take: { request: AnalysisRequest }; give: string };
   onset: {
     take: { samples: Float32Array; sampleRateHz: number; startS: number; timeS: number };
@@ -93,7 +102,7 @@ export type Give<C extends Call> = Calls[C]['give'];
 
 /** From the page to the worker. */
 export type ToWorker =
-  | { kind: 'start'; module: WebAssembly.Module }
+  | { kind: 'start'; engine: WebAssembly.Module; decoders: WebAssembly.Module | null }
   | { [C in Call]: { kind: 'call'; id: number; call: C; take: Take<C> } }[Call];
 
 /** From the worker to the page. */

@@ -2,7 +2,7 @@
 // crates/bouncelab-wasm/src/wire.rs by `cargo xtask web`. Do not edit.
 
 /** Kinds of trouble that a page may want to tell apart. */
-export type RefusalKind = "empty" | "unsupported" | "damaged" | "times" | "setting" | "fault";
+export type RefusalKind = "empty" | "unsupported" | "damaged" | "times" | "setting" | "too-long" | "fault";
 
 /** Why something could not be done. */
 export type Refusal = {
@@ -10,6 +10,13 @@ export type Refusal = {
 kind: RefusalKind,
 /** What was wrong and what to do, in words. */
 message: string, };
+
+/** A drag law. */
+export type DragLawEntry = {
+/** Name, as in settings. */
+name: string,
+/** Upper end of its range; `null` if it has none. */
+max_reynolds: number | null, };
 
 /** Air by temperature, pressure and humidity. */
 export type MoistAir = {
@@ -19,6 +26,17 @@ temperature_k: number,
 pressure_pa: number,
 /** Relative humidity, 0 to 1. */
 relative_humidity: number, };
+
+/** Gravity and air of a world. */
+export type World = {
+/** Name, as a key for translation. */
+name: string,
+/** Gravity at its surface. */
+gravity_m_s2: number,
+/** Density of its air there. */
+air_density_kg_m3: number,
+/** Viscosity of its air there; `null` in vacuum. */
+air_viscosity_pa_s: number | null, };
 
 /** A ball whose rules fix mass and size. */
 export type BallPreset = {
@@ -34,24 +52,6 @@ diameter_m: number,
 contact_time_s: number,
 /** Where mass and diameter come from. */
 source: string, };
-
-/** A drag law. */
-export type DragLawEntry = {
-/** Name, as in settings. */
-name: string,
-/** Upper end of its range; `null` if it has none. */
-max_reynolds: number | null, };
-
-/** Gravity and air of a world. */
-export type World = {
-/** Name, as a key for translation. */
-name: string,
-/** Gravity at its surface. */
-gravity_m_s2: number,
-/** Density of its air there. */
-air_density_kg_m3: number,
-/** Viscosity of its air there; `null` in vacuum. */
-air_viscosity_pa_s: number | null, };
 
 /** The choices that a page can offer. */
 export type Catalogue = {
@@ -76,21 +76,6 @@ standard_gravity_m_s2: number,
 /** An impact below this probability counts as uncertain. */
 sure: number, };
 
-/** Where the impact times come from. */
-export type Origin = { "kind": "times" } | { "kind": "sound",
-/** Format in words. */
-format: string,
-/** Samples a second. */
-sample_rate_hz: number,
-/** How many channels the file has. */
-channels: number,
-/** The channel that was believed, the first being 1. */
-channel: number,
-/** Length in seconds. */
-duration_s: number,
-/** How many sounds stand out of the background. */
-onsets: number, };
-
 /** An impact as heard, or as set by hand. */
 export type Mark = {
 /** Number, 1 for the first impact known; a missed one leaves a gap. */
@@ -110,6 +95,21 @@ export type HeardDrop = {
 probability: number,
 /** Its impacts, in order of time. */
 impacts: Array<Mark>, };
+
+/** Where the impact times come from. */
+export type Origin = { "kind": "times" } | { "kind": "sound",
+/** Format in words. */
+format: string,
+/** Samples a second. */
+sample_rate_hz: number,
+/** How many channels the file has. */
+channels: number,
+/** The channel that was believed, the first being 1. */
+channel: number,
+/** Length in seconds. */
+duration_s: number,
+/** How many sounds stand out of the background. */
+onsets: number, };
 
 /** What was heard in a recording, or read from a list of times. */
 export type Heard = {
@@ -249,84 +249,12 @@ settings: Settings,
 /** How far to go. */
 effort: Effort, };
 
-/** What was known or assumed. */
-export type SettingsUsed = { ball_mass_kg: number, ball_diameter_m: number, contact_time_s: number, air_density_kg_m3: number, air_viscosity_pa_s: number, drag: string, buoyancy: boolean, added_mass: boolean, gravity_m_s2: number,
-/** What of this nobody stated, in words. */
-assumptions: Array<string>, };
-
-export type DocumentImpact = { number: number, time_s: number, sigma_s: number | null, probability: number, level_db: number | null,
-/** Speed before the impact, drag-corrected; unknown for the first and last. */
-impact_speed_m_s: number | null, restitution: number | null, restitution_sd: number | null,
-/** The ratio of the flights after and before: restitution if there were no air. */
-plain_restitution: number | null, };
-
-/** The paper's straight line (Eqs. 4 to 8). */
-export type StraightLine = { flights: number, slope: number, slope_sd: number | null, intercept: number, intercept_sd: number | null, r_squared: number | null, restitution: number, restitution_sd: number | null, drop_height_m: number, drop_height_sd_m: number | null, energy_kept: number, energy_kept_sd: number | null, total_time_s: number | null, total_path_m: number | null,
-/** log10 residuals of the flights that went into it, in order. */
-residuals: Array<number>, };
-
-export type DocumentFlight = { number: number, time_s: number, in_regression: boolean,
-/** g T^2/8, without drag (paper, Eq. 5). */
-plain_height_m: number,
-/** Apex and launch speed by the flight model. */
-apex_m: number | null, apex_sd_m: number | null, launch_speed_m_s: number | null, };
-
-export type Share = { source: string, sd: number, share: number, };
-
-export type Budget = { restitution: Array<Share>, drop_height_m: Array<Share>, };
-
-export type Prior = { value: number, sd: number, };
-
-/** The posterior of one quantity. */
-export type Posterior = {
-/** The median. */
-value: number,
-/** Standard deviation. */
-sd: number, interval68: [number, number], interval95: [number, number], };
-
-export type Prediction = { bounce: number, apex_m: number, drop_height_m: Posterior | null, };
-
-export type Correlations = { quantities: Array<string>, matrix: Array<Array<number>>, };
-
-export type Sampling = { effective_draws: number, pareto_shape: number | null, converged: boolean, };
-
-export type ModelWeight = { restitution_law: string, drag_law: string, probability: number, log_evidence: number, restitution: Posterior | null, drop_height_m: Posterior | null, };
-
-export type Narrowed = { unknown: string,
-/** Width after the data over width before. */
-remaining: number, };
-
-export type InferredImpact = { number: number, impact_speed_m_s: Posterior, restitution: Posterior | null, apex_m: Posterior | null, lost_to_surface_j: Posterior | null, lost_to_air_j: Posterior | null, standardised_residual: number | null, weight: number, };
-
-export type BandPoint = { speed_m_s: number, restitution: Posterior, };
-
-/** What the times of a drop say, all priors and models considered. */
-export type Inference = { restitution: Posterior,
-/** The impact speed of `restitution`. */
-at_speed_m_s: number,
-/** -d ln e/d ln v there. */
-restitution_slope: Posterior, drop_height_m: Posterior, drag_coefficient: Posterior | null,
-/** The Reynolds number of `drag_coefficient`. */
-drag_reynolds: number | null, drag_coefficient_prior: Prior | null, terminal_speed_m_s: Posterior | null, gravity_m_s2: Posterior,
-/** Standard deviation of ln e from impact to impact. */
-restitution_scatter: Posterior, timing_s: Posterior, contact_time_s: Posterior, total_time_s: Posterior | null, total_path_m: Posterior | null, missed_first_impacts: Array<number> | null, predictions: Array<Prediction>, impacts: Array<InferredImpact>,
-/** The restitution law over the impact speed. */
-band: Array<BandPoint>, models: Array<ModelWeight>, narrowed: Array<Narrowed>, correlations: Correlations, budget: Budget, sampling: Sampling, priors: Array<string>, remarks: Array<string>, };
-
-export type CorrectedSummary = {
-/** Median over the impacts. */
-restitution: number, restitution_sd: number | null, impacts: number, slowest_m_s: number, fastest_m_s: number, };
-
-export type DocumentDrop = { impacts: Array<DocumentImpact>, flights: Array<DocumentFlight>, regression: StraightLine | null, corrected: CorrectedSummary | null, estimate: Inference | null,
-/** Why there is no estimate. */
-no_estimate: string | null, warnings: Array<string>, };
-
-/** What one file says. */
-export type AnalysisDocument = { schema: string,
-/** Version of the program that made it. */
-bouncelab: string, file: string, source: Origin | null, settings: SettingsUsed | null, drops: Array<DocumentDrop>,
-/** Why there is no drop, in words. */
-no_drop: string | null, warnings: Array<string>, };
+/** Height against time. */
+export type HeightCurve = {
+/** Times. */
+time_s: Array<number>,
+/** Height of the lowest point of the ball at each. */
+height_m: Array<number | null>, };
 
 /** What became of the energy at an impact and in the flight before it. */
 export type Energy = {
@@ -348,13 +276,6 @@ drag_coefficient: Array<number>,
 /** Drop height. */
 drop_height_m: Array<number>, };
 
-/** Height against time. */
-export type HeightCurve = {
-/** Times. */
-time_s: Array<number>,
-/** Height of the lowest point of the ball at each. */
-height_m: Array<number | null>, };
-
 /** Points of one drop for the charts, besides those in the document. */
 export type Series = {
 /** Height against time by the flight model, from impact to impact; `null` parts flights with
@@ -362,10 +283,91 @@ export type Series = {
 measured: HeightCurve,
 /** The drop that the best fit would make, from its release; empty without inference. */
 simulated: HeightCurve,
+/** Time and height of each apex, in the same way. */
+apexes: HeightCurve,
 /** Energies at each impact with a flight on both sides. */
 energies: Array<Energy>,
 /** The posterior; empty without inference. */
 draws: Draws, };
+
+/** What was known or assumed. */
+export type SettingsUsed = { ball_mass_kg: number, ball_diameter_m: number, contact_time_s: number, air_density_kg_m3: number, air_viscosity_pa_s: number, drag: string, buoyancy: boolean, added_mass: boolean, gravity_m_s2: number,
+/** What of this nobody stated, in words. */
+assumptions: Array<string>, };
+
+export type CorrectedSummary = {
+/** Median over the impacts. */
+restitution: number, restitution_sd: number | null, impacts: number, slowest_m_s: number, fastest_m_s: number, };
+
+export type DocumentFlight = { number: number, time_s: number, in_regression: boolean,
+/** g T^2/8, without drag (paper, Eq. 5). */
+plain_height_m: number,
+/** Apex and launch speed by the flight model. */
+apex_m: number | null, apex_sd_m: number | null, launch_speed_m_s: number | null, };
+
+export type DocumentImpact = { number: number, time_s: number, sigma_s: number | null, probability: number, level_db: number | null,
+/** Speed before the impact, drag-corrected; unknown for the first and last. */
+impact_speed_m_s: number | null, restitution: number | null, restitution_sd: number | null,
+/** The ratio of the flights after and before: restitution if there were no air. */
+plain_restitution: number | null, };
+
+/** The posterior of one quantity. */
+export type Posterior = {
+/** The median. */
+value: number,
+/** Standard deviation. */
+sd: number, interval68: [number, number], interval95: [number, number], };
+
+export type ModelWeight = { restitution_law: string, drag_law: string, probability: number, log_evidence: number, restitution: Posterior | null, drop_height_m: Posterior | null, };
+
+export type Prior = { value: number, sd: number, };
+
+export type Correlations = { quantities: Array<string>, matrix: Array<Array<number>>, };
+
+export type InferredImpact = { number: number, impact_speed_m_s: Posterior, restitution: Posterior | null, apex_m: Posterior | null, lost_to_surface_j: Posterior | null, lost_to_air_j: Posterior | null, standardised_residual: number | null, weight: number, };
+
+export type BandPoint = { speed_m_s: number, restitution: Posterior, };
+
+export type Narrowed = { unknown: string,
+/** Width after the data over width before. */
+remaining: number, };
+
+export type Share = { source: string, sd: number, share: number, };
+
+export type Budget = { restitution: Array<Share>, drop_height_m: Array<Share>, };
+
+export type Sampling = { effective_draws: number, pareto_shape: number | null, converged: boolean, };
+
+export type Prediction = { bounce: number, apex_m: number, drop_height_m: Posterior | null, };
+
+/** What the times of a drop say, all priors and models considered. */
+export type Inference = { restitution: Posterior,
+/** The impact speed of `restitution`. */
+at_speed_m_s: number,
+/** -d ln e/d ln v there. */
+restitution_slope: Posterior, drop_height_m: Posterior, drag_coefficient: Posterior | null,
+/** The Reynolds number of `drag_coefficient`. */
+drag_reynolds: number | null, drag_coefficient_prior: Prior | null, terminal_speed_m_s: Posterior | null, gravity_m_s2: Posterior,
+/** Standard deviation of ln e from impact to impact. */
+restitution_scatter: Posterior, timing_s: Posterior, contact_time_s: Posterior, total_time_s: Posterior | null, total_path_m: Posterior | null, missed_first_impacts: Array<number> | null, predictions: Array<Prediction>, impacts: Array<InferredImpact>,
+/** The restitution law over the impact speed. */
+band: Array<BandPoint>, models: Array<ModelWeight>, narrowed: Array<Narrowed>, correlations: Correlations, budget: Budget, sampling: Sampling, priors: Array<string>, remarks: Array<string>, };
+
+/** The paper's straight line (Eqs. 4 to 8). */
+export type StraightLine = { flights: number, slope: number, slope_sd: number | null, intercept: number, intercept_sd: number | null, r_squared: number | null, restitution: number, restitution_sd: number | null, drop_height_m: number, drop_height_sd_m: number | null, energy_kept: number, energy_kept_sd: number | null, total_time_s: number | null, total_path_m: number | null,
+/** log10 residuals of the flights that went into it, in order. */
+residuals: Array<number>, };
+
+export type DocumentDrop = { impacts: Array<DocumentImpact>, flights: Array<DocumentFlight>, regression: StraightLine | null, corrected: CorrectedSummary | null, estimate: Inference | null,
+/** Why there is no estimate. */
+no_estimate: string | null, warnings: Array<string>, };
+
+/** What one file says. */
+export type AnalysisDocument = { schema: string,
+/** Version of the program that made it. */
+bouncelab: string, file: string, source: Origin | null, settings: SettingsUsed | null, drops: Array<DocumentDrop>,
+/** Why there is no drop, in words. */
+no_drop: string | null, warnings: Array<string>, };
 
 /** Drag over weight against speed. */
 export type DragCurve = {
@@ -377,15 +379,6 @@ chosen: boolean,
 speed_m_s: Array<number>,
 /** Drag over weight at each. */
 drag_over_weight: Array<number>, };
-
-/** A figure that can be drawn. */
-export type FigureName = {
-/** Name, also of its file. */
-name: string,
-/** Title. */
-title: string,
-/** One sentence on what to see in it. */
-caption: string, };
 
 /** What the impacts say. */
 export type Analysed = {
@@ -399,8 +392,8 @@ ball: string,
 series: Array<Series>,
 /** Drag against speed; empty if there is none. */
 drag: Array<DragCurve>,
-/** Names of the figures that [`figure`](crate::Analysis::figure) can draw. */
-figures: Array<FigureName>, };
+/** Names of the figures that can be drawn of it. */
+figures: Array<string>, };
 
 /** A figure. */
 export type Drawn = {

@@ -73,8 +73,7 @@ pub(crate) fn hear(file: &Path, heeded: &Heeded, settings: &Settings) -> Result<
 fn hear_times(name: String, times_s: &[f64], heeded: &Heeded, settings: &Settings) -> Hearing {
     let mut drops = vec![analysis::impacts_of_times(times_s)];
     let warnings = edit(&mut drops, heeded);
-    let no_drop = (drops.concat().len() < 2)
-        .then(|| "a flight needs two impact times, and there are fewer".to_owned());
+    let no_drop = (drops.concat().len() < 2).then(|| analysis::TOO_FEW_TIMES.to_owned());
     if no_drop.is_some() {
         drops.clear();
     }
@@ -132,7 +131,7 @@ impl Recording {
         edit: impl FnOnce(&mut Vec<Vec<Impact>>) -> Vec<String>,
         settings: &Settings,
     ) -> Hearing {
-        warnings.extend(remarks(&heard));
+        warnings.extend(heard.remarks());
         let trains = &heard.found.trains;
         let mut drops: Vec<Vec<Impact>> = trains
             .iter()
@@ -215,26 +214,6 @@ fn progress(duration_s: Option<f64>) -> ProgressBar {
     }
     bar.enable_steady_tick(Duration::from_millis(200));
     bar
-}
-
-/// What is odd about a recording as a whole.
-fn remarks(heard: &Heard) -> Vec<String> {
-    let mut remarks = Vec::new();
-    for train in &heard.found.distant {
-        remarks.push(format!(
-            "a far fainter ball was heard from {:.2} s to {:.2} s ({} impacts) and left out",
-            train.start_s(),
-            train.end_s(),
-            train.impacts().len()
-        ));
-    }
-    if heard.clipped_samples > 0 && !heard.found.trains.is_empty() {
-        remarks.push(format!(
-            "{} samples are clipped: the recorder was too loud; times suffer little, levels do",
-            heard.clipped_samples
-        ));
-    }
-    remarks
 }
 
 /// Leaves out and adds impacts by hand: each in the drop in which, or nearest to which, it lies.

@@ -4,7 +4,6 @@ mod figures;
 mod hear;
 mod inference;
 mod report;
-mod rows;
 mod text;
 
 pub(crate) use figures::save_figures;
@@ -15,7 +14,7 @@ use std::io::{self, Write};
 use std::ops::RangeInclusive;
 use std::path::PathBuf;
 
-use bouncelab_report::document::Document;
+use bouncelab_report::document::{Document, rows};
 use clap::{Args, ValueEnum};
 
 use crate::failure::Failure;

@@ -17,6 +17,7 @@
 //! ```
 
 mod estimate;
+pub mod rows;
 pub mod simulation;
 pub mod verdict;
 

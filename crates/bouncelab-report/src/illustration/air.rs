@@ -19,14 +19,18 @@ pub fn drag_log(settings: &Settings, fastest_m_s: f64) -> Option<Figure> {
 }
 
 fn drawn(settings: &Settings, fastest_m_s: f64, axes: DragAxes) -> Option<Figure> {
-    let curves = curves(settings, fastest_m_s).ok()?;
+    let curves = drag_curves(settings, fastest_m_s).ok()?;
     let shown = !curves.is_empty();
     shown.then(|| figure::drag(&curves, axes, Some(fastest_m_s)))
 }
 
 /// Drag over weight of the chosen law, and of a constant coefficient that agrees with it at the
-/// fastest impact.
-fn curves(settings: &Settings, fastest_m_s: f64) -> Result<Vec<Curve>> {
+/// fastest impact; none without drag.
+///
+/// # Errors
+///
+/// If the law does not reach the fastest impact, and the errors of [`FlightModel::new`].
+pub fn drag_curves(settings: &Settings, fastest_m_s: f64) -> Result<Vec<Curve>> {
     let model = settings.model()?;
     let share = model.drag_over_weight(fastest_m_s)?;
     let unit = Environment {

@@ -92,28 +92,47 @@ pub fn restitution(drop: &Analysis) -> Figure {
     figure::restitution(&raw, &corrected, &band, line)
 }
 
+/// The height of the ball by the flight model, from impact to impact.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Flown {
+    /// Time in s and height in m; a height that is not a number parts flights between which an
+    /// impact was missed.
+    pub points: Vec<(f64, f64)>,
+    /// Time in s and height in m of each apex.
+    pub apexes: Vec<(f64, f64)>,
+}
+
+/// The height of each flight by the flight model; nothing if the impacts allow none.
+pub fn flown(drop: &Analysis, settings: &Settings) -> Flown {
+    let mut flown = Flown::default();
+    let (Ok(found), Ok(model)) = (&drop.corrected, settings.model()) else {
+        return flown;
+    };
+    let mut last = None;
+    for timed in &found.flights {
+        let mut impacts = drop.impacts.iter();
+        let Some(impact) = impacts.find(|impact| impact.number == timed.number) else {
+            continue;
+        };
+        let start_s = impact.time_s + settings.contact_time_s;
+        if last.is_some_and(|last| last + 1 != timed.number) {
+            flown.points.push((start_s, f64::NAN));
+        }
+        last = Some(timed.number);
+        flown.points.extend((0..=POINTS).map(|point| {
+            let after_s = timed.flight.time_s() * point as f64 / POINTS as f64;
+            let height_m = model.state(&timed.flight, after_s).height_m;
+            (start_s + after_s, height_m)
+        }));
+        let apex_s = start_s + timed.flight.rise_time_s;
+        flown.apexes.push((apex_s, timed.flight.apex_m));
+    }
+    flown
+}
+
 /// The height of each flight by the flight model, from impact to impact.
 pub fn height(drop: &Analysis, settings: &Settings) -> Figure {
-    let mut points = Vec::new();
-    let mut apexes = Vec::new();
-    if let (Ok(found), Ok(model)) = (&drop.corrected, settings.model()) {
-        for timed in &found.flights {
-            let impact = drop
-                .impacts
-                .iter()
-                .find(|impact| impact.number == timed.number);
-            let Some(impact) = impact else { continue };
-            let start_s = impact.time_s + settings.contact_time_s;
-            points.extend((0..=POINTS).map(|point| {
-                let after_s = timed.flight.time_s() * point as f64 / POINTS as f64;
-                (
-                    start_s + after_s,
-                    model.state(&timed.flight, after_s).height_m,
-                )
-            }));
-            apexes.push((start_s + timed.flight.rise_time_s, timed.flight.apex_m));
-        }
-    }
+    let Flown { points, apexes } = flown(drop, settings);
     let name = format!("flight model, drag {}", settings.environment.drag);
     figure::height(
         &[Curve {

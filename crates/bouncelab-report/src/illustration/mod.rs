@@ -20,8 +20,8 @@ mod inferred;
 
 use bouncelab::analysis::{Analysis, Settings};
 
-pub use air::{drag, drag_log};
-pub use heard::{flight_times, height, restitution, waveform};
+pub use air::{drag, drag_curves, drag_log};
+pub use heard::{Flown, flight_times, flown, height, restitution, waveform};
 pub use inferred::{budget, corner, cut, models, residuals};
 
 use crate::Figure;

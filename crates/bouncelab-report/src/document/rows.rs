@@ -1,11 +1,12 @@
-//! The result as CSV: one row for each impact, from the JSON document.
+//! An analysis as rows of a table: one for each impact, from the JSON document.
 
-use bouncelab_report::document::Document;
 use serde_json::Value;
+
+use super::Document;
 
 /// The columns: `file` and `drop`, then the fields of an impact in `bouncelab.analysis/1`, then
 /// those of the flight after it.
-pub(super) const HEADER: [&str; 14] = [
+pub const HEADER: [&str; 14] = [
     "file",
     "drop",
     "number",
@@ -22,8 +23,9 @@ pub(super) const HEADER: [&str; 14] = [
     "apex_m",
 ];
 
-/// The rows of a document.
-pub(super) fn of(document: &Document) -> Vec<Vec<String>> {
+/// The rows of a document, each with a cell for each column of [`HEADER`]; what cannot be told is
+/// empty.
+pub fn of(document: &Document) -> Vec<Vec<String>> {
     let document = serde_json::to_value(document).unwrap_or(Value::Null);
     let list = |value: &Value| value.as_array().cloned().unwrap_or_default();
     let mut rows = Vec::new();
