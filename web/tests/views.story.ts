@@ -164,6 +164,7 @@ test('exports: table, document and figures', async () => {
   const document = JSON.parse(await saved('All data (JSON)'));
   expect(document.schema).toBe('bouncelab.analysis/1');
   expect(document.drops[0].estimate.restitution.value).toBeCloseTo(0.9529, 3);
+  expect(await saved('Report (HTML)')).toMatch(/^<!DOCTYPE html>/i);
   expect(await saved('SVG')).toContain('<svg');
   expect((await saved('PNG')).slice(1, 4)).toBe('PNG');
   await page.context().close();
