@@ -107,16 +107,17 @@ describe.each([
   });
 });
 
-test('drops are kept, renamed, deleted and brought back, and outlive the page', async () => {
-  const { page } = await open(browser, site.url);
-  await demo(page);
+test('drops are kept, deleted and brought back with their set-up, and outlive the page', async () => {
+  const { page } = await open(browser, `${site.url}#lab?height_cm=30.5`);
+  await page.getByRole('button', { name: 'try the demo' }).click();
+  await settled(page);
   for (const name of ['Anna', 'Ben']) {
     await page.getByLabel('Name').fill(name);
     await page.getByRole('button', { name: 'Keep this drop' }).click();
     await page.getByText(`Kept as “${name}”.`).waitFor();
   }
-  await page.reload();
   await page.goto(`${site.url}#drops`);
+  await page.reload();
   const rows = page.locator('tbody tr');
   await rows.nth(1).waitFor();
   await page.getByRole('button', { name: 'Delete Ben' }).click();
@@ -126,6 +127,7 @@ test('drops are kept, renamed, deleted and brought back, and outlive the page', 
   await rows.nth(1).waitFor();
   await page.getByRole('button', { name: 'Open Ben' }).click();
   expect((await said(page)).kept.value).toBeCloseTo(95.29, 1);
+  expect(page.url()).toContain('height_cm=30.5');
   await page.context().close();
 });
 

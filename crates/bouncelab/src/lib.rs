@@ -56,6 +56,10 @@
 //! | [`listen`] | samples in, trains out |
 //! | [`regression`] | the paper's straight line, Eqs. 4 to 8 |
 //! | [`restitution`] | the restitution of each impact, corrected for drag |
+//! | [`estimate`] | everything that the impacts say together |
+//! | [`analysis`] | what the impacts of one drop say |
+//! | [`stated`] | what a person states, and what is assumed |
+//! | [`demo`] | a drop whose truth is known |
 //!
 //! # Conventions
 //!

@@ -3,6 +3,7 @@ import { signal } from '@preact/signals';
 import type { Listening, SoFar } from '../lab/index.ts';
 import { LiveEnvelope } from '../sound/live-envelope.ts';
 import { type Microphone, MicrophoneError, openMicrophone } from '../sound/microphone.ts';
+import { newId } from '../store/id.ts';
 import { Safekeeper } from '../store/safekeeper.ts';
 import { language, texts } from '../text/language.ts';
 import { fail, fault, phase, put } from './bench.ts';
@@ -65,7 +66,7 @@ async function begin(microphone: Microphone): Promise<Take> {
   const startedAt = Date.now();
   const date = new Date(startedAt).toLocaleString(language.peek());
   const recording = {
-    id: crypto.randomUUID(),
+    id: newId(),
     name: texts.peek().lab.recordingName(date),
     rateHz,
     startedAt,

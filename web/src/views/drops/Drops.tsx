@@ -1,8 +1,8 @@
 import { signal } from '@preact/signals';
-import { hashOf } from '../../address/route.ts';
 import { Rich } from '../../app/Rich.tsx';
 import { decimalsFor, fixed, PERCENT, uncertain } from '../../format/quantity.ts';
 import { bringBack, canKeep, deleted, kept, remove } from '../../state/keeping.ts';
+import { labAddress } from '../../state/settings.ts';
 import { spreadOf } from '../../state/spread.ts';
 import { language, texts } from '../../text/language.ts';
 import { Comparison } from './Comparison.tsx';
@@ -24,7 +24,7 @@ export function Drops() {
       {kept.value.length === 0 ? (
         <>
           <p class="lead soft">{words.empty}</p>
-          <a class="button primary" href={hashOf('lab')}>
+          <a class="button primary" href={labAddress.value}>
             {words.toLab}
           </a>
         </>

@@ -1,4 +1,4 @@
-import { hashOf } from '../../address/route.ts';
+import { labAddress } from '../../state/settings.ts';
 import { texts } from '../../text/language.ts';
 import { EveryNumber } from './EveryNumber.tsx';
 import { Puzzle } from './Puzzle.tsx';
@@ -53,7 +53,7 @@ export function Paper() {
         <Facts>{(document) => <EveryNumber facts={document.facts} />}</Facts>
       </section>
       <p>
-        <a class="button primary" href={hashOf('lab')}>
+        <a class="button primary" href={labAddress.value}>
           {words.tryIt}
         </a>
       </p>
