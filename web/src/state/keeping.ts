@@ -1,5 +1,5 @@
 /** Keeping drops in the browser, and what is said of all of them together. */
-import { signal } from '@preact/signals';
+import { computed, signal } from '@preact/signals';
 import type { DocumentDrop } from '../lab/index.ts';
 import { allDrops, deleteDrop, type KeptDrop, putDrop } from '../store/drops.ts';
 import { newId } from '../store/id.ts';
@@ -13,6 +13,21 @@ import { goToLab, settings } from './settings.ts';
 export const kept = signal<readonly KeptDrop[]>([]);
 /** False where the browser keeps nothing. */
 export const canKeep = signal(true);
+
+/** Drops that were ticked to be compared. */
+export const ticked = signal<ReadonlySet<string>>(new Set());
+
+/** Which drops are compared: all, as long as none is ticked. */
+export const compared = computed(() => {
+  const some = kept.value.filter(({ id }) => ticked.value.has(id));
+  return some.length === 0 ? kept.value : some;
+});
+
+export function tick(id: string): void {
+  const next = new Set(ticked.peek());
+  if (!next.delete(id)) next.add(id);
+  ticked.value = next;
+}
 
 export async function loadKept(): Promise<void> {
   try {

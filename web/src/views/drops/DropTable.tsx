@@ -1,10 +1,9 @@
 import { fixed, lengthUnit, PLAIN, uncertain } from '../../format/quantity.ts';
-import { kept, openKept, remove, rename } from '../../state/keeping.ts';
+import { kept, openKept, remove, rename, tick, ticked } from '../../state/keeping.ts';
 import { spreadOf } from '../../state/spread.ts';
 import type { KeptDrop } from '../../store/drops.ts';
 import { language, texts } from '../../text/language.ts';
-import { ballName } from '../laboratory/SettingsLine.tsx';
-import { compared } from './Drops.tsx';
+import { ballName } from '../../text/names.ts';
 
 /** One row for each drop, and their mean and scatter. */
 export function DropTable({ chosen }: { readonly chosen: readonly KeptDrop[] }) {
@@ -35,12 +34,6 @@ export function DropTable({ chosen }: { readonly chosen: readonly KeptDrop[] }) 
   );
 }
 
-function toggle(id: string): void {
-  const next = new Set(compared.peek());
-  if (!next.delete(id)) next.add(id);
-  compared.value = next;
-}
-
 function Row({ drop }: { readonly drop: KeptDrop }) {
   const words = texts.value.drops;
   const spoken = language.value;
@@ -51,8 +44,8 @@ function Row({ drop }: { readonly drop: KeptDrop }) {
         <input
           type="checkbox"
           aria-label={words.choose(drop.name)}
-          checked={compared.value.has(drop.id)}
-          onChange={() => toggle(drop.id)}
+          checked={ticked.value.has(drop.id)}
+          onChange={() => tick(drop.id)}
         />
       </td>
       <td>

@@ -1,7 +1,6 @@
-import { signal } from '@preact/signals';
 import { Rich } from '../../app/Rich.tsx';
 import { decimalsFor, fixed, PERCENT, uncertain } from '../../format/quantity.ts';
-import { bringBack, canKeep, deleted, kept, remove } from '../../state/keeping.ts';
+import { bringBack, canKeep, compared, deleted, kept, remove } from '../../state/keeping.ts';
 import { labAddress } from '../../state/settings.ts';
 import { spreadOf } from '../../state/spread.ts';
 import { language, texts } from '../../text/language.ts';
@@ -9,13 +8,10 @@ import { Comparison } from './Comparison.tsx';
 import { DropTable } from './DropTable.tsx';
 import { saveDropsCsv, saveDropsJson } from './export.ts';
 
-/** Which drops are compared; all, as long as none is chosen. */
-export const compared = signal<ReadonlySet<string>>(new Set());
-
 /** The drops that were kept, side by side. */
 export function Drops() {
   const words = texts.value.drops;
-  const chosen = kept.value.filter(({ id }) => compared.value.size === 0 || compared.value.has(id));
+  const chosen = compared.value;
   return (
     <div class="stack wide drops">
       <h1>{words.title}</h1>
@@ -72,7 +68,7 @@ function Undo() {
 /** Mean and scatter in words: the first thing a teacher wants to see. */
 function Scatter() {
   const spoken = language.value;
-  const chosen = kept.value.filter(({ id }) => compared.value.size === 0 || compared.value.has(id));
+  const chosen = compared.value;
   const spread = spreadOf(chosen.map(({ restitution }) => restitution));
   if (!spread || spread.scatter === null) return null;
   const points = (value: number): string =>

@@ -1,3 +1,4 @@
+import { Paragraphs } from '../../app/Paragraphs.tsx';
 import { labAddress } from '../../state/settings.ts';
 import { texts } from '../../text/language.ts';
 import { EveryNumber } from './EveryNumber.tsx';
@@ -58,15 +59,5 @@ export function Paper() {
         </a>
       </p>
     </article>
-  );
-}
-
-export function Paragraphs({ of }: { readonly of: readonly string[] }) {
-  return (
-    <>
-      {of.map((paragraph) => (
-        <p key={paragraph}>{paragraph}</p>
-      ))}
-    </>
   );
 }

@@ -1,4 +1,5 @@
 import { useMemo, useState } from 'preact/hooks';
+import { Paragraphs } from '../../app/Paragraphs.tsx';
 import { Rich } from '../../app/Rich.tsx';
 import { Slider } from '../../app/Slider.tsx';
 import { Chart } from '../../chart/Chart.tsx';
@@ -6,7 +7,6 @@ import type { ChartSpec } from '../../chart/spec.ts';
 import { CENTIMETRE, fixed, plain } from '../../format/quantity.ts';
 import { language, texts } from '../../text/language.ts';
 import { flightTimes, HEIGHT_M, lineThrough, PRINTED, requestOf, solvedFor } from './experiment.ts';
-import { Paragraphs } from './Paper.tsx';
 import { useSimulation } from './simulation.ts';
 
 /** What the reader chooses: the truth, and how it is looked at. */

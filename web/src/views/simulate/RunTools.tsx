@@ -15,7 +15,7 @@ import {
   simulated,
 } from '../../state/simulating.ts';
 import { language, texts } from '../../text/language.ts';
-import { ballName } from '../laboratory/SettingsLine.tsx';
+import { ballName } from '../../text/names.ts';
 
 const laid = signal(false);
 
