@@ -5,7 +5,7 @@ import { LiveEnvelope } from '../sound/live-envelope.ts';
 import { type Microphone, MicrophoneError, openMicrophone } from '../sound/microphone.ts';
 import { newId } from '../store/id.ts';
 import { Safekeeper } from '../store/safekeeper.ts';
-import { language, texts } from '../text/language.ts';
+import { region, texts } from '../text/language.ts';
 import { fail, fault, phase, put } from './bench.ts';
 import { engine, faultOf } from './engine.ts';
 
@@ -64,7 +64,7 @@ export async function listen(): Promise<void> {
 async function begin(microphone: Microphone): Promise<Take> {
   const { rateHz } = microphone;
   const startedAt = Date.now();
-  const date = new Date(startedAt).toLocaleString(language.peek());
+  const date = new Date(startedAt).toLocaleString(region.peek());
   const recording = {
     id: newId(),
     name: texts.peek().lab.recordingName(date),

@@ -1,8 +1,8 @@
-import { fixed, lengthUnit, PLAIN, uncertain } from '../../format/quantity.ts';
+import { lengthUnit, PLAIN, plain, uncertain } from '../../format/quantity.ts';
 import { kept, openKept, remove, rename, tick, ticked } from '../../state/keeping.ts';
 import { spreadOf } from '../../state/spread.ts';
 import type { KeptDrop } from '../../store/drops.ts';
-import { language, texts } from '../../text/language.ts';
+import { language, region, texts } from '../../text/language.ts';
 import { ballName } from '../../text/names.ts';
 
 /** One row for each drop, and their mean and scatter. */
@@ -58,7 +58,10 @@ function Row({ drop }: { readonly drop: KeptDrop }) {
         />
       </td>
       <td>
-        {new Date(drop.keptAt).toLocaleString(spoken, { dateStyle: 'short', timeStyle: 'short' })}
+        {new Date(drop.keptAt).toLocaleString(region.value, {
+          dateStyle: 'short',
+          timeStyle: 'short',
+        })}
       </td>
       <td>{drop.settings.ball === undefined ? drop.ball : ballName(drop.settings.ball)}</td>
       <td class="figure">{e ? uncertain(e.value, e.sd, PLAIN, spoken) : ''}</td>
@@ -106,10 +109,8 @@ function Summary({ chosen }: { readonly chosen: readonly KeptDrop[] }) {
       </tr>
       <tr>
         <th colSpan={4}>{words.scatter}</th>
-        <td class="figure">{e?.scatter != null && fixed(e.scatter, 4, spoken)}</td>
-        <td class="figure">
-          {h?.scatter != null && `${fixed(h.scatter / unit.size, 2, spoken)} ${unit.symbol}`}
-        </td>
+        <td class="figure">{e?.scatter != null && plain(e.scatter, PLAIN, 2, spoken)}</td>
+        <td class="figure">{h?.scatter != null && plain(h.scatter, unit, 2, spoken)}</td>
         <td colSpan={2} />
       </tr>
     </tfoot>

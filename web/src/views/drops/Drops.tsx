@@ -1,5 +1,5 @@
 import { Rich } from '../../app/Rich.tsx';
-import { decimalsFor, fixed, PERCENT, uncertain } from '../../format/quantity.ts';
+import { PERCENT, plain, uncertain } from '../../format/quantity.ts';
 import { bringBack, canKeep, compared, deleted, kept, remove } from '../../state/keeping.ts';
 import { labAddress } from '../../state/settings.ts';
 import { spreadOf } from '../../state/spread.ts';
@@ -71,8 +71,7 @@ function Scatter() {
   const chosen = compared.value;
   const spread = spreadOf(chosen.map(({ restitution }) => restitution));
   if (!spread || spread.scatter === null) return null;
-  const points = (value: number): string =>
-    `${fixed(100 * value, decimalsFor(100 * value), spoken)}\u202f%`;
+  const points = (value: number): string => plain(value, PERCENT, 2, spoken);
   return (
     <p class="lead">
       <Rich
