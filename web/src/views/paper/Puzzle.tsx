@@ -112,6 +112,7 @@ interface SinkingProps {
 function Sinking({ drag, vacuum, flights }: SinkingProps) {
   const all = texts.value;
   const words = all.paper.four;
+  const spoken = language.value;
   const key = `${drag.join()}|${vacuum.join()}|${flights}`;
   const spec = useMemo((): ChartSpec | undefined => {
     if (drag.length < 4 || vacuum.length < 4) return undefined;
@@ -141,10 +142,10 @@ function Sinking({ drag, vacuum, flights }: SinkingProps) {
       ],
       levels: [
         { at: 100 * PRINTED.heightM, label: words.paperPoint, meaning: 'measured' },
-        { at: 100 * HEIGHT_M, label: words.truth, meaning: 'ink' },
+        { at: 100 * HEIGHT_M, label: plain(HEIGHT_M, CENTIMETRE, 3, spoken), meaning: 'ink' },
       ],
     };
-  }, [key, words]);
+  }, [key, words, spoken]);
   return (
     <figure class="figure-box">
       {spec ? <Chart spec={spec} label={words.see} /> : <div class="chart waiting" />}
