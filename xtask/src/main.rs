@@ -7,7 +7,10 @@ mod bench;
 mod calibrate;
 mod cargo;
 mod grid;
+mod laboratory;
+mod tables;
 mod test;
+mod verdicts;
 mod web;
 
 use std::process::ExitCode;
@@ -22,7 +25,7 @@ struct Chore {
     run: fn(&[String]) -> Result,
 }
 
-const CHORES: [Chore; 5] = [
+const CHORES: [Chore; 7] = [
     Chore {
         name: "test",
         arguments: "[CHECK...]",
@@ -40,6 +43,18 @@ const CHORES: [Chore; 5] = [
         arguments: "[DROPS [FOLDER]]",
         about: calibrate::ABOUT,
         run: calibrate::run,
+    },
+    Chore {
+        name: "laboratory",
+        arguments: "FOLDER COUNT",
+        about: laboratory::ABOUT,
+        run: laboratory::run,
+    },
+    Chore {
+        name: "verdicts",
+        arguments: "[BALLS]",
+        about: verdicts::ABOUT,
+        run: verdicts::run,
     },
     Chore {
         name: "grid",
