@@ -35,7 +35,8 @@ pub(crate) fn has(subcommand: &str) -> bool {
     run(&mut command).is_ok()
 }
 
-fn root() -> &'static Path {
+/// The folder of the workspace.
+pub(crate) fn root() -> &'static Path {
     let here = Path::new(env!("CARGO_MANIFEST_DIR"));
     here.parent().expect("xtask is a folder of the workspace")
 }

@@ -6,6 +6,7 @@
 mod bench;
 mod calibrate;
 mod cargo;
+mod fuzz;
 mod grid;
 mod test;
 
@@ -21,7 +22,7 @@ struct Chore {
     run: fn(&[String]) -> Result,
 }
 
-const CHORES: [Chore; 4] = [
+const CHORES: [Chore; 5] = [
     Chore {
         name: "test",
         arguments: "[CHECK...]",
@@ -45,6 +46,12 @@ const CHORES: [Chore; 4] = [
         arguments: "[PART...]",
         about: grid::ABOUT,
         run: grid::run,
+    },
+    Chore {
+        name: "fuzz",
+        arguments: "[TARGET...]",
+        about: fuzz::ABOUT,
+        run: fuzz::run,
     },
 ];
 
