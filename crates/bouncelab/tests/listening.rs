@@ -216,7 +216,6 @@ fn standard_errors_of_times_are_honest() {
         }
     }
     let share = f64::from(within) / f64::from(all);
-    println!("{share:.3} of {all} within one sigma");
     assert!((0.60..0.76).contains(&share), "{share}");
 }
 

@@ -36,7 +36,7 @@ const LEAST_KEPT: f64 = 0.9;
 const TRIED: usize = 6;
 /// Impacts of one drop differ a little, and not as noise does: what they leave unexplained is like
 /// so many numbers drawn at random, one or two for each mode that rings.
-const FREE_DIFFERENCES: f64 = 3.0;
+const FREE_DIFFERENCES: f64 = 2.0;
 /// No shift is surer than this, in samples.
 const LEAST_SIGMA: f64 = 0.0005;
 /// Steps of Newton's from the shift of highest correlation to that of the least misfit.
