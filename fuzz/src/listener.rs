@@ -4,6 +4,7 @@
 //! channels, the fourth the size of the blocks; the rest is the sound.
 
 use bouncelab::listen::{Heard, Listener};
+use bouncelab::train::Train;
 
 /// Enough of one sound, in samples.
 const ENOUGH: usize = 1 << 16;
@@ -71,7 +72,7 @@ fn check(heard: &Heard) {
 }
 
 fn times(heard: &Heard) -> Vec<f64> {
-    let impacts = heard.found.trains.iter().flat_map(|train| train.impacts());
+    let impacts = heard.found.trains.iter().flat_map(Train::impacts);
     impacts.map(|impact| impact.onset.time_s).collect()
 }
 

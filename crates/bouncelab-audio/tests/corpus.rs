@@ -1,6 +1,7 @@
 //! What the fuzzer found worth keeping (`fuzz/corpus`) is decoded as the fuzzer does it, but with a
 //! stable compiler. The allocator fails, and so ends the test, at a quarter of a gigabyte.
 
+#[expect(unreachable_pub, reason = "the crate of the fuzz targets exports it")]
 #[path = "../../../fuzz/src/decode.rs"]
 mod decode;
 

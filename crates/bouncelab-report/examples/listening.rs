@@ -31,7 +31,7 @@ fn curves(text: &str) -> Vec<Curve> {
     // Of each detector the sum and the count at each ratio.
     let mut sums: Vec<BTreeMap<i32, (f64, f64)>> = vec![BTreeMap::new(); names.len()];
     for row in rows.take_while(|row| row.len() > 1) {
-        let Some(ratio) = row[0].split(", ").nth(1).and_then(|it| decibels(it)) else {
+        let Some(ratio) = row[0].split(", ").nth(1).and_then(decibels) else {
             continue;
         };
         for (cell, sums) in row.iter().zip(&mut sums).skip(1) {

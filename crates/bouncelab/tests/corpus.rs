@@ -1,5 +1,6 @@
 //! What the fuzzer found worth keeping (`fuzz/corpus/listener`), with a stable compiler.
 
+#[expect(unreachable_pub, reason = "the crate of the fuzz targets exports it")]
 #[path = "../../../fuzz/src/listener.rs"]
 mod listener;
 

@@ -23,10 +23,11 @@ struct Timed {
 }
 
 /// The error of a flight time: of a difference, so that a constant offset does not matter.
+/// All in seconds.
 struct Flight {
-    error_s: f64,
-    sigma_s: f64,
-    bound_s: f64,
+    error: f64,
+    sigma: f64,
+    bound: f64,
 }
 
 pub(crate) fn print(drops: u64) {
@@ -119,15 +120,9 @@ fn slope(samples: &[f32], first: usize, end: usize) -> f64 {
 
 fn summary(heard: &[Vec<Timed>]) -> String {
     let flights: Vec<Flight> = heard.iter().flat_map(|drop| flights(drop)).collect();
-    let mut errors: Vec<f64> = flights.iter().map(|t| t.error_s.abs()).collect();
-    let mut over: Vec<f64> = flights
-        .iter()
-        .map(|t| t.error_s.abs() / t.bound_s)
-        .collect();
-    let within = flights
-        .iter()
-        .filter(|t| t.error_s.abs() < t.sigma_s)
-        .count();
+    let mut errors: Vec<f64> = flights.iter().map(|t| t.error.abs()).collect();
+    let mut over: Vec<f64> = flights.iter().map(|t| t.error.abs() / t.bound).collect();
+    let within = flights.iter().filter(|t| t.error.abs() < t.sigma).count();
     let (Some(error_s), Some(over)) = (median(&mut errors), median(&mut over)) else {
         return "0 | - | - | - | - |".into();
     };
@@ -144,9 +139,9 @@ fn summary(heard: &[Vec<Timed>]) -> String {
 fn flights(drop: &[Timed]) -> impl Iterator<Item = Flight> {
     let pairs = drop.windows(2).filter(|p| p[1].number == p[0].number + 1);
     pairs.map(|pair| Flight {
-        error_s: pair[1].error_s - pair[0].error_s,
-        sigma_s: pair[0].sigma_s.hypot(pair[1].sigma_s),
-        bound_s: pair[0].bound_s.hypot(pair[1].bound_s),
+        error: pair[1].error_s - pair[0].error_s,
+        sigma: pair[0].sigma_s.hypot(pair[1].sigma_s),
+        bound: pair[0].bound_s.hypot(pair[1].bound_s),
     })
 }
 
