@@ -35,8 +35,22 @@ pub(crate) fn has(subcommand: &str) -> bool {
     run(&mut command).is_ok()
 }
 
-/// The folder of the workspace.
+/// The root of the workspace.
 pub(crate) fn root() -> &'static Path {
     let here = Path::new(env!("CARGO_MANIFEST_DIR"));
     here.parent().expect("xtask is a folder of the workspace")
+}
+
+/// Whether this runs as the administrator, who may install packages.
+pub(crate) fn is_root() -> bool {
+    let id = Command::new("id").arg("-u").output();
+    id.is_ok_and(|id| id.stdout.trim_ascii() == b"0")
+}
+
+/// Runs a command of the system without a word of it.
+pub(crate) fn succeeds(words: &[&str]) -> bool {
+    let mut command = Command::new(words[0]);
+    command.args(&words[1..]);
+    command.stdout(Stdio::null()).stderr(Stdio::null());
+    command.status().is_ok_and(|status| status.success())
 }

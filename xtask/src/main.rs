@@ -8,7 +8,11 @@ mod calibrate;
 mod cargo;
 mod fuzz;
 mod grid;
+mod laboratory;
+mod tables;
 mod test;
+mod verdicts;
+mod web;
 
 use std::process::ExitCode;
 
@@ -22,7 +26,7 @@ struct Chore {
     run: fn(&[String]) -> Result,
 }
 
-const CHORES: [Chore; 5] = [
+const CHORES: [Chore; 8] = [
     Chore {
         name: "test",
         arguments: "[CHECK...]",
@@ -42,6 +46,18 @@ const CHORES: [Chore; 5] = [
         run: calibrate::run,
     },
     Chore {
+        name: "laboratory",
+        arguments: "FOLDER COUNT",
+        about: laboratory::ABOUT,
+        run: laboratory::run,
+    },
+    Chore {
+        name: "verdicts",
+        arguments: "[BALLS]",
+        about: verdicts::ABOUT,
+        run: verdicts::run,
+    },
+    Chore {
         name: "grid",
         arguments: "[PART...]",
         about: grid::ABOUT,
@@ -52,6 +68,12 @@ const CHORES: [Chore; 5] = [
         arguments: "[TARGET...]",
         about: fuzz::ABOUT,
         run: fuzz::run,
+    },
+    Chore {
+        name: "web",
+        arguments: "[PART]",
+        about: web::ABOUT,
+        run: web::run,
     },
 ];
 

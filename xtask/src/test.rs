@@ -1,10 +1,12 @@
 //! `cargo xtask test`: every check that a change must pass.
 
-use std::process::{Command, Stdio};
+use std::process::Command;
 use std::time::{Duration, Instant};
 
 use crate::Result;
-use crate::cargo::{cargo, has, run as run_command};
+use crate::cargo::{cargo, has, is_root, run as run_command, succeeds};
+use crate::tables;
+use crate::web;
 
 pub(crate) const ABOUT: &str = "Run every check, or only the named ones";
 
@@ -12,18 +14,46 @@ pub(crate) const ABOUT: &str = "Run every check, or only the named ones";
 pub(crate) struct Check {
     pub(crate) name: &'static str,
     pub(crate) words: &'static [&'static str],
-    /// Whether it is about the microphone, which takes headers of the system.
-    pub(crate) is_live: bool,
+    /// What it takes besides Rust.
+    needs: Needs,
+}
+
+/// What the machine must have for a check; without it the check is skipped, and that is said.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Needs {
+    /// Nothing but Rust.
+    Nothing,
+    /// The headers of the sound system, for the microphone.
+    Sound,
+    /// Python with the programs that open the tables of a session.
+    Python,
+    /// Node.js, for the page.
+    Node,
+    /// Node.js and a browser, for the stories of the page.
+    Browser,
+}
+
+impl Needs {
+    /// Whether it is there, now that what can be installed was installed.
+    fn are_met(self) -> bool {
+        match self {
+            Self::Nothing => true,
+            Self::Sound => has_sound_headers(),
+            Self::Python => tables::have_readers(),
+            Self::Node => web::has_node(),
+            Self::Browser => web::has_node() && web::has_chromium(),
+        }
+    }
 }
 
 /// All checks, in the order in which they run. They share one target folder and one profile:
 /// clippy and the documentation use the same metadata of the dependencies, tests and doc tests
 /// the same code, so that a dependency is compiled at most twice.
-pub(crate) const CHECKS: [Check; 7] = [
+pub(crate) const CHECKS: [Check; 11] = [
     Check {
         name: "format",
         words: &["fmt", "--all", "--check"],
-        is_live: false,
+        needs: Needs::Nothing,
     },
     Check {
         name: "clippy",
@@ -35,22 +65,27 @@ pub(crate) const CHECKS: [Check; 7] = [
             "-D",
             "warnings",
         ],
-        is_live: false,
+        needs: Needs::Nothing,
     },
     Check {
         name: "tests",
         words: &NEXTEST,
-        is_live: false,
+        needs: Needs::Nothing,
     },
     Check {
         name: "doctests",
         words: &["test", "--workspace", "--doc"],
-        is_live: false,
+        needs: Needs::Nothing,
     },
     Check {
         name: "docs",
         words: &["doc", "--workspace", "--no-deps"],
-        is_live: false,
+        needs: Needs::Nothing,
+    },
+    Check {
+        name: "tables",
+        words: &["test", "--package", "bouncelab-cli", "--test", "tables"],
+        needs: Needs::Python,
     },
     Check {
         name: "live",
@@ -67,12 +102,27 @@ pub(crate) const CHECKS: [Check; 7] = [
             "-D",
             "warnings",
         ],
-        is_live: true,
+        needs: Needs::Sound,
     },
     Check {
         name: "microphone",
         words: &NEXTEST_LIVE,
-        is_live: true,
+        needs: Needs::Sound,
+    },
+    Check {
+        name: "page",
+        words: &["xtask", "web", "check"],
+        needs: Needs::Node,
+    },
+    Check {
+        name: "web",
+        words: &["xtask", "web"],
+        needs: Needs::Node,
+    },
+    Check {
+        name: "stories",
+        words: &["xtask", "web", "stories"],
+        needs: Needs::Browser,
     },
 ];
 
@@ -116,8 +166,15 @@ const LIBTEST_LIVE: [&str; 8] = [
 pub(crate) fn run(names: &[String]) -> Result {
     let mut checks = chosen(names)?;
     ensure_components()?;
-    if checks.iter().any(|check| check.is_live) && !has_sound_headers() {
-        checks.retain(|check| !check.is_live);
+    for needs in [Needs::Python, Needs::Sound, Needs::Node, Needs::Browser] {
+        if checks.iter().any(|check| check.needs == needs) && !needs.are_met() {
+            let (skipped, rest) = checks
+                .into_iter()
+                .partition::<Vec<_>, _>(|c| c.needs == needs);
+            let names: Vec<_> = skipped.iter().map(|check| check.name).collect();
+            println!("SKIPPED for want of it: {}", names.join(", "));
+            checks = rest;
+        }
     }
     let start = Instant::now();
     let mut outcomes = Vec::new();
@@ -131,7 +188,11 @@ pub(crate) fn run(names: &[String]) -> Result {
             words.join(" ")
         );
         let begun = Instant::now();
-        let outcome = run_command(&mut command(words));
+        let mut command = command(words);
+        if check.needs == Needs::Python {
+            command.env("BOUNCELAB_PYTHON", tables::python());
+        }
+        let outcome = run_command(&mut command);
         outcomes.push((check.name, outcome, begun.elapsed()));
     }
     conclude(&outcomes, start.elapsed())
@@ -193,24 +254,11 @@ fn has_sound_headers() -> bool {
         && succeeds(&["pkg-config", "--exists", "alsa"]);
     if !installed {
         println!(
-            "they could not be installed: the checks of the microphone are SKIPPED. Install them \
-             by hand (Debian, Ubuntu: sudo {words}; Fedora: alsa-lib-devel, pkgconf)"
+            "they could not be installed. Install them by hand (Debian, Ubuntu: sudo {words}; \
+             Fedora: alsa-lib-devel, pkgconf)"
         );
     }
     installed
-}
-
-fn is_root() -> bool {
-    let id = Command::new("id").arg("-u").output();
-    id.is_ok_and(|id| id.stdout.trim_ascii() == b"0")
-}
-
-/// Runs a command of the system without a word of it.
-fn succeeds(words: &[&str]) -> bool {
-    let mut command = Command::new(words[0]);
-    command.args(&words[1..]);
-    command.stdout(Stdio::null()).stderr(Stdio::null());
-    command.status().is_ok_and(|status| status.success())
 }
 
 /// The words after `cargo`, allowing for a machine without nextest.

@@ -19,7 +19,7 @@ use crate::error::{Error, Result};
 type Entry = (Option<usize>, f64);
 
 /// Whether a file of this name is read as a list of times.
-pub(crate) fn is_list(name: &str) -> bool {
+pub fn is_list(name: &str) -> bool {
     Format::of(name).is_some()
 }
 

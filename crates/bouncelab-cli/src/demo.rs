@@ -3,15 +3,11 @@
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
-use bouncelab::analysis::Settings;
-use bouncelab::ball;
-use bouncelab::drag::DragLaw;
-use bouncelab::drop::{self, History, Start, Stop};
-use bouncelab::estimate::{Knowledge, Question, Summary};
-use bouncelab::flight::Environment;
-use bouncelab::impact::{Contact, Restitution, Strike};
+use bouncelab::drop::History;
+use bouncelab::estimate::Summary;
 use bouncelab::regression::{Estimate, Regression};
-use bouncelab::synth::{self, Noise, Rendered, Scene};
+use bouncelab::synth::Rendered;
+use bouncelab::{ball, demo};
 use bouncelab_audio::{SampleFormat, write_wav};
 use bouncelab_report::{Align, CANNOT_TELL, Quantity, Table, Unit};
 use clap::Args;
@@ -40,61 +36,18 @@ Examples:
   bouncelab demo
   bouncelab demo --output /tmp/demo --seed 7";
 
-/// The paper's drop height in metres.
-const DROP_HEIGHT_M: f64 = 0.305;
-/// With drag, this restitution gives the paper's straight line its slope over ten flights.
-const RESTITUTION: f64 = 0.9529;
-/// A quiet room, in dB.
-const SNR_DB: f64 = 40.0;
-
 pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
-    let physics = physics()?;
-    let history = history(&physics.settings)?;
-    let strikes: Vec<Strike> = history.strikes().collect();
-    let scene = Scene {
-        noise: Some(Noise::pink(SNR_DB)),
-        ..Scene::default()
+    let physics = Physics {
+        settings: demo::settings()?,
+        ball_label: ball::preset(demo::BALL)?.label.to_owned(),
+        assumptions: Vec::new(),
     };
-    let sound = synth::render(&strikes, &scene, arguments.seed)?;
+    let history = demo::history()?;
+    let sound = demo::sound(&history, arguments.seed)?;
     let recording = write_recording(&sound, &arguments.output)?;
     let hearing = hear(&recording, &Heeded::default(), &physics.settings)?;
     print(&hearing, &history, &sound, &recording)?;
     save_figures(&hearing, &physics, &arguments.output)
-}
-
-fn physics() -> Result<Physics, Failure> {
-    let preset = ball::preset("table-tennis-38")?;
-    let environment = Environment {
-        drag: DragLaw::CliftGraceWeber,
-        ..Settings::default().environment
-    };
-    let settings = Settings {
-        ball: preset.ball,
-        environment,
-        contact_time_s: preset.contact_time_s,
-        flights: Some(1..=10),
-        // The height is left out: to find it again is the point.
-        knowledge: Knowledge::of_preset(preset),
-        question: Some(Question::default()),
-    };
-    Ok(Physics {
-        settings,
-        ball_label: preset.label.to_owned(),
-        assumptions: Vec::new(),
-    })
-}
-
-fn history(settings: &Settings) -> Result<History, Failure> {
-    /// Below this height of bounce, in metres, the sounds run into each other.
-    const REST_M: f64 = 5e-4;
-    let contact = Contact::new(Restitution::constant(RESTITUTION)?, settings.contact_time_s)?;
-    let start = Start::Height(DROP_HEIGHT_M);
-    Ok(drop::simulate(
-        &settings.model()?,
-        &contact,
-        start,
-        Stop::below(REST_M),
-    )?)
 }
 
 fn write_recording(sound: &Rendered, folder: &Path) -> Result<PathBuf, Failure> {
@@ -171,7 +124,7 @@ fn comparison(hearing: &Hearing, history: &History, sound: &Rendered) -> Table {
     let line = drop.line.as_ref().ok();
     table.row([
         "e, straight line of ten flights".to_owned(),
-        number(RESTITUTION),
+        number(demo::RESTITUTION),
         estimate(line.map(Regression::restitution), Unit::Number),
     ]);
     let inferred = drop.estimate.as_ref().ok();
@@ -183,17 +136,17 @@ fn comparison(hearing: &Hearing, history: &History, sound: &Rendered) -> Table {
     };
     table.row([
         "e, inference".to_owned(),
-        number(RESTITUTION),
+        number(demo::RESTITUTION),
         answer(inferred.map(|found| found.restitution), Unit::Number),
     ]);
     table.row([
         "drop height, straight line".to_owned(),
-        Quantity::rounded(DROP_HEIGHT_M, 3, Unit::Length).to_string(),
+        Quantity::rounded(demo::DROP_HEIGHT_M, 3, Unit::Length).to_string(),
         estimate(line.map(Regression::drop_height_m), Unit::Length),
     ]);
     table.row([
         "drop height, inference".to_owned(),
-        Quantity::rounded(DROP_HEIGHT_M, 3, Unit::Length).to_string(),
+        Quantity::rounded(demo::DROP_HEIGHT_M, 3, Unit::Length).to_string(),
         answer(inferred.map(|found| found.drop_height_m), Unit::Length),
     ]);
     let second = history

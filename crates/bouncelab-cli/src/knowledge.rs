@@ -1,6 +1,7 @@
 //! The arguments that say what is known besides the sounds, and what to ask of the inference.
 
-use bouncelab::estimate::{Effort, Knowledge, LawKind, Measured, Question, Reach, UNKNOWN};
+use bouncelab::estimate::{Effort, Knowledge, LawKind, Question, Reach};
+use bouncelab::stated::{self, StatedDrop};
 use clap::{Args, ValueEnum};
 
 use crate::failure::Failure;
@@ -65,6 +66,16 @@ enum Inferred {
     ContactTime,
 }
 
+impl From<Inferred> for stated::Inferred {
+    fn from(inferred: Inferred) -> Self {
+        match inferred {
+            Inferred::Gravity => Self::Gravity,
+            Inferred::Drag => Self::Drag,
+            Inferred::ContactTime => Self::ContactTime,
+        }
+    }
+}
+
 /// An input whose uncertainty may be stated.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 enum Input {
@@ -96,33 +107,33 @@ impl Input {
     }
 }
 
-/// Heights are measured with a ruler.
-const HEIGHT_SD_M: f64 = 0.002;
-/// A release is seen in a video, or heard.
-const RELEASE_SD_S: f64 = 0.005;
-
 impl KnowledgeArguments {
+    /// The same with what was noted of a drop height, which goes before what these say.
+    pub(crate) fn with_height(&self, height: Option<f64>, height_sd: Option<f64>) -> Self {
+        Self {
+            height: height.or(self.height),
+            // The uncertainty of one height is not that of another.
+            height_sd: height_sd.or(self.height_sd.filter(|_| height.is_none())),
+            ..self.clone()
+        }
+    }
+
     /// What these arguments add to what the physics says.
     pub(crate) fn knowledge(&self, physics: Knowledge) -> Result<Knowledge, Failure> {
-        let mut knowledge = physics;
-        let measured = |value: Option<f64>, sd: f64| value.map(|value| Measured { value, sd });
-        knowledge.drop_height_m = measured(self.height, self.height_sd.unwrap_or(HEIGHT_SD_M));
-        knowledge.first_was_heard = self.first_heard;
-        knowledge.release_s = measured(self.release, self.release_sd.unwrap_or(RELEASE_SD_S));
-        knowledge.restitution_laws.clone_from(&self.law);
-        knowledge.restitution_laws.dedup();
+        let stated = StatedDrop {
+            height_m: self.height,
+            height_sd_m: self.height_sd,
+            release_s: self.release,
+            release_sd_s: self.release_sd,
+            first_heard: self.first_heard,
+            laws: self.law.clone(),
+            infer: self.infer.iter().map(|&inferred| inferred.into()).collect(),
+        };
+        let mut known = physics;
         for &(input, share) in &self.known {
-            *input.of(&mut knowledge) = share;
+            *input.of(&mut known) = share;
         }
-        for inferred in &self.infer {
-            match inferred {
-                Inferred::Gravity => knowledge.gravity = UNKNOWN,
-                Inferred::Drag => knowledge.drag = UNKNOWN,
-                Inferred::ContactTime => knowledge.contact_time = UNKNOWN,
-            }
-        }
-        knowledge.check()?;
-        Ok(knowledge)
+        Ok(stated.add_to(&known)?)
     }
 
     /// What to ask.

@@ -1,12 +1,8 @@
 //! The arguments that say what falls, through what, and how hard it is pulled.
 
-use bouncelab::air::{Air, Conditions};
-use bouncelab::analysis::Settings;
-use bouncelab::ball::{self, Ball};
 use bouncelab::drag::DragLaw;
-use bouncelab::estimate::Knowledge;
-use bouncelab::flight::Environment;
-use bouncelab::gravity;
+use bouncelab::rulebook;
+use bouncelab::stated::{Stated, StatedAir, StatedBall, StatedGravity, Understood};
 use clap::Args;
 
 use crate::failure::Failure;
@@ -84,158 +80,125 @@ pub(crate) struct PhysicsArguments {
 }
 
 /// The physics of a run, and what of it nobody stated.
-pub(crate) struct Physics {
-    /// The settings for the science.
-    pub(crate) settings: Settings,
-    /// The ball in words.
-    pub(crate) ball_label: String,
-    /// What was assumed, one phrase for each.
-    pub(crate) assumptions: Vec<String>,
+pub(crate) type Physics = Understood;
+
+/// What was noted of the ball and the air of one recording.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(crate) struct Noted {
+    /// Name of the kind of ball, as after `--ball`.
+    pub(crate) ball: Option<String>,
+    /// Its mass in kg.
+    pub(crate) mass: Option<f64>,
+    /// Its diameter in m.
+    pub(crate) diameter: Option<f64>,
+    /// How long it touches the surface, in s.
+    pub(crate) contact_time: Option<f64>,
+    /// Temperature of the air in K.
+    pub(crate) temperature: Option<f64>,
+    /// Pressure of the air in Pa.
+    pub(crate) pressure: Option<f64>,
+    /// Relative humidity of the air.
+    pub(crate) humidity: Option<f64>,
 }
 
 impl PhysicsArguments {
+    /// Whether they say what ball it is.
+    pub(crate) fn names_ball(&self) -> bool {
+        self.ball.is_some() || self.mass.is_some()
+    }
+
+    /// The same with what was noted of a recording, which goes before what these say.
+    pub(crate) fn with(&self, noted: &Noted) -> Self {
+        let mut both = self.clone();
+        if noted.ball.is_some() {
+            both.ball.clone_from(&noted.ball);
+            both.mass = None;
+            both.diameter = None;
+        }
+        both.mass = noted.mass.or(both.mass);
+        both.diameter = noted.diameter.or(both.diameter);
+        both.contact_time = noted.contact_time.or(both.contact_time);
+        both.temperature = noted.temperature.or(both.temperature);
+        both.pressure = noted.pressure.or(both.pressure);
+        both.humidity = noted.humidity.or(both.humidity);
+        both
+    }
+
+    /// The same with a ball for those who state none; whether they did not.
+    pub(crate) fn or_ball(mut self, name: Option<&str>) -> (Self, bool) {
+        let assumed = !self.names_ball();
+        if assumed {
+            self.ball = name.map(str::to_owned);
+        }
+        (self, assumed)
+    }
+
+    /// What was stated of the room.
+    pub(crate) fn conditions(&self) -> rulebook::Conditions {
+        rulebook::Conditions {
+            temperature_k: self.temperature,
+            altitude_m: self.altitude,
+        }
+    }
+
     /// Ball, air and gravity of these arguments.
     pub(crate) fn physics(&self) -> Result<Physics, Failure> {
-        let mut assumptions = Vec::new();
-        let (ball, ball_label, contact_time_s, of_ball) = self.ball(&mut assumptions)?;
-        let environment = Environment {
-            gravity_m_s2: self.gravity(&mut assumptions)?,
-            air: self.air(&mut assumptions)?,
-            drag: self.drag,
-            // No drag means as if there were no air at all.
-            buoyancy: !self.no_buoyancy && self.drag != DragLaw::None,
-            added_mass: !self.no_added_mass && self.drag != DragLaw::None,
+        let stated = Stated {
+            ball: self.ball()?,
+            weighed_kg: self.mass.filter(|_| self.ball.is_some()),
+            measured_m: self.diameter.filter(|_| self.ball.is_some()),
+            contact_time_s: self.contact_time,
+            drag: Some(self.drag),
+            air: self.air(),
+            no_buoyancy: self.no_buoyancy,
+            no_added_mass: self.no_added_mass,
+            gravity: self.gravity(),
         };
-        let settings = Settings {
-            ball,
-            environment,
-            contact_time_s,
-            flights: None,
-            knowledge: self.knowledge(of_ball),
-            question: None,
+        Ok(stated.understand()?)
+    }
+
+    fn ball(&self) -> Result<Option<StatedBall>, Failure> {
+        if let (None, Some(mass_kg), Some(diameter_m)) = (&self.ball, self.mass, self.diameter) {
+            return Ok(Some(StatedBall::Measured {
+                mass_kg,
+                diameter_m,
+            }));
+        }
+        let Some(name) = &self.ball else {
+            return Ok(None);
         };
-        // Whatever does not go together is found here, before any file is read.
-        settings.model()?;
-        Ok(Physics {
-            settings,
-            ball_label,
-            assumptions,
-        })
-    }
-
-    /// How well the inputs are known that these arguments give.
-    fn knowledge(&self, of_ball: Knowledge) -> Knowledge {
-        /// What is stated is taken to be measured with ordinary care.
-        const STATED_AIR: f64 = 0.003;
-        const STATED_GRAVITY: f64 = 1e-4;
-        const STATED_CONTACT: f64 = 0.1;
-        let usual = of_ball;
-        let air_stated =
-            self.temperature.is_some() && self.pressure.is_some() || self.air_density.is_some();
-        let gravity_stated = self.gravity.is_some() || self.latitude.is_some();
-        let or = |stated: bool, known: f64, usual: f64| if stated { known } else { usual };
-        Knowledge {
-            air_density: or(air_stated, STATED_AIR, usual.air_density),
-            gravity: or(gravity_stated, STATED_GRAVITY, usual.gravity),
-            contact_time: or(
-                self.contact_time.is_some(),
-                STATED_CONTACT,
-                usual.contact_time,
-            ),
-            ..usual
-        }
-    }
-
-    /// The ball, its name, its contact time and how well it is known.
-    fn ball(
-        &self,
-        assumptions: &mut Vec<String>,
-    ) -> Result<(Ball, String, f64, Knowledge), Failure> {
-        /// An order of magnitude, where nothing is known of the ball.
-        const CONTACT_S: f64 = 1e-3;
-        /// Steel and glass touch far shorter than hollow balls.
-        const HARD_CONTACT_S: f64 = 5e-5;
-        // Weighed and measured by the person: scale and calliper.
-        let measured = Knowledge {
-            mass: 0.003,
-            diameter: 0.002,
-            ..Knowledge::default()
+        let make = match name.split_once(':') {
+            Some(("steel", diameter)) => (StatedBall::Steel as fn(f64) -> StatedBall, diameter),
+            Some(("glass", diameter)) => (StatedBall::Glass as fn(f64) -> StatedBall, diameter),
+            _ => return Ok(Some(StatedBall::Named(name.clone()))),
         };
-        let (ball, label, typical_s, known) =
-            if let (Some(mass), Some(diameter)) = (self.mass, self.diameter) {
-                let label = format!("{} g, {} mm", rounded(mass * 1e3), rounded(diameter * 1e3));
-                (Ball::new(mass, diameter)?, label, CONTACT_S, measured)
-            } else {
-                let name = self.ball.as_deref().unwrap_or("table-tennis-40");
-                if let Some((material @ ("steel" | "glass"), diameter)) = name.split_once(':') {
-                    let diameter_m = units::length(diameter).map_err(Failure::Usage)?;
-                    let make = if material == "steel" {
-                        Ball::steel
-                    } else {
-                        Ball::glass
-                    };
-                    let label = format!("{material}, {} mm", rounded(diameter_m * 1e3));
-                    (make(diameter_m)?, label, HARD_CONTACT_S, measured)
-                } else {
-                    let preset = ball::preset(name)?;
-                    if self.ball.is_none() {
-                        assumptions.push(format!("the ball is {}", preset.label));
-                    }
-                    (
-                        preset.ball,
-                        preset.label.to_owned(),
-                        preset.contact_time_s,
-                        Knowledge::of_preset(preset),
-                    )
-                }
-            };
-        if self.contact_time.is_none() {
-            assumptions.push(format!("it touches for {} ms", rounded(typical_s * 1e3)));
-        }
-        Ok((ball, label, self.contact_time.unwrap_or(typical_s), known))
+        let diameter_m = units::length(make.1).map_err(Failure::Usage)?;
+        Ok(Some(make.0(diameter_m)))
     }
 
-    fn air(&self, assumptions: &mut Vec<String>) -> Result<Air, Failure> {
-        let usual = Conditions::default();
-        if let Some(density) = self.air_density {
-            let viscosity = match self.air_viscosity {
-                Some(viscosity) => viscosity,
-                None if density > 0.0 => Air::moist(&usual)?.viscosity_pa_s(),
-                None => return Ok(Air::vacuum()),
-            };
-            return Ok(Air::new(density, viscosity)?);
+    fn air(&self) -> StatedAir {
+        match self.air_density {
+            Some(density_kg_m3) => StatedAir::Density {
+                density_kg_m3,
+                viscosity_pa_s: self.air_viscosity,
+            },
+            None => StatedAir::Weather {
+                temperature_k: self.temperature,
+                pressure_pa: self.pressure,
+                relative_humidity: self.humidity,
+            },
         }
-        let conditions = Conditions {
-            temperature_k: self.temperature.unwrap_or(usual.temperature_k),
-            pressure_pa: self.pressure.unwrap_or(usual.pressure_pa),
-            relative_humidity: self.humidity.unwrap_or(usual.relative_humidity),
+    }
+
+    fn gravity(&self) -> Option<StatedGravity> {
+        let place = |latitude_deg| StatedGravity::Place {
+            latitude_deg,
+            altitude_m: self.altitude.unwrap_or(0.0),
         };
-        if self.temperature.is_none() || self.pressure.is_none() || self.humidity.is_none() {
-            assumptions.push(format!(
-                "air of {} C, {} hPa, {} % humidity",
-                rounded(conditions.temperature_k - 273.15),
-                rounded(conditions.pressure_pa / 100.0),
-                rounded(conditions.relative_humidity * 100.0),
-            ));
-        }
-        Ok(Air::moist(&conditions)?)
+        self.gravity
+            .map(StatedGravity::Measured)
+            .or(self.latitude.map(place))
     }
-
-    fn gravity(&self, assumptions: &mut Vec<String>) -> Result<f64, Failure> {
-        match (self.gravity, self.latitude) {
-            (Some(gravity), _) => Ok(gravity),
-            (None, Some(latitude)) => Ok(gravity::at(latitude, self.altitude.unwrap_or(0.0))?),
-            (None, None) => {
-                assumptions.push(format!("gravity {} m/s2", gravity::STANDARD_M_S2));
-                Ok(gravity::STANDARD_M_S2)
-            }
-        }
-    }
-}
-
-/// A number without the noise of binary fractions.
-fn rounded(value: f64) -> f64 {
-    (value * 1e6).round() / 1e6
 }
 
 /// The drag law that an argument names.

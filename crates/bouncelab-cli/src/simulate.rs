@@ -5,13 +5,12 @@ use std::path::PathBuf;
 
 use bouncelab::analysis::Settings;
 use bouncelab::drag::DragLaw;
-use bouncelab::drop::History;
 use bouncelab::flight::Environment;
+use bouncelab_report::document::simulation::{Document, Run};
 use bouncelab_report::figure::{self, Curve};
 use bouncelab_report::theme::Meaning;
 use bouncelab_report::{Align, Quantity, Table, Unit, save};
 use clap::{Args, ValueEnum};
-use serde::Serialize;
 
 use crate::failure::Failure;
 use crate::history::HistoryArguments;
@@ -57,15 +56,6 @@ enum Format {
 /// A table for people ends here.
 const MOST_ROWS: usize = 100;
 
-/// One simulated drop.
-struct Run {
-    law: DragLaw,
-    terminal_speed_m_s: Option<f64>,
-    /// Energies of the history are per kilogram of this mass.
-    mass_kg: f64,
-    history: History,
-}
-
 pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let physics = arguments.physics.physics()?;
     let laws = std::iter::once(physics.settings.environment.drag).chain(arguments.compare.clone());
@@ -80,8 +70,8 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
     match arguments.format {
         Format::Text => Ok(out.write_all(text(&runs, &physics).as_bytes())?),
         Format::Json => {
-            serde_json::to_writer_pretty(&mut out, &Document::new(&runs, &physics))
-                .map_err(io::Error::from)?;
+            let document = Document::new(&runs, &physics.settings, physics.assumptions.clone());
+            serde_json::to_writer_pretty(&mut out, &document).map_err(io::Error::from)?;
             Ok(writeln!(out)?)
         }
         Format::Csv => csv(&runs, out),
@@ -160,10 +150,7 @@ fn totals(runs: &[Run]) -> Table {
         shown(run.history.total_path_m(), Unit::Length)
     });
     row("energy at the start", &|run| {
-        shown(
-            run.mass_kg * run.history.initial_energy_j_kg(),
-            Unit::Energy,
-        )
+        shown(run.initial_energy_j(), Unit::Energy)
     });
     row("lost to the surface", &|run| {
         shown(run.lost_to_surface_j(), Unit::Energy)
@@ -172,26 +159,6 @@ fn totals(runs: &[Run]) -> Table {
         shown(run.lost_to_air_j(), Unit::Energy)
     });
     table
-}
-
-impl Run {
-    fn lost_to_surface_j(&self) -> f64 {
-        let lost = self
-            .history
-            .bounces()
-            .iter()
-            .map(|bounce| bounce.lost_to_surface_j_kg);
-        self.mass_kg * lost.sum::<f64>()
-    }
-
-    fn lost_to_air_j(&self) -> f64 {
-        let lost = self
-            .history
-            .bounces()
-            .iter()
-            .map(|bounce| bounce.lost_to_air_j_kg);
-        self.mass_kg * (self.history.opening_lost_to_air_j_kg() + lost.sum::<f64>())
-    }
 }
 
 fn bounces(run: &Run) -> Table {
@@ -248,99 +215,9 @@ fn height_figure(runs: &[Run]) -> figure::Figure {
     figure::height(&curves, &[])
 }
 
-/// The schema `bouncelab.simulation/1`.
-#[derive(Serialize)]
-struct Document {
-    schema: &'static str,
-    ball_mass_kg: f64,
-    ball_diameter_m: f64,
-    contact_time_s: f64,
-    air_density_kg_m3: f64,
-    gravity_m_s2: f64,
-    assumptions: Vec<String>,
-    simulations: Vec<Simulation>,
-}
-
-#[derive(Serialize)]
-struct Simulation {
-    drag: String,
-    terminal_speed_m_s: Option<f64>,
-    total_time_s: f64,
-    total_path_m: f64,
-    initial_energy_j: f64,
-    lost_to_surface_j: f64,
-    lost_to_air_j: f64,
-    bounces: Vec<Row>,
-}
-
-/// One bounce: an impact and the flight after it.
-#[derive(Serialize)]
-struct Row {
-    drag: String,
-    number: usize,
-    time_s: f64,
-    impact_speed_m_s: f64,
-    restitution: f64,
-    launch_speed_m_s: f64,
-    flight_time_s: f64,
-    apex_m: f64,
-    lost_to_surface_j: f64,
-    lost_to_air_j: f64,
-}
-
-impl Document {
-    fn new(runs: &[Run], physics: &Physics) -> Self {
-        let settings = &physics.settings;
-        Self {
-            schema: "bouncelab.simulation/1",
-            ball_mass_kg: settings.ball.mass_kg(),
-            ball_diameter_m: settings.ball.diameter_m(),
-            contact_time_s: settings.contact_time_s,
-            air_density_kg_m3: settings.environment.air.density_kg_m3(),
-            gravity_m_s2: settings.environment.gravity_m_s2,
-            assumptions: physics.assumptions.clone(),
-            simulations: runs.iter().map(Simulation::new).collect(),
-        }
-    }
-}
-
-impl Simulation {
-    fn new(run: &Run) -> Self {
-        Self {
-            drag: run.law.to_string(),
-            terminal_speed_m_s: run.terminal_speed_m_s,
-            total_time_s: run.history.total_time_s(),
-            total_path_m: run.history.total_path_m(),
-            initial_energy_j: run.mass_kg * run.history.initial_energy_j_kg(),
-            lost_to_surface_j: run.lost_to_surface_j(),
-            lost_to_air_j: run.lost_to_air_j(),
-            bounces: rows(run).collect(),
-        }
-    }
-}
-
-fn rows(run: &Run) -> impl Iterator<Item = Row> + '_ {
-    run.history
-        .bounces()
-        .iter()
-        .zip(1..)
-        .map(|(bounce, number)| Row {
-            drag: run.law.to_string(),
-            number,
-            time_s: bounce.time_s,
-            impact_speed_m_s: bounce.impact_speed_m_s,
-            restitution: bounce.restitution,
-            launch_speed_m_s: bounce.flight.launch_speed_m_s,
-            flight_time_s: bounce.flight.time_s(),
-            apex_m: bounce.flight.apex_m,
-            lost_to_surface_j: run.mass_kg * bounce.lost_to_surface_j_kg,
-            lost_to_air_j: run.mass_kg * bounce.lost_to_air_j_kg,
-        })
-}
-
 fn csv(runs: &[Run], out: impl Write) -> Result<(), Failure> {
     let mut writer = csv::Writer::from_writer(out);
-    for row in runs.iter().flat_map(rows) {
+    for row in runs.iter().flat_map(Run::bounces) {
         writer.serialize(row).map_err(io::Error::from)?;
     }
     Ok(writer.flush()?)

@@ -1,7 +1,7 @@
 //! Figures, tables and rounded numbers: how bouncelab shows what it found.
 //!
 //! Figures, tables and quantities take plain data with its unit in the name and give back text or
-//! a picture; only [`document`] knows how the numbers were found.
+//! a picture; only [`illustration`], [`document`] and [`report`] know how the numbers were found.
 //!
 //! ```
 //! use bouncelab_report::figure::{self, Line, TimedFlight};
@@ -29,6 +29,7 @@
 //! | room | question it answers |
 //! |---|---|
 //! | [`error`](Error) | what can go wrong |
+//! | [`units`] | which quantity somebody wrote down |
 //! | [`quantity`](Quantity) | how many digits, and which prefix |
 //! | [`table`](Table) | how numbers stand under each other |
 //! | [`theme`] | what a colour means |
@@ -38,7 +39,12 @@
 //! | `sheet` | title, key, panels with axes |
 //! | [`figure`] | one file a figure |
 //! | [`save()`] | figures as files |
+//! | [`rules`] | which rules there are, built in and in files |
+//! | [`illustration`] | which figures an analysis has |
+//! | [`tables`] | which tables an analysis has |
 //! | [`document`] | an analysis as data for other programs |
+//! | [`paper`] | what the paper says, and what its numbers are |
+//! | [`report`] | an analysis as a page to read, print and repeat |
 //!
 //! All but [`save()`] work in a browser. The feature `png` (on by default) adds
 //! [`Figure::png`](figure::Figure::png) and [`save()`].
@@ -47,15 +53,21 @@ mod canvas;
 pub mod document;
 mod error;
 pub mod figure;
+pub mod illustration;
+pub mod paper;
 #[cfg(feature = "png")]
 mod picture;
 mod quantity;
+pub mod report;
+pub mod rules;
 #[cfg(all(feature = "png", not(target_family = "wasm")))]
 mod save;
 mod scale;
 mod sheet;
 mod table;
+pub mod tables;
 pub mod theme;
+pub mod units;
 
 pub use error::{Error, Result};
 pub use figure::Figure;

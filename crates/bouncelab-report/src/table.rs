@@ -61,6 +61,16 @@ impl Table {
         self.rows.push(row);
     }
 
+    /// The headings, and on which side of its column each stands.
+    pub(crate) fn columns(&self) -> impl Iterator<Item = (&str, &Align)> {
+        self.header.iter().map(String::as_str).zip(&self.align)
+    }
+
+    /// The rows, each as long as there are columns.
+    pub(crate) fn rows(&self) -> &[Vec<String>] {
+        &self.rows
+    }
+
     /// Whether it has no rows.
     pub fn is_empty(&self) -> bool {
         self.rows.is_empty()

@@ -77,6 +77,9 @@ impl Default for Settings {
 /// the straight line unless it is asked for.
 pub const SURE: f64 = 0.9;
 
+/// Why a list of times can hold no drop.
+pub const TOO_FEW_TIMES: &str = "a flight needs two impact times, and there are fewer";
+
 /// The time of an impact and how it is known.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Impact {

@@ -56,6 +56,10 @@
 //! | [`listen`] | samples in, trains out |
 //! | [`regression`] | the paper's straight line, Eqs. 4 to 8 |
 //! | [`restitution`] | the restitution of each impact, corrected for drag |
+//! | [`estimate`] | all of them together, with uncertainties |
+//! | [`analysis`] | what the impact times of one drop say |
+//! | [`groups`] | what many drops say together |
+//! | [`rulebook`] | whether a ball or a floor obeys a rule |
 //!
 //! # Conventions
 //!
@@ -67,17 +71,21 @@
 pub mod air;
 pub mod analysis;
 pub mod ball;
+pub mod demo;
 pub mod drag;
 pub mod drop;
 mod error;
 pub mod estimate;
 pub mod flight;
 pub mod gravity;
+pub mod groups;
 pub mod impact;
 pub mod listen;
 pub mod onset;
 pub mod regression;
 pub mod restitution;
+pub mod rulebook;
+pub mod stated;
 pub mod synth;
 pub mod train;
 mod whiten;

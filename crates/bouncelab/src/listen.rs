@@ -87,6 +87,28 @@ impl Heard {
     }
 }
 
+impl Heard {
+    /// What is odd about the recording as a whole, in words.
+    pub fn remarks(&self) -> Vec<String> {
+        let far = self.found.distant.iter().map(|train| {
+            format!(
+                "a far fainter ball was heard from {:.2} s to {:.2} s ({} impacts) and left out",
+                train.start_s(),
+                train.end_s(),
+                train.impacts().len()
+            )
+        });
+        let mut remarks: Vec<String> = far.collect();
+        if self.clipped_samples > 0 && !self.found.trains.is_empty() {
+            remarks.push(format!(
+                "{} samples are clipped: the recorder was too loud; times suffer little, levels do",
+                self.clipped_samples
+            ));
+        }
+        remarks
+    }
+}
+
 impl Listener {
     /// A listener for this many channels (at least one) at this rate.
     pub fn new(sample_rate_hz: u32, channels: usize) -> Self {
@@ -323,6 +345,21 @@ impl Envelope {
             least: Vec::new(),
             greatest: Vec::new(),
             in_step: 0,
+        }
+    }
+
+    /// An envelope that was kept elsewhere: least and greatest sample of each step, as many of
+    /// each; what is over is dropped.
+    pub fn of_steps(step_s: f64, mut least: Vec<f32>, mut greatest: Vec<f32>) -> Self {
+        let steps = least.len().min(greatest.len());
+        least.truncate(steps);
+        greatest.truncate(steps);
+        Self {
+            sample_rate_hz: 1.0 / step_s,
+            samples_per_step: 1,
+            least,
+            greatest,
+            in_step: 1,
         }
     }
 

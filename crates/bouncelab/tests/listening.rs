@@ -9,7 +9,7 @@ use bouncelab::onset::Onset;
 use bouncelab::synth::{
     self, BitDepth, Clicks, Hum, Lost, Noise, Rendered, Reverb, Scene, SynthImpact, Voice,
 };
-use bouncelab::train::{self, NoDrop, Train};
+use bouncelab::train::{self, HeardImpact, NoDrop, Train, latest_next_s};
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
 
@@ -507,4 +507,22 @@ fn number_impacts_bridges_a_gap() {
     assert_eq!(train::number_impacts(&[]), Vec::<u32>::new());
     assert_eq!(train::number_impacts(&[1.0]), [0]);
     assert_eq!(train::number_impacts(&[0.0, 1.0, 5.0]), [0, 1, 2]);
+}
+
+fn clicks(times_s: &[f64]) -> Vec<HeardImpact> {
+    let numbered = times_s.iter().zip(0..);
+    numbered
+        .map(|(&time_s, number)| HeardImpact {
+            onset: Onset::click(time_s),
+            number,
+            probability: 1.0,
+        })
+        .collect()
+}
+
+#[test]
+fn a_ball_rests_after_three_times_its_last_flight() {
+    assert!((latest_next_s(&clicks(&[0.0, 0.4, 0.7])) - (0.7 + 0.9 + 0.3)).abs() < 1e-12);
+    // But nobody drops from more than 5 m.
+    assert!((latest_next_s(&clicks(&[0.0, 1.5, 2.9])) - (2.9 + 2.0 + 0.3)).abs() < 1e-12);
 }

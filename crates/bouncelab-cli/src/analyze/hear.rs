@@ -22,6 +22,8 @@ pub(crate) struct Heeded {
     pub(crate) exclude_s: Vec<f64>,
     /// Times of impacts to add.
     pub(crate) include_s: Vec<f64>,
+    /// Whether to show no progress: somebody else does.
+    pub(crate) quiet: bool,
 }
 
 /// What a file says.
@@ -73,8 +75,7 @@ pub(crate) fn hear(file: &Path, heeded: &Heeded, settings: &Settings) -> Result<
 fn hear_times(name: String, times_s: &[f64], heeded: &Heeded, settings: &Settings) -> Hearing {
     let mut drops = vec![analysis::impacts_of_times(times_s)];
     let warnings = edit(&mut drops, heeded);
-    let no_drop = (drops.concat().len() < 2)
-        .then(|| "a flight needs two impact times, and there are fewer".to_owned());
+    let no_drop = (drops.concat().len() < 2).then(|| analysis::TOO_FEW_TIMES.to_owned());
     if no_drop.is_some() {
         drops.clear();
     }
@@ -102,7 +103,7 @@ fn hear_sound(
         channels: source.channels(),
         channel: heeded.channel,
     };
-    let (heard, warnings) = listen(source, heeded.channel)?;
+    let (heard, warnings) = listen(source, heeded)?;
     let edit = |drops: &mut Vec<Vec<Impact>>| edit(drops, heeded);
     Ok(recording.hearing(heard, warnings, edit, settings))
 }
@@ -132,7 +133,7 @@ impl Recording {
         edit: impl FnOnce(&mut Vec<Vec<Impact>>) -> Vec<String>,
         settings: &Settings,
     ) -> Hearing {
-        warnings.extend(remarks(&heard));
+        warnings.extend(heard.remarks());
         let trains = &heard.found.trains;
         let mut drops: Vec<Vec<Impact>> = trains
             .iter()
@@ -176,7 +177,8 @@ fn analyze(drops: Vec<Vec<Impact>>, settings: &Settings) -> Vec<Analysis> {
 }
 
 /// Listens to the whole recording; returns also what was wrong with the file.
-fn listen(mut source: Source, channel: Option<usize>) -> Result<(Heard, Vec<String>), Failure> {
+fn listen(mut source: Source, heeded: &Heeded) -> Result<(Heard, Vec<String>), Failure> {
+    let channel = heeded.channel;
     if let Some(channel) = channel.filter(|&channel| channel > source.channels()) {
         return Err(Failure::Usage(format!(
             "{} has {} channel{}, so there is no channel {channel}",
@@ -188,7 +190,7 @@ fn listen(mut source: Source, channel: Option<usize>) -> Result<(Heard, Vec<Stri
     let ears = channel.map_or(0..source.channels(), |channel| channel - 1..channel);
     let rate = f64::from(source.sample_rate_hz());
     let mut listener = Listener::new(source.sample_rate_hz(), ears.len());
-    let progress = progress(source.duration_s());
+    let progress = progress(source.duration_s().filter(|_| !heeded.quiet));
     let mut frames = 0;
     while let Some(block) = source.next_block()? {
         let slices: Vec<&[f32]> = ears.clone().map(|ear| block.channel(ear)).collect();
@@ -215,26 +217,6 @@ fn progress(duration_s: Option<f64>) -> ProgressBar {
     }
     bar.enable_steady_tick(Duration::from_millis(200));
     bar
-}
-
-/// What is odd about a recording as a whole.
-fn remarks(heard: &Heard) -> Vec<String> {
-    let mut remarks = Vec::new();
-    for train in &heard.found.distant {
-        remarks.push(format!(
-            "a far fainter ball was heard from {:.2} s to {:.2} s ({} impacts) and left out",
-            train.start_s(),
-            train.end_s(),
-            train.impacts().len()
-        ));
-    }
-    if heard.clipped_samples > 0 && !heard.found.trains.is_empty() {
-        remarks.push(format!(
-            "{} samples are clipped: the recorder was too loud; times suffer little, levels do",
-            heard.clipped_samples
-        ));
-    }
-    remarks
 }
 
 /// Leaves out and adds impacts by hand: each in the drop in which, or nearest to which, it lies.

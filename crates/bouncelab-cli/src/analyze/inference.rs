@@ -1,8 +1,8 @@
 //! The inference for people.
 
 use bouncelab::analysis::Analysis;
-use bouncelab::estimate::{Inference, Prediction, Reach, Share, Summary, UNKNOWN};
-use bouncelab_report::{Align, CANNOT_TELL, Quantity, Table, Unit};
+use bouncelab::estimate::{Inference, Prediction, Reach, Summary, UNKNOWN};
+use bouncelab_report::{CANNOT_TELL, Quantity, Unit, tables};
 
 use crate::physics::Physics;
 
@@ -114,22 +114,25 @@ pub(super) fn details(drop: &Analysis) -> Vec<String> {
     let mut blocks = vec![
         format!(
             "Models, of equal probability before the data:\n{}",
-            models(found)
+            tables::models(found)
         ),
         format!(
             "Where the uncertainty of e comes from:\n{}",
-            budget(&found.budget.restitution, Unit::Number)
+            tables::budget(&found.budget.restitution, Unit::Number)
         ),
         format!(
             "Where the uncertainty of h0 comes from:\n{}",
-            budget(&found.budget.drop_height_m, Unit::Length)
+            tables::budget(&found.budget.drop_height_m, Unit::Length)
         ),
         format!(
             "How much the data narrowed what was known:\n{}",
-            narrowed(found)
+            tables::narrowed(found)
         ),
-        format!("Correlations of the answers:\n{}", correlations(found)),
-        format!("Impacts in the fit:\n{}", impacts(found)),
+        format!(
+            "Correlations of the answers:\n{}",
+            tables::correlations(found)
+        ),
+        format!("Impacts in the fit:\n{}", tables::fitted_impacts(found)),
     ];
     let priors = found.priors();
     blocks.push(format!("Before the data:\n  {}", priors.join("\n  ")));
@@ -138,105 +141,4 @@ pub(super) fn details(drop: &Analysis) -> Vec<String> {
         found.sampling.effective_draws, found.sampling.pareto_shape
     ));
     blocks
-}
-
-fn models(found: &Inference) -> Table {
-    let mut table = Table::new(vec![
-        ("restitution law", Align::Left),
-        ("drag", Align::Left),
-        ("probability", Align::Right),
-        ("ln evidence", Align::Right),
-        ("e", Align::Right),
-        ("h0", Align::Right),
-    ]);
-    for model in &found.models {
-        let shown = |summary: &Option<Summary>, unit| {
-            summary.map_or_else(String::new, |s| {
-                Quantity::measured(s.value, s.sd, unit).to_string()
-            })
-        };
-        table.row(vec![
-            model.law.to_string(),
-            model.drag.to_string(),
-            format!("{:.3}", model.weight),
-            format!("{:.1}", model.log_evidence),
-            shown(&model.restitution, Unit::Number),
-            shown(&model.drop_height_m, Unit::Length),
-        ]);
-    }
-    table
-}
-
-fn budget(shares: &[Share], unit: Unit) -> Table {
-    let mut table = Table::new(vec![
-        ("source", Align::Left),
-        ("alone", Align::Right),
-        ("% of variance", Align::Right),
-    ]);
-    for share in shares.iter().filter(|share| share.share >= 0.0005) {
-        table.row(vec![
-            share.source.to_owned(),
-            format!("\u{b1} {}", Quantity::rounded(share.sd, 2, unit)),
-            format!("{:.1}", share.share * 100.0),
-        ]);
-    }
-    table
-}
-
-fn narrowed(found: &Inference) -> Table {
-    let mut table = Table::new(vec![
-        ("unknown", Align::Left),
-        ("% of prior width left", Align::Right),
-    ]);
-    for narrowed in &found.narrowed {
-        table.row(vec![
-            narrowed.unknown.to_string(),
-            format!("{:.0}", narrowed.remaining * 100.0),
-        ]);
-    }
-    table
-}
-
-fn correlations(found: &Inference) -> Table {
-    let names = &found.correlations.quantities;
-    let mut columns = vec![("", Align::Left)];
-    columns.extend(names.iter().map(|&name| (name, Align::Right)));
-    let mut table = Table::new(columns);
-    for (name, row) in names.iter().zip(&found.correlations.matrix) {
-        let mut cells = vec![(*name).to_owned()];
-        cells.extend(row.iter().map(|value| format!("{value:.2}")));
-        table.row(cells);
-    }
-    table
-}
-
-fn impacts(found: &Inference) -> Table {
-    let mut table = Table::new(vec![
-        ("impact", Align::Right),
-        ("speed m/s", Align::Right),
-        ("e", Align::Right),
-        ("apex cm", Align::Right),
-        ("to surface mJ", Align::Right),
-        ("to air mJ", Align::Right),
-        ("residual", Align::Right),
-        ("weight", Align::Right),
-    ]);
-    let value = |summary: &Option<Summary>, scale: f64, digits: usize| {
-        summary.map_or_else(String::new, |s| format!("{:.digits$}", s.value * scale))
-    };
-    for impact in &found.impacts {
-        table.row(vec![
-            impact.number.to_string(),
-            format!("{:.3}", impact.impact_speed_m_s.value),
-            value(&impact.restitution, 1.0, 4),
-            value(&impact.apex_m, 100.0, 2),
-            value(&impact.lost_to_surface_j, 1e3, 3),
-            value(&impact.lost_to_air_j, 1e3, 3),
-            impact
-                .standardised_residual
-                .map_or_else(String::new, |z| format!("{z:.2}")),
-            format!("{:.2}", impact.weight),
-        ]);
-    }
-    table
 }

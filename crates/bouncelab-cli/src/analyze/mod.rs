@@ -3,19 +3,19 @@
 mod figures;
 mod hear;
 mod inference;
-mod inferred;
-mod rows;
+mod report;
 mod text;
 
 pub(crate) use figures::save_figures;
 pub(crate) use hear::{Hearing, Heeded, Recording, hear};
+pub(crate) use report::{Draft, provenance};
 pub(crate) use text::{report, shown};
 
 use std::io::{self, Write};
 use std::ops::RangeInclusive;
 use std::path::PathBuf;
 
-use bouncelab_report::document::Document;
+use bouncelab_report::document::{Document, rows};
 use clap::{Args, ValueEnum};
 
 use crate::failure::Failure;
@@ -40,6 +40,10 @@ pub(crate) struct Arguments {
     /// Write figures as SVG and PNG into this folder
     #[arg(long, value_name = "DIR")]
     figures: Option<PathBuf>,
+    /// Write a report of one recording: .html (one file, to read and print) or .md (its figures in a
+    /// folder beside it)
+    #[arg(long, value_name = "FILE")]
+    report: Option<PathBuf>,
     /// Flights for the straight line, as in 1..10, ..20 or 3..
     #[arg(long, value_name = "A..B", value_parser = flight_range)]
     flights: Option<(usize, usize)>,
@@ -70,6 +74,7 @@ Examples:
   bouncelab analyze drop.wav --law constant --infer drag
   bouncelab analyze drop.wav --reach 2:28cm             from which height does bounce 2 reach 28 cm?
   bouncelab analyze drop.wav --flights 1..10            the paper's ten flights
+  bouncelab analyze drop.wav --report drop.html         to read, print and keep; or drop.md
   bouncelab analyze drop.wav --exclude 2.317 --include 4.1,4.25
   bouncelab analyze times.csv --format json
   bouncelab analyze class/*.wav --format csv > class.csv";
@@ -90,6 +95,12 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
         channel: arguments.channel.map(usize::from),
         exclude_s: arguments.exclude.clone(),
         include_s: arguments.include.clone(),
+        quiet: false,
+    };
+    let mut draft = match (&arguments.report, arguments.files.as_slice()) {
+        (None, _) => None,
+        (Some(path), [_]) => Some(report::Draft::new(path)?),
+        (Some(_), _) => return Err(Failure::Usage(report::OF_ONE.to_owned())),
     };
     let mut printer = Printer::new(arguments)?;
     let mut empty_handed = false;
@@ -104,9 +115,14 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
                 if let Some(folder) = &arguments.figures {
                     save_figures(&hearing, &physics, folder)?;
                 }
+                if let Some(draft) = draft.take() {
+                    draft.finish(file, &hearing, &physics)?;
+                }
                 printer.print(&hearing, &physics)?;
             }
-            Err(failure @ (Failure::Usage(_) | Failure::Output(_))) => return Err(failure),
+            Err(failure @ (Failure::Usage(_) | Failure::Output(_) | Failure::NoPass(_))) => {
+                return Err(failure);
+            }
             Err(Failure::Input(reason)) => {
                 empty_handed = true;
                 eprintln!("bouncelab: {reason}");

@@ -5,7 +5,7 @@ use std::fmt::Write;
 use bouncelab::analysis::{Analysis, SURE};
 use bouncelab::regression::Estimate;
 use bouncelab_report::document::Origin;
-use bouncelab_report::{Align, CANNOT_TELL, Quantity, Table, Unit};
+use bouncelab_report::{CANNOT_TELL, Quantity, Unit, tables};
 
 use super::hear::Hearing;
 use super::inference;
@@ -25,7 +25,7 @@ pub(crate) fn report(hearing: &Hearing, physics: &Physics, details: bool) -> Str
         line(&mut text, "");
         line(
             &mut text,
-            &indented(&impact_table(drop, details).to_string()),
+            &indented(&tables::impacts(drop, details).to_string()),
         );
         if details {
             for block in inference::details(drop) {
@@ -192,78 +192,4 @@ pub(crate) fn shown(estimate: Estimate, unit: Unit) -> String {
         Some(error) => Quantity::measured(estimate.value, error, unit).to_string(),
         None => Quantity::rounded(estimate.value, 4, unit).to_string(),
     }
-}
-
-fn impact_table(drop: &Analysis, details: bool) -> Table {
-    let mut columns = vec![
-        ("impact", Align::Right),
-        ("time s", Align::Right),
-        ("flight s", Align::Right),
-        ("apex cm", Align::Right),
-        ("speed m/s", Align::Right),
-        ("e no drag", Align::Right),
-        ("e", Align::Right),
-    ];
-    if details {
-        columns.extend([
-            ("\u{b1} e", Align::Right),
-            ("\u{b1} time \u{b5}s", Align::Right),
-            ("level dB", Align::Right),
-            ("probability", Align::Right),
-            ("line %", Align::Right),
-        ]);
-    }
-    columns.push(("", Align::Left));
-    let mut table = Table::new(columns);
-    for index in 0..drop.impacts.len() {
-        table.row(impact_row(drop, index, details));
-    }
-    table
-}
-
-fn impact_row(drop: &Analysis, index: usize, details: bool) -> Vec<String> {
-    let impact = &drop.impacts[index];
-    let flight = drop
-        .flights
-        .iter()
-        .find(|flight| flight.number == impact.number);
-    let found = drop.corrected.as_ref().ok();
-    let corrected = found.and_then(|f| f.impacts.iter().find(|i| i.number == impact.number));
-    let modelled = found.and_then(|f| f.flights.iter().find(|f| f.number == impact.number));
-    let apex_m = modelled
-        .map(|m| m.flight.apex_m)
-        .or(flight.map(|f| f.plain_height_m));
-    let mut row = vec![
-        impact.number.to_string(),
-        format!("{:.4}", impact.time_s),
-        fixed(flight.map(|f| f.time_s), 4),
-        fixed(apex_m.map(|apex_m| apex_m * 100.0), 2),
-        fixed(corrected.map(|c| c.impact_speed_m_s), 3),
-        fixed(corrected.map(|c| c.raw_ratio), 4),
-        fixed(corrected.map(|c| c.restitution.value), 4),
-    ];
-    if details {
-        row.extend([
-            fixed(corrected.and_then(|c| c.restitution.standard_error), 4),
-            fixed(impact.sigma_s.map(|sigma_s| sigma_s * 1e6), 1),
-            fixed(impact.level_db, 1),
-            format!("{:.3}", impact.probability),
-            fixed(residual_percent(drop, impact.number), 2),
-        ]);
-    }
-    row.push(if impact.probability < SURE { "?" } else { "" }.to_owned());
-    row
-}
-
-/// How far the flight after an impact lies from the straight line, in per cent of its time.
-fn residual_percent(drop: &Analysis, number: usize) -> Option<f64> {
-    let fit = drop.line.as_ref().ok()?;
-    let flight = drop.flights.iter().find(|flight| flight.number == number)?;
-    Some((flight.time_s / fit.flight_time_s(number).value - 1.0) * 100.0)
-}
-
-fn fixed(value: Option<f64>, digits: usize) -> String {
-    value
-        .filter(|v| v.is_finite())
-        .map_or_else(String::new, |value| format!("{value:.digits$}"))
 }

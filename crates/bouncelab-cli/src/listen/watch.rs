@@ -3,7 +3,7 @@
 use std::time::Instant;
 
 use bouncelab::listen::{Heard, Listener};
-use bouncelab::train::{Found, HeardImpact, Train};
+use bouncelab::train::{Found, HeardImpact, Train, latest_next_s};
 
 /// How often is looked whether something is to be told, in seconds of sound.
 const LOOK_S: f64 = 0.1;
@@ -209,52 +209,12 @@ pub(super) fn overlap(a: &Train, b: &Train) -> bool {
     a.start_s() <= b.end_s() && b.start_s() <= a.end_s()
 }
 
-/// The latest time at which another impact of this drop could be heard, in seconds: no flight is
-/// longer than the one before it, and no more than two impacts in a row escape notice.
-fn latest_next_s(impacts: &[HeardImpact]) -> f64 {
-    /// Two impacts that were missed, and the one that was heard.
-    const FLIGHTS: f64 = 3.0;
-    /// No two impacts heard are farther apart, in seconds: the flight would be 5 m high.
-    const LONGEST_S: f64 = 2.0;
-    /// An impact is noticed this much later at most, in seconds.
-    const NOTICE_S: f64 = 0.3;
-    let last_flight_s = impacts
-        .windows(2)
-        .map(|pair| {
-            let flights = f64::from(pair[1].number - pair[0].number);
-            (pair[1].onset.time_s - pair[0].onset.time_s) / flights
-        })
-        .next_back()
-        .unwrap_or(LONGEST_S);
-    let last_s = impacts.last().map_or(0.0, |impact| impact.onset.time_s);
-    last_s + (FLIGHTS * last_flight_s).min(LONGEST_S) + NOTICE_S
-}
-
 #[cfg(test)]
 mod tests {
     use bouncelab::impact::Strike;
-    use bouncelab::onset::Onset;
     use bouncelab::synth::{self, Scene};
 
     use super::*;
-
-    fn impacts(times_s: &[f64]) -> Vec<HeardImpact> {
-        let numbered = times_s.iter().zip(0..);
-        numbered
-            .map(|(&time_s, number)| HeardImpact {
-                onset: Onset::click(time_s),
-                number,
-                probability: 1.0,
-            })
-            .collect()
-    }
-
-    #[test]
-    fn a_ball_rests_after_three_times_its_last_flight() {
-        assert!((latest_next_s(&impacts(&[0.0, 0.4, 0.7])) - (0.7 + 0.9 + 0.3)).abs() < 1e-12);
-        // But nobody drops from more than 5 m.
-        assert!((latest_next_s(&impacts(&[0.0, 1.5, 2.9])) - (2.9 + 2.0 + 0.3)).abs() < 1e-12);
-    }
 
     /// Two drops of fifteen impacts each, 6 s apart.
     fn two_drops() -> Vec<f32> {

@@ -5,6 +5,8 @@ use serde::Serialize;
 
 /// The posterior of one quantity.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
+#[cfg_attr(feature = "typescript", ts(rename = "Posterior"))]
 pub(super) struct Summary {
     /// The median.
     value: f64,
@@ -31,12 +33,14 @@ impl From<inference::Summary> for Summary {
     }
 }
 
-fn shown(summary: Option<inference::Summary>) -> Option<Summary> {
+pub(super) fn shown(summary: Option<inference::Summary>) -> Option<Summary> {
     summary.map(Summary::from)
 }
 
 /// What the times of a drop say, all priors and models considered.
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
+#[cfg_attr(feature = "typescript", ts(rename = "Inference"))]
 pub(super) struct Estimate {
     restitution: Summary,
     /// The impact speed of `restitution`.
@@ -71,12 +75,14 @@ pub(super) struct Estimate {
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 struct Prior {
     value: f64,
     sd: f64,
 }
 
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 struct Prediction {
     bounce: usize,
     apex_m: f64,
@@ -84,6 +90,8 @@ struct Prediction {
 }
 
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
+#[cfg_attr(feature = "typescript", ts(rename = "InferredImpact"))]
 #[expect(
     clippy::struct_field_names,
     reason = "the names are those of the schema"
@@ -100,12 +108,15 @@ struct Impact {
 }
 
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 struct BandPoint {
     speed_m_s: f64,
     restitution: Summary,
 }
 
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
+#[cfg_attr(feature = "typescript", ts(rename = "ModelWeight"))]
 struct Model {
     restitution_law: String,
     drag_law: String,
@@ -116,6 +127,7 @@ struct Model {
 }
 
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 struct Narrowed {
     unknown: String,
     /// Width after the data over width before.
@@ -123,18 +135,21 @@ struct Narrowed {
 }
 
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 struct Correlations {
     quantities: Vec<String>,
     matrix: Vec<Vec<f64>>,
 }
 
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 struct Budget {
     restitution: Vec<Share>,
     drop_height_m: Vec<Share>,
 }
 
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 #[expect(
     clippy::struct_field_names,
     reason = "the names are those of the schema"
@@ -146,6 +161,7 @@ struct Share {
 }
 
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 struct Sampling {
     effective_draws: f64,
     pareto_shape: Option<f64>,

@@ -17,19 +17,26 @@
 //! ```
 
 mod estimate;
+pub mod rows;
+mod session;
+pub mod simulation;
+pub mod verdict;
 
 use bouncelab::analysis::{Analysis, Settings};
 use bouncelab::regression::{Estimate, Regression};
 use bouncelab::restitution::{ImpactRestitution, TimedFlight};
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 use estimate::Estimate as Estimated;
+pub use session::{AboutSession, Reason, SessionDocument};
 
 /// Name and version of the schema.
 pub const SCHEMA: &str = "bouncelab.analysis/1";
 
 /// What one file says.
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
+#[cfg_attr(feature = "typescript", ts(rename = "AnalysisDocument"))]
 pub struct Document {
     schema: &'static str,
     /// Version of the program that made it.
@@ -44,7 +51,8 @@ pub struct Document {
 }
 
 /// Where the impact times come from.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 #[serde(tag = "kind", rename_all = "lowercase")]
 pub enum Origin {
     /// A list of times.
@@ -68,6 +76,7 @@ pub enum Origin {
 
 /// What was known or assumed.
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 struct SettingsUsed {
     ball_mass_kg: f64,
     ball_diameter_m: f64,
@@ -83,6 +92,8 @@ struct SettingsUsed {
 }
 
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
+#[cfg_attr(feature = "typescript", ts(rename = "DocumentDrop"))]
 struct Drop {
     impacts: Vec<Impact>,
     flights: Vec<Flight>,
@@ -95,6 +106,8 @@ struct Drop {
 }
 
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
+#[cfg_attr(feature = "typescript", ts(rename = "DocumentImpact"))]
 #[expect(
     clippy::struct_field_names,
     reason = "the names are those of the schema"
@@ -114,6 +127,8 @@ struct Impact {
 }
 
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
+#[cfg_attr(feature = "typescript", ts(rename = "DocumentFlight"))]
 struct Flight {
     number: usize,
     time_s: f64,
@@ -128,6 +143,8 @@ struct Flight {
 
 /// The paper's straight line (Eqs. 4 to 8).
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
+#[cfg_attr(feature = "typescript", ts(rename = "StraightLine"))]
 struct Line {
     flights: usize,
     slope: f64,
@@ -148,6 +165,7 @@ struct Line {
 }
 
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 struct CorrectedSummary {
     /// Median over the impacts.
     restitution: f64,

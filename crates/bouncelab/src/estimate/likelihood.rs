@@ -18,11 +18,9 @@
 use nalgebra::{DMatrix, DVector};
 
 use super::model::{LOG_SCATTER_SD, Model, Point, Slot};
-use crate::flight::table::{FlightTable, Row};
-
-/// Degrees of freedom of the scatter: nearly normal in the middle, with the fourth moment (an excess
-/// of 3) of the two exponentials that were measured.
-const FREEDOM: f64 = 6.0;
+use super::residual::{End, Opening, Residual, covariance};
+use super::tail::{FREEDOM, Tail};
+use crate::flight::table::FlightTable;
 
 /// Beyond about so many standard deviations an innovation is odd, and says nothing of its
 /// neighbours.
@@ -72,50 +70,6 @@ pub(super) struct Told {
     pub(super) impact_speeds: Vec<f64>,
     /// Launch speed after each impact heard but the last, m/s.
     pub(super) launch_speeds: Vec<f64>,
-}
-
-/// A stretch as its ends see it.
-#[derive(Debug, Clone, Copy, Default)]
-struct End {
-    /// ln of the launch speed at its start and of the impact speed at its end.
-    log_launch: f64,
-    log_impact: f64,
-    impact: f64,
-    /// Derivatives of both by its duration, 1/s.
-    launch_per_s: f64,
-    impact_per_s: f64,
-    /// What the scatter of missed impacts does to them: squares and product.
-    launch_scatter: f64,
-    impact_scatter: f64,
-    shared_scatter: f64,
-}
-
-/// A residual with its noise.
-#[derive(Debug, Clone, Copy, Default)]
-pub(super) struct Residual {
-    pub(super) value: f64,
-    /// Derivatives by the time of the impact before, its own and the one after.
-    pub(super) timing: [f64; 3],
-    /// Variance by the scatter, for a scatter of one, and its covariance with the one before.
-    pub(super) scatter: f64,
-    pub(super) scatter_before: f64,
-    /// The impact in the middle of `timing`.
-    pub(super) impact: usize,
-    /// Variance of its own, such as that of a release time.
-    own_variance: f64,
-}
-
-/// The fall from the drop height, and the impacts before the first one heard.
-struct Opening {
-    gravity_height: f64,
-    height_slope: f64,
-    impact: f64,
-    /// Time from the release to the first impact heard.
-    time_s: f64,
-    /// Scatter of missed impacts in ln(impact speed) and in the time.
-    impact_scatter: f64,
-    time_scatter: f64,
-    shared_scatter: f64,
 }
 
 impl<'a> Evaluator<'a> {
@@ -210,36 +164,25 @@ impl<'a> Evaluator<'a> {
     /// Fills the residuals; the opening and the logarithm of the Jacobian.
     fn residuals_at(&mut self, point: &Point) -> Option<(Opening, f64)> {
         self.table(point.drag_strength);
-        let opening = self.opening(point)?;
+        let opening = Opening::new(&self.table, point, self.model.missed_first)?;
         self.ends.clear();
         for stretch in &self.model.observed.stretches {
             let contact_s = stretch.flights as f64 * point.contact_time_s;
             let gravity_time = point.gravity_m_s2 * (stretch.duration_s - contact_s);
             let end = match stretch.flights {
                 1 => End::of_flight(&self.table.lasting(gravity_time)?, point.gravity_m_s2),
-                flights => self.stretch(gravity_time, flights, point)?,
+                flights => End::of_gap(&self.table, gravity_time, flights, point)?,
             };
             self.ends.push(end);
         }
         self.residuals.clear();
-        let first_impact_s = self.model.observed.impacts[0].time_s;
-        if let Some(release) = self.model.release_s {
-            self.residuals.push(Residual {
-                value: first_impact_s - release.value - opening.time_s,
-                timing: [0.0, 1.0, 0.0],
-                scatter: opening.time_scatter,
-                own_variance: release.sd * release.sd,
-                ..Residual::default()
-            });
+        if let Some(release_s) = self.model.release_s {
+            let first_s = self.model.observed.impacts[0].time_s;
+            let residual = Residual::of_release(first_s, release_s, &opening);
+            self.residuals.push(residual);
         }
         let mut log_jacobian = 0.0;
-        let mut before = End {
-            log_impact: opening.impact.ln(),
-            impact: opening.impact,
-            impact_scatter: opening.impact_scatter,
-            shared_scatter: -opening.shared_scatter,
-            ..End::default()
-        };
+        let mut before = opening.end();
         for (impact, after) in self.ends.iter().enumerate() {
             self.residuals
                 .push(Residual::between(&before, after, impact, point));
@@ -247,80 +190,6 @@ impl<'a> Evaluator<'a> {
             before = *after;
         }
         Some((opening, log_jacobian))
-    }
-
-    fn opening(&self, point: &Point) -> Option<Opening> {
-        let (gravity_height, gravity_fall, height_slope) =
-            self.table.fall(point.fall_launch_m_s)?;
-        let fall = self.table.launch(point.fall_launch_m_s)?;
-        let flights = chain(&self.table, point, fall.impact, self.model.missed_first)?;
-        let gravity = point.gravity_m_s2;
-        let mut opening = Opening {
-            gravity_height,
-            height_slope,
-            impact: flights.last().map_or(fall.impact, |row| row.impact),
-            time_s: gravity_fall / gravity + flights.len() as f64 * point.contact_time_s,
-            impact_scatter: 0.0,
-            time_scatter: 0.0,
-            shared_scatter: 0.0,
-        };
-        for missed in 0..flights.len() {
-            opening.time_s += flights[missed].time / gravity;
-            let (time, impact) = response(&flights[missed..], point);
-            let time = time / gravity;
-            opening.impact_scatter += impact * impact;
-            opening.time_scatter += time * time;
-            opening.shared_scatter += impact * time;
-        }
-        Some(opening)
-    }
-
-    /// A stretch with missed impacts, which are taken to obey the law; how far they may not is
-    /// scatter.
-    fn stretch(&self, gravity_time: f64, flights: usize, point: &Point) -> Option<End> {
-        const STEPS: usize = 40;
-        // As if each flight were as long as the others.
-        let mut log_launch = (0.5 * gravity_time / flights as f64).ln();
-        for _ in 0..STEPS {
-            let rows = self.rows(log_launch.exp(), flights, point)?;
-            let total: f64 = rows.iter().map(|row| row.time).sum();
-            let (slope, _) = response(&rows, point);
-            let step = (gravity_time - total) / slope;
-            log_launch += step;
-            if step.abs() < 1e-9 {
-                break;
-            }
-        }
-        let rows = self.rows(log_launch.exp(), flights, point)?;
-        let last = rows[rows.len() - 1];
-        let (slope, impact) = response(&rows, point);
-        let launch_per_s = point.gravity_m_s2 / slope;
-        let mut end = End {
-            log_launch,
-            log_impact: last.impact.ln(),
-            impact: last.impact,
-            launch_per_s,
-            impact_per_s: impact * launch_per_s,
-            ..End::default()
-        };
-        for missed in 1..rows.len() {
-            // The duration is given: what a missed impact adds later must come off the launch.
-            let (later, on_impact) = response(&rows[missed..], point);
-            let on_launch = -later / slope;
-            let on_impact = on_impact + impact * on_launch;
-            end.launch_scatter += on_launch * on_launch;
-            end.impact_scatter += on_impact * on_impact;
-            end.shared_scatter += on_launch * on_impact;
-        }
-        Some(end)
-    }
-
-    /// The flights from a launch on, through impacts that obey the law.
-    fn rows(&self, launch: f64, flights: usize, point: &Point) -> Option<Vec<Row>> {
-        let first = self.table.launch(launch)?;
-        let mut rows = vec![first];
-        rows.extend(chain(&self.table, point, first.impact, flights - 1)?);
-        Some(rows)
     }
 
     /// Student's t of every innovation; notes the innovations.
@@ -470,121 +339,6 @@ impl<'a> Evaluator<'a> {
     /// How many residuals the data make.
     fn rows_of_data(&self) -> usize {
         self.model.observed.stretches.len() + usize::from(self.model.release_s.is_some())
-    }
-}
-
-/// Student's t with variance one, of an innovation that is scatter only in part.
-///
-/// The times have normal errors, so the tails are lighter the less of the innovation is scatter. The
-/// degrees of freedom are those that give it the fourth moment of the sum: excess 6/(ν - 4), times
-/// the square of the share.
-struct Tail {
-    freedom: f64,
-}
-
-impl Tail {
-    /// So light a tail is normal.
-    const LIGHTEST: f64 = 1e6;
-
-    fn of(scatter_share: f64) -> Self {
-        let freedom = 4.0 + (FREEDOM - 4.0) / (scatter_share * scatter_share);
-        Self {
-            freedom: freedom.min(Self::LIGHTEST),
-        }
-    }
-
-    /// Logarithm of the density at a squared deviation, but for ln (2 π)^1/2.
-    fn log_density(&self, square: f64) -> f64 {
-        let nu = self.freedom;
-        // ln Γ((ν + 1)/2) - ln Γ(ν/2) - ½ ln(ν/2), to 1e-5 from 6 degrees on.
-        let constant = -0.25 / nu + 1.0 / (24.0 * nu.powi(3));
-        constant - 0.5 * ((nu - 2.0) / nu).ln() - 0.5 * (nu + 1.0) * (square / (nu - 2.0)).ln_1p()
-    }
-
-    /// Weight in the fit: what is left of the pull of the deviation, against a normal distribution;
-    /// 1 in the middle.
-    fn weight(&self, square: f64) -> f64 {
-        ((self.freedom + 1.0) / (self.freedom - 2.0 + square)).min(1.0)
-    }
-}
-
-/// Covariance of two residuals through the times they share.
-#[inline]
-pub(super) fn covariance(
-    earlier: &Residual,
-    later: &Residual,
-    variance: impl Fn(usize) -> f64,
-) -> f64 {
-    let (a, b, own) = (earlier.timing, later.timing, later.impact);
-    match own - earlier.impact {
-        // The release and the first impact heard have the same one in the middle.
-        0 => a[1] * b[1] * variance(own),
-        1 => a[1] * b[0] * variance(own - 1) + a[2] * b[1] * variance(own),
-        2 => a[2] * b[0] * variance(own - 1),
-        _ => 0.0,
-    }
-}
-
-/// The flights after impacts that obey the law, from the speed at the first of them.
-fn chain(table: &FlightTable, point: &Point, impact: f64, flights: usize) -> Option<Vec<Row>> {
-    let mut rows = Vec::with_capacity(flights);
-    let mut impact = impact;
-    for _ in 0..flights {
-        let row = table.launch(impact * point.law.at(impact))?;
-        impact = row.impact;
-        rows.push(row);
-    }
-    Some(rows)
-}
-
-/// What a change of ln(launch speed) of the first flight does to the time of all (times gravity)
-/// and to ln(impact speed) at their end.
-fn response(rows: &[Row], point: &Point) -> (f64, f64) {
-    let (mut time, mut log_impact) = (0.0, 0.0);
-    let mut log_launch = 1.0;
-    for (flight, row) in rows.iter().enumerate() {
-        if flight > 0 {
-            log_launch = log_impact * (1.0 + point.law.log_slope(rows[flight - 1].impact));
-        }
-        time += log_launch * row.time_slope * row.time;
-        log_impact = log_launch * row.impact_slope;
-    }
-    (time, log_impact)
-}
-
-impl End {
-    fn of_flight(row: &Row, gravity: f64) -> Self {
-        let launch_per_s = gravity / (row.time_slope * row.time);
-        Self {
-            log_launch: row.launch.ln(),
-            log_impact: row.impact.ln(),
-            impact: row.impact,
-            launch_per_s,
-            impact_per_s: row.impact_slope * launch_per_s,
-            ..Self::default()
-        }
-    }
-}
-
-impl Residual {
-    /// Variance that it shares with no other residual.
-    pub(super) fn own_variance(&self) -> f64 {
-        self.own_variance
-    }
-
-    /// The residual of the impact between two stretches.
-    fn between(before: &End, after: &End, impact: usize, point: &Point) -> Self {
-        let keeps = 1.0 + point.law.log_slope(before.impact);
-        let by_before = -keeps * before.impact_per_s;
-        let by_after = after.launch_per_s;
-        Self {
-            value: after.log_launch - before.log_impact - point.law.at(before.impact).ln(),
-            timing: [-by_before, by_before - by_after, by_after],
-            scatter: 1.0 + after.launch_scatter + keeps * keeps * before.impact_scatter,
-            scatter_before: -keeps * before.shared_scatter,
-            impact,
-            own_variance: 0.0,
-        }
     }
 }
 
@@ -756,23 +510,5 @@ mod tests {
         assert!(residuals[4].scatter > 1.1 && residuals[4].scatter_before != 0.0);
         assert!((residuals[2].scatter - 1.0).abs() < 1e-12);
         assert_eq!(values(&impacts()).len(), residuals.len());
-    }
-
-    /// Student's t with variance one: it adds up to one, and so does its variance.
-    #[test]
-    fn the_tails_are_a_density() {
-        for share in [1.0, 0.5, 0.1] {
-            let tail = Tail::of(share);
-            let (mut total, mut variance) = (0.0, 0.0);
-            let step = 0.01;
-            for place in -20_000..=20_000 {
-                let z = f64::from(place) * step;
-                let density = tail.log_density(z * z).exp() / (2.0 * std::f64::consts::PI).sqrt();
-                total += step * density;
-                variance += step * density * z * z;
-            }
-            assert!((total - 1.0).abs() < 1e-4, "{share}: {total}");
-            assert!((variance - 1.0).abs() < 2e-3, "{share}: {variance}");
-        }
     }
 }

@@ -16,6 +16,9 @@ use crate::error::{Error, Result};
 use crate::flight::Environment;
 use crate::restitution::TimedImpact;
 
+/// Every so many draws go into answers that take long.
+pub(super) const THINNED: usize = 4;
+
 /// How much to compute.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Effort {

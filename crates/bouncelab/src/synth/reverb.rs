@@ -2,7 +2,9 @@
 
 use rand::{Rng, RngExt};
 use rand_distr::StandardNormal;
-use realfft::RealFftPlanner;
+use rustfft::algorithm::Radix4;
+use rustfft::num_complex::Complex;
+use rustfft::{Fft, FftDirection};
 
 use super::scene::Reverb;
 
@@ -41,33 +43,35 @@ fn impulse_response(
 /// Adds `recording` convolved with `kernel` to itself, block by block (overlap-add).
 fn add_convolved(recording: &mut [f32], kernel: &[f32]) {
     let size = (2 * kernel.len()).next_power_of_two();
-    let mut planner = RealFftPlanner::<f32>::new();
-    let (forward, inverse) = (
-        planner.plan_fft_forward(size),
-        planner.plan_fft_inverse(size),
-    );
-    let mut time = forward.make_input_vec();
-    let mut response = forward.make_output_vec();
-    let mut spectrum = forward.make_output_vec();
-    time[..kernel.len()].copy_from_slice(kernel);
-    // The buffers come from the plans themselves, so their lengths fit.
-    let fits = "buffer made by its plan";
-    forward.process(&mut time, &mut response).expect(fits);
+    let forward = Radix4::new(size, FftDirection::Forward);
+    let inverse = Radix4::new(size, FftDirection::Inverse);
+    let zero = Complex::new(0.0, 0.0);
+    let mut response = vec![zero; size];
+    let mut sound = vec![zero; size];
+    fill(&mut response, kernel);
+    forward.process(&mut response);
     // The inverse transform is not normalised.
     let scale = 1.0 / size as f32;
 
     let dry = recording.to_vec();
     let block = size - kernel.len() + 1;
     for (index, input) in dry.chunks(block).enumerate() {
-        time.fill(0.0);
-        time[..input.len()].copy_from_slice(input);
-        forward.process(&mut time, &mut spectrum).expect(fits);
-        for (x, h) in spectrum.iter_mut().zip(&response) {
-            *x *= h * scale;
+        fill(&mut sound, input);
+        forward.process(&mut sound);
+        for (x, h) in sound.iter_mut().zip(&response) {
+            *x = *x * h * scale;
         }
-        inverse.process(&mut spectrum, &mut time).expect(fits);
-        for (out, wet) in recording[index * block..].iter_mut().zip(&time) {
-            *out += wet;
+        inverse.process(&mut sound);
+        for (out, wet) in recording[index * block..].iter_mut().zip(&sound) {
+            *out += wet.re;
         }
+    }
+}
+
+/// These samples, and silence after them.
+fn fill(target: &mut [Complex<f32>], samples: &[f32]) {
+    let silence = std::iter::repeat(&0.0);
+    for (value, &sample) in target.iter_mut().zip(samples.iter().chain(silence)) {
+        *value = Complex::new(sample, 0.0);
     }
 }

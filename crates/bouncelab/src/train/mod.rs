@@ -251,6 +251,28 @@ pub fn find(onsets: &[Onset]) -> Found {
     found
 }
 
+/// The latest time at which another impact of this drop could be heard, in seconds: no flight is
+/// longer than the one before it, and no more than two impacts in a row escape notice. After it the
+/// ball rests, or was stopped.
+pub fn latest_next_s(impacts: &[HeardImpact]) -> f64 {
+    /// Two impacts that were missed, and the one that was heard.
+    const FLIGHTS: f64 = 3.0;
+    /// No two impacts heard are farther apart, in seconds: the flight would be 5 m high.
+    const LONGEST_S: f64 = 2.0;
+    /// An impact is noticed this much later at most, in seconds.
+    const NOTICE_S: f64 = 0.3;
+    let last_flight_s = impacts
+        .windows(2)
+        .map(|pair| {
+            let flights = f64::from(pair[1].number - pair[0].number);
+            (pair[1].onset.time_s - pair[0].onset.time_s) / flights
+        })
+        .next_back()
+        .unwrap_or(LONGEST_S);
+    let last_s = impacts.last().map_or(0.0, |impact| impact.onset.time_s);
+    last_s + (FLIGHTS * last_flight_s).min(LONGEST_S) + NOTICE_S
+}
+
 /// Numbers the impacts of one drop, the first 0, so that the flights shrink most evenly: an
 /// interval that is too long counts for several flights.
 ///

@@ -1,0 +1,137 @@
+//! Simulated drops as data for other programs: the schema `bouncelab.simulation/1`.
+
+use bouncelab::analysis::Settings;
+use bouncelab::drag::DragLaw;
+use bouncelab::drop::History;
+use serde::Serialize;
+
+/// Name and version of the schema.
+pub const SCHEMA: &str = "bouncelab.simulation/1";
+
+/// One simulated drop.
+#[derive(Clone, Debug)]
+pub struct Run {
+    /// Its drag law.
+    pub law: DragLaw,
+    /// Terminal speed in m/s, if there is drag.
+    pub terminal_speed_m_s: Option<f64>,
+    /// The mass that moves, in kg: energies of the history are per kilogram of it.
+    pub mass_kg: f64,
+    /// The drop.
+    pub history: History,
+}
+
+impl Run {
+    /// Energy at the start, in J.
+    pub fn initial_energy_j(&self) -> f64 {
+        self.mass_kg * self.history.initial_energy_j_kg()
+    }
+
+    /// Energy that all impacts took, in J.
+    pub fn lost_to_surface_j(&self) -> f64 {
+        let bounces = self.history.bounces().iter();
+        self.mass_kg
+            * bounces
+                .map(|bounce| bounce.lost_to_surface_j_kg)
+                .sum::<f64>()
+    }
+
+    /// Energy that the air took, in J.
+    pub fn lost_to_air_j(&self) -> f64 {
+        let bounces = self.history.bounces().iter();
+        let lost = bounces.map(|bounce| bounce.lost_to_air_j_kg).sum::<f64>();
+        self.mass_kg * (self.history.opening_lost_to_air_j_kg() + lost)
+    }
+
+    /// One row for each bounce.
+    pub fn bounces(&self) -> impl Iterator<Item = Bounce> + '_ {
+        let bounces = self.history.bounces().iter().zip(1..);
+        bounces.map(|(bounce, number)| Bounce {
+            drag: self.law.to_string(),
+            number,
+            time_s: bounce.time_s,
+            impact_speed_m_s: bounce.impact_speed_m_s,
+            restitution: bounce.restitution,
+            launch_speed_m_s: bounce.flight.launch_speed_m_s,
+            flight_time_s: bounce.flight.time_s(),
+            apex_m: bounce.flight.apex_m,
+            lost_to_surface_j: self.mass_kg * bounce.lost_to_surface_j_kg,
+            lost_to_air_j: self.mass_kg * bounce.lost_to_air_j_kg,
+        })
+    }
+}
+
+/// Drops of the same ball under several drag laws.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
+#[cfg_attr(feature = "typescript", ts(rename = "SimulationDocument"))]
+pub struct Document {
+    schema: &'static str,
+    ball_mass_kg: f64,
+    ball_diameter_m: f64,
+    contact_time_s: f64,
+    air_density_kg_m3: f64,
+    gravity_m_s2: f64,
+    assumptions: Vec<String>,
+    simulations: Vec<Simulation>,
+}
+
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
+struct Simulation {
+    drag: String,
+    terminal_speed_m_s: Option<f64>,
+    total_time_s: f64,
+    total_path_m: f64,
+    initial_energy_j: f64,
+    lost_to_surface_j: f64,
+    lost_to_air_j: f64,
+    bounces: Vec<Bounce>,
+}
+
+/// One bounce: an impact and the flight after it.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
+pub struct Bounce {
+    drag: String,
+    number: usize,
+    time_s: f64,
+    impact_speed_m_s: f64,
+    restitution: f64,
+    launch_speed_m_s: f64,
+    flight_time_s: f64,
+    apex_m: f64,
+    lost_to_surface_j: f64,
+    lost_to_air_j: f64,
+}
+
+impl Document {
+    /// The document of these runs.
+    pub fn new(runs: &[Run], settings: &Settings, assumptions: Vec<String>) -> Self {
+        Self {
+            schema: SCHEMA,
+            ball_mass_kg: settings.ball.mass_kg(),
+            ball_diameter_m: settings.ball.diameter_m(),
+            contact_time_s: settings.contact_time_s,
+            air_density_kg_m3: settings.environment.air.density_kg_m3(),
+            gravity_m_s2: settings.environment.gravity_m_s2,
+            assumptions,
+            simulations: runs.iter().map(Simulation::new).collect(),
+        }
+    }
+}
+
+impl Simulation {
+    fn new(run: &Run) -> Self {
+        Self {
+            drag: run.law.to_string(),
+            terminal_speed_m_s: run.terminal_speed_m_s,
+            total_time_s: run.history.total_time_s(),
+            total_path_m: run.history.total_path_m(),
+            initial_energy_j: run.initial_energy_j(),
+            lost_to_surface_j: run.lost_to_surface_j(),
+            lost_to_air_j: run.lost_to_air_j(),
+            bounces: run.bounces().collect(),
+        }
+    }
+}

@@ -1,0 +1,145 @@
+//! The figures of what was heard.
+
+use bouncelab::analysis::{Analysis, Settings};
+use bouncelab::estimate::Impact;
+use bouncelab::listen;
+
+use super::inferred;
+use crate::error::Result;
+use crate::figure::{self, Curve, Envelope, Figure, Line, Mark, Restitution, TimedFlight};
+use crate::theme::Meaning;
+
+/// Points along each flight of a drawn curve.
+const POINTS: usize = 24;
+
+/// The sound and the impacts of every drop in it.
+///
+/// # Errors
+///
+/// [`Error::Envelope`](crate::Error::Envelope) if the sound is longer than thirty years.
+pub fn waveform(sound: &listen::Envelope, drops: &[Analysis]) -> Result<Figure> {
+    let (least, greatest) = (sound.least().to_vec(), sound.greatest().to_vec());
+    let envelope = Envelope::new(0.0, sound.step_s(), least, greatest)?;
+    let marks: Vec<Mark> = drops
+        .iter()
+        .zip(1..)
+        .flat_map(|(found, drop)| {
+            found.impacts.iter().map(move |impact| Mark {
+                time_s: impact.time_s,
+                probability: impact.probability,
+                drop,
+            })
+        })
+        .collect();
+    Ok(figure::waveform(&envelope, &marks))
+}
+
+/// The flight times and the straight line through their logarithms.
+pub fn flight_times(drop: &Analysis) -> Figure {
+    let flights: Vec<TimedFlight> = drop
+        .flights
+        .iter()
+        .map(|flight| TimedFlight {
+            number: flight.number as u32,
+            time_s: flight.time_s,
+            standard_error_s: None,
+            used: flight.in_line,
+        })
+        .collect();
+    let line = drop.line.as_ref().ok().map(|fit| Line {
+        slope: fit.slope().value,
+        intercept: fit.intercept().value,
+    });
+    figure::flight_times(&flights, line)
+}
+
+/// The restitution of each impact, with the fitted law if there is an inference.
+pub fn restitution(drop: &Analysis) -> Figure {
+    let is_odd = |number: usize| {
+        let found = drop.estimate.as_ref().ok();
+        found.is_some_and(|found| {
+            let impact = found.impacts.iter().find(|impact| impact.number == number);
+            impact.is_some_and(Impact::is_odd)
+        })
+    };
+    let impacts = drop
+        .corrected
+        .as_ref()
+        .map_or(&[][..], |found| &found.impacts);
+    let raw: Vec<Restitution> = impacts
+        .iter()
+        .map(|impact| Restitution {
+            speed_m_s: impact.impact_speed_m_s,
+            value: impact.raw_ratio,
+            standard_error: None,
+            odd: false,
+        })
+        .collect();
+    let corrected: Vec<Restitution> = impacts
+        .iter()
+        .map(|impact| Restitution {
+            speed_m_s: impact.impact_speed_m_s,
+            value: impact.restitution.value,
+            standard_error: impact.restitution.standard_error,
+            odd: is_odd(impact.number),
+        })
+        .collect();
+    let line = drop.line.as_ref().ok().map(|fit| fit.restitution().value);
+    let band = drop
+        .estimate
+        .as_ref()
+        .map_or_else(|_| Vec::new(), inferred::band);
+    figure::restitution(&raw, &corrected, &band, line)
+}
+
+/// The height of the ball by the flight model, from impact to impact.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Flown {
+    /// Time in s and height in m; a height that is not a number parts flights between which an
+    /// impact was missed.
+    pub points: Vec<(f64, f64)>,
+    /// Time in s and height in m of each apex.
+    pub apexes: Vec<(f64, f64)>,
+}
+
+/// The height of each flight by the flight model; nothing if the impacts allow none.
+pub fn flown(drop: &Analysis, settings: &Settings) -> Flown {
+    let mut flown = Flown::default();
+    let (Ok(found), Ok(model)) = (&drop.corrected, settings.model()) else {
+        return flown;
+    };
+    let mut last = None;
+    for timed in &found.flights {
+        let mut impacts = drop.impacts.iter();
+        let Some(impact) = impacts.find(|impact| impact.number == timed.number) else {
+            continue;
+        };
+        let start_s = impact.time_s + settings.contact_time_s;
+        if last.is_some_and(|last| last + 1 != timed.number) {
+            flown.points.push((start_s, f64::NAN));
+        }
+        last = Some(timed.number);
+        flown.points.extend((0..=POINTS).map(|point| {
+            let after_s = timed.flight.time_s() * point as f64 / POINTS as f64;
+            let height_m = model.state(&timed.flight, after_s).height_m;
+            (start_s + after_s, height_m)
+        }));
+        let apex_s = start_s + timed.flight.rise_time_s;
+        flown.apexes.push((apex_s, timed.flight.apex_m));
+    }
+    flown
+}
+
+/// The height of each flight by the flight model, from impact to impact.
+pub fn height(drop: &Analysis, settings: &Settings) -> Figure {
+    let Flown { points, apexes } = flown(drop, settings);
+    let name = format!("flight model, drag {}", settings.environment.drag);
+    figure::height(
+        &[Curve {
+            name,
+            meaning: Meaning::Drag,
+            points,
+        }],
+        &apexes,
+    )
+}

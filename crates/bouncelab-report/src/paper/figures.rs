@@ -1,0 +1,162 @@
+//! The figures of the paper, drawn again.
+
+use super::experiment::{
+    self, CONSTANT, GRAVITY_M_S2, REGRESSED, SIMULATED, behind_the_regression, dropped, model,
+};
+use crate::error::Result;
+use crate::figure::{self, Curve, DragAxes, Envelope, Figure, Line, Mark, TimedFlight};
+use crate::theme::Meaning;
+use bouncelab::drag::DragLaw;
+use bouncelab::drop::{History, Stop};
+use bouncelab::impact::Strike;
+use bouncelab::listen::Listener;
+use bouncelab::regression;
+use bouncelab::synth::{self, Noise, Scene};
+use bouncelab::train::Train;
+
+/// Name and drawing of each of its figures that can be computed, in the order of the paper.
+///
+/// # Errors
+///
+/// Those of the physics; none with the numbers of the paper.
+pub fn figures() -> Result<Vec<(&'static str, Figure)>> {
+    Ok(vec![
+        ("fig2-height-without-drag", height_without_drag()?),
+        ("fig4-sound", sound()?),
+        ("fig5-flight-times", flight_times()?),
+        ("fig6-drag", drag(DragAxes::Linear, 10.0)?),
+        ("fig7-drag-log", drag(DragAxes::Logarithmic, 10.0)?),
+        ("fig8-height-with-drag", height_with_drag()?),
+    ])
+}
+
+/// Points along a curve.
+const POINTS: u32 = 4000;
+
+fn curve(name: &str, meaning: Meaning, history: &History) -> Curve {
+    let end_s = history.total_time_s();
+    let times = (0..=POINTS).map(|point| end_s * f64::from(point) / f64::from(POINTS));
+    let points = times
+        .map(|time_s| (time_s, history.height_at(time_s)))
+        .collect();
+    Curve {
+        name: name.to_owned(),
+        meaning,
+        points,
+    }
+}
+
+/// Fig. 2: the first few bounces.
+fn height_without_drag() -> Result<Figure> {
+    let history = dropped(&model(DragLaw::None)?, REGRESSED, Stop::after(3))?;
+    Ok(figure::height(
+        &[curve("no drag, e = 0.9375", Meaning::NoDrag, &history)],
+        &[],
+    ))
+}
+
+/// Fig. 4: the sound of the drop, synthesised, with the impacts that are heard in it.
+fn sound() -> Result<Figure> {
+    let history = dropped(
+        &model(CONSTANT)?,
+        behind_the_regression(10)?,
+        Stop::below(5e-4),
+    )?;
+    let strikes: Vec<Strike> = history.strikes().collect();
+    let scene = Scene {
+        noise: Some(Noise::pink(40.0)),
+        ..Scene::default()
+    };
+    let recording = synth::render(&strikes, &scene, 1)?;
+    let mut listener = Listener::new(recording.sample_rate_hz, 1);
+    listener.push(&[&recording.samples]);
+    let heard = listener.finish();
+    let (least, greatest) = (
+        heard.envelope.least().to_vec(),
+        heard.envelope.greatest().to_vec(),
+    );
+    let envelope = Envelope::new(0.0, heard.envelope.step_s(), least, greatest)?;
+    let marks: Vec<Mark> = heard
+        .found
+        .trains
+        .iter()
+        .flat_map(Train::impacts)
+        .map(|impact| Mark {
+            time_s: impact.onset.time_s,
+            probability: impact.probability,
+            drop: 1,
+        })
+        .collect();
+    Ok(figure::waveform(&envelope, &marks))
+}
+
+/// Fig. 5: ten flights of the drop that regresses to the paper's e.
+fn flight_times() -> Result<Figure> {
+    let history = dropped(
+        &model(CONSTANT)?,
+        behind_the_regression(10)?,
+        Stop::after(20),
+    )?;
+    let flights = experiment::flights(&history);
+    let fit = regression::fit(&flights[..10], GRAVITY_M_S2)?;
+    let drawn: Vec<TimedFlight> = flights
+        .iter()
+        .map(|flight| TimedFlight {
+            number: flight.number as u32,
+            time_s: flight.time_s,
+            standard_error_s: None,
+            used: flight.number <= 10,
+        })
+        .collect();
+    let line = Line {
+        slope: fit.slope().value,
+        intercept: fit.intercept().value,
+    };
+    Ok(figure::flight_times(&drawn, Some(line)))
+}
+
+/// Figs. 6 and 7: drag over weight, of both models.
+fn drag(axes: DragAxes, fastest_m_s: f64) -> Result<Figure> {
+    let curves = [
+        (
+            "C_D(Re): clift-grace-weber",
+            DragLaw::CliftGraceWeber,
+            Meaning::Drag,
+        ),
+        ("C_D = 0.4", CONSTANT, Meaning::NoDrag),
+    ]
+    .into_iter()
+    .map(|(name, law, meaning)| {
+        let model = model(law)?;
+        let points = (0..=300)
+            .map(|step| 0.1 * (fastest_m_s / 0.1).powf(f64::from(step) / 300.0))
+            .map(|speed| Ok((speed, model.drag_over_weight(speed)?)))
+            .collect::<bouncelab::Result<Vec<_>>>()?;
+        Ok(Curve {
+            name: name.to_owned(),
+            meaning,
+            points,
+        })
+    })
+    .collect::<Result<Vec<Curve>>>()?;
+    let fastest = model(CONSTANT)?
+        .fall(experiment::DROP_HEIGHT_M)?
+        .impact_speed_m_s;
+    Ok(figure::drag(&curves, axes, Some(fastest)))
+}
+
+/// Fig. 8: the whole history with both models: they agree to the eye.
+fn height_with_drag() -> Result<Figure> {
+    let history = |law| dropped(&model(law)?, SIMULATED, Stop::below(1e-5));
+    Ok(figure::height(
+        &[
+            curve("C_D = 0.4", Meaning::NoDrag, &history(CONSTANT)?),
+            curve(
+                "C_D(Re)",
+                Meaning::Drag,
+                &history(DragLaw::CliftGraceWeber)?,
+            ),
+        ],
+        &[],
+    ))
+}

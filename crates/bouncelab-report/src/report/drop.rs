@@ -1,0 +1,333 @@
+//! One drop in words, numbers and figures.
+
+use bouncelab::analysis::{Analysis, SURE, Settings};
+use bouncelab::estimate::{Inference, Narrowed, Summary, TOLD_NOTHING, UNKNOWN};
+use bouncelab::regression::{Estimate, Regression};
+
+use super::page::{Block, Section};
+use super::recording::sentence;
+use crate::quantity::{CANNOT_TELL, Quantity, Unit};
+use crate::table::{Align, Table};
+use crate::{illustration, tables};
+
+/// The answer of a drop in plain words: one sentence to remember, and what it rests on.
+pub fn in_words(drop: &Analysis) -> Vec<Block> {
+    let mut words = vec![Block::Lead(kept(drop)), Block::text(heard(drop))];
+    if let (Ok(found), Ok(line)) = (&drop.estimate, &drop.line) {
+        words.push(Block::text(against_the_line(found, line)));
+    }
+    words
+}
+
+/// "The ball kept 94.6 ± 0.2 % of its speed at each bounce and fell from 30.4 ± 0.6 cm."
+fn kept(drop: &Analysis) -> String {
+    let share = |value: f64, sd: f64| Quantity::measured(value, sd, Unit::Percent);
+    match (&drop.estimate, drop.corrected_restitution(), &drop.line) {
+        (Ok(found), ..) => {
+            let e = share(found.restitution.value, found.restitution.sd);
+            let height = measured(&found.drop_height_m, Unit::Length);
+            let which = if found.first_was_heard() || found.missed_first.is_some() {
+                ""
+            } else {
+                " before the first impact heard"
+            };
+            format!("The ball kept {e} of its speed at each bounce and fell from {height}{which}.")
+        }
+        (_, Some(corrected), _) => format!(
+            "The ball kept {} of its speed at each bounce.",
+            estimated(corrected, Unit::Percent)
+        ),
+        (.., Ok(line)) => format!(
+            "If there were no air, the ball kept {} of its speed at each bounce and fell from {}.",
+            estimated(line.restitution(), Unit::Percent),
+            estimated(line.drop_height_m(), Unit::Length)
+        ),
+        (.., Err(reason)) => format!("How much the ball kept {CANNOT_TELL}: {reason}."),
+    }
+}
+
+fn heard(drop: &Analysis) -> String {
+    let impacts = &drop.impacts;
+    let span = match (impacts.first(), impacts.last()) {
+        (Some(first), Some(last)) => {
+            format!(" from {:.2} s to {:.2} s", first.time_s, last.time_s)
+        }
+        _ => String::new(),
+    };
+    let unsure = impacts.iter().filter(|i| i.probability < SURE).count();
+    let unsure = match unsure {
+        0 => "none of them uncertain".to_owned(),
+        1 => "one of them uncertain".to_owned(),
+        count => format!("{count} of them uncertain"),
+    };
+    let words = format!("{} impacts were heard{span}, {unsure}.", impacts.len());
+    if let Ok(found) = &drop.estimate {
+        let speed = Quantity::rounded(found.at_speed_m_s, 3, Unit::Speed);
+        let e = measured(&found.restitution, Unit::Number);
+        words
+            + &format!(
+                " The restitution, speed after an impact over speed before it, is {e} at {speed}, \
+                 with the air accounted for."
+            )
+    } else {
+        words
+    }
+}
+
+/// What drag does to the straight line of the paper.
+fn against_the_line(found: &Inference, line: &Regression) -> String {
+    let points = 100.0 * (found.restitution.value - line.restitution().value);
+    let verdict = if points.abs() < 0.05 {
+        "the same".to_owned()
+    } else {
+        let side = if points > 0.0 { "less" } else { "more" };
+        format!("{:.1} points {side}", points.abs())
+    };
+    format!(
+        "A straight line through the logarithms of the flight times, which knows no air, says {} \
+         ({verdict}) and {}.",
+        estimated(line.restitution(), Unit::Percent),
+        estimated(line.drop_height_m(), Unit::Length)
+    )
+}
+
+/// Everything about one drop; `with_words` puts the answer in words first.
+pub fn drop(heading: &str, drop: &Analysis, settings: &Settings, with_words: bool) -> Section {
+    let mut blocks = if with_words {
+        in_words(drop)
+    } else {
+        Vec::new()
+    };
+    blocks.extend(
+        drop.warnings
+            .iter()
+            .map(|warning| Block::Note(sentence(&warning.to_string()))),
+    );
+    blocks.push(Block::table(
+        "What the silences say, and what a straight line makes of them",
+        answers(drop, settings),
+    ));
+    let mut parts = vec![impacts(drop, settings), straight_line(drop)];
+    match &drop.estimate {
+        Ok(found) => {
+            blocks.extend(
+                found
+                    .remarks
+                    .iter()
+                    .map(|remark| Block::Note(sentence(&remark.to_string()))),
+            );
+            parts.push(uncertainty(found));
+            parts.push(laws(found));
+            parts.push(told(found));
+            parts.push(fit(drop, found, settings));
+        }
+        Err(reason) if settings.question.is_some() => {
+            blocks.push(Block::Note(format!("There is no inference: {reason}.")));
+        }
+        Err(_) => {}
+    }
+    Section {
+        heading: heading.to_owned(),
+        blocks,
+        parts,
+    }
+}
+
+/// Inference and straight line side by side.
+fn answers(drop: &Analysis, settings: &Settings) -> Table {
+    let mut table = Table::new([
+        ("", Align::Left),
+        ("inference, with air", Align::Right),
+        ("95 %", Align::Right),
+        ("straight line, no air", Align::Right),
+    ]);
+    let line = drop.line.as_ref().ok();
+    let found = drop.estimate.as_ref().ok();
+    let mut row = |name: &str, inferred: Option<(&Summary, Unit)>, lined: Option<String>| {
+        if inferred.is_none() && lined.is_none() {
+            return;
+        }
+        let (value, interval) = inferred.map_or_else(Default::default, |(summary, unit)| {
+            let value = Quantity::measured(summary.value, summary.sd, unit);
+            (value.to_string(), value.interval(summary.interval95))
+        });
+        table.row([name.to_owned(), value, interval, lined.unwrap_or_default()]);
+    };
+    let of_line = |value: fn(&Regression) -> Option<Estimate>, unit: Unit| {
+        line.and_then(value).map(|value| estimated(value, unit))
+    };
+    row(
+        "restitution e",
+        found.map(|f| (&f.restitution, Unit::Number)),
+        of_line(|line| Some(line.restitution()), Unit::Number),
+    );
+    row(
+        "drop height",
+        found.map(|f| (&f.drop_height_m, Unit::Length)),
+        of_line(|line| Some(line.drop_height_m()), Unit::Length),
+    );
+    row(
+        "energy kept",
+        None,
+        of_line(|line| Some(line.energy_kept()), Unit::Percent),
+    );
+    let drag = found.and_then(|f| f.drag.as_ref());
+    row(
+        "drag coefficient",
+        drag.map(|d| (&d.coefficient, Unit::Number)),
+        None,
+    );
+    let terminal = drag.and_then(|d| d.terminal_speed_m_s.as_ref());
+    row("terminal speed", terminal.map(|t| (t, Unit::Speed)), None);
+    if settings.knowledge.gravity >= UNKNOWN {
+        row(
+            "gravity",
+            found.map(|f| (&f.gravity_m_s2, Unit::Acceleration)),
+            None,
+        );
+    }
+    row(
+        "scatter from impact to impact",
+        found.map(|f| (&f.scatter, Unit::Percent)),
+        None,
+    );
+    row(
+        "release until rest",
+        found
+            .and_then(|f| f.total_time_s.as_ref())
+            .map(|t| (t, Unit::Time)),
+        of_line(Regression::total_time_s, Unit::Time),
+    );
+    row(
+        "path until rest",
+        found
+            .and_then(|f| f.total_path_m.as_ref())
+            .map(|p| (p, Unit::Length)),
+        of_line(Regression::total_path_m, Unit::Length),
+    );
+    table
+}
+
+fn impacts(drop: &Analysis, settings: &Settings) -> Section {
+    Section::new(
+        "The impacts",
+        vec![
+            Block::figure("height", illustration::height(drop, settings)),
+            Block::figure("restitution", illustration::restitution(drop)),
+            Block::table(
+                "Impacts, each with the flight after it and its restitution, without and with \
+                 correction for drag (? marks uncertain ones)",
+                tables::impacts(drop, true),
+            ),
+        ],
+    )
+}
+
+fn straight_line(drop: &Analysis) -> Section {
+    let mut blocks = Vec::new();
+    match &drop.line {
+        Ok(line) => {
+            let flights = drop.flights.iter().filter(|flight| flight.in_line).count();
+            let fits = line.r_squared().map_or_else(String::new, |r| {
+                format!(", with a coefficient of determination of {r:.5}")
+            });
+            blocks.push(Block::text(format!(
+                "It goes through {flights} flights{fits}."
+            )));
+            blocks.push(Block::figure(
+                "flight-times",
+                illustration::flight_times(drop),
+            ));
+        }
+        Err(reason) => blocks.push(Block::text(format!("There is none: {reason}."))),
+    }
+    Section::new("The straight line", blocks)
+}
+
+fn uncertainty(found: &Inference) -> Section {
+    Section::new(
+        "Where the uncertainty comes from",
+        vec![
+            Block::table(
+                "Budget of the restitution",
+                tables::budget(&found.budget.restitution, Unit::Number),
+            ),
+            Block::table(
+                "Budget of the drop height",
+                tables::budget(&found.budget.drop_height_m, Unit::Length),
+            ),
+            Block::figure("budget", illustration::budget(found)),
+        ],
+    )
+}
+
+fn laws(found: &Inference) -> Section {
+    let mut blocks = vec![Block::table(
+        "Laws of equal probability before the data",
+        tables::models(found),
+    )];
+    blocks.extend(illustration::models(found).map(|drawn| Block::figure("models", drawn)));
+    Section::new("Which laws may be true", blocks)
+}
+
+/// What the data told, and what only the priors did.
+fn told(found: &Inference) -> Section {
+    let sentences = found.narrowed.iter().map(narrowed).collect();
+    Section::new(
+        "What this recording can tell",
+        vec![
+            Block::List(sentences),
+            Block::figure("posterior", illustration::corner(found)),
+            Block::table("Correlations of the answers", tables::correlations(found)),
+        ],
+    )
+}
+
+fn narrowed(narrowed: &Narrowed) -> String {
+    let unknown = sentence(&narrowed.unknown.to_string());
+    let unknown = unknown.trim_end_matches('.');
+    let left = 100.0 * narrowed.remaining;
+    if narrowed.remaining > TOLD_NOTHING {
+        format!("{unknown}: these data say next to nothing; it is what was known before.")
+    } else if narrowed.remaining > 0.5 {
+        format!("{unknown}: the data help a little; {left:.0} % of the prior uncertainty is left.")
+    } else {
+        format!("{unknown}: told by the data; {left:.0} % of the prior uncertainty is left.")
+    }
+}
+
+fn fit(drop: &Analysis, found: &Inference, settings: &Settings) -> Section {
+    let sampling = &found.sampling;
+    let mut blocks = vec![
+        Block::figure("residuals", illustration::residuals(found)),
+        Block::table(
+            "The impacts as the inference has them, with the energy each took and its weight in \
+             the fit",
+            tables::fitted_impacts(found),
+        ),
+        Block::text(format!(
+            "The sampling is worth {:.0} independent draws; its Pareto shape is {:.2} (good below \
+             0.7).",
+            sampling.effective_draws, sampling.pareto_shape
+        )),
+    ];
+    if let Some(drawn) = illustration::cut(drop, settings) {
+        blocks.push(Block::text(
+            "A method that is right does not change its answer with the number of flights it uses:",
+        ));
+        blocks.push(Block::figure("cut", drawn));
+    }
+    Section::new("How well it fits", blocks)
+}
+
+fn measured(summary: &Summary, unit: Unit) -> Quantity {
+    Quantity::measured(summary.value, summary.sd, unit)
+}
+
+/// A value with its standard error, or with four digits where there is none.
+fn estimated(estimate: Estimate, unit: Unit) -> String {
+    match estimate.standard_error {
+        Some(error) => Quantity::measured(estimate.value, error, unit).to_string(),
+        None => Quantity::rounded(estimate.value, 4, unit).to_string(),
+    }
+}

@@ -1,0 +1,137 @@
+//! A page as one HTML file that asks nothing of anybody.
+//!
+//! The policy in its head forbids the browser every request, so that a figure or a font can never
+//! come from elsewhere, nor a script run.
+
+use maud::{DOCTYPE, Markup, PreEscaped, html};
+
+use super::page::{Block, Page, Section};
+use crate::figure::Figure;
+use crate::table::{Align, Table};
+
+const STYLE: &str = include_str!("style.css");
+
+/// Nothing may be fetched and nothing run; the style stands in the file.
+const POLICY: &str = "default-src 'none'; style-src 'unsafe-inline'; img-src data:";
+
+impl Page {
+    /// The page as a whole file.
+    pub fn html(&self) -> String {
+        let mut form = Form::default();
+        let page = html! {
+            (DOCTYPE)
+            html lang="en" {
+                head {
+                    meta charset="utf-8";
+                    meta http-equiv="Content-Security-Policy" content=(POLICY);
+                    meta name="viewport" content="width=device-width, initial-scale=1";
+                    meta name="color-scheme" content="light dark";
+                    meta name="generator" content={ "bouncelab " (env!("CARGO_PKG_VERSION")) };
+                    title { (self.title) }
+                    link rel="icon" href="data:,";
+                    style { (PreEscaped(STYLE)) }
+                }
+                body {
+                    header {
+                        h1 { (self.title) }
+                        p .subtitle { (self.subtitle) }
+                    }
+                    main {
+                        @if !self.lead.is_empty() {
+                            div .lead { @for block in &self.lead { (form.block(block)) } }
+                        }
+                        @for section in &self.sections { (form.section(section, 2)) }
+                    }
+                }
+            }
+        };
+        page.into_string()
+    }
+}
+
+/// A table of so many rows stays on one page.
+const SHORT: usize = 16;
+
+/// What is counted while a page is written.
+#[derive(Default)]
+struct Form {
+    sections: usize,
+    figures: usize,
+}
+
+impl Form {
+    fn section(&mut self, section: &Section, level: usize) -> Markup {
+        self.sections += 1;
+        let id = format!("section-{}", self.sections);
+        html! {
+            section aria-labelledby=(id) {
+                (heading(&section.heading, level, &id))
+                @for block in &section.blocks { (self.block(block)) }
+                @for part in &section.parts { (self.section(part, level + 1)) }
+            }
+        }
+    }
+
+    fn block(&mut self, block: &Block) -> Markup {
+        match block {
+            Block::Lead(words) => html! { p .first { (words) } },
+            Block::Text(words) => html! { p { (words) } },
+            Block::Note(words) => html! { p .note { strong { "Note. " } (words) } },
+            Block::List(items) => html! { ul { @for item in items { li { (item) } } } },
+            Block::Facts(facts) => html! {
+                dl { @for (name, value) in facts { div { dt { (name) } dd { (value) } } } }
+            },
+            Block::Table { caption, table } => of_table(caption, table),
+            Block::Figure { figure, .. } => self.figure(figure),
+            Block::Equation(equation) => html! {
+                div .equation { math display="block" { mrow { (equation.mathml()) } } }
+            },
+            Block::Code(text) => html! { pre { code { (text) } } },
+        }
+    }
+
+    fn figure(&mut self, figure: &Figure) -> Markup {
+        self.figures += 1;
+        html! {
+            figure id={ "figure-" (self.figures) } {
+                (PreEscaped(figure.svg()))
+                figcaption { b { "Figure " (self.figures) ". " } (figure.caption()) }
+            }
+        }
+    }
+}
+
+fn heading(text: &str, level: usize, id: &str) -> Markup {
+    match level {
+        0..=2 => html! { h2 id=(id) { (text) } },
+        3 => html! { h3 id=(id) { (text) } },
+        _ => html! { h4 id=(id) { (text) } },
+    }
+}
+
+fn of_table(caption: &str, table: &Table) -> Markup {
+    let side = |align: &Align| match align {
+        Align::Left => None,
+        Align::Right => Some("number"),
+    };
+    html! {
+        // Wide tables move sideways by themselves, also by the keyboard.
+        div .table .short[table.rows().len() <= SHORT] role="region" aria-label=(caption) tabindex="0" {
+            table {
+                caption { (caption) }
+                thead {
+                    tr {
+                        @for (name, align) in table.columns() { th class=[side(align)] scope="col" { (name) } }
+                    }
+                }
+                tbody {
+                    @for row in table.rows() {
+                        tr { @for (cell, (_, align)) in row.iter().zip(table.columns()) {
+                            td class=[side(align)] { (cell) }
+                        } }
+                    }
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,48 @@
+//! An analysis as a page: to read, to print, and to repeat.
+//!
+//! A [`Page`] says what there is to say (headings, words, tables, figures, formulas); it becomes one
+//! HTML file that needs nothing else, or Markdown for a notebook. [`of_recording`] makes the page of
+//! a recording; the sections it is made of stand here one by one, for pages of other things.
+//!
+//! ```
+//! use bouncelab::analysis::{self, Settings};
+//! use bouncelab_report::document::Origin;
+//! use bouncelab_report::report::{self, Provenance, Recording};
+//!
+//! let settings = Settings { question: None, ..Settings::default() };
+//! let impacts = analysis::impacts_of_times(&[0.0, 0.4605, 0.8877, 1.2854, 1.6568]);
+//! let drops = [analysis::analyze(impacts, &settings)];
+//! let page = report::of_recording(
+//!     &Recording {
+//!         name: "drop.txt",
+//!         origin: &Origin::Times,
+//!         settings: &settings,
+//!         ball_label: "table tennis 40+",
+//!         assumptions: &[],
+//!         drops: &drops,
+//!         no_drop: None,
+//!         warnings: &[],
+//!         sound: None,
+//!     },
+//!     &Provenance::default(),
+//! );
+//! assert!(page.html().starts_with("<!DOCTYPE html>"));
+//! assert!(page.markdown("figures").text.starts_with("# drop.txt"));
+//! ```
+
+mod conditions;
+mod drop;
+mod equation;
+mod html;
+mod markdown;
+mod method;
+mod page;
+mod recording;
+
+pub use conditions::conditions;
+pub use drop::{drop, in_words};
+pub use equation::Equation;
+pub use markdown::Markdown;
+pub use method::method;
+pub use page::{Block, Page, Section};
+pub use recording::{Provenance, Recording, of_recording, repeat};

@@ -1,0 +1,105 @@
+//! A page before it has a form: headings, words, tables, figures and equations in order.
+
+use super::equation::Equation;
+use crate::figure::Figure;
+use crate::table::Table;
+
+/// A document to read: what it says, not how it looks.
+///
+/// [`Page::html`] and [`Page::markdown`] give it a form. Texts are plain: whatever they contain is
+/// shown as it is, markup too.
+#[derive(Debug)]
+pub struct Page {
+    /// The heading of the whole page.
+    pub title: String,
+    /// One line below it: what made the page, and of what.
+    pub subtitle: String,
+    /// What stands first: the answer in words.
+    pub lead: Vec<Block>,
+    /// The rest.
+    pub sections: Vec<Section>,
+}
+
+/// A heading and what belongs to it.
+#[derive(Debug)]
+pub struct Section {
+    /// The heading.
+    pub heading: String,
+    /// What stands under it.
+    pub blocks: Vec<Block>,
+    /// Sections within it.
+    pub parts: Vec<Section>,
+}
+
+impl Section {
+    /// A section without parts.
+    pub fn new(heading: impl Into<String>, blocks: Vec<Block>) -> Self {
+        Self {
+            heading: heading.into(),
+            blocks,
+            parts: Vec::new(),
+        }
+    }
+
+    /// Whether it says nothing but its heading.
+    pub fn is_empty(&self) -> bool {
+        self.blocks.is_empty() && self.parts.is_empty()
+    }
+}
+
+/// A piece of a section.
+#[derive(Debug)]
+#[non_exhaustive]
+pub enum Block {
+    /// The sentence that everybody reads, in large letters.
+    Lead(String),
+    /// A paragraph.
+    Text(String),
+    /// Something to be careful with.
+    Note(String),
+    /// Things of the same kind, in words.
+    List(Vec<String>),
+    /// Names and values.
+    Facts(Vec<(String, String)>),
+    /// A table, with what it shows.
+    Table {
+        /// What it shows, in a few words.
+        caption: String,
+        /// The table.
+        table: Table,
+    },
+    /// A figure, with its name in links and files.
+    Figure {
+        /// Lower-case letters, digits and hyphens; made unique where the same name comes again.
+        name: String,
+        /// The drawing, whose caption stands under it.
+        figure: Box<Figure>,
+    },
+    /// A formula on a line of its own.
+    Equation(Equation),
+    /// Something to type, or to compare letter by letter.
+    Code(String),
+}
+
+impl Block {
+    /// A paragraph.
+    pub fn text(words: impl Into<String>) -> Self {
+        Self::Text(words.into())
+    }
+
+    /// A table with its caption.
+    pub fn table(caption: impl Into<String>, table: Table) -> Self {
+        Self::Table {
+            caption: caption.into(),
+            table,
+        }
+    }
+
+    /// A figure with its name.
+    pub fn figure(name: impl Into<String>, figure: Figure) -> Self {
+        Self::Figure {
+            name: name.into(),
+            figure: Box::new(figure),
+        }
+    }
+}

@@ -1,0 +1,163 @@
+//! The page of one recording.
+
+use bouncelab::analysis::{Analysis, Settings};
+use bouncelab::listen::Envelope;
+
+use super::conditions::conditions;
+use super::drop::{drop, in_words};
+use super::method::method;
+use super::page::{Block, Page, Section};
+use crate::document::Origin;
+use crate::illustration;
+
+/// A recording, or a list of times, and what it said.
+#[derive(Debug, Clone, Copy)]
+pub struct Recording<'a> {
+    /// Its name, as the person gave it.
+    pub name: &'a str,
+    /// Where the times come from.
+    pub origin: &'a Origin,
+    /// What was known or assumed.
+    pub settings: &'a Settings,
+    /// The ball in words.
+    pub ball_label: &'a str,
+    /// What of it nobody stated, one phrase for each.
+    pub assumptions: &'a [String],
+    /// The drops in it, in order of time.
+    pub drops: &'a [Analysis],
+    /// Why there is none.
+    pub no_drop: Option<&'a str>,
+    /// What is odd about the recording.
+    pub warnings: &'a [String],
+    /// Loudness over time, if it is a sound.
+    pub sound: Option<&'a Envelope>,
+}
+
+/// How to get the same page again.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct Provenance {
+    /// The command, ready to be typed.
+    pub command: Option<String>,
+    /// Name and SHA-256 (in hexadecimal) of each file that was read.
+    pub files: Vec<(String, String)>,
+    /// When the page was made, as it shall be shown.
+    pub made: Option<String>,
+}
+
+/// The page of a recording: each drop in words and numbers, what was assumed, the method, and how to
+/// repeat it.
+pub fn of_recording(recording: &Recording, provenance: &Provenance) -> Page {
+    let drops = recording.drops;
+    let mut sections = Vec::new();
+    for (index, found) in drops.iter().enumerate() {
+        let heading = match drops.len() {
+            1 => "The drop".to_owned(),
+            count => format!("Drop {} of {count}", index + 1),
+        };
+        // With a single drop the page begins with the words already.
+        sections.push(drop(&heading, found, recording.settings, drops.len() > 1));
+    }
+    sections.push(conditions(recording));
+    sections.push(air(recording));
+    sections.push(method());
+    sections.push(repeat(provenance));
+    sections.retain(|section| !section.is_empty());
+    Page {
+        title: file_name(recording.name),
+        subtitle: subtitle(provenance),
+        lead: lead(recording),
+        sections,
+    }
+}
+
+/// The name without its folder, which says nothing of the recording.
+fn file_name(name: &str) -> String {
+    let own = name.rsplit(['/', '\\']).find(|part| !part.is_empty());
+    own.unwrap_or(name).to_owned()
+}
+
+fn subtitle(provenance: &Provenance) -> String {
+    let by = format!("Report of bouncelab {}", env!("CARGO_PKG_VERSION"));
+    match &provenance.made {
+        Some(made) => format!("{by}, {made}"),
+        None => by,
+    }
+}
+
+fn lead(recording: &Recording) -> Vec<Block> {
+    let mut lead = Vec::new();
+    match recording.drops {
+        [] => {
+            let reason = recording.no_drop.unwrap_or("nothing in it bounces");
+            lead.push(Block::Lead(format!("No drop was found: {reason}.")));
+        }
+        [only] => lead.extend(in_words(only)),
+        several => {
+            let impacts: usize = several.iter().map(|drop| drop.impacts.len()).sum();
+            lead.push(Block::Lead(format!(
+                "{} drops with {impacts} impacts were heard.",
+                several.len()
+            )));
+        }
+    }
+    lead.extend(
+        recording
+            .warnings
+            .iter()
+            .map(|warning| Block::Note(sentence(warning))),
+    );
+    if let Some(sound) = recording.sound
+        && let Ok(drawn) = illustration::waveform(sound, recording.drops)
+    {
+        lead.push(Block::figure("waveform", drawn));
+    }
+    lead
+}
+
+fn air(recording: &Recording) -> Section {
+    let figures = illustration::of_air(recording.drops, recording.settings);
+    let blocks = figures
+        .into_iter()
+        .map(|drawn| Block::figure(drawn.name, drawn.figure))
+        .collect();
+    Section::new("The air at these speeds", blocks)
+}
+
+/// How to get the same page again: version, command, and the hash of each file.
+pub fn repeat(provenance: &Provenance) -> Section {
+    let mut blocks = vec![Block::text(format!(
+        "Version {} of bouncelab gives the same numbers from the same file and settings; the random \
+         numbers of the inference have a seed.",
+        env!("CARGO_PKG_VERSION")
+    ))];
+    if let Some(command) = &provenance.command {
+        blocks.push(Block::Code(command.clone()));
+    }
+    if !provenance.files.is_empty() {
+        blocks.push(Block::text(
+            "The files that were read, by their SHA-256 (sha256sum shows it):",
+        ));
+        let lines: Vec<String> = provenance
+            .files
+            .iter()
+            .map(|(name, hash)| format!("{hash}  {name}"))
+            .collect();
+        blocks.push(Block::Code(lines.join("\n")));
+    }
+    Section::new("To repeat this", blocks)
+}
+
+/// A remark as a sentence: with a capital letter and a full stop.
+pub(super) fn sentence(remark: &str) -> String {
+    let mut letters = remark.chars();
+    let first: String = letters
+        .next()
+        .map(|letter| letter.to_uppercase().collect())
+        .unwrap_or_default();
+    let end = if remark.ends_with(['.', '?', '!']) {
+        ""
+    } else {
+        "."
+    };
+    format!("{first}{}{end}", letters.as_str())
+}

@@ -1,0 +1,184 @@
+//! Reports as files: whole, self-contained, and safe whatever a name contains.
+
+use std::collections::BTreeSet;
+
+use bouncelab::analysis::{self, Analysis, Settings};
+use bouncelab::estimate::{Effort, Question};
+use bouncelab_report::document::Origin;
+use bouncelab_report::report::{self, Markdown, Page, Provenance, Recording};
+
+/// A name that tries everything at once.
+const HOSTILE: &str = "a\"><script>alert('1')</script><img src=x onerror=alert(2)>--> ](javascript:x) `| $x$ & \n# b.wav";
+
+fn settings() -> Settings {
+    Settings {
+        question: Some(Question {
+            effort: Effort {
+                draws: 400,
+                seed: 1,
+            },
+            ..Question::default()
+        }),
+        ..Settings::default()
+    }
+}
+
+/// Ten flights of the paper's ball, recomputed with drag.
+fn drop(settings: &Settings) -> Analysis {
+    let flights = [
+        0.4605, 0.4272, 0.3977, 0.3714, 0.3477, 0.3263, 0.3067, 0.2887, 0.2722, 0.2569,
+    ];
+    let mut time_s = 0.3;
+    let mut times_s = vec![time_s];
+    for flight in flights {
+        time_s += flight;
+        times_s.push(time_s);
+    }
+    analysis::analyze(analysis::impacts_of_times(&times_s), settings)
+}
+
+fn page(name: &str, drops: &[Analysis], settings: &Settings) -> Page {
+    let recording = Recording {
+        name,
+        origin: &Origin::Times,
+        settings,
+        ball_label: name,
+        assumptions: &[name.to_owned()],
+        drops,
+        no_drop: None,
+        warnings: &[name.to_owned()],
+        sound: None,
+    };
+    let provenance = Provenance {
+        command: Some(format!("bouncelab analyze '{name}'")),
+        files: vec![(name.to_owned(), "00ff".to_owned())],
+        made: Some(name.to_owned()),
+    };
+    report::of_recording(&recording, &provenance)
+}
+
+/// The parts of a page between angle brackets.
+fn tags(html: &str) -> Vec<&str> {
+    html.split('<')
+        .skip(1)
+        .filter_map(|piece| piece.split_once('>').map(|(tag, _)| tag))
+        .collect()
+}
+
+#[test]
+fn a_hostile_name_is_shown_and_does_nothing() {
+    let settings = settings();
+    let html = page(HOSTILE, &[drop(&settings)], &settings).html();
+    assert!(html.contains("&lt;script&gt;"));
+    for tag in tags(&html) {
+        assert!(
+            !tag.starts_with("script") && !tag.starts_with("img"),
+            "{tag}"
+        );
+        assert!(!tag.contains("onerror"), "{tag}");
+    }
+    let Markdown { text, .. } = page(HOSTILE, &[drop(&settings)], &settings).markdown("f");
+    // Outside code, which shows everything as it is, every sign is escaped.
+    let outside: String = text.split("\n```").step_by(2).collect();
+    assert!(outside.contains(r"\<script\>"));
+    let bare = without_escapes(&outside);
+    assert!(!bare.contains("<script"), "{bare}");
+    assert!(!bare.contains("](javascript"));
+    assert!(!outside.lines().any(|line| line == "# b.wav"));
+}
+
+/// Leaves out every backslash with the sign after it.
+fn without_escapes(text: &str) -> String {
+    let mut signs = text.chars();
+    let mut bare = String::new();
+    while let Some(sign) = signs.next() {
+        if sign == '\\' {
+            signs.next();
+        } else {
+            bare.push(sign);
+        }
+    }
+    bare
+}
+
+#[test]
+fn a_page_asks_nothing_of_the_network() {
+    let settings = settings();
+    let html = page("drop.wav", &[drop(&settings)], &settings).html();
+    for tag in tags(&html) {
+        assert!(!tag.starts_with("script"), "{tag}");
+        for attribute in ["src=\"", "href=\"", "url("] {
+            if let Some((_, target)) = tag.split_once(attribute) {
+                assert!(
+                    target.starts_with("data:") || target.starts_with('#'),
+                    "{tag}"
+                );
+            }
+        }
+    }
+    assert!(html.contains("default-src 'none'"));
+    assert!(!html.contains("@import") && !html.contains("url(http"));
+}
+
+#[test]
+fn names_within_a_page_are_unique() {
+    let settings = settings();
+    let drops = [drop(&settings), drop(&settings)];
+    let html = page("two.wav", &drops, &settings).html();
+    let ids: Vec<&str> = tags(&html)
+        .iter()
+        .filter_map(|tag| tag.split_once(" id=\"")?.1.split('"').next())
+        .collect();
+    let unique: BTreeSet<&str> = ids.iter().copied().collect();
+    assert!(ids.len() > 20, "{ids:?}");
+    assert_eq!(unique.len(), ids.len());
+    assert!(html.contains("Drop 2 of 2"));
+}
+
+/// The drop was simulated with a constant restitution of 0.9529.
+#[test]
+fn the_answer_comes_first_in_words() {
+    let settings = settings();
+    let html = page("drop.txt", &[drop(&settings)], &settings).html();
+    let first = html.split("class=\"first\">").nth(1).unwrap();
+    let sentence = first.split("</p>").next().unwrap();
+    assert!(sentence.starts_with("The ball kept 95."), "{sentence}");
+    assert!(sentence.contains(" % of its speed"), "{sentence}");
+}
+
+#[test]
+fn a_notebook_refers_to_its_figures() {
+    let settings = settings();
+    let drops = [drop(&settings), drop(&settings)];
+    let markdown = page("two.wav", &drops, &settings).markdown("two-figures");
+    let names: BTreeSet<&String> = markdown.figures.iter().map(|(name, _)| name).collect();
+    assert_eq!(names.len(), markdown.figures.len(), "a name came twice");
+    for (name, svg) in &markdown.figures {
+        assert!(svg.starts_with("<svg"));
+        assert!(markdown.text.contains(&format!("](<two-figures/{name}>)")));
+    }
+    assert!(markdown.text.contains("$$\nh_n = "));
+    assert!(
+        markdown.text.contains("| impact | time s |"),
+        "{}",
+        markdown.text
+    );
+}
+
+#[test]
+fn a_recording_without_a_drop_says_why() {
+    let settings = settings();
+    let recording = Recording {
+        name: "silence.wav",
+        origin: &Origin::Times,
+        settings: &settings,
+        ball_label: "tennis",
+        assumptions: &[],
+        drops: &[],
+        no_drop: Some("nothing stands out of the background"),
+        warnings: &[],
+        sound: None,
+    };
+    let html = report::of_recording(&recording, &Provenance::default()).html();
+    assert!(html.contains("No drop was found: nothing stands out of the background."));
+}

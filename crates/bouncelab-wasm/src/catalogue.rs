@@ -1,0 +1,77 @@
+//! What is there to choose from?
+
+use bouncelab::air::{Air, Conditions};
+use bouncelab::analysis::SURE;
+use bouncelab::drag::DragLaw;
+use bouncelab::estimate::LawKind;
+use bouncelab::synth::Voice;
+use bouncelab::{ball, gravity};
+
+use crate::wire::{BallPreset, Catalogue, DragLawEntry, MoistAir, World};
+
+/// Everything that a page can offer.
+///
+/// # Errors
+///
+/// None: ordinary air is within its range.
+pub fn catalogue() -> bouncelab::Result<Catalogue> {
+    let air = Conditions::default();
+    let balls = ball::presets().iter();
+    Ok(Catalogue {
+        version: env!("CARGO_PKG_VERSION").to_owned(),
+        balls: balls
+            .map(|preset| BallPreset {
+                name: preset.name.to_owned(),
+                label: preset.label.to_owned(),
+                mass_kg: preset.ball.mass_kg(),
+                diameter_m: preset.ball.diameter_m(),
+                contact_time_s: preset.contact_time_s,
+                source: preset.source.to_owned(),
+            })
+            .collect(),
+        drag_laws: DragLaw::NAMED
+            .iter()
+            .map(|law| DragLawEntry {
+                name: law.name().to_owned(),
+                max_reynolds: Some(law.max_reynolds()).filter(|end| end.is_finite()),
+            })
+            .collect(),
+        usual_drag_law: DragLaw::CliftGraceWeber.name().to_owned(),
+        restitution_laws: LawKind::ALL.map(|law| law.name().to_owned()).to_vec(),
+        voices: Voice::NAMES.map(str::to_owned).to_vec(),
+        worlds: worlds(&Air::moist(&air)?),
+        usual_air: MoistAir {
+            temperature_k: air.temperature_k,
+            pressure_pa: air.pressure_pa,
+            relative_humidity: air.relative_humidity,
+        },
+        standard_gravity_m_s2: gravity::STANDARD_M_S2,
+        sure: SURE,
+    })
+}
+
+/// Gravity at the equator and air at the surface, or at 1 bar where there is none, of NASA's
+/// planetary fact sheets (D. R. Williams, nssdc.gsfc.nasa.gov/planetary/factsheet). Viscosity of
+/// the main gas at the temperature there, by Sutherland's formula with the constants of White,
+/// Viscous Fluid Flow: good to some per cent.
+fn worlds(earth: &Air) -> Vec<World> {
+    let world = |name: &str, gravity_m_s2: f64, density: f64, viscosity: Option<f64>| World {
+        name: name.to_owned(),
+        gravity_m_s2,
+        air_density_kg_m3: density,
+        air_viscosity_pa_s: viscosity,
+    };
+    vec![
+        world(
+            "earth",
+            gravity::STANDARD_M_S2,
+            earth.density_kg_m3(),
+            Some(earth.viscosity_pa_s()),
+        ),
+        world("moon", 1.62, 0.0, None),
+        world("mars", 3.73, 0.020, Some(1.1e-5)),
+        world("venus", 8.87, 65.0, Some(3.3e-5)),
+        world("titan", 1.35, 5.4, Some(6.5e-6)),
+        world("jupiter", 24.79, 0.16, Some(7.5e-6)),
+    ]
+}

@@ -1,0 +1,76 @@
+//! The decoders as JavaScript sees them.
+
+use bouncelab_audio::Source;
+use wasm_bindgen::prelude::*;
+
+use crate::refusal::Result;
+
+/// A recording that is being decoded.
+#[wasm_bindgen]
+pub struct Decoder {
+    source: Source,
+    samples: Vec<Vec<f32>>,
+}
+
+#[wasm_bindgen]
+impl Decoder {
+    /// Opens the content of a file.
+    #[wasm_bindgen(constructor)]
+    pub fn new(bytes: Vec<u8>, name: &str) -> Result<Self> {
+        let source = Source::from_bytes(bytes, name)?;
+        Ok(Self {
+            samples: vec![Vec::new(); source.channels()],
+            source,
+        })
+    }
+
+    /// Samples a second.
+    #[wasm_bindgen(js_name = sampleRateHz)]
+    pub fn sample_rate_hz(&self) -> u32 {
+        self.source.sample_rate_hz()
+    }
+
+    /// How many channels it has.
+    pub fn channels(&self) -> usize {
+        self.source.channels()
+    }
+
+    /// Its format in words.
+    pub fn format(&self) -> String {
+        self.source.format()
+    }
+
+    /// Length in seconds, as far as the file says.
+    #[wasm_bindgen(js_name = durationS)]
+    pub fn duration_s(&self) -> Option<f64> {
+        self.source.duration_s()
+    }
+
+    /// Decodes about a second; `false` at the end.
+    #[wasm_bindgen(js_name = decodeOn)]
+    pub fn decode_on(&mut self) -> Result<bool> {
+        let wanted = self.source.sample_rate_hz() as usize;
+        while self.samples.first().is_some_and(|all| all.len() < wanted) {
+            let Some(block) = self.source.next_block()? else {
+                return Ok(false);
+            };
+            for (channel, all) in self.samples.iter_mut().enumerate() {
+                all.extend_from_slice(block.channel(channel));
+            }
+        }
+        Ok(true)
+    }
+
+    /// The samples of a channel, counted from 0, since they were last taken.
+    #[wasm_bindgen(js_name = takeSamples)]
+    pub fn take_samples(&mut self, channel: usize) -> Vec<f32> {
+        let samples = self.samples.get_mut(channel);
+        samples.map_or_else(Vec::new, std::mem::take)
+    }
+
+    /// What was odd about the file so far.
+    pub fn warnings(&self) -> Vec<String> {
+        let warnings = self.source.warnings();
+        warnings.iter().map(ToString::to_string).collect()
+    }
+}

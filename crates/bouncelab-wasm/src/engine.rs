@@ -1,0 +1,328 @@
+//! The engine as JavaScript sees it: data as JSON, samples as arrays.
+
+use bouncelab::listen::Envelope;
+use bouncelab_audio::{SampleFormat, encode_wav, times};
+use bouncelab_report::paper;
+use serde::Serialize;
+use serde::de::DeserializeOwned;
+use wasm_bindgen::prelude::*;
+
+use crate::analyst::{self, Analyst};
+use crate::catalogue::catalogue;
+use crate::pyramid::Level;
+use crate::refusal::Result;
+use crate::simulator;
+use crate::sound::{self, Ear, Label};
+use crate::spectrogram::{self, FLOOR_DB};
+use crate::wire::Drawn;
+
+fn json<T: Serialize>(value: &T) -> Result<String> {
+    Ok(serde_json::to_string(value)?)
+}
+
+fn read<T: DeserializeOwned>(json: &str) -> Result<T> {
+    Ok(serde_json::from_str(json)?)
+}
+
+/// Balls, laws, voices and worlds.
+#[wasm_bindgen(js_name = catalogue)]
+pub fn js_catalogue() -> Result<String> {
+    json(&catalogue()?)
+}
+
+/// Whether a file of this name is read as a list of times.
+#[wasm_bindgen(js_name = isList)]
+pub fn is_list(name: &str) -> bool {
+    times::is_list(name)
+}
+
+/// What a list of times says.
+#[wasm_bindgen(js_name = hearTimes)]
+pub fn hear_times(content: &[u8], name: &str) -> Result<String> {
+    json(&sound::times(content, name)?)
+}
+
+fn samples_per_bin(levels: &[Level]) -> Vec<u32> {
+    let levels = levels.iter();
+    levels.map(|level| level.samples_per_bin as u32).collect()
+}
+
+fn take_level(levels: &mut [Level], level: usize) -> Vec<f32> {
+    levels
+        .get_mut(level)
+        .map_or_else(Vec::new, |level| std::mem::take(&mut level.extremes))
+}
+
+/// Hears samples as they come.
+#[wasm_bindgen]
+pub struct Hearer {
+    ear: Option<Ear>,
+    /// What was brought of each channel and is not yet heard.
+    brought: Vec<Vec<f32>>,
+    levels: Vec<Level>,
+}
+
+#[wasm_bindgen]
+impl Hearer {
+    /// For so many channels; `channel`, counted from 1, is the only one that is listened to.
+    #[wasm_bindgen(constructor)]
+    pub fn new(sample_rate_hz: u32, channels: usize, channel: Option<u32>) -> Result<Self> {
+        let channel = channel.map(|number| number as usize);
+        Ok(Self {
+            ear: Some(Ear::new(sample_rate_hz, channels, channel)?),
+            brought: vec![Vec::new(); channels],
+            levels: Vec::new(),
+        })
+    }
+
+    /// Brings the next samples of one channel, counted from 0.
+    pub fn bring(&mut self, channel: usize, samples: Vec<f32>) {
+        if let Some(brought) = self.brought.get_mut(channel) {
+            *brought = samples;
+        }
+    }
+
+    /// Hears what was brought of all channels.
+    pub fn hear(&mut self) {
+        let frames = self.brought.iter().map(Vec::len).min().unwrap_or(0);
+        let slices: Vec<&[f32]> = self.brought.iter().map(|all| &all[..frames]).collect();
+        if let Some(ear) = &mut self.ear {
+            ear.push(&slices);
+        }
+    }
+
+    /// What has been heard so far.
+    #[wasm_bindgen(js_name = soFar)]
+    pub fn so_far(&mut self) -> Result<String> {
+        json(&self.ear.as_mut().map(Ear::so_far))
+    }
+
+    /// What was heard, all told.
+    pub fn finish(
+        &mut self,
+        name: String,
+        format: String,
+        warnings: Vec<String>,
+    ) -> Result<String> {
+        let heard = self.ear.take().map(|ear| {
+            let (heard, levels) = ear.finish(Label {
+                name,
+                format,
+                warnings,
+            });
+            self.levels = levels;
+            heard
+        });
+        json(&heard)
+    }
+
+    /// Samples in a bin of each level, fine to coarse, once it is finished.
+    #[wasm_bindgen(js_name = samplesPerBin)]
+    pub fn samples_per_bin(&self) -> Vec<u32> {
+        samples_per_bin(&self.levels)
+    }
+
+    /// Least and greatest of each bin of a level.
+    #[wasm_bindgen(js_name = takeLevel)]
+    pub fn take_level(&mut self, level: usize) -> Vec<f32> {
+        take_level(&mut self.levels, level)
+    }
+}
+
+/// Analyses drops.
+#[wasm_bindgen(js_name = Analyst)]
+#[derive(Default)]
+pub struct JsAnalyst(Analyst);
+
+#[wasm_bindgen(js_class = Analyst)]
+impl JsAnalyst {
+    /// One that remembers nothing yet.
+    #[wasm_bindgen(constructor)]
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// Analyses every drop of a request.
+    pub fn analyse(&mut self, request: &str) -> Result<String> {
+        json(&self.0.analyse(&read(request)?)?)
+    }
+
+    /// Draws a figure.
+    pub fn figure(&mut self, request: &str, name: &str) -> Result<String> {
+        json(&self.0.figure(&read(request)?, name)?)
+    }
+
+    /// Draws the waveform from least and greatest sample of each step, one after the other.
+    pub fn waveform(&mut self, request: &str, extremes: &[f32], step_s: f64) -> Result<String> {
+        let envelope = envelope(extremes, step_s);
+        json(&self.0.waveform(&read(request)?, &envelope)?)
+    }
+
+    /// The report as HTML; without extremes there is no sound.
+    pub fn report(
+        &mut self,
+        request: &str,
+        extremes: &[f32],
+        step_s: f64,
+        made: Option<String>,
+    ) -> Result<String> {
+        let sound = (!extremes.is_empty()).then(|| envelope(extremes, step_s));
+        self.0.report(&read(request)?, sound.as_ref(), made)
+    }
+
+    /// The impacts as CSV.
+    pub fn rows(&mut self, request: &str) -> Result<String> {
+        let rows = self.0.rows(&read(request)?)?;
+        Ok(rows.iter().map(|row| csv_line(row)).collect())
+    }
+}
+
+fn envelope(extremes: &[f32], step_s: f64) -> Envelope {
+    let (least, greatest) = extremes
+        .chunks_exact(2)
+        .map(|pair| (pair[0], pair[1]))
+        .unzip();
+    Envelope::of_steps(step_s, least, greatest)
+}
+
+/// A row of a table, quoted where it must be.
+fn csv_line(cells: &[String]) -> String {
+    let quoted = cells.iter().map(|cell| {
+        if cell.contains([',', '"', '\n', '\r']) {
+            format!("\"{}\"", cell.replace('"', "\"\""))
+        } else {
+            cell.clone()
+        }
+    });
+    quoted.collect::<Vec<_>>().join(",") + "\n"
+}
+
+/// The onset nearest to a time.
+#[wasm_bindgen(js_name = onsetNear)]
+pub fn onset_near(
+    samples: &[f32],
+    sample_rate_hz: u32,
+    start_s: f64,
+    time_s: f64,
+) -> Result<String> {
+    json(&sound::onset_near(samples, sample_rate_hz, start_s, time_s))
+}
+
+/// A spectrogram as cells, column after column.
+#[wasm_bindgen(js_name = Spectrogram)]
+pub struct JsSpectrogram(spectrogram::Spectrogram);
+
+#[wasm_bindgen(js_class = Spectrogram)]
+impl JsSpectrogram {
+    /// Of these samples.
+    #[wasm_bindgen(constructor)]
+    pub fn new(samples: &[f32], sample_rate_hz: f64, columns: usize, rows: usize) -> Self {
+        Self(spectrogram::spectrogram(
+            samples,
+            sample_rate_hz,
+            columns,
+            rows,
+        ))
+    }
+
+    /// Frequency at the top.
+    #[wasm_bindgen(js_name = topHz)]
+    pub fn top_hz(&self) -> f64 {
+        self.0.top_hz
+    }
+
+    /// Level of an empty cell.
+    #[wasm_bindgen(js_name = floorDb)]
+    pub fn floor_db(&self) -> f64 {
+        FLOOR_DB
+    }
+
+    /// Levels in half decibels above the floor.
+    #[wasm_bindgen(js_name = takeCells)]
+    pub fn take_cells(&mut self) -> Vec<u8> {
+        std::mem::take(&mut self.0.cells)
+    }
+}
+
+/// Samples as a WAV file of 32-bit floating point; the second channel may be empty.
+#[wasm_bindgen]
+pub fn wav(left: &[f32], right: &[f32], sample_rate_hz: u32) -> Result<Vec<u8>> {
+    let channels = [left, right];
+    let count = if right.is_empty() { 1 } else { 2 };
+    let format = SampleFormat::Float32;
+    Ok(encode_wav(sample_rate_hz, format, &channels[..count])?)
+}
+
+/// Simulates a drop.
+#[wasm_bindgen]
+pub fn simulate(request: &str) -> Result<String> {
+    json(&simulator::simulate(&read(request)?)?)
+}
+
+/// A made-up recording.
+#[wasm_bindgen]
+pub struct Rendering {
+    samples: Vec<f32>,
+    sample_rate_hz: u32,
+    about: String,
+}
+
+#[wasm_bindgen]
+impl Rendering {
+    /// The sound of a simulated drop.
+    pub fn synthesise(request: &str, scene: &str) -> Result<Self> {
+        let sound = simulator::synthesise(&read(request)?, &read(scene)?)?;
+        Ok(Self {
+            samples: sound.samples,
+            sample_rate_hz: sound.sample_rate_hz,
+            about: String::new(),
+        })
+    }
+
+    /// The demo.
+    pub fn demo(seed: u32) -> Result<Self> {
+        let (demo, sound) = simulator::demo(u64::from(seed))?;
+        Ok(Self {
+            samples: sound.samples,
+            sample_rate_hz: sound.sample_rate_hz,
+            about: json(&demo)?,
+        })
+    }
+
+    /// What is to be known of it, if it is the demo.
+    pub fn about(&self) -> String {
+        self.about.clone()
+    }
+
+    /// Samples a second.
+    #[wasm_bindgen(js_name = sampleRateHz)]
+    pub fn sample_rate_hz(&self) -> u32 {
+        self.sample_rate_hz
+    }
+
+    /// The samples.
+    #[wasm_bindgen(js_name = takeSamples)]
+    pub fn take_samples(&mut self) -> Vec<f32> {
+        std::mem::take(&mut self.samples)
+    }
+}
+
+/// The paper's numbers, `bouncelab.paper/1`.
+#[wasm_bindgen(js_name = paperDocument)]
+pub fn paper_document() -> Result<String> {
+    json(&paper::Document::new(
+        &paper::chapters()?,
+        paper::explanations()?,
+    ))
+}
+
+/// The paper's figures.
+#[wasm_bindgen(js_name = paperFigures)]
+pub fn paper_figures() -> Result<String> {
+    let figures = paper::figures()?;
+    let drawn: Vec<Drawn> = figures
+        .iter()
+        .map(|(name, figure)| analyst::drawn(name, figure))
+        .collect();
+    json(&drawn)
+}

@@ -1,0 +1,159 @@
+//! What would a drop do, and how would it sound?
+
+use bouncelab::analysis::Settings;
+use bouncelab::demo;
+use bouncelab::drag::DragLaw;
+use bouncelab::drop::{self, History, Start, Stop};
+use bouncelab::flight::Environment;
+use bouncelab::impact::{Contact, Restitution, Strike};
+use bouncelab::synth::{self, BitDepth, Noise, Rendered, Scene, Voice};
+use bouncelab_report::document::simulation::{Document, Run};
+
+use crate::refusal::Result;
+use crate::settings::setting;
+use crate::wire::{
+    self, Demo, Effort, HeightCurve, RestitutionLaw, SceneRequest, Simulated, SimulationRequest,
+};
+
+/// The height of bounce at which a drop counts as over, in metres.
+const REST_M: f64 = 1e-3;
+/// Points of a curve.
+const POINTS: usize = 4000;
+
+/// Simulates the drop of a request under each of its drag laws.
+///
+/// # Errors
+///
+/// If something in the request makes no sense.
+pub fn simulate(request: &SimulationRequest) -> Result<Simulated> {
+    let understood = request.settings.understand(Effort::Quick)?;
+    let settings = &understood.settings;
+    let compared = request.compare.iter().flatten();
+    let compared: Vec<DragLaw> = compared
+        .map(|law| law.parse())
+        .collect::<bouncelab::Result<_>>()?;
+    let laws = std::iter::once(settings.environment.drag).chain(compared);
+    let runs = laws
+        .map(|law| run(law, settings, request))
+        .collect::<Result<Vec<Run>>>()?;
+    Ok(Simulated {
+        document: Document::new(&runs, settings, understood.assumptions.clone()),
+        curves: runs.iter().map(|run| curve(&run.history)).collect(),
+    })
+}
+
+fn run(law: DragLaw, settings: &Settings, request: &SimulationRequest) -> Result<Run> {
+    let environment = Environment {
+        drag: law,
+        ..settings.environment
+    };
+    let settings = Settings {
+        environment,
+        ..settings.clone()
+    };
+    let model = settings.model()?;
+    Ok(Run {
+        law,
+        terminal_speed_m_s: model.terminal_speed_m_s(),
+        mass_kg: model.moving_mass_kg().unwrap_or(f64::NAN),
+        history: history(&settings, request)?,
+    })
+}
+
+fn history(settings: &Settings, request: &SimulationRequest) -> Result<History> {
+    let contact = Contact::new(request.restitution.law()?, settings.contact_time_s)?;
+    let bounces = request.bounces.map(|bounces| bounces as usize);
+    let stop = match (request.until_m, bounces) {
+        (None, None) => Stop::below(REST_M),
+        (Some(apex_m), None) => Stop::below(apex_m),
+        (None, Some(bounces)) => Stop::after(bounces),
+        (Some(apex_m), Some(bounces)) => Stop::below(apex_m).or_after(bounces),
+    };
+    let start = Start::Height(request.height_m);
+    Ok(drop::simulate(&settings.model()?, &contact, start, stop)?)
+}
+
+fn curve(history: &History) -> HeightCurve {
+    let end_s = history.total_time_s();
+    let times = (0..=POINTS).map(|point| end_s * point as f64 / POINTS as f64);
+    HeightCurve::of(times.map(|time_s| (time_s, history.height_at(time_s))))
+}
+
+impl RestitutionLaw {
+    fn law(self) -> bouncelab::Result<Restitution> {
+        match self {
+            Self::Constant { restitution } => Restitution::constant(restitution),
+            Self::Linear {
+                at_rest,
+                loss_per_speed_s_m,
+            } => Restitution::linear(at_rest, loss_per_speed_s_m),
+            Self::Power {
+                restitution,
+                at_speed_m_s,
+                exponent,
+            } => Restitution::power(restitution, at_speed_m_s, exponent),
+            Self::Viscoelastic {
+                restitution,
+                at_speed_m_s,
+            } => Restitution::viscoelastic_through(restitution, at_speed_m_s),
+            Self::Knee {
+                below,
+                knee_speed_m_s,
+                loss_per_speed_s_m,
+            } => Restitution::knee(below, knee_speed_m_s, loss_per_speed_s_m),
+        }
+    }
+}
+
+/// The sound of the drop of a request, under the drag law of its settings.
+///
+/// # Errors
+///
+/// If something in the request or the scene makes no sense.
+pub fn synthesise(request: &SimulationRequest, scene: &SceneRequest) -> Result<Rendered> {
+    let understood = request.settings.understand(Effort::Quick)?;
+    let history = history(&understood.settings, request)?;
+    let voice = Voice::named(&scene.voice).ok_or_else(|| {
+        let known = Voice::NAMES.join(", ");
+        setting(&format!(
+            "no voice is called \"{}\"; known: {known}",
+            scene.voice
+        ))
+    })?;
+    let strikes: Vec<Strike> = history.strikes().collect();
+    let scene_of_it = Scene {
+        sample_rate_hz: scene.sample_rate_hz,
+        lead_in_s: scene.lead_in_s,
+        tail_s: scene.tail_s,
+        voice,
+        noise: scene.snr_db.map(Noise::pink),
+        bit_depth: BitDepth::Float,
+        ..Scene::default()
+    };
+    Ok(synth::render(
+        &strikes,
+        &scene_of_it,
+        u64::from(scene.seed),
+    )?)
+}
+
+/// The drop of the demo, and how it sounds.
+///
+/// # Errors
+///
+/// None with the numbers of the demo.
+pub fn demo(seed: u64) -> Result<(Demo, Rendered)> {
+    let sound = demo::sound(&demo::history()?, seed)?;
+    let settings = wire::Settings {
+        ball: Some(demo::BALL.to_owned()),
+        flights: Some(demo::FLIGHTS),
+        ..wire::Settings::default()
+    };
+    let demo = Demo {
+        name: "demo.wav".to_owned(),
+        settings,
+        restitution: demo::RESTITUTION,
+        drop_height_m: demo::DROP_HEIGHT_M,
+    };
+    Ok((demo, sound))
+}

@@ -1,0 +1,541 @@
+//! What goes between the page and the science, as data.
+//!
+//! Everything is SI with the unit in the name, and `null` is what cannot be told. The page has the
+//! same types in `web/src/lab/types.ts`, which is made from these.
+
+use serde::{Deserialize, Serialize};
+#[cfg(not(target_family = "wasm"))]
+use ts_rs::TS;
+
+use bouncelab_report::document::{Document, Origin, simulation};
+
+/// Why something could not be done.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(not(target_family = "wasm"), derive(TS))]
+pub struct Refusal {
+    /// What kind of trouble it is.
+    pub kind: RefusalKind,
+    /// What was wrong and what to do, in words.
+    pub message: String,
+}
+
+/// Kinds of trouble that a page may want to tell apart.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[cfg_attr(not(target_family = "wasm"), derive(TS))]
+#[serde(rename_all = "kebab-case")]
+pub enum RefusalKind {
+    /// The file has no content, or no sound or time in it.
+    Empty,
+    /// The file is no recording, or one of a kind that is not read.
+    Unsupported,
+    /// The file is damaged beyond use.
+    Damaged,
+    /// The list of times makes no sense.
+    Times,
+    /// A setting that the physics refuses.
+    Setting,
+    /// It does not fit into the memory of a browser.
+    TooLong,
+    /// A fault of the program itself.
+    Fault,
+}
+
+/// The choices that a page can offer.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(not(target_family = "wasm"), derive(TS))]
+pub struct Catalogue {
+    /// Version of the program.
+    pub version: String,
+    /// Balls by name, the first being the one that is assumed.
+    pub balls: Vec<BallPreset>,
+    /// Drag laws by name; besides there are `none` and `constant:0.4`.
+    pub drag_laws: Vec<DragLawEntry>,
+    /// The drag law that is assumed.
+    pub usual_drag_law: String,
+    /// Families of restitution laws that the inference weighs.
+    pub restitution_laws: Vec<String>,
+    /// What an impact can sound like.
+    pub voices: Vec<String>,
+    /// Where one may drop a ball.
+    pub worlds: Vec<World>,
+    /// The air that is assumed.
+    pub usual_air: MoistAir,
+    /// Standard gravity.
+    pub standard_gravity_m_s2: f64,
+    /// An impact below this probability counts as uncertain.
+    pub sure: f64,
+}
+
+/// A ball whose rules fix mass and size.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(not(target_family = "wasm"), derive(TS))]
+pub struct BallPreset {
+    /// Name, as in settings.
+    pub name: String,
+    /// Name for people.
+    pub label: String,
+    /// Mass.
+    pub mass_kg: f64,
+    /// Diameter.
+    pub diameter_m: f64,
+    /// Typical time of contact.
+    pub contact_time_s: f64,
+    /// Where mass and diameter come from.
+    pub source: String,
+}
+
+/// A drag law.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(not(target_family = "wasm"), derive(TS))]
+pub struct DragLawEntry {
+    /// Name, as in settings.
+    pub name: String,
+    /// Upper end of its range; `null` if it has none.
+    pub max_reynolds: Option<f64>,
+}
+
+/// Gravity and air of a world.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(not(target_family = "wasm"), derive(TS))]
+pub struct World {
+    /// Name, as a key for translation.
+    pub name: String,
+    /// Gravity at its surface.
+    pub gravity_m_s2: f64,
+    /// Density of its air there.
+    pub air_density_kg_m3: f64,
+    /// Viscosity of its air there; `null` in vacuum.
+    pub air_viscosity_pa_s: Option<f64>,
+}
+
+/// Air by temperature, pressure and humidity.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(not(target_family = "wasm"), derive(TS))]
+pub struct MoistAir {
+    /// Temperature.
+    pub temperature_k: f64,
+    /// Pressure.
+    pub pressure_pa: f64,
+    /// Relative humidity, 0 to 1.
+    pub relative_humidity: f64,
+}
+
+/// What a person says of ball, air, gravity and drop; what is left out is assumed.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(not(target_family = "wasm"), derive(TS))]
+#[cfg_attr(not(target_family = "wasm"), ts(optional_fields))]
+#[serde(default, deny_unknown_fields)]
+pub struct Settings {
+    /// Name of a preset, or `steel:0.01` or `glass:0.016` with the diameter in metres.
+    pub ball: Option<String>,
+    /// Mass of the ball; goes with the diameter, in place of a name.
+    pub mass_kg: Option<f64>,
+    /// Diameter of the ball.
+    pub diameter_m: Option<f64>,
+    /// How long the ball touches the surface.
+    pub contact_time_s: Option<f64>,
+    /// `none`, `constant:0.4` or the name of a drag law.
+    pub drag: Option<String>,
+    /// Temperature of the air.
+    pub temperature_k: Option<f64>,
+    /// Pressure of the air.
+    pub pressure_pa: Option<f64>,
+    /// Relative humidity of the air, 0 to 1.
+    pub relative_humidity: Option<f64>,
+    /// Density of the air, in place of temperature, pressure and humidity; 0 is vacuum.
+    pub air_density_kg_m3: Option<f64>,
+    /// Viscosity of the air; goes with the density.
+    pub air_viscosity_pa_s: Option<f64>,
+    /// Whether the ball floats in air, if only a little. Usually it does.
+    pub buoyancy: Option<bool>,
+    /// Whether air moves with the ball. Usually it does.
+    pub added_mass: Option<bool>,
+    /// Gravity.
+    pub gravity_m_s2: Option<f64>,
+    /// Latitude in degrees, north positive, from which gravity follows.
+    pub latitude_deg: Option<f64>,
+    /// Height above the sea; goes with the latitude.
+    pub altitude_m: Option<f64>,
+    /// Measured drop height, surface to lowest point of the ball.
+    pub height_m: Option<f64>,
+    /// Its standard uncertainty; 2 mm if left out.
+    pub height_sd_m: Option<f64>,
+    /// When the ball was released, in the time of the recording.
+    pub release_s: Option<f64>,
+    /// Its standard uncertainty; 5 ms if left out.
+    pub release_sd_s: Option<f64>,
+    /// Whether the first impact heard is the first there was.
+    pub first_heard: Option<bool>,
+    /// Families of restitution laws to consider; all that the impacts can tell apart if left out.
+    pub restitution_laws: Option<Vec<String>>,
+    /// What to leave to the data, as if nothing were known of it.
+    pub infer: Option<Vec<Inferred>>,
+    /// First and last flight for the straight line.
+    pub flights: Option<(u32, u32)>,
+    /// Impact speed at which to state the restitution.
+    pub at_speed_m_s: Option<f64>,
+    /// From which height does a bounce reach an apex?
+    pub reach: Option<Vec<Reach>>,
+}
+
+/// What may be left to the data.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(not(target_family = "wasm"), derive(TS))]
+#[serde(rename_all = "kebab-case")]
+pub enum Inferred {
+    /// The acceleration of gravity.
+    Gravity,
+    /// The drag coefficient.
+    Drag,
+    /// The contact time.
+    ContactTime,
+}
+
+/// A bounce and the apex that it is to reach.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(not(target_family = "wasm"), derive(TS))]
+pub struct Reach {
+    /// Number of the bounce, 1 for the first.
+    pub bounce: u32,
+    /// Apex of the flight after it.
+    pub apex_m: f64,
+}
+
+/// What was heard in a recording, or read from a list of times.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(not(target_family = "wasm"), derive(TS))]
+pub struct Heard {
+    /// Name, as it goes into the document.
+    pub name: String,
+    /// Where the times come from.
+    pub source: Origin,
+    /// The drops, in order of time.
+    pub drops: Vec<HeardDrop>,
+    /// Why there is none.
+    pub no_drop: Option<String>,
+    /// What is odd about the recording.
+    pub warnings: Vec<String>,
+}
+
+/// The impacts of one drop.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(not(target_family = "wasm"), derive(TS))]
+pub struct HeardDrop {
+    /// How sure it is that this is a drop.
+    pub probability: f64,
+    /// Its impacts, in order of time.
+    pub impacts: Vec<Mark>,
+}
+
+/// An impact as heard, or as set by hand.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(not(target_family = "wasm"), derive(TS))]
+pub struct Mark {
+    /// Number, 1 for the first impact known; a missed one leaves a gap.
+    pub number: u32,
+    /// Time.
+    pub time_s: f64,
+    /// Standard error of the time; `null` if set by hand.
+    pub sigma_s: Option<f64>,
+    /// Probability that it is an impact of this drop; 1 if set by hand.
+    pub probability: f64,
+    /// Level relative to full scale; `null` if it was not heard.
+    pub level_db: Option<f64>,
+}
+
+/// What has been heard so far in a recording that is still going on.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(not(target_family = "wasm"), derive(TS))]
+pub struct SoFar {
+    /// How long it has been recording.
+    pub duration_s: f64,
+    /// The drop that goes on or was the last to end; `null` if there is none yet.
+    pub drop: Option<HeardDrop>,
+    /// How many drops have been heard.
+    pub drops: u32,
+    /// Best restitution so far, by the straight line.
+    pub restitution: Option<f64>,
+    /// When the ball will rest, or did, judging by the last impacts.
+    pub rests_at_s: Option<f64>,
+    /// Whether the ball rests: nothing more will be heard of this drop.
+    pub at_rest: bool,
+}
+
+/// The impacts of one drop, as they are to be analysed.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(not(target_family = "wasm"), derive(TS))]
+pub struct DropMarks {
+    /// Its impacts, in order of time.
+    pub impacts: Vec<Mark>,
+    /// Whether a hand has changed them: then they are numbered anew.
+    pub edited: bool,
+}
+
+/// What to analyse.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(not(target_family = "wasm"), derive(TS))]
+pub struct AnalysisRequest {
+    /// Name of the recording, as in [`Heard`].
+    pub name: String,
+    /// Where its times come from.
+    pub source: Origin,
+    /// What is odd about it.
+    pub warnings: Vec<String>,
+    /// Why there was no drop in it.
+    pub no_drop: Option<String>,
+    /// The drops.
+    pub drops: Vec<DropMarks>,
+    /// Ball, air, gravity and what else is known.
+    pub settings: Settings,
+    /// How far to go.
+    pub effort: Effort,
+}
+
+/// How far to go.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(not(target_family = "wasm"), derive(TS))]
+#[serde(rename_all = "kebab-case")]
+pub enum Effort {
+    /// Straight line and drag-corrected restitution of each impact: some milliseconds.
+    Quick,
+    /// With the inference.
+    Full,
+}
+
+/// What the impacts say.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(not(target_family = "wasm"), derive(TS))]
+pub struct Analysed {
+    /// The command line's document, `bouncelab.analysis/1`.
+    pub document: Document,
+    /// How far it went.
+    pub effort: Effort,
+    /// The ball in words.
+    pub ball: String,
+    /// For the charts, one for each drop of the document.
+    pub series: Vec<Series>,
+    /// Drag against speed; empty if there is none.
+    pub drag: Vec<DragCurve>,
+    /// Names of the figures that can be drawn of it.
+    pub figures: Vec<String>,
+}
+
+/// Points of one drop for the charts, besides those in the document.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(not(target_family = "wasm"), derive(TS))]
+pub struct Series {
+    /// Height against time by the flight model, from impact to impact; `null` parts flights with
+    /// a missed impact between them.
+    pub measured: HeightCurve,
+    /// The drop that the best fit would make, from its release; empty without inference.
+    pub simulated: HeightCurve,
+    /// Time and height of each apex, in the same way.
+    pub apexes: HeightCurve,
+    /// Energies at each impact with a flight on both sides.
+    pub energies: Vec<Energy>,
+    /// The posterior; empty without inference.
+    pub draws: Draws,
+}
+
+/// Height against time.
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+#[cfg_attr(not(target_family = "wasm"), derive(TS))]
+pub struct HeightCurve {
+    /// Times.
+    pub time_s: Vec<f64>,
+    /// Height of the lowest point of the ball at each.
+    pub height_m: Vec<Option<f64>>,
+}
+
+/// What became of the energy at an impact and in the flight before it.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[cfg_attr(not(target_family = "wasm"), derive(TS))]
+pub struct Energy {
+    /// Number of the impact.
+    pub number: u32,
+    /// Kinetic energy just before it.
+    pub before_j: f64,
+    /// What the surface took.
+    pub lost_to_surface_j: f64,
+    /// What the air took in the flight after it.
+    pub lost_to_air_j: f64,
+}
+
+/// Equally likely values of the answers; those with the same index belong together.
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+#[cfg_attr(not(target_family = "wasm"), derive(TS))]
+pub struct Draws {
+    /// Restitution at the stated speed.
+    pub restitution: Vec<f64>,
+    /// Drag coefficient; empty if there is no drag.
+    pub drag_coefficient: Vec<f64>,
+    /// Drop height.
+    pub drop_height_m: Vec<f64>,
+}
+
+/// Drag over weight against speed.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(not(target_family = "wasm"), derive(TS))]
+pub struct DragCurve {
+    /// The drag law.
+    pub law: String,
+    /// Whether it is the law of the settings; else it is a constant coefficient to compare with.
+    pub chosen: bool,
+    /// Speeds.
+    pub speed_m_s: Vec<f64>,
+    /// Drag over weight at each.
+    pub drag_over_weight: Vec<f64>,
+}
+
+/// A figure.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(not(target_family = "wasm"), derive(TS))]
+pub struct Drawn {
+    /// Name, also of its file.
+    pub name: String,
+    /// Title.
+    pub title: String,
+    /// One sentence on what to see in it.
+    pub caption: String,
+    /// The picture.
+    pub svg: String,
+    /// Its natural width.
+    pub width_px: f64,
+    /// Its natural height.
+    pub height_px: f64,
+}
+
+/// How a simulated drop begins, bounces and ends.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(not(target_family = "wasm"), derive(TS))]
+#[cfg_attr(not(target_family = "wasm"), ts(optional_fields))]
+pub struct SimulationRequest {
+    /// Ball, air, gravity and drag.
+    pub settings: Settings,
+    /// Height of release.
+    pub height_m: f64,
+    /// What a bounce keeps.
+    pub restitution: RestitutionLaw,
+    /// Simulate with these drag laws too.
+    #[serde(default)]
+    pub compare: Option<Vec<String>>,
+    /// Stop when the ball no longer rises above this height; 1 mm if left out.
+    #[serde(default)]
+    pub until_m: Option<f64>,
+    /// Stop after so many bounces.
+    #[serde(default)]
+    pub bounces: Option<u32>,
+}
+
+/// A restitution law with its numbers.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(not(target_family = "wasm"), derive(TS))]
+#[serde(tag = "law", rename_all = "kebab-case")]
+pub enum RestitutionLaw {
+    /// The same at every speed.
+    Constant {
+        /// The restitution.
+        restitution: f64,
+    },
+    /// A straight line over the speed.
+    Linear {
+        /// Restitution at speed zero.
+        at_rest: f64,
+        /// What it loses for each m/s.
+        loss_per_speed_s_m: f64,
+    },
+    /// A power law.
+    Power {
+        /// Restitution at the reference speed.
+        restitution: f64,
+        /// The reference speed.
+        at_speed_m_s: f64,
+        /// -d ln e/d ln v.
+        exponent: f64,
+    },
+    /// A viscoelastic sphere.
+    Viscoelastic {
+        /// Restitution at the reference speed.
+        restitution: f64,
+        /// The reference speed.
+        at_speed_m_s: f64,
+    },
+    /// Constant below a knee, falling above it.
+    Knee {
+        /// Restitution below the knee.
+        below: f64,
+        /// Speed of the knee.
+        knee_speed_m_s: f64,
+        /// What it loses for each m/s above.
+        loss_per_speed_s_m: f64,
+    },
+}
+
+/// Simulated drops.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(not(target_family = "wasm"), derive(TS))]
+pub struct Simulated {
+    /// The command line's document, `bouncelab.simulation/1`.
+    pub document: simulation::Document,
+    /// Height against time of each simulation in the document.
+    pub curves: Vec<HeightCurve>,
+}
+
+/// How a simulated drop sounds.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(not(target_family = "wasm"), derive(TS))]
+#[cfg_attr(not(target_family = "wasm"), ts(optional_fields))]
+#[serde(default)]
+pub struct SceneRequest {
+    /// What an impact sounds like.
+    pub voice: String,
+    /// How far the first impact stands above the noise, in dB; without noise if left out.
+    pub snr_db: Option<f64>,
+    /// Samples a second.
+    pub sample_rate_hz: u32,
+    /// Seed of everything random.
+    pub seed: u32,
+    /// Time before the release.
+    pub lead_in_s: f64,
+    /// Time after the last impact.
+    pub tail_s: f64,
+}
+
+impl Default for SceneRequest {
+    fn default() -> Self {
+        Self {
+            voice: "table-tennis".to_owned(),
+            snr_db: Some(40.0),
+            sample_rate_hz: 44_100,
+            seed: 1,
+            lead_in_s: 0.5,
+            tail_s: 0.5,
+        }
+    }
+}
+
+/// An onset near a time.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[cfg_attr(not(target_family = "wasm"), derive(TS))]
+pub struct OnsetFound {
+    /// Time.
+    pub time_s: f64,
+    /// Its standard error.
+    pub sigma_s: f64,
+    /// Level relative to full scale.
+    pub level_db: f64,
+}
+
+/// A made-up drop to try things with.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(not(target_family = "wasm"), derive(TS))]
+pub struct Demo {
+    /// Name of the recording.
+    pub name: String,
+    /// What a person would say of it.
+    pub settings: Settings,
+    /// Restitution with which it was made.
+    pub restitution: f64,
+    /// Height from which it was made to fall.
+    pub drop_height_m: f64,
+}

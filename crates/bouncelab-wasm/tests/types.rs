@@ -1,0 +1,91 @@
+//! The types in TypeScript are those in Rust.
+//!
+//! Run with `BOUNCELAB_UPDATE_TYPES=1` to write them.
+
+#![cfg(not(target_family = "wasm"))]
+
+use std::any::TypeId;
+use std::collections::HashSet;
+use std::fs;
+use std::path::Path;
+
+use bouncelab_report::paper;
+use bouncelab_wasm::wire;
+use ts_rs::{Config, TS, TypeVisitor};
+
+const HEAD: &str = "\
+// The types that the laboratory's engine takes and gives, made from those in
+// crates/bouncelab-wasm/src/wire.rs by `cargo xtask web`. Do not edit.
+";
+
+/// Declares types, each after those it is made of.
+struct Declarations {
+    config: Config,
+    seen: HashSet<TypeId>,
+    text: String,
+}
+
+impl Declarations {
+    fn declare<T: TS + 'static + ?Sized>(&mut self) {
+        if !self.seen.insert(TypeId::of::<T>()) {
+            return;
+        }
+        T::visit_dependencies(self);
+        T::visit_generics(self);
+        // Lists and the like have no name of their own.
+        if T::output_path().is_none() {
+            return;
+        }
+        let docs = T::docs().unwrap_or_default();
+        let declaration = T::decl(&self.config);
+        self.text += &["\n", &docs, "export ", &declaration, "\n"].concat();
+    }
+}
+
+impl TypeVisitor for Declarations {
+    fn visit<T: TS + 'static + ?Sized>(&mut self) {
+        self.declare::<T>();
+    }
+}
+
+fn declarations() -> String {
+    let mut all = Declarations {
+        config: Config::new().with_large_int("number"),
+        seen: HashSet::new(),
+        text: HEAD.to_owned(),
+    };
+    all.declare::<wire::Refusal>();
+    all.declare::<wire::Catalogue>();
+    all.declare::<wire::Heard>();
+    all.declare::<wire::SoFar>();
+    all.declare::<wire::Demo>();
+    all.declare::<wire::OnsetFound>();
+    all.declare::<wire::AnalysisRequest>();
+    all.declare::<wire::Analysed>();
+    all.declare::<wire::Drawn>();
+    all.declare::<wire::SimulationRequest>();
+    all.declare::<wire::SceneRequest>();
+    all.declare::<wire::Simulated>();
+    all.declare::<paper::Document>();
+    all.text
+        .replace("/**\n * ", "/** ")
+        .replace("\n */\n", " */\n")
+        .replace("{ \n", "{\n")
+        .replace(", \n", ",\n")
+}
+
+/// The page is compiled against what the engine really gives.
+#[test]
+fn typescript_knows_the_types() {
+    let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../web/src/lab/types.ts");
+    let expected = declarations();
+    if std::env::var_os("BOUNCELAB_UPDATE_TYPES").is_some() {
+        fs::write(&file, &expected).unwrap();
+    }
+    let found = fs::read_to_string(&file).unwrap_or_default();
+    assert!(
+        found == expected,
+        "web/src/lab/types.ts is not what the Rust types say; write it anew with \
+         BOUNCELAB_UPDATE_TYPES=1 cargo test -p bouncelab-wasm --test types"
+    );
+}

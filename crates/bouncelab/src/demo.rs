@@ -1,0 +1,74 @@
+//! A drop to try things with, of which the truth is known: the one of the paper, made of sound.
+//!
+//! ```
+//! use bouncelab::demo;
+//!
+//! let history = demo::history()?;
+//! let sound = demo::sound(&history, 1)?;
+//! assert_eq!(sound.impacts.len(), history.strikes().count());
+//! # Ok::<(), bouncelab::Error>(())
+//! ```
+
+use crate::Result;
+use crate::analysis::Settings;
+use crate::ball;
+use crate::drop::{self, History, Start, Stop};
+use crate::estimate::{Knowledge, Question};
+use crate::impact::{Contact, Restitution, Strike};
+use crate::synth::{self, Noise, Rendered, Scene};
+
+/// The ball: 38 mm, 2.5 g.
+pub const BALL: &str = "table-tennis-38";
+/// The paper's drop height in metres.
+pub const DROP_HEIGHT_M: f64 = 0.305;
+/// With drag, this restitution gives the paper's straight line its slope over ten flights.
+pub const RESTITUTION: f64 = 0.9529;
+/// First and last flight of the paper's straight line.
+pub const FLIGHTS: (u32, u32) = (1, 10);
+/// A quiet room, in dB.
+const SNR_DB: f64 = 40.0;
+
+/// What a person would say of it; not its height, which is to be found again.
+///
+/// # Errors
+///
+/// None: the ball is a preset.
+pub fn settings() -> Result<Settings> {
+    let preset = ball::preset(BALL)?;
+    Ok(Settings {
+        ball: preset.ball,
+        contact_time_s: preset.contact_time_s,
+        flights: Some(FLIGHTS.0 as usize..=FLIGHTS.1 as usize),
+        knowledge: Knowledge::of_preset(preset),
+        question: Some(Question::default()),
+        ..Settings::default()
+    })
+}
+
+/// What really happens.
+///
+/// # Errors
+///
+/// None with these numbers.
+pub fn history() -> Result<History> {
+    /// Below this height of bounce, in metres, the sounds run into each other.
+    const REST_M: f64 = 5e-4;
+    let settings = settings()?;
+    let contact = Contact::new(Restitution::constant(RESTITUTION)?, settings.contact_time_s)?;
+    let start = Start::Height(DROP_HEIGHT_M);
+    drop::simulate(&settings.model()?, &contact, start, Stop::below(REST_M))
+}
+
+/// How it sounds; the seed is that of the noise and of the small differences between impacts.
+///
+/// # Errors
+///
+/// None with these numbers.
+pub fn sound(history: &History, seed: u64) -> Result<Rendered> {
+    let strikes: Vec<Strike> = history.strikes().collect();
+    let scene = Scene {
+        noise: Some(Noise::pink(SNR_DB)),
+        ..Scene::default()
+    };
+    synth::render(&strikes, &scene, seed)
+}

@@ -1,0 +1,338 @@
+//! From the draws of the posterior to the answers.
+
+use super::inference::{Drag, Draws, Impact, Inference, Model, Sampling};
+use super::knowledge::Measured;
+use super::likelihood::{Evaluator, Innovation};
+use super::posterior::{Posterior, THINNED};
+use super::summary::Summary;
+use super::{Prediction, Question, Reach, budget, identify, predict, remark};
+use crate::ball::Ball;
+use crate::drag::DragLaw;
+use crate::error::Result;
+use crate::flight::{Environment, FlightModel};
+
+/// The answers of each draw.
+pub(super) struct Answers {
+    at_speed_m_s: f64,
+    restitution: Vec<f64>,
+    slope: Vec<f64>,
+    drop_height_m: Vec<f64>,
+    drag_scale: Vec<f64>,
+    drag_strength: Vec<f64>,
+    gravity_m_s2: Vec<f64>,
+    scatter: Vec<f64>,
+    timing_s: Vec<f64>,
+    contact_time_s: Vec<f64>,
+}
+
+impl Answers {
+    pub(super) fn new(posterior: &Posterior, at_speed_m_s: f64) -> Option<Self> {
+        let sigma_s = &posterior.observed.sigma_s;
+        let squares: f64 = sigma_s.iter().map(|s| s * s).sum();
+        let rms_s = (squares / sigma_s.len() as f64).sqrt();
+        let rows = posterior.each(1, |evaluator, point| {
+            let table = evaluator.table(point.drag_strength);
+            let (gravity_height, ..) = table.fall(point.fall_launch_m_s)?;
+            Some([
+                point.law.at(at_speed_m_s),
+                -point.law.log_slope(at_speed_m_s),
+                gravity_height / point.gravity_m_s2,
+                point.drag_scale,
+                point.drag_strength,
+                point.gravity_m_s2,
+                point.scatter,
+                point.timing * rms_s,
+                point.contact_time_s,
+            ])
+        });
+        if rows.len() != posterior.draws.len() || rows.is_empty() {
+            return None;
+        }
+        let column = |place: usize| rows.iter().map(|row| row[place]).collect();
+        Some(Self {
+            at_speed_m_s,
+            restitution: column(0),
+            slope: column(1),
+            drop_height_m: column(2),
+            drag_scale: column(3),
+            drag_strength: column(4),
+            gravity_m_s2: column(5),
+            scatter: column(6),
+            timing_s: column(7),
+            contact_time_s: column(8),
+        })
+    }
+
+    pub(super) fn inference(
+        self,
+        posterior: &Posterior,
+        ball: &Ball,
+        environment: &Environment,
+        question: &Question,
+    ) -> Option<Inference> {
+        let of = |values: &[f64]| Summary::of(values.iter().copied());
+        let innovations = posterior.innovations();
+        let narrowed = identify::narrowed(posterior);
+        let rest = posterior.each(THINNED, |evaluator, point| {
+            Some(predict::until_rest(evaluator, point))
+        });
+        let rests = rest.iter().filter(|rest| rest.is_some()).count() * 2 > rest.len();
+        let rest: Vec<predict::Rest> = rest.into_iter().flatten().filter(|_| rests).collect();
+        let drag_coefficient = self.drag_coefficients(posterior, ball, environment);
+        let drag = self.drag(posterior, ball, environment, &drag_coefficient);
+        let gravity_m_s2 = of(&self.environment_gravity(posterior, environment))?;
+        let remarks = remark::remarks(posterior, &innovations, &narrowed, rests);
+        Some(Inference {
+            at_speed_m_s: self.at_speed_m_s,
+            restitution: of(&self.restitution)?,
+            slope: of(&self.slope)?,
+            drop_height_m: of(&self.drop_height_m)?,
+            drag,
+            gravity_m_s2,
+            scatter: of(&self.scatter)?,
+            timing_s: of(&self.timing_s)?,
+            contact_time_s: of(&self.contact_time_s)?,
+            total_time_s: Summary::of(rest.iter().map(|rest| rest.time_s)),
+            total_path_m: Summary::of(rest.iter().map(|rest| rest.path_m)),
+            missed_first: missed_first(posterior),
+            predictions: predictions(posterior, &question.reach),
+            impacts: heard(posterior, &innovations, ball, environment),
+            models: self.models(posterior),
+            narrowed,
+            correlations: identify::correlations(vec![
+                ("restitution", self.restitution.clone()),
+                ("slope of restitution", self.slope.clone()),
+                ("drag coefficient", self.drag_scale.clone()),
+                ("drop height", self.drop_height_m.clone()),
+                ("gravity", self.gravity_m_s2.clone()),
+                ("contact time", self.contact_time_s.clone()),
+            ]),
+            budget: budget::budget(posterior, self.at_speed_m_s).unwrap_or_default(),
+            sampling: Sampling {
+                effective_draws: posterior.effective_draws(),
+                pareto_shape: posterior.pareto_shape(),
+                converged: posterior.converged(),
+            },
+            remarks,
+            draws: Draws {
+                restitution: self.restitution,
+                drag_coefficient,
+                drop_height_m: self.drop_height_m,
+            },
+            posterior: posterior.clone(),
+        })
+    }
+
+    /// The drag coefficient of each draw: that of its law at the fastest impact, times the scale.
+    fn drag_coefficients(
+        &self,
+        posterior: &Posterior,
+        ball: &Ball,
+        environment: &Environment,
+    ) -> Vec<f64> {
+        if environment.air.is_vacuum() || environment.drag == DragLaw::None {
+            return Vec::new();
+        }
+        let reynolds = environment.air.reynolds(ball, posterior.middle.fastest_m_s);
+        let nominal: Vec<f64> = posterior
+            .surroundings
+            .iter()
+            .map(|s| s.drag_law.coefficient(reynolds).unwrap_or(f64::NAN))
+            .collect();
+        let of_draw = posterior.draws.iter().zip(&self.drag_scale);
+        of_draw
+            .map(|(draw, scale)| scale * nominal[posterior.candidates[draw.candidate].surroundings])
+            .collect()
+    }
+
+    fn drag(
+        &self,
+        posterior: &Posterior,
+        ball: &Ball,
+        environment: &Environment,
+        coefficients: &[f64],
+    ) -> Option<Drag> {
+        let coefficient = Summary::of(coefficients.iter().copied())?;
+        let reynolds = environment.air.reynolds(ball, posterior.middle.fastest_m_s);
+        let nominal = environment.drag.coefficient(reynolds).ok()?;
+        let models: Vec<FlightModel> = posterior
+            .surroundings
+            .iter()
+            .map(|surroundings| {
+                let drag = surroundings.drag_law;
+                FlightModel::new(
+                    ball,
+                    &Environment {
+                        drag,
+                        ..*environment
+                    },
+                )
+            })
+            .collect::<Result<_>>()
+            .ok()?;
+        let of_draw = posterior.draws.iter().zip(&self.drag_strength);
+        let terminal = of_draw.step_by(THINNED).filter_map(|(draw, &strength)| {
+            let surroundings = posterior.candidates[draw.candidate].surroundings;
+            terminal_speed(&models[surroundings], strength)
+        });
+        Some(Drag {
+            coefficient,
+            reynolds,
+            prior: Measured {
+                value: nominal,
+                sd: nominal * posterior.knowledge.drag,
+            },
+            terminal_speed_m_s: Summary::of(terminal),
+        })
+    }
+
+    /// Gravity itself, of which the effective gravity is only a part: the rest of what moved that
+    /// belongs to buoyancy and added mass.
+    fn environment_gravity(&self, posterior: &Posterior, environment: &Environment) -> Vec<f64> {
+        let surroundings = &posterior.surroundings[posterior.candidates[0].surroundings];
+        let share = surroundings.inputs.gravity_share();
+        self.gravity_m_s2
+            .iter()
+            .map(|gravity| {
+                environment.gravity_m_s2 * (gravity / surroundings.gravity_m_s2).powf(share)
+            })
+            .collect()
+    }
+
+    /// The table of models, with the numbers of missed impacts added up.
+    fn models(&self, posterior: &Posterior) -> Vec<Model> {
+        let mut models: Vec<Model> = Vec::new();
+        for candidate in &posterior.candidates {
+            let drag = posterior.surroundings[candidate.surroundings].drag_law;
+            let known = models
+                .iter_mut()
+                .find(|model| model.law == candidate.law && model.drag == drag);
+            if let Some(model) = known {
+                model.weight += candidate.weight;
+                continue;
+            }
+            let of_model = |values: &[f64]| {
+                let of_draw = posterior.draws.iter().zip(values);
+                Summary::of(of_draw.filter_map(|(draw, &value)| {
+                    let drawn = &posterior.candidates[draw.candidate];
+                    let same =
+                        drawn.law == candidate.law && drawn.surroundings == candidate.surroundings;
+                    same.then_some(value)
+                }))
+            };
+            models.push(Model {
+                law: candidate.law,
+                drag,
+                weight: candidate.weight,
+                log_evidence: 0.0,
+                restitution: of_model(&self.restitution),
+                drop_height_m: of_model(&self.drop_height_m),
+            });
+        }
+        models.sort_by(|a, b| b.weight.total_cmp(&a.weight));
+        let best = models.first().map_or(1.0, |model| model.weight);
+        for model in &mut models {
+            model.log_evidence = (model.weight / best).ln();
+        }
+        models
+    }
+}
+
+fn predictions(posterior: &Posterior, reach: &[Reach]) -> Vec<Prediction> {
+    let height = |reach: Reach| {
+        posterior.each(THINNED, |evaluator, point| {
+            predict::drop_height_for(evaluator, point, reach.bounce, reach.apex_m)
+        })
+    };
+    reach
+        .iter()
+        .map(|&reach| Prediction {
+            reach,
+            drop_height_m: Summary::of(height(reach)),
+        })
+        .collect()
+}
+
+/// Probabilities of numbers of missed impacts, if something tells.
+fn missed_first(posterior: &Posterior) -> Option<Vec<f64>> {
+    if !posterior.knowledge.tells_missed() {
+        return None;
+    }
+    let most = posterior.candidates.iter().map(|c| c.missed_first).max()?;
+    let mut probabilities = vec![0.0; most + 1];
+    for candidate in &posterior.candidates {
+        probabilities[candidate.missed_first] += candidate.weight;
+    }
+    Some(probabilities)
+}
+
+/// The speed at which drag balances weight, by Newton on the logarithms, from where it would be for
+/// a constant coefficient.
+fn terminal_speed(model: &FlightModel, drag_strength: f64) -> Option<f64> {
+    const STEPS: usize = 30;
+    let mut speed = model.terminal_speed_m_s()? / drag_strength.sqrt();
+    for _ in 0..STEPS {
+        // Drag goes about as the square of the speed.
+        let step = -0.5 * (drag_strength * model.drag_over_weight(speed).ok()?).ln();
+        speed *= step.exp();
+        if step.abs() < 1e-9 {
+            break;
+        }
+    }
+    Some(speed)
+}
+
+/// The impacts heard, with what each did to the speed and the energy of the ball.
+fn heard(
+    posterior: &Posterior,
+    innovations: &[Innovation],
+    ball: &Ball,
+    environment: &Environment,
+) -> Vec<Impact> {
+    let told = posterior.each(THINNED, |evaluator: &mut Evaluator, point| {
+        let told = evaluator.told(point)?;
+        let table = evaluator.table(point.drag_strength);
+        let apexes = told
+            .launch_speeds
+            .iter()
+            .map(|&launch| Some(table.fall(launch)?.0 / point.gravity_m_s2))
+            .collect::<Option<Vec<f64>>>()?;
+        Some((told, apexes))
+    });
+    let mass_kg = FlightModel::new(ball, environment)
+        .ok()
+        .and_then(|model| model.moving_mass_kg())
+        .unwrap_or(ball.mass_kg());
+    let stretches = &posterior.observed.stretches;
+    let impacts = posterior.observed.impacts.iter().enumerate();
+    impacts
+        .filter_map(|(place, impact)| {
+            let launches = stretches.get(place).is_some();
+            let single = stretches.get(place).is_some_and(|s| s.flights == 1);
+            let innovation = innovations.iter().rfind(|i| i.impact == place && launches);
+            let energy =
+                |faster: f64, slower: f64| 0.5 * mass_kg * (faster * faster - slower * slower);
+            let when = |possible: bool, value: &dyn Fn(usize) -> f64| {
+                if possible {
+                    Summary::of((0..told.len()).map(value))
+                } else {
+                    None
+                }
+            };
+            let before = |draw: usize| told[draw].0.impact_speeds[place];
+            let after = |draw: usize| told[draw].0.launch_speeds[place];
+            Some(Impact {
+                number: impact.number,
+                impact_speed_m_s: Summary::of((0..told.len()).map(before))?,
+                restitution: when(launches, &|draw| after(draw) / before(draw)),
+                apex_m: when(launches, &|draw| told[draw].1[place]),
+                lost_to_surface_j: when(launches, &|draw| energy(before(draw), after(draw))),
+                lost_to_air_j: when(single, &|draw| {
+                    energy(after(draw), told[draw].0.impact_speeds[place + 1])
+                }),
+                standardised_residual: innovation.map(|i| i.standardised),
+                weight: innovation.map_or(1.0, |i| i.weight),
+            })
+        })
+        .collect()
+}

@@ -1,0 +1,231 @@
+//! What is known after the data: the answers, as those who ask get them.
+
+use super::Prediction;
+use super::budget::{self, Budget};
+use super::identify::{Correlations, Narrowed};
+use super::knowledge::{LawKind, Measured};
+use super::posterior::{Posterior, THINNED};
+use super::predict;
+use super::remark::{ODD_WEIGHT, Remark};
+use super::summary::Summary;
+use crate::drag::DragLaw;
+
+/// What the times of one drop say, all priors and models considered.
+#[derive(Debug, Clone)]
+pub struct Inference {
+    /// The impact speed of [`Self::restitution`], m/s.
+    pub at_speed_m_s: f64,
+    /// The restitution law at that speed.
+    pub restitution: Summary,
+    /// -d ln e/d ln v at that speed: by how many per cent restitution falls when speed grows by one.
+    pub slope: Summary,
+    /// Height of the fall: before the first impact if a height or release was given, else before
+    /// the first impact heard, m.
+    pub drop_height_m: Summary,
+    /// The drag coefficient, if there is drag.
+    pub drag: Option<Drag>,
+    /// Gravity, m/s².
+    pub gravity_m_s2: Summary,
+    /// Standard deviation of ln e from impact to impact.
+    pub scatter: Summary,
+    /// Root mean square standard error of the times, s.
+    pub timing_s: Summary,
+    /// Contact time, s.
+    pub contact_time_s: Summary,
+    /// From the release until the ball rests, s.
+    pub total_time_s: Option<Summary>,
+    /// Path from the release until the ball rests, m.
+    pub total_path_m: Option<Summary>,
+    /// Probabilities of 0, 1, 2, ... impacts before the first one heard, if a height or a release
+    /// time tells.
+    pub missed_first: Option<Vec<f64>>,
+    /// The answers to [`Question::reach`].
+    pub predictions: Vec<Prediction>,
+    /// The impacts heard.
+    pub impacts: Vec<Impact>,
+    /// The models that were weighed, most probable first.
+    pub models: Vec<Model>,
+    /// How much the data narrowed what was known.
+    pub narrowed: Vec<Narrowed>,
+    /// Correlations between the answers.
+    pub correlations: Correlations,
+    /// Where the uncertainty comes from.
+    pub budget: Budget,
+    /// Equally likely values of the answers together.
+    pub draws: Draws,
+    /// Whether and how well the sampling worked.
+    pub sampling: Sampling,
+    /// What to know before believing it.
+    pub remarks: Vec<Remark>,
+    pub(super) posterior: Posterior,
+}
+
+/// The drag of the ball.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Drag {
+    /// The drag coefficient at a Reynolds number.
+    pub coefficient: Summary,
+    /// That Reynolds number: of the fastest impact heard, where drag shows most.
+    pub reynolds: f64,
+    /// The coefficient before the data, with its standard deviation.
+    pub prior: Measured,
+    /// The terminal speed, m/s, if the drag law reaches it.
+    pub terminal_speed_m_s: Option<Summary>,
+}
+
+/// An impact heard, and the flight after it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Impact {
+    /// Its number.
+    pub number: usize,
+    /// Speed just before it, m/s.
+    pub impact_speed_m_s: Summary,
+    /// What it kept of the speed; unknown for the last, and where the next was missed.
+    pub restitution: Option<Summary>,
+    /// Apex of the flight after it, m.
+    pub apex_m: Option<Summary>,
+    /// Energy it took, J.
+    pub lost_to_surface_j: Option<Summary>,
+    /// Energy the air took in the flight after it, J.
+    pub lost_to_air_j: Option<Summary>,
+    /// How far it lies from what the impacts before it foretold, in standard deviations; unknown
+    /// for the last.
+    pub standardised_residual: Option<f64>,
+    /// Its weight in the fit: 1 for an impact as good as any, near 0 for an odd one.
+    pub weight: f64,
+}
+
+/// A model and how it fared.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Model {
+    /// Restitution law.
+    pub law: LawKind,
+    /// Drag law, which has a scale.
+    pub drag: DragLaw,
+    /// Its posterior probability, over all numbers of missed impacts.
+    pub weight: f64,
+    /// Logarithm of its evidence above that of the best.
+    pub log_evidence: f64,
+    /// The restitution if it is true; `None` if it is too improbable to have been sampled.
+    pub restitution: Option<Summary>,
+    /// The drop height if it is true, m.
+    pub drop_height_m: Option<Summary>,
+}
+
+/// Equally likely values of the answers; those with the same index belong together.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Draws {
+    /// Restitution at the stated speed.
+    pub restitution: Vec<f64>,
+    /// Drag coefficient; empty if there is no drag.
+    pub drag_coefficient: Vec<f64>,
+    /// Drop height, m.
+    pub drop_height_m: Vec<f64>,
+}
+
+/// How the sampling went.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Sampling {
+    /// Draws that count as independent.
+    pub effective_draws: f64,
+    /// Shape of the tail of the weights; the answer stands if it is below
+    /// [`GREATEST_PARETO_SHAPE`].
+    pub pareto_shape: f64,
+    /// Whether it can be trusted.
+    pub converged: bool,
+}
+
+/// The restitution law at one speed.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct BandPoint {
+    /// Impact speed, m/s.
+    pub speed_m_s: f64,
+    /// Restitution there.
+    pub restitution: Summary,
+}
+
+impl Impact {
+    /// Whether it is so odd that it counts little in the fit.
+    pub fn is_odd(&self) -> bool {
+        self.weight < ODD_WEIGHT
+    }
+}
+
+impl Inference {
+    /// The restitution law at a speed, m/s.
+    pub fn restitution_at(&self, speed_m_s: f64) -> Option<Summary> {
+        Summary::of(
+            self.posterior
+                .each(1, |_, point| Some(point.law.at(speed_m_s))),
+        )
+    }
+
+    /// The apex after the first impact of a drop of this ball from a height, both of the lowest point
+    /// of the ball, m: one for each draw, with the restitution that the law expects.
+    ///
+    /// Empty if the height is so far beyond what was heard that nothing can be said.
+    pub fn rebounds_m(&self, drop_height_m: f64) -> Vec<f64> {
+        let rebounds = self.posterior.each(1, |evaluator, point| {
+            predict::rebound_m(evaluator, point, drop_height_m)
+        });
+        // A draw that cannot be worked out would leave the others one-sided.
+        if rebounds.len() == self.posterior.draws.len() {
+            rebounds
+        } else {
+            Vec::new()
+        }
+    }
+
+    /// The restitution law over a range of impact speeds, from a little below the slowest heard to
+    /// the fastest, the first impact.
+    pub fn band(&self, points: usize) -> Vec<BandPoint> {
+        let middle = &self.posterior.middle;
+        let fastest = self
+            .impacts
+            .iter()
+            .map(|impact| impact.impact_speed_m_s.value)
+            .fold(middle.fastest_m_s, f64::max);
+        let (from, to) = (0.9 * middle.slowest_m_s, 1.05 * fastest);
+        let speeds: Vec<f64> = (0..points)
+            .map(|point| from + (to - from) * point as f64 / (points.max(2) - 1) as f64)
+            .collect();
+        let summaries = self.restitution_at_each(&speeds);
+        std::iter::zip(speeds, summaries)
+            .filter_map(|(speed_m_s, restitution)| {
+                Some(BandPoint {
+                    speed_m_s,
+                    restitution: restitution?,
+                })
+            })
+            .collect()
+    }
+
+    /// The restitution law at several speeds, m/s, from a fourth of the draws.
+    pub fn restitution_at_each(&self, speeds_m_s: &[f64]) -> Vec<Option<Summary>> {
+        let draws = self.posterior.each(THINNED, |_, point| {
+            let law = speeds_m_s.iter().map(|&v| point.law.at(v));
+            Some(law.collect::<Vec<f64>>())
+        });
+        (0..speeds_m_s.len())
+            .map(|place| Summary::of(draws.iter().map(|draw| draw[place])))
+            .collect()
+    }
+
+    /// What of the standard uncertainty of the restitution at these speeds, m/s, comes from inputs
+    /// that other drops of the ball share (drag law, contact time, air, gravity, mass, diameter), and
+    /// so does not average out over drops. `None` if the fit is too odd to be taken apart.
+    pub fn shared_sd(&self, speeds_m_s: &[f64]) -> Option<Vec<f64>> {
+        budget::shared_sd(&self.posterior, speeds_m_s)
+    }
+
+    /// Whether the first impact heard was taken to be the first.
+    pub fn first_was_heard(&self) -> bool {
+        let knowledge = &self.posterior.knowledge;
+        knowledge.drop_height_m.is_some() && self.missed_first.is_none()
+    }
+
+    /// The priors, one line for each: what was assumed of balls and rooms before the data.
+    pub fn priors(&self) -> Vec<String> {
+        self.posterior.knowledge.statements()
+    }
+}

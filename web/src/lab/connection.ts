@@ -1,0 +1,110 @@
+import { LabError } from './error.ts';
+import type { Call, FromWorker, Give, Take, ToWorker } from './protocol.ts';
+
+/** The side of a worker that the page sees; tests put something else in its place. */
+export interface Port {
+  postMessage(message: ToWorker, transfer: Transferable[]): void;
+  terminate(): void;
+  onmessage: ((event: MessageEvent<FromWorker>) => void) | null;
+  onerror: ((event: ErrorEvent) => void) | null;
+}
+
+/** The science, compiled; and the decoders where they are needed. */
+export interface Modules {
+  engine: WebAssembly.Module;
+  decoders: WebAssembly.Module | null;
+}
+
+interface Pending {
+  resolve(give: unknown): void;
+  reject(error: LabError): void;
+  progress: ((share: number) => void) | undefined;
+}
+
+/**
+ * Calls to one worker, answered in order.
+ *
+ * If the science in it breaks down, the worker is thrown away and the next call starts another:
+ * nothing that matters lives in there.
+ */
+export class Connection {
+  readonly #spawn: () => Port;
+  readonly #modules: Promise<Modules>;
+  #port: Port | null = null;
+  #pending = new Map<number, Pending>();
+  #next = 0;
+
+  constructor(spawn: () => Port, modules: Promise<Modules>) {
+    this.#spawn = spawn;
+    this.#modules = modules;
+  }
+
+  get isBusy(): boolean {
+    return this.#pending.size > 0;
+  }
+
+  call<C extends Call>(
+    call: C,
+    take: Take<C>,
+    options: { transfer?: Transferable[]; progress?: ((share: number) => void) | undefined } = {},
+  ): Promise<Give<C>> {
+    this.#next += 1;
+    const id = this.#next;
+    return new Promise<Give<C>>((resolve, reject) => {
+      this.#pending.set(id, {
+        resolve: (give) => resolve(give as Give<C>),
+        reject,
+        progress: options.progress,
+      });
+      const message = { kind: 'call', id, call, take } as ToWorker;
+      this.#open().postMessage(message, options.transfer ?? []);
+    });
+  }
+
+  /** Ends the worker; what was asked of it is rejected with this error. */
+  close(error = new LabError('cancelled', 'called off')): void {
+    this.#port?.terminate();
+    this.#port = null;
+    const pending = this.#pending;
+    this.#pending = new Map();
+    for (const { reject } of pending.values()) {
+      reject(error);
+    }
+  }
+
+  #open(): Port {
+    if (this.#port !== null) {
+      return this.#port;
+    }
+    const port = this.#spawn();
+    this.#port = port;
+    port.onmessage = ({ data }) => this.#hear(data);
+    port.onerror = (event) => this.#lose(event.message);
+    this.#modules.then(
+      (modules) => port.postMessage({ kind: 'start', ...modules }, []),
+      (reason) => this.#lose(String(reason)),
+    );
+    return port;
+  }
+
+  #hear(message: FromWorker): void {
+    const pending = this.#pending.get(message.id);
+    if (message.kind === 'progress') {
+      pending?.progress?.(message.share);
+      return;
+    }
+    this.#pending.delete(message.id);
+    if (message.kind === 'done') {
+      pending?.resolve(message.give);
+      return;
+    }
+    pending?.reject(LabError.of(message.refusal));
+    if (message.broken) {
+      this.#lose(message.refusal.message);
+    }
+  }
+
+  #lose(reason: string): void {
+    this.close(new LabError('fault', `the laboratory broke down: ${reason}; please try again`));
+  }
+}

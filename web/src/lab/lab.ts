@@ -1,0 +1,399 @@
+import { Connection, type Modules, type Port } from './connection.ts';
+import { LabError } from './error.ts';
+import type { Level, Spectrogram } from './protocol.ts';
+import { Recording } from './recording.ts';
+import type {
+  Analysed,
+  AnalysisRequest,
+  Catalogue,
+  Demo,
+  Drawn,
+  DropMarks,
+  PaperDocument,
+  SceneRequest,
+  Settings,
+  Simulated,
+  SimulationRequest,
+  SoFar,
+} from './types.ts';
+
+/** How a recording is opened. */
+export interface OpenOptions {
+  /** The only channel to listen to, the first being 1; the one that tells most if left out. */
+  channel?: number;
+  /** Calls it off. */
+  signal?: AbortSignal;
+  /** How far it is, 0 to 1. */
+  onProgress?: (share: number) => void;
+}
+
+/** The largest file that is opened: what is in memory at once must fit on a phone. */
+const LARGEST_FILE_BYTES = 512e6;
+
+/**
+ * The laboratory: the science, in workers beside the page.
+ *
+ * ```ts
+ * const lab = new Lab();
+ * const recording = await lab.open(file);
+ * const analysed = await lab.analyse(lab.request(recording, { ball: 'table-tennis-40' }));
+ * ```
+ *
+ * Every method rejects with a `LabError`, whose `message` is for people.
+ */
+export class Lab {
+  readonly #spawn: () => Port;
+  readonly #load: (part: Part) => Promise<WebAssembly.Module>;
+  /** What must answer at once. */
+  readonly #front: Connection;
+  /** What may take a while. */
+  readonly #back: Connection;
+  #turn = 0;
+  #ears = 0;
+
+  constructor(spawn: () => Port = spawnWorker, load = loader()) {
+    this.#spawn = spawn;
+    this.#load = load;
+    this.#front = new Connection(spawn, this.#modules(false));
+    this.#back = new Connection(spawn, this.#modules(false));
+  }
+
+  /**
+   * Loads the decoders, which are due when a file is opened: to be called when the page has nothing
+   * else to do.
+   */
+  async prepare(): Promise<void> {
+    await this.#load('decoders');
+  }
+
+  /** Balls, laws, voices and worlds to choose from. */
+  catalogue(): Promise<Catalogue> {
+    return this.#front.call('catalogue', {});
+  }
+
+  /**
+   * Reads a recording of any format, or a list of times (by the ending of its name: .txt, .csv or
+   * .json), and hears the drops in it.
+   */
+  async open(file: File | { name: string; blob: Blob }, options: OpenOptions = {}) {
+    const blob = file instanceof File ? file : file.blob;
+    if (blob.size > LARGEST_FILE_BYTES) {
+      throw new LabError(
+        'too-long',
+        `${file.name} is too large for a browser (${Math.round(blob.size / 1e6)} MB); cut it to ` +
+          'the drop, or use the program on a computer',
+      );
+    }
+    const bytes = await blob.arrayBuffer().catch((reason: unknown) => {
+      throw new LabError('damaged', `${file.name} cannot be read: ${String(reason)}`);
+    });
+    const take = { bytes, name: file.name, channel: options.channel ?? null };
+    // A worker of its own: a damaged file may break the decoder, and long ones can be called off.
+    const { heard, sound } = await this.#alone(true, options.signal, (connection) =>
+      connection.call('open', take, { transfer: [bytes], progress: options.onProgress }),
+    );
+    return new Recording(heard, sound, this.#services);
+  }
+
+  /** Impact times as a person pastes them: one a line, or a table, or an array. */
+  async paste(text: string): Promise<Recording> {
+    const name = /^\s*\[/.test(text) ? 'times.json' : /[,;]/.test(text) ? 'times.csv' : 'times.txt';
+    return this.open({ name, blob: new Blob([text]) });
+  }
+
+  /** Hears samples that are already in memory, as those of a simulation or of the keepsakes. */
+  async hear(
+    channels: Float32Array[],
+    sampleRateHz: number,
+    name: string,
+    format = 'samples',
+  ): Promise<Recording> {
+    const transfer = channels.map((channel) => channel.buffer as ArrayBuffer);
+    const { heard, sound } = await this.#alone(false, undefined, (connection) =>
+      connection.call('hear', { channels, sampleRateHz, name, format }, { transfer }),
+    );
+    return new Recording(heard, sound, this.#services);
+  }
+
+  /** The paper's drop, made and heard: its recording, its settings and the truth. */
+  async demo(seed = 1): Promise<{ recording: Recording; demo: Demo }> {
+    const { demo, samples, sampleRateHz } = await this.#front.call('demo', { seed });
+    const recording = await this.hear([samples], sampleRateHz, demo.name, 'WAV');
+    return { recording, demo };
+  }
+
+  /** Begins to listen to samples that come bit by bit. */
+  async listen(sampleRateHz: number): Promise<Listening> {
+    this.#ears += 1;
+    const ear = this.#ears;
+    await this.#front.call('listen', { ear, sampleRateHz });
+    return new Listening(this.#front, ear, sampleRateHz, this.#services);
+  }
+
+  /** The drops of a recording as they were heard, ready to be analysed. */
+  request(recording: Recording, settings: Settings, drops?: DropMarks[]): AnalysisRequest {
+    const { name, source, warnings, no_drop } = recording.heard;
+    const asHeard = recording.heard.drops.map(({ impacts }) => ({ impacts, edited: false }));
+    return { name, source, warnings, no_drop, drops: drops ?? asHeard, settings, effort: 'full' };
+  }
+
+  /**
+   * Analyses drops. `onQuick` gets the straight line and the corrected restitution within
+   * milliseconds; what is returned has the inference too.
+   *
+   * The latest call wins: one before it that is not yet answered rejects as `superseded`.
+   */
+  async analyse(
+    request: AnalysisRequest,
+    onQuick?: (analysed: Analysed) => void,
+  ): Promise<Analysed> {
+    this.#turn += 1;
+    const turn = this.#turn;
+    if (onQuick) {
+      const quick = await this.#front.call('analyse', { request: { ...request, effort: 'quick' } });
+      this.#mustBeLatest(turn);
+      onQuick(quick);
+    }
+    // One at a time: while the last one is still at work, later ones replace each other.
+    await this.#idle();
+    this.#mustBeLatest(turn);
+    const analysed = this.#back.call('analyse', { request });
+    this.#working = analysed.then(
+      () => undefined,
+      () => undefined,
+    );
+    const result = await analysed;
+    this.#mustBeLatest(turn);
+    return result;
+  }
+
+  /** Draws a figure of an analysis, as the program does, by a name from `Analysed.figures`. */
+  figure(request: AnalysisRequest, name: string): Promise<Drawn> {
+    return this.#back.call('figure', { request, name });
+  }
+
+  /** Draws the waveform with its impacts, as the program does. */
+  async waveform(recording: Recording, request: AnalysisRequest): Promise<Drawn> {
+    const level = pictured(recording);
+    if (level === null || recording.sound === null) {
+      throw new LabError('empty', 'a list of times has no waveform');
+    }
+    const { sampleRateHz } = recording.sound;
+    return this.#back.call('waveform', { request, level, sampleRateHz });
+  }
+
+  /** The report of an analysis as one HTML file, as the program writes it. */
+  report(recording: Recording, request: AnalysisRequest, made: Date): Promise<string> {
+    return this.#back.call('report', {
+      request,
+      level: pictured(recording),
+      sampleRateHz: recording.sound?.sampleRateHz ?? 1,
+      made: made.toISOString().slice(0, 10),
+    });
+  }
+
+  /** The impacts as CSV, as the program writes them. */
+  rows(request: AnalysisRequest): Promise<string> {
+    return this.#back.call('rows', { request });
+  }
+
+  /** Simulates a drop under one or more drag laws. */
+  simulate(request: SimulationRequest): Promise<Simulated> {
+    return this.#front.call('simulate', { request });
+  }
+
+  /** What a simulated drop sounds like. */
+  synthesise(
+    request: SimulationRequest,
+    scene: SceneRequest,
+  ): Promise<{ samples: Float32Array; sampleRateHz: number }> {
+    return this.#front.call('synthesise', { request, scene });
+  }
+
+  /** The paper's numbers and figures, computed again. */
+  paper(): Promise<{ document: PaperDocument; figures: Drawn[] }> {
+    return this.#back.call('paper', {});
+  }
+
+  /** Ends all workers. */
+  close(): void {
+    this.#front.close();
+    this.#back.close();
+  }
+
+  #working: Promise<void> = Promise.resolve();
+
+  async #idle(): Promise<void> {
+    let working: Promise<void> | undefined;
+    while (working !== this.#working) {
+      working = this.#working;
+      await working;
+    }
+  }
+
+  #mustBeLatest(turn: number): void {
+    if (turn !== this.#turn) {
+      throw new LabError('superseded', 'a newer analysis took its place');
+    }
+  }
+
+  async #modules(withDecoders: boolean): Promise<Modules> {
+    const [engine, decoders] = await Promise.all([
+      this.#load('engine'),
+      withDecoders ? this.#load('decoders') : null,
+    ]);
+    return { engine, decoders };
+  }
+
+  /** Work in a worker of its own, which ends with it. */
+  async #alone<T>(
+    withDecoders: boolean,
+    signal: AbortSignal | undefined,
+    work: (connection: Connection) => Promise<T>,
+  ): Promise<T> {
+    const connection = new Connection(this.#spawn, this.#modules(withDecoders));
+    const cancel = () => connection.close();
+    if (signal?.aborted) {
+      throw new LabError('cancelled', 'called off');
+    }
+    signal?.addEventListener('abort', cancel, { once: true });
+    try {
+      return await work(connection);
+    } finally {
+      signal?.removeEventListener('abort', cancel);
+      connection.close();
+    }
+  }
+
+  readonly #services = {
+    onset: (samples: Float32Array, sampleRateHz: number, startS: number, timeS: number) =>
+      this.#front.call(
+        'onset',
+        { samples, sampleRateHz, startS, timeS },
+        { transfer: [samples.buffer as ArrayBuffer] },
+      ),
+    spectrogram: (
+      samples: Float32Array,
+      sampleRateHz: number,
+      columns: number,
+      rows: number,
+    ): Promise<Spectrogram> =>
+      this.#front.call(
+        'spectrogram',
+        { samples, sampleRateHz, columns, rows },
+        { transfer: [samples.buffer as ArrayBuffer] },
+      ),
+    wav: (channels: Float32Array[], sampleRateHz: number) =>
+      this.#front.call(
+        'wav',
+        { channels, sampleRateHz },
+        { transfer: channels.map((channel) => channel.buffer as ArrayBuffer) },
+      ),
+  };
+}
+
+/** A recording that is going on. What was pushed is kept here, so that nothing can lose it. */
+export class Listening {
+  readonly sampleRateHz: number;
+  readonly #connection: Connection;
+  readonly #ear: number;
+  readonly #services: ConstructorParameters<typeof Recording>[2];
+  readonly #blocks: Float32Array[] = [];
+  #frames = 0;
+
+  constructor(
+    connection: Connection,
+    ear: number,
+    sampleRateHz: number,
+    services: ConstructorParameters<typeof Recording>[2],
+  ) {
+    this.#connection = connection;
+    this.#ear = ear;
+    this.sampleRateHz = sampleRateHz;
+    this.#services = services;
+  }
+
+  /** How long it has been recording. */
+  get durationS(): number {
+    return this.#frames / this.sampleRateHz;
+  }
+
+  /** Takes the next samples; says what has been heard so far. */
+  push(samples: Float32Array): Promise<SoFar> {
+    this.#blocks.push(samples);
+    this.#frames += samples.length;
+    return this.#connection.call('push', { ear: this.#ear, samples });
+  }
+
+  /** All samples so far. */
+  samples(): Float32Array<ArrayBuffer> {
+    const all = new Float32Array(this.#frames);
+    let at = 0;
+    for (const block of this.#blocks) {
+      all.set(block, at);
+      at += block.length;
+    }
+    return all;
+  }
+
+  /** Ends it: what was heard, all told. */
+  async finish(name: string, format = 'microphone'): Promise<Recording> {
+    const take = { ear: this.#ear, name, format };
+    const { heard, levels } = await this.#connection.call('finish', take);
+    const sound: { sampleRateHz: number; channels: Float32Array[]; levels: Level[] } = {
+      sampleRateHz: this.sampleRateHz,
+      channels: [this.samples()],
+      levels,
+    };
+    return new Recording(heard, sound, this.#services);
+  }
+
+  /** Ends it without looking. */
+  async discard(): Promise<void> {
+    await this.#connection.call('deafen', { ear: this.#ear });
+  }
+}
+
+/** The level that a picture of the whole is drawn from. */
+function pictured(recording: Recording): Level | null {
+  const ENOUGH_BINS = 32_768;
+  const levels = recording.sound?.levels;
+  return (
+    levels?.find(({ extremes }) => extremes.length <= 2 * ENOUGH_BINS) ?? levels?.at(-1) ?? null
+  );
+}
+
+function spawnWorker(): Port {
+  return new Worker(new URL('./worker.ts', import.meta.url), { type: 'module', name: 'lab' });
+}
+
+/** What is compiled of the science. */
+type Part = 'engine' | 'decoders';
+
+/** Loads and compiles the parts of the science, each once for all workers. */
+function loader(): (part: Part) => Promise<WebAssembly.Module> {
+  const urls = {
+    engine: new URL('./engine/engine_bg.wasm', import.meta.url),
+    decoders: new URL('./engine/decoders_bg.wasm', import.meta.url),
+  };
+  const loaded = new Map<Part, Promise<WebAssembly.Module>>();
+  return (part) => {
+    const known = loaded.get(part);
+    if (known !== undefined) {
+      return known;
+    }
+    const loading = compile(urls[part]);
+    loaded.set(part, loading);
+    // What failed, perhaps for want of a network, is tried again.
+    loading.catch(() => loaded.delete(part));
+    return loading;
+  };
+}
+
+async function compile(url: URL): Promise<WebAssembly.Module> {
+  try {
+    return await WebAssembly.compileStreaming(fetch(url));
+  } catch (error) {
+    throw new LabError('fault', 'a part of the laboratory could not be loaded', { cause: error });
+  }
+}

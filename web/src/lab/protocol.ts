@@ -1,0 +1,112 @@
+import type {
+  Analysed,
+  AnalysisRequest,
+  Catalogue,
+  Demo,
+  Drawn,
+  Heard,
+  OnsetFound,
+  PaperDocument,
+  Refusal,
+  SceneRequest,
+  Simulated,
+  SimulationRequest,
+  SoFar,
+} from './types.ts';
+
+/** Least and greatest sample of bins of equal length, fine to coarse. */
+export interface Level {
+  samplesPerBin: number;
+  /** Least and greatest of each bin, one after the other. */
+  extremes: Float32Array;
+}
+
+/** A recording that was decoded, or ended. */
+export interface Sound {
+  sampleRateHz: number;
+  /** The samples of each channel. */
+  channels: Float32Array[];
+  /** Of the channel that was believed. */
+  levels: Level[];
+}
+
+/** A spectrogram: one byte for each cell, rows from low to high frequency, columns one by one. */
+export interface Spectrogram {
+  columns: number;
+  rows: number;
+  /** Frequency at the top. */
+  topHz: number;
+  /** Level in half decibels above `floorDb`, column after column. */
+  cells: Uint8Array;
+  floorDb: number;
+}
+
+/** What the worker does: what each call takes, and what it gives. */
+export interface Calls {
+  catalogue: { take: Record<never, never>; give: Catalogue };
+  open: {
+    take: { bytes: ArrayBuffer; name: string; channel: number | null };
+    give: { heard: Heard; sound: Sound | null };
+  };
+  hear: {
+    take: { channels: Float32Array[]; sampleRateHz: number; name: string; format: string };
+    give: { heard: Heard; sound: Sound };
+  };
+  demo: {
+    take: { seed: number };
+    give: { demo: Demo; samples: Float32Array; sampleRateHz: number };
+  };
+  listen: { take: { ear: number; sampleRateHz: number }; give: null };
+  push: { take: { ear: number; samples: Float32Array }; give: SoFar };
+  finish: {
+    take: { ear: number; name: string; format: string };
+    give: { heard: Heard; levels: Level[] };
+  };
+  deafen: { take: { ear: number }; give: null };
+  analyse: { take: { request: AnalysisRequest }; give: Analysed };
+  figure: { take: { request: AnalysisRequest; name: string }; give: Drawn };
+  waveform: {
+    take: { request: AnalysisRequest; level: Level; sampleRateHz: number };
+    give: Drawn;
+  };
+  report: {
+    take: {
+      request: AnalysisRequest;
+      level: Level | null;
+      sampleRateHz: number;
+      made: string;
+    };
+    give: string;
+  };
+  rows: { take: { request: AnalysisRequest }; give: string };
+  onset: {
+    take: { samples: Float32Array; sampleRateHz: number; startS: number; timeS: number };
+    give: OnsetFound | null;
+  };
+  spectrogram: {
+    take: { samples: Float32Array; sampleRateHz: number; columns: number; rows: number };
+    give: Spectrogram;
+  };
+  wav: { take: { channels: Float32Array[]; sampleRateHz: number }; give: Uint8Array<ArrayBuffer> };
+  simulate: { take: { request: SimulationRequest }; give: Simulated };
+  synthesise: {
+    take: { request: SimulationRequest; scene: SceneRequest };
+    give: { samples: Float32Array; sampleRateHz: number };
+  };
+  paper: { take: Record<never, never>; give: { document: PaperDocument; figures: Drawn[] } };
+}
+
+export type Call = keyof Calls;
+export type Take<C extends Call> = Calls[C]['take'];
+export type Give<C extends Call> = Calls[C]['give'];
+
+/** From the page to the worker. */
+export type ToWorker =
+  | { kind: 'start'; engine: WebAssembly.Module; decoders: WebAssembly.Module | null }
+  | { [C in Call]: { kind: 'call'; id: number; call: C; take: Take<C> } }[Call];
+
+/** From the worker to the page. */
+export type FromWorker =
+  | { kind: 'progress'; id: number; share: number }
+  | { kind: 'done'; id: number; give: unknown }
+  | { kind: 'refused'; id: number; refusal: Refusal; broken: boolean };

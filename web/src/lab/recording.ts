@@ -1,0 +1,106 @@
+import type { Level, Sound, Spectrogram } from './protocol.ts';
+import type { Heard, OnsetFound } from './types.ts';
+
+/** What a recording asks of the workers. */
+export interface Services {
+  onset(
+    samples: Float32Array,
+    sampleRateHz: number,
+    startS: number,
+    timeS: number,
+  ): Promise<OnsetFound | null>;
+  spectrogram(
+    samples: Float32Array,
+    sampleRateHz: number,
+    columns: number,
+    rows: number,
+  ): Promise<Spectrogram>;
+  wav(channels: Float32Array[], sampleRateHz: number): Promise<Uint8Array<ArrayBuffer>>;
+}
+
+/** How much sound before and after a time is heard again to find the onset next to it. */
+const BEFORE_S = 2;
+const AFTER_S = 0.5;
+
+/**
+ * A recording, or a list of times: what was heard in it, and its sound.
+ *
+ * The samples lie in the memory of the page, so that drawing and playing need not wait.
+ */
+export class Recording {
+  readonly heard: Heard;
+  /** `null` for a list of times. */
+  readonly sound: Sound | null;
+  readonly #services: Services;
+
+  constructor(heard: Heard, sound: Sound | null, services: Services) {
+    this.heard = heard;
+    this.sound = sound;
+    this.#services = services;
+  }
+
+  get durationS(): number {
+    const { source, drops } = this.heard;
+    if (source.kind === 'sound') {
+      return source.duration_s;
+    }
+    return drops[0]?.impacts.at(-1)?.time_s ?? 0;
+  }
+
+  /** The samples of the channel that was believed; empty for a list of times. */
+  get believed(): Float32Array {
+    const { source } = this.heard;
+    const channel = source.kind === 'sound' ? source.channel - 1 : 0;
+    return this.sound?.channels[channel] ?? new Float32Array();
+  }
+
+  /** The samples of the believed channel from one time to another: a view, not a copy. */
+  samples(fromS: number, toS: number): Float32Array {
+    const rate = this.sound?.sampleRateHz ?? 1;
+    const from = Math.max(0, Math.floor(fromS * rate));
+    return this.believed.subarray(from, Math.max(from, Math.ceil(toS * rate)));
+  }
+
+  /** The coarsest level whose bins are no longer than this; `null` where samples are due. */
+  level(secondsPerPixel: number): Level | null {
+    const longest = secondsPerPixel * (this.sound?.sampleRateHz ?? 0);
+    return this.sound?.levels.findLast((level) => level.samplesPerBin <= longest) ?? null;
+  }
+
+  /** The onset nearest to a time, if there is one within so many seconds. */
+  async onsetNear(timeS: number, withinS = 0.02): Promise<OnsetFound | null> {
+    if (this.sound === null) {
+      return null;
+    }
+    const rate = this.sound.sampleRateHz;
+    const samples = this.samples(timeS - BEFORE_S, timeS + AFTER_S).slice();
+    const startS = Math.max(0, Math.floor((timeS - BEFORE_S) * rate)) / rate;
+    const onset = await this.#services.onset(samples, rate, startS, timeS);
+    return onset !== null && Math.abs(onset.time_s - timeS) <= withinS ? onset : null;
+  }
+
+  /** How the energy lies over time and frequency, as many columns and rows as asked for. */
+  async spectrogram(
+    fromS: number,
+    toS: number,
+    columns: number,
+    rows: number,
+  ): Promise<Spectrogram | null> {
+    if (this.sound === null) {
+      return null;
+    }
+    const samples = this.samples(fromS, toS).slice();
+    return this.#services.spectrogram(samples, this.sound.sampleRateHz, columns, rows);
+  }
+
+  /** The recording as a WAV file of 32-bit samples: exactly what was heard. */
+  async wav(): Promise<Blob | null> {
+    if (this.sound === null) {
+      return null;
+    }
+    const { channels, sampleRateHz } = this.sound;
+    const copies = channels.map((channel) => channel.slice());
+    const bytes = await this.#services.wav(copies, sampleRateHz);
+    return new Blob([bytes], { type: 'audio/wav' });
+  }
+}

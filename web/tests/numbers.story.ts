@@ -1,0 +1,168 @@
+/** The engine gives the numbers of the command line: same files, same documents. */
+import { readFileSync } from 'node:fs';
+import { basename, join } from 'node:path';
+import { beforeAll, describe, expect, test } from 'vitest';
+import * as decoding from '../src/lab/engine/decoders.js';
+import * as science from '../src/lab/engine/engine.js';
+import type { Analysed, AnalysisRequest, Heard, Settings } from '../src/lab/index.ts';
+import { analysed, bouncelab, fixture, folder, synth } from './harness/program.ts';
+
+beforeAll(() => {
+  const wasm = (part: string) =>
+    readFileSync(join(import.meta.dirname, `../src/lab/engine/${part}_bg.wasm`));
+  science.initSync({ module: wasm('engine') });
+  decoding.initSync({ module: wasm('decoders') });
+});
+
+function hear(path: string): Heard {
+  if (science.isList(path)) {
+    return JSON.parse(science.hearTimes(readFileSync(path), path));
+  }
+  const decoder = new decoding.Decoder(readFileSync(path), path);
+  const hearer = new science.Hearer(decoder.sampleRateHz(), decoder.channels(), null);
+  let more = true;
+  while (more) {
+    more = decoder.decodeOn();
+    for (let channel = 0; channel < decoder.channels(); channel += 1) {
+      hearer.bring(channel, decoder.takeSamples(channel));
+    }
+    hearer.hear();
+  }
+  return JSON.parse(hearer.finish(path, decoder.format(), decoder.warnings()));
+}
+
+function request(heard: Heard, settings: Settings): AnalysisRequest {
+  const { name, source, warnings, no_drop } = heard;
+  const drops = heard.drops.map(({ impacts }) => ({ impacts, edited: false }));
+  return { name, source, warnings, no_drop, drops, settings, effort: 'full' };
+}
+
+function analyse(heard: Heard, settings: Settings): Analysed {
+  return JSON.parse(new science.Analyst().analyse(JSON.stringify(request(heard, settings))));
+}
+
+/**
+ * Asserts that two documents agree: words to the letter, times to 10 ns, other numbers to seven
+ * digits. The mathematical functions of the two machines differ in the last bit, which decoders of
+ * lossy formats and the sums of the inference magnify: there, three digits must agree, one more than
+ * are ever shown of a standard deviation.
+ */
+function expectSame(found: unknown, expected: unknown, path = '$'): void {
+  if (typeof expected === 'number') {
+    expect(found, path).toBeTypeOf('number');
+    const share = path.includes('.estimate.') ? 1e-3 : 1e-7;
+    const allowed = share * Math.abs(expected) + 1e-8;
+    expect(
+      Math.abs((found as number) - expected),
+      `${path}: ${found}, ${expected}`,
+    ).toBeLessThanOrEqual(allowed);
+  } else if (expected !== null && typeof expected === 'object') {
+    expect(Object.keys(found as object), path).toEqual(Object.keys(expected));
+    for (const [key, value] of Object.entries(expected)) {
+      expectSame((found as Record<string, unknown>)[key], value, `${path}.${key}`);
+    }
+  } else {
+    expect(found, path).toEqual(expected);
+  }
+}
+
+describe('the same document as the command line', () => {
+  const place = folder();
+
+  test('of a recording, with everything assumed', () => {
+    const { path } = synth(join(place, 'drop.wav'), '--seed', '3');
+    expectSame(analyse(hear(path), {}).document, analysed(path));
+  });
+
+  test('of a recording with two drops in noise, with a ball and a room', () => {
+    const { path } = synth(
+      join(place, 'noisy.wav'),
+      ...['--height', '60cm', '--restitution', '0.9', '--snr', '25', '--clicks', '1'],
+      ...['--ball', 'tennis', '--voice', 'tennis', '--sample-rate', '48000', '--seed', '4'],
+    );
+    const settings: Settings = {
+      ball: 'tennis',
+      temperature_k: 298.15,
+      pressure_pa: 95_000,
+      relative_humidity: 0.3,
+      latitude_deg: 47.5,
+      altitude_m: 400,
+      height_m: 0.6,
+      height_sd_m: 0.003,
+      drag: 'morrison',
+      restitution_laws: ['constant', 'power'],
+      flights: [1, 8],
+    };
+    const words = [
+      ...['--ball', 'tennis', '--temperature', '25C', '--pressure', '950hPa', '--humidity', '30%'],
+      ...['--latitude', '47.5', '--altitude', '400m', '--height', '60cm', '--height-sd', '3mm'],
+      ...['--drag', 'morrison', '--law', 'constant,power', '--flights', '1..8'],
+    ];
+    expectSame(analyse(hear(path), settings).document, analysed(path, ...words));
+  });
+
+  test('of a list of times', () => {
+    const { path } = synth(join(place, 'truth.wav'));
+    const times = path.replace('.wav', '-truth.json');
+    const settings: Settings = { mass_kg: 0.0025, diameter_m: 0.038, infer: ['drag'] };
+    const words = ['--mass', '2.5g', '--diameter', '38mm', '--infer', 'drag'];
+    expectSame(analyse(hear(times), settings).document, analysed(times, ...words));
+  });
+
+  test('of impacts that were taken out and added by hand', () => {
+    const { path } = synth(join(place, 'edited.wav'), '--seed', '5');
+    const heard = hear(path);
+    const impacts = heard.drops[0]?.impacts ?? [];
+    const gone = impacts[4]?.time_s ?? 0;
+    const added = (impacts.at(-1)?.time_s ?? 0) + 0.03;
+    const byHand = { number: 0, time_s: added, sigma_s: null, probability: 1, level_db: null };
+    const edited = impacts.filter((_, index) => index !== 4).concat(byHand);
+    const asked = { ...request(heard, {}), drops: [{ impacts: edited, edited: true }] };
+    const found: Analysed = JSON.parse(new science.Analyst().analyse(JSON.stringify(asked)));
+    const words = ['--exclude', `${gone}s`, '--include', `${added}s`];
+    expectSame(found.document, analysed(path, ...words));
+  });
+
+  test('of every format', () => {
+    const names = ['pcm16.wav', 'pcm24.wav', 'float32.wav', 'pcm16.aiff', 'lossless.flac'];
+    names.push('lame-tag.mp3', 'vorbis.ogg', 'opus.ogg', 'opus.webm', 'browser.webm', 'aac.aac');
+    names.push('aac.m4a', 'alac.m4a', 'trimmed.m4a', 'opus.mp4', 'video.mov', 'three-channels.wav');
+    for (const path of names.map(fixture)) {
+      expectSame(analyse(hear(path), {}).document, analysed(path), basename(path));
+    }
+  });
+
+  test('of a simulation and of the paper', () => {
+    const simulated = JSON.parse(
+      science.simulate(
+        JSON.stringify({
+          settings: { ball: 'basketball' },
+          height_m: 1.8,
+          restitution: { law: 'linear', at_rest: 0.85, loss_per_speed_s_m: 0.01 },
+          compare: ['none'],
+        }),
+      ),
+    );
+    const words = ['--height', '1.8m', '--restitution', '0.85', '--restitution-slope', '0.01'];
+    const printed = bouncelab(
+      ...['simulate', '--ball', 'basketball', '--compare', 'none', '--format', 'json'],
+      ...words,
+    );
+    expectSame(simulated.document, JSON.parse(printed));
+    const paper = bouncelab('paper', '--no-figures', '--format', 'json');
+    expectSame(JSON.parse(science.paperDocument()), JSON.parse(paper));
+  });
+
+  test('rows of a table, to the letter of their names', () => {
+    const { path } = synth(join(place, 'rows.wav'), '--bounces', '8');
+    const rows = new science.Analyst().rows(JSON.stringify(request(hear(path), {})));
+    const printed = bouncelab('analyze', path, '--format', 'csv');
+    const table = (text: string) =>
+      text
+        .trim()
+        .split('\n')
+        .map((row) => row.split(','));
+    expect(table(rows)[0]).toEqual(table(printed)[0]);
+    expect(table(rows).length).toBe(table(printed).length);
+  });
+});

@@ -1,0 +1,14 @@
+import { defineConfig } from 'vitest/config';
+
+/** Stories: what a person does, played in a real browser, one file each. */
+export default defineConfig({
+  test: {
+    dir: import.meta.dirname,
+    include: ['*.story.ts'],
+    // One browser at a time: times are measured, and two cores are soon busy.
+    fileParallelism: false,
+    testTimeout: 60_000,
+    // The program may have to be compiled first.
+    hookTimeout: 900_000,
+  },
+});

@@ -1,0 +1,23 @@
+import { defineConfig } from 'vitest/config';
+import { contentSecurityPolicy } from './build/policy.ts';
+import { precache } from './build/precache.ts';
+
+export default defineConfig({
+  // Static files that work in any folder of any web server.
+  base: './',
+  plugins: [contentSecurityPolicy(), precache({ source: 'src/sw.ts' })],
+  build: {
+    target: 'es2022',
+    outDir: 'dist',
+    emptyOutDir: true,
+    // Nothing inline: the content security policy allows no data: scripts or styles.
+    assetsInlineLimit: 0,
+    // The size that counts is printed, and checked, by scripts/size.mjs.
+    reportCompressedSize: false,
+  },
+  worker: { format: 'es' },
+  test: {
+    include: ['src/**/*.test.ts', 'src/**/*.test.tsx'],
+    environment: 'node',
+  },
+});

@@ -1,0 +1,152 @@
+//! `cargo xtask web`: the browser laboratory, from the sources to `web/dist`.
+
+mod debian;
+mod system;
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+use crate::Result;
+use crate::cargo::{cargo, root, run as run_command};
+
+pub(crate) use system::{has_chromium, has_node};
+
+pub(crate) const ABOUT: &str =
+    "Build the page into web/dist; or only its engine; or check it; or play its stories";
+
+const TARGET: &str = "wasm32-unknown-unknown";
+
+/// Builds `engine` (the WebAssembly), the whole page (no word), runs `check` (types, lint, unit
+/// tests) or `stories` (the page in a real browser).
+pub(crate) fn run(words: &[String]) -> Result {
+    system::need_node()?;
+    match words {
+        [] => build(),
+        [word] if word == "engine" => engine(),
+        [word] if word == "check" => check(),
+        [word] if word == "stories" => stories(&[]),
+        [word, names @ ..] if word == "stories" => stories(names),
+        _ => Err(format!(
+            "\"{}\" is none of engine, check, stories",
+            words.join(" ")
+        )),
+    }
+}
+
+fn build() -> Result {
+    engine()?;
+    npm(&["run", "build"])?;
+    npm(&["run", "size"])
+}
+
+fn check() -> Result {
+    engine()?;
+    npm(&["run", "check"])?;
+    npm(&["run", "lint"])?;
+    npm(&["run", "test"])
+}
+
+/// Plays the stories, or those whose file has one of these names in it.
+fn stories(names: &[String]) -> Result {
+    system::need_chromium()?;
+    if !web().join("dist/index.html").is_file() {
+        build()?;
+    }
+    let mut command = npm_command(&["run", "stories", "--"]);
+    run_command(command.args(names))
+}
+
+/// What the page loads: the science at once, the decoders when a file is opened.
+const PARTS: [&str; 2] = ["engine", "decoders"];
+
+/// Compiles the science for the browser and puts it where the page looks for it. Nothing is done
+/// twice: cargo knows whether the science has changed, and what follows depends on its result.
+///
+/// Binaryen's `wasm-opt` is left out: what it saves of these bytes, a tenth, compresses worse than
+/// what it finds, by 5 % in the end, and it takes a minute.
+fn engine() -> Result {
+    modules()?;
+    let folder = web().join("src/lab/engine");
+    fs::create_dir_all(&folder).map_err(|reason| said(&folder, &reason))?;
+    for part in PARTS {
+        let compiled = compile(part)?;
+        let stamp = target().join(format!("{part}.wasm"));
+        let made = folder.join(format!("{part}_bg.wasm"));
+        if same_content(&compiled, &stamp) && made.is_file() {
+            continue;
+        }
+        run_command(
+            Command::new(bindgen()?)
+                .arg(&compiled)
+                .arg(&folder)
+                .arg(part),
+        )?;
+        fs::copy(&compiled, &stamp).map_err(|reason| said(&stamp, &reason))?;
+    }
+    Ok(())
+}
+
+/// A part of the science as WebAssembly, in a target folder of its own: another profile and another
+/// target would only push the usual build out of it.
+fn compile(part: &str) -> Result<PathBuf> {
+    let mut command = cargo(["build", "--package", "bouncelab-wasm", "--profile", "web"]);
+    command.args(["--features", part, "--target", TARGET, "--target-dir"]);
+    command.arg(target());
+    // Every browser of the last years computes with four numbers at once.
+    command.env("RUSTFLAGS", "-C target-feature=+simd128");
+    if !system::has_target(TARGET) {
+        println!("rustup has no {TARGET} here: trying the compiler of Debian");
+        debian::set_up(&mut command, &target().join("debian"))?;
+    }
+    run_command(&mut command)?;
+    Ok(target().join(TARGET).join("web/bouncelab_wasm.wasm"))
+}
+
+/// The tool that makes the JavaScript side, built once.
+fn bindgen() -> Result<PathBuf> {
+    let folder = target().join("bindgen");
+    let mut command = cargo(["build", "--locked", "--manifest-path"]);
+    command.arg(root().join("xtask/bindgen/Cargo.toml"));
+    run_command(command.arg("--target-dir").arg(&folder))?;
+    Ok(folder.join("debug/bindgen"))
+}
+
+/// Installs what the page is built with, if it is not what the lock file says.
+fn modules() -> Result {
+    let lock = web().join("package-lock.json");
+    let stamp = web().join("node_modules/.installed-from.json");
+    if same_content(&lock, &stamp) {
+        return Ok(());
+    }
+    run_command(npm_command(&["ci", "--no-audit", "--no-fund"]).current_dir(web()))?;
+    fs::copy(&lock, &stamp)
+        .map(drop)
+        .map_err(|reason| said(&stamp, &reason))
+}
+
+fn npm(words: &[&str]) -> Result {
+    run_command(&mut npm_command(words))
+}
+
+fn npm_command(words: &[&str]) -> Command {
+    let mut command = Command::new("npm");
+    command.args(words).current_dir(web());
+    command
+}
+
+fn web() -> PathBuf {
+    root().join("web")
+}
+
+fn target() -> PathBuf {
+    root().join("target/web")
+}
+
+fn same_content(a: &Path, b: &Path) -> bool {
+    matches!((fs::read(a), fs::read(b)), (Ok(a), Ok(b)) if a == b)
+}
+
+fn said(path: &Path, reason: &std::io::Error) -> String {
+    format!("{}: {reason}", path.display())
+}
