@@ -1,7 +1,7 @@
 //! The arguments that say what is known besides the sounds, and what to ask of the inference.
 
 use bouncelab::estimate::{Effort, Knowledge, LawKind, Question, Reach};
-use bouncelab::stated::StatedDrop;
+use bouncelab::stated::{self, StatedDrop};
 use clap::{Args, ValueEnum};
 
 use crate::failure::Failure;
@@ -66,6 +66,16 @@ enum Inferred {
     ContactTime,
 }
 
+impl From<Inferred> for stated::Inferred {
+    fn from(inferred: Inferred) -> Self {
+        match inferred {
+            Inferred::Gravity => Self::Gravity,
+            Inferred::Drag => Self::Drag,
+            Inferred::ContactTime => Self::ContactTime,
+        }
+    }
+}
+
 /// An input whose uncertainty may be stated.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 enum Input {
@@ -107,15 +117,13 @@ impl KnowledgeArguments {
             release_sd_s: self.release_sd,
             first_heard: self.first_heard,
             laws: self.law.clone(),
-            infer_gravity: self.infer.contains(&Inferred::Gravity),
-            infer_drag: self.infer.contains(&Inferred::Drag),
-            infer_contact_time: self.infer.contains(&Inferred::ContactTime),
+            infer: self.infer.iter().map(|&inferred| inferred.into()).collect(),
         };
         let mut known = physics;
         for &(input, share) in &self.known {
             *input.of(&mut known) = share;
         }
-        Ok(stated.add_to(known)?)
+        Ok(stated.add_to(&known)?)
     }
 
     /// What to ask.

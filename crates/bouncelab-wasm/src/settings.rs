@@ -2,7 +2,9 @@
 
 use bouncelab::analysis::Impact;
 use bouncelab::estimate;
-use bouncelab::stated::{Stated, StatedAir, StatedBall, StatedDrop, StatedGravity, Understood};
+use bouncelab::stated::{
+    self, Stated, StatedAir, StatedBall, StatedDrop, StatedGravity, Understood,
+};
 
 use crate::refusal::Result;
 use crate::wire::{Effort, Inferred, Mark, Refusal, RefusalKind, Settings};
@@ -19,7 +21,7 @@ impl Settings {
         settings.flights = self
             .flights
             .map(|(first, last)| first as usize..=last as usize);
-        settings.knowledge = self.stated_drop()?.add_to(settings.knowledge.clone())?;
+        settings.knowledge = self.stated_drop()?.add_to(&settings.knowledge)?;
         settings.question = (effort == Effort::Full).then(|| self.question());
         Ok(understood)
     }
@@ -83,12 +85,7 @@ impl Settings {
 
     fn stated_drop(&self) -> Result<StatedDrop> {
         let laws = self.restitution_laws.iter().flatten();
-        let infers = |what: Inferred| {
-            self.infer
-                .iter()
-                .flatten()
-                .any(|inferred| *inferred == what)
-        };
+        let inferred = self.infer.iter().flatten();
         Ok(StatedDrop {
             height_m: self.height_m,
             height_sd_m: self.height_sd_m,
@@ -98,9 +95,7 @@ impl Settings {
             laws: laws
                 .map(|law| law.parse())
                 .collect::<bouncelab::Result<_>>()?,
-            infer_gravity: infers(Inferred::Gravity),
-            infer_drag: infers(Inferred::Drag),
-            infer_contact_time: infers(Inferred::ContactTime),
+            infer: inferred.map(|&inferred| inferred.into()).collect(),
         })
     }
 
@@ -115,6 +110,16 @@ impl Settings {
                 })
                 .collect(),
             effort: estimate::Effort::default(),
+        }
+    }
+}
+
+impl From<Inferred> for stated::Inferred {
+    fn from(inferred: Inferred) -> Self {
+        match inferred {
+            Inferred::Gravity => Self::Gravity,
+            Inferred::Drag => Self::Drag,
+            Inferred::ContactTime => Self::ContactTime,
         }
     }
 }

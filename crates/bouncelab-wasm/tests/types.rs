@@ -36,9 +36,9 @@ impl Declarations {
         if T::output_path().is_none() {
             return;
         }
-        self.text += "\n";
-        self.text += &T::docs().unwrap_or_default();
-        self.text += &format!("export {}\n", T::decl(&self.config));
+        let docs = T::docs().unwrap_or_default();
+        let declaration = T::decl(&self.config);
+        self.text += &["\n", &docs, "export ", &declaration, "\n"].concat();
     }
 }
 

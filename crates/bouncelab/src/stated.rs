@@ -247,7 +247,9 @@ impl Stated {
                 density_kg_m3,
                 viscosity_pa_s: Some(viscosity_pa_s),
             } => Air::new(density_kg_m3, viscosity_pa_s),
-            StatedAir::Density { density_kg_m3, .. } if density_kg_m3 == 0.0 => Ok(Air::vacuum()),
+            StatedAir::Density {
+                density_kg_m3: 0.0, ..
+            } => Ok(Air::vacuum()),
             StatedAir::Density { density_kg_m3, .. } => {
                 Air::new(density_kg_m3, Air::moist(&usual)?.viscosity_pa_s())
             }
@@ -329,12 +331,19 @@ pub struct StatedDrop {
     pub first_heard: bool,
     /// Restitution laws to consider; all that the impacts can tell apart if empty.
     pub laws: Vec<LawKind>,
-    /// Leaves gravity to the data.
-    pub infer_gravity: bool,
-    /// Leaves the drag coefficient to the data.
-    pub infer_drag: bool,
-    /// Leaves the contact time to the data.
-    pub infer_contact_time: bool,
+    /// What to leave to the data.
+    pub infer: Vec<Inferred>,
+}
+
+/// An input that may be left to the data, as if nothing were known of it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Inferred {
+    /// The acceleration of gravity.
+    Gravity,
+    /// The drag coefficient.
+    Drag,
+    /// The contact time.
+    ContactTime,
 }
 
 impl StatedDrop {
@@ -343,9 +352,12 @@ impl StatedDrop {
     /// # Errors
     ///
     /// Those of [`Knowledge::check`].
-    pub fn add_to(&self, knowledge: Knowledge) -> Result<Knowledge> {
+    pub fn add_to(&self, knowledge: &Knowledge) -> Result<Knowledge> {
         let measured = |value: Option<f64>, sd: f64| value.map(|value| Measured { value, sd });
-        let or_unknown = |infer: bool, known: f64| if infer { UNKNOWN } else { known };
+        let unless_inferred = |input: Inferred, known: f64| {
+            let is_inferred = self.infer.contains(&input);
+            if is_inferred { UNKNOWN } else { known }
+        };
         let mut laws = self.laws.clone();
         laws.dedup();
         let all = Knowledge {
@@ -353,10 +365,10 @@ impl StatedDrop {
             first_was_heard: self.first_heard,
             release_s: measured(self.release_s, self.release_sd_s.unwrap_or(RELEASE_SD_S)),
             restitution_laws: laws,
-            gravity: or_unknown(self.infer_gravity, knowledge.gravity),
-            drag: or_unknown(self.infer_drag, knowledge.drag),
-            contact_time: or_unknown(self.infer_contact_time, knowledge.contact_time),
-            ..knowledge
+            gravity: unless_inferred(Inferred::Gravity, knowledge.gravity),
+            drag: unless_inferred(Inferred::Drag, knowledge.drag),
+            contact_time: unless_inferred(Inferred::ContactTime, knowledge.contact_time),
+            ..knowledge.clone()
         };
         all.check()?;
         Ok(all)
