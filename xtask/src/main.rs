@@ -7,6 +7,8 @@ mod bench;
 mod calibrate;
 mod cargo;
 mod grid;
+mod laboratory;
+mod tables;
 mod test;
 mod verdicts;
 mod web;
@@ -23,7 +25,7 @@ struct Chore {
     run: fn(&[String]) -> Result,
 }
 
-const CHORES: [Chore; 6] = [
+const CHORES: [Chore; 7] = [
     Chore {
         name: "test",
         arguments: "[CHECK...]",
@@ -41,6 +43,12 @@ const CHORES: [Chore; 6] = [
         arguments: "[DROPS [FOLDER]]",
         about: calibrate::ABOUT,
         run: calibrate::run,
+    },
+    Chore {
+        name: "laboratory",
+        arguments: "FOLDER COUNT",
+        about: laboratory::ABOUT,
+        run: laboratory::run,
     },
     Chore {
         name: "verdicts",

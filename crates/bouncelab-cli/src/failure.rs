@@ -56,3 +56,15 @@ impl From<bouncelab_report::Error> for Failure {
         Self::Input(fault.to_string())
     }
 }
+
+impl From<bouncelab_session::Error> for Failure {
+    fn from(fault: bouncelab_session::Error) -> Self {
+        use bouncelab_session::Error;
+        match fault {
+            Error::Notes { .. } | Error::Pattern { .. } | Error::NoRecordings { .. } => {
+                Self::Usage(fault.to_string())
+            }
+            _ => Self::Input(fault.to_string()),
+        }
+    }
+}

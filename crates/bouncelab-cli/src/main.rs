@@ -11,6 +11,7 @@ mod physics;
 mod rules;
 #[cfg(feature = "serve")]
 mod serve;
+mod session;
 mod simulate;
 mod synth;
 mod verdict;
@@ -34,6 +35,7 @@ Examples:
   bouncelab analyze drop.wav                       what a recording says
   bouncelab analyze drop.m4a --ball tennis --figures figures
   bouncelab listen                                 hear drops while they happen
+  bouncelab session recordings                     what many drops say together
   bouncelab verdict --rule ittf-ball drop.wav      does the ball obey the rule?
   bouncelab simulate --height 30.5cm --restitution 0.935";
 
@@ -41,6 +43,7 @@ Examples:
 enum Command {
     Analyze(analyze::Arguments),
     Listen(listen::Arguments),
+    Session(session::Arguments),
     Verdict(verdict::Arguments),
     Rules(rules::Arguments),
     Simulate(simulate::Arguments),
@@ -55,6 +58,7 @@ fn main() -> ExitCode {
     let result = match Cli::parse().command {
         Command::Analyze(arguments) => analyze::run(&arguments),
         Command::Listen(arguments) => listen::run(&arguments),
+        Command::Session(arguments) => session::run(&arguments),
         Command::Verdict(arguments) => verdict::run(&arguments),
         Command::Rules(arguments) => rules::run(&arguments),
         Command::Simulate(arguments) => simulate::run(&arguments),

@@ -8,6 +8,7 @@ mod text;
 
 pub(crate) use figures::save_figures;
 pub(crate) use hear::{Hearing, Heeded, Recording, hear};
+pub(crate) use report::{Draft, provenance};
 pub(crate) use text::{report, shown};
 
 use std::io::{self, Write};
@@ -94,6 +95,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
         channel: arguments.channel.map(usize::from),
         exclude_s: arguments.exclude.clone(),
         include_s: arguments.include.clone(),
+        quiet: false,
     };
     let mut draft = match (&arguments.report, arguments.files.as_slice()) {
         (None, _) => None,

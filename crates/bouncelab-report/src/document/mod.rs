@@ -18,6 +18,7 @@
 
 mod estimate;
 pub mod rows;
+mod session;
 pub mod simulation;
 pub mod verdict;
 
@@ -27,6 +28,7 @@ use bouncelab::restitution::{ImpactRestitution, TimedFlight};
 use serde::{Deserialize, Serialize};
 
 use estimate::Estimate as Estimated;
+pub use session::{AboutSession, Reason, SessionDocument};
 
 /// Name and version of the schema.
 pub const SCHEMA: &str = "bouncelab.analysis/1";

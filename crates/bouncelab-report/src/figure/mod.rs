@@ -9,10 +9,13 @@ mod corner;
 mod cut;
 mod drag;
 mod flight_times;
+mod groups;
 mod height;
+mod intervals;
 mod models;
 mod residuals;
 mod restitution;
+mod run_chart;
 mod waveform;
 
 pub use budget::{Budget, Source, budget};
@@ -21,10 +24,13 @@ pub use corner::{CornerParameter, corner};
 pub use cut::{CutPoint, CutSeries, cut};
 pub use drag::{DragAxes, drag};
 pub use flight_times::{Line, TimedFlight, flight_times};
+pub use groups::{GroupLaw, GroupPoint, groups};
 pub use height::height;
+pub use intervals::{GroupInterval, intervals};
 pub use models::{ModelWeight, models};
 pub use residuals::{Residual, residuals};
 pub use restitution::{BandPoint, Restitution, restitution};
+pub use run_chart::{RunPoint, run_chart};
 pub use waveform::{Envelope, Mark, SURE, waveform};
 
 use crate::canvas::{Canvas, Dash, Pen};

@@ -1,7 +1,7 @@
 //! What is known after the data: the answers, as those who ask get them.
 
 use super::Prediction;
-use super::budget::Budget;
+use super::budget::{self, Budget};
 use super::identify::{Correlations, Narrowed};
 use super::knowledge::{LawKind, Measured};
 use super::posterior::{Posterior, THINNED};
@@ -189,24 +189,33 @@ impl Inference {
         let speeds: Vec<f64> = (0..points)
             .map(|point| from + (to - from) * point as f64 / (points.max(2) - 1) as f64)
             .collect();
-        let draws = self.posterior.each(THINNED, |_, point| {
-            Some(
-                speeds
-                    .iter()
-                    .map(|&v| point.law.at(v))
-                    .collect::<Vec<f64>>(),
-            )
-        });
-        speeds
-            .iter()
-            .enumerate()
-            .filter_map(|(place, &speed_m_s)| {
+        let summaries = self.restitution_at_each(&speeds);
+        std::iter::zip(speeds, summaries)
+            .filter_map(|(speed_m_s, restitution)| {
                 Some(BandPoint {
                     speed_m_s,
-                    restitution: Summary::of(draws.iter().map(|draw| draw[place]))?,
+                    restitution: restitution?,
                 })
             })
             .collect()
+    }
+
+    /// The restitution law at several speeds, m/s, from a fourth of the draws.
+    pub fn restitution_at_each(&self, speeds_m_s: &[f64]) -> Vec<Option<Summary>> {
+        let draws = self.posterior.each(THINNED, |_, point| {
+            let law = speeds_m_s.iter().map(|&v| point.law.at(v));
+            Some(law.collect::<Vec<f64>>())
+        });
+        (0..speeds_m_s.len())
+            .map(|place| Summary::of(draws.iter().map(|draw| draw[place])))
+            .collect()
+    }
+
+    /// What of the standard uncertainty of the restitution at these speeds, m/s, comes from inputs
+    /// that other drops of the ball share (drag law, contact time, air, gravity, mass, diameter), and
+    /// so does not average out over drops. `None` if the fit is too odd to be taken apart.
+    pub fn shared_sd(&self, speeds_m_s: &[f64]) -> Option<Vec<f64>> {
+        budget::shared_sd(&self.posterior, speeds_m_s)
     }
 
     /// Whether the first impact heard was taken to be the first.

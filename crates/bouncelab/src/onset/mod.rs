@@ -82,8 +82,8 @@ impl Onset {
 
 /// A candidate is the strongest moment this far to both sides.
 const SPACING_S: f64 = 0.006;
-/// The bar for a candidate. White noise hardly reaches it, other backgrounds a few times a second.
-const BAR: f64 = 2.0;
+/// The bar for a candidate. White noise reaches it about once a second, other backgrounds more often.
+const BAR: f64 = 1.5;
 /// The steps of the format are sought in one sample of so many.
 const STEP_SHARE: usize = 4;
 

@@ -205,7 +205,9 @@ impl Sound {
     /// Whether something begins here: the ringing of the impact before may look alike, but fades.
     fn begins(&self, span: &Span) -> bool {
         let length = span.origin - span.before;
-        let at = (span.origin as f64 + self.shift) as usize - span.before;
+        // The others may have moved it to beyond what was cut out.
+        let last = self.energy.len() - 1 - length;
+        let at = ((length as f64 + self.shift).max(0.0) as usize).min(last);
         let energy = |first: usize| self.energy[first + length] - self.energy[first];
         energy(at) > energy(at.saturating_sub(length))
     }
@@ -518,6 +520,28 @@ fn kernel(fraction: f64) -> [f32; 2 * KERNEL] {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn an_impact_moved_out_of_its_sound_is_survived() {
+        let span = Span::new(44_100.0);
+        let fading = (0..span.origin + span.after()).map(|n| 0.99_f32.powf(n as f32));
+        let samples: Vec<f32> = fading.collect();
+        for shift in [-1e4, -400.0, 0.0, 400.0, 1e4] {
+            let sound = Sound {
+                impact: 0,
+                energy: running_energy(&samples),
+                samples: samples.clone(),
+                noise: 1e-6,
+                density: 1e-6,
+                reach: 1,
+                pick_sigma: 1.0,
+                shift,
+                sigma: None,
+            };
+            assert!(!sound.begins(&span), "{shift}");
+            assert_eq!(sound.wave(&span, shift).len(), span.length);
+        }
+    }
 
     #[test]
     fn interpolation_is_that_of_a_band_limited_signal() {

@@ -1,0 +1,62 @@
+import { FaultNotice } from '../../app/FaultNotice.tsx';
+import { fault, onBench, phase } from '../../state/bench.ts';
+import { unreadable } from '../../state/settings.ts';
+import { texts } from '../../text/language.ts';
+import { FigureTabs } from './FigureTabs.tsx';
+import { Keep } from './Keep.tsx';
+import { Leftovers } from './Leftovers.tsx';
+import { ListenBar } from './ListenBar.tsx';
+import { LiveStrip } from './LiveStrip.tsx';
+import { Said } from './Said.tsx';
+import { SaveSound } from './SaveSound.tsx';
+import { SettingsLine } from './SettingsLine.tsx';
+import { WaveBench } from './WaveBench.tsx';
+import { Welcome } from './Welcome.tsx';
+
+/** The laboratory: from a button, downwards, to everything the bounces say. */
+export function Laboratory() {
+  const now = phase.value.kind;
+  const busy = now === 'listening' || now === 'starting' || now === 'reading';
+  if (!onBench.value && !busy) return <Welcome />;
+  return (
+    <div class="lab">
+      <h1 class="unseen">{texts.value.app.title}</h1>
+      <ListenBar />
+      <Troubles />
+      {busy ? <LiveStrip /> : <Bench />}
+    </div>
+  );
+}
+
+/** What went wrong or needs attention. */
+export function Troubles() {
+  return (
+    <>
+      {fault.value && (
+        <FaultNotice fault={fault.value}>
+          {(fault.value.key === 'full' || fault.value.key === 'unavailable') && <SaveSound />}
+        </FaultNotice>
+      )}
+      {unreadable.value.length > 0 && (
+        <p class="notice">{texts.value.app.unreadableLink(unreadable.value.join(', '))}</p>
+      )}
+      <Leftovers />
+    </>
+  );
+}
+
+function Bench() {
+  return (
+    <>
+      <WaveBench />
+      <div class="bench">
+        <Said />
+        <FigureTabs />
+        <div class="stack rest">
+          <SettingsLine />
+          <Keep />
+        </div>
+      </div>
+    </>
+  );
+}
