@@ -89,7 +89,12 @@ fn the_document_has_the_verdict_and_its_reasons() {
 #[test]
 fn a_floor_takes_a_reference() {
     let folder = TempDir::new().unwrap();
-    for (name, restitution) in [("a.txt", "0.74"), ("b.txt", "0.741"), ("c.txt", "0.77")] {
+    for (name, restitution) in [
+        ("a.txt", "0.74"),
+        ("b.txt", "0.741"),
+        ("c.txt", "0.77"),
+        ("d.txt", "0.771"),
+    ] {
         drop(folder.path(), name, "180cm", restitution);
     }
     // No basketball was simulated: the ball is that of the simulation.
@@ -109,7 +114,7 @@ fn a_floor_takes_a_reference() {
         &folder,
         &[
             &floor[..],
-            &["a.txt", "b.txt", "--reference", "c.txt", "c.txt"],
+            &["a.txt", "b.txt", "--reference", "c.txt", "d.txt"],
         ]
         .concat(),
     )
@@ -165,6 +170,10 @@ fn wrong_input_is_questioned() {
     refused(
         &["--rule", "futsal-ball", "good.txt"],
         "names no ball that is known",
+    );
+    refused(
+        &["--rule", "ittf-ball", "good.txt", "./good.txt"],
+        "good.txt is given twice",
     );
     refused(
         &["--rule", "ittf-ball", "--risk", "80", "good.txt"],

@@ -261,8 +261,10 @@ fn another_height_than_stated_is_noticed() {
 fn each_drop_is_stricter_than_their_mean() {
     let settings = settings(0.305);
     let drop = drop(LIVELY, 0.305, &settings);
+    let middle = judged(&rule(), &[&drop], &[]).rebound.unwrap();
+    let [low, high] = [-1.5, 1.5].map(|steps| middle.value + steps * middle.sd);
     let tight = Rule {
-        requirement: Requirement::Height(Limits::between(0.2525, 0.2575)),
+        requirement: Requirement::Height(Limits::between(low, high)),
         ..rule()
     };
     let mean = judged(&tight, &[&drop, &drop], &[]).within.unwrap();
@@ -270,8 +272,14 @@ fn each_drop_is_stricter_than_their_mean() {
         averaging: Averaging::Each,
         ..tight
     };
-    let each = judged(&each, &[&drop, &drop], &[]).within.unwrap();
-    assert!(each < mean, "{each} {mean}");
+    let alone = judged(&each, &[&drop, &drop], &[]).within.unwrap();
+    assert!(alone < mean, "{alone} {mean}");
+    let even = Rule {
+        evenness: Some(Evenness::WithinOfMean(0.5 * middle.sd / middle.value)),
+        ..each
+    };
+    let even = judged(&even, &[&drop, &drop], &[]).within.unwrap();
+    assert!(even < alone, "{even} {alone}");
 }
 
 #[test]

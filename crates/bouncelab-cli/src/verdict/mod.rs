@@ -2,6 +2,7 @@
 
 mod text;
 
+use std::collections::BTreeSet;
 use std::io::{self, Write};
 use std::path::PathBuf;
 
@@ -122,6 +123,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
         DecisionRule::Simple => Decision::Simple,
     };
     let physics = physics(arguments, rule)?;
+    once_each(arguments.files.iter().chain(&arguments.reference))?;
     let surface = Heard::new(&arguments.files, &physics)?;
     let reference = Heard::new(&arguments.reference, &physics)?;
     let conditions = arguments.physics.conditions();
@@ -159,6 +161,22 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
         Outcome::Fail => Err(Failure::NoPass(3)),
         Outcome::CannotDecide => Err(Failure::NoPass(4)),
     }
+}
+
+/// The same drop counted twice would make a verdict look surer than it is.
+fn once_each<'a>(files: impl Iterator<Item = &'a PathBuf>) -> Result<(), Failure> {
+    let mut seen = BTreeSet::new();
+    for file in files {
+        // What cannot be found is said when it is opened.
+        let place = file.canonicalize().unwrap_or_else(|_| file.clone());
+        if !seen.insert(place) {
+            return Err(Failure::Usage(format!(
+                "{} is given twice; every drop counts once",
+                file.display()
+            )));
+        }
+    }
+    Ok(())
 }
 
 /// The physics of the arguments, with the ball and the height of the rule where they state none.

@@ -21,11 +21,10 @@ pub fn in_words(drop: &Analysis) -> Vec<Block> {
 
 /// "The ball kept 94.6 ± 0.2 % of its speed at each bounce and fell from 30.4 ± 0.6 cm."
 fn kept(drop: &Analysis) -> String {
-    let share = |value: f64, sd: f64| Quantity::measured(value, sd, Unit::Percent);
     match (&drop.estimate, drop.corrected_restitution(), &drop.line) {
         (Ok(found), ..) => {
-            let e = share(found.restitution.value, found.restitution.sd);
-            let height = measured(&found.drop_height_m, Unit::Length);
+            let e = unbroken(&measured(&found.restitution, Unit::Percent));
+            let height = unbroken(&measured(&found.drop_height_m, Unit::Length));
             let which = if found.first_was_heard() || found.missed_first.is_some() {
                 ""
             } else {
@@ -35,12 +34,12 @@ fn kept(drop: &Analysis) -> String {
         }
         (_, Some(corrected), _) => format!(
             "The ball kept {} of its speed at each bounce.",
-            estimated(corrected, Unit::Percent)
+            unbroken(&estimated(corrected, Unit::Percent))
         ),
         (.., Ok(line)) => format!(
             "If there were no air, the ball kept {} of its speed at each bounce and fell from {}.",
-            estimated(line.restitution(), Unit::Percent),
-            estimated(line.drop_height_m(), Unit::Length)
+            unbroken(&estimated(line.restitution(), Unit::Percent)),
+            unbroken(&estimated(line.drop_height_m(), Unit::Length))
         ),
         (.., Err(reason)) => format!("How much the ball kept {CANNOT_TELL}: {reason}."),
     }
@@ -62,8 +61,8 @@ fn heard(drop: &Analysis) -> String {
     };
     let words = format!("{} impacts were heard{span}, {unsure}.", impacts.len());
     if let Ok(found) = &drop.estimate {
-        let speed = Quantity::rounded(found.at_speed_m_s, 3, Unit::Speed);
-        let e = measured(&found.restitution, Unit::Number);
+        let speed = unbroken(&Quantity::rounded(found.at_speed_m_s, 3, Unit::Speed));
+        let e = unbroken(&measured(&found.restitution, Unit::Number));
         words
             + &format!(
                 " The restitution, speed after an impact over speed before it, is {e} at {speed}, \
@@ -86,8 +85,8 @@ fn against_the_line(found: &Inference, line: &Regression) -> String {
     format!(
         "A straight line through the logarithms of the flight times, which knows no air, says {} \
          ({verdict}) and {}.",
-        estimated(line.restitution(), Unit::Percent),
-        estimated(line.drop_height_m(), Unit::Length)
+        unbroken(&estimated(line.restitution(), Unit::Percent)),
+        unbroken(&estimated(line.drop_height_m(), Unit::Length))
     )
 }
 
@@ -320,7 +319,12 @@ fn fit(drop: &Analysis, found: &Inference, settings: &Settings) -> Section {
     Section::new("How well it fits", blocks)
 }
 
-fn measured(summary: &Summary, unit: Unit) -> Quantity {
+/// A quantity in a sentence: no line ends within it.
+fn unbroken(quantity: &impl ToString) -> String {
+    quantity.to_string().replace(' ', "\u{a0}")
+}
+
+pub(super) fn measured(summary: &Summary, unit: Unit) -> Quantity {
     Quantity::measured(summary.value, summary.sd, unit)
 }
 

@@ -1,14 +1,17 @@
 //! The page of one recording.
 
 use bouncelab::analysis::{Analysis, Settings};
+use bouncelab::estimate::Summary;
 use bouncelab::listen::Envelope;
 
 use super::conditions::conditions;
-use super::drop::{drop, in_words};
+use super::drop::{drop, in_words, measured};
 use super::method::method;
 use super::page::{Block, Page, Section};
 use crate::document::Origin;
 use crate::illustration;
+use crate::quantity::{CANNOT_TELL, Unit};
+use crate::table::{Align, Table};
 
 /// A recording, or a list of times, and what it said.
 #[derive(Debug, Clone, Copy)]
@@ -98,6 +101,7 @@ fn lead(recording: &Recording) -> Vec<Block> {
                 "{} drops with {impacts} impacts were heard.",
                 several.len()
             )));
+            lead.push(Block::table("The drops", overview(several)));
         }
     }
     lead.extend(
@@ -112,6 +116,32 @@ fn lead(recording: &Recording) -> Vec<Block> {
         lead.push(Block::figure("waveform", drawn));
     }
     lead
+}
+
+/// One line for each drop.
+fn overview(drops: &[Analysis]) -> Table {
+    let mut table = Table::new([
+        ("drop", Align::Right),
+        ("from s", Align::Right),
+        ("impacts", Align::Right),
+        ("restitution", Align::Right),
+        ("drop height", Align::Right),
+    ]);
+    for (drop, number) in drops.iter().zip(1..) {
+        let found = drop.estimate.as_ref().ok();
+        let shown = |summary: Option<&Summary>, unit| {
+            summary.map_or_else(|| CANNOT_TELL.to_owned(), |s| measured(s, unit).to_string())
+        };
+        let start = drop.impacts.first();
+        table.row([
+            number.to_string(),
+            start.map_or_else(String::new, |first| format!("{:.2}", first.time_s)),
+            drop.impacts.len().to_string(),
+            shown(found.map(|f| &f.restitution), Unit::Number),
+            shown(found.map(|f| &f.drop_height_m), Unit::Length),
+        ]);
+    }
+    table
 }
 
 fn air(recording: &Recording) -> Section {

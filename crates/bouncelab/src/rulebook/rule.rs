@@ -291,6 +291,11 @@ impl Rule {
             )?;
         }
         self.check_requirement()?;
+        if self.averaging == Averaging::Each && self.needs_reference() {
+            return Err(Error::CannotInfer(
+                "a share of a reference is one of means: single drops have none".to_owned(),
+            ));
+        }
         self.temperature_k.check("temperature of the rule in K")?;
         self.altitude_m.check("altitude of the rule in m")?;
         if let Some(Evenness::WithinOfMean(share) | Evenness::Range(share)) = self.evenness {

@@ -263,13 +263,15 @@ impl Told {
         if values.is_empty() || (limits.is_open() && even.is_none()) {
             return None;
         }
-        if rule.averaging == Averaging::Each && !rule.needs_reference() {
-            return Some(every_within(drops, &limits));
-        }
-        let is_within = |place: usize| {
-            limits.contain(values[place])
-                && even.is_none_or(|most| self.unevenness.get(place).is_some_and(|u| *u <= most))
+        let is_even = |place: usize| {
+            even.is_none_or(|most| self.unevenness.get(place).is_some_and(|u| *u <= most))
         };
+        if rule.averaging == Averaging::Each {
+            // Whatever may go wrong cannot do more than add up.
+            let uneven = even.map_or(0.0, |_| 1.0 - share_of(self.unevenness.len(), is_even));
+            return Some((every_within(drops, &limits) - uneven).max(0.0));
+        }
+        let is_within = |place: usize| limits.contain(values[place]) && is_even(place);
         Some(share_of(values.len(), is_within))
     }
 
