@@ -60,6 +60,8 @@ pub(crate) const CHECKS: [Check; 11] = [
         words: &[
             "clippy",
             "--workspace",
+            "--features",
+            "bouncelab-cli/serve",
             "--all-targets",
             "--",
             "-D",
@@ -126,12 +128,20 @@ pub(crate) const CHECKS: [Check; 11] = [
     },
 ];
 
-const NEXTEST: [&str; 3] = ["nextest", "run", "--workspace"];
+const NEXTEST: [&str; 5] = [
+    "nextest",
+    "run",
+    "--workspace",
+    "--features",
+    "bouncelab-cli/serve",
+];
 
 /// The same tests where nextest is not installed. Benchmarks are left to `cargo xtask bench`.
-const LIBTEST: [&str; 6] = [
+const LIBTEST: [&str; 8] = [
     "test",
     "--workspace",
+    "--features",
+    "bouncelab-cli/serve",
     "--lib",
     "--bins",
     "--tests",

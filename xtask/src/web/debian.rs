@@ -47,30 +47,30 @@ fn unpack(folder: &Path) -> Result {
     Ok(())
 }
 
-/// The compiler, its libraries and its sources; the names hold versions, which the compiler knows.
+/// The compiler, its libraries and its sources. The names of some hold versions, so it is asked what
+/// the compiler needs.
 fn packages() -> Result<Vec<String>> {
     const COMPILER: &str = "rustc-web";
-    let listed = Command::new("apt-cache")
-        .args(["depends", COMPILER])
-        .output()
-        .map_err(|_| "this system has no Debian packages either".to_owned())?;
+    /// What ordinary systems lack of what it needs.
+    const LIBRARIES: [&str; 4] = ["libstd-rust-web", "libllvm", "libz3", "libedit"];
+    let mut ask = Command::new("apt-cache");
+    ask.args(["depends", "--recurse", "--no-recommends", "--no-suggests"]);
+    ask.args([
+        "--no-conflicts",
+        "--no-breaks",
+        "--no-replaces",
+        "--no-enhances",
+    ]);
+    let listed = ask.arg(COMPILER).output();
+    let listed = listed.map_err(|_| "this system has no packages of Debian either".to_owned())?;
     let listed = String::from_utf8_lossy(&listed.stdout).into_owned();
-    let needed = listed.lines().filter_map(|line| {
-        let name = line.trim().strip_prefix("Depends: ")?;
-        let is_ours = ["libstd-rust-web", "libllvm"]
-            .iter()
-            .any(|start| name.to_lowercase().starts_with(start));
-        is_ours.then(|| name.to_owned())
-    });
-    let mut packages = vec![COMPILER.to_owned(), "rust-web-src".to_owned()];
-    packages.extend(needed);
-    if packages.len() == 2 {
+    let is_ours = |name: &&str| LIBRARIES.iter().any(|start| name.starts_with(start));
+    let libraries: Vec<String> = listed.lines().filter(is_ours).map(str::to_owned).collect();
+    if libraries.is_empty() {
         return Err(format!("Debian has no package {COMPILER} here"));
     }
-    packages.push("libstd-rust-web-dev".to_owned());
-    packages.sort();
-    packages.dedup();
-    Ok(packages)
+    let own = [COMPILER, "rust-web-src"].map(str::to_owned);
+    Ok(own.into_iter().chain(libraries).collect())
 }
 
 /// The linker: the one that comes with rustup's compiler, or LLVM's.
