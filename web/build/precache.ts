@@ -1,5 +1,5 @@
 import { createHash } from 'node:crypto';
-import { existsSync } from 'node:fs';
+import { existsSync, readdirSync } from 'node:fs';
 import { resolve } from 'node:path';
 import type { Plugin } from 'vite';
 
@@ -11,10 +11,14 @@ const WORKER = 'sw.js';
  * of all files of the page, and `__VERSION__` a name that changes whenever one of them does.
  */
 export function precache({ source }: { source: string }): Plugin {
+  let publicFolder = '';
   return {
     name: 'bouncelab:precache',
     apply: 'build',
     enforce: 'post',
+    configResolved({ publicDir }) {
+      publicFolder = publicDir;
+    },
     buildStart() {
       if (existsSync(resolve(source))) {
         this.emitFile({ type: 'chunk', id: resolve(source), fileName: WORKER });
@@ -33,7 +37,9 @@ export function precache({ source }: { source: string }): Plugin {
       }
       const names = files
         .map((file) => (file.fileName === 'index.html' ? './' : file.fileName))
-        .filter((name) => !name.endsWith('.map'));
+        .filter((name) => !name.endsWith('.map'))
+        // Copied as they are, so they are not in the bundle.
+        .concat(existsSync(publicFolder) ? readdirSync(publicFolder) : []);
       worker.code = worker.code
         .replace('__PRECACHE__', JSON.stringify(names))
         .replace('__VERSION__', JSON.stringify(hash.digest('hex').slice(0, 12)));

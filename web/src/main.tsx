@@ -1,1 +1,34 @@
-document.title = 'bouncelab';
+import './style/tokens.css';
+import './style/base.css';
+import './style/layout.css';
+import './style/figure.css';
+import { render } from 'preact';
+import { App } from './app/App.tsx';
+import { workOffline } from './app/offline.ts';
+import { keepAnalysed } from './state/analysing.ts';
+import { start } from './state/engine.ts';
+import { loadKept } from './state/keeping.ts';
+import { findLeftovers } from './state/leftovers.ts';
+import { readSettings } from './state/settings.ts';
+import { keepSimulated, readSimulation } from './state/simulating.ts';
+import { followTheme } from './style/colours.ts';
+import { preferred, speak } from './text/language.ts';
+
+followTheme();
+readSettings();
+readSimulation();
+addEventListener('hashchange', () => {
+  readSettings();
+  readSimulation();
+});
+await speak(preferred());
+const place = document.getElementById('page');
+if (place) render(<App />, place);
+keepAnalysed();
+keepSimulated();
+void start();
+// Where the browser keeps nothing there is nothing left over either.
+void loadKept()
+  .then(findLeftovers)
+  .catch(() => undefined);
+void workOffline();

@@ -6,8 +6,12 @@
 mod bench;
 mod calibrate;
 mod cargo;
+mod fuzz;
 mod grid;
+mod laboratory;
+mod tables;
 mod test;
+mod verdicts;
 mod web;
 
 use std::process::ExitCode;
@@ -22,7 +26,7 @@ struct Chore {
     run: fn(&[String]) -> Result,
 }
 
-const CHORES: [Chore; 5] = [
+const CHORES: [Chore; 8] = [
     Chore {
         name: "test",
         arguments: "[CHECK...]",
@@ -42,10 +46,28 @@ const CHORES: [Chore; 5] = [
         run: calibrate::run,
     },
     Chore {
+        name: "laboratory",
+        arguments: "FOLDER COUNT",
+        about: laboratory::ABOUT,
+        run: laboratory::run,
+    },
+    Chore {
+        name: "verdicts",
+        arguments: "[BALLS]",
+        about: verdicts::ABOUT,
+        run: verdicts::run,
+    },
+    Chore {
         name: "grid",
         arguments: "[PART...]",
         about: grid::ABOUT,
         run: grid::run,
+    },
+    Chore {
+        name: "fuzz",
+        arguments: "[TARGET...]",
+        about: fuzz::ABOUT,
+        run: fuzz::run,
     },
     Chore {
         name: "web",

@@ -5,6 +5,7 @@ use std::time::{Duration, Instant};
 
 use crate::Result;
 use crate::cargo::{cargo, has, is_root, run as run_command, succeeds};
+use crate::tables;
 use crate::web;
 
 pub(crate) const ABOUT: &str = "Run every check, or only the named ones";
@@ -24,6 +25,8 @@ enum Needs {
     Nothing,
     /// The headers of the sound system, for the microphone.
     Sound,
+    /// Python with the programs that open the tables of a session.
+    Python,
     /// Node.js, for the page.
     Node,
     /// Node.js and a browser, for the stories of the page.
@@ -36,6 +39,7 @@ impl Needs {
         match self {
             Self::Nothing => true,
             Self::Sound => has_sound_headers(),
+            Self::Python => tables::have_readers(),
             Self::Node => web::has_node(),
             Self::Browser => web::has_node() && web::has_chromium(),
         }
@@ -45,7 +49,7 @@ impl Needs {
 /// All checks, in the order in which they run. They share one target folder and one profile:
 /// clippy and the documentation use the same metadata of the dependencies, tests and doc tests
 /// the same code, so that a dependency is compiled at most twice.
-pub(crate) const CHECKS: [Check; 10] = [
+pub(crate) const CHECKS: [Check; 11] = [
     Check {
         name: "format",
         words: &["fmt", "--all", "--check"],
@@ -79,6 +83,11 @@ pub(crate) const CHECKS: [Check; 10] = [
         name: "docs",
         words: &["doc", "--workspace", "--no-deps"],
         needs: Needs::Nothing,
+    },
+    Check {
+        name: "tables",
+        words: &["test", "--package", "bouncelab-cli", "--test", "tables"],
+        needs: Needs::Python,
     },
     Check {
         name: "live",
@@ -167,7 +176,7 @@ const LIBTEST_LIVE: [&str; 8] = [
 pub(crate) fn run(names: &[String]) -> Result {
     let mut checks = chosen(names)?;
     ensure_components()?;
-    for needs in [Needs::Sound, Needs::Node, Needs::Browser] {
+    for needs in [Needs::Python, Needs::Sound, Needs::Node, Needs::Browser] {
         if checks.iter().any(|check| check.needs == needs) && !needs.are_met() {
             let (skipped, rest) = checks
                 .into_iter()
@@ -189,7 +198,11 @@ pub(crate) fn run(names: &[String]) -> Result {
             words.join(" ")
         );
         let begun = Instant::now();
-        let outcome = run_command(&mut command(words));
+        let mut command = command(words);
+        if check.needs == Needs::Python {
+            command.env("BOUNCELAB_PYTHON", tables::python());
+        }
+        let outcome = run_command(&mut command);
         outcomes.push((check.name, outcome, begun.elapsed()));
     }
     conclude(&outcomes, start.elapsed())

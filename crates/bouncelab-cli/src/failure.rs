@@ -12,6 +12,9 @@ pub(crate) enum Failure {
     /// The input cannot be read or holds nothing: exit status 1. Empty if all was said already.
     #[error("{0}")]
     Input(String),
+    /// All was said, and it is no pass: this exit status.
+    #[error("")]
+    NoPass(u8),
     /// The result could not be printed: exit status 1.
     #[error("cannot write the result: {0}")]
     Output(#[from] io::Error),
@@ -29,6 +32,7 @@ impl Failure {
         }
         match self {
             Self::Usage(_) => ExitCode::from(2),
+            Self::NoPass(status) => ExitCode::from(*status),
             Self::Input(_) | Self::Output(_) => ExitCode::FAILURE,
         }
     }
@@ -50,5 +54,17 @@ impl From<bouncelab_audio::Error> for Failure {
 impl From<bouncelab_report::Error> for Failure {
     fn from(fault: bouncelab_report::Error) -> Self {
         Self::Input(fault.to_string())
+    }
+}
+
+impl From<bouncelab_session::Error> for Failure {
+    fn from(fault: bouncelab_session::Error) -> Self {
+        use bouncelab_session::Error;
+        match fault {
+            Error::Notes { .. } | Error::Pattern { .. } | Error::NoRecordings { .. } => {
+                Self::Usage(fault.to_string())
+            }
+            _ => Self::Input(fault.to_string()),
+        }
     }
 }

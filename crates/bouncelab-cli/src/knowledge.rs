@@ -108,6 +108,16 @@ impl Input {
 }
 
 impl KnowledgeArguments {
+    /// The same with what was noted of a drop height, which goes before what these say.
+    pub(crate) fn with_height(&self, height: Option<f64>, height_sd: Option<f64>) -> Self {
+        Self {
+            height: height.or(self.height),
+            // The uncertainty of one height is not that of another.
+            height_sd: height_sd.or(self.height_sd.filter(|_| height.is_none())),
+            ..self.clone()
+        }
+    }
+
     /// What these arguments add to what the physics says.
     pub(crate) fn knowledge(&self, physics: Knowledge) -> Result<Knowledge, Failure> {
         let stated = StatedDrop {

@@ -8,14 +8,17 @@ mod knowledge;
 mod listen;
 mod paper;
 mod physics;
+mod rules;
 #[cfg(feature = "serve")]
 mod serve;
+mod session;
 mod simulate;
 mod synth;
-mod units;
+mod verdict;
 
 use std::process::ExitCode;
 
+use bouncelab_report::units;
 use clap::{Parser, Subcommand};
 
 /// Drop a ball near a microphone, get the physics out of the silence between the bounces.
@@ -32,12 +35,17 @@ Examples:
   bouncelab analyze drop.wav                       what a recording says
   bouncelab analyze drop.m4a --ball tennis --figures figures
   bouncelab listen                                 hear drops while they happen
+  bouncelab session recordings                     what many drops say together
+  bouncelab verdict --rule ittf-ball drop.wav      does the ball obey the rule?
   bouncelab simulate --height 30.5cm --restitution 0.935";
 
 #[derive(Subcommand)]
 enum Command {
     Analyze(analyze::Arguments),
     Listen(listen::Arguments),
+    Session(session::Arguments),
+    Verdict(verdict::Arguments),
+    Rules(rules::Arguments),
     Simulate(simulate::Arguments),
     Synth(synth::Arguments),
     Paper(paper::Arguments),
@@ -50,6 +58,9 @@ fn main() -> ExitCode {
     let result = match Cli::parse().command {
         Command::Analyze(arguments) => analyze::run(&arguments),
         Command::Listen(arguments) => listen::run(&arguments),
+        Command::Session(arguments) => session::run(&arguments),
+        Command::Verdict(arguments) => verdict::run(&arguments),
+        Command::Rules(arguments) => rules::run(&arguments),
         Command::Simulate(arguments) => simulate::run(&arguments),
         Command::Synth(arguments) => synth::run(&arguments),
         Command::Paper(arguments) => paper::run(&arguments),

@@ -1,6 +1,7 @@
 //! The arguments that say what falls, through what, and how hard it is pulled.
 
 use bouncelab::drag::DragLaw;
+use bouncelab::rulebook;
 use bouncelab::stated::{Stated, StatedAir, StatedBall, StatedGravity, Understood};
 use clap::Args;
 
@@ -81,11 +82,71 @@ pub(crate) struct PhysicsArguments {
 /// The physics of a run, and what of it nobody stated.
 pub(crate) type Physics = Understood;
 
+/// What was noted of the ball and the air of one recording.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(crate) struct Noted {
+    /// Name of the kind of ball, as after `--ball`.
+    pub(crate) ball: Option<String>,
+    /// Its mass in kg.
+    pub(crate) mass: Option<f64>,
+    /// Its diameter in m.
+    pub(crate) diameter: Option<f64>,
+    /// How long it touches the surface, in s.
+    pub(crate) contact_time: Option<f64>,
+    /// Temperature of the air in K.
+    pub(crate) temperature: Option<f64>,
+    /// Pressure of the air in Pa.
+    pub(crate) pressure: Option<f64>,
+    /// Relative humidity of the air.
+    pub(crate) humidity: Option<f64>,
+}
+
 impl PhysicsArguments {
+    /// Whether they say what ball it is.
+    pub(crate) fn names_ball(&self) -> bool {
+        self.ball.is_some() || self.mass.is_some()
+    }
+
+    /// The same with what was noted of a recording, which goes before what these say.
+    pub(crate) fn with(&self, noted: &Noted) -> Self {
+        let mut both = self.clone();
+        if noted.ball.is_some() {
+            both.ball.clone_from(&noted.ball);
+            both.mass = None;
+            both.diameter = None;
+        }
+        both.mass = noted.mass.or(both.mass);
+        both.diameter = noted.diameter.or(both.diameter);
+        both.contact_time = noted.contact_time.or(both.contact_time);
+        both.temperature = noted.temperature.or(both.temperature);
+        both.pressure = noted.pressure.or(both.pressure);
+        both.humidity = noted.humidity.or(both.humidity);
+        both
+    }
+
+    /// The same with a ball for those who state none; whether they did not.
+    pub(crate) fn or_ball(mut self, name: Option<&str>) -> (Self, bool) {
+        let assumed = !self.names_ball();
+        if assumed {
+            self.ball = name.map(str::to_owned);
+        }
+        (self, assumed)
+    }
+
+    /// What was stated of the room.
+    pub(crate) fn conditions(&self) -> rulebook::Conditions {
+        rulebook::Conditions {
+            temperature_k: self.temperature,
+            altitude_m: self.altitude,
+        }
+    }
+
     /// Ball, air and gravity of these arguments.
     pub(crate) fn physics(&self) -> Result<Physics, Failure> {
         let stated = Stated {
             ball: self.ball()?,
+            weighed_kg: self.mass.filter(|_| self.ball.is_some()),
+            measured_m: self.diameter.filter(|_| self.ball.is_some()),
             contact_time_s: self.contact_time,
             drag: Some(self.drag),
             air: self.air(),
@@ -97,7 +158,7 @@ impl PhysicsArguments {
     }
 
     fn ball(&self) -> Result<Option<StatedBall>, Failure> {
-        if let (Some(mass_kg), Some(diameter_m)) = (self.mass, self.diameter) {
+        if let (None, Some(mass_kg), Some(diameter_m)) = (&self.ball, self.mass, self.diameter) {
             return Ok(Some(StatedBall::Measured {
                 mass_kg,
                 diameter_m,

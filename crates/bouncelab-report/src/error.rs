@@ -1,8 +1,8 @@
-//! What can go wrong when figures are drawn and saved.
+//! What can go wrong when results are drawn, saved and judged.
 
 use std::path::PathBuf;
 
-/// What can go wrong when figures are drawn and saved.
+/// What can go wrong when results are drawn, saved and judged.
 ///
 /// Drawing itself never fails: a figure without usable data says so on its face.
 #[derive(Debug, thiserror::Error)]
@@ -33,6 +33,18 @@ pub enum Error {
         /// Title of the figure.
         title: String,
         /// What the drawing library said.
+        problem: String,
+    },
+    /// A file of rules cannot be read.
+    #[error("{file}, line {line}, column {column}: {problem}")]
+    Rules {
+        /// The file, or what the rules are called.
+        file: String,
+        /// Line, counted from 1.
+        line: usize,
+        /// Column in letters, counted from 1.
+        column: usize,
+        /// What is wrong.
         problem: String,
     },
     /// The name is not a plain file name.

@@ -29,6 +29,7 @@
 //! | room | question it answers |
 //! |---|---|
 //! | [`error`](Error) | what can go wrong |
+//! | [`units`] | which quantity somebody wrote down |
 //! | [`quantity`](Quantity) | how many digits, and which prefix |
 //! | [`table`](Table) | how numbers stand under each other |
 //! | [`theme`] | what a colour means |
@@ -38,6 +39,7 @@
 //! | `sheet` | title, key, panels with axes |
 //! | [`figure`] | one file a figure |
 //! | [`save()`] | figures as files |
+//! | [`rules`] | which rules there are, built in and in files |
 //! | [`illustration`] | which figures an analysis has |
 //! | [`tables`] | which tables an analysis has |
 //! | [`document`] | an analysis as data for other programs |
@@ -57,6 +59,7 @@ pub mod paper;
 mod picture;
 mod quantity;
 pub mod report;
+pub mod rules;
 #[cfg(all(feature = "png", not(target_family = "wasm")))]
 mod save;
 mod scale;
@@ -64,6 +67,7 @@ mod sheet;
 mod table;
 pub mod tables;
 pub mod theme;
+pub mod units;
 
 pub use error::{Error, Result};
 pub use figure::Figure;

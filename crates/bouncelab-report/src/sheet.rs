@@ -99,6 +99,23 @@ impl Sheet {
 }
 
 impl Swatch {
+    /// The mark of a group by its place: with four shapes and seven colours 28 differ.
+    pub(crate) const fn of_group(place: usize) -> Self {
+        let colour = theme::group(place);
+        match place % 4 {
+            0 => Self::Dot(colour),
+            1 => Self::Mark {
+                colour,
+                filled: true,
+            },
+            2 => Self::Ring(colour),
+            _ => Self::Mark {
+                colour,
+                filled: false,
+            },
+        }
+    }
+
     fn width(self) -> f64 {
         match self {
             Self::Line(_) => 28.0,
@@ -387,6 +404,21 @@ impl Panel {
         };
         let ends = [y - error, y + error].map(|end| self.at((x, end)));
         canvas.polyline_within(self.frame, &ends, Pen::solid(colour.tint(), 5.0));
+    }
+
+    /// A small dot, one of many; left out if it lies outside the frame.
+    pub(crate) fn speck(&self, canvas: &mut Canvas, point: (f64, f64), colour: Colour) {
+        const SPECK: f64 = 1.8;
+        let (x, y) = self.at(point);
+        let Rect {
+            left,
+            top,
+            right,
+            bottom,
+        } = self.frame;
+        if (left..=right).contains(&x) && (top..=bottom).contains(&y) {
+            canvas.dot((x, y), SPECK, colour);
+        }
     }
 
     /// A point as a dot or ring; one above or below the frame becomes an arrow head at the

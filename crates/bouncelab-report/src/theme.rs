@@ -79,6 +79,23 @@ impl Meaning {
     }
 }
 
+/// The colours of groups, which mean nothing but "this group"; each differs from all others for any
+/// kind of colour vision, and groups differ in the shape of their points too.
+const GROUPS: [Colour; 7] = [
+    Colour::new(0x00, 0x72, 0xb2),
+    Colour::new(0xd5, 0x5e, 0x00),
+    Colour::new(0x00, 0x9e, 0x73),
+    Colour::new(0xcc, 0x79, 0xa7),
+    Colour::new(0xe6, 0x9f, 0x00),
+    Colour::new(0x56, 0xb4, 0xe9),
+    Colour::new(0x40, 0x40, 0x40),
+];
+
+/// The colour of a group by its place; after seven they begin anew.
+pub const fn group(place: usize) -> Colour {
+    GROUPS[place % GROUPS.len()]
+}
+
 /// Titles and labels.
 pub const INK: Colour = Colour::new(0x22, 0x22, 0x22);
 /// Numbers along the axes and names of the axes.

@@ -3,7 +3,8 @@
 
 use bouncelab_report::figure::{
     self, BandPoint, Budget, CornerParameter, Curve, CutPoint, CutSeries, DragAxes, Envelope,
-    Figure, Line, Mark, ModelWeight, RankHistogram, Residual, Restitution, Source, TimedFlight,
+    Figure, GroupInterval, GroupLaw, GroupPoint, Line, Mark, ModelWeight, RankHistogram, Residual,
+    Restitution, RunPoint, Source, TimedFlight,
 };
 use bouncelab_report::theme::{self, Meaning};
 use proptest::prelude::*;
@@ -130,6 +131,21 @@ fn usual() -> Vec<(Figure, &'static [&'static str])> {
             &["flights used", "height (cm)", "truth"],
         ),
         (
+            figure::groups(&group_laws(14)),
+            &[
+                "speed at the impact (m/s)",
+                "restitution: speed after / before",
+            ],
+        ),
+        (
+            figure::intervals("Groups", &group_intervals(12), "restitution at 1.41 m/s"),
+            &["restitution at 1.41 m/s"],
+        ),
+        (
+            figure::run_chart(&run_points(60), &names(3), Some(0.004)),
+            &["drop, in order", "restitution less the median of the group"],
+        ),
+        (
             figure::calibration(&histograms()),
             &["clean", "e", "rank of the truth"],
         ),
@@ -227,6 +243,73 @@ fn histograms() -> Vec<RankHistogram> {
             bins: (0..20).map(|bin| 200 + bin % 7).collect(),
         })
         .collect()
+}
+
+fn names(groups: u32) -> Vec<String> {
+    (0..groups)
+        .map(|group| format!("ball {group}, steel"))
+        .collect()
+}
+
+fn group_laws(groups: u32) -> Vec<GroupLaw> {
+    let law = |group: u32| {
+        let value = 0.94 - 0.01 * f64::from(group);
+        let speed = |place: u32| 0.5 + 0.2 * f64::from(place);
+        GroupLaw {
+            name: format!("ball {group}, steel"),
+            impacts: (0..30)
+                .map(|i| (speed(i % 9), value + 1e-4 * f64::from(i)))
+                .collect(),
+            law: (0..9)
+                .map(|place| GroupPoint {
+                    speed_m_s: speed(place),
+                    value,
+                    interval95: (place > 0).then_some([value - 0.002, value + 0.002]),
+                })
+                .collect(),
+        }
+    };
+    (0..groups).map(law).collect()
+}
+
+fn group_intervals(groups: u32) -> Vec<GroupInterval> {
+    let interval = |group: u32| {
+        let mean = 0.94 - 0.005 * f64::from(group);
+        GroupInterval {
+            name: format!("a ball with a rather long name, number {group}"),
+            mean,
+            interval95: (group > 0).then_some([mean - 0.002, mean + 0.002]),
+            next95: (group > 1).then_some([mean - 0.006, mean + 0.006]),
+            drops: (0..=group)
+                .map(|i| (mean + 1e-3 * f64::from(i % 5), i == 3))
+                .collect(),
+        }
+    };
+    (0..groups).map(interval).collect()
+}
+
+fn run_points(drops: u32) -> Vec<RunPoint> {
+    let point = |drop: u32| RunPoint {
+        off: if drop == 17 {
+            0.1
+        } else {
+            1e-3 * (f64::from(drop % 7) - 3.0)
+        },
+        standard_error: Some(5e-4),
+        group: drop as usize % 3,
+        outlier: drop == 17,
+    };
+    (0..drops).map(point).collect()
+}
+
+/// One drop far off does not flatten the others, and a thousand drops have no bars.
+#[test]
+fn a_run_chart_shows_the_bulk() {
+    let with = figure::run_chart(&run_points(60), &names(3), Some(0.004));
+    let ticks = texts(&with.svg());
+    assert!(ticks.iter().any(|tick| tick == "0.002"), "{ticks:?}");
+    let many = figure::run_chart(&run_points(1000), &names(3), None);
+    assert!(!many.svg().contains(&theme::group(0).tint().to_string()));
 }
 
 /// Thousands of draws do not make a picture of thousands of shapes.
@@ -366,6 +449,9 @@ fn without_data_a_figure_says_so() {
         figure::models(&[], "drop height (cm)"),
         figure::cut(&[], "drop height (cm)", Some(0.3)),
         figure::calibration(&[]),
+        figure::groups(&[]),
+        figure::intervals("Groups", &[], "restitution"),
+        figure::run_chart(&[], &[], Some(0.1)),
     ] {
         check_drawing(&figure).unwrap();
         let texts = texts(&figure.svg());
@@ -444,6 +530,34 @@ proptest! {
         check_drawing(&figure::drag(&curves, DragAxes::Logarithmic, errors))?;
         check_drawing(&figure::restitution(&impacts, &impacts, &[], errors))?;
         check_drawing(&figure::flight_times(&flights, Some(line)))?;
+        let points = numbers.iter().map(|&(speed_m_s, value)| GroupPoint {
+            speed_m_s,
+            value,
+            interval95: errors.map(|error| [error, value]),
+        });
+        let law = GroupLaw { name: "any".to_owned(), impacts: numbers.clone(), law: points.collect() };
+        check_drawing(&figure::groups(&[law]))?;
+        let intervals: Vec<_> = numbers
+            .iter()
+            .map(|&(mean, end)| GroupInterval {
+                name: "any".to_owned(),
+                mean,
+                interval95: Some([mean, end]),
+                next95: errors.map(|error| [error, end]),
+                drops: vec![(end, end > 0.0)],
+            })
+            .collect();
+        check_drawing(&figure::intervals("Any", &intervals, "any"))?;
+        let run: Vec<_> = numbers
+            .iter()
+            .map(|&(off, other)| RunPoint {
+                off,
+                standard_error: errors,
+                group: other as usize,
+                outlier: other > 0.0,
+            })
+            .collect();
+        check_drawing(&figure::run_chart(&run, &names(2), errors))?;
         if let Ok(sound) = Envelope::new(line.slope, line.intercept.abs(), lows, highs) {
             check_drawing(&figure::waveform(&sound, &marks))?;
         }

@@ -45,6 +45,7 @@ impl Settings {
             no_buoyancy: self.buoyancy == Some(false),
             no_added_mass: self.added_mass == Some(false),
             gravity: self.stated_gravity(),
+            ..Stated::default()
         })
     }
 

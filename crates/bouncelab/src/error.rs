@@ -83,6 +83,15 @@ pub enum Error {
         flights: usize,
     },
 
+    /// A mean of no drops, or more means than drops can tell.
+    #[error("this takes {needed} drops or more, and there are {drops}")]
+    TooFewDrops {
+        /// How many it takes.
+        needed: usize,
+        /// How many there are.
+        drops: usize,
+    },
+
     /// The data do not suffice for an inference, or it did not come to an end.
     #[error("{0}")]
     CannotInfer(String),

@@ -58,6 +58,8 @@
 //! | [`restitution`] | the restitution of each impact, corrected for drag |
 //! | [`estimate`] | everything that the impacts say together |
 //! | [`analysis`] | what the impacts of one drop say |
+//! | [`groups`] | what many drops say together |
+//! | [`rulebook`] | whether a ball or a floor obeys a rule |
 //! | [`stated`] | what a person states, and what is assumed |
 //! | [`demo`] | a drop whose truth is known |
 //!
@@ -78,11 +80,13 @@ mod error;
 pub mod estimate;
 pub mod flight;
 pub mod gravity;
+pub mod groups;
 pub mod impact;
 pub mod listen;
 pub mod onset;
 pub mod regression;
 pub mod restitution;
+pub mod rulebook;
 pub mod stated;
 pub mod synth;
 pub mod train;

@@ -33,6 +33,10 @@ const RELEASE_SD_S: f64 = 0.005;
 pub struct Stated {
     /// The ball; if left out, the first of [`ball::presets`].
     pub ball: Option<StatedBall>,
+    /// Mass in kilograms, where a ball of a known kind was weighed besides.
+    pub weighed_kg: Option<f64>,
+    /// Diameter in metres, where a ball of a known kind was measured besides.
+    pub measured_m: Option<f64>,
     /// How long it touches the surface, in seconds.
     pub contact_time_s: Option<f64>,
     /// The drag law; if left out, the standard drag curve.
@@ -230,6 +234,14 @@ impl Stated {
                 KnownBall::of_preset(preset)
             }
         };
+        if let Some(mass_kg) = self.weighed_kg {
+            known.ball = Ball::new(mass_kg, known.ball.diameter_m())?;
+            known.knowledge.mass = KnownBall::WEIGHED;
+        }
+        if let Some(diameter_m) = self.measured_m {
+            known.ball = Ball::new(known.ball.mass_kg(), diameter_m)?;
+            known.knowledge.diameter = KnownBall::CALLIPERED;
+        }
         match self.contact_time_s {
             Some(contact_time_s) => known.contact_time_s = contact_time_s,
             None => assumptions.push(format!(
@@ -297,6 +309,10 @@ impl KnownBall {
     /// Steel and glass touch far shorter than hollow balls.
     const HARD_CONTACT_S: f64 = 5e-5;
 
+    /// How well a person weighs and measures, by scale and calliper: relative standard uncertainties.
+    const WEIGHED: f64 = 0.003;
+    const CALLIPERED: f64 = 0.002;
+
     fn of_preset(preset: &ball::Preset) -> Self {
         Self {
             ball: preset.ball,
@@ -306,11 +322,11 @@ impl KnownBall {
         }
     }
 
-    /// Weighed and measured by the person: scale and calliper.
+    /// Weighed and measured by the person.
     fn measured() -> Knowledge {
         Knowledge {
-            mass: 0.003,
-            diameter: 0.002,
+            mass: Self::WEIGHED,
+            diameter: Self::CALLIPERED,
             ..Knowledge::default()
         }
     }

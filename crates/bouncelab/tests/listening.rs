@@ -183,6 +183,22 @@ proptest! {
     }
 }
 
+/// A recorder that levels the loudness, or a list of times, must not break a drop in pieces.
+#[test]
+fn impacts_of_equal_loudness_are_one_drop() {
+    for restitution in [0.9, 0.92, 0.95] {
+        let strikes = strikes(0.305, restitution);
+        let onsets: Vec<Onset> = strikes.iter().map(|s| Onset::click(s.time_s)).collect();
+        let found = train::find(&onsets);
+        assert_eq!(found.trains.len(), 1, "{restitution}");
+        assert_eq!(
+            found.trains[0].impacts().len(),
+            onsets.len(),
+            "{restitution}"
+        );
+    }
+}
+
 /// The stated standard errors are those of the times: 60 to 76 % lie within one.
 #[test]
 fn standard_errors_of_times_are_honest() {

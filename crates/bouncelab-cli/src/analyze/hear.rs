@@ -22,6 +22,8 @@ pub(crate) struct Heeded {
     pub(crate) exclude_s: Vec<f64>,
     /// Times of impacts to add.
     pub(crate) include_s: Vec<f64>,
+    /// Whether to show no progress: somebody else does.
+    pub(crate) quiet: bool,
 }
 
 /// What a file says.
@@ -101,7 +103,7 @@ fn hear_sound(
         channels: source.channels(),
         channel: heeded.channel,
     };
-    let (heard, warnings) = listen(source, heeded.channel)?;
+    let (heard, warnings) = listen(source, heeded)?;
     let edit = |drops: &mut Vec<Vec<Impact>>| edit(drops, heeded);
     Ok(recording.hearing(heard, warnings, edit, settings))
 }
@@ -175,7 +177,8 @@ fn analyze(drops: Vec<Vec<Impact>>, settings: &Settings) -> Vec<Analysis> {
 }
 
 /// Listens to the whole recording; returns also what was wrong with the file.
-fn listen(mut source: Source, channel: Option<usize>) -> Result<(Heard, Vec<String>), Failure> {
+fn listen(mut source: Source, heeded: &Heeded) -> Result<(Heard, Vec<String>), Failure> {
+    let channel = heeded.channel;
     if let Some(channel) = channel.filter(|&channel| channel > source.channels()) {
         return Err(Failure::Usage(format!(
             "{} has {} channel{}, so there is no channel {channel}",
@@ -187,7 +190,7 @@ fn listen(mut source: Source, channel: Option<usize>) -> Result<(Heard, Vec<Stri
     let ears = channel.map_or(0..source.channels(), |channel| channel - 1..channel);
     let rate = f64::from(source.sample_rate_hz());
     let mut listener = Listener::new(source.sample_rate_hz(), ears.len());
-    let progress = progress(source.duration_s());
+    let progress = progress(source.duration_s().filter(|_| !heeded.quiet));
     let mut frames = 0;
     while let Some(block) = source.next_block()? {
         let slices: Vec<&[f32]> = ears.clone().map(|ear| block.channel(ear)).collect();

@@ -8,6 +8,7 @@ mod text;
 
 pub(crate) use figures::save_figures;
 pub(crate) use hear::{Hearing, Heeded, Recording, hear};
+pub(crate) use report::{Draft, provenance};
 pub(crate) use text::{report, shown};
 
 use std::io::{self, Write};
@@ -94,6 +95,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
         channel: arguments.channel.map(usize::from),
         exclude_s: arguments.exclude.clone(),
         include_s: arguments.include.clone(),
+        quiet: false,
     };
     let mut draft = match (&arguments.report, arguments.files.as_slice()) {
         (None, _) => None,
@@ -118,7 +120,9 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
                 }
                 printer.print(&hearing, &physics)?;
             }
-            Err(failure @ (Failure::Usage(_) | Failure::Output(_))) => return Err(failure),
+            Err(failure @ (Failure::Usage(_) | Failure::Output(_) | Failure::NoPass(_))) => {
+                return Err(failure);
+            }
             Err(Failure::Input(reason)) => {
                 empty_handed = true;
                 eprintln!("bouncelab: {reason}");

@@ -26,7 +26,7 @@ enum Form {
 }
 
 /// A report that is going to be written: its place is known to be writable before any work is done.
-pub(super) struct Draft {
+pub(crate) struct Draft {
     path: PathBuf,
     form: Form,
     file: NamedTempFile,
@@ -34,7 +34,7 @@ pub(super) struct Draft {
 
 impl Draft {
     /// A report at a path whose ending says its form.
-    pub(super) fn new(path: &Path) -> Result<Self, Failure> {
+    pub(crate) fn new(path: &Path) -> Result<Self, Failure> {
         let ending = path.extension().map(OsStr::to_ascii_lowercase);
         let form = match ending.as_ref().and_then(|ending| ending.to_str()) {
             Some("html" | "htm") => Form::Html,
@@ -54,17 +54,21 @@ impl Draft {
         })
     }
 
-    /// Writes the report of what was heard in a file; it appears whole or not at all.
+    /// Writes the report of what was heard in a file.
     pub(super) fn finish(
         self,
         heard: &Path,
         hearing: &Hearing,
         physics: &Physics,
     ) -> Result<(), Failure> {
-        let page = page(heard, hearing, physics)?;
+        self.write(&page(heard, hearing, physics)?)
+    }
+
+    /// Writes a page; it appears whole or not at all.
+    pub(crate) fn write(self, page: &Page) -> Result<(), Failure> {
         let text = match self.form {
             Form::Html => page.html(),
-            Form::Markdown => self.markdown(&page)?.text,
+            Form::Markdown => self.markdown(page)?.text,
         };
         self.file
             .as_file()
@@ -130,11 +134,19 @@ fn page(heard: &Path, hearing: &Hearing, physics: &Physics) -> Result<Page, Fail
         sound: hearing.envelope.as_ref(),
     };
     let provenance = Provenance {
-        command: Some(command()),
         files: vec![(hearing.name.clone(), sha256(heard)?)],
-        made: Some(Zoned::now().strftime("%Y-%m-%d").to_string()),
+        ..provenance()
     };
     Ok(report::of_recording(&recording, &provenance))
+}
+
+/// The command of this run and the day.
+pub(crate) fn provenance() -> Provenance {
+    Provenance {
+        command: Some(command()),
+        files: Vec::new(),
+        made: Some(Zoned::now().strftime("%Y-%m-%d").to_string()),
+    }
 }
 
 /// SHA-256 of a file, in hexadecimal.

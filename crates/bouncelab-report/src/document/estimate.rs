@@ -33,7 +33,7 @@ impl From<inference::Summary> for Summary {
     }
 }
 
-fn shown(summary: Option<inference::Summary>) -> Option<Summary> {
+pub(super) fn shown(summary: Option<inference::Summary>) -> Option<Summary> {
     summary.map(Summary::from)
 }
 

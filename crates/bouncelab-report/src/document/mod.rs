@@ -18,7 +18,9 @@
 
 mod estimate;
 pub mod rows;
+mod session;
 pub mod simulation;
+pub mod verdict;
 
 use bouncelab::analysis::{Analysis, Settings};
 use bouncelab::regression::{Estimate, Regression};
@@ -26,6 +28,7 @@ use bouncelab::restitution::{ImpactRestitution, TimedFlight};
 use serde::{Deserialize, Serialize};
 
 use estimate::Estimate as Estimated;
+pub use session::{AboutSession, Reason, SessionDocument};
 
 /// Name and version of the schema.
 pub const SCHEMA: &str = "bouncelab.analysis/1";

@@ -137,28 +137,62 @@ impl Linear {
             ("scatter of restitution", of_noise(&self.by_scatter)),
             ("release time", of_noise(&self.by_release)),
         ];
-        // A prior with unit variance moves the unknowns by its column of the covariance.
         let response = &self.covariance * gradient;
         let of_slot = |slot: Slot| model.place(slot).map_or(0.0, |place| response[place]);
-        sources.extend([
-            ("drag law", of_slot(Slot::Drag).powi(2)),
-            ("contact time", of_slot(Slot::Contact).powi(2)),
-            (
-                "slope of restitution",
-                of_slot(Slot::Shape(0)).powi(2) + of_slot(Slot::Shape(1)).powi(2),
-            ),
-        ]);
+        sources.push((
+            "slope of restitution",
+            of_slot(Slot::Shape(0)).powi(2) + of_slot(Slot::Shape(1)).powi(2),
+        ));
         if let Some(height) = model.height_m {
             let sensitivity = (2.0 * height.value / height.sd) * of_slot(Slot::Height);
             sources.push(("measured height", sensitivity * sensitivity));
         }
+        sources.extend(self.inputs(gradient, model));
+        sources
+    }
+
+    /// The same for the inputs that other drops of the ball share: they do not average out.
+    fn inputs(&self, gradient: &DVector<f64>, model: &Model) -> Vec<(&'static str, f64)> {
+        // A prior with unit variance moves the unknowns by its column of the covariance.
+        let response = &self.covariance * gradient;
+        let of_slot = |slot: Slot| model.place(slot).map_or(0.0, |place| response[place]);
+        let mut inputs = vec![
+            ("drag law", of_slot(Slot::Drag).powi(2)),
+            ("contact time", of_slot(Slot::Contact).powi(2)),
+        ];
         for (index, (name, ..)) in model.surroundings.inputs.sources.iter().enumerate() {
             let [on_gravity, on_drag] = model.surroundings.inputs.whitened(index);
             let moved = of_slot(Slot::Gravity) * on_gravity + of_slot(Slot::Inputs) * on_drag;
-            sources.push((name, moved * moved));
+            inputs.push((name, moved * moved));
         }
-        sources
+        inputs
     }
+}
+
+/// Standard uncertainty of the restitution at each speed by the inputs that other drops of the ball
+/// share. `None` as for [`budget`].
+pub(super) fn shared_sd(posterior: &Posterior, speeds_m_s: &[f64]) -> Option<Vec<f64>> {
+    let candidate = posterior.candidates.first()?;
+    let model = posterior.model(candidate);
+    let mut evaluator = Evaluator::new(&model);
+    let vector = candidate.fit.vector.as_slice();
+    let linear = Linear::new(&mut evaluator, vector)?;
+    speeds_m_s
+        .iter()
+        .map(|&speed_m_s| {
+            let gradient = gradient(&mut evaluator, vector, |evaluator, vector| {
+                Some(evaluator.point(vector)?.law.at(speed_m_s))
+            })?;
+            let inputs = linear.inputs(&gradient, &model);
+            Some(
+                inputs
+                    .iter()
+                    .map(|(_, variance)| variance)
+                    .sum::<f64>()
+                    .sqrt(),
+            )
+        })
+        .collect()
 }
 
 fn own_variance(timing: &[f64; 3], impact: usize, variance: impl Fn(usize) -> f64) -> f64 {

@@ -1,10 +1,11 @@
 //! What is known after the data: the answers, as those who ask get them.
 
 use super::Prediction;
-use super::budget::Budget;
+use super::budget::{self, Budget};
 use super::identify::{Correlations, Narrowed};
 use super::knowledge::{LawKind, Measured};
 use super::posterior::{Posterior, THINNED};
+use super::predict;
 use super::remark::{ODD_WEIGHT, Remark};
 use super::summary::Summary;
 use crate::drag::DragLaw;
@@ -159,6 +160,22 @@ impl Inference {
         )
     }
 
+    /// The apex after the first impact of a drop of this ball from a height, both of the lowest point
+    /// of the ball, m: one for each draw, with the restitution that the law expects.
+    ///
+    /// Empty if the height is so far beyond what was heard that nothing can be said.
+    pub fn rebounds_m(&self, drop_height_m: f64) -> Vec<f64> {
+        let rebounds = self.posterior.each(1, |evaluator, point| {
+            predict::rebound_m(evaluator, point, drop_height_m)
+        });
+        // A draw that cannot be worked out would leave the others one-sided.
+        if rebounds.len() == self.posterior.draws.len() {
+            rebounds
+        } else {
+            Vec::new()
+        }
+    }
+
     /// The restitution law over a range of impact speeds, from a little below the slowest heard to
     /// the fastest, the first impact.
     pub fn band(&self, points: usize) -> Vec<BandPoint> {
@@ -172,24 +189,33 @@ impl Inference {
         let speeds: Vec<f64> = (0..points)
             .map(|point| from + (to - from) * point as f64 / (points.max(2) - 1) as f64)
             .collect();
-        let draws = self.posterior.each(THINNED, |_, point| {
-            Some(
-                speeds
-                    .iter()
-                    .map(|&v| point.law.at(v))
-                    .collect::<Vec<f64>>(),
-            )
-        });
-        speeds
-            .iter()
-            .enumerate()
-            .filter_map(|(place, &speed_m_s)| {
+        let summaries = self.restitution_at_each(&speeds);
+        std::iter::zip(speeds, summaries)
+            .filter_map(|(speed_m_s, restitution)| {
                 Some(BandPoint {
                     speed_m_s,
-                    restitution: Summary::of(draws.iter().map(|draw| draw[place]))?,
+                    restitution: restitution?,
                 })
             })
             .collect()
+    }
+
+    /// The restitution law at several speeds, m/s, from a fourth of the draws.
+    pub fn restitution_at_each(&self, speeds_m_s: &[f64]) -> Vec<Option<Summary>> {
+        let draws = self.posterior.each(THINNED, |_, point| {
+            let law = speeds_m_s.iter().map(|&v| point.law.at(v));
+            Some(law.collect::<Vec<f64>>())
+        });
+        (0..speeds_m_s.len())
+            .map(|place| Summary::of(draws.iter().map(|draw| draw[place])))
+            .collect()
+    }
+
+    /// What of the standard uncertainty of the restitution at these speeds, m/s, comes from inputs
+    /// that other drops of the ball share (drag law, contact time, air, gravity, mass, diameter), and
+    /// so does not average out over drops. `None` if the fit is too odd to be taken apart.
+    pub fn shared_sd(&self, speeds_m_s: &[f64]) -> Option<Vec<f64>> {
+        budget::shared_sd(&self.posterior, speeds_m_s)
     }
 
     /// Whether the first impact heard was taken to be the first.

@@ -80,3 +80,20 @@ pub(super) fn drop_height_for(
     }
     Some(table.fall(launch)?.0 / gravity)
 }
+
+/// The apex after the first impact of a drop from a height, with the restitution that the law
+/// expects.
+pub(super) fn rebound_m(
+    evaluator: &mut Evaluator,
+    point: &Point,
+    drop_height_m: f64,
+) -> Option<f64> {
+    let gravity = point.gravity_m_s2;
+    let table = evaluator.table(point.drag_strength);
+    // A fall is the second half of the flight that rises as high.
+    let impact = table
+        .launch(table.rising_to(gravity * drop_height_m)?)?
+        .impact;
+    let apex_m = table.fall(impact * point.law.at(impact))?.0 / gravity;
+    apex_m.is_finite().then_some(apex_m)
+}

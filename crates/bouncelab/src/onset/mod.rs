@@ -78,12 +78,20 @@ impl Onset {
             band_noise_db: [-90.0; BANDS],
         }
     }
+
+    /// Whether it is hardly noise alone; fainter candidates tell something where they are rare.
+    pub(crate) fn stands_out(&self) -> bool {
+        self.strength >= STANDS_OUT
+    }
 }
+
+/// White noise hardly ever makes a candidate stronger than this.
+const STANDS_OUT: f64 = 2.0;
 
 /// A candidate is the strongest moment this far to both sides.
 const SPACING_S: f64 = 0.006;
-/// The bar for a candidate. White noise hardly reaches it, other backgrounds a few times a second.
-const BAR: f64 = 2.0;
+/// The bar for a candidate. White noise reaches it about once a second, other backgrounds more often.
+const BAR: f64 = 1.5;
 /// The steps of the format are sought in one sample of so many.
 const STEP_SHARE: usize = 4;
 

@@ -7,7 +7,7 @@
 
 use std::ops::Range;
 
-use super::evidence::{self, Span, Surroundings};
+use super::evidence::{self, Fall, Span, Surroundings};
 use super::{FEWEST_IMPACTS, Onset};
 
 /// The longest time between two impacts heard, in seconds: an apex of 4.9 m.
@@ -40,8 +40,9 @@ const ODDEST: f64 = 2.0;
 const KEPT: usize = 4;
 const SAME_RATIO: f64 = 0.04;
 const SAME_SCATTER: f64 = 3.0;
-/// Ways with less evidence than this are not pursued.
-const HOPELESS: f64 = -10.0;
+/// Ways with less evidence than this are not pursued. Drops begin at -9 or so, and in a crowd of like
+/// sounds the third impact takes away more than it adds.
+const HOPELESS: f64 = -13.0;
 
 /// An onset that fits as badly as this is better taken for a missed impact.
 const HOPELESS_STEP: f64 = -4.0;
@@ -84,6 +85,9 @@ struct Step {
     variance: f64,
     /// Evidence that does not depend on the way here.
     common: f64,
+    /// By how much the second is fainter, and the most evidence that this can add.
+    fall: Fall,
+    most: f64,
 }
 
 impl Step {
@@ -92,11 +96,14 @@ impl Step {
         let interval_s = later.time_s - earlier.time_s;
         let timing = earlier.sigma_s.powi(2) + later.sigma_s.powi(2);
         let likeness = around[pair.0].likeness(earlier, later);
+        let fall = evidence::fall(earlier, later);
         Self {
             interval_s,
             ln_interval: interval_s.ln(),
             variance: 4.0 * timing / interval_s.powi(2),
             common: (likeness * around[pair.1].by_chance(interval_s)).ln(),
+            most: fall.most().ln(),
+            fall,
         }
     }
 }
@@ -105,7 +112,8 @@ impl State {
     /// The first two impacts of a train, on a smooth and on a rough surface.
     fn births(step: &Step, around_first: &Surroundings) -> impl Iterator<Item = Self> {
         let by_chance = around_first.by_chance(step.interval_s).ln();
-        let evidence = evidence::LN_BIRTH + step.common + by_chance;
+        let first_flight = evidence::ln_first_flight(step.interval_s);
+        let evidence = evidence::LN_BIRTH + first_flight + step.common + by_chance;
         let ln_flight = step.ln_interval;
         let surfaces = if step.interval_s < SHORTEST_FIRST_S {
             &[]
@@ -137,11 +145,17 @@ impl State {
         if surprise.abs() > FARTHEST {
             return None;
         }
+        // Of the flights before the two impacts.
+        let ln_fall = if missed == 0 {
+            change
+        } else {
+            (missed + 1) as f64 * self.ln_ratio
+        };
         let seen = f64::from(self.ratios);
         let variance = step.variance + self.scatter2 * (1.0 + RATIO_VARIANCE / seen);
         let evidence = self.evidence
             + step.common
-            + evidence::next_ratio(change, surprise, variance).ln()
+            + (evidence::next_ratio(change, surprise, variance) * step.fall.knowing(ln_fall)).ln()
             + missed as f64 * evidence::LN_MISSED;
         (evidence > least).then(|| {
             let gain = (1.0 / (seen + 1.0)).max(LEAST_GAIN);
@@ -160,7 +174,10 @@ impl State {
     /// The third impact sets the ratio.
     fn third(&self, step: &Step, change: f64, least: f64) -> Option<Self> {
         let possible = LEAST_LN_RATIO..=step.variance.sqrt();
-        let evidence = self.evidence + step.common + evidence::first_ratio(change).ln();
+        let evidence = self.evidence
+            + step.common
+            + evidence::ln_first_ratio(change, self.ln_flight)
+            + step.fall.knowing(change).ln();
         (possible.contains(&change) && evidence > least).then(|| Self {
             evidence,
             ln_flight: step.ln_interval,
@@ -227,13 +244,16 @@ pub(super) fn best(onsets: &[Onset], span: Span) -> Option<Chain> {
             }
             let before = ends[earlier]..ends[earlier + 1];
             let mut survivors = survivors(&nodes, before, earlier, &step);
-            let births = State::births(&step, &around[earlier]);
-            survivors.extend(births.map(|state| Node {
-                state,
-                from: earlier as u32,
-                missed: 0,
-                back: None,
-            }));
+            // A drop begins with its loudest impacts; only later ones may be faint.
+            if onsets[earlier].stands_out() && onsets[later].stands_out() {
+                let births = State::births(&step, &around[earlier]);
+                survivors.extend(births.map(|state| Node {
+                    state,
+                    from: earlier as u32,
+                    missed: 0,
+                    back: None,
+                }));
+            }
             nodes.append(&mut survivors);
         }
         ends.push(nodes.len());
@@ -261,7 +281,7 @@ fn survivors(nodes: &[Node], before: Range<usize>, from: usize, step: &Step) -> 
         } else {
             kept[KEPT - 1].state.evidence
         };
-        if state.evidence + step.common + state.most <= least {
+        if state.evidence + step.common + step.most + state.most <= least {
             continue;
         }
         for missed in 0..=MOST_MISSED {

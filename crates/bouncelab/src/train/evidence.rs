@@ -11,6 +11,15 @@ use std::f64::consts::{PI, SQRT_2};
 /// logarithmic scale, over a factor of four.
 pub(super) const LN_BIRTH: f64 = -7.4;
 
+/// A first flight shorter than this, in seconds, is rarer with its third power: few balls are let go
+/// from below 2 cm, and the louder impacts of one let go from higher would have been heard.
+const SHORT_FIRST_S: f64 = 0.12;
+
+/// A drop from higher than this, in metres, is rarer with its second power.
+const HIGH_M: f64 = 3.0;
+/// Height of the apex of a flight of one second, in metres.
+const APEX_M: f64 = 9.81 / 8.0;
+
 /// The ratio of the first two flights is uniform in its logarithm between that of a dead ball
 /// (0.4) and that of a perfect one.
 pub(super) const FIRST_RATIO_DENSITY: f64 = 1.1;
@@ -53,8 +62,11 @@ pub(super) const SURFACES: [Surface; 2] = [
 pub(super) const LEAST_SCATTER: f64 = 0.003;
 /// Scatter in dB of the level from impact to impact, about a slow fall.
 const LEVEL_SCATTER_DB: f64 = 3.5;
-/// Usual fall of the level from impact to impact in dB.
+/// Usual fall of the level from impact to impact in dB, as long as the flights are not known.
 const LEVEL_FALL_DB: f64 = 1.0;
+/// The sound of an impact is proportional to its speed (synth: `Voice::level_exponent`), and the
+/// speed to the flight before: dB for a change of the flight by a factor e.
+const LEVEL_FALL_DB_A_FOLD: f64 = 20.0 * std::f64::consts::LOG10_E;
 /// Levels of unrelated sounds spread over this range in dB.
 const LEVEL_RANGE_DB: f64 = 40.0;
 /// Scatter in dB of the spectrum from impact to impact.
@@ -70,9 +82,17 @@ fn student(x: f64, scale2: f64) -> f64 {
     scale2 / (spread * spread.sqrt()) / (2.0 * SQRT_2)
 }
 
-/// The third impact: `change` is the logarithm of the ratio of the first two flights.
-pub(super) fn first_ratio(change: f64) -> f64 {
-    FIRST_RATIO_DENSITY / rhythm(change)
+/// Logarithm of how usual a first flight of this duration is.
+pub(super) fn ln_first_flight(flight_s: f64) -> f64 {
+    3.0 * (flight_s / SHORT_FIRST_S).min(1.0).ln()
+}
+
+/// The third impact: `change` is the logarithm of the ratio of the first two flights, which tells
+/// from how high the ball came to the first, and `ln_flight` that of the first flight in seconds.
+pub(super) fn ln_first_ratio(change: f64, ln_flight: f64) -> f64 {
+    let ln_height = APEX_M.ln() + 2.0 * (ln_flight - change);
+    let ln_usual = -2.0 * (ln_height - HIGH_M.ln()).max(0.0);
+    (FIRST_RATIO_DENSITY / rhythm(change)).ln() + ln_usual
 }
 
 /// A later impact: `change` is the logarithm of the interval over the last flight, `surprise` its
@@ -94,12 +114,44 @@ fn rhythm(change: f64) -> f64 {
 
 /// How much alike two successive impacts of a drop sound, in level and in spectrum.
 fn similarity(earlier: &Onset, later: &Onset) -> f64 {
+    fall(earlier, later).usual() * LEVEL_RANGE_DB * timbre(earlier, later)
+}
+
+/// By how much the second of two impacts is fainter.
+pub(super) fn fall(earlier: &Onset, later: &Onset) -> Fall {
     // A level below the noise is not known, only that it is no louder.
     let noise_db = loudest_db(&earlier.band_noise_db).max(loudest_db(&later.band_noise_db));
     let level_db = |onset: &Onset| onset.level_db.max(f64::from(noise_db));
-    let fall_db = level_db(earlier) - level_db(later) - LEVEL_FALL_DB;
-    let level = student(fall_db, LEVEL_SCATTER_DB * LEVEL_SCATTER_DB) * LEVEL_RANGE_DB;
-    level * timbre(earlier, later)
+    Fall {
+        db: level_db(earlier) - level_db(later),
+    }
+}
+
+/// A fall of the level from one impact to the next.
+pub(super) struct Fall {
+    db: f64,
+}
+
+impl Fall {
+    fn density(db: f64) -> f64 {
+        student(db, LEVEL_SCATTER_DB * LEVEL_SCATTER_DB)
+    }
+
+    /// How likely it is while nothing is known of the flights.
+    fn usual(&self) -> f64 {
+        Self::density(self.db - LEVEL_FALL_DB)
+    }
+
+    /// How much more likely it is, now that the logarithm of the ratio of the flights before the
+    /// two impacts is known.
+    pub(super) fn knowing(&self, ln_ratio: f64) -> f64 {
+        Self::density(self.db + LEVEL_FALL_DB_A_FOLD * ln_ratio) / self.usual()
+    }
+
+    /// The greatest value of [`Self::knowing`].
+    pub(super) fn most(&self) -> f64 {
+        Self::density(0.0) / self.usual()
+    }
 }
 
 fn timbre(earlier: &Onset, later: &Onset) -> f64 {

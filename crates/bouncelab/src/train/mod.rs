@@ -347,9 +347,36 @@ fn ratio_near(impacts: &[HeardImpact], index: usize) -> f64 {
     ratios.get(ratios.len() / 2).copied().unwrap_or(1.0)
 }
 
-/// Takes the best train and searches again before and after it. The onsets are all that was heard
-/// in this span.
+/// Finds the trains among the onsets, which are all that was heard in this span.
 pub(crate) fn search(onsets: &[Onset], span: Span, found: &mut Found) {
+    search_among(&telling(onsets), span, found);
+}
+
+/// Leaves out the faint onsets where they come thick: among so many some will always lie as the
+/// impacts of a drop.
+fn telling(onsets: &[Onset]) -> Vec<Onset> {
+    /// So many in this time to both sides, in seconds, are too many.
+    const REACH_S: f64 = 3.0;
+    const MANY: usize = 12;
+    let faint: Vec<f64> = onsets
+        .iter()
+        .filter(|o| !o.stands_out())
+        .map(|o| o.time_s)
+        .collect();
+    let is_thick = |time_s: f64| {
+        let first = faint.partition_point(|t| *t < time_s - REACH_S);
+        let end = faint.partition_point(|t| *t <= time_s + REACH_S);
+        end - first > MANY
+    };
+    onsets
+        .iter()
+        .filter(|o| o.stands_out() || !is_thick(o.time_s))
+        .copied()
+        .collect()
+}
+
+/// Takes the best train and searches again before and after it.
+fn search_among(onsets: &[Onset], span: Span, found: &mut Found) {
     if onsets.len() < FEWEST_IMPACTS {
         return;
     }
@@ -367,7 +394,7 @@ pub(crate) fn search(onsets: &[Onset], span: Span, found: &mut Found) {
             .filter(|index| chain.links.iter().all(|link| link.onset != *index))
             .map(|index| onsets[index])
             .collect();
-        search(&rest, span, found);
+        search_among(&rest, span, found);
         return;
     }
     let best = train(onsets, &chain);
@@ -381,9 +408,9 @@ pub(crate) fn search(onsets: &[Onset], span: Span, found: &mut Found) {
     };
     let first = onsets.partition_point(|o| o.time_s < before.end_s);
     let rest = onsets.partition_point(|o| o.time_s <= after.start_s);
-    search(&onsets[..first], before, found);
+    search_among(&onsets[..first], before, found);
     found.trains.push(best);
-    search(&onsets[rest..], after, found);
+    search_among(&onsets[rest..], after, found);
 }
 
 /// A hand needs this many seconds between two drops; what bounces sooner is the same ball, coming

@@ -13,7 +13,8 @@ use bouncelab::impact::Strike;
 use bouncelab::synth::{
     BitDepth, Clicks, Colour, Hum, Lost, Mode, Noise, Rendered, Reverb, Scene, Voice, render,
 };
-use realfft::RealFftPlanner;
+use rustfft::FftPlanner;
+use rustfft::num_complex::Complex32;
 
 /// Four impacts at times that lie on no sample of any usual rate.
 const STRIKES: [Strike; 4] = [
@@ -290,12 +291,12 @@ fn noise_has_its_colour() {
             tail_s: 20.0,
             ..bare()
         };
-        let mut samples = render(&[], &scene, 3).unwrap().samples;
-        let mut planner = RealFftPlanner::<f32>::new();
-        let fft = planner.plan_fft_forward(samples.len());
-        let mut spectrum = fft.make_output_vec();
-        let length = samples.len() as f64;
-        fft.process(&mut samples, &mut spectrum).unwrap();
+        let samples = render(&[], &scene, 3).unwrap().samples;
+        let mut spectrum: Vec<Complex32> = samples.iter().map(Complex32::from).collect();
+        let length = spectrum.len() as f64;
+        FftPlanner::new()
+            .plan_fft_forward(spectrum.len())
+            .process(&mut spectrum);
         let power_from = |hz: f64| -> f64 {
             let bin = |hz: f64| (hz / 44_100.0 * length) as usize;
             let octave = &spectrum[bin(hz)..bin(2.0 * hz)];

@@ -1,6 +1,14 @@
 //! Quantities with units, as people write them: `30.5cm`, `2.7 g`, `1013 hPa`, `-5C`.
 //!
-//! A number without a unit is in SI. Each function is a value parser for `clap`.
+//! A number without a unit is in SI. In arguments, files and forms alike; what is wrong is said in
+//! words that can be shown as they are.
+//!
+//! ```
+//! use bouncelab_report::units;
+//!
+//! assert_eq!(units::length("12 in"), Ok(0.3048));
+//! assert!(units::length("3 kg").unwrap_err().contains("cm"));
+//! ```
 
 /// The units of one quantity: name and factor to SI.
 type Units = &'static [(&'static str, f64)];
@@ -49,59 +57,92 @@ const SHARES: Units = &[("", 1.0), ("%", 0.01)];
 const ANGLES: Units = &[("deg", 1.0), ("\u{b0}", 1.0), ("N", 1.0), ("S", -1.0)];
 
 /// A length in metres.
-pub(crate) fn length(text: &str) -> Result<f64, String> {
+///
+/// # Errors
+/// What is wrong with the text, and what would be right.
+pub fn length(text: &str) -> Result<f64, String> {
     quantity(text, LENGTHS)
 }
 
 /// A mass in kilograms.
-pub(crate) fn mass(text: &str) -> Result<f64, String> {
+///
+/// # Errors
+/// What is wrong with the text, and what would be right.
+pub fn mass(text: &str) -> Result<f64, String> {
     quantity(text, MASSES)
 }
 
 /// A time in seconds.
-pub(crate) fn time(text: &str) -> Result<f64, String> {
+///
+/// # Errors
+/// What is wrong with the text, and what would be right.
+pub fn time(text: &str) -> Result<f64, String> {
     quantity(text, TIMES)
 }
 
 /// A speed in metres per second.
-pub(crate) fn speed(text: &str) -> Result<f64, String> {
+///
+/// # Errors
+/// What is wrong with the text, and what would be right.
+pub fn speed(text: &str) -> Result<f64, String> {
     quantity(text, SPEEDS)
 }
 
 /// A pressure in pascal.
-pub(crate) fn pressure(text: &str) -> Result<f64, String> {
+///
+/// # Errors
+/// What is wrong with the text, and what would be right.
+pub fn pressure(text: &str) -> Result<f64, String> {
     quantity(text, PRESSURES)
 }
 
 /// An acceleration in metres per second squared.
-pub(crate) fn acceleration(text: &str) -> Result<f64, String> {
+///
+/// # Errors
+/// What is wrong with the text, and what would be right.
+pub fn acceleration(text: &str) -> Result<f64, String> {
     quantity(text, ACCELERATIONS)
 }
 
 /// A density in kilograms per cubic metre.
-pub(crate) fn density(text: &str) -> Result<f64, String> {
+///
+/// # Errors
+/// What is wrong with the text, and what would be right.
+pub fn density(text: &str) -> Result<f64, String> {
     quantity(text, DENSITIES)
 }
 
 /// A dynamic viscosity in pascal seconds.
-pub(crate) fn viscosity(text: &str) -> Result<f64, String> {
+///
+/// # Errors
+/// What is wrong with the text, and what would be right.
+pub fn viscosity(text: &str) -> Result<f64, String> {
     quantity(text, VISCOSITIES)
 }
 
 /// A share of one: `0.5` or `50%`.
-pub(crate) fn share(text: &str) -> Result<f64, String> {
+///
+/// # Errors
+/// What is wrong with the text, and what would be right.
+pub fn share(text: &str) -> Result<f64, String> {
     quantity(text, SHARES)
 }
 
 /// A latitude in degrees, north positive: `47.5`, `33.9S`.
-pub(crate) fn latitude(text: &str) -> Result<f64, String> {
+///
+/// # Errors
+/// What is wrong with the text, and what would be right.
+pub fn latitude(text: &str) -> Result<f64, String> {
     quantity(text, ANGLES)
 }
 
 /// A temperature in kelvin, from degrees Celsius unless it says `K` or `F`.
 ///
 /// This is the one quantity whose bare number is not SI: nobody means 20 K.
-pub(crate) fn temperature(text: &str) -> Result<f64, String> {
+///
+/// # Errors
+/// What is wrong with the text, and what would be right.
+pub fn temperature(text: &str) -> Result<f64, String> {
     let (number, unit) = split(text)?;
     match unit {
         "" | "C" | "\u{b0}C" => Ok(number + 273.15),

@@ -1,0 +1,271 @@
+//! `bouncelab session`: what many drops say together.
+
+mod columns;
+mod doubt;
+mod figures;
+mod notes;
+mod outcome;
+mod record;
+mod report;
+mod text;
+mod work;
+
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+
+use bouncelab_session::journal::Journal;
+use bouncelab_session::table::{Form, TableWriter, remove_drafts, write_whole};
+use bouncelab_session::{Session, Sources};
+use clap::{Args, ValueEnum};
+
+use crate::analyze::Draft;
+use crate::failure::Failure;
+use crate::knowledge::KnowledgeArguments;
+use crate::physics::PhysicsArguments;
+use crate::units;
+use columns::Tables;
+use notes::{Reading, Understood};
+use outcome::{Outcome, Wish};
+use record::Record;
+use work::Done;
+
+/// Hear many recordings and say what their drops say together
+///
+/// Takes recordings, folders of recordings, or a session.toml with what was noted of them (see
+/// docs/session.md). Results are kept as they come: a run that was stopped goes on where it was when
+/// it is started again. Exit status: 0 if there is a result, 1 if no drop was found, 2 for wrong
+/// usage or notes that are not clear.
+#[derive(Args)]
+#[command(after_help = EXAMPLES)]
+#[expect(clippy::struct_excessive_bools, reason = "each is a flag of its own")]
+pub(crate) struct Arguments {
+    /// Recordings, folders, or a session.toml
+    #[arg(required = true, value_name = "DIR|FILE|session.toml")]
+    inputs: Vec<PathBuf>,
+    /// Folder for tables, journal and figures
+    #[arg(long, value_name = "DIR", default_value = "bouncelab-session")]
+    output: PathBuf,
+    /// What the names of the files say, as in {ball}_{surface}_{height}_{}; {} says nothing, and
+    /// {height:cm} is a height without its unit
+    #[arg(long, value_name = "PATTERN", help_heading = "Notes")]
+    pattern: Option<String>,
+    /// CSV with a column `file` and one for each thing noted
+    #[arg(long, value_name = "FILE", help_heading = "Notes")]
+    table: Option<PathBuf>,
+    /// Believe notes that look like a mistake of units
+    #[arg(long, help_heading = "Notes")]
+    as_noted: bool,
+    /// Go on where some recordings lack what is noted of others
+    #[arg(long, help_heading = "Notes")]
+    allow_missing: bool,
+    /// Group the drops by these [default: ball, surface and what else was noted, but for operator,
+    /// height and temperature]
+    #[arg(
+        long,
+        value_name = "FIELDS",
+        value_delimiter = ',',
+        help_heading = "Comparison"
+    )]
+    by: Vec<String>,
+    /// Compare the drops at this impact speed, as in 1.5m/s [default: what most drops know]
+    #[arg(long, value_name = "SPEED", allow_hyphen_values = true, value_parser = units::speed, help_heading = "Comparison")]
+    compare_at: Option<f64>,
+    /// How many drops would give a mean this half width of its 95 % interval, as in 0.001 [default:
+    /// half of what it has]
+    #[arg(
+        long,
+        value_name = "HALF_WIDTH",
+        allow_hyphen_values = true,
+        help_heading = "Comparison"
+    )]
+    want: Option<f64>,
+    /// Leave these drops out of the comparison: a recording, or recording#2 for its second drop
+    #[arg(
+        long,
+        value_name = "NAMES",
+        value_delimiter = ',',
+        help_heading = "Comparison"
+    )]
+    exclude: Vec<String>,
+    /// How to print the result; JSON is documented in docs/json.md
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    format: Format,
+    /// Print also intervals, all differences and every remark
+    #[arg(long)]
+    details: bool,
+    /// Tables to write
+    #[arg(long, value_name = "FORMS", value_delimiter = ',', value_enum, default_values_t = Form::ALL.map(TableForm::from))]
+    tables: Vec<TableForm>,
+    /// Write figures as SVG and PNG into the output folder
+    #[arg(long)]
+    figures: bool,
+    /// Write a report as one HTML file, or as Markdown
+    #[arg(long, value_name = "FILE.html|FILE.md")]
+    report: Option<PathBuf>,
+    /// Recordings heard side by side [default: as many as there are processors]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
+    jobs: Option<u16>,
+    #[command(flatten)]
+    physics: PhysicsArguments,
+    #[command(flatten)]
+    knowledge: KnowledgeArguments,
+}
+
+const EXAMPLES: &str = "\
+Examples:
+  bouncelab session recordings --pattern '{ball}_{surface}_{height}_{}'
+  bouncelab session recordings --table notes.csv --ball tennis
+  bouncelab session session.toml --by surface --want 0.001
+  bouncelab session session.toml --exclude red_steel_3.wav --details
+  bouncelab session session.toml --report session.html
+  bouncelab session session.toml --format json > session.json";
+
+#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum Format {
+    /// For people
+    Text,
+    /// For programs
+    Json,
+}
+
+/// The forms of a table, as arguments.
+#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum TableForm {
+    /// Apache Parquet
+    Parquet,
+    /// Comma-separated values
+    Csv,
+    /// One JSON object a line
+    Jsonl,
+}
+
+impl From<Form> for TableForm {
+    fn from(form: Form) -> Self {
+        match form {
+            Form::Parquet => Self::Parquet,
+            Form::Csv => Self::Csv,
+            Form::JsonLines => Self::Jsonl,
+        }
+    }
+}
+
+impl From<TableForm> for Form {
+    fn from(form: TableForm) -> Self {
+        match form {
+            TableForm::Parquet => Self::Parquet,
+            TableForm::Csv => Self::Csv,
+            TableForm::Jsonl => Self::JsonLines,
+        }
+    }
+}
+
+pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
+    let session = Session::gather(&Sources {
+        inputs: arguments.inputs.clone(),
+        pattern: arguments.pattern.clone(),
+        table: arguments.table.clone(),
+    })?;
+    let reading = Reading {
+        physics: &arguments.physics,
+        knowledge: &arguments.knowledge,
+        as_noted: arguments.as_noted,
+        allow_missing: arguments.allow_missing,
+    };
+    let recordings = reading.understand(&session)?;
+    let draft = arguments.report.as_deref().map(Draft::new).transpose()?;
+    let journal = Journal::open(&arguments.output)?;
+    remove_drafts(&arguments.output)?;
+    if journal.damaged() > 0 {
+        eprintln!(
+            "bouncelab: {} results in the journal were cut off or damaged, and are made again",
+            journal.damaged()
+        );
+    }
+    let done = work::hear_all(&recordings, &journal, arguments.jobs.map(usize::from))?;
+    if done.kept > 0 {
+        eprintln!(
+            "bouncelab: {} of {} recordings were heard in an earlier run",
+            done.kept,
+            recordings.len()
+        );
+    }
+    let mut outcome = Outcome::of(&recordings, &done, &journal, &arguments.wish())?;
+    outcome.title.clone_from(&session.title);
+    outcome.remarks.clone_from(&session.remarks);
+    let document = outcome.document();
+    let written = write_tables(&recordings, &done, &journal, &outcome, arguments)?;
+    let json = serde_json::to_string_pretty(&document).map_err(io::Error::from)? + "\n";
+    write_whole(&arguments.output.join("session.json"), json.as_bytes())?;
+    if arguments.figures {
+        figures::save(&outcome, &arguments.output)?;
+    }
+    if let Some(draft) = draft {
+        draft.write(&report::page(&outcome, &done))?;
+    }
+    let mut out = io::stdout().lock();
+    match arguments.format {
+        Format::Json => out.write_all(json.as_bytes())?,
+        Format::Text => {
+            out.write_all(text::report(&outcome, arguments.details, arguments.want).as_bytes())?;
+            writeln!(out, "  Tables: {}", shown(&written))?;
+        }
+    }
+    if outcome.drops.is_empty() {
+        return Err(Failure::Input("no recording holds a drop".to_owned()));
+    }
+    Ok(())
+}
+
+fn shown(files: &[PathBuf]) -> String {
+    let names: Vec<String> = files
+        .iter()
+        .map(|file| file.display().to_string())
+        .collect();
+    names.join(", ")
+}
+
+impl Arguments {
+    fn wish(&self) -> Wish {
+        Wish {
+            by: self.by.clone(),
+            at_speed_m_s: self.compare_at,
+            wanted: self.want,
+            exclude: self.exclude.clone(),
+        }
+    }
+}
+
+/// Writes the tables of drops and impacts, one recording after the other.
+fn write_tables(
+    recordings: &[Understood],
+    done: &Done,
+    journal: &Journal,
+    outcome: &Outcome,
+    arguments: &Arguments,
+) -> Result<Vec<PathBuf>, Failure> {
+    let forms: Vec<Form> = arguments.tables.iter().map(|&form| form.into()).collect();
+    let folder: &Path = &arguments.output;
+    let tables = Tables::new(recordings);
+    let mut drops = TableWriter::new(folder, &tables.drops, &forms)?;
+    let mut impacts = TableWriter::new(folder, &tables.impacts, &forms)?;
+    let mut next = 0;
+    while let Some(first) = outcome.drops.get(next) {
+        let place = first.recording;
+        let understood = &recordings[place];
+        let key = done.keys[place]
+            .as_ref()
+            .map_err(|reason| Failure::Input(reason.clone()))?;
+        let record: Option<Record> = journal.read(&understood.recording.name, key)?;
+        let record = record.unwrap_or_default();
+        let hashes = [key.content.as_str(), key.settings.as_str()];
+        for of_drop in &record.drops {
+            let told = (of_drop, record.warnings.as_slice());
+            drops.row(&tables.drop(outcome, next, understood, hashes, told))?;
+            for impact in &of_drop.impacts {
+                impacts.row(&tables.impact(&outcome.drops[next], understood, impact))?;
+            }
+            next += 1;
+        }
+    }
+    Ok([drops.finish()?, impacts.finish()?].concat())
+}

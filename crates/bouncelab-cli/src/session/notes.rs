@@ -1,0 +1,362 @@
+//! What the notes of a recording mean, and what is wrong with them.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use bouncelab::ball;
+use bouncelab_session::{Note, Notes, Recording, Session};
+
+use super::doubt;
+use crate::failure::Failure;
+use crate::knowledge::KnowledgeArguments;
+use crate::physics::{Noted, Physics, PhysicsArguments};
+use crate::units;
+
+/// Fields that describe the set-up; by all others, and by ball, height and temperature, drops are
+/// compared.
+const CONDITIONS: [&str; 6] = [
+    "height_sd",
+    "mass",
+    "diameter",
+    "contact_time",
+    "pressure",
+    "humidity",
+];
+
+/// Fields that a ball in a session file may have.
+const OF_A_BALL: [&str; 4] = ["kind", "mass", "diameter", "contact_time"];
+
+/// A recording whose notes are understood.
+pub(super) struct Understood {
+    pub(super) recording: Recording,
+    pub(super) physics: Physics,
+    /// What it is compared by: "surface", "steel".
+    pub(super) factors: BTreeMap<String, String>,
+    /// The drop height noted, m.
+    pub(super) height_m: Option<f64>,
+    /// The temperature noted, K.
+    pub(super) temperature_k: Option<f64>,
+}
+
+/// Reads a quantity with its unit.
+type Reader = fn(&str) -> Result<f64, String>;
+
+/// How notes are read.
+pub(super) struct Reading<'a> {
+    pub(super) physics: &'a PhysicsArguments,
+    pub(super) knowledge: &'a KnowledgeArguments,
+    /// Whether what looks like a mistake of units is believed.
+    pub(super) as_noted: bool,
+    /// Whether recordings may lack what others say.
+    pub(super) allow_missing: bool,
+}
+
+impl Reading<'_> {
+    /// Understands every recording, or says all that stands against it.
+    pub(super) fn understand(&self, session: &Session) -> Result<Vec<Understood>, Failure> {
+        let mut problems = Problems::default();
+        let understood: Vec<Option<Understood>> = session
+            .recordings
+            .iter()
+            .map(|recording| self.one(recording, &session.balls, &mut problems))
+            .collect();
+        if !self.allow_missing {
+            problems.missing(&session.recordings);
+        }
+        match problems.message() {
+            Some(message) => Err(Failure::Usage(message)),
+            None => Ok(understood.into_iter().flatten().collect()),
+        }
+    }
+
+    fn one(
+        &self,
+        recording: &Recording,
+        balls: &BTreeMap<String, Notes>,
+        problems: &mut Problems,
+    ) -> Option<Understood> {
+        let mut one = One {
+            name: &recording.name,
+            as_noted: self.as_noted,
+            said: BTreeMap::new(),
+            problems,
+        };
+        one.agree(&recording.notes);
+        let height_m = one.quantity("height", units::length);
+        let height_sd_m = one.quantity("height_sd", units::length);
+        let temperature_k = one.quantity("temperature", units::temperature);
+        let mut noted = one.ball(balls, self.physics.names_ball());
+        noted.mass = one.quantity("mass", units::mass).or(noted.mass);
+        noted.diameter = one.quantity("diameter", units::length).or(noted.diameter);
+        let contact_time = one.quantity("contact_time", units::time);
+        noted.contact_time = contact_time.or(noted.contact_time);
+        noted.temperature = temperature_k;
+        noted.pressure = one.quantity("pressure", units::pressure);
+        noted.humidity = one.quantity("humidity", units::share);
+        let mut factors: BTreeMap<String, String> = one
+            .said
+            .iter()
+            .filter(|(field, _)| !CONDITIONS.contains(&field.as_str()))
+            .map(|(field, note)| (field.clone(), note.text.clone()))
+            .collect();
+        // The same height in other words is the same level.
+        let mut as_level = |field: &str, text: Option<String>| {
+            if let Some(text) = text {
+                factors.insert(field.to_owned(), text);
+            }
+        };
+        as_level(
+            "height",
+            height_m.map(|height| format!("{} cm", rounded(height * 100.0))),
+        );
+        let celsius = temperature_k.map(|kelvin| kelvin - 273.15);
+        as_level(
+            "temperature",
+            celsius.map(|celsius| format!("{} \u{b0}C", rounded(celsius))),
+        );
+        let physics = self.physics_of(&noted, height_m, height_sd_m);
+        match physics {
+            Ok(physics) => {
+                one.doubt_ball(&physics);
+                Some(Understood {
+                    recording: recording.clone(),
+                    physics,
+                    factors,
+                    height_m,
+                    temperature_k,
+                })
+            }
+            Err(failure) => {
+                one.problem(failure.to_string());
+                None
+            }
+        }
+    }
+
+    fn physics_of(
+        &self,
+        noted: &Noted,
+        height_m: Option<f64>,
+        height_sd_m: Option<f64>,
+    ) -> Result<Physics, Failure> {
+        let mut physics = self.physics.with(noted).physics()?;
+        let knowledge = self.knowledge.with_height(height_m, height_sd_m);
+        let of_inputs = std::mem::take(&mut physics.settings.knowledge);
+        physics.settings.knowledge = knowledge.knowledge(of_inputs)?;
+        physics.settings.question = knowledge.question()?;
+        Ok(physics)
+    }
+}
+
+/// A number without the noise of binary fractions.
+fn rounded(value: f64) -> f64 {
+    (value * 1e6).round() / 1e6
+}
+
+/// One recording while its notes are read.
+struct One<'a> {
+    name: &'a str,
+    as_noted: bool,
+    /// The statement that counts, by field.
+    said: BTreeMap<String, Note>,
+    problems: &'a mut Problems,
+}
+
+impl One<'_> {
+    fn problem(&mut self, text: String) {
+        self.problems.of_recording(self.name, text);
+    }
+
+    /// Takes one statement for each field, if all made of it agree.
+    fn agree(&mut self, notes: &BTreeMap<String, Vec<Note>>) {
+        for (field, statements) in notes {
+            let Some(first) = statements.iter().find(|note| !note.text.is_empty()) else {
+                continue;
+            };
+            let other = statements
+                .iter()
+                .find(|note| !note.text.is_empty() && !same(field, &note.text, &first.text));
+            if let Some(other) = other {
+                let text = format!(
+                    "the {field} is \"{}\" by {}, but \"{}\" by {}; correct one of them",
+                    first.text, first.said_by, other.text, other.said_by
+                );
+                self.problem(text);
+            }
+            self.said.insert(field.clone(), first.clone());
+        }
+    }
+
+    /// The value of a field, if it was noted, makes sense and looks right.
+    fn quantity(&mut self, field: &'static str, read: Reader) -> Option<f64> {
+        let note = self.said.get(field)?.clone();
+        self.value(field, &note, read)
+    }
+
+    fn value(&mut self, field: &'static str, note: &Note, read: Reader) -> Option<f64> {
+        match read(&note.text) {
+            Ok(value) => {
+                if let Some(doubt) = doubt::of_quantity(field, value).filter(|_| !self.as_noted) {
+                    self.problem(format!("{doubt} (\"{}\" by {})", note.text, note.said_by));
+                }
+                Some(value)
+            }
+            Err(problem) => {
+                self.problem(format!("{field}, by {}: {problem}", note.said_by));
+                None
+            }
+        }
+    }
+
+    /// What is known of the ball that was noted.
+    fn ball(&mut self, balls: &BTreeMap<String, Notes>, named_for_all: bool) -> Noted {
+        let Some(label) = self.said.get("ball").cloned() else {
+            return Noted::default();
+        };
+        if let Some(of_ball) = balls.get(&label.text) {
+            return self.described(&label.text, of_ball);
+        }
+        let is_kind = ball::preset(&label.text).is_ok() || label.text.contains(':');
+        if is_kind {
+            return Noted {
+                ball: Some(label.text),
+                ..Noted::default()
+            };
+        }
+        let measured = self.said.contains_key("mass") && self.said.contains_key("diameter");
+        if !named_for_all && !measured {
+            self.problems.unknown_balls.insert(label.text);
+        }
+        Noted::default()
+    }
+
+    fn described(&mut self, label: &str, of_ball: &Notes) -> Noted {
+        for (field, note) in of_ball {
+            if !OF_A_BALL.contains(&field.as_str()) {
+                self.problems.general.insert(format!(
+                    "[balls.{label}]: {field} (by {}) is none of {}",
+                    note.said_by,
+                    OF_A_BALL.join(", ")
+                ));
+            }
+        }
+        let mut quantity = |field: &'static str, read| {
+            let note = of_ball.get(field)?;
+            self.value(field, note, read)
+        };
+        Noted {
+            mass: quantity("mass", units::mass),
+            diameter: quantity("diameter", units::length),
+            contact_time: quantity("contact_time", units::time),
+            ball: of_ball.get("kind").map(|note| note.text.clone()),
+            ..Noted::default()
+        }
+    }
+
+    fn doubt_ball(&mut self, physics: &Physics) {
+        let ball = &physics.settings.ball;
+        if let Some(doubt) = doubt::of_ball(ball).filter(|_| !self.as_noted) {
+            self.problem(doubt);
+        }
+    }
+}
+
+/// Whether two statements mean the same.
+fn same(field: &str, a: &str, b: &str) -> bool {
+    let read: Option<Reader> = match field {
+        "height" | "height_sd" | "diameter" => Some(units::length),
+        "mass" => Some(units::mass),
+        "contact_time" => Some(units::time),
+        "temperature" => Some(units::temperature),
+        "pressure" => Some(units::pressure),
+        "humidity" => Some(units::share),
+        _ => None,
+    };
+    let values = read.and_then(|read| Some((read(a).ok()?, read(b).ok()?)));
+    match values {
+        Some((a, b)) => (a - b).abs() <= 1e-9 * a.abs().max(b.abs()),
+        None => a == b,
+    }
+}
+
+/// All that stands against a session, so that it can be mended at once.
+#[derive(Default)]
+struct Problems {
+    general: BTreeSet<String>,
+    unknown_balls: BTreeSet<String>,
+    /// What is wrong, and with which recordings.
+    recordings: BTreeMap<String, Vec<String>>,
+}
+
+impl Problems {
+    fn of_recording(&mut self, name: &str, text: String) {
+        self.recordings
+            .entry(text)
+            .or_default()
+            .push(name.to_owned());
+    }
+
+    /// Fields that some recordings have and others lack.
+    fn missing(&mut self, recordings: &[Recording]) {
+        let fields: BTreeSet<&String> = recordings
+            .iter()
+            .flat_map(|recording| recording.notes.keys())
+            .collect();
+        for field in fields {
+            let lacks = |recording: &&Recording| {
+                let notes = recording.notes.get(field);
+                notes.is_none_or(|notes| notes.iter().all(|note| note.text.is_empty()))
+            };
+            let lacking: Vec<String> = recordings
+                .iter()
+                .filter(lacks)
+                .map(|recording| recording.name.clone())
+                .collect();
+            if let Some(first) = lacking.first() {
+                let text = format!(
+                    "no {field} is noted, though others have one. Say it by {field} = \"...\" under \
+                     [recordings.\"{first}\"] or [all] in session.toml, by a column {field} of a CSV \
+                     (--table), or by {{{field}}} in the pattern of the names (--pattern); or go on \
+                     without by --allow-missing"
+                );
+                self.recordings.insert(text, lacking);
+            }
+        }
+    }
+
+    fn message(self) -> Option<String> {
+        let mut lines: Vec<String> = self.general.into_iter().collect();
+        for ball in &self.unknown_balls {
+            let kinds: Vec<&str> = ball::presets().iter().map(|preset| preset.name).collect();
+            lines.push(format!(
+                "what ball is \"{ball}\"? Write [balls.{ball}] with kind = \"...\" (or mass and \
+                 diameter) in session.toml, or give the kind of all balls by --ball. Kinds: {}, \
+                 steel:10mm, glass:16mm",
+                kinds.join(", ")
+            ));
+        }
+        lines.extend(
+            self.recordings
+                .into_iter()
+                .map(|(text, names)| format!("{}: {text}", some_of(&names))),
+        );
+        match lines.as_slice() {
+            [] => None,
+            [line] => Some(line.clone()),
+            _ => Some(format!(
+                "the notes are not clear:\n  {}",
+                lines.join("\n  ")
+            )),
+        }
+    }
+}
+
+/// The first few of many names.
+pub(super) fn some_of(names: &[String]) -> String {
+    const SHOWN: usize = 4;
+    match names.len() {
+        count if count > SHOWN + 1 => {
+            format!("{} and {} more", names[..SHOWN].join(", "), count - SHOWN)
+        }
+        _ => names.join(", "),
+    }
+}

@@ -1,0 +1,286 @@
+//! What the journal keeps of a recording.
+
+use bouncelab::analysis::Analysis;
+use bouncelab::estimate::{Inference, Remark, Summary};
+use bouncelab::groups::{Law, LawPoint};
+use bouncelab::regression::Estimate;
+use bouncelab_report::document::Origin;
+use serde::{Deserialize, Serialize};
+
+use crate::analyze::Hearing;
+
+/// Changes whenever a record of before would not be understood, or would say something else.
+pub(super) const RECORD: &str = "bouncelab.record/1";
+
+/// What one recording says.
+#[derive(Debug, Default, Serialize, Deserialize)]
+pub(super) struct Record {
+    /// Length in seconds, if it is sound.
+    pub(super) duration_s: Option<f64>,
+    /// Its drops, in order of time.
+    pub(super) drops: Vec<DropRecord>,
+    /// Why there is none.
+    pub(super) no_drop: Option<String>,
+    /// Why it could not be read.
+    pub(super) failure: Option<String>,
+    /// What is odd about it.
+    pub(super) warnings: Vec<String>,
+}
+
+/// What one drop says.
+#[derive(Debug, Serialize, Deserialize)]
+pub(super) struct DropRecord {
+    /// That it is a drop.
+    pub(super) probability: f64,
+    pub(super) impacts: Vec<ImpactRecord>,
+    pub(super) line: Option<LineRecord>,
+    pub(super) estimate: Option<EstimateRecord>,
+    /// Why there is no estimate.
+    pub(super) no_estimate: Option<String>,
+    /// What is odd about it, in words.
+    pub(super) remarks: Vec<String>,
+}
+
+/// One impact and the flight after it.
+#[derive(Debug, Serialize, Deserialize)]
+pub(super) struct ImpactRecord {
+    pub(super) number: usize,
+    pub(super) time_s: f64,
+    pub(super) sigma_s: Option<f64>,
+    pub(super) probability: f64,
+    pub(super) level_db: Option<f64>,
+    pub(super) impact_speed_m_s: Option<f64>,
+    pub(super) restitution: Option<f64>,
+    pub(super) restitution_sd: Option<f64>,
+    pub(super) plain_restitution: Option<f64>,
+    pub(super) flight_time_s: Option<f64>,
+    pub(super) plain_height_m: Option<f64>,
+    pub(super) apex_m: Option<f64>,
+    /// Its weight in the inference.
+    pub(super) weight: Option<f64>,
+}
+
+/// The straight line.
+#[derive(Debug, Serialize, Deserialize)]
+pub(super) struct LineRecord {
+    pub(super) restitution: Value,
+    pub(super) drop_height_m: Value,
+}
+
+/// The inference.
+#[derive(Debug, Serialize, Deserialize)]
+pub(super) struct EstimateRecord {
+    pub(super) at_speed_m_s: f64,
+    pub(super) restitution: Value,
+    pub(super) drop_height_m: Value,
+    pub(super) drag_coefficient: Option<Value>,
+    pub(super) scatter: Value,
+    pub(super) timing_s: Value,
+    /// Most probable number of impacts missed before the first one heard.
+    pub(super) missed_first: Option<usize>,
+    pub(super) converged: bool,
+    /// Restitution at speeds that all drops share: speed, value, own and shared uncertainty.
+    pub(super) law: Vec<[f64; 4]>,
+    /// Whether the measured height contradicts the flight times.
+    pub(super) height_contradicts: bool,
+}
+
+/// A value and its standard uncertainty, where that is known.
+#[derive(Debug, Clone, Copy, Serialize, Deserialize)]
+pub(super) struct Value {
+    pub(super) value: f64,
+    pub(super) sd: Option<f64>,
+}
+
+impl From<Summary> for Value {
+    fn from(summary: Summary) -> Self {
+        Self {
+            value: summary.value,
+            sd: finite(summary.sd),
+        }
+    }
+}
+
+impl From<Estimate> for Value {
+    fn from(estimate: Estimate) -> Self {
+        Self {
+            value: estimate.value,
+            sd: estimate.standard_error.and_then(finite),
+        }
+    }
+}
+
+fn finite(value: f64) -> Option<f64> {
+    value.is_finite().then_some(value)
+}
+
+impl Record {
+    /// What a recording says that could be heard.
+    pub(super) fn of(hearing: &Hearing) -> Self {
+        let drops = hearing.drops.iter().zip(&hearing.probabilities);
+        Self {
+            duration_s: match hearing.origin {
+                Origin::Sound { duration_s, .. } => Some(duration_s),
+                Origin::Times => None,
+            },
+            drops: drops.map(|(drop, &p)| DropRecord::of(drop, p)).collect(),
+            no_drop: hearing.no_drop.clone(),
+            failure: None,
+            warnings: hearing.warnings.clone(),
+        }
+    }
+
+    /// A recording that could not be read.
+    pub(super) fn failed(reason: String) -> Self {
+        Self {
+            failure: Some(reason),
+            ..Self::default()
+        }
+    }
+}
+
+impl DropRecord {
+    fn of(drop: &Analysis, probability: f64) -> Self {
+        let inferred = drop.estimate.as_ref().ok();
+        let remarks = inferred.map_or(&[][..], |found| &found.remarks);
+        Self {
+            probability,
+            impacts: impacts(drop),
+            line: drop.line.as_ref().ok().map(|line| LineRecord {
+                restitution: line.restitution().into(),
+                drop_height_m: line.drop_height_m().into(),
+            }),
+            estimate: inferred.map(EstimateRecord::of),
+            no_estimate: drop.estimate.as_ref().err().map(ToString::to_string),
+            remarks: drop
+                .warnings
+                .iter()
+                .map(ToString::to_string)
+                .chain(
+                    remarks
+                        .iter()
+                        .filter(|r| is_odd(r))
+                        .map(ToString::to_string),
+                )
+                .collect(),
+        }
+    }
+}
+
+/// Whether a remark says something of this drop, and not of all drops like it.
+fn is_odd(remark: &Remark) -> bool {
+    !matches!(
+        remark,
+        Remark::HeightIsOfFirstHeard
+            | Remark::DragFromPrior
+            | Remark::DragOrSlope
+            | Remark::NoLawWins
+            | Remark::Odd(_)
+    )
+}
+
+fn impacts(drop: &Analysis) -> Vec<ImpactRecord> {
+    let corrected = drop.corrected.as_ref().ok();
+    let inferred = drop.estimate.as_ref().ok();
+    drop.impacts
+        .iter()
+        .map(|impact| {
+            let number = impact.number;
+            let flight = drop.flights.iter().find(|flight| flight.number == number);
+            let found = corrected.and_then(|c| c.impacts.iter().find(|i| i.number == number));
+            let modelled = corrected.and_then(|c| c.flights.iter().find(|f| f.number == number));
+            let weighed =
+                inferred.and_then(|found| found.impacts.iter().find(|i| i.number == number));
+            ImpactRecord {
+                number,
+                time_s: impact.time_s,
+                sigma_s: impact.sigma_s,
+                probability: impact.probability,
+                level_db: impact.level_db.and_then(finite),
+                impact_speed_m_s: found.map(|f| f.impact_speed_m_s),
+                restitution: found.map(|f| f.restitution.value),
+                restitution_sd: found.and_then(|f| f.restitution.standard_error),
+                plain_restitution: found.map(|f| f.raw_ratio),
+                flight_time_s: flight.map(|f| f.time_s),
+                plain_height_m: flight.map(|f| f.plain_height_m),
+                apex_m: modelled.map(|m| m.flight.apex_m),
+                weight: weighed.map(|w| w.weight),
+            }
+        })
+        .collect()
+}
+
+impl EstimateRecord {
+    fn of(found: &Inference) -> Self {
+        let likeliest = |probabilities: &Vec<f64>| {
+            let numbered = probabilities.iter().enumerate();
+            numbered
+                .max_by(|a, b| a.1.total_cmp(b.1))
+                .map(|(missed, _)| missed)
+        };
+        Self {
+            at_speed_m_s: found.at_speed_m_s,
+            restitution: found.restitution.into(),
+            drop_height_m: found.drop_height_m.into(),
+            drag_coefficient: found.drag.map(|drag| drag.coefficient.into()),
+            scatter: found.scatter.into(),
+            timing_s: found.timing_s.into(),
+            missed_first: found.missed_first.as_ref().and_then(likeliest),
+            converged: found.sampling.converged,
+            law: law(found)
+                .0
+                .iter()
+                .map(|point| [point.speed_m_s, point.value, point.own_sd, point.shared_sd])
+                .collect(),
+            height_contradicts: found
+                .remarks
+                .iter()
+                .any(|remark| matches!(remark, Remark::HeightContradicts { .. })),
+        }
+    }
+
+    /// Restitution at speeds that all drops share.
+    pub(super) fn law(&self) -> Law {
+        let points = self
+            .law
+            .iter()
+            .map(|&[speed_m_s, value, own_sd, shared_sd]| LawPoint {
+                speed_m_s,
+                value,
+                own_sd,
+                shared_sd,
+            });
+        Law(points.collect())
+    }
+}
+
+/// Restitution at the speeds of [`Law::speeds`] within those of the impacts heard.
+fn law(found: &Inference) -> Law {
+    let speeds = found
+        .impacts
+        .iter()
+        .filter(|impact| impact.restitution.is_some())
+        .map(|impact| impact.impact_speed_m_s.value);
+    let (slowest, fastest) = speeds.fold((f64::INFINITY, 0.0), |(slowest, fastest), speed| {
+        (speed.min(slowest), speed.max(fastest))
+    });
+    let speeds = Law::speeds(slowest, fastest);
+    let shared = found.shared_sd(&speeds).unwrap_or_default();
+    let points = found.restitution_at_each(&speeds).into_iter().zip(&speeds);
+    Law(points
+        .enumerate()
+        .filter_map(|(place, (summary, &speed_m_s))| {
+            let summary = summary.filter(|summary| summary.sd.is_finite())?;
+            let shared_sd = shared.get(place).copied().filter(|sd| sd.is_finite());
+            // What is not shared is this drop's own: the whole of it where the fit is too odd to be
+            // taken apart.
+            let shared_sd = shared_sd.unwrap_or(0.0).min(summary.sd);
+            Some(LawPoint {
+                speed_m_s,
+                value: summary.value,
+                own_sd: (summary.sd.powi(2) - shared_sd.powi(2)).sqrt(),
+                shared_sd,
+            })
+        })
+        .collect())
+}

@@ -1,0 +1,184 @@
+//! The report of a session, as a page.
+
+use bouncelab::groups::Study;
+use bouncelab_report::document::{AboutSession, Reason};
+use bouncelab_report::report::{Block, Page, Provenance, Section, repeat};
+
+use super::figures;
+use super::outcome::Outcome;
+use super::text;
+use super::work::Done;
+use crate::analyze::provenance;
+
+/// With more recordings than this a list of their hashes is no use on paper.
+const LISTED: usize = 300;
+
+/// The page of a session.
+pub(super) fn page(outcome: &Outcome, done: &Done) -> Page {
+    let about = outcome.document().about;
+    let provenance = Provenance {
+        files: files(outcome, done),
+        ..provenance()
+    };
+    let mut sections = match &outcome.study {
+        Ok(study) => of_study(outcome, study),
+        Err(_) => Vec::new(),
+    };
+    sections.extend([
+        troubles(&about),
+        assumed(&about),
+        method(),
+        repeat(&provenance),
+    ]);
+    sections.retain(|section| !section.is_empty());
+    let made = provenance.made.as_deref().unwrap_or_default();
+    Page {
+        title: about
+            .title
+            .clone()
+            .unwrap_or_else(|| "A session".to_owned()),
+        subtitle: format!("Report of bouncelab {}, {made}", env!("CARGO_PKG_VERSION")),
+        lead: lead(outcome, &about),
+        sections,
+    }
+}
+
+fn lead(outcome: &Outcome, about: &AboutSession) -> Vec<Block> {
+    let mut lead = vec![Block::Lead(format!("{}.", text::counts(about)))];
+    match &outcome.study {
+        Ok(study) => {
+            lead.push(Block::text(format!(
+                "Drops are compared by their restitution at an impact speed of {:.2} m/s, which most of \
+                 them know, with the drag of the air taken out.",
+                study.at_speed_m_s
+            )));
+            if !study.outliers.is_empty() {
+                let names: Vec<&str> = study
+                    .outliers
+                    .iter()
+                    .map(|outlier| outcome.name_of(outlier.drop))
+                    .collect();
+                lead.push(Block::Note(format!(
+                    "Not like the others of their group, and counted all the same: {}.",
+                    names.join(", ")
+                )));
+            }
+        }
+        Err(reason) => lead.push(Block::Note(format!("Nothing can be compared: {reason}."))),
+    }
+    lead
+}
+
+fn of_study(outcome: &Outcome, study: &Study) -> Vec<Section> {
+    let mut drawn = figures::figures(outcome).into_iter();
+    let mut figure = || {
+        drawn
+            .next()
+            .map(|(name, figure)| Block::figure(name, figure))
+    };
+    let (laws, intervals, run) = (figure(), figure(), figure());
+    let with = |mut blocks: Vec<Block>, figure: Option<Block>| {
+        blocks.extend(figure);
+        blocks
+    };
+    let groups = vec![
+        Block::table(
+            "Restitution by group: mean and its standard error, what all drops share, scatter between \
+             drops and between impacts, and how many drops would halve the interval",
+            text::group_table(outcome, study, None),
+        ),
+        Block::table(
+            "95 % intervals of the mean, of the next drop, and of the scatter between drops",
+            text::interval_table(outcome, study),
+        ),
+    ];
+    let varies = if study.varies.len() > 1 {
+        vec![Block::table(
+            "Standard deviation of the restitution by what varies",
+            text::varies_table(outcome, study),
+        )]
+    } else {
+        Vec::new()
+    };
+    let differences = study
+        .differences
+        .iter()
+        .filter(|(_, differences)| !differences.is_empty())
+        .map(|(factor, differences)| {
+            let name = &outcome.factors[*factor].name;
+            let table = text::difference_table(outcome, *factor, differences);
+            Block::table(format!("Differences by {name}, all else equal"), table)
+        });
+    vec![
+        Section::new("Groups", with(groups, intervals)),
+        Section::new("Restitution against speed", with(Vec::new(), laws)),
+        Section::new("Who varies", varies),
+        Section::new("Differences", differences.collect()),
+        Section::new("In order", with(Vec::new(), run)),
+    ]
+}
+
+fn troubles(about: &AboutSession) -> Section {
+    let parts = [
+        ("Without a drop", &about.without_drop),
+        ("Not readable", &about.failed),
+        ("The same sound as another, which counts", &about.duplicates),
+        ("Not compared", &about.left_out),
+        ("To be looked at", &about.odd),
+    ];
+    let blocks = parts
+        .into_iter()
+        .filter(|(_, reasons)| !reasons.is_empty())
+        .flat_map(|(heading, reasons)| {
+            let lines = reasons
+                .iter()
+                .map(|Reason { name, reason }| format!("{name}: {reason}"));
+            [
+                Block::text(format!("{heading}:")),
+                Block::List(lines.collect()),
+            ]
+        });
+    Section::new("What did not work", blocks.collect())
+}
+
+fn assumed(about: &AboutSession) -> Section {
+    let mut blocks: Vec<Block> = about
+        .remarks
+        .iter()
+        .map(|remark| Block::Note(format!("{remark}.")))
+        .collect();
+    if !about.assumptions.is_empty() {
+        blocks.push(Block::text("Nobody noted these, so they were assumed:"));
+        blocks.push(Block::List(about.assumptions.clone()));
+    }
+    Section::new("Conditions", blocks)
+}
+
+fn method() -> Section {
+    let words = [
+        "Each drop is inferred by itself: fall, drag, impacts that scatter, times with errors. Its \
+         restitution at the common speed has an uncertainty of its own (timing, scatter of the \
+         impacts) and one that it shares with all drops of the ball (drag law, air, mass, diameter, \
+         contact). Only the first kind averages out over drops.",
+        "A group is described by a random-effects model, a scatter between drops beside the error of \
+         each: restricted maximum likelihood (Viechtbauer 2005), standard error of Hartung and Knapp \
+         (2001) in the form of R\u{f6}ver, Knapp and Friede (2015), Student's t, Q-profile interval \
+         for the scatter (Viechtbauer 2007), interval for the next drop (Higgins, Thompson and \
+         Spiegelhalter 2009).",
+        "Who varies, and differences with all else equal, come from a mixed model with crossed random \
+         factors (Patterson and Thompson 1971), degrees of freedom after Satterthwaite (Giesbrecht and \
+         Burns 1985); with a single factor from Welch (1947). Probabilities are adjusted for the number \
+         of differences (Holm 1979). Outliers are named by modified z-scores above 3.5 (Iglewicz and \
+         Hoaglin 1993), and left in.",
+    ];
+    Section::new("Method", words.map(Block::text).into())
+}
+
+fn files(outcome: &Outcome, done: &Done) -> Vec<(String, String)> {
+    if outcome.names.len() > LISTED {
+        return Vec::new();
+    }
+    let keys = outcome.names.iter().zip(&done.keys);
+    keys.filter_map(|(name, key)| Some((name.clone(), key.as_ref().ok()?.content.clone())))
+        .collect()
+}

@@ -1,0 +1,232 @@
+//! `bouncelab verdict`: whether a ball or a floor obeys a rule.
+
+mod text;
+
+use std::io::{self, Write};
+use std::path::PathBuf;
+
+use bouncelab::estimate::Measured;
+use bouncelab::rulebook::{self, Decision, Outcome, Place, Rule};
+use bouncelab_report::document::verdict::VerdictDocument;
+use clap::{Args, ValueEnum};
+
+use crate::analyze::{self, Hearing, Heeded, hear};
+use crate::failure::Failure;
+use crate::knowledge::KnowledgeArguments;
+use crate::physics::{Physics, PhysicsArguments};
+use crate::rules::Files;
+use crate::units;
+
+/// Judge drops by the rule of a sport: pass, fail, or cannot decide
+///
+/// Every file is one place on the surface, with one drop or several. Ball and height are those of the
+/// rule unless you state others. Exit status: 0 pass, 1 a file cannot be read or holds no drop, 2 wrong
+/// usage, 3 fail, 4 cannot decide.
+#[derive(Args)]
+#[command(after_help = EXAMPLES)]
+pub(crate) struct Arguments {
+    /// Recordings, or lists of impact times
+    #[arg(required = true, value_name = "FILE")]
+    files: Vec<PathBuf>,
+    /// The rule, one of `bouncelab rules list`
+    #[arg(long, value_name = "NAME")]
+    rule: String,
+    /// Recordings of the same ball on the reference surface, for rules that compare
+    #[arg(long, value_name = "FILE", num_args = 1..)]
+    reference: Vec<PathBuf>,
+    #[command(flatten)]
+    rules: Files,
+    /// How a verdict follows from a probability
+    #[arg(long, value_enum, default_value_t = DecisionRule::Guarded)]
+    decision: DecisionRule,
+    /// Greatest probability of a wrong decision, as in 5%
+    #[arg(long, value_name = "SHARE", default_value = "5%", value_parser = risk)]
+    risk: f64,
+    /// How to print the result; JSON is documented in docs/json.md
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    format: Format,
+    #[command(flatten)]
+    physics: PhysicsArguments,
+    #[command(flatten)]
+    knowledge: KnowledgeArguments,
+}
+
+const EXAMPLES: &str = "\
+Examples:
+  bouncelab verdict --rule ittf-ball drop.wav
+  bouncelab verdict --rule itf-tennis --height 2.54m --temperature 20C drop1.wav drop2.wav
+  bouncelab verdict --rule indoor-floor-basketball floor1.wav floor2.wav --reference concrete.wav
+  bouncelab verdict --rule our-hall --rules own.toml drop.wav --format json";
+
+#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum DecisionRule {
+    /// Pass only if a pass is wrong with at most the risk, fail only if a fail is (JCGM 106)
+    Guarded,
+    /// Whatever is more probable
+    Simple,
+}
+
+#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum Format {
+    /// For people
+    Text,
+    /// For programs
+    Json,
+}
+
+/// Drops of the same surface, by file.
+struct Heard {
+    hearings: Vec<Hearing>,
+}
+
+impl Heard {
+    fn new(files: &[PathBuf], physics: &Physics) -> Result<Self, Failure> {
+        let hearings = files
+            .iter()
+            .map(|file| {
+                let hearing = hear(file, &Heeded::default(), &physics.settings)?;
+                match &hearing.no_drop {
+                    Some(reason) => Err(Failure::Input(format!(
+                        "{}: no drop found: {reason}",
+                        hearing.name
+                    ))),
+                    None => Ok(hearing),
+                }
+            })
+            .collect::<Result<Vec<Hearing>, Failure>>()?;
+        Ok(Self { hearings })
+    }
+
+    fn places(&self) -> Vec<Place<'_>> {
+        self.hearings
+            .iter()
+            .map(|hearing| hearing.drops.iter().collect())
+            .collect()
+    }
+
+    fn names(&self) -> Vec<String> {
+        self.hearings
+            .iter()
+            .map(|hearing| hearing.name.clone())
+            .collect()
+    }
+}
+
+pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
+    let rules = arguments.rules.read()?;
+    let rule = rulebook::find(&rules, &arguments.rule)?;
+    let decision = match arguments.decision {
+        DecisionRule::Guarded => Decision::Guarded {
+            risk: arguments.risk,
+        },
+        DecisionRule::Simple => Decision::Simple,
+    };
+    let physics = physics(arguments, rule)?;
+    let surface = Heard::new(&arguments.files, &physics)?;
+    let reference = Heard::new(&arguments.reference, &physics)?;
+    let conditions = arguments.physics.conditions();
+    let verdict = rulebook::judge(
+        rule,
+        &physics.settings,
+        &conditions,
+        &surface.places(),
+        &reference.places(),
+        decision,
+    )?;
+    let (files, reference_files) = (surface.names(), reference.names());
+    let mut out = io::stdout().lock();
+    match arguments.format {
+        Format::Text => {
+            let text = text::report(rule, &verdict, decision, &files, &reference_files, &physics);
+            out.write_all(text.as_bytes())?;
+        }
+        Format::Json => {
+            let document = VerdictDocument::new(
+                rule,
+                &physics.settings,
+                physics.assumptions,
+                decision,
+                &verdict,
+                &files,
+                &reference_files,
+            );
+            serde_json::to_writer_pretty(&mut out, &document).map_err(io::Error::from)?;
+            writeln!(out)?;
+        }
+    }
+    match verdict.outcome {
+        Outcome::Pass => Ok(()),
+        Outcome::Fail => Err(Failure::NoPass(3)),
+        Outcome::CannotDecide => Err(Failure::NoPass(4)),
+    }
+}
+
+/// The physics of the arguments, with the ball and the height of the rule where they state none.
+fn physics(arguments: &Arguments, rule: &Rule) -> Result<Physics, Failure> {
+    let (of_ball, unstated) = arguments.physics.clone().or_ball(rule.ball.as_deref());
+    if unstated && rule.ball.is_none() {
+        return Err(Failure::Usage(format!(
+            "the rule {} names no ball that is known: state it with --ball, or with --mass and \
+             --diameter",
+            rule.name
+        )));
+    }
+    let mut physics = analyze::physics(&of_ball, &arguments.knowledge, None)?;
+    if unstated {
+        let ball = format!("the ball is {}, as in the rule", physics.ball_label);
+        physics.assumptions.insert(0, ball);
+    }
+    if physics.settings.question.is_none() {
+        return Err(Failure::Usage(
+            "a verdict rests on the inference; leave out --no-inference".to_owned(),
+        ));
+    }
+    let diameter_m = physics.settings.ball.diameter_m();
+    let of_rule = rule.fall_m(diameter_m, None);
+    match (physics.settings.knowledge.drop_height_m, of_rule) {
+        (Some(stated), Some(of_rule)) => question(stated.value, of_rule)?,
+        (None, Some(of_rule)) => {
+            let height = of_the_rule(rule, of_rule);
+            physics.assumptions.push(format!(
+                "its lowest point fell {:.4} ± {:.4} m, as in the rule",
+                height.value, height.sd
+            ));
+            physics.settings.knowledge.drop_height_m = Some(height);
+        }
+        (_, None) => {}
+    }
+    Ok(physics)
+}
+
+/// The height of the rule, as well as one can keep to it.
+fn of_the_rule(rule: &Rule, fall_m: f64) -> Measured {
+    /// A ruler and a hand.
+    const SD_M: f64 = 0.002;
+    let sd = rule.drop_tolerance_m.map_or(SD_M, |tolerance| {
+        // Anywhere within the tolerance.
+        tolerance / 3.0_f64.sqrt()
+    });
+    Measured { value: fall_m, sd }
+}
+
+/// A height far from that of the rule is probably in another unit.
+fn question(stated_m: f64, of_rule_m: f64) -> Result<(), Failure> {
+    const FAR: f64 = 8.0;
+    let factor = stated_m / of_rule_m;
+    if (1.0 / FAR..FAR).contains(&factor) {
+        return Ok(());
+    }
+    Err(Failure::Usage(format!(
+        "--height {stated_m} m is {} times the rule's {of_rule_m:.3} m: is the unit right?",
+        (factor * 1000.0).round() / 1000.0
+    )))
+}
+
+fn risk(text: &str) -> Result<f64, String> {
+    let risk = units::share(text)?;
+    if risk > 0.0 && risk <= 0.5 {
+        Ok(risk)
+    } else {
+        Err("a risk is above 0 and at most 50 %, as in 5%".to_owned())
+    }
+}

@@ -1,0 +1,375 @@
+//! `bouncelab session` as its users meet it: notes good and bad, runs that are stopped.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Command as Plain, Stdio};
+use std::time::{Duration, Instant};
+
+use assert_cmd::Command;
+use bouncelab::impact::Strike;
+use bouncelab::synth::{self, Scene};
+use bouncelab_audio::{SampleFormat, write_wav};
+use predicates::prelude::*;
+use predicates::str::contains;
+use tempfile::TempDir;
+
+/// A folder for recordings and one for results.
+struct Room(TempDir);
+
+impl Room {
+    /// A room with these files of notes.
+    fn new(notes: &[(&str, &str)]) -> Self {
+        let room = Self(TempDir::new().unwrap());
+        fs::create_dir(room.recordings()).unwrap();
+        for (name, text) in notes {
+            fs::write(room.recordings().join(name), text).unwrap();
+        }
+        room
+    }
+
+    fn recordings(&self) -> PathBuf {
+        self.0.path().join("recordings")
+    }
+
+    fn results(&self) -> PathBuf {
+        self.0.path().join("results")
+    }
+
+    /// Adds a recording of a dozen impacts.
+    fn record(&self, name: impl AsRef<Path>, seed: u16) -> &Self {
+        let mut time_s = 0.0;
+        let mut speed_m_s = 2.2 + 0.01 * f64::from(seed);
+        let strikes = (0..12).map(|_| {
+            let strike = Strike { time_s, speed_m_s };
+            speed_m_s *= 0.9;
+            time_s += 2.0 * speed_m_s / 9.806_65;
+            strike
+        });
+        let strikes: Vec<Strike> = strikes.collect();
+        let scene = Scene {
+            lead_in_s: 0.2,
+            tail_s: 0.2,
+            ..Scene::default()
+        };
+        let sound = synth::render(&strikes, &scene, seed.into()).unwrap();
+        let path = self.recordings().join(name);
+        write_wav(
+            path,
+            sound.sample_rate_hz,
+            SampleFormat::Int16,
+            &[&sound.samples],
+        )
+        .unwrap();
+        self
+    }
+
+    fn session(&self) -> Command {
+        let mut command = Command::cargo_bin("bouncelab").unwrap();
+        command.args(self.arguments());
+        command
+    }
+
+    fn arguments(&self) -> Vec<std::ffi::OsString> {
+        let (from, to) = (self.recordings(), self.results());
+        let words: [&std::ffi::OsStr; 6] = [
+            "session".as_ref(),
+            from.as_ref(),
+            "--output".as_ref(),
+            to.as_ref(),
+            "--draws".as_ref(),
+            "100".as_ref(),
+        ];
+        words.map(ToOwned::to_owned).into()
+    }
+
+    /// The content of every table.
+    fn tables(&self) -> Vec<(String, Vec<u8>)> {
+        let mut tables = Vec::new();
+        for name in ["drops", "impacts"] {
+            for ending in ["parquet", "csv", "jsonl"] {
+                let name = format!("{name}.{ending}");
+                let content = fs::read(self.results().join(&name)).unwrap();
+                tables.push((name, content));
+            }
+        }
+        tables.push((
+            "session.json".to_owned(),
+            fs::read(self.results().join("session.json")).unwrap(),
+        ));
+        tables
+    }
+}
+
+#[test]
+fn a_folder_with_names_that_speak() {
+    let room = Room::new(&[]);
+    for (seed, name) in ["red_25cm_1", "red_25cm_2", "blue_25cm_1", "blue_25cm_2"]
+        .iter()
+        .enumerate()
+    {
+        room.record(format!("{name}.wav"), seed as u16);
+    }
+    let report = room.0.path().join("session.html");
+    room.session()
+        .args([
+            "--pattern",
+            "{ball}_{height}_{}",
+            "--ball",
+            "table-tennis-40",
+            "--figures",
+            "--details",
+            "--report",
+            report.to_str().unwrap(),
+        ])
+        .assert()
+        .success()
+        .stdout(contains("4 drops in 4 recordings"))
+        .stdout(contains("Differences by ball"))
+        .stdout(contains("drops.parquet"));
+    for figure in ["groups.svg", "intervals.png", "run.svg"] {
+        assert!(room.results().join(figure).is_file(), "{figure}");
+    }
+    let page = fs::read_to_string(report).unwrap();
+    assert!(page.contains("4 drops in 4 recordings") && page.contains("<svg"));
+    let csv = fs::read_to_string(room.results().join("drops.csv")).unwrap();
+    assert!(csv.starts_with("recording,drop,ball,height,noted_height_m,"));
+    assert!(csv.contains("blue_25cm_1.wav,1,blue,25 cm,0.25,"));
+}
+
+#[test]
+fn a_broken_session_file_has_a_line_and_a_column() {
+    let room = Room::new(&[("session.toml", "title = \"x\"\n[all]\nheight = 30,5\n")]);
+    room.record("a.wav", 1);
+    room.session()
+        .assert()
+        .code(2)
+        .stderr(contains("session.toml, line 3, column"));
+}
+
+#[test]
+fn mistakes_of_units_are_questioned_and_can_be_insisted_on() {
+    let notes = "[all]\nheight = \"30.5 m\"\nball = \"own\"\n[balls.own]\nmass = \"2.5kg\"\ndiameter = \"38mm\"\n";
+    let room = Room::new(&[("session.toml", notes)]);
+    room.record("a.wav", 1);
+    room.session()
+        .assert()
+        .code(2)
+        .stderr(contains("30.5 m? Did you mean 30.5 cm?").and(contains("session.toml, line 2")))
+        .stderr(contains("2.5 kg").and(contains("Did you mean 2.5 g?")));
+    assert!(
+        !room.results().exists(),
+        "nothing is heard before the notes are clear"
+    );
+    room.session().arg("--as-noted").assert().success();
+}
+
+#[test]
+fn contradictions_name_both_sides() {
+    let room = Room::new(&[
+        (
+            "session.toml",
+            "pattern = \"{ball}_{height}\"\ntable = \"notes.csv\"\n",
+        ),
+        (
+            "notes.csv",
+            "file,ball,height (mm)\nred_25cm.wav,blue,250\n",
+        ),
+    ]);
+    room.record("red_25cm.wav", 1);
+    room.session()
+        .args(["--ball", "tennis"])
+        .assert()
+        .code(2)
+        .stderr(contains("\"red\" by the file name").and(contains("\"blue\" by ")))
+        .stderr(contains("notes.csv, line 2"))
+        // 25 cm and 250 mm are the same.
+        .stderr(contains("height").not());
+}
+
+#[test]
+fn what_is_missing_is_asked_for() {
+    let room = Room::new(&[(
+        "session.toml",
+        "[recordings.\"a.wav\"]\nsurface = \"steel\"\n",
+    )]);
+    room.record("a.wav", 1).record("b.wav", 2);
+    room.session()
+        .assert()
+        .code(2)
+        .stderr(contains("b.wav: no surface is noted").and(contains("[recordings.\"b.wav\"]")))
+        .stderr(contains("--table").and(contains("{surface}")));
+    room.session().arg("--allow-missing").assert().success();
+}
+
+#[test]
+fn an_unknown_ball_is_asked_for() {
+    let room = Room::new(&[]);
+    room.record("red_1.wav", 1);
+    room.session()
+        .args(["--pattern", "{ball}_{}"])
+        .assert()
+        .code(2)
+        .stderr(contains("what ball is \"red\"?").and(contains("[balls.red]")))
+        .stderr(contains("table-tennis-40"));
+}
+
+#[test]
+fn one_bad_recording_does_not_stop_the_rest() {
+    let room = Room::new(&[("broken.wav", "RIFFnonsense"), ("empty.wav", "")]);
+    room.record("a.wav", 1).record("b.wav", 1);
+    room.session()
+        .assert()
+        .success()
+        .stdout(contains(
+            "1 drop in 4 recordings, 2 not readable, 1 the same as another",
+        ))
+        .stdout(contains("broken.wav: "))
+        .stdout(contains("b.wav: a.wav"));
+}
+
+#[test]
+fn nothing_but_bad_recordings_is_a_failure() {
+    let room = Room::new(&[("broken.wav", "RIFFnonsense")]);
+    room.session()
+        .assert()
+        .code(1)
+        .stderr(contains("no recording holds a drop"));
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn names_that_are_no_text_are_written_out() {
+    use std::os::unix::ffi::OsStrExt;
+    let room = Room::new(&[]);
+    room.record(std::ffi::OsStr::from_bytes(b"caf\xe9.wav"), 1);
+    room.session().assert().success();
+    let csv = fs::read_to_string(room.results().join("drops.csv")).unwrap();
+    assert!(csv.contains("\ncaf\\xe9.wav,1,"));
+}
+
+#[test]
+fn an_output_that_cannot_be_written_is_said_at_once() {
+    let room = Room::new(&[]);
+    room.record("a.wav", 1);
+    fs::write(room.results(), "a file where the folder should be").unwrap();
+    room.session()
+        .assert()
+        .code(1)
+        .stderr(contains("cannot write into").and(contains("--output DIR")));
+}
+
+#[test]
+fn what_has_changed_is_heard_again() {
+    let room = Room::new(&[]);
+    room.record("a.wav", 1).record("b.wav", 2);
+    let again = |more: &[&str], kept: &str| {
+        room.session()
+            .args(more)
+            .assert()
+            .success()
+            .stderr(contains(kept));
+    };
+    room.session()
+        .assert()
+        .success()
+        .stderr(contains("earlier").not());
+    again(&[], "2 of 2 recordings were heard in an earlier run");
+    room.record("a.wav", 3);
+    again(&[], "1 of 2 recordings");
+    // Another ball, other results; grouping alone changes none.
+    room.session()
+        .args(["--ball", "tennis"])
+        .assert()
+        .success()
+        .stderr(contains("earlier").not());
+    again(
+        &["--ball", "tennis", "--compare-at", "1.2"],
+        "2 of 2 recordings",
+    );
+}
+
+#[test]
+fn questions_that_make_no_sense_are_refused() {
+    let room = Room::new(&[]);
+    room.record("a.wav", 1);
+    let refused = |arguments: &[&str], words: &str| {
+        room.session()
+            .args(arguments)
+            .assert()
+            .code(2)
+            .stderr(contains(words.to_owned()));
+    };
+    refused(&["--by", "colour"], "nothing is noted of that");
+    refused(&["--exclude", "z.wav"], "there is no such drop");
+    refused(&["--pattern", "{ball"], "has a { without a }");
+    room.session()
+        .args(["--table", "nowhere.csv"])
+        .assert()
+        .code(1)
+        .stderr(contains("cannot read nowhere.csv"));
+}
+
+/// The order of work is nobody's business.
+#[test]
+fn any_number_of_threads_gives_the_same_tables() {
+    let room = Room::new(&[]);
+    for seed in 0..6 {
+        room.record(format!("{seed}.wav"), seed);
+    }
+    room.session().args(["--jobs", "1"]).assert().success();
+    let one = room.tables();
+    fs::remove_dir_all(room.results()).unwrap();
+    room.session().args(["--jobs", "4"]).assert().success();
+    assert!(one == room.tables());
+}
+
+/// Killed at twenty moments spread over the run in an order that repeats nothing (multiples of the
+/// golden section), and each time resumed: the tables are those of a run that nobody disturbed.
+#[test]
+fn a_killed_run_goes_on_and_ends_the_same() {
+    const KILLS: u32 = 20;
+    let room = Room::new(&[("session.toml", "pattern = \"{operator}_{}\"\n")]);
+    for seed in 0..10 {
+        let operator = if seed % 2 == 0 { "ada" } else { "bob" };
+        room.record(format!("{operator}_{seed}.wav"), seed);
+    }
+    let start = Instant::now();
+    room.session().assert().success();
+    let whole = start.elapsed();
+    let undisturbed = room.tables();
+    let mut went_on = 0;
+    for kill in 1..=KILLS {
+        fs::remove_dir_all(room.results()).unwrap();
+        let moment = whole.mul_f64((f64::from(kill) * 0.618_033_988_749_894_9).fract());
+        kill_after(&room, moment);
+        let output = room.session().output().unwrap();
+        assert!(output.status.success());
+        let said = String::from_utf8_lossy(&output.stderr);
+        went_on += usize::from(said.contains("heard in an earlier run"));
+        assert!(room.tables() == undisturbed, "killed after {moment:?}");
+        assert_eq!(drafts(&room.results()), [""; 0]);
+    }
+    assert!(went_on > 0, "no kill hit a run that had begun");
+}
+
+/// Starts a session and kills it, if it is still there.
+fn kill_after(room: &Room, moment: Duration) {
+    let program = Command::cargo_bin("bouncelab").unwrap();
+    let mut child = Plain::new(program.get_program())
+        .args(room.arguments())
+        .stdout(Stdio::null())
+        .stderr(Stdio::null())
+        .spawn()
+        .unwrap();
+    std::thread::sleep(moment);
+    // It may have ended by itself.
+    let _ = child.kill();
+    child.wait().unwrap();
+}
+
+/// Drafts of tables, which nobody should be left with.
+fn drafts(folder: &Path) -> Vec<String> {
+    let entries = fs::read_dir(folder).unwrap();
+    let names = entries.map(|entry| entry.unwrap().file_name().to_string_lossy().into_owned());
+    names.filter(|name| name.starts_with('.')).collect()
+}

@@ -1,0 +1,217 @@
+//! `bouncelab verdict` and `bouncelab rules`, as their users meet them.
+
+use std::fs;
+use std::path::Path;
+
+use assert_cmd::Command;
+use predicates::prelude::*;
+use serde_json::Value;
+use tempfile::TempDir;
+
+fn bouncelab() -> Command {
+    Command::cargo_bin("bouncelab").unwrap()
+}
+
+/// Impact times of a simulated drop, as a list.
+fn drop(folder: &Path, name: &str, height: &str, restitution: &str) {
+    let output = bouncelab()
+        .args(["simulate", "--height", height, "--restitution", restitution])
+        .args(["--bounces", "25", "--format", "json"])
+        .output()
+        .unwrap();
+    let history: Value = serde_json::from_slice(&output.stdout).unwrap();
+    let bounces = history["simulations"][0]["bounces"].as_array().unwrap();
+    let times: Vec<String> = bounces
+        .iter()
+        // As somebody would read them off.
+        .map(|bounce| format!("{:.4}", bounce["time_s"].as_f64().unwrap()))
+        .collect();
+    fs::write(folder.join(name), times.join("\n")).unwrap();
+}
+
+fn verdict(folder: &TempDir, arguments: &[&str]) -> Command {
+    let mut command = bouncelab();
+    command
+        .current_dir(folder)
+        .args(["verdict", "--draws", "500"])
+        .args(arguments);
+    command
+}
+
+/// e = 0.935 rebounds to 25 cm, e = 0.90 to 23 cm (the drag-free e² h, less 3 % for the fall).
+#[test]
+fn a_ball_passes_or_fails_with_its_exit_status() {
+    let folder = TempDir::new().unwrap();
+    drop(folder.path(), "good.txt", "30.5cm", "0.935");
+    drop(folder.path(), "dull.txt", "30.5cm", "0.9");
+    verdict(&folder, &["--rule", "ittf-ball", "good.txt"])
+        .assert()
+        .code(0)
+        .stdout(predicate::str::contains("PASS. Within the limits"))
+        .stdout(predicate::str::contains("JCGM 106"))
+        .stdout(predicate::str::contains(
+            "the ball is table tennis 40+, as in the rule",
+        ));
+    verdict(&folder, &["--rule", "ittf-ball", "dull.txt"])
+        .assert()
+        .code(3)
+        .stdout(predicate::str::contains("FAIL."));
+}
+
+#[test]
+fn the_document_has_the_verdict_and_its_reasons() {
+    let folder = TempDir::new().unwrap();
+    drop(folder.path(), "good.txt", "30.5cm", "0.935");
+    let output = verdict(
+        &folder,
+        &["--rule", "ittf-ball", "good.txt", "--format", "json"],
+    )
+    .output()
+    .unwrap();
+    let document: Value = serde_json::from_slice(&output.stdout).unwrap();
+    assert_eq!(document["schema"], "bouncelab.verdict/1");
+    assert_eq!(document["outcome"], "pass");
+    assert_eq!(document["rule"]["status"], "verified");
+    assert_eq!(document["decision"]["risk"], 0.05);
+    assert!(document["probability_wrong_accept"].as_f64().unwrap() <= 0.05);
+    let drop = &document["drops"][0];
+    let sum: f64 = drop["steps"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .map(|step| step["height_m"].as_f64().unwrap())
+        .sum();
+    let plain = drop["plain_m"].as_f64().unwrap();
+    let predicted = drop["predicted_m"]["value"].as_f64().unwrap();
+    assert!((plain + sum - predicted).abs() < 1e-9);
+}
+
+#[test]
+fn a_floor_takes_a_reference() {
+    let folder = TempDir::new().unwrap();
+    for (name, restitution) in [("a.txt", "0.74"), ("b.txt", "0.741"), ("c.txt", "0.77")] {
+        drop(folder.path(), name, "180cm", restitution);
+    }
+    // No basketball was simulated: the ball is that of the simulation.
+    let floor = [
+        "--rule",
+        "indoor-floor-basketball",
+        "--ball",
+        "table-tennis-40",
+    ];
+    verdict(&folder, &[&floor[..], &["a.txt", "b.txt"]].concat())
+        .assert()
+        .code(4)
+        .stdout(predicate::str::contains(
+            "give recordings of the same ball on it",
+        ));
+    verdict(
+        &folder,
+        &[
+            &floor[..],
+            &["a.txt", "b.txt", "--reference", "c.txt", "c.txt"],
+        ]
+        .concat(),
+    )
+    .assert()
+    .stdout(predicate::str::contains("share of the reference"));
+}
+
+#[test]
+fn rules_of_ones_own_are_read_and_wrong_ones_refused() {
+    let folder = TempDir::new().unwrap();
+    drop(folder.path(), "good.txt", "30.5cm", "0.935");
+    let own = |limits: &str| {
+        format!(
+            "schema = \"bouncelab.rules/1\"\n\n[[rule]]\nname = \"ours\"\ntitle = \"Ours\"\n\
+             source = \"us\"\nstatus = \"unverified\"\nball = \"table-tennis-40\"\n\
+             drop = {{ height = \"30.5cm\" }}\nrebound = {{ {limits} }}\n"
+        )
+    };
+    let path = folder.path().join("own.toml");
+    fs::write(&path, own("least = \"20cm\"")).unwrap();
+    let arguments = ["--rule", "ours", "--rules", "own.toml", "good.txt"];
+    verdict(&folder, &arguments)
+        .assert()
+        .code(0)
+        .stdout(predicate::str::contains("this rule is unverified"));
+    fs::write(&path, own("least = \"20kg\"")).unwrap();
+    verdict(&folder, &arguments)
+        .assert()
+        .failure()
+        .stderr(predicate::str::contains("own.toml, line 10, column "))
+        .stderr(predicate::str::contains("\"kg\" is not a unit for this"));
+}
+
+#[test]
+fn wrong_input_is_questioned() {
+    let folder = TempDir::new().unwrap();
+    drop(folder.path(), "good.txt", "30.5cm", "0.935");
+    let refused = |arguments: &[&str], says: &str| {
+        verdict(&folder, arguments)
+            .assert()
+            .code(2)
+            .stdout("")
+            .stderr(predicate::str::contains(says));
+    };
+    refused(
+        &["--rule", "itf-tenis", "good.txt"],
+        "nearest is \"itf-tennis\"",
+    );
+    refused(
+        &["--rule", "ittf-ball", "--height", "30.5m", "good.txt"],
+        "100 times the rule's 0.305 m: is the unit right?",
+    );
+    refused(
+        &["--rule", "futsal-ball", "good.txt"],
+        "names no ball that is known",
+    );
+    refused(
+        &["--rule", "ittf-ball", "--risk", "80", "good.txt"],
+        "a risk is above 0",
+    );
+    verdict(
+        &folder,
+        &[
+            "--rule",
+            "itf-court",
+            "--ball",
+            "table-tennis-40",
+            "good.txt",
+        ],
+    )
+    .assert()
+    .code(4)
+    .stdout(predicate::str::contains(
+        "the rule takes 5 drops, and there is 1",
+    ));
+    verdict(
+        &folder,
+        &["--rule", "racquetball", "--temperature", "10C", "good.txt"],
+    )
+    .assert()
+    .code(4)
+    .stdout(predicate::str::contains(
+        "10.0 C is not a temperature at which",
+    ));
+    verdict(&folder, &["--rule", "ittf-ball", "nothing.wav"])
+        .assert()
+        .code(1)
+        .stderr(predicate::str::contains("nothing.wav"));
+}
+
+#[test]
+fn rules_are_listed_and_shown() {
+    bouncelab()
+        .args(["rules", "list"])
+        .assert()
+        .success()
+        .stdout(predicate::str::contains("fiba-basketball"))
+        .stdout(predicate::str::contains("103.5 to 108.5 cm"));
+    bouncelab()
+        .args(["rules", "show", "fifa-turf-quality"])
+        .assert()
+        .success()
+        .stdout(predicate::str::contains("H = 1.23 (T - 0.025)²"))
+        .stdout(predicate::str::contains("unverified"));
+}

@@ -1,0 +1,234 @@
+//! What many drops say together, as data for other programs: the schema `bouncelab.session/1`.
+
+use std::collections::BTreeMap;
+
+use bouncelab::groups::{self, Factor, Study};
+use serde::Serialize;
+
+/// Name and version of the schema.
+const SCHEMA: &str = "bouncelab.session/1";
+
+/// What a session says.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct SessionDocument {
+    schema: &'static str,
+    /// Version of the program that made it.
+    bouncelab: &'static str,
+    /// What is known of the session besides the study.
+    #[serde(flatten)]
+    pub about: AboutSession,
+    /// What the drops say together.
+    study: Option<StudyFound>,
+}
+
+/// What is known of a session besides what its drops say together.
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+pub struct AboutSession {
+    /// What it is called.
+    pub title: Option<String>,
+    /// How many recordings there are.
+    pub recordings: usize,
+    /// How many drops were heard.
+    pub drops: usize,
+    /// Recordings without a drop, with the reason.
+    pub without_drop: Vec<Reason>,
+    /// Recordings that could not be read, with the reason.
+    pub failed: Vec<Reason>,
+    /// Recordings with the same content as another, which counts, with its name as the reason.
+    pub duplicates: Vec<Reason>,
+    /// Drops that are not in the study, with the reason.
+    pub left_out: Vec<Reason>,
+    /// Drops of which there is something to know, with what it is.
+    pub odd: Vec<Reason>,
+    /// What to know of the session as a whole.
+    pub remarks: Vec<String>,
+    /// What nobody noted, and so was assumed.
+    pub assumptions: Vec<String>,
+    /// Why there is no study.
+    pub no_study: Option<String>,
+}
+
+/// A recording or drop, and something about it.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct Reason {
+    /// What it is called.
+    pub name: String,
+    /// What there is to say.
+    pub reason: String,
+}
+
+#[derive(Clone, Debug, PartialEq, Serialize)]
+struct StudyFound {
+    at_speed_m_s: f64,
+    by: Vec<String>,
+    all: Group,
+    groups: Vec<Group>,
+    varies: Vec<Varies>,
+    differences: Vec<Difference>,
+    outliers: Vec<Outlier>,
+}
+
+#[derive(Clone, Debug, PartialEq, Serialize)]
+struct Group {
+    levels: BTreeMap<String, Option<String>>,
+    drops: usize,
+    restitution: Mean,
+    /// Standard uncertainty that all drops share.
+    shared_sd: f64,
+    next95: Option<[f64; 2]>,
+    between_drops: Option<f64>,
+    between_drops95: Option<[f64; 2]>,
+    between_impacts: Option<f64>,
+    drops_needed: Option<usize>,
+    law: Vec<LawPoint>,
+}
+
+#[derive(Clone, Debug, PartialEq, Serialize)]
+struct Mean {
+    value: f64,
+    standard_error: f64,
+    interval95: Option<[f64; 2]>,
+}
+
+#[derive(Clone, Debug, PartialEq, Serialize)]
+struct LawPoint {
+    speed_m_s: f64,
+    drops: usize,
+    #[serde(flatten)]
+    restitution: Mean,
+}
+
+#[derive(Clone, Debug, PartialEq, Serialize)]
+struct Varies {
+    /// Empty for the drops themselves.
+    factors: Vec<String>,
+    levels: usize,
+    sd: f64,
+    sd95: Option<[f64; 2]>,
+}
+
+#[derive(Clone, Debug, PartialEq, Serialize)]
+struct Difference {
+    factor: String,
+    of: String,
+    less: String,
+    value: f64,
+    standard_error: f64,
+    degrees: f64,
+    interval95: [f64; 2],
+    p_value: f64,
+}
+
+#[derive(Clone, Debug, PartialEq, Serialize)]
+struct Outlier {
+    name: String,
+    off: f64,
+    score: f64,
+}
+
+impl SessionDocument {
+    /// The document of a session; `names` are those of the drops in the study, in their order.
+    pub fn new(
+        about: AboutSession,
+        study: Option<&Study>,
+        factors: &[Factor],
+        by: &[usize],
+        names: &[String],
+    ) -> Self {
+        Self {
+            schema: SCHEMA,
+            bouncelab: env!("CARGO_PKG_VERSION"),
+            about,
+            study: study.map(|study| StudyFound::new(study, factors, by, names)),
+        }
+    }
+}
+
+impl StudyFound {
+    fn new(study: &Study, factors: &[Factor], by: &[usize], names: &[String]) -> Self {
+        let name = |factor: &usize| factors[*factor].name.clone();
+        let differences = study.differences.iter().flat_map(|(factor, differences)| {
+            let level = |level: usize| factors[*factor].levels[level].clone();
+            differences.iter().map(move |difference| Difference {
+                factor: factors[*factor].name.clone(),
+                of: level(difference.of),
+                less: level(difference.less),
+                value: difference.value.value,
+                standard_error: difference.value.sd,
+                degrees: difference.degrees,
+                interval95: difference.interval95,
+                p_value: difference.p_value,
+            })
+        });
+        Self {
+            at_speed_m_s: study.at_speed_m_s,
+            by: by.iter().map(name).collect(),
+            all: Group::new(&study.all, factors, &[]),
+            groups: study
+                .groups
+                .iter()
+                .map(|group| Group::new(group, factors, by))
+                .collect(),
+            varies: study
+                .varies
+                .iter()
+                .map(|varies| Varies {
+                    factors: varies.factors.iter().map(name).collect(),
+                    levels: varies.levels,
+                    sd: varies.component.sd,
+                    sd95: varies.component.sd95,
+                })
+                .collect(),
+            differences: differences.collect(),
+            outliers: study
+                .outliers
+                .iter()
+                .map(|outlier| Outlier {
+                    name: names[outlier.drop].clone(),
+                    off: outlier.off,
+                    score: outlier.score,
+                })
+                .collect(),
+        }
+    }
+}
+
+impl Group {
+    fn new(group: &groups::Group, factors: &[Factor], by: &[usize]) -> Self {
+        let levels = by.iter().zip(&group.levels).map(|(&factor, level)| {
+            let factor = &factors[factor];
+            let level = level.map(|level| factor.levels[level].clone());
+            (factor.name.clone(), level)
+        });
+        Self {
+            levels: levels.collect(),
+            drops: group.mean.drops,
+            restitution: Mean::from(&group.mean),
+            shared_sd: group.shared_sd,
+            next95: group.mean.next95,
+            between_drops: group.mean.between,
+            between_drops95: group.mean.between95,
+            between_impacts: group.between_impacts,
+            drops_needed: group.drops_needed,
+            law: group
+                .law
+                .iter()
+                .map(|(speed_m_s, mean)| LawPoint {
+                    speed_m_s: *speed_m_s,
+                    drops: mean.drops,
+                    restitution: Mean::from(mean),
+                })
+                .collect(),
+        }
+    }
+}
+
+impl From<&groups::Mean> for Mean {
+    fn from(mean: &groups::Mean) -> Self {
+        Self {
+            value: mean.value,
+            standard_error: mean.standard_error,
+            interval95: mean.interval95,
+        }
+    }
+}

@@ -1,0 +1,189 @@
+//! A verdict as data: the schema `bouncelab.verdict/1`.
+
+use bouncelab::analysis::Settings;
+use bouncelab::rulebook::{self, Decision, Limits, Outcome, Requirement, Rule};
+use serde::Serialize;
+
+use super::SettingsUsed;
+use super::estimate::{Summary, shown};
+
+/// Name and version of the schema.
+pub const SCHEMA: &str = "bouncelab.verdict/1";
+
+/// What drops say of a rule.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct VerdictDocument {
+    schema: &'static str,
+    /// Version of the program that made it.
+    bouncelab: &'static str,
+    rule: RuleUsed,
+    settings: SettingsUsed,
+    decision: DecisionUsed,
+    outcome: &'static str,
+    /// That everything is within the limits.
+    probability_within: Option<f64>,
+    /// That a pass is wrong.
+    probability_wrong_accept: Option<f64>,
+    rebound_m: Option<Summary>,
+    reference_rebound_m: Option<Summary>,
+    share_of_reference: Option<Summary>,
+    unevenness: Option<Summary>,
+    accepted: Option<Ends>,
+    /// Means over the drops, by simpler formulas.
+    plain_m: Option<f64>,
+    formula_m: Option<f64>,
+    drops: Vec<Drop>,
+    reference_drops: Vec<Drop>,
+    doubts: Vec<String>,
+    remarks: Vec<String>,
+}
+
+#[derive(Clone, Debug, PartialEq, Serialize)]
+struct RuleUsed {
+    name: String,
+    title: String,
+    source: String,
+    edition: Option<String>,
+    status: String,
+    surface: Option<String>,
+    reference: Option<String>,
+    drop_height_m: Option<f64>,
+    measured_at: Option<String>,
+    rebound_m: Option<Ends>,
+    about_m: Option<f64>,
+    share_of_reference: Option<Ends>,
+    fewest_drops: usize,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+struct Ends {
+    least: Option<f64>,
+    greatest: Option<f64>,
+}
+
+#[derive(Clone, Debug, PartialEq, Serialize)]
+struct DecisionUsed {
+    rule: &'static str,
+    risk: f64,
+}
+
+/// One drop; heights are of the point at which the rule measures.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+struct Drop {
+    file: String,
+    predicted_m: Option<Summary>,
+    first_flight_s: Option<f64>,
+    plain_m: Option<f64>,
+    formula_m: Option<f64>,
+    steps: Vec<Step>,
+}
+
+#[derive(Clone, Debug, PartialEq, Serialize)]
+struct Step {
+    why: String,
+    height_m: f64,
+}
+
+impl VerdictDocument {
+    /// The document of a verdict. `files` and `reference_files` name the places in order.
+    pub fn new(
+        rule: &Rule,
+        settings: &Settings,
+        assumptions: Vec<String>,
+        decision: Decision,
+        verdict: &rulebook::Verdict,
+        files: &[String],
+        reference_files: &[String],
+    ) -> Self {
+        Self {
+            schema: SCHEMA,
+            bouncelab: env!("CARGO_PKG_VERSION"),
+            rule: RuleUsed::from(rule),
+            settings: SettingsUsed::new(settings, assumptions),
+            decision: DecisionUsed {
+                rule: match decision {
+                    Decision::Guarded { .. } => "guarded",
+                    Decision::Simple => "simple",
+                },
+                risk: decision.risk(),
+            },
+            outcome: match verdict.outcome {
+                Outcome::Pass => "pass",
+                Outcome::Fail => "fail",
+                Outcome::CannotDecide => "cannot-decide",
+            },
+            probability_within: verdict.within,
+            probability_wrong_accept: verdict.wrong_accept(),
+            rebound_m: shown(verdict.rebound),
+            reference_rebound_m: shown(verdict.reference),
+            share_of_reference: shown(verdict.share),
+            unevenness: shown(verdict.unevenness),
+            accepted: verdict.accepted.map(Ends::from),
+            plain_m: verdict.plain_m(),
+            formula_m: verdict.formula_m(),
+            drops: drops(&verdict.drops, files),
+            reference_drops: drops(&verdict.reference_drops, reference_files),
+            doubts: verdict.doubts.iter().map(ToString::to_string).collect(),
+            remarks: verdict.remarks.iter().map(ToString::to_string).collect(),
+        }
+    }
+}
+
+fn drops(rebounds: &[rulebook::Rebound], files: &[String]) -> Vec<Drop> {
+    rebounds
+        .iter()
+        .map(|rebound| Drop {
+            file: files.get(rebound.place).cloned().unwrap_or_default(),
+            predicted_m: shown(rebound.predicted_m),
+            first_flight_s: rebound.first_flight_s,
+            plain_m: rebound.plain_m,
+            formula_m: rebound.formula_m,
+            steps: rebound
+                .steps
+                .iter()
+                .map(|step| Step {
+                    why: step.why.to_string(),
+                    height_m: step.height_m,
+                })
+                .collect(),
+        })
+        .collect()
+}
+
+impl From<Limits> for Ends {
+    fn from(limits: Limits) -> Self {
+        Self {
+            least: limits.least,
+            greatest: limits.greatest,
+        }
+    }
+}
+
+impl From<&Rule> for RuleUsed {
+    fn from(rule: &Rule) -> Self {
+        let (mut rebound_m, mut about_m, mut share, mut reference) = (None, None, None, None);
+        match &rule.requirement {
+            Requirement::Height(limits) => rebound_m = Some(Ends::from(*limits)),
+            Requirement::About(height_m) => about_m = Some(*height_m),
+            Requirement::Share { limits, of } => {
+                share = Some(Ends::from(*limits));
+                reference = Some(of.clone());
+            }
+        }
+        Self {
+            name: rule.name.clone(),
+            title: rule.title.clone(),
+            source: rule.source.clone(),
+            edition: rule.edition.clone(),
+            status: rule.status.to_string(),
+            surface: rule.surface.clone(),
+            reference,
+            drop_height_m: rule.drop_height_m,
+            measured_at: rule.measured_at.map(|point| point.to_string()),
+            rebound_m,
+            about_m,
+            share_of_reference: share,
+            fewest_drops: rule.fewest_drops,
+        }
+    }
+}

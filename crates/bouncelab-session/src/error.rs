@@ -1,0 +1,117 @@
+//! What can go wrong with a session.
+
+use std::path::{Path, PathBuf};
+
+/// What can go wrong between recordings with notes and tables with results.
+///
+/// Each message says which file, what was wrong with it and what to do next.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum Error {
+    /// A file or folder cannot be read.
+    #[error("cannot read {}: {source}", shown(path))]
+    Read {
+        /// The file or folder.
+        path: PathBuf,
+        /// What the operating system said.
+        source: std::io::Error,
+    },
+    /// A file of notes is not what it should be.
+    #[error("{}{}: {problem}", shown(path), AtPlace(*line, *column))]
+    Notes {
+        /// The file.
+        path: PathBuf,
+        /// The line, counted from 1, if the fault is in one.
+        line: Option<usize>,
+        /// The column, counted from 1, if it is known.
+        column: Option<usize>,
+        /// What is wrong, and what is expected.
+        problem: String,
+    },
+    /// A pattern for file names makes no sense.
+    #[error(
+        "the pattern \"{pattern}\" {problem}; write it as in {{ball}}_{{surface}}_{{height}}_{{}}"
+    )]
+    Pattern {
+        /// The pattern.
+        pattern: String,
+        /// What is wrong with it.
+        problem: String,
+    },
+    /// There is nothing to hear.
+    #[error("{what}; name recordings, a folder that holds some, or a session.toml")]
+    NoRecordings {
+        /// Where was looked.
+        what: String,
+    },
+    /// The folder for the results cannot be used.
+    #[error(
+        "cannot write into {}: {source}; is the folder writable, and the disk not full? (--output DIR \
+         names another)",
+        shown(path)
+    )]
+    Output {
+        /// The folder or file.
+        path: PathBuf,
+        /// What the operating system said.
+        source: std::io::Error,
+    },
+    /// Another run writes there.
+    #[error(
+        "another run writes into {}; wait for it, or name another folder with --output",
+        shown(path)
+    )]
+    Busy {
+        /// The folder.
+        path: PathBuf,
+    },
+    /// A table cannot be written.
+    #[error("cannot write the table {}: {problem}", shown(path))]
+    Table {
+        /// The table.
+        path: PathBuf,
+        /// What the writer said.
+        problem: String,
+    },
+}
+
+/// A result whose error is [`Error`].
+pub type Result<T> = std::result::Result<T, Error>;
+
+impl Error {
+    pub(crate) fn read(path: &Path) -> impl FnOnce(std::io::Error) -> Self {
+        let path = path.to_owned();
+        |source| Self::Read { path, source }
+    }
+
+    pub(crate) fn output(path: &Path) -> impl FnOnce(std::io::Error) -> Self {
+        let path = path.to_owned();
+        |source| Self::Output { path, source }
+    }
+
+    pub(crate) fn notes(path: &Path, line: Option<usize>, problem: impl Into<String>) -> Self {
+        Self::Notes {
+            path: path.to_owned(),
+            line,
+            column: None,
+            problem: problem.into(),
+        }
+    }
+}
+
+fn shown(path: &Path) -> String {
+    crate::name::shown(path)
+}
+
+/// ":3:5", ":3" or nothing.
+struct AtPlace(Option<usize>, Option<usize>);
+
+impl std::fmt::Display for AtPlace {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match (self.0, self.1) {
+            (Some(line), Some(column)) => write!(f, ", line {line}, column {column}"),
+            (Some(line), None) => write!(f, ", line {line}"),
+            (None, _) => Ok(()),
+        }
+    }
+}

@@ -1,0 +1,428 @@
+//! Which recordings there are, and what was noted of each.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use crate::error::{Error, Result};
+use crate::name::{name, shown};
+use crate::notes::{Listed, Note, Notes, SessionFile, read_csv};
+use crate::pattern::Pattern;
+
+/// What a session file is called when only its folder is named.
+pub const SESSION_FILE: &str = "session.toml";
+
+/// Endings of recordings that are looked for in folders; a recording that is named may have any.
+pub const ENDINGS: [&str; 16] = [
+    "aac", "aif", "aifc", "aiff", "flac", "m4a", "mka", "mkv", "mov", "mp3", "mp4", "oga", "ogg",
+    "opus", "wav", "webm",
+];
+
+/// Where to look.
+#[derive(Debug, Clone, Default)]
+pub struct Sources {
+    /// Recordings, folders with recordings, session files.
+    pub inputs: Vec<PathBuf>,
+    /// What file names say; before that of a session file.
+    pub pattern: Option<String>,
+    /// A CSV of notes; before that of a session file.
+    pub table: Option<PathBuf>,
+}
+
+/// A recording and all that was said of it.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Recording {
+    /// Where it is.
+    pub path: PathBuf,
+    /// What it is called in tables: relative to the folder of the session, as text.
+    pub name: String,
+    /// Statements by field. More than one may have been made; those of `[all]` count only where
+    /// nobody else says anything.
+    pub notes: BTreeMap<String, Vec<Note>>,
+}
+
+/// All recordings of a session.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct Session {
+    /// What it is called.
+    pub title: Option<String>,
+    /// The recordings, in the order of their names.
+    pub recordings: Vec<Recording>,
+    /// The balls that the session file describes.
+    pub balls: BTreeMap<String, Notes>,
+    /// What to know: names that do not fit the pattern, and the like.
+    pub remarks: Vec<String>,
+}
+
+impl Session {
+    /// Finds the recordings and reads the notes.
+    ///
+    /// # Errors
+    /// If a file or folder cannot be read, a file of notes is damaged or speaks of recordings that
+    /// are not there, the pattern makes no sense, or there is no recording.
+    pub fn gather(sources: &Sources) -> Result<Self> {
+        let mut found = Found::default();
+        let alone = sources.inputs.len() == 1;
+        for input in &sources.inputs {
+            found.add(input, alone)?;
+        }
+        let Found { file, mut paths } = found;
+        if paths.is_empty() {
+            let looked: Vec<String> = sources.inputs.iter().map(|path| shown(path)).collect();
+            return Err(Error::NoRecordings {
+                what: format!("there is no recording in {}", looked.join(", ")),
+            });
+        }
+        let mut seen = BTreeSet::new();
+        paths.retain(|(path, name)| seen.insert((path.clone(), name.clone())));
+        paths.sort_by(|a, b| a.1.cmp(&b.1));
+        let (folder, file) = file.map_or_else(Default::default, |(folder, file)| (folder, *file));
+        let mut session = Self {
+            title: file.title,
+            recordings: paths
+                .into_iter()
+                .map(|(path, name)| Recording {
+                    path,
+                    name,
+                    notes: BTreeMap::new(),
+                })
+                .collect(),
+            balls: file.balls,
+            remarks: Vec::new(),
+        };
+        if let Some(pattern) = sources.pattern.clone().or(file.pattern) {
+            session.read_names(&Pattern::new(&pattern)?);
+        }
+        session.take(file.recordings)?;
+        let table = sources.table.clone();
+        if let Some(table) = table.or_else(|| Some(folder.join(file.table?))) {
+            session.take(read_csv(&table)?)?;
+        }
+        session.default_to(&file.all);
+        Ok(session)
+    }
+
+    /// What the names say.
+    fn read_names(&mut self, pattern: &Pattern) {
+        let mut odd = Vec::new();
+        for recording in &mut self.recordings {
+            let stem = recording.path.file_stem().and_then(|stem| stem.to_str());
+            let Some(fields) = stem.and_then(|stem| pattern.fields(stem)) else {
+                odd.push(recording.name.clone());
+                continue;
+            };
+            for (field, text) in fields {
+                let said_by = "the file name".to_owned();
+                let notes = recording.notes.entry(field.to_owned()).or_default();
+                notes.push(Note { text, said_by });
+            }
+        }
+        if !odd.is_empty() {
+            self.remarks.push(format!(
+                "{} not fit the pattern \"{}\": {}",
+                match odd.len() {
+                    1 => "one name does".to_owned(),
+                    count => format!("{count} names do"),
+                },
+                pattern.text(),
+                some_of(&odd)
+            ));
+        }
+    }
+
+    /// Notes of a file, each to the recording that it names.
+    fn take(&mut self, listed: Listed) -> Result<()> {
+        let index = Index::new(&self.recordings);
+        for (named, line, notes) in listed.rows {
+            let place = index
+                .find(&named)
+                .map_err(|problem| Error::notes(&listed.file, line, problem))?;
+            for (field, note) in notes {
+                let known = self.recordings[place].notes.entry(field).or_default();
+                known.push(note);
+            }
+        }
+        Ok(())
+    }
+
+    /// What holds for all recordings, where nothing else was said.
+    fn default_to(&mut self, all: &Notes) {
+        for recording in &mut self.recordings {
+            for (field, note) in all {
+                let notes = recording.notes.entry(field.clone()).or_default();
+                if notes.is_empty() {
+                    notes.push(note.clone());
+                }
+            }
+        }
+    }
+}
+
+/// The first few of many names.
+fn some_of(names: &[String]) -> String {
+    const SHOWN: usize = 5;
+    let first = names.iter().take(SHOWN).cloned().collect::<Vec<_>>();
+    match names.len().saturating_sub(SHOWN) {
+        0 => first.join(", "),
+        more => format!("{} and {more} more", first.join(", ")),
+    }
+}
+
+/// Recordings by their name, the name of their file, and that without its ending.
+struct Index {
+    places: BTreeMap<String, Vec<usize>>,
+}
+
+impl Index {
+    fn new(recordings: &[Recording]) -> Self {
+        let mut places: BTreeMap<String, Vec<usize>> = BTreeMap::new();
+        for (place, recording) in recordings.iter().enumerate() {
+            let short = |part: Option<&std::ffi::OsStr>| part.map(|part| name(Path::new(part)));
+            let names = [
+                Some(recording.name.clone()),
+                short(recording.path.file_name()),
+                short(recording.path.file_stem()),
+            ];
+            for name in names.into_iter().flatten().collect::<BTreeSet<_>>() {
+                places.entry(name).or_default().push(place);
+            }
+        }
+        Self { places }
+    }
+
+    fn find(&self, named: &str) -> std::result::Result<usize, String> {
+        let name = name(Path::new(named));
+        match self.places.get(&name).map(Vec::as_slice) {
+            Some([place]) => Ok(*place),
+            Some(_) => Err(format!(
+                "\"{named}\" is the name of several recordings; write the folder too"
+            )),
+            None => Err(format!(
+                "speaks of \"{named}\", but there is no such recording; is it misspelt, or in \
+                 another folder?"
+            )),
+        }
+    }
+}
+
+/// Recordings as they are found.
+#[derive(Default)]
+struct Found {
+    /// The session file and its folder.
+    file: Option<(PathBuf, Box<SessionFile>)>,
+    /// Where each is and what it is called.
+    paths: Vec<(PathBuf, String)>,
+}
+
+impl Found {
+    fn add(&mut self, input: &Path, alone: bool) -> Result<()> {
+        let about = fs::metadata(input).map_err(Error::read(input))?;
+        let is_notes = input.extension().is_some_and(|ending| ending == "toml");
+        if about.is_dir() {
+            let file = input.join(SESSION_FILE);
+            if file.is_file() {
+                self.add_session(&file, alone)
+            } else {
+                self.add_folder(input, input, alone)
+            }
+        } else if is_notes {
+            self.add_session(input, alone)
+        } else {
+            self.paths.push((input.to_owned(), name(input)));
+            Ok(())
+        }
+    }
+
+    fn add_session(&mut self, path: &Path, alone: bool) -> Result<()> {
+        if self.file.is_some() {
+            return Err(Error::notes(
+                path,
+                None,
+                "is a second session file; name one",
+            ));
+        }
+        let file = SessionFile::read(path)?;
+        let folder = path.parent().unwrap_or(Path::new("")).to_owned();
+        for within in file.folders.clone().unwrap_or_else(|| vec![PathBuf::new()]) {
+            let within = folder.join(within);
+            let within = if within.as_os_str().is_empty() {
+                PathBuf::from(".")
+            } else {
+                within
+            };
+            self.add_folder(&folder, &within, alone)?;
+        }
+        self.file = Some((folder, Box::new(file)));
+        Ok(())
+    }
+
+    /// All recordings in a folder and the folders in it, but for hidden ones. Folders that are links
+    /// are left out: they may lead round in a circle.
+    fn add_folder(&mut self, base: &Path, folder: &Path, alone: bool) -> Result<()> {
+        let mut entries = fs::read_dir(folder)
+            .and_then(Iterator::collect::<std::io::Result<Vec<_>>>)
+            .map_err(Error::read(folder))?;
+        entries.sort_by_key(fs::DirEntry::file_name);
+        for entry in entries {
+            let path = entry.path();
+            if entry.file_name().as_encoded_bytes().starts_with(b".") {
+                continue;
+            }
+            let kind = entry.file_type().map_err(Error::read(&path))?;
+            if kind.is_dir() {
+                self.add_folder(base, &path, alone)?;
+            } else if is_recording(&path) && path.is_file() {
+                let relative = path.strip_prefix(base).unwrap_or(&path);
+                let relative = relative.strip_prefix(".").unwrap_or(relative);
+                let called = name(if alone { relative } else { &path });
+                self.paths.push((path, called));
+            }
+        }
+        Ok(())
+    }
+}
+
+fn is_recording(path: &Path) -> bool {
+    let ending = path.extension().and_then(|ending| ending.to_str());
+    ending.is_some_and(|ending| ENDINGS.contains(&ending.to_lowercase().as_str()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A folder with these files.
+    fn folder(files: &[(&str, &str)]) -> tempfile::TempDir {
+        let folder = tempfile::tempdir().unwrap();
+        for (name, text) in files {
+            let path = folder.path().join(name);
+            fs::create_dir_all(path.parent().unwrap()).unwrap();
+            fs::write(path, text).unwrap();
+        }
+        folder
+    }
+
+    fn gather(folder: &tempfile::TempDir) -> Result<Session> {
+        Session::gather(&Sources {
+            inputs: vec![folder.path().to_owned()],
+            ..Sources::default()
+        })
+    }
+
+    fn said<'a>(session: &'a Session, name: &str, field: &str) -> Vec<&'a str> {
+        let recording = session.recordings.iter().find(|r| r.name == name).unwrap();
+        let notes = recording.notes.get(field).map_or(&[][..], Vec::as_slice);
+        notes.iter().map(|note| note.text.as_str()).collect()
+    }
+
+    #[test]
+    fn a_folder_is_searched_for_recordings() {
+        let folder = folder(&[
+            ("b.wav", ""),
+            ("a.WAV", ""),
+            ("monday/c.m4a", ""),
+            (".hidden.wav", ""),
+            ("notes.txt", ""),
+        ]);
+        let session = gather(&folder).unwrap();
+        let names: Vec<&str> = session.recordings.iter().map(|r| r.name.as_str()).collect();
+        assert_eq!(names, ["a.WAV", "b.wav", "monday/c.m4a"]);
+    }
+
+    #[test]
+    fn notes_come_together_from_everywhere() {
+        let folder = folder(&[
+            (
+                "session.toml",
+                "pattern = \"{ball}_{height}_{}\"\ntable = \"notes.csv\"\n[all]\noperator = \"Ada\"\n\
+                 [recordings.\"red_30cm_1.wav\"]\nsurface = \"steel\"\n",
+            ),
+            (
+                "notes.csv",
+                "file,operator,surface\nred_30cm_1,Bob,\nsub/blue_40cm_2.wav,,glass\n",
+            ),
+            ("red_30cm_1.wav", ""),
+            ("sub/blue_40cm_2.wav", ""),
+            ("odd.wav", ""),
+        ]);
+        let session = gather(&folder).unwrap();
+        assert_eq!(said(&session, "red_30cm_1.wav", "ball"), ["red"]);
+        assert_eq!(said(&session, "red_30cm_1.wav", "operator"), ["Bob"]);
+        assert_eq!(said(&session, "red_30cm_1.wav", "surface"), ["steel"]);
+        assert_eq!(said(&session, "sub/blue_40cm_2.wav", "operator"), ["Ada"]);
+        assert_eq!(said(&session, "sub/blue_40cm_2.wav", "surface"), ["glass"]);
+        assert!(said(&session, "odd.wav", "ball").is_empty());
+        assert!(
+            session.remarks[0].contains("odd.wav"),
+            "{:?}",
+            session.remarks
+        );
+    }
+
+    #[test]
+    fn contradictions_are_kept_for_who_can_judge_them() {
+        let folder = folder(&[
+            (
+                "session.toml",
+                "pattern = \"{ball}_{}\"\ntable = \"notes.csv\"",
+            ),
+            ("notes.csv", "file,ball\nred_1.wav,blue\n"),
+            ("red_1.wav", ""),
+        ]);
+        assert_eq!(
+            said(&gather(&folder).unwrap(), "red_1.wav", "ball"),
+            ["red", "blue"]
+        );
+    }
+
+    #[test]
+    fn notes_of_what_is_not_there_are_refused() {
+        let files = [
+            ("notes.csv", "file,ball\nred_1.wav,red\nred_2.wav,red\n"),
+            ("red_1.wav", ""),
+        ];
+        let folder = folder(&files);
+        let refused = Session::gather(&Sources {
+            inputs: vec![folder.path().join("red_1.wav")],
+            table: Some(folder.path().join("notes.csv")),
+            pattern: None,
+        });
+        let message = refused.unwrap_err().to_string();
+        assert!(
+            message.contains("line 3") && message.contains("red_2.wav"),
+            "{message}"
+        );
+    }
+
+    #[test]
+    fn a_short_name_of_two_recordings_is_refused() {
+        let folder = folder(&[
+            ("session.toml", "[recordings.\"a.wav\"]\nball = \"red\"\n"),
+            ("one/a.wav", ""),
+            ("two/a.wav", ""),
+        ]);
+        assert!(gather(&folder).unwrap_err().to_string().contains("several"));
+    }
+
+    #[test]
+    fn nothing_to_hear_is_said() {
+        let empty = folder(&[("notes.txt", "")]);
+        assert!(matches!(gather(&empty), Err(Error::NoRecordings { .. })));
+        let missing = Sources {
+            inputs: vec![empty.path().join("nowhere")],
+            ..Sources::default()
+        };
+        assert!(matches!(Session::gather(&missing), Err(Error::Read { .. })));
+    }
+
+    #[cfg(target_os = "linux")]
+    #[test]
+    fn names_that_are_no_text_have_names() {
+        use std::os::unix::ffi::OsStrExt;
+        let folder = folder(&[]);
+        let raw = std::ffi::OsStr::from_bytes(b"red\xff_1.wav");
+        fs::write(folder.path().join(raw), "").unwrap();
+        let session = gather(&folder).unwrap();
+        assert_eq!(session.recordings[0].name, "red\\xff_1.wav");
+    }
+}

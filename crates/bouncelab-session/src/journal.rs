@@ -1,0 +1,365 @@
+//! Results as they come, in a file that survives being killed.
+//!
+//! Every result is one line: a checksum and a JSON object. A line that was cut off, or damaged, does
+//! not fit its checksum and counts as never written; all others are as good as new. A result is
+//! valid for one recording with one content under one set of settings, which its key names.
+
+use std::collections::HashMap;
+use std::fmt::Write as _;
+use std::fs::{self, File, OpenOptions, TryLockError};
+use std::io::{BufRead, BufReader, Read, Seek, SeekFrom, Write};
+use std::path::{Path, PathBuf};
+use std::sync::Mutex;
+
+use serde::de::DeserializeOwned;
+use serde::{Deserialize, Serialize};
+use sha2::{Digest, Sha256};
+
+use crate::error::{Error, Result};
+
+/// Name of the journal in the folder of the results.
+pub const JOURNAL: &str = "journal.jsonl";
+
+/// So many characters of a checksum stand before each line.
+const CHECK: usize = 16;
+
+/// What a result is of: the content of a recording and the settings, both as hashes.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Key {
+    /// Hash of the content of the recording.
+    pub content: String,
+    /// Hash of everything else that the result depends on.
+    pub settings: String,
+}
+
+/// The journal of a folder, open for writing by this run alone.
+#[derive(Debug)]
+pub struct Journal {
+    path: PathBuf,
+    /// The end of the file, to which one thread at a time appends.
+    end: Mutex<End>,
+    /// Lines that were found damaged when it was opened.
+    damaged: usize,
+}
+
+#[derive(Debug)]
+struct End {
+    file: File,
+    length: u64,
+    /// Where the newest line of each recording begins, and what it is of.
+    index: HashMap<String, (u64, Key)>,
+}
+
+#[derive(Serialize)]
+struct Line<'a, R> {
+    name: &'a str,
+    key: &'a Key,
+    result: &'a R,
+}
+
+/// Who a line is of, without its result.
+#[derive(Deserialize)]
+struct Of {
+    name: String,
+    key: Key,
+}
+
+#[derive(Deserialize)]
+struct Held<R> {
+    result: R,
+}
+
+impl Journal {
+    /// Opens the journal of a folder, which is made if needed, and reads what is in it.
+    ///
+    /// # Errors
+    /// [`Error::Output`] if the folder cannot be written into, [`Error::Busy`] if another run has it
+    /// open, [`Error::Read`] if the journal cannot be read.
+    pub fn open(folder: &Path) -> Result<Self> {
+        fs::create_dir_all(folder).map_err(Error::output(folder))?;
+        let path = folder.join(JOURNAL);
+        let file = OpenOptions::new()
+            .read(true)
+            .append(true)
+            .create(true)
+            .open(&path)
+            .map_err(Error::output(folder))?;
+        // Some network drives know no locks; the run goes on without.
+        if let Err(TryLockError::WouldBlock) = file.try_lock() {
+            return Err(Error::Busy {
+                path: folder.to_owned(),
+            });
+        }
+        let scan = Scan::of(&file).map_err(Error::read(&path))?;
+        // What was cut off at the end is cut away, so that the next line begins a line.
+        if scan.whole < scan.length {
+            file.set_len(scan.whole).map_err(Error::output(folder))?;
+        }
+        Ok(Self {
+            path,
+            damaged: scan.damaged,
+            end: Mutex::new(End {
+                file,
+                length: scan.whole,
+                index: scan.index,
+            }),
+        })
+    }
+
+    /// How many lines were damaged, and so will be made again.
+    pub fn damaged(&self) -> usize {
+        self.damaged
+    }
+
+    /// Whether there is a result of this recording for this key.
+    pub fn has(&self, name: &str, key: &Key) -> bool {
+        self.lock()
+            .index
+            .get(name)
+            .is_some_and(|(_, known)| known == key)
+    }
+
+    /// Appends a result. It is in the file, though perhaps not yet on the disk, when this returns.
+    ///
+    /// # Errors
+    /// [`Error::Output`] if it cannot be written; what was written in part is taken back.
+    pub fn append<R: Serialize>(&self, name: &str, key: &Key, result: &R) -> Result<()> {
+        let text =
+            serde_json::to_string(&Line { name, key, result }).map_err(|fault| Error::Table {
+                path: self.path.clone(),
+                problem: fault.to_string(),
+            })?;
+        let line = format!("{} {text}\n", check(&text));
+        let mut end = self.lock();
+        let written = end.file.write_all(line.as_bytes());
+        if let Err(fault) = written {
+            // Whether this works does not matter: the next run cuts it away too.
+            let _ = end.file.set_len(end.length);
+            return Err(Error::output(&self.path)(fault));
+        }
+        let start = end.length;
+        end.length += line.len() as u64;
+        end.index.insert(name.to_owned(), (start, key.clone()));
+        Ok(())
+    }
+
+    /// Makes sure that all is on the disk.
+    ///
+    /// # Errors
+    /// [`Error::Output`] if the system says that it is not.
+    pub fn sync(&self) -> Result<()> {
+        let end = self.lock();
+        end.file.sync_data().map_err(Error::output(&self.path))
+    }
+
+    /// Reads the result of a recording back; `None` if there is none for this key.
+    ///
+    /// # Errors
+    /// [`Error::Read`] if the journal cannot be read, or its content has changed since it was opened.
+    pub fn read<R: DeserializeOwned>(&self, name: &str, key: &Key) -> Result<Option<R>> {
+        let start = match self.lock().index.get(name) {
+            Some((start, known)) if known == key => *start,
+            _ => return Ok(None),
+        };
+        let read = || -> std::io::Result<R> {
+            let mut file = BufReader::new(File::open(&self.path)?);
+            file.seek(SeekFrom::Start(start))?;
+            let mut line = Vec::new();
+            file.read_until(b'\n', &mut line)?;
+            let text = checked(&line).ok_or(std::io::ErrorKind::InvalidData)?;
+            Ok(serde_json::from_str::<Held<R>>(text)?.result)
+        };
+        read().map(Some).map_err(Error::read(&self.path))
+    }
+
+    fn lock(&self) -> std::sync::MutexGuard<'_, End> {
+        // A thread that panicked in here had not begun to change anything.
+        self.end
+            .lock()
+            .unwrap_or_else(std::sync::PoisonError::into_inner)
+    }
+}
+
+/// What a journal holds.
+#[derive(Default)]
+struct Scan {
+    index: HashMap<String, (u64, Key)>,
+    damaged: usize,
+    length: u64,
+    /// Where the last line that ends with a line break ends.
+    whole: u64,
+}
+
+impl Scan {
+    fn of(file: &File) -> std::io::Result<Self> {
+        let mut reader = BufReader::new(file);
+        reader.seek(SeekFrom::Start(0))?;
+        let mut scan = Self::default();
+        let mut line = Vec::new();
+        loop {
+            line.clear();
+            let read = reader.read_until(b'\n', &mut line)? as u64;
+            if read == 0 {
+                return Ok(scan);
+            }
+            let of = checked(&line).and_then(|text| serde_json::from_str::<Of>(text).ok());
+            match of {
+                Some(of) => drop(scan.index.insert(of.name, (scan.length, of.key))),
+                None => scan.damaged += 1,
+            }
+            scan.length += read;
+            if line.ends_with(b"\n") {
+                scan.whole = scan.length;
+            }
+        }
+    }
+}
+
+/// The text of a whole line that fits its checksum.
+fn checked(line: &[u8]) -> Option<&str> {
+    let line = std::str::from_utf8(line.strip_suffix(b"\n")?).ok()?;
+    let (found, text) = line.split_once(' ')?;
+    (found == check(text)).then_some(text)
+}
+
+fn check(text: &str) -> String {
+    let mut hash = hash(text.as_bytes());
+    hash.truncate(CHECK);
+    hash
+}
+
+/// SHA-256 of bytes, in hexadecimal digits.
+pub fn hash(bytes: &[u8]) -> String {
+    hexadecimal(&Sha256::digest(bytes))
+}
+
+/// SHA-256 of the content of a file, in hexadecimal digits, read in pieces.
+///
+/// # Errors
+/// [`Error::Read`] if it cannot be read.
+pub fn hash_of_file(path: &Path) -> Result<String> {
+    const PIECE: usize = 1 << 16;
+    let read = || -> std::io::Result<String> {
+        let mut file = File::open(path)?;
+        let mut sha = Sha256::new();
+        let mut piece = vec![0; PIECE];
+        loop {
+            match file.read(&mut piece)? {
+                0 => return Ok(hexadecimal(&sha.finalize())),
+                length => sha.update(&piece[..length]),
+            }
+        }
+    };
+    read().map_err(Error::read(path))
+}
+
+fn hexadecimal(bytes: &[u8]) -> String {
+    bytes.iter().fold(String::new(), |mut text, byte| {
+        // Writing to a String cannot fail.
+        let _ = write!(text, "{byte:02x}");
+        text
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn key(content: &str) -> Key {
+        Key {
+            content: content.to_owned(),
+            settings: "s".to_owned(),
+        }
+    }
+
+    #[test]
+    fn results_come_back_after_closing() {
+        let folder = tempfile::tempdir().unwrap();
+        let journal = Journal::open(folder.path()).unwrap();
+        journal
+            .append("a.wav", &key("1"), &vec![0.1, f64::MIN_POSITIVE])
+            .unwrap();
+        journal.append("b.wav", &key("2"), &vec![2.0]).unwrap();
+        journal.append("a.wav", &key("3"), &vec![3.0]).unwrap();
+        journal.sync().unwrap();
+        drop(journal);
+        let journal = Journal::open(folder.path()).unwrap();
+        let read = |name: &str, content: &str| -> Option<Vec<f64>> {
+            journal.read(name, &key(content)).unwrap()
+        };
+        assert_eq!(read("a.wav", "3"), Some(vec![3.0]));
+        assert_eq!(read("a.wav", "1"), None, "the content has changed since");
+        assert_eq!(read("b.wav", "2"), Some(vec![2.0]));
+        assert!(journal.has("b.wav", &key("2")) && !journal.has("c.wav", &key("2")));
+        assert_eq!(journal.damaged(), 0);
+    }
+
+    /// Wherever the file is cut, whole lines before the cut are kept and the next run goes on.
+    #[test]
+    fn a_journal_cut_anywhere_keeps_its_whole_lines() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join(JOURNAL);
+        let journal = Journal::open(folder.path()).unwrap();
+        for number in 0..3 {
+            let name = number.to_string();
+            journal.append(&name, &key("1"), &number).unwrap();
+        }
+        drop(journal);
+        let whole = fs::read(&path).unwrap();
+        let ends: Vec<usize> = (0..whole.len()).filter(|&at| whole[at] == b'\n').collect();
+        for cut in 0..=whole.len() {
+            fs::write(&path, &whole[..cut]).unwrap();
+            let journal = Journal::open(folder.path()).unwrap();
+            let kept = ends.iter().filter(|&&end| end < cut).count();
+            for number in 0..3 {
+                let found = journal
+                    .read::<usize>(&number.to_string(), &key("1"))
+                    .unwrap();
+                assert_eq!(found, (number < kept).then_some(number), "cut at {cut}");
+            }
+            journal.append("next", &key("1"), &7).unwrap();
+            drop(journal);
+            let journal = Journal::open(folder.path()).unwrap();
+            assert_eq!(
+                journal.read("next", &key("1")).unwrap(),
+                Some(7),
+                "cut at {cut}"
+            );
+        }
+    }
+
+    #[test]
+    fn a_damaged_line_counts_as_never_written() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join(JOURNAL);
+        let journal = Journal::open(folder.path()).unwrap();
+        journal.append("a.wav", &key("1"), &1).unwrap();
+        journal.append("b.wav", &key("1"), &2).unwrap();
+        drop(journal);
+        let text = fs::read_to_string(&path).unwrap();
+        fs::write(&path, text.replacen("a.wav", "A.wav", 1)).unwrap();
+        let journal = Journal::open(folder.path()).unwrap();
+        assert_eq!(journal.damaged(), 1);
+        assert!(!journal.has("A.wav", &key("1")) && journal.has("b.wav", &key("1")));
+    }
+
+    #[test]
+    fn two_runs_do_not_write_into_one_journal() {
+        let folder = tempfile::tempdir().unwrap();
+        let _first = Journal::open(folder.path()).unwrap();
+        assert!(matches!(
+            Journal::open(folder.path()),
+            Err(Error::Busy { .. })
+        ));
+    }
+
+    /// FIPS 180-2, appendix B.1.
+    #[test]
+    fn hashes_are_those_of_the_standard() {
+        let abc = "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad";
+        assert_eq!(hash(b"abc"), abc);
+        let file = tempfile::NamedTempFile::new().unwrap();
+        fs::write(file.path(), "abc").unwrap();
+        assert_eq!(hash_of_file(file.path()).unwrap(), abc);
+    }
+}

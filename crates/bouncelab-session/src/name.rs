@@ -1,0 +1,65 @@
+//! Names of files as text, whatever bytes they are made of.
+
+use std::fmt::Write as _;
+use std::path::Path;
+
+/// A path as text that no other path has: bytes that are no UTF-8 are written as `\xff`, and folders
+/// are separated by `/`.
+///
+/// ```
+/// use std::path::Path;
+/// assert_eq!(bouncelab_session::name(Path::new("monday/drop.wav")), "monday/drop.wav");
+/// ```
+pub fn name(path: &Path) -> String {
+    let parts: Vec<String> = path
+        .components()
+        .map(|part| escaped(part.as_os_str().as_encoded_bytes()))
+        .collect();
+    parts.join("/").replace("//", "/")
+}
+
+/// A path as one line of a message: as [`name`], and without control characters.
+pub(crate) fn shown(path: &Path) -> String {
+    let text = name(path);
+    if text.is_empty() {
+        ".".to_owned()
+    } else {
+        text.replace(char::is_control, "?")
+    }
+}
+
+fn escaped(bytes: &[u8]) -> String {
+    let mut text = String::new();
+    for chunk in bytes.utf8_chunks() {
+        // A backslash of the name itself is doubled, so that it is no escape.
+        text.push_str(&chunk.valid().replace('\\', "\\\\"));
+        for byte in chunk.invalid() {
+            // Writing to a String cannot fail.
+            let _ = write!(text, "\\x{byte:02x}");
+        }
+    }
+    text
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn ordinary_names_stay_as_they_are() {
+        for path in ["drop.wav", "a/b/ü ñ.wav", "/tmp/x.wav"] {
+            assert_eq!(name(Path::new(path)), path);
+        }
+        assert_eq!(shown(Path::new("a\nb")), "a?b");
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn bytes_that_are_no_text_are_written_out_and_differ() {
+        use std::ffi::OsStr;
+        use std::os::unix::ffi::OsStrExt;
+        let of = |bytes: &[u8]| name(Path::new(OsStr::from_bytes(bytes)));
+        assert_eq!(of(b"drop\xff.wav"), "drop\\xff.wav");
+        assert_ne!(of(b"drop\xff.wav"), of(b"drop\\xff.wav"));
+    }
+}

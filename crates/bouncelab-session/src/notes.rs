@@ -1,0 +1,312 @@
+//! What was noted of recordings, in a TOML file or a CSV.
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use serde::Deserialize;
+use toml::Spanned;
+
+use crate::error::{Error, Result};
+use crate::name;
+
+/// A statement and who made it.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Note {
+    /// What was said, as it was written.
+    pub text: String,
+    /// Who said it: "notes.csv, line 3", "the file name".
+    pub said_by: String,
+}
+
+/// Statements by the name of their field.
+pub type Notes = BTreeMap<String, Note>;
+
+/// What a session file says.
+#[derive(Debug, Default)]
+pub(crate) struct SessionFile {
+    pub(crate) title: Option<String>,
+    pub(crate) pattern: Option<String>,
+    pub(crate) table: Option<PathBuf>,
+    pub(crate) folders: Option<Vec<PathBuf>>,
+    pub(crate) all: Notes,
+    pub(crate) balls: BTreeMap<String, Notes>,
+    pub(crate) recordings: Listed,
+}
+
+/// Recordings as a file of notes calls them, with what it says of each.
+#[derive(Debug, Default)]
+pub(crate) struct Listed {
+    pub(crate) file: PathBuf,
+    /// Name, line and notes.
+    pub(crate) rows: Vec<(String, Option<usize>, Notes)>,
+}
+
+type Table = BTreeMap<String, Spanned<toml::Value>>;
+
+/// The TOML as it is written.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Written {
+    title: Option<String>,
+    pattern: Option<String>,
+    table: Option<PathBuf>,
+    folders: Option<Vec<PathBuf>>,
+    #[serde(default)]
+    all: Table,
+    #[serde(default)]
+    balls: BTreeMap<String, Table>,
+    #[serde(default)]
+    recordings: BTreeMap<String, Spanned<Table>>,
+}
+
+impl SessionFile {
+    pub(crate) fn read(path: &Path) -> Result<Self> {
+        let text = text_of(path)?;
+        let written: Written = toml::from_str(&text).map_err(|fault| {
+            let place = fault.span().map(|span| place(&text, span.start));
+            Error::Notes {
+                path: path.to_owned(),
+                line: place.map(|(line, _)| line),
+                column: place.map(|(_, column)| column),
+                problem: fault.message().trim_end().to_owned(),
+            }
+        })?;
+        let notes = |table: Table| notes_of(path, &text, table);
+        let recordings = written.recordings.into_iter().map(|(name, table)| {
+            let line = place(&text, table.span().start).0;
+            Ok((name, Some(line), notes(table.into_inner())?))
+        });
+        Ok(Self {
+            title: written.title,
+            pattern: written.pattern,
+            table: written.table,
+            folders: written.folders,
+            recordings: Listed {
+                file: path.to_owned(),
+                rows: recordings.collect::<Result<_>>()?,
+            },
+            all: notes(written.all)?,
+            balls: written
+                .balls
+                .into_iter()
+                .map(|(ball, table)| Ok((ball, notes(table)?)))
+                .collect::<Result<_>>()?,
+        })
+    }
+}
+
+fn notes_of(path: &Path, text: &str, table: Table) -> Result<Notes> {
+    table
+        .into_iter()
+        .map(|(field, value)| {
+            let (line, column) = place(text, value.span().start);
+            let said = match value.into_inner() {
+                toml::Value::String(said) => said,
+                toml::Value::Integer(said) => said.to_string(),
+                toml::Value::Float(said) => said.to_string(),
+                toml::Value::Boolean(said) => said.to_string(),
+                toml::Value::Datetime(said) => said.to_string(),
+                toml::Value::Array(_) | toml::Value::Table(_) => {
+                    return Err(Error::Notes {
+                        path: path.to_owned(),
+                        line: Some(line),
+                        column: Some(column),
+                        problem: format!("{field} must be a text or a number, as in \"30.5cm\""),
+                    });
+                }
+            };
+            let said_by = format!("{}, line {line}", name::shown(path));
+            let text = said.trim().to_owned();
+            Ok((field, Note { text, said_by }))
+        })
+        .collect()
+}
+
+/// Line and column, counted from 1, of a byte.
+fn place(text: &str, byte: usize) -> (usize, usize) {
+    let before = text.get(..byte).unwrap_or(text);
+    let line = before.matches('\n').count() + 1;
+    let start = before.rfind('\n').map_or(0, |at| at + 1);
+    (line, before[start..].chars().count() + 1)
+}
+
+/// Reads a CSV with a column `file` and one column for each field.
+///
+/// Commas, semicolons or tabs separate; a heading may end in a unit in brackets, as in
+/// "height (cm)"; an empty cell says nothing.
+pub(crate) fn read_csv(path: &Path) -> Result<Listed> {
+    let text = text_of(path)?;
+    let header = text.lines().next().unwrap_or_default();
+    let delimiter = [b',', b';', b'\t']
+        .into_iter()
+        .max_by_key(|&delimiter| header.bytes().filter(|&byte| byte == delimiter).count());
+    let mut reader = csv::ReaderBuilder::new()
+        .delimiter(delimiter.unwrap_or(b','))
+        .trim(csv::Trim::All)
+        .from_reader(text.as_bytes());
+    let headings: Vec<(String, String)> = reader
+        .headers()
+        .map_err(|fault| csv_fault(path, &fault))?
+        .iter()
+        .map(heading)
+        .collect();
+    let file = headings.iter().position(|(field, _)| field == "file");
+    let file = file.ok_or_else(|| {
+        let found: Vec<&str> = headings.iter().map(|(field, _)| field.as_str()).collect();
+        Error::notes(
+            path,
+            Some(1),
+            format!(
+                "has no column \"file\"; its columns are {}",
+                found.join(", ")
+            ),
+        )
+    })?;
+    let mut rows = Vec::new();
+    for record in reader.records() {
+        let record = record.map_err(|fault| csv_fault(path, &fault))?;
+        let line = record.position().map(|position| position.line() as usize);
+        let said_by = match line {
+            Some(line) => format!("{}, line {line}", name::shown(path)),
+            None => name::shown(path),
+        };
+        let cells = headings.iter().zip(&record).enumerate();
+        let notes = cells
+            .filter(|(column, (_, cell))| *column != file && !cell.is_empty())
+            .map(|(_, ((field, unit), cell))| {
+                let note = Note {
+                    text: format!("{cell}{unit}"),
+                    said_by: said_by.clone(),
+                };
+                (field.clone(), note)
+            });
+        let named = record.get(file).unwrap_or_default().to_owned();
+        rows.push((named, line, notes.collect()));
+    }
+    Ok(Listed {
+        file: path.to_owned(),
+        rows,
+    })
+}
+
+/// "Height (cm)" as ("height", "cm").
+fn heading(text: &str) -> (String, String) {
+    let open = text.find(['(', '[']);
+    let (field, unit) = open.map_or((text, ""), |open| text.split_at(open));
+    let unit = unit.trim_matches(|c: char| "()[] ".contains(c));
+    let field = field.trim().to_lowercase().replace([' ', '-'], "_");
+    (field, unit.to_owned())
+}
+
+fn csv_fault(path: &Path, fault: &csv::Error) -> Error {
+    let line = fault.position().map(|position| position.line() as usize);
+    let problem = match fault.kind() {
+        csv::ErrorKind::UnequalLengths {
+            expected_len, len, ..
+        } => format!(
+            "has {len} cells, but the first line has {expected_len}; put text with a separator in \
+             quotes"
+        ),
+        _ => fault.to_string(),
+    };
+    Error::notes(path, line, problem)
+}
+
+/// The text of a file of notes, without the mark that some programs put at its beginning.
+fn text_of(path: &Path) -> Result<String> {
+    let bytes = fs::read(path).map_err(Error::read(path))?;
+    let text = String::from_utf8(bytes).map_err(|fault| {
+        let valid = &fault.as_bytes()[..fault.utf8_error().valid_up_to()];
+        let line = valid.split(|&byte| byte == b'\n').count();
+        Error::notes(path, Some(line), "is no UTF-8 text; save it as UTF-8")
+    })?;
+    Ok(text.trim_start_matches('\u{feff}').to_owned())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn written(name: &str, bytes: &[u8]) -> (tempfile::TempDir, PathBuf) {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join(name);
+        fs::write(&path, bytes).unwrap();
+        (folder, path)
+    }
+
+    #[test]
+    fn a_session_file_with_everything() {
+        let text = "title = \"Class 9b\"\npattern = \"{ball}_{}\"\n[all]\ntemperature = 21.5\n\
+                    [balls.red]\nkind = \"table-tennis-40\"\n[recordings.\"a.wav\"]\n\
+                    height = \"30.5 cm\"\nlid = true\n";
+        let (_folder, path) = written("session.toml", text.as_bytes());
+        let file = SessionFile::read(&path).unwrap();
+        assert_eq!(file.title.as_deref(), Some("Class 9b"));
+        assert_eq!(file.all["temperature"].text, "21.5");
+        assert_eq!(file.balls["red"]["kind"].text, "table-tennis-40");
+        let (name, line, notes) = &file.recordings.rows[0];
+        assert_eq!((name.as_str(), *line), ("a.wav", Some(7)));
+        assert_eq!(notes["height"].text, "30.5 cm");
+        assert!(notes["height"].said_by.ends_with("session.toml, line 8"));
+        assert_eq!(notes["lid"].text, "true");
+    }
+
+    #[test]
+    fn faults_of_a_session_file_have_a_place() {
+        let fault = |text: &str| {
+            let (_folder, path) = written("session.toml", text.as_bytes());
+            SessionFile::read(&path).unwrap_err().to_string()
+        };
+        let unclosed = fault("title = \"a\"\npattern = \"{ball}\n");
+        assert!(
+            unclosed.contains("session.toml, line 2, column"),
+            "{unclosed}"
+        );
+        let unknown = fault("titel = \"a\"\n");
+        assert!(unknown.contains("line 1, column 1"), "{unknown}");
+        assert!(
+            unknown.contains("titel") && unknown.contains("title"),
+            "{unknown}"
+        );
+        let list = fault("[all]\n\nheight = [1, 2]\n");
+        assert!(
+            list.contains("line 3, column 10") && list.contains("height"),
+            "{list}"
+        );
+    }
+
+    #[test]
+    fn a_csv_with_units_in_its_headings() {
+        let text =
+            "\u{feff}File;Height (cm);Ball type;note\na.wav;30.5;red;\nb.wav;\"40\";;\"x;y\"\n";
+        let (_folder, path) = written("notes.csv", text.as_bytes());
+        let listed = read_csv(&path).unwrap();
+        let (name, line, notes) = &listed.rows[0];
+        assert_eq!((name.as_str(), *line), ("a.wav", Some(2)));
+        assert_eq!(notes["height"].text, "30.5cm");
+        assert_eq!(notes["ball_type"].text, "red");
+        assert!(!notes.contains_key("note"));
+        assert_eq!(listed.rows[1].2["note"].text, "x;y");
+    }
+
+    #[test]
+    fn faults_of_a_csv_have_a_line() {
+        let fault = |bytes: &[u8]| {
+            let (_folder, path) = written("notes.csv", bytes);
+            read_csv(&path).unwrap_err().to_string()
+        };
+        assert!(fault(b"name,height\na,1\n").contains("no column \"file\""));
+        let short = fault(b"file,height\na.wav,1\nb.wav\n");
+        assert!(
+            short.contains("line 3") && short.contains("has 1 cells"),
+            "{short}"
+        );
+        let latin = fault(b"file,surface\na.wav,M\xfcnchen\n");
+        assert!(
+            latin.contains("line 2") && latin.contains("UTF-8"),
+            "{latin}"
+        );
+        assert!(fault(b"").contains("no column"));
+    }
+}

@@ -1,0 +1,83 @@
+//! Tables as text.
+
+use std::fs::File;
+use std::io::{BufWriter, Write};
+
+use serde::Serializer;
+use serde_json::Value;
+
+use super::{Cell, Rows, Schema};
+
+/// Comma-separated values.
+pub(super) struct CsvTable(csv::Writer<File>);
+
+impl CsvTable {
+    pub(super) fn new(file: File, schema: &Schema) -> Result<Self, String> {
+        let mut writer = csv::Writer::from_writer(file);
+        let header = schema.columns.iter().map(|column| &column.name);
+        writer
+            .write_record(header)
+            .map_err(|fault| fault.to_string())?;
+        Ok(Self(writer))
+    }
+}
+
+impl Rows for CsvTable {
+    fn row(&mut self, row: &[Cell]) -> Result<(), String> {
+        let cells = row.iter().map(|cell| match cell {
+            Cell::Text(text) => text.clone(),
+            Cell::Number(number) if number.is_finite() => number.to_string(),
+            Cell::Empty | Cell::Number(_) => String::new(),
+            Cell::Count(count) => count.to_string(),
+            Cell::Flag(flag) => flag.to_string(),
+        });
+        self.0
+            .write_record(cells)
+            .map_err(|fault| fault.to_string())
+    }
+
+    fn finish(self: Box<Self>) -> Result<File, String> {
+        self.0.into_inner().map_err(|fault| fault.to_string())
+    }
+}
+
+/// One JSON object a line.
+pub(super) struct JsonTable {
+    names: Vec<String>,
+    writer: BufWriter<File>,
+}
+
+impl JsonTable {
+    pub(super) fn new(file: File, schema: &Schema) -> Self {
+        Self {
+            names: schema.columns.iter().map(|c| c.name.clone()).collect(),
+            writer: BufWriter::new(file),
+        }
+    }
+}
+
+impl Rows for JsonTable {
+    fn row(&mut self, row: &[Cell]) -> Result<(), String> {
+        let cells = std::iter::zip(&self.names, row).map(|(name, cell)| {
+            let value = match cell {
+                Cell::Empty => Value::Null,
+                Cell::Text(text) => Value::from(text.as_str()),
+                // What is not finite becomes null.
+                Cell::Number(number) => Value::from(*number),
+                Cell::Count(count) => Value::from(*count),
+                Cell::Flag(flag) => Value::from(*flag),
+            };
+            (name, value)
+        });
+        // As a map of its own the object would be sorted by name.
+        let mut object = serde_json::Serializer::new(&mut self.writer);
+        object
+            .collect_map(cells)
+            .map_err(|fault| fault.to_string())?;
+        writeln!(self.writer).map_err(|fault| fault.to_string())
+    }
+
+    fn finish(self: Box<Self>) -> Result<File, String> {
+        self.writer.into_inner().map_err(|fault| fault.to_string())
+    }
+}

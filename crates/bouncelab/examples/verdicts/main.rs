@@ -1,0 +1,73 @@
+//! How often verdicts are wrong: balls of known rebound, dropped, heard and judged.
+//!
+//! ```text
+//! cargo xtask verdicts 1000
+//! ```
+//!
+//! prints the table of `docs/validation.md`; the number is of balls for each line.
+
+mod ball;
+
+use std::thread;
+
+use ball::{LIMITS, Trial};
+use bouncelab::rulebook::Outcome;
+
+fn main() {
+    let balls = std::env::args().nth(1).and_then(|word| word.parse().ok());
+    let balls: u64 = balls.unwrap_or(1000);
+    println!("| rebound | drops | between drops | pass % | cannot decide % | fail % | wrong % |");
+    println!("|---|---|---|---|---|---|---|");
+    for (drops, between) in [(1, 0.0), (3, 0.0), (3, 0.005)] {
+        for rebound_m in [0.237, 0.24, 0.243, 0.25, 0.262] {
+            let trial = Trial {
+                rebound_m,
+                drops,
+                between,
+                draws: 1000,
+            };
+            let outcomes = outcomes(trial, balls);
+            let share = |outcome: Outcome| {
+                let count = outcomes.iter().filter(|&&found| found == outcome).count();
+                100.0 * count as f64 / balls as f64
+            };
+            let wrong = if on_or_outside(rebound_m) {
+                share(Outcome::Pass)
+            } else {
+                share(Outcome::Fail)
+            };
+            println!(
+                "| {:.1} cm | {drops} | {:.1} % | {:.1} | {:.1} | {:.1} | {wrong:.1} |",
+                100.0 * rebound_m,
+                100.0 * between,
+                share(Outcome::Pass),
+                share(Outcome::CannotDecide),
+                share(Outcome::Fail),
+            );
+        }
+    }
+}
+
+/// A ball on a limit counts as outside: a pass of it is what the rule guards against.
+fn on_or_outside(rebound_m: f64) -> bool {
+    let ends = [LIMITS.least, LIMITS.greatest].into_iter().flatten();
+    !LIMITS.contain(rebound_m) || ends.into_iter().any(|end| (end - rebound_m).abs() < 1e-9)
+}
+
+fn outcomes(trial: Trial, balls: u64) -> Vec<Outcome> {
+    let threads = thread::available_parallelism().map_or(1, |count| count.get() as u64);
+    thread::scope(|scope| {
+        let workers: Vec<_> = (0..threads)
+            .map(|first| {
+                scope.spawn(move || {
+                    let own = (first..balls).step_by(threads as usize);
+                    own.map(|seed| trial.verdict(seed)).collect::<Vec<_>>()
+                })
+            })
+            .collect();
+        workers
+            .into_iter()
+            .flat_map(|worker| worker.join().unwrap_or_default())
+            .collect()
+    })
+}

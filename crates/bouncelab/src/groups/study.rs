@@ -1,0 +1,536 @@
+//! Everything that the drops of a session say, at once.
+
+use std::collections::BTreeMap;
+
+use super::compare::{Difference, compare, compare_means};
+use super::mean::Mean;
+use super::mixed::{Component, Drop, Factor, Mixed};
+use super::outlier::{Outlier, median, outliers};
+use super::plan::drops_needed;
+use crate::error::{Error, Result, positive};
+use crate::estimate::Measured;
+
+/// Restitution at one impact speed.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct LawPoint {
+    /// Impact speed, m/s.
+    pub speed_m_s: f64,
+    /// Restitution there.
+    pub value: f64,
+    /// Its standard uncertainty by what is this drop's own: timing and the scatter of its impacts.
+    pub own_sd: f64,
+    /// Its standard uncertainty by what it shares with other drops of the ball: drag law, air,
+    /// gravity, mass, diameter, contact.
+    pub shared_sd: f64,
+}
+
+/// Restitution against impact speed, at increasing speeds.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Law(pub Vec<LawPoint>);
+
+impl Law {
+    /// The speeds at which laws of different drops can be compared, m/s: four to an octave, among
+    /// them 1 m/s, from `slowest` to `fastest`.
+    pub fn speeds(slowest_m_s: f64, fastest_m_s: f64) -> Vec<f64> {
+        const TO_AN_OCTAVE: f64 = 4.0;
+        if !(slowest_m_s > 0.0 && fastest_m_s.is_finite()) {
+            return Vec::new();
+        }
+        let step = |speed: f64| TO_AN_OCTAVE * speed.log2();
+        let (first, last) = (
+            step(slowest_m_s).ceil() as i32,
+            step(fastest_m_s).floor() as i32,
+        );
+        (first..=last)
+            .map(|step| 2_f64.powf(f64::from(step) / TO_AN_OCTAVE))
+            .collect()
+    }
+
+    /// The law at a speed, between neighbours in proportion to the logarithm of the speed; `None`
+    /// outside the speeds it is known at.
+    pub fn at(&self, speed_m_s: f64) -> Option<LawPoint> {
+        /// Speeds that differ by less are the same.
+        const SAME: f64 = 1e-9;
+        let after = self
+            .0
+            .iter()
+            .position(|point| point.speed_m_s >= speed_m_s * (1.0 - SAME))?;
+        let high = &self.0[after];
+        if high.speed_m_s <= speed_m_s * (1.0 + SAME) {
+            return Some(*high);
+        }
+        let low = self.0.get(after.checked_sub(1)?)?;
+        let share = (speed_m_s / low.speed_m_s).ln() / (high.speed_m_s / low.speed_m_s).ln();
+        let between = |low: f64, high: f64| low + share * (high - low);
+        Some(LawPoint {
+            speed_m_s,
+            value: between(low.value, high.value),
+            own_sd: between(low.own_sd, high.own_sd),
+            shared_sd: between(low.shared_sd, high.shared_sd),
+        })
+    }
+}
+
+/// What one drop adds to a study.
+#[derive(Debug, Clone, PartialEq)]
+pub struct StudyDrop {
+    /// Its restitution at [`Law::speeds`].
+    pub law: Law,
+    /// Scatter of ln e from impact to impact.
+    pub scatter: Option<f64>,
+    /// Level of each factor; `None` where it was not noted.
+    pub levels: Vec<Option<usize>>,
+}
+
+/// Drops that have the same levels of the factors by which they are grouped.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Group {
+    /// Level of each of those factors.
+    pub levels: Vec<Option<usize>>,
+    /// The drops, by their place in the list given.
+    pub drops: Vec<usize>,
+    /// The mean restitution at the speed of the study, with the scatter between drops.
+    pub mean: Mean,
+    /// Standard uncertainty that all drops share, and that no number of drops makes smaller.
+    pub shared_sd: f64,
+    /// Typical scatter of restitution from impact to impact, relative (root mean square).
+    pub between_impacts: Option<f64>,
+    /// How many drops in all the wanted half width of the 95 % interval takes, or half of the present
+    /// one if none was stated.
+    pub drops_needed: Option<usize>,
+    /// Restitution against speed, pooled over the drops that know it: at each speed a mean of its own.
+    pub law: Vec<(f64, Mean)>,
+}
+
+/// How much something varies.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Varies {
+    /// The factors, by their place: several if they always go together and cannot be told apart;
+    /// none for the drops themselves.
+    pub factors: Vec<usize>,
+    /// How many levels it has.
+    pub levels: usize,
+    /// Standard deviation of the restitution, with interval.
+    pub component: Component,
+}
+
+/// What the drops of a session say together.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Study {
+    /// The impact speed at which all drops are compared, m/s.
+    pub at_speed_m_s: f64,
+    /// Drops that do not know their restitution at this speed, by their place.
+    pub left_out: Vec<usize>,
+    /// All drops as one group.
+    pub all: Group,
+    /// The groups, in the order of their levels; a single one repeats `all`.
+    pub groups: Vec<Group>,
+    /// Who varies: each factor of two levels or more, then the drops.
+    pub varies: Vec<Varies>,
+    /// For each factor of two levels or more its place and the differences of its levels.
+    pub differences: Vec<(usize, Vec<Difference>)>,
+    /// Drops that do not belong to their group, by their place in the list given.
+    pub outliers: Vec<Outlier>,
+}
+
+impl Study {
+    /// Studies drops, grouped `by` some of the factors.
+    ///
+    /// Without a speed it takes that which most drops know. `wanted` is the half width of a 95 %
+    /// interval for [`Group::drops_needed`].
+    ///
+    /// # Errors
+    /// [`Error::TooFewDrops`] if no drop knows its restitution at the speed, [`Error::OutOfRange`]
+    /// for a speed that is not above zero.
+    pub fn of(
+        drops: &[StudyDrop],
+        factors: &[Factor],
+        by: &[usize],
+        at_speed_m_s: Option<f64>,
+        wanted: Option<f64>,
+    ) -> Result<Self> {
+        let speed_m_s = match at_speed_m_s {
+            Some(speed_m_s) => positive("impact speed to compare at in m/s", speed_m_s)?,
+            None => common_speed_m_s(drops).ok_or(Error::TooFewDrops {
+                needed: 1,
+                drops: 0,
+            })?,
+        };
+        let known: Vec<Option<LawPoint>> =
+            drops.iter().map(|drop| drop.law.at(speed_m_s)).collect();
+        let used: Vec<usize> = (0..drops.len()).filter(|&i| known[i].is_some()).collect();
+        let points: Vec<LawPoint> = known.iter().flatten().copied().collect();
+        let of = |places: &[usize], levels: Vec<Option<usize>>| {
+            group(drops, &known, places, levels, wanted)
+        };
+        let mut cells: BTreeMap<Vec<Option<usize>>, Vec<usize>> = BTreeMap::new();
+        for &place in &used {
+            let levels = by.iter().map(|&factor| drops[place].levels[factor]);
+            cells.entry(levels.collect()).or_default().push(place);
+        }
+        let groups = cells
+            .iter()
+            .map(|(levels, places)| of(places, levels.clone()))
+            .collect::<Result<Vec<_>>>()?;
+        let mut group_of = vec![0; drops.len()];
+        for (number, places) in cells.values().enumerate() {
+            for &place in places {
+                group_of[place] = number;
+            }
+        }
+        let group_of: Vec<usize> = used.iter().map(|&place| group_of[place]).collect();
+        let values: Vec<Measured> = points.iter().map(own).collect();
+        let named = outliers(&values, &group_of).into_iter();
+        let modelled: Vec<Drop> = used
+            .iter()
+            .zip(&values)
+            .map(|(&place, &measured)| Drop {
+                measured,
+                levels: drops[place].levels.clone(),
+            })
+            .collect();
+        let apart = Apart::new(modelled, factors);
+        Ok(Self {
+            at_speed_m_s: speed_m_s,
+            left_out: (0..drops.len()).filter(|&i| known[i].is_none()).collect(),
+            all: of(&used, Vec::new())?,
+            varies: apart.varies(),
+            differences: apart.differences(),
+            groups,
+            outliers: named
+                .map(|outlier| Outlier {
+                    drop: used[outlier.drop],
+                    ..outlier
+                })
+                .collect(),
+        })
+    }
+}
+
+/// The value of a drop with what of its uncertainty is its own.
+fn own(point: &LawPoint) -> Measured {
+    Measured {
+        value: point.value,
+        sd: point.own_sd,
+    }
+}
+
+/// The speed that most drops know; of several, the one nearest to the middle of what drops know.
+fn common_speed_m_s(drops: &[StudyDrop]) -> Option<f64> {
+    let mut known: BTreeMap<u64, usize> = BTreeMap::new();
+    for point in drops.iter().flat_map(|drop| &drop.law.0) {
+        // Speeds are positive, so their bits are in the order of their values.
+        *known.entry(point.speed_m_s.to_bits()).or_default() += 1;
+    }
+    let most = known.values().copied().max()?;
+    let middle = median(drops.iter().filter_map(|drop| {
+        let (first, last) = (drop.law.0.first()?, drop.law.0.last()?);
+        Some((first.speed_m_s * last.speed_m_s).sqrt().ln())
+    }));
+    known
+        .into_iter()
+        .filter(|(_, count)| *count == most)
+        .map(|(bits, _)| f64::from_bits(bits))
+        .min_by(|a, b| (a.ln() - middle).abs().total_cmp(&(b.ln() - middle).abs()))
+}
+
+fn group(
+    drops: &[StudyDrop],
+    known: &[Option<LawPoint>],
+    places: &[usize],
+    levels: Vec<Option<usize>>,
+    wanted: Option<f64>,
+) -> Result<Group> {
+    let points: Vec<LawPoint> = places.iter().filter_map(|&place| known[place]).collect();
+    let values: Vec<Measured> = points.iter().map(own).collect();
+    let mean = Mean::of(&values)?;
+    let scatters: Vec<f64> = places
+        .iter()
+        .filter_map(|&place| drops[place].scatter)
+        .collect();
+    let squares: f64 = scatters.iter().map(|scatter| scatter * scatter).sum();
+    Ok(Group {
+        levels,
+        drops: places.to_vec(),
+        shared_sd: points.iter().map(|point| point.shared_sd).sum::<f64>() / points.len() as f64,
+        between_impacts: (!scatters.is_empty()).then(|| (squares / scatters.len() as f64).sqrt()),
+        drops_needed: wanted
+            .or_else(|| mean.interval95.map(|[low, high]| 0.25 * (high - low)))
+            .and_then(|wanted| drops_needed(&mean, wanted)),
+        law: pooled_law(drops, places),
+        mean,
+    })
+}
+
+/// At each speed the mean of the drops that know it.
+fn pooled_law(drops: &[StudyDrop], places: &[usize]) -> Vec<(f64, Mean)> {
+    let mut at_speed: BTreeMap<u64, Vec<Measured>> = BTreeMap::new();
+    for point in places.iter().flat_map(|&place| &drops[place].law.0) {
+        let known = at_speed.entry(point.speed_m_s.to_bits()).or_default();
+        known.push(own(point));
+    }
+    at_speed
+        .into_iter()
+        .filter_map(|(bits, values)| Some((f64::from_bits(bits), Mean::of(&values).ok()?)))
+        .collect()
+}
+
+/// The factors that can be told apart, with the drops.
+struct Apart {
+    drops: Vec<Drop>,
+    /// With the levels that these drops have, and no others.
+    factors: Vec<Factor>,
+    /// What the levels of each factor are called outside.
+    outside: Vec<Vec<usize>>,
+    /// Factors of two levels or more; those that always go together share an entry.
+    distinct: Vec<Vec<usize>>,
+}
+
+impl Apart {
+    fn new(mut drops: Vec<Drop>, factors: &[Factor]) -> Self {
+        let mut own = Vec::new();
+        let mut outside = Vec::new();
+        for (place, factor) in factors.iter().enumerate() {
+            let has = |level: &usize| drops.iter().any(|d| d.levels[place] == Some(*level));
+            let levels: Vec<usize> = (0..factor.levels.len()).filter(has).collect();
+            for drop in &mut drops {
+                let level = drop.levels[place];
+                drop.levels[place] = levels.iter().position(|known| level == Some(*known));
+            }
+            own.push(Factor {
+                name: factor.name.clone(),
+                levels: levels
+                    .iter()
+                    .map(|&level| factor.levels[level].clone())
+                    .collect(),
+            });
+            outside.push(levels);
+        }
+        let mut distinct: Vec<(Vec<usize>, Vec<usize>)> = Vec::new();
+        for factor in 0..factors.len() {
+            let partition = partition(&drops, factor);
+            if partition.iter().max().is_none_or(|&last| last == 0) {
+                continue;
+            }
+            match distinct.iter_mut().find(|(known, _)| *known == partition) {
+                Some((_, together)) => together.push(factor),
+                None => distinct.push((partition, vec![factor])),
+            }
+        }
+        Self {
+            drops,
+            factors: own,
+            outside,
+            distinct: distinct.into_iter().map(|(_, factors)| factors).collect(),
+        }
+    }
+
+    fn varies(&self) -> Vec<Varies> {
+        let random: Vec<usize> = self.distinct.iter().map(|together| together[0]).collect();
+        let Ok(fit) = Mixed::fit(&self.drops, &self.factors, None, &random) else {
+            return Vec::new();
+        };
+        let mut varies: Vec<Varies> = self
+            .distinct
+            .iter()
+            .enumerate()
+            .map(|(place, together)| Varies {
+                factors: together.clone(),
+                levels: self.factors[together[0]].levels.len(),
+                component: fit.between_levels(place),
+            })
+            .collect();
+        varies.push(Varies {
+            factors: Vec::new(),
+            levels: fit.drops(),
+            component: fit.between_drops(),
+        });
+        varies
+    }
+
+    /// With one factor its groups may scatter differently; with several, what the others do is taken
+    /// out.
+    fn differences(&self) -> Vec<(usize, Vec<Difference>)> {
+        let of_factor = |together: &Vec<usize>| {
+            let factor = together[0];
+            let others: Vec<usize> = self
+                .distinct
+                .iter()
+                .map(|together| together[0])
+                .filter(|&other| other != factor)
+                .collect();
+            let mut differences = if others.is_empty() {
+                compare_means(&self.means(factor)?)
+            } else {
+                compare(&self.drops, &self.factors, factor, &others).ok()?
+            };
+            for difference in &mut differences {
+                difference.of = self.outside[factor][difference.of];
+                difference.less = self.outside[factor][difference.less];
+            }
+            Some((factor, differences))
+        };
+        self.distinct.iter().filter_map(of_factor).collect()
+    }
+
+    /// The mean of each level.
+    fn means(&self, factor: usize) -> Option<Vec<Mean>> {
+        (0..self.factors[factor].levels.len())
+            .map(|level| {
+                let of_level = self
+                    .drops
+                    .iter()
+                    .filter(|d| d.levels[factor] == Some(level));
+                let values: Vec<Measured> = of_level.map(|drop| drop.measured).collect();
+                Mean::of(&values).ok()
+            })
+            .collect()
+    }
+}
+
+/// Which drops stand together in a factor, whatever its levels are called: numbers in the order in
+/// which the levels come first.
+fn partition(drops: &[Drop], factor: usize) -> Vec<usize> {
+    let mut seen = Vec::new();
+    drops
+        .iter()
+        .map(|drop| {
+            let level = drop.levels[factor];
+            let known = seen.iter().position(|&other| other == level);
+            known.unwrap_or_else(|| {
+                seen.push(level);
+                seen.len() - 1
+            })
+        })
+        .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn law(slowest: f64, fastest: f64, value: impl Fn(f64) -> f64) -> Law {
+        let points = Law::speeds(slowest, fastest).into_iter();
+        Law(points
+            .map(|speed_m_s| LawPoint {
+                speed_m_s,
+                value: value(speed_m_s),
+                own_sd: 0.001,
+                shared_sd: 0.0005,
+            })
+            .collect())
+    }
+
+    fn factor(name: &str, levels: &[&str]) -> Factor {
+        Factor {
+            name: name.to_owned(),
+            levels: levels.iter().map(|level| (*level).to_owned()).collect(),
+        }
+    }
+
+    #[test]
+    fn speeds_are_the_same_for_all_drops() {
+        assert_eq!(Law::speeds(0.9, 2.1).len(), 5);
+        assert_eq!(Law::speeds(0.9, 2.1)[0].to_bits(), 1.0_f64.to_bits());
+        let wide = Law::speeds(0.3, 5.0);
+        assert!(
+            Law::speeds(0.9, 2.1)
+                .iter()
+                .all(|speed| wide.contains(speed))
+        );
+        assert_eq!(Law::speeds(0.0, 2.0), Vec::<f64>::new());
+        assert_eq!(Law::speeds(1.05, 1.1), Vec::<f64>::new());
+    }
+
+    #[test]
+    fn a_law_is_read_between_its_speeds_and_not_beyond() {
+        let law = law(1.0, 4.0, |speed| 0.9 - 0.01 * speed.ln());
+        let point = law.at(1.5).unwrap();
+        assert!((point.value - (0.9 - 0.01 * 1.5_f64.ln())).abs() < 1e-12);
+        assert_eq!(law.at(2.0).unwrap().speed_m_s.to_bits(), 2.0_f64.to_bits());
+        assert_eq!(law.at(0.9), None);
+        assert_eq!(law.at(4.5), None);
+    }
+
+    /// Drops from different heights of a ball whose restitution falls with speed differ at their own
+    /// speeds and agree at a common one.
+    #[test]
+    fn drops_from_different_heights_meet_at_one_speed() {
+        let falling = |speed: f64| 0.95 - 0.01 * speed;
+        let drops: Vec<StudyDrop> = [2.0, 3.0, 4.5, 2.5]
+            .iter()
+            .map(|&fastest| StudyDrop {
+                law: law(0.7, fastest, falling),
+                scatter: Some(0.003),
+                levels: vec![],
+            })
+            .collect();
+        let study = Study::of(&drops, &[], &[], None, Some(0.01)).unwrap();
+        assert!(study.at_speed_m_s <= 2.0);
+        let expected = falling(study.at_speed_m_s);
+        assert!((study.all.mean.value - expected).abs() < 1e-9);
+        assert_eq!(study.all.between_impacts, Some(0.003));
+        assert!((study.all.shared_sd - 0.0005).abs() < 1e-12);
+        assert_eq!(study.groups.len(), 1);
+        let (fastest, mean) = study.all.law.last().unwrap();
+        assert!(*fastest >= 4.0 && mean.drops == 1);
+        let fast = Study::of(&drops, &[], &[], Some(4.0), None).unwrap();
+        assert_eq!(fast.left_out, [0, 1, 3]);
+        assert!(Study::of(&drops, &[], &[], Some(40.0), None).is_err());
+    }
+
+    /// The low drops never were as fast, so their height is no level there; the others are compared.
+    #[test]
+    fn levels_that_do_not_know_the_speed_do_not_hide_the_others() {
+        let factors = [
+            factor("height", &["low", "middle", "high"]),
+            factor("ball", &["a", "b"]),
+        ];
+        let drops: Vec<StudyDrop> = (0..18)
+            .map(|drop| StudyDrop {
+                law: law(0.5, [1.5, 3.0, 4.5][drop % 3], |_| {
+                    0.9 + 0.01 * (drop / 3 % 2) as f64 + 0.0004 * (drop / 6) as f64
+                }),
+                scatter: None,
+                levels: vec![Some(drop % 3), Some(drop / 3 % 2)],
+            })
+            .collect();
+        let study = Study::of(&drops, &factors, &[1], Some(2.5), None).unwrap();
+        assert_eq!(study.left_out.len(), 6);
+        let (factor, of_height) = &study.differences[0];
+        assert_eq!((*factor, of_height.len()), (0, 1));
+        assert_eq!((of_height[0].of, of_height[0].less), (2, 1));
+        let (factor, of_ball) = &study.differences[1];
+        assert_eq!(*factor, 1);
+        assert!((of_ball[0].value.value - 0.01).abs() < 1e-6);
+        assert_eq!(study.varies[0].levels, 2);
+    }
+
+    #[test]
+    fn factors_that_always_go_together_are_one() {
+        let factors = [
+            factor("ball", &["a", "b", "c"]),
+            factor("operator", &["x", "y", "z"]),
+            factor("room", &["one"]),
+        ];
+        let drops: Vec<StudyDrop> = (0..9)
+            .map(|drop| {
+                let value = 0.9 + 0.01 * (drop % 3) as f64 + 0.0005 * (drop / 3) as f64;
+                StudyDrop {
+                    law: law(1.0, 2.0, |_| value),
+                    scatter: None,
+                    levels: vec![Some(drop % 3), Some(2 - drop % 3), Some(0)],
+                }
+            })
+            .collect();
+        let study = Study::of(&drops, &factors, &[0], None, None).unwrap();
+        assert_eq!(study.varies.len(), 2);
+        assert_eq!(study.varies[0].factors, [0, 1]);
+        assert!((study.varies[0].component.sd - 0.01).abs() < 0.001);
+        assert_eq!(study.varies[1].factors, Vec::<usize>::new());
+        assert_eq!(study.groups.len(), 3);
+        let (factor, differences) = &study.differences[0];
+        assert_eq!((*factor, differences.len()), (0, 3));
+        assert!((differences[0].value.value - 0.01).abs() < 1e-9);
+    }
+}

@@ -1,0 +1,437 @@
+//! A rule: what is dropped from where, and how high it must rebound.
+
+use std::fmt;
+
+use crate::error::{Error, Result, require};
+
+/// Whether somebody has read the rule where it comes from.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Status {
+    /// It was read in its source or in a published copy.
+    Verified,
+    /// It was written down from memory; nothing should rest on it.
+    Unverified,
+}
+
+impl fmt::Display for Status {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Verified => "verified",
+            Self::Unverified => "unverified",
+        })
+    }
+}
+
+/// The point of the ball at which heights are measured.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Point {
+    /// The lowest point.
+    Bottom,
+    /// The middle.
+    Centre,
+    /// The highest point.
+    Top,
+}
+
+impl Point {
+    /// How far it lies above the lowest point of a ball, m.
+    pub fn above_bottom_m(self, diameter_m: f64) -> f64 {
+        match self {
+            Self::Bottom => 0.0,
+            Self::Centre => diameter_m / 2.0,
+            Self::Top => diameter_m,
+        }
+    }
+}
+
+impl fmt::Display for Point {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Bottom => "bottom",
+            Self::Centre => "centre",
+            Self::Top => "top",
+        })
+    }
+}
+
+/// The least and the greatest value that a rule allows; an end that is open allows anything.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Limits {
+    /// The least.
+    pub least: Option<f64>,
+    /// The greatest.
+    pub greatest: Option<f64>,
+}
+
+impl Limits {
+    /// Both ends closed.
+    pub const fn between(least: f64, greatest: f64) -> Self {
+        Self {
+            least: Some(least),
+            greatest: Some(greatest),
+        }
+    }
+
+    /// Only a least value.
+    pub const fn at_least(least: f64) -> Self {
+        Self {
+            least: Some(least),
+            greatest: None,
+        }
+    }
+
+    /// Whether a value is allowed.
+    pub fn contain(&self, value: f64) -> bool {
+        self.least.is_none_or(|least| value >= least)
+            && self.greatest.is_none_or(|greatest| value <= greatest)
+    }
+
+    /// Whether anything is forbidden.
+    pub const fn is_open(&self) -> bool {
+        self.least.is_none() && self.greatest.is_none()
+    }
+
+    /// The limits moved up.
+    #[must_use]
+    pub fn raised(&self, by: f64) -> Self {
+        Self {
+            least: self.least.map(|end| end + by),
+            greatest: self.greatest.map(|end| end + by),
+        }
+    }
+
+    fn check(&self, quantity: &'static str) -> Result<()> {
+        for end in [self.least, self.greatest].into_iter().flatten() {
+            require(
+                end > 0.0 && end.is_finite(),
+                quantity,
+                end,
+                "finite and above 0",
+            )?;
+        }
+        if let (Some(least), Some(greatest)) = (self.least, self.greatest) {
+            require(least < greatest, quantity, least, "below the greatest")?;
+        }
+        Ok(())
+    }
+}
+
+/// What a rule wants of the rebound.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Requirement {
+    /// A height, m, of the point at which the rule measures.
+    Height(Limits),
+    /// About a height, m, without saying how near: nobody can decide that.
+    About(f64),
+    /// A share of the rebound on a reference surface, 1 being the same height.
+    Share {
+        /// What is allowed; open if the rule only says how to measure.
+        limits: Limits,
+        /// The reference surface, in words.
+        of: String,
+    },
+}
+
+/// How alike places must be. A place is one recording.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Evenness {
+    /// Each place within this share of the mean of all.
+    WithinOfMean(f64),
+    /// The highest share of the reference exceeds the lowest by at most so much.
+    Range(f64),
+}
+
+/// Over what a rule averages.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
+pub enum Averaging {
+    /// The mean over the drops must lie within the limits.
+    #[default]
+    Mean,
+    /// Every drop must.
+    Each,
+}
+
+/// A rule's own formula from the time T between first and second impact: factor (T - offset)².
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Formula {
+    /// In m/s².
+    pub factor_m_s2: f64,
+    /// In seconds.
+    pub offset_s: f64,
+    /// Whether it was read in its source.
+    pub status: Status,
+}
+
+impl Formula {
+    /// The rebound that it gives, m.
+    pub fn rebound_m(&self, time_s: f64) -> f64 {
+        self.factor_m_s2 * (time_s - self.offset_s).powi(2)
+    }
+}
+
+/// A rule.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Rule {
+    /// The name by which it is called: lower-case letters, digits and hyphens.
+    pub name: String,
+    /// What it is about, in a few words.
+    pub title: String,
+    /// Who made it, and where it stands.
+    pub source: String,
+    /// Which edition, if that is known.
+    pub edition: Option<String>,
+    /// Whether it was read in its source.
+    pub status: Status,
+    /// What else to know.
+    pub note: Option<String>,
+    /// The preset of its ball ([`crate::ball::preset`]), if there is one.
+    pub ball: Option<String>,
+    /// What the ball falls on, in words.
+    pub surface: Option<String>,
+    /// Height of release, m, of the point at which the rule measures; `None` if any will do.
+    pub drop_height_m: Option<f64>,
+    /// How far the release may be off, m, either way.
+    pub drop_tolerance_m: Option<f64>,
+    /// Whether the ball may be dropped from higher too.
+    pub or_higher: bool,
+    /// Where heights are measured; if the rule does not say, the lowest point is taken.
+    pub measured_at: Option<Point>,
+    /// What it wants.
+    pub requirement: Requirement,
+    /// How alike places must be.
+    pub evenness: Option<Evenness>,
+    /// How many drops it takes on each surface.
+    pub fewest_drops: usize,
+    /// Over what it averages.
+    pub averaging: Averaging,
+    /// Air temperatures at which it holds, K.
+    pub temperature_k: Limits,
+    /// Heights above the sea at which it holds, m.
+    pub altitude_m: Limits,
+    /// Its own formula for the rebound from a time.
+    pub formula: Option<Formula>,
+}
+
+/// What is known of the room, as far as rules ask.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Conditions {
+    /// Temperature of the air, K.
+    pub temperature_k: Option<f64>,
+    /// Height above the sea, m.
+    pub altitude_m: Option<f64>,
+}
+
+impl Rule {
+    /// A rule that wants nothing yet, of a single drop.
+    pub fn new(name: &str, title: &str, drop_height_m: f64) -> Self {
+        Self {
+            name: name.to_owned(),
+            title: title.to_owned(),
+            source: "one's own".to_owned(),
+            edition: None,
+            status: Status::Unverified,
+            note: None,
+            ball: None,
+            surface: None,
+            drop_height_m: Some(drop_height_m),
+            drop_tolerance_m: None,
+            or_higher: false,
+            measured_at: None,
+            requirement: Requirement::Height(Limits::default()),
+            evenness: None,
+            fewest_drops: 1,
+            averaging: Averaging::Mean,
+            temperature_k: Limits::default(),
+            altitude_m: Limits::default(),
+            formula: None,
+        }
+    }
+
+    /// Where it measures.
+    pub fn point(&self) -> Point {
+        self.measured_at.unwrap_or(Point::Bottom)
+    }
+
+    /// The fall of the lowest point of a ball, m, after which its rebound counts; `dropped_m` is that
+    /// from which it was dropped, if it was measured. `None` if neither says.
+    pub fn fall_m(&self, diameter_m: f64, dropped_m: Option<f64>) -> Option<f64> {
+        let Some(height_m) = self.drop_height_m else {
+            return dropped_m;
+        };
+        let fall_m = height_m - self.point().above_bottom_m(diameter_m);
+        match dropped_m {
+            Some(dropped_m) if self.or_higher => Some(fall_m.max(dropped_m)),
+            _ => Some(fall_m),
+        }
+    }
+
+    /// Whether it compares two surfaces.
+    pub const fn needs_reference(&self) -> bool {
+        matches!(self.requirement, Requirement::Share { .. })
+    }
+
+    /// Whether it makes sense.
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`] for a height, limit or share that no ball game has; mostly a unit is
+    /// wrong.
+    pub fn check(&self) -> Result<()> {
+        const HEIGHTS: &str = "from 0.01 to 20 m; is the unit right?";
+        let height = |quantity, value: f64| {
+            require((0.01..=20.0).contains(&value), quantity, value, HEIGHTS)
+        };
+        let drop_height_m = self.drop_height_m.unwrap_or(1.0);
+        height("drop height of the rule in m", drop_height_m)?;
+        if let Some(tolerance) = self.drop_tolerance_m {
+            require(
+                tolerance > 0.0 && tolerance < drop_height_m / 2.0,
+                "tolerance of the drop height in m",
+                tolerance,
+                "above 0 and far below the height; is the unit right?",
+            )?;
+        }
+        self.check_requirement()?;
+        self.temperature_k.check("temperature of the rule in K")?;
+        self.altitude_m.check("altitude of the rule in m")?;
+        if let Some(Evenness::WithinOfMean(share) | Evenness::Range(share)) = self.evenness {
+            require(
+                share > 0.0 && share < 1.0,
+                "evenness of the places as a share",
+                share,
+                "from 0 to 1, as in 3%",
+            )?;
+        }
+        if let Some(formula) = self.formula {
+            require(
+                formula.factor_m_s2 > 0.0 && formula.factor_m_s2.is_finite(),
+                "factor of the formula in m/s2",
+                formula.factor_m_s2,
+                "about 1.23, which is g/8",
+            )?;
+            require(
+                (0.0..1.0).contains(&formula.offset_s),
+                "offset of the formula in s",
+                formula.offset_s,
+                "from 0 to 1 s",
+            )?;
+        }
+        require(
+            (1..=1000).contains(&self.fewest_drops),
+            "number of drops of the rule",
+            self.fewest_drops as f64,
+            "from 1 to 1000",
+        )
+    }
+
+    fn check_requirement(&self) -> Result<()> {
+        let below_drop = |end: f64| {
+            require(
+                self.drop_height_m.is_none_or(|height| end < height),
+                "rebound of the rule in m",
+                end,
+                "below the drop height; is the unit right?",
+            )
+        };
+        match &self.requirement {
+            Requirement::Height(limits) => {
+                limits.check("rebound of the rule in m")?;
+                let ends = [limits.least, limits.greatest];
+                ends.into_iter().flatten().try_for_each(below_drop)
+            }
+            Requirement::About(height_m) => {
+                require(
+                    *height_m > 0.0,
+                    "rebound of the rule in m",
+                    *height_m,
+                    "above 0",
+                )?;
+                below_drop(*height_m)
+            }
+            Requirement::Share { limits, .. } => {
+                limits.check("share of the reference")?;
+                for end in [limits.least, limits.greatest].into_iter().flatten() {
+                    require(
+                        end <= 2.0,
+                        "share of the reference",
+                        end,
+                        "a share, as in 80%",
+                    )?;
+                }
+                Ok(())
+            }
+        }
+    }
+}
+
+/// The rule with a name.
+///
+/// # Errors
+/// [`Error::UnknownName`] with the nearest name if there is none.
+pub fn find<'a>(rules: &'a [Rule], name: &str) -> Result<&'a Rule> {
+    rules.iter().find(|rule| rule.name == name).ok_or_else(|| {
+        let known: Vec<&str> = rules.iter().map(|rule| rule.name.as_str()).collect();
+        Error::unknown_name("rule", name, &known)
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn heights_are_converted_to_the_lowest_point() {
+        let rule = Rule {
+            measured_at: Some(Point::Top),
+            ..Rule::new("pickleball", "", 1.98)
+        };
+        assert!((rule.fall_m(0.074, Some(1.0)).unwrap() - 1.906).abs() < 1e-12);
+        assert!((Point::Centre.above_bottom_m(0.04) - 0.02).abs() < 1e-15);
+    }
+
+    #[test]
+    fn where_a_rule_leaves_it_open_the_own_height_counts() {
+        let or_higher = Rule {
+            or_higher: true,
+            ..Rule::new("itf-court", "", 1.27)
+        };
+        assert_eq!(or_higher.fall_m(0.066, Some(1.5)), Some(1.5));
+        assert_eq!(or_higher.fall_m(0.066, Some(1.0)), Some(1.27));
+        assert_eq!(or_higher.fall_m(0.066, None), Some(1.27));
+        let any = Rule {
+            drop_height_m: None,
+            ..or_higher
+        };
+        assert_eq!(any.fall_m(0.066, Some(1.0)), Some(1.0));
+        assert_eq!(any.fall_m(0.066, None), None);
+    }
+
+    #[test]
+    fn a_wrong_unit_is_questioned() {
+        let message = Rule::new("a", "", 30.5).check().unwrap_err().to_string();
+        assert!(message.contains("is the unit right"), "{message}");
+        let rule = Rule {
+            requirement: Requirement::Height(Limits::between(24.0, 26.0)),
+            ..Rule::new("a", "", 0.305)
+        };
+        assert!(rule.check().is_err());
+        let rule = Rule {
+            requirement: Requirement::Share {
+                limits: Limits::at_least(80.0),
+                of: "concrete".to_owned(),
+            },
+            ..Rule::new("a", "", 0.305)
+        };
+        assert!(rule.check().unwrap_err().to_string().contains("80%"));
+    }
+
+    #[test]
+    fn an_unknown_rule_offers_the_nearest() {
+        let rules = [
+            Rule::new("itf-tennis", "", 2.54),
+            Rule::new("fiba", "", 1.8),
+        ];
+        assert_eq!(find(&rules, "fiba").unwrap().name, "fiba");
+        let message = find(&rules, "itf-tenis").unwrap_err().to_string();
+        assert!(message.contains("nearest is \"itf-tennis\""), "{message}");
+    }
+}

@@ -1,0 +1,54 @@
+import { expect, test } from 'vitest';
+import type { Settings } from '../lab/index.ts';
+import { readNumber, settingsFromParameters, settingsToParameters } from './settings.ts';
+
+const roundTrip = (settings: Settings): Settings =>
+  settingsFromParameters(new URLSearchParams(settingsToParameters(settings).toString())).settings;
+
+test('every setting survives the address', () => {
+  const settings: Settings = {
+    ball: 'steel:0.01',
+    contact_time_s: 0.001,
+    drag: 'constant:0.4',
+    temperature_k: 296.15,
+    pressure_pa: 95000,
+    relative_humidity: 0.35,
+    gravity_m_s2: 9.81,
+    height_m: 0.305,
+    height_sd_m: 0.001,
+    first_heard: true,
+    restitution_laws: ['constant', 'power'],
+    infer: ['gravity', 'contact-time'],
+    flights: [1, 10],
+    buoyancy: false,
+  };
+  expect(roundTrip(settings)).toEqual(settings);
+  const own: Settings = { mass_kg: 0.0025, diameter_m: 0.038, latitude_deg: -33.9, altitude_m: 20 };
+  expect(roundTrip(own)).toEqual(own);
+});
+
+test('a link reads as people write', () => {
+  const parameters = settingsToParameters({ height_m: 0.305, temperature_k: 293.15 });
+  expect(parameters.toString()).toBe('temperature_c=20&height_cm=30.5');
+});
+
+test('nothing stated is an empty address', () => {
+  expect(settingsToParameters({}).toString()).toBe('');
+});
+
+test('what makes no sense is named, the rest is taken', () => {
+  const read = settingsFromParameters(
+    new URLSearchParams('ball=<script>&height_cm=tall&flights=5-3&temperature_c=20,5&unknown=1'),
+  );
+  expect(read.unreadable).toEqual(['ball', 'height_cm', 'flights']);
+  expect(read.settings).toEqual({ temperature_k: 293.65 });
+});
+
+test('numbers with a comma, a sign or an exponent; nothing else', () => {
+  expect(readNumber(' 30,5 ')).toBe(30.5);
+  expect(readNumber('\u22121.5')).toBe(-1.5);
+  expect(readNumber('1e-3')).toBe(0.001);
+  for (const wrong of ['', '1.2.3', '12abc', 'NaN', 'Infinity', '1,000.5']) {
+    expect(readNumber(wrong)).toBeUndefined();
+  }
+});

@@ -1,0 +1,120 @@
+import { useEffect, useRef, useState } from 'preact/hooks';
+import { route } from '../address/route.ts';
+import { phase } from '../state/bench.ts';
+import { broken, catalogue } from '../state/engine.ts';
+import { openFile } from '../state/opening.ts';
+import { goToLab } from '../state/settings.ts';
+import { texts } from '../text/language.ts';
+import { Drops } from '../views/drops/Drops.tsx';
+import { Laboratory } from '../views/laboratory/Laboratory.tsx';
+import { Paper } from '../views/paper/Paper.tsx';
+import { Simulate } from '../views/simulate/Simulate.tsx';
+import { Header } from './Header.tsx';
+import { newer, takeOver } from './offline.ts';
+
+export function App() {
+  const main = useRef<HTMLElement>(null);
+  const words = texts.value.app;
+  const view = route.value.view;
+  const first = useRef(true);
+
+  // A new page is read from its beginning, also by a screen reader.
+  useEffect(() => {
+    if (!first.current) {
+      main.current?.focus({ preventScroll: true });
+      scrollTo(0, 0);
+    }
+    first.current = false;
+  }, [view]);
+
+  return (
+    <>
+      <button type="button" class="skip" onClick={() => main.current?.focus()}>
+        {words.skip}
+      </button>
+      <Header />
+      <main id="main" ref={main} tabIndex={-1}>
+        <div class="page">
+          <EngineTrouble />
+          {view === 'lab' && <Laboratory />}
+          {view === 'simulate' && <Simulate />}
+          {view === 'paper' && <Paper />}
+          {view === 'drops' && <Drops />}
+        </div>
+      </main>
+      <Footer />
+      <DropZone />
+    </>
+  );
+}
+
+function EngineTrouble() {
+  const words = texts.value.app;
+  if (broken.value === null) return null;
+  return (
+    <div class="notice" role="alert">
+      <p>
+        <strong>{words.engineFailed}</strong>
+      </p>
+      <p>{words.engineFailedHint}</p>
+      <p class="small soft" lang="en">
+        {broken.value}
+      </p>
+    </div>
+  );
+}
+
+function Footer() {
+  const words = texts.value.app;
+  const version = catalogue.value?.version;
+  return (
+    <footer class="foot">
+      <div class="page">
+        <span>{words.privacy}</span>
+        {version !== undefined && <span>{words.version(version)}</span>}
+        {newer.value && (
+          <span role="status">
+            {words.newer}{' '}
+            <button type="button" class="quiet slim" onClick={takeOver}>
+              {words.reload}
+            </button>
+          </span>
+        )}
+      </div>
+    </footer>
+  );
+}
+
+/** A file that is dragged anywhere over the page may be dropped anywhere. */
+function DropZone() {
+  const [over, setOver] = useState(false);
+  useEffect(() => {
+    const listeners = new AbortController();
+    const on = <K extends keyof WindowEventMap>(
+      kind: K,
+      listener: (event: WindowEventMap[K]) => void,
+    ): void => globalThis.addEventListener(kind, listener, { signal: listeners.signal });
+    const hasFile = (event: DragEvent): boolean =>
+      event.dataTransfer?.types.includes('Files') ?? false;
+    const busy = (): boolean => !['empty', 'ready'].includes(phase.peek().kind);
+    on('dragover', (event) => {
+      if (!hasFile(event)) return;
+      event.preventDefault();
+      setOver(!busy());
+    });
+    on('dragleave', (event) => {
+      if (event.relatedTarget === null) setOver(false);
+    });
+    on('drop', (event) => {
+      if (!hasFile(event)) return;
+      event.preventDefault();
+      setOver(false);
+      const file = event.dataTransfer?.files[0];
+      if (!file || busy()) return;
+      goToLab();
+      void openFile(file);
+    });
+    return () => listeners.abort();
+  }, []);
+  return over ? <div class="drop-here">{texts.value.app.dropHere}</div> : null;
+}

@@ -1,0 +1,124 @@
+/**
+ * The microphone as raw samples. The browser's own processing is switched off: echo cancellation,
+ * noise suppression and gain control are made for voices and eat impacts.
+ */
+
+import tapUrl from './tap.worklet.js?url';
+
+/** Why there is no sound, for the words on the page. */
+export type MicrophoneFault =
+  | 'refused'
+  | 'missing'
+  | 'busy'
+  | 'insecure'
+  | 'unsupported'
+  | 'ended'
+  | 'unknown';
+
+export class MicrophoneError extends Error {
+  constructor(
+    readonly fault: MicrophoneFault,
+    cause?: unknown,
+  ) {
+    super(fault, { cause });
+  }
+}
+
+/** An open microphone. */
+export interface Microphone {
+  /** Samples a second, as the device really gives them. */
+  readonly rateHz: number;
+  /** Stops the device; the indicator of the browser goes out. */
+  close(): Promise<void>;
+}
+
+export interface MicrophoneEvents {
+  block(samples: Float32Array<ArrayBuffer>): void;
+  /** The device went away while it was heard. */
+  lost(): void;
+}
+
+export async function openMicrophone(events: MicrophoneEvents): Promise<Microphone> {
+  if (!globalThis.isSecureContext) throw new MicrophoneError('insecure');
+  const devices = navigator.mediaDevices as MediaDevices | undefined;
+  if (!devices || typeof AudioWorkletNode === 'undefined') {
+    throw new MicrophoneError('unsupported');
+  }
+  const stream = await rawStream(devices);
+  try {
+    return await tap(stream, events);
+  } catch (error) {
+    stopAll(stream);
+    throw new MicrophoneError('unknown', error);
+  }
+}
+
+async function rawStream(devices: MediaDevices): Promise<MediaStream> {
+  try {
+    return await devices.getUserMedia({
+      audio: {
+        echoCancellation: false,
+        noiseSuppression: false,
+        autoGainControl: false,
+        channelCount: 1,
+      },
+    });
+  } catch (error) {
+    throw new MicrophoneError(faultOf(error), error);
+  }
+}
+
+function faultOf(error: unknown): MicrophoneFault {
+  switch (error instanceof DOMException ? error.name : '') {
+    case 'NotAllowedError':
+    case 'SecurityError':
+      return 'refused';
+    case 'NotFoundError':
+    case 'OverconstrainedError':
+      return 'missing';
+    case 'NotReadableError':
+    case 'AbortError':
+      return 'busy';
+    default:
+      return 'unknown';
+  }
+}
+
+async function tap(stream: MediaStream, events: MicrophoneEvents): Promise<Microphone> {
+  const context = contextFor(stream);
+  await context.audioWorklet.addModule(tapUrl);
+  const source = context.createMediaStreamSource(stream);
+  const node = new AudioWorkletNode(context, 'tap', { numberOfOutputs: 1 });
+  node.port.onmessage = (message: MessageEvent<Float32Array<ArrayBuffer>>) => {
+    events.block(message.data);
+  };
+  for (const track of stream.getAudioTracks()) track.onended = () => events.lost();
+  // A node that leads nowhere is not run by every browser; its output is silence.
+  source.connect(node).connect(context.destination);
+  await context.resume();
+  return {
+    rateHz: context.sampleRate,
+    close: async () => {
+      stopAll(stream);
+      node.port.onmessage = null;
+      await context.close();
+    },
+  };
+}
+
+/** At the device's own rate where it says so: resampling would move what the impacts look like. */
+function contextFor(stream: MediaStream): AudioContext {
+  const rate = stream.getAudioTracks()[0]?.getSettings().sampleRate;
+  try {
+    return new AudioContext(rate === undefined ? {} : { sampleRate: rate });
+  } catch {
+    return new AudioContext();
+  }
+}
+
+function stopAll(stream: MediaStream): void {
+  for (const track of stream.getTracks()) {
+    track.onended = null;
+    track.stop();
+  }
+}

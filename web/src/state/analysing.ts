@@ -1,0 +1,68 @@
+/** Keeps the analysis in step with the impacts and the settings: at once roughly, soon exactly. */
+import { batch, effect } from '@preact/signals';
+import { type AnalysisRequest, LabError } from '../lab/index.ts';
+import { analysed, edits, onBench, refining, refusedSettings } from './bench.ts';
+import { engine, messageOf } from './engine.ts';
+import { Latest } from './latest.ts';
+import { forEngine } from './marks.ts';
+import { settings } from './settings.ts';
+
+/** What is asked of the engine now, also for exports. */
+export function request(): AnalysisRequest | undefined {
+  const bench = onBench.peek();
+  return bench
+    ? engine().request(bench.recording, settings.peek(), edits.peek().map(forEngine))
+    : undefined;
+}
+
+/** Asks again as soon as the last rough answer is there, so that a dragged marker never queues up. */
+const analyser = new Latest<AnalysisRequest>(
+  (job) =>
+    new Promise<void>((next) => {
+      engine()
+        .analyse(job, (rough) => {
+          // While the inference runs, the words of the last one would be about other impacts.
+          analysed.value = rough;
+          refusedSettings.value = null;
+          next();
+        })
+        .then(
+          (exact) => {
+            batch(() => {
+              analysed.value = exact;
+              refining.value = false;
+            });
+          },
+          (error: unknown) => {
+            if (!LabError.isMoot(error)) refuse(error);
+          },
+        )
+        .finally(next);
+    }),
+);
+
+function refuse(error: unknown): void {
+  batch(() => {
+    refusedSettings.value = messageOf(error);
+    refining.value = false;
+  });
+}
+
+/** From now on every change is analysed. */
+export function keepAnalysed(): void {
+  effect(() => {
+    const drops = edits.value;
+    // A change of settings is a change too.
+    void settings.value;
+    if (!onBench.peek()) return;
+    if (drops.every((drop) => drop.present.length < 2)) {
+      analysed.value = null;
+      refining.value = false;
+      return;
+    }
+    const job = request();
+    if (!job) return;
+    refining.value = true;
+    analyser.ask(job);
+  });
+}

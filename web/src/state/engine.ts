@@ -1,0 +1,43 @@
+/** The engine of the laboratory: loaded once, used by all. */
+import { signal } from '@preact/signals';
+import { type Catalogue, Lab, LabError } from '../lab/index.ts';
+import type { Fault, FaultKey } from './faults.ts';
+
+let lab: Lab | undefined;
+
+/** Balls, laws and worlds to choose from, once they are known. */
+export const catalogue = signal<Catalogue | null>(null);
+/** Set when the engine could not be started at all. */
+export const broken = signal<string | null>(null);
+
+export function engine(): Lab {
+  lab ??= new Lab();
+  return lab;
+}
+
+/** Starts the engine and asks what it offers. */
+export async function start(): Promise<void> {
+  try {
+    catalogue.value = await engine().catalogue();
+  } catch (error) {
+    broken.value = messageOf(error);
+  }
+}
+
+export const messageOf = (error: unknown): string =>
+  error instanceof Error ? error.message : String(error);
+
+const FAULTS: Partial<Record<LabError['kind'], FaultKey>> = {
+  empty: 'empty',
+  unsupported: 'unsupported-file',
+  damaged: 'damaged',
+  times: 'times',
+  setting: 'setting',
+  'too-long': 'huge',
+};
+
+/** What the page says of an error of the engine. */
+export function faultOf(error: unknown): Fault {
+  const key = error instanceof LabError ? FAULTS[error.kind] : undefined;
+  return { key: key ?? 'fault', detail: messageOf(error) };
+}

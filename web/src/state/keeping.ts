@@ -1,0 +1,149 @@
+/** Keeping drops in the browser, and what is said of all of them together. */
+import { computed, signal } from '@preact/signals';
+import type { DocumentDrop } from '../lab/index.ts';
+import { allDrops, deleteDrop, type KeptDrop, putDrop } from '../store/drops.ts';
+import { newId } from '../store/id.ts';
+import { deleteRecording, putBlock, putRecording } from '../store/recordings.ts';
+import { analysed, drop, onBench, present } from './bench.ts';
+import { setMarks } from './editing.ts';
+import { forEngine } from './marks.ts';
+import { openStored, openTimes } from './opening.ts';
+import { goToLab, settings } from './settings.ts';
+
+export const kept = signal<readonly KeptDrop[]>([]);
+/** False where the browser keeps nothing. */
+export const canKeep = signal(true);
+
+/** Drops that were ticked to be compared. */
+export const ticked = signal<ReadonlySet<string>>(new Set());
+
+/** Which drops are compared: all, as long as none is ticked. */
+export const compared = computed(() => {
+  const some = kept.value.filter(({ id }) => ticked.value.has(id));
+  return some.length === 0 ? kept.value : some;
+});
+
+export function tick(id: string): void {
+  const next = new Set(ticked.peek());
+  if (!next.delete(id)) next.add(id);
+  ticked.value = next;
+}
+
+export async function loadKept(): Promise<void> {
+  try {
+    kept.value = await allDrops();
+    canKeep.value = true;
+  } catch {
+    canKeep.value = false;
+  }
+}
+
+/** Keeps the drop on the bench; false if the browser has no room for it. */
+export async function keepDrop(name: string): Promise<boolean> {
+  const recording = onBench.peek();
+  const said = drop.peek();
+  const marks = present.peek();
+  if (!recording || !said || !marks) return false;
+  try {
+    const sound = recording.storedAs ?? (await storeSound(name));
+    const keptDrop: KeptDrop = {
+      id: newId(),
+      name,
+      keptAt: Date.now(),
+      ball: analysed.peek()?.ball ?? '',
+      ...summaryOf(said),
+      settings: settings.peek(),
+      marks: forEngine(marks),
+      recording: sound,
+    };
+    await putDrop(keptDrop);
+    onBench.value = { ...recording, storedAs: sound };
+    kept.value = [...kept.peek(), keptDrop];
+    return true;
+  } catch {
+    return false;
+  }
+}
+
+/** Puts the sound of an opened file or of the demo into the database. */
+async function storeSound(name: string): Promise<string | null> {
+  const pyramid = onBench.peek()?.pyramid;
+  if (!pyramid) return null;
+  const id = newId();
+  await putBlock(id, 0, pyramid.samples.slice());
+  await putRecording({
+    id,
+    name,
+    rateHz: pyramid.rateHz,
+    startedAt: Date.now(),
+    finished: true,
+  });
+  return id;
+}
+
+export function summaryOf(
+  said: DocumentDrop,
+): Pick<KeptDrop, 'restitution' | 'dropHeightM' | 'restitutions'> {
+  const { estimate, regression } = said;
+  const line = regression;
+  return {
+    restitution: estimate
+      ? { value: estimate.restitution.value, sd: estimate.restitution.sd }
+      : line && { value: line.restitution, sd: line.restitution_sd },
+    dropHeightM: estimate
+      ? { value: estimate.drop_height_m.value, sd: estimate.drop_height_m.sd }
+      : line && { value: line.drop_height_m, sd: line.drop_height_sd_m },
+    restitutions: said.impacts.flatMap((impact) =>
+      impact.restitution !== null && impact.impact_speed_m_s !== null
+        ? [{ speedMS: impact.impact_speed_m_s, value: impact.restitution }]
+        : [],
+    ),
+  };
+}
+
+export async function rename(id: string, name: string): Promise<void> {
+  const found = kept.peek().find((candidate) => candidate.id === id);
+  if (!found || name === '') return;
+  const renamed = { ...found, name };
+  await putDrop(renamed);
+  kept.value = kept.peek().map((candidate) => (candidate.id === id ? renamed : candidate));
+}
+
+/** Drops that were deleted last, until the next deletion or the end of the page. */
+export const deleted = signal<readonly KeptDrop[]>([]);
+
+/** Deletes drops. Their sounds go when nothing can bring the drops back. */
+export async function remove(drops: readonly KeptDrop[]): Promise<void> {
+  await forgetDeleted();
+  for (const { id } of drops) await deleteDrop(id);
+  const gone = new Set(drops.map(({ id }) => id));
+  kept.value = kept.peek().filter(({ id }) => !gone.has(id));
+  deleted.value = drops;
+}
+
+export async function bringBack(): Promise<void> {
+  for (const keptDrop of deleted.peek()) await putDrop(keptDrop);
+  deleted.value = [];
+  await loadKept();
+}
+
+/** Frees the room of what was deleted for good: sounds that no drop uses any more. */
+async function forgetDeleted(): Promise<void> {
+  const used = new Set(kept.peek().map(({ recording }) => recording));
+  for (const { recording } of deleted.peek()) {
+    if (recording !== null && !used.has(recording)) await deleteRecording(recording);
+  }
+  deleted.value = [];
+}
+
+/** Puts a kept drop back on the bench, as it was left: its sound, its set-up, its impacts. */
+export async function openKept(drop: KeptDrop): Promise<void> {
+  settings.value = drop.settings;
+  goToLab();
+  if (drop.recording === null) {
+    await openTimes(drop.marks.impacts.map((impact) => impact.time_s).join('\n'));
+    return;
+  }
+  await openStored(drop.recording);
+  if (drop.marks.edited) setMarks(drop.marks);
+}

@@ -1,0 +1,43 @@
+/**
+ * Sounds in the database that no kept drop uses: cut short by a crash, or heard and not kept. Those cut
+ * short wait until the reader decides; of the others the newest waits, and older ones make room.
+ */
+import { signal } from '@preact/signals';
+import {
+  allRecordings,
+  deleteRecording,
+  putRecording,
+  type StoredRecording,
+} from '../store/recordings.ts';
+import { kept } from './keeping.ts';
+import { openStored } from './opening.ts';
+
+export const leftovers = signal<readonly StoredRecording[]>([]);
+
+/** Looks once, at the start, when the kept drops are known. */
+export async function findLeftovers(): Promise<void> {
+  const used = new Set(kept.peek().map(({ recording }) => recording));
+  const unused = (await allRecordings()).filter(({ id }) => !used.has(id));
+  const newest = unused.findLast(({ finished }) => finished);
+  const isOffered = (recording: StoredRecording): boolean =>
+    !recording.finished || recording === newest;
+  leftovers.value = unused.filter(isOffered);
+  for (const recording of unused) {
+    if (!isOffered(recording)) await deleteRecording(recording.id);
+  }
+}
+
+const forget = (id: string): void => {
+  leftovers.value = leftovers.peek().filter((recording) => recording.id !== id);
+};
+
+export async function openLeftover(recording: StoredRecording): Promise<void> {
+  forget(recording.id);
+  await putRecording({ ...recording, finished: true });
+  await openStored(recording.id);
+}
+
+export async function throwAway({ id }: StoredRecording): Promise<void> {
+  forget(id);
+  await deleteRecording(id);
+}

@@ -1,0 +1,41 @@
+import { expect, test } from 'vitest';
+import { redo, undo } from './history.ts';
+import { added, editsOf, forEngine, isEdited, markAt, removed, withChange } from './marks.ts';
+
+const heard = {
+  probability: 0.99,
+  impacts: [1, 2, 4].map((number) => ({
+    number,
+    time_s: number / 2,
+    sigma_s: 1e-5,
+    probability: 0.98,
+    level_db: -20,
+  })),
+};
+
+test('what no hand touched goes to the engine as it was heard, gaps in the numbers included', () => {
+  expect(forEngine(editsOf(heard))).toEqual({ edited: false, impacts: heard.impacts });
+});
+
+test('an added impact is in order of time, and can be undone and done again', () => {
+  const before = editsOf(heard);
+  const after = added(before, markAt(1.5));
+  expect(after.present.map(({ timeS }) => timeS)).toEqual([0.5, 1, 1.5, 2]);
+  expect(isEdited(after)).toBe(true);
+  expect(isEdited(undo(after))).toBe(false);
+  expect(redo(undo(after)).present).toHaveLength(4);
+});
+
+test('removing what is not there is no step', () => {
+  const before = editsOf(heard);
+  expect(removed(before, -1)).toBe(before);
+  const first = before.present[0];
+  expect(removed(before, first?.id ?? 0).present).toHaveLength(2);
+});
+
+test('a mark that is moved past another changes places with it', () => {
+  const { present } = editsOf(heard);
+  const moved = withChange(present, present[0]?.id ?? 0, { timeS: 1.2, sigmaS: null });
+  expect(moved.map(({ timeS }) => timeS)).toEqual([1, 1.2, 2]);
+  expect(moved[1]?.sigmaS).toBeNull();
+});

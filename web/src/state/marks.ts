@@ -1,0 +1,61 @@
+/** The impacts of each drop, with all that was done to them: pure steps over histories. */
+import type { DropMarks, HeardDrop } from '../lab/index.ts';
+import { inOrder, type Mark } from '../wave/mark.ts';
+import { advance, begin, type History } from './history.ts';
+
+export type Edits = History<readonly Mark[]>;
+
+let nextId = 1;
+
+export function marksOf(drop: HeardDrop): readonly Mark[] {
+  return drop.impacts.map((impact) => ({
+    id: nextId++,
+    timeS: impact.time_s,
+    probability: impact.probability,
+    sigmaS: impact.sigma_s,
+    levelDb: impact.level_db,
+    number: impact.number,
+  }));
+}
+
+export const editsOf = (drop: HeardDrop): Edits => begin(marksOf(drop));
+
+/** A mark that a hand sets. */
+export function markAt(timeS: number): Mark {
+  return { id: nextId++, timeS, probability: 1, sigmaS: null, levelDb: null, number: null };
+}
+
+export function added(edits: Edits, mark: Mark): Edits {
+  return advance(edits, inOrder([...edits.present, mark]));
+}
+
+export function removed(edits: Edits, id: number): Edits {
+  const rest = edits.present.filter((mark) => mark.id !== id);
+  return rest.length === edits.present.length ? edits : advance(edits, rest);
+}
+
+/** The marks with one of them changed, in order. */
+export function withChange(
+  marks: readonly Mark[],
+  id: number,
+  changes: Partial<Mark>,
+): readonly Mark[] {
+  return inOrder(marks.map((mark) => (mark.id === id ? { ...mark, ...changes } : mark)));
+}
+
+/** Whether a hand has changed anything since it was heard. */
+export const isEdited = (edits: Edits): boolean => edits.past.length > 0;
+
+/** As the engine wants them. Numbers with their gaps hold as long as no hand changed anything. */
+export function forEngine(edits: Edits): DropMarks {
+  return {
+    edited: isEdited(edits),
+    impacts: edits.present.map((mark, index) => ({
+      number: mark.number ?? index + 1,
+      time_s: mark.timeS,
+      sigma_s: mark.sigmaS,
+      probability: mark.probability,
+      level_db: mark.levelDb,
+    })),
+  };
+}

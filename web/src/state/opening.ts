@@ -1,0 +1,57 @@
+/** Ways onto the bench other than the microphone: a file, a list of times, the demo, the database. */
+import { LabError, type Recording } from '../lab/index.ts';
+import { joined } from '../store/blocks.ts';
+import { getRecording, samplesOf } from '../store/recordings.ts';
+import { texts } from '../text/language.ts';
+import { fail, fault, phase, put } from './bench.ts';
+import { engine, faultOf } from './engine.ts';
+
+async function bring(
+  name: string,
+  open: () => Promise<Recording>,
+  storedAs: string | null = null,
+): Promise<void> {
+  fault.value = null;
+  phase.value = { kind: 'reading', name };
+  try {
+    put(name, await open(), storedAs);
+  } catch (error) {
+    fail({ ...faultOf(error), about: name });
+  }
+}
+
+export function openFile(file: File): Promise<void> {
+  return bring(file.name, async () => {
+    if (file.size === 0) throw new LabError('empty', `${file.name} has no content`);
+    return engine().open(file, {
+      onProgress: (share) => {
+        if (phase.peek().kind === 'reading') {
+          phase.value = { kind: 'reading', name: file.name, share };
+        }
+      },
+    });
+  });
+}
+
+export const openTimes = (text: string): Promise<void> =>
+  bring(texts.peek().lab.pastedName, () => engine().paste(text));
+
+export const openDemo = (): Promise<void> =>
+  bring(texts.peek().lab.demoName, async () => (await engine().demo()).recording);
+
+/** Samples that were made or kept. */
+export function openSamples(
+  samples: Float32Array,
+  rateHz: number,
+  name: string,
+  storedAs: string | null = null,
+): Promise<void> {
+  return bring(name, () => engine().hear([samples], rateHz, name), storedAs);
+}
+
+/** A recording of the database. */
+export async function openStored(id: string): Promise<void> {
+  const stored = await getRecording(id);
+  if (!stored) return fail({ key: 'damaged' });
+  return openSamples(joined(await samplesOf(id)), stored.rateHz, stored.name, id);
+}

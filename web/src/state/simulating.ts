@@ -1,0 +1,130 @@
+/** A drop that does not exist: where the sliders stand, what follows, and the runs that were kept. */
+import { computed, effect, signal } from '@preact/signals';
+import { note, parseRoute } from '../address/route.ts';
+import {
+  type SimulationSetup,
+  simulationFromParameters,
+  simulationToParameters,
+  USUAL,
+} from '../address/simulation.ts';
+import type { HeightCurve, SceneRequest, Simulated, SimulationRequest } from '../lab/index.ts';
+import { play } from '../sound/player.ts';
+import { texts } from '../text/language.ts';
+import { drop } from './bench.ts';
+import { catalogue, engine, messageOf } from './engine.ts';
+import { Latest } from './latest.ts';
+import { openSamples } from './opening.ts';
+import { goToLab, settings } from './settings.ts';
+
+export const setup = signal<SimulationSetup>(USUAL);
+export const simulated = signal<Simulated | null>(null);
+/** What the engine said if it cannot be simulated. */
+export const impossible = signal<string | null>(null);
+
+/** A run that was kept to be compared. */
+export interface Run {
+  readonly number: number;
+  readonly setup: SimulationSetup;
+  readonly simulated: Simulated;
+}
+
+export const runs = signal<readonly Run[]>([]);
+const MOST_RUNS = 3;
+
+/** A run laid over the measurement, moved so that the first impacts coincide. */
+export const overlay = signal<HeightCurve | null>(null);
+
+/** The restitution of the slider is that at 1 m/s. */
+const AT_SPEED_M_S = 1;
+
+export const request = computed<SimulationRequest>(() => {
+  const { heightM, restitution, slope, ball, drag, world, air } = setup.value;
+  const where = catalogue.value?.worlds.find(({ name }) => name === world);
+  const density = (where?.air_density_kg_m3 ?? 0) * air;
+  const inAir = where && {
+    gravity_m_s2: where.gravity_m_s2,
+    air_density_kg_m3: density,
+    ...(where.air_viscosity_pa_s !== null && density > 0
+      ? { air_viscosity_pa_s: where.air_viscosity_pa_s }
+      : {}),
+  };
+  return {
+    settings: { ball, drag, ...inAir },
+    height_m: heightM,
+    restitution:
+      slope === 0
+        ? { law: 'constant', restitution }
+        : { law: 'power', restitution, at_speed_m_s: AT_SPEED_M_S, exponent: slope },
+  };
+});
+
+const simulator = new Latest<SimulationRequest>(async (asked) => {
+  try {
+    simulated.value = await engine().simulate(asked);
+    impossible.value = null;
+  } catch (error) {
+    impossible.value = messageOf(error);
+  }
+});
+
+/** Begins to follow the sliders, and the address. */
+export function keepSimulated(): void {
+  effect(() => {
+    if (catalogue.value) simulator.ask(request.value);
+  });
+}
+
+export function readSimulation(): void {
+  const { view, parameters } = parseRoute(location.hash);
+  if (view === 'simulate') setup.value = simulationFromParameters(parameters);
+}
+
+export function move(changes: Partial<SimulationSetup>): void {
+  setup.value = { ...setup.peek(), ...changes };
+  note('simulate', simulationToParameters(setup.peek()));
+}
+
+export function keepRun(): void {
+  const done = simulated.peek();
+  if (!done) return;
+  const number = (runs.peek().at(-1)?.number ?? 0) + 1;
+  runs.value = [...runs.peek(), { number, setup: setup.peek(), simulated: done }].slice(-MOST_RUNS);
+}
+
+export function removeRun(number: number): void {
+  runs.value = runs.peek().filter((run) => run.number !== number);
+}
+
+/** How a simulated drop is made to sound. */
+const SCENE: SceneRequest = {
+  voice: 'table-tennis',
+  snr_db: 40,
+  sample_rate_hz: 44_100,
+  seed: 1,
+  lead_in_s: 0.3,
+  tail_s: 0.5,
+};
+
+export async function hearRun(): Promise<void> {
+  const { samples, sampleRateHz } = await engine().synthesise(request.peek(), SCENE);
+  await play(samples, sampleRateHz, 0, 1);
+}
+
+/** Onto the bench with it, as if it had been recorded. */
+export async function analyseRun(): Promise<void> {
+  const { samples, sampleRateHz } = await engine().synthesise(request.peek(), SCENE);
+  // What was put in is what is known of it.
+  settings.value = request.peek().settings;
+  goToLab();
+  await openSamples(samples, sampleRateHz, texts.peek().simulate.thisRun);
+}
+
+/** Lays the run over the measurement on the bench. */
+export function layOver(): void {
+  const done = simulated.peek();
+  const curve = done?.curves[0];
+  const first = done?.document.simulations[0]?.bounces[0]?.time_s;
+  const heard = drop.peek()?.impacts[0]?.time_s;
+  if (!curve || first === undefined || heard === undefined) return;
+  overlay.value = { ...curve, time_s: curve.time_s.map((time) => time - first + heard) };
+}

@@ -1,0 +1,64 @@
+/** Sounds in the browser's database, written as they come, so that a crash loses a second at most. */
+import { blocksOf, transact } from './database.ts';
+
+/** What is known of a sound that was kept. */
+export interface StoredRecording {
+  readonly id: string;
+  readonly name: string;
+  readonly rateHz: number;
+  /** Milliseconds since 1970. */
+  readonly startedAt: number;
+  /** False while it is being heard; still false when the page comes back after a crash. */
+  readonly finished: boolean;
+}
+
+interface Block {
+  readonly recording: string;
+  readonly index: number;
+  readonly samples: Float32Array<ArrayBuffer>;
+}
+
+export async function putRecording(recording: StoredRecording): Promise<void> {
+  await transact(['recordings'], 'readwrite', (t) => t.objectStore('recordings').put(recording));
+}
+
+export async function putBlock(
+  recording: string,
+  index: number,
+  samples: Float32Array<ArrayBuffer>,
+): Promise<void> {
+  const block: Block = { recording, index, samples };
+  await transact(['blocks'], 'readwrite', (t) => t.objectStore('blocks').put(block));
+}
+
+export async function getRecording(id: string): Promise<StoredRecording | undefined> {
+  return transact<StoredRecording>(['recordings'], 'readonly', (t) =>
+    t.objectStore('recordings').get(id),
+  );
+}
+
+/** The sound of a recording, block by block. */
+export async function samplesOf(id: string): Promise<Float32Array<ArrayBuffer>[]> {
+  const blocks =
+    (await transact<Block[]>(['blocks'], 'readonly', (t) =>
+      t.objectStore('blocks').getAll(blocksOf(id)),
+    )) ?? [];
+  return blocks.map((block) => block.samples);
+}
+
+export async function deleteRecording(id: string): Promise<void> {
+  await transact(['recordings', 'blocks'], 'readwrite', (t) => {
+    t.objectStore('recordings').delete(id);
+    t.objectStore('blocks').delete(blocksOf(id));
+    return undefined;
+  });
+}
+
+/** Every sound in the database, the oldest first. */
+export async function allRecordings(): Promise<StoredRecording[]> {
+  const all =
+    (await transact<StoredRecording[]>(['recordings'], 'readonly', (t) =>
+      t.objectStore('recordings').getAll(),
+    )) ?? [];
+  return all.sort((a, b) => a.startedAt - b.startedAt);
+}

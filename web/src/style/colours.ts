@@ -1,0 +1,48 @@
+import { computed, effect, signal } from '@preact/signals';
+
+/** What is shown decides its colour, on the page as in the figures of the command line. */
+export type Meaning = 'measured' | 'drag' | 'plain' | 'warning' | 'ink' | 'soft' | 'line' | 'edge';
+
+export type Theme = 'system' | 'light' | 'dark';
+
+const KEY = 'bouncelab.theme';
+const prefersDark = globalThis.matchMedia?.('(prefers-color-scheme: dark)');
+const systemDark = signal(prefersDark?.matches ?? false);
+prefersDark?.addEventListener('change', (event) => {
+  systemDark.value = event.matches;
+});
+
+export const theme = signal<Theme>(remembered());
+export const dark = computed(() =>
+  theme.value === 'system' ? systemDark.value : theme.value === 'dark',
+);
+
+function remembered(): Theme {
+  const stored = globalThis.localStorage?.getItem(KEY);
+  return stored === 'light' || stored === 'dark' ? stored : 'system';
+}
+
+/** Keeps the page and the memory of the browser in step with the theme. */
+export function followTheme(): void {
+  effect(() => {
+    const chosen = theme.value;
+    if (chosen === 'system') {
+      delete document.documentElement.dataset['theme'];
+      localStorage.removeItem(KEY);
+    } else {
+      document.documentElement.dataset['theme'] = chosen;
+      localStorage.setItem(KEY, chosen);
+    }
+  });
+}
+
+/** The font of the page in a size, for canvases. */
+export function fontOf(sizeRem: number): string {
+  const { fontSize } = getComputedStyle(document.documentElement);
+  return `${sizeRem * Number.parseFloat(fontSize)}px ${getComputedStyle(document.body).fontFamily}`;
+}
+
+/** A colour of the style sheet, resolved for the present theme. */
+export function colour(name: Meaning | `${Meaning}-tint` | `${Meaning}-text` | 'paper'): string {
+  return getComputedStyle(document.documentElement).getPropertyValue(`--${name}`).trim();
+}

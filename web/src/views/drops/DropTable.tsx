@@ -1,0 +1,118 @@
+import { lengthUnit, PLAIN, plain, uncertain } from '../../format/quantity.ts';
+import { kept, openKept, remove, rename, tick, ticked } from '../../state/keeping.ts';
+import { spreadOf } from '../../state/spread.ts';
+import type { KeptDrop } from '../../store/drops.ts';
+import { language, region, texts } from '../../text/language.ts';
+import { ballName } from '../../text/names.ts';
+
+/** One row for each drop, and their mean and scatter. */
+export function DropTable({ chosen }: { readonly chosen: readonly KeptDrop[] }) {
+  const words = texts.value.drops;
+  return (
+    <section class="scroll" tabIndex={0} aria-label={words.title}>
+      <table class="wide">
+        <thead>
+          <tr>
+            <th>{words.compare}</th>
+            <th>{words.name}</th>
+            <th>{words.when}</th>
+            <th>{words.ball}</th>
+            <th class="figure">{words.e}</th>
+            <th class="figure">{words.h}</th>
+            <th class="figure">{words.impacts}</th>
+            <th>{words.actions}</th>
+          </tr>
+        </thead>
+        <tbody>
+          {kept.value.map((drop) => (
+            <Row key={drop.id} drop={drop} />
+          ))}
+        </tbody>
+        {chosen.length > 1 && <Summary chosen={chosen} />}
+      </table>
+    </section>
+  );
+}
+
+function Row({ drop }: { readonly drop: KeptDrop }) {
+  const words = texts.value.drops;
+  const spoken = language.value;
+  const { restitution: e, dropHeightM: h } = drop;
+  return (
+    <tr>
+      <td>
+        <input
+          type="checkbox"
+          aria-label={words.choose(drop.name)}
+          checked={ticked.value.has(drop.id)}
+          onChange={() => tick(drop.id)}
+        />
+      </td>
+      <td>
+        <input
+          class="name"
+          aria-label={words.rename(drop.name)}
+          value={drop.name}
+          maxLength={120}
+          onChange={(event) => void rename(drop.id, event.currentTarget.value.trim())}
+        />
+      </td>
+      <td>
+        {new Date(drop.keptAt).toLocaleString(region.value, {
+          dateStyle: 'short',
+          timeStyle: 'short',
+        })}
+      </td>
+      <td>{drop.settings.ball === undefined ? drop.ball : ballName(drop.settings.ball)}</td>
+      <td class="figure">{e ? uncertain(e.value, e.sd, PLAIN, spoken) : ''}</td>
+      <td class="figure">{h ? uncertain(h.value, h.sd, lengthUnit(h.value), spoken) : ''}</td>
+      <td class="figure">{drop.marks.impacts.length}</td>
+      <td>
+        <span class="row tight">
+          <button
+            type="button"
+            class="quiet slim"
+            aria-label={words.openOne(drop.name)}
+            onClick={() => void openKept(drop)}
+          >
+            {words.open}
+          </button>
+          <button
+            type="button"
+            class="quiet slim"
+            aria-label={words.deleteOne(drop.name)}
+            onClick={() => void remove([drop])}
+          >
+            {words.delete}
+          </button>
+        </span>
+      </td>
+    </tr>
+  );
+}
+
+function Summary({ chosen }: { readonly chosen: readonly KeptDrop[] }) {
+  const words = texts.value.drops;
+  const spoken = language.value;
+  const e = spreadOf(chosen.map(({ restitution }) => restitution));
+  const h = spreadOf(chosen.map(({ dropHeightM }) => dropHeightM));
+  const unit = lengthUnit(h?.mean ?? 0);
+  return (
+    <tfoot>
+      <tr>
+        <th colSpan={4}>
+          {words.mean} {words.ofDrops(chosen.length)}
+        </th>
+        <td class="figure">{e && uncertain(e.mean, e.meanSd, PLAIN, spoken)}</td>
+        <td class="figure">{h && uncertain(h.mean, h.meanSd, unit, spoken)}</td>
+        <td colSpan={2} />
+      </tr>
+      <tr>
+        <th colSpan={4}>{words.scatter}</th>
+        <td class="figure">{e?.scatter != null && plain(e.scatter, PLAIN, 2, spoken)}</td>
+        <td class="figure">{h?.scatter != null && plain(h.scatter, unit, 2, spoken)}</td>
+        <td colSpan={2} />
+      </tr>
+    </tfoot>
+  );
+}

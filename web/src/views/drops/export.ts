@@ -1,0 +1,44 @@
+import { saveText } from '../../app/save.ts';
+import type { KeptDrop } from '../../store/drops.ts';
+
+const COLUMNS = [
+  'name',
+  'kept_at',
+  'ball',
+  'restitution',
+  'restitution_sd',
+  'drop_height_m',
+  'drop_height_sd_m',
+  'impacts',
+] as const;
+
+/** The table for a spreadsheet: SI, a point for decimals, one row for each drop. */
+export function csvOf(drops: readonly KeptDrop[]): string {
+  const rows = drops.map((drop) => [
+    quoted(drop.name),
+    new Date(drop.keptAt).toISOString(),
+    quoted(drop.ball),
+    drop.restitution?.value ?? '',
+    drop.restitution?.sd ?? '',
+    drop.dropHeightM?.value ?? '',
+    drop.dropHeightM?.sd ?? '',
+    drop.marks.impacts.length,
+  ]);
+  return [COLUMNS, ...rows].map((row) => `${row.join(',')}\r\n`).join('');
+}
+
+/** A name may hold commas and quotes, and must not be taken for a formula. */
+function quoted(text: string): string {
+  const harmless = /^[=+\-@\t\r]/.test(text) ? `'${text}` : text;
+  return `"${harmless.replaceAll('"', '""')}"`;
+}
+
+export const saveDropsCsv = (drops: readonly KeptDrop[]): void =>
+  saveText(csvOf(drops), 'text/csv', 'bouncelab-drops.csv');
+
+export const saveDropsJson = (drops: readonly KeptDrop[]): void =>
+  saveText(
+    JSON.stringify({ schema: 'bouncelab.kept-drops/1', drops }, null, 2),
+    'application/json',
+    'bouncelab-drops.json',
+  );

@@ -1,0 +1,104 @@
+import { signal } from '@preact/signals';
+import { fixed, MILLISECOND, PLAIN, plain, uncertain } from '../../format/quantity.ts';
+import { cursorS, drop, marks, onBench, selected, view } from '../../state/bench.ts';
+import { remove } from '../../state/editing.ts';
+import { language, texts } from '../../text/language.ts';
+import { CERTAIN, type Mark } from '../../wave/mark.ts';
+import { choose } from '../../wave/Waveform.tsx';
+
+/** Whether the list is unfolded; the words of the result can ask for it. */
+export const listed = signal(false);
+
+/** The impacts as a table: all that the waveform shows, for those who do not see it, or want digits. */
+export function ImpactTable() {
+  const words = texts.value.wave;
+  return (
+    <details
+      open={listed.value}
+      onToggle={(event) => {
+        listed.value = event.currentTarget.open;
+      }}
+    >
+      <summary>{words.list}</summary>
+      {listed.value && (
+        <>
+          {onBench.value?.pyramid && (
+            <div class="small soft">
+              <p>{words.pointer}</p>
+              <p>{words.keys}</p>
+            </div>
+          )}
+          <section class="impacts" tabIndex={0} aria-label={words.list}>
+            <table>
+              <thead>
+                <tr>
+                  <th class="figure">{words.number}</th>
+                  <th class="figure">{words.time}</th>
+                  <th class="figure">{words.flight}</th>
+                  <th class="figure">{words.probability}</th>
+                  <th class="figure">{words.level}</th>
+                  <th class="figure">{words.restitution}</th>
+                  <th>{words.actions}</th>
+                </tr>
+              </thead>
+              <tbody>
+                {marks.value.map((mark, index) => (
+                  <Row key={mark.id} mark={mark} index={index} />
+                ))}
+              </tbody>
+            </table>
+          </section>
+        </>
+      )}
+    </details>
+  );
+}
+
+function Row({ mark, index }: { readonly mark: Mark; readonly index: number }) {
+  const words = texts.value.wave;
+  const spoken = language.value;
+  const impact = drop.value?.impacts[index];
+  const next = marks.value[index + 1];
+  const sure = `${fixed(100 * mark.probability, 0, spoken)} %`;
+  return (
+    <tr class={mark.id === selected.value ? 'chosen' : undefined}>
+      <td class="figure">
+        <button
+          type="button"
+          class="quiet slim"
+          aria-label={words.select(index + 1)}
+          aria-pressed={mark.id === selected.value}
+          onClick={() => show(mark)}
+        >
+          {index + 1}
+        </button>
+      </td>
+      <td class="figure">{fixed(mark.timeS, 4, spoken)} s</td>
+      <td class="figure">{next ? plain(next.timeS - mark.timeS, MILLISECOND, 4, spoken) : ''}</td>
+      <td class="figure">
+        {mark.probability >= CERTAIN ? sure : <span class="doubt">{sure} ?</span>}
+      </td>
+      <td class="figure">{mark.levelDb === null ? '' : `${fixed(mark.levelDb, 0, spoken)} dB`}</td>
+      <td class="figure">
+        {impact?.restitution
+          ? uncertain(impact.restitution, impact.restitution_sd, PLAIN, spoken)
+          : ''}
+      </td>
+      <td>
+        <button
+          type="button"
+          class="quiet slim"
+          aria-label={words.removeOne(index + 1)}
+          onClick={() => remove(mark.id)}
+        >
+          {words.remove}
+        </button>
+      </td>
+    </tr>
+  );
+}
+
+function show(mark: Mark): void {
+  const durationS = onBench.peek()?.durationS ?? 0;
+  choose({ cursorS, view, selected, durationS }, mark);
+}

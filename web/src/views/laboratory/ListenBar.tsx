@@ -1,0 +1,18 @@
+import { onBench } from '../../state/bench.ts';
+import { ListenButton } from './ListenButton.tsx';
+import { OtherWays } from './OtherWays.tsx';
+import { Paste } from './Paste.tsx';
+import { pasting } from './pasting.ts';
+
+/** The way to the next drop; on a phone within reach of the thumb. */
+export function ListenBar() {
+  return (
+    <>
+      <div class={onBench.value ? 'again has-result' : 'again'}>
+        <ListenButton small />
+        <OtherWays />
+      </div>
+      {pasting.value && <Paste />}
+    </>
+  );
+}

@@ -1,0 +1,59 @@
+import { useEffect, useRef } from 'preact/hooks';
+import { PERCENT, plain } from '../../format/quantity.ts';
+import { phase } from '../../state/bench.ts';
+import { live, soFar } from '../../state/listening.ts';
+import { language, texts } from '../../text/language.ts';
+import { paintLive } from '../../wave/live-painter.ts';
+
+/** The last seconds of the sound, running by, each impact marked as soon as it is known. */
+export function LiveStrip() {
+  const canvas = useRef<HTMLCanvasElement>(null);
+  useEffect(() => {
+    let frame = 0;
+    const step = (): void => {
+      const now = live.peek();
+      if (canvas.current && now) paintLive(canvas.current, now, soFar.peek());
+      frame = requestAnimationFrame(step);
+    };
+    step();
+    return () => cancelAnimationFrame(frame);
+  }, []);
+  return (
+    <section class="stack wide">
+      <canvas ref={canvas} class="live" aria-hidden="true" />
+      <p class="lead" role="status">
+        <RunningSentence />
+      </p>
+      {phase.value.kind === 'reading' ? (
+        <Progress share={phase.value.share} />
+      ) : (
+        <p class="soft">{texts.value.lab.endsItself}</p>
+      )}
+    </section>
+  );
+}
+
+/** How far the reading of a file is. */
+function Progress({ share }: { readonly share: number | undefined }) {
+  return share === undefined ? null : (
+    <progress value={share} max={1} aria-label={texts.value.lab.progress} />
+  );
+}
+
+function RunningSentence() {
+  const words = texts.value.lab;
+  const now = phase.value;
+  if (now.kind === 'starting') return <>{words.starting}</>;
+  if (now.kind === 'reading') return <>{words.opening(now.name)}</>;
+  const count = soFar.value?.drop?.impacts.length ?? 0;
+  if (count === 0) return <>{words.listening}</>;
+  const keeps = soFar.value?.restitution;
+  const share =
+    keeps === null || keeps === undefined ? undefined : plain(keeps, PERCENT, 3, language.value);
+  return (
+    <>
+      {words.soFar(count)}
+      {share !== undefined && `; ${words.soFarKeeps(share)}`}
+    </>
+  );
+}

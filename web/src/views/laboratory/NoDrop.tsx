@@ -1,0 +1,18 @@
+import { onBench } from '../../state/bench.ts';
+import { texts } from '../../text/language.ts';
+import { translated } from '../../text/remarks.ts';
+
+/** Why there is no drop, and what to do about it. */
+export function NoDrop() {
+  const words = texts.value.lab;
+  const reason = onBench.value?.recording.heard.no_drop;
+  return (
+    <div class="notice">
+      <p>
+        <strong>{words.noDropTitle}</strong>
+      </p>
+      {reason && <p>{translated(reason)}</p>}
+      <p>{words.noDropHint}</p>
+    </div>
+  );
+}

@@ -1,0 +1,46 @@
+import { useRef } from 'preact/hooks';
+import { phase } from '../../state/bench.ts';
+import { openDemo, openFile } from '../../state/opening.ts';
+import { texts } from '../../text/language.ts';
+import { pasting } from './pasting.ts';
+
+/** A file, a list of times, the demo: three quiet links. */
+export function OtherWays() {
+  const words = texts.value.lab;
+  const input = useRef<HTMLInputElement>(null);
+  const busy = phase.value.kind !== 'empty' && phase.value.kind !== 'ready';
+  return (
+    <div class="links">
+      <input
+        ref={input}
+        type="file"
+        hidden
+        aria-label={words.openLabel}
+        accept="audio/*,video/*,.txt,.csv,.json,.wav,.flac,.aiff,.m4a,.ogg,.opus,.webm,.mov,.mp4"
+        onChange={(event) => {
+          const file = event.currentTarget.files?.[0];
+          // The same file may be chosen again after it was changed.
+          event.currentTarget.value = '';
+          if (file) void openFile(file);
+        }}
+      />
+      <button type="button" class="quiet" disabled={busy} onClick={() => input.current?.click()}>
+        {words.open}
+      </button>
+      <button
+        type="button"
+        class="quiet"
+        disabled={busy}
+        aria-expanded={pasting.value}
+        onClick={() => {
+          pasting.value = !pasting.value;
+        }}
+      >
+        {words.paste}
+      </button>
+      <button type="button" class="quiet" disabled={busy} onClick={() => void openDemo()}>
+        {words.demo}
+      </button>
+    </div>
+  );
+}

@@ -1,0 +1,51 @@
+import { useEffect, useRef } from 'preact/hooks';
+import { openTimes } from '../../state/opening.ts';
+import { texts } from '../../text/language.ts';
+import { pasting } from './pasting.ts';
+
+/** A box for impact times. */
+export function Paste() {
+  const words = texts.value.lab;
+  const box = useRef<HTMLTextAreaElement>(null);
+  useEffect(() => box.current?.focus(), []);
+  return (
+    <form
+      class="stack paste"
+      onSubmit={(event) => {
+        event.preventDefault();
+        const text = box.current?.value ?? '';
+        pasting.value = false;
+        void openTimes(text);
+      }}
+    >
+      <label class="field" for="times">
+        {words.pasteLabel}
+      </label>
+      <textarea
+        id="times"
+        ref={box}
+        required
+        spellcheck={false}
+        placeholder={'0.000\n0.461\n0.888\n1.285'}
+        aria-describedby="times-hint"
+      />
+      <p id="times-hint" class="small soft">
+        {words.pasteHint}
+      </p>
+      <div class="row tight">
+        <button type="submit" class="button primary">
+          {words.pasteDo}
+        </button>
+        <button
+          type="button"
+          class="quiet"
+          onClick={() => {
+            pasting.value = false;
+          }}
+        >
+          {texts.value.app.cancel}
+        </button>
+      </div>
+    </form>
+  );
+}

@@ -1,0 +1,63 @@
+import { fixed } from '../../format/quantity.ts';
+import { analysed, drop } from '../../state/bench.ts';
+import { language, texts } from '../../text/language.ts';
+import { translated } from '../../text/remarks.ts';
+
+/** What is odd about the drop, and what the sound can and cannot tell. */
+export function Remarks() {
+  const said = drop.value;
+  if (!said) return null;
+  const recording = analysed.value?.document.warnings ?? [];
+  const warnings = [...said.warnings, ...recording];
+  const estimate = said.estimate;
+  return (
+    <>
+      {warnings.length > 0 && (
+        <ul class="notice remarks">
+          {warnings.map((warning) => (
+            <li key={warning}>{translated(warning)}</li>
+          ))}
+        </ul>
+      )}
+      {(estimate || said.no_estimate) && (
+        <details>
+          <summary>{texts.value.lab.tells}</summary>
+          <ul class="remarks small">
+            {estimate?.remarks.map((remark) => (
+              <li key={remark}>{translated(remark)}</li>
+            ))}
+            {said.no_estimate && <li>{translated(said.no_estimate)}</li>}
+          </ul>
+          {estimate && estimate.narrowed.length > 0 && <Narrowed narrowed={estimate.narrowed} />}
+        </details>
+      )}
+    </>
+  );
+}
+
+/** How far the data narrowed what was known: the shorter the bar, the more was learnt. */
+function Narrowed({
+  narrowed,
+}: {
+  readonly narrowed: readonly { readonly unknown: string; readonly remaining: number }[];
+}) {
+  const words = texts.value.lab;
+  return (
+    <>
+      <p class="small">{words.narrowedLead}</p>
+      <ul class="narrowed small">
+        {narrowed.map(({ unknown, remaining }) => {
+          const share = Math.min(1, Math.max(0, remaining));
+          return (
+            <li key={unknown}>
+              <span>
+                {words.narrowed(translated(unknown), `${fixed(100 * share, 0, language.value)} %`)}
+              </span>
+              <meter min={0} max={1} value={share} aria-hidden="true" />
+            </li>
+          );
+        })}
+      </ul>
+    </>
+  );
+}

@@ -1,0 +1,111 @@
+import { Rich } from '../../app/Rich.tsx';
+import { fixed, lengthUnit, PERCENT, plain, uncertain } from '../../format/quantity.ts';
+import type { DocumentDrop } from '../../lab/index.ts';
+import { drop, edited, marks, onBench, refining } from '../../state/bench.ts';
+import { language, texts } from '../../text/language.ts';
+import { CERTAIN } from '../../wave/mark.ts';
+import { listed } from './ImpactTable.tsx';
+import { NoDrop } from './NoDrop.tsx';
+import { Numbers } from './Numbers.tsx';
+import { Remarks } from './Remarks.tsx';
+import { Why } from './Why.tsx';
+
+/** What the bounces say, in words first. */
+export function Said() {
+  const words = texts.value.lab;
+  const said = drop.value;
+  return (
+    <section class="said" aria-live="polite" aria-busy={refining.value}>
+      {onBench.value?.recording.heard.drops.length === 0 && marks.value.length < 3 && <NoDrop />}
+      {marks.value.length > 0 && !said?.regression && !said?.estimate && (
+        <p class="second">{words.cannotTell}</p>
+      )}
+      {said && <Sentences said={said} />}
+      {marks.value.length > 0 && <Count />}
+      {said && (
+        <>
+          <Air said={said} />
+          <Remarks />
+          <Numbers />
+        </>
+      )}
+    </section>
+  );
+}
+
+/** Restitution and height with their uncertainties: by the inference once it is there. */
+function Sentences({ said }: { readonly said: DocumentDrop }) {
+  const words = texts.value.lab;
+  const spoken = language.value;
+  const { estimate, corrected, regression } = said;
+  const e = estimate
+    ? { value: estimate.restitution.value, sd: estimate.restitution.sd }
+    : corrected
+      ? { value: corrected.restitution, sd: corrected.restitution_sd }
+      : regression
+        ? { value: regression.restitution, sd: regression.restitution_sd }
+        : undefined;
+  const height = estimate
+    ? { value: estimate.drop_height_m.value, sd: estimate.drop_height_m.sd }
+    : regression
+      ? { value: regression.drop_height_m, sd: regression.drop_height_sd_m }
+      : undefined;
+  return (
+    <>
+      {e && (
+        <p class="first" title={texts.value.words.restitution}>
+          <Rich parts={words.kept(uncertain(e.value, e.sd, PERCENT, spoken))} />
+        </p>
+      )}
+      {height && (
+        <p class="second">
+          <Rich
+            parts={words.fell(uncertain(height.value, height.sd, lengthUnit(height.value), spoken))}
+          />
+        </p>
+      )}
+    </>
+  );
+}
+
+function Count() {
+  const words = texts.value.lab;
+  const count = marks.value.length;
+  const uncertainCount = marks.value.filter((mark) => mark.probability < CERTAIN).length;
+  return (
+    <p>
+      <button
+        type="button"
+        class="quiet slim"
+        aria-expanded={listed.value}
+        onClick={() => {
+          listed.value = !listed.value;
+        }}
+      >
+        {words.impacts(count)}
+        {uncertainCount > 0 && `, ${words.uncertain(uncertainCount)}`}
+      </button>
+      {edited.value && <span class="soft"> · {words.edited}</span>}
+      {refining.value && <span class="soft"> · {words.refining}</span>}
+    </p>
+  );
+}
+
+/** How much of the straight line's loss is the air's. */
+function Air({ said }: { readonly said: DocumentDrop }) {
+  const words = texts.value.lab;
+  const { estimate, regression } = said;
+  if (!estimate || !regression) return null;
+  const spoken = language.value;
+  const height = regression.drop_height_m;
+  const points = 100 * (estimate.restitution.value - regression.restitution);
+  return (
+    <div class="stack">
+      <p>
+        {points > 0.05 ? words.airExplains(fixed(points, 1, spoken)) : words.airNothing}{' '}
+        {words.lineHeight(plain(height, lengthUnit(height), 3, spoken))}
+      </p>
+      <Why />
+    </div>
+  );
+}

@@ -1,0 +1,247 @@
+import { Choice } from '../../app/Choice.tsx';
+import { NumberField } from '../../app/NumberField.tsx';
+import { lawName } from '../../figures/drag.ts';
+import { catalogue } from '../../state/engine.ts';
+import { change, forgetSettings, settings } from '../../state/settings.ts';
+import { texts } from '../../text/language.ts';
+import { ballName } from '../../text/names.ts';
+
+const OWN = 'own';
+const ABSOLUTE_ZERO_C = -273.15;
+
+const scaled = (value: number | undefined, factor: number): number | undefined =>
+  value === undefined ? undefined : value * factor;
+
+/** Ball, air, gravity and drop: what is stated here, the rest is assumed. */
+export function SettingsForm() {
+  const words = texts.value.settings;
+  return (
+    <>
+      <p class="small soft">{words.assumedHint}</p>
+      <div class="form">
+        <Ball />
+        <Air />
+        <Gravity />
+        <Measured />
+      </div>
+      <button type="button" class="quiet" onClick={forgetSettings}>
+        {words.reset}
+      </button>
+    </>
+  );
+}
+
+function Ball() {
+  const words = texts.value.settings;
+  const { ball, mass_kg, diameter_m, contact_time_s } = settings.value;
+  const balls = catalogue.value?.balls ?? [];
+  const own = mass_kg !== undefined || diameter_m !== undefined;
+  const preset = balls.find(({ name }) => name === (ball ?? balls[0]?.name));
+  const known = preset ? [] : ball === undefined ? [] : [[ball, ball] as const];
+  const choose = (name: string): void => {
+    if (name === OWN) {
+      change({ ball: undefined, mass_kg: preset?.mass_kg, diameter_m: preset?.diameter_m });
+    } else change({ ball: name, mass_kg: undefined, diameter_m: undefined });
+  };
+  return (
+    <fieldset>
+      <legend>{words.ball}</legend>
+      <Choice
+        label={words.ball}
+        value={own ? OWN : (ball ?? preset?.name ?? '')}
+        options={[
+          ...balls.map(({ name }) => [name, ballName(name)] as const),
+          ...known,
+          [OWN, words.own],
+        ]}
+        onChange={choose}
+      />
+      {own && (
+        <>
+          <NumberField
+            label={words.mass}
+            unit="g"
+            value={scaled(mass_kg, 1e3)}
+            min={1e-3}
+            onChange={(grams) => change({ mass_kg: scaled(grams, 1e-3) })}
+          />
+          <NumberField
+            label={words.diameter}
+            unit="mm"
+            value={scaled(diameter_m, 1e3)}
+            min={0.1}
+            onChange={(mm) => change({ diameter_m: scaled(mm, 1e-3) })}
+          />
+        </>
+      )}
+      <NumberField
+        label={words.contact}
+        unit="ms"
+        value={scaled(contact_time_s, 1e3)}
+        usual={scaled(preset?.contact_time_s, 1e3)}
+        min={0}
+        onChange={(ms) => change({ contact_time_s: scaled(ms, 1e-3) })}
+      />
+    </fieldset>
+  );
+}
+
+function Air() {
+  const words = texts.value.settings;
+  const { drag, temperature_k, pressure_pa, relative_humidity } = settings.value;
+  const usual = catalogue.value?.usual_air;
+  const laws = catalogue.value?.drag_laws ?? [];
+  return (
+    <fieldset>
+      <legend>{words.air}</legend>
+      <Choice
+        label={words.dragLaw}
+        value={drag ?? catalogue.value?.usual_drag_law ?? ''}
+        options={[
+          ...laws.map(({ name }) => [name, lawName(name, texts.value)] as const),
+          ['constant:0.4', words.dragConstant],
+          ['none', words.dragNone],
+        ]}
+        onChange={(law) =>
+          change({ drag: law === catalogue.value?.usual_drag_law ? undefined : law })
+        }
+      />
+      <NumberField
+        label={words.temperature}
+        unit="°C"
+        value={temperature_k === undefined ? undefined : temperature_k + ABSOLUTE_ZERO_C}
+        usual={usual && usual.temperature_k + ABSOLUTE_ZERO_C}
+        min={-60}
+        max={60}
+        onChange={(celsius) =>
+          change({ temperature_k: celsius === undefined ? undefined : celsius - ABSOLUTE_ZERO_C })
+        }
+      />
+      <NumberField
+        label={words.pressure}
+        unit="hPa"
+        value={scaled(pressure_pa, 0.01)}
+        usual={scaled(usual?.pressure_pa, 0.01)}
+        min={0}
+        onChange={(hpa) => change({ pressure_pa: scaled(hpa, 100) })}
+      />
+      <NumberField
+        label={words.humidity}
+        unit="%"
+        value={scaled(relative_humidity, 100)}
+        usual={scaled(usual?.relative_humidity, 100)}
+        min={0}
+        max={100}
+        onChange={(percent) => change({ relative_humidity: scaled(percent, 0.01) })}
+      />
+    </fieldset>
+  );
+}
+
+function Gravity() {
+  const words = texts.value.settings;
+  const { gravity_m_s2, latitude_deg, altitude_m } = settings.value;
+  return (
+    <fieldset>
+      <legend>{words.gravityField}</legend>
+      <NumberField
+        label={words.gravity}
+        unit="m/s²"
+        value={gravity_m_s2}
+        usual={catalogue.value?.standard_gravity_m_s2}
+        min={0.01}
+        onChange={(g) =>
+          change({ gravity_m_s2: g, latitude_deg: undefined, altitude_m: undefined })
+        }
+      />
+      <NumberField
+        label={words.latitude}
+        unit="°"
+        value={latitude_deg}
+        min={-90}
+        max={90}
+        onChange={(degrees) =>
+          change({
+            latitude_deg: degrees,
+            gravity_m_s2: undefined,
+            altitude_m: degrees === undefined ? undefined : altitude_m,
+          })
+        }
+      />
+      {latitude_deg !== undefined && (
+        <NumberField
+          label={words.altitude}
+          unit="m"
+          value={altitude_m}
+          usual={0}
+          onChange={(metres) => change({ altitude_m: metres })}
+        />
+      )}
+    </fieldset>
+  );
+}
+
+function Measured() {
+  const words = texts.value.settings;
+  const { height_m, height_sd_m, restitution_laws, flights } = settings.value;
+  const laws = catalogue.value?.restitution_laws ?? [];
+  const setFlights = (from: number | undefined, to: number | undefined): void => {
+    const begin = Math.max(1, Math.round(from ?? 1));
+    const end = to === undefined ? undefined : Math.round(to);
+    change({ flights: end !== undefined && end > begin ? [begin, end] : undefined });
+  };
+  return (
+    <fieldset>
+      <legend>{words.measured}</legend>
+      <NumberField
+        label={words.height}
+        unit="cm"
+        value={scaled(height_m, 100)}
+        min={0.1}
+        onChange={(cm) =>
+          change({
+            height_m: scaled(cm, 0.01),
+            height_sd_m: cm === undefined ? undefined : height_sd_m,
+          })
+        }
+      />
+      {height_m !== undefined && (
+        <NumberField
+          label={words.heightSd}
+          unit="mm"
+          value={scaled(height_sd_m, 1e3)}
+          usual={2}
+          min={0.01}
+          onChange={(mm) => change({ height_sd_m: scaled(mm, 1e-3) })}
+        />
+      )}
+      <Choice
+        label={words.restitutionLaw}
+        value={restitution_laws?.[0] ?? ''}
+        options={[
+          ['', words.restitutionAny],
+          ...laws.map((law) => [law, words.laws[law] ?? law] as const),
+        ]}
+        onChange={(law) => change({ restitution_laws: law === '' ? undefined : [law] })}
+      />
+      <div class="twins">
+        <NumberField
+          label={`${words.flights}, ${words.flightsFrom}`}
+          unit=""
+          value={flights?.[0]}
+          usual={1}
+          min={1}
+          onChange={(from) => setFlights(from, flights?.[1] ?? 10)}
+        />
+        <NumberField
+          label={words.flightsTo}
+          unit=""
+          value={flights?.[1]}
+          usual={10}
+          min={2}
+          onChange={(to) => setFlights(flights?.[0], to)}
+        />
+      </div>
+    </fieldset>
+  );
+}

@@ -1,0 +1,74 @@
+import { signal } from '@preact/signals';
+import { useEffect, useRef } from 'preact/hooks';
+import type { Spectrogram as Picture } from '../../lab/index.ts';
+import { onBench, view } from '../../state/bench.ts';
+import { colour, dark } from '../../style/colours.ts';
+import { texts } from '../../text/language.ts';
+
+export const showSpectrogram = signal(false);
+
+const ROWS = 128;
+/** The hand rests so long before it is computed anew, ms. */
+const REST = 120;
+
+/** What is seen, by pitch: a bounce is a thin upright line, a voice lies flat. */
+export function Spectrogram() {
+  const canvas = useRef<HTMLCanvasElement>(null);
+  const seen = view.value;
+  const shown = showSpectrogram.value;
+  const isDark = dark.value;
+
+  useEffect(() => {
+    const element = canvas.current;
+    const bench = onBench.peek();
+    if (!element || !bench) return undefined;
+    let current = true;
+    const waiting = setTimeout(async () => {
+      const columns = Math.min(1200, Math.max(1, Math.round(element.clientWidth)));
+      const picture = await bench.recording
+        .spectrogram(seen.startS, seen.endS, columns, ROWS)
+        .catch(() => null);
+      if (current && picture) paintSpectrogram(element, picture);
+    }, REST);
+    return () => {
+      current = false;
+      clearTimeout(waiting);
+    };
+  }, [seen, shown, isDark]);
+
+  if (!shown) return null;
+  return (
+    <canvas
+      ref={canvas}
+      class="spectrogram"
+      role="img"
+      aria-label={texts.value.wave.spectrogramLabel}
+    />
+  );
+}
+
+/** In shades of ink on paper, the lowest pitch at the bottom. */
+function paintSpectrogram(canvas: HTMLCanvasElement, picture: Picture): void {
+  const context = canvas.getContext('2d');
+  if (!context) return;
+  const { columns, rows, cells } = picture;
+  canvas.width = columns;
+  canvas.height = rows;
+  const [paper, ink] = [channels(colour('paper')), channels(colour('measured'))];
+  const loudest = cells.reduce((most, cell) => Math.max(most, cell), 1);
+  const image = context.createImageData(columns, rows);
+  for (let column = 0; column < columns; column += 1) {
+    for (let row = 0; row < rows; row += 1) {
+      const share = Math.min(1, (cells[column * rows + row] ?? 0) / loudest);
+      const at = 4 * ((rows - 1 - row) * columns + column);
+      for (let part = 0; part < 3; part += 1) {
+        const from = paper[part] ?? 0;
+        image.data[at + part] = from + share * ((ink[part] ?? 0) - from);
+      }
+      image.data[at + 3] = 255;
+    }
+  }
+  context.putImageData(image, 0, 0);
+}
+
+const channels = (css: string): number[] => (css.match(/[\d.]+/g) ?? []).slice(0, 3).map(Number);

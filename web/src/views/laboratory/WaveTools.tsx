@@ -1,0 +1,170 @@
+import type { ComponentChildren } from 'preact';
+import {
+  All,
+  Back,
+  Bin,
+  Closer,
+  Forth,
+  Magnet,
+  Pause,
+  Play,
+  Plus,
+  Wider,
+} from '../../app/icons.tsx';
+import { playing, SPEEDS, type Speed } from '../../sound/player.ts';
+import { cursorS, edited, onBench, present, selected, view } from '../../state/bench.ts';
+import * as editing from '../../state/editing.ts';
+import { canRedo, canUndo } from '../../state/history.ts';
+import { hearView, speed } from '../../state/sound.ts';
+import { language, texts } from '../../text/language.ts';
+import { whole, zoomed } from '../../wave/viewport.ts';
+import { showSpectrogram } from './Spectrogram.tsx';
+
+interface ToolProps {
+  readonly do: () => void;
+  readonly disabled?: boolean;
+  readonly pressed?: boolean;
+  readonly children: ComponentChildren;
+}
+
+function Tool({ do: act, disabled = false, pressed, children }: ToolProps) {
+  return (
+    <button type="button" class="tool" disabled={disabled} aria-pressed={pressed} onClick={act}>
+      {children}
+    </button>
+  );
+}
+
+/** What can be done with the waveform, for those who do not know its keys. */
+export function WaveTools() {
+  return (
+    <div class="wave-tools">
+      {onBench.value?.pyramid && (
+        <>
+          <Zooming />
+          <Hearing />
+        </>
+      )}
+      <Correcting />
+    </div>
+  );
+}
+
+function zoom(factor: number): void {
+  const recording = onBench.peek();
+  if (!recording) return;
+  const now = view.peek();
+  const at = cursorS.peek();
+  const inside = at !== null && at >= now.startS && at <= now.endS;
+  const around = inside ? at : (now.startS + now.endS) / 2;
+  view.value = zoomed(now, factor, around, recording.durationS);
+}
+
+function Zooming() {
+  const words = texts.value.wave;
+  return (
+    <div class="group">
+      <Tool do={() => zoom(2)}>
+        <Closer />
+        {words.zoomIn}
+      </Tool>
+      <Tool do={() => zoom(0.5)}>
+        <Wider />
+        {words.zoomOut}
+      </Tool>
+      <Tool
+        do={() => {
+          view.value = whole(onBench.peek()?.durationS ?? 1);
+        }}
+      >
+        <All />
+        {words.all}
+      </Tool>
+    </div>
+  );
+}
+
+function Hearing() {
+  const words = texts.value.wave;
+  const sounding = playing.value !== null;
+  return (
+    <div class="group">
+      <Tool do={() => void hearView()} pressed={sounding}>
+        {sounding ? <Pause /> : <Play />}
+        {sounding ? words.stop : words.play}
+      </Tool>
+      <select
+        class="tool"
+        aria-label={words.speed}
+        value={speed.value}
+        onChange={(event) => {
+          speed.value = Number(event.currentTarget.value) as Speed;
+        }}
+      >
+        {SPEEDS.map((factor) => (
+          <option key={factor} value={factor}>
+            {words.slower(factor.toLocaleString(language.value))}
+          </option>
+        ))}
+      </select>
+      <Tool
+        pressed={showSpectrogram.value}
+        do={() => {
+          showSpectrogram.value = !showSpectrogram.value;
+        }}
+      >
+        {words.spectrogram}
+      </Tool>
+    </div>
+  );
+}
+
+function Correcting() {
+  const words = texts.value.wave;
+  const history = present.value;
+  const chosen = selected.value;
+  return (
+    <div class="group">
+      {onBench.value?.pyramid && (
+        <Tool
+          do={() => {
+            const { startS, endS } = view.peek();
+            void editing.add(cursorS.peek() ?? (startS + endS) / 2);
+          }}
+        >
+          <Plus />
+          {words.add}
+        </Tool>
+      )}
+      <Tool
+        disabled={chosen === null}
+        do={() => {
+          if (chosen !== null) editing.remove(chosen);
+        }}
+      >
+        <Bin />
+        {words.remove}
+      </Tool>
+      {onBench.value?.pyramid && (
+        <Tool
+          disabled={chosen === null}
+          do={() => {
+            if (chosen !== null) void editing.snap(chosen);
+          }}
+        >
+          <Magnet />
+          {words.snap}
+        </Tool>
+      )}
+      <Tool disabled={!history || !canUndo(history)} do={editing.undo}>
+        <Back />
+        {texts.value.app.undo}
+      </Tool>
+      <Tool disabled={!history || !canRedo(history)} do={editing.redo}>
+        <Forth />
+        {texts.value.app.redo}
+      </Tool>
+      {edited.value && <Tool do={editing.restore}>{words.restore}</Tool>}
+    </div>
+  );
+}

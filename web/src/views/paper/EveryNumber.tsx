@@ -1,0 +1,67 @@
+import { fixed } from '../../format/quantity.ts';
+import type { PaperFact } from '../../lab/index.ts';
+import { language, texts } from '../../text/language.ts';
+import { translated } from '../../text/remarks.ts';
+
+/** Every number of the paper beside what is computed here. */
+export function EveryNumber({ facts }: { readonly facts: readonly PaperFact[] }) {
+  const chapters = [...new Set(facts.map(({ chapter }) => chapter))];
+  return (
+    <>
+      {chapters.map((chapter) => (
+        <details key={chapter}>
+          <summary>{translated(chapter)}</summary>
+          <Chapter facts={facts.filter((fact) => fact.chapter === chapter)} name={chapter} />
+        </details>
+      ))}
+    </>
+  );
+}
+
+interface ChapterProps {
+  readonly facts: readonly PaperFact[];
+  readonly name: string;
+}
+
+function Chapter({ facts, name }: ChapterProps) {
+  const words = texts.value.paper;
+  const head = words.six;
+  return (
+    <section class="scroll" tabIndex={0} aria-label={translated(name)}>
+      <table class="wide">
+        <thead>
+          <tr>
+            <th>{head.quantity}</th>
+            <th class="figure">{head.printed}</th>
+            <th class="figure">{head.computed}</th>
+            <th>{head.verdict}</th>
+          </tr>
+        </thead>
+        <tbody>
+          {facts.map((fact) => (
+            <tr key={fact.quantity}>
+              <td>
+                {translated(fact.quantity)}
+                {fact.note !== '' && <small class="soft note">{translated(fact.note)}</small>}
+              </td>
+              <td class="figure">{fact.printed === null ? '' : withUnit(fact.printed, fact)}</td>
+              <td class="figure">{withUnit(computed(fact), fact)}</td>
+              <td>{words.verdicts[fact.verdict] ?? fact.verdict}</td>
+            </tr>
+          ))}
+        </tbody>
+      </table>
+    </section>
+  );
+}
+
+const withUnit = (number: string, { unit }: PaperFact): string =>
+  unit === '' ? number : `${number} ${unit}`;
+
+/** With one digit more than the paper, but never fewer than four. */
+function computed({ computed: value }: PaperFact): string {
+  const size = Math.abs(value);
+  if (size !== 0 && (size < 1e-3 || size >= 1e5)) return value.toExponential(3);
+  const decimals = size === 0 ? 0 : Math.max(0, 3 - Math.floor(Math.log10(size)));
+  return fixed(value, Math.min(decimals, 6), language.value);
+}

@@ -1,0 +1,80 @@
+import { SLIDERS, type Slider as SliderName } from '../../address/simulation.ts';
+import { Choice } from '../../app/Choice.tsx';
+import { Slider } from '../../app/Slider.tsx';
+import { lawName } from '../../figures/drag.ts';
+import { CENTIMETRE, fixed, PERCENT, plain } from '../../format/quantity.ts';
+import { catalogue } from '../../state/engine.ts';
+import { move, setup } from '../../state/simulating.ts';
+import { language, texts } from '../../text/language.ts';
+import { ballName } from '../../text/names.ts';
+
+/** What can be moved. */
+export function Sliders() {
+  const words = texts.value.simulate;
+  const spoken = language.value;
+  const now = setup.value;
+  const offered = catalogue.value;
+  const world = offered?.worlds.find(({ name }) => name === now.world);
+  const slider = (name: SliderName) => {
+    const { min, max, step } = SLIDERS[name];
+    return {
+      min,
+      max,
+      step,
+      value: now[name],
+      onInput: (value: number) => move({ [name]: value }),
+    };
+  };
+  return (
+    <div class="sliders">
+      <Slider
+        label={words.height}
+        shown={plain(now.heightM, CENTIMETRE, now.heightM < 1 ? 3 : 4, spoken)}
+        {...slider('heightM')}
+      />
+      <Slider
+        label={words.restitution}
+        shown={fixed(now.restitution, 4, spoken)}
+        {...slider('restitution')}
+      />
+      <Slider
+        label={words.slope}
+        hint={words.slopeHint}
+        shown={fixed(now.slope, 4, spoken)}
+        {...slider('slope')}
+      />
+      <Choice
+        label={words.ball}
+        value={now.ball}
+        options={(offered?.balls ?? []).map(({ name }) => [name, ballName(name)] as const)}
+        onChange={(ball) => move({ ball })}
+      />
+      <Choice
+        label={words.world}
+        value={now.world}
+        options={(offered?.worlds ?? []).map(
+          ({ name }) => [name, words.worlds[name] ?? name] as const,
+        )}
+        onChange={(where) => move({ world: where })}
+      />
+      <Slider
+        label={words.pressure}
+        shown={plain(now.air, PERCENT, 3, spoken)}
+        disabled={world?.air_density_kg_m3 === 0}
+        {...slider('air')}
+      />
+      <Choice
+        label={words.drag}
+        value={now.drag}
+        options={[
+          ...(offered?.drag_laws ?? []).map(
+            ({ name }) => [name, lawName(name, texts.value)] as const,
+          ),
+          ['constant:0.4', texts.value.settings.dragConstant],
+          ['none', texts.value.settings.dragNone],
+        ]}
+        onChange={(drag) => move({ drag })}
+      />
+    </div>
+  );
+}

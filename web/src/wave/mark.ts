@@ -1,0 +1,40 @@
+/** An impact as it stands on the waveform. */
+export interface Mark {
+  /** Stays the same while it is moved. */
+  readonly id: number;
+  readonly timeS: number;
+  /** That it is an impact of this drop. */
+  readonly probability: number;
+  /** Standard error of the time, s; unknown if it was set by hand. */
+  readonly sigmaS: number | null;
+  readonly levelDb: number | null;
+  /** Its number as heard; a missed impact leaves a gap. */
+  readonly number: number | null;
+}
+
+/** Below this an impact is marked as uncertain, as everywhere in bouncelab. */
+export const CERTAIN = 0.9;
+
+export const inOrder = (marks: readonly Mark[]): readonly Mark[] =>
+  marks.toSorted((a, b) => a.timeS - b.timeS);
+
+/** The mark nearest to a moment, if it is within reach. */
+export function nearest(marks: readonly Mark[], timeS: number, reachS: number): Mark | undefined {
+  let found: Mark | undefined;
+  let least = reachS;
+  for (const mark of marks) {
+    const distance = Math.abs(mark.timeS - timeS);
+    if (distance <= least) {
+      least = distance;
+      found = mark;
+    }
+  }
+  return found;
+}
+
+/** The next mark after a moment, or before it. */
+export function beside(marks: readonly Mark[], timeS: number, direction: 1 | -1): Mark | undefined {
+  const sorted = inOrder(marks);
+  const beyond = (mark: Mark): boolean => (mark.timeS - timeS) * direction > 1e-9;
+  return direction > 0 ? sorted.find(beyond) : sorted.findLast(beyond);
+}

@@ -1,0 +1,56 @@
+/**
+ * A sound at every magnification: each level holds the least and greatest sample of ever longer bins.
+ * Drawing a column then looks at a few bins, however long the recording.
+ */
+
+import type { Level } from '../lab/index.ts';
+
+export interface Pyramid {
+  readonly rateHz: number;
+  /** The sound itself. */
+  readonly samples: Float32Array;
+  /** The finest first. */
+  readonly levels: readonly Level[];
+}
+
+/** The coarsest level with at least one bin a column. */
+export function levelFor(pyramid: Pyramid, samplesPerColumn: number): Level | undefined {
+  let chosen = pyramid.levels[0];
+  for (const level of pyramid.levels) {
+    if (level.samplesPerBin > samplesPerColumn) break;
+    chosen = level;
+  }
+  return chosen;
+}
+
+/** Least and greatest between two samples, written into `into` at column `column`. */
+export function columnOf(
+  level: Level,
+  fromSample: number,
+  toSample: number,
+  into: Float32Array,
+  column: number,
+): void {
+  const { extremes, samplesPerBin } = level;
+  const count = extremes.length / 2;
+  const first = Math.max(0, Math.floor(fromSample / samplesPerBin));
+  const last = Math.min(count, Math.max(first + 1, Math.ceil(toSample / samplesPerBin)));
+  let least = Number.POSITIVE_INFINITY;
+  let greatest = Number.NEGATIVE_INFINITY;
+  for (let bin = first; bin < last; bin += 1) {
+    const low = extremes[2 * bin] as number;
+    const high = extremes[2 * bin + 1] as number;
+    if (low < least) least = low;
+    if (high > greatest) greatest = high;
+  }
+  into[2 * column] = least;
+  into[2 * column + 1] = greatest;
+}
+
+/** The largest sample of the whole, for the height of the picture. */
+export function peakOf(pyramid: Pyramid): number {
+  const coarsest = pyramid.levels.at(-1);
+  let peak = 0;
+  for (const value of coarsest?.extremes ?? []) peak = Math.max(peak, Math.abs(value));
+  return peak;
+}

@@ -1,0 +1,62 @@
+/** What stories do with the page, and read from it. */
+import type { Browser, BrowserContextOptions, Page } from 'playwright-core';
+import { openPage } from '../harness/browser.ts';
+
+/** The page in English on a desktop, unless other options are given, ready to be used. */
+export async function open(
+  browser: Browser,
+  url: string,
+  options: BrowserContextOptions = {},
+): Promise<{ page: Page; troubles: string[] }> {
+  const usual = { locale: 'en-GB', viewport: { width: 1280, height: 900 } };
+  const opened = await openPage(browser, url, { ...usual, ...options });
+  await opened.page.getByRole('navigation').waitFor();
+  return opened;
+}
+
+/** A value and its uncertainty as the page writes them, in the unit that it shows. */
+export interface Said {
+  readonly value: number;
+  readonly sd: number;
+}
+
+/** The numbers in the first two sentences: restitution in per cent, drop height in centimetres. */
+export async function said(page: Page): Promise<{ kept: Said; fell: Said }> {
+  await settled(page);
+  const read = async (place: string): Promise<Said> => {
+    const words = ((await page.locator(place).first().textContent()) ?? '').replace(/\u2212/g, '-');
+    const found = /(\d[\d.]*) ± (\d[\d.]*)/.exec(words);
+    if (!found) throw new Error(`no number with its uncertainty in "${words}"`);
+    return { value: Number(found[1]), sd: Number(found[2]) };
+  };
+  return { kept: await read('.said .first strong'), fell: await read('.said .second strong') };
+}
+
+/** Waits until the inference is done. */
+export async function settled(page: Page): Promise<void> {
+  await page.locator('.said[aria-busy="false"] .first').waitFor({ timeout: 30_000 });
+}
+
+/** Drops a file onto the page, as a hand would. */
+export async function dropFile(
+  page: Page,
+  name: string,
+  content: Buffer,
+  claimedSize?: number,
+): Promise<void> {
+  await page.evaluate(
+    ({ fileName, base64, size }) => {
+      const bytes = Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
+      const file = new File([bytes], fileName);
+      if (size !== undefined) Object.defineProperty(file, 'size', { value: size });
+      const transfer = new DataTransfer();
+      transfer.items.add(file);
+      // A transfer hands out copies, which would lose the claimed size.
+      const event = new DragEvent('drop', { bubbles: true, cancelable: true });
+      const carried = { types: ['Files'], files: size === undefined ? transfer.files : [file] };
+      Object.defineProperty(event, 'dataTransfer', { value: carried });
+      document.body.dispatchEvent(event);
+    },
+    { fileName: name, base64: content.toString('base64'), size: claimedSize },
+  );
+}

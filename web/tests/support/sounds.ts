@@ -1,0 +1,37 @@
+/** Drops with a known truth, and the samples of what was saved. */
+import { readFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { folder, synth } from '../harness/program.ts';
+
+export const TRUTH = { restitution: 0.93, heightM: 0.305 } as const;
+
+/** A drop as WAV, made by `bouncelab synth`. */
+export function drop(name: string): string {
+  const truth = ['--height', `${TRUTH.heightM}m`, '--restitution', String(TRUTH.restitution)];
+  const scene = ['--lead-in', '1s', '--tail', '3s', '--sample-rate', '48000', '--bits', '16'];
+  return synth(join(folder(), `${name}.wav`), ...truth, ...scene).path;
+}
+
+/** Samples of a WAV file of one channel, 16-bit or 32-bit float. */
+export function samplesOf(file: string): { rateHz: number; samples: Float32Array } {
+  const bytes = readFileSync(file);
+  let rateHz = 0;
+  let isFloat = false;
+  for (let at = 12; at + 8 <= bytes.length; ) {
+    const name = bytes.toString('latin1', at, at + 4);
+    const size = bytes.readUInt32LE(at + 4);
+    const body = bytes.subarray(at + 8, at + 8 + size);
+    if (name === 'fmt ') {
+      rateHz = body.readUInt32LE(4);
+      isFloat = body.readUInt16LE(14) === 32;
+    }
+    if (name === 'data') {
+      const count = Math.floor(body.length / (isFloat ? 4 : 2));
+      const read = (i: number): number =>
+        isFloat ? body.readFloatLE(4 * i) : body.readInt16LE(2 * i) / 32768;
+      return { rateHz, samples: Float32Array.from({ length: count }, (_, i) => read(i)) };
+    }
+    at += 8 + size + (size % 2);
+  }
+  throw new Error(`${file} holds no samples`);
+}
