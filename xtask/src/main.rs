@@ -6,6 +6,7 @@
 mod bench;
 mod calibrate;
 mod cargo;
+mod fuzz;
 mod grid;
 mod laboratory;
 mod tables;
@@ -25,7 +26,7 @@ struct Chore {
     run: fn(&[String]) -> Result,
 }
 
-const CHORES: [Chore; 7] = [
+const CHORES: [Chore; 8] = [
     Chore {
         name: "test",
         arguments: "[CHECK...]",
@@ -61,6 +62,12 @@ const CHORES: [Chore; 7] = [
         arguments: "[PART...]",
         about: grid::ABOUT,
         run: grid::run,
+    },
+    Chore {
+        name: "fuzz",
+        arguments: "[TARGET...]",
+        about: fuzz::ABOUT,
+        run: fuzz::run,
     },
     Chore {
         name: "web",

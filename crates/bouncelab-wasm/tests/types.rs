@@ -5,7 +5,7 @@
 #![cfg(not(target_family = "wasm"))]
 
 use std::any::TypeId;
-use std::collections::HashSet;
+use std::collections::{BTreeMap, HashSet};
 use std::fs;
 use std::path::Path;
 
@@ -18,11 +18,12 @@ const HEAD: &str = "\
 // crates/bouncelab-wasm/src/wire.rs by `cargo xtask web`. Do not edit.
 ";
 
-/// Declares types, each after those it is made of.
+/// Declares types and all that they are made of.
 struct Declarations {
     config: Config,
     seen: HashSet<TypeId>,
-    text: String,
+    /// By name: the order in which types are found changes from build to build.
+    found: BTreeMap<String, String>,
 }
 
 impl Declarations {
@@ -38,7 +39,8 @@ impl Declarations {
         }
         let docs = T::docs().unwrap_or_default();
         let declaration = T::decl(&self.config);
-        self.text += &["\n", &docs, "export ", &declaration, "\n"].concat();
+        let text = ["\n", &docs, "export ", &declaration, "\n"].concat();
+        self.found.insert(T::ident(&self.config), text);
     }
 }
 
@@ -52,7 +54,7 @@ fn declarations() -> String {
     let mut all = Declarations {
         config: Config::new().with_large_int("number"),
         seen: HashSet::new(),
-        text: HEAD.to_owned(),
+        found: BTreeMap::new(),
     };
     all.declare::<wire::Refusal>();
     all.declare::<wire::Catalogue>();
@@ -67,7 +69,9 @@ fn declarations() -> String {
     all.declare::<wire::SceneRequest>();
     all.declare::<wire::Simulated>();
     all.declare::<paper::Document>();
-    all.text
+    let declarations: String = all.found.into_values().collect();
+    [HEAD, &declarations]
+        .concat()
         .replace("/**\n * ", "/** ")
         .replace("\n */\n", " */\n")
         .replace("{ \n", "{\n")

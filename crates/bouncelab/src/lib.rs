@@ -56,8 +56,8 @@
 //! | [`listen`] | samples in, trains out |
 //! | [`regression`] | the paper's straight line, Eqs. 4 to 8 |
 //! | [`restitution`] | the restitution of each impact, corrected for drag |
-//! | [`estimate`] | all of them together, with uncertainties |
-//! | [`analysis`] | what the impact times of one drop say |
+//! | [`estimate`] | everything that the impacts say together |
+//! | [`analysis`] | what the impacts of one drop say |
 //! | [`groups`] | what many drops say together |
 //! | [`rulebook`] | whether a ball or a floor obeys a rule |
 //! | [`stated`] | what a person states, and what is assumed |

@@ -147,7 +147,8 @@ impl Listener {
     /// How many sounds have stood out of the background so far, in all channels that differ.
     pub fn onsets(&self) -> usize {
         let ears = self.ears.iter().flatten();
-        ears.map(|ear| ear.onsets_judged + ear.onsets.len()).sum()
+        ears.map(|ear| ear.onsets_judged + standing_out(&ear.onsets))
+            .sum()
     }
 
     /// What was heard so far, as if the recording ended here. It takes as long as the judgement of
@@ -252,7 +253,7 @@ impl Ear {
         let mut found = Found::default();
         train::search(&self.onsets, self.span(end_s), &mut found);
         self.take(found);
-        self.onsets_judged += self.onsets.len();
+        self.onsets_judged += standing_out(&self.onsets);
         self.onsets.clear();
     }
 
@@ -277,8 +278,8 @@ impl Ear {
         found.regular.retain(|r| r.start_s <= past_s);
         self.take(found);
         let judged = self.onsets.partition_point(|o| o.time_s <= past_s);
+        self.onsets_judged += standing_out(&self.onsets[..judged]);
         self.onsets.drain(..judged);
-        self.onsets_judged += judged;
         self.judged_s = past_s;
     }
 
@@ -313,6 +314,11 @@ impl Ear {
             clipped_samples: self.clipping.count(),
         }
     }
+}
+
+/// How many of these are sounds that stand out of the background.
+fn standing_out(onsets: &[Onset]) -> usize {
+    onsets.iter().filter(|onset| onset.stands_out()).count()
 }
 
 /// Least and greatest sample in equal steps of time: a picture of a recording of any length, in

@@ -29,11 +29,6 @@ globalThis.addEventListener?.('hashchange', () => {
   route.value = parseRoute(location.hash);
 });
 
-/** Goes to another page of the laboratory. */
-export function go(view: View): void {
-  location.hash = hashOf(view);
-}
-
 /** Notes parameters in the address without a step in the history of the browser. */
 export function note(view: View, parameters: URLSearchParams): void {
   if (route.peek().view !== view) return;

@@ -1,8 +1,9 @@
 import { useEffect, useRef, useState } from 'preact/hooks';
-import { go, route } from '../address/route.ts';
+import { route } from '../address/route.ts';
 import { phase } from '../state/bench.ts';
 import { broken, catalogue } from '../state/engine.ts';
 import { openFile } from '../state/opening.ts';
+import { goToLab } from '../state/settings.ts';
 import { texts } from '../text/language.ts';
 import { Drops } from '../views/drops/Drops.tsx';
 import { Laboratory } from '../views/laboratory/Laboratory.tsx';
@@ -110,7 +111,7 @@ function DropZone() {
       setOver(false);
       const file = event.dataTransfer?.files[0];
       if (!file || busy()) return;
-      go('lab');
+      goToLab();
       void openFile(file);
     });
     return () => listeners.abort();

@@ -1,6 +1,5 @@
 import { hashOf, route, VIEWS, type View } from '../address/route.ts';
-import { settingsToParameters } from '../address/settings.ts';
-import { settings } from '../state/settings.ts';
+import { labAddress } from '../state/settings.ts';
 import { dark, theme } from '../style/colours.ts';
 import { choose, language, languages, nameOf, texts } from '../text/language.ts';
 import { HalfMoon, Sun, Wordmark } from './icons.tsx';
@@ -34,8 +33,7 @@ export function Header() {
 }
 
 /** The laboratory keeps its set-up in its address, also on the way back to it. */
-const link = (view: View): string =>
-  view === 'lab' ? hashOf('lab', settingsToParameters(settings.value)) : hashOf(view);
+const link = (view: View): string => (view === 'lab' ? labAddress.value : hashOf(view));
 
 function LanguageChoice() {
   return (

@@ -1,18 +1,33 @@
 /** Keeping drops in the browser, and what is said of all of them together. */
-import { signal } from '@preact/signals';
-import { go } from '../address/route.ts';
+import { computed, signal } from '@preact/signals';
 import type { DocumentDrop } from '../lab/index.ts';
 import { allDrops, deleteDrop, type KeptDrop, putDrop } from '../store/drops.ts';
+import { newId } from '../store/id.ts';
 import { deleteRecording, putBlock, putRecording } from '../store/recordings.ts';
 import { analysed, drop, onBench, present } from './bench.ts';
 import { setMarks } from './editing.ts';
 import { forEngine } from './marks.ts';
 import { openStored, openTimes } from './opening.ts';
-import { settings, writeSettings } from './settings.ts';
+import { goToLab, settings } from './settings.ts';
 
 export const kept = signal<readonly KeptDrop[]>([]);
 /** False where the browser keeps nothing. */
 export const canKeep = signal(true);
+
+/** Drops that were ticked to be compared. */
+export const ticked = signal<ReadonlySet<string>>(new Set());
+
+/** Which drops are compared: all, as long as none is ticked. */
+export const compared = computed(() => {
+  const some = kept.value.filter(({ id }) => ticked.value.has(id));
+  return some.length === 0 ? kept.value : some;
+});
+
+export function tick(id: string): void {
+  const next = new Set(ticked.peek());
+  if (!next.delete(id)) next.add(id);
+  ticked.value = next;
+}
 
 export async function loadKept(): Promise<void> {
   try {
@@ -32,7 +47,7 @@ export async function keepDrop(name: string): Promise<boolean> {
   try {
     const sound = recording.storedAs ?? (await storeSound(name));
     const keptDrop: KeptDrop = {
-      id: crypto.randomUUID(),
+      id: newId(),
       name,
       keptAt: Date.now(),
       ball: analysed.peek()?.ball ?? '',
@@ -54,7 +69,7 @@ export async function keepDrop(name: string): Promise<boolean> {
 async function storeSound(name: string): Promise<string | null> {
   const pyramid = onBench.peek()?.pyramid;
   if (!pyramid) return null;
-  const id = crypto.randomUUID();
+  const id = newId();
   await putBlock(id, 0, pyramid.samples.slice());
   await putRecording({
     id,
@@ -123,9 +138,8 @@ async function forgetDeleted(): Promise<void> {
 
 /** Puts a kept drop back on the bench, as it was left: its sound, its set-up, its impacts. */
 export async function openKept(drop: KeptDrop): Promise<void> {
-  go('lab');
   settings.value = drop.settings;
-  writeSettings();
+  goToLab();
   if (drop.recording === null) {
     await openTimes(drop.marks.impacts.map((impact) => impact.time_s).join('\n'));
     return;

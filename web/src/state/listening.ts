@@ -3,8 +3,10 @@ import { signal } from '@preact/signals';
 import type { Listening, SoFar } from '../lab/index.ts';
 import { LiveEnvelope } from '../sound/live-envelope.ts';
 import { type Microphone, MicrophoneError, openMicrophone } from '../sound/microphone.ts';
+import { joined } from '../store/blocks.ts';
+import { newId } from '../store/id.ts';
 import { Safekeeper } from '../store/safekeeper.ts';
-import { language, texts } from '../text/language.ts';
+import { region, texts } from '../text/language.ts';
 import { fail, fault, phase, put } from './bench.ts';
 import { engine, faultOf } from './engine.ts';
 
@@ -28,6 +30,10 @@ interface Take {
   readonly microphone: Microphone;
   readonly ear: Listening;
   readonly keeper: Safekeeper;
+  /** What the engine has not been given yet, because it still thinks about what came before. */
+  waiting: Float32Array<ArrayBuffer>[];
+  asking: boolean;
+  heardS: number;
   heardAnything: boolean;
 }
 
@@ -63,9 +69,9 @@ export async function listen(): Promise<void> {
 async function begin(microphone: Microphone): Promise<Take> {
   const { rateHz } = microphone;
   const startedAt = Date.now();
-  const date = new Date(startedAt).toLocaleString(language.peek());
+  const date = new Date(startedAt).toLocaleString(region.peek());
   const recording = {
-    id: crypto.randomUUID(),
+    id: newId(),
     name: texts.peek().lab.recordingName(date),
     rateHz,
     startedAt,
@@ -77,7 +83,7 @@ async function begin(microphone: Microphone): Promise<Take> {
   const keeper = new Safekeeper(recording, (problem) => {
     fault.value = { key: problem };
   });
-  return { microphone, ear, keeper, heardAnything: false };
+  return { microphone, ear, keeper, waiting: [], asking: false, heardS: 0, heardAnything: false };
 }
 
 function hear(now: Take, samples: Float32Array<ArrayBuffer>): void {
@@ -85,24 +91,40 @@ function hear(now: Take, samples: Float32Array<ArrayBuffer>): void {
   const peak = live.peek()?.add(samples) ?? 0;
   // Decibels, because ears and impacts span a thousandfold.
   level.value = Math.min(1, Math.max(0, 1 - (20 * Math.log10(Math.max(peak, 1e-9))) / SOFTEST_DB));
+  now.heardS += samples.length / now.microphone.rateHz;
   tellOfSilence(now, peak);
-  now.ear.push(samples).then(
-    (said) => {
-      if (take !== now) return;
-      soFar.value = said;
-      if (said.at_rest) void stopListening();
-    },
-    // The samples are kept; what they say is asked again when the recording ends.
-    () => undefined,
-  );
-  if (now.ear.durationS > LONGEST_S) void stopListening();
+  now.waiting.push(samples);
+  if (!now.asking) void ask(now);
+  if (now.heardS > LONGEST_S) void stopListening();
+}
+
+/**
+ * Gives the engine what has come since the last question, and shows what it says. However slow the
+ * machine, it never falls behind by more than one question.
+ */
+async function ask(now: Take): Promise<void> {
+  now.asking = true;
+  while (take === now && now.waiting.length > 0) {
+    // Should the engine stumble, the samples are kept, and it is asked again when the recording ends.
+    const said = await give(now).catch(() => undefined);
+    if (take !== now || !said) continue;
+    soFar.value = said;
+    if (said.at_rest) void stopListening();
+  }
+  now.asking = false;
+}
+
+function give(now: Take): Promise<SoFar> {
+  const samples = joined(now.waiting);
+  now.waiting = [];
+  return now.ear.push(samples);
 }
 
 function tellOfSilence(now: Take, peak: number): void {
   now.heardAnything ||= peak > 0;
   const said = fault.peek()?.key;
   if (now.heardAnything && said === 'silent') fault.value = null;
-  if (!now.heardAnything && now.ear.durationS > SILENT_AFTER_S && said === undefined) {
+  if (!now.heardAnything && now.heardS > SILENT_AFTER_S && said === undefined) {
     fault.value = { key: 'silent' };
   }
 }
@@ -116,6 +138,7 @@ export async function stopListening(): Promise<void> {
   level.value = 0;
   phase.value = { kind: 'reading', name };
   await microphone.close();
+  void give(ended).catch(() => undefined);
   const stored = await keeper.finish();
   try {
     put(name, await finished(ear, name), stored ? id : null);

@@ -1,10 +1,17 @@
 /** What the reader said of ball, air, gravity and drop. The address holds the same. */
-import { signal } from '@preact/signals';
-import { note, parseRoute } from '../address/route.ts';
+import { computed, signal } from '@preact/signals';
+import { hashOf, note, parseRoute } from '../address/route.ts';
 import { settingsFromParameters, settingsToParameters } from '../address/settings.ts';
 import type { Settings } from '../lab/index.ts';
 
 export const settings = signal<Settings>({});
+/** The way back to the laboratory, with its set-up. */
+export const labAddress = computed(() => hashOf('lab', settingsToParameters(settings.value)));
+
+export function goToLab(): void {
+  location.hash = labAddress.peek();
+}
+
 /** Parts of the address that were not understood. */
 export const unreadable = signal<readonly string[]>([]);
 

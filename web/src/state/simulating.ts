@@ -1,6 +1,6 @@
 /** A drop that does not exist: where the sliders stand, what follows, and the runs that were kept. */
 import { computed, effect, signal } from '@preact/signals';
-import { go, note, parseRoute } from '../address/route.ts';
+import { note, parseRoute } from '../address/route.ts';
 import {
   type SimulationSetup,
   simulationFromParameters,
@@ -14,6 +14,7 @@ import { drop } from './bench.ts';
 import { catalogue, engine, messageOf } from './engine.ts';
 import { Latest } from './latest.ts';
 import { openSamples } from './opening.ts';
+import { goToLab, settings } from './settings.ts';
 
 export const setup = signal<SimulationSetup>(USUAL);
 export const simulated = signal<Simulated | null>(null);
@@ -112,7 +113,9 @@ export async function hearRun(): Promise<void> {
 /** Onto the bench with it, as if it had been recorded. */
 export async function analyseRun(): Promise<void> {
   const { samples, sampleRateHz } = await engine().synthesise(request.peek(), SCENE);
-  go('lab');
+  // What was put in is what is known of it.
+  settings.value = request.peek().settings;
+  goToLab();
   await openSamples(samples, sampleRateHz, texts.peek().simulate.thisRun);
 }
 

@@ -2,7 +2,7 @@
  * The words of the page. A language is one file in `languages/`, named by its code; nothing else names
  * it. English comes with the page, the others when they are chosen.
  */
-import { signal } from '@preact/signals';
+import { computed, signal } from '@preact/signals';
 import english from './languages/en.ts';
 import type { Texts } from './texts.ts';
 
@@ -19,6 +19,10 @@ const codeOf = (path: string): string => path.replace(/^.*\/(.+)\.ts$/, '$1');
 export const languages: readonly string[] = [FALLBACK, ...Object.keys(others).map(codeOf)];
 
 export const language = signal(FALLBACK);
+/** For dates: the region of the reader, where the browser names one of this language. */
+export const region = computed(
+  () => navigator.languages.find((tag) => tag.startsWith(language.value)) ?? language.value,
+);
 export const texts = signal<Texts>(english);
 
 /** The name of a language in that language. */

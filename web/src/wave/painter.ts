@@ -68,6 +68,7 @@ export function paint(surface: Surface, scene: Scene): void {
   context.setTransform(ratio, 0, 0, ratio, 0, 0);
   context.clearRect(0, 0, width, height);
   paintRuler(surface, scene);
+  paintChosen(surface, scene);
   paintSound(surface, scene);
   paintMarks(surface, scene);
   paintLine(surface, scene, scene.cursorS, surface.palette.text, [2, 3]);
@@ -160,6 +161,16 @@ function paintSamples(surface: Surface, scene: Scene): void {
   context.stroke();
 }
 
+/** The chosen mark stands on a tint, under the sound. */
+function paintChosen(surface: Surface, { marks, view, selected }: Scene): void {
+  const { context, width, height, scale, palette: colours } = surface;
+  const mark = marks.find(({ id }) => id === selected);
+  if (!mark) return;
+  const x = xOf(mark.timeS, view, width);
+  context.fillStyle = colours.chosen;
+  context.fillRect(x - 7 * scale, FLAGS * scale, 14 * scale, height - (FLAGS + RULER) * scale);
+}
+
 function paintMarks(surface: Surface, { marks, view, selected }: Scene): void {
   const { context, width, height, scale, palette: colours } = surface;
   const [flags, foot] = [FLAGS * scale, height - RULER * scale];
@@ -171,10 +182,6 @@ function paintMarks(surface: Surface, { marks, view, selected }: Scene): void {
     const certain = mark.probability >= CERTAIN;
     const chosen = mark.id === selected;
     const at = Math.round(x) + 0.5;
-    if (chosen) {
-      context.fillStyle = colours.chosen;
-      context.fillRect(at - 6 * scale, flags, 12 * scale, foot - flags);
-    }
     context.strokeStyle = certain ? colours.mark : colours.doubtful;
     context.lineWidth = chosen ? 2 : 1;
     // Where the marks stand close the sound must stay in sight.

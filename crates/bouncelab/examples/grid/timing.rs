@@ -15,23 +15,30 @@ const MEDIAN_OF_NORMAL: f64 = 0.6745;
 
 /// One impact that was heard.
 struct Timed {
+    number: usize,
     error_s: f64,
     sigma_s: f64,
     bound_s: f64,
     level_db: f64,
 }
 
+/// The error of a flight time: of a difference, so that a constant offset does not matter.
+/// All in seconds.
+struct Flight {
+    error: f64,
+    sigma: f64,
+    bound: f64,
+}
+
 pub(crate) fn print(drops: u64) {
     println!(
-        "\n| ball | noise | impacts | median error | over the bound | within one sigma | drift for 10 dB |"
+        "\n| ball | noise | flights | median error | over the bound | within one sigma | drift for 10 dB |"
     );
     println!("|---|---|---|---|---|---|---|");
     for voice in Voice::NAMES {
         for snr_db in [20.0, 30.0, 40.0, 50.0] {
-            let timed: Vec<Timed> = (0..drops)
-                .flat_map(|seed| time(voice, snr_db, seed))
-                .collect();
-            println!("| {voice} | {snr_db} dB | {} |", summary(&timed));
+            let heard: Vec<Vec<Timed>> = (0..drops).map(|seed| time(voice, snr_db, seed)).collect();
+            println!("| {voice} | {snr_db} dB | {}", summary(&heard));
         }
     }
 }
@@ -82,17 +89,12 @@ fn time(voice: &str, snr_db: f64, seed: u64) -> Vec<Timed> {
         let first = (truth.time_s * rate) as usize;
         let end = ((truth.time_s + USED_S).min(next_s) * rate) as usize;
         timed.push(Timed {
+            number: index,
             error_s,
             sigma_s: impact.onset.sigma_s,
             bound_s: noise_rms / slope(&clean.samples, first, end).sqrt() / rate,
             level_db: truth.snr_db,
         });
-    }
-    // A constant offset does not matter.
-    let mut errors: Vec<f64> = timed.iter().map(|t| t.error_s).collect();
-    let middle = median(&mut errors).unwrap_or(0.0);
-    for one in &mut timed {
-        one.error_s -= middle;
     }
     timed
 }
@@ -116,31 +118,56 @@ fn slope(samples: &[f32], first: usize, end: usize) -> f64 {
         .sum()
 }
 
-fn summary(timed: &[Timed]) -> String {
-    let mut errors: Vec<f64> = timed.iter().map(|t| t.error_s.abs()).collect();
-    let mut over: Vec<f64> = timed.iter().map(|t| t.error_s.abs() / t.bound_s).collect();
-    let within = timed.iter().filter(|t| t.error_s.abs() < t.sigma_s).count();
+fn summary(heard: &[Vec<Timed>]) -> String {
+    let flights: Vec<Flight> = heard.iter().flat_map(|drop| flights(drop)).collect();
+    let mut errors: Vec<f64> = flights.iter().map(|t| t.error.abs()).collect();
+    let mut over: Vec<f64> = flights.iter().map(|t| t.error.abs() / t.bound).collect();
+    let within = flights.iter().filter(|t| t.error.abs() < t.sigma).count();
     let (Some(error_s), Some(over)) = (median(&mut errors), median(&mut over)) else {
-        return "0 | - | - | - | -".into();
+        return "0 | - | - | - | - |".into();
     };
     format!(
-        "{} | {:.2} us | {:.2} | {:.0} % | {:+.2} us",
-        timed.len(),
+        "{} | {:.2} us | {:.2} | {:.0} % | {} |",
+        flights.len(),
         1e6 * error_s,
         over / MEDIAN_OF_NORMAL,
-        100.0 * within as f64 / timed.len() as f64,
-        1e6 * 10.0 * drift(timed)
+        100.0 * within as f64 / flights.len() as f64,
+        drift(heard)
     )
 }
 
-/// Seconds later for each dB louder: the median slope of all pairs of impacts a few apart
-/// (Theil and Sen).
-fn drift(timed: &[Timed]) -> f64 {
-    let mut slopes: Vec<f64> = timed
-        .iter()
-        .zip(timed.iter().skip(7))
-        .filter(|(a, b)| (a.level_db - b.level_db).abs() > 3.0)
-        .map(|(a, b)| (a.error_s - b.error_s) / (a.level_db - b.level_db))
-        .collect();
-    median(&mut slopes).unwrap_or(0.0)
+fn flights(drop: &[Timed]) -> impl Iterator<Item = Flight> {
+    let pairs = drop.windows(2).filter(|p| p[1].number == p[0].number + 1);
+    pairs.map(|pair| Flight {
+        error: pair[1].error_s - pair[0].error_s,
+        sigma: pair[0].sigma_s.hypot(pair[1].sigma_s),
+        bound: pair[0].bound_s.hypot(pair[1].bound_s),
+    })
+}
+
+/// Microseconds later for each 10 dB louder, and the standard error of that: the mean over the
+/// drops of a straight line through the errors, each weighted by its bound.
+fn drift(heard: &[Vec<Timed>]) -> String {
+    let (mut weights, mut sum) = (0.0, 0.0);
+    for drop in heard.iter().filter(|drop| drop.len() > 2) {
+        let weighted = |value: fn(&Timed) -> f64| {
+            let weight: f64 = drop.iter().map(|t| t.bound_s.powi(-2)).sum();
+            drop.iter()
+                .map(|t| value(t) * t.bound_s.powi(-2))
+                .sum::<f64>()
+                / weight
+        };
+        let (level_db, error_s) = (weighted(|t| t.level_db), weighted(|t| t.error_s));
+        for t in drop {
+            let weight = t.bound_s.powi(-2) * (t.level_db - level_db);
+            weights += weight * (t.level_db - level_db);
+            sum += weight * (t.error_s - error_s);
+        }
+    }
+    let scale = 1e6 * 10.0;
+    format!(
+        "{:+.2} +- {:.2} us",
+        scale * sum / weights,
+        scale / weights.sqrt()
+    )
 }

@@ -39,7 +39,7 @@ pub struct Inference {
     /// Probabilities of 0, 1, 2, ... impacts before the first one heard, if a height or a release
     /// time tells.
     pub missed_first: Option<Vec<f64>>,
-    /// The answers to [`Question::reach`].
+    /// The answers to [`Question::reach`](super::Question::reach).
     pub predictions: Vec<Prediction>,
     /// The impacts heard.
     pub impacts: Vec<Impact>,
@@ -129,7 +129,7 @@ pub struct Sampling {
     /// Draws that count as independent.
     pub effective_draws: f64,
     /// Shape of the tail of the weights; the answer stands if it is below
-    /// [`GREATEST_PARETO_SHAPE`].
+    /// [`GREATEST_PARETO_SHAPE`](super::GREATEST_PARETO_SHAPE).
     pub pareto_shape: f64,
     /// Whether it can be trusted.
     pub converged: bool,

@@ -113,7 +113,7 @@ pub struct Prediction {
 ///
 /// [`Error::CannotInfer`] with fewer than two impacts or if no physical model explains them,
 /// [`Error::OutOfRange`] and [`Error::NotInOrder`] for times and knowledge that make no sense, and
-/// the errors of [`FlightModel::new`].
+/// the errors of [`FlightModel::new`](crate::flight::FlightModel::new).
 pub fn infer(
     impacts: &[TimedImpact],
     ball: &Ball,

@@ -78,7 +78,15 @@ impl Onset {
             band_noise_db: [-90.0; BANDS],
         }
     }
+
+    /// Whether it is hardly noise alone; fainter candidates tell something where they are rare.
+    pub(crate) fn stands_out(&self) -> bool {
+        self.strength >= STANDS_OUT
+    }
 }
+
+/// White noise hardly ever makes a candidate stronger than this.
+const STANDS_OUT: f64 = 2.0;
 
 /// A candidate is the strongest moment this far to both sides.
 const SPACING_S: f64 = 0.006;

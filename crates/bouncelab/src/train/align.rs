@@ -38,7 +38,7 @@ const TRIED: usize = 6;
 /// so many numbers drawn at random, one or two for each mode that rings.
 const FREE_DIFFERENCES: f64 = 2.0;
 /// No shift is surer than this, in samples.
-const LEAST_SIGMA: f64 = 0.001;
+const LEAST_SIGMA: f64 = 0.0005;
 /// Steps of Newton's from the shift of highest correlation to that of the least misfit.
 const STEPS: usize = 2;
 /// After the first round an impact is sought so many samples around where it was found.
@@ -62,7 +62,7 @@ pub(super) fn align(
     if sounds.len() < 3 {
         return agrees;
     }
-    smooth(&mut sounds, &span);
+    let smoothed = smooth(&mut sounds, &span);
     span.length = span.before + sounding(&sounds, &span);
     for round in 0..ROUNDS {
         let waves: Vec<Vec<f32>> = sounds.iter().map(|s| s.wave(&span, s.shift)).collect();
@@ -73,7 +73,7 @@ pub(super) fn align(
         for (sound, wave) in sounds.iter_mut().zip(&waves) {
             let own = weight(wave, middle);
             let others: Vec<f32> = stack.iter().zip(wave).map(|(s, w)| s - w * own).collect();
-            let template = Template::new(&others, noise - own * own);
+            let template = Template::new(&others, noise - own * own, &smoothed);
             sound.fit(&template, &span, round == 0);
         }
         keep_mean(&mut sounds);
@@ -283,8 +283,8 @@ fn noise_power(energy: &[f64], span: &Span) -> f64 {
 }
 
 /// Takes out the high frequencies in which the impacts do not sound: they would drown the slope
-/// of a dull thump.
-fn smooth(sounds: &mut [Sound], span: &Span) {
+/// of a dull thump. Returns the weights.
+fn smooth(sounds: &mut [Sound], span: &Span) -> Vec<f32> {
     let loudness = |energy: &[f64], noise: f64| {
         let (first, end) = (span.origin, span.origin + span.most);
         (energy[end] - energy[first] - noise * span.most as f64).max(0.0)
@@ -302,14 +302,16 @@ fn smooth(sounds: &mut [Sound], span: &Span) {
         });
         shares.sum::<f64>() / loudest.len() as f64
     };
-    let reaches = [16, 8, 4, 2, 1].map(smoothing);
-    if let Some(kernel) = reaches.iter().find(|kernel| kept(kernel) > LEAST_KEPT) {
-        for sound in sounds {
-            sound.samples = convolve(&sound.samples, kernel);
-            sound.energy = running_energy(&sound.samples);
-            sound.noise = noise_power(&sound.energy, span);
-        }
+    let mut kernels = [16, 8, 4, 2, 1].map(smoothing).into_iter();
+    let Some(kernel) = kernels.find(|kernel| kept(kernel) > LEAST_KEPT) else {
+        return vec![1.0];
+    };
+    for sound in sounds {
+        sound.samples = convolve(&sound.samples, &kernel);
+        sound.energy = running_energy(&sound.samples);
+        sound.noise = noise_power(&sound.energy, span);
     }
+    kernel
 }
 
 /// A bell of weights that reaches so far to both sides, its sum 1.
@@ -386,18 +388,25 @@ struct Template<'a> {
     derivative: Vec<f32>,
     energy: f32,
     slope: f32,
+    /// The share of the noise in the slope that is left by the smoothing: the estimate smooths
+    /// once what is left of a wave and once the template.
+    smoothness: f32,
     /// Power of its noise over that of one impact.
     noise: f32,
 }
 
 impl<'a> Template<'a> {
-    fn new(wave: &'a [f32], noise: f32) -> Self {
+    /// Of a stack of waves that were smoothed so.
+    fn new(wave: &'a [f32], noise: f32, smoothed: &[f32]) -> Self {
         let derivative = derivative(wave);
+        let slope = dot(&derivative, &derivative);
+        let twice = convolve(&derivative, smoothed);
         Self {
             wave,
             noise,
             energy: dot(wave, wave),
-            slope: dot(&derivative, &derivative),
+            slope,
+            smoothness: dot(&twice, &twice) / slope.max(f32::MIN_POSITIVE),
             derivative,
         }
     }
@@ -432,7 +441,8 @@ impl<'a> Template<'a> {
         let both = noise * (1.0 + f64::from(level * level * self.noise));
         let by_chance = both * (count + 2.0 * (2.0 * count * alike).sqrt());
         let different = (unexplained - by_chance).max(0.0);
-        let variance = (density + different / FREE_DIFFERENCES) / slope;
+        let noise = density * f64::from(self.smoothness);
+        let variance = (noise + different / FREE_DIFFERENCES) / slope;
         variance.sqrt().hypot(LEAST_SIGMA)
     }
 }

@@ -244,13 +244,16 @@ pub(super) fn best(onsets: &[Onset], span: Span) -> Option<Chain> {
             }
             let before = ends[earlier]..ends[earlier + 1];
             let mut survivors = survivors(&nodes, before, earlier, &step);
-            let births = State::births(&step, &around[earlier]);
-            survivors.extend(births.map(|state| Node {
-                state,
-                from: earlier as u32,
-                missed: 0,
-                back: None,
-            }));
+            // A drop begins with its loudest impacts; only later ones may be faint.
+            if onsets[earlier].stands_out() && onsets[later].stands_out() {
+                let births = State::births(&step, &around[earlier]);
+                survivors.extend(births.map(|state| Node {
+                    state,
+                    from: earlier as u32,
+                    missed: 0,
+                    back: None,
+                }));
+            }
             nodes.append(&mut survivors);
         }
         ends.push(nodes.len());

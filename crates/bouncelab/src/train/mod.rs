@@ -355,14 +355,12 @@ pub(crate) fn search(onsets: &[Onset], span: Span, found: &mut Found) {
 /// Leaves out the faint onsets where they come thick: among so many some will always lie as the
 /// impacts of a drop.
 fn telling(onsets: &[Onset]) -> Vec<Onset> {
-    /// Onsets weaker than this are faint.
-    const FAINT: f64 = 2.0;
     /// So many in this time to both sides, in seconds, are too many.
     const REACH_S: f64 = 3.0;
     const MANY: usize = 12;
     let faint: Vec<f64> = onsets
         .iter()
-        .filter(|o| o.strength < FAINT)
+        .filter(|o| !o.stands_out())
         .map(|o| o.time_s)
         .collect();
     let is_thick = |time_s: f64| {
@@ -372,7 +370,7 @@ fn telling(onsets: &[Onset]) -> Vec<Onset> {
     };
     onsets
         .iter()
-        .filter(|o| o.strength >= FAINT || !is_thick(o.time_s))
+        .filter(|o| o.stands_out() || !is_thick(o.time_s))
         .copied()
         .collect()
 }

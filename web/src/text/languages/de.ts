@@ -444,7 +444,7 @@ const deutsch: Texts = {
       text: [
         'Tun wir, was der Aufsatz nicht konnte: Bälle in Luft springen lassen, dieselbe Gerade hindurchlegen und sehen, was sie sagt. Wähle, wie gut der Ball springt und wie viele Flüge in die Gerade gehen.',
       ],
-      e: 'Wahre Stoßzahl des Balls',
+      e: 'Wahre Stoßzahl des Balls, bei 1 m/s',
       slope: 'Fällt mit dem Tempo um',
       flights: 'Flüge in der Geraden',
       lineSays: (e, h) => ['Die Gerade sagt e = ', e, ' und h₀ = ', h, '.'],
@@ -454,7 +454,7 @@ const deutsch: Texts = {
       solveDrag: 'e gleich, zehn Flüge',
       solveMany: 'e gleich, 21 Flüge',
       solveSlope: 'e fällt mit dem Tempo, zehn Flüge',
-      see: 'Fallhöhe nach der Geraden über der Zahl ihrer Flüge. Grau: Ohne Luft bleibt sie gleich. Orangerot: Mit Luft sinkt sie mit jedem Flug. Blau: was der Aufsatz maß.',
+      see: 'Fallhöhe nach der Geraden über der Zahl ihrer Flüge. Grau: Ohne Luft bleibt sie gleich, solange der Ball bei jedem Tempo gleich gut springt. Orangerot: Mit Luft sinkt sie mit jedem Flug. Blau: was die Gerade des Aufsatzes sagte.',
       x: 'Flüge in der Geraden',
       y: 'Fallhöhe nach der Geraden (cm)',
       paperPoint: 'der Aufsatz',

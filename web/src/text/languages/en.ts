@@ -442,7 +442,7 @@ export default {
       text: [
         'Let us do what the paper could not: make drops with air, run the same straight line over them, and see what it says. Choose the bounciness of the ball and how many flights go into the line.',
       ],
-      e: 'True restitution of the ball',
+      e: 'True restitution of the ball, at 1 m/s',
       slope: 'Falls with speed by',
       flights: 'Flights in the straight line',
       lineSays: (e: string, h: string) => ['The line says e = ', e, ' and h₀ = ', h, '.'],
@@ -452,7 +452,7 @@ export default {
       solveDrag: 'constant e, ten flights',
       solveMany: 'constant e, 21 flights',
       solveSlope: 'e falls with speed, ten flights',
-      see: 'Drop height by the straight line, against the number of flights in it. Grey: without air it never changes. Vermilion: with air it sinks with every flight. Blue: what the paper measured.',
+      see: 'Drop height by the straight line, against the number of flights in it. Grey: without air, it never changes as long as the ball is equally bouncy at every speed. Vermilion: with air it sinks with every flight. Blue: what the paper’s line said.',
       x: 'flights in the line',
       y: 'drop height by the line (cm)',
       paperPoint: 'the paper',

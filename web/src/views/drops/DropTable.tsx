@@ -1,10 +1,9 @@
-import { fixed, lengthUnit, PLAIN, uncertain } from '../../format/quantity.ts';
-import { kept, openKept, remove, rename } from '../../state/keeping.ts';
+import { lengthUnit, PLAIN, plain, uncertain } from '../../format/quantity.ts';
+import { kept, openKept, remove, rename, tick, ticked } from '../../state/keeping.ts';
 import { spreadOf } from '../../state/spread.ts';
 import type { KeptDrop } from '../../store/drops.ts';
-import { language, texts } from '../../text/language.ts';
-import { ballName } from '../laboratory/SettingsLine.tsx';
-import { compared } from './Drops.tsx';
+import { language, region, texts } from '../../text/language.ts';
+import { ballName } from '../../text/names.ts';
 
 /** One row for each drop, and their mean and scatter. */
 export function DropTable({ chosen }: { readonly chosen: readonly KeptDrop[] }) {
@@ -35,12 +34,6 @@ export function DropTable({ chosen }: { readonly chosen: readonly KeptDrop[] }) 
   );
 }
 
-function toggle(id: string): void {
-  const next = new Set(compared.peek());
-  if (!next.delete(id)) next.add(id);
-  compared.value = next;
-}
-
 function Row({ drop }: { readonly drop: KeptDrop }) {
   const words = texts.value.drops;
   const spoken = language.value;
@@ -51,8 +44,8 @@ function Row({ drop }: { readonly drop: KeptDrop }) {
         <input
           type="checkbox"
           aria-label={words.choose(drop.name)}
-          checked={compared.value.has(drop.id)}
-          onChange={() => toggle(drop.id)}
+          checked={ticked.value.has(drop.id)}
+          onChange={() => tick(drop.id)}
         />
       </td>
       <td>
@@ -65,7 +58,10 @@ function Row({ drop }: { readonly drop: KeptDrop }) {
         />
       </td>
       <td>
-        {new Date(drop.keptAt).toLocaleString(spoken, { dateStyle: 'short', timeStyle: 'short' })}
+        {new Date(drop.keptAt).toLocaleString(region.value, {
+          dateStyle: 'short',
+          timeStyle: 'short',
+        })}
       </td>
       <td>{drop.settings.ball === undefined ? drop.ball : ballName(drop.settings.ball)}</td>
       <td class="figure">{e ? uncertain(e.value, e.sd, PLAIN, spoken) : ''}</td>
@@ -113,10 +109,8 @@ function Summary({ chosen }: { readonly chosen: readonly KeptDrop[] }) {
       </tr>
       <tr>
         <th colSpan={4}>{words.scatter}</th>
-        <td class="figure">{e?.scatter != null && fixed(e.scatter, 4, spoken)}</td>
-        <td class="figure">
-          {h?.scatter != null && `${fixed(h.scatter / unit.size, 2, spoken)} ${unit.symbol}`}
-        </td>
+        <td class="figure">{e?.scatter != null && plain(e.scatter, PLAIN, 2, spoken)}</td>
+        <td class="figure">{h?.scatter != null && plain(h.scatter, unit, 2, spoken)}</td>
         <td colSpan={2} />
       </tr>
     </tfoot>

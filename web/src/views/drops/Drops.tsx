@@ -1,21 +1,17 @@
-import { signal } from '@preact/signals';
-import { hashOf } from '../../address/route.ts';
 import { Rich } from '../../app/Rich.tsx';
-import { decimalsFor, fixed, PERCENT, uncertain } from '../../format/quantity.ts';
-import { bringBack, canKeep, deleted, kept, remove } from '../../state/keeping.ts';
+import { PERCENT, plain, uncertain } from '../../format/quantity.ts';
+import { bringBack, canKeep, compared, deleted, kept, remove } from '../../state/keeping.ts';
+import { labAddress } from '../../state/settings.ts';
 import { spreadOf } from '../../state/spread.ts';
 import { language, texts } from '../../text/language.ts';
 import { Comparison } from './Comparison.tsx';
 import { DropTable } from './DropTable.tsx';
 import { saveDropsCsv, saveDropsJson } from './export.ts';
 
-/** Which drops are compared; all, as long as none is chosen. */
-export const compared = signal<ReadonlySet<string>>(new Set());
-
 /** The drops that were kept, side by side. */
 export function Drops() {
   const words = texts.value.drops;
-  const chosen = kept.value.filter(({ id }) => compared.value.size === 0 || compared.value.has(id));
+  const chosen = compared.value;
   return (
     <div class="stack wide drops">
       <h1>{words.title}</h1>
@@ -24,7 +20,7 @@ export function Drops() {
       {kept.value.length === 0 ? (
         <>
           <p class="lead soft">{words.empty}</p>
-          <a class="button primary" href={hashOf('lab')}>
+          <a class="button primary" href={labAddress.value}>
             {words.toLab}
           </a>
         </>
@@ -72,11 +68,10 @@ function Undo() {
 /** Mean and scatter in words: the first thing a teacher wants to see. */
 function Scatter() {
   const spoken = language.value;
-  const chosen = kept.value.filter(({ id }) => compared.value.size === 0 || compared.value.has(id));
+  const chosen = compared.value;
   const spread = spreadOf(chosen.map(({ restitution }) => restitution));
   if (!spread || spread.scatter === null) return null;
-  const points = (value: number): string =>
-    `${fixed(100 * value, decimalsFor(100 * value), spoken)}\u202f%`;
+  const points = (value: number): string => plain(value, PERCENT, 2, spoken);
   return (
     <p class="lead">
       <Rich

@@ -22,7 +22,12 @@ export function ImpactTable() {
       <summary>{words.list}</summary>
       {listed.value && (
         <>
-          {onBench.value?.pyramid && <p class="small soft">{words.pointer}</p>}
+          {onBench.value?.pyramid && (
+            <div class="small soft">
+              <p>{words.pointer}</p>
+              <p>{words.keys}</p>
+            </div>
+          )}
           <section class="impacts" tabIndex={0} aria-label={words.list}>
             <table>
               <thead>

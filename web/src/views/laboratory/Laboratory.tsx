@@ -1,15 +1,12 @@
-import { FaultNotice } from '../../app/FaultNotice.tsx';
-import { fault, onBench, phase } from '../../state/bench.ts';
-import { unreadable } from '../../state/settings.ts';
+import { onBench, phase } from '../../state/bench.ts';
 import { texts } from '../../text/language.ts';
 import { FigureTabs } from './FigureTabs.tsx';
 import { Keep } from './Keep.tsx';
-import { Leftovers } from './Leftovers.tsx';
 import { ListenBar } from './ListenBar.tsx';
 import { LiveStrip } from './LiveStrip.tsx';
 import { Said } from './Said.tsx';
-import { SaveSound } from './SaveSound.tsx';
 import { SettingsLine } from './SettingsLine.tsx';
+import { Troubles } from './Troubles.tsx';
 import { WaveBench } from './WaveBench.tsx';
 import { Welcome } from './Welcome.tsx';
 
@@ -25,23 +22,6 @@ export function Laboratory() {
       <Troubles />
       {busy ? <LiveStrip /> : <Bench />}
     </div>
-  );
-}
-
-/** What went wrong or needs attention. */
-export function Troubles() {
-  return (
-    <>
-      {fault.value && (
-        <FaultNotice fault={fault.value}>
-          {(fault.value.key === 'full' || fault.value.key === 'unavailable') && <SaveSound />}
-        </FaultNotice>
-      )}
-      {unreadable.value.length > 0 && (
-        <p class="notice">{texts.value.app.unreadableLink(unreadable.value.join(', '))}</p>
-      )}
-      <Leftovers />
-    </>
   );
 }
 

@@ -1,5 +1,5 @@
 import { leftovers, openLeftover, throwAway } from '../../state/leftovers.ts';
-import { language, texts } from '../../text/language.ts';
+import { region, texts } from '../../text/language.ts';
 
 /** Recordings that were cut short, and the last one if it was not kept: to open or to throw away. */
 export function Leftovers() {
@@ -7,7 +7,7 @@ export function Leftovers() {
   return (
     <>
       {leftovers.value.map((recording) => {
-        const date = new Date(recording.startedAt).toLocaleString(language.value);
+        const date = new Date(recording.startedAt).toLocaleString(region.value);
         return (
           <div class={recording.finished ? 'leftover' : 'notice'} key={recording.id}>
             <p>

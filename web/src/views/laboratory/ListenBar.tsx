@@ -2,7 +2,7 @@ import { onBench } from '../../state/bench.ts';
 import { ListenButton } from './ListenButton.tsx';
 import { OtherWays } from './OtherWays.tsx';
 import { Paste } from './Paste.tsx';
-import { pasting } from './Welcome.tsx';
+import { pasting } from './pasting.ts';
 
 /** The way to the next drop; on a phone within reach of the thumb. */
 export function ListenBar() {

@@ -2,7 +2,7 @@ import { useRef } from 'preact/hooks';
 import { phase } from '../../state/bench.ts';
 import { openDemo, openFile } from '../../state/opening.ts';
 import { texts } from '../../text/language.ts';
-import { pasting } from './Welcome.tsx';
+import { pasting } from './pasting.ts';
 
 /** A file, a list of times, the demo: three quiet links. */
 export function OtherWays() {

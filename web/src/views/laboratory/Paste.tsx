@@ -1,7 +1,7 @@
 import { useEffect, useRef } from 'preact/hooks';
 import { openTimes } from '../../state/opening.ts';
 import { texts } from '../../text/language.ts';
-import { pasting } from './Welcome.tsx';
+import { pasting } from './pasting.ts';
 
 /** A box for impact times. */
 export function Paste() {

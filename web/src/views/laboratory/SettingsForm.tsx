@@ -1,10 +1,10 @@
-import { useId } from 'preact/hooks';
+import { Choice } from '../../app/Choice.tsx';
 import { NumberField } from '../../app/NumberField.tsx';
 import { lawName } from '../../figures/drag.ts';
 import { catalogue } from '../../state/engine.ts';
 import { change, forgetSettings, settings } from '../../state/settings.ts';
 import { texts } from '../../text/language.ts';
-import { ballName } from './SettingsLine.tsx';
+import { ballName } from '../../text/names.ts';
 
 const OWN = 'own';
 const ABSOLUTE_ZERO_C = -273.15;
@@ -28,29 +28,6 @@ export function SettingsForm() {
         {words.reset}
       </button>
     </>
-  );
-}
-
-interface ChoiceProps {
-  readonly label: string;
-  readonly value: string;
-  readonly options: readonly (readonly [value: string, label: string])[];
-  readonly onChange: (value: string) => void;
-}
-
-export function Choice({ label, value, options, onChange }: ChoiceProps) {
-  const id = useId();
-  return (
-    <div class="field">
-      <label for={id}>{label}</label>
-      <select id={id} value={value} onChange={(event) => onChange(event.currentTarget.value)}>
-        {options.map(([key, words]) => (
-          <option key={key} value={key}>
-            {words}
-          </option>
-        ))}
-      </select>
-    </div>
   );
 }
 

@@ -3,6 +3,7 @@ import { refusedSettings } from '../../state/bench.ts';
 import { catalogue } from '../../state/engine.ts';
 import { settings } from '../../state/settings.ts';
 import { language, texts } from '../../text/language.ts';
+import { ballName } from '../../text/names.ts';
 import { translated } from '../../text/remarks.ts';
 import { SettingsForm } from './SettingsForm.tsx';
 
@@ -46,8 +47,6 @@ function ballInWords(): string {
   const name = ball ?? catalogue.value?.balls[0]?.name ?? '';
   return `${words.ball}: ${ballName(name)}${unlessStated(ball !== undefined)}`;
 }
-
-export const ballName = (name: string): string => texts.value.settings.balls[name] ?? name;
 
 function airInWords(): string {
   const words = texts.value.settings;

@@ -1,12 +1,9 @@
-import { signal } from '@preact/signals';
 import { texts } from '../../text/language.ts';
-import { Troubles } from './Laboratory.tsx';
 import { ListenButton } from './ListenButton.tsx';
 import { OtherWays } from './OtherWays.tsx';
 import { Paste } from './Paste.tsx';
-
-/** Whether the box for times is unfolded. */
-export const pasting = signal(false);
+import { pasting } from './pasting.ts';
+import { Troubles } from './Troubles.tsx';
 
 const handheld = globalThis.matchMedia?.('(pointer: coarse)').matches ?? false;
 

@@ -1,4 +1,5 @@
-import { hashOf } from '../../address/route.ts';
+import { Paragraphs } from '../../app/Paragraphs.tsx';
+import { labAddress } from '../../state/settings.ts';
 import { texts } from '../../text/language.ts';
 import { EveryNumber } from './EveryNumber.tsx';
 import { Puzzle } from './Puzzle.tsx';
@@ -53,20 +54,10 @@ export function Paper() {
         <Facts>{(document) => <EveryNumber facts={document.facts} />}</Facts>
       </section>
       <p>
-        <a class="button primary" href={hashOf('lab')}>
+        <a class="button primary" href={labAddress.value}>
           {words.tryIt}
         </a>
       </p>
     </article>
-  );
-}
-
-export function Paragraphs({ of }: { readonly of: readonly string[] }) {
-  return (
-    <>
-      {of.map((paragraph) => (
-        <p key={paragraph}>{paragraph}</p>
-      ))}
-    </>
   );
 }

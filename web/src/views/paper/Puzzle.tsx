@@ -1,4 +1,5 @@
 import { useMemo, useState } from 'preact/hooks';
+import { Paragraphs } from '../../app/Paragraphs.tsx';
 import { Rich } from '../../app/Rich.tsx';
 import { Slider } from '../../app/Slider.tsx';
 import { Chart } from '../../chart/Chart.tsx';
@@ -6,7 +7,6 @@ import type { ChartSpec } from '../../chart/spec.ts';
 import { CENTIMETRE, fixed, plain } from '../../format/quantity.ts';
 import { language, texts } from '../../text/language.ts';
 import { flightTimes, HEIGHT_M, lineThrough, PRINTED, requestOf, solvedFor } from './experiment.ts';
-import { Paragraphs } from './Paper.tsx';
 import { useSimulation } from './simulation.ts';
 
 /** What the reader chooses: the truth, and how it is looked at. */
@@ -112,6 +112,7 @@ interface SinkingProps {
 function Sinking({ drag, vacuum, flights }: SinkingProps) {
   const all = texts.value;
   const words = all.paper.four;
+  const spoken = language.value;
   const key = `${drag.join()}|${vacuum.join()}|${flights}`;
   const spec = useMemo((): ChartSpec | undefined => {
     if (drag.length < 4 || vacuum.length < 4) return undefined;
@@ -141,10 +142,10 @@ function Sinking({ drag, vacuum, flights }: SinkingProps) {
       ],
       levels: [
         { at: 100 * PRINTED.heightM, label: words.paperPoint, meaning: 'measured' },
-        { at: 100 * HEIGHT_M, label: words.truth, meaning: 'ink' },
+        { at: 100 * HEIGHT_M, label: plain(HEIGHT_M, CENTIMETRE, 3, spoken), meaning: 'ink' },
       ],
     };
-  }, [key, words]);
+  }, [key, words, spoken]);
   return (
     <figure class="figure-box">
       {spec ? <Chart spec={spec} label={words.see} /> : <div class="chart waiting" />}

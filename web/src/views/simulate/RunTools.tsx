@@ -1,9 +1,9 @@
 import { signal } from '@preact/signals';
-import { hashOf } from '../../address/route.ts';
 import { Pause, Play } from '../../app/icons.tsx';
 import { fixed } from '../../format/quantity.ts';
 import { playing, stop } from '../../sound/player.ts';
 import { drop } from '../../state/bench.ts';
+import { labAddress } from '../../state/settings.ts';
 import {
   analyseRun,
   hearRun,
@@ -15,7 +15,7 @@ import {
   simulated,
 } from '../../state/simulating.ts';
 import { language, texts } from '../../text/language.ts';
-import { ballName } from '../laboratory/SettingsLine.tsx';
+import { ballName } from '../../text/names.ts';
 
 const laid = signal(false);
 
@@ -60,7 +60,7 @@ export function RunTools() {
         )}
       </div>
       <p role="status" class="small">
-        {laid.value && <a href={hashOf('lab')}>{words.laid}</a>}
+        {laid.value && <a href={labAddress.value}>{words.laid}</a>}
       </p>
       <p class="small soft">{words.address}</p>
     </div>

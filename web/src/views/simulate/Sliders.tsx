@@ -1,12 +1,12 @@
 import { SLIDERS, type Slider as SliderName } from '../../address/simulation.ts';
+import { Choice } from '../../app/Choice.tsx';
 import { Slider } from '../../app/Slider.tsx';
 import { lawName } from '../../figures/drag.ts';
 import { CENTIMETRE, fixed, PERCENT, plain } from '../../format/quantity.ts';
 import { catalogue } from '../../state/engine.ts';
 import { move, setup } from '../../state/simulating.ts';
 import { language, texts } from '../../text/language.ts';
-import { Choice } from '../laboratory/SettingsForm.tsx';
-import { ballName } from '../laboratory/SettingsLine.tsx';
+import { ballName } from '../../text/names.ts';
 
 /** What can be moved. */
 export function Sliders() {

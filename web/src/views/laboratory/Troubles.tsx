@@ -1,0 +1,23 @@
+import { FaultNotice } from '../../app/FaultNotice.tsx';
+import { fault } from '../../state/bench.ts';
+import { unreadable } from '../../state/settings.ts';
+import { texts } from '../../text/language.ts';
+import { Leftovers } from './Leftovers.tsx';
+import { SaveSound } from './SaveSound.tsx';
+
+/** What went wrong or needs attention. */
+export function Troubles() {
+  return (
+    <>
+      {fault.value && (
+        <FaultNotice fault={fault.value}>
+          {(fault.value.key === 'full' || fault.value.key === 'unavailable') && <SaveSound />}
+        </FaultNotice>
+      )}
+      {unreadable.value.length > 0 && (
+        <p class="notice">{texts.value.app.unreadableLink(unreadable.value.join(', '))}</p>
+      )}
+      <Leftovers />
+    </>
+  );
+}

@@ -1,0 +1,89 @@
+/** Drops that do not exist, and the paper as a toy. */
+import type { Browser, Page } from 'playwright-core';
+import { afterAll, afterEach, beforeAll, beforeEach, expect, test } from 'vitest';
+import { launch } from './harness/browser.ts';
+import { Site } from './harness/site.ts';
+import { open, said } from './support/page.ts';
+
+let site: Site;
+let browser: Browser;
+let page: Page;
+let troubles: string[];
+
+beforeAll(async () => {
+  site = await Site.open();
+  browser = await launch();
+});
+afterAll(async () => {
+  await browser.close();
+  await site.close();
+});
+beforeEach(async () => {
+  ({ page, troubles } = await open(browser, `${site.url}#simulate?e=0.9`));
+});
+afterEach(async () => {
+  await page.context().close();
+  expect(troubles).toEqual([]);
+});
+
+test('a slider changes the words and the address, and the address the sliders', async () => {
+  await page.getByText(/It bounces 25 times in 4.10/).waitFor();
+  await page.getByLabel('Drop height').fill('1');
+  await page.waitForURL(/height_cm=100/);
+  await page.getByText(/It bounces 29 times/).waitFor();
+  await page.getByLabel('Where').selectOption('moon');
+  await page.getByText('There is no air to slow it down.').waitFor();
+  expect(await page.getByLabel('Air pressure').isDisabled()).toBe(true);
+  await page.goto(`${site.url}#simulate?e=0.8&world=mars`);
+  expect(await page.getByLabel(/^Restitution/).inputValue()).toBe('0.8');
+  expect(await page.getByLabel('Where').inputValue()).toBe('mars');
+});
+
+test('runs are kept, compared and removed', async () => {
+  for (const restitution of ['0.8', '0.85', '0.9', '0.95']) {
+    await page.getByLabel(/^Restitution/).fill(restitution);
+    await page.getByRole('button', { name: 'Keep this run' }).click();
+  }
+  // Three at most: more lines than that nobody tells apart.
+  const runs = page.getByRole('list', { name: 'Runs' }).getByRole('listitem');
+  expect(await runs.count()).toBe(3);
+  await page.getByRole('button', { name: 'Remove run 3' }).click();
+  expect(await runs.count()).toBe(2);
+});
+
+test('a simulated drop is analysed as if it were real, and says what was put in', async () => {
+  await page.getByText(/It bounces/).waitFor();
+  await page.getByRole('button', { name: 'Analyse it as if it were real' }).click();
+  const { kept, fell } = await said(page);
+  expect(Math.abs(kept.value - 90)).toBeLessThan(3.5 * kept.sd);
+  expect(Math.abs(fell.value - 30.5)).toBeLessThan(3.5 * fell.sd);
+
+  await page.getByRole('link', { name: 'Simulate' }).click();
+  await page.getByLabel(/^Restitution/).fill('0.85');
+  await page.getByRole('button', { name: 'Lay it over the measurement' }).click();
+  await page.getByText(/It lies over the measurement now/).click();
+  await page.getByRole('tab', { name: 'Compare' }).click();
+  await page.getByText('The same as numbers').click();
+  await page.getByRole('cell', { name: 'your simulation' }).first().waitFor();
+});
+
+test('a ball that floats is refused in words, and forgetting the settings helps', async () => {
+  await page.goto(`${site.url}#lab?mass_g=0.01&diameter_mm=40`);
+  await page.locator('.links button').nth(2).click();
+  await page.getByText(/so it floats/).waitFor();
+  await page.locator('.settings summary').click();
+  await page.getByRole('button', { name: 'Forget all settings' }).click();
+  expect((await said(page)).kept.value).toBeCloseTo(95.29, 1);
+});
+
+test('the puzzle of the paper: drag alone misses its height, a falling restitution meets it', async () => {
+  await page.goto(`${site.url}#paper`);
+  await page.getByRole('button', { name: 'constant e, ten flights' }).click();
+  await page.getByText(/The line says e = 0.9375 and h₀ = 28.8.cm/).waitFor();
+  const hit = page.getByText('That is the paper’s result, to its last digit.');
+  expect(await hit.count()).toBe(0);
+  await page.getByRole('button', { name: 'e falls with speed, ten flights' }).click();
+  await page.getByText(/The line says e = 0.9375 and h₀ = 26.7.cm/).waitFor();
+  await hit.waitFor();
+  expect(await page.getByRole('row').filter({ hasText: 'yes' }).count()).toBe(6);
+});

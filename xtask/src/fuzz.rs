@@ -1,0 +1,84 @@
+//! `cargo xtask fuzz`: arbitrary bytes for the decoders, arbitrary sound for the listener.
+
+use crate::Result;
+use crate::cargo::{has, root, run as run_command};
+use std::fs;
+use std::process::Command;
+
+pub(crate) const ABOUT: &str = "Fuzz the decoders and the listener (nightly, cargo-fuzz)";
+
+/// The targets, and the ends of the names of the recordings they begin with.
+const TARGETS: [(&str, &[&str]); 10] = [
+    ("wav", &["wav"]),
+    ("aiff", &["aiff"]),
+    ("flac", &["flac"]),
+    ("mp3", &["mp3"]),
+    ("aac", &["aac"]),
+    ("ogg", &["ogg"]),
+    ("mp4", &["m4a", "mp4", "mov"]),
+    ("mkv", &["webm"]),
+    ("times", &[]),
+    ("listener", &[]),
+];
+const FIXTURES: &str = "crates/bouncelab-audio/tests/fixtures";
+
+pub(crate) fn run(words: &[String]) -> Result {
+    if !has("fuzz") {
+        return Err("cargo-fuzz is not installed: cargo install cargo-fuzz".into());
+    }
+    let mut seconds = 60;
+    let mut targets = Vec::new();
+    for word in words {
+        match word.strip_prefix("seconds=") {
+            Some(number) => seconds = number.parse().map_err(|_| format!("'{word}'"))?,
+            None => targets.push(word.as_str()),
+        }
+    }
+    let known = |name: &&str| TARGETS.iter().any(|target| target.0 == *name);
+    if let Some(unknown) = targets.iter().find(|name| !known(name)) {
+        let names = TARGETS.map(|target| target.0).join(", ");
+        return Err(format!("'{unknown}' is none of: {names}"));
+    }
+    for (target, ends) in TARGETS {
+        if targets.is_empty() || targets.contains(&target) {
+            fuzz(target, ends, seconds)?;
+        }
+    }
+    Ok(())
+}
+
+/// What is new goes to `target/fuzz`; a finding, to `fuzz/artifacts`.
+fn fuzz(target: &str, ends: &[&str], seconds: u32) -> Result {
+    let found = root().join("target/fuzz").join(target);
+    fs::create_dir_all(&found).map_err(|reason| format!("{}: {reason}", found.display()))?;
+    let recordings = fs::read_dir(root().join(FIXTURES)).map_err(|e| format!("{FIXTURES}: {e}"))?;
+    for recording in recordings.flatten().map(|entry| entry.path()) {
+        let end = recording.extension().and_then(|end| end.to_str());
+        if let (Some(name), true) = (
+            recording.file_name(),
+            end.is_some_and(|e| ends.contains(&e)),
+        ) {
+            fs::copy(&recording, found.join(name)).map_err(|e| e.to_string())?;
+        }
+    }
+    // No sanitiser: the code is safe Rust, and what is sought are panics, hangs and memory.
+    let mut command = Command::new("cargo");
+    command
+        .current_dir(root())
+        // The chore runs under the stable compiler, and says so to what it starts.
+        .env_remove("RUSTUP_TOOLCHAIN")
+        .args(["+nightly", "fuzz", "run", "-s", "none", target])
+        .arg(found)
+        .arg(format!("fuzz/corpus/{target}"))
+        .args([
+            "--",
+            "-rss_limit_mb=512",
+            "-malloc_limit_mb=256",
+            "-timeout=20",
+        ])
+        .args([
+            "-max_len=20000".to_owned(),
+            format!("-max_total_time={seconds}"),
+        ]);
+    run_command(&mut command)
+}
