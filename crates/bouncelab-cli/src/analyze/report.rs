@@ -16,7 +16,7 @@ use crate::physics::Physics;
 
 /// What is said to several files.
 pub(super) const OF_ONE: &str =
-    "a report is of one recording, and there are several: analyse them one by one";
+    "a report is of one recording, and there are several: bouncelab session makes one of many";
 
 /// How a report is written.
 #[derive(Clone, Copy, PartialEq, Eq)]
