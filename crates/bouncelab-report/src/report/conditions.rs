@@ -2,8 +2,8 @@
 
 use bouncelab::estimate::Measured;
 
-use super::page::{Block, Section};
-use super::recording::{Recording, sentence};
+use super::page::{Block, Section, sentence};
+use super::subject::Recording;
 use crate::document::Origin;
 use crate::quantity::{Quantity, Unit};
 

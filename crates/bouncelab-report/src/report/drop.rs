@@ -4,8 +4,7 @@ use bouncelab::analysis::{Analysis, SURE, Settings};
 use bouncelab::estimate::{Inference, Narrowed, Summary, TOLD_NOTHING, UNKNOWN};
 use bouncelab::regression::{Estimate, Regression};
 
-use super::page::{Block, Section};
-use super::recording::sentence;
+use super::page::{Block, Section, sentence};
 use crate::quantity::{CANNOT_TELL, Quantity, Unit};
 use crate::table::{Align, Table};
 use crate::{illustration, tables};

@@ -38,6 +38,7 @@ mod markdown;
 mod method;
 mod page;
 mod recording;
+mod subject;
 
 pub use conditions::conditions;
 pub use drop::{drop, in_words};
@@ -45,4 +46,5 @@ pub use equation::Equation;
 pub use markdown::Markdown;
 pub use method::method;
 pub use page::{Block, Page, Section};
-pub use recording::{Provenance, Recording, of_recording, repeat};
+pub use recording::{of_recording, repeat};
+pub use subject::{Provenance, Recording};

@@ -103,3 +103,18 @@ impl Block {
         }
     }
 }
+
+/// A remark as a sentence: with a capital letter and a full stop.
+pub(super) fn sentence(remark: &str) -> String {
+    let mut letters = remark.chars();
+    let first: String = letters
+        .next()
+        .map(|letter| letter.to_uppercase().collect())
+        .unwrap_or_default();
+    let end = if remark.ends_with(['.', '?', '!']) {
+        ""
+    } else {
+        "."
+    };
+    format!("{first}{}{end}", letters.as_str())
+}

@@ -1,51 +1,16 @@
 //! The page of one recording.
 
-use bouncelab::analysis::{Analysis, Settings};
+use bouncelab::analysis::Analysis;
 use bouncelab::estimate::Summary;
-use bouncelab::listen::Envelope;
 
 use super::conditions::conditions;
 use super::drop::{drop, in_words, measured};
 use super::method::method;
-use super::page::{Block, Page, Section};
-use crate::document::Origin;
+use super::page::{Block, Page, Section, sentence};
+use super::subject::{Provenance, Recording};
 use crate::illustration;
 use crate::quantity::{CANNOT_TELL, Unit};
 use crate::table::{Align, Table};
-
-/// A recording, or a list of times, and what it said.
-#[derive(Debug, Clone, Copy)]
-pub struct Recording<'a> {
-    /// Its name, as the person gave it.
-    pub name: &'a str,
-    /// Where the times come from.
-    pub origin: &'a Origin,
-    /// What was known or assumed.
-    pub settings: &'a Settings,
-    /// The ball in words.
-    pub ball_label: &'a str,
-    /// What of it nobody stated, one phrase for each.
-    pub assumptions: &'a [String],
-    /// The drops in it, in order of time.
-    pub drops: &'a [Analysis],
-    /// Why there is none.
-    pub no_drop: Option<&'a str>,
-    /// What is odd about the recording.
-    pub warnings: &'a [String],
-    /// Loudness over time, if it is a sound.
-    pub sound: Option<&'a Envelope>,
-}
-
-/// How to get the same page again.
-#[derive(Debug, Clone, Default, PartialEq, Eq)]
-pub struct Provenance {
-    /// The command, ready to be typed.
-    pub command: Option<String>,
-    /// Name and SHA-256 (in hexadecimal) of each file that was read.
-    pub files: Vec<(String, String)>,
-    /// When the page was made, as it shall be shown.
-    pub made: Option<String>,
-}
 
 /// The page of a recording: each drop in words and numbers, what was assumed, the method, and how to
 /// repeat it.
@@ -175,19 +140,4 @@ pub fn repeat(provenance: &Provenance) -> Section {
         blocks.push(Block::Code(lines.join("\n")));
     }
     Section::new("To repeat this", blocks)
-}
-
-/// A remark as a sentence: with a capital letter and a full stop.
-pub(super) fn sentence(remark: &str) -> String {
-    let mut letters = remark.chars();
-    let first: String = letters
-        .next()
-        .map(|letter| letter.to_uppercase().collect())
-        .unwrap_or_default();
-    let end = if remark.ends_with(['.', '?', '!']) {
-        ""
-    } else {
-        "."
-    };
-    format!("{first}{}{end}", letters.as_str())
 }
