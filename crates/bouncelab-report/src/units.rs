@@ -6,7 +6,7 @@
 //! ```
 //! use bouncelab_report::units;
 //!
-//! assert_eq!(units::length("12 in"), Ok(0.3048));
+//! assert_eq!(units::length("10 in"), Ok(0.254));
 //! assert!(units::length("3 kg").unwrap_err().contains("cm"));
 //! ```
 
