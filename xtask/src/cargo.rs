@@ -28,6 +28,20 @@ pub(crate) fn run(command: &mut Command) -> Result {
     }
 }
 
+/// Runs an example of a package, with these words for it: a chore that is written as one.
+pub(crate) fn run_example(package: &str, example: &str, words: &[String]) -> Result {
+    let run_it = [
+        "run",
+        "--release",
+        "--package",
+        package,
+        "--example",
+        example,
+        "--",
+    ];
+    run(cargo(run_it).args(words))
+}
+
 /// Whether cargo knows this subcommand.
 pub(crate) fn has(subcommand: &str) -> bool {
     let mut command = cargo([subcommand, "--version"]);

@@ -353,12 +353,14 @@ mod tests {
         ));
     }
 
-    /// FIPS 180-2, appendix B.1.
+    /// FIPS 180-2, appendix B.1, and the empty file of FIPS 180-4's example programs.
     #[test]
     fn hashes_are_those_of_the_standard() {
         let abc = "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad";
         assert_eq!(hash(b"abc"), abc);
+        let nothing = "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855";
         let file = tempfile::NamedTempFile::new().unwrap();
+        assert_eq!(hash_of_file(file.path()).unwrap(), nothing);
         fs::write(file.path(), "abc").unwrap();
         assert_eq!(hash_of_file(file.path()).unwrap(), abc);
     }

@@ -2,12 +2,12 @@
 
 use std::ffi::OsStr;
 use std::fs;
-use std::io::{self, Read, Write};
+use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
 use bouncelab_report::report::{self, Markdown, Page, Provenance, Recording};
+use bouncelab_session::journal::hash_of_file;
 use jiff::Zoned;
-use sha2::{Digest, Sha256};
 use tempfile::NamedTempFile;
 
 use super::hear::Hearing;
@@ -134,7 +134,7 @@ fn page(heard: &Path, hearing: &Hearing, physics: &Physics) -> Result<Page, Fail
         sound: hearing.envelope.as_ref(),
     };
     let provenance = Provenance {
-        files: vec![(hearing.name.clone(), sha256(heard)?)],
+        files: vec![(hearing.name.clone(), hash_of_file(heard)?)],
         ..provenance()
     };
     Ok(report::of_recording(&recording, &provenance))
@@ -147,29 +147,6 @@ pub(crate) fn provenance() -> Provenance {
         files: Vec::new(),
         made: Some(Zoned::now().strftime("%Y-%m-%d").to_string()),
     }
-}
-
-/// SHA-256 of a file, in hexadecimal.
-fn sha256(path: &Path) -> Result<String, Failure> {
-    let unreadable = |reason: io::Error| {
-        Failure::Input(format!("cannot read {} again: {reason}", path.display()))
-    };
-    let mut file = fs::File::open(path).map_err(unreadable)?;
-    let mut digest = Sha256::new();
-    let mut block = vec![0; 1 << 16];
-    loop {
-        let count = file.read(&mut block).map_err(unreadable)?;
-        if count == 0 {
-            break;
-        }
-        digest.update(&block[..count]);
-    }
-    let bytes: Vec<String> = digest
-        .finalize()
-        .iter()
-        .map(|byte| format!("{byte:02x}"))
-        .collect();
-    Ok(bytes.concat())
 }
 
 /// The command as it was given, ready for a shell.
@@ -202,15 +179,5 @@ mod tests {
         assert_eq!(quoted("my drop.wav"), "'my drop.wav'");
         assert_eq!(quoted("it's"), r"'it'\''s'");
         assert_eq!(quoted(""), "''");
-    }
-
-    /// The hash of the empty file, from FIPS 180-4's example programs.
-    #[test]
-    fn the_hash_of_nothing() {
-        let nothing = NamedTempFile::new().unwrap();
-        assert_eq!(
-            sha256(nothing.path()).unwrap(),
-            "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855"
-        );
     }
 }
