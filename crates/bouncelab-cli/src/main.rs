@@ -8,6 +8,7 @@ mod knowledge;
 mod listen;
 mod paper;
 mod physics;
+mod report;
 mod rules;
 #[cfg(feature = "serve")]
 mod serve;

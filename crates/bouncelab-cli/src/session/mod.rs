@@ -13,15 +13,16 @@ mod work;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
+use bouncelab_files::{remove_drafts, write_whole};
 use bouncelab_session::journal::Journal;
-use bouncelab_session::table::{Form, TableWriter, remove_drafts, write_whole};
+use bouncelab_session::table::{Form, TableWriter};
 use bouncelab_session::{Session, Sources};
 use clap::{Args, ValueEnum};
 
-use crate::analyze::Draft;
 use crate::failure::Failure;
 use crate::knowledge::KnowledgeArguments;
 use crate::physics::PhysicsArguments;
+use crate::report::Draft;
 use crate::units;
 use columns::Tables;
 use notes::{Reading, Understood};
@@ -174,7 +175,8 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let recordings = reading.understand(&session)?;
     let draft = arguments.report.as_deref().map(Draft::new).transpose()?;
     let journal = Journal::open(&arguments.output)?;
-    remove_drafts(&arguments.output)?;
+    let folder = &arguments.output;
+    remove_drafts(folder).map_err(|reason| Failure::unwritable(folder, &reason))?;
     if journal.damaged() > 0 {
         eprintln!(
             "bouncelab: {} results in the journal were cut off or damaged, and are made again",
@@ -195,7 +197,8 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let document = outcome.document();
     let written = write_tables(&recordings, &done, &journal, &outcome, arguments)?;
     let json = serde_json::to_string_pretty(&document).map_err(io::Error::from)? + "\n";
-    write_whole(&arguments.output.join("session.json"), json.as_bytes())?;
+    let place = folder.join("session.json");
+    write_whole(&place, json.as_bytes()).map_err(|reason| Failure::unwritable(&place, &reason))?;
     if arguments.figures {
         figures::save(&outcome, &arguments.output)?;
     }

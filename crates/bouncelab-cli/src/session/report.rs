@@ -8,7 +8,7 @@ use super::figures;
 use super::outcome::Outcome;
 use super::text;
 use super::work::Done;
-use crate::analyze::provenance;
+use crate::report::provenance;
 
 /// With more recordings than this a list of their hashes is no use on paper.
 const LISTED: usize = 300;

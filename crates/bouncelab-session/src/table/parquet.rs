@@ -69,11 +69,12 @@ impl Rows for ParquetTable {
         Ok(())
     }
 
-    fn finish(mut self: Box<Self>) -> Result<File, String> {
+    fn finish(mut self: Box<Self>) -> Result<(), String> {
         if self.rows_held() > 0 {
             self.flush().map_err(|fault| said(&fault))?;
         }
-        self.writer.into_inner().map_err(|fault| said(&fault))
+        self.writer.finish().map_err(|fault| said(&fault))?;
+        Ok(())
     }
 }
 
