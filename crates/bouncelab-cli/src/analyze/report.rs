@@ -28,7 +28,7 @@ pub(super) fn page(heard: &Path, hearing: &Hearing, physics: &Physics) -> Result
         sound: hearing.envelope.as_ref(),
     };
     let provenance = Provenance {
-        files: vec![(hearing.name.clone(), hash_of_file(heard)?)],
+        files: vec![(hearing.name.clone(), hash_of_file(heard)?.to_string())],
         ..provenance()
     };
     Ok(report::of_recording(&recording, &provenance))

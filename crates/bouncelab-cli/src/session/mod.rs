@@ -3,10 +3,12 @@
 mod columns;
 mod doubt;
 mod figures;
+mod gather;
 mod notes;
 mod outcome;
 mod record;
 mod report;
+mod results;
 mod text;
 mod work;
 
@@ -25,10 +27,9 @@ use crate::physics::PhysicsArguments;
 use crate::report::Draft;
 use crate::units;
 use columns::Tables;
-use notes::{Reading, Understood};
+use notes::Reading;
 use outcome::{Outcome, Wish};
-use record::Record;
-use work::Done;
+use results::Results;
 
 /// Hear many recordings and say what their drops say together
 ///
@@ -161,7 +162,7 @@ impl From<TableForm> for Form {
 }
 
 pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
-    let session = Session::gather(&Sources {
+    let mut session = Session::gather(&Sources {
         inputs: arguments.inputs.clone(),
         pattern: arguments.pattern.clone(),
         table: arguments.table.clone(),
@@ -172,7 +173,9 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
         as_noted: arguments.as_noted,
         allow_missing: arguments.allow_missing,
     };
-    let recordings = reading.understand(&session)?;
+    let title = session.title.take();
+    let remarks = std::mem::take(&mut session.remarks);
+    let recordings = reading.understand(session)?;
     let draft = arguments.report.as_deref().map(Draft::new).transpose()?;
     let journal = Journal::open(&arguments.output)?;
     let folder = &arguments.output;
@@ -191,19 +194,23 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
             recordings.len()
         );
     }
-    let mut outcome = Outcome::of(&recordings, &done, &journal, &arguments.wish())?;
-    outcome.title.clone_from(&session.title);
-    outcome.remarks.clone_from(&session.remarks);
-    let document = outcome.document();
-    let written = write_tables(&recordings, &done, &journal, &outcome, arguments)?;
-    let json = serde_json::to_string_pretty(&document).map_err(io::Error::from)? + "\n";
+    let results = Results {
+        recordings: &recordings,
+        done: &done,
+        journal: &journal,
+    };
+    let mut outcome = Outcome::of(&results, &arguments.wish())?;
+    outcome.about.title = title;
+    outcome.about.remarks = remarks;
+    let written = write_tables(&results, &outcome, arguments)?;
+    let json = serde_json::to_string_pretty(&outcome.document()).map_err(io::Error::from)? + "\n";
     let place = folder.join("session.json");
     write_whole(&place, json.as_bytes()).map_err(|reason| Failure::unwritable(&place, &reason))?;
     if arguments.figures {
-        figures::save(&outcome, &arguments.output)?;
+        figures::save(&outcome, &results, folder)?;
     }
     if let Some(draft) = draft {
-        draft.write(&report::page(&outcome, &done))?;
+        draft.write(&report::page(&outcome, &results)?)?;
     }
     let mut out = io::stdout().lock();
     match arguments.format {
@@ -240,30 +247,22 @@ impl Arguments {
 
 /// Writes the tables of drops and impacts, one recording after the other.
 fn write_tables(
-    recordings: &[Understood],
-    done: &Done,
-    journal: &Journal,
-    outcome: &Outcome,
+    results: &Results<'_>,
+    outcome: &Outcome<'_>,
     arguments: &Arguments,
 ) -> Result<Vec<PathBuf>, Failure> {
     let forms: Vec<Form> = arguments.tables.iter().map(|&form| form.into()).collect();
     let folder: &Path = &arguments.output;
-    let tables = Tables::new(recordings);
+    let tables = Tables::new(results.recordings);
     let mut drops = TableWriter::new(folder, &tables.drops, &forms)?;
     let mut impacts = TableWriter::new(folder, &tables.impacts, &forms)?;
     let mut next = 0;
     while let Some(first) = outcome.drops.get(next) {
-        let place = first.recording;
-        let understood = &recordings[place];
-        let key = done.keys[place]
-            .as_ref()
-            .map_err(|reason| Failure::Input(reason.clone()))?;
-        let record: Option<Record> = journal.read(&understood.recording.name, key)?;
-        let record = record.unwrap_or_default();
-        let hashes = [key.content.as_str(), key.settings.as_str()];
+        let understood = &results.recordings[first.recording];
+        let (key, record) = results.read(first.recording)?;
         for of_drop in &record.drops {
             let told = (of_drop, record.warnings.as_slice());
-            drops.row(&tables.drop(outcome, next, understood, hashes, told))?;
+            drops.row(&tables.drop(outcome, next, understood, &key, told))?;
             for impact in &of_drop.impacts {
                 impacts.row(&tables.impact(&outcome.drops[next], understood, impact))?;
             }

@@ -15,8 +15,8 @@ use parquet::schema::types::{Type, TypePtr};
 
 use super::{Cell, Column, Kind, Rows, Schema};
 
-/// Rows that are held back and written together.
-const GROUP: usize = 20_000;
+/// Rows that are held back and written together: a few megabytes.
+const GROUP: usize = 4096;
 
 pub(super) struct ParquetTable {
     columns: Vec<Column>,
