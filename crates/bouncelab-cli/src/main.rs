@@ -2,6 +2,7 @@
 
 mod analyze;
 mod demo;
+mod doubt;
 mod failure;
 mod history;
 mod knowledge;

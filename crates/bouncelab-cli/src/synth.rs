@@ -163,7 +163,7 @@ const CLICKS_DB: f64 = -6.0;
 const DIRECT_TO_REVERBERANT_DB: f64 = 6.0;
 
 pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
-    let physics = arguments.physics.physics()?;
+    let physics = arguments.physics.questioned(arguments.history.doubts())?;
     let truth = arguments
         .truth
         .as_deref()

@@ -144,7 +144,7 @@ pub(crate) fn physics(
     knowledge: &KnowledgeArguments,
     flights: Option<(usize, usize)>,
 ) -> Result<Physics, Failure> {
-    let mut physics = physics.physics()?;
+    let mut physics = physics.questioned(knowledge.doubts())?;
     physics.settings.flights = flights.map(|(first, last)| RangeInclusive::new(first, last));
     let of_inputs = std::mem::take(&mut physics.settings.knowledge);
     physics.settings.knowledge = knowledge.knowledge(of_inputs)?;

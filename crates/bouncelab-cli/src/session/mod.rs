@@ -1,7 +1,6 @@
 //! `bouncelab session`: what many drops say together.
 
 mod columns;
-mod doubt;
 mod figures;
 mod gather;
 mod notes;
@@ -39,7 +38,6 @@ use results::Results;
 /// usage or notes that are not clear.
 #[derive(Args)]
 #[command(after_help = EXAMPLES)]
-#[expect(clippy::struct_excessive_bools, reason = "each is a flag of its own")]
 pub(crate) struct Arguments {
     /// Recordings, folders, or a session.toml
     #[arg(required = true, value_name = "DIR|FILE|session.toml")]
@@ -54,9 +52,6 @@ pub(crate) struct Arguments {
     /// CSV with a column `file` and one for each thing noted
     #[arg(long, value_name = "FILE", help_heading = "Notes")]
     table: Option<PathBuf>,
-    /// Believe notes that look like a mistake of units
-    #[arg(long, help_heading = "Notes")]
-    as_noted: bool,
     /// Go on where some recordings lack what is noted of others
     #[arg(long, help_heading = "Notes")]
     allow_missing: bool,
@@ -162,6 +157,7 @@ impl From<TableForm> for Form {
 }
 
 pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
+    arguments.physics.questioned(arguments.knowledge.doubts())?;
     let mut session = Session::gather(&Sources {
         inputs: arguments.inputs.clone(),
         pattern: arguments.pattern.clone(),
@@ -170,7 +166,6 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let reading = Reading {
         physics: &arguments.physics,
         knowledge: &arguments.knowledge,
-        as_noted: arguments.as_noted,
         allow_missing: arguments.allow_missing,
     };
     let title = session.title.take();

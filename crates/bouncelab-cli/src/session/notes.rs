@@ -6,7 +6,7 @@ use std::sync::Arc;
 use bouncelab::ball;
 use bouncelab_session::{Note, Notes, Recording, Session};
 
-use super::doubt;
+use crate::doubt;
 use crate::failure::Failure;
 use crate::knowledge::KnowledgeArguments;
 use crate::physics::{Noted, Physics, PhysicsArguments};
@@ -70,8 +70,6 @@ type Reader = fn(&str) -> Result<f64, String>;
 pub(super) struct Reading<'a> {
     pub(super) physics: &'a PhysicsArguments,
     pub(super) knowledge: &'a KnowledgeArguments,
-    /// Whether what looks like a mistake of units is believed.
-    pub(super) as_noted: bool,
     /// Whether recordings may lack what others say.
     pub(super) allow_missing: bool,
 }
@@ -105,7 +103,7 @@ impl Reading<'_> {
     fn one(&self, session: &Session, place: usize, problems: &mut Problems) -> Option<SetUp> {
         let mut one = One {
             name: &session.recordings[place].name,
-            as_noted: self.as_noted,
+            as_stated: self.physics.as_stated(),
             said: BTreeMap::new(),
             problems,
         };
@@ -183,7 +181,7 @@ fn rounded(value: f64) -> f64 {
 /// One recording while its notes are read.
 struct One<'a> {
     name: &'a str,
-    as_noted: bool,
+    as_stated: bool,
     /// The statement that counts, by field.
     said: BTreeMap<String, Note>,
     problems: &'a mut Problems,
@@ -223,7 +221,7 @@ impl One<'_> {
     fn value(&mut self, field: &'static str, note: &Note, read: Reader) -> Option<f64> {
         match read(&note.text) {
             Ok(value) => {
-                if let Some(doubt) = doubt::of_quantity(field, value).filter(|_| !self.as_noted) {
+                if let Some(doubt) = doubt::of_quantity(field, value).filter(|_| !self.as_stated) {
                     self.problem(format!("{doubt} (\"{}\" by {})", note.text, note.said_by));
                 }
                 Some(value)
@@ -282,8 +280,8 @@ impl One<'_> {
 
     fn doubt_ball(&mut self, physics: &Physics) {
         let ball = &physics.settings.ball;
-        if let Some(doubt) = doubt::of_ball(ball).filter(|_| !self.as_noted) {
-            self.problem(doubt);
+        if let Some(doubt) = doubt::of_ball(ball).filter(|_| !self.as_stated) {
+            self.problem(doubt.to_string());
         }
     }
 }
