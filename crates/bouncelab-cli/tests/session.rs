@@ -160,7 +160,7 @@ fn mistakes_of_units_are_questioned_and_can_be_insisted_on() {
         !room.results().exists(),
         "nothing is heard before the notes are clear"
     );
-    room.session().arg("--as-noted").assert().success();
+    room.session().arg("--as-stated").assert().success();
 }
 
 #[test]

@@ -1,49 +1,51 @@
 //! The report of a session, as a page.
 
 use bouncelab::groups::Study;
+use bouncelab_report::Figure;
 use bouncelab_report::document::{AboutSession, Reason};
 use bouncelab_report::report::{Block, Page, Provenance, Section, repeat};
 
 use super::figures;
 use super::outcome::Outcome;
+use super::results::Results;
 use super::text;
-use super::work::Done;
-use crate::analyze::provenance;
+use crate::failure::Failure;
+use crate::report::provenance;
 
 /// With more recordings than this a list of their hashes is no use on paper.
 const LISTED: usize = 300;
 
 /// The page of a session.
-pub(super) fn page(outcome: &Outcome, done: &Done) -> Page {
-    let about = outcome.document().about;
+pub(super) fn page(outcome: &Outcome<'_>, results: &Results<'_>) -> Result<Page, Failure> {
+    let about = &outcome.about;
     let provenance = Provenance {
-        files: files(outcome, done),
+        files: files(results),
         ..provenance()
     };
     let mut sections = match &outcome.study {
-        Ok(study) => of_study(outcome, study),
+        Ok(study) => of_study(outcome, study, figures::figures(outcome, results)?),
         Err(_) => Vec::new(),
     };
     sections.extend([
-        troubles(&about),
-        assumed(&about),
+        troubles(about),
+        assumed(about),
         method(),
         repeat(&provenance),
     ]);
     sections.retain(|section| !section.is_empty());
     let made = provenance.made.as_deref().unwrap_or_default();
-    Page {
+    Ok(Page {
         title: about
             .title
             .clone()
             .unwrap_or_else(|| "A session".to_owned()),
         subtitle: format!("Report of bouncelab {}, {made}", env!("CARGO_PKG_VERSION")),
-        lead: lead(outcome, &about),
+        lead: lead(outcome, about),
         sections,
-    }
+    })
 }
 
-fn lead(outcome: &Outcome, about: &AboutSession) -> Vec<Block> {
+fn lead(outcome: &Outcome<'_>, about: &AboutSession) -> Vec<Block> {
     let mut lead = vec![Block::Lead(format!("{}.", text::counts(about)))];
     match &outcome.study {
         Ok(study) => {
@@ -53,7 +55,7 @@ fn lead(outcome: &Outcome, about: &AboutSession) -> Vec<Block> {
                 study.at_speed_m_s
             )));
             if !study.outliers.is_empty() {
-                let names: Vec<&str> = study
+                let names: Vec<String> = study
                     .outliers
                     .iter()
                     .map(|outlier| outcome.name_of(outlier.drop))
@@ -69,8 +71,12 @@ fn lead(outcome: &Outcome, about: &AboutSession) -> Vec<Block> {
     lead
 }
 
-fn of_study(outcome: &Outcome, study: &Study) -> Vec<Section> {
-    let mut drawn = figures::figures(outcome).into_iter();
+fn of_study(
+    outcome: &Outcome<'_>,
+    study: &Study,
+    drawn: Vec<(&'static str, Figure)>,
+) -> Vec<Section> {
+    let mut drawn = drawn.into_iter();
     let mut figure = || {
         drawn
             .next()
@@ -174,11 +180,15 @@ fn method() -> Section {
     Section::new("Method", words.map(Block::text).into())
 }
 
-fn files(outcome: &Outcome, done: &Done) -> Vec<(String, String)> {
-    if outcome.names.len() > LISTED {
+fn files(results: &Results<'_>) -> Vec<(String, String)> {
+    if results.recordings.len() > LISTED {
         return Vec::new();
     }
-    let keys = outcome.names.iter().zip(&done.keys);
-    keys.filter_map(|(name, key)| Some((name.clone(), key.as_ref().ok()?.content.clone())))
+    let contents = results.recordings.iter().zip(&results.done.contents);
+    contents
+        .filter_map(|(understood, content)| {
+            let content = content.as_ref().ok()?;
+            Some((understood.recording.name.clone(), content.to_string()))
+        })
         .collect()
 }

@@ -3,80 +3,28 @@
 use std::fmt::Write;
 
 use bouncelab::groups::{Difference, Group, Study};
-use bouncelab_report::document::{AboutSession, Reason, SessionDocument};
+use bouncelab_report::document::{AboutSession, Reason};
 use bouncelab_report::{Align, CANNOT_TELL, Quantity, Table, Unit};
 
-use super::outcome::{Fate, Outcome};
+use super::outcome::Outcome;
 
 /// Lines of a list that may go on for long.
 const SHOWN: usize = 8;
 
-impl Outcome {
-    /// The result for other programs.
-    pub(super) fn document(&self) -> SessionDocument {
-        let reason = |name: &str, reason: &str| Reason {
-            name: name.to_owned(),
-            reason: reason.to_owned(),
-        };
-        let mut about = AboutSession {
-            title: self.title.clone(),
-            recordings: self.fates.len(),
-            drops: self.drops.len(),
-            remarks: self.remarks.clone(),
-            assumptions: self.assumptions.clone(),
-            no_study: self.study.as_ref().err().cloned(),
-            ..AboutSession::default()
-        };
-        for (name, fate) in self.names.iter().zip(&self.fates) {
-            match fate {
-                Fate::Heard => {}
-                Fate::Silent(why) => about.without_drop.push(reason(name, why)),
-                Fate::Failed(why) => about.failed.push(reason(name, why)),
-                Fate::Duplicate(first) => about.duplicates.push(reason(name, first)),
-            }
-        }
-        for drop in &self.drops {
-            if let Some(why) = &drop.left_out {
-                about.left_out.push(reason(&drop.name, why));
-            }
-            if !drop.remarks.is_empty() {
-                about.odd.push(reason(&drop.name, &drop.remarks.join("; ")));
-            }
-        }
-        let study = self.study.as_ref().ok();
-        if let Some(study) = study {
-            for &drop in &study.left_out {
-                let why = format!(
-                    "it does not know its restitution at {:.2} m/s",
-                    study.at_speed_m_s
-                );
-                about.left_out.push(reason(self.name_of(drop), &why));
-            }
-        }
-        let names: Vec<String> = self
-            .studied
-            .iter()
-            .map(|&place| self.drops[place].name.clone())
-            .collect();
-        SessionDocument::new(about, study, &self.factors, &self.by, &names)
-    }
-}
-
 /// The whole report.
-pub(super) fn report(outcome: &Outcome, details: bool, wanted: Option<f64>) -> String {
-    let about = outcome.document().about;
+pub(super) fn report(outcome: &Outcome<'_>, details: bool, wanted: Option<f64>) -> String {
     let mut page = Page::default();
-    page.line(&headline(outcome, &about));
+    page.line(&headline(&outcome.about));
     match &outcome.study {
         Ok(study) => page.study(outcome, study, details, wanted),
         Err(reason) => page.line(&format!("\nRestitution: {CANNOT_TELL}: {reason}.")),
     }
-    page.troubles(outcome, &about, details);
+    page.troubles(outcome, details);
     page.0
 }
 
-fn headline(outcome: &Outcome, about: &AboutSession) -> String {
-    let title = outcome.title.as_deref().unwrap_or("Session");
+fn headline(about: &AboutSession) -> String {
+    let title = about.title.as_deref().unwrap_or("Session");
     format!("{title}: {}", counts(about))
 }
 
@@ -120,7 +68,7 @@ impl Page {
         }
     }
 
-    fn study(&mut self, outcome: &Outcome, study: &Study, details: bool, wanted: Option<f64>) {
+    fn study(&mut self, outcome: &Outcome<'_>, study: &Study, details: bool, wanted: Option<f64>) {
         self.line(&format!(
             "\nRestitution at an impact speed of {:.2} m/s:\n",
             study.at_speed_m_s
@@ -173,7 +121,7 @@ impl Page {
 
     fn differences(
         &mut self,
-        outcome: &Outcome,
+        outcome: &Outcome<'_>,
         place: usize,
         differences: &[Difference],
         details: bool,
@@ -203,7 +151,7 @@ impl Page {
         }
     }
 
-    fn law(&mut self, outcome: &Outcome, study: &Study) {
+    fn law(&mut self, outcome: &Outcome<'_>, study: &Study) {
         self.line("\nRestitution against impact speed, pooled over the drops that know it:\n");
         let mut table = Table::new([
             ("group", Align::Left),
@@ -228,7 +176,8 @@ impl Page {
         self.table(&table);
     }
 
-    fn troubles(&mut self, outcome: &Outcome, about: &AboutSession, details: bool) {
+    fn troubles(&mut self, outcome: &Outcome<'_>, details: bool) {
+        let about = &outcome.about;
         self.line("");
         self.list("Without a drop:", &about.without_drop, details);
         self.list("Not readable:", &about.failed, details);
@@ -241,13 +190,8 @@ impl Page {
         let doubtful: Vec<Reason> = if details {
             about.odd.clone()
         } else {
-            let drops = outcome.drops.iter().filter(|drop| drop.doubtful);
-            drops
-                .map(|drop| Reason {
-                    name: drop.name.clone(),
-                    reason: drop.remarks.join("; "),
-                })
-                .collect()
+            let doubtful = outcome.doubtful.iter();
+            doubtful.map(|&place| about.odd[place].clone()).collect()
         };
         self.list("To be looked at:", &doubtful, details);
         for remark in &about.remarks {
@@ -283,7 +227,7 @@ impl Page {
 
 /// Differences of the levels of a factor.
 pub(super) fn difference_table(
-    outcome: &Outcome,
+    outcome: &Outcome<'_>,
     factor: usize,
     differences: &[Difference],
 ) -> Table {
@@ -310,7 +254,7 @@ pub(super) fn difference_table(
 }
 
 /// The groups, and all of them together.
-pub(super) fn group_table(outcome: &Outcome, study: &Study, wanted: Option<f64>) -> Table {
+pub(super) fn group_table(outcome: &Outcome<'_>, study: &Study, wanted: Option<f64>) -> Table {
     let mut table = Table::new([
         ("group", Align::Left),
         ("drops", Align::Right),
@@ -342,7 +286,7 @@ pub(super) fn group_table(outcome: &Outcome, study: &Study, wanted: Option<f64>)
 }
 
 /// 95 % intervals of the groups.
-pub(super) fn interval_table(outcome: &Outcome, study: &Study) -> Table {
+pub(super) fn interval_table(outcome: &Outcome<'_>, study: &Study) -> Table {
     let mut table = Table::new([
         ("group", Align::Left),
         ("mean", Align::Right),
@@ -366,7 +310,7 @@ pub(super) fn interval_table(outcome: &Outcome, study: &Study) -> Table {
 }
 
 /// The groups with their names, and all drops as one where there are several.
-fn named_groups<'a>(outcome: &Outcome, study: &'a Study) -> Vec<(String, &'a Group)> {
+fn named_groups<'a>(outcome: &Outcome<'_>, study: &'a Study) -> Vec<(String, &'a Group)> {
     let named = |group: &'a Group| (outcome.group_name(&group.levels), group);
     let mut groups: Vec<_> = study.groups.iter().map(named).collect();
     if groups.len() > 1 {
@@ -388,7 +332,7 @@ fn needed(group: &Group, wanted: Option<f64>) -> String {
 }
 
 /// Who varies.
-pub(super) fn varies_table(outcome: &Outcome, study: &Study) -> Table {
+pub(super) fn varies_table(outcome: &Outcome<'_>, study: &Study) -> Table {
     let mut table = Table::new([
         ("", Align::Left),
         ("how many", Align::Right),

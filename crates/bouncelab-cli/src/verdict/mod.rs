@@ -202,7 +202,9 @@ fn physics(arguments: &Arguments, rule: &Rule) -> Result<Physics, Failure> {
     let diameter_m = physics.settings.ball.diameter_m();
     let of_rule = rule.fall_m(diameter_m, None);
     match (physics.settings.knowledge.drop_height_m, of_rule) {
-        (Some(stated), Some(of_rule)) => question(stated.value, of_rule)?,
+        (Some(stated), Some(of_rule)) if !arguments.physics.as_stated() => {
+            question(stated.value, of_rule)?;
+        }
         (None, Some(of_rule)) => {
             let height = of_the_rule(rule, of_rule);
             physics.assumptions.push(format!(
@@ -211,7 +213,7 @@ fn physics(arguments: &Arguments, rule: &Rule) -> Result<Physics, Failure> {
             ));
             physics.settings.knowledge.drop_height_m = Some(height);
         }
-        (_, None) => {}
+        _ => {}
     }
     Ok(physics)
 }
@@ -235,7 +237,8 @@ fn question(stated_m: f64, of_rule_m: f64) -> Result<(), Failure> {
         return Ok(());
     }
     Err(Failure::Usage(format!(
-        "--height {stated_m} m is {} times the rule's {of_rule_m:.3} m: is the unit right?",
+        "--height {stated_m} m is {} times the rule's {of_rule_m:.3} m: is the unit right? Correct it, or \
+         insist by --as-stated",
         (factor * 1000.0).round() / 1000.0
     )))
 }

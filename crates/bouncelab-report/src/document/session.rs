@@ -127,25 +127,30 @@ struct Outlier {
 }
 
 impl SessionDocument {
-    /// The document of a session; `names` are those of the drops in the study, in their order.
+    /// The document of a session; `name` says what a drop of the study is called, by its place.
     pub fn new(
         about: AboutSession,
         study: Option<&Study>,
         factors: &[Factor],
         by: &[usize],
-        names: &[String],
+        name: impl Fn(usize) -> String,
     ) -> Self {
         Self {
             schema: SCHEMA,
             bouncelab: env!("CARGO_PKG_VERSION"),
             about,
-            study: study.map(|study| StudyFound::new(study, factors, by, names)),
+            study: study.map(|study| StudyFound::new(study, factors, by, name)),
         }
     }
 }
 
 impl StudyFound {
-    fn new(study: &Study, factors: &[Factor], by: &[usize], names: &[String]) -> Self {
+    fn new(
+        study: &Study,
+        factors: &[Factor],
+        by: &[usize],
+        name_of_drop: impl Fn(usize) -> String,
+    ) -> Self {
         let name = |factor: &usize| factors[*factor].name.clone();
         let differences = study.differences.iter().flat_map(|(factor, differences)| {
             let level = |level: usize| factors[*factor].levels[level].clone();
@@ -184,7 +189,7 @@ impl StudyFound {
                 .outliers
                 .iter()
                 .map(|outlier| Outlier {
-                    name: names[outlier.drop].clone(),
+                    name: name_of_drop(outlier.drop),
                     off: outlier.off,
                     score: outlier.score,
                 })
