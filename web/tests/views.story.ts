@@ -123,7 +123,7 @@ test('drops are kept, deleted and brought back with their set-up, and outlive th
   await rows.nth(1).waitFor();
   await page.getByRole('button', { name: 'Delete Ben' }).click();
   await page.getByText('“Ben” was deleted.').waitFor();
-  expect(await rows.count()).toBe(1);
+  await expect.poll(() => rows.count()).toBe(1);
   await page.getByRole('button', { name: 'Undo' }).click();
   await rows.nth(1).waitFor();
   await page.getByRole('button', { name: 'Open Ben' }).click();
