@@ -168,7 +168,10 @@ test('exports: table, document and figures', async () => {
   expect(document.schema).toBe('bouncelab.analysis/1');
   expect(document.drops[0].estimate.restitution.value).toBeCloseTo(0.9529, 3);
   expect(await saved('Report (HTML)')).toMatch(/^<!DOCTYPE html>/i);
-  expect(await saved('SVG')).toContain('<svg');
+  for (const tab of await page.getByRole('tab').all()) {
+    await tab.click();
+    expect(await saved('SVG'), await tab.innerText()).toContain('<svg');
+  }
   expect((await saved('PNG')).slice(1, 4)).toBe('PNG');
   await page.context().close();
 });

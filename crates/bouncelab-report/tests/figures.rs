@@ -2,9 +2,9 @@
 //! that any program can read, with its axes named, its colours kept and nothing outside.
 
 use bouncelab_report::figure::{
-    self, BandPoint, Budget, CornerParameter, Curve, CutPoint, CutSeries, DragAxes, Envelope,
-    Figure, GroupInterval, GroupLaw, GroupPoint, Judged, Line, Mark, ModelWeight, RankHistogram,
-    Residual, Restitution, RunPoint, Source, TimedFlight,
+    self, BandPoint, BounceHeight, BounceLoss, Budget, CornerParameter, Curve, CutPoint, CutSeries,
+    DragAxes, Envelope, Figure, GroupInterval, GroupLaw, GroupPoint, Judged, Line, Mark,
+    ModelWeight, RankHistogram, Residual, Restitution, RunPoint, Source, TimedFlight,
 };
 use bouncelab_report::theme::{self, Meaning};
 use proptest::prelude::*;
@@ -103,6 +103,14 @@ fn usual() -> Vec<(Figure, &'static [&'static str])> {
             &["fitted law, 68 and 95 %", "odd, counts less"],
         ),
         (
+            figure::bounce_heights(&bounce_heights()),
+            &["bounce", "height (cm)"],
+        ),
+        (
+            figure::bounce_energies(&bounce_losses()),
+            &["bounce", "energy lost (mJ)", "the bounce"],
+        ),
+        (
             figure::corner(&parameters(800)),
             &["restitution", "height (cm)", "before the data"],
         ),
@@ -195,6 +203,24 @@ fn parameters(draws: u32) -> Vec<CornerParameter> {
         }),
         named("height (cm)", None, &|i| 30.0 + even(i, a) + even(i, b)),
     ]
+}
+
+fn bounce_heights() -> Vec<BounceHeight> {
+    let height = |number: u32| BounceHeight {
+        number,
+        height_m: 0.3 * 0.88_f64.powf(f64::from(number)),
+        standard_error_m: Some(0.002),
+    };
+    (1..30).map(height).collect()
+}
+
+fn bounce_losses() -> Vec<BounceLoss> {
+    let loss = |number: u32| BounceLoss {
+        number,
+        to_surface_j: 1e-3 * 0.88_f64.powf(f64::from(number)),
+        to_air_j: 0.2e-3 * 0.8_f64.powf(f64::from(number)),
+    };
+    (1..30).map(loss).collect()
 }
 
 fn residuals() -> Vec<Residual> {
@@ -469,6 +495,8 @@ fn without_data_a_figure_says_so() {
         figure::restitution(&[], &[], &[], Some(0.9)),
         figure::corner(&[]),
         figure::residuals(&[]),
+        figure::bounce_heights(&[]),
+        figure::bounce_energies(&[]),
         figure::budget(&[]),
         figure::models(&[], "drop height (cm)"),
         figure::cut(&[], "drop height (cm)", Some(0.3)),

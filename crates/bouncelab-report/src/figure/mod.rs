@@ -3,6 +3,7 @@
 //! Each takes plain data and gives a [`Figure`]. Points that are not numbers are left out;
 //! a figure without any usable point says so instead of showing empty axes.
 
+mod bounces;
 mod budget;
 mod calibration;
 mod corner;
@@ -20,6 +21,7 @@ mod restitution;
 mod run_chart;
 mod waveform;
 
+pub use bounces::{BounceHeight, BounceLoss, bounce_energies, bounce_heights};
 pub use budget::{Budget, Source, budget};
 pub use calibration::{RankHistogram, calibration};
 pub use corner::{CornerParameter, corner};
