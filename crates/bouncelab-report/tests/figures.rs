@@ -149,16 +149,7 @@ fn usual() -> Vec<(Figure, &'static [&'static str])> {
             figure::intervals("Groups", &group_intervals(12), "restitution at 1.41 m/s"),
             &["restitution at 1.41 m/s"],
         ),
-        (
-            figure::limits(
-                "Verdict",
-                &judged(5),
-                [Some(24.0), Some(26.0)],
-                [Some(24.2), Some(25.8)],
-                "rebound (cm)",
-            ),
-            &["rebound (cm)", "drop 1"],
-        ),
+        (verdict(), &["rebound (cm)", "drop 1"]),
         (
             figure::run_chart(&run_points(60), &names(3), Some(0.004)),
             &["drop, in order", "restitution less the median of the group"],
@@ -306,6 +297,12 @@ fn group_laws(groups: u32) -> Vec<GroupLaw> {
         }
     };
     (0..groups).map(law).collect()
+}
+
+fn verdict() -> Figure {
+    let limits = [Some(24.0), Some(26.0)];
+    let accepted = [Some(24.2), Some(25.8)];
+    figure::limits("Verdict", &judged(5), limits, accepted, "rebound (cm)")
 }
 
 fn judged(drops: u32) -> Vec<Judged> {

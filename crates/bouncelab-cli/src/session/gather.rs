@@ -61,7 +61,13 @@ impl Gathered {
             let about = &mut gathered.about;
             match (&results.done.contents[place], duplicate) {
                 (Err(why), _) => about.failed.push(reason(name, why)),
-                (Ok(_), Some(first)) => about.duplicates.push(reason(name, names(first))),
+                (Ok(_), Some(first)) => {
+                    about.duplicates.push(reason(name, names(first)));
+                    about.remarks.extend(noted_otherwise(
+                        &results.recordings[place],
+                        &results.recordings[first],
+                    ));
+                }
                 (Ok(_), None) => {
                     let (_, record) = results.read(place)?;
                     gathered.take(place, &results.recordings[place], record, &mut exclude);
@@ -125,6 +131,26 @@ impl Gathered {
             self.drops.push(drop);
         }
     }
+}
+
+/// What to say if the same sound was noted differently: only one of the notes counts.
+fn noted_otherwise(other: &Understood, first: &Understood) -> Option<String> {
+    let (of_other, of_first) = (&other.set_up.factors, &first.set_up.factors);
+    let differs = |field: &&String| of_other.get(*field) != of_first.get(*field);
+    let fields = of_other.keys().chain(of_first.keys());
+    let field = fields.filter(differs).min()?;
+    let said = |noted: Option<&String>| match noted {
+        Some(text) => format!("\"{text}\""),
+        None => "not noted".to_owned(),
+    };
+    Some(format!(
+        "{} and {} are the same sound, but the {field} of the one is {} and that of the other {}; what is \
+         noted of the first counts",
+        first.recording.name,
+        other.recording.name,
+        said(of_first.get(field)),
+        said(of_other.get(field)),
+    ))
 }
 
 fn is_doubtful(estimate: &EstimateRecord) -> bool {

@@ -8,6 +8,7 @@ mod outcome;
 mod record;
 mod report;
 mod results;
+mod tables;
 mod text;
 mod work;
 
@@ -196,7 +197,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
     };
     let mut outcome = Outcome::of(&results, &arguments.wish())?;
     outcome.about.title = title;
-    outcome.about.remarks = remarks;
+    outcome.about.remarks.extend(remarks);
     let written = write_tables(&results, &outcome, arguments)?;
     let json = serde_json::to_string_pretty(&outcome.document()).map_err(io::Error::from)? + "\n";
     let place = folder.join("session.json");

@@ -23,6 +23,9 @@ const CONDITIONS: [&str; 6] = [
     "humidity",
 ];
 
+/// Other fields with a meaning of their own.
+const KNOWN: [&str; 5] = ["ball", "surface", "operator", "height", "temperature"];
+
 /// Fields that a ball in a session file may have.
 const OF_A_BALL: [&str; 4] = ["kind", "mass", "diameter", "contact_time"];
 
@@ -108,6 +111,7 @@ impl Reading<'_> {
             problems,
         };
         one.agree(&session.notes(place));
+        one.doubt_fields();
         let height_m = one.quantity("height", units::length);
         let height_sd_m = one.quantity("height_sd", units::length);
         let temperature_k = one.quantity("temperature", units::temperature);
@@ -212,6 +216,29 @@ impl One<'_> {
         }
     }
 
+    /// Any field may be noted, but one that looks like a slip would be lost.
+    fn doubt_fields(&mut self) {
+        if self.as_stated {
+            return;
+        }
+        let known = || CONDITIONS.into_iter().chain(KNOWN);
+        let odd = self
+            .said
+            .keys()
+            .filter(|field| !known().any(|known| known == *field));
+        let doubts: Vec<String> = odd
+            .filter_map(|field| {
+                let meant = near(field, known())?;
+                Some(format!(
+                    "a {field}? Did you mean {meant}? Correct it, or insist by --as-stated"
+                ))
+            })
+            .collect();
+        for doubt in doubts {
+            self.problem(doubt);
+        }
+    }
+
     /// The value of a field, if it was noted, makes sense and looks right.
     fn quantity(&mut self, field: &'static str, read: Reader) -> Option<f64> {
         let note = self.said.get(field)?.clone();
@@ -286,6 +313,14 @@ impl One<'_> {
     }
 }
 
+/// The name that was meant, if one letter or two are wrong.
+fn near<'a>(written: &str, known: impl Iterator<Item = &'a str>) -> Option<&'a str> {
+    let slips = |name: &str| strsim::damerau_levenshtein(written, name);
+    let nearest = known.min_by_key(|name| slips(name))?;
+    let few = if nearest.len() > 5 { 2 } else { 1 };
+    (slips(nearest) <= few).then_some(nearest)
+}
+
 /// Whether two statements mean the same.
 fn same(field: &str, a: &str, b: &str) -> bool {
     let read: Option<Reader> = match field {
@@ -356,8 +391,10 @@ impl Problems {
         let mut lines: Vec<String> = self.general.into_iter().collect();
         for ball in &self.unknown_balls {
             let kinds: Vec<&str> = ball::presets().iter().map(|preset| preset.name).collect();
+            let meant = near(ball, kinds.iter().copied());
+            let meant = meant.map_or_else(String::new, |kind| format!(" Did you mean {kind}?"));
             lines.push(format!(
-                "what ball is \"{ball}\"? Write [balls.{ball}] with kind = \"...\" (or mass and \
+                "what ball is \"{ball}\"?{meant} Write [balls.{ball}] with kind = \"...\" (or mass and \
                  diameter) in session.toml, or give the kind of all balls by --ball. Kinds: {}, \
                  steel:10mm, glass:16mm",
                 kinds.join(", ")

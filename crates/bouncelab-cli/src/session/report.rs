@@ -8,7 +8,7 @@ use bouncelab_report::report::{Block, Page, Provenance, Section, repeat};
 use super::figures;
 use super::outcome::Outcome;
 use super::results::Results;
-use super::text;
+use super::{tables, text};
 use crate::failure::Failure;
 use crate::report::provenance;
 
@@ -91,14 +91,14 @@ fn of_study(
         Block::table(
             "Restitution by group: mean and its standard error, what all drops share, scatter between \
              drops and between impacts, and how many drops would halve the interval",
-            text::group_table(outcome, study, None),
+            tables::group_table(outcome, study, None),
         ),
         Block::table(
             "95 % intervals of the mean, of the next drop, and of the scatter between drops",
-            text::interval_table(outcome, study),
+            tables::interval_table(outcome, study),
         ),
     ];
-    let without = text::without_table(outcome, study);
+    let without = tables::without_table(outcome, study);
     if !without.is_empty() {
         groups.push(Block::table(
             "With and without the drops that are not like the others of their group",
@@ -108,7 +108,7 @@ fn of_study(
     let varies = if study.varies.len() > 1 {
         vec![Block::table(
             "Standard deviation of the restitution by what varies",
-            text::varies_table(outcome, study),
+            tables::varies_table(outcome, study),
         )]
     } else {
         Vec::new()
@@ -119,10 +119,10 @@ fn of_study(
         .filter(|(_, differences)| !differences.is_empty())
         .map(|(factor, differences)| {
             let name = &outcome.factors[*factor].name;
-            let table = text::difference_table(outcome, *factor, differences);
+            let table = tables::difference_table(outcome, *factor, differences);
             Block::table(format!("Differences by {name}, all else equal"), table)
         });
-    let trends = text::trend_table(outcome, study);
+    let trends = tables::trend_table(outcome, study);
     let trends = (!trends.is_empty()).then(|| {
         let caption = "Change of restitution with what is noted in numbers, all else equal";
         Block::table(caption, trends)

@@ -1,6 +1,7 @@
 //! `bouncelab verdict`: whether a ball or a floor obeys a rule.
 
 mod report;
+mod tables;
 mod text;
 
 use std::collections::BTreeSet;

@@ -8,7 +8,7 @@ use bouncelab_report::report::{
     Block, Page, Provenance, Section, method, repeat, shared_conditions,
 };
 
-use super::{Told, text};
+use super::{Told, tables, text};
 use crate::report::provenance;
 use crate::rules;
 
@@ -66,9 +66,9 @@ fn capitalised(word: &str) -> String {
 fn rebound(told: &Told<'_>) -> Section {
     let mut blocks = vec![Block::table(
         "The rebound by each way to work it out",
-        text::ways(told.verdict),
+        tables::ways(told.verdict),
     )];
-    if let Some(steps) = text::differences(told.verdict) {
+    if let Some(steps) = tables::differences(told.verdict) {
         blocks.push(Block::table(
             "From g T\u{b2}/8 to the rebound of the rule, mean over the drops",
             steps,
@@ -89,12 +89,12 @@ fn drops(told: &Told<'_>) -> Section {
     let verdict = told.verdict;
     let mut blocks = vec![Block::table(
         "Every drop",
-        text::drops(&verdict.drops, told.files),
+        tables::drops(&verdict.drops, told.files),
     )];
     if !verdict.reference_drops.is_empty() {
         blocks.push(Block::table(
             "Every drop on the reference",
-            text::drops(&verdict.reference_drops, told.reference_files),
+            tables::drops(&verdict.reference_drops, told.reference_files),
         ));
     }
     Section::new("The drops", blocks)

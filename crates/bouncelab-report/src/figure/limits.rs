@@ -1,15 +1,13 @@
 //! Values with their intervals, and the limits that they must keep.
 
 use super::Figure;
-use crate::canvas::{Anchor, Pen, Rect, Style, shortened};
+use super::rows::Rows;
+use crate::canvas::Pen;
 use crate::scale::Scale;
 use crate::sheet::{Measured, Panel, Sheet, Swatch};
 use crate::theme::{self, Meaning};
 
 const ROW: f64 = 30.0;
-const TOP: f64 = 78.0;
-/// Where the names end and the values begin.
-const LEFT: f64 = 216.0;
 /// More rows than this are no figure any more.
 const MOST: usize = 40;
 
@@ -44,12 +42,6 @@ pub fn limits(
             "There is no value to hold against the limits.",
         );
     }
-    let rows = usable.len() as f64;
-    let mut sheet = Sheet::new(TOP + ROW * rows + 56.0, title);
-    let legend = Style::new(theme::TICK_SIZE, theme::SOFT_INK, Anchor::Start);
-    let words =
-        "pale: within the limits \u{b7} darker: accepted at this uncertainty \u{b7} bars: 95 %";
-    sheet.canvas.text((16.0, 54.0), words, legend);
     let values = usable.iter().flat_map(|judged| {
         judged
             .interval95
@@ -59,52 +51,41 @@ pub fn limits(
     });
     let ends = values.chain(limits.into_iter().flatten());
     let x = Scale::linear(ends.filter(|end| end.is_finite())).padded(0.08, 0.08);
-    let y = Scale::linear([0.0, rows]);
-    let frame = Rect {
-        left: LEFT,
-        top: TOP,
-        right: theme::WIDTH - 24.0,
-        bottom: TOP + ROW * rows,
-    };
-    let panel = Panel::inset(&mut sheet.canvas, frame, [x, y], [Some(quantity), None]);
+    let legend =
+        "pale: within the limits \u{b7} darker: accepted at this uncertainty \u{b7} bars: 95 %";
+    let mut rows = Rows::new(title, legend, (usable.len(), ROW), x, quantity);
     let green = theme::group(2);
-    shade(&panel, &mut sheet, rows, limits, green.mixed(0.12));
-    shade(&panel, &mut sheet, rows, accepted, green.mixed(0.25));
+    shade(&mut rows, limits, green.mixed(0.12));
+    shade(&mut rows, accepted, green.mixed(0.25));
     for limit in limits.into_iter().flatten() {
-        let line = [(limit, 0.0), (limit, rows)];
-        panel.curve(&mut sheet.canvas, &line, Pen::solid(green, 1.5));
+        let line = rows.span().map(|end| (limit, end));
+        let pen = Pen::solid(green, 1.5);
+        rows.panel.curve(&mut rows.sheet.canvas, &line, pen);
     }
     for (row, judged) in usable.iter().enumerate() {
-        draw_row(&panel, &mut sheet, rows - row as f64 - 0.5, judged);
-        let style = Style::new(theme::TICK_SIZE, theme::INK, Anchor::Start);
-        let name = shortened(&judged.name, theme::TICK_SIZE, LEFT - 28.0);
-        let place = (16.0, TOP + ROW * (row as f64 + 0.5) + 4.0);
-        sheet.canvas.text(place, &name, style);
+        let middle = rows.middle(row);
+        draw_row(&rows.panel, &mut rows.sheet, middle, judged);
+        rows.name(row, &judged.name, None);
     }
     Figure::new(
-        sheet,
+        rows.sheet,
         title,
         "A value whose bar lies between the limits is within them with a probability of 95 % or more.",
     )
 }
 
 /// Everything between two ends, as far as it is in the frame.
-fn shade(
-    panel: &Panel,
-    sheet: &mut Sheet,
-    rows: f64,
-    [least, greatest]: [Option<f64>; 2],
-    colour: theme::Colour,
-) {
+fn shade(rows: &mut Rows, [least, greatest]: [Option<f64>; 2], colour: theme::Colour) {
     if least.is_none() && greatest.is_none() {
         return;
     }
     // Far beyond any axis.
-    let span = [
+    let ends = [
         least.unwrap_or(f64::from(f32::MIN)),
         greatest.unwrap_or(f64::from(f32::MAX)),
     ];
-    panel.block(&mut sheet.canvas, span, [0.0, rows], colour);
+    let span = rows.span();
+    rows.panel.block(&mut rows.sheet.canvas, ends, span, colour);
 }
 
 fn draw_row(panel: &Panel, sheet: &mut Sheet, middle: f64, judged: &Judged) {

@@ -18,6 +18,7 @@ mod listening;
 mod models;
 mod residuals;
 mod restitution;
+mod rows;
 mod run_chart;
 mod waveform;
 
