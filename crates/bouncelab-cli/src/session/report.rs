@@ -6,6 +6,7 @@ use bouncelab_report::document::{AboutSession, Reason};
 use bouncelab_report::report::{Block, Page, Provenance, Section, repeat};
 
 use super::figures;
+use super::notes::some_of;
 use super::outcome::Outcome;
 use super::results::Results;
 use super::{tables, text};
@@ -13,7 +14,7 @@ use crate::failure::Failure;
 use crate::report::provenance;
 
 /// With more recordings than this a list of their hashes is no use on paper.
-const LISTED: usize = 300;
+const LISTED: usize = 60;
 
 /// The page of a session.
 pub(super) fn page(outcome: &Outcome<'_>, results: &Results<'_>) -> Result<Page, Failure> {
@@ -30,7 +31,7 @@ pub(super) fn page(outcome: &Outcome<'_>, results: &Results<'_>) -> Result<Page,
         troubles(about),
         assumed(about),
         method(),
-        repeat(&provenance),
+        to_repeat(&provenance),
     ]);
     sections.retain(|section| !section.is_empty());
     let made = provenance.made.as_deref().unwrap_or_default();
@@ -148,15 +149,25 @@ fn troubles(about: &AboutSession) -> Section {
         .into_iter()
         .filter(|(_, reasons)| !reasons.is_empty())
         .flat_map(|(heading, reasons)| {
-            let lines = reasons
-                .iter()
-                .map(|Reason { name, reason }| format!("{name}: {reason}"));
             [
                 Block::text(format!("{heading}:")),
-                Block::List(lines.collect()),
+                Block::List(by_reason(reasons)),
             ]
         });
     Section::new("What did not work", blocks.collect())
+}
+
+/// One line for each reason, with the first of those that it is true of.
+fn by_reason(reasons: &[Reason]) -> Vec<String> {
+    let mut lines: Vec<(&str, Vec<String>)> = Vec::new();
+    for Reason { name, reason } in reasons {
+        match lines.iter_mut().find(|(known, _)| known == reason) {
+            Some((_, names)) => names.push(name.clone()),
+            None => lines.push((reason, vec![name.clone()])),
+        }
+    }
+    let line = |(reason, names): (&str, Vec<String>)| format!("{}: {reason}", some_of(&names));
+    lines.into_iter().map(line).collect()
 }
 
 fn assumed(about: &AboutSession) -> Section {
@@ -190,6 +201,16 @@ fn method() -> Section {
          Hoaglin 1993), and left in.",
     ];
     Section::new("Method", words.map(Block::text).into())
+}
+
+fn to_repeat(provenance: &Provenance) -> Section {
+    let mut section = repeat(provenance);
+    if provenance.files.is_empty() {
+        section.blocks.push(Block::text(
+            "The SHA-256 of every recording stands in the table of drops (content_sha256).",
+        ));
+    }
+    section
 }
 
 fn files(results: &Results<'_>) -> Vec<(String, String)> {
