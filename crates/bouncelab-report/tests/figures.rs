@@ -3,8 +3,8 @@
 
 use bouncelab_report::figure::{
     self, BandPoint, BounceHeight, BounceLoss, Budget, CornerParameter, Curve, CutPoint, CutSeries,
-    DragAxes, Envelope, Figure, GroupInterval, GroupLaw, GroupPoint, Line, Mark, ModelWeight,
-    RankHistogram, Residual, Restitution, RunPoint, Source, TimedFlight,
+    DragAxes, Envelope, Figure, GroupInterval, GroupLaw, GroupPoint, Judged, Line, Mark,
+    ModelWeight, RankHistogram, Residual, Restitution, RunPoint, Source, TimedFlight,
 };
 use bouncelab_report::theme::{self, Meaning};
 use proptest::prelude::*;
@@ -148,6 +148,16 @@ fn usual() -> Vec<(Figure, &'static [&'static str])> {
         (
             figure::intervals("Groups", &group_intervals(12), "restitution at 1.41 m/s"),
             &["restitution at 1.41 m/s"],
+        ),
+        (
+            figure::limits(
+                "Verdict",
+                &judged(5),
+                [Some(24.0), Some(26.0)],
+                [Some(24.2), Some(25.8)],
+                "rebound (cm)",
+            ),
+            &["rebound (cm)", "drop 1"],
         ),
         (
             figure::run_chart(&run_points(60), &names(3), Some(0.004)),
@@ -296,6 +306,20 @@ fn group_laws(groups: u32) -> Vec<GroupLaw> {
         }
     };
     (0..groups).map(law).collect()
+}
+
+fn judged(drops: u32) -> Vec<Judged> {
+    (0..drops)
+        .map(|drop| {
+            let value = 24.5 + 0.3 * f64::from(drop);
+            Judged {
+                name: format!("drop {drop}"),
+                value,
+                interval95: Some([value - 0.4, value + 0.4]),
+                decides: drop == 0,
+            }
+        })
+        .collect()
 }
 
 fn group_intervals(groups: u32) -> Vec<GroupInterval> {
@@ -479,6 +503,13 @@ fn without_data_a_figure_says_so() {
         figure::calibration(&[]),
         figure::groups(&[]),
         figure::intervals("Groups", &[], "restitution"),
+        figure::limits(
+            "Verdict",
+            &[],
+            [Some(24.0), None],
+            [None; 2],
+            "rebound (cm)",
+        ),
         figure::run_chart(&[], &[], Some(0.1)),
     ] {
         check_drawing(&figure).unwrap();
@@ -576,6 +607,16 @@ proptest! {
             })
             .collect();
         check_drawing(&figure::intervals("Any", &intervals, "any"))?;
+        let judged: Vec<_> = numbers
+            .iter()
+            .map(|&(value, end)| Judged {
+                name: "any".to_owned(),
+                value,
+                interval95: errors.map(|error| [error, end]),
+                decides: end > 0.0,
+            })
+            .collect();
+        check_drawing(&figure::limits("Any", &judged, [errors, None], [None, errors], "any"))?;
         let run: Vec<_> = numbers
             .iter()
             .map(|&(off, other)| RunPoint {

@@ -6,18 +6,19 @@ use bouncelab::estimate::Summary;
 use bouncelab::rulebook::{Decision, Limits, Outcome, Rebound, Rule, Step, Verdict};
 use bouncelab_report::{Align, CANNOT_TELL, Quantity, Table, Unit};
 
-use crate::physics::Physics;
+use super::Told;
 use crate::rules;
 
 /// The verdict, the rebound in several ways and why they differ, and what to know.
-pub(super) fn report(
-    rule: &Rule,
-    verdict: &Verdict,
-    decision: Decision,
-    files: &[String],
-    reference_files: &[String],
-    physics: &Physics,
-) -> String {
+pub(super) fn report(told: &Told<'_>) -> String {
+    let Told {
+        rule,
+        verdict,
+        decision,
+        files,
+        reference_files,
+        physics,
+    } = *told;
     let mut text = String::new();
     for line in of_rule(rule) {
         add(&mut text, &line);
@@ -103,31 +104,40 @@ fn of_rule(rule: &Rule) -> Vec<String> {
 }
 
 fn decided(verdict: &Verdict, decision: Decision) -> Vec<String> {
+    let mut lines = vec![outcome(verdict)];
+    let decision_rule = by_rule(verdict, decision).into_iter();
+    lines.extend(decision_rule.map(|sentence| format!("  {sentence}")));
+    lines
+}
+
+/// The decision, and how sure it is.
+pub(super) fn outcome(verdict: &Verdict) -> String {
     let word = match verdict.outcome {
         Outcome::Pass => "PASS",
         Outcome::Fail => "FAIL",
         Outcome::CannotDecide => "CANNOT DECIDE",
     };
-    let mut lines = Vec::new();
     match verdict.within {
-        Some(within) => {
-            lines.push(format!(
-                "{word}. Within the limits with a probability of {}; a pass would be wrong with {}.",
-                percent(within),
-                percent(1.0 - within)
-            ));
-        }
-        None => lines.push(format!("{word}.")),
+        Some(within) => format!(
+            "{word}. Within the limits with a probability of {}; a pass would be wrong with {}.",
+            percent(within),
+            percent(1.0 - within)
+        ),
+        None => format!("{word}."),
     }
-    lines.push(match decision {
+}
+
+/// The decision rule, and what it accepts.
+pub(super) fn by_rule(verdict: &Verdict, decision: Decision) -> Vec<String> {
+    let mut lines = vec![match decision {
         Decision::Guarded { risk } => format!(
-            "  Decision rule: guarded acceptance, wrong with at most {} either way (JCGM 106).",
+            "Decision rule: guarded acceptance, wrong with at most {} either way (JCGM 106).",
             percent(risk)
         ),
         Decision::Simple => {
-            "  Decision rule: simple acceptance, whatever is more probable (JCGM 106).".to_owned()
+            "Decision rule: simple acceptance, whatever is more probable (JCGM 106).".to_owned()
         }
-    });
+    }];
     if let (Some(accepted), Decision::Guarded { .. }) = (&verdict.accepted, decision) {
         let unit = if verdict.share.is_some() {
             Unit::Percent
@@ -135,7 +145,7 @@ fn decided(verdict: &Verdict, decision: Decision) -> Vec<String> {
             Unit::Length
         };
         lines.push(format!(
-            "  At this uncertainty {} would pass.",
+            "At this uncertainty {} would pass.",
             ends(accepted, unit)
         ));
     }
@@ -165,7 +175,7 @@ fn ends(limits: &Limits, unit: Unit) -> String {
 }
 
 /// The rebound by each way to work it out.
-fn ways(verdict: &Verdict) -> Table {
+pub(super) fn ways(verdict: &Verdict) -> Table {
     let mut table = Table::new([
         ("rebound", Align::Left),
         ("value", Align::Right),
@@ -205,7 +215,7 @@ fn ways(verdict: &Verdict) -> Table {
 }
 
 /// What lies between the plain height and the predicted one, if every drop says so.
-fn differences(verdict: &Verdict) -> Option<Table> {
+pub(super) fn differences(verdict: &Verdict) -> Option<Table> {
     let drops = &verdict.drops;
     let first = drops.first()?;
     if drops.iter().any(|drop| drop.steps.is_empty()) {
@@ -229,7 +239,7 @@ fn signed(value: f64) -> String {
     }
 }
 
-fn drops(drops: &[Rebound], files: &[String]) -> Table {
+pub(super) fn drops(drops: &[Rebound], files: &[String]) -> Table {
     let with_formula = drops.iter().any(|drop| drop.formula_m.is_some());
     let mut columns = vec![
         ("file", Align::Left),

@@ -145,7 +145,7 @@ impl<'a> Evaluator<'a> {
             drop_height_m: opening.gravity_height / point.gravity_m_s2,
             release_to_first_s: opening.time_s,
             impact_speeds,
-            launch_speeds: self.ends.iter().map(|end| end.log_launch.exp()).collect(),
+            launch_speeds: self.ends.iter().map(|end| end.launch).collect(),
         })
     }
 
@@ -196,7 +196,7 @@ impl<'a> Evaluator<'a> {
             let z = residual.value - factor.before[0] * before[0] - factor.before[1] * before[1];
             let square = z * z / factor.variance;
             let tail = Tail::of(factor.scatter_share);
-            sum += tail.log_density(square) - 0.5 * factor.variance.ln();
+            sum += tail.log_density(square, factor.variance);
             self.innovations.push(Innovation {
                 impact: residual.impact,
                 standardised: z / factor.variance.sqrt(),
