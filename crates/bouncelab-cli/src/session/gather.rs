@@ -88,7 +88,12 @@ impl Gathered {
     ) {
         let name = &understood.recording.name;
         if let Some(why) = record.failure {
-            self.about.failed.push(reason(name, &why));
+            // It may begin with the path of the recording, which is named already.
+            let why = match why.split_once(": ") {
+                Some((path, rest)) if path.ends_with(name.as_str()) => rest,
+                _ => &why,
+            };
+            self.about.failed.push(reason(name, why));
             return;
         }
         if record.drops.is_empty() {

@@ -220,12 +220,7 @@ impl Page {
         self.line(&format!("  {heading}"));
         let shown = if details { reasons.len() } else { SHOWN };
         for Reason { name, reason } in reasons.iter().take(shown) {
-            // A reason may begin with the path of the recording.
-            let words = match reason.split_once(": ") {
-                Some((path, rest)) if path.ends_with(name.as_str()) => rest,
-                _ => reason,
-            };
-            self.line(&format!("    {name}: {words}"));
+            self.line(&format!("    {name}: {reason}"));
         }
         if reasons.len() > shown {
             self.line(&format!(
