@@ -297,7 +297,7 @@ mod tests {
                 answer.data_length(),
             )
         };
-        if Page::get("index.html").is_none() {
+        if Page::get("index.html.br").is_none() {
             return;
         }
         let mut asked = asked(Method::Get, "/", "localhost:7878");

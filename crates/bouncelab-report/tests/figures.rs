@@ -60,8 +60,16 @@ fn impacts() -> Vec<Restitution> {
     (1..30).map(impact).collect()
 }
 
-/// Each figure with usual data, and the names of the axes it must show.
-fn usual() -> Vec<(Figure, &'static [&'static str])> {
+/// A figure with usual data, and words that it must show: the names of its axes, and others.
+type Usual = (Figure, &'static [&'static str]);
+
+/// Each figure once.
+fn usual() -> Vec<Usual> {
+    let all = [of_a_drop(), of_an_inference(), of_many_drops()];
+    all.into_iter().flatten().collect()
+}
+
+fn of_a_drop() -> Vec<Usual> {
     let curves = [
         curve(Meaning::Drag, "constant 0.4"),
         curve(Meaning::NoDrag, "no air"),
@@ -110,6 +118,11 @@ fn usual() -> Vec<(Figure, &'static [&'static str])> {
             figure::bounce_energies(&bounce_losses()),
             &["bounce", "energy lost (mJ)", "the bounce"],
         ),
+    ]
+}
+
+fn of_an_inference() -> Vec<Usual> {
+    vec![
         (
             figure::corner(&parameters(800)),
             &["restitution", "height (cm)", "before the data"],
@@ -139,6 +152,15 @@ fn usual() -> Vec<(Figure, &'static [&'static str])> {
             &["flights used", "height (cm)", "truth"],
         ),
         (
+            figure::calibration(&histograms()),
+            &["clean", "e", "rank of the truth"],
+        ),
+    ]
+}
+
+fn of_many_drops() -> Vec<Usual> {
+    vec![
+        (
             figure::groups(&group_laws(14)),
             &[
                 "speed at the impact (m/s)",
@@ -162,10 +184,6 @@ fn usual() -> Vec<(Figure, &'static [&'static str])> {
         (
             figure::run_chart(&run_points(60), &names(3), Some(0.004)),
             &["drop, in order", "restitution less the median of the group"],
-        ),
-        (
-            figure::calibration(&histograms()),
-            &["clean", "e", "rank of the truth"],
         ),
     ]
 }

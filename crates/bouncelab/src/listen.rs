@@ -329,6 +329,7 @@ pub struct Envelope {
     samples_per_step: usize,
     least: Vec<f32>,
     greatest: Vec<f32>,
+    /// Samples in the last step.
     in_step: usize,
 }
 
@@ -344,7 +345,7 @@ impl Envelope {
             samples_per_step: Self::FEWEST_SAMPLES,
             least: Vec::new(),
             greatest: Vec::new(),
-            in_step: 0,
+            in_step: Self::FEWEST_SAMPLES,
         }
     }
 
@@ -391,27 +392,24 @@ impl Envelope {
 
     /// Takes the next samples; returns the extremes of them.
     fn push(&mut self, samples: &[f32]) -> Extremes {
-        let mut all = Extremes::NONE;
-        let mut rest = samples;
+        let begun = self.samples_per_step - self.in_step;
+        let (now, mut rest) = samples.split_at(begun.min(samples.len()));
+        let mut all = Extremes::of(now);
+        if let (Some(least), Some(greatest)) = (self.least.last_mut(), self.greatest.last_mut()) {
+            *least = lesser(all.least, *least);
+            *greatest = greater(all.greatest, *greatest);
+        }
+        self.in_step += now.len();
         while !rest.is_empty() {
-            if self.in_step == self.samples_per_step || self.least.is_empty() {
-                if self.least.len() == Self::MOST_STEPS {
-                    self.halve();
-                }
-                self.least.push(f32::INFINITY);
-                self.greatest.push(f32::NEG_INFINITY);
-                self.in_step = 0;
+            if self.least.len() == Self::MOST_STEPS {
+                self.halve();
             }
-            let step = rest.len().min(self.samples_per_step - self.in_step);
-            let (now, later) = rest.split_at(step);
-            if let (Some(least), Some(greatest)) = (self.least.last_mut(), self.greatest.last_mut())
-            {
-                let extremes = Extremes::of(now);
-                all = all.with(extremes);
-                *least = least.min(extremes.least);
-                *greatest = greatest.max(extremes.greatest);
-            }
-            self.in_step += step;
+            let (step, later) = rest.split_at(self.samples_per_step.min(rest.len()));
+            let extremes = Extremes::of(step);
+            all = all.with(extremes);
+            self.least.push(extremes.least);
+            self.greatest.push(extremes.greatest);
+            self.in_step = step.len();
             rest = later;
         }
         all
@@ -438,11 +436,6 @@ struct Extremes {
 }
 
 impl Extremes {
-    const NONE: Self = Self {
-        least: f32::INFINITY,
-        greatest: f32::NEG_INFINITY,
-    };
-
     /// Of these samples.
     fn of(samples: &[f32]) -> Self {
         Self {
@@ -467,23 +460,26 @@ impl Extremes {
 /// The most extreme of these samples, many at a time; infinite if there are none.
 #[inline]
 fn extreme(samples: &[f32], pick: impl Fn(f32, f32) -> f32) -> f32 {
-    const LANES: usize = 16;
+    const LANES: usize = 8;
     let nothing = -pick(f32::INFINITY, f32::NEG_INFINITY);
     let (chunks, rest) = samples.as_chunks::<LANES>();
     let mut lanes = [nothing; LANES];
     for chunk in chunks {
         lanes = std::array::from_fn(|lane| pick(chunk[lane], lanes[lane]));
     }
-    let best = lanes.into_iter().fold(nothing, &pick);
+    let quad: [f32; 4] = std::array::from_fn(|lane| pick(lanes[lane], lanes[lane + 4]));
+    let best = pick(pick(quad[0], quad[1]), pick(quad[2], quad[3]));
     rest.iter().copied().fold(best, &pick)
 }
 
 /// Without the care for NaN that `f32::min` takes: one instruction.
+#[inline]
 fn lesser(a: f32, b: f32) -> f32 {
     if a < b { a } else { b }
 }
 
 /// Without the care for NaN that `f32::max` takes.
+#[inline]
 fn greater(a: f32, b: f32) -> f32 {
     if a > b { a } else { b }
 }

@@ -49,15 +49,17 @@ impl Autoregression {
 
     /// The prediction errors of all samples but the first `ORDER`.
     pub(crate) fn errors(&self, samples: &[f32]) -> Vec<f32> {
-        let centred: Vec<f64> = samples.iter().map(|&v| f64::from(v) - self.mean).collect();
+        let centre = |&v: &f32| (f64::from(v) - self.mean) as f32;
+        let centred: Vec<f32> = samples.iter().map(centre).collect();
         let mut errors = centred.get(ORDER..).unwrap_or_default().to_vec();
         for (weight, earlier) in self.weights.iter().zip(0..) {
+            let weight = *weight as f32;
             let earlier = centred.get(earlier..).unwrap_or_default();
             for (error, value) in errors.iter_mut().zip(earlier) {
                 *error -= weight * value;
             }
         }
-        errors.into_iter().map(|error| error as f32).collect()
+        errors
     }
 }
 

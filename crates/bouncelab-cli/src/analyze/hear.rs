@@ -9,6 +9,7 @@ use bouncelab::train::FEWEST_IMPACTS;
 use bouncelab_audio::{Input, Source};
 use bouncelab_report::document::{Document, Origin};
 use indicatif::{ProgressBar, ProgressStyle};
+use rayon::prelude::*;
 
 use crate::doubt;
 use crate::failure::Failure;
@@ -175,11 +176,13 @@ impl Recording {
     }
 }
 
+/// Analyses drops, side by side unless somebody hears recordings side by side already.
 fn analyze(drops: Vec<Vec<Impact>>, settings: &Settings) -> Vec<Analysis> {
-    drops
-        .into_iter()
-        .map(|impacts| analysis::analyze(impacts, settings))
-        .collect()
+    let one = |impacts| analysis::analyze(impacts, settings);
+    if rayon::current_thread_index().is_some() {
+        return drops.into_iter().map(one).collect();
+    }
+    drops.into_par_iter().map(one).collect()
 }
 
 /// What was stated that does not go with what was heard, once for each.

@@ -111,7 +111,7 @@ impl Gathered {
                     self.studied.push(self.drops.len());
                     self.laws.push(StudyDrop {
                         law: estimate.law(),
-                        scatter: Some(estimate.scatter.value),
+                        scatter: estimate.scatter.measured(),
                         levels: Vec::new(),
                     });
                 }

@@ -3,11 +3,11 @@
 use std::collections::BTreeMap;
 
 use bouncelab::estimate::Measured;
-use bouncelab::groups::{Factor, Study, StudyDrop};
+use bouncelab::groups::{Amounts, Factor, Study, StudyDrop};
 use bouncelab_report::document::{AboutSession, Reason, SessionDocument};
 
 use super::gather::{Drop, Gathered, reason};
-use super::notes::Understood;
+use super::notes::{SetUp, Understood};
 use super::results::Results;
 use crate::failure::Failure;
 
@@ -89,6 +89,7 @@ impl<'a> Outcome<'a> {
         let study = Study::of(
             &self.laws,
             &self.factors,
+            &amounts(&self.factors, &used),
             &self.by,
             wish.at_speed_m_s,
             wish.wanted,
@@ -206,6 +207,31 @@ fn factors(used: &[&Understood]) -> Vec<Factor> {
     };
     factors.sort_by(|a, b| rank(a).cmp(&rank(b)).then_with(|| a.name.cmp(&b.name)));
     factors
+}
+
+/// The factors that are noted in numbers, in SI.
+fn amounts(factors: &[Factor], used: &[&Understood]) -> Vec<Amounts> {
+    type Amount = fn(&SetUp) -> Option<f64>;
+    let height: Amount = |set_up| set_up.height_m;
+    let temperature: Amount = |set_up| set_up.temperature_k;
+    let of_factor = |(name, amount): (&str, Amount)| {
+        let factor = factors.iter().position(|factor| factor.name == name)?;
+        let by_level: BTreeMap<&str, f64> = used
+            .iter()
+            .filter_map(|understood| {
+                let level = understood.set_up.factors.get(name)?;
+                Some((level.as_str(), amount(&understood.set_up)?))
+            })
+            .collect();
+        let levels = factors[factor].levels.iter();
+        let of_levels = levels.map(|level| by_level.get(level.as_str()).copied());
+        Some(Amounts {
+            factor,
+            of_levels: of_levels.collect::<Option<_>>()?,
+        })
+    };
+    let noted = [("height", height), ("temperature", temperature)];
+    noted.into_iter().filter_map(of_factor).collect()
 }
 
 /// By the number with which both begin, or as text.

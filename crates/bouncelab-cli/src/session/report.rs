@@ -87,7 +87,7 @@ fn of_study(
         blocks.extend(figure);
         blocks
     };
-    let groups = vec![
+    let mut groups = vec![
         Block::table(
             "Restitution by group: mean and its standard error, what all drops share, scatter between \
              drops and between impacts, and how many drops would halve the interval",
@@ -98,6 +98,13 @@ fn of_study(
             text::interval_table(outcome, study),
         ),
     ];
+    let without = text::without_table(outcome, study);
+    if !without.is_empty() {
+        groups.push(Block::table(
+            "With and without the drops that are not like the others of their group",
+            without,
+        ));
+    }
     let varies = if study.varies.len() > 1 {
         vec![Block::table(
             "Standard deviation of the restitution by what varies",
@@ -115,11 +122,16 @@ fn of_study(
             let table = text::difference_table(outcome, *factor, differences);
             Block::table(format!("Differences by {name}, all else equal"), table)
         });
+    let trends = text::trend_table(outcome, study);
+    let trends = (!trends.is_empty()).then(|| {
+        let caption = "Change of restitution with what is noted in numbers, all else equal";
+        Block::table(caption, trends)
+    });
     vec![
         Section::new("Groups", with(groups, intervals)),
         Section::new("Restitution against speed", with(Vec::new(), laws)),
         Section::new("Who varies", varies),
-        Section::new("Differences", differences.collect()),
+        Section::new("Differences", differences.chain(trends).collect()),
         Section::new("In order", with(Vec::new(), run)),
     ]
 }

@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use bouncelab::groups::{Difference, Group, Study};
+use bouncelab::groups::{Difference, Group, Mean, Study};
 use bouncelab_report::document::{AboutSession, Reason};
 use bouncelab_report::{Align, CANNOT_TELL, Quantity, Table, Unit};
 
@@ -96,6 +96,10 @@ impl Page {
                 self.differences(outcome, *factor, differences, details);
             }
         }
+        if !study.trends.is_empty() {
+            self.line("\nHow restitution changes, all else equal:\n");
+            self.table(&trend_table(outcome, study));
+        }
         if details {
             self.law(outcome, study);
         }
@@ -115,7 +119,9 @@ impl Page {
                     outlier.score.abs()
                 ));
             }
-            self.line("  They count as they are; leave one out by --exclude NAME.");
+            self.line("\n  They count in all of the above. With and without them:\n");
+            self.table(&without_table(outcome, study));
+            self.line("\n  --exclude NAME leaves one out of everything.");
         }
     }
 
@@ -285,6 +291,59 @@ pub(super) fn group_table(outcome: &Outcome<'_>, study: &Study, wanted: Option<f
     table
 }
 
+/// The groups with outliers, with and without them.
+pub(super) fn without_table(outcome: &Outcome<'_>, study: &Study) -> Table {
+    let mut table = Table::new([
+        ("group", Align::Left),
+        ("with", Align::Right),
+        ("drops", Align::Right),
+        ("without", Align::Right),
+        ("drops", Align::Right),
+    ]);
+    for (name, group) in named_groups(outcome, study) {
+        if let Some(without) = &group.without_outliers {
+            table.row([
+                name,
+                restitution(&group.mean).to_string(),
+                group.mean.drops.to_string(),
+                restitution(without).to_string(),
+                without.drops.to_string(),
+            ]);
+        }
+    }
+    table
+}
+
+/// Slopes against what is noted in numbers.
+pub(super) fn trend_table(outcome: &Outcome<'_>, study: &Study) -> Table {
+    let mut table = Table::new([
+        ("with", Align::Left),
+        ("levels", Align::Right),
+        ("slope", Align::Right),
+        ("", Align::Left),
+        ("95 % interval", Align::Right),
+        ("p", Align::Right),
+    ]);
+    for trend in &study.trends {
+        let name = outcome.factors[trend.factor].name.as_str();
+        let unit = match name {
+            "height" => "per m",
+            "temperature" => "per K",
+            _ => "",
+        };
+        let shown = Quantity::measured(trend.slope.value, trend.slope.sd, Unit::Number);
+        table.row([
+            name.to_owned(),
+            trend.levels.to_string(),
+            shown.to_string(),
+            unit.to_owned(),
+            shown.interval(trend.interval95),
+            probability(trend.p_value),
+        ]);
+    }
+    table
+}
+
 /// 95 % intervals of the groups.
 pub(super) fn interval_table(outcome: &Outcome<'_>, study: &Study) -> Table {
     let mut table = Table::new([
@@ -320,7 +379,11 @@ fn named_groups<'a>(outcome: &Outcome<'_>, study: &'a Study) -> Vec<(String, &'a
 }
 
 fn shown(group: &Group) -> Quantity {
-    Quantity::measured(group.mean.value, group.mean.standard_error, Unit::Number)
+    restitution(&group.mean)
+}
+
+fn restitution(mean: &Mean) -> Quantity {
+    Quantity::measured(mean.value, mean.standard_error, Unit::Number)
 }
 
 fn needed(group: &Group, wanted: Option<f64>) -> String {

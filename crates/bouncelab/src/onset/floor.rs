@@ -1,7 +1,5 @@
 //! What is quiet: a low quantile of the latest energies, and the noise of rounding.
 
-use std::collections::VecDeque;
-
 /// The bins of the histogram are an eighth of an octave in power: the exponent of a number and
 /// the first three bits after it.
 const SHIFT: u32 = 20;
@@ -15,7 +13,9 @@ const BINS: usize = 1 << (31 - SHIFT);
 pub(super) struct Quantile {
     share: f64,
     capacity: usize,
-    recent: VecDeque<u16>,
+    /// The bins of the latest values, the oldest at `oldest`.
+    recent: Vec<u16>,
+    oldest: usize,
     counts: Vec<u16>,
     /// The bin in which the quantile lies, and how many values lie below it.
     bin: usize,
@@ -28,24 +28,31 @@ impl Quantile {
         Self {
             share,
             capacity,
-            recent: VecDeque::with_capacity(capacity),
+            recent: Vec::with_capacity(capacity),
+            oldest: 0,
             counts: vec![0; BINS],
             bin: 0,
             below: 0,
         }
     }
 
+    #[inline]
     pub(super) fn push(&mut self, value: f32) {
-        if self.recent.len() == self.capacity
-            && let Some(old) = self.recent.pop_front()
-        {
-            self.counts[usize::from(old)] -= 1;
-            self.below -= usize::from(usize::from(old) < self.bin);
-        }
         let bin = (value.to_bits() >> SHIFT) as u16 & (BINS - 1) as u16;
-        self.recent.push_back(bin);
-        self.counts[usize::from(bin)] += 1;
-        self.below += usize::from(usize::from(bin) < self.bin);
+        if self.recent.len() < self.capacity {
+            self.recent.push(bin);
+        } else {
+            let old = usize::from(std::mem::replace(&mut self.recent[self.oldest], bin));
+            self.counts[old] -= 1;
+            self.below -= usize::from(old < self.bin);
+            self.oldest += 1;
+            if self.oldest == self.capacity {
+                self.oldest = 0;
+            }
+        }
+        let bin = usize::from(bin);
+        self.counts[bin] += 1;
+        self.below += usize::from(bin < self.bin);
     }
 
     /// How many values are less than the quantile.

@@ -19,6 +19,11 @@ const LEAST_RISE: f64 = 1.0;
 const LEAST_POWER: f64 = 1e-18;
 /// No time counts more hops than this, whatever sample rate a broken file claims.
 const MOST_HOPS: usize = 512;
+/// So many hops of a frame are screened at a time.
+const STRETCH: usize = 16;
+/// The sums of energies start afresh after so many frames, lest a loud past swallows a quiet
+/// present.
+const FRAMES_SUMMED: usize = 8;
 
 /// A moment and what begins there.
 #[derive(Clone, Copy, Debug)]
@@ -52,8 +57,10 @@ struct Band {
 #[derive(Clone)]
 pub(super) struct HopEnergies {
     bands: Vec<Band>,
-    /// Of each band the sums of the energies before each hop, from the first remembered on.
+    /// Of each band the sums of the energies before each hop.
     sums: [Vec<f64>; BANDS],
+    /// Where in them the first hop lies that is remembered.
+    first: usize,
     /// Hops that are remembered from frame to frame.
     history: usize,
     /// Hops after a moment that it takes to judge it.
@@ -92,7 +99,8 @@ impl HopEnergies {
             .collect();
         Self {
             bands,
-            sums: std::array::from_fn(|_| vec![0.0; history + FRAME_HOPS + 1]),
+            sums: std::array::from_fn(|_| vec![0.0; history + 1 + FRAMES_SUMMED * FRAME_HOPS]),
+            first: 0,
             history,
             look_ahead,
             next: 0,
@@ -124,56 +132,75 @@ impl HopEnergies {
         for (band, energies) in self.bands.iter_mut().zip(energies) {
             band.push(energies, noise_power);
         }
+        let first = self.first + self.history - self.look_ahead;
         // The first moments of a recording have little before them.
         if self.next < self.history as u64 {
             self.most.fill(f32::INFINITY);
         } else {
             self.most.fill(0.0);
-            let first = self.history - self.look_ahead;
             for (band, sums) in self.bands.iter().zip(&self.sums) {
                 band.add_most(sums, first, &mut self.most);
             }
         }
         // Rounding of the bound must not hide a moment.
         let screen = (0.99 * bar * bar) as f32;
-        for at in 0..FRAME_HOPS {
-            if self.most[at] >= screen
-                && let Some(hop) = (self.next + at as u64).checked_sub(self.look_ahead as u64)
-            {
-                let moment = self.judge(hop, self.history - self.look_ahead + at);
-                if moment.strength >= bar {
-                    moments.push(moment);
-                }
+        // Most stretches have no such moment; each is asked at once.
+        for (from, most) in (0..)
+            .step_by(STRETCH)
+            .zip(self.most.as_chunks::<STRETCH>().0)
+        {
+            if most.iter().map(|m| u8::from(*m >= screen)).max() == Some(1) {
+                self.judge_stretch(from, screen, bar, moments);
             }
         }
         self.next += FRAME_HOPS as u64;
     }
 
+    /// Judges the moments from this one on that may be strong enough.
+    fn judge_stretch(&self, from: usize, screen: f32, bar: f64, moments: &mut Vec<Novelty>) {
+        let first = self.first + self.history - self.look_ahead;
+        for at in from..from + STRETCH {
+            if self.most[at] >= screen
+                && let Some(hop) = (self.next + at as u64).checked_sub(self.look_ahead as u64)
+            {
+                let moment = self.judge(hop, first + at);
+                if moment.strength >= bar {
+                    moments.push(moment);
+                }
+            }
+        }
+    }
+
     /// Goes on with the sums; all bands side by side, because each sum waits for the last.
     #[inline]
     fn add(&mut self, energies: &FrameEnergies) {
-        let mut last = [0.0; BANDS];
-        for (sums, last) in self.sums.iter_mut().zip(&mut last) {
-            // They start afresh with every frame, lest a loud past swallows a quiet present.
-            let base = sums[FRAME_HOPS];
-            sums.copy_within(FRAME_HOPS.., 0);
-            let past = sums.len() - FRAME_HOPS;
-            for sum in &mut sums[..past] {
-                *sum -= base;
-            }
-            *last = sums[past - 1];
+        self.first += FRAME_HOPS;
+        if self.first + self.history + FRAME_HOPS >= self.sums[0].len() {
+            self.start_afresh();
         }
-        let past = self.history + 1;
-        let new = self
-            .sums
-            .each_mut()
-            .map(|sums| &mut sums[past..][..FRAME_HOPS]);
+        let past = self.first + self.history;
+        let mut sums = self.sums.each_mut().map(|sums| &mut sums[past..]);
+        let mut last = sums.each_ref().map(|sums| sums[0]);
+        let new = sums.each_mut().map(|sums| &mut sums[1..=FRAME_HOPS]);
         for hop in 0..FRAME_HOPS {
             for band in 0..BANDS {
                 last[band] += f64::from(energies[band][hop]);
                 new[band][hop] = last[band];
             }
         }
+    }
+
+    /// Moves the sums that are remembered to the front, counted from the first of them on.
+    #[cold]
+    fn start_afresh(&mut self) {
+        for sums in &mut self.sums {
+            let base = sums[self.first];
+            sums.copy_within(self.first..=self.first + self.history, 0);
+            for sum in &mut sums[..=self.history] {
+                *sum -= base;
+            }
+        }
+        self.first = 0;
     }
 
     /// Judges a hop, which lies here in the arrays.

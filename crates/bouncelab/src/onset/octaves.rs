@@ -105,16 +105,26 @@ impl Octaves {
         } else {
             (&self.last.squares, 0, 1.0)
         };
-        let length = (squares.len() - delay) / energies.len();
-        add_means(squares, length, scale, energies);
+        match (squares.len() - delay) / energies.len() {
+            // At 44.1 and 48 kHz: of known length the loops unroll.
+            3 => add_means(squares.as_chunks::<3>().0, scale, energies),
+            6 => add_means(squares.as_chunks::<6>().0, scale, energies),
+            12 => add_means(squares.as_chunks::<12>().0, scale, energies),
+            length => {
+                let scale = scale / length as f32;
+                for (mean, values) in energies.iter_mut().zip(squares.chunks_exact(length)) {
+                    *mean += scale * sum(values);
+                }
+            }
+        }
     }
 }
 
-/// Adds the mean of every `length` values, times `scale`.
+/// Adds the mean of each chunk of values, times `scale`.
 #[inline]
-fn add_means(values: &[f32], length: usize, scale: f32, means: &mut [f32]) {
-    let scale = scale / length as f32;
-    for (mean, values) in means.iter_mut().zip(values.chunks_exact(length)) {
+fn add_means<const LENGTH: usize>(chunks: &[[f32; LENGTH]], scale: f32, means: &mut [f32]) {
+    let scale = scale / LENGTH as f32;
+    for (mean, values) in means.iter_mut().zip(chunks) {
         *mean += scale * sum(values);
     }
 }
@@ -137,11 +147,9 @@ impl Level {
         self.even.copy_within(length.., 0);
         self.odd.copy_within(length.., 0);
         self.pairs.copy_within(length.., 0);
-        let pairs = samples.chunks_exact(2);
         let places = self.even[REACH..].iter_mut().zip(&mut self.odd[REACH..]);
-        for ((even, odd), pair) in places.zip(pairs) {
-            *even = pair[0];
-            *odd = pair[1];
+        for ((even, odd), pair) in places.zip(samples.as_chunks::<2>().0) {
+            [*even, *odd] = *pair;
         }
         let (even, odd) = (Taps::new(&self.even), Taps::new(&self.odd));
         let pairs = &mut self.pairs[self.delay..][..length];

@@ -15,6 +15,8 @@ const BEFORE_S: f64 = 0.005;
 const AFTER_S: f64 = 0.004;
 /// The variance on either side is estimated from at least so many samples.
 const LEAST: usize = 4;
+/// A moment that is less likely than the best by so much does not count.
+const FARTHEST_NATS: f32 = 30.0;
 
 /// A time in samples, and its standard error.
 #[derive(Clone, Copy, Debug)]
@@ -33,7 +35,7 @@ pub(super) struct Picker {
     before: usize,
     after: usize,
     error_energy: Vec<f64>,
-    score: Vec<f64>,
+    score: Vec<f32>,
 }
 
 impl Picker {
@@ -88,18 +90,20 @@ impl Picker {
         let n = self.error_energy.len() - 1;
         let total = self.error_energy[n];
         let first = LEAST;
+        let mean_energy = total / n as f64;
+        let variance = |energy: f64, count: f32| (energy / mean_energy) as f32 / count;
         self.score.clear();
         self.score.extend((first..=n - LEAST).map(|k| {
             let before = self.error_energy[k];
-            let (a, b) = (k as f64, (n - k) as f64);
-            0.5 * (a * (before / a).ln() + b * ((total - before) / b).ln())
+            let (a, b) = (k as f32, (n - k) as f32);
+            0.5 * (a * ln(variance(before, a)) + b * ln(variance(total - before, b)))
         }));
-        let best = self.score.iter().copied().fold(f64::INFINITY, f64::min);
+        let best = self.score.iter().copied().fold(f32::INFINITY, f32::min);
         let (mut weight, mut mean, mut square) = (0.0, 0.0, 0.0);
         for (k, score) in self.score.iter().enumerate() {
             let nats = best - score;
-            if nats > -30.0 {
-                let w = nats.exp();
+            if nats > -FARTHEST_NATS {
+                let w = f64::from(nats.exp());
                 weight += w;
                 mean += w * k as f64;
                 square += w * (k * k) as f64;
@@ -116,9 +120,32 @@ impl Picker {
     }
 }
 
+/// The natural logarithm of a positive number to six digits, in plain arithmetic, so that many are
+/// taken side by side: the exponent, and the series of the inverse hyperbolic tangent for the rest.
+#[inline]
+fn ln(x: f32) -> f32 {
+    /// The rest lies between the roots of 1/2 and 2.
+    const LEAST_REST: u32 = std::f32::consts::FRAC_1_SQRT_2.to_bits();
+    let exponent = x.to_bits().wrapping_sub(LEAST_REST).cast_signed() >> 23;
+    let rest = f32::from_bits(x.to_bits().wrapping_sub((exponent << 23).cast_unsigned()));
+    let t = (rest - 1.0) / (rest + 1.0);
+    let t2 = t * t;
+    let series = 1.0 + t2 * (1.0 / 3.0 + t2 * (1.0 / 5.0 + t2 * (1.0 / 7.0)));
+    exponent as f32 * std::f32::consts::LN_2 + 2.0 * t * series
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn the_logarithm_is_that_of_the_library() {
+        let mut x = 1e-30_f32;
+        while x < 1e30 {
+            assert!((ln(x) - x.ln()).abs() < 1e-6 * (1.0 + x.ln().abs()), "{x}");
+            x *= 1.013;
+        }
+    }
 
     #[test]
     fn a_step_in_variance_is_found_to_the_sample() {

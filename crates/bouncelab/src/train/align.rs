@@ -39,8 +39,6 @@ const TRIED: usize = 6;
 const FREE_DIFFERENCES: f64 = 2.0;
 /// No shift is surer than this, in samples.
 const LEAST_SIGMA: f64 = 0.0005;
-/// Steps of Newton's from the shift of highest correlation to that of the least misfit.
-const STEPS: usize = 2;
 /// After the first round an impact is sought so many samples around where it was found.
 const NEAR: usize = 6;
 /// Half the length of the interpolation kernel in samples.
@@ -70,21 +68,23 @@ pub(super) fn align(
         // How much noise of one wave is in the stack.
         let noise: f32 = waves.iter().map(|w| weight(w, middle).powi(2)).sum();
         let stack = stack(&waves, middle);
+        let smoothness = smoothness(&stack, &smoothed);
         for (sound, wave) in sounds.iter_mut().zip(&waves) {
             let own = weight(wave, middle);
             let others: Vec<f32> = stack.iter().zip(wave).map(|(s, w)| s - w * own).collect();
-            let template = Template::new(&others, noise - own * own, &smoothed);
+            let template = Template::new(&others, noise - own * own);
             sound.fit(&template, &span, round == 0);
+            if round + 1 == ROUNDS {
+                sound.settle(&template, smoothness, &span);
+            }
         }
         keep_mean(&mut sounds);
     }
-    for sound in &sounds {
-        if let Some(sigma) = sound.sigma {
-            let onset = &mut impacts[sound.impact].onset;
-            onset.time_s += sound.shift / rate_hz;
-            onset.sigma_s = sigma / rate_hz;
-            agrees[sound.impact] = sound.begins(&span);
-        }
+    for sound in sounds.iter().filter(|sound| sound.fits) {
+        let onset = &mut impacts[sound.impact].onset;
+        onset.time_s += sound.shift / rate_hz;
+        onset.sigma_s = sound.sigma / rate_hz;
+        agrees[sound.impact] = sound.begins(&span);
     }
     agrees
 }
@@ -143,8 +143,10 @@ struct Sound {
     pick_sigma: f64,
     /// Where the impact begins, in samples after its pick.
     shift: f64,
-    /// Standard error of the shift in samples; `None` while it does not fit the others.
-    sigma: Option<f64>,
+    /// Whether it fits the others.
+    fits: bool,
+    /// Standard error of the shift in samples, once it is settled.
+    sigma: f64,
 }
 
 fn whitened_sounds(
@@ -189,7 +191,8 @@ fn whitened_sounds(
                     .ceil() as usize,
                 pick_sigma,
                 shift: 0.0,
-                sigma: None,
+                fits: false,
+                sigma: f64::INFINITY,
             }
         })
         .collect()
@@ -216,23 +219,31 @@ impl Sound {
     /// it was found before.
     fn fit(&mut self, template: &Template, span: &Span, anywhere: bool) {
         let others = template.wave;
-        let found = if anywhere {
-            self.best_shift(others, span, 0, self.reach)
+        let found = if anywhere || !self.fits {
+            None
         } else {
-            self.sigma.and_then(|_| {
-                let near = self.shift.round() as isize;
-                self.best_shift(others, span, near, NEAR)
-            })
+            let near = self.shift.round() as isize;
+            self.best_shift(others, span, near, NEAR)
         };
         let found = found.or_else(|| self.best_shift(others, span, 0, self.reach));
+        self.fits = found.is_some();
         self.shift = found.unwrap_or(0.0);
-        self.sigma = found.map(|_| {
-            for _ in 0..STEPS {
-                let wave = self.wave(span, self.shift);
-                self.shift += template.misfit(&wave).clamp(-0.5, 0.5);
-            }
-            template.shift_error(&self.wave(span, self.shift), self.noise, self.density)
-        });
+        self.step(template, span);
+    }
+
+    /// A step of Newton's from the shift of highest correlation to that of the least misfit.
+    fn step(&mut self, template: &Template, span: &Span) {
+        if self.fits {
+            let wave = self.wave(span, self.shift);
+            self.shift += template.misfit(&wave).clamp(-0.5, 0.5);
+        }
+    }
+
+    /// Settles the shift and its standard error.
+    fn settle(&mut self, template: &Template, smoothness: f64, span: &Span) {
+        self.step(template, span);
+        let wave = self.wave(span, self.shift);
+        self.sigma = template.shift_error(&wave, self.noise, self.density * smoothness);
     }
 
     /// The highest correlation at whole samples around `middle`, and a parabola through it.
@@ -264,13 +275,13 @@ impl Sound {
 /// Only differences of time have a meaning: the stack as a whole stays where the picks are.
 fn keep_mean(sounds: &mut [Sound]) {
     let (mut weights, mut sum) = (0.0, 0.0);
-    for sound in sounds.iter().filter(|s| s.sigma.is_some()) {
+    for sound in sounds.iter().filter(|s| s.fits) {
         let weight = sound.pick_sigma.powi(-2);
         weights += weight;
         sum += weight * sound.shift;
     }
     if weights > 0.0 {
-        for sound in sounds.iter_mut().filter(|s| s.sigma.is_some()) {
+        for sound in sounds.iter_mut().filter(|s| s.fits) {
             sound.shift -= sum / weights;
         }
     }
@@ -388,25 +399,18 @@ struct Template<'a> {
     derivative: Vec<f32>,
     energy: f32,
     slope: f32,
-    /// The share of the noise in the slope that is left by the smoothing: the estimate smooths
-    /// once what is left of a wave and once the template.
-    smoothness: f32,
     /// Power of its noise over that of one impact.
     noise: f32,
 }
 
 impl<'a> Template<'a> {
-    /// Of a stack of waves that were smoothed so.
-    fn new(wave: &'a [f32], noise: f32, smoothed: &[f32]) -> Self {
+    fn new(wave: &'a [f32], noise: f32) -> Self {
         let derivative = derivative(wave);
-        let slope = dot(&derivative, &derivative);
-        let twice = convolve(&derivative, smoothed);
         Self {
             wave,
             noise,
             energy: dot(wave, wave),
-            slope,
-            smoothness: dot(&twice, &twice) / slope.max(f32::MIN_POSITIVE),
+            slope: dot(&derivative, &derivative),
             derivative,
         }
     }
@@ -429,7 +433,8 @@ impl<'a> Template<'a> {
         }
     }
 
-    /// Standard error of the shift of a wave in noise of this power and density, in samples.
+    /// Standard error of the shift of a wave, in samples. The noise has this power, and this
+    /// density where the template is steep.
     fn shift_error(&self, wave: &[f32], noise: f64, density: f64) -> f64 {
         let (residual, level) = self.residual(wave);
         let slope = f64::from(level * level * self.slope).max(f64::MIN_POSITIVE);
@@ -441,31 +446,35 @@ impl<'a> Template<'a> {
         let both = noise * (1.0 + f64::from(level * level * self.noise));
         let by_chance = both * (count + 2.0 * (2.0 * count * alike).sqrt());
         let different = (unexplained - by_chance).max(0.0);
-        let noise = density * f64::from(self.smoothness);
-        let variance = (noise + different / FREE_DIFFERENCES) / slope;
+        let variance = (density + different / FREE_DIFFERENCES) / slope;
         variance.sqrt().hypot(LEAST_SIGMA)
     }
 }
 
-/// The derivative of a band-limited signal, for each sample.
+/// The share of the noise in the slope of this stack that smoothing leaves: the shift smooths once
+/// what is left of a wave and once the template.
+fn smoothness(stack: &[f32], smoothed: &[f32]) -> f64 {
+    let slope = derivative(stack);
+    let twice = convolve(&slope, smoothed);
+    f64::from(dot(&twice, &twice) / dot(&slope, &slope).max(f32::MIN_POSITIVE))
+}
+
+/// The derivative of a band-limited signal, for each sample; silence lies before and after.
 fn derivative(samples: &[f32]) -> Vec<f32> {
-    let at = |n: usize| samples.get(n).copied().unwrap_or(0.0);
-    let weights: [f32; KERNEL] = std::array::from_fn(|tap| {
-        let k = (tap + 1) as f64;
-        let window = 0.5 + 0.5 * (PI * k / (KERNEL + 1) as f64).cos();
-        let sign = if tap % 2 == 0 { 1.0 } else { -1.0 };
-        (sign * window / k) as f32
-    });
-    (0..samples.len())
-        .map(|n| {
-            let pairs = weights.iter().zip(1..);
-            let terms = pairs.map(|(weight, k)| {
-                let before = n.checked_sub(k).map_or(0.0, at);
-                weight * (at(n + k) - before)
-            });
-            terms.sum()
-        })
-        .collect()
+    let length = samples.len();
+    let mut padded = vec![0.0; length + 2 * KERNEL];
+    padded[KERNEL..][..length].copy_from_slice(samples);
+    let mut derivative = vec![0.0; length];
+    for k in 1..=KERNEL {
+        let window = 0.5 + 0.5 * (PI * k as f64 / (KERNEL + 1) as f64).cos();
+        let sign = if k % 2 == 1 { 1.0 } else { -1.0 };
+        let weight = (sign * window / k as f64) as f32;
+        let (before, after) = (&padded[KERNEL - k..], &padded[KERNEL + k..]);
+        for ((sum, before), after) in derivative.iter_mut().zip(before).zip(after) {
+            *sum += weight * (after - before);
+        }
+    }
+    derivative
 }
 
 fn dot(a: &[f32], b: &[f32]) -> f32 {
@@ -517,13 +526,23 @@ fn resample(samples: &[f32], position: f64, length: usize) -> Vec<f32> {
 
 /// The weights of the samples around a position this fraction after one of them.
 fn kernel(fraction: f64) -> [f32; 2 * KERNEL] {
+    // From tap to tap the sine changes its sign, and the window turns by an equal angle.
+    let mut sin = (PI * (fraction + KERNEL as f64 - 1.0)).sin() / PI;
+    let (turn_sin, turn_cos) = (PI / KERNEL as f64).sin_cos();
+    let (mut window_sin, mut window_cos) = (PI * (1.0 - fraction) / KERNEL as f64 - PI).sin_cos();
     std::array::from_fn(|tap| {
         let x = (tap + 1) as f64 - KERNEL as f64 - fraction;
-        if x == 0.0 {
-            return 1.0;
-        }
-        let window = 0.5 + 0.5 * (PI * x / KERNEL as f64).cos();
-        (window * (PI * x).sin() / (PI * x)) as f32
+        let weight = if x.abs() < 1e-9 {
+            1.0
+        } else {
+            -(0.5 + 0.5 * window_cos) * sin / x
+        };
+        sin = -sin;
+        (window_sin, window_cos) = (
+            window_sin * turn_cos + window_cos * turn_sin,
+            window_cos * turn_cos - window_sin * turn_sin,
+        );
+        weight as f32
     })
 }
 
@@ -546,7 +565,8 @@ mod tests {
                 reach: 1,
                 pick_sigma: 1.0,
                 shift,
-                sigma: None,
+                fits: false,
+                sigma: 0.0,
             };
             assert!(!sound.begins(&span), "{shift}");
             assert_eq!(sound.wave(&span, shift).len(), span.length);

@@ -95,8 +95,8 @@ impl Step {
         let (earlier, later) = (&onsets[pair.0], &onsets[pair.1]);
         let interval_s = later.time_s - earlier.time_s;
         let timing = earlier.sigma_s.powi(2) + later.sigma_s.powi(2);
-        let likeness = around[pair.0].likeness(earlier, later);
-        let fall = evidence::fall(earlier, later);
+        let likeness = around[pair.0].likeness(&around[pair.1]);
+        let fall = around[pair.0].fall(&around[pair.1]);
         Self {
             interval_s,
             ln_interval: interval_s.ln(),
@@ -198,13 +198,13 @@ impl State {
     fn with_ratio(&self, ln_ratio: f64, scatter2: f64) -> Self {
         let ln_ratio = ln_ratio.clamp(LEAST_LN_RATIO, GREATEST_LN_RATIO);
         let ratio = ln_ratio.exp();
-        let mut sum = 0.0;
-        let mut power = 1.0;
-        let expected = std::array::from_fn(|_| {
+        let (mut sum, mut power) = (ratio, ratio);
+        let mut expected = [ln_ratio; MOST_MISSED + 1];
+        for expected in &mut expected[1..] {
             power *= ratio;
             sum += power;
-            sum.ln()
-        });
+            *expected = sum.ln();
+        }
         Self {
             ln_ratio,
             scatter2,
@@ -281,10 +281,11 @@ fn survivors(nodes: &[Node], before: Range<usize>, from: usize, step: &Step) -> 
         } else {
             kept[KEPT - 1].state.evidence
         };
-        if state.evidence + step.common + step.most + state.most <= least {
-            continue;
-        }
+        let most = state.evidence + step.common + step.most + state.most;
         for missed in 0..=MOST_MISSED {
+            if most + missed as f64 * evidence::LN_MISSED <= least {
+                break;
+            }
             if let Some(next) = state.next(step, missed, least) {
                 let back = Some(back as u32);
                 keep(
@@ -371,39 +372,93 @@ pub(super) fn numbers(onsets: &[Onset]) -> Option<Vec<u32>> {
     ways.into_iter().next().map(|(_, numbers)| numbers)
 }
 
-impl Chain {
-    /// The evidence that is left if the onset at this position is taken for a missed impact.
-    pub(super) fn evidence_without(&self, onsets: &[Onset], position: usize) -> f64 {
-        let mut links = self.links.clone();
-        links.remove(position);
-        self.evidence_of(onsets, &links)
-            .unwrap_or(f64::NEG_INFINITY)
-    }
+/// A step of a chain, and how many impacts were missed in it.
+struct Stride {
+    from: usize,
+    step: Step,
+    missed: usize,
+}
 
-    fn evidence_of(&self, onsets: &[Onset], links: &[Link]) -> Option<f64> {
-        self.state_after(onsets, links).map(|state| state.evidence)
+impl State {
+    /// Where this stride leads, however little evidence is left.
+    fn by(&self, stride: &Stride) -> Option<Self> {
+        (stride.missed <= MOST_MISSED)
+            .then(|| self.next(&stride.step, stride.missed, f64::NEG_INFINITY))?
+    }
+}
+
+/// Where these strides lead from a state.
+fn follow(state: State, strides: &[Stride]) -> Option<State> {
+    strides
+        .iter()
+        .try_fold(state, |state, stride| state.by(stride))
+}
+
+impl Chain {
+    /// The evidence that is left if the onset at each position is taken for a missed impact.
+    pub(super) fn evidence_without_each(&self, onsets: &[Onset]) -> Vec<f64> {
+        let bridge = |from: usize, to: usize| self.stride(onsets, self.links[from], self.links[to]);
+        let strides: Vec<Stride> = (1..self.links.len()).map(|n| bridge(n - 1, n)).collect();
+        // Where each surface had led to before the onset that is left out.
+        let mut before: Vec<Option<State>> = Vec::new();
+        let evidences = (0..self.links.len()).map(|position| {
+            let after = strides.get(position + 1..).unwrap_or_default();
+            let over = (0 < position && position < strides.len())
+                .then(|| bridge(position - 1, position + 1));
+            let ways: Vec<Option<State>> = match (position, &over) {
+                (0, _) => after.first().map_or_else(Vec::new, |s| self.births(s)),
+                (1, Some(over)) => self.births(over),
+                (_, Some(over)) => before
+                    .iter()
+                    .map(|state| state.and_then(|s| s.by(over)))
+                    .collect(),
+                (_, None) => before.clone(),
+            };
+            let begun = usize::from(position == 0);
+            let rest = after.get(begun..).unwrap_or_default();
+            before = match position {
+                0 => Vec::new(),
+                1 => self.births(&strides[0]),
+                _ => before
+                    .iter()
+                    .map(|state| state.and_then(|s| s.by(&strides[position - 1])))
+                    .collect(),
+            };
+            let ends = ways.into_iter().filter_map(|state| follow(state?, rest));
+            ends.map(|state| state.evidence)
+                .fold(f64::NEG_INFINITY, f64::max)
+        });
+        evidences.collect()
     }
 
     /// What this sequence of onsets says of the next, on a smooth or a rough surface.
-    fn state_after(&self, onsets: &[Onset], links: &[Link]) -> Option<State> {
-        let step = |pair: &[Link]| Step::new(onsets, &self.around, (pair[0].onset, pair[1].onset));
-        let pairs = links.windows(2);
-        let first = pairs.clone().next()?;
-        State::births(&step(first), &self.around[first[0].onset])
-            .filter_map(|birth| {
-                pairs.clone().skip(1).try_fold(birth, |state, pair| {
-                    let missed = (pair[1].number - pair[0].number - 1) as usize;
-                    (missed <= MOST_MISSED)
-                        .then(|| state.next(&step(pair), missed, f64::NEG_INFINITY))?
-                })
-            })
+    fn state_after(&self, onsets: &[Onset]) -> Option<State> {
+        let pairs = self.links.windows(2);
+        let strides: Vec<Stride> = pairs.map(|p| self.stride(onsets, p[0], p[1])).collect();
+        let (first, rest) = strides.split_first()?;
+        let ways = self.births(first).into_iter();
+        ways.filter_map(|state| follow(state?, rest))
             .max_by(|a, b| a.evidence.total_cmp(&b.evidence))
+    }
+
+    fn stride(&self, onsets: &[Onset], from: Link, to: Link) -> Stride {
+        Stride {
+            from: from.onset,
+            step: Step::new(onsets, &self.around, (from.onset, to.onset)),
+            missed: (to.number - from.number - 1) as usize,
+        }
+    }
+
+    /// A train that begins so, on each surface.
+    fn births(&self, first: &Stride) -> Vec<Option<State>> {
+        let births = State::births(&first.step, &self.around[first.from]);
+        births.map(Some).collect()
     }
 
     /// Goes on after the last impact, down to the faintest: what is known of the drop by now says
     /// when the next one must come and how loud, so that it need not stand out of the other sounds.
     pub(super) fn extend(&mut self, onsets: &[Onset]) {
-        let Some(mut state) = self.state_after(onsets, &self.links) else {
+        let Some(mut state) = self.state_after(onsets) else {
             return;
         };
         loop {

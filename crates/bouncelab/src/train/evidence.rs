@@ -112,19 +112,80 @@ fn rhythm(change: f64) -> f64 {
     1.0 + RHYTHM_WEIGHT / (off_beat * off_beat)
 }
 
-/// How much alike two successive impacts of a drop sound, in level and in spectrum.
-fn similarity(earlier: &Onset, later: &Onset) -> f64 {
-    fall(earlier, later).usual() * LEVEL_RANGE_DB * timbre(earlier, later)
+/// How a sound compares with others, in dB.
+#[derive(Clone, Copy)]
+struct Sound {
+    level_db: f64,
+    /// Level of the loudest noise in a band: a level below it is not known, only that it is no
+    /// louder.
+    noise_db: f64,
+    /// Levels of the bands in dB relative to the loudest, and what can be measured of them.
+    bands: [f32; BANDS],
+    floor: [f32; BANDS],
 }
 
-/// By how much the second of two impacts is fainter.
-pub(super) fn fall(earlier: &Onset, later: &Onset) -> Fall {
-    // A level below the noise is not known, only that it is no louder.
-    let noise_db = loudest_db(&earlier.band_noise_db).max(loudest_db(&later.band_noise_db));
-    let level_db = |onset: &Onset| onset.level_db.max(f64::from(noise_db));
-    Fall {
-        db: level_db(earlier) - level_db(later),
+impl Sound {
+    fn of(onset: &Onset) -> Self {
+        /// Bands this far below the loudest are left out: side lobes of its filter.
+        const DEPTH_DB: f32 = 15.0;
+        let loudest_db = loudest(&onset.band_levels_db);
+        Self {
+            level_db: onset.level_db,
+            noise_db: loudest(&onset.band_noise_db).into(),
+            bands: onset.band_levels_db.map(|db| db - loudest_db),
+            floor: onset
+                .band_noise_db
+                .map(|db| (db - loudest_db).max(-DEPTH_DB)),
+        }
     }
+
+    /// By how much the next sound is fainter.
+    fn fall(&self, next: &Self) -> Fall {
+        let noise_db = louder(self.noise_db, next.noise_db);
+        Fall {
+            db: louder(self.level_db, noise_db) - louder(next.level_db, noise_db),
+        }
+    }
+
+    /// How much alike this and the next sound are, in level and in spectrum.
+    fn similarity(&self, next: &Self) -> f64 {
+        self.fall(next).usual() * LEVEL_RANGE_DB * self.timbre(next)
+    }
+
+    fn timbre(&self, next: &Self) -> f64 {
+        let Some(distance2) = self.timbre_distance2_db(next) else {
+            return 1.0;
+        };
+        // Half a normal distribution, over a uniform one.
+        let peak = (2.0 / PI).sqrt() / TIMBRE_SCATTER_DB * TIMBRE_RANGE_DB;
+        let alike = peak * (-0.5 * distance2 / (TIMBRE_SCATTER_DB * TIMBRE_SCATTER_DB)).exp();
+        (1.0 - ODD_SOUND) * alike + ODD_SOUND
+    }
+
+    /// Mean square difference of two spectra in dB, after the difference in level is taken out.
+    ///
+    /// A band that lies at the noise in one of them says only that the sound is not louder there.
+    /// `None` if fewer than two bands can be compared.
+    fn timbre_distance2_db(&self, next: &Self) -> Option<f64> {
+        let (mut bands, mut sum) = (0, 0.0);
+        for band in 0..BANDS {
+            let floor = louder(self.floor[band], next.floor[band]);
+            let a = louder(self.bands[band], floor);
+            let b = louder(next.bands[band], floor);
+            bands += i32::from(louder(a, b) > floor);
+            sum += (a - b) * (a - b);
+        }
+        (bands >= 2).then(|| f64::from(sum) / f64::from(bands))
+    }
+}
+
+/// Without the care for NaN that `max` takes: these are levels.
+fn louder<T: PartialOrd>(a: T, b: T) -> T {
+    if b > a { b } else { a }
+}
+
+fn loudest(bands_db: &[f32; BANDS]) -> f32 {
+    bands_db.iter().copied().fold(f32::NEG_INFINITY, louder)
 }
 
 /// A fall of the level from one impact to the next.
@@ -154,43 +215,6 @@ impl Fall {
     }
 }
 
-fn timbre(earlier: &Onset, later: &Onset) -> f64 {
-    let Some(distance2) = timbre_distance2_db(earlier, later) else {
-        return 1.0;
-    };
-    // Half a normal distribution, over a uniform one.
-    let peak = (2.0 / PI).sqrt() / TIMBRE_SCATTER_DB * TIMBRE_RANGE_DB;
-    let alike = peak * (-0.5 * distance2 / (TIMBRE_SCATTER_DB * TIMBRE_SCATTER_DB)).exp();
-    (1.0 - ODD_SOUND) * alike + ODD_SOUND
-}
-
-/// Mean square difference of two spectra in dB, after the difference in level is taken out.
-///
-/// A band that lies at the noise in one of them says only that the sound is not louder there.
-/// `None` if fewer than two bands can be compared.
-fn timbre_distance2_db(a: &Onset, b: &Onset) -> Option<f64> {
-    /// Bands this far below the loudest are left out: side lobes of its filter.
-    const DEPTH_DB: f32 = 15.0;
-    let loudest = loudest_db(&b.band_levels_db);
-    let shift = loudest - loudest_db(&a.band_levels_db);
-    let (mut bands, mut sum) = (0, 0.0);
-    for band in 0..BANDS {
-        let (level_a, level_b) = (a.band_levels_db[band] + shift, b.band_levels_db[band]);
-        let (noise_a, noise_b) = (a.band_noise_db[band] + shift, b.band_noise_db[band]);
-        let floor = noise_a.max(noise_b).max(loudest - DEPTH_DB);
-        if level_a.max(level_b) > floor {
-            bands += 1;
-            sum += (level_a.max(floor) - level_b.max(floor)).powi(2);
-        }
-    }
-    (bands >= 2).then(|| f64::from(sum) / f64::from(bands))
-}
-
-fn loudest_db(bands_db: &[f32; BANDS]) -> f32 {
-    let louder = |a: f32, &b: &f32| if b > a { b } else { a };
-    bands_db.iter().fold(f32::NEG_INFINITY, louder)
-}
-
 /// The sum of 1/k for k up to n.
 fn harmonic(n: usize) -> f64 {
     /// Of Euler and Mascheroni.
@@ -215,6 +239,7 @@ impl Span {
 
 /// What surrounds an onset, which says how remarkable a next impact would be.
 pub(super) struct Surroundings {
+    sound: Sound,
     /// How many onsets at least as strong come each second, itself included.
     rate_hz: f64,
     /// How many onsets come each second, whatever their strength.
@@ -233,11 +258,10 @@ impl Surroundings {
         /// Unrelated sounds that are imagined beside those around, so that a few impacts alone in
         /// a quiet room are not taken for the rule.
         const IMAGINED: f64 = 10.0;
-        let mut first = 0;
-        let mut end = 0;
-        onsets
-            .iter()
-            .map(|onset| {
+        let sounds: Vec<Sound> = onsets.iter().map(Sound::of).collect();
+        let (mut first, mut end) = (0, 0);
+        std::iter::zip(onsets, &sounds)
+            .map(|(onset, &sound)| {
                 while onsets[first].time_s < onset.time_s - REACH_S {
                     first += 1;
                 }
@@ -250,8 +274,10 @@ impl Surroundings {
                 let heard_s = (onset.time_s + REACH_S).min(span.end_s)
                     - (onset.time_s - REACH_S).max(span.start_s);
                 let heard_s = heard_s.max(LEAST_HEARD_S);
-                let similarities: f64 = near.iter().map(|o| similarity(onset, o)).sum();
+                let similarities = sounds[first..end].iter().map(|o| sound.similarity(o));
+                let similarities: f64 = similarities.sum();
                 Self {
+                    sound,
                     rate_hz: stronger as f64 * harmonic(near.len()) / heard_s,
                     any_rate_hz: near.len() as f64 / heard_s,
                     mean_similarity: (IMAGINED + similarities) / (IMAGINED + near.len() as f64),
@@ -271,8 +297,13 @@ impl Surroundings {
         1.0 / (self.any_rate_hz * interval_s).max(LEAST_RATE)
     }
 
-    /// How much alike the onset here and the next sound.
-    pub(super) fn likeness(&self, here: &Onset, next: &Onset) -> f64 {
-        similarity(here, next) / self.mean_similarity
+    /// How much alike the onset here and the next are.
+    pub(super) fn likeness(&self, next: &Self) -> f64 {
+        self.sound.similarity(&next.sound) / self.mean_similarity
+    }
+
+    /// By how much the next onset is fainter.
+    pub(super) fn fall(&self, next: &Self) -> Fall {
+        self.sound.fall(&next.sound)
     }
 }

@@ -454,14 +454,11 @@ fn alone(onsets: &[Onset], chain: &Chain) -> f64 {
 }
 
 fn train(onsets: &[Onset], chain: &Chain) -> Train {
-    let impacts = chain
-        .links
-        .iter()
-        .enumerate()
-        .map(|(position, link)| HeardImpact {
+    let impacts = std::iter::zip(&chain.links, chain.evidence_without_each(onsets))
+        .map(|(link, without)| HeardImpact {
             onset: onsets[link.onset],
             number: link.number,
-            probability: logistic(chain.evidence - chain.evidence_without(onsets, position)),
+            probability: logistic(chain.evidence - without),
         })
         .collect();
     Train {
