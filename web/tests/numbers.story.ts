@@ -51,8 +51,9 @@ function expectSame(found: unknown, expected: unknown, path = '$'): void {
   if (typeof expected === 'number') {
     expect(found, path).toBeTypeOf('number');
     const share = path.includes('.estimate.') ? 1e-3 : 1e-7;
-    // A correlation near zero is a difference of sums: what counts is its range.
-    const size = path.includes('.correlations.') ? 1 : Math.abs(expected);
+    // A correlation or a residual near zero is a difference: what counts is its range.
+    const isDifference = /\.correlations\.|standardised_residual/.test(path);
+    const size = isDifference ? 1 : Math.abs(expected);
     const allowed = share * size + 1e-8;
     expect(
       Math.abs((found as number) - expected),

@@ -37,6 +37,19 @@ impl Default for Effort {
     }
 }
 
+impl Effort {
+    /// Random numbers for each candidate, so that none depends on how many another took. The first
+    /// stream of the seed is left for their pool.
+    fn streams(&self) -> impl Iterator<Item = ChaCha8Rng> + use<> {
+        let seeded = ChaCha8Rng::seed_from_u64(self.seed);
+        (1..).map(move |stream| {
+            let mut rng = seeded.clone();
+            rng.set_stream(stream);
+            rng
+        })
+    }
+}
+
 /// One explanation of a drop and how it fared.
 #[derive(Debug, Clone)]
 pub(super) struct Candidate {
@@ -223,7 +236,6 @@ impl Posterior {
 
     /// Samples the candidates that matter, weighs them by their evidence and pools their draws.
     fn sample(&mut self, effort: &Effort) {
-        let mut rng = ChaCha8Rng::seed_from_u64(effort.seed);
         let best = best_evidence(&self.candidates);
         self.candidates
             .retain(|candidate| candidate.log_evidence > best - 2.0 * HOPELESS);
@@ -234,7 +246,9 @@ impl Posterior {
             .collect();
         let total: f64 = shares.iter().sum();
         let mut candidates = std::mem::take(&mut self.candidates);
-        for (candidate, share) in candidates.iter_mut().zip(&shares) {
+        for ((candidate, share), mut rng) in
+            candidates.iter_mut().zip(&shares).zip(effort.streams())
+        {
             if candidate.log_evidence < best - HOPELESS {
                 continue;
             }
@@ -254,19 +268,20 @@ impl Posterior {
         }
         weigh(&mut candidates);
         self.candidates = candidates;
-        self.draws = self.pooled(effort.draws, &mut rng);
+        self.draws = self.pooled(effort);
     }
 
     /// Equally likely draws from all samples, by systematic resampling: one random number places a
     /// comb over the weights.
-    fn pooled(&self, draws: usize, rng: &mut ChaCha8Rng) -> Vec<Draw> {
+    fn pooled(&self, effort: &Effort) -> Vec<Draw> {
+        let draws = effort.draws;
         let sampled: f64 = self
             .candidates
             .iter()
             .filter(|candidate| candidate.sample.is_some())
             .map(|candidate| candidate.weight)
             .sum();
-        let offset: f64 = rng.random();
+        let offset: f64 = ChaCha8Rng::seed_from_u64(effort.seed).random();
         let tooth = sampled / draws as f64;
         let mut next = offset * tooth;
         let mut sum = 0.0;
