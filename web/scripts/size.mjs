@@ -1,17 +1,21 @@
-// How large the page is, compressed as a web server sends it; fails beyond the limit.
+// How large the page is, compressed as a web server sends it; fails beyond the limits.
 import { readdirSync, readFileSync } from 'node:fs';
 import { join, relative } from 'node:path';
 import { brotliCompressSync, gzipSync } from 'node:zlib';
 
-/** The most that the page may take before it is ready for anything, in bytes. */
-const LIMIT = 600_000;
+/**
+ * The most that may be taken, in bytes after gzip, the more modest of the two: by what the page loads at
+ * once, and by all that it ever loads. `docs/laboratory.md` says what limits the second.
+ */
+const LIMITS = { atOnce: 600_000, whole: 1_050_000 };
 const DIST = new URL('../dist/', import.meta.url).pathname;
 
 /** Decoders come when a file is opened, or when the page has nothing else to do. */
 const isLater = (name) => /^assets\/decoders/.test(name);
 
 const files = readdirSync(DIST, { recursive: true, withFileTypes: true })
-  .filter((entry) => entry.isFile())
+  // Copies for servers; they are not loaded besides.
+  .filter((entry) => entry.isFile() && !entry.name.endsWith('.br'))
   .map((entry) => join(entry.parentPath ?? entry.path, entry.name))
   .map((path) => {
     const content = readFileSync(path);
@@ -29,17 +33,15 @@ const sum = (name, some) => {
   return { name, plain: of('plain'), gzip: of('gzip'), brotli: of('brotli') };
 };
 const atOnce = sum(
-  'the page',
+  'at once',
   files.filter(({ name }) => !isLater(name)),
 );
-const rows = [
-  ...files,
-  atOnce,
-  sum(
-    'and to open files',
-    files.filter(({ name }) => isLater(name)),
-  ),
-];
+const later = sum(
+  'to open files',
+  files.filter(({ name }) => isLater(name)),
+);
+const whole = sum('the whole page', files);
+const rows = [...files, atOnce, later, whole];
 
 const kilobytes = (bytes) => `${(bytes / 1000).toFixed(1)} kB`;
 const width = Math.max(...rows.map(({ name }) => name.length));
@@ -48,9 +50,14 @@ for (const { name, ...sizes } of rows) {
   const cells = Object.values(sizes).map((bytes) => kilobytes(bytes).padStart(11));
   process.stdout.write(`${name.padEnd(width)}${cells.join('')}\n`);
 }
-if (atOnce.gzip > LIMIT) {
-  process.stderr.write(
-    `The page takes ${kilobytes(atOnce.gzip)} compressed; the limit is ${kilobytes(LIMIT)}.\n`,
-  );
-  process.exitCode = 1;
+for (const [{ name, gzip }, limit] of [
+  [atOnce, LIMITS.atOnce],
+  [whole, LIMITS.whole],
+]) {
+  if (gzip > limit) {
+    process.stderr.write(
+      `${kilobytes(gzip)} compressed (${name}); the limit is ${kilobytes(limit)}.\n`,
+    );
+    process.exitCode = 1;
+  }
 }

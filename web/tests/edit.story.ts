@@ -59,7 +59,9 @@ test('with the keyboard alone: find, delete, undo, add, move, snap', async () =>
 
   await press('Period', 'Period', 'Period', 'Period');
   await page.getByText(/Impact 3 moved to/).waitFor({ state: 'attached' });
+  const nudged = await waveform().getAttribute('aria-valuenow');
   await press('s');
+  await expect.poll(() => waveform().getAttribute('aria-valuenow')).not.toBe(nudged);
   expect(Math.abs((await said(page)).kept.value - before.kept.value)).toBeLessThan(0.05);
 });
 

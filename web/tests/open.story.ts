@@ -82,6 +82,15 @@ test.each([
   await on.getByRole('alert').getByText(words).first().waitFor();
 });
 
+test('what is wrong with a file is said in the language of the page', async () => {
+  const { page: on } = await open(browser, site.url, { locale: 'de-DE' });
+  const notice = on.getByRole('alert');
+  await dropFile(on, 'brief.wav', Buffer.from('Dear all, this is no sound.'));
+  await notice.getByText('Sie sieht aus wie Text.').waitFor();
+  await dropFile(on, 'zeiten.csv', Buffer.from('time_s\n0.5\nzwei\n'));
+  await notice.getByText('Zeile 3: „zwei“ ist keine Zeit in Sekunden wie 0.125.').waitFor();
+});
+
 test('a huge file is refused, and what lay on the bench stays', async () => {
   const on = await page();
   await on.getByRole('button', { name: 'try the demo' }).click();

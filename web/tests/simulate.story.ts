@@ -3,7 +3,7 @@ import type { Browser, Page } from 'playwright-core';
 import { afterAll, afterEach, beforeAll, beforeEach, expect, test } from 'vitest';
 import { launch } from './harness/browser.ts';
 import { Site } from './harness/site.ts';
-import { open, said } from './support/page.ts';
+import { follow, open, said } from './support/page.ts';
 
 let site: Site;
 let browser: Browser;
@@ -35,8 +35,8 @@ test('a slider changes the words and the address, and the address the sliders', 
   await page.getByText('There is no air to slow it down.').waitFor();
   expect(await page.getByLabel('Air pressure').isDisabled()).toBe(true);
   await page.goto(`${site.url}#simulate?e=0.8&world=mars`);
-  expect(await page.getByLabel(/^Restitution/).inputValue()).toBe('0.8');
-  expect(await page.getByLabel('Where').inputValue()).toBe('mars');
+  await expect.poll(() => page.getByLabel(/^Restitution/).inputValue()).toBe('0.8');
+  await expect.poll(() => page.getByLabel('Where').inputValue()).toBe('mars');
 });
 
 test('runs are kept, compared and removed', async () => {
@@ -46,9 +46,9 @@ test('runs are kept, compared and removed', async () => {
   }
   // Three at most: more lines than that nobody tells apart.
   const runs = page.getByRole('list', { name: 'Runs' }).getByRole('listitem');
-  expect(await runs.count()).toBe(3);
+  await expect.poll(() => runs.count()).toBe(3);
   await page.getByRole('button', { name: 'Remove run 3' }).click();
-  expect(await runs.count()).toBe(2);
+  await expect.poll(() => runs.count()).toBe(2);
 });
 
 test('a simulated drop is analysed as if it were real, and says what was put in', async () => {
@@ -58,7 +58,7 @@ test('a simulated drop is analysed as if it were real, and says what was put in'
   expect(Math.abs(kept.value - 90)).toBeLessThan(3.5 * kept.sd);
   expect(Math.abs(fell.value - 30.5)).toBeLessThan(3.5 * fell.sd);
 
-  await page.getByRole('link', { name: 'Simulate' }).click();
+  await follow(page, 'Simulate');
   await page.getByLabel(/^Restitution/).fill('0.85');
   await page.getByRole('button', { name: 'Lay it over the measurement' }).click();
   await page.getByText(/It lies over the measurement now/).click();

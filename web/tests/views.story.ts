@@ -123,7 +123,7 @@ test('drops are kept, deleted and brought back with their set-up, and outlive th
   await rows.nth(1).waitFor();
   await page.getByRole('button', { name: 'Delete Ben' }).click();
   await page.getByText('“Ben” was deleted.').waitFor();
-  expect(await rows.count()).toBe(1);
+  await expect.poll(() => rows.count()).toBe(1);
   await page.getByRole('button', { name: 'Undo' }).click();
   await rows.nth(1).waitFor();
   await page.getByRole('button', { name: 'Open Ben' }).click();
@@ -168,7 +168,10 @@ test('exports: table, document and figures', async () => {
   expect(document.schema).toBe('bouncelab.analysis/1');
   expect(document.drops[0].estimate.restitution.value).toBeCloseTo(0.9529, 3);
   expect(await saved('Report (HTML)')).toMatch(/^<!DOCTYPE html>/i);
-  expect(await saved('SVG')).toContain('<svg');
+  for (const tab of await page.getByRole('tab').all()) {
+    await tab.click();
+    expect(await saved('SVG'), await tab.innerText()).toContain('<svg');
+  }
   expect((await saved('PNG')).slice(1, 4)).toBe('PNG');
   await page.context().close();
 });

@@ -1,6 +1,8 @@
 use std::fmt;
 use std::io;
 
+use crate::problem::{Lack, LayoutProblem, LooksLike, Stage, TimesProblem};
+
 /// What can go wrong between a file and its samples or times.
 ///
 /// Each message says which file, what was wrong with it and what to do next. Faults that leave
@@ -28,7 +30,7 @@ pub enum Error {
         /// The file as the caller named it.
         name: String,
         /// What is missing.
-        what: &'static str,
+        what: Lack,
     },
 
     /// The content is none of the known sound formats, whatever the name of the file says.
@@ -40,7 +42,7 @@ pub enum Error {
         /// The file as the caller named it.
         name: String,
         /// What the first bytes look like.
-        looks_like: &'static str,
+        looks_like: LooksLike,
     },
 
     /// The format is known, but the file breaks its rules before any sound was decoded.
@@ -87,7 +89,7 @@ pub enum Error {
         /// The file as the caller named it.
         name: String,
         /// What is wrong and what is expected.
-        problem: String,
+        problem: LayoutProblem,
     },
 
     /// A list of impact times is not one.
@@ -98,7 +100,7 @@ pub enum Error {
         /// The line, counted from 1; `None` if the fault is in no particular line.
         line: Option<usize>,
         /// What is wrong and what is expected.
-        problem: String,
+        problem: TimesProblem,
     },
 
     /// Samples that cannot be written as a WAV file.
@@ -134,28 +136,6 @@ pub enum Error {
         /// The system's reason.
         source: io::Error,
     },
-}
-
-/// What was being done to a file when it turned out to be damaged.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-#[non_exhaustive]
-pub enum Stage {
-    /// Reading the container's header.
-    Header,
-    /// Reading the set-up of the codec.
-    Codec,
-    /// Decoding the sound.
-    Sound,
-}
-
-impl fmt::Display for Stage {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::Header => "read the header",
-            Self::Codec => "set up the decoder",
-            Self::Sound => "decode any sound",
-        })
-    }
 }
 
 /// Shorthand for results with this crate's [`Error`].

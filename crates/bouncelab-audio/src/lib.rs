@@ -30,14 +30,16 @@ mod error;
 mod input;
 #[cfg(feature = "microphone")]
 pub mod microphone;
+mod problem;
 mod recorder;
 mod source;
 pub mod times;
 mod warning;
 mod wav;
 
-pub use error::{Error, Result, Stage};
+pub use error::{Error, Result};
 pub use input::Input;
+pub use problem::{Lack, LayoutProblem, LooksLike, Stage, TimesProblem};
 pub use recorder::Recorder;
 pub use source::{Block, MAX_BLOCK_FRAMES, MAX_SAMPLE_RATE_HZ, MIN_SAMPLE_RATE_HZ, Source};
 pub use warning::Warning;

@@ -14,6 +14,7 @@ use std::fs;
 use std::path::Path;
 
 use crate::error::{Error, Result};
+use crate::problem::{Lack, TimesProblem};
 
 /// A time, and the line it was read from where the format has lines.
 type Entry = (Option<usize>, f64);
@@ -54,14 +55,11 @@ pub fn read(path: impl AsRef<Path>) -> Result<Vec<f64>> {
 pub fn parse(content: &[u8], name: &str) -> Result<Vec<f64>> {
     let list = List { name };
     let Some(format) = Format::of(name) else {
-        return list.refuse(
-            None,
-            "not a list of times: the name ends in none of .txt, .csv, .json",
-        );
+        return list.refuse(None, TimesProblem::Ending);
     };
     let content = content.strip_prefix(b"\xef\xbb\xbf").unwrap_or(content);
     let Ok(text) = std::str::from_utf8(content) else {
-        return list.refuse(None, "not text; save the list as UTF-8");
+        return list.refuse(None, TimesProblem::NotText);
     };
     let entries = match format {
         Format::Txt => list.lines(text)?,
@@ -96,11 +94,11 @@ struct List<'a> {
 }
 
 impl List<'_> {
-    fn refuse<T>(&self, line: Option<usize>, problem: impl Into<String>) -> Result<T> {
+    fn refuse<T>(&self, line: Option<usize>, problem: TimesProblem) -> Result<T> {
         Err(Error::Times {
             name: self.name.to_owned(),
             line,
-            problem: problem.into(),
+            problem,
         })
     }
 
@@ -129,7 +127,14 @@ impl List<'_> {
         for record in reader.records() {
             let record = match record {
                 Ok(record) => record,
-                Err(fault) => return self.refuse(None, fault.to_string()),
+                Err(fault) => {
+                    return self.refuse(
+                        None,
+                        TimesProblem::NotTable {
+                            detail: fault.to_string(),
+                        },
+                    );
+                }
             };
             let line = record
                 .position()
@@ -144,7 +149,7 @@ impl List<'_> {
             };
             match record.get(column) {
                 Some(cell) => entries.push(self.number(cell, line, point)?),
-                None => return self.refuse(Some(line), "the time is missing"),
+                None => return self.refuse(Some(line), TimesProblem::Missing),
             }
         }
         Ok(entries)
@@ -157,17 +162,15 @@ impl List<'_> {
             Some(column) => Ok(column),
             None if is_header => self.refuse(
                 Some(line),
-                format!(
-                    "no column is named time or time_s; found: {}",
-                    first.iter().collect::<Vec<_>>().join(", ")
-                ),
+                TimesProblem::NoTimeColumn {
+                    found: first.iter().collect::<Vec<_>>().join(", "),
+                },
             ),
             None if first.len() > 1 => self.refuse(
                 Some(line),
-                format!(
-                    "{} columns; name the one with the times in a first line: time_s",
-                    first.len()
-                ),
+                TimesProblem::NamelessColumns {
+                    columns: first.len(),
+                },
             ),
             None => Ok(0),
         }
@@ -183,7 +186,9 @@ impl List<'_> {
                 let line = Some(fault.line()).filter(|line| *line > 0);
                 self.refuse(
                     line,
-                    format!("expected an array of numbers, [0.1, 0.45]: {fault}"),
+                    TimesProblem::NotArray {
+                        detail: fault.to_string(),
+                    },
                 )
             }
         }
@@ -194,24 +199,24 @@ impl List<'_> {
             Some(time_s) if time_s.is_finite() => Ok((Some(line), time_s)),
             _ => self.refuse(
                 Some(line),
-                format!("{cell:?} is not a time in seconds; expected a number such as 0.125"),
+                TimesProblem::NotNumber {
+                    text: cell.to_owned(),
+                },
             ),
         }
     }
 
     fn check(&self, entries: &[Entry]) -> Result<()> {
         if entries.is_empty() {
-            let what = "there is no time in it";
             return Err(Error::Empty {
                 name: self.name.to_owned(),
-                what,
+                what: Lack::Time,
             });
         }
         match entries.windows(2).find(|pair| pair[1].1 <= pair[0].1) {
-            Some([(_, before), (line, time)]) => self.refuse(
-                *line,
-                format!("{time} is not later than {before} before it; list impacts in order"),
-            ),
+            Some(&[(_, before_s), (line, time_s)]) => {
+                self.refuse(line, TimesProblem::NotLater { time_s, before_s })
+            }
             _ => Ok(()),
         }
     }

@@ -1,8 +1,9 @@
 //! Samples to WAV files.
 
-use std::fs::{self, File};
 use std::io::{self, BufWriter, Write};
-use std::path::{Path, PathBuf};
+use std::path::Path;
+
+use bouncelab_files::Draft;
 
 use crate::error::{Error, Result};
 
@@ -80,16 +81,12 @@ pub fn write_wav(
     if path.is_dir() {
         return Err(Error::Directory { name });
     }
-    let partial = partial_path(path);
-    let written = File::create(&partial)
-        .and_then(|file| sound.encode(BufWriter::new(file)))
-        .and_then(|()| fs::rename(&partial, path))
-        .map_err(|reason| Error::io(&name, reason));
-    if written.is_err() {
-        // Nothing better can be done if even this fails; the first error is the one to tell.
-        let _ = fs::remove_file(&partial);
-    }
-    written
+    let write = || {
+        let draft = Draft::new(path)?;
+        sound.encode(BufWriter::new(draft.file()))?;
+        draft.finish()
+    };
+    write().map_err(|reason| Error::io(&name, reason))
 }
 
 /// The bytes that [`write_wav`] would write, for programs without a file system.
@@ -109,13 +106,6 @@ pub fn encode_wav(
         .encode(&mut bytes)
         .map_err(|reason| Error::io(NAME, reason))?;
     Ok(bytes)
-}
-
-/// A name in the same folder, so that renaming is one step, and of this process alone.
-fn partial_path(path: &Path) -> PathBuf {
-    let mut name = path.file_name().unwrap_or_default().to_owned();
-    name.push(format!(".{}.part", std::process::id()));
-    path.with_file_name(name)
 }
 
 /// A sound that fits into a WAV file.

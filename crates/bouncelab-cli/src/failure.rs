@@ -1,6 +1,7 @@
 //! How a command fails: what it says on stderr, and its exit status.
 
 use std::io;
+use std::path::Path;
 use std::process::ExitCode;
 
 /// Why a command did not do what was asked.
@@ -21,6 +22,14 @@ pub(crate) enum Failure {
 }
 
 impl Failure {
+    /// A file that the system does not let us write.
+    pub(crate) fn unwritable(path: &Path, reason: &io::Error) -> Self {
+        Self::Input(format!(
+            "cannot write {}: {reason}; does its folder exist, is it writable, and the disk not full?",
+            path.display()
+        ))
+    }
+
     /// Says why on stderr and gives the exit status.
     pub(crate) fn report(&self) -> ExitCode {
         // Who reads the result may have had enough of it (`| head`).

@@ -5,6 +5,7 @@ use bouncelab::flight::FlightModel;
 use bouncelab::impact::{Contact, Restitution};
 use clap::Args;
 
+use crate::doubt::{self, Doubt};
 use crate::failure::Failure;
 use crate::units;
 
@@ -56,6 +57,11 @@ pub(crate) struct HistoryArguments {
 const REST_M: f64 = 1e-3;
 
 impl HistoryArguments {
+    /// What looks like a mistake of units.
+    pub(crate) fn doubts(&self) -> Vec<Doubt> {
+        doubt::of_quantities(&[("height", Some(self.height))])
+    }
+
     /// Simulates the drop with this model.
     pub(crate) fn simulate(
         &self,

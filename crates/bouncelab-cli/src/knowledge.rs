@@ -4,6 +4,7 @@ use bouncelab::estimate::{Effort, Knowledge, LawKind, Question, Reach};
 use bouncelab::stated::{self, StatedDrop};
 use clap::{Args, ValueEnum};
 
+use crate::doubt::{self, Doubt};
 use crate::failure::Failure;
 use crate::units;
 
@@ -116,6 +117,11 @@ impl KnowledgeArguments {
             height_sd: height_sd.or(self.height_sd.filter(|_| height.is_none())),
             ..self.clone()
         }
+    }
+
+    /// What looks like a mistake of units.
+    pub(crate) fn doubts(&self) -> Vec<Doubt> {
+        doubt::of_quantities(&[("height", self.height), ("height_sd", self.height_sd)])
     }
 
     /// What these arguments add to what the physics says.

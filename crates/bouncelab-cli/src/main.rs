@@ -2,12 +2,14 @@
 
 mod analyze;
 mod demo;
+mod doubt;
 mod failure;
 mod history;
 mod knowledge;
 mod listen;
 mod paper;
 mod physics;
+mod report;
 mod rules;
 #[cfg(feature = "serve")]
 mod serve;

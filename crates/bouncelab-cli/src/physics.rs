@@ -1,10 +1,12 @@
 //! The arguments that say what falls, through what, and how hard it is pulled.
 
+use bouncelab::ball::Ball;
 use bouncelab::drag::DragLaw;
 use bouncelab::rulebook;
 use bouncelab::stated::{Stated, StatedAir, StatedBall, StatedGravity, Understood};
 use clap::Args;
 
+use crate::doubt::{self, Doubt};
 use crate::failure::Failure;
 use crate::units;
 
@@ -77,6 +79,10 @@ pub(crate) struct PhysicsArguments {
         requires = "latitude"
     )]
     altitude: Option<f64>,
+
+    /// Believe also what looks like a mistake of units, as a drop from 30.5m or a ball of 2.5kg
+    #[arg(long)]
+    as_stated: bool,
 }
 
 /// The physics of a run, and what of it nobody stated.
@@ -139,6 +145,39 @@ impl PhysicsArguments {
             temperature_k: self.temperature,
             altitude_m: self.altitude,
         }
+    }
+
+    /// Whether to believe what looks like a mistake of units.
+    pub(crate) fn as_stated(&self) -> bool {
+        self.as_stated
+    }
+
+    /// What looks like a mistake of units.
+    fn doubts(&self) -> Vec<Doubt> {
+        let of_ball = self.mass.zip(self.diameter).and_then(|(mass, diameter)| {
+            // What is no ball at all is refused as such.
+            doubt::of_ball(&Ball::new(mass, diameter).ok()?)
+        });
+        let mut doubts = doubt::of_quantities(&[
+            ("contact_time", self.contact_time),
+            ("temperature", self.temperature),
+            ("pressure", self.pressure),
+            ("humidity", self.humidity),
+            ("air density", self.air_density),
+            ("gravity", self.gravity),
+            ("altitude", self.altitude),
+        ]);
+        doubts.extend(of_ball);
+        doubts
+    }
+
+    /// Ball, air and gravity of these arguments, unless something looks like a mistake: one of these
+    /// or one of the `others` that were stated beside them.
+    pub(crate) fn questioned(&self, others: Vec<Doubt>) -> Result<Physics, Failure> {
+        let mut doubts = self.doubts();
+        doubts.extend(others);
+        doubt::settle(&doubts, self.as_stated)?;
+        self.physics()
     }
 
     /// Ball, air and gravity of these arguments.

@@ -97,6 +97,20 @@ fn list(rules: &[Rule]) -> Table {
 
 /// The rule in full, one fact a line.
 fn show(rule: &Rule) -> String {
+    let mut text = format!("{}: {}\n", rule.name, rule.title);
+    for (name, value) in facts(rule) {
+        text.push_str("  ");
+        text.push_str(&format_fact(name, &value));
+        text.push('\n');
+    }
+    if rule.status == Status::Unverified {
+        text.push_str("  This rule is unverified: nobody has read it in its source.\n");
+    }
+    text
+}
+
+/// Everything that a rule says, in words.
+pub(crate) fn facts(rule: &Rule) -> Vec<(&'static str, String)> {
     let mut facts = vec![
         ("source", rule.source.clone()),
         (
@@ -142,16 +156,7 @@ fn show(rule: &Rule) -> String {
         ));
     }
     facts.extend(rule.note.clone().map(|note| ("note", note)));
-    let mut text = format!("{}: {}\n", rule.name, rule.title);
-    for (name, value) in facts {
-        text.push_str("  ");
-        text.push_str(&format_fact(name, &value));
-        text.push('\n');
-    }
-    if rule.status == Status::Unverified {
-        text.push_str("  This rule is unverified: nobody has read it in its source.\n");
-    }
-    text
+    facts
 }
 
 fn format_fact(name: &str, value: &str) -> String {

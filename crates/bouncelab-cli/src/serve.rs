@@ -34,6 +34,10 @@ Examples:
 #[allow_missing = true]
 struct Page;
 
+/// What a browser calls the compression of the copies that the build lays beside the files, which is
+/// also the ending of their names.
+const BROTLI: &str = "br";
+
 /// What every answer says besides: the page gets nothing from elsewhere and is shown nowhere else.
 /// The policy is that of `web/build/policy.ts`.
 const HEADERS: [(&str, &str); 6] = [
@@ -91,6 +95,7 @@ fn answer(request: Request) {
         path: path(request.url()).to_owned(),
         host: header(&request, "Host").unwrap_or_default(),
         known: header(&request, "If-None-Match"),
+        takes_brotli: header(&request, "Accept-Encoding").is_some_and(|all| names(&all, BROTLI)),
     };
     // A browser that has gone away needs no answer.
     let _ = request.respond(asked.answer());
@@ -104,6 +109,8 @@ struct Asked {
     host: String,
     /// The version that the browser has.
     known: Option<String>,
+    /// Whether the browser takes compressed files.
+    takes_brotli: bool,
 }
 
 impl Asked {
@@ -118,9 +125,15 @@ impl Asked {
             "" => "index.html",
             path => path,
         };
-        match Page::get(name) {
-            Some(file) => self.file(name, &file),
-            None => plain(404, "There is no such page."),
+        let compressed = self
+            .takes_brotli
+            .then(|| Page::get(&format!("{name}.{BROTLI}")));
+        match (compressed.flatten(), Page::get(name)) {
+            (Some(file), _) => self
+                .file(name, &file)
+                .with_header(field("Content-Encoding", BROTLI)),
+            (None, Some(file)) => self.file(name, &file),
+            (None, None) => plain(404, "There is no such page."),
         }
     }
 
@@ -140,8 +153,15 @@ impl Asked {
         };
         respond(if is_known { 304 } else { 200 }, media_type(name), content)
             .with_header(field("Cache-Control", keep))
+            .with_header(field("Vary", "Accept-Encoding"))
             .with_header(field("ETag", &version))
     }
+}
+
+/// Whether a list of encodings names this one, without reserve.
+fn names(encodings: &str, encoding: &str) -> bool {
+    let mut all = encodings.split(',');
+    all.any(|one| one.trim() == encoding)
 }
 
 /// The version of a file: the beginning of its hash, in quotes.
@@ -212,6 +232,7 @@ mod tests {
             path: path(url).to_owned(),
             host: host.to_owned(),
             known: None,
+            takes_brotli: false,
         }
     }
 
@@ -262,6 +283,30 @@ mod tests {
             let found = headers.find(|header| header.field.equiv(name));
             assert_eq!(found.map(|header| header.value.as_str()), Some(value));
         }
+    }
+
+    /// Where the page was built before the program.
+    #[test]
+    fn compressed_files_go_to_those_who_take_them() {
+        let encoding = |asked: &Asked| {
+            let answer = asked.answer();
+            let mut headers = answer.headers().iter();
+            let found = headers.find(|header| header.field.equiv("Content-Encoding"));
+            (
+                found.map(|header| header.value.to_string()),
+                answer.data_length(),
+            )
+        };
+        if Page::get("index.html.br").is_none() {
+            return;
+        }
+        let mut asked = asked(Method::Get, "/", "localhost:7878");
+        let (plain, whole) = encoding(&asked);
+        asked.takes_brotli = names("gzip, deflate, br, zstd", BROTLI);
+        let (compressed, part) = encoding(&asked);
+        assert_eq!((plain, compressed), (None, Some("br".to_owned())));
+        assert!(part < whole);
+        assert!(!names("gzip, brand-new", BROTLI));
     }
 
     /// Where the page was built before the program.

@@ -57,7 +57,7 @@ enum Format {
 const MOST_ROWS: usize = 100;
 
 pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
-    let physics = arguments.physics.physics()?;
+    let physics = arguments.physics.questioned(arguments.history.doubts())?;
     let laws = std::iter::once(physics.settings.environment.drag).chain(arguments.compare.clone());
     let runs = laws
         .map(|law| simulate(law, &physics.settings, &arguments.history))

@@ -1,12 +1,12 @@
 //! `bouncelab synth`: a recording of a drop, without a microphone.
 
-use std::fs;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
 use bouncelab::impact::Strike;
 use bouncelab::synth::{self, BitDepth, Clicks, Hum, Lost, Noise, Rendered, Reverb, Scene, Voice};
 use bouncelab_audio::{SampleFormat, write_wav};
+use bouncelab_files::write_whole;
 use clap::{Args, ValueEnum};
 
 use crate::failure::Failure;
@@ -163,7 +163,7 @@ const CLICKS_DB: f64 = -6.0;
 const DIRECT_TO_REVERBERANT_DB: f64 = 6.0;
 
 pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
-    let physics = arguments.physics.physics()?;
+    let physics = arguments.physics.questioned(arguments.history.doubts())?;
     let truth = arguments
         .truth
         .as_deref()
@@ -190,7 +190,8 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
         &[&sound.samples],
     )?;
     if let (Some(file), Some(format)) = (&arguments.truth, truth) {
-        write_whole(file, &format.text(&sound))?;
+        write_whole(file, format.text(&sound).as_bytes())
+            .map_err(|reason| Failure::unwritable(file, &reason))?;
     }
     let seconds = sound.samples.len() as f64 / f64::from(sound.sample_rate_hz);
     let mut out = io::stdout().lock();
@@ -275,17 +276,4 @@ impl TruthFormat {
             }
         }
     }
-}
-
-/// Writes a file that is never seen half-written.
-fn write_whole(file: &Path, text: &str) -> Result<(), Failure> {
-    let folder = file
-        .parent()
-        .filter(|folder| !folder.as_os_str().is_empty());
-    let write = || -> io::Result<()> {
-        let mut draft = tempfile::NamedTempFile::new_in(folder.unwrap_or(Path::new(".")))?;
-        draft.write_all(text.as_bytes())?;
-        fs::rename(draft.into_temp_path().keep()?, file)
-    };
-    write().map_err(|reason| Failure::Input(format!("cannot write {}: {reason}", file.display())))
 }

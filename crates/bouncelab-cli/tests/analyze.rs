@@ -173,6 +173,8 @@ fn figures_are_written_whole() {
         "flight-times",
         "restitution",
         "height",
+        "bounce-heights",
+        "bounce-energies",
         "drag",
         "drag-log",
         "posterior",
@@ -190,7 +192,7 @@ fn figures_are_written_whole() {
             );
         }
     }
-    assert_eq!(fs::read_dir(&figures).unwrap().count(), 22);
+    assert_eq!(fs::read_dir(&figures).unwrap().count(), 26);
 }
 
 #[test]

@@ -82,7 +82,7 @@ fn absurd_drops_are_refused() {
             "Reynolds",
         ),
     ] {
-        bouncelab(&["simulate"])
+        bouncelab(&["simulate", "--as-stated"])
             .args(arguments)
             .assert()
             .code(2)

@@ -160,7 +160,7 @@ fn mistakes_of_units_are_questioned_and_can_be_insisted_on() {
         !room.results().exists(),
         "nothing is heard before the notes are clear"
     );
-    room.session().arg("--as-noted").assert().success();
+    room.session().arg("--as-stated").assert().success();
 }
 
 #[test]
@@ -307,6 +307,41 @@ fn questions_that_make_no_sense_are_refused() {
         .assert()
         .code(1)
         .stderr(contains("cannot read nowhere.csv"));
+}
+
+/// A field of any name may be noted, so a slip would make one more and lose what was meant.
+#[test]
+fn slips_of_the_pen_are_questioned() {
+    let asks = |notes: &str, question: &str| {
+        let room = Room::new(&[("session.toml", notes)]);
+        room.record("a.wav", 1);
+        let refused = room.session().assert().code(2);
+        refused.stderr(contains(question.to_owned()));
+    };
+    asks(
+        "[all]\ntemprature = \"20C\"\n",
+        "a temprature? Did you mean temperature?",
+    );
+    asks("[all]\nbal = \"red\"\n", "a bal? Did you mean ball?");
+    asks(
+        "[all]\nball = \"tenis\"\n",
+        "what ball is \"tenis\"? Did you mean tennis?",
+    );
+}
+
+#[test]
+fn the_same_sound_noted_differently_is_remarked_on() {
+    let room = Room::new(&[("session.toml", "pattern = \"{surface}_{}\"\n")]);
+    room.record("glass_1.wav", 1);
+    let recordings = room.recordings();
+    fs::copy(
+        recordings.join("glass_1.wav"),
+        recordings.join("wood_1.wav"),
+    )
+    .unwrap();
+    room.session().assert().success().stdout(contains(
+        "the surface of the one is \"glass\" and that of the other \"wood\"",
+    ));
 }
 
 /// The order of work is nobody's business.

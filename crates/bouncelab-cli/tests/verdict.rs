@@ -87,6 +87,62 @@ fn the_document_has_the_verdict_and_its_reasons() {
 }
 
 #[test]
+fn a_report_says_what_the_screen_says() {
+    let folder = TempDir::new().unwrap();
+    drop(folder.path(), "one.txt", "30.5cm", "0.935");
+    drop(folder.path(), "two & <b>.txt", "30.5cm", "0.936");
+    let arguments = [
+        "--rule",
+        "ittf-ball",
+        "one.txt",
+        "two & <b>.txt",
+        "--report",
+    ];
+    let read = |name: &str| fs::read_to_string(folder.path().join(name)).unwrap();
+    let mut said = String::new();
+    for report in ["verdict.html", "verdict.md"] {
+        let output = verdict(&folder, &[&arguments[..], &[report]].concat())
+            .assert()
+            .code(0);
+        said = String::from_utf8_lossy(&output.get_output().stdout).into_owned();
+    }
+    let decided = said.lines().find(|line| line.starts_with("PASS")).unwrap();
+    let (html, markdown) = (read("verdict.html"), read("verdict.md"));
+    for words in [
+        decided,
+        "guarded acceptance",
+        "ITTF, rules for balls",
+        "24 to 26 cm",
+        "contact time, which is no flight",
+        "Its lowest point fell 0.3050 \u{b1} 0.0020 m, as in the rule",
+        "--report verdict",
+    ] {
+        assert!(html.contains(words) && markdown.contains(words), "{words}");
+    }
+    assert!(html.contains("two &amp; &lt;b&gt;.txt") && !html.contains("<b>.txt"));
+    assert!(folder.path().join("verdict-figures/verdict.svg").is_file());
+}
+
+#[test]
+fn a_report_that_cannot_be_written_is_said_before_any_work() {
+    let folder = TempDir::new().unwrap();
+    verdict(
+        &folder,
+        &[
+            "--rule",
+            "ittf-ball",
+            "nowhere.wav",
+            "--report",
+            "no/verdict.html",
+        ],
+    )
+    .assert()
+    .code(1)
+    .stdout("")
+    .stderr(predicate::str::contains("no/verdict.html"));
+}
+
+#[test]
 fn a_floor_takes_a_reference() {
     let folder = TempDir::new().unwrap();
     for (name, restitution) in [
@@ -164,8 +220,8 @@ fn wrong_input_is_questioned() {
         "nearest is \"itf-tennis\"",
     );
     refused(
-        &["--rule", "ittf-ball", "--height", "30.5m", "good.txt"],
-        "100 times the rule's 0.305 m: is the unit right?",
+        &["--rule", "ittf-ball", "--height", "3.05m", "good.txt"],
+        "10 times the rule's 0.305 m: is the unit right?",
     );
     refused(
         &["--rule", "futsal-ball", "good.txt"],

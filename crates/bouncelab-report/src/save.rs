@@ -1,7 +1,6 @@
 //! Figures as files.
 
 use std::fs;
-use std::io::Write;
 use std::path::{Path, PathBuf};
 
 use crate::error::{Error, Result};
@@ -21,8 +20,7 @@ pub struct Saved {
 
 /// Writes a figure as `NAME.svg` and `NAME.png` into a folder, which is made if needed.
 ///
-/// Each file appears whole or not at all: it is written beside its place under a name that
-/// begins with a dot, and then moved there. Existing files of these names are replaced.
+/// Each file appears whole or not at all. Existing files of these names are replaced.
 ///
 /// # Errors
 ///
@@ -41,29 +39,14 @@ pub fn save(figure: &Figure, folder: &Path, name: &str) -> Result<Saved> {
         source,
     })?;
     Ok(Saved {
-        svg: write_whole(folder, &format!("{name}.svg"), figure.svg().as_bytes())?,
-        png: write_whole(folder, &format!("{name}.png"), &picture)?,
+        svg: written(folder.join(format!("{name}.svg")), figure.svg().as_bytes())?,
+        png: written(folder.join(format!("{name}.png")), &picture)?,
     })
 }
 
-fn write_whole(folder: &Path, file: &str, bytes: &[u8]) -> Result<PathBuf> {
-    let path = folder.join(file);
-    let draft = folder.join(format!(".{file}.{}.part", std::process::id()));
-    let written = write_through(&draft, bytes).and_then(|()| fs::rename(&draft, &path));
-    written.map_err(|source| {
-        // The reason for the failure matters, not whether the draft could be removed.
-        let _ = fs::remove_file(&draft);
-        Error::Write {
-            path: path.clone(),
-            source,
-        }
-    })?;
-    Ok(path)
-}
-
-/// Writes to the disk before the name is given, so that a power cut leaves no empty figure.
-fn write_through(path: &Path, bytes: &[u8]) -> std::io::Result<()> {
-    let mut file = fs::File::create(path)?;
-    file.write_all(bytes)?;
-    file.sync_all()
+fn written(path: PathBuf, bytes: &[u8]) -> Result<PathBuf> {
+    match bouncelab_files::write_whole(&path, bytes) {
+        Ok(()) => Ok(path),
+        Err(source) => Err(Error::Write { path, source }),
+    }
 }

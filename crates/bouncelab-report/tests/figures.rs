@@ -2,9 +2,9 @@
 //! that any program can read, with its axes named, its colours kept and nothing outside.
 
 use bouncelab_report::figure::{
-    self, BandPoint, Budget, CornerParameter, Curve, CutPoint, CutSeries, DragAxes, Envelope,
-    Figure, GroupInterval, GroupLaw, GroupPoint, Line, Mark, ModelWeight, RankHistogram, Residual,
-    Restitution, RunPoint, Source, TimedFlight,
+    self, BandPoint, BounceHeight, BounceLoss, Budget, CornerParameter, Curve, CutPoint, CutSeries,
+    DragAxes, Envelope, Figure, GroupInterval, GroupLaw, GroupPoint, Judged, Line, Mark,
+    ModelWeight, RankHistogram, Residual, Restitution, RunPoint, Source, TimedFlight,
 };
 use bouncelab_report::theme::{self, Meaning};
 use proptest::prelude::*;
@@ -60,8 +60,16 @@ fn impacts() -> Vec<Restitution> {
     (1..30).map(impact).collect()
 }
 
-/// Each figure with usual data, and the names of the axes it must show.
-fn usual() -> Vec<(Figure, &'static [&'static str])> {
+/// A figure with usual data, and words that it must show: the names of its axes, and others.
+type Usual = (Figure, &'static [&'static str]);
+
+/// Each figure once.
+fn usual() -> Vec<Usual> {
+    let all = [of_a_drop(), of_an_inference(), of_many_drops()];
+    all.into_iter().flatten().collect()
+}
+
+fn of_a_drop() -> Vec<Usual> {
     let curves = [
         curve(Meaning::Drag, "constant 0.4"),
         curve(Meaning::NoDrag, "no air"),
@@ -103,6 +111,19 @@ fn usual() -> Vec<(Figure, &'static [&'static str])> {
             &["fitted law, 68 and 95 %", "odd, counts less"],
         ),
         (
+            figure::bounce_heights(&bounce_heights()),
+            &["bounce", "height (cm)"],
+        ),
+        (
+            figure::bounce_energies(&bounce_losses()),
+            &["bounce", "energy lost (mJ)", "the bounce"],
+        ),
+    ]
+}
+
+fn of_an_inference() -> Vec<Usual> {
+    vec![
+        (
             figure::corner(&parameters(800)),
             &["restitution", "height (cm)", "before the data"],
         ),
@@ -131,6 +152,15 @@ fn usual() -> Vec<(Figure, &'static [&'static str])> {
             &["flights used", "height (cm)", "truth"],
         ),
         (
+            figure::calibration(&histograms()),
+            &["clean", "e", "rank of the truth"],
+        ),
+    ]
+}
+
+fn of_many_drops() -> Vec<Usual> {
+    vec![
+        (
             figure::groups(&group_laws(14)),
             &[
                 "speed at the impact (m/s)",
@@ -141,13 +171,10 @@ fn usual() -> Vec<(Figure, &'static [&'static str])> {
             figure::intervals("Groups", &group_intervals(12), "restitution at 1.41 m/s"),
             &["restitution at 1.41 m/s"],
         ),
+        (verdict(), &["rebound (cm)", "drop 1"]),
         (
             figure::run_chart(&run_points(60), &names(3), Some(0.004)),
             &["drop, in order", "restitution less the median of the group"],
-        ),
-        (
-            figure::calibration(&histograms()),
-            &["clean", "e", "rank of the truth"],
         ),
     ]
 }
@@ -185,6 +212,24 @@ fn parameters(draws: u32) -> Vec<CornerParameter> {
         }),
         named("height (cm)", None, &|i| 30.0 + even(i, a) + even(i, b)),
     ]
+}
+
+fn bounce_heights() -> Vec<BounceHeight> {
+    let height = |number: u32| BounceHeight {
+        number,
+        height_m: 0.3 * 0.88_f64.powf(f64::from(number)),
+        standard_error_m: Some(0.002),
+    };
+    (1..30).map(height).collect()
+}
+
+fn bounce_losses() -> Vec<BounceLoss> {
+    let loss = |number: u32| BounceLoss {
+        number,
+        to_surface_j: 1e-3 * 0.88_f64.powf(f64::from(number)),
+        to_air_j: 0.2e-3 * 0.8_f64.powf(f64::from(number)),
+    };
+    (1..30).map(loss).collect()
 }
 
 fn residuals() -> Vec<Residual> {
@@ -270,6 +315,26 @@ fn group_laws(groups: u32) -> Vec<GroupLaw> {
         }
     };
     (0..groups).map(law).collect()
+}
+
+fn verdict() -> Figure {
+    let limits = [Some(24.0), Some(26.0)];
+    let accepted = [Some(24.2), Some(25.8)];
+    figure::limits("Verdict", &judged(5), limits, accepted, "rebound (cm)")
+}
+
+fn judged(drops: u32) -> Vec<Judged> {
+    (0..drops)
+        .map(|drop| {
+            let value = 24.5 + 0.3 * f64::from(drop);
+            Judged {
+                name: format!("drop {drop}"),
+                value,
+                interval95: Some([value - 0.4, value + 0.4]),
+                decides: drop == 0,
+            }
+        })
+        .collect()
 }
 
 fn group_intervals(groups: u32) -> Vec<GroupInterval> {
@@ -445,12 +510,21 @@ fn without_data_a_figure_says_so() {
         figure::restitution(&[], &[], &[], Some(0.9)),
         figure::corner(&[]),
         figure::residuals(&[]),
+        figure::bounce_heights(&[]),
+        figure::bounce_energies(&[]),
         figure::budget(&[]),
         figure::models(&[], "drop height (cm)"),
         figure::cut(&[], "drop height (cm)", Some(0.3)),
         figure::calibration(&[]),
         figure::groups(&[]),
         figure::intervals("Groups", &[], "restitution"),
+        figure::limits(
+            "Verdict",
+            &[],
+            [Some(24.0), None],
+            [None; 2],
+            "rebound (cm)",
+        ),
         figure::run_chart(&[], &[], Some(0.1)),
     ] {
         check_drawing(&figure).unwrap();
@@ -548,6 +622,16 @@ proptest! {
             })
             .collect();
         check_drawing(&figure::intervals("Any", &intervals, "any"))?;
+        let judged: Vec<_> = numbers
+            .iter()
+            .map(|&(value, end)| Judged {
+                name: "any".to_owned(),
+                value,
+                interval95: errors.map(|error| [error, end]),
+                decides: end > 0.0,
+            })
+            .collect();
+        check_drawing(&figure::limits("Any", &judged, [errors, None], [None, errors], "any"))?;
         let run: Vec<_> = numbers
             .iter()
             .map(|&(off, other)| RunPoint {

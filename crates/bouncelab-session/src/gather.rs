@@ -29,16 +29,13 @@ pub struct Sources {
     pub table: Option<PathBuf>,
 }
 
-/// A recording and all that was said of it.
+/// A recording.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Recording {
     /// Where it is.
     pub path: PathBuf,
     /// What it is called in tables: relative to the folder of the session, as text.
     pub name: String,
-    /// Statements by field. More than one may have been made; those of `[all]` count only where
-    /// nobody else says anything.
-    pub notes: BTreeMap<String, Vec<Note>>,
 }
 
 /// All recordings of a session.
@@ -52,6 +49,12 @@ pub struct Session {
     pub balls: BTreeMap<String, Notes>,
     /// What to know: names that do not fit the pattern, and the like.
     pub remarks: Vec<String>,
+    /// What the names of the files say.
+    pattern: Option<Pattern>,
+    /// What files of notes say of a recording, by its place.
+    listed: BTreeMap<usize, Vec<Notes>>,
+    /// What is said of all.
+    all: Notes,
 }
 
 impl Session {
@@ -81,42 +84,63 @@ impl Session {
             title: file.title,
             recordings: paths
                 .into_iter()
-                .map(|(path, name)| Recording {
-                    path,
-                    name,
-                    notes: BTreeMap::new(),
-                })
+                .map(|(path, name)| Recording { path, name })
                 .collect(),
             balls: file.balls,
             remarks: Vec::new(),
+            pattern: None,
+            listed: BTreeMap::new(),
+            all: file.all,
         };
         if let Some(pattern) = sources.pattern.clone().or(file.pattern) {
-            session.read_names(&Pattern::new(&pattern)?);
+            session.pattern = Some(Pattern::new(&pattern)?);
+            session.remark_odd_names();
         }
         session.take(file.recordings)?;
         let table = sources.table.clone();
         if let Some(table) = table.or_else(|| Some(folder.join(file.table?))) {
             session.take(read_csv(&table)?)?;
         }
-        session.default_to(&file.all);
         Ok(session)
     }
 
-    /// What the names say.
-    fn read_names(&mut self, pattern: &Pattern) {
-        let mut odd = Vec::new();
-        for recording in &mut self.recordings {
-            let stem = recording.path.file_stem().and_then(|stem| stem.to_str());
-            let Some(fields) = stem.and_then(|stem| pattern.fields(stem)) else {
-                odd.push(recording.name.clone());
-                continue;
-            };
-            for (field, text) in fields {
-                let said_by = "the file name".to_owned();
-                let notes = recording.notes.entry(field.to_owned()).or_default();
-                notes.push(Note { text, said_by });
+    /// All that was said of the recording at a place, by field. Several may have said something of
+    /// the same; what is said of all counts only where nobody else says anything.
+    ///
+    /// It is put together anew each time: kept for all recordings it would take more memory than
+    /// their results.
+    pub fn notes(&self, place: usize) -> BTreeMap<String, Vec<Note>> {
+        let mut notes: BTreeMap<String, Vec<Note>> = BTreeMap::new();
+        let mut say = |field: &str, note: Note| match notes.get_mut(field) {
+            Some(said) => said.push(note),
+            None => drop(notes.insert(field.to_owned(), vec![note])),
+        };
+        for (field, text) in self.fields_of_name(place).unwrap_or_default() {
+            let said_by = "the file name".to_owned();
+            say(field, Note { text, said_by });
+        }
+        for (field, note) in self.listed.get(&place).into_iter().flatten().flatten() {
+            say(field, note.clone());
+        }
+        for (field, note) in &self.all {
+            if !notes.contains_key(field) {
+                notes.insert(field.clone(), vec![note.clone()]);
             }
         }
+        notes
+    }
+
+    /// What the name of a file says; `None` if it does not fit the pattern, or there is none.
+    fn fields_of_name(&self, place: usize) -> Option<Vec<(&str, String)>> {
+        let stem = self.recordings[place].path.file_stem()?.to_str()?;
+        self.pattern.as_ref()?.fields(stem)
+    }
+
+    fn remark_odd_names(&mut self) {
+        let odd: Vec<String> = (0..self.recordings.len())
+            .filter(|&place| self.fields_of_name(place).is_none())
+            .map(|place| self.recordings[place].name.clone())
+            .collect();
         if !odd.is_empty() {
             self.remarks.push(format!(
                 "{} not fit the pattern \"{}\": {}",
@@ -124,7 +148,7 @@ impl Session {
                     1 => "one name does".to_owned(),
                     count => format!("{count} names do"),
                 },
-                pattern.text(),
+                self.pattern.as_ref().map_or("", Pattern::text),
                 some_of(&odd)
             ));
         }
@@ -137,24 +161,9 @@ impl Session {
             let place = index
                 .find(&named)
                 .map_err(|problem| Error::notes(&listed.file, line, problem))?;
-            for (field, note) in notes {
-                let known = self.recordings[place].notes.entry(field).or_default();
-                known.push(note);
-            }
+            self.listed.entry(place).or_default().push(notes);
         }
         Ok(())
-    }
-
-    /// What holds for all recordings, where nothing else was said.
-    fn default_to(&mut self, all: &Notes) {
-        for recording in &mut self.recordings {
-            for (field, note) in all {
-                let notes = recording.notes.entry(field.clone()).or_default();
-                if notes.is_empty() {
-                    notes.push(note.clone());
-                }
-            }
-        }
     }
 }
 
@@ -309,10 +318,11 @@ mod tests {
         })
     }
 
-    fn said<'a>(session: &'a Session, name: &str, field: &str) -> Vec<&'a str> {
-        let recording = session.recordings.iter().find(|r| r.name == name).unwrap();
-        let notes = recording.notes.get(field).map_or(&[][..], Vec::as_slice);
-        notes.iter().map(|note| note.text.as_str()).collect()
+    fn said(session: &Session, name: &str, field: &str) -> Vec<String> {
+        let place = session.recordings.iter().position(|r| r.name == name);
+        let notes = session.notes(place.unwrap()).remove(field);
+        let notes = notes.unwrap_or_default().into_iter();
+        notes.map(|note| note.text).collect()
     }
 
     #[test]

@@ -5,14 +5,14 @@
 //! valid for one recording with one content under one set of settings, which its key names.
 
 use std::collections::HashMap;
-use std::fmt::Write as _;
+use std::fmt;
 use std::fs::{self, File, OpenOptions, TryLockError};
 use std::io::{BufRead, BufReader, Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 use std::sync::Mutex;
 
 use serde::de::DeserializeOwned;
-use serde::{Deserialize, Serialize};
+use serde::{Deserialize, Serialize, Serializer};
 use sha2::{Digest, Sha256};
 
 use crate::error::{Error, Result};
@@ -23,13 +23,17 @@ pub const JOURNAL: &str = "journal.jsonl";
 /// So many characters of a checksum stand before each line.
 const CHECK: usize = 16;
 
-/// What a result is of: the content of a recording and the settings, both as hashes.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+/// A SHA-256 hash, shown and written as hexadecimal digits.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct Hash([u8; 32]);
+
+/// What a result is of: the content of a recording and the settings.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 pub struct Key {
     /// Hash of the content of the recording.
-    pub content: String,
+    pub content: Hash,
     /// Hash of everything else that the result depends on.
-    pub settings: String,
+    pub settings: Hash,
 }
 
 /// The journal of a folder, open for writing by this run alone.
@@ -46,8 +50,26 @@ pub struct Journal {
 struct End {
     file: File,
     length: u64,
-    /// Where the newest line of each recording begins, and what it is of.
-    index: HashMap<String, (u64, Key)>,
+    /// Where the newest line of each recording and key begins.
+    index: HashMap<Id, u64>,
+}
+
+/// Tells results apart by name and key, in as little memory as keeps two from meeting by chance.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+struct Id([u8; 16]);
+
+impl Id {
+    fn of(name: &str, key: &Key) -> Self {
+        Self::of_text(name, &key.content.to_string(), &key.settings.to_string())
+    }
+
+    fn of_text(name: &str, content: &str, settings: &str) -> Self {
+        // No hash contains a line break, so no two differ only in where one part ends.
+        let Hash(bytes) = hash(format!("{content}\n{settings}\n{name}").as_bytes());
+        let mut id = [0; 16];
+        id.copy_from_slice(&bytes[..16]);
+        Self(id)
+    }
 }
 
 #[derive(Serialize)]
@@ -61,7 +83,13 @@ struct Line<'a, R> {
 #[derive(Deserialize)]
 struct Of {
     name: String,
-    key: Key,
+    key: KeyOf,
+}
+
+#[derive(Deserialize)]
+struct KeyOf {
+    content: String,
+    settings: String,
 }
 
 #[derive(Deserialize)]
@@ -113,10 +141,7 @@ impl Journal {
 
     /// Whether there is a result of this recording for this key.
     pub fn has(&self, name: &str, key: &Key) -> bool {
-        self.lock()
-            .index
-            .get(name)
-            .is_some_and(|(_, known)| known == key)
+        self.lock().index.contains_key(&Id::of(name, key))
     }
 
     /// Appends a result. It is in the file, though perhaps not yet on the disk, when this returns.
@@ -139,7 +164,7 @@ impl Journal {
         }
         let start = end.length;
         end.length += line.len() as u64;
-        end.index.insert(name.to_owned(), (start, key.clone()));
+        end.index.insert(Id::of(name, key), start);
         Ok(())
     }
 
@@ -157,9 +182,8 @@ impl Journal {
     /// # Errors
     /// [`Error::Read`] if the journal cannot be read, or its content has changed since it was opened.
     pub fn read<R: DeserializeOwned>(&self, name: &str, key: &Key) -> Result<Option<R>> {
-        let start = match self.lock().index.get(name) {
-            Some((start, known)) if known == key => *start,
-            _ => return Ok(None),
+        let Some(start) = self.lock().index.get(&Id::of(name, key)).copied() else {
+            return Ok(None);
         };
         let read = || -> std::io::Result<R> {
             let mut file = BufReader::new(File::open(&self.path)?);
@@ -183,7 +207,7 @@ impl Journal {
 /// What a journal holds.
 #[derive(Default)]
 struct Scan {
-    index: HashMap<String, (u64, Key)>,
+    index: HashMap<Id, u64>,
     damaged: usize,
     length: u64,
     /// Where the last line that ends with a line break ends.
@@ -204,7 +228,10 @@ impl Scan {
             }
             let of = checked(&line).and_then(|text| serde_json::from_str::<Of>(text).ok());
             match of {
-                Some(of) => drop(scan.index.insert(of.name, (scan.length, of.key))),
+                Some(Of { name, key }) => {
+                    let id = Id::of_text(&name, &key.content, &key.settings);
+                    scan.index.insert(id, scan.length);
+                }
                 None => scan.damaged += 1,
             }
             scan.length += read;
@@ -223,29 +250,29 @@ fn checked(line: &[u8]) -> Option<&str> {
 }
 
 fn check(text: &str) -> String {
-    let mut hash = hash(text.as_bytes());
+    let mut hash = hash(text.as_bytes()).to_string();
     hash.truncate(CHECK);
     hash
 }
 
-/// SHA-256 of bytes, in hexadecimal digits.
-pub fn hash(bytes: &[u8]) -> String {
-    hexadecimal(&Sha256::digest(bytes))
+/// The hash of bytes.
+pub fn hash(bytes: &[u8]) -> Hash {
+    Hash(Sha256::digest(bytes).into())
 }
 
-/// SHA-256 of the content of a file, in hexadecimal digits, read in pieces.
+/// The hash of the content of a file, read in pieces.
 ///
 /// # Errors
 /// [`Error::Read`] if it cannot be read.
-pub fn hash_of_file(path: &Path) -> Result<String> {
+pub fn hash_of_file(path: &Path) -> Result<Hash> {
     const PIECE: usize = 1 << 16;
-    let read = || -> std::io::Result<String> {
+    let read = || -> std::io::Result<Hash> {
         let mut file = File::open(path)?;
         let mut sha = Sha256::new();
         let mut piece = vec![0; PIECE];
         loop {
             match file.read(&mut piece)? {
-                0 => return Ok(hexadecimal(&sha.finalize())),
+                0 => return Ok(Hash(sha.finalize().into())),
                 length => sha.update(&piece[..length]),
             }
         }
@@ -253,12 +280,30 @@ pub fn hash_of_file(path: &Path) -> Result<String> {
     read().map_err(Error::read(path))
 }
 
-fn hexadecimal(bytes: &[u8]) -> String {
-    bytes.iter().fold(String::new(), |mut text, byte| {
-        // Writing to a String cannot fail.
-        let _ = write!(text, "{byte:02x}");
-        text
-    })
+impl Hash {
+    /// Its first 64 bits, as a number that is as good as drawn at random.
+    pub fn number(&self) -> u64 {
+        let [a, b, c, d, e, f, g, h, ..] = self.0;
+        u64::from_be_bytes([a, b, c, d, e, f, g, h])
+    }
+}
+
+impl fmt::Display for Hash {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.0.iter().try_for_each(|byte| write!(f, "{byte:02x}"))
+    }
+}
+
+impl fmt::Debug for Hash {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        fmt::Display::fmt(self, f)
+    }
+}
+
+impl Serialize for Hash {
+    fn serialize<S: Serializer>(&self, serializer: S) -> std::result::Result<S::Ok, S::Error> {
+        serializer.collect_str(self)
+    }
 }
 
 #[cfg(test)]
@@ -267,8 +312,8 @@ mod tests {
 
     fn key(content: &str) -> Key {
         Key {
-            content: content.to_owned(),
-            settings: "s".to_owned(),
+            content: hash(content.as_bytes()),
+            settings: hash(b"s"),
         }
     }
 
@@ -288,7 +333,8 @@ mod tests {
             journal.read(name, &key(content)).unwrap()
         };
         assert_eq!(read("a.wav", "3"), Some(vec![3.0]));
-        assert_eq!(read("a.wav", "1"), None, "the content has changed since");
+        assert_eq!(read("a.wav", "1"), Some(vec![0.1, f64::MIN_POSITIVE]));
+        assert_eq!(read("a.wav", "2"), None, "another content");
         assert_eq!(read("b.wav", "2"), Some(vec![2.0]));
         assert!(journal.has("b.wav", &key("2")) && !journal.has("c.wav", &key("2")));
         assert_eq!(journal.damaged(), 0);
@@ -357,11 +403,13 @@ mod tests {
     #[test]
     fn hashes_are_those_of_the_standard() {
         let abc = "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad";
-        assert_eq!(hash(b"abc"), abc);
+        assert_eq!(hash(b"abc").to_string(), abc);
+        assert_eq!(hash(b"abc").number(), 0xba78_16bf_8f01_cfea);
         let nothing = "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855";
         let file = tempfile::NamedTempFile::new().unwrap();
-        assert_eq!(hash_of_file(file.path()).unwrap(), nothing);
+        let of_file = || hash_of_file(file.path()).unwrap().to_string();
+        assert_eq!(of_file(), nothing);
         fs::write(file.path(), "abc").unwrap();
-        assert_eq!(hash_of_file(file.path()).unwrap(), abc);
+        assert_eq!(of_file(), abc);
     }
 }

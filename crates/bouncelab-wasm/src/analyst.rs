@@ -237,7 +237,13 @@ impl Answered<'_> {
                 Ok(_) => &["posterior", "residuals", "budget", "cut"],
                 Err(_) => &[],
             };
-            let heard = ["flight-times", "restitution", "height"];
+            let heard = [
+                "flight-times",
+                "restitution",
+                "height",
+                "bounce-heights",
+                "bounce-energies",
+            ];
             let all = heard.iter().chain(inferred);
             names.extend(all.map(|name| self.named(index, name)));
         }
@@ -261,6 +267,8 @@ impl Answered<'_> {
                 () if is("flight-times") => Some(illustration::flight_times(drop)),
                 () if is("restitution") => Some(illustration::restitution(drop)),
                 () if is("height") => Some(illustration::height(drop, settings)),
+                () if is("bounce-heights") => Some(illustration::bounce_heights(drop)),
+                () if is("bounce-energies") => Some(illustration::bounce_energies(drop, settings)),
                 () if is("posterior") => found.map(illustration::corner),
                 () if is("residuals") => found.map(illustration::residuals),
                 () if is("budget") => found.map(illustration::budget),
@@ -361,27 +369,13 @@ fn most_probable(probabilities: &[f64]) -> usize {
 }
 
 fn energies(drop: &Analysis, settings: &Settings) -> Vec<Energy> {
-    let (Ok(found), Ok(model)) = (&drop.corrected, settings.model()) else {
-        return Vec::new();
-    };
-    let mass_kg = model.moving_mass_kg().unwrap_or(settings.ball.mass_kg());
-    let kinetic_j = |speed_m_s: f64| 0.5 * mass_kg * speed_m_s * speed_m_s;
-    found
-        .impacts
-        .iter()
-        .filter_map(|impact| {
-            let mut flights = found.flights.iter();
-            let after = flights
-                .find(|flight| flight.number == impact.number)?
-                .flight;
-            let before_j = kinetic_j(impact.impact_speed_m_s);
-            let launched_j = kinetic_j(after.launch_speed_m_s);
-            Some(Energy {
-                number: impact.number as u32,
-                before_j,
-                lost_to_surface_j: before_j - launched_j,
-                lost_to_air_j: launched_j - kinetic_j(after.impact_speed_m_s),
-            })
+    let energies = illustration::energies(drop, settings).into_iter();
+    energies
+        .map(|energy| Energy {
+            number: energy.number,
+            before_j: energy.before_j,
+            lost_to_surface_j: energy.lost_to_surface_j,
+            lost_to_air_j: energy.lost_to_air_j,
         })
         .collect()
 }

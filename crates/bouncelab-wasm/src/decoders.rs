@@ -1,4 +1,9 @@
 //! The decoders as JavaScript sees them.
+//!
+//! What is thrown is a [`Refusal`](crate::refusal::Refusal) as JSON.
+
+// JavaScript gets the same refusals as the rooms that are asked, whose documentation names them.
+#![allow(clippy::missing_errors_doc)]
 
 use bouncelab_audio::Source;
 use wasm_bindgen::prelude::*;

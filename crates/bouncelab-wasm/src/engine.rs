@@ -1,4 +1,9 @@
 //! The engine as JavaScript sees it: data as JSON, samples as arrays.
+//!
+//! What is thrown is a [`Refusal`](crate::refusal::Refusal) as JSON.
+
+// JavaScript gets the same refusals as the rooms that are asked, whose documentation names them.
+#![allow(clippy::missing_errors_doc)]
 
 use bouncelab::listen::Envelope;
 use bouncelab_audio::{SampleFormat, encode_wav, times};

@@ -1,31 +1,158 @@
 //! Why was it not done?
 
-use crate::wire::{Refusal, RefusalKind};
+use bouncelab_audio::{Error, Lack, LayoutProblem, LooksLike, Stage, TimesProblem};
+use serde::Serialize;
+#[cfg(not(target_family = "wasm"))]
+use ts_rs::TS;
+
+/// Why something could not be done.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(not(target_family = "wasm"), derive(TS))]
+pub struct Refusal {
+    /// What kind of trouble it is.
+    pub kind: RefusalKind,
+    /// What was wrong and what to do, in English.
+    pub message: String,
+    /// The same for other languages, where it is of a kind that they know.
+    pub reason: Option<Reason>,
+}
+
+/// Kinds of trouble that a page may want to tell apart.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[cfg_attr(not(target_family = "wasm"), derive(TS))]
+#[serde(rename_all = "kebab-case")]
+pub enum RefusalKind {
+    /// The file has no content, or no sound or time in it.
+    Empty,
+    /// The file is no recording, or one of a kind that is not read.
+    Unsupported,
+    /// The file is damaged beyond use.
+    Damaged,
+    /// The list of times makes no sense.
+    Times,
+    /// A setting that the physics refuses.
+    Setting,
+    /// It does not fit into the memory of a browser.
+    TooLong,
+    /// A fault of the program itself.
+    Fault,
+}
+
+/// What exactly is wrong with a file. The page has words for each in every language.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(not(target_family = "wasm"), derive(TS))]
+#[serde(tag = "code", rename_all = "kebab-case")]
+pub enum Reason {
+    /// There is nothing in it.
+    Empty {
+        /// What is missing.
+        what: Lack,
+    },
+    /// It is no sound.
+    NotSound {
+        /// What it looks like.
+        looks_like: LooksLike,
+    },
+    /// It breaks the rules of its format.
+    Malformed {
+        /// The container, for example "MP4".
+        format: String,
+        /// What was being done.
+        stage: Stage,
+        /// The complaint of the reader or decoder, in English.
+        detail: String,
+    },
+    /// It has no track with sound.
+    NoAudioTrack {
+        /// The container.
+        format: String,
+    },
+    /// Its sound cannot be decoded.
+    UnsupportedCodec {
+        /// The container.
+        format: String,
+        /// The codec, and what about it is not supported, in English.
+        codec: String,
+    },
+    /// Its sound is of no use.
+    UnsupportedLayout {
+        /// Why.
+        problem: LayoutProblem,
+    },
+    /// It is no list of times.
+    Times {
+        /// The line, counted from 1.
+        line: Option<usize>,
+        /// What is wrong.
+        problem: TimesProblem,
+    },
+}
+
+impl Reason {
+    /// What a file was refused for; `None` for what does not happen to a file in a browser.
+    fn of(error: &Error) -> Option<Self> {
+        Some(match error {
+            Error::Empty { what, .. } => Self::Empty { what: *what },
+            Error::NotSound { looks_like, .. } => Self::NotSound {
+                looks_like: *looks_like,
+            },
+            Error::Malformed {
+                format,
+                stage,
+                detail,
+                ..
+            } => Self::Malformed {
+                format: (*format).to_owned(),
+                stage: *stage,
+                detail: detail.clone(),
+            },
+            Error::NoAudioTrack { format, .. } => Self::NoAudioTrack {
+                format: (*format).to_owned(),
+            },
+            Error::UnsupportedCodec { format, codec, .. } => Self::UnsupportedCodec {
+                format: (*format).to_owned(),
+                codec: codec.clone(),
+            },
+            Error::UnsupportedLayout { problem, .. } => {
+                Self::UnsupportedLayout { problem: *problem }
+            }
+            Error::Times { line, problem, .. } => Self::Times {
+                line: *line,
+                problem: problem.clone(),
+            },
+            _ => return None,
+        })
+    }
+}
 
 /// A result for the page.
 pub type Result<T> = std::result::Result<T, Refusal>;
 
+impl Refusal {
+    /// A refusal in English only.
+    pub(crate) fn new(kind: RefusalKind, message: impl Into<String>) -> Self {
+        Self {
+            kind,
+            message: message.into(),
+            reason: None,
+        }
+    }
+}
+
 impl From<bouncelab::Error> for Refusal {
     fn from(error: bouncelab::Error) -> Self {
-        Self {
-            kind: RefusalKind::Setting,
-            message: error.to_string(),
-        }
+        Self::new(RefusalKind::Setting, error.to_string())
     }
 }
 
 impl From<bouncelab_report::Error> for Refusal {
     fn from(error: bouncelab_report::Error) -> Self {
-        Self {
-            kind: RefusalKind::Fault,
-            message: error.to_string(),
-        }
+        Self::new(RefusalKind::Fault, error.to_string())
     }
 }
 
-impl From<bouncelab_audio::Error> for Refusal {
-    fn from(error: bouncelab_audio::Error) -> Self {
-        use bouncelab_audio::Error;
+impl From<Error> for Refusal {
+    fn from(error: Error) -> Self {
         let kind = match error {
             Error::Empty { .. } => RefusalKind::Empty,
             Error::NotSound { .. }
@@ -39,16 +166,15 @@ impl From<bouncelab_audio::Error> for Refusal {
         Self {
             kind,
             message: error.to_string(),
+            reason: Reason::of(&error),
         }
     }
 }
 
 impl From<serde_json::Error> for Refusal {
     fn from(error: serde_json::Error) -> Self {
-        Self {
-            kind: RefusalKind::Fault,
-            message: format!("the page and the science do not understand each other: {error}"),
-        }
+        let message = format!("the page and the science do not understand each other: {error}");
+        Self::new(RefusalKind::Fault, message)
     }
 }
 

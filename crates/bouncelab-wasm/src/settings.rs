@@ -6,8 +6,8 @@ use bouncelab::stated::{
     self, Stated, StatedAir, StatedBall, StatedDrop, StatedGravity, Understood,
 };
 
-use crate::refusal::Result;
-use crate::wire::{Effort, Inferred, Mark, Refusal, RefusalKind, Settings};
+use crate::refusal::{Refusal, RefusalKind, Result};
+use crate::wire::{Effort, Inferred, Mark, Settings};
 
 impl Settings {
     /// What follows from them, with what is to be asked.
@@ -127,10 +127,7 @@ impl From<Inferred> for stated::Inferred {
 
 /// A refusal of a setting.
 pub(crate) fn setting(message: &str) -> Refusal {
-    Refusal {
-        kind: RefusalKind::Setting,
-        message: message.to_owned(),
-    }
+    Refusal::new(RefusalKind::Setting, message)
 }
 
 impl From<Impact> for Mark {

@@ -9,37 +9,6 @@ use ts_rs::TS;
 
 use bouncelab_report::document::{Document, Origin, simulation};
 
-/// Why something could not be done.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-#[cfg_attr(not(target_family = "wasm"), derive(TS))]
-pub struct Refusal {
-    /// What kind of trouble it is.
-    pub kind: RefusalKind,
-    /// What was wrong and what to do, in words.
-    pub message: String,
-}
-
-/// Kinds of trouble that a page may want to tell apart.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-#[cfg_attr(not(target_family = "wasm"), derive(TS))]
-#[serde(rename_all = "kebab-case")]
-pub enum RefusalKind {
-    /// The file has no content, or no sound or time in it.
-    Empty,
-    /// The file is no recording, or one of a kind that is not read.
-    Unsupported,
-    /// The file is damaged beyond use.
-    Damaged,
-    /// The list of times makes no sense.
-    Times,
-    /// A setting that the physics refuses.
-    Setting,
-    /// It does not fit into the memory of a browser.
-    TooLong,
-    /// A fault of the program itself.
-    Fault,
-}
-
 /// The choices that a page can offer.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(not(target_family = "wasm"), derive(TS))]

@@ -10,12 +10,13 @@ use std::fs;
 use std::path::Path;
 
 use bouncelab_report::paper;
+use bouncelab_wasm::refusal::Refusal;
 use bouncelab_wasm::wire;
 use ts_rs::{Config, TS, TypeVisitor};
 
 const HEAD: &str = "\
 // The types that the laboratory's engine takes and gives, made from those in
-// crates/bouncelab-wasm/src/wire.rs by `cargo xtask web`. Do not edit.
+// crates/bouncelab-wasm/src (wire.rs, refusal.rs) by `cargo xtask web`. Do not edit.
 ";
 
 /// Declares types and all that they are made of.
@@ -56,7 +57,7 @@ fn declarations() -> String {
         seen: HashSet::new(),
         found: BTreeMap::new(),
     };
-    all.declare::<wire::Refusal>();
+    all.declare::<Refusal>();
     all.declare::<wire::Catalogue>();
     all.declare::<wire::Heard>();
     all.declare::<wire::SoFar>();

@@ -173,6 +173,7 @@ fn a_known_height_stays_as_given() {
     let found = truth.infer(&truth.impacts(2), &knowledge).unwrap();
     assert!((found.drop_height_m.value - 0.5).abs() < 1e-4);
     assert!((found.drop_height_m.sd / 1e-4 - 1.0).abs() < 0.15);
+    assert!(found.sampling.converged);
     assert!(found.missed_first.unwrap()[0] > 0.99);
 }
 

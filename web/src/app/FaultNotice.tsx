@@ -11,6 +11,7 @@ interface Props {
 /** What happened and what to do, where the eye is. */
 export function FaultNotice({ fault, children }: Props) {
   const words = texts.value.faults[fault.key];
+  const reason = fault.reason && texts.value.reason(fault.reason);
   return (
     <div class="notice" role="alert">
       <p>
@@ -18,6 +19,7 @@ export function FaultNotice({ fault, children }: Props) {
         <strong>{words.what}</strong>
       </p>
       <p>{words.do}</p>
+      {reason !== undefined && <p class="small soft">{reason}</p>}
       {fault.detail !== undefined && (
         <p class="small soft" lang="en">
           {fault.detail}

@@ -1,5 +1,7 @@
 import { useId, useState } from 'preact/hooks';
 import { readNumber, tidy } from '../address/settings.ts';
+import { localised } from '../format/quantity.ts';
+import { language } from '../text/language.ts';
 
 interface Props {
   readonly label: string;
@@ -17,13 +19,15 @@ interface Props {
 export function NumberField({ label, unit, value, usual, min, max, onChange }: Props) {
   const id = useId();
   const [wrong, setWrong] = useState(false);
-  const take = (written: string): void => {
-    if (written.trim() === '') {
+  const written = (number: number | undefined): string =>
+    number === undefined ? '' : localised(tidy(number), language.value);
+  const take = (typed: string): void => {
+    if (typed.trim() === '') {
       setWrong(false);
       onChange(undefined);
       return;
     }
-    const read = readNumber(written);
+    const read = readNumber(typed);
     const fine = read !== undefined && read >= (min ?? read) && read <= (max ?? read);
     setWrong(!fine);
     if (fine) onChange(read);
@@ -37,8 +41,8 @@ export function NumberField({ label, unit, value, usual, min, max, onChange }: P
           type="text"
           inputMode="decimal"
           autocomplete="off"
-          value={value === undefined ? '' : tidy(value)}
-          placeholder={usual === undefined ? '' : tidy(usual)}
+          value={written(value)}
+          placeholder={written(usual)}
           aria-invalid={wrong}
           onChange={(event) => take(event.currentTarget.value)}
         />

@@ -1,5 +1,3 @@
-import { colour } from '../style/colours.ts';
-
 /** Hands a file to the reader, through the browser's own download. */
 export function save(content: Blob, name: string): void {
   const address = URL.createObjectURL(content);
@@ -29,28 +27,19 @@ export async function rasterised(svg: string, width: number, height: number): Pr
   try {
     image.src = address;
     await image.decode();
-    return await onPaper(image, Math.round(SCALE * width), Math.round(SCALE * height), 'white');
+    return await onPaper(image, Math.round(SCALE * width), Math.round(SCALE * height));
   } finally {
     URL.revokeObjectURL(address);
   }
 }
 
-/** What a canvas shows, on the paper of the page. */
-export const pictured = (canvas: HTMLCanvasElement): Promise<Blob> =>
-  onPaper(canvas, canvas.width, canvas.height, colour('paper'));
-
-function onPaper(
-  picture: CanvasImageSource,
-  width: number,
-  height: number,
-  paper: string,
-): Promise<Blob> {
+function onPaper(picture: HTMLImageElement, width: number, height: number): Promise<Blob> {
   const canvas = document.createElement('canvas');
   canvas.width = width;
   canvas.height = height;
   const context = canvas.getContext('2d');
   if (!context) return Promise.reject(new Error('no canvas'));
-  context.fillStyle = paper;
+  context.fillStyle = 'white';
   context.fillRect(0, 0, width, height);
   context.drawImage(picture, 0, 0, width, height);
   return new Promise((resolve, reject) => {

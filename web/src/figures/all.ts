@@ -44,11 +44,13 @@ export function chartsOf(id: FigureId, material: Material, texts: Texts): readon
   }
 }
 
-/** The name under which the engine draws the same figure; some are drawn by the page alone. */
-export function engineName(id: FigureId, logDrag: boolean): string | undefined {
-  const names: Partial<Record<FigureId, string>> = {
+/** The name under which the engine draws the same figure. */
+export function engineName(id: FigureId, logDrag: boolean): string {
+  const names: Record<FigureId, string> = {
     restitution: 'restitution',
     flights: 'flight-times',
+    heights: 'bounce-heights',
+    energy: 'bounce-energies',
     drag: logDrag ? 'drag-log' : 'drag',
     compare: 'height',
   };

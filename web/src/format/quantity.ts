@@ -46,6 +46,16 @@ export function fixed(value: number, decimals: number, language: string): string
     .replace('-', '\u2212');
 }
 
+/** A number that is written with a point already, in the manner of a language. */
+export function localised(written: string, language: string): string {
+  const point = (1.5).toLocaleString(language).charAt(1);
+  return written.replace(/(\d)\.(\d)/g, `$1${point}$2`);
+}
+
+/** A share of one in per cent. */
+export const perCent = (share: number, language: string): string =>
+  withUnit(fixed(100 * share, 0, language), PERCENT);
+
 /** A value without an uncertainty, in so many significant digits. */
 export function plain(value: number, unit: Unit, digits: number, language: string): string {
   const shown = value / unit.size;

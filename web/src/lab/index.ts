@@ -1,5 +1,5 @@
 /** The laboratory's engine, as the page sees it. */
-export { LabError, type LabErrorKind } from './error.ts';
+export { LabError, type LabErrorKind, type LabReason } from './error.ts';
 export { Lab, Listening, type OpenOptions } from './lab.ts';
 export type { Level, Sound, Spectrogram } from './protocol.ts';
 export { Recording } from './recording.ts';

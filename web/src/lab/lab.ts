@@ -78,14 +78,15 @@ export class Lab {
   async open(file: File | { name: string; blob: Blob }, options: OpenOptions = {}) {
     const blob = file instanceof File ? file : file.blob;
     if (blob.size > LARGEST_FILE_BYTES) {
-      throw new LabError(
-        'too-long',
-        `${file.name} is too large for a browser (${Math.round(blob.size / 1e6)} MB); cut it to ` +
-          'the drop, or use the program on a computer',
-      );
+      const megabytes = Math.round(blob.size / 1e6);
+      throw new LabError('too-long', `${file.name} is too large for a browser (${megabytes} MB)`, {
+        reason: { code: 'too-large', megabytes },
+      });
     }
     const bytes = await blob.arrayBuffer().catch((reason: unknown) => {
-      throw new LabError('damaged', `${file.name} cannot be read: ${String(reason)}`);
+      throw new LabError('damaged', `${file.name} cannot be read: ${String(reason)}`, {
+        reason: { code: 'unreadable' },
+      });
     });
     const take = { bytes, name: file.name, channel: options.channel ?? null };
     // A worker of its own: a damaged file may break the decoder, and long ones can be called off.

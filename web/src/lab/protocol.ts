@@ -1,3 +1,4 @@
+import type { LabRefusal } from './error.ts';
 import type {
   Analysed,
   AnalysisRequest,
@@ -7,7 +8,6 @@ import type {
   Heard,
   OnsetFound,
   PaperDocument,
-  Refusal,
   SceneRequest,
   Simulated,
   SimulationRequest,
@@ -109,4 +109,4 @@ export type ToWorker =
 export type FromWorker =
   | { kind: 'progress'; id: number; share: number }
   | { kind: 'done'; id: number; give: unknown }
-  | { kind: 'refused'; id: number; refusal: Refusal; broken: boolean };
+  | { kind: 'refused'; id: number; refusal: LabRefusal; broken: boolean };

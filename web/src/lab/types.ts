@@ -1,5 +1,5 @@
 // The types that the laboratory's engine takes and gives, made from those in
-// crates/bouncelab-wasm/src/wire.rs by `cargo xtask web`. Do not edit.
+// crates/bouncelab-wasm/src (wire.rs, refusal.rs) by `cargo xtask web`. Do not edit.
 
 /** What the impacts say. */
 export type Analysed = {
@@ -243,6 +243,27 @@ export type Inferred = "gravity" | "drag" | "contact-time";
 
 export type InferredImpact = { number: number, impact_speed_m_s: Posterior, restitution: Posterior | null, apex_m: Posterior | null, lost_to_surface_j: Posterior | null, lost_to_air_j: Posterior | null, standardised_residual: number | null, weight: number, };
 
+/** What a file that is empty lacks. */
+export type Lack = "content" | "sound" | "time";
+
+/** Why sound that can be decoded is of no use. */
+export type LayoutProblem = { "code": "too-slow",
+/** Samples a second. */
+sample_rate_hz: number,
+/** The fewest that are of use. */
+least_hz: number, } | { "code": "too-fast",
+/** Samples a second. */
+sample_rate_hz: number,
+/** The most that are read. */
+most_hz: number, } | { "code": "too-many-channels",
+/** How many. */
+channels: number,
+/** The most that are read. */
+most: number, };
+
+/** What a file looks like that is not sound. */
+export type LooksLike = "png" | "jpeg" | "gif" | "pdf" | "zip" | "gzip" | "riff" | "caf" | "zeros" | "text" | "unknown";
+
 /** An impact as heard, or as set by hand. */
 export type Mark = {
 /** Number, 1 for the first impact known; a missed one leaves a gap. */
@@ -322,12 +343,39 @@ bounce: number,
 /** Apex of the flight after it. */
 apex_m: number, };
 
+/** What exactly is wrong with a file. The page has words for each in every language. */
+export type Reason = { "code": "empty",
+/** What is missing. */
+what: Lack, } | { "code": "not-sound",
+/** What it looks like. */
+looks_like: LooksLike, } | { "code": "malformed",
+/** The container, for example "MP4". */
+format: string,
+/** What was being done. */
+stage: Stage,
+/** The complaint of the reader or decoder, in English. */
+detail: string, } | { "code": "no-audio-track",
+/** The container. */
+format: string, } | { "code": "unsupported-codec",
+/** The container. */
+format: string,
+/** The codec, and what about it is not supported, in English. */
+codec: string, } | { "code": "unsupported-layout",
+/** Why. */
+problem: LayoutProblem, } | { "code": "times",
+/** The line, counted from 1. */
+line: number | null,
+/** What is wrong. */
+problem: TimesProblem, };
+
 /** Why something could not be done. */
 export type Refusal = {
 /** What kind of trouble it is. */
 kind: RefusalKind,
-/** What was wrong and what to do, in words. */
-message: string, };
+/** What was wrong and what to do, in English. */
+message: string,
+/** The same for other languages, where it is of a kind that they know. */
+reason: Reason | null, };
 
 /** Kinds of trouble that a page may want to tell apart. */
 export type RefusalKind = "empty" | "unsupported" | "damaged" | "times" | "setting" | "too-long" | "fault";
@@ -490,10 +538,30 @@ rests_at_s: number | null,
 /** Whether the ball rests: nothing more will be heard of this drop. */
 at_rest: boolean, };
 
+/** What was being done to a file when it turned out to be damaged. */
+export type Stage = "header" | "codec" | "sound";
+
 /** The paper's straight line (Eqs. 4 to 8). */
 export type StraightLine = { flights: number, slope: number, slope_sd: number | null, intercept: number, intercept_sd: number | null, r_squared: number | null, restitution: number, restitution_sd: number | null, drop_height_m: number, drop_height_sd_m: number | null, energy_kept: number, energy_kept_sd: number | null, total_time_s: number | null, total_path_m: number | null,
 /** log10 residuals of the flights that went into it, in order. */
 residuals: Array<number>, };
+
+/** What is wrong with a list of impact times, or with one of its lines. */
+export type TimesProblem = { "code": "ending" } | { "code": "not-text" } | { "code": "not-table",
+/** The complaint of the reader. */
+detail: string, } | { "code": "not-array",
+/** The complaint of the reader. */
+detail: string, } | { "code": "no-time-column",
+/** The names that are there. */
+found: string, } | { "code": "nameless-columns",
+/** How many. */
+columns: number, } | { "code": "missing" } | { "code": "not-number",
+/** What stands there. */
+text: string, } | { "code": "not-later",
+/** The time that does not follow. */
+time_s: number,
+/** The one before it. */
+before_s: number, };
 
 /** Gravity and air of a world. */
 export type World = {

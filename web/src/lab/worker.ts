@@ -6,8 +6,9 @@
  */
 import * as decoding from './engine/decoders.js';
 import * as science from './engine/engine.js';
+import type { LabReason, LabRefusal } from './error.ts';
 import type { Call, FromWorker, Give, Level, Sound, Take, ToWorker } from './protocol.ts';
-import type { Demo, Drawn, Heard, PaperDocument, Refusal } from './types.ts';
+import type { Demo, Drawn, Heard, PaperDocument } from './types.ts';
 
 /** Samples that do not fit into this memory cannot be kept, in bytes. */
 const MOST_SAMPLE_BYTES = 480e6;
@@ -17,7 +18,14 @@ type Handlers = {
   [C in Call]: (take: Take<C>, progress: (share: number) => void) => Answer<C>;
 };
 
-class TooLong extends Error {}
+class TooLong extends Error {
+  readonly reason: LabReason;
+
+  constructor(minutes: number, channels: number) {
+    super(`more than ${minutes} minutes in ${channels} channels are too long for a browser`);
+    this.reason = { code: 'too-long', minutes, channels };
+  }
+}
 
 const analyst = lazily(() => new science.Analyst());
 const ears = new Map<number, science.Hearer>();
@@ -47,11 +55,7 @@ const handlers: Handlers = {
       });
       hearer.hear();
       if (4 * frames * channels.length > MOST_SAMPLE_BYTES) {
-        throw new TooLong(
-          `${name} is too long for a browser (more than ` +
-            `${Math.floor(frames / sampleRateHz / 60)} minutes in ${channels.length} channels); ` +
-            'cut it to the drop, or use the program on a computer',
-        );
+        throw new TooLong(Math.floor(frames / sampleRateHz / 60), channels.length);
       }
       if (expected > 0) {
         progress(Math.min(1, frames / expected));
@@ -226,21 +230,23 @@ function lazily<T>(make: () => T): () => T {
 }
 
 /** What went wrong, as the page is told; and whether the science can still be used. */
-function refusalOf(error: unknown, call: Call): { refusal: Refusal; broken: boolean } {
+function refusalOf(error: unknown, call: Call): { refusal: LabRefusal; broken: boolean } {
   if (typeof error === 'string') {
     return { refusal: JSON.parse(error), broken: false };
   }
-  if (error instanceof TooLong || error instanceof RangeError) {
-    const message = error instanceof TooLong ? error.message : 'there is not enough memory for it';
-    return { refusal: { kind: 'too-long', message }, broken: error instanceof RangeError };
+  const broken = error instanceof WebAssembly.RuntimeError || error instanceof RangeError;
+  const refused = (kind: LabRefusal['kind'], message: string, reason: LabReason | null) => ({
+    refusal: { kind, message, reason },
+    broken,
+  });
+  if (error instanceof TooLong) return refused('too-long', error.message, error.reason);
+  if (error instanceof RangeError) {
+    return refused('too-long', 'there is not enough memory for it', { code: 'no-memory' });
   }
-  if (error instanceof WebAssembly.RuntimeError && call === 'open') {
-    const message =
-      'the file is damaged in a way that the decoder does not survive; export it again';
-    return { refusal: { kind: 'damaged', message }, broken: true };
+  if (broken && call === 'open') {
+    return refused('damaged', 'the decoder does not survive this file', { code: 'breaks-decoder' });
   }
-  const broken = error instanceof WebAssembly.RuntimeError;
-  return { refusal: { kind: 'fault', message: String(error) }, broken };
+  return refused('fault', String(error), null);
 }
 
 function say(message: FromWorker, transfer: Transferable[] = []): void {

@@ -19,9 +19,22 @@ export function engine(): Lab {
 export async function start(): Promise<void> {
   try {
     catalogue.value = await engine().catalogue();
+    prepareAtLeisure();
   } catch (error) {
     broken.value = messageOf(error);
   }
+}
+
+/** Loads what opens files, so that the first file need not wait for it. */
+function prepareAtLeisure(): void {
+  const soon = globalThis.requestIdleCallback ?? ((work: () => void) => setTimeout(work, 1000));
+  // If it fails, for want of a network perhaps, the first file tries again and says so.
+  soon(
+    () =>
+      void engine()
+        .prepare()
+        .catch(() => undefined),
+  );
 }
 
 export const messageOf = (error: unknown): string =>
@@ -38,6 +51,7 @@ const FAULTS: Partial<Record<LabError['kind'], FaultKey>> = {
 
 /** What the page says of an error of the engine. */
 export function faultOf(error: unknown): Fault {
-  const key = error instanceof LabError ? FAULTS[error.kind] : undefined;
-  return { key: key ?? 'fault', detail: messageOf(error) };
+  const known = error instanceof LabError ? error : undefined;
+  const key = (known && FAULTS[known.kind]) ?? 'fault';
+  return known?.reason ? { key, reason: known.reason } : { key, detail: messageOf(error) };
 }

@@ -1,11 +1,14 @@
-/** What went wrong, as a key of the texts, with the exact words of the engine where there are some. */
+/** What went wrong, as a key of the texts, and what exactly. */
+import type { LabReason } from '../lab/index.ts';
 import type { Texts } from '../text/texts.ts';
 
 export type FaultKey = keyof Texts['faults'];
 
 export interface Fault {
   readonly key: FaultKey;
-  /** In the words of the engine. */
+  /** What exactly, for the texts to say. */
+  readonly reason?: LabReason | undefined;
+  /** What exactly, in English, where the texts have no words for it. */
   readonly detail?: string | undefined;
   /** What it is about, as the name of a file. */
   readonly about?: string | undefined;

@@ -22,7 +22,11 @@ async function bring(
 
 export function openFile(file: File): Promise<void> {
   return bring(file.name, async () => {
-    if (file.size === 0) throw new LabError('empty', `${file.name} has no content`);
+    if (file.size === 0) {
+      throw new LabError('empty', `${file.name} has no content`, {
+        reason: { code: 'empty', what: 'content' },
+      });
+    }
     return engine().open(file, {
       onProgress: (share) => {
         if (phase.peek().kind === 'reading') {

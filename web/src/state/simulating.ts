@@ -1,5 +1,5 @@
 /** A drop that does not exist: where the sliders stand, what follows, and the runs that were kept. */
-import { computed, effect, signal } from '@preact/signals';
+import { effect, signal } from '@preact/signals';
 import { note, parseRoute } from '../address/route.ts';
 import {
   type SimulationSetup,
@@ -16,17 +16,22 @@ import { Latest } from './latest.ts';
 import { openSamples } from './opening.ts';
 import { goToLab, settings } from './settings.ts';
 
-export const setup = signal<SimulationSetup>(USUAL);
-export const simulated = signal<Simulated | null>(null);
-/** What the engine said if it cannot be simulated. */
-export const impossible = signal<string | null>(null);
-
-/** A run that was kept to be compared. */
-export interface Run {
-  readonly number: number;
+/** Where the sliders stood, and what follows. */
+export interface Outcome {
   readonly setup: SimulationSetup;
   readonly simulated: Simulated;
 }
+
+/** A run that was kept to be compared. */
+export interface Run extends Outcome {
+  readonly number: number;
+}
+
+export const setup = signal<SimulationSetup>(USUAL);
+/** Of the latest set-up that is simulated: the sliders may have moved on. */
+export const outcome = signal<Outcome | null>(null);
+/** What the engine said if it cannot be simulated. */
+export const impossible = signal<string | null>(null);
 
 export const runs = signal<readonly Run[]>([]);
 const MOST_RUNS = 3;
@@ -37,9 +42,9 @@ export const overlay = signal<HeightCurve | null>(null);
 /** The restitution of the slider is that at 1 m/s. */
 const AT_SPEED_M_S = 1;
 
-export const request = computed<SimulationRequest>(() => {
-  const { heightM, restitution, slope, ball, drag, world, air } = setup.value;
-  const where = catalogue.value?.worlds.find(({ name }) => name === world);
+function requestOf(asked: SimulationSetup): SimulationRequest {
+  const { heightM, restitution, slope, ball, drag, world, air } = asked;
+  const where = catalogue.peek()?.worlds.find(({ name }) => name === world);
   const density = (where?.air_density_kg_m3 ?? 0) * air;
   const inAir = where && {
     gravity_m_s2: where.gravity_m_s2,
@@ -56,11 +61,11 @@ export const request = computed<SimulationRequest>(() => {
         ? { law: 'constant', restitution }
         : { law: 'power', restitution, at_speed_m_s: AT_SPEED_M_S, exponent: slope },
   };
-});
+}
 
-const simulator = new Latest<SimulationRequest>(async (asked) => {
+const simulator = new Latest<SimulationSetup>(async (asked) => {
   try {
-    simulated.value = await engine().simulate(asked);
+    outcome.value = { setup: asked, simulated: await engine().simulate(requestOf(asked)) };
     impossible.value = null;
   } catch (error) {
     impossible.value = messageOf(error);
@@ -70,7 +75,7 @@ const simulator = new Latest<SimulationRequest>(async (asked) => {
 /** Begins to follow the sliders, and the address. */
 export function keepSimulated(): void {
   effect(() => {
-    if (catalogue.value) simulator.ask(request.value);
+    if (catalogue.value) simulator.ask(setup.value);
   });
 }
 
@@ -85,10 +90,10 @@ export function move(changes: Partial<SimulationSetup>): void {
 }
 
 export function keepRun(): void {
-  const done = simulated.peek();
+  const done = outcome.peek();
   if (!done) return;
   const number = (runs.peek().at(-1)?.number ?? 0) + 1;
-  runs.value = [...runs.peek(), { number, setup: setup.peek(), simulated: done }].slice(-MOST_RUNS);
+  runs.value = [...runs.peek(), { ...done, number }].slice(-MOST_RUNS);
 }
 
 export function removeRun(number: number): void {
@@ -106,22 +111,23 @@ const SCENE: SceneRequest = {
 };
 
 export async function hearRun(): Promise<void> {
-  const { samples, sampleRateHz } = await engine().synthesise(request.peek(), SCENE);
+  const { samples, sampleRateHz } = await engine().synthesise(requestOf(setup.peek()), SCENE);
   await play(samples, sampleRateHz, 0, 1);
 }
 
 /** Onto the bench with it, as if it had been recorded. */
 export async function analyseRun(): Promise<void> {
-  const { samples, sampleRateHz } = await engine().synthesise(request.peek(), SCENE);
+  const asked = requestOf(setup.peek());
+  const { samples, sampleRateHz } = await engine().synthesise(asked, SCENE);
   // What was put in is what is known of it.
-  settings.value = request.peek().settings;
+  settings.value = asked.settings;
   goToLab();
   await openSamples(samples, sampleRateHz, texts.peek().simulate.thisRun);
 }
 
 /** Lays the run over the measurement on the bench. */
 export function layOver(): void {
-  const done = simulated.peek();
+  const done = outcome.peek()?.simulated;
   const curve = done?.curves[0];
   const first = done?.document.simulations[0]?.bounces[0]?.time_s;
   const heard = drop.peek()?.impacts[0]?.time_s;

@@ -16,6 +16,11 @@ test('mean, scatter, and what a single drop claims', () => {
   expect(spread?.claimed).toBeCloseTo(Math.sqrt((9e-6 + 16e-6) / 2));
 });
 
+test('the same drop kept again does not scatter', () => {
+  const drop = { value: 0.9528697445876, sd: 1e-5 };
+  expect(spreadOf([drop, drop, drop])).toMatchObject({ scatter: 0, meanSd: 0 });
+});
+
 test('one drop has no scatter, none has nothing', () => {
   expect(spreadOf([{ value: 0.9, sd: null }])).toEqual({
     count: 1,

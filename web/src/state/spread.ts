@@ -16,7 +16,9 @@ export function spreadOf(values: readonly (Known | null)[]): Spread | undefined 
   if (count === 0) return undefined;
   const mean = known.reduce((sum, { value }) => sum + value, 0) / count;
   const squares = known.reduce((sum, { value }) => sum + (value - mean) ** 2, 0);
-  const scatter = count > 1 ? Math.sqrt(squares / (count - 1)) : null;
+  // The same drop kept twice does not scatter: what is left of it is the noise of the sum.
+  const spread = Math.sqrt(squares / (count - 1));
+  const scatter = count > 1 ? (spread < 1e-12 * Math.abs(mean) ? 0 : spread) : null;
   const claims = known.flatMap(({ sd }) => (sd === null ? [] : [sd ** 2]));
   return {
     count,

@@ -1,3 +1,5 @@
+import { readdirSync, readFileSync } from 'node:fs';
+import { join } from 'node:path';
 import { expect, test } from 'vitest';
 import { texts } from './language.ts';
 import deutsch from './languages/de.ts';
@@ -35,4 +37,36 @@ test('what the engine says is said in the language of the page', () => {
   );
   expect(translated('something new')).toBe('Something new');
   texts.value = english;
+});
+
+/** All that the Rust sources say, with strings that go on in the next line made whole. */
+function sources(): string {
+  const crates = join(import.meta.dirname, '../../../crates');
+  return readdirSync(crates, { recursive: true, encoding: 'utf8' })
+    .filter((name) => name.endsWith('.rs'))
+    .map((name) => readFileSync(join(crates, name), 'utf8'))
+    .join('')
+    .replace(/\\\n\s*/g, '');
+}
+
+/** Runs of three words, none of them with a gap in it. */
+function runs(template: string): string[] {
+  return template.split('{}').flatMap((part) => {
+    const words = part.trim().split(' ');
+    if (words.length < 3) return part.trim() === '' ? [] : [part.trim()];
+    return words.slice(2).map((word, i) => `${words[i]} ${words[i + 1]} ${word}`);
+  });
+}
+
+/**
+ * A sentence that was changed in the engine would silently come out in English. Some are put together
+ * there of several pieces, so that not every run of words is found as it is.
+ */
+test('every template is of a sentence that the engine still says', () => {
+  const said = sources();
+  const stale = Object.keys(deutsch.engine).filter((template) => {
+    const all = runs(template);
+    return all.filter((run) => said.includes(run)).length < all.length / 2;
+  });
+  expect(stale).toEqual([]);
 });

@@ -2,7 +2,8 @@
  * What the engine says in English, in the language of the page. A language lists templates in which
  * `{}` stands for whatever the engine put there; what no template knows stays English.
  */
-import { texts } from './language.ts';
+import { localised } from '../format/quantity.ts';
+import { language, texts } from './language.ts';
 
 export function translated(english: string): string {
   for (const [template, words] of Object.entries(texts.value.engine)) {
@@ -26,5 +27,5 @@ function patternOf(template: string): RegExp {
 /** `{}` takes what the engine put there, in order. */
 function filled(words: string, values: readonly string[]): string {
   let next = 0;
-  return words.replace(/\{\}/g, () => values[next++] ?? '');
+  return words.replace(/\{\}/g, () => localised(values[next++] ?? '', language.value));
 }

@@ -14,6 +14,13 @@ export async function open(
   return opened;
 }
 
+/** Follows a link of the head until its view is there: the address changes before the page does. */
+export async function follow(page: Page, name: string): Promise<void> {
+  const link = page.getByRole('navigation').getByRole('link', { name, exact: true });
+  await link.click();
+  await page.locator('nav a[aria-current=page]', { hasText: name }).waitFor();
+}
+
 /** A value and its uncertainty as the page writes them, in the unit that it shows. */
 export interface Said {
   readonly value: number;

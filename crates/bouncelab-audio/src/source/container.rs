@@ -9,6 +9,8 @@ use symphonia::default::formats::{
     AdtsReader, AiffReader, FlacReader, IsoMp4Reader, MkvReader, MpaReader, OggReader, WavReader,
 };
 
+use crate::problem::LooksLike;
+
 /// The containers that can be read.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Container {
@@ -28,7 +30,7 @@ pub(super) enum Container {
 /// What the first bytes of a file say.
 pub(super) enum Content {
     Sound(Container),
-    Other(&'static str),
+    Other(LooksLike),
     Nothing,
 }
 
@@ -159,27 +161,27 @@ fn container(head: &[u8]) -> Option<Container> {
 }
 
 /// A guess at what a file is that is not sound, for the message.
-fn looks_like(head: &[u8]) -> &'static str {
-    const KNOWN: [(&[u8], &str); 8] = [
-        (b"\x89PNG", "a PNG picture"),
-        (b"\xff\xd8\xff", "a JPEG picture"),
-        (b"GIF8", "a GIF picture"),
-        (b"%PDF", "a PDF document"),
-        (b"PK\x03\x04", "a ZIP archive or an office document"),
-        (b"\x1f\x8b", "a gzip archive"),
-        (b"RIFF", "a RIFF file without sound, such as AVI or WebP"),
-        (b"caff", "a Core Audio (CAF) recording"),
+fn looks_like(head: &[u8]) -> LooksLike {
+    const KNOWN: [(&[u8], LooksLike); 8] = [
+        (b"\x89PNG", LooksLike::Png),
+        (b"\xff\xd8\xff", LooksLike::Jpeg),
+        (b"GIF8", LooksLike::Gif),
+        (b"%PDF", LooksLike::Pdf),
+        (b"PK\x03\x04", LooksLike::Zip),
+        (b"\x1f\x8b", LooksLike::Gzip),
+        (b"RIFF", LooksLike::Riff),
+        (b"caff", LooksLike::Caf),
     ];
     if let Some((_, what)) = KNOWN.iter().find(|(magic, _)| head.starts_with(magic)) {
-        return what;
+        return *what;
     }
     if head.iter().all(|&byte| byte == 0) {
-        return "nothing but zeros";
+        return LooksLike::Zeros;
     }
     if is_text(head) {
-        "text"
+        LooksLike::Text
     } else {
-        "data of an unknown kind"
+        LooksLike::Unknown
     }
 }
 

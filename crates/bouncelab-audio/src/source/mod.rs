@@ -22,6 +22,7 @@ use self::container::Content;
 use self::presentation::Presentation;
 use self::track::{Step, Track};
 use crate::error::{Error, Result};
+use crate::problem::{Lack, LayoutProblem};
 use crate::warning::Warning;
 
 /// The lowest sample rate that is read, in hertz. Below it there is nothing left of a click, and
@@ -179,10 +180,9 @@ impl Source {
                 });
             }
             Content::Nothing => {
-                let what = "the file has no content";
                 return Err(Error::Empty {
                     name: name.to_owned(),
-                    what,
+                    what: Lack::Content,
                 });
             }
         };
@@ -431,17 +431,20 @@ fn check_layout(layout: Layout, name: &str) -> Result<()> {
         channels,
     } = layout;
     let problem = if sample_rate_hz < MIN_SAMPLE_RATE_HZ {
-        format!(
-            "{sample_rate_hz} samples a second are too few to time an impact \
-             (at least {MIN_SAMPLE_RATE_HZ} are needed); record again at 44100 if you can"
-        )
+        LayoutProblem::TooSlow {
+            sample_rate_hz,
+            least_hz: MIN_SAMPLE_RATE_HZ,
+        }
     } else if sample_rate_hz > MAX_SAMPLE_RATE_HZ {
-        format!(
-            "the header claims {sample_rate_hz} samples a second \
-             (at most {MAX_SAMPLE_RATE_HZ} are read); export it again"
-        )
+        LayoutProblem::TooFast {
+            sample_rate_hz,
+            most_hz: MAX_SAMPLE_RATE_HZ,
+        }
     } else if channels > MAX_CHANNELS {
-        format!("{channels} channels (at most {MAX_CHANNELS} are read)")
+        LayoutProblem::TooManyChannels {
+            channels,
+            most: MAX_CHANNELS,
+        }
     } else {
         return Ok(());
     };

@@ -17,7 +17,8 @@ use super::contain::{contain, is_panic};
 use super::container::Container;
 use super::edits::{self, Edit};
 use super::presentation::Presentation;
-use crate::error::{Error, Result, Stage};
+use crate::error::{Error, Result};
+use crate::problem::{Lack, Stage};
 
 /// Packets that follow each other further apart than this have lost sound between them. Browsers
 /// write whole milliseconds, and packets last 20 ms.
@@ -173,7 +174,7 @@ impl Track {
             Some(detail) => malformed(self.container, name, Stage::Sound, detail),
             None => Error::Empty {
                 name: name.to_owned(),
-                what: "there is a header but no sound",
+                what: Lack::Sound,
             },
         }
     }

@@ -9,7 +9,9 @@ use bouncelab::train::FEWEST_IMPACTS;
 use bouncelab_audio::{Input, Source};
 use bouncelab_report::document::{Document, Origin};
 use indicatif::{ProgressBar, ProgressStyle};
+use rayon::prelude::*;
 
+use crate::doubt;
 use crate::failure::Failure;
 use crate::physics::Physics;
 
@@ -74,16 +76,19 @@ pub(crate) fn hear(file: &Path, heeded: &Heeded, settings: &Settings) -> Result<
 /// A list of times is one drop: whoever made it has chosen.
 fn hear_times(name: String, times_s: &[f64], heeded: &Heeded, settings: &Settings) -> Hearing {
     let mut drops = vec![analysis::impacts_of_times(times_s)];
-    let warnings = edit(&mut drops, heeded);
+    let mut warnings = edit(&mut drops, heeded);
     let no_drop = (drops.concat().len() < 2).then(|| analysis::TOO_FEW_TIMES.to_owned());
     if no_drop.is_some() {
         drops.clear();
     }
+    let probabilities = vec![1.0; drops.len()];
+    let drops = analyze(drops, settings);
+    warnings.extend(doubts(&drops, settings));
     Hearing {
         name,
         origin: Origin::Times,
-        probabilities: vec![1.0; drops.len()],
-        drops: analyze(drops, settings),
+        probabilities,
+        drops,
         no_drop,
         warnings,
         envelope: None,
@@ -150,6 +155,8 @@ impl Recording {
             .no_drop()
             .filter(|_| drops.is_empty())
             .map(|reason| reason.to_string());
+        let drops = analyze(drops, settings);
+        warnings.extend(doubts(&drops, settings));
         Hearing {
             name: self.name.clone(),
             origin: Origin::Sound {
@@ -161,7 +168,7 @@ impl Recording {
                 onsets: heard.onsets,
             },
             probabilities,
-            drops: analyze(drops, settings),
+            drops,
             no_drop,
             warnings,
             envelope: Some(heard.envelope),
@@ -169,11 +176,21 @@ impl Recording {
     }
 }
 
+/// Analyses drops, side by side unless somebody hears recordings side by side already.
 fn analyze(drops: Vec<Vec<Impact>>, settings: &Settings) -> Vec<Analysis> {
+    let one = |impacts| analysis::analyze(impacts, settings);
+    if rayon::current_thread_index().is_some() {
+        return drops.into_iter().map(one).collect();
+    }
+    drops.into_par_iter().map(one).collect()
+}
+
+/// What was stated that does not go with what was heard, once for each.
+fn doubts(drops: &[Analysis], settings: &Settings) -> Option<String> {
+    let stated_m = settings.knowledge.drop_height_m?.value;
     drops
-        .into_iter()
-        .map(|impacts| analysis::analyze(impacts, settings))
-        .collect()
+        .iter()
+        .find_map(|drop| doubt::of_height(stated_m, drop))
 }
 
 /// Listens to the whole recording; returns also what was wrong with the file.

@@ -8,7 +8,6 @@ mod text;
 
 pub(crate) use figures::save_figures;
 pub(crate) use hear::{Hearing, Heeded, Recording, hear};
-pub(crate) use report::{Draft, provenance};
 pub(crate) use text::{report, shown};
 
 use std::io::{self, Write};
@@ -21,6 +20,7 @@ use clap::{Args, ValueEnum};
 use crate::failure::Failure;
 use crate::knowledge::KnowledgeArguments;
 use crate::physics::{Physics, PhysicsArguments};
+use crate::report::Draft;
 use crate::units;
 
 /// Find the drops in recordings, or in lists of impact times
@@ -99,7 +99,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
     };
     let mut draft = match (&arguments.report, arguments.files.as_slice()) {
         (None, _) => None,
-        (Some(path), [_]) => Some(report::Draft::new(path)?),
+        (Some(path), [_]) => Some(Draft::new(path)?),
         (Some(_), _) => return Err(Failure::Usage(report::OF_ONE.to_owned())),
     };
     let mut printer = Printer::new(arguments)?;
@@ -116,7 +116,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
                     save_figures(&hearing, &physics, folder)?;
                 }
                 if let Some(draft) = draft.take() {
-                    draft.finish(file, &hearing, &physics)?;
+                    draft.write(&report::page(file, &hearing, &physics)?)?;
                 }
                 printer.print(&hearing, &physics)?;
             }
@@ -144,7 +144,7 @@ pub(crate) fn physics(
     knowledge: &KnowledgeArguments,
     flights: Option<(usize, usize)>,
 ) -> Result<Physics, Failure> {
-    let mut physics = physics.physics()?;
+    let mut physics = physics.questioned(knowledge.doubts())?;
     physics.settings.flights = flights.map(|(first, last)| RangeInclusive::new(first, last));
     let of_inputs = std::mem::take(&mut physics.settings.knowledge);
     physics.settings.knowledge = knowledge.knowledge(of_inputs)?;

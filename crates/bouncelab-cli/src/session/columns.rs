@@ -1,9 +1,13 @@
 //! The tables of a session: what their columns are, and what stands in them.
 
+use std::collections::BTreeSet;
+
+use bouncelab_session::journal::Key;
 use bouncelab_session::table::{Cell, Column, Kind, Schema};
 
+use super::gather::{Drop, left_out};
 use super::notes::Understood;
-use super::outcome::{Drop, Outcome};
+use super::outcome::Outcome;
 use super::record::{DropRecord, ImpactRecord, Value};
 
 /// Name, kind, unit and meaning of a column.
@@ -225,12 +229,11 @@ pub(super) struct Tables {
 
 impl Tables {
     pub(super) fn new(recordings: &[Understood]) -> Self {
-        let mut fields: Vec<String> = recordings
+        let fields: BTreeSet<&String> = recordings
             .iter()
-            .flat_map(|understood| understood.factors.keys().cloned())
+            .flat_map(|understood| understood.set_up.factors.keys())
             .collect();
-        fields.sort();
-        fields.dedup();
+        let fields: Vec<String> = fields.into_iter().cloned().collect();
         let fixed = |rows: &[Row]| -> Vec<Column> {
             rows.iter()
                 .map(|&(name, kind, unit, about)| Column {
@@ -286,7 +289,7 @@ impl Tables {
         ];
         let noted = self.fields.iter();
         cells.extend(
-            noted.map(|field| Cell::text(understood.factors.get(field).map(String::as_str))),
+            noted.map(|field| Cell::text(understood.set_up.factors.get(field).map(String::as_str))),
         );
         cells
     }
@@ -294,24 +297,24 @@ impl Tables {
     /// The row of a drop.
     pub(super) fn drop(
         &self,
-        outcome: &Outcome,
+        outcome: &Outcome<'_>,
         place: usize,
         understood: &Understood,
-        [content, settings]: [&str; 2],
+        key: &Key,
         (record, warnings): (&DropRecord, &[String]),
     ) -> Vec<Cell> {
         let drop = &outcome.drops[place];
-        let physics = &understood.physics.settings;
+        let physics = &understood.set_up.physics.settings;
         let mut cells = self.head(drop, understood);
         cells.extend([
-            Cell::number(understood.height_m),
-            Cell::number(understood.temperature_k),
+            Cell::number(understood.set_up.height_m),
+            Cell::number(understood.set_up.temperature_k),
             Cell::Number(physics.ball.mass_kg()),
             Cell::Number(physics.ball.diameter_m()),
             Cell::Number(physics.environment.air.density_kg_m3()),
             Cell::Number(physics.environment.gravity_m_s2),
-            Cell::Text(content.to_owned()),
-            Cell::Text(settings.to_owned()),
+            Cell::Text(key.content.to_string()),
+            Cell::Text(key.settings.to_string()),
         ]);
         cells.extend([
             Cell::number(record.impacts.first().map(|impact| impact.time_s)),
@@ -322,7 +325,7 @@ impl Tables {
         cells.push(Cell::number(found.map(|found| found.at_speed_m_s)));
         cells.extend(value(found.map(|found| found.restitution)));
         let common = outcome.study.as_ref().ok().map(|study| study.at_speed_m_s);
-        let at_common = common.and_then(|speed| drop.law_at(speed));
+        let at_common = common.and_then(|speed| found?.law().at(speed));
         cells.extend([
             Cell::number(common),
             Cell::number(at_common.map(|point| point.value)),
@@ -342,7 +345,7 @@ impl Tables {
         cells.extend(value(line.map(|line| line.restitution)));
         cells.extend(value(line.map(|line| line.drop_height_m)));
         cells.push(Cell::number(score(outcome, place)));
-        cells.push(Cell::text(drop.left_out.as_deref()));
+        cells.push(Cell::text(left_out(record, drop.by_hand).as_deref()));
         cells.push(Cell::text(record.no_estimate.as_deref()));
         cells.push(sentences(&record.remarks));
         cells.push(sentences(warnings));
@@ -390,7 +393,7 @@ fn value(value: Option<Value>) -> [Cell; 2] {
 }
 
 /// The outlier score of a drop, by its place among all drops.
-fn score(outcome: &Outcome, place: usize) -> Option<f64> {
+fn score(outcome: &Outcome<'_>, place: usize) -> Option<f64> {
     let studied = outcome.studied.binary_search(&place).ok()?;
     let study = outcome.study.as_ref().ok()?;
     let outlier = study

@@ -3,19 +3,21 @@
 use std::path::Path;
 
 use bouncelab::estimate::Summary;
-use bouncelab::groups::{Study, run_limit};
+use bouncelab::groups::{Group, Study, run_limit};
 use bouncelab_report::Figure;
 use bouncelab_report::figure::{self, GroupInterval, GroupLaw, GroupPoint, RunPoint};
 
 use super::outcome::Outcome;
+use super::results::Results;
 use crate::failure::Failure;
 
-/// Impacts of one group in a figure.
-const IMPACTS: usize = 600;
-
 /// Draws them into a folder.
-pub(super) fn save(outcome: &Outcome, folder: &Path) -> Result<(), Failure> {
-    for (name, figure) in figures(outcome) {
+pub(super) fn save(
+    outcome: &Outcome<'_>,
+    results: &Results<'_>,
+    folder: &Path,
+) -> Result<(), Failure> {
+    for (name, figure) in figures(outcome, results)? {
         let saved = bouncelab_report::save(&figure, folder, name)?;
         eprintln!("wrote {}", saved.svg.display());
     }
@@ -23,47 +25,66 @@ pub(super) fn save(outcome: &Outcome, folder: &Path) -> Result<(), Failure> {
 }
 
 /// Name and drawing of each.
-pub(super) fn figures(outcome: &Outcome) -> Vec<(&'static str, Figure)> {
+pub(super) fn figures(
+    outcome: &Outcome<'_>,
+    results: &Results<'_>,
+) -> Result<Vec<(&'static str, Figure)>, Failure> {
     let Ok(study) = &outcome.study else {
-        return Vec::new();
+        return Ok(Vec::new());
     };
-    vec![
-        ("groups", laws(outcome, study)),
+    Ok(vec![
+        ("groups", laws(outcome, study, results)?),
         ("intervals", intervals(outcome, study)),
         ("run", run(outcome, study)),
-    ]
+    ])
 }
 
-fn laws(outcome: &Outcome, study: &Study) -> Figure {
-    let groups: Vec<GroupLaw> = study
-        .groups
-        .iter()
-        .map(|group| {
-            let drops = group.drops.iter().map(|&drop| outcome.studied[drop]);
-            let all: Vec<(f64, f64)> = drops
-                .flat_map(|place| outcome.drops[place].impacts.iter().copied())
-                .collect();
-            let law = group.law.iter().map(|(speed_m_s, mean)| GroupPoint {
-                speed_m_s: *speed_m_s,
-                value: mean.value,
-                interval95: mean.interval95,
-            });
-            GroupLaw {
-                name: outcome.group_name(&group.levels),
-                impacts: all
-                    .iter()
-                    .copied()
-                    .step_by(all.len() / IMPACTS + 1)
-                    .collect(),
-                law: law.collect(),
-            }
+fn laws(outcome: &Outcome<'_>, study: &Study, results: &Results<'_>) -> Result<Figure, Failure> {
+    let group = |group: &Group| -> Result<GroupLaw, Failure> {
+        let law = group.law.iter().map(|(speed_m_s, mean)| GroupPoint {
+            speed_m_s: *speed_m_s,
+            value: mean.value,
+            interval95: mean.interval95,
+        });
+        Ok(GroupLaw {
+            name: outcome.group_name(&group.levels),
+            impacts: impacts(outcome, group, results)?,
+            law: law.collect(),
         })
-        .collect();
-    figure::groups(&groups)
+    };
+    let groups: Vec<GroupLaw> = study.groups.iter().map(group).collect::<Result<_, _>>()?;
+    Ok(figure::groups(&groups))
 }
 
-fn intervals(outcome: &Outcome, study: &Study) -> Figure {
-    let value = |drop: usize| outcome.drops[outcome.studied[drop]].at(study.at_speed_m_s);
+/// Impact speed and restitution of some impacts of a group, as many of each drop.
+fn impacts(
+    outcome: &Outcome<'_>,
+    group: &Group,
+    results: &Results<'_>,
+) -> Result<Vec<(f64, f64)>, Failure> {
+    /// Of a group.
+    const SHOWN: usize = 600;
+    let of_each = SHOWN.div_ceil(group.drops.len());
+    // Of very many drops some are enough.
+    let every = group.drops.len().div_ceil(SHOWN);
+    let mut shown = Vec::new();
+    for &studied in group.drops.iter().step_by(every) {
+        let drop = &outcome.drops[outcome.studied[studied]];
+        let (_, record) = results.read(drop.recording)?;
+        let known: Vec<(f64, f64)> = record.drops[drop.number - 1]
+            .impacts
+            .iter()
+            .filter(|impact| impact.weight.unwrap_or(1.0) > 0.0)
+            .filter_map(|impact| Some((impact.impact_speed_m_s?, impact.restitution?)))
+            .collect();
+        let step = known.len().div_ceil(of_each).max(1);
+        shown.extend(known.into_iter().step_by(step));
+    }
+    Ok(shown)
+}
+
+fn intervals(outcome: &Outcome<'_>, study: &Study) -> Figure {
+    let value = |drop: usize| outcome.at(drop, study.at_speed_m_s);
     let groups: Vec<GroupInterval> = study
         .groups
         .iter()
@@ -83,9 +104,9 @@ fn intervals(outcome: &Outcome, study: &Study) -> Figure {
     figure::intervals("Restitution of each group", &groups, &quantity)
 }
 
-fn run(outcome: &Outcome, study: &Study) -> Figure {
+fn run(outcome: &Outcome<'_>, study: &Study) -> Figure {
     let mut points: Vec<(usize, RunPoint)> = Vec::new();
-    let value = |drop: usize| outcome.drops[outcome.studied[drop]].at(study.at_speed_m_s);
+    let value = |drop: usize| outcome.at(drop, study.at_speed_m_s);
     for (place, group) in study.groups.iter().enumerate() {
         // A mean would follow an outlier.
         let middle = median(

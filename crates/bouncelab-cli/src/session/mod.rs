@@ -1,33 +1,35 @@
 //! `bouncelab session`: what many drops say together.
 
 mod columns;
-mod doubt;
 mod figures;
+mod gather;
 mod notes;
 mod outcome;
 mod record;
 mod report;
+mod results;
+mod tables;
 mod text;
 mod work;
 
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
+use bouncelab_files::{remove_drafts, write_whole};
 use bouncelab_session::journal::Journal;
-use bouncelab_session::table::{Form, TableWriter, remove_drafts, write_whole};
+use bouncelab_session::table::{Form, TableWriter};
 use bouncelab_session::{Session, Sources};
 use clap::{Args, ValueEnum};
 
-use crate::analyze::Draft;
 use crate::failure::Failure;
 use crate::knowledge::KnowledgeArguments;
 use crate::physics::PhysicsArguments;
+use crate::report::Draft;
 use crate::units;
 use columns::Tables;
-use notes::{Reading, Understood};
+use notes::Reading;
 use outcome::{Outcome, Wish};
-use record::Record;
-use work::Done;
+use results::Results;
 
 /// Hear many recordings and say what their drops say together
 ///
@@ -37,7 +39,6 @@ use work::Done;
 /// usage or notes that are not clear.
 #[derive(Args)]
 #[command(after_help = EXAMPLES)]
-#[expect(clippy::struct_excessive_bools, reason = "each is a flag of its own")]
 pub(crate) struct Arguments {
     /// Recordings, folders, or a session.toml
     #[arg(required = true, value_name = "DIR|FILE|session.toml")]
@@ -52,9 +53,6 @@ pub(crate) struct Arguments {
     /// CSV with a column `file` and one for each thing noted
     #[arg(long, value_name = "FILE", help_heading = "Notes")]
     table: Option<PathBuf>,
-    /// Believe notes that look like a mistake of units
-    #[arg(long, help_heading = "Notes")]
-    as_noted: bool,
     /// Go on where some recordings lack what is noted of others
     #[arg(long, help_heading = "Notes")]
     allow_missing: bool,
@@ -160,7 +158,8 @@ impl From<TableForm> for Form {
 }
 
 pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
-    let session = Session::gather(&Sources {
+    arguments.physics.questioned(arguments.knowledge.doubts())?;
+    let mut session = Session::gather(&Sources {
         inputs: arguments.inputs.clone(),
         pattern: arguments.pattern.clone(),
         table: arguments.table.clone(),
@@ -168,13 +167,15 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let reading = Reading {
         physics: &arguments.physics,
         knowledge: &arguments.knowledge,
-        as_noted: arguments.as_noted,
         allow_missing: arguments.allow_missing,
     };
-    let recordings = reading.understand(&session)?;
+    let title = session.title.take();
+    let remarks = std::mem::take(&mut session.remarks);
+    let recordings = reading.understand(session)?;
     let draft = arguments.report.as_deref().map(Draft::new).transpose()?;
     let journal = Journal::open(&arguments.output)?;
-    remove_drafts(&arguments.output)?;
+    let folder = &arguments.output;
+    remove_drafts(folder).map_err(|reason| Failure::unwritable(folder, &reason))?;
     if journal.damaged() > 0 {
         eprintln!(
             "bouncelab: {} results in the journal were cut off or damaged, and are made again",
@@ -189,18 +190,23 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
             recordings.len()
         );
     }
-    let mut outcome = Outcome::of(&recordings, &done, &journal, &arguments.wish())?;
-    outcome.title.clone_from(&session.title);
-    outcome.remarks.clone_from(&session.remarks);
-    let document = outcome.document();
-    let written = write_tables(&recordings, &done, &journal, &outcome, arguments)?;
-    let json = serde_json::to_string_pretty(&document).map_err(io::Error::from)? + "\n";
-    write_whole(&arguments.output.join("session.json"), json.as_bytes())?;
+    let results = Results {
+        recordings: &recordings,
+        done: &done,
+        journal: &journal,
+    };
+    let mut outcome = Outcome::of(&results, &arguments.wish())?;
+    outcome.about.title = title;
+    outcome.about.remarks.extend(remarks);
+    let written = write_tables(&results, &outcome, arguments)?;
+    let json = serde_json::to_string_pretty(&outcome.document()).map_err(io::Error::from)? + "\n";
+    let place = folder.join("session.json");
+    write_whole(&place, json.as_bytes()).map_err(|reason| Failure::unwritable(&place, &reason))?;
     if arguments.figures {
-        figures::save(&outcome, &arguments.output)?;
+        figures::save(&outcome, &results, folder)?;
     }
     if let Some(draft) = draft {
-        draft.write(&report::page(&outcome, &done))?;
+        draft.write(&report::page(&outcome, &results)?)?;
     }
     let mut out = io::stdout().lock();
     match arguments.format {
@@ -237,30 +243,22 @@ impl Arguments {
 
 /// Writes the tables of drops and impacts, one recording after the other.
 fn write_tables(
-    recordings: &[Understood],
-    done: &Done,
-    journal: &Journal,
-    outcome: &Outcome,
+    results: &Results<'_>,
+    outcome: &Outcome<'_>,
     arguments: &Arguments,
 ) -> Result<Vec<PathBuf>, Failure> {
     let forms: Vec<Form> = arguments.tables.iter().map(|&form| form.into()).collect();
     let folder: &Path = &arguments.output;
-    let tables = Tables::new(recordings);
+    let tables = Tables::new(results.recordings);
     let mut drops = TableWriter::new(folder, &tables.drops, &forms)?;
     let mut impacts = TableWriter::new(folder, &tables.impacts, &forms)?;
     let mut next = 0;
     while let Some(first) = outcome.drops.get(next) {
-        let place = first.recording;
-        let understood = &recordings[place];
-        let key = done.keys[place]
-            .as_ref()
-            .map_err(|reason| Failure::Input(reason.clone()))?;
-        let record: Option<Record> = journal.read(&understood.recording.name, key)?;
-        let record = record.unwrap_or_default();
-        let hashes = [key.content.as_str(), key.settings.as_str()];
+        let understood = &results.recordings[first.recording];
+        let (key, record) = results.read(first.recording)?;
         for of_drop in &record.drops {
             let told = (of_drop, record.warnings.as_slice());
-            drops.row(&tables.drop(outcome, next, understood, hashes, told))?;
+            drops.row(&tables.drop(outcome, next, understood, &key, told))?;
             for impact in &of_drop.impacts {
                 impacts.row(&tables.impact(&outcome.drops[next], understood, impact))?;
             }

@@ -1,11 +1,12 @@
 //! What the notes of a recording mean, and what is wrong with them.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::{BTreeMap, BTreeSet, HashMap};
+use std::sync::Arc;
 
 use bouncelab::ball;
 use bouncelab_session::{Note, Notes, Recording, Session};
 
-use super::doubt;
+use crate::doubt;
 use crate::failure::Failure;
 use crate::knowledge::KnowledgeArguments;
 use crate::physics::{Noted, Physics, PhysicsArguments};
@@ -22,12 +23,28 @@ const CONDITIONS: [&str; 6] = [
     "humidity",
 ];
 
+/// Other fields with a meaning of their own.
+const KNOWN: [&str; 5] = ["ball", "surface", "operator", "height", "temperature"];
+
 /// Fields that a ball in a session file may have.
 const OF_A_BALL: [&str; 4] = ["kind", "mass", "diameter", "contact_time"];
 
 /// A recording whose notes are understood.
 pub(super) struct Understood {
     pub(super) recording: Recording,
+    pub(super) set_up: Arc<SetUp>,
+}
+
+impl Understood {
+    /// Whether there is to be an inference.
+    pub(super) fn asks(&self) -> bool {
+        self.set_up.physics.settings.question.is_some()
+    }
+}
+
+/// What the notes of a recording say; recordings of which the same was noted share it.
+#[derive(Debug)]
+pub(super) struct SetUp {
     pub(super) physics: Physics,
     /// What it is compared by: "surface", "steel".
     pub(super) factors: BTreeMap<String, String>,
@@ -37,6 +54,18 @@ pub(super) struct Understood {
     pub(super) temperature_k: Option<f64>,
 }
 
+/// The set-ups of a session, by all that they say.
+#[derive(Default)]
+struct SetUps(HashMap<String, Arc<SetUp>>);
+
+impl SetUps {
+    fn shared(&mut self, set_up: SetUp) -> Arc<SetUp> {
+        let all_it_says = format!("{set_up:?}");
+        let known = self.0.entry(all_it_says);
+        Arc::clone(known.or_insert_with(|| Arc::new(set_up)))
+    }
+}
+
 /// Reads a quantity with its unit.
 type Reader = fn(&str) -> Result<f64, String>;
 
@@ -44,47 +73,49 @@ type Reader = fn(&str) -> Result<f64, String>;
 pub(super) struct Reading<'a> {
     pub(super) physics: &'a PhysicsArguments,
     pub(super) knowledge: &'a KnowledgeArguments,
-    /// Whether what looks like a mistake of units is believed.
-    pub(super) as_noted: bool,
     /// Whether recordings may lack what others say.
     pub(super) allow_missing: bool,
 }
 
 impl Reading<'_> {
     /// Understands every recording, or says all that stands against it.
-    pub(super) fn understand(&self, session: &Session) -> Result<Vec<Understood>, Failure> {
+    pub(super) fn understand(&self, session: Session) -> Result<Vec<Understood>, Failure> {
         let mut problems = Problems::default();
-        let understood: Vec<Option<Understood>> = session
-            .recordings
-            .iter()
-            .map(|recording| self.one(recording, &session.balls, &mut problems))
+        let mut known = SetUps::default();
+        let set_ups: Vec<Option<Arc<SetUp>>> = (0..session.recordings.len())
+            .map(|place| {
+                let set_up = self.one(&session, place, &mut problems)?;
+                Some(known.shared(set_up))
+            })
             .collect();
         if !self.allow_missing {
-            problems.missing(&session.recordings);
+            problems.missing(&session);
         }
-        match problems.message() {
-            Some(message) => Err(Failure::Usage(message)),
-            None => Ok(understood.into_iter().flatten().collect()),
+        if let Some(message) = problems.message() {
+            return Err(Failure::Usage(message));
         }
+        let understood = session.recordings.into_iter().zip(set_ups);
+        Ok(understood
+            .filter_map(|(recording, set_up)| {
+                let set_up = set_up?;
+                Some(Understood { recording, set_up })
+            })
+            .collect())
     }
 
-    fn one(
-        &self,
-        recording: &Recording,
-        balls: &BTreeMap<String, Notes>,
-        problems: &mut Problems,
-    ) -> Option<Understood> {
+    fn one(&self, session: &Session, place: usize, problems: &mut Problems) -> Option<SetUp> {
         let mut one = One {
-            name: &recording.name,
-            as_noted: self.as_noted,
+            name: &session.recordings[place].name,
+            as_stated: self.physics.as_stated(),
             said: BTreeMap::new(),
             problems,
         };
-        one.agree(&recording.notes);
+        one.agree(&session.notes(place));
+        one.doubt_fields();
         let height_m = one.quantity("height", units::length);
         let height_sd_m = one.quantity("height_sd", units::length);
         let temperature_k = one.quantity("temperature", units::temperature);
-        let mut noted = one.ball(balls, self.physics.names_ball());
+        let mut noted = one.ball(&session.balls, self.physics.names_ball());
         noted.mass = one.quantity("mass", units::mass).or(noted.mass);
         noted.diameter = one.quantity("diameter", units::length).or(noted.diameter);
         let contact_time = one.quantity("contact_time", units::time);
@@ -117,8 +148,7 @@ impl Reading<'_> {
         match physics {
             Ok(physics) => {
                 one.doubt_ball(&physics);
-                Some(Understood {
-                    recording: recording.clone(),
+                Some(SetUp {
                     physics,
                     factors,
                     height_m,
@@ -155,7 +185,7 @@ fn rounded(value: f64) -> f64 {
 /// One recording while its notes are read.
 struct One<'a> {
     name: &'a str,
-    as_noted: bool,
+    as_stated: bool,
     /// The statement that counts, by field.
     said: BTreeMap<String, Note>,
     problems: &'a mut Problems,
@@ -186,6 +216,29 @@ impl One<'_> {
         }
     }
 
+    /// Any field may be noted, but one that looks like a slip would be lost.
+    fn doubt_fields(&mut self) {
+        if self.as_stated {
+            return;
+        }
+        let known = || CONDITIONS.into_iter().chain(KNOWN);
+        let odd = self
+            .said
+            .keys()
+            .filter(|field| !known().any(|known| known == *field));
+        let doubts: Vec<String> = odd
+            .filter_map(|field| {
+                let meant = near(field, known())?;
+                Some(format!(
+                    "a {field}? Did you mean {meant}? Correct it, or insist by --as-stated"
+                ))
+            })
+            .collect();
+        for doubt in doubts {
+            self.problem(doubt);
+        }
+    }
+
     /// The value of a field, if it was noted, makes sense and looks right.
     fn quantity(&mut self, field: &'static str, read: Reader) -> Option<f64> {
         let note = self.said.get(field)?.clone();
@@ -195,7 +248,7 @@ impl One<'_> {
     fn value(&mut self, field: &'static str, note: &Note, read: Reader) -> Option<f64> {
         match read(&note.text) {
             Ok(value) => {
-                if let Some(doubt) = doubt::of_quantity(field, value).filter(|_| !self.as_noted) {
+                if let Some(doubt) = doubt::of_quantity(field, value).filter(|_| !self.as_stated) {
                     self.problem(format!("{doubt} (\"{}\" by {})", note.text, note.said_by));
                 }
                 Some(value)
@@ -254,10 +307,18 @@ impl One<'_> {
 
     fn doubt_ball(&mut self, physics: &Physics) {
         let ball = &physics.settings.ball;
-        if let Some(doubt) = doubt::of_ball(ball).filter(|_| !self.as_noted) {
-            self.problem(doubt);
+        if let Some(doubt) = doubt::of_ball(ball).filter(|_| !self.as_stated) {
+            self.problem(doubt.to_string());
         }
     }
+}
+
+/// The name that was meant, if one letter or two are wrong.
+fn near<'a>(written: &str, known: impl Iterator<Item = &'a str>) -> Option<&'a str> {
+    let slips = |name: &str| strsim::damerau_levenshtein(written, name);
+    let nearest = known.min_by_key(|name| slips(name))?;
+    let few = if nearest.len() > 5 { 2 } else { 1 };
+    (slips(nearest) <= few).then_some(nearest)
 }
 
 /// Whether two statements mean the same.
@@ -296,30 +357,33 @@ impl Problems {
     }
 
     /// Fields that some recordings have and others lack.
-    fn missing(&mut self, recordings: &[Recording]) {
-        let fields: BTreeSet<&String> = recordings
-            .iter()
-            .flat_map(|recording| recording.notes.keys())
+    fn missing(&mut self, session: &Session) {
+        let places = 0..session.recordings.len();
+        let fields: BTreeSet<String> = places
+            .clone()
+            .flat_map(|place| session.notes(place).into_keys())
             .collect();
-        for field in fields {
-            let lacks = |recording: &&Recording| {
-                let notes = recording.notes.get(field);
-                notes.is_none_or(|notes| notes.iter().all(|note| note.text.is_empty()))
+        let mut lacking: BTreeMap<&str, Vec<String>> = BTreeMap::new();
+        for place in places {
+            let notes = session.notes(place);
+            let says = |field: &String| {
+                let notes = notes.get(field);
+                notes.is_some_and(|notes| notes.iter().any(|note| !note.text.is_empty()))
             };
-            let lacking: Vec<String> = recordings
-                .iter()
-                .filter(lacks)
-                .map(|recording| recording.name.clone())
-                .collect();
-            if let Some(first) = lacking.first() {
-                let text = format!(
-                    "no {field} is noted, though others have one. Say it by {field} = \"...\" under \
-                     [recordings.\"{first}\"] or [all] in session.toml, by a column {field} of a CSV \
-                     (--table), or by {{{field}}} in the pattern of the names (--pattern); or go on \
-                     without by --allow-missing"
-                );
-                self.recordings.insert(text, lacking);
+            for field in fields.iter().filter(|field| !says(field)) {
+                let names = lacking.entry(field).or_default();
+                names.push(session.recordings[place].name.clone());
             }
+        }
+        for (field, names) in lacking {
+            let first = &names[0];
+            let text = format!(
+                "no {field} is noted, though others have one. Say it by {field} = \"...\" under \
+                 [recordings.\"{first}\"] or [all] in session.toml, by a column {field} of a CSV \
+                 (--table), or by {{{field}}} in the pattern of the names (--pattern); or go on \
+                 without by --allow-missing"
+            );
+            self.recordings.insert(text, names);
         }
     }
 
@@ -327,8 +391,10 @@ impl Problems {
         let mut lines: Vec<String> = self.general.into_iter().collect();
         for ball in &self.unknown_balls {
             let kinds: Vec<&str> = ball::presets().iter().map(|preset| preset.name).collect();
+            let meant = near(ball, kinds.iter().copied());
+            let meant = meant.map_or_else(String::new, |kind| format!(" Did you mean {kind}?"));
             lines.push(format!(
-                "what ball is \"{ball}\"? Write [balls.{ball}] with kind = \"...\" (or mass and \
+                "what ball is \"{ball}\"?{meant} Write [balls.{ball}] with kind = \"...\" (or mass and \
                  diameter) in session.toml, or give the kind of all balls by --ball. Kinds: {}, \
                  steel:10mm, glass:16mm",
                 kinds.join(", ")

@@ -3,12 +3,12 @@
 use std::collections::BTreeMap;
 
 use bouncelab::estimate::Measured;
-use bouncelab::groups::{Factor, Law, Study, StudyDrop};
-use bouncelab_session::journal::Journal;
+use bouncelab::groups::{Amounts, Factor, Study, StudyDrop};
+use bouncelab_report::document::{AboutSession, Reason, SessionDocument};
 
-use super::notes::Understood;
-use super::record::{DropRecord, Record};
-use super::work::{Done, duplicates};
+use super::gather::{Drop, Gathered, reason};
+use super::notes::{SetUp, Understood};
+use super::results::Results;
 use crate::failure::Failure;
 
 /// Factors in this order; all others follow in that of their names.
@@ -17,69 +17,25 @@ const FIRST: [&str; 5] = ["ball", "surface", "operator", "height", "temperature"
 /// Drops are compared by these, but not grouped: the more of them, the smaller the groups.
 const NOT_GROUPED: [&str; 3] = ["operator", "height", "temperature"];
 
-/// A recording and what became of it.
-pub(super) enum Fate {
-    /// It holds a drop or more.
-    Heard,
-    /// It holds no drop, for this reason.
-    Silent(String),
-    /// It could not be read, for this reason.
-    Failed(String),
-    /// It has the same content as another of this name.
-    Duplicate(String),
-}
-
-/// A drop of a session, as far as it is kept in memory.
-pub(super) struct Drop {
-    /// The place of its recording.
-    pub(super) recording: usize,
-    /// Its number there, 1 for the first.
-    pub(super) number: usize,
-    /// What it is called: the recording, and `#2` where that has several drops.
-    pub(super) name: String,
-    /// Why it is not in the study.
-    pub(super) left_out: Option<String>,
-    /// What is odd about it.
-    pub(super) remarks: Vec<String>,
-    /// Impact speed and restitution of some impacts, for a figure.
-    pub(super) impacts: Vec<(f64, f64)>,
-    law: Law,
-    scatter: Option<f64>,
-    /// Whether its estimate can be believed.
-    pub(super) doubtful: bool,
-}
-
-impl Drop {
-    /// Restitution at a speed with the uncertainty that is its own.
-    pub(super) fn at(&self, speed_m_s: f64) -> Option<Measured> {
-        let point = self.law.at(speed_m_s)?;
-        Some(Measured {
-            value: point.value,
-            sd: point.own_sd,
-        })
-    }
-
-    /// The law at a speed.
-    pub(super) fn law_at(&self, speed_m_s: f64) -> Option<bouncelab::groups::LawPoint> {
-        self.law.at(speed_m_s)
-    }
-}
-
 /// Everything that a session says.
-pub(super) struct Outcome {
-    pub(super) title: Option<String>,
-    pub(super) fates: Vec<Fate>,
-    pub(super) names: Vec<String>,
+///
+/// Of each drop it keeps what the statistics need; all else is read from the journal again where it
+/// is wanted.
+pub(super) struct Outcome<'a> {
+    pub(super) recordings: &'a [Understood],
+    pub(super) about: AboutSession,
+    /// Drops whose estimate can hardly be believed, by their place in `about.odd`.
+    pub(super) doubtful: Vec<usize>,
     pub(super) drops: Vec<Drop>,
     pub(super) factors: Vec<Factor>,
     /// The factors that make groups, by their place.
     pub(super) by: Vec<usize>,
     /// The drops in the study, by their place in `drops`.
     pub(super) studied: Vec<usize>,
+    /// What they add to it.
+    laws: Vec<StudyDrop>,
     /// What they say together, or why they say nothing.
     pub(super) study: Result<Study, String>,
-    pub(super) remarks: Vec<String>,
-    pub(super) assumptions: Vec<String>,
 }
 
 /// What to ask of the drops of a session.
@@ -90,111 +46,107 @@ pub(super) struct Wish {
     pub(super) exclude: Vec<String>,
 }
 
-impl Outcome {
+impl<'a> Outcome<'a> {
     /// Reads what the journal has of these recordings, and studies it.
-    pub(super) fn of(
-        recordings: &[Understood],
-        done: &Done,
-        journal: &Journal,
-        wish: &Wish,
-    ) -> Result<Self, Failure> {
-        let duplicates = duplicates(recordings, done);
-        let mut fates = Vec::new();
-        let mut drops = Vec::new();
-        for (place, understood) in recordings.iter().enumerate() {
-            let name = &understood.recording.name;
-            let fate = match (&done.keys[place], &duplicates[place]) {
-                (Err(reason), _) => Fate::Failed(reason.clone()),
-                (Ok(_), Some(first)) => Fate::Duplicate(first.clone()),
-                (Ok(key), None) => match journal.read::<Record>(name, key)? {
-                    Some(record) => take(place, name, record, &mut drops),
-                    None => Fate::Failed(format!("{name}: its result is lost; run again")),
-                },
-            };
-            fates.push(fate);
-        }
+    pub(super) fn of(results: &Results<'a>, wish: &Wish) -> Result<Self, Failure> {
+        let Gathered {
+            about,
+            doubtful,
+            drops,
+            studied,
+            laws,
+        } = Gathered::from(results, &wish.exclude)?;
+        let recordings = results.recordings;
         let mut outcome = Self {
-            title: None,
-            fates,
-            names: recordings
-                .iter()
-                .map(|r| r.recording.name.clone())
-                .collect(),
+            recordings,
+            about: AboutSession {
+                assumptions: assumptions(recordings),
+                ..about
+            },
+            doubtful,
             drops,
             factors: Vec::new(),
             by: Vec::new(),
-            studied: Vec::new(),
+            studied,
+            laws,
             study: Err("there are no drops".to_owned()),
-            remarks: Vec::new(),
-            assumptions: assumptions(recordings),
         };
-        outcome.exclude(&wish.exclude)?;
-        outcome.study(recordings, wish)?;
+        outcome.study(wish)?;
         Ok(outcome)
     }
 
-    /// Leaves drops out by hand.
-    fn exclude(&mut self, names: &[String]) -> Result<(), Failure> {
-        for name in names {
-            let mut found = false;
-            for drop in &mut self.drops {
-                let recording = &self.names[drop.recording];
-                if *name == drop.name
-                    || name == recording
-                    || *name == format!("{recording}#{}", drop.number)
-                {
-                    drop.left_out = Some("left out by hand".to_owned());
-                    found = true;
-                }
-            }
-            if !found {
-                return Err(Failure::Usage(format!(
-                    "--exclude {name}: there is no such drop; write the recording as in the tables, \
-                     with #2 for its second drop"
-                )));
-            }
-        }
-        Ok(())
-    }
-
-    fn study(&mut self, recordings: &[Understood], wish: &Wish) -> Result<(), Failure> {
-        self.studied = (0..self.drops.len())
-            .filter(|&place| self.drops[place].left_out.is_none())
-            .collect();
+    fn study(&mut self, wish: &Wish) -> Result<(), Failure> {
         let used: Vec<&Understood> = self
             .studied
             .iter()
-            .map(|&place| &recordings[self.drops[place].recording])
+            .map(|&place| &self.recordings[self.drops[place].recording])
             .collect();
         self.factors = factors(&used);
         self.by = by(&self.factors, &wish.by)?;
-        let drops: Vec<StudyDrop> = std::iter::zip(&self.studied, &used)
-            .map(|(&place, understood)| StudyDrop {
-                law: self.drops[place].law.clone(),
-                scatter: self.drops[place].scatter,
-                levels: levels(&self.factors, understood),
-            })
-            .collect();
+        for (drop, understood) in std::iter::zip(&mut self.laws, &used) {
+            drop.levels = levels(&self.factors, understood);
+        }
         let study = Study::of(
-            &drops,
+            &self.laws,
             &self.factors,
+            &amounts(&self.factors, &used),
             &self.by,
             wish.at_speed_m_s,
             wish.wanted,
         );
         self.study = study.map_err(|refusal| match wish.at_speed_m_s {
-            _ if drops.is_empty() => "no drop has an inference that could be compared".to_owned(),
+            _ if !self.recordings.iter().any(Understood::asks) => {
+                "drops are compared by the inference, which was left out (--no-inference)"
+                    .to_owned()
+            }
+            _ if self.laws.is_empty() => {
+                "no drop has an inference that could be compared".to_owned()
+            }
             Some(speed) => format!(
                 "no drop knows its restitution at {speed} m/s: its impacts are slower or faster"
             ),
             None => refusal.to_string(),
         });
+        self.about.no_study = self.study.as_ref().err().cloned();
+        self.about.left_out.extend(self.unknown_there());
         Ok(())
     }
 
+    /// The drops that are not compared because they do not know the speed at which the others are.
+    fn unknown_there(&self) -> Vec<Reason> {
+        let Ok(study) = &self.study else {
+            return Vec::new();
+        };
+        let why = format!(
+            "it does not know its restitution at {:.2} m/s",
+            study.at_speed_m_s
+        );
+        let left_out = study.left_out.iter();
+        left_out
+            .map(|&drop| reason(&self.name_of(drop), &why))
+            .collect()
+    }
+
+    /// Restitution of a drop of the study at a speed, with the uncertainty that is its own.
+    pub(super) fn at(&self, studied: usize, speed_m_s: f64) -> Option<Measured> {
+        let point = self.laws[studied].law.at(speed_m_s)?;
+        Some(Measured {
+            value: point.value,
+            sd: point.own_sd,
+        })
+    }
+
     /// The name of a drop of the study, by its place there.
-    pub(super) fn name_of(&self, studied: usize) -> &str {
-        &self.drops[self.studied[studied]].name
+    pub(super) fn name_of(&self, studied: usize) -> String {
+        let drop = &self.drops[self.studied[studied]];
+        drop.name(&self.recordings[drop.recording].recording.name)
+    }
+
+    /// The result for other programs.
+    pub(super) fn document(&self) -> SessionDocument {
+        let name = |studied| self.name_of(studied);
+        let study = self.study.as_ref().ok();
+        SessionDocument::new(self.about.clone(), study, &self.factors, &self.by, name)
     }
 
     /// What a group is called: its levels.
@@ -210,58 +162,13 @@ impl Outcome {
     }
 }
 
-/// Takes the drops of a record, and says what became of the recording.
-fn take(place: usize, name: &str, record: Record, drops: &mut Vec<Drop>) -> Fate {
-    if let Some(reason) = record.failure {
-        return Fate::Failed(reason);
-    }
-    let count = record.drops.len();
-    for (number, drop) in (1..).zip(record.drops) {
-        let name = match count {
-            1 => name.to_owned(),
-            _ => format!("{name}#{number}"),
-        };
-        drops.push(kept(place, number, name, drop));
-    }
-    match count {
-        0 => Fate::Silent(record.no_drop.unwrap_or_default()),
-        _ => Fate::Heard,
-    }
-}
-
-fn kept(recording: usize, number: usize, name: String, drop: DropRecord) -> Drop {
-    /// Points of one drop in a figure.
-    const SHOWN: usize = 40;
-    let estimate = drop.estimate.as_ref();
-    let seen = drop.impacts.iter().filter_map(|impact| {
-        let weight = impact.weight.unwrap_or(1.0);
-        (weight > 0.0).then_some((impact.impact_speed_m_s?, impact.restitution?))
-    });
-    let law = estimate
-        .map(super::record::EstimateRecord::law)
-        .unwrap_or_default();
-    let left_out = match (&drop.no_estimate, law.0.is_empty()) {
-        (Some(reason), _) => Some(reason.clone()),
-        (None, true) => Some("its impacts span too small a range of speeds".to_owned()),
-        (None, false) => None,
-    };
-    Drop {
-        recording,
-        number,
-        name,
-        left_out,
-        impacts: seen.take(SHOWN).collect(),
-        law,
-        scatter: estimate.map(|estimate| estimate.scatter.value),
-        doubtful: estimate.is_some_and(|e| !e.converged || e.height_contradicts),
-        remarks: drop.remarks,
-    }
-}
-
 /// What was assumed of all recordings alike.
 fn assumptions(recordings: &[Understood]) -> Vec<String> {
     let mut counts: BTreeMap<&str, usize> = BTreeMap::new();
-    for assumption in recordings.iter().flat_map(|r| &r.physics.assumptions) {
+    for assumption in recordings
+        .iter()
+        .flat_map(|r| &r.set_up.physics.assumptions)
+    {
         *counts.entry(assumption).or_default() += 1;
     }
     let all = recordings.len();
@@ -277,7 +184,10 @@ fn assumptions(recordings: &[Understood]) -> Vec<String> {
 /// Everything by which drops can be compared, with its levels in order.
 fn factors(used: &[&Understood]) -> Vec<Factor> {
     let mut levels: BTreeMap<&str, Vec<&str>> = BTreeMap::new();
-    for (field, level) in used.iter().flat_map(|understood| &understood.factors) {
+    for (field, level) in used
+        .iter()
+        .flat_map(|understood| &understood.set_up.factors)
+    {
         levels.entry(field).or_default().push(level);
     }
     let mut factors: Vec<Factor> = levels
@@ -297,6 +207,31 @@ fn factors(used: &[&Understood]) -> Vec<Factor> {
     };
     factors.sort_by(|a, b| rank(a).cmp(&rank(b)).then_with(|| a.name.cmp(&b.name)));
     factors
+}
+
+/// The factors that are noted in numbers, in SI.
+fn amounts(factors: &[Factor], used: &[&Understood]) -> Vec<Amounts> {
+    type Amount = fn(&SetUp) -> Option<f64>;
+    let height: Amount = |set_up| set_up.height_m;
+    let temperature: Amount = |set_up| set_up.temperature_k;
+    let of_factor = |(name, amount): (&str, Amount)| {
+        let factor = factors.iter().position(|factor| factor.name == name)?;
+        let by_level: BTreeMap<&str, f64> = used
+            .iter()
+            .filter_map(|understood| {
+                let level = understood.set_up.factors.get(name)?;
+                Some((level.as_str(), amount(&understood.set_up)?))
+            })
+            .collect();
+        let levels = factors[factor].levels.iter();
+        let of_levels = levels.map(|level| by_level.get(level.as_str()).copied());
+        Some(Amounts {
+            factor,
+            of_levels: of_levels.collect::<Option<_>>()?,
+        })
+    };
+    let noted = [("height", height), ("temperature", temperature)];
+    noted.into_iter().filter_map(of_factor).collect()
 }
 
 /// By the number with which both begin, or as text.
@@ -345,7 +280,7 @@ fn levels(factors: &[Factor], understood: &Understood) -> Vec<Option<usize>> {
     factors
         .iter()
         .map(|factor| {
-            let level = understood.factors.get(&factor.name)?;
+            let level = understood.set_up.factors.get(&factor.name)?;
             factor.levels.iter().position(|known| known == level)
         })
         .collect()

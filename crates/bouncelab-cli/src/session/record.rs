@@ -1,7 +1,7 @@
 //! What the journal keeps of a recording.
 
 use bouncelab::analysis::Analysis;
-use bouncelab::estimate::{Inference, Remark, Summary};
+use bouncelab::estimate::{Inference, Measured, Remark, Summary};
 use bouncelab::groups::{Law, LawPoint};
 use bouncelab::regression::Estimate;
 use bouncelab_report::document::Origin;
@@ -90,6 +90,14 @@ pub(super) struct EstimateRecord {
 pub(super) struct Value {
     pub(super) value: f64,
     pub(super) sd: Option<f64>,
+}
+
+impl Value {
+    /// The value, if its uncertainty is known.
+    pub(super) fn measured(self) -> Option<Measured> {
+        let Self { value, sd } = self;
+        Some(Measured { value, sd: sd? })
+    }
 }
 
 impl From<Summary> for Value {

@@ -1,49 +1,52 @@
 //! The report of a session, as a page.
 
 use bouncelab::groups::Study;
+use bouncelab_report::Figure;
 use bouncelab_report::document::{AboutSession, Reason};
 use bouncelab_report::report::{Block, Page, Provenance, Section, repeat};
 
 use super::figures;
+use super::notes::some_of;
 use super::outcome::Outcome;
-use super::text;
-use super::work::Done;
-use crate::analyze::provenance;
+use super::results::Results;
+use super::{tables, text};
+use crate::failure::Failure;
+use crate::report::provenance;
 
 /// With more recordings than this a list of their hashes is no use on paper.
-const LISTED: usize = 300;
+const LISTED: usize = 60;
 
 /// The page of a session.
-pub(super) fn page(outcome: &Outcome, done: &Done) -> Page {
-    let about = outcome.document().about;
+pub(super) fn page(outcome: &Outcome<'_>, results: &Results<'_>) -> Result<Page, Failure> {
+    let about = &outcome.about;
     let provenance = Provenance {
-        files: files(outcome, done),
+        files: files(results),
         ..provenance()
     };
     let mut sections = match &outcome.study {
-        Ok(study) => of_study(outcome, study),
+        Ok(study) => of_study(outcome, study, figures::figures(outcome, results)?),
         Err(_) => Vec::new(),
     };
     sections.extend([
-        troubles(&about),
-        assumed(&about),
+        troubles(about),
+        assumed(about),
         method(),
-        repeat(&provenance),
+        to_repeat(&provenance),
     ]);
     sections.retain(|section| !section.is_empty());
     let made = provenance.made.as_deref().unwrap_or_default();
-    Page {
+    Ok(Page {
         title: about
             .title
             .clone()
             .unwrap_or_else(|| "A session".to_owned()),
         subtitle: format!("Report of bouncelab {}, {made}", env!("CARGO_PKG_VERSION")),
-        lead: lead(outcome, &about),
+        lead: lead(outcome, about),
         sections,
-    }
+    })
 }
 
-fn lead(outcome: &Outcome, about: &AboutSession) -> Vec<Block> {
+fn lead(outcome: &Outcome<'_>, about: &AboutSession) -> Vec<Block> {
     let mut lead = vec![Block::Lead(format!("{}.", text::counts(about)))];
     match &outcome.study {
         Ok(study) => {
@@ -53,7 +56,7 @@ fn lead(outcome: &Outcome, about: &AboutSession) -> Vec<Block> {
                 study.at_speed_m_s
             )));
             if !study.outliers.is_empty() {
-                let names: Vec<&str> = study
+                let names: Vec<String> = study
                     .outliers
                     .iter()
                     .map(|outlier| outcome.name_of(outlier.drop))
@@ -69,8 +72,12 @@ fn lead(outcome: &Outcome, about: &AboutSession) -> Vec<Block> {
     lead
 }
 
-fn of_study(outcome: &Outcome, study: &Study) -> Vec<Section> {
-    let mut drawn = figures::figures(outcome).into_iter();
+fn of_study(
+    outcome: &Outcome<'_>,
+    study: &Study,
+    drawn: Vec<(&'static str, Figure)>,
+) -> Vec<Section> {
+    let mut drawn = drawn.into_iter();
     let mut figure = || {
         drawn
             .next()
@@ -81,21 +88,28 @@ fn of_study(outcome: &Outcome, study: &Study) -> Vec<Section> {
         blocks.extend(figure);
         blocks
     };
-    let groups = vec![
+    let mut groups = vec![
         Block::table(
             "Restitution by group: mean and its standard error, what all drops share, scatter between \
              drops and between impacts, and how many drops would halve the interval",
-            text::group_table(outcome, study, None),
+            tables::group_table(outcome, study, None),
         ),
         Block::table(
             "95 % intervals of the mean, of the next drop, and of the scatter between drops",
-            text::interval_table(outcome, study),
+            tables::interval_table(outcome, study),
         ),
     ];
+    let without = tables::without_table(outcome, study);
+    if !without.is_empty() {
+        groups.push(Block::table(
+            "With and without the drops that are not like the others of their group",
+            without,
+        ));
+    }
     let varies = if study.varies.len() > 1 {
         vec![Block::table(
             "Standard deviation of the restitution by what varies",
-            text::varies_table(outcome, study),
+            tables::varies_table(outcome, study),
         )]
     } else {
         Vec::new()
@@ -106,14 +120,19 @@ fn of_study(outcome: &Outcome, study: &Study) -> Vec<Section> {
         .filter(|(_, differences)| !differences.is_empty())
         .map(|(factor, differences)| {
             let name = &outcome.factors[*factor].name;
-            let table = text::difference_table(outcome, *factor, differences);
+            let table = tables::difference_table(outcome, *factor, differences);
             Block::table(format!("Differences by {name}, all else equal"), table)
         });
+    let trends = tables::trend_table(outcome, study);
+    let trends = (!trends.is_empty()).then(|| {
+        let caption = "Change of restitution with what is noted in numbers, all else equal";
+        Block::table(caption, trends)
+    });
     vec![
         Section::new("Groups", with(groups, intervals)),
         Section::new("Restitution against speed", with(Vec::new(), laws)),
         Section::new("Who varies", varies),
-        Section::new("Differences", differences.collect()),
+        Section::new("Differences", differences.chain(trends).collect()),
         Section::new("In order", with(Vec::new(), run)),
     ]
 }
@@ -130,15 +149,25 @@ fn troubles(about: &AboutSession) -> Section {
         .into_iter()
         .filter(|(_, reasons)| !reasons.is_empty())
         .flat_map(|(heading, reasons)| {
-            let lines = reasons
-                .iter()
-                .map(|Reason { name, reason }| format!("{name}: {reason}"));
             [
                 Block::text(format!("{heading}:")),
-                Block::List(lines.collect()),
+                Block::List(by_reason(reasons)),
             ]
         });
     Section::new("What did not work", blocks.collect())
+}
+
+/// One line for each reason, with the first of those that it is true of.
+fn by_reason(reasons: &[Reason]) -> Vec<String> {
+    let mut lines: Vec<(&str, Vec<String>)> = Vec::new();
+    for Reason { name, reason } in reasons {
+        match lines.iter_mut().find(|(known, _)| known == reason) {
+            Some((_, names)) => names.push(name.clone()),
+            None => lines.push((reason, vec![name.clone()])),
+        }
+    }
+    let line = |(reason, names): (&str, Vec<String>)| format!("{}: {reason}", some_of(&names));
+    lines.into_iter().map(line).collect()
 }
 
 fn assumed(about: &AboutSession) -> Section {
@@ -174,11 +203,25 @@ fn method() -> Section {
     Section::new("Method", words.map(Block::text).into())
 }
 
-fn files(outcome: &Outcome, done: &Done) -> Vec<(String, String)> {
-    if outcome.names.len() > LISTED {
+fn to_repeat(provenance: &Provenance) -> Section {
+    let mut section = repeat(provenance);
+    if provenance.files.is_empty() {
+        section.blocks.push(Block::text(
+            "The SHA-256 of every recording stands in the table of drops (content_sha256).",
+        ));
+    }
+    section
+}
+
+fn files(results: &Results<'_>) -> Vec<(String, String)> {
+    if results.recordings.len() > LISTED {
         return Vec::new();
     }
-    let keys = outcome.names.iter().zip(&done.keys);
-    keys.filter_map(|(name, key)| Some((name.clone(), key.as_ref().ok()?.content.clone())))
+    let contents = results.recordings.iter().zip(&results.done.contents);
+    contents
+        .filter_map(|(understood, content)| {
+            let content = content.as_ref().ok()?;
+            Some((understood.recording.name.clone(), content.to_string()))
+        })
         .collect()
 }

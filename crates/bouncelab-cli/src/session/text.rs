@@ -2,81 +2,30 @@
 
 use std::fmt::Write;
 
-use bouncelab::groups::{Difference, Group, Study};
-use bouncelab_report::document::{AboutSession, Reason, SessionDocument};
+use bouncelab::groups::{Difference, Study};
+use bouncelab_report::document::{AboutSession, Reason};
 use bouncelab_report::{Align, CANNOT_TELL, Quantity, Table, Unit};
 
-use super::outcome::{Fate, Outcome};
+use super::outcome::Outcome;
+use super::tables;
 
 /// Lines of a list that may go on for long.
 const SHOWN: usize = 8;
 
-impl Outcome {
-    /// The result for other programs.
-    pub(super) fn document(&self) -> SessionDocument {
-        let reason = |name: &str, reason: &str| Reason {
-            name: name.to_owned(),
-            reason: reason.to_owned(),
-        };
-        let mut about = AboutSession {
-            title: self.title.clone(),
-            recordings: self.fates.len(),
-            drops: self.drops.len(),
-            remarks: self.remarks.clone(),
-            assumptions: self.assumptions.clone(),
-            no_study: self.study.as_ref().err().cloned(),
-            ..AboutSession::default()
-        };
-        for (name, fate) in self.names.iter().zip(&self.fates) {
-            match fate {
-                Fate::Heard => {}
-                Fate::Silent(why) => about.without_drop.push(reason(name, why)),
-                Fate::Failed(why) => about.failed.push(reason(name, why)),
-                Fate::Duplicate(first) => about.duplicates.push(reason(name, first)),
-            }
-        }
-        for drop in &self.drops {
-            if let Some(why) = &drop.left_out {
-                about.left_out.push(reason(&drop.name, why));
-            }
-            if !drop.remarks.is_empty() {
-                about.odd.push(reason(&drop.name, &drop.remarks.join("; ")));
-            }
-        }
-        let study = self.study.as_ref().ok();
-        if let Some(study) = study {
-            for &drop in &study.left_out {
-                let why = format!(
-                    "it does not know its restitution at {:.2} m/s",
-                    study.at_speed_m_s
-                );
-                about.left_out.push(reason(self.name_of(drop), &why));
-            }
-        }
-        let names: Vec<String> = self
-            .studied
-            .iter()
-            .map(|&place| self.drops[place].name.clone())
-            .collect();
-        SessionDocument::new(about, study, &self.factors, &self.by, &names)
-    }
-}
-
 /// The whole report.
-pub(super) fn report(outcome: &Outcome, details: bool, wanted: Option<f64>) -> String {
-    let about = outcome.document().about;
+pub(super) fn report(outcome: &Outcome<'_>, details: bool, wanted: Option<f64>) -> String {
     let mut page = Page::default();
-    page.line(&headline(outcome, &about));
+    page.line(&headline(&outcome.about));
     match &outcome.study {
         Ok(study) => page.study(outcome, study, details, wanted),
         Err(reason) => page.line(&format!("\nRestitution: {CANNOT_TELL}: {reason}.")),
     }
-    page.troubles(outcome, &about, details);
+    page.troubles(outcome, details);
     page.0
 }
 
-fn headline(outcome: &Outcome, about: &AboutSession) -> String {
-    let title = outcome.title.as_deref().unwrap_or("Session");
+fn headline(about: &AboutSession) -> String {
+    let title = about.title.as_deref().unwrap_or("Session");
     format!("{title}: {}", counts(about))
 }
 
@@ -120,12 +69,12 @@ impl Page {
         }
     }
 
-    fn study(&mut self, outcome: &Outcome, study: &Study, details: bool, wanted: Option<f64>) {
+    fn study(&mut self, outcome: &Outcome<'_>, study: &Study, details: bool, wanted: Option<f64>) {
         self.line(&format!(
             "\nRestitution at an impact speed of {:.2} m/s:\n",
             study.at_speed_m_s
         ));
-        self.table(&group_table(outcome, study, wanted));
+        self.table(&tables::group_table(outcome, study, wanted));
         self.line(&format!(
             "\n  \u{b1}: standard error of the mean; shared: what all drops have in common (drag law, air, \
              ball), which\n  no number of drops makes smaller; {}",
@@ -136,17 +85,21 @@ impl Page {
         ));
         if details {
             self.line("\n95 % intervals of restitution:\n");
-            self.table(&interval_table(outcome, study));
+            self.table(&tables::interval_table(outcome, study));
         }
         if study.varies.len() > 1 {
             self.line("\nWho varies (standard deviation of restitution):\n");
-            self.table(&varies_table(outcome, study));
+            self.table(&tables::varies_table(outcome, study));
         }
         for (factor, differences) in &study.differences {
             let grouped = outcome.by.contains(factor);
             if (grouped || details) && !differences.is_empty() {
                 self.differences(outcome, *factor, differences, details);
             }
+        }
+        if !study.trends.is_empty() {
+            self.line("\nHow restitution changes, all else equal:\n");
+            self.table(&tables::trend_table(outcome, study));
         }
         if details {
             self.law(outcome, study);
@@ -167,13 +120,15 @@ impl Page {
                     outlier.score.abs()
                 ));
             }
-            self.line("  They count as they are; leave one out by --exclude NAME.");
+            self.line("\n  They count in all of the above. With and without them:\n");
+            self.table(&tables::without_table(outcome, study));
+            self.line("\n  --exclude NAME leaves one out of everything.");
         }
     }
 
     fn differences(
         &mut self,
-        outcome: &Outcome,
+        outcome: &Outcome<'_>,
         place: usize,
         differences: &[Difference],
         details: bool,
@@ -196,14 +151,18 @@ impl Page {
         } else {
             MOST.min(differences.len())
         };
-        self.table(&difference_table(outcome, place, &differences[..most]));
+        self.table(&tables::difference_table(
+            outcome,
+            place,
+            &differences[..most],
+        ));
         if differences.len() > most {
             let more = differences.len() - most;
             self.line(&format!("  and {more} more (--details)"));
         }
     }
 
-    fn law(&mut self, outcome: &Outcome, study: &Study) {
+    fn law(&mut self, outcome: &Outcome<'_>, study: &Study) {
         self.line("\nRestitution against impact speed, pooled over the drops that know it:\n");
         let mut table = Table::new([
             ("group", Align::Left),
@@ -228,7 +187,8 @@ impl Page {
         self.table(&table);
     }
 
-    fn troubles(&mut self, outcome: &Outcome, about: &AboutSession, details: bool) {
+    fn troubles(&mut self, outcome: &Outcome<'_>, details: bool) {
+        let about = &outcome.about;
         self.line("");
         self.list("Without a drop:", &about.without_drop, details);
         self.list("Not readable:", &about.failed, details);
@@ -241,13 +201,8 @@ impl Page {
         let doubtful: Vec<Reason> = if details {
             about.odd.clone()
         } else {
-            let drops = outcome.drops.iter().filter(|drop| drop.doubtful);
-            drops
-                .map(|drop| Reason {
-                    name: drop.name.clone(),
-                    reason: drop.remarks.join("; "),
-                })
-                .collect()
+            let doubtful = outcome.doubtful.iter();
+            doubtful.map(|&place| about.odd[place].clone()).collect()
         };
         self.list("To be looked at:", &doubtful, details);
         for remark in &about.remarks {
@@ -265,12 +220,7 @@ impl Page {
         self.line(&format!("  {heading}"));
         let shown = if details { reasons.len() } else { SHOWN };
         for Reason { name, reason } in reasons.iter().take(shown) {
-            // A reason may begin with the path of the recording.
-            let words = match reason.split_once(": ") {
-                Some((path, rest)) if path.ends_with(name.as_str()) => rest,
-                _ => reason,
-            };
-            self.line(&format!("    {name}: {words}"));
+            self.line(&format!("    {name}: {reason}"));
         }
         if reasons.len() > shown {
             self.line(&format!(
@@ -278,151 +228,5 @@ impl Page {
                 reasons.len() - shown
             ));
         }
-    }
-}
-
-/// Differences of the levels of a factor.
-pub(super) fn difference_table(
-    outcome: &Outcome,
-    factor: usize,
-    differences: &[Difference],
-) -> Table {
-    let factor = &outcome.factors[factor];
-    let mut table = Table::new([
-        ("", Align::Left),
-        ("difference", Align::Right),
-        ("95 % interval", Align::Right),
-        ("p (Holm)", Align::Right),
-    ]);
-    for difference in differences {
-        let shown = Quantity::measured(difference.value.value, difference.value.sd, Unit::Number);
-        table.row([
-            format!(
-                "{} \u{2212} {}",
-                factor.levels[difference.of], factor.levels[difference.less]
-            ),
-            shown.to_string(),
-            shown.interval(difference.interval95),
-            probability(difference.p_value),
-        ]);
-    }
-    table
-}
-
-/// The groups, and all of them together.
-pub(super) fn group_table(outcome: &Outcome, study: &Study, wanted: Option<f64>) -> Table {
-    let mut table = Table::new([
-        ("group", Align::Left),
-        ("drops", Align::Right),
-        ("restitution", Align::Right),
-        ("shared", Align::Right),
-        ("between drops", Align::Right),
-        ("between impacts", Align::Right),
-        ("needed", Align::Right),
-    ]);
-    for (name, group) in named_groups(outcome, study) {
-        let mean = &group.mean;
-        table.row([
-            name,
-            mean.drops.to_string(),
-            shown(group).to_string(),
-            format!(
-                "\u{b1} {}",
-                Quantity::rounded(group.shared_sd, 1, Unit::Number)
-            ),
-            mean.between
-                .map_or_else(String::new, |between| format!("{between:.4}")),
-            group
-                .between_impacts
-                .map_or_else(String::new, |scatter| format!("{:.2} %", 100.0 * scatter)),
-            needed(group, wanted),
-        ]);
-    }
-    table
-}
-
-/// 95 % intervals of the groups.
-pub(super) fn interval_table(outcome: &Outcome, study: &Study) -> Table {
-    let mut table = Table::new([
-        ("group", Align::Left),
-        ("mean", Align::Right),
-        ("next drop", Align::Right),
-        ("between drops", Align::Right),
-    ]);
-    for (name, group) in named_groups(outcome, study) {
-        let interval = |ends: Option<[f64; 2]>| {
-            ends.map_or_else(String::new, |ends| shown(group).interval(ends))
-        };
-        let mean = &group.mean;
-        table.row([
-            name,
-            interval(mean.interval95),
-            interval(mean.next95),
-            mean.between95
-                .map_or_else(String::new, |[low, high]| format!("{low:.4} to {high:.4}")),
-        ]);
-    }
-    table
-}
-
-/// The groups with their names, and all drops as one where there are several.
-fn named_groups<'a>(outcome: &Outcome, study: &'a Study) -> Vec<(String, &'a Group)> {
-    let named = |group: &'a Group| (outcome.group_name(&group.levels), group);
-    let mut groups: Vec<_> = study.groups.iter().map(named).collect();
-    if groups.len() > 1 {
-        groups.push(("all".to_owned(), &study.all));
-    }
-    groups
-}
-
-fn shown(group: &Group) -> Quantity {
-    Quantity::measured(group.mean.value, group.mean.standard_error, Unit::Number)
-}
-
-fn needed(group: &Group, wanted: Option<f64>) -> String {
-    match (group.drops_needed, wanted) {
-        (Some(needed), _) => needed.to_string(),
-        (None, Some(_)) if group.mean.between.is_some() => "too many".to_owned(),
-        (None, _) => String::new(),
-    }
-}
-
-/// Who varies.
-pub(super) fn varies_table(outcome: &Outcome, study: &Study) -> Table {
-    let mut table = Table::new([
-        ("", Align::Left),
-        ("how many", Align::Right),
-        ("varies by", Align::Right),
-        ("95 % interval", Align::Right),
-    ]);
-    for varies in &study.varies {
-        let names: Vec<&str> = varies
-            .factors
-            .iter()
-            .map(|&factor| outcome.factors[factor].name.as_str())
-            .collect();
-        let name = match names.as_slice() {
-            [] => "drop".to_owned(),
-            [name] => (*name).to_owned(),
-            _ => format!("{} (always together)", names.join(" and ")),
-        };
-        table.row([
-            name,
-            varies.levels.to_string(),
-            format!("{:.4}", varies.component.sd),
-            match varies.component.sd95 {
-                Some([low, high]) => format!("{low:.4} to {high:.4}"),
-                None => "too few to tell".to_owned(),
-            },
-        ]);
-    }
-    table
-}
-
-fn probability(p: f64) -> String {
-    if p < 1e-4 {
-        "< 0.0001".to_owned()
-    } else {
-        format!("{p:.4}")
     }
 }

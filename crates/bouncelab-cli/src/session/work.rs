@@ -1,11 +1,10 @@
 //! Hearing many recordings, side by side, once each.
 
-use std::collections::BTreeMap;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::Duration;
 
-use bouncelab_session::journal::{self, Journal, Key};
+use bouncelab_session::journal::{self, Hash, Journal, Key};
 use indicatif::{ProgressBar, ProgressStyle};
 use rayon::ThreadPoolBuilder;
 use rayon::prelude::*;
@@ -20,8 +19,8 @@ const SYNC_EVERY: usize = 50;
 
 /// What came of a run.
 pub(super) struct Done {
-    /// The key of each recording whose content could be read, in their order; else why not.
-    pub(super) keys: Vec<Result<Key, String>>,
+    /// The content of each recording that could be read, in their order; else why not.
+    pub(super) contents: Vec<Result<Hash, String>>,
     /// How many results were there already.
     pub(super) kept: usize,
 }
@@ -42,15 +41,16 @@ pub(super) fn hear_all(
     let bar = progress(recordings.len());
     let (kept, failed) = (AtomicUsize::new(0), AtomicUsize::new(0));
     let appended = AtomicUsize::new(0);
-    let one = |understood: &Understood| -> Result<Result<Key, String>, Failure> {
-        let key = match key(understood) {
-            Ok(key) => key,
+    let one = |understood: &Understood| -> Result<Result<Hash, String>, Failure> {
+        let content = match journal::hash_of_file(&understood.recording.path) {
+            Ok(content) => content,
             Err(reason) => {
                 failed.fetch_add(1, Ordering::Relaxed);
                 bar.inc(1);
-                return Ok(Err(reason));
+                return Ok(Err(reason.to_string()));
             }
         };
+        let key = understood.key(content);
         let name = &understood.recording.name;
         if journal.has(name, &key) {
             kept.fetch_add(1, Ordering::Relaxed);
@@ -69,19 +69,19 @@ pub(super) fn hear_all(
             count => format!(", {count} without a drop"),
         });
         bar.inc(1);
-        Ok(Ok(key))
+        Ok(Ok(content))
     };
-    let keys = pool.install(|| {
+    let contents = pool.install(|| {
         recordings
             .par_iter()
             .map(one)
             .collect::<Result<Vec<_>, _>>()
     });
     bar.finish_and_clear();
-    let keys = keys?;
+    let contents = contents?;
     journal.sync()?;
     Ok(Done {
-        keys,
+        contents,
         kept: kept.into_inner(),
     })
 }
@@ -98,19 +98,16 @@ fn progress(recordings: usize) -> ProgressBar {
     bar
 }
 
-fn key(understood: &Understood) -> Result<Key, String> {
-    let content = journal::hash_of_file(&understood.recording.path);
-    Ok(Key {
-        content: content.map_err(|fault| fault.to_string())?,
-        settings: settings(understood),
-    })
-}
-
-/// Hash of everything besides the sound that a result depends on.
-fn settings(understood: &Understood) -> String {
-    let settings = &understood.physics.settings;
-    let text = format!("{RECORD} {} {settings:?}", env!("CARGO_PKG_VERSION"));
-    journal::hash(text.as_bytes())
+impl Understood {
+    /// What its result depends on: the sound, and the settings of this version.
+    pub(super) fn key(&self, content: Hash) -> Key {
+        let settings = &self.set_up.physics.settings;
+        let text = format!("{RECORD} {} {settings:?}", env!("CARGO_PKG_VERSION"));
+        Key {
+            content,
+            settings: journal::hash(text.as_bytes()),
+        }
+    }
 }
 
 fn record(understood: &Understood, key: &Key) -> Record {
@@ -118,10 +115,10 @@ fn record(understood: &Understood, key: &Key) -> Record {
         quiet: true,
         ..Heeded::default()
     };
-    let mut settings = understood.physics.settings.clone();
+    let mut settings = understood.set_up.physics.settings.clone();
     if let Some(question) = &mut settings.question {
         // Equal seeds would give the errors of sampling of all drops the same sign.
-        question.effort.seed ^= seed(&key.content);
+        question.effort.seed ^= key.content.number();
     }
     let path = &understood.recording.path;
     // Whatever goes wrong with one recording, the others go on.
@@ -134,26 +131,4 @@ fn record(understood: &Understood, key: &Key) -> Record {
             understood.recording.name
         )),
     }
-}
-
-/// The first 64 bits of a hash in hexadecimal digits.
-fn seed(hash: &str) -> u64 {
-    hash.get(..16)
-        .and_then(|digits| u64::from_str_radix(digits, 16).ok())
-        .unwrap_or(0)
-}
-
-/// For each recording the first with the same content, if it is another.
-pub(super) fn duplicates(recordings: &[Understood], done: &Done) -> Vec<Option<String>> {
-    let mut first: BTreeMap<&str, &str> = BTreeMap::new();
-    recordings
-        .iter()
-        .zip(&done.keys)
-        .map(|(understood, key)| {
-            let key = key.as_ref().ok()?;
-            let name = understood.recording.name.as_str();
-            let known = *first.entry(&key.content).or_insert(name);
-            (known != name).then(|| known.to_owned())
-        })
-        .collect()
 }

@@ -1,5 +1,7 @@
 //! `bouncelab verdict`: whether a ball or a floor obeys a rule.
 
+mod report;
+mod tables;
 mod text;
 
 use std::collections::BTreeSet;
@@ -7,14 +9,16 @@ use std::io::{self, Write};
 use std::path::PathBuf;
 
 use bouncelab::estimate::Measured;
-use bouncelab::rulebook::{self, Decision, Outcome, Place, Rule};
+use bouncelab::rulebook::{self, Decision, Outcome, Place, Rule, Verdict};
 use bouncelab_report::document::verdict::VerdictDocument;
+use bouncelab_session::journal::hash_of_file;
 use clap::{Args, ValueEnum};
 
 use crate::analyze::{self, Hearing, Heeded, hear};
 use crate::failure::Failure;
 use crate::knowledge::KnowledgeArguments;
 use crate::physics::{Physics, PhysicsArguments};
+use crate::report::Draft;
 use crate::rules::Files;
 use crate::units;
 
@@ -46,6 +50,9 @@ pub(crate) struct Arguments {
     /// How to print the result; JSON is documented in docs/json.md
     #[arg(long, value_enum, default_value_t = Format::Text)]
     format: Format,
+    /// Write a report: .html (one file, to read and print) or .md (its figure in a folder beside it)
+    #[arg(long, value_name = "FILE")]
+    report: Option<PathBuf>,
     #[command(flatten)]
     physics: PhysicsArguments,
     #[command(flatten)]
@@ -57,7 +64,8 @@ Examples:
   bouncelab verdict --rule ittf-ball drop.wav
   bouncelab verdict --rule itf-tennis --height 2.54m --temperature 20C drop1.wav drop2.wav
   bouncelab verdict --rule indoor-floor-basketball floor1.wav floor2.wav --reference concrete.wav
-  bouncelab verdict --rule our-hall --rules own.toml drop.wav --format json";
+  bouncelab verdict --rule our-hall --rules own.toml drop.wav --format json
+  bouncelab verdict --rule ittf-ball drop1.wav drop2.wav drop3.wav --report verdict.html";
 
 #[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
 enum DecisionRule {
@@ -124,6 +132,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
     };
     let physics = physics(arguments, rule)?;
     once_each(arguments.files.iter().chain(&arguments.reference))?;
+    let draft = arguments.report.as_deref().map(Draft::new).transpose()?;
     let surface = Heard::new(&arguments.files, &physics)?;
     let reference = Heard::new(&arguments.reference, &physics)?;
     let conditions = arguments.physics.conditions();
@@ -136,17 +145,26 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
         decision,
     )?;
     let (files, reference_files) = (surface.names(), reference.names());
+    let told = Told {
+        rule,
+        verdict: &verdict,
+        decision,
+        files: &files,
+        reference_files: &reference_files,
+        physics: &physics,
+    };
+    if let Some(draft) = draft {
+        let hashes = hashes(arguments.files.iter().chain(&arguments.reference))?;
+        draft.write(&report::page(&told, hashes))?;
+    }
     let mut out = io::stdout().lock();
     match arguments.format {
-        Format::Text => {
-            let text = text::report(rule, &verdict, decision, &files, &reference_files, &physics);
-            out.write_all(text.as_bytes())?;
-        }
+        Format::Text => out.write_all(text::report(&told).as_bytes())?,
         Format::Json => {
             let document = VerdictDocument::new(
                 rule,
                 &physics.settings,
-                physics.assumptions,
+                physics.assumptions.clone(),
                 decision,
                 &verdict,
                 &files,
@@ -161,6 +179,23 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
         Outcome::Fail => Err(Failure::NoPass(3)),
         Outcome::CannotDecide => Err(Failure::NoPass(4)),
     }
+}
+
+/// A verdict and all that it rests on.
+struct Told<'a> {
+    rule: &'a Rule,
+    verdict: &'a Verdict,
+    decision: Decision,
+    files: &'a [String],
+    reference_files: &'a [String],
+    physics: &'a Physics,
+}
+
+/// Name and hash of each file.
+fn hashes<'a>(files: impl Iterator<Item = &'a PathBuf>) -> Result<Vec<(String, String)>, Failure> {
+    files
+        .map(|file| Ok((file.display().to_string(), hash_of_file(file)?.to_string())))
+        .collect()
 }
 
 /// The same drop counted twice would make a verdict look surer than it is.
@@ -202,7 +237,9 @@ fn physics(arguments: &Arguments, rule: &Rule) -> Result<Physics, Failure> {
     let diameter_m = physics.settings.ball.diameter_m();
     let of_rule = rule.fall_m(diameter_m, None);
     match (physics.settings.knowledge.drop_height_m, of_rule) {
-        (Some(stated), Some(of_rule)) => question(stated.value, of_rule)?,
+        (Some(stated), Some(of_rule)) if !arguments.physics.as_stated() => {
+            question(stated.value, of_rule)?;
+        }
         (None, Some(of_rule)) => {
             let height = of_the_rule(rule, of_rule);
             physics.assumptions.push(format!(
@@ -211,7 +248,7 @@ fn physics(arguments: &Arguments, rule: &Rule) -> Result<Physics, Failure> {
             ));
             physics.settings.knowledge.drop_height_m = Some(height);
         }
-        (_, None) => {}
+        _ => {}
     }
     Ok(physics)
 }
@@ -235,7 +272,8 @@ fn question(stated_m: f64, of_rule_m: f64) -> Result<(), Failure> {
         return Ok(());
     }
     Err(Failure::Usage(format!(
-        "--height {stated_m} m is {} times the rule's {of_rule_m:.3} m: is the unit right?",
+        "--height {stated_m} m is {} times the rule's {of_rule_m:.3} m: is the unit right? Correct it, or \
+         insist by --as-stated",
         (factor * 1000.0).round() / 1000.0
     )))
 }

@@ -65,6 +65,7 @@ struct StudyFound {
     groups: Vec<Group>,
     varies: Vec<Varies>,
     differences: Vec<Difference>,
+    trends: Vec<Trend>,
     outliers: Vec<Outlier>,
 }
 
@@ -73,6 +74,7 @@ struct Group {
     levels: BTreeMap<String, Option<String>>,
     drops: usize,
     restitution: Mean,
+    without_outliers: Option<OfDrops>,
     /// Standard uncertainty that all drops share.
     shared_sd: f64,
     next95: Option<[f64; 2]>,
@@ -90,12 +92,28 @@ struct Mean {
     interval95: Option<[f64; 2]>,
 }
 
+/// A mean and how many drops it is of.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-struct LawPoint {
-    speed_m_s: f64,
+struct OfDrops {
     drops: usize,
     #[serde(flatten)]
     restitution: Mean,
+}
+
+impl From<&groups::Mean> for OfDrops {
+    fn from(mean: &groups::Mean) -> Self {
+        Self {
+            drops: mean.drops,
+            restitution: Mean::from(mean),
+        }
+    }
+}
+
+#[derive(Clone, Debug, PartialEq, Serialize)]
+struct LawPoint {
+    speed_m_s: f64,
+    #[serde(flatten)]
+    mean: OfDrops,
 }
 
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -120,6 +138,18 @@ struct Difference {
 }
 
 #[derive(Clone, Debug, PartialEq, Serialize)]
+struct Trend {
+    factor: String,
+    levels: usize,
+    /// For each metre, kelvin, or whatever the unit of the factor is in SI.
+    slope: f64,
+    standard_error: f64,
+    degrees: f64,
+    interval95: [f64; 2],
+    p_value: f64,
+}
+
+#[derive(Clone, Debug, PartialEq, Serialize)]
 struct Outlier {
     name: String,
     off: f64,
@@ -127,25 +157,30 @@ struct Outlier {
 }
 
 impl SessionDocument {
-    /// The document of a session; `names` are those of the drops in the study, in their order.
+    /// The document of a session; `name` says what a drop of the study is called, by its place.
     pub fn new(
         about: AboutSession,
         study: Option<&Study>,
         factors: &[Factor],
         by: &[usize],
-        names: &[String],
+        name: impl Fn(usize) -> String,
     ) -> Self {
         Self {
             schema: SCHEMA,
             bouncelab: env!("CARGO_PKG_VERSION"),
             about,
-            study: study.map(|study| StudyFound::new(study, factors, by, names)),
+            study: study.map(|study| StudyFound::new(study, factors, by, name)),
         }
     }
 }
 
 impl StudyFound {
-    fn new(study: &Study, factors: &[Factor], by: &[usize], names: &[String]) -> Self {
+    fn new(
+        study: &Study,
+        factors: &[Factor],
+        by: &[usize],
+        name_of_drop: impl Fn(usize) -> String,
+    ) -> Self {
         let name = |factor: &usize| factors[*factor].name.clone();
         let differences = study.differences.iter().flat_map(|(factor, differences)| {
             let level = |level: usize| factors[*factor].levels[level].clone();
@@ -180,11 +215,24 @@ impl StudyFound {
                 })
                 .collect(),
             differences: differences.collect(),
+            trends: study
+                .trends
+                .iter()
+                .map(|trend| Trend {
+                    factor: name(&trend.factor),
+                    levels: trend.levels,
+                    slope: trend.slope.value,
+                    standard_error: trend.slope.sd,
+                    degrees: trend.degrees,
+                    interval95: trend.interval95,
+                    p_value: trend.p_value,
+                })
+                .collect(),
             outliers: study
                 .outliers
                 .iter()
                 .map(|outlier| Outlier {
-                    name: names[outlier.drop].clone(),
+                    name: name_of_drop(outlier.drop),
                     off: outlier.off,
                     score: outlier.score,
                 })
@@ -204,6 +252,7 @@ impl Group {
             levels: levels.collect(),
             drops: group.mean.drops,
             restitution: Mean::from(&group.mean),
+            without_outliers: group.without_outliers.as_ref().map(OfDrops::from),
             shared_sd: group.shared_sd,
             next95: group.mean.next95,
             between_drops: group.mean.between,
@@ -215,8 +264,7 @@ impl Group {
                 .iter()
                 .map(|(speed_m_s, mean)| LawPoint {
                     speed_m_s: *speed_m_s,
-                    drops: mean.drops,
-                    restitution: Mean::from(mean),
+                    mean: OfDrops::from(mean),
                 })
                 .collect(),
         }

@@ -1,15 +1,13 @@
 //! The mean of each group with its interval, over its drops.
 
+use super::rows::Rows;
 use super::{Figure, count};
-use crate::canvas::{Anchor, Pen, Rect, Style, shortened};
+use crate::canvas::Pen;
 use crate::scale::Scale;
 use crate::sheet::{Measured, Panel, Sheet, Swatch};
 use crate::theme::{self, Meaning};
 
 const ROW: f64 = 34.0;
-const TOP: f64 = 78.0;
-/// Where the names end and the values begin.
-const LEFT: f64 = 216.0;
 
 /// A group of drops and its mean.
 #[derive(Debug, Clone, PartialEq)]
@@ -33,44 +31,26 @@ pub fn intervals(title: &str, groups: &[GroupInterval], quantity: &str) -> Figur
     if usable.is_empty() {
         return Figure::empty(200.0, title, "There are no groups to compare.");
     }
-    let rows = usable.len() as f64;
-    let mut sheet = Sheet::new(TOP + ROW * rows + 56.0, title);
-    let legend = Style::new(theme::TICK_SIZE, theme::SOFT_INK, Anchor::Start);
-    let words = "specks: drops \u{b7} pale bar: next drop, 95 % \u{b7} strong bar: mean, 95 %";
-    sheet.canvas.text((16.0, 54.0), words, legend);
     let ends = usable.iter().flat_map(|group| {
         let intervals = group.interval95.into_iter().flatten();
         let drops = group.drops.iter().map(|(value, _)| *value);
         intervals.chain(drops).chain([group.mean])
     });
     let x = Scale::linear(ends.filter(|end| end.is_finite())).padded(0.05, 0.05);
-    let y = Scale::linear([0.0, rows]);
-    let frame = Rect {
-        left: LEFT,
-        top: TOP,
-        right: theme::WIDTH - 24.0,
-        bottom: TOP + ROW * rows,
-    };
-    let panel = Panel::inset(&mut sheet.canvas, frame, [x, y], [Some(quantity), None]);
+    let legend = "specks: drops \u{b7} pale bar: next drop, 95 % \u{b7} strong bar: mean, 95 %";
+    let mut rows = Rows::new(title, legend, (usable.len(), ROW), x, quantity);
     for (row, group) in usable.iter().enumerate() {
-        draw_row(&panel, &mut sheet, rows - row as f64 - 0.5, group);
-        name(&mut sheet, TOP + ROW * (row as f64 + 0.5), group);
+        let middle = rows.middle(row);
+        draw_row(&rows.panel, &mut rows.sheet, middle, group);
+        let drops = count(group.drops.len(), "drop");
+        rows.name(row, &group.name, Some(&drops));
     }
     Figure::new(
-        sheet,
+        rows.sheet,
         title,
         "Where the strong bars of two groups are far apart, the groups differ; where one lies within \
          the other's pale bar, single drops cannot tell them apart.",
     )
-}
-
-fn name(sheet: &mut Sheet, middle: f64, group: &GroupInterval) {
-    let style = Style::new(theme::TICK_SIZE, theme::INK, Anchor::Start);
-    let text = shortened(&group.name, theme::TICK_SIZE, LEFT - 28.0);
-    sheet.canvas.text((16.0, middle - 1.0), &text, style);
-    let soft = Style::new(theme::TICK_SIZE - 1, theme::SOFT_INK, Anchor::Start);
-    let drops = count(group.drops.len(), "drop");
-    sheet.canvas.text((16.0, middle + 13.0), &drops, soft);
 }
 
 fn draw_row(panel: &Panel, sheet: &mut Sheet, middle: f64, group: &GroupInterval) {

@@ -3,6 +3,7 @@
 //! Each takes plain data and gives a [`Figure`]. Points that are not numbers are left out;
 //! a figure without any usable point says so instead of showing empty axes.
 
+mod bounces;
 mod budget;
 mod calibration;
 mod corner;
@@ -12,13 +13,16 @@ mod flight_times;
 mod groups;
 mod height;
 mod intervals;
+mod limits;
 mod listening;
 mod models;
 mod residuals;
 mod restitution;
+mod rows;
 mod run_chart;
 mod waveform;
 
+pub use bounces::{BounceHeight, BounceLoss, bounce_energies, bounce_heights};
 pub use budget::{Budget, Source, budget};
 pub use calibration::{RankHistogram, calibration};
 pub use corner::{CornerParameter, corner};
@@ -28,6 +32,7 @@ pub use flight_times::{Line, TimedFlight, flight_times};
 pub use groups::{GroupLaw, GroupPoint, groups};
 pub use height::height;
 pub use intervals::{GroupInterval, intervals};
+pub use limits::{Judged, limits};
 pub use listening::{Hearing, listening};
 pub use models::{ModelWeight, models};
 pub use residuals::{Residual, residuals};

@@ -6,7 +6,9 @@ use bouncelab::listen;
 
 use super::inferred;
 use crate::error::Result;
-use crate::figure::{self, Curve, Envelope, Figure, Line, Mark, Restitution, TimedFlight};
+use crate::figure::{
+    self, BounceHeight, BounceLoss, Curve, Envelope, Figure, Line, Mark, Restitution, TimedFlight,
+};
 use crate::theme::Meaning;
 
 /// Points along each flight of a drawn curve.
@@ -142,4 +144,77 @@ pub fn height(drop: &Analysis, settings: &Settings) -> Figure {
         }],
         &apexes,
     )
+}
+
+/// The height of each bounce: with the air taken into account where that can be done, else as if there
+/// were none.
+pub fn bounce_heights(drop: &Analysis) -> Figure {
+    let modelled = drop.corrected.as_ref().ok();
+    let bounces: Vec<BounceHeight> = drop
+        .flights
+        .iter()
+        .map(|flight| {
+            let found =
+                modelled.and_then(|found| found.flights.iter().find(|f| f.number == flight.number));
+            BounceHeight {
+                number: flight.number as u32,
+                height_m: found.map_or(flight.plain_height_m, |found| found.flight.apex_m),
+                standard_error_m: found.and_then(|found| found.apex_standard_error_m),
+            }
+        })
+        .collect();
+    figure::bounce_heights(&bounces)
+}
+
+/// What became of the energy at an impact and in the flight after it, in joules.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct BounceEnergy {
+    /// Number of the impact.
+    pub number: u32,
+    /// Kinetic energy just before it.
+    pub before_j: f64,
+    /// What the surface took.
+    pub lost_to_surface_j: f64,
+    /// What the air took in the flight after it.
+    pub lost_to_air_j: f64,
+}
+
+/// The energies of each impact with a flight on both sides; none if the impacts allow none.
+pub fn energies(drop: &Analysis, settings: &Settings) -> Vec<BounceEnergy> {
+    let (Ok(found), Ok(model)) = (&drop.corrected, settings.model()) else {
+        return Vec::new();
+    };
+    let mass_kg = model.moving_mass_kg().unwrap_or(settings.ball.mass_kg());
+    let kinetic_j = |speed_m_s: f64| 0.5 * mass_kg * speed_m_s * speed_m_s;
+    found
+        .impacts
+        .iter()
+        .filter_map(|impact| {
+            let mut flights = found.flights.iter();
+            let after = flights
+                .find(|flight| flight.number == impact.number)?
+                .flight;
+            let before_j = kinetic_j(impact.impact_speed_m_s);
+            let launched_j = kinetic_j(after.launch_speed_m_s);
+            Some(BounceEnergy {
+                number: impact.number as u32,
+                before_j,
+                lost_to_surface_j: before_j - launched_j,
+                lost_to_air_j: launched_j - kinetic_j(after.impact_speed_m_s),
+            })
+        })
+        .collect()
+}
+
+/// What each bounce loses to the surface and to the air.
+pub fn bounce_energies(drop: &Analysis, settings: &Settings) -> Figure {
+    let losses: Vec<BounceLoss> = energies(drop, settings)
+        .into_iter()
+        .map(|energy| BounceLoss {
+            number: energy.number,
+            to_surface_j: energy.lost_to_surface_j,
+            to_air_j: energy.lost_to_air_j,
+        })
+        .collect();
+    figure::bounce_energies(&losses)
 }

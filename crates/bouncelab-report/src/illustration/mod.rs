@@ -11,7 +11,8 @@
 //! let impacts = analysis::impacts_of_times(&[0.0, 0.4605, 0.8877, 1.2854, 1.6568, 2.0045]);
 //! let drop = analysis::analyze(impacts, &settings);
 //! let names: Vec<_> = illustration::of_drop(&drop, &settings).iter().map(|i| i.name).collect();
-//! assert_eq!(names, ["flight-times", "restitution", "height"]);
+//! let plain = ["flight-times", "restitution", "height", "bounce-heights", "bounce-energies"];
+//! assert_eq!(names, plain);
 //! ```
 
 mod air;
@@ -21,7 +22,10 @@ mod inferred;
 use bouncelab::analysis::{Analysis, Settings};
 
 pub use air::{drag, drag_curves, drag_log};
-pub use heard::{Flown, flight_times, flown, height, restitution, waveform};
+pub use heard::{
+    BounceEnergy, Flown, bounce_energies, bounce_heights, energies, flight_times, flown, height,
+    restitution, waveform,
+};
 pub use inferred::{budget, corner, cut, models, residuals};
 
 use crate::Figure;
@@ -47,6 +51,8 @@ pub fn of_drop(drop: &Analysis, settings: &Settings) -> Vec<Illustration> {
         Illustration::new("flight-times", flight_times(drop)),
         Illustration::new("restitution", restitution(drop)),
         Illustration::new("height", height(drop, settings)),
+        Illustration::new("bounce-heights", bounce_heights(drop)),
+        Illustration::new("bounce-energies", bounce_energies(drop, settings)),
     ];
     if let Ok(found) = &drop.estimate {
         figures.push(Illustration::new("posterior", corner(found)));

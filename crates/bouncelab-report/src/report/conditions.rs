@@ -1,5 +1,6 @@
 //! What was known, what was assumed, and what it was heard with.
 
+use bouncelab::analysis::Settings;
 use bouncelab::estimate::Measured;
 
 use super::page::{Block, Section, sentence};
@@ -9,24 +10,42 @@ use crate::quantity::{Quantity, Unit};
 
 /// Recording, ball, air and gravity, what of it nobody stated, and the priors.
 pub fn conditions(recording: &Recording) -> Section {
-    let mut facts = heard_with(recording.origin);
-    facts.extend(known(recording));
+    let heard_with = heard_with(recording.origin);
+    let Recording {
+        settings,
+        ball_label,
+        assumptions,
+        ..
+    } = recording;
+    of_all(heard_with, settings, ball_label, assumptions)
+}
+
+/// Ball, air and gravity of several recordings, what of it nobody stated, and the priors.
+pub fn shared_conditions(settings: &Settings, ball_label: &str, assumptions: &[String]) -> Section {
+    of_all(Vec::new(), settings, ball_label, assumptions)
+}
+
+fn of_all(
+    mut facts: Vec<(&'static str, String)>,
+    settings: &Settings,
+    ball_label: &str,
+    assumptions: &[String],
+) -> Section {
+    facts.extend(known(settings, ball_label));
     let facts = facts
         .into_iter()
         .map(|(name, value)| (name.to_owned(), value))
         .collect();
     let mut blocks = vec![Block::Facts(facts)];
-    if !recording.assumptions.is_empty() {
+    if !assumptions.is_empty() {
         blocks.push(Block::text("Nobody stated these, so they were assumed:"));
-        blocks.push(Block::List(sentences(recording.assumptions)));
+        blocks.push(Block::List(sentences(assumptions)));
     }
-    if recording.settings.question.is_some() {
+    if settings.question.is_some() {
         blocks.push(Block::text(
             "Before it saw the data, the inference knew this:",
         ));
-        blocks.push(Block::List(sentences(
-            &recording.settings.knowledge.statements(),
-        )));
+        blocks.push(Block::List(sentences(&settings.knowledge.statements())));
     }
     Section::new("Conditions and assumptions", blocks)
 }
@@ -57,15 +76,14 @@ fn heard_with(origin: &Origin) -> Vec<(&'static str, String)> {
     }
 }
 
-fn known(recording: &Recording) -> Vec<(&'static str, String)> {
-    let settings = recording.settings;
+fn known(settings: &Settings, ball_label: &str) -> Vec<(&'static str, String)> {
     let (ball, environment) = (&settings.ball, &settings.environment);
     let knowledge = &settings.knowledge;
     let with_share =
         |value: f64, share: f64, unit| Quantity::measured(value, share * value, unit).to_string();
     let air = &environment.air;
     let mut facts = vec![
-        ("Ball", recording.ball_label.to_owned()),
+        ("Ball", ball_label.to_owned()),
         (
             "Mass",
             with_share(ball.mass_kg(), knowledge.mass, Unit::Mass),

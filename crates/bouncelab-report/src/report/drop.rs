@@ -212,6 +212,11 @@ fn impacts(drop: &Analysis, settings: &Settings) -> Section {
         vec![
             Block::figure("height", illustration::height(drop, settings)),
             Block::figure("restitution", illustration::restitution(drop)),
+            Block::figure("bounce-heights", illustration::bounce_heights(drop)),
+            Block::figure(
+                "bounce-energies",
+                illustration::bounce_energies(drop, settings),
+            ),
             Block::table(
                 "Impacts, each with the flight after it and its restitution, without and with \
                  correction for drag (? marks uncertain ones)",

@@ -40,7 +40,7 @@ mod page;
 mod recording;
 mod subject;
 
-pub use conditions::conditions;
+pub use conditions::{conditions, shared_conditions};
 pub use drop::{drop, in_words};
 pub use equation::Equation;
 pub use markdown::Markdown;

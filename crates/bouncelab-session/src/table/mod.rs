@@ -7,10 +7,9 @@
 mod parquet;
 mod text;
 
-use std::fs::File;
 use std::path::{Path, PathBuf};
 
-use tempfile::NamedTempFile;
+use bouncelab_files::Draft;
 
 use crate::error::{Error, Result};
 use parquet::ParquetTable;
@@ -110,20 +109,20 @@ impl Form {
 /// A form of table as it is written.
 trait Rows {
     fn row(&mut self, row: &[Cell]) -> std::result::Result<(), String>;
-    /// Writes what is left and returns the file.
-    fn finish(self: Box<Self>) -> std::result::Result<File, String>;
+    /// Writes what is left.
+    fn finish(self: Box<Self>) -> std::result::Result<(), String>;
 }
 
 /// A table being written, in one form or several at once.
 pub struct TableWriter {
     columns: usize,
-    files: Vec<Draft>,
+    files: Vec<InForm>,
 }
 
-/// A file that does not have its name yet.
-struct Draft {
+/// A table in one form.
+struct InForm {
     path: PathBuf,
-    named: NamedTempFile,
+    draft: Draft,
     rows: Box<dyn Rows>,
 }
 
@@ -133,24 +132,20 @@ impl TableWriter {
     /// # Errors
     /// [`Error::Output`] if the folder cannot be written into.
     pub fn new(folder: &Path, schema: &Schema, forms: &[Form]) -> Result<Self> {
-        let draft = |&form: &Form| -> Result<Draft> {
+        let in_form = |&form: &Form| -> Result<InForm> {
             let path = folder.join(format!("{}.{}", schema.name, form.ending()));
-            let named = tempfile::Builder::new()
-                .prefix(&format!(".{}-", schema.name))
-                .suffix(".part")
-                .tempfile_in(folder)
-                .map_err(Error::output(folder))?;
-            let file = named.reopen().map_err(Error::output(folder))?;
+            let draft = Draft::new(&path).map_err(Error::output(folder))?;
+            let file = draft.file().try_clone().map_err(Error::output(folder))?;
             let rows: Box<dyn Rows> = match form {
                 Form::Parquet => Box::new(ParquetTable::new(file, schema).map_err(failed(&path))?),
                 Form::Csv => Box::new(CsvTable::new(file, schema).map_err(failed(&path))?),
                 Form::JsonLines => Box::new(JsonTable::new(file, schema)),
             };
-            Ok(Draft { path, named, rows })
+            Ok(InForm { path, draft, rows })
         };
         Ok(Self {
             columns: schema.columns.len(),
-            files: forms.iter().map(draft).collect::<Result<_>>()?,
+            files: forms.iter().map(in_form).collect::<Result<_>>()?,
         })
     }
 
@@ -159,13 +154,13 @@ impl TableWriter {
     /// # Errors
     /// [`Error::Table`] if it does not fit the columns or the disk.
     pub fn row(&mut self, row: &[Cell]) -> Result<()> {
-        for draft in &mut self.files {
+        for table in &mut self.files {
             let problem = if row.len() == self.columns {
-                draft.rows.row(row)
+                table.rows.row(row)
             } else {
                 Err(format!("{} cells for {} columns", row.len(), self.columns))
             };
-            problem.map_err(failed(&draft.path))?;
+            problem.map_err(failed(&table.path))?;
         }
         Ok(())
     }
@@ -177,76 +172,18 @@ impl TableWriter {
     /// not whole.
     pub fn finish(self) -> Result<Vec<PathBuf>> {
         let mut whole = Vec::new();
-        for Draft { path, named, rows } in self.files {
-            let file = rows.finish().map_err(failed(&path))?;
-            file.sync_all().map_err(Error::output(&path))?;
-            whole.push((path, named));
+        for InForm { path, draft, rows } in self.files {
+            rows.finish().map_err(failed(&path))?;
+            whole.push((path, draft));
         }
         whole
             .into_iter()
-            .map(|(path, named)| {
-                readable(&named).map_err(Error::output(&path))?;
-                named
-                    .persist(&path)
-                    .map_err(|fault| Error::output(&path)(fault.error))?;
+            .map(|(path, draft)| {
+                draft.finish().map_err(Error::output(&path))?;
                 Ok(path)
             })
             .collect()
     }
-}
-
-/// Temporary files are for their owner alone, tables are as any other file.
-#[cfg(unix)]
-pub(crate) fn readable(named: &NamedTempFile) -> std::io::Result<()> {
-    use std::os::unix::fs::PermissionsExt;
-    named
-        .as_file()
-        .set_permissions(std::fs::Permissions::from_mode(0o644))
-}
-
-#[cfg(not(unix))]
-pub(crate) fn readable(_named: &NamedTempFile) -> std::io::Result<()> {
-    Ok(())
-}
-
-/// Writes a file whole: under another name, then under its own.
-///
-/// # Errors
-/// [`Error::Output`] if that fails; a file of that name is then as it was before.
-pub fn write_whole(path: &Path, bytes: &[u8]) -> Result<()> {
-    use std::io::Write as _;
-    let folder = path
-        .parent()
-        .filter(|folder| !folder.as_os_str().is_empty());
-    let write = || -> std::io::Result<()> {
-        let mut named = tempfile::Builder::new()
-            .prefix(".")
-            .suffix(".part")
-            .tempfile_in(folder.unwrap_or(Path::new(".")))?;
-        named.write_all(bytes)?;
-        named.as_file().sync_all()?;
-        readable(&named)?;
-        named.persist(path)?;
-        Ok(())
-    };
-    write().map_err(Error::output(path))
-}
-
-/// Removes the drafts that a killed run left in a folder. Nobody else may be writing there.
-///
-/// # Errors
-/// [`Error::Output`] if the folder cannot be read or a draft not be removed.
-pub fn remove_drafts(folder: &Path) -> Result<()> {
-    let entries = std::fs::read_dir(folder).map_err(Error::output(folder))?;
-    for entry in entries {
-        let entry = entry.map_err(Error::output(folder))?;
-        let name = entry.file_name();
-        let name = name.as_encoded_bytes();
-        if name.starts_with(b".") && name.ends_with(b".part") {
-            std::fs::remove_file(entry.path()).map_err(Error::output(folder))?;
-        }
-    }
-    Ok(())
 }
 
 fn failed(path: &Path) -> impl FnOnce(String) -> Error {

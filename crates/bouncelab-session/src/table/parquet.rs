@@ -15,8 +15,8 @@ use parquet::schema::types::{Type, TypePtr};
 
 use super::{Cell, Column, Kind, Rows, Schema};
 
-/// Rows that are held back and written together.
-const GROUP: usize = 20_000;
+/// Rows that are held back and written together: a few megabytes.
+const GROUP: usize = 4096;
 
 pub(super) struct ParquetTable {
     columns: Vec<Column>,
@@ -69,11 +69,12 @@ impl Rows for ParquetTable {
         Ok(())
     }
 
-    fn finish(mut self: Box<Self>) -> Result<File, String> {
+    fn finish(mut self: Box<Self>) -> Result<(), String> {
         if self.rows_held() > 0 {
             self.flush().map_err(|fault| said(&fault))?;
         }
-        self.writer.into_inner().map_err(|fault| said(&fault))
+        self.writer.finish().map_err(|fault| said(&fault))?;
+        Ok(())
     }
 }
 

@@ -36,8 +36,8 @@ impl Rows for CsvTable {
             .map_err(|fault| fault.to_string())
     }
 
-    fn finish(self: Box<Self>) -> Result<File, String> {
-        self.0.into_inner().map_err(|fault| fault.to_string())
+    fn finish(mut self: Box<Self>) -> Result<(), String> {
+        self.0.flush().map_err(|fault| fault.to_string())
     }
 }
 
@@ -77,7 +77,7 @@ impl Rows for JsonTable {
         writeln!(self.writer).map_err(|fault| fault.to_string())
     }
 
-    fn finish(self: Box<Self>) -> Result<File, String> {
-        self.writer.into_inner().map_err(|fault| fault.to_string())
+    fn finish(mut self: Box<Self>) -> Result<(), String> {
+        self.writer.flush().map_err(|fault| fault.to_string())
     }
 }

@@ -2,9 +2,11 @@
 //!
 //! ```text
 //! cargo xtask verdicts 1000
+//! cargo xtask verdicts 100 3
 //! ```
 //!
-//! prints the table of `docs/validation.md`; the number is of balls for each line.
+//! prints the table of `docs/validation.md`; the first number is of balls for each line, the second
+//! leaves only the lines of so many drops.
 
 mod ball;
 
@@ -14,11 +16,13 @@ use ball::{LIMITS, Trial};
 use bouncelab::rulebook::Outcome;
 
 fn main() {
-    let balls = std::env::args().nth(1).and_then(|word| word.parse().ok());
-    let balls: u64 = balls.unwrap_or(1000);
+    let number = |place: usize| std::env::args().nth(place)?.parse::<usize>().ok();
+    let balls = number(1).unwrap_or(1000) as u64;
+    let only = number(2);
     println!("| rebound | drops | between drops | pass % | cannot decide % | fail % | wrong % |");
     println!("|---|---|---|---|---|---|---|");
-    for (drops, between) in [(1, 0.0), (3, 0.0), (3, 0.005)] {
+    let lines = [(1, 0.0), (3, 0.0), (3, 0.005)].into_iter();
+    for (drops, between) in lines.filter(|(drops, _)| only.is_none_or(|only| only == *drops)) {
         for rebound_m in [0.237, 0.24, 0.243, 0.25, 0.262] {
             let trial = Trial {
                 rebound_m,

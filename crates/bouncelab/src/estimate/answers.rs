@@ -31,7 +31,7 @@ impl Answers {
         let squares: f64 = sigma_s.iter().map(|s| s * s).sum();
         let rms_s = (squares / sigma_s.len() as f64).sqrt();
         let rows = posterior.each(1, |evaluator, point| {
-            let table = evaluator.table(point.drag_strength);
+            let table = evaluator.table(point)?;
             let (gravity_height, ..) = table.fall(point.fall_launch_m_s)?;
             Some([
                 point.law.at(at_speed_m_s),
@@ -291,7 +291,7 @@ fn heard(
 ) -> Vec<Impact> {
     let told = posterior.each(THINNED, |evaluator: &mut Evaluator, point| {
         let told = evaluator.told(point)?;
-        let table = evaluator.table(point.drag_strength);
+        let table = evaluator.table(point)?;
         let apexes = told
             .launch_speeds
             .iter()

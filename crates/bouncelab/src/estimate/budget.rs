@@ -44,9 +44,7 @@ pub(super) fn budget(posterior: &Posterior, at_speed_m_s: f64) -> Option<Budget>
     };
     let height = |evaluator: &mut Evaluator, vector: &[f64]| {
         let point = evaluator.point(vector)?;
-        let (gravity_height, ..) = evaluator
-            .table(point.drag_strength)
-            .fall(point.fall_launch_m_s)?;
+        let (gravity_height, ..) = evaluator.table(&point)?.fall(point.fall_launch_m_s)?;
         Some(gravity_height / point.gravity_m_s2)
     };
     let [between_laws, between_missed] = between(posterior, at_speed_m_s);
@@ -143,9 +141,8 @@ impl Linear {
             "slope of restitution",
             of_slot(Slot::Shape(0)).powi(2) + of_slot(Slot::Shape(1)).powi(2),
         ));
-        if let Some(height) = model.height_m {
-            let sensitivity = (2.0 * height.value / height.sd) * of_slot(Slot::Height);
-            sources.push(("measured height", sensitivity * sensitivity));
+        if model.height_m.is_some() {
+            sources.push(("measured height", of_slot(Slot::Height).powi(2)));
         }
         sources.extend(self.inputs(gradient, model));
         sources

@@ -17,7 +17,8 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use super::model::{LOG_SCATTER_SD, Model, Point, Slot};
+use super::knowledge::Measured;
+use super::model::{Height, LOG_SCATTER_SD, Model, Point, Slot};
 use super::residual::{End, Opening, Residual, covariance};
 use super::tail::{FREEDOM, Tail};
 use crate::flight::table::FlightTable;
@@ -41,8 +42,6 @@ pub(super) struct Innovation {
 #[derive(Debug, Clone)]
 pub(super) struct Evaluator<'a> {
     pub(super) model: &'a Model<'a>,
-    table: FlightTable,
-    strength: f64,
     ends: Vec<End>,
     residuals: Vec<Residual>,
     factors: Vec<Factor>,
@@ -76,8 +75,6 @@ impl<'a> Evaluator<'a> {
     pub(super) fn new(model: &'a Model<'a>) -> Self {
         Self {
             model,
-            table: FlightTable::new(),
-            strength: f64::NAN,
             ends: Vec::new(),
             residuals: Vec::new(),
             factors: Vec::new(),
@@ -86,25 +83,31 @@ impl<'a> Evaluator<'a> {
     }
 
     /// The values that a vector stands for; `None` where it makes no sense.
-    ///
-    /// Where nobody measured the height, its coordinate says how far the fall is from what the law
-    /// makes of the first flight, in units of the noise between the two. That takes the height out
-    /// of the correlations of everything else, which are crooked where few impacts were heard.
-    pub(super) fn point(&mut self, vector: &[f64]) -> Option<Point> {
+    pub(super) fn point(&self, vector: &[f64]) -> Option<Point> {
         let mut point = self.model.point(vector)?;
-        if self.model.height_is_relative() {
-            let first = self.model.observed.stretches[0];
-            let flight_s = first.duration_s / first.flights as f64 - point.contact_time_s;
-            let table = self.table(point.drag_strength);
-            let launch = table.lasting(point.gravity_m_s2 * flight_s)?.launch;
-            let impact = point.impact_before(launch)?;
-            let suggested = table.launch_leading_to(impact)?;
-            let noise = self.first_noise(&point);
-            let off = vector[self.model.place(Slot::Height)?];
-            point.fall_launch_m_s = suggested * (noise * off).exp();
-            point.log_height_unit = noise.ln();
+        let place = vector[self.model.place(Slot::Height)?];
+        match self.model.height() {
+            Height::Speed => point.fall_launch_m_s = place.exp(),
+            Height::Measured(Measured { value, sd }) => {
+                let gravity_height = point.gravity_m_s2 * (value + sd * place);
+                point.fall_launch_m_s = self.table(&point)?.rising_to(gravity_height)?;
+            }
+            Height::FromFirstFlight => {
+                let noise = self.first_noise(&point);
+                point.fall_launch_m_s = self.suggested_launch(&point)? * (noise * place).exp();
+                point.log_height_unit = noise.ln();
+            }
         }
         Some(point)
+    }
+
+    /// The launch that would rise to the drop height, by the first flight and the law.
+    fn suggested_launch(&self, point: &Point) -> Option<f64> {
+        let first = self.model.observed.stretches[0];
+        let flight_s = first.duration_s / first.flights as f64 - point.contact_time_s;
+        let table = self.table(point)?;
+        let launch = table.lasting(point.gravity_m_s2 * flight_s)?.launch;
+        table.launch_leading_to(point.impact_before(launch)?)
     }
 
     /// About the standard deviation of ln(launch speed) after the first impact heard, given the fall.
@@ -121,12 +124,7 @@ impl<'a> Evaluator<'a> {
     pub(super) fn log_posterior(&mut self, vector: &[f64]) -> Option<f64> {
         let point = self.point(vector)?;
         let (opening, log_jacobian) = self.residuals_at(&point)?;
-        let prior = self.model.log_prior(
-            vector,
-            opening.gravity_height,
-            opening.height_slope,
-            point.gravity_m_s2,
-        );
+        let prior = self.model.log_prior(vector, opening.height_slope);
         let log_jacobian = log_jacobian + point.log_height_unit;
         let total = prior + log_jacobian + self.log_density(&point);
         total.is_finite().then_some(total)
@@ -147,31 +145,26 @@ impl<'a> Evaluator<'a> {
             drop_height_m: opening.gravity_height / point.gravity_m_s2,
             release_to_first_s: opening.time_s,
             impact_speeds,
-            launch_speeds: self.ends.iter().map(|end| end.log_launch.exp()).collect(),
+            launch_speeds: self.ends.iter().map(|end| end.launch).collect(),
         })
     }
 
-    /// The flights of the table at a drag, filled if need be.
-    pub(super) fn table(&mut self, strength: f64) -> &FlightTable {
-        // The same bits mean the same table.
-        if self.strength.to_bits() != strength.to_bits() {
-            self.table.fill(&self.model.surroundings.profile, strength);
-            self.strength = strength;
-        }
-        &self.table
+    /// The flights under the drag of a point; `None` if it is absurd.
+    pub(super) fn table(&self, point: &Point) -> Option<FlightTable<'a>> {
+        self.model.surroundings.flights.at(point.drag_strength)
     }
 
     /// Fills the residuals; the opening and the logarithm of the Jacobian.
     fn residuals_at(&mut self, point: &Point) -> Option<(Opening, f64)> {
-        self.table(point.drag_strength);
-        let opening = Opening::new(&self.table, point, self.model.missed_first)?;
+        let table = self.table(point)?;
+        let opening = Opening::new(&table, point, self.model.missed_first)?;
         self.ends.clear();
         for stretch in &self.model.observed.stretches {
             let contact_s = stretch.flights as f64 * point.contact_time_s;
             let gravity_time = point.gravity_m_s2 * (stretch.duration_s - contact_s);
             let end = match stretch.flights {
-                1 => End::of_flight(&self.table.lasting(gravity_time)?, point.gravity_m_s2),
-                flights => End::of_gap(&self.table, gravity_time, flights, point)?,
+                1 => End::of_flight(&table.lasting(gravity_time)?, point.gravity_m_s2),
+                flights => End::of_gap(&table, gravity_time, flights, point)?,
             };
             self.ends.push(end);
         }
@@ -203,7 +196,7 @@ impl<'a> Evaluator<'a> {
             let z = residual.value - factor.before[0] * before[0] - factor.before[1] * before[1];
             let square = z * z / factor.variance;
             let tail = Tail::of(factor.scatter_share);
-            sum += tail.log_density(square) - 0.5 * factor.variance.ln();
+            sum += tail.log_density(square, factor.variance);
             self.innovations.push(Innovation {
                 impact: residual.impact,
                 standardised: z / factor.variance.sqrt(),

@@ -5,7 +5,7 @@ use super::observed::Observed;
 use crate::ball::Ball;
 use crate::drag::DragLaw;
 use crate::error::{Error, Result};
-use crate::flight::table::{DragProfile, FlightTable, Row};
+use crate::flight::table::{DragProfile, FlightTables, Row};
 use crate::flight::{Environment, FlightModel};
 use crate::impact::Restitution;
 
@@ -24,7 +24,7 @@ const UNSTATED_TIMING_SD: f64 = 1.0;
 
 /// Steps of a flight table up to the launch speed that the longest flight would have without air;
 /// at a drag of a third of the weight they are good to 1e-6.
-const TABLE_STEPS: f64 = 13.0;
+const TABLE_STEPS: f64 = 26.0;
 
 /// One physical explanation of a drop: which restitution law, which drag law, and how many impacts
 /// went before the first one heard.
@@ -47,7 +47,7 @@ pub(super) struct Model<'a> {
 #[derive(Debug, Clone)]
 pub(super) struct Surroundings {
     pub(super) drag_law: DragLaw,
-    pub(super) profile: DragProfile,
+    pub(super) flights: FlightTables,
     /// Effective gravity, m/s².
     pub(super) gravity_m_s2: f64,
     pub(super) drag_sd: f64,
@@ -83,9 +83,6 @@ pub(super) struct Middle {
 }
 
 /// An unknown with a place in the vector.
-///
-/// Those that change the table of flights come first: in a triangular change of coordinates the
-/// later ones then leave the table alone, which saves most of the time of a search.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Slot {
     /// Standard normals before the data: ln of the drag scale ...
@@ -98,8 +95,7 @@ pub(super) enum Slot {
     Restitution,
     /// The numbers of the law besides e*, as standard normals.
     Shape(usize),
-    /// ln of the speed with which a launch would rise to the drop height, if the height was measured;
-    /// else how far it is from what the first flight suggests, in units of the noise.
+    /// The drop height, as [`Height`] says.
     Height,
     /// Standard normals again: ln of the scatter ...
     Scatter,
@@ -107,6 +103,19 @@ pub(super) enum Slot {
     Timing,
     /// ... and of the contact time.
     Contact,
+}
+
+/// What the coordinate of the drop height means: each keeps the height out of the correlations of
+/// everything else, which are crooked where the height is known well or few impacts were heard.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Height {
+    /// A standard normal: how far the height is from the measured one.
+    Measured(Measured),
+    /// How far the fall is from what the law makes of the first flight, in units of the noise between
+    /// the two.
+    FromFirstFlight,
+    /// ln of the speed with which a launch would rise to it.
+    Speed,
 }
 
 impl Slot {
@@ -171,9 +180,10 @@ impl Surroundings {
         let dragless = drag_law == DragLaw::None || environment.air.is_vacuum();
         // Room for drag, and for the fall before a dead first impact.
         let reach = (2.0 / observed.first_ratio()).clamp(2.2, 6.0);
+        let steps = (TABLE_STEPS * reach) as usize;
         Ok(Self {
             drag_law,
-            profile: DragProfile::new(&model, reach * fastest, (TABLE_STEPS * reach) as usize)?,
+            flights: FlightTables::new(DragProfile::new(&model, reach * fastest, steps)?),
             gravity_m_s2,
             drag_sd: if dragless { 0.0 } else { knowledge.drag },
             contact_sd: knowledge.contact_time,
@@ -313,25 +323,26 @@ impl<'a> Model<'a> {
         self.slots.iter().position(|&s| s == slot)
     }
 
-    /// Whether the height is told from the first flight.
-    pub(super) fn height_is_relative(&self) -> bool {
-        self.height_m.is_none() && self.missed_first == 0
+    /// What the coordinate of the height means.
+    pub(super) fn height(&self) -> Height {
+        match self.height_m {
+            Some(measured) => Height::Measured(measured),
+            None if self.missed_first == 0 => Height::FromFirstFlight,
+            None => Height::Speed,
+        }
     }
 
     /// What the prior alone says of an unknown: minus the second derivative of its logarithm.
     pub(super) fn prior_information(&self, slot: Slot, value: f64) -> f64 {
         match slot {
             Slot::Restitution => 2.0 * logistic(value) * logistic(-value),
-            // ln h is about twice ln v.
-            Slot::Height => self
-                .height_m
-                .map_or(0.0, |height| (2.0 * height.value / height.sd).powi(2)),
+            Slot::Height if self.height_m.is_none() => 0.0,
             _ => 1.0,
         }
     }
 
-    /// The values that a vector stands for, with the height as its coordinate says; `None` where the
-    /// law makes no sense.
+    /// The values that a vector stands for, but for the fall, which takes flights to tell; `None` where
+    /// the law makes no sense.
     pub(super) fn point(&self, vector: &[f64]) -> Option<Point> {
         let mut values = [0.0; 10];
         for (slot, &value) in self.slots.iter().zip(vector) {
@@ -350,7 +361,7 @@ impl<'a> Model<'a> {
             drag_strength: drag_scale * log_inputs.exp(),
             gravity_m_s2: self.surroundings.gravity_m_s2
                 * (inputs.gravity_sd * at(Slot::Gravity)).exp(),
-            fall_launch_m_s: at(Slot::Height).exp(),
+            fall_launch_m_s: f64::NAN,
             log_height_unit: 0.0,
             scatter: self.typical_scatter * (LOG_SCATTER_SD * at(Slot::Scatter)).exp(),
             timing: (self.timing_sd * at(Slot::Timing)).exp(),
@@ -382,14 +393,11 @@ impl<'a> Model<'a> {
     /// Where a search may begin.
     pub(super) fn start(&self) -> Vec<f64> {
         let e = self.middle.restitution.clamp(0.05, 0.995);
-        let gravity = self.surroundings.gravity_m_s2;
         // One missed impact more means a fall 1/e faster.
         let heard = self.middle.first_launch_m_s / e.powf(self.missed_first as f64 + 1.0);
-        let known = self.height_m.map(|h| (2.0 * gravity * h.value).sqrt());
-        let height = if self.height_is_relative() {
-            0.0
-        } else {
-            known.unwrap_or(heard).ln()
+        let height = match self.height() {
+            Height::Measured(_) | Height::FromFirstFlight => 0.0,
+            Height::Speed => heard.ln(),
         };
         let scatter = self.middle.scatter.map_or(0.0, |scatter| {
             (scatter / self.typical_scatter).ln() / LOG_SCATTER_SD
@@ -408,36 +416,19 @@ impl<'a> Model<'a> {
             .collect()
     }
 
-    /// Logarithm of the prior density of a vector whose fall has this gravity times height and this
-    /// d ln(height)/d ln(launch).
-    pub(super) fn log_prior(
-        &self,
-        vector: &[f64],
-        gravity_height: f64,
-        log_slope: f64,
-        gravity: f64,
-    ) -> f64 {
+    /// Logarithm of the prior density of a vector whose fall has this d ln(height)/d ln(launch).
+    pub(super) fn log_prior(&self, vector: &[f64], height_slope: f64) -> f64 {
         let mut sum = 0.0;
         for (slot, &value) in self.slots.iter().zip(vector) {
             sum += match slot {
                 // Flat in e: de/d(logit) = e (1 - e).
                 Slot::Restitution => -softplus(-value) - softplus(value),
-                Slot::Height => self.log_height_prior(gravity_height / gravity, log_slope),
+                // Flat in ln h.
+                Slot::Height if self.height_m.is_none() => height_slope.ln(),
                 _ => -0.5 * value * value,
             };
         }
         sum
-    }
-
-    /// Flat in ln h if the height was not measured; normal if it was.
-    fn log_height_prior(&self, height_m: f64, log_slope: f64) -> f64 {
-        match self.height_m {
-            None => log_slope.ln(),
-            Some(Measured { value, sd }) => {
-                let off = (height_m - value) / sd;
-                -0.5 * off * off + (log_slope * height_m / sd).ln()
-            }
-        }
     }
 }
 
@@ -452,14 +443,13 @@ impl Middle {
         surroundings: &Surroundings,
         contact_time_s: f64,
     ) -> Result<Self> {
-        let mut table = FlightTable::new();
-        table.fill(&surroundings.profile, 1.0);
+        let nominal = surroundings.flights.at(1.0);
         let rows = observed
             .stretches
             .iter()
             .map(|stretch| {
                 let time_s = stretch.duration_s / stretch.flights as f64 - contact_time_s;
-                table.lasting(surroundings.gravity_m_s2 * time_s)
+                nominal?.lasting(surroundings.gravity_m_s2 * time_s)
             })
             .collect::<Option<Vec<Row>>>()
             .ok_or_else(|| {

@@ -25,7 +25,7 @@ pub(super) fn until_rest(evaluator: &mut Evaluator, point: &Point) -> Option<Res
     let missed_first = evaluator.model.missed_first;
     let heard_s = observed.impacts[observed.impacts.len() - 1].time_s - observed.impacts[0].time_s;
     let gravity = point.gravity_m_s2;
-    let table = evaluator.table(point.drag_strength);
+    let table = evaluator.table(point)?;
     let mut rest = Rest {
         time_s: told.release_to_first_s + heard_s,
         path_m: told.drop_height_m,
@@ -72,7 +72,7 @@ pub(super) fn drop_height_for(
     apex_m: f64,
 ) -> Option<f64> {
     let gravity = point.gravity_m_s2;
-    let table = evaluator.table(point.drag_strength);
+    let table = evaluator.table(point)?;
     let mut launch = table.rising_to(gravity * apex_m)?;
     for _ in 0..bounce {
         let impact = point.impact_before(launch)?;
@@ -89,7 +89,7 @@ pub(super) fn rebound_m(
     drop_height_m: f64,
 ) -> Option<f64> {
     let gravity = point.gravity_m_s2;
-    let table = evaluator.table(point.drag_strength);
+    let table = evaluator.table(point)?;
     // A fall is the second half of the flight that rises as high.
     let impact = table
         .launch(table.rising_to(gravity * drop_height_m)?)?

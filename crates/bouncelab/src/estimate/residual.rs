@@ -11,14 +11,13 @@ use crate::flight::table::{FlightTable, Row};
 /// A stretch as its ends see it.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct End {
-    /// ln of the launch speed at its start and of the impact speed at its end.
-    pub(super) log_launch: f64,
-    log_impact: f64,
+    /// Launch speed at its start and impact speed at its end.
+    pub(super) launch: f64,
     pub(super) impact: f64,
-    /// Derivatives of both by its duration, 1/s.
+    /// Derivatives of their logarithms by its duration, 1/s.
     pub(super) launch_per_s: f64,
     impact_per_s: f64,
-    /// What the scatter of missed impacts does to them: squares and product.
+    /// What the scatter of missed impacts does to the logarithms: squares and product.
     launch_scatter: f64,
     impact_scatter: f64,
     shared_scatter: f64,
@@ -57,8 +56,7 @@ impl End {
     pub(super) fn of_flight(row: &Row, gravity: f64) -> Self {
         let launch_per_s = gravity / (row.time_slope * row.time);
         Self {
-            log_launch: row.launch.ln(),
-            log_impact: row.impact.ln(),
+            launch: row.launch,
             impact: row.impact,
             launch_per_s,
             impact_per_s: row.impact_slope * launch_per_s,
@@ -88,13 +86,11 @@ impl End {
             }
         }
         let rows = rows(table, log_launch.exp(), flights, point)?;
-        let last = rows[rows.len() - 1];
         let (slope, impact) = response(&rows, point);
         let launch_per_s = point.gravity_m_s2 / slope;
         let mut end = Self {
-            log_launch,
-            log_impact: last.impact.ln(),
-            impact: last.impact,
+            launch: rows[0].launch,
+            impact: rows[rows.len() - 1].impact,
             launch_per_s,
             impact_per_s: impact * launch_per_s,
             ..Self::default()
@@ -142,7 +138,6 @@ impl Opening {
     /// It as the impact at its end sees it.
     pub(super) fn end(&self) -> End {
         End {
-            log_impact: self.impact.ln(),
             impact: self.impact,
             impact_scatter: self.impact_scatter,
             shared_scatter: -self.shared_scatter,
@@ -169,7 +164,7 @@ impl Residual {
         let by_before = -keeps * before.impact_per_s;
         let by_after = after.launch_per_s;
         Self {
-            value: after.log_launch - before.log_impact - point.law.at(before.impact).ln(),
+            value: (after.launch / (before.impact * point.law.at(before.impact))).ln(),
             timing: [-by_before, by_before - by_after, by_after],
             scatter: 1.0 + after.launch_scatter + keeps * keeps * before.impact_scatter,
             scatter_before: -keeps * before.shared_scatter,

@@ -7,9 +7,13 @@
 //!
 //! dv'/dv = (v/v') (1 - η(v'))/(1 + η(v)),  d(gT)/dv = (1 + v/v')/(1 + η(v)),  d(gh)/dv = v/(1 + η(v)),
 //!
-//! which are smooth, have no end at the terminal speed and know no gravity. Between the nodes the
-//! cubics with the right slopes are good to 1e-8, far below any noise; the tests hold them against
-//! [`FlightModel`](super::FlightModel).
+//! which are smooth, have no end at the terminal speed and know no gravity. A second march, over gT,
+//! tells the flight that lasts a time. Both are made for a few strengths of drag, each when it is
+//! first asked for, and cubics go between: between the nodes of a march with the right slopes, between
+//! the strengths through four of them. They are good to 1e-8, and to 1e-6 where drag is as much as the
+//! weight, far below any noise; the tests hold them against [`FlightModel`](super::FlightModel).
+
+use std::sync::OnceLock;
 
 use super::FlightModel;
 use crate::error::Result;
@@ -28,8 +32,8 @@ pub(crate) struct DragProfile {
 }
 
 impl DragProfile {
-    /// The drag of a model up to a speed, for tables of so many steps; beyond the range of its law drag keeps the coefficient it
-    /// has there.
+    /// The drag of a model up to a speed, for tables of so many steps; beyond the range of its law drag
+    /// keeps the coefficient it has there.
     pub(crate) fn new(model: &FlightModel, greatest_speed_m_s: f64, march: usize) -> Result<Self> {
         let step = greatest_speed_m_s / PROFILE as f64;
         let mut per_speed = Vec::with_capacity(PROFILE + 2);
@@ -54,6 +58,10 @@ impl DragProfile {
     /// The fastest launch that a table over this profile knows, m/s.
     fn fastest(&self) -> f64 {
         self.step * PROFILE as f64
+    }
+
+    fn march_step(&self) -> f64 {
+        self.fastest() / self.march as f64
     }
 
     #[inline]
@@ -81,16 +89,34 @@ pub(crate) struct Row {
     pub(crate) impact_slope: f64,
 }
 
-/// Every flight of a ball, for one strength of drag.
+/// Every flight of a ball, for every strength of drag.
 #[derive(Debug, Clone)]
-pub(crate) struct FlightTable {
-    nodes: Vec<Node>,
+pub(crate) struct FlightTables {
+    profile: DragProfile,
+    marches: Vec<OnceLock<March>>,
+}
+
+/// Strengths s lie at equal steps of s/(1 + s), so that weak drag and strong are told equally well.
+const STRENGTHS: usize = 64;
+
+/// Every flight of a ball under one drag: a look at the tables.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct FlightTable<'a> {
+    marches: [&'a March; 4],
+    weights: [f64; 4],
     step: f64,
+}
+
+/// All flights under the drag of a node.
+#[derive(Debug, Clone)]
+struct March {
+    by_speed: Vec<SpeedNode>,
+    by_time: Vec<TimeNode>,
 }
 
 /// Values and slopes by the launch speed at a node, all free of gravity.
 #[derive(Debug, Clone, Copy, Default)]
-struct Node {
+struct SpeedNode {
     /// Impact speed.
     impact: [f64; 2],
     /// g T.
@@ -101,68 +127,141 @@ struct Node {
     fall: [f64; 2],
 }
 
-impl FlightTable {
-    /// An empty table, to be filled by [`FlightTable::fill`].
-    pub(crate) fn new() -> Self {
+/// Values and slopes by g T at a node.
+#[derive(Debug, Clone, Copy)]
+struct TimeNode {
+    launch: [f64; 2],
+    impact: [f64; 2],
+}
+
+impl FlightTables {
+    /// Tables for the drag of a profile, still empty.
+    pub(crate) fn new(profile: DragProfile) -> Self {
         Self {
-            nodes: Vec::new(),
-            step: 0.0,
+            profile,
+            marches: vec![OnceLock::new(); STRENGTHS],
         }
     }
 
-    /// Solves all flights with so many times the drag of a profile.
-    pub(crate) fn fill(&mut self, profile: &DragProfile, drag_scale: f64) {
-        self.step = profile.fastest() / profile.march as f64;
-        let step = self.step;
-        let over_weight = |speed: f64| drag_scale * profile.over_weight(speed);
-        // One division each: this march is most of the time of an inference.
-        let slope = |slowing: f64, v: f64, impact: f64| {
-            v * (1.0 - over_weight(impact)) / (impact * slowing)
-        };
-        // Time, g h and fall time.
-        let rates = |slowing: f64, v: f64, impact: f64| {
-            let per_impact = 1.0 / (slowing * impact);
-            let fall = v * per_impact;
-            let per_slowing = impact * per_impact;
-            [per_slowing + fall, v * per_slowing, fall]
-        };
-        self.nodes.clear();
-        let (mut impact, mut slope_here) = (0.0, 1.0);
-        let mut sums = [0.0; 3];
-        // At rest the impact speed is the launch speed.
-        let mut rates_here = [2.0, 0.0, 1.0];
-        self.nodes.push(Node::of([0.0, 1.0], sums, rates_here));
-        for node in 1..=profile.march {
-            let v = step * (node - 1) as f64;
-            let (middle, end) = (v + 0.5 * step, v + step);
-            let (slowing_middle, slowing_end) = (1.0 + over_weight(middle), 1.0 + over_weight(end));
-            // Runge-Kutta for the impact speed; its first slope is the last of the step before.
-            let k1 = slope_here;
-            let k2 = slope(slowing_middle, middle, impact + 0.5 * step * k1);
-            let k3 = slope(slowing_middle, middle, impact + 0.5 * step * k2);
-            let k4 = slope(slowing_end, end, impact + step * k3);
-            let next = impact + step / 6.0 * (k1 + 2.0 * (k2 + k3) + k4);
-            let slope_end = slope(slowing_end, end, next);
-            // Simpson for the rest, the middle from the cubic through both ends.
-            let between = 0.5 * (impact + next) + step / 8.0 * (slope_here - slope_end);
-            let rates_middle = rates(slowing_middle, middle, between);
-            let rates_end = rates(slowing_end, end, next);
-            for (i, sum) in sums.iter_mut().enumerate() {
-                *sum += step / 6.0 * (rates_here[i] + 4.0 * rates_middle[i] + rates_end[i]);
+    /// The flights with so many times the drag of the profile; `None` for a drag below zero, and for
+    /// one some thirty times too strong.
+    pub(crate) fn at(&self, strength: f64) -> Option<FlightTable<'_>> {
+        let place = STRENGTHS as f64 * strength / (1.0 + strength);
+        if !(strength >= 0.0 && place + 2.0 < STRENGTHS as f64) {
+            return None;
+        }
+        let first = (place as usize).saturating_sub(1);
+        let t = place - first as f64;
+        Some(FlightTable {
+            marches: std::array::from_fn(|node| self.march(first + node)),
+            // Lagrange, through the nodes 0, 1, 2 and 3.
+            weights: [
+                (1.0 - t) * (2.0 - t) * (3.0 - t) / 6.0,
+                t * (2.0 - t) * (3.0 - t) / 2.0,
+                t * (t - 1.0) * (3.0 - t) / 2.0,
+                t * (t - 1.0) * (t - 2.0) / 6.0,
+            ],
+            step: self.profile.march_step(),
+        })
+    }
+
+    fn march(&self, node: usize) -> &March {
+        self.marches[node].get_or_init(|| {
+            let strength = node as f64 / (STRENGTHS - node) as f64;
+            March {
+                by_speed: march_by_speed(&self.profile, strength),
+                by_time: march_by_time(&self.profile, strength),
             }
-            self.nodes
-                .push(Node::of([next, slope_end], sums, rates_end));
-            (impact, slope_here) = (next, slope_end);
-            rates_here = rates_end;
-        }
+        })
     }
+}
 
+/// Solves all flights with so many times the drag of a profile, at equal steps of the launch speed.
+fn march_by_speed(profile: &DragProfile, strength: f64) -> Vec<SpeedNode> {
+    let step = profile.march_step();
+    let over_weight = |speed: f64| strength * profile.over_weight(speed);
+    let slope =
+        |slowing: f64, v: f64, impact: f64| v * (1.0 - over_weight(impact)) / (impact * slowing);
+    // Time, g h and fall time.
+    let rates = |slowing: f64, v: f64, impact: f64| {
+        [
+            (1.0 + v / impact) / slowing,
+            v / slowing,
+            v / (impact * slowing),
+        ]
+    };
+    let (mut impact, mut slope_here) = (0.0, 1.0);
+    let mut sums = [0.0; 3];
+    // At rest the impact speed is the launch speed.
+    let mut rates_here = [2.0, 0.0, 1.0];
+    let mut nodes = vec![SpeedNode::of([0.0, 1.0], sums, rates_here)];
+    for node in 1..=profile.march {
+        let v = step * (node - 1) as f64;
+        let (middle, end) = (v + 0.5 * step, v + step);
+        let (slowing_middle, slowing_end) = (1.0 + over_weight(middle), 1.0 + over_weight(end));
+        // Runge-Kutta for the impact speed; its first slope is the last of the step before.
+        let k1 = slope_here;
+        let k2 = slope(slowing_middle, middle, impact + 0.5 * step * k1);
+        let k3 = slope(slowing_middle, middle, impact + 0.5 * step * k2);
+        let k4 = slope(slowing_end, end, impact + step * k3);
+        let next = impact + step / 6.0 * (k1 + 2.0 * (k2 + k3) + k4);
+        let slope_end = slope(slowing_end, end, next);
+        // Simpson for the rest, the middle from the cubic through both ends.
+        let between = 0.5 * (impact + next) + step / 8.0 * (slope_here - slope_end);
+        let rates_middle = rates(slowing_middle, middle, between);
+        let rates_end = rates(slowing_end, end, next);
+        for (i, sum) in sums.iter_mut().enumerate() {
+            *sum += step / 6.0 * (rates_here[i] + 4.0 * rates_middle[i] + rates_end[i]);
+        }
+        nodes.push(SpeedNode::of([next, slope_end], sums, rates_end));
+        (impact, slope_here) = (next, slope_end);
+        rates_here = rates_end;
+    }
+    nodes
+}
+
+/// The same at equal steps of gravity times the flight time, twice those of the launch speed: without
+/// drag a launch lasts twice its speed over gravity.
+fn march_by_time(profile: &DragProfile, strength: f64) -> Vec<TimeNode> {
+    let step = TIME_STEP * profile.march_step();
+    let over_weight = |speed: f64| strength * profile.over_weight(speed);
+    let slopes = |[launch, impact]: [f64; 2]| {
+        let both = launch + impact;
+        [
+            impact * (1.0 + over_weight(launch)) / both,
+            launch * (1.0 - over_weight(impact)) / both,
+        ]
+    };
+    let mut speeds = [0.0; 2];
+    // At rest both speeds are alike.
+    let mut slopes_here = [0.5; 2];
+    let mut nodes = Vec::with_capacity(profile.march + 1);
+    while speeds[0] <= profile.fastest() && nodes.len() <= profile.march {
+        nodes.push(TimeNode {
+            launch: [speeds[0], slopes_here[0]],
+            impact: [speeds[1], slopes_here[1]],
+        });
+        let after = |share: f64, k: [f64; 2]| [0, 1].map(|i| speeds[i] + share * step * k[i]);
+        let k1 = slopes_here;
+        let k2 = slopes(after(0.5, k1));
+        let k3 = slopes(after(0.5, k2));
+        let k4 = slopes(after(1.0, k3));
+        speeds = [0, 1].map(|i| speeds[i] + step / 6.0 * (k1[i] + 2.0 * (k2[i] + k3[i]) + k4[i]));
+        slopes_here = slopes(speeds);
+    }
+    nodes
+}
+
+/// Steps of the march over time, in steps of the march over speed.
+const TIME_STEP: f64 = 2.0;
+
+impl FlightTable<'_> {
     /// The flight with a launch speed; `None` beyond the table.
     #[inline]
     pub(crate) fn launch(&self, speed: f64) -> Option<Row> {
-        let (low, high, t) = self.around(speed)?;
-        let [impact, impact_slope] = hermite(low.impact, high.impact, t, self.step);
-        let [time, time_slope] = hermite(low.time, high.time, t, self.step);
+        let (node, t) = self.around(speed)?;
+        let [impact, impact_slope] = self.by_speed(node, t, |node| node.impact);
+        let [time, time_slope] = self.by_speed(node, t, |node| node.time);
         Some(Row {
             launch: speed,
             impact,
@@ -175,26 +274,34 @@ impl FlightTable {
     /// The flight that lasts a time; takes gravity times the time, m/s.
     #[inline]
     pub(crate) fn lasting(&self, gravity_time: f64) -> Option<Row> {
-        // Time grows ever slower with the launch speed, so steps from below stay below.
-        let mut speed = 0.5 * gravity_time;
-        for _ in 0..MAX_STEPS {
-            let (low, high, t) = self.around(speed)?;
-            let [time, slope] = hermite(low.time, high.time, t, self.step);
-            let step = (gravity_time - time) / slope;
-            speed += step;
-            if step.abs() <= SMALL_STEP * speed {
-                break;
-            }
+        let step = TIME_STEP * self.step;
+        let place = gravity_time / step;
+        // More drag makes the longest flight shorter: the last march has the fewest nodes.
+        let last = self.marches[3].by_time.len() - 1;
+        if !(place > 0.0 && place < last as f64) {
+            return None;
         }
-        self.launch(speed)
+        let node = place as usize;
+        let t = place - node as f64;
+        let launch = |node: usize| self.blend(|march| march.by_time[node].launch);
+        let impact = |node: usize| self.blend(|march| march.by_time[node].impact);
+        let [launch, launch_slope] = hermite(launch(node), launch(node + 1), t, step);
+        let [impact, impact_slope] = hermite(impact(node), impact(node + 1), t, step);
+        Some(Row {
+            launch,
+            impact,
+            time: gravity_time,
+            time_slope: launch / (gravity_time * launch_slope),
+            impact_slope: impact_slope * launch / (impact * launch_slope),
+        })
     }
 
     /// Gravity times height and gravity times fall time of the fall that a launch with this speed
     /// would begin, and d ln(height)/d ln(launch).
     pub(crate) fn fall(&self, launch: f64) -> Option<(f64, f64, f64)> {
-        let (low, high, t) = self.around(launch)?;
-        let [free_fall, slope] = hermite(low.free_fall, high.free_fall, t, self.step);
-        let [fall, _] = hermite(low.fall, high.fall, t, self.step);
+        let (node, t) = self.around(launch)?;
+        let [free_fall, slope] = self.by_speed(node, t, |node| node.free_fall);
+        let [fall, _] = self.by_speed(node, t, |node| node.fall);
         let log_slope = 2.0 * slope * launch / free_fall;
         Some((0.5 * free_fall * free_fall, fall, log_slope))
     }
@@ -227,18 +334,29 @@ impl FlightTable {
         Some(speed)
     }
 
+    /// The node below a launch speed, and the share of the step above it.
     #[inline]
-    fn around(&self, speed: f64) -> Option<(&Node, &Node, f64)> {
+    fn around(&self, speed: f64) -> Option<(usize, f64)> {
         let place = speed / self.step;
-        if !(place > 0.0 && place + 1.0 < self.nodes.len() as f64) {
-            return None;
-        }
+        let last = self.marches[0].by_speed.len() - 1;
         let node = place as usize;
-        Some((
-            &self.nodes[node],
-            &self.nodes[node + 1],
-            place - node as f64,
-        ))
+        (place > 0.0 && place < last as f64).then_some((node, place - node as f64))
+    }
+
+    #[inline]
+    fn by_speed(&self, node: usize, t: f64, value: impl Fn(&SpeedNode) -> [f64; 2]) -> [f64; 2] {
+        let at = |node: usize| self.blend(|march| value(&march.by_speed[node]));
+        hermite(at(node), at(node + 1), t, self.step)
+    }
+
+    /// A value with its slope, between the strengths of the marches.
+    #[inline]
+    fn blend(&self, value: impl Fn(&March) -> [f64; 2]) -> [f64; 2] {
+        let [a, b, c, d] = self.marches;
+        let [a, b, c, d] = [value(a), value(b), value(c), value(d)];
+        let [wa, wb, wc, wd] = self.weights;
+        let sum = |i: usize| wa * a[i] + wb * b[i] + wc * c[i] + wd * d[i];
+        [sum(0), sum(1)]
     }
 }
 
@@ -248,7 +366,7 @@ const MAX_STEPS: usize = 30;
 /// Near the terminal speed the impact speed hardly answers to the launch speed.
 const LEAST_SLOPE: f64 = 1e-3;
 
-impl Node {
+impl SpeedNode {
     fn of(impact: [f64; 2], [time, height, fall]: [f64; 3], rates: [f64; 3]) -> Self {
         let free_fall = (2.0 * height).sqrt();
         let free_fall_slope = if height > 0.0 {
@@ -307,9 +425,8 @@ mod tests {
             (DragLaw::CliftGraceWeber, 2e-5),
         ] {
             let model = model(drag);
-            let profile = DragProfile::new(&model, 12.0, 80).unwrap();
-            let mut table = FlightTable::new();
-            table.fill(&profile, 1.0);
+            let tables = FlightTables::new(DragProfile::new(&model, 12.0, 80).unwrap());
+            let table = tables.at(1.0).unwrap();
             let gravity = model.gravity_m_s2();
             for launch in [0.4, 1.0, 2.0, 4.0, 7.0] {
                 let exact = model.launch(launch).unwrap();
@@ -340,25 +457,43 @@ mod tests {
         }
     }
 
-    /// Twice the drag in the table is the drag of twice the coefficient.
+    /// So many times the drag in the table is the drag of so many times the coefficient, at the nodes
+    /// and between them; the weakest and the strongest are told too.
     #[test]
     fn a_table_scales_its_drag() {
-        let profile = DragProfile::new(&model(DragLaw::Constant(0.3)), 8.0, 80).unwrap();
-        let mut table = FlightTable::new();
-        table.fill(&profile, 2.0);
-        let exact = model(DragLaw::Constant(0.6)).launch(3.0).unwrap();
-        let row = table.launch(3.0).unwrap();
-        assert!((row.impact / exact.impact_speed_m_s - 1.0).abs() < 1e-7);
+        let nominal = model(DragLaw::Constant(0.3));
+        let tables = FlightTables::new(DragProfile::new(&nominal, 8.0, 80).unwrap());
+        for strength in [0.0, 0.003, 0.02, 0.2, 0.77, 1.0, 1.013, 2.0] {
+            let table = tables.at(strength).unwrap();
+            let scaled = model(DragLaw::Constant(0.3 * strength));
+            for launch in [0.5, 3.0, 6.0] {
+                let exact = scaled.launch(launch).unwrap();
+                let gravity_time = scaled.gravity_m_s2() * exact.time_s();
+                let far = [
+                    table.launch(launch).unwrap().impact / exact.impact_speed_m_s,
+                    table.launch(launch).unwrap().time / gravity_time,
+                    table.lasting(gravity_time).unwrap().launch / launch,
+                    table.lasting(gravity_time).unwrap().impact / exact.impact_speed_m_s,
+                ]
+                .map(|ratio| (ratio - 1.0).abs())
+                .into_iter()
+                .fold(0.0, f64::max);
+                assert!(far < 1e-6, "{strength} {launch}: {far:e}");
+            }
+        }
     }
 
     #[test]
     fn what_lies_beyond_the_table_is_not_made_up() {
-        let profile = DragProfile::new(&model(DragLaw::Constant(0.4)), 5.0, 80).unwrap();
-        let mut table = FlightTable::new();
-        table.fill(&profile, 1.0);
+        let drag = model(DragLaw::Constant(0.4));
+        let tables = FlightTables::new(DragProfile::new(&drag, 5.0, 80).unwrap());
+        let table = tables.at(1.0).unwrap();
         assert!(table.launch(5.1).is_none());
         assert!(table.lasting(20.0).is_none());
         assert!(table.rising_to(30.0).is_none());
         assert!(table.launch(f64::NAN).is_none());
+        for strength in [-0.1, 40.0, f64::INFINITY, f64::NAN] {
+            assert!(tables.at(strength).is_none(), "{strength}");
+        }
     }
 }

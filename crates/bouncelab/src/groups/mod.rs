@@ -42,4 +42,4 @@ pub use mean::Mean;
 pub use mixed::{Component, Drop, Factor, Mixed};
 pub use outlier::{FAR, Outlier, outliers};
 pub use plan::{MOST_DROPS, drops_needed, run_limit};
-pub use study::{Group, Law, LawPoint, Study, StudyDrop, Varies};
+pub use study::{Amounts, Group, Law, LawPoint, Study, StudyDrop, Trend, Varies};

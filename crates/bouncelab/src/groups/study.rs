@@ -1,12 +1,13 @@
 //! Everything that the drops of a session say, at once.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use super::compare::{Difference, compare, compare_means};
 use super::mean::Mean;
 use super::mixed::{Component, Drop, Factor, Mixed};
 use super::outlier::{Outlier, median, outliers};
 use super::plan::drops_needed;
+use super::quantile::{student, student_beyond};
 use crate::error::{Error, Result, positive};
 use crate::estimate::Measured;
 
@@ -76,10 +77,36 @@ impl Law {
 pub struct StudyDrop {
     /// Its restitution at [`Law::speeds`].
     pub law: Law,
-    /// Scatter of ln e from impact to impact.
-    pub scatter: Option<f64>,
+    /// Scatter of ln e from impact to impact, above zero.
+    pub scatter: Option<Measured>,
     /// Level of each factor; `None` where it was not noted.
     pub levels: Vec<Option<usize>>,
+}
+
+/// What the levels of a factor amount to: heights in metres, temperatures in kelvin.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Amounts {
+    /// The factor, by its place.
+    pub factor: usize,
+    /// The amount of each level.
+    pub of_levels: Vec<f64>,
+}
+
+/// How restitution changes with an amount, all else equal.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Trend {
+    /// The factor, by its place.
+    pub factor: usize,
+    /// How many levels it has.
+    pub levels: usize,
+    /// Change of restitution for each unit of the amount, with its standard error.
+    pub slope: Measured,
+    /// Degrees of freedom of the standard error.
+    pub degrees: f64,
+    /// Where the slope lies with 95 % confidence.
+    pub interval95: [f64; 2],
+    /// Probability of so large a slope if there is none.
+    pub p_value: f64,
 }
 
 /// Drops that have the same levels of the factors by which they are grouped.
@@ -91,9 +118,11 @@ pub struct Group {
     pub drops: Vec<usize>,
     /// The mean restitution at the speed of the study, with the scatter between drops.
     pub mean: Mean,
+    /// The same without the outliers of the study, if this group has any and others besides.
+    pub without_outliers: Option<Mean>,
     /// Standard uncertainty that all drops share, and that no number of drops makes smaller.
     pub shared_sd: f64,
-    /// Typical scatter of restitution from impact to impact, relative (root mean square).
+    /// Typical scatter of restitution from impact to impact, relative.
     pub between_impacts: Option<f64>,
     /// How many drops in all the wanted half width of the 95 % interval takes, or half of the present
     /// one if none was stated.
@@ -127,14 +156,17 @@ pub struct Study {
     pub groups: Vec<Group>,
     /// Who varies: each factor of two levels or more, then the drops.
     pub varies: Vec<Varies>,
-    /// For each factor of two levels or more its place and the differences of its levels.
+    /// For each factor of two levels or more its place and the differences of its levels. A factor
+    /// with amounts that has a level for nearly every drop is not compared by levels.
     pub differences: Vec<(usize, Vec<Difference>)>,
+    /// For each factor with amounts and three levels or more, how restitution changes with them.
+    pub trends: Vec<Trend>,
     /// Drops that do not belong to their group, by their place in the list given.
     pub outliers: Vec<Outlier>,
 }
 
 impl Study {
-    /// Studies drops, grouped `by` some of the factors.
+    /// Studies drops, grouped `by` some of the factors, of which some have amounts.
     ///
     /// Without a speed it takes that which most drops know. `wanted` is the half width of a 95 %
     /// interval for [`Group::drops_needed`].
@@ -145,6 +177,7 @@ impl Study {
     pub fn of(
         drops: &[StudyDrop],
         factors: &[Factor],
+        amounts: &[Amounts],
         by: &[usize],
         at_speed_m_s: Option<f64>,
         wanted: Option<f64>,
@@ -160,18 +193,11 @@ impl Study {
             drops.iter().map(|drop| drop.law.at(speed_m_s)).collect();
         let used: Vec<usize> = (0..drops.len()).filter(|&i| known[i].is_some()).collect();
         let points: Vec<LawPoint> = known.iter().flatten().copied().collect();
-        let of = |places: &[usize], levels: Vec<Option<usize>>| {
-            group(drops, &known, places, levels, wanted)
-        };
         let mut cells: BTreeMap<Vec<Option<usize>>, Vec<usize>> = BTreeMap::new();
         for &place in &used {
             let levels = by.iter().map(|&factor| drops[place].levels[factor]);
             cells.entry(levels.collect()).or_default().push(place);
         }
-        let groups = cells
-            .iter()
-            .map(|(levels, places)| of(places, levels.clone()))
-            .collect::<Result<Vec<_>>>()?;
         let mut group_of = vec![0; drops.len()];
         for (number, places) in cells.values().enumerate() {
             for &place in places {
@@ -180,7 +206,21 @@ impl Study {
         }
         let group_of: Vec<usize> = used.iter().map(|&place| group_of[place]).collect();
         let values: Vec<Measured> = points.iter().map(own).collect();
-        let named = outliers(&values, &group_of).into_iter();
+        let outliers: Vec<Outlier> = outliers(&values, &group_of)
+            .into_iter()
+            .map(|outlier| Outlier {
+                drop: used[outlier.drop],
+                ..outlier
+            })
+            .collect();
+        let odd: BTreeSet<usize> = outliers.iter().map(|outlier| outlier.drop).collect();
+        let of = |places: &[usize], levels: Vec<Option<usize>>| {
+            group(drops, &known, places, &odd, levels, wanted)
+        };
+        let groups = cells
+            .iter()
+            .map(|(levels, places)| of(places, levels.clone()))
+            .collect::<Result<Vec<_>>>()?;
         let modelled: Vec<Drop> = used
             .iter()
             .zip(&values)
@@ -189,20 +229,16 @@ impl Study {
                 levels: drops[place].levels.clone(),
             })
             .collect();
-        let apart = Apart::new(modelled, factors);
+        let apart = Apart::new(modelled, factors, amounts);
         Ok(Self {
             at_speed_m_s: speed_m_s,
             left_out: (0..drops.len()).filter(|&i| known[i].is_none()).collect(),
             all: of(&used, Vec::new())?,
             varies: apart.varies(),
             differences: apart.differences(),
+            trends: amounts.iter().filter_map(|a| apart.trend(a)).collect(),
             groups,
-            outliers: named
-                .map(|outlier| Outlier {
-                    drop: used[outlier.drop],
-                    ..outlier
-                })
-                .collect(),
+            outliers,
         })
     }
 }
@@ -238,28 +274,40 @@ fn group(
     drops: &[StudyDrop],
     known: &[Option<LawPoint>],
     places: &[usize],
+    odd: &BTreeSet<usize>,
     levels: Vec<Option<usize>>,
     wanted: Option<f64>,
 ) -> Result<Group> {
     let points: Vec<LawPoint> = places.iter().filter_map(|&place| known[place]).collect();
     let values: Vec<Measured> = points.iter().map(own).collect();
     let mean = Mean::of(&values)?;
-    let scatters: Vec<f64> = places
-        .iter()
-        .filter_map(|&place| drops[place].scatter)
-        .collect();
-    let squares: f64 = scatters.iter().map(|scatter| scatter * scatter).sum();
+    let ordinary = std::iter::zip(places, &values).filter(|(place, _)| !odd.contains(place));
+    let ordinary: Vec<Measured> = ordinary.map(|(_, value)| *value).collect();
+    let has_both = (1..values.len()).contains(&ordinary.len());
     Ok(Group {
         levels,
         drops: places.to_vec(),
+        without_outliers: has_both.then(|| Mean::of(&ordinary)).transpose()?,
         shared_sd: points.iter().map(|point| point.shared_sd).sum::<f64>() / points.len() as f64,
-        between_impacts: (!scatters.is_empty()).then(|| (squares / scatters.len() as f64).sqrt()),
+        between_impacts: typical_scatter(places.iter().filter_map(|&place| drops[place].scatter)),
         drops_needed: wanted
             .or_else(|| mean.interval95.map(|[low, high]| 0.25 * (high - low)))
             .and_then(|wanted| drops_needed(&mean, wanted)),
         law: pooled_law(drops, places),
         mean,
     })
+}
+
+/// The scatter that drops have in common. One drop knows its own to a fifth or so, as a factor: the
+/// mean of the logarithms is not raised by that, as a mean of squares would be.
+fn typical_scatter(scatters: impl Iterator<Item = Measured>) -> Option<f64> {
+    let logarithms: Vec<Measured> = scatters
+        .map(|scatter| Measured {
+            value: scatter.value.ln(),
+            sd: scatter.sd / scatter.value,
+        })
+        .collect();
+    Some(Mean::of(&logarithms).ok()?.value.exp())
 }
 
 /// At each speed the mean of the drops that know it.
@@ -287,7 +335,7 @@ struct Apart {
 }
 
 impl Apart {
-    fn new(mut drops: Vec<Drop>, factors: &[Factor]) -> Self {
+    fn new(mut drops: Vec<Drop>, factors: &[Factor], amounts: &[Amounts]) -> Self {
         let mut own = Vec::new();
         let mut outside = Vec::new();
         for (place, factor) in factors.iter().enumerate() {
@@ -306,8 +354,13 @@ impl Apart {
             });
             outside.push(levels);
         }
+        // Where nearly every drop has an amount of its own, levels tell nothing.
+        let is_line = |factor: usize| {
+            let many = 2 * outside[factor].len() > drops.len();
+            many && amounts.iter().any(|amounts| amounts.factor == factor)
+        };
         let mut distinct: Vec<(Vec<usize>, Vec<usize>)> = Vec::new();
-        for factor in 0..factors.len() {
+        for factor in (0..factors.len()).filter(|&factor| !is_line(factor)) {
             let partition = partition(&drops, factor);
             if partition.iter().max().is_none_or(|&last| last == 0) {
                 continue;
@@ -346,6 +399,33 @@ impl Apart {
             component: fit.between_drops(),
         });
         varies
+    }
+
+    /// The slope against an amount; what the other factors do is taken out.
+    fn trend(&self, amounts: &Amounts) -> Option<Trend> {
+        /// Two levels are a difference.
+        const FEWEST: usize = 3;
+        let factor = amounts.factor;
+        let levels = &self.outside[factor];
+        if levels.len() < FEWEST {
+            return None;
+        }
+        let amount = |drop: &Drop| Some(amounts.of_levels[levels[drop.levels[factor]?]]);
+        let at: Vec<Option<f64>> = self.drops.iter().map(amount).collect();
+        let others = self.distinct.iter();
+        let others = others.filter(|together| !together.contains(&factor));
+        let others: Vec<usize> = others.map(|together| together[0]).collect();
+        let line = Mixed::line(&self.drops, &self.factors, &at, &others).ok()?;
+        let (slope, degrees) = line.slope();
+        let half = student(0.975, degrees) * slope.sd;
+        Some(Trend {
+            factor,
+            levels: levels.len(),
+            slope,
+            degrees,
+            interval95: [slope.value - half, slope.value + half],
+            p_value: student_beyond(slope.value / slope.sd, degrees),
+        })
     }
 
     /// With one factor its groups may scatter differently; with several, what the others do is taken
@@ -461,22 +541,25 @@ mod tests {
             .iter()
             .map(|&fastest| StudyDrop {
                 law: law(0.7, fastest, falling),
-                scatter: Some(0.003),
+                scatter: Some(Measured {
+                    value: 0.003,
+                    sd: 0.0006,
+                }),
                 levels: vec![],
             })
             .collect();
-        let study = Study::of(&drops, &[], &[], None, Some(0.01)).unwrap();
+        let study = Study::of(&drops, &[], &[], &[], None, Some(0.01)).unwrap();
         assert!(study.at_speed_m_s <= 2.0);
         let expected = falling(study.at_speed_m_s);
         assert!((study.all.mean.value - expected).abs() < 1e-9);
-        assert_eq!(study.all.between_impacts, Some(0.003));
+        assert!((study.all.between_impacts.unwrap() - 0.003).abs() < 1e-12);
         assert!((study.all.shared_sd - 0.0005).abs() < 1e-12);
         assert_eq!(study.groups.len(), 1);
         let (fastest, mean) = study.all.law.last().unwrap();
         assert!(*fastest >= 4.0 && mean.drops == 1);
-        let fast = Study::of(&drops, &[], &[], Some(4.0), None).unwrap();
+        let fast = Study::of(&drops, &[], &[], &[], Some(4.0), None).unwrap();
         assert_eq!(fast.left_out, [0, 1, 3]);
-        assert!(Study::of(&drops, &[], &[], Some(40.0), None).is_err());
+        assert!(Study::of(&drops, &[], &[], &[], Some(40.0), None).is_err());
     }
 
     /// The low drops never were as fast, so their height is no level there; the others are compared.
@@ -495,7 +578,7 @@ mod tests {
                 levels: vec![Some(drop % 3), Some(drop / 3 % 2)],
             })
             .collect();
-        let study = Study::of(&drops, &factors, &[1], Some(2.5), None).unwrap();
+        let study = Study::of(&drops, &factors, &[], &[1], Some(2.5), None).unwrap();
         assert_eq!(study.left_out.len(), 6);
         let (factor, of_height) = &study.differences[0];
         assert_eq!((*factor, of_height.len()), (0, 1));
@@ -504,6 +587,70 @@ mod tests {
         assert_eq!(*factor, 1);
         assert!((of_ball[0].value.value - 0.01).abs() < 1e-6);
         assert_eq!(study.varies[0].levels, 2);
+    }
+
+    /// Scatters that are known to a quarter, spread by as much as that: their root mean square is 3 %
+    /// above what is common to them.
+    #[test]
+    fn uncertain_scatters_do_not_add_up() {
+        let spread = [-0.25_f64, 0.25, -0.25, 0.25].map(|off| 0.003 * off.exp());
+        let scatters = spread.map(|value| Measured {
+            value,
+            sd: 0.25 * value,
+        });
+        let typical = typical_scatter(scatters.into_iter()).unwrap();
+        assert!((typical - 0.003).abs() < 1e-9, "{typical}");
+        assert_eq!(typical_scatter(std::iter::empty()), None);
+    }
+
+    /// Sixteen drops of two balls, each at a temperature of its own: e grows by 0.0005 a kelvin. The
+    /// last drop but one is far off.
+    #[test]
+    fn an_amount_that_every_drop_has_of_its_own_is_a_line() {
+        let factors = [
+            factor("ball", &["a", "b"]),
+            Factor {
+                name: "temperature".to_owned(),
+                levels: (0..16).map(|kelvin| kelvin.to_string()).collect(),
+            },
+        ];
+        let drops: Vec<StudyDrop> = (0..16)
+            .map(|drop| StudyDrop {
+                law: law(1.0, 2.0, |_| {
+                    let kelvin = drop as f64;
+                    let odd = if drop == 14 { 0.1 } else { 0.0 };
+                    0.9 + 0.02 * (drop % 2) as f64 + 0.0005 * kelvin + odd
+                }),
+                scatter: None,
+                levels: vec![Some(drop % 2), Some(drop)],
+            })
+            .collect();
+        let amounts = Amounts {
+            factor: 1,
+            of_levels: (0..16).map(|kelvin| 290.0 + f64::from(kelvin)).collect(),
+        };
+        let study = |drops: &[StudyDrop]| {
+            let amounts = std::slice::from_ref(&amounts);
+            Study::of(drops, &factors, amounts, &[0], None, None).unwrap()
+        };
+        let found = study(&drops);
+        assert_eq!(found.outliers[0].drop, 14);
+        let (with, without) = (&found.groups[0].mean, found.groups[0].without_outliers);
+        assert!((with.drops, without.unwrap().drops) == (8, 7));
+        assert!(with.value - without.unwrap().value > 0.01);
+        assert_eq!(found.groups[1].without_outliers, None);
+        let found = study(&[&drops[..14], &drops[15..]].concat());
+        let [trend] = found.trends.as_slice() else {
+            panic!("{:?}", found.trends)
+        };
+        assert_eq!((trend.factor, trend.levels), (1, 15));
+        assert!((trend.slope.value - 0.0005).abs() < 1e-6, "{trend:?}");
+        let compared: Vec<usize> = found
+            .differences
+            .iter()
+            .map(|(factor, _)| *factor)
+            .collect();
+        assert_eq!(compared, [0]);
     }
 
     #[test]
@@ -523,7 +670,7 @@ mod tests {
                 }
             })
             .collect();
-        let study = Study::of(&drops, &factors, &[0], None, None).unwrap();
+        let study = Study::of(&drops, &factors, &[], &[0], None, None).unwrap();
         assert_eq!(study.varies.len(), 2);
         assert_eq!(study.varies[0].factors, [0, 1]);
         assert!((study.varies[0].component.sd - 0.01).abs() < 0.001);

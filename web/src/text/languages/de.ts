@@ -1,6 +1,107 @@
+import type {
+  LabReason,
+  Lack,
+  LayoutProblem,
+  LooksLike,
+  Stage,
+  TimesProblem,
+} from '../../lab/index.ts';
 import type { Texts } from '../texts.ts';
 
 const zahl = (anzahl: number, eins: string, viele: string): string => (anzahl === 1 ? eins : viele);
+
+const FEHLT: Record<Lack, string> = {
+  content: 'Kein einziges Byte Ton ist darin.',
+  sound: 'Sie hat einen Kopf, aber keinen Ton.',
+  time: 'Es steht keine Zeit darin.',
+};
+
+const SIEHT_AUS: Record<LooksLike, string> = {
+  png: 'ein PNG-Bild',
+  jpeg: 'ein JPEG-Bild',
+  gif: 'ein GIF-Bild',
+  pdf: 'ein PDF-Dokument',
+  zip: 'ein ZIP-Archiv oder ein Office-Dokument',
+  gzip: 'ein gzip-Archiv',
+  riff: 'eine RIFF-Datei ohne Ton, etwa AVI oder WebP',
+  caf: 'eine Aufnahme in Core Audio (CAF), das nicht gelesen wird: Speichere sie als WAV oder M4A',
+  zeros: 'lauter Nullen',
+  text: 'Text',
+  unknown: 'Daten unbekannter Art',
+};
+
+const SCHRITT: Record<Stage, string> = {
+  header: 'Ihr Kopf ist nicht lesbar',
+  codec: 'Ihr Decoder lässt sich nicht einrichten',
+  sound: 'Nichts von ihrem Ton lässt sich decodieren',
+};
+
+function zeitenfehler(fehler: TimesProblem): string {
+  switch (fehler.code) {
+    case 'ending':
+      return 'Der Name einer Liste endet auf .txt, .csv oder .json.';
+    case 'not-text':
+      return 'Das ist kein Text. Speichere die Liste als UTF-8.';
+    case 'not-table':
+      return `Das ist keine Tabelle (${fehler.detail}).`;
+    case 'not-array':
+      return `Erwartet war eine Liste von Zahlen wie [0.1, 0.45] (${fehler.detail}).`;
+    case 'no-time-column':
+      return `Keine Spalte heißt time oder time_s. Es gibt: ${fehler.found}.`;
+    case 'nameless-columns':
+      return `Es sind ${fehler.columns} Spalten. Benenne die mit den Zeiten in einer ersten Zeile: time_s.`;
+    case 'missing':
+      return 'Die Zeit fehlt.';
+    case 'not-number':
+      return `„${fehler.text}“ ist keine Zeit in Sekunden wie 0.125.`;
+    case 'not-later':
+      return `${komma(fehler.time_s)} kommt nicht nach ${komma(fehler.before_s)}. Die Aufpralle gehören der Reihe nach.`;
+  }
+}
+
+function tonfehler(fehler: LayoutProblem): string {
+  switch (fehler.code) {
+    case 'too-slow':
+      return `${fehler.sample_rate_hz} Abtastwerte je Sekunde sind zu wenige für die Zeit eines Aufpralls: Es braucht mindestens ${fehler.least_hz}.`;
+    case 'too-fast':
+      return `Ihr Kopf behauptet ${fehler.sample_rate_hz} Abtastwerte je Sekunde; gelesen werden höchstens ${fehler.most_hz}.`;
+    case 'too-many-channels':
+      return `Sie hat ${fehler.channels} Kanäle; gelesen werden höchstens ${fehler.most}.`;
+  }
+}
+
+/** Was genau mit einer Datei nicht stimmt. */
+function grund(fund: LabReason): string {
+  switch (fund.code) {
+    case 'empty':
+      return FEHLT[fund.what];
+    case 'not-sound':
+      return `Sie sieht aus wie ${SIEHT_AUS[fund.looks_like]}.`;
+    case 'malformed':
+      return `${SCHRITT[fund.stage]} (${fund.format}: ${fund.detail}).`;
+    case 'no-audio-track':
+      return `Diese Datei (${fund.format}) hat keinen Ton, oder keinen bekannter Art. War das Mikrofon aus?`;
+    case 'unsupported-codec':
+      return `Der Ton dieser Datei (${fund.format}) lässt sich nicht decodieren: ${fund.codec}. Speichere sie als WAV oder M4A.`;
+    case 'unsupported-layout':
+      return tonfehler(fund.problem);
+    case 'times':
+      return `${fund.line === null ? '' : `Zeile ${fund.line}: `}${zeitenfehler(fund.problem)}`;
+    case 'too-large':
+      return `Sie hat ${fund.megabytes} MB.`;
+    case 'too-long':
+      return `Sie hat mehr als ${fund.minutes} Minuten in ${fund.channels} ${zahl(fund.channels, 'Kanal', 'Kanälen')}.`;
+    case 'no-memory':
+      return 'Dieses Gerät hat nicht genug Speicher dafür.';
+    case 'breaks-decoder':
+      return 'Sie ist so beschädigt, dass ihr Decoder daran zerbricht.';
+    case 'unreadable':
+      return 'Der Browser kann sie nicht lesen. Wurde sie verschoben oder gelöscht?';
+  }
+}
+
+/** Eine Zahl, wie man sie im Deutschen schreibt. */
+const komma = (zahl: number): string => String(zahl).replace('.', ',');
 
 const deutsch: Texts = {
   name: 'Deutsch',
@@ -90,6 +191,7 @@ const deutsch: Texts = {
     restitution:
       'Die Stoßzahl ist das Tempo gleich nach einem Aufprall geteilt durch das Tempo gleich davor.',
   },
+  reason: grund,
   faults: {
     refused: {
       what: 'Der Browser darf das Mikrofon nicht benutzen.',
@@ -269,8 +371,8 @@ const deutsch: Texts = {
     atSpeed: (speed) => `bei ${speed}`,
     slope: 'Fällt mit dem Tempo um (−d ln e / d ln v)',
     dropHeight: 'Fallhöhe',
-    drag: 'Widerstandsbeiwert',
-    terminal: 'Endgeschwindigkeit',
+    drag: 'Widerstands\u00adbeiwert',
+    terminal: 'End\u00adgeschwindigkeit',
     totalTime: 'Vom Loslassen bis zur Ruhe',
     totalPath: 'Weg bis zur Ruhe',
     scatter: 'Streuung von Aufprall zu Aufprall',

@@ -2,7 +2,106 @@
  * Every word of the page in English. The other languages have the same shape: a key that one of them
  * lacks does not compile (see `text/texts.ts`).
  */
+import type {
+  LabReason,
+  Lack,
+  LayoutProblem,
+  LooksLike,
+  Stage,
+  TimesProblem,
+} from '../../lab/index.ts';
+
 const plural = (count: number, one: string, many: string): string => (count === 1 ? one : many);
+
+const LACKS: Record<Lack, string> = {
+  content: 'Not a single byte of sound is in it.',
+  sound: 'It has a header, but no sound.',
+  time: 'There is no time in it.',
+};
+
+const LOOKS: Record<LooksLike, string> = {
+  png: 'a PNG picture',
+  jpeg: 'a JPEG picture',
+  gif: 'a GIF picture',
+  pdf: 'a PDF document',
+  zip: 'a ZIP archive or an office document',
+  gzip: 'a gzip archive',
+  riff: 'a RIFF file without sound, such as AVI or WebP',
+  caf: 'a Core Audio (CAF) recording, which is not read: export it as WAV or M4A',
+  zeros: 'nothing but zeros',
+  text: 'text',
+  unknown: 'data of an unknown kind',
+};
+
+const STAGES: Record<Stage, string> = {
+  header: 'Its header cannot be read',
+  codec: 'Its decoder cannot be set up',
+  sound: 'None of its sound can be decoded',
+};
+
+function timesProblem(problem: TimesProblem): string {
+  switch (problem.code) {
+    case 'ending':
+      return 'The name of a list ends in .txt, .csv or .json.';
+    case 'not-text':
+      return 'This is no text. Save the list as UTF-8.';
+    case 'not-table':
+      return `This is no table (${problem.detail}).`;
+    case 'not-array':
+      return `A list of numbers was expected, as in [0.1, 0.45] (${problem.detail}).`;
+    case 'no-time-column':
+      return `No column is named time or time_s. There are: ${problem.found}.`;
+    case 'nameless-columns':
+      return `There are ${problem.columns} columns. Name the one with the times in a first line: time_s.`;
+    case 'missing':
+      return 'The time is missing.';
+    case 'not-number':
+      return `“${problem.text}” is no time in seconds, such as 0.125.`;
+    case 'not-later':
+      return `${problem.time_s} does not come after ${problem.before_s}. List the impacts in order.`;
+  }
+}
+
+function layoutProblem(problem: LayoutProblem): string {
+  switch (problem.code) {
+    case 'too-slow':
+      return `${problem.sample_rate_hz} samples a second are too few to time an impact: it takes at least ${problem.least_hz}.`;
+    case 'too-fast':
+      return `Its header claims ${problem.sample_rate_hz} samples a second; at most ${problem.most_hz} are read.`;
+    case 'too-many-channels':
+      return `It has ${problem.channels} channels; at most ${problem.most} are read.`;
+  }
+}
+
+/** What exactly is wrong with a file. */
+function reason(found: LabReason): string {
+  switch (found.code) {
+    case 'empty':
+      return LACKS[found.what];
+    case 'not-sound':
+      return `It looks like ${LOOKS[found.looks_like]}.`;
+    case 'malformed':
+      return `${STAGES[found.stage]} (${found.format}: ${found.detail}).`;
+    case 'no-audio-track':
+      return `This ${found.format} file has no sound, or none of a known kind. Was the microphone off?`;
+    case 'unsupported-codec':
+      return `The sound in this ${found.format} file cannot be decoded: ${found.codec}. Export it as WAV or M4A.`;
+    case 'unsupported-layout':
+      return layoutProblem(found.problem);
+    case 'times':
+      return `${found.line === null ? '' : `Line ${found.line}: `}${timesProblem(found.problem)}`;
+    case 'too-large':
+      return `It has ${found.megabytes} MB.`;
+    case 'too-long':
+      return `It has more than ${found.minutes} minutes in ${found.channels} ${plural(found.channels, 'channel', 'channels')}.`;
+    case 'no-memory':
+      return 'This device has not enough memory for it.';
+    case 'breaks-decoder':
+      return 'It is damaged in a way that its decoder does not survive.';
+    case 'unreadable':
+      return 'The browser cannot read it. Was it moved or deleted?';
+  }
+}
 
 export default {
   name: 'English',
@@ -91,6 +190,7 @@ export default {
   words: {
     restitution: 'Restitution is the speed just after an impact over the speed just before it.',
   },
+  reason,
   faults: {
     refused: {
       what: 'The browser may not use the microphone.',

@@ -1,4 +1,5 @@
 import { lengthUnit, PLAIN, plain, uncertain } from '../../format/quantity.ts';
+import { catalogue } from '../../state/engine.ts';
 import { kept, openKept, remove, rename, tick, ticked } from '../../state/keeping.ts';
 import { spreadOf } from '../../state/spread.ts';
 import type { KeptDrop } from '../../store/drops.ts';
@@ -15,10 +16,10 @@ export function DropTable({ chosen }: { readonly chosen: readonly KeptDrop[] }) 
           <tr>
             <th>{words.compare}</th>
             <th>{words.name}</th>
-            <th>{words.when}</th>
-            <th>{words.ball}</th>
             <th class="figure">{words.e}</th>
             <th class="figure">{words.h}</th>
+            <th>{words.when}</th>
+            <th>{words.ball}</th>
             <th class="figure">{words.impacts}</th>
             <th>{words.actions}</th>
           </tr>
@@ -32,6 +33,13 @@ export function DropTable({ chosen }: { readonly chosen: readonly KeptDrop[] }) 
       </table>
     </section>
   );
+}
+
+/** The ball by its name in the language of the page, where it has one. */
+function ballOf({ settings, ball }: KeptDrop): string {
+  const isMeasured = settings.mass_kg !== undefined;
+  const name = isMeasured ? undefined : (settings.ball ?? catalogue.value?.balls[0]?.name);
+  return name === undefined ? ball : ballName(name);
 }
 
 function Row({ drop }: { readonly drop: KeptDrop }) {
@@ -57,15 +65,15 @@ function Row({ drop }: { readonly drop: KeptDrop }) {
           onChange={(event) => void rename(drop.id, event.currentTarget.value.trim())}
         />
       </td>
+      <td class="figure">{e ? uncertain(e.value, e.sd, PLAIN, spoken) : ''}</td>
+      <td class="figure">{h ? uncertain(h.value, h.sd, lengthUnit(h.value), spoken) : ''}</td>
       <td>
         {new Date(drop.keptAt).toLocaleString(region.value, {
           dateStyle: 'short',
           timeStyle: 'short',
         })}
       </td>
-      <td>{drop.settings.ball === undefined ? drop.ball : ballName(drop.settings.ball)}</td>
-      <td class="figure">{e ? uncertain(e.value, e.sd, PLAIN, spoken) : ''}</td>
-      <td class="figure">{h ? uncertain(h.value, h.sd, lengthUnit(h.value), spoken) : ''}</td>
+      <td>{ballOf(drop)}</td>
       <td class="figure">{drop.marks.impacts.length}</td>
       <td>
         <span class="row tight">
@@ -100,18 +108,18 @@ function Summary({ chosen }: { readonly chosen: readonly KeptDrop[] }) {
   return (
     <tfoot>
       <tr>
-        <th colSpan={4}>
+        <th colSpan={2}>
           {words.mean} {words.ofDrops(chosen.length)}
         </th>
         <td class="figure">{e && uncertain(e.mean, e.meanSd, PLAIN, spoken)}</td>
         <td class="figure">{h && uncertain(h.mean, h.meanSd, unit, spoken)}</td>
-        <td colSpan={2} />
+        <td colSpan={4} />
       </tr>
       <tr>
-        <th colSpan={4}>{words.scatter}</th>
+        <th colSpan={2}>{words.scatter}</th>
         <td class="figure">{e?.scatter != null && plain(e.scatter, PLAIN, 2, spoken)}</td>
         <td class="figure">{h?.scatter != null && plain(h.scatter, unit, 2, spoken)}</td>
-        <td colSpan={2} />
+        <td colSpan={4} />
       </tr>
     </tfoot>
   );

@@ -1,7 +1,6 @@
 import { useEffect, useRef } from 'preact/hooks';
-import { openTimes } from '../../state/opening.ts';
 import { texts } from '../../text/language.ts';
-import { pasting } from './pasting.ts';
+import { analysePasted, draft, pasting } from './pasting.ts';
 
 /** A box for impact times. */
 export function Paste() {
@@ -13,9 +12,7 @@ export function Paste() {
       class="stack paste"
       onSubmit={(event) => {
         event.preventDefault();
-        const text = box.current?.value ?? '';
-        pasting.value = false;
-        void openTimes(text);
+        void analysePasted(box.current?.value ?? '');
       }}
     >
       <label class="field" for="times">
@@ -25,6 +22,7 @@ export function Paste() {
         id="times"
         ref={box}
         required
+        defaultValue={draft.value}
         spellcheck={false}
         placeholder={'0.000\n0.461\n0.888\n1.285'}
         aria-describedby="times-hint"

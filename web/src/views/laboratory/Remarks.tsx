@@ -1,4 +1,4 @@
-import { fixed } from '../../format/quantity.ts';
+import { perCent } from '../../format/quantity.ts';
 import { analysed, drop } from '../../state/bench.ts';
 import { language, texts } from '../../text/language.ts';
 import { translated } from '../../text/remarks.ts';
@@ -50,9 +50,7 @@ function Narrowed({
           const share = Math.min(1, Math.max(0, remaining));
           return (
             <li key={unknown}>
-              <span>
-                {words.narrowed(translated(unknown), `${fixed(100 * share, 0, language.value)} %`)}
-              </span>
+              <span>{words.narrowed(translated(unknown), perCent(share, language.value))}</span>
               <meter min={0} max={1} value={share} aria-hidden="true" />
             </li>
           );

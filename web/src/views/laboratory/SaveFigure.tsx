@@ -1,30 +1,22 @@
-import { fileName, pictured, rasterised, save, saveText } from '../../app/save.ts';
+import { fileName, rasterised, save, saveText } from '../../app/save.ts';
 import { engineName, type FigureId } from '../../figures/all.ts';
 import { request } from '../../state/analysing.ts';
 import { analysed, chosenDrop, onBench } from '../../state/bench.ts';
 import { engine } from '../../state/engine.ts';
 import { texts } from '../../text/language.ts';
 
-/**
- * Saves a figure as the engine draws it, the same picture as that of the command line; or, where it has
- * none, the picture on the screen.
- */
+/** Saves a figure as the engine draws it, the same picture as that of the command line. */
 export function SaveFigure({ id, log }: { readonly id: FigureId; readonly log: boolean }) {
   const words = texts.value.figures;
   const name = nameOf(id, log);
+  if (name === undefined) return null;
   return (
     <span class="row tight small">
       <span class="soft">{words.save}:</span>
-      {name !== undefined && (
-        <button type="button" class="quiet" onClick={() => void saveDrawn(name, 'svg')}>
-          {words.saveSvg}
-        </button>
-      )}
-      <button
-        type="button"
-        class="quiet"
-        onClick={() => void (name === undefined ? saveShown(id) : saveDrawn(name, 'png'))}
-      >
+      <button type="button" class="quiet" onClick={() => void saveDrawn(name, 'svg')}>
+        {words.saveSvg}
+      </button>
+      <button type="button" class="quiet" onClick={() => void saveDrawn(name, 'png')}>
         {words.savePng}
       </button>
     </span>
@@ -41,18 +33,11 @@ function nameOf(id: FigureId, log: boolean): string | undefined {
   );
 }
 
-const fileOf = (figure: string): string => `${fileName(onBench.peek()?.name ?? '')}-${figure}`;
-
 async function saveDrawn(name: string, format: 'svg' | 'png'): Promise<void> {
   const asked = request();
   if (!asked) return;
   const drawn = await engine().figure(asked, name);
-  const file = fileOf(drawn.name);
+  const file = `${fileName(onBench.peek()?.name ?? '')}-${drawn.name}`;
   if (format === 'svg') saveText(drawn.svg, 'image/svg+xml', `${file}.svg`);
   else save(await rasterised(drawn.svg, drawn.width_px, drawn.height_px), `${file}.png`);
-}
-
-async function saveShown(id: FigureId): Promise<void> {
-  const canvas = document.querySelector<HTMLCanvasElement>('#figure canvas');
-  if (canvas) save(await pictured(canvas), `${fileOf(id)}.png`);
 }

@@ -66,7 +66,7 @@ function gravityInWords(): string {
   const { gravity_m_s2, latitude_deg } = settings.value;
   if (latitude_deg !== undefined) return `${words.latitude} ${number(latitude_deg)}°`;
   const g = gravity_m_s2 ?? catalogue.value?.standard_gravity_m_s2 ?? 9.80665;
-  return `${words.gravity} ${number(g)}`;
+  return `${words.gravity} ${number(g)}\u202fm/s²`;
 }
 
 const number = (value: number): string =>

@@ -15,8 +15,8 @@ export function Welcome() {
       <h1>{handheld ? words.inviteTouch : words.invite}</h1>
       <ListenButton />
       <OtherWays />
-      {pasting.value && <Paste />}
       <Troubles />
+      {pasting.value && <Paste />}
     </div>
   );
 }

@@ -1,4 +1,4 @@
-import { fixed } from '../../format/quantity.ts';
+import { fixed, localised } from '../../format/quantity.ts';
 import type { PaperFact } from '../../lab/index.ts';
 import { language, texts } from '../../text/language.ts';
 import { translated } from '../../text/remarks.ts';
@@ -55,8 +55,17 @@ function Chapter({ facts, name }: ChapterProps) {
   );
 }
 
-const withUnit = (number: string, { unit }: PaperFact): string =>
-  unit === '' ? number : `${number} ${unit}`;
+const withUnit = (number: string, { unit }: PaperFact): string => {
+  const shown = localised(number, language.value);
+  return unit === '' ? shown : `${shown}\u00a0${raised(unit)}`;
+};
+
+/** Powers of ten as people write them: "10^-2 N" as "· 10⁻² N". */
+const raised = (unit: string): string =>
+  unit.replace(/10\^([-\d]+)/, (_, power: string) => {
+    const digits = [...power].map((digit) => (digit === '-' ? '⁻' : '⁰¹²³⁴⁵⁶⁷⁸⁹'[Number(digit)]));
+    return `·\u00a010${digits.join('')}`;
+  });
 
 /** With one digit more than the paper, but never fewer than four. */
 function computed({ computed: value }: PaperFact): string {

@@ -9,10 +9,10 @@ import {
   hearRun,
   keepRun,
   layOver,
+  outcome,
   type Run,
   removeRun,
   runs,
-  simulated,
 } from '../../state/simulating.ts';
 import { language, texts } from '../../text/language.ts';
 import { ballName } from '../../text/names.ts';
@@ -22,7 +22,7 @@ const laid = signal(false);
 /** What can be done with a run. */
 export function RunTools() {
   const words = texts.value.simulate;
-  const ready = simulated.value !== null;
+  const ready = outcome.value !== null;
   return (
     <div class="stack">
       <div class="row tight">

@@ -5,7 +5,7 @@ import { Key } from '../../chart/Key.tsx';
 import { NumbersOf } from '../../chart/NumbersOf.tsx';
 import { fixed, METRE, METRE_PER_SECOND, PERCENT, plain, SECOND } from '../../format/quantity.ts';
 import type { Simulation } from '../../lab/index.ts';
-import { impossible, runs, simulated } from '../../state/simulating.ts';
+import { impossible, outcome, runs } from '../../state/simulating.ts';
 import { language, texts } from '../../text/language.ts';
 import { translated } from '../../text/remarks.ts';
 import { flightsOfRuns, heightsOfRuns } from './charts.ts';
@@ -16,7 +16,7 @@ import { Sliders } from './Sliders.tsx';
 export function Simulate() {
   const words = texts.value.simulate;
   const all = texts.value;
-  const [done, kept] = [simulated.value, runs.value];
+  const [done, kept] = [outcome.value?.simulated, runs.value];
   const heights = useMemo(() => done && heightsOfRuns(done, kept, all), [done, kept, all]);
   const flights = useMemo(() => done && flightsOfRuns(done, kept, all), [done, kept, all]);
   const simulation = done?.document.simulations[0];

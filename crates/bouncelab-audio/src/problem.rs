@@ -1,0 +1,189 @@
+//! What exactly is wrong with a file, so that a page can say it in any language; the words here are the
+//! English ones.
+
+use std::fmt;
+
+use serde::Serialize;
+
+/// What a file that is empty lacks.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
+#[serde(rename_all = "kebab-case")]
+pub enum Lack {
+    /// It has no bytes, or none but tags.
+    Content,
+    /// It has a header and nothing after it.
+    Sound,
+    /// It is a list without a time.
+    Time,
+}
+
+impl fmt::Display for Lack {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Content => "the file has no content",
+            Self::Sound => "there is a header but no sound",
+            Self::Time => "there is no time in it",
+        })
+    }
+}
+
+/// What a file looks like that is not sound.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
+#[serde(rename_all = "kebab-case")]
+pub enum LooksLike {
+    /// A PNG picture.
+    Png,
+    /// A JPEG picture.
+    Jpeg,
+    /// A GIF picture.
+    Gif,
+    /// A PDF document.
+    Pdf,
+    /// A ZIP archive, which office documents are too.
+    Zip,
+    /// A gzip archive.
+    Gzip,
+    /// RIFF without sound.
+    Riff,
+    /// A Core Audio file.
+    Caf,
+    /// Nothing but zeros.
+    Zeros,
+    /// Text.
+    Text,
+    /// None of these.
+    Unknown,
+}
+
+impl fmt::Display for LooksLike {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Png => "a PNG picture",
+            Self::Jpeg => "a JPEG picture",
+            Self::Gif => "a GIF picture",
+            Self::Pdf => "a PDF document",
+            Self::Zip => "a ZIP archive or an office document",
+            Self::Gzip => "a gzip archive",
+            Self::Riff => "a RIFF file without sound, such as AVI or WebP",
+            Self::Caf => "a Core Audio (CAF) recording",
+            Self::Zeros => "nothing but zeros",
+            Self::Text => "text",
+            Self::Unknown => "data of an unknown kind",
+        })
+    }
+}
+
+/// What was being done to a file when it turned out to be damaged.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
+#[serde(rename_all = "kebab-case")]
+pub enum Stage {
+    /// Reading the container's header.
+    Header,
+    /// Reading the set-up of the codec.
+    Codec,
+    /// Decoding the sound.
+    Sound,
+}
+
+impl fmt::Display for Stage {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Header => "read the header",
+            Self::Codec => "set up the decoder",
+            Self::Sound => "decode any sound",
+        })
+    }
+}
+
+/// Why sound that can be decoded is of no use.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error, Serialize)]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
+#[serde(tag = "code", rename_all = "kebab-case")]
+pub enum LayoutProblem {
+    /// Too few samples a second.
+    #[error(
+        "{sample_rate_hz} samples a second are too few to time an impact (at least \
+         {least_hz} are needed); record again at 44100 if you can"
+    )]
+    TooSlow {
+        /// Samples a second.
+        sample_rate_hz: u32,
+        /// The fewest that are of use.
+        least_hz: u32,
+    },
+    /// More samples a second than any recorder takes.
+    #[error(
+        "the header claims {sample_rate_hz} samples a second (at most {most_hz} are read); export it again"
+    )]
+    TooFast {
+        /// Samples a second.
+        sample_rate_hz: u32,
+        /// The most that are read.
+        most_hz: u32,
+    },
+    /// More channels than any recorder has.
+    #[error("{channels} channels (at most {most} are read)")]
+    TooManyChannels {
+        /// How many.
+        channels: usize,
+        /// The most that are read.
+        most: usize,
+    },
+}
+
+/// What is wrong with a list of impact times, or with one of its lines.
+#[derive(Debug, Clone, PartialEq, thiserror::Error, Serialize)]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
+#[serde(tag = "code", rename_all = "kebab-case")]
+pub enum TimesProblem {
+    /// The name has none of the endings of lists.
+    #[error("not a list of times: the name ends in none of .txt, .csv, .json")]
+    Ending,
+    /// The content is not UTF-8.
+    #[error("not text; save the list as UTF-8")]
+    NotText,
+    /// It is no table.
+    #[error("{detail}")]
+    NotTable {
+        /// The complaint of the reader.
+        detail: String,
+    },
+    /// It is no array of JSON.
+    #[error("expected an array of numbers, [0.1, 0.45]: {detail}")]
+    NotArray {
+        /// The complaint of the reader.
+        detail: String,
+    },
+    /// The first line names columns, none of which holds times.
+    #[error("no column is named time or time_s; found: {found}")]
+    NoTimeColumn {
+        /// The names that are there.
+        found: String,
+    },
+    /// There are several columns without names.
+    #[error("{columns} columns; name the one with the times in a first line: time_s")]
+    NamelessColumns {
+        /// How many.
+        columns: usize,
+    },
+    /// A line is too short.
+    #[error("the time is missing")]
+    Missing,
+    /// Something that is no number.
+    #[error("{text:?} is not a time in seconds; expected a number such as 0.125")]
+    NotNumber {
+        /// What stands there.
+        text: String,
+    },
+    /// Times that do not grow.
+    #[error("{time_s} is not later than {before_s} before it; list impacts in order")]
+    NotLater {
+        /// The time that does not follow.
+        time_s: f64,
+        /// The one before it.
+        before_s: f64,
+    },
+}

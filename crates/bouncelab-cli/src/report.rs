@@ -1,0 +1,121 @@
+//! Reports as files.
+
+use std::ffi::OsStr;
+use std::fs;
+use std::io::Write;
+use std::path::{Path, PathBuf};
+
+use bouncelab_files as files;
+use bouncelab_report::report::{Markdown, Page, Provenance};
+use jiff::Zoned;
+
+use crate::failure::Failure;
+
+/// How a report is written.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Form {
+    Html,
+    Markdown,
+}
+
+/// A report that is going to be written: its place is known to be writable before any work is done.
+pub(crate) struct Draft {
+    path: PathBuf,
+    form: Form,
+    file: files::Draft,
+}
+
+impl Draft {
+    /// A report at a path whose ending says its form.
+    pub(crate) fn new(path: &Path) -> Result<Self, Failure> {
+        let ending = path.extension().map(OsStr::to_ascii_lowercase);
+        let form = match ending.as_ref().and_then(|ending| ending.to_str()) {
+            Some("html" | "htm") => Form::Html,
+            Some("md" | "markdown") => Form::Markdown,
+            _ => {
+                return Err(Failure::Usage(format!(
+                    "a report is HTML or Markdown, so {} must end in .html or .md",
+                    path.display()
+                )));
+            }
+        };
+        let file = files::Draft::new(path).map_err(|reason| Failure::unwritable(path, &reason))?;
+        Ok(Self {
+            path: path.to_owned(),
+            form,
+            file,
+        })
+    }
+
+    /// Writes a page; it appears whole or not at all.
+    pub(crate) fn write(mut self, page: &Page) -> Result<(), Failure> {
+        let text = match self.form {
+            Form::Html => page.html(),
+            Form::Markdown => self.markdown(page)?.text,
+        };
+        let path = self.path;
+        let written = self.file.write_all(text.as_bytes());
+        written
+            .and_then(|()| self.file.finish())
+            .map_err(|reason| Failure::unwritable(&path, &reason))?;
+        eprintln!("wrote {}", path.display());
+        Ok(())
+    }
+
+    /// The page as Markdown, with its figures in a folder beside it.
+    fn markdown(&self, page: &Page) -> Result<Markdown, Failure> {
+        let stem = self.path.file_stem().unwrap_or_default().to_string_lossy();
+        let name = format!("{stem}-figures");
+        let markdown = page.markdown(&name);
+        let folder = self.path.with_file_name(&name);
+        let written = fs::create_dir_all(&folder).and_then(|()| {
+            let mut figures = markdown.figures.iter();
+            figures
+                .try_for_each(|(name, svg)| files::write_whole(&folder.join(name), svg.as_bytes()))
+        });
+        written.map_err(|reason| Failure::unwritable(&folder, &reason))?;
+        Ok(markdown)
+    }
+}
+
+/// The command of this run and the day.
+pub(crate) fn provenance() -> Provenance {
+    Provenance {
+        command: Some(command()),
+        files: Vec::new(),
+        made: Some(Zoned::now().strftime("%Y-%m-%d").to_string()),
+    }
+}
+
+/// The command as it was given, ready for a shell.
+fn command() -> String {
+    let arguments = std::env::args_os().skip(1);
+    let quoted = arguments.map(|argument| quoted(&argument.to_string_lossy()));
+    std::iter::once("bouncelab".to_owned())
+        .chain(quoted)
+        .collect::<Vec<String>>()
+        .join(" ")
+}
+
+/// A word as a shell reads it.
+fn quoted(word: &str) -> String {
+    let plain = |c: char| c.is_alphanumeric() || "-_./:=,+%@".contains(c);
+    if !word.is_empty() && word.chars().all(plain) {
+        word.to_owned()
+    } else {
+        format!("'{}'", word.replace('\'', r"'\''"))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn words_are_quoted_for_a_shell() {
+        assert_eq!(quoted("--height=30.5cm"), "--height=30.5cm");
+        assert_eq!(quoted("my drop.wav"), "'my drop.wav'");
+        assert_eq!(quoted("it's"), r"'it'\''s'");
+        assert_eq!(quoted(""), "''");
+    }
+}

@@ -1,0 +1,134 @@
+//! Files that appear whole or not at all.
+//!
+//! A file is written beside its place under a name that begins with a dot, and moved there when it is
+//! on the disk. Whoever looks sees the old file or the new one, never half of one, whatever kills the
+//! program meanwhile. Files get the permissions that any new file gets.
+//!
+//! ```
+//! use std::io::Write;
+//! use bouncelab_files::{Draft, write_whole};
+//!
+//! # let folder = tempfile::tempdir()?;
+//! let place = folder.path().join("notes.txt");
+//! write_whole(&place, b"a ball fell")?;
+//!
+//! let mut draft = Draft::new(&place)?;
+//! draft.write_all(b"a ball fell twice")?;
+//! assert_eq!(std::fs::read(&place)?, b"a ball fell");
+//! draft.finish()?;
+//! assert_eq!(std::fs::read(&place)?, b"a ball fell twice");
+//! # Ok::<(), std::io::Error>(())
+//! ```
+
+use std::ffi::OsString;
+use std::fs::{self, File};
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+use std::process;
+use std::sync::atomic::{AtomicU64, Ordering};
+
+/// How names of drafts end.
+const ENDING: &str = ".part";
+
+/// A file that does not have its name yet. Dropped before [`Draft::finish`], it is gone.
+#[derive(Debug)]
+pub struct Draft {
+    /// The name that it will have.
+    path: PathBuf,
+    part: Part,
+    file: File,
+}
+
+/// The name that a draft has until then, which is removed with it.
+#[derive(Debug)]
+struct Part(PathBuf);
+
+impl Drop for Part {
+    fn drop(&mut self) {
+        // It has another name by now, or nothing better can be done.
+        let _ = fs::remove_file(&self.0);
+    }
+}
+
+impl Draft {
+    /// Begins a file, in the folder in which it will be.
+    ///
+    /// # Errors
+    /// What the system says if there is no such folder or it cannot be written into, and
+    /// [`io::ErrorKind::IsADirectory`] if the place is taken by a folder.
+    pub fn new(path: &Path) -> io::Result<Self> {
+        if path.is_dir() {
+            return Err(io::ErrorKind::IsADirectory.into());
+        }
+        let part = path.with_file_name(part_name(path));
+        let file = File::create_new(&part)?;
+        Ok(Self {
+            path: path.to_owned(),
+            part: Part(part),
+            file,
+        })
+    }
+
+    /// The file, for those who write into it by themselves.
+    pub fn file(&self) -> &File {
+        &self.file
+    }
+
+    /// Makes sure that all of it is on the disk and gives it its name, in the place of a file that has
+    /// it already.
+    ///
+    /// # Errors
+    /// What the system says, as when the disk is full; a file of that name is then as it was.
+    pub fn finish(self) -> io::Result<()> {
+        let Self { path, part, file } = self;
+        file.sync_all()?;
+        drop(file);
+        fs::rename(&part.0, path)
+    }
+}
+
+impl Write for Draft {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        self.file.write(bytes)
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        self.file.flush()
+    }
+}
+
+/// Writes a file whole.
+///
+/// # Errors
+/// Those of [`Draft::new`] and [`Draft::finish`].
+pub fn write_whole(path: &Path, bytes: &[u8]) -> io::Result<()> {
+    let mut draft = Draft::new(path)?;
+    draft.write_all(bytes)?;
+    draft.finish()
+}
+
+/// Removes the drafts that killed programs left in a folder. Nobody else may be writing there.
+///
+/// # Errors
+/// What the system says if the folder cannot be read or a draft not be removed.
+pub fn remove_drafts(folder: &Path) -> io::Result<()> {
+    for entry in fs::read_dir(folder)? {
+        let entry = entry?;
+        let name = entry.file_name();
+        let name = name.as_encoded_bytes();
+        if name.starts_with(b".") && name.ends_with(ENDING.as_bytes()) {
+            fs::remove_file(entry.path())?;
+        }
+    }
+    Ok(())
+}
+
+/// A hidden name that no other draft has, of this program or another.
+fn part_name(path: &Path) -> OsString {
+    static DRAFTS: AtomicU64 = AtomicU64::new(0);
+    let number = DRAFTS.fetch_add(1, Ordering::Relaxed);
+    let mut name = OsString::from(".");
+    name.push(path.file_name().unwrap_or_default());
+    name.push(format!(".{}-{number}{ENDING}", process::id()));
+    name
+}
