@@ -1,30 +1,89 @@
-//! Draws the comparison of detectors from what `benchmarks/compare.py` printed.
+//! Draws how well the listener hears: from what `benchmarks/compare.py` printed, the comparison of
+//! detectors; from what `cargo xtask grid timing` printed, the errors of the times.
 //!
 //! ```sh
-//! cargo run -p bouncelab-report --example listening -- compare.txt FOLDER
+//! cargo run -p bouncelab-report --example listening -- TABLE FOLDER
 //! ```
 
 use std::collections::BTreeMap;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
-use bouncelab_report::figure::{self, Curve};
+use bouncelab_report::figure::{self, Curve, Figure, Hearing};
 use bouncelab_report::save;
 use bouncelab_report::theme::Meaning;
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let arguments: Vec<PathBuf> = std::env::args_os().skip(1).map(PathBuf::from).collect();
     let [table, folder] = arguments.as_slice() else {
-        return Err("give the output of compare.py and a folder".into());
+        return Err("give a table and a folder".into());
     };
-    let curves = curves(&std::fs::read_to_string(table)?);
-    let figure = figure::listening(&curves);
-    let saved = save(&figure, folder, "listening")?;
+    let table = std::fs::read_to_string(table)?;
+    if table.contains("over the bound") {
+        let timing = balls(
+            &table,
+            4,
+            &[("the bound:", 1.0), ("the goal: at most", 2.0)],
+        );
+        draw(
+            &figure::listening(Hearing::Timing, &timing),
+            folder,
+            "timing",
+        )?;
+        let stated = balls(&table, 5, &[("the goal: from", 60.0), ("to", 76.0)]);
+        return draw(
+            &figure::listening(Hearing::Stated, &stated),
+            folder,
+            "stated",
+        );
+    }
+    let found = detectors(&table);
+    draw(
+        &figure::listening(Hearing::Found, &found),
+        folder,
+        "listening",
+    )
+}
+
+fn draw(figure: &Figure, folder: &Path, name: &str) -> Result<(), Box<dyn std::error::Error>> {
+    let saved = save(figure, folder, name)?;
     println!("{}\n    {}", saved.svg.display(), figure.caption());
     Ok(())
 }
 
+/// One curve for each ball from a column of the table of timing, and a level line for each limit.
+fn balls(text: &str, column: usize, limits: &[(&str, f64)]) -> Vec<Curve> {
+    let mut curves: Vec<Curve> = Vec::new();
+    for row in text.lines().map(cells) {
+        let point = row.get(1).and_then(|cell| decibels(cell)).zip(
+            row.get(column)
+                .and_then(|cell| cell.split(' ').next()?.parse().ok()),
+        );
+        let Some((ratio, value)) = point else {
+            continue;
+        };
+        let point = (f64::from(ratio), value);
+        match curves.iter_mut().find(|curve| curve.name == row[0]) {
+            Some(curve) => curve.points.push(point),
+            None => curves.push(Curve {
+                name: row[0].to_owned(),
+                meaning: Meaning::Measured,
+                points: vec![point],
+            }),
+        }
+    }
+    let ends = curves.first().map_or_else(Vec::new, |curve| {
+        curve.points.iter().map(|point| point.0).collect()
+    });
+    curves.extend(limits.iter().map(|&(name, level)| Curve {
+        name: format!("{name} {level}"),
+        meaning: Meaning::NoDrag,
+        points: ends.iter().map(|&ratio| (ratio, level)).collect(),
+    }));
+    curves
+}
+
 /// One curve for each detector: the mean over the balls at each ratio.
-fn curves(text: &str) -> Vec<Curve> {
+fn detectors(text: &str) -> Vec<Curve> {
     let mut rows = text.lines().map(cells);
     let names = rows.find(|row| row.first() == Some(&"ball and noise"));
     let names = names.unwrap_or_default();

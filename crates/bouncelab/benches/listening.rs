@@ -54,12 +54,26 @@ fn detector(bencher: Bencher) {
 /// The whole way from samples to aligned trains.
 #[divan::bench(args = [40.0, 10.0])]
 fn listener(bencher: Bencher, snr_db: f64) {
-    let samples = minute(Noise::pink(snr_db));
+    hear(bencher, &minute(Noise::pink(snr_db)));
+}
+
+/// The same without a drop.
+#[divan::bench]
+fn listener_without_a_drop(bencher: Bencher) {
+    let scene = Scene {
+        noise: Some(Noise::pink(40.0)),
+        tail_s: 60.0,
+        ..Scene::default()
+    };
+    hear(bencher, &synth::render(&[], &scene, 1).unwrap().samples);
+}
+
+fn hear(bencher: Bencher, samples: &[f32]) {
     bencher
         .counter(ItemsCount::new(samples.len()))
         .bench_local(|| {
             let mut listener = Listener::new(RATE_HZ, 1);
-            for block in black_box(&samples).chunks(4096) {
+            for block in black_box(samples).chunks(4096) {
                 listener.push(&[block]);
             }
             listener.finish()

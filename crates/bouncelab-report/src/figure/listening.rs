@@ -1,31 +1,74 @@
-//! How many impacts detectors find, against the noise.
+//! How well a listener hears, against the noise.
 
 use super::{Curve, Figure, curve_key, is_finite, pens};
 use crate::scale::Scale;
 use crate::sheet::{Axis, Panel, Sheet};
 
-const TITLE: &str = "Impacts found in noise";
 const HEIGHT: f64 = 360.0;
 
-/// Curves of F1, from 0 to 1, against the signal-to-noise ratio of the loudest impact in dB.
-pub fn listening(curves: &[Curve]) -> Figure {
+/// What curves of a listener show.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Hearing {
+    /// F1, from 0 to 1.
+    Found,
+    /// Median error of the times over that of the Cramér-Rao bound.
+    Timing,
+    /// Percentage of errors within the stated standard error.
+    Stated,
+}
+
+impl Hearing {
+    fn title(self) -> &'static str {
+        match self {
+            Self::Found => "Impacts found in noise",
+            Self::Timing => "Errors of flight times and the physical limit",
+            Self::Stated => "Errors of flight times and what is stated of them",
+        }
+    }
+
+    fn axis(self) -> Axis {
+        match self {
+            Self::Found => Axis::new(Scale::linear([0.0, 1.0]).padded(0.0, 0.03), "F1"),
+            Self::Timing => Axis::new(
+                Scale::linear([0.0, 2.6]),
+                "median error over that of the bound",
+            ),
+            Self::Stated => Axis::new(
+                Scale::linear([40.0, 100.0]),
+                "within one standard error (%)",
+            ),
+        }
+    }
+
+    fn caption(self) -> &'static str {
+        match self {
+            Self::Found => {
+                "F1 is 1 where every impact as loud as the noise is found and nothing else is."
+            }
+            Self::Timing => {
+                "The Cramér-Rao bound is the least error with which a known sound in white noise \
+                 can be timed."
+            }
+            Self::Stated => "Of normal errors 68 % lie within one standard error.",
+        }
+    }
+}
+
+/// Curves against the signal-to-noise ratio of the loudest impact in dB.
+pub fn listening(hearing: Hearing, curves: &[Curve]) -> Figure {
     let points = curves.iter().flat_map(|curve| curve.points.iter().copied());
     let ratios: Vec<f64> = points.filter(|p| is_finite(*p)).map(|p| p.0).collect();
     if ratios.is_empty() {
-        return Figure::empty(HEIGHT, TITLE, "There are no detectors to compare.");
+        return Figure::empty(HEIGHT, hearing.title(), "There is nothing to compare.");
     }
     let x = Axis::new(Scale::linear(ratios), "loudest impact above the noise (dB)");
-    let y = Axis::new(Scale::linear([0.0, 1.0]).padded(0.0, 0.03), "F1");
+    let y = hearing.axis();
     let pens = pens(curves);
-    let mut sheet = Sheet::new(HEIGHT, TITLE);
+    let mut sheet = Sheet::new(HEIGHT, hearing.title());
     sheet.key(&curve_key(curves, &pens));
     let panel = Panel::fill(&mut sheet, &x, &y, 0.0);
     for (curve, pen) in curves.iter().zip(pens) {
         panel.curve(&mut sheet.canvas, &curve.points, pen);
     }
-    Figure::new(
-        sheet,
-        TITLE,
-        "F1 is 1 where every impact as loud as the noise is found and nothing else is.",
-    )
+    Figure::new(sheet, hearing.title(), hearing.caption())
 }

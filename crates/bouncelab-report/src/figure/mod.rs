@@ -33,7 +33,7 @@ pub use groups::{GroupLaw, GroupPoint, groups};
 pub use height::height;
 pub use intervals::{GroupInterval, intervals};
 pub use limits::{Judged, limits};
-pub use listening::listening;
+pub use listening::{Hearing, listening};
 pub use models::{ModelWeight, models};
 pub use residuals::{Residual, residuals};
 pub use restitution::{BandPoint, Restitution, restitution};

@@ -152,12 +152,15 @@ fn music(samples: &mut [f64], rate: f64, rng: &mut impl Rng) {
     }
 }
 
-/// Adds a tone that begins now and dies away.
+/// Adds a tone that begins now and dies away: a number that turns and shrinks.
 fn decay(samples: &mut [f64], frequency_hz: f64, decay_s: f64, level: f64, rate: f64) {
     let length = ((8.0 * decay_s * rate) as usize).min(samples.len());
-    for (n, sample) in samples[..length].iter_mut().enumerate() {
-        let time_s = n as f64 / rate;
-        *sample += level * (-time_s / decay_s).exp() * (TAU * frequency_hz * time_s).sin();
+    let (sin, cos) = (TAU * frequency_hz / rate).sin_cos();
+    let shrink = (-1.0 / (decay_s * rate)).exp();
+    let (mut x, mut y) = (level, 0.0);
+    for sample in &mut samples[..length] {
+        *sample += y;
+        (x, y) = (shrink * (x * cos - y * sin), shrink * (x * sin + y * cos));
     }
 }
 

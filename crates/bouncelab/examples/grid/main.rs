@@ -3,7 +3,7 @@
 //! Parts: `cells` (impacts found, false drops, by what disturbs), `timing` (errors of the times
 //! against the Cramer-Rao bound and against the stated standard errors), `silence` (false drops in
 //! sound without a drop). None means all. `drops=N` drops in each cell, `hours=H` of sound without
-//! a drop of each kind. `wav=FOLDER` writes the sounds of the cells and their truth instead.
+//! a drop of each kind, `only=WORDS` the rows of silence with these words in their names. `wav=FOLDER` writes the sounds of the cells and their truth instead.
 //!
 //! Every sound comes from a seed: the same command prints the same numbers.
 
@@ -21,6 +21,7 @@ struct Request {
     parts: Vec<String>,
     drops: u64,
     hours: f64,
+    only: String,
     wav: Option<String>,
 }
 
@@ -28,7 +29,9 @@ fn main() -> ExitCode {
     match parse(std::env::args().skip(1)) {
         Ok(request) => run(&request),
         Err(word) => {
-            eprintln!("'{word}' is none of: cells, timing, silence, drops=N, hours=H, wav=FOLDER");
+            eprintln!(
+                "'{word}' is none of: cells, timing, silence, drops=N, hours=H, only=WORDS, wav=FOLDER"
+            );
             ExitCode::from(2)
         }
     }
@@ -39,6 +42,7 @@ fn parse(words: impl Iterator<Item = String>) -> Result<Request, String> {
         parts: Vec::new(),
         drops: 20,
         hours: 1.0,
+        only: String::new(),
         wav: None,
     };
     for word in words {
@@ -48,6 +52,7 @@ fn parse(words: impl Iterator<Item = String>) -> Result<Request, String> {
             }
             Some(("drops", n)) => request.drops = n.parse().map_err(|_| word.clone())?,
             Some(("hours", h)) => request.hours = h.parse().map_err(|_| word.clone())?,
+            Some(("only", words)) => request.only = words.into(),
             Some(("wav", folder)) => request.wav = Some(folder.into()),
             _ => return Err(word),
         }
@@ -73,7 +78,7 @@ fn run(request: &Request) -> ExitCode {
         timing::print(request.drops);
     }
     if asked("silence") {
-        silence::print(request.hours);
+        silence::print(request.hours, &request.only);
     }
     ExitCode::SUCCESS
 }

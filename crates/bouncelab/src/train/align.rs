@@ -120,6 +120,11 @@ impl Span {
         }
     }
 
+    /// Samples of a sound that lie before the impact, wherever it begins.
+    fn quiet(&self) -> usize {
+        self.origin - self.before - self.nearest as usize
+    }
+
     /// Samples of a sound after its origin.
     fn after(&self) -> usize {
         self.most + self.farthest as usize + KERNEL + 1
@@ -243,7 +248,13 @@ impl Sound {
     fn settle(&mut self, template: &Template, smoothness: f64, span: &Span) {
         self.step(template, span);
         let wave = self.wave(span, self.shift);
-        self.sigma = template.shift_error(&wave, self.noise, self.density * smoothness);
+        let noise = Noise {
+            power: self.noise,
+            heard: span.quiet() as f64,
+            alike: self.density / self.noise.max(f64::MIN_POSITIVE),
+            density: self.density * smoothness,
+        };
+        self.sigma = template.shift_error(&wave, &noise);
     }
 
     /// The highest correlation at whole samples around `middle`, and a parabola through it.
@@ -289,8 +300,7 @@ fn keep_mean(sounds: &mut [Sound]) {
 
 /// Power of the noise before an impact.
 fn noise_power(energy: &[f64], span: &Span) -> f64 {
-    let quiet = span.origin - span.before - span.nearest as usize;
-    energy[quiet] / quiet as f64
+    energy[span.quiet()] / span.quiet() as f64
 }
 
 /// Takes out the high frequencies in which the impacts do not sound: they would drown the slope
@@ -433,22 +443,36 @@ impl<'a> Template<'a> {
         }
     }
 
-    /// Standard error of the shift of a wave, in samples. The noise has this power, and this
-    /// density where the template is steep.
-    fn shift_error(&self, wave: &[f32], noise: f64, density: f64) -> f64 {
+    /// Standard error of the shift of a wave in this noise, in samples.
+    fn shift_error(&self, wave: &[f32], noise: &Noise) -> f64 {
         let (residual, level) = self.residual(wave);
         let slope = f64::from(level * level * self.slope).max(f64::MIN_POSITIVE);
         let unexplained = f64::from(dot(&residual, &residual));
-        // What the noise of both leaves, and what it may leave by chance. (That of the template is
-        // common to all impacts, and shifts none against another.)
+        // What the noise of both leaves, give or take chance: here, and in what was heard before,
+        // from which it is known. (That of the template is common to all impacts, and shifts none
+        // against another.)
         let count = wave.len() as f64;
-        let alike = density / noise.max(f64::MIN_POSITIVE);
-        let both = noise * (1.0 + f64::from(level * level * self.noise));
-        let by_chance = both * (count + 2.0 * (2.0 * count * alike).sqrt());
-        let different = (unexplained - by_chance).max(0.0);
-        let variance = (density + different / FREE_DIFFERENCES) / slope;
+        let by_noise = count * noise.power * (1.0 + f64::from(level * level * self.noise));
+        let chance = (2.0 * noise.alike * (1.0 / count + 1.0 / noise.heard)).sqrt();
+        let different = if unexplained > by_noise * (1.0 + 2.0 * chance) {
+            unexplained - by_noise
+        } else {
+            0.0
+        };
+        let variance = (noise.density + different / FREE_DIFFERENCES) / slope;
         variance.sqrt().hypot(LEAST_SIGMA)
     }
+}
+
+/// The noise under an impact.
+struct Noise {
+    /// Its power, and from how many samples that is known.
+    power: f64,
+    heard: f64,
+    /// How many samples in a row are alike, because it was smoothed.
+    alike: f64,
+    /// Its density where the template is steep.
+    density: f64,
 }
 
 /// The share of the noise in the slope of this stack that smoothing leaves: the shift smooths once

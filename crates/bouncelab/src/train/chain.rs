@@ -113,7 +113,7 @@ impl State {
     fn births(step: &Step, around_first: &Surroundings) -> impl Iterator<Item = Self> {
         let by_chance = around_first.by_chance(step.interval_s).ln();
         let first_flight = evidence::ln_first_flight(step.interval_s);
-        let evidence = evidence::LN_BIRTH + first_flight + step.common + by_chance;
+        let evidence = around_first.ln_birth() + first_flight + step.common + by_chance;
         let ln_flight = step.ln_interval;
         let surfaces = if step.interval_s < SHORTEST_FIRST_S {
             &[]

@@ -9,7 +9,13 @@ use std::f64::consts::{PI, SQRT_2};
 /// Drops are rarer than sounds: logarithm of the ratio at the first pair of impacts. The prior
 /// expectation is one drop among four hundred sounds, and first flights equally likely, on a
 /// logarithmic scale, over a factor of four.
-pub(super) const LN_BIRTH: f64 = -7.4;
+const LN_BIRTH: f64 = -7.4;
+
+/// Nor do more drops begin because more else sounds: the prior expectation is no more than one in
+/// this time, in seconds. Else, the denser the sounds, the more chains of coincidences would pass.
+const BETWEEN_DROPS_S: f64 = 300.0;
+/// Sounds a drop is expected among, whatever their density.
+const AMONG_SOUNDS: f64 = 400.0;
 
 /// A first flight shorter than this, in seconds, is rarer with its third power: few balls are let go
 /// from below 2 cm, and the louder impacts of one let go from higher would have been heard.
@@ -295,6 +301,12 @@ impl Surroundings {
     /// The same for any sound, however faint.
     pub(super) fn any_by_chance(&self, interval_s: f64) -> f64 {
         1.0 / (self.any_rate_hz * interval_s).max(LEAST_RATE)
+    }
+
+    /// Logarithm of how likely a drop begins here, rather than other sounds.
+    pub(super) fn ln_birth(&self) -> f64 {
+        let sounds = BETWEEN_DROPS_S * self.rate_hz;
+        LN_BIRTH - (sounds / AMONG_SOUNDS).max(1.0).ln()
     }
 
     /// How much alike the onset here and the next are.
