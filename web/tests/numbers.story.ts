@@ -44,25 +44,27 @@ function analyse(heard: Heard, settings: Settings): Analysed {
 /**
  * Asserts that two documents agree: words to the letter, times to 10 ns, other numbers to seven
  * digits. The mathematical functions of the two machines differ in the last bit, which decoders of
- * lossy formats and the sums of the inference magnify: there, three digits must agree, one more than
- * are ever shown of a standard deviation.
+ * lossy formats and the draws of the inference magnify: there, a value and its intervals must agree
+ * to two hundredths of its standard deviation, other numbers to three digits. Correlations and
+ * residuals are differences, of which what counts is the range.
  */
-function expectSame(found: unknown, expected: unknown, path = '$'): void {
+function expectSame(found: unknown, expected: unknown, path = '$', sd?: number): void {
   if (typeof expected === 'number') {
     expect(found, path).toBeTypeOf('number');
     const share = path.includes('.estimate.') ? 1e-3 : 1e-7;
-    // A correlation or a residual near zero is a difference: what counts is its range.
     const isDifference = /\.correlations\.|standardised_residual/.test(path);
-    const size = isDifference ? 1 : Math.abs(expected);
-    const allowed = share * size + 1e-8;
+    const allowed = sd === undefined ? share * (isDifference ? 5 : Math.abs(expected)) : 0.02 * sd;
     expect(
       Math.abs((found as number) - expected),
       `${path}: ${found}, ${expected}`,
-    ).toBeLessThanOrEqual(allowed);
+    ).toBeLessThanOrEqual(allowed + 1e-8);
   } else if (expected !== null && typeof expected === 'object') {
     expect(Object.keys(found as object), path).toEqual(Object.keys(expected));
+    const own = path.includes('.estimate.') ? (expected as { sd?: number }).sd : undefined;
     for (const [key, value] of Object.entries(expected)) {
-      expectSame((found as Record<string, unknown>)[key], value, `${path}.${key}`);
+      const part = (found as Record<string, unknown>)[key];
+      const isOf = /^(value|sd|interval\d+)$/.test(key);
+      expectSame(part, value, `${path}.${key}`, isOf ? own : sd);
     }
   } else {
     expect(found, path).toEqual(expected);
