@@ -65,23 +65,23 @@ impl Answers {
 
     pub(super) fn inference(
         self,
-        posterior: &Posterior,
+        posterior: Posterior,
         ball: &Ball,
         environment: &Environment,
         question: &Question,
     ) -> Option<Inference> {
         let of = |values: &[f64]| Summary::of(values.iter().copied());
         let innovations = posterior.innovations();
-        let narrowed = identify::narrowed(posterior);
+        let narrowed = identify::narrowed(&posterior);
         let rest = posterior.each(THINNED, |evaluator, point| {
             Some(predict::until_rest(evaluator, point))
         });
         let rests = rest.iter().filter(|rest| rest.is_some()).count() * 2 > rest.len();
         let rest: Vec<predict::Rest> = rest.into_iter().flatten().filter(|_| rests).collect();
-        let drag_coefficient = self.drag_coefficients(posterior, ball, environment);
-        let drag = self.drag(posterior, ball, environment, &drag_coefficient);
-        let gravity_m_s2 = of(&self.environment_gravity(posterior, environment))?;
-        let remarks = remark::remarks(posterior, &innovations, &narrowed, rests);
+        let drag_coefficient = self.drag_coefficients(&posterior, ball, environment);
+        let drag = self.drag(&posterior, ball, environment, &drag_coefficient);
+        let gravity_m_s2 = of(&self.environment_gravity(&posterior, environment))?;
+        let remarks = remark::remarks(&posterior, &innovations, &narrowed, rests);
         Some(Inference {
             at_speed_m_s: self.at_speed_m_s,
             restitution: of(&self.restitution)?,
@@ -94,10 +94,10 @@ impl Answers {
             contact_time_s: of(&self.contact_time_s)?,
             total_time_s: Summary::of(rest.iter().map(|rest| rest.time_s)),
             total_path_m: Summary::of(rest.iter().map(|rest| rest.path_m)),
-            missed_first: missed_first(posterior),
-            predictions: predictions(posterior, &question.reach),
-            impacts: heard(posterior, &innovations, ball, environment),
-            models: self.models(posterior),
+            missed_first: missed_first(&posterior),
+            predictions: predictions(&posterior, &question.reach),
+            impacts: heard(&posterior, &innovations, ball, environment),
+            models: self.models(&posterior),
             narrowed,
             correlations: identify::correlations(vec![
                 ("restitution", self.restitution.clone()),
@@ -107,7 +107,7 @@ impl Answers {
                 ("gravity", self.gravity_m_s2.clone()),
                 ("contact time", self.contact_time_s.clone()),
             ]),
-            budget: budget::budget(posterior, self.at_speed_m_s).unwrap_or_default(),
+            budget: budget::budget(&posterior, self.at_speed_m_s).unwrap_or_default(),
             sampling: Sampling {
                 effective_draws: posterior.effective_draws(),
                 pareto_shape: posterior.pareto_shape(),
@@ -119,7 +119,7 @@ impl Answers {
                 drag_coefficient,
                 drop_height_m: self.drop_height_m,
             },
-            posterior: posterior.clone(),
+            posterior,
         })
     }
 

@@ -269,6 +269,9 @@ impl Posterior {
         weigh(&mut candidates);
         self.candidates = candidates;
         self.draws = self.pooled(effort);
+        for sample in self.candidates.iter_mut().filter_map(|c| c.sample.as_mut()) {
+            sample.forget_draws();
+        }
     }
 
     /// Equally likely draws from all samples, by systematic resampling: one random number places a
@@ -329,7 +332,7 @@ impl Posterior {
             .candidates
             .iter()
             .filter_map(|candidate| {
-                let effective = candidate.sample.as_ref()?.effective_draws();
+                let effective = candidate.sample.as_ref()?.effective_draws;
                 Some(candidate.weight * candidate.weight / effective)
             })
             .sum();

@@ -30,6 +30,8 @@ pub(super) struct Sample {
     pub(super) vectors: Vec<DVector<f64>>,
     /// Weights, which add up to one.
     pub(super) weights: Vec<f64>,
+    /// How many independent draws would say as much.
+    pub(super) effective_draws: f64,
     /// Logarithm of the evidence, but for a constant that all models of the same data share.
     pub(super) log_evidence: f64,
     /// Shape of the tail of the weights.
@@ -37,10 +39,10 @@ pub(super) struct Sample {
 }
 
 impl Sample {
-    /// How many independent draws would say as much.
-    pub(super) fn effective_draws(&self) -> f64 {
-        let squares: f64 = self.weights.iter().map(|weight| weight * weight).sum();
-        1.0 / squares
+    /// Keeps only how good the draws were; they take a megabyte.
+    pub(super) fn forget_draws(&mut self) {
+        self.vectors = Vec::new();
+        self.weights = Vec::new();
     }
 }
 
@@ -114,7 +116,7 @@ pub(super) fn sample(
     let mut share = 0.0;
     for _ in 0..MOST_PILOTS {
         let pilot = round(evaluator, &proposal, pilot_draws, rng)?;
-        share = pilot.effective_draws() / pilot_draws as f64;
+        share = pilot.effective_draws / pilot_draws as f64;
         if let Some(adapted) = adapted(&pilot) {
             proposal = adapted;
         }
@@ -178,9 +180,11 @@ fn round(
     for weight in &mut weights {
         *weight /= total;
     }
+    let squares: f64 = weights.iter().map(|weight| weight * weight).sum();
     Some(Sample {
         vectors,
         weights,
+        effective_draws: 1.0 / squares,
         log_evidence: greatest + (total / draws as f64).ln() - proposal.log_constant(),
         pareto_shape,
     })
