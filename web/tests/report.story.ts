@@ -1,5 +1,5 @@
 /** Reports of the command line: valid, silent, whole on paper and on a phone, whatever a name contains. */
-import { copyFileSync, existsSync, readFileSync } from 'node:fs';
+import { copyFileSync, existsSync, mkdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import { HtmlValidate } from 'html-validate';
@@ -11,27 +11,55 @@ import { bouncelab, folder, synth } from './harness/program.ts';
 /** Whatever a file system allows in a name and a browser might obey. */
 const HOSTILE = `a"><img src=x onerror="alert(1)"> & 'b' \`c\` | $x$.wav`;
 
+/** A floor with such a name. */
+const WOOD = '<b>wood & co';
+
 /** The width that A4 leaves between the margins of the report, in CSS pixels. */
 const PAPER_PX = Math.floor(((210 - 2 * 17) / 25.4) * 96);
 
+/** The reports there are, by the command that writes them. */
+const REPORTS = ['analyze', 'session', 'verdict'] as const;
+
+/** What each says to the letter, however it reads to a browser. */
+const WRITTEN = { analyze: HOSTILE, session: WOOD, verdict: HOSTILE };
+
 let browser: Browser;
 let place: string;
-let report: string;
+
+const reportOf = (command: string): string => join(place, `${command}.html`);
 
 beforeAll(async () => {
   place = folder();
   const { path } = synth(join(place, 'drop.wav'), '--height', '40cm', '--snr', '30');
   const hostile = join(place, HOSTILE);
   copyFileSync(path, hostile);
-  report = join(place, 'report.html');
-  bouncelab('analyze', hostile, '--height', '40cm', '--report', report);
+  bouncelab('analyze', hostile, '--height', '40cm', '--report', reportOf('analyze'));
+  many();
   browser = await launch('missing');
 });
 
+/** Two balls on two floors, two drops each, as a session; a drop that passes a rule. */
+function many(): void {
+  const recordings = join(place, 'recordings');
+  mkdirSync(recordings);
+  const kinds = ['old', 'new'].flatMap((ball) => ['steel', WOOD].map((floor) => [ball, floor]));
+  for (const [at, [ball, floor]] of [...kinds, ...kinds].entries()) {
+    const path = join(recordings, `${ball}_${floor}_${at}.wav`);
+    synth(path, '--restitution', String(0.93 - 0.002 * at), '--seed', String(at));
+  }
+  const pattern = ['--pattern', '{ball}_{surface}_{}', '--ball', 'table-tennis-40'];
+  const output = ['--output', join(place, 'session'), '--report', reportOf('session')];
+  bouncelab('session', recordings, ...pattern, ...output);
+  const passes = join(place, `passes ${HOSTILE}`);
+  synth(join(place, 'passes.wav'), '--restitution', '0.93');
+  copyFileSync(join(place, 'passes.wav'), passes);
+  bouncelab('verdict', '--rule', 'ittf-ball', passes, '--report', reportOf('verdict'));
+}
+
 afterAll(() => browser.close());
 
-/** Opens the report; everything it says or asks for that nobody sees. */
-async function open(options = {}): Promise<{ page: Page; troubles: string[] }> {
+/** Opens a report; everything it says or asks for that nobody sees. */
+async function open(report: string, options = {}): Promise<{ page: Page; troubles: string[] }> {
   const page = await (await browser.newContext(options)).newPage();
   const troubles: string[] = [];
   page.on('console', (message) => troubles.push(message.text()));
@@ -47,32 +75,32 @@ function beyond(page: Page): Promise<number> {
   return page.evaluate(() => document.documentElement.scrollWidth - window.innerWidth);
 }
 
-describe('a report', () => {
+describe.each(REPORTS)('the report of %s', (command) => {
   test('is valid HTML', async () => {
     const validator = new HtmlValidate({ extends: ['html-validate:standard'] });
-    const { results } = await validator.validateFile(report);
+    const { results } = await validator.validateFile(reportOf(command));
     expect(results.flatMap(({ messages }) => messages.map(({ message }) => message))).toEqual([]);
   });
 
   test('asks for nothing but itself and says nothing', async () => {
-    const { page, troubles } = await open();
+    const { page, troubles } = await open(reportOf(command));
     await page.waitForTimeout(300);
     expect(troubles.filter((trouble) => !trouble.startsWith('a request: file:'))).toEqual([]);
     expect(troubles.length).toBe(1);
-    expect(await page.locator('h1').textContent()).toBe(HOSTILE);
-    expect(await page.locator('figure svg').count()).toBeGreaterThan(8);
+    expect(await page.locator('figure svg').count()).toBeGreaterThan(0);
+    expect(await page.locator('body').textContent()).toContain(WRITTEN[command]);
   });
 
   test('fits a phone, light and dark', async () => {
     for (const colorScheme of ['light', 'dark'] as const) {
       const viewport = { width: 360, height: 740 };
-      const { page } = await open({ viewport, colorScheme });
+      const { page } = await open(reportOf(command), { viewport, colorScheme });
       expect(await beyond(page)).toBeLessThanOrEqual(0);
     }
   });
 
   test('loses nothing on paper', async () => {
-    const { page } = await open({ viewport: { width: PAPER_PX, height: 1000 } });
+    const { page } = await open(reportOf(command), { viewport: { width: PAPER_PX, height: 1000 } });
     await page.emulateMedia({ media: 'print' });
     expect(await beyond(page)).toBeLessThanOrEqual(0);
     const wide = await page

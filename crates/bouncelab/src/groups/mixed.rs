@@ -37,9 +37,9 @@ pub struct Component {
 
 /// A linear mixed model, fitted by restricted maximum likelihood (Patterson and Thompson 1971).
 ///
-/// The value of a drop is the mean of its fixed level, or a straight line at its amount, plus a normal deviation for its level of each
-/// random factor, plus a normal deviation of its own, plus its known error. Factors may be crossed,
-/// nested or unbalanced.
+/// The value of a drop is the mean of its fixed level, or a straight line at its amount, plus a normal
+/// deviation for its level of each random factor, plus a normal deviation of its own, plus its known
+/// error. Factors may be crossed, nested or unbalanced.
 #[derive(Debug, Clone)]
 pub struct Mixed {
     design: Design,
