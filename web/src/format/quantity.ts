@@ -46,10 +46,12 @@ export function fixed(value: number, decimals: number, language: string): string
     .replace('-', '\u2212');
 }
 
-/** A number that is written with a point already, in the manner of a language. */
+/** Numbers that are written with a point already, in the manner of a language; 1.2.3 is none. */
 export function localised(written: string, language: string): string {
   const point = (1.5).toLocaleString(language).charAt(1);
-  return written.replace(/(\d)\.(\d)/g, `$1${point}$2`);
+  return written.replace(/\d+(?:\.\d+)+/g, (number) =>
+    number.split('.').length === 2 ? number.replace('.', point) : number,
+  );
 }
 
 /** A share of one in per cent. */

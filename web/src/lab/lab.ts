@@ -1,3 +1,4 @@
+import { ENGLISH } from '../format/tongue.ts';
 import { Connection, type Modules, type Port } from './connection.ts';
 import { LabError } from './error.ts';
 import type { Level, Spectrogram } from './protocol.ts';
@@ -169,27 +170,37 @@ export class Lab {
   }
 
   /** Draws a figure of an analysis, as the program does, by a name from `Analysed.figures`. */
-  figure(request: AnalysisRequest, name: string): Promise<Drawn> {
-    return this.#back.call('figure', { request, name });
+  figure(request: AnalysisRequest, name: string, language = ENGLISH): Promise<Drawn> {
+    return this.#back.call('figure', { request, name, language });
   }
 
   /** Draws the waveform with its impacts, as the program does. */
-  async waveform(recording: Recording, request: AnalysisRequest): Promise<Drawn> {
+  async waveform(
+    recording: Recording,
+    request: AnalysisRequest,
+    language = ENGLISH,
+  ): Promise<Drawn> {
     const level = pictured(recording);
     if (level === null || recording.sound === null) {
       throw new LabError('empty', 'a list of times has no waveform');
     }
     const { sampleRateHz } = recording.sound;
-    return this.#back.call('waveform', { request, level, sampleRateHz });
+    return this.#back.call('waveform', { request, level, sampleRateHz, language });
   }
 
   /** The report of an analysis as one HTML file, as the program writes it. */
-  report(recording: Recording, request: AnalysisRequest, made: Date): Promise<string> {
+  report(
+    recording: Recording,
+    request: AnalysisRequest,
+    made: Date,
+    language = ENGLISH,
+  ): Promise<string> {
     return this.#back.call('report', {
       request,
       level: pictured(recording),
       sampleRateHz: recording.sound?.sampleRateHz ?? 1,
       made: made.toISOString().slice(0, 10),
+      language,
     });
   }
 

@@ -1,3 +1,4 @@
+import type { Phrasebook } from '../format/tongue.ts';
 import type { LabRefusal } from './error.ts';
 import type {
   Analysed,
@@ -64,9 +65,14 @@ export interface Calls {
   };
   deafen: { take: { ear: number }; give: null };
   analyse: { take: { request: AnalysisRequest }; give: Analysed };
-  figure: { take: { request: AnalysisRequest; name: string }; give: Drawn };
+  figure: { take: { request: AnalysisRequest; name: string; language: Phrasebook }; give: Drawn };
   waveform: {
-    take: { request: AnalysisRequest; level: Level; sampleRateHz: number };
+    take: {
+      request: AnalysisRequest;
+      level: Level;
+      sampleRateHz: number;
+      language: Phrasebook;
+    };
     give: Drawn;
   };
   report: {
@@ -75,6 +81,7 @@ export interface Calls {
       level: Level | null;
       sampleRateHz: number;
       made: string;
+      language: Phrasebook;
     };
     give: string;
   };
