@@ -1,11 +1,13 @@
 //! `bouncelab analyze`: what recordings, or lists of impact times, say.
 
+mod edit;
 mod figures;
 mod hear;
 mod inference;
 mod report;
 mod text;
 
+pub(crate) use edit::Unanalysed;
 pub(crate) use figures::save_figures;
 pub(crate) use hear::{Hearing, Heeded, Recording, hear};
 pub(crate) use text::{report, shown};
