@@ -366,6 +366,8 @@ fn outline(corners: &[Point]) -> String {
     path
 }
 
+const SOFT_HYPHEN: char = '\u{ad}';
+
 /// Width of a text in figure pixels, rather too wide than too narrow: by the classes of
 /// letters of `DejaVu Sans`, which is wider than the fonts of most systems.
 pub(crate) fn text_width(text: &str, size: u32) -> f64 {
@@ -375,6 +377,7 @@ pub(crate) fn text_width(text: &str, size: u32) -> f64 {
 
 fn letter_width(letter: char) -> f64 {
     match letter {
+        SOFT_HYPHEN => 0.0,
         ' ' | '.' | ',' | 'i' | 'j' | 'l' | 'I' | '\'' => 0.32,
         'f' | 't' | 'r' | '(' | ')' | '-' | '/' | ':' | ';' | '|' | '!' => 0.42,
         'w' | '=' | '+' | '<' | '>' | '±' | '×' | '−' | '≈' => 0.84,
@@ -494,9 +497,11 @@ fn is_finite((x, y): Point) -> bool {
     x.is_finite() && y.is_finite()
 }
 
-/// Without the control characters that XML forbids.
+/// Without the control characters that XML forbids, nor hyphens for the end of a line: a drawing
+/// breaks none.
 fn printable(text: &str) -> String {
     text.chars()
+        .filter(|&c| c != SOFT_HYPHEN)
         .map(|c| if c.is_control() { ' ' } else { c })
         .collect()
 }
