@@ -58,11 +58,11 @@ export function localised(written: string, language: string): string {
 export const perCent = (share: number, language: string): string =>
   withUnit(fixed(100 * share, 0, language), PERCENT);
 
-/** A value without an uncertainty, in so many significant digits. */
+/** A value without an uncertainty, in so many significant digits; zero has none. */
 export function plain(value: number, unit: Unit, digits: number, language: string): string {
   const shown = value / unit.size;
-  const exponent = shown === 0 ? 0 : Math.floor(Math.log10(Math.abs(shown)));
-  return withUnit(fixed(shown, Math.max(0, digits - 1 - exponent), language), unit);
+  const decimals = shown === 0 ? 0 : digits - 1 - Math.floor(Math.log10(Math.abs(shown)));
+  return withUnit(fixed(shown, Math.max(0, decimals), language), unit);
 }
 
 /** A value with its uncertainty and unit, as in "94.6 ± 0.2 %". */
