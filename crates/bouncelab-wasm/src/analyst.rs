@@ -55,7 +55,8 @@ impl Analyst {
         Ok(self.answer(request)?.analysed())
     }
 
-    /// Draws one of the figures that [`Analysed::figures`] names, with its words said by `say`.
+    /// Draws one of the figures that [`Analysed::figures`] names, with its words said by `say`; `over`
+    /// is laid over that of the height.
     ///
     /// # Errors
     ///
@@ -64,9 +65,10 @@ impl Analyst {
         &mut self,
         request: &AnalysisRequest,
         name: &str,
+        over: Option<&HeightCurve>,
         say: &mut Say<'_>,
     ) -> Result<Drawn> {
-        let figure = self.answer(request)?.figure(name);
+        let figure = self.answer(request)?.figure(name, over);
         figure
             .map(|figure| drawn(name, figure, say))
             .ok_or_else(|| setting(&format!("there is no figure \"{name}\" of this drop")))
@@ -266,7 +268,7 @@ impl Answered<'_> {
         names
     }
 
-    fn figure(&self, name: &str) -> Option<Figure> {
+    fn figure(&self, name: &str, over: Option<&HeightCurve>) -> Option<Figure> {
         let settings = self.settings();
         match name {
             "drag" => return illustration::drag(settings, self.fastest_m_s()?),
@@ -279,7 +281,10 @@ impl Answered<'_> {
             match () {
                 () if is("flight-times") => Some(illustration::flight_times(drop)),
                 () if is("restitution") => Some(illustration::restitution(drop)),
-                () if is("height") => Some(illustration::height(drop, settings)),
+                () if is("height") => {
+                    let over = over.map(HeightCurve::points);
+                    Some(illustration::height_with(drop, settings, over))
+                }
                 () if is("bounce-heights") => Some(illustration::bounce_heights(drop)),
                 () if is("bounce-energies") => Some(illustration::bounce_energies(drop, settings)),
                 () if is("posterior") => found.map(illustration::corner),
@@ -329,6 +334,12 @@ impl HeightCurve {
             .map(|(time_s, height_m)| (time_s, Some(height_m).filter(|h| h.is_finite())))
             .unzip();
         Self { time_s, height_m }
+    }
+
+    /// Its points; a height that is not a number interrupts it.
+    fn points(&self) -> Vec<(f64, f64)> {
+        let heights = self.height_m.iter().map(|h| h.unwrap_or(f64::NAN));
+        self.time_s.iter().copied().zip(heights).collect()
     }
 }
 

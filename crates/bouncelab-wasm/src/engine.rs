@@ -20,7 +20,7 @@ use crate::refusal::Result;
 use crate::simulator;
 use crate::sound::{self, Ear, Label};
 use crate::spectrogram::{self, FLOOR_DB};
-use crate::wire::Drawn;
+use crate::wire::{Drawn, HeightCurve};
 
 fn json<T: Serialize>(value: &T) -> Result<String> {
     Ok(serde_json::to_string(value)?)
@@ -165,10 +165,18 @@ impl JsAnalyst {
         json(&self.0.analyse(&read(request)?)?)
     }
 
-    /// Draws a figure.
-    pub fn figure(&mut self, request: &str, name: &str, tongue: &Tongue) -> Result<String> {
+    /// Draws a figure; over that of the height, also a curve of height.
+    pub fn figure(
+        &mut self,
+        request: &str,
+        name: &str,
+        over: Option<String>,
+        tongue: &Tongue,
+    ) -> Result<String> {
+        let over: Option<HeightCurve> = over.as_deref().map(read).transpose()?;
         let mut say = |text: &str| tongue.say(text);
-        json(&self.0.figure(&read(request)?, name, &mut say)?)
+        let request = read(request)?;
+        json(&self.0.figure(&request, name, over.as_ref(), &mut say)?)
     }
 
     /// Draws the waveform from least and greatest sample of each step, one after the other.

@@ -25,7 +25,8 @@ use bouncelab_wasm::analyst::Analyst;
 use bouncelab_wasm::simulator;
 use bouncelab_wasm::sound::{Ear, Label};
 use bouncelab_wasm::wire::{
-    AnalysisRequest, DropMarks, Effort, Inferred, Mark, RestitutionLaw, Settings, SimulationRequest,
+    AnalysisRequest, DropMarks, Effort, HeightCurve, Inferred, Mark, RestitutionLaw, Settings,
+    SimulationRequest,
 };
 
 const FILE: &str = "../../web/src/text/said.txt";
@@ -55,13 +56,14 @@ impl Said {
             Ok(analysed) => analysed,
             Err(refusal) => return self.hear(&refusal.message),
         };
+        let over = HeightCurve::default();
         let mut say = |text: &str| {
             self.hear(text);
             text.to_owned()
         };
         for name in &analysed.figures {
             // A drop too short to be cut has no such figure.
-            analyst.figure(request, name, &mut say).ok();
+            analyst.figure(request, name, Some(&over), &mut say).ok();
         }
         if let Some(sound) = sound {
             analyst.waveform(request, sound, &mut say).unwrap();

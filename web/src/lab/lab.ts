@@ -10,6 +10,7 @@ import type {
   Demo,
   Drawn,
   DropMarks,
+  HeightCurve,
   PaperDocument,
   SceneRequest,
   Settings,
@@ -169,9 +170,17 @@ export class Lab {
     return result;
   }
 
-  /** Draws a figure of an analysis, as the program does, by a name from `Analysed.figures`. */
-  figure(request: AnalysisRequest, name: string, language = ENGLISH): Promise<Drawn> {
-    return this.#back.call('figure', { request, name, language });
+  /**
+   * Draws a figure of an analysis, as the program does, by a name from `Analysed.figures`; over that of
+   * the height lies a curve, if one is given.
+   */
+  figure(
+    request: AnalysisRequest,
+    name: string,
+    language = ENGLISH,
+    over: HeightCurve | null = null,
+  ): Promise<Drawn> {
+    return this.#back.call('figure', { request, name, over, language });
   }
 
   /** Draws the waveform with its impacts, as the program does. */

@@ -7,6 +7,7 @@ import type {
   Demo,
   Drawn,
   Heard,
+  HeightCurve,
   OnsetFound,
   PaperDocument,
   SceneRequest,
@@ -65,7 +66,15 @@ export interface Calls {
   };
   deafen: { take: { ear: number }; give: null };
   analyse: { take: { request: AnalysisRequest }; give: Analysed };
-  figure: { take: { request: AnalysisRequest; name: string; language: Phrasebook }; give: Drawn };
+  figure: {
+    take: {
+      request: AnalysisRequest;
+      name: string;
+      over: HeightCurve | null;
+      language: Phrasebook;
+    };
+    give: Drawn;
+  };
   waveform: {
     take: {
       request: AnalysisRequest;

@@ -114,9 +114,10 @@ const handlers: Handlers = {
   },
 
   analyse: ({ request }) => ({ give: JSON.parse(analyst().analyse(JSON.stringify(request))) }),
-  figure: ({ request, name, language }) => {
-    const tongue = new Tongue(language);
-    return { give: JSON.parse(analyst().figure(JSON.stringify(request), name, tongue)) };
+  figure: ({ request, name, over, language }) => {
+    const laid = over && JSON.stringify(over);
+    const drawn = analyst().figure(JSON.stringify(request), name, laid, new Tongue(language));
+    return { give: JSON.parse(drawn) };
   },
   waveform: ({ request, level, sampleRateHz, language }) => {
     const stepS = level.samplesPerBin / sampleRateHz;

@@ -1029,6 +1029,7 @@ const deutsch: Texts = {
       'Was der Ball bei jedem Aufprall von seinem Tempo behält; die Lücke zwischen Grau und Blau nimmt die Luft, und eine Gerade hält sie für Verlust beim Aufprall.',
     'Height of the ball': 'Die Höhe des Balls',
     'flight model, drag {}': 'Flugmodell, Luftwiderstand: {}',
+    'your simulation': 'deine Simulation',
     'measured apexes': 'gemessene Scheitel',
     'Each hop is lower and shorter than the one before; dots are the measured tops of the hops':
       'Jeder Sprung ist niedriger und kürzer als der vorige; die Punkte sind die gemessenen Scheitel.',
