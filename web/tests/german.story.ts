@@ -65,7 +65,7 @@ const overlap = (a: Box, b: Box): boolean =>
   Math.min(a.x + a.width, b.x + b.width) - Math.max(a.x, b.x) > 1 &&
   Math.min(a.y + a.height, b.y + b.height) - Math.max(a.y, b.y) > 5;
 
-test('the report is German, valid, and fits its paper', async () => {
+test('the report is German, valid, and fits a phone and its paper', async () => {
   const validator = new HtmlValidate({ extends: ['html-validate:standard'] });
   const { results } = await validator.validateFile(report);
   expect(results.flatMap(({ messages }) => messages.map(({ message }) => message))).toEqual([]);
@@ -82,6 +82,9 @@ test('the report is German, valid, and fits its paper', async () => {
   const english = said.filter((text) => ENGLISH.test(text) && !/\(\d{4}\)|^JCGM/.test(text));
   expect(english).toEqual([]);
   expect(said.filter((text) => /\d\.\d/.test(text) && !/bouncelab/.test(text))).toEqual([]);
+  await shown.setViewportSize({ width: 360, height: 740 });
+  const beyond = await shown.evaluate(() => document.documentElement.scrollWidth - innerWidth);
+  expect(beyond).toBeLessThanOrEqual(0);
   await shown.setViewportSize({ width: PAPER_PX, height: 1000 });
   await shown.emulateMedia({ media: 'print' });
   await shown.screenshot({ path: join(SHOTS, 'report-german-paper.png'), fullPage: true });

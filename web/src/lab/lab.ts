@@ -197,7 +197,7 @@ export class Lab {
     return this.#back.call('waveform', { request, level, sampleRateHz, language });
   }
 
-  /** The report of an analysis as one HTML file, as the program writes it. */
+  /** The report of an analysis as one HTML file, as the program writes it but for the language. */
   report(
     recording: Recording,
     request: AnalysisRequest,
