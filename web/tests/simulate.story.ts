@@ -1,4 +1,5 @@
 /** Drops that do not exist, and the paper as a toy. */
+import { readFileSync } from 'node:fs';
 import type { Browser, Page } from 'playwright-core';
 import { afterAll, afterEach, beforeAll, beforeEach, expect, test } from 'vitest';
 import { launch } from './harness/browser.ts';
@@ -65,6 +66,11 @@ test('a simulated drop is analysed as if it were real, and says what was put in'
   await page.getByRole('tab', { name: 'Compare' }).click();
   await page.getByText('The same as numbers').click();
   await page.getByRole('cell', { name: 'your simulation' }).first().waitFor();
+  // What is saved shows what is seen.
+  const coming = page.waitForEvent('download');
+  await page.getByRole('button', { name: 'SVG', exact: true }).click();
+  const drawing = readFileSync(await (await coming).path(), 'utf8');
+  expect(drawing).toContain('>your simulation<');
 });
 
 test('a ball that floats is refused in words, and forgetting the settings helps', async () => {
