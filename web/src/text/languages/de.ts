@@ -476,6 +476,7 @@ const deutsch: Texts = {
     hear: 'Anhören',
     stop: 'Stopp',
     lay: 'Über die Messung legen',
+    takeOff: 'Nicht mehr über die Messung legen',
     laid: 'Er liegt jetzt über der Messung, in der Abbildung „Vergleich“.',
     analyse: 'Auswerten, als wäre er echt',
     runs: 'Läufe',

@@ -472,6 +472,7 @@ export default {
     hear: 'Hear it',
     stop: 'Stop',
     lay: 'Lay it over the measurement',
+    takeOff: 'Take it off the measurement',
     laid: 'It lies over the measurement now, in the figure “Compare”.',
     analyse: 'Analyse it as if it were real',
     runs: 'Runs',
