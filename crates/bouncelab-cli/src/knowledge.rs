@@ -18,7 +18,7 @@ pub(crate) struct KnowledgeArguments {
     /// Standard uncertainty of the measured height [default: 2mm]
     #[arg(long, value_name = "LENGTH", allow_hyphen_values = true, value_parser = units::length, requires = "height")]
     height_sd: Option<f64>,
-    /// When the ball was released, in the time of the recording
+    /// When the ball was released, in the time of the recording; of several drops, that of the next
     #[arg(long, value_name = "TIME", allow_hyphen_values = true, value_parser = units::time)]
     release: Option<f64>,
     /// Standard uncertainty of the release time [default: 5ms]
