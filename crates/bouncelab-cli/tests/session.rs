@@ -408,3 +408,19 @@ fn drafts(folder: &Path) -> Vec<String> {
     let names = entries.map(|entry| entry.unwrap().file_name().to_string_lossy().into_owned());
     names.filter(|name| name.starts_with('.')).collect()
 }
+
+#[test]
+fn a_report_may_lie_with_the_tables() {
+    let room = Room::new(&[]);
+    room.record("a.wav", 1);
+    let report = room.results().join("session.html");
+    // The folder is made by the first run, and cleared of what killed runs left by the second.
+    for _ in 0..2 {
+        room.session()
+            .arg("--report")
+            .arg(&report)
+            .assert()
+            .success();
+        fs::remove_file(&report).unwrap();
+    }
+}

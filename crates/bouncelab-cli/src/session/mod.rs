@@ -172,10 +172,11 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let title = session.title.take();
     let remarks = std::mem::take(&mut session.remarks);
     let recordings = reading.understand(session)?;
-    let draft = arguments.report.as_deref().map(Draft::new).transpose()?;
     let journal = Journal::open(&arguments.output)?;
     let folder = &arguments.output;
     remove_drafts(folder).map_err(|reason| Failure::unwritable(folder, &reason))?;
+    // After that, since it may lie in the same folder.
+    let draft = arguments.report.as_deref().map(Draft::new).transpose()?;
     if journal.damaged() > 0 {
         eprintln!(
             "bouncelab: {} results in the journal were cut off or damaged, and are made again",
