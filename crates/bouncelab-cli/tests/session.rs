@@ -424,3 +424,24 @@ fn a_report_may_lie_with_the_tables() {
         fs::remove_file(&report).unwrap();
     }
 }
+
+#[test]
+fn wishes_that_make_no_sense_are_refused() {
+    let room = Room::new(&[]);
+    room.record("a.wav", 1);
+    for wish in [
+        "--want=nan",
+        "--want=0",
+        "--want=-1",
+        "--compare-at=0",
+        "--at-speed=-1m/s",
+    ] {
+        room.session()
+            .arg(wish)
+            .assert()
+            .code(2)
+            .stderr(contains("above 0"));
+    }
+    // More threads than there is work for are not even made.
+    room.session().arg("--jobs=65535").assert().success();
+}
