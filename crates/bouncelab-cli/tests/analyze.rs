@@ -177,6 +177,20 @@ fn a_drop_left_out_by_hand_is_gone_and_another_may_come() {
 }
 
 #[test]
+fn what_was_chosen_in_listening_is_told_and_can_be_overridden() {
+    let folder = TempDir::new().unwrap();
+    let file = recording(&folder);
+    let details = analyze(&file).arg("--details").assert().success();
+    details.stdout(predicate::str::contains(
+        "20 impacts were heard, clearest from ",
+    ));
+    let low = json(analyze(&file).args(["--band", "..1500"]));
+    assert!(low["drops"][0]["impacts"].as_array().unwrap().len() <= 20);
+    let none = analyze(&file).args(["--band", "30000.."]).assert().code(2);
+    none.stderr(predicate::str::contains("no band lies above 30000 Hz"));
+}
+
+#[test]
 fn a_range_of_flights_goes_into_the_line() {
     let folder = TempDir::new().unwrap();
     let result = json(analyze(&recording(&folder)).args(["--flights", "1..10"]));

@@ -1,10 +1,12 @@
 //! A file to the drops in it.
 
+use std::ops::Range;
 use std::path::Path;
 use std::time::Duration;
 
 use bouncelab::analysis::{self, Analysis, Settings};
 use bouncelab::listen::{Envelope, Heard, Listener};
+use bouncelab::onset;
 use bouncelab_audio::{Input, Source};
 use bouncelab_report::document::{Document, Origin};
 use indicatif::{ProgressBar, ProgressStyle};
@@ -20,6 +22,8 @@ use crate::physics::Physics;
 pub(crate) struct Heeded {
     /// The channel to listen to, the first being 1.
     pub(crate) channel: Option<usize>,
+    /// The frequencies to listen to, in Hz.
+    pub(crate) band_hz: Option<Range<f64>>,
     /// Times of impacts to leave out.
     pub(crate) exclude_s: Vec<f64>,
     /// Times of impacts to add.
@@ -44,6 +48,16 @@ pub(crate) struct Hearing {
     pub(crate) warnings: Vec<String>,
     /// Loudness over time, if it is a recording.
     pub(crate) envelope: Option<Envelope>,
+    /// Where the impacts stand out most, if it is a recording with a drop.
+    pub(crate) clearest: Option<Clearest>,
+}
+
+/// A band in which impacts stand out of what went before.
+pub(crate) struct Clearest {
+    /// Its frequencies in Hz.
+    pub(crate) band_hz: Range<f64>,
+    /// By how much they do so, in dB.
+    pub(crate) above_db: f64,
 }
 
 impl Hearing {
@@ -87,6 +101,7 @@ fn hear_times(name: String, times_s: &[f64], heeded: &Heeded, settings: &Setting
         no_drop,
         warnings,
         envelope: None,
+        clearest: None,
     }
 }
 
@@ -156,8 +171,15 @@ impl Recording {
             drops: analyze(drops, settings, &mut warnings),
             no_drop,
             warnings,
+            clearest: self.clearest(&heard),
             envelope: Some(heard.envelope),
         }
+    }
+
+    fn clearest(&self, heard: &Heard) -> Option<Clearest> {
+        let (band, above_db) = heard.clearest_band()?;
+        let band_hz = onset::bands_hz(self.sample_rate_hz).get(band)?.clone();
+        Some(Clearest { band_hz, above_db })
     }
 }
 
@@ -215,7 +237,11 @@ fn listen(mut source: Source, heeded: &Heeded) -> Result<(Heard, Vec<String>), F
     }
     let ears = channel.map_or(0..source.channels(), |channel| channel - 1..channel);
     let rate = f64::from(source.sample_rate_hz());
-    let mut listener = Listener::new(source.sample_rate_hz(), ears.len());
+    let mut listener = match &heeded.band_hz {
+        None => Listener::new(source.sample_rate_hz(), ears.len()),
+        Some(band_hz) => Listener::within(source.sample_rate_hz(), ears.len(), band_hz)
+            .map_err(|reason| Failure::Usage(format!("{}: {reason}", source.name())))?,
+    };
     let progress = progress(source.duration_s().filter(|_| !heeded.quiet));
     let mut frames = 0;
     while let Some(block) = source.next_block()? {
