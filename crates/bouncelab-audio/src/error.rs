@@ -17,6 +17,13 @@ pub enum Error {
         name: String,
     },
 
+    /// It can be read from the beginning to the end only.
+    #[error("{name}: is a pipe, in which no place can be searched; save it as a file first")]
+    Pipe {
+        /// The pipe as the caller named it.
+        name: String,
+    },
+
     /// The path leads to a folder.
     #[error("{name}: is a folder; name the recordings in it")]
     Directory {
@@ -148,6 +155,7 @@ impl Error {
         match source.kind() {
             io::ErrorKind::NotFound => Self::NotFound { name },
             io::ErrorKind::IsADirectory => Self::Directory { name },
+            io::ErrorKind::NotSeekable => Self::Pipe { name },
             io::ErrorKind::AlreadyExists => Self::Exists { name },
             _ => Self::Io { name, source },
         }

@@ -3,6 +3,7 @@
 mod clicks;
 
 use std::fs;
+use std::io::{self, Read, Seek, SeekFrom};
 use std::path::PathBuf;
 
 use bouncelab_audio::{Error, Input, SampleFormat, Source, Warning, encode_wav};
@@ -40,6 +41,28 @@ fn a_missing_file_and_a_folder_are_told_apart() {
     );
     let folder = Input::open(env!("CARGO_MANIFEST_DIR")).err().unwrap();
     assert!(matches!(folder, Error::Directory { .. }));
+}
+
+/// A pipe as far as programs can tell.
+struct Pipe;
+
+impl Read for Pipe {
+    fn read(&mut self, _: &mut [u8]) -> io::Result<usize> {
+        Ok(0)
+    }
+}
+
+impl Seek for Pipe {
+    fn seek(&mut self, _: SeekFrom) -> io::Result<u64> {
+        Err(io::ErrorKind::NotSeekable.into())
+    }
+}
+
+#[test]
+fn of_a_pipe_is_said_what_to_do() {
+    let refusal = Source::from_reader(Pipe, "/dev/stdin").unwrap_err();
+    let message = refusal.to_string();
+    assert!(message.contains("save it as a file first"), "{message}");
 }
 
 #[test]

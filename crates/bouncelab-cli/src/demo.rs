@@ -12,7 +12,7 @@ use bouncelab_audio::{SampleFormat, write_wav};
 use bouncelab_report::{Align, CANNOT_TELL, Quantity, Table, Unit};
 use clap::Args;
 
-use crate::analyze::{Hearing, Heeded, hear, save_figures};
+use crate::analyze::{Hearing, Heeded, Stems, hear, save_figures};
 use crate::failure::Failure;
 use crate::physics::Physics;
 
@@ -47,7 +47,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let recording = write_recording(&sound, &arguments.output)?;
     let hearing = hear(&recording, &Heeded::default(), &physics.settings)?;
     print(&hearing, &history, &sound, &recording)?;
-    save_figures(&hearing, &physics, &arguments.output)
+    save_figures(&hearing, &physics, &arguments.output, &mut Stems::default())
 }
 
 fn write_recording(sound: &Rendered, folder: &Path) -> Result<PathBuf, Failure> {

@@ -18,7 +18,7 @@ pub(crate) struct KnowledgeArguments {
     /// Standard uncertainty of the measured height [default: 2mm]
     #[arg(long, value_name = "LENGTH", allow_hyphen_values = true, value_parser = units::length, requires = "height")]
     height_sd: Option<f64>,
-    /// When the ball was released, in the time of the recording
+    /// When the ball was released, in the time of the recording; of several drops, that of the next
     #[arg(long, value_name = "TIME", allow_hyphen_values = true, value_parser = units::time)]
     release: Option<f64>,
     /// Standard uncertainty of the release time [default: 5ms]
@@ -37,7 +37,7 @@ pub(crate) struct KnowledgeArguments {
     #[arg(long, value_name = "WHAT", value_delimiter = ',', value_enum)]
     infer: Vec<Inferred>,
     /// State the restitution at this impact speed, as in 2.4m/s [default: the middle of those heard]
-    #[arg(long, value_name = "SPEED", allow_hyphen_values = true, value_parser = units::speed)]
+    #[arg(long, value_name = "SPEED", allow_hyphen_values = true, value_parser = impact_speed)]
     at_speed: Option<f64>,
     /// Predict the drop height from which a bounce reaches an apex, as in 2:28cm
     #[arg(long, value_name = "BOUNCE:APEX", value_parser = reach)]
@@ -184,6 +184,16 @@ fn known(text: &str) -> Result<(Input, f64), String> {
     Ok((input, units::share(share.trim())?))
 }
 
+/// Reads the speed of an impact: `2.4m/s`.
+pub(crate) fn impact_speed(text: &str) -> Result<f64, String> {
+    let speed_m_s = units::speed(text)?;
+    if speed_m_s > 0.0 && speed_m_s.is_finite() {
+        Ok(speed_m_s)
+    } else {
+        Err("the speed of an impact is above 0, as in 2.4m/s".to_owned())
+    }
+}
+
 /// Reads `2:28cm`.
 fn reach(text: &str) -> Result<Reach, String> {
     let wrong = || format!("\"{text}\" is no bounce with an apex; write it as in 2:28cm");
@@ -193,6 +203,9 @@ fn reach(text: &str) -> Result<Reach, String> {
         return Err(format!("{}; bounces count from 1", wrong()));
     }
     let apex_m = units::length(apex.trim())?;
+    if !(apex_m > 0.0 && apex_m.is_finite()) {
+        return Err(format!("{}; an apex is above 0", wrong()));
+    }
     Ok(Reach { bounce, apex_m })
 }
 
@@ -218,5 +231,12 @@ mod tests {
         assert!(reach("0:28cm").is_err());
         assert!(reach("28cm").is_err());
         assert!(reach("2:28kg").is_err());
+        assert!(reach("2:0cm").is_err() && reach("2:-1cm").is_err());
+    }
+
+    #[test]
+    fn an_impact_has_a_speed() {
+        assert_eq!(impact_speed("2.5m/s"), Ok(2.5));
+        assert!(impact_speed("0").is_err() && impact_speed("-1").is_err());
     }
 }

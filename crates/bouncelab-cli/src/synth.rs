@@ -1,7 +1,7 @@
 //! `bouncelab synth`: a recording of a drop, without a microphone.
 
 use std::io::{self, Write};
-use std::path::{Path, PathBuf};
+use std::path::{self, Path, PathBuf};
 
 use bouncelab::impact::Strike;
 use bouncelab::synth::{self, BitDepth, Clicks, Hum, Lost, Noise, Rendered, Reverb, Scene, Voice};
@@ -169,6 +169,14 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
         .as_deref()
         .map(TruthFormat::of)
         .transpose()?;
+    if let Some(truth) = &arguments.truth
+        && path::absolute(truth).ok() == path::absolute(&arguments.output).ok()
+    {
+        return Err(Failure::Usage(format!(
+            "--truth {}: that is the recording itself; name another file",
+            truth.display()
+        )));
+    }
     for file in std::iter::once(&arguments.output).chain(&arguments.truth) {
         if file.exists() && !arguments.force {
             let name = file.display();

@@ -218,3 +218,14 @@ fn every_command_explains_itself_with_examples() {
     }
     bouncelab(&[]).assert().code(2);
 }
+
+#[test]
+fn the_truth_does_not_overwrite_its_recording() {
+    let folder = TempDir::new().unwrap();
+    bouncelab(&["synth", "drop.csv", "--truth", "./drop.csv", "--force"])
+        .current_dir(&folder)
+        .assert()
+        .code(2)
+        .stderr(predicate::str::contains("that is the recording itself"));
+    assert!(!folder.path().join("drop.csv").exists());
+}

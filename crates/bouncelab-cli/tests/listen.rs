@@ -91,6 +91,20 @@ fn samples(file: &Path) -> Vec<f32> {
 }
 
 #[test]
+fn what_is_wrong_with_a_played_file_is_said_though_its_drop_is_over() {
+    let folder = TempDir::new().unwrap();
+    let file = one_drop(&folder);
+    let length = fs::metadata(&file).unwrap().len();
+    let open = fs::File::options().write(true).open(&file).unwrap();
+    // The last half second, long after the drop.
+    open.set_len(length - u64::from(RATE_HZ) * 2).unwrap();
+    play(&file)
+        .assert()
+        .success()
+        .stderr(predicate::str::contains("drop.wav: the file is cut short"));
+}
+
+#[test]
 fn a_played_file_says_what_analyze_says() {
     let folder = TempDir::new().unwrap();
     let file = one_drop(&folder);

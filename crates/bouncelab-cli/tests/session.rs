@@ -408,3 +408,40 @@ fn drafts(folder: &Path) -> Vec<String> {
     let names = entries.map(|entry| entry.unwrap().file_name().to_string_lossy().into_owned());
     names.filter(|name| name.starts_with('.')).collect()
 }
+
+#[test]
+fn a_report_may_lie_with_the_tables() {
+    let room = Room::new(&[]);
+    room.record("a.wav", 1);
+    let report = room.results().join("session.html");
+    // The folder is made by the first run, and cleared of what killed runs left by the second.
+    for _ in 0..2 {
+        room.session()
+            .arg("--report")
+            .arg(&report)
+            .assert()
+            .success();
+        fs::remove_file(&report).unwrap();
+    }
+}
+
+#[test]
+fn wishes_that_make_no_sense_are_refused() {
+    let room = Room::new(&[]);
+    room.record("a.wav", 1);
+    for wish in [
+        "--want=nan",
+        "--want=0",
+        "--want=-1",
+        "--compare-at=0",
+        "--at-speed=-1m/s",
+    ] {
+        room.session()
+            .arg(wish)
+            .assert()
+            .code(2)
+            .stderr(contains("above 0"));
+    }
+    // More threads than there is work for are not even made.
+    room.session().arg("--jobs=65535").assert().success();
+}

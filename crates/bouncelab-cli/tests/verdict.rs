@@ -229,7 +229,7 @@ fn wrong_input_is_questioned() {
     );
     refused(
         &["--rule", "ittf-ball", "good.txt", "./good.txt"],
-        "good.txt is given twice",
+        "good.txt and ./good.txt are the same recording",
     );
     refused(
         &["--rule", "ittf-ball", "--risk", "80", "good.txt"],
@@ -279,4 +279,39 @@ fn rules_are_listed_and_shown() {
         .success()
         .stdout(predicate::str::contains("H = 1.23 (T - 0.025)²"))
         .stdout(predicate::str::contains("unverified"));
+}
+
+#[test]
+fn a_copy_of_a_recording_is_no_second_drop() {
+    let folder = TempDir::new().unwrap();
+    drop(folder.path(), "good.txt", "30.5cm", "0.935");
+    fs::copy(
+        folder.path().join("good.txt"),
+        folder.path().join("copy.txt"),
+    )
+    .unwrap();
+    verdict(&folder, &["--rule", "ittf-ball", "good.txt", "copy.txt"])
+        .assert()
+        .code(2)
+        .stderr(predicate::str::contains(
+            "good.txt and copy.txt are the same recording",
+        ));
+}
+
+#[test]
+fn a_rule_of_heights_takes_no_reference() {
+    let folder = TempDir::new().unwrap();
+    drop(folder.path(), "good.txt", "30.5cm", "0.935");
+    drop(folder.path(), "other.txt", "30.5cm", "0.93");
+    let arguments = [
+        "--rule",
+        "ittf-ball",
+        "good.txt",
+        "--reference",
+        "other.txt",
+    ];
+    verdict(&folder, &arguments)
+        .assert()
+        .code(2)
+        .stderr(predicate::str::contains("leave out --reference"));
 }

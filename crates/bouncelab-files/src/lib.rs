@@ -51,19 +51,30 @@ impl Drop for Part {
 }
 
 impl Draft {
-    /// Begins a file, in the folder in which it will be.
+    /// Begins a file, in the folder in which it will be. Where the place is a link, it is the file to
+    /// which that leads, and the link remains.
     ///
     /// # Errors
-    /// What the system says if there is no such folder or it cannot be written into, and
-    /// [`io::ErrorKind::IsADirectory`] if the place is taken by a folder.
+    /// What the system says if there is no such folder or it cannot be written into,
+    /// [`io::ErrorKind::IsADirectory`] if the place is taken by a folder, and
+    /// [`io::ErrorKind::InvalidInput`] if it is taken by a device or a pipe.
     pub fn new(path: &Path) -> io::Result<Self> {
+        let path = match fs::canonicalize(path) {
+            Ok(end) if path.is_symlink() => end,
+            _ => path.to_owned(),
+        };
         if path.is_dir() {
             return Err(io::ErrorKind::IsADirectory.into());
         }
-        let part = path.with_file_name(part_name(path));
+        // Nobody wants a file in the place of a device.
+        if path.exists() && !path.is_file() {
+            let reason = "it is a device or a pipe, not a file";
+            return Err(io::Error::new(io::ErrorKind::InvalidInput, reason));
+        }
+        let part = path.with_file_name(part_name(&path));
         let file = File::create_new(&part)?;
         Ok(Self {
-            path: path.to_owned(),
+            path,
             part: Part(part),
             file,
         })

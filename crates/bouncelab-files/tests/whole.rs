@@ -71,3 +71,27 @@ fn files_have_the_permissions_of_any_new_file() {
     write_whole(&folder.path().join("whole"), b"").unwrap();
     assert_eq!(mode("whole"), mode("ordinary"));
 }
+
+#[cfg(unix)]
+#[test]
+fn a_link_remains_and_what_it_leads_to_is_written() {
+    let folder = tempfile::tempdir().unwrap();
+    let (place, link) = (folder.path().join("table.csv"), folder.path().join("link"));
+    fs::write(&place, "old").unwrap();
+    std::os::unix::fs::symlink("table.csv", &link).unwrap();
+    write_whole(&link, b"new").unwrap();
+    assert_eq!(fs::read(&place).unwrap(), b"new");
+    assert!(link.is_symlink());
+}
+
+/// A socket stands for all that is no file: moved into the place of a device, a file would take it
+/// from the whole system.
+#[cfg(unix)]
+#[test]
+fn the_place_of_a_device_is_refused() {
+    let folder = tempfile::tempdir().unwrap();
+    let place = folder.path().join("socket");
+    let _socket = std::os::unix::net::UnixListener::bind(&place).unwrap();
+    assert!(write_whole(&place, b"").is_err());
+    assert_eq!(names(folder.path()), ["socket"]);
+}

@@ -1,6 +1,6 @@
 //! What was noted of recordings, in a TOML file or a CSV.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -137,7 +137,10 @@ fn place(text: &str, byte: usize) -> (usize, usize) {
 /// "height (cm)"; an empty cell says nothing.
 pub(crate) fn read_csv(path: &Path) -> Result<Listed> {
     let text = text_of(path)?;
-    let header = text.lines().next().unwrap_or_default();
+    let header = text
+        .lines()
+        .find(|line| !line.is_empty())
+        .unwrap_or_default();
     let delimiter = [b',', b';', b'\t']
         .into_iter()
         .max_by_key(|&delimiter| header.bytes().filter(|&byte| byte == delimiter).count());
@@ -151,6 +154,13 @@ pub(crate) fn read_csv(path: &Path) -> Result<Listed> {
         .iter()
         .map(heading)
         .collect();
+    let mut fields = BTreeSet::new();
+    for (field, _) in headings.iter().filter(|(field, _)| !field.is_empty()) {
+        if !fields.insert(field) {
+            let problem = format!("has two columns \"{field}\"; leave one out or rename it");
+            return Err(Error::notes(path, Some(1), problem));
+        }
+    }
     let file = headings.iter().position(|(field, _)| field == "file");
     let file = file.ok_or_else(|| {
         let found: Vec<&str> = headings.iter().map(|(field, _)| field.as_str()).collect();
@@ -172,15 +182,21 @@ pub(crate) fn read_csv(path: &Path) -> Result<Listed> {
             None => name::shown(path),
         };
         let cells = headings.iter().zip(&record).enumerate();
-        let notes = cells
-            .filter(|(column, (_, cell))| *column != file && !cell.is_empty())
-            .map(|(_, ((field, unit), cell))| {
-                let note = Note {
-                    text: format!("{cell}{unit}"),
-                    said_by: said_by.clone(),
-                };
-                (field.clone(), note)
-            });
+        let cells = cells.filter(|(_, (_, cell))| !cell.is_empty());
+        if let Some((_, (_, cell))) = cells.clone().find(|(_, ((field, _), _))| field.is_empty()) {
+            let problem = format!("\"{cell}\" stands in a column without a name; give it one");
+            return Err(Error::notes(path, line, problem));
+        }
+        let notes =
+            cells
+                .filter(|(column, _)| *column != file)
+                .map(|(_, ((field, unit), cell))| {
+                    let note = Note {
+                        text: format!("{cell}{unit}"),
+                        said_by: said_by.clone(),
+                    };
+                    (field.clone(), note)
+                });
         let named = record.get(file).unwrap_or_default().to_owned();
         rows.push((named, line, notes.collect()));
     }
@@ -279,11 +295,11 @@ mod tests {
     #[test]
     fn a_csv_with_units_in_its_headings() {
         let text =
-            "\u{feff}File;Height (cm);Ball type;note\na.wav;30.5;red;\nb.wav;\"40\";;\"x;y\"\n";
+            "\u{feff}\nFile;Height (cm);Ball type;note\na.wav;30.5;red;\nb.wav;\"40\";;\"x;y\"\n";
         let (_folder, path) = written("notes.csv", text.as_bytes());
         let listed = read_csv(&path).unwrap();
         let (name, line, notes) = &listed.rows[0];
-        assert_eq!((name.as_str(), *line), ("a.wav", Some(2)));
+        assert_eq!((name.as_str(), *line), ("a.wav", Some(3)));
         assert_eq!(notes["height"].text, "30.5cm");
         assert_eq!(notes["ball_type"].text, "red");
         assert!(!notes.contains_key("note"));
@@ -308,5 +324,12 @@ mod tests {
             "{latin}"
         );
         assert!(fault(b"").contains("no column"));
+        let twice = fault(b"file,height (cm),Height\na.wav,30,40cm\n");
+        assert!(twice.contains("two columns \"height\""), "{twice}");
+        let nameless = fault(b"file,surface,\na.wav,steel,30cm\n");
+        assert!(
+            nameless.contains("line 2") && nameless.contains("\"30cm\""),
+            "{nameless}"
+        );
     }
 }

@@ -251,8 +251,31 @@ fn a_release_time_tells_too() {
     };
     let found = truth.infer(&impacts, &knowledge).unwrap();
     assert!(found.missed_first.unwrap()[1] > 0.95);
+    assert!(
+        found
+            .remarks
+            .iter()
+            .any(|remark| matches!(remark, Remark::MissedFirst(_)))
+    );
+    assert!(!found.remarks.contains(&Remark::HeightIsOfFirstHeard));
     let h = found.drop_height_m;
     assert!((h.value - 0.5).abs() < 3.0 * h.sd, "{h:?}");
+}
+
+/// No ball is released after it was heard.
+#[test]
+fn a_release_after_the_first_impact_is_refused() {
+    let truth = Truth::new();
+    let impacts = truth.impacts(5);
+    let knowledge = Knowledge {
+        release_s: Some(Measured {
+            value: impacts[1].time_s,
+            sd: 0.003,
+        }),
+        ..constant_law()
+    };
+    let refusal = truth.infer(&impacts, &knowledge).unwrap_err().to_string();
+    assert!(refusal.contains("before the first impact"), "{refusal}");
 }
 
 /// Impacts missed in between cost precision, not truth.

@@ -25,10 +25,18 @@ impl Unanalysed {
         self.impacts.len() >= 2
     }
 
-    fn start_s(&self) -> f64 {
+    pub(super) fn start_s(&self) -> f64 {
         self.impacts
             .first()
             .map_or(f64::INFINITY, |impact| impact.time_s)
+    }
+
+    /// How far a time is from it: 0 within it.
+    fn distance_s(&self, time_s: f64) -> f64 {
+        match (self.impacts.first(), self.impacts.last()) {
+            (Some(first), Some(last)) => (first.time_s - time_s).max(time_s - last.time_s).max(0.0),
+            _ => f64::INFINITY,
+        }
     }
 }
 
@@ -55,17 +63,14 @@ pub(super) fn edit(
     if include_s.is_empty() && exclude_s.is_empty() {
         return Vec::new();
     }
-    for drop in drops.iter_mut() {
-        let (Some(first), Some(last)) = (drop.impacts.first(), drop.impacts.last()) else {
-            continue;
-        };
-        let near = first.time_s - REACH_S..=last.time_s + REACH_S;
-        let (own, others) = include_s
-            .iter()
-            .copied()
-            .partition::<Vec<f64>, _>(|t| near.contains(t));
-        include_s = others;
-        (drop.impacts, exclude_s) = analysis::edit(&drop.impacts, &exclude_s, &own);
+    let mut added_s = vec![Vec::new(); drops.len()];
+    include_s.retain(|&time_s| {
+        let near =
+            nearest(drops, time_s).filter(|&place| drops[place].distance_s(time_s) <= REACH_S);
+        near.map(|place| added_s[place].push(time_s)).is_none()
+    });
+    for (drop, added_s) in drops.iter_mut().zip(added_s) {
+        (drop.impacts, exclude_s) = analysis::edit(&drop.impacts, &exclude_s, &added_s);
     }
     let mut warnings: Vec<String> = exclude_s
         .iter()
@@ -81,6 +86,12 @@ pub(super) fn edit(
         }));
     }
     warnings
+}
+
+/// The place of the drop that is nearest to a time.
+fn nearest(drops: &[Unanalysed], time_s: f64) -> Option<usize> {
+    let distance_s = |place: usize| drops[place].distance_s(time_s);
+    (0..drops.len()).min_by(|&a, &b| distance_s(a).total_cmp(&distance_s(b)))
 }
 
 #[cfg(test)]
@@ -104,6 +115,16 @@ mod tests {
         assert_eq!(edited(&[], &[1.0, 1.5, 1.9]), [added, heard]);
         let added = (9.0, 1.0);
         assert_eq!(edited(&[], &[9.0, 9.5, 9.9]), [heard, added]);
+    }
+
+    #[test]
+    fn an_impact_goes_to_the_nearest_of_two_drops() {
+        let mut drops = [&[5.0, 5.5, 5.9], &[7.0, 7.5, 7.9]]
+            .map(|t| Unanalysed::by_hand(t))
+            .into();
+        assert!(edit(&mut drops, &[], &[6.9, 6.0]).is_empty());
+        let starts_s: Vec<f64> = drops.iter().map(Unanalysed::start_s).collect();
+        assert_eq!(starts_s, [5.0, 6.9]);
     }
 
     #[test]

@@ -193,14 +193,27 @@ fn analyze(
     settings: &Settings,
     warnings: &mut Vec<String>,
 ) -> Vec<Analysis> {
-    let one = |drop: Unanalysed| analysis::analyze(drop.impacts, settings);
+    let released = released(&drops, settings);
+    let one = |(place, drop): (usize, Unanalysed)| {
+        let mut settings = settings.clone();
+        if released.is_some_and(|it| it != place) {
+            settings.knowledge.release_s = None;
+        }
+        analysis::analyze(drop.impacts, &settings)
+    };
     let drops: Vec<Analysis> = if rayon::current_thread_index().is_some() {
-        drops.into_iter().map(one).collect()
+        drops.into_iter().enumerate().map(one).collect()
     } else {
-        drops.into_par_iter().map(one).collect()
+        drops.into_par_iter().enumerate().map(one).collect()
     };
     warnings.extend(doubts(&drops, settings));
     drops
+}
+
+/// The drop that was released when it is stated: the first that begins after that.
+fn released(drops: &[Unanalysed], settings: &Settings) -> Option<usize> {
+    let release_s = settings.knowledge.release_s?.value;
+    drops.iter().position(|drop| drop.start_s() > release_s)
 }
 
 /// What was stated that does not go with what was heard, once for each.
@@ -256,4 +269,37 @@ fn progress(duration_s: Option<f64>) -> ProgressBar {
     }
     bar.enable_steady_tick(Duration::from_millis(200));
     bar
+}
+
+#[cfg(test)]
+mod tests {
+    use bouncelab::estimate::{Effort, Measured, Question};
+
+    use super::*;
+
+    #[test]
+    fn a_release_is_of_the_drop_that_begins_next() {
+        let drop = |start_s: f64| {
+            let times = [0.0, 0.45, 0.86, 1.23, 1.57].map(|time_s| start_s + time_s);
+            Unanalysed::by_hand(&times)
+        };
+        let mut settings = Settings::default();
+        settings.knowledge.release_s = Some(Measured {
+            value: 9.75,
+            sd: 0.005,
+        });
+        let effort = Effort {
+            draws: 100,
+            seed: 1,
+        };
+        settings.question = Some(Question {
+            effort,
+            ..Question::default()
+        });
+        let drops = analyze(vec![drop(0.0), drop(10.0)], &settings, &mut Vec::new());
+        let told = drops.iter().map(|drop| drop.estimate.as_ref().unwrap());
+        // It shows whether impacts were missed before the first one heard.
+        let shown: Vec<bool> = told.map(|found| found.missed_first.is_some()).collect();
+        assert_eq!(shown, [false, true]);
+    }
 }

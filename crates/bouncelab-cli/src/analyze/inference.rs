@@ -4,6 +4,7 @@ use bouncelab::analysis::Analysis;
 use bouncelab::estimate::{Inference, Prediction, Reach, Summary, UNKNOWN};
 use bouncelab_report::{CANNOT_TELL, Quantity, Unit, tables};
 
+use super::text::sentence;
 use crate::physics::Physics;
 
 /// The answers, one line for each; `None` if there is no inference to show.
@@ -11,7 +12,12 @@ pub(super) fn lines(drop: &Analysis, physics: &Physics) -> Option<Vec<String>> {
     physics.settings.question.as_ref()?;
     let found = match &drop.estimate {
         Ok(found) => found,
-        Err(reason) => return Some(vec![format!("Inference: {CANNOT_TELL}: {reason}.")]),
+        Err(reason) => {
+            return Some(vec![format!(
+                "Inference: {CANNOT_TELL}: {}",
+                sentence(reason)
+            )]);
+        }
     };
     let ball_label = &physics.ball_label;
     let infers_gravity = physics.settings.knowledge.gravity >= UNKNOWN;

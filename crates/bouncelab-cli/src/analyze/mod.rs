@@ -8,7 +8,7 @@ mod report;
 mod text;
 
 pub(crate) use edit::Unanalysed;
-pub(crate) use figures::save_figures;
+pub(crate) use figures::{Stems, save_figures};
 pub(crate) use hear::{Hearing, Heeded, Recording, hear};
 pub(crate) use text::{report, shown};
 
@@ -110,6 +110,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
         (Some(_), _) => return Err(Failure::Usage(report::OF_ONE.to_owned())),
     };
     let mut printer = Printer::new(arguments)?;
+    let mut stems = Stems::default();
     let mut empty_handed = false;
     for file in &arguments.files {
         let name = file.display().to_string();
@@ -120,7 +121,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
                     eprintln!("bouncelab: {name}: no drop found: {reason}");
                 }
                 if let Some(folder) = &arguments.figures {
-                    save_figures(&hearing, &physics, folder)?;
+                    save_figures(&hearing, &physics, folder, &mut stems)?;
                 }
                 if let Some(draft) = draft.take() {
                     draft.write(&report::page(file, &hearing, &physics)?)?;

@@ -1,6 +1,6 @@
 //! The result for people.
 
-use std::fmt::Write;
+use std::fmt::{Display, Write};
 
 use bouncelab::analysis::{Analysis, SURE};
 use bouncelab::regression::Estimate;
@@ -22,8 +22,8 @@ pub(crate) fn report(hearing: &Hearing, physics: &Physics, details: bool) -> Str
         line(&mut text, "");
         line(&mut text, &drop_headline(hearing, index));
         line(&mut text, "");
-        for sentence in findings(drop, physics) {
-            line(&mut text, &format!("  {sentence}"));
+        for finding in findings(drop, physics) {
+            line(&mut text, &format!("  {finding}"));
         }
         line(&mut text, "");
         line(
@@ -38,14 +38,14 @@ pub(crate) fn report(hearing: &Hearing, physics: &Physics, details: bool) -> Str
             line(&mut text, "");
         }
         for warning in &drop.warnings {
-            line(&mut text, &format!("  Note: {warning}."));
+            line(&mut text, &format!("  Note: {}", sentence(warning)));
         }
         for remark in inference::remarks(drop) {
-            line(&mut text, &format!("  Note: {remark}."));
+            line(&mut text, &format!("  Note: {}", sentence(remark)));
         }
     }
     for warning in &hearing.warnings {
-        line(&mut text, &format!("  Note: {warning}."));
+        line(&mut text, &format!("  Note: {}", sentence(warning)));
     }
     if !physics.assumptions.is_empty() {
         line(
@@ -54,6 +54,13 @@ pub(crate) fn report(hearing: &Hearing, physics: &Physics, details: bool) -> Str
         );
     }
     text
+}
+
+/// With a full stop, unless it is a question.
+pub(super) fn sentence(words: impl Display) -> String {
+    let words = words.to_string();
+    let end = if words.ends_with('?') { "" } else { "." };
+    format!("{words}{end}")
 }
 
 fn line(text: &mut String, words: &str) {
@@ -163,7 +170,10 @@ fn findings(drop: &Analysis, physics: &Physics) -> Vec<String> {
                 ));
             }
         }
-        Err(reason) => lines.push(format!("Straight line: {CANNOT_TELL}: {reason}.")),
+        Err(reason) => lines.push(format!(
+            "Straight line: {CANNOT_TELL}: {}",
+            sentence(reason)
+        )),
     }
     match inference::lines(drop, physics) {
         Some(inferred) if drop.estimate.is_ok() => lines.extend(inferred),
@@ -179,7 +189,12 @@ fn findings(drop: &Analysis, physics: &Physics) -> Vec<String> {
 fn corrected_lines(drop: &Analysis, physics: &Physics) -> Vec<String> {
     let found = match &drop.corrected {
         Ok(found) => found,
-        Err(reason) => return vec![format!("Corrected for drag: {CANNOT_TELL}: {reason}.")],
+        Err(reason) => {
+            return vec![format!(
+                "Corrected for drag: {CANNOT_TELL}: {}",
+                sentence(reason)
+            )];
+        }
     };
     let count = found.impacts.len();
     let (Some(restitution), Some((slowest, fastest))) =
@@ -208,5 +223,16 @@ pub(crate) fn shown(estimate: Estimate, unit: Unit) -> String {
     match estimate.standard_error {
         Some(error) => Quantity::measured(estimate.value, error, unit).to_string(),
         None => Quantity::rounded(estimate.value, 4, unit).to_string(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::sentence;
+
+    #[test]
+    fn questions_need_no_full_stop() {
+        assert_eq!(sentence("it is so"), "it is so.");
+        assert_eq!(sentence("is it so?"), "is it so?");
     }
 }

@@ -269,6 +269,11 @@ impl<'a> Session<'a> {
         if let Some(trouble) = self.saver.finish() {
             self.screen.say(&trouble);
         }
+        // The drops that were told of before the file ended do not have them.
+        for warning in &warnings {
+            self.screen
+                .say(&format!("{}: {warning}", self.recording.name));
+        }
         let whole = self.watch.whole();
         self.judge_again(&whole, &warnings)?;
         self.tell_losses();

@@ -22,10 +22,9 @@ use bouncelab_session::{Session, Sources};
 use clap::{Args, ValueEnum};
 
 use crate::failure::Failure;
-use crate::knowledge::KnowledgeArguments;
+use crate::knowledge::{KnowledgeArguments, impact_speed};
 use crate::physics::PhysicsArguments;
 use crate::report::Draft;
-use crate::units;
 use columns::Tables;
 use notes::Reading;
 use outcome::{Outcome, Wish};
@@ -66,7 +65,7 @@ pub(crate) struct Arguments {
     )]
     by: Vec<String>,
     /// Compare the drops at this impact speed, as in 1.5m/s [default: what most drops know]
-    #[arg(long, value_name = "SPEED", allow_hyphen_values = true, value_parser = units::speed, help_heading = "Comparison")]
+    #[arg(long, value_name = "SPEED", allow_hyphen_values = true, value_parser = impact_speed, help_heading = "Comparison")]
     compare_at: Option<f64>,
     /// How many drops would give a mean this half width of its 95 % interval, as in 0.001 [default:
     /// half of what it has]
@@ -74,6 +73,7 @@ pub(crate) struct Arguments {
         long,
         value_name = "HALF_WIDTH",
         allow_hyphen_values = true,
+        value_parser = half_width,
         help_heading = "Comparison"
     )]
     want: Option<f64>,
@@ -172,10 +172,11 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let title = session.title.take();
     let remarks = std::mem::take(&mut session.remarks);
     let recordings = reading.understand(session)?;
-    let draft = arguments.report.as_deref().map(Draft::new).transpose()?;
     let journal = Journal::open(&arguments.output)?;
     let folder = &arguments.output;
     remove_drafts(folder).map_err(|reason| Failure::unwritable(folder, &reason))?;
+    // After that, since it may lie in the same folder.
+    let draft = arguments.report.as_deref().map(Draft::new).transpose()?;
     if journal.damaged() > 0 {
         eprintln!(
             "bouncelab: {} results in the journal were cut off or damaged, and are made again",
@@ -220,6 +221,12 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
         return Err(Failure::Input("no recording holds a drop".to_owned()));
     }
     Ok(())
+}
+
+fn half_width(text: &str) -> Result<f64, String> {
+    let width = text.parse().ok();
+    let width = width.filter(|&width: &f64| width > 0.0 && width.is_finite());
+    width.ok_or_else(|| "a half width is a number above 0, as in 0.001".to_owned())
 }
 
 fn shown(files: &[PathBuf]) -> String {

@@ -1,5 +1,6 @@
 //! What came of a session: which drops there are, and what they say together.
 
+use std::cmp::Ordering;
 use std::collections::BTreeMap;
 
 use bouncelab::estimate::Measured;
@@ -234,8 +235,8 @@ fn amounts(factors: &[Factor], used: &[&Understood]) -> Vec<Amounts> {
     noted.into_iter().filter_map(of_factor).collect()
 }
 
-/// By the number with which both begin, or as text.
-fn in_order(a: &str, b: &str) -> std::cmp::Ordering {
+/// By the number with which they begin, then those without one; or as text.
+fn in_order(a: &str, b: &str) -> Ordering {
     let number = |text: &str| {
         let end = text
             .find(|c: char| !(c.is_ascii_digit() || c == '.' || c == '-'))
@@ -244,7 +245,9 @@ fn in_order(a: &str, b: &str) -> std::cmp::Ordering {
     };
     match (number(a), number(b)) {
         (Some(x), Some(y)) => x.total_cmp(&y).then_with(|| a.cmp(b)),
-        _ => a.cmp(b),
+        (Some(_), None) => Ordering::Less,
+        (None, Some(_)) => Ordering::Greater,
+        (None, None) => a.cmp(b),
     }
 }
 
@@ -295,5 +298,17 @@ mod tests {
         let mut levels = ["100 cm", "30.5 cm", "steel", "-5 \u{b0}C", "9 cm"];
         levels.sort_by(|a, b| in_order(a, b));
         assert_eq!(levels[..4], ["-5 \u{b0}C", "9 cm", "30.5 cm", "100 cm"]);
+    }
+
+    #[test]
+    fn levels_with_and_without_numbers_have_one_order() {
+        // As texts, 2.1.0 lies between 100 and 9.
+        let mut levels = ["2.1.0", "9", "100", "steel"];
+        for _ in 0..levels.len() {
+            levels.rotate_left(1);
+            let mut sorted = levels;
+            sorted.sort_by(|a, b| in_order(a, b));
+            assert_eq!(sorted, ["9", "100", "2.1.0", "steel"]);
+        }
     }
 }

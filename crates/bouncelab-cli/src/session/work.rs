@@ -35,7 +35,7 @@ pub(super) fn hear_all(
     jobs: Option<usize>,
 ) -> Result<Done, Failure> {
     let pool = ThreadPoolBuilder::new()
-        .num_threads(jobs.unwrap_or(0))
+        .num_threads(jobs.map_or(0, |jobs| jobs.min(recordings.len())))
         .build()
         .map_err(|fault| Failure::Input(format!("cannot start the work: {fault}")))?;
     let bar = progress(recordings.len());

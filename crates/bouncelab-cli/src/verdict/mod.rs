@@ -4,7 +4,7 @@ mod report;
 mod tables;
 mod text;
 
-use std::collections::BTreeSet;
+use std::collections::BTreeMap;
 use std::io::{self, Write};
 use std::path::PathBuf;
 
@@ -131,6 +131,12 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
         DecisionRule::Simple => Decision::Simple,
     };
     let physics = physics(arguments, rule)?;
+    if !rule.needs_reference() && !arguments.reference.is_empty() {
+        return Err(Failure::Usage(format!(
+            "the rule {} compares with no other surface; leave out --reference",
+            rule.name
+        )));
+    }
     once_each(arguments.files.iter().chain(&arguments.reference))?;
     let draft = arguments.report.as_deref().map(Draft::new).transpose()?;
     let surface = Heard::new(&arguments.files, &physics)?;
@@ -200,13 +206,16 @@ fn hashes<'a>(files: impl Iterator<Item = &'a PathBuf>) -> Result<Vec<(String, S
 
 /// The same drop counted twice would make a verdict look surer than it is.
 fn once_each<'a>(files: impl Iterator<Item = &'a PathBuf>) -> Result<(), Failure> {
-    let mut seen = BTreeSet::new();
+    let mut seen = BTreeMap::new();
     for file in files {
-        // What cannot be found is said when it is opened.
-        let place = file.canonicalize().unwrap_or_else(|_| file.clone());
-        if !seen.insert(place) {
+        // What cannot be read is said when it is opened.
+        let Ok(content) = hash_of_file(file) else {
+            continue;
+        };
+        if let Some(first) = seen.insert(content, file) {
             return Err(Failure::Usage(format!(
-                "{} is given twice; every drop counts once",
+                "{} and {} are the same recording; every drop counts once",
+                first.display(),
                 file.display()
             )));
         }

@@ -12,7 +12,7 @@ use super::observed::Observed;
 use super::sample::{self, GREATEST_PARETO_SHAPE, Sample};
 use crate::ball::Ball;
 use crate::drag::DragLaw;
-use crate::error::{Error, Result};
+use crate::error::{Error, Result, require};
 use crate::flight::Environment;
 use crate::restitution::TimedImpact;
 
@@ -101,7 +101,8 @@ impl Posterior {
     /// Fits, samples and weighs every model that the knowledge admits.
     ///
     /// # Errors
-    /// [`Error::CannotInfer`] if no model can explain the times at all, and the errors of
+    /// [`Error::CannotInfer`] if no model can explain the times at all, [`Error::OutOfRange`] if the
+    /// release is not before the first impact, and the errors of
     /// [`FlightModel::new`](crate::flight::FlightModel::new) and [`Observed::new`].
     pub(super) fn new(
         impacts: &[TimedImpact],
@@ -130,6 +131,14 @@ impl Posterior {
     ) -> Result<Self> {
         knowledge.check()?;
         let observed = Observed::new(impacts, contact_time_s)?;
+        if let Some(release) = knowledge.release_s {
+            require(
+                release.value < observed.impacts[0].time_s,
+                "release time in s",
+                release.value,
+                "before the first impact",
+            )?;
+        }
         let under = |law: DragLaw| Surroundings::new(ball, environment, law, &observed, knowledge);
         let mut surroundings = vec![under(environment.drag)?];
         let middle = Middle::new(&observed, &surroundings[0], contact_time_s)?;

@@ -39,7 +39,7 @@ pub enum Remark {
     },
     /// Impacts before the first one heard were missed, with this probability.
     MissedFirst(f64),
-    /// No height was measured: the drop height is that of the fall before the first impact *heard*.
+    /// Neither height nor release was measured: the drop height is that of the fall before the first impact *heard*.
     HeightIsOfFirstHeard,
     /// The data say nothing of the drag coefficient: it is what the sphere laws say.
     DragFromPrior,
@@ -209,10 +209,16 @@ fn law_weight(posterior: &Posterior) -> f64 {
 }
 
 fn about_the_height(posterior: &Posterior, innovations: &[Innovation]) -> Option<Remark> {
-    let Some(measured) = posterior.knowledge.drop_height_m else {
+    let Knowledge {
+        drop_height_m,
+        release_s,
+        ..
+    } = posterior.knowledge;
+    if drop_height_m.is_none() && release_s.is_none() {
         return Some(Remark::HeightIsOfFirstHeard);
-    };
-    if let Some(contradiction) = contradiction(posterior, innovations, measured) {
+    }
+    let contradicts = |measured| contradiction(posterior, innovations, measured);
+    if let Some(contradiction) = drop_height_m.and_then(contradicts) {
         return Some(contradiction);
     }
     let missed: f64 = posterior
