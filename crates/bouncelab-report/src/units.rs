@@ -18,6 +18,7 @@ const LENGTHS: Units = &[
     ("cm", 1e-2),
     ("mm", 1e-3),
     ("um", 1e-6),
+    ("\u{b5}m", 1e-6),
     ("km", 1e3),
     ("in", 0.0254),
     ("ft", 0.3048),
@@ -29,7 +30,13 @@ const MASSES: Units = &[
     ("oz", 0.028_349_523_125),
     ("lb", 0.453_592_37),
 ];
-const TIMES: Units = &[("s", 1.0), ("ms", 1e-3), ("us", 1e-6), ("min", 60.0)];
+const TIMES: Units = &[
+    ("s", 1.0),
+    ("ms", 1e-3),
+    ("us", 1e-6),
+    ("\u{b5}s", 1e-6),
+    ("min", 60.0),
+];
 const SPEEDS: Units = &[
     ("m/s", 1.0),
     ("cm/s", 1e-2),
@@ -184,7 +191,7 @@ fn split(text: &str) -> Result<(f64, &str), String> {
             || matches!(c, '.' | '+' | '-')
             // An exponent is part of the number if a digit or sign follows it.
             || (matches!(c, 'e' | 'E')
-                && text[index + 1..].starts_with(|next: char| next.is_ascii_digit() || next == '-'))
+                && text[index + 1..].starts_with(|next: char| next.is_ascii_digit() || matches!(next, '+' | '-')))
     };
     let end = text
         .char_indices()
@@ -199,6 +206,9 @@ fn split(text: &str) -> Result<(f64, &str), String> {
         .map_err(|_| format!("\"{text}\" does not begin with a number; write it as in 30.5cm"))?;
     if unit.starts_with(',') {
         return Err("write the decimal point as a point, as in 30.5cm".to_owned());
+    }
+    if value.is_infinite() {
+        return Err(format!("{number} is too large a number"));
     }
     Ok((value, unit.trim()))
 }
@@ -223,6 +233,7 @@ mod tests {
         close(length("12 in"), 0.3048);
         close(mass("2.7g"), 0.0027);
         close(time("1e-3 s"), 0.001);
+        close(length("1.5e+2 \u{b5}m"), 1.5e-4);
         close(pressure("1013.25hPa"), 101_325.0);
         close(share("50%"), 0.5);
         close(latitude("33.9S"), -33.9);
@@ -242,6 +253,7 @@ mod tests {
         assert!(length("3kg").unwrap_err().contains("cm"));
         assert!(length("abc").unwrap_err().contains("30.5cm"));
         assert!(length("30,5cm").unwrap_err().contains("point"));
+        assert!(length("1e999m").unwrap_err().contains("too large"));
         assert!(temperature("20X").unwrap_err().contains("20C"));
     }
 }

@@ -398,6 +398,7 @@ fn of_remarks(said: &mut Said) {
         Remark::FewImpacts(4),
         Remark::Odd(vec![3]),
         Remark::Odd(vec![3, 5]),
+        Remark::Odd((1..30).collect()),
         Remark::HeightContradicts {
             measured_m: 0.5,
             heard_m: 0.3,

@@ -29,6 +29,7 @@ use crate::gravity;
 use crate::regression::{self, Estimate, NumberedFlight, Regression};
 use crate::restitution::{self, Corrected, TimedImpact};
 use crate::train::{self, HeardImpact};
+use crate::words::list;
 use crate::{Error, Result};
 
 /// What is known, or assumed, of the ball and what it flies through.
@@ -238,11 +239,6 @@ impl fmt::Display for Warning {
             ),
         }
     }
-}
-
-fn list(numbers: &[usize]) -> String {
-    let words: Vec<String> = numbers.iter().map(ToString::to_string).collect();
-    words.join(", ")
 }
 
 /// Analyses the impacts of one drop, in order of time.

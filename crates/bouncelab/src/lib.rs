@@ -91,5 +91,6 @@ pub mod stated;
 pub mod synth;
 pub mod train;
 mod whiten;
+mod words;
 
 pub use error::{Error, Result};

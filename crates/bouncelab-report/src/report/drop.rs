@@ -120,7 +120,8 @@ pub fn drop(heading: &str, drop: &Analysis, settings: &Settings, with_words: boo
             parts.push(fit(drop, found, settings));
         }
         Err(reason) if settings.question.is_some() => {
-            blocks.push(Block::Note(format!("There is no inference: {reason}.")));
+            let words = format!("there is no inference: {reason}");
+            blocks.push(Block::Note(sentence(&words)));
         }
         Err(_) => {}
     }

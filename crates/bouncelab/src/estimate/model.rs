@@ -471,8 +471,8 @@ impl Middle {
             .collect();
         if middle.is_some_and(|log_e| log_e > 0.1) {
             return Err(Error::CannotInfer(
-                "the flights get longer from impact to impact, which no ball on a surface at rest \
-                 does; are the times in order, and are they of one drop?"
+                "the ball would gain speed at each impact, which no surface at rest gives; are the \
+                 times in order, in seconds, and of one drop?"
                     .to_owned(),
             ));
         }

@@ -8,6 +8,7 @@ use super::identify::{Narrowed, TOLD_NOTHING, Unknown};
 use super::knowledge::{Knowledge, Measured};
 use super::likelihood::{Evaluator, Innovation};
 use super::posterior::Posterior;
+use crate::words::list;
 
 /// Something to know about an inference.
 #[derive(Debug, Clone, PartialEq)]
@@ -124,11 +125,6 @@ impl fmt::Display for Remark {
             ),
         }
     }
-}
-
-fn list(numbers: &[usize]) -> String {
-    let words: Vec<String> = numbers.iter().map(ToString::to_string).collect();
-    words.join(", ")
 }
 
 /// An impact with less weight than this is called odd.

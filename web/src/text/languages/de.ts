@@ -1089,8 +1089,9 @@ const deutsch: Texts = {
       'Der Luftwiderstand macht einen so langen Flug dieses Balls unmöglich; prüfe Masse, Durchmesser und die Einheit der Zeiten.',
     'no physical model explains these times; are they of one drop, in seconds, and is the ball the right one?':
       'Kein Modell erklärt diese Zeiten; sind sie von einem Versuch, in Sekunden, und ist es der richtige Ball?',
-    'the flights get longer from impact to impact, which no ball on a surface at rest does; are the times in order, and are they of one drop?':
-      'Die Flüge werden von Aufprall zu Aufprall länger, was auf ruhendem Untergrund kein Ball tut; stehen die Zeiten der Reihe nach, und sind sie von einem Versuch?',
+    'the ball would gain speed at each impact, which no surface at rest gives; are the times in order, in seconds, and of one drop?':
+      'Der Ball gewänne bei jedem Aufprall an Tempo, was ruhender Untergrund nicht gibt; stehen die Zeiten der Reihe nach, in Sekunden, und sind sie von einem Versuch?',
+    '{} and {0} more': '{} und {0} weitere',
     'the {} restitution law takes {} impacts between two flights to be told from a constant, and there is {}: how restitution changes is what was assumed':
       'Das Gesetz der Stoßzahl „{}“ braucht {} Aufpralle zwischen zwei Flügen, um von einer gleichbleibenden Stoßzahl zu unterscheiden zu sein, und hier gibt es {}: Wie sich die Stoßzahl ändert, ist angenommen.',
     'the {} restitution law takes {} impacts between two flights to be told from a constant, and there are {}: how restitution changes is what was assumed':
