@@ -3,25 +3,29 @@
 //! The impacts of a drop sound alike. Their waveforms, whitened, are laid over each other by the
 //! picked times and stacked; each is then shifted to where it fits the stack of the others best.
 //! This uses the whole of each sound where a pick uses its first fraction of a millisecond, and
-//! does not depend on loudness. What a shift leaves unexplained gives its standard error, as the
+//! does not depend on loudness. It is done twice: the first time tells how the impacts ring, which is
+//! taken out for the second. What a shift leaves unexplained gives its standard error, as the
 //! Cramer-Rao bound for the arrival time of a known waveform in noise:
 //! var(t) = var(noise) / sum (a s'(t))^2.
 
+mod ringing;
 mod sound;
 mod template;
 mod wave;
 
 use super::HeardImpact;
-use sound::{Sound, Span, noise_power, whitened_sounds};
-use template::{Template, middle_size, smoothness, stack, weight};
+use sound::{Sound, Span, cut_out, noise_power, whitened};
+use template::{Left, Template, middle_size, stack, weight};
 use wave::{convolve, running_energy, smoothing};
 
 /// What sounds after that holds less than this share of the energy.
 const LEAST_SHARE: f64 = 0.03;
-/// Times settle to well below their errors in so many rounds.
-const ROUNDS: usize = 3;
-/// High frequencies are smoothed away while this share of the energy of the impacts is kept.
-const LEAST_KEPT: f64 = 0.9;
+/// Each pass knows from the one before where the impacts are, and so how they ring. Times settle to
+/// well below their errors in so many rounds.
+const ROUNDS: [usize; 2] = [1, 3];
+/// High frequencies are smoothed away while this share of the energy of the impacts is kept: what
+/// little they hold is steep.
+const LEAST_KEPT: f64 = 0.97;
 /// So many of the loudest impacts are asked.
 const TRIED: usize = 6;
 
@@ -34,40 +38,60 @@ pub(super) fn align(
     start_s: f64,
     rate_hz: f64,
 ) -> Vec<bool> {
-    let mut agrees = vec![false; impacts.len()];
+    let mut fits = vec![false; impacts.len()];
+    let mut positions: Vec<f64> = impacts
+        .iter()
+        .map(|impact| (impact.onset.time_s - start_s) * rate_hz)
+        .collect();
     let mut span = Span::new(rate_hz);
-    let mut sounds = whitened_sounds(impacts, samples, start_s, rate_hz, &span);
-    // With fewer there is no stack of others to speak of.
-    if sounds.len() < 3 {
-        return agrees;
+    let mut sounds = Vec::new();
+    for rounds in ROUNDS {
+        span = Span::new(rate_hz);
+        let mut cuts = cut_out(&positions, &fits, samples, &span);
+        // With fewer there is no stack of others to speak of.
+        if cuts.len() < 3 {
+            return fits;
+        }
+        ringing::remove(&mut cuts, samples, &span);
+        sounds = whitened(&cuts, impacts, rate_hz, &span);
+        lay_over(&mut sounds, &mut span, rounds);
+        for sound in &sounds {
+            fits[sound.impact] = sound.fits;
+            positions[sound.impact] += sound.shift;
+        }
     }
-    let smoothed = smooth(&mut sounds, &span);
-    span.length = span.before + sounding(&sounds, &span);
-    for round in 0..ROUNDS {
-        let waves: Vec<Vec<f32>> = sounds.iter().map(|s| s.wave(&span, s.shift)).collect();
+    for sound in sounds.iter().filter(|sound| sound.fits) {
+        let onset = &mut impacts[sound.impact].onset;
+        onset.time_s = start_s + positions[sound.impact] / rate_hz;
+        onset.sigma_s = sound.sigma / rate_hz;
+        fits[sound.impact] = sound.begins(&span);
+    }
+    fits
+}
+
+/// Lays the sounds over each other and shifts each to where it fits the stack of the others.
+fn lay_over(sounds: &mut [Sound], span: &mut Span, rounds: usize) {
+    let smoothing = smooth(sounds, span);
+    span.length = span.before + sounding(sounds, span);
+    for round in 0..rounds {
+        let waves: Vec<Vec<f32>> = sounds.iter().map(|s| s.wave(span, s.shift)).collect();
         let middle = middle_size(&waves);
         // How much noise of one wave is in the stack.
         let noise: f32 = waves.iter().map(|w| weight(w, middle).powi(2)).sum();
         let stack = stack(&waves, middle);
-        let smoothness = smoothness(&stack, &smoothed);
+        let left = Left::new(&stack, &smoothing);
         for (sound, wave) in sounds.iter_mut().zip(&waves) {
             let own = weight(wave, middle);
             let others: Vec<f32> = stack.iter().zip(wave).map(|(s, w)| s - w * own).collect();
-            let template = Template::new(&others, noise - own * own);
-            sound.fit(&template, &span, round == 0);
-            if round + 1 == ROUNDS {
-                sound.settle(&template, smoothness, &span);
+            let template = Template::new(&others, noise - own * own, own);
+            if round == 0 {
+                sound.find(&template, span);
+            } else if sound.fits {
+                sound.settle(&template, wave, &left, span);
             }
         }
-        keep_mean(&mut sounds);
+        keep_mean(sounds);
     }
-    for sound in sounds.iter().filter(|sound| sound.fits) {
-        let onset = &mut impacts[sound.impact].onset;
-        onset.time_s += sound.shift / rate_hz;
-        onset.sigma_s = sound.sigma / rate_hz;
-        agrees[sound.impact] = sound.begins(&span);
-    }
-    agrees
 }
 
 /// Only differences of time have a meaning: the stack as a whole stays where the picks are.

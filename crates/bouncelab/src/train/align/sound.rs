@@ -1,6 +1,6 @@
 //! The whitened surroundings of one impact, and where in them it begins.
 
-use super::template::{Noise, Template};
+use super::template::{Left, Noise, Template};
 use super::wave::{KERNEL, dot, norm, resample, running_energy};
 use crate::train::HeardImpact;
 use crate::whiten::{self, Autoregression};
@@ -10,6 +10,8 @@ use crate::whiten::{self, Autoregression};
 const BEFORE_S: f64 = 0.0005;
 const AFTER_S: f64 = 0.0025;
 const MOST_AFTER_S: f64 = 0.008;
+/// The longest that an impact is heard to ring, in seconds.
+const RINGING_S: f64 = 0.1;
 /// The noise before an impact from which the whitening is learnt, in seconds.
 const NOISE_S: f64 = 0.010;
 /// The farthest an impact is shifted, in seconds, and in standard errors of its pick.
@@ -35,6 +37,7 @@ pub(super) struct Span {
     pub(super) nearest: f64,
     pub(super) farthest: f64,
     pub(super) noise: usize,
+    pub(super) ringing: usize,
 }
 
 impl Span {
@@ -51,11 +54,12 @@ impl Span {
             nearest: samples(NEAREST_S).max(2) as f64,
             farthest: farthest as f64,
             noise: samples(NOISE_S).max(4 * whiten::ORDER),
+            ringing: samples(RINGING_S),
         }
     }
 
     /// Samples of a sound that lie before the impact, wherever it begins.
-    fn quiet(&self) -> usize {
+    pub(super) fn quiet(&self) -> usize {
         self.origin - self.before - self.nearest as usize
     }
 
@@ -88,39 +92,54 @@ pub(super) struct Sound {
     pub(super) sigma: f64,
 }
 
-pub(super) fn whitened_sounds(
+/// The samples around one impact, and before them the noise from which the whitening is learnt.
+pub(super) struct Cut {
+    impact: usize,
+    /// Its time, and the first of the samples, in samples of the recording.
+    pub(super) at: f64,
+    pub(super) first: usize,
+    pub(super) samples: Vec<f32>,
+    /// Whether it is known to fit the others.
+    pub(super) fits: bool,
+}
+
+/// Cuts out the impacts at these positions, in order of time, but for those too near the ends of
+/// the samples.
+pub(super) fn cut_out(positions: &[f64], fits: &[bool], samples: &[f32], span: &Span) -> Vec<Cut> {
+    let cut = |(impact, &at): (usize, &f64)| {
+        let first = (at as usize).checked_sub(span.origin + span.noise)?;
+        let end = at as usize + span.after() + KERNEL;
+        Some(Cut {
+            impact,
+            at,
+            first,
+            samples: samples.get(first..end)?.to_vec(),
+            fits: fits[impact],
+        })
+    };
+    let mut cuts: Vec<Cut> = positions.iter().enumerate().filter_map(cut).collect();
+    cuts.sort_by(|a, b| a.at.total_cmp(&b.at));
+    cuts
+}
+
+/// The cuts without what the noise before them foretells.
+pub(super) fn whitened(
+    cuts: &[Cut],
     impacts: &[HeardImpact],
-    samples: &[f32],
-    start_s: f64,
     rate_hz: f64,
     span: &Span,
 ) -> Vec<Sound> {
-    let cuts: Vec<(usize, f64)> = impacts
-        .iter()
-        .enumerate()
-        .map(|(impact, heard)| (impact, (heard.onset.time_s - start_s) * rate_hz))
-        .filter(|&(_, at)| {
-            at >= (span.origin + span.noise) as f64
-                && at as usize + span.after() + KERNEL < samples.len()
-        })
-        .collect();
-    let begin = |at: f64| at as usize - span.origin;
-    let noises = cuts
-        .iter()
-        .map(|&(_, at)| &samples[begin(at) - span.noise..begin(at)]);
+    let noises = cuts.iter().map(|cut| &cut.samples[..span.noise]);
     let model = Autoregression::learn_from_many(noises);
     cuts.iter()
-        .map(|&(impact, at)| {
-            let first = begin(at) - whiten::ORDER;
-            let end = at as usize + span.after() + KERNEL;
-            let errors = model.errors(&samples[first..end]);
-            let fraction = at - at.floor();
-            let pick_sigma = impacts[impact].onset.sigma_s * rate_hz;
-            let samples = resample(&errors, fraction, span.origin + span.after());
+        .map(|cut| {
+            let errors = model.errors(&cut.samples[span.noise - whiten::ORDER..]);
+            let pick_sigma = impacts[cut.impact].onset.sigma_s * rate_hz;
+            let samples = resample(&errors, cut.at.fract(), span.origin + span.after());
             let energy = running_energy(&samples);
             let noise = noise_power(&energy, span);
             Sound {
-                impact,
+                impact: cut.impact,
                 noise,
                 density: noise,
                 energy,
@@ -130,7 +149,7 @@ pub(super) fn whitened_sounds(
                     .ceil() as usize,
                 pick_sigma,
                 shift: 0.0,
-                fits: false,
+                fits: cut.fits,
                 sigma: f64::INFINITY,
             }
         })
@@ -154,41 +173,33 @@ impl Sound {
         energy(at) > energy(at.saturating_sub(length))
     }
 
-    /// Finds the shift at which the sound fits the stack of the others: anywhere, or near where
-    /// it was found before.
-    pub(super) fn fit(&mut self, template: &Template, span: &Span, anywhere: bool) {
+    /// Finds the shift at which the sound fits the stack of the others best: near where it was
+    /// found before, or else anywhere.
+    pub(super) fn find(&mut self, template: &Template, span: &Span) {
         let others = template.wave;
-        let found = if anywhere || !self.fits {
-            None
-        } else {
+        let found = if self.fits {
             let near = self.shift.round() as isize;
             self.best_shift(others, span, near, NEAR)
+        } else {
+            None
         };
         let found = found.or_else(|| self.best_shift(others, span, 0, self.reach));
         self.fits = found.is_some();
         self.shift = found.unwrap_or(0.0);
-        self.step(template, span);
     }
 
-    /// A step of Newton's from the shift of highest correlation to that of the least misfit.
-    fn step(&mut self, template: &Template, span: &Span) {
-        if self.fits {
-            let wave = self.wave(span, self.shift);
-            self.shift += template.misfit(&wave).clamp(-0.5, 0.5);
-        }
-    }
-
-    /// Settles the shift and its standard error.
-    pub(super) fn settle(&mut self, template: &Template, smoothness: f64, span: &Span) {
-        self.step(template, span);
-        let wave = self.wave(span, self.shift);
+    /// Settles the shift and its standard error, by the wave at the shift that was found.
+    pub(super) fn settle(&mut self, template: &Template, wave: &[f32], left: &Left, span: &Span) {
         let noise = Noise {
             power: self.noise,
             heard: span.quiet() as f64,
             alike: self.density / self.noise.max(f64::MIN_POSITIVE),
-            density: self.density * smoothness,
+            density: self.density * left.where_steep,
+            slope: self.density * left.slope,
         };
-        self.sigma = template.shift_error(&wave, &noise);
+        let fit = template.fit(wave);
+        self.shift += template.step(&fit);
+        self.sigma = template.shift_error(&fit, &noise);
     }
 
     /// The highest correlation at whole samples around `middle`, and a parabola through it.
