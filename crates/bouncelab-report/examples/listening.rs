@@ -63,10 +63,11 @@ fn balls(text: &str, column: usize, limits: &[(&str, f64)]) -> Vec<Curve> {
             continue;
         };
         let point = (f64::from(ratio), value);
-        match curves.iter_mut().find(|curve| curve.name == row[0]) {
+        let name = row[0].replace('-', " ");
+        match curves.iter_mut().find(|curve| curve.name == name) {
             Some(curve) => curve.points.push(point),
             None => curves.push(Curve {
-                name: row[0].to_owned(),
+                name,
                 meaning: Meaning::Measured,
                 points: vec![point],
             }),
@@ -96,7 +97,7 @@ fn late(text: &str) -> Vec<Curve> {
             (count >= FEWEST).then_some((f64::from(decibels(row[1])?), late_us))
         });
         Curve {
-            name: format!("{ball}, {by}"),
+            name: format!("{}, {by}", ball.replace('-', " ")),
             meaning,
             points: points.collect(),
         }

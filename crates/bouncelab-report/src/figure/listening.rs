@@ -41,7 +41,7 @@ impl Hearing {
         match self {
             Self::Found => Axis::new(Scale::linear([0.0, 1.0]).padded(0.0, 0.03), "F1"),
             Self::Timing => Axis::new(
-                Scale::linear([0.0, 2.6]),
+                Scale::linear([0.0, 2.2]),
                 "median error over that of the bound",
             ),
             Self::Stated => Axis::new(
