@@ -127,6 +127,20 @@ test('a computer without a microphone says so', async () => {
   await page.getByText('No microphone was found.').waitFor();
 });
 
+test('a browser whose sound never starts is not waited for', async () => {
+  browser = await launch({ file: heard });
+  const context = await browser.newContext({ locale: 'en-GB' });
+  await context.addInitScript(() => {
+    AudioContext.prototype.resume = () => new Promise(() => undefined);
+  });
+  const page = await context.newPage();
+  await page.goto(site.url);
+  await listen(page);
+  await page.getByText('The microphone could not be opened.').waitFor();
+  await page.getByRole('button', { name: 'try the demo' }).click();
+  await settled(page);
+});
+
 test('a page that is closed while it listens loses nothing', async () => {
   const { page } = await opened({ file: heard });
   await listen(page);

@@ -1,9 +1,10 @@
 /** Drops that do not exist, and the paper as a toy. */
+import { readFileSync } from 'node:fs';
 import type { Browser, Page } from 'playwright-core';
 import { afterAll, afterEach, beforeAll, beforeEach, expect, test } from 'vitest';
 import { launch } from './harness/browser.ts';
 import { Site } from './harness/site.ts';
-import { follow, open, said } from './support/page.ts';
+import { follow, open, said, settled } from './support/page.ts';
 
 let site: Site;
 let browser: Browser;
@@ -65,6 +66,22 @@ test('a simulated drop is analysed as if it were real, and says what was put in'
   await page.getByRole('tab', { name: 'Compare' }).click();
   await page.getByText('The same as numbers').click();
   await page.getByRole('cell', { name: 'your simulation' }).first().waitFor();
+  // What is saved shows what is seen.
+  const coming = page.waitForEvent('download');
+  await page.getByRole('button', { name: 'SVG', exact: true }).click();
+  const drawing = readFileSync(await (await coming).path(), 'utf8');
+  expect(drawing).toContain('>your simulation<');
+
+  // It says nothing of another recording.
+  await page.getByRole('button', { name: 'try the demo' }).click();
+  await settled(page);
+  await page.getByRole('tab', { name: 'Compare' }).click();
+  const numbers = page.getByRole('group').filter({ hasText: 'The same as numbers' });
+  await numbers.evaluate((details: HTMLDetailsElement) => {
+    details.open = true;
+  });
+  await page.getByRole('cell', { name: 'best model' }).first().waitFor();
+  expect(await page.getByRole('cell', { name: 'your simulation' }).count()).toBe(0);
 });
 
 test('a ball that floats is refused in words, and forgetting the settings helps', async () => {

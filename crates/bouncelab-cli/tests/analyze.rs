@@ -153,6 +153,44 @@ fn impacts_are_left_out_and_added_by_hand() {
 }
 
 #[test]
+fn a_drop_left_out_by_hand_is_gone_and_another_may_come() {
+    let folder = TempDir::new().unwrap();
+    let file = recording(&folder);
+    let options = |option: &str, times_s: &[f64]| -> Vec<String> {
+        let words = times_s
+            .iter()
+            .flat_map(|t| [option.to_owned(), t.to_string()]);
+        words.collect()
+    };
+    let heard_s: Vec<f64> = strikes(0.9, 20).iter().map(|s| 0.5 + s.time_s).collect();
+    let all = options("--exclude", &heard_s);
+    let assert = analyze(&file).args(&all).assert().code(1);
+    assert.stderr(predicate::str::contains("no flight is left"));
+    let added_s = [40.0, 40.5, 40.9];
+    let other = json(
+        analyze(&file)
+            .args(&all)
+            .args(options("--include", &added_s)),
+    );
+    assert_eq!(other["drops"].as_array().unwrap().len(), 1);
+    assert_eq!(other["drops"][0]["impacts"][0]["time_s"], 40.0);
+}
+
+#[test]
+fn what_was_chosen_in_listening_is_told_and_can_be_overridden() {
+    let folder = TempDir::new().unwrap();
+    let file = recording(&folder);
+    let details = analyze(&file).arg("--details").assert().success();
+    details.stdout(predicate::str::contains(
+        "20 impacts were heard, clearest from ",
+    ));
+    let low = json(analyze(&file).args(["--band", "..1500"]));
+    assert!(low["drops"][0]["impacts"].as_array().unwrap().len() <= 20);
+    let none = analyze(&file).args(["--band", "30000.."]).assert().code(2);
+    none.stderr(predicate::str::contains("no band lies above 30000 Hz"));
+}
+
+#[test]
 fn a_range_of_flights_goes_into_the_line() {
     let folder = TempDir::new().unwrap();
     let result = json(analyze(&recording(&folder)).args(["--flights", "1..10"]));

@@ -4,11 +4,17 @@
 //! that are not numbers are skipped instead of drawn, dashes run on across the points of a
 //! curve (the library starts them anew at each point when it makes a PNG), and the SVG
 //! scales with the page and can be read aloud.
+//!
+//! What is drawn is kept as a list until a picture is asked for, so that its words can be said in
+//! another language.
+
+use std::borrow::Cow;
 
 use kuva::backend::svg::SvgBackend;
 use kuva::render::color::Color;
 use kuva::render::render::{PathData, Primitive, Scene, TextAnchor, TextSpan};
 
+use crate::language::{Say, said};
 use crate::theme::{self, Colour};
 
 /// A place on the sheet, in figure pixels from the upper left corner.
@@ -86,27 +92,70 @@ impl Style {
     }
 }
 
+/// Something drawn.
+#[derive(Debug, Clone)]
+enum Ink {
+    Stroke {
+        points: Vec<Point>,
+        pen: Pen,
+    },
+    Area {
+        corners: Vec<Point>,
+        colour: Colour,
+    },
+    Circle {
+        centre: Point,
+        radius: f64,
+        fill: Colour,
+        edge: Option<Colour>,
+    },
+    Text {
+        place: Point,
+        words: String,
+        style: Style,
+        /// A text that is wider is shortened.
+        room: f64,
+    },
+}
+
 /// A sheet being drawn on.
 #[derive(Debug)]
 pub(crate) struct Canvas {
-    scene: Scene,
+    width: f64,
+    height: f64,
+    ink: Vec<Ink>,
 }
 
 impl Canvas {
     pub(crate) fn new(width: f64, height: f64) -> Self {
-        let mut scene = Scene::new(width, height);
-        scene.background_color = Some(theme::PAPER.to_string());
-        scene.text_color = Some(theme::INK.to_string());
-        scene.font_family = Some(theme::FONT_FAMILY.to_owned());
-        Self { scene }
+        Self {
+            width,
+            height,
+            ink: Vec::new(),
+        }
     }
 
     pub(crate) fn width(&self) -> f64 {
-        self.scene.width
+        self.width
     }
 
     pub(crate) fn height(&self) -> f64 {
-        self.scene.height
+        self.height
+    }
+
+    /// Says every text on it in another language.
+    pub(crate) fn translate(&mut self, say: &mut Say<'_>) {
+        for ink in &mut self.ink {
+            if let Ink::Text { words, .. } = ink {
+                said(words, say);
+            }
+        }
+    }
+
+    /// Draws all of another sheet, so far below where it was there.
+    pub(crate) fn take(&mut self, other: &Self, below: f64) {
+        let moved = other.ink.iter().map(|ink| ink.moved(below));
+        self.ink.extend(moved);
     }
 
     /// A curve through the points; it is interrupted where a point is not a number.
@@ -140,12 +189,7 @@ impl Canvas {
         if points.len() < 2 {
             return;
         }
-        self.scene.add(Primitive::PolyLine {
-            points,
-            stroke: color(pen.colour),
-            stroke_width: pen.width,
-            stroke_dasharray: None,
-        });
+        self.ink.push(Ink::Stroke { points, pen });
     }
 
     /// A filled shape; nothing if a corner is not a number.
@@ -153,20 +197,8 @@ impl Canvas {
         if corners.len() < 3 || !corners.iter().copied().all(is_finite) {
             return;
         }
-        let corner = |(i, (x, y)): (usize, &Point)| {
-            let command = if i == 0 { 'M' } else { 'L' };
-            format!("{command}{x:.2} {y:.2}")
-        };
-        let mut d: String = corners.iter().enumerate().map(corner).collect();
-        d.push('Z');
-        self.scene.add(Primitive::Path(Box::new(PathData {
-            d,
-            fill: Some(color(colour)),
-            stroke: Color::None,
-            stroke_width: 0.0,
-            opacity: None,
-            stroke_dasharray: None,
-        })));
+        let corners = corners.to_vec();
+        self.ink.push(Ink::Area { corners, colour });
     }
 
     /// A filled circle.
@@ -179,44 +211,54 @@ impl Canvas {
         self.circle((cx, cy), r, theme::PAPER, Some(colour));
     }
 
-    fn circle(&mut self, (cx, cy): Point, r: f64, fill: Colour, edge: Option<Colour>) {
-        if is_finite((cx, cy)) {
-            self.scene.add(Primitive::Circle {
-                cx,
-                cy,
-                r,
-                fill: color(fill),
-                fill_opacity: None,
-                stroke: edge.map(color),
-                stroke_width: edge.map(|_| 1.5),
+    fn circle(&mut self, centre: Point, radius: f64, fill: Colour, edge: Option<Colour>) {
+        if is_finite(centre) {
+            self.ink.push(Ink::Circle {
+                centre,
+                radius,
+                fill,
+                edge,
             });
         }
     }
 
-    pub(crate) fn text(&mut self, (x, y): Point, text: &str, style: Style) {
-        if !is_finite((x, y)) {
-            return;
+    pub(crate) fn text(&mut self, place: Point, words: impl Into<String>, style: Style) {
+        self.text_within(f64::INFINITY, place, words, style);
+    }
+
+    /// A text that is shortened if it is wider than `room` figure pixels.
+    pub(crate) fn text_within(
+        &mut self,
+        room: f64,
+        place: Point,
+        words: impl Into<String>,
+        style: Style,
+    ) {
+        if is_finite(place) {
+            self.ink.push(Ink::Text {
+                place,
+                words: words.into(),
+                style,
+                room,
+            });
         }
-        let mut span = TextSpan::plain(printable(text));
-        span.bold = style.bold;
-        self.scene.add(Primitive::RichText {
-            x,
-            y,
-            spans: vec![span],
-            size: style.size,
-            anchor: match style.anchor {
-                Anchor::Start => TextAnchor::Start,
-                Anchor::Middle => TextAnchor::Middle,
-                Anchor::End => TextAnchor::End,
-            },
-            color: Some(color(style.colour)),
-        });
+    }
+
+    fn scene(&self) -> Scene {
+        let mut scene = Scene::new(self.width, self.height);
+        scene.background_color = Some(theme::PAPER.to_string());
+        scene.text_color = Some(theme::INK.to_string());
+        scene.font_family = Some(theme::FONT_FAMILY.to_owned());
+        for ink in &self.ink {
+            scene.add(ink.primitive());
+        }
+        scene
     }
 
     /// The drawing as SVG that scales with its container, with a title and a description for
     /// those who cannot see it.
     pub(crate) fn svg(&self, title: &str, description: &str) -> String {
-        let drawn = SvgBackend::new().render_scene(&self.scene);
+        let drawn = SvgBackend::new().render_scene(&self.scene());
         let opening = format!(
             r#"<svg viewBox="0 0 {} {}" role="img" stroke-linejoin="round" stroke-linecap="round" "#,
             self.width(),
@@ -235,9 +277,96 @@ impl Canvas {
     /// The drawing as a PNG picture of the given width in pixels.
     #[cfg(feature = "png")]
     pub(crate) fn png(&self, width_px: u32) -> std::result::Result<Vec<u8>, String> {
-        crate::picture::png(&self.scene, width_px)
+        crate::picture::png(&self.scene(), width_px)
     }
 }
+
+impl Ink {
+    fn moved(&self, below: f64) -> Self {
+        let down = |&(x, y): &Point| (x, y + below);
+        let mut moved = self.clone();
+        match &mut moved {
+            Self::Stroke { points, .. }
+            | Self::Area {
+                corners: points, ..
+            } => {
+                *points = points.iter().map(down).collect();
+            }
+            Self::Circle { centre: place, .. } | Self::Text { place, .. } => *place = down(place),
+        }
+        moved
+    }
+
+    /// The same for the drawing library.
+    fn primitive(&self) -> Primitive {
+        match self {
+            Self::Stroke { points, pen } => Primitive::PolyLine {
+                points: points.clone(),
+                stroke: color(pen.colour),
+                stroke_width: pen.width,
+                stroke_dasharray: None,
+            },
+            Self::Area { corners, colour } => Primitive::Path(Box::new(PathData {
+                d: outline(corners),
+                fill: Some(color(*colour)),
+                stroke: Color::None,
+                stroke_width: 0.0,
+                opacity: None,
+                stroke_dasharray: None,
+            })),
+            Self::Circle {
+                centre: (cx, cy),
+                radius,
+                fill,
+                edge,
+            } => Primitive::Circle {
+                cx: *cx,
+                cy: *cy,
+                r: *radius,
+                fill: color(*fill),
+                fill_opacity: None,
+                stroke: edge.map(color),
+                stroke_width: edge.map(|_| 1.5),
+            },
+            Self::Text {
+                place,
+                words,
+                style,
+                room,
+            } => text(*place, &shortened(words, style.size, *room), *style),
+        }
+    }
+}
+
+fn text((x, y): Point, words: &str, style: Style) -> Primitive {
+    let mut span = TextSpan::plain(printable(words));
+    span.bold = style.bold;
+    Primitive::RichText {
+        x,
+        y,
+        spans: vec![span],
+        size: style.size,
+        anchor: match style.anchor {
+            Anchor::Start => TextAnchor::Start,
+            Anchor::Middle => TextAnchor::Middle,
+            Anchor::End => TextAnchor::End,
+        },
+        color: Some(color(style.colour)),
+    }
+}
+
+/// A closed path through the corners, as SVG writes it.
+fn outline(corners: &[Point]) -> String {
+    let corner = |(i, (x, y)): (usize, &Point)| {
+        let command = if i == 0 { 'M' } else { 'L' };
+        format!("{command}{x:.2} {y:.2}")
+    };
+    let mut path: String = corners.iter().enumerate().map(corner).collect();
+    path.push('Z');
+    path
+}
+
+const SOFT_HYPHEN: char = '\u{ad}';
 
 /// Width of a text in figure pixels, rather too wide than too narrow: by the classes of
 /// letters of `DejaVu Sans`, which is wider than the fonts of most systems.
@@ -248,6 +377,7 @@ pub(crate) fn text_width(text: &str, size: u32) -> f64 {
 
 fn letter_width(letter: char) -> f64 {
     match letter {
+        SOFT_HYPHEN => 0.0,
         ' ' | '.' | ',' | 'i' | 'j' | 'l' | 'I' | '\'' => 0.32,
         'f' | 't' | 'r' | '(' | ')' | '-' | '/' | ':' | ';' | '|' | '!' => 0.42,
         'w' | '=' | '+' | '<' | '>' | '±' | '×' | '−' | '≈' => 0.84,
@@ -261,9 +391,9 @@ fn letter_width(letter: char) -> f64 {
 }
 
 /// The text, shortened with an ellipsis if it is wider than `width` figure pixels.
-pub(crate) fn shortened(text: &str, size: u32, width: f64) -> String {
+pub(crate) fn shortened(text: &str, size: u32, width: f64) -> Cow<'_, str> {
     if text_width(text, size) <= width {
-        return text.to_owned();
+        return Cow::Borrowed(text);
     }
     let mut short = String::new();
     for letter in text.chars() {
@@ -274,7 +404,7 @@ pub(crate) fn shortened(text: &str, size: u32, width: f64) -> String {
     }
     short.truncate(short.trim_end().len());
     short.push('…');
-    short
+    Cow::Owned(short)
 }
 
 /// The parts of a curve inside a rectangle. Cut here and not by the library, which would need
@@ -367,9 +497,11 @@ fn is_finite((x, y): Point) -> bool {
     x.is_finite() && y.is_finite()
 }
 
-/// Without the control characters that XML forbids.
+/// Without the control characters that XML forbids, nor hyphens for the end of a line: a drawing
+/// breaks none.
 fn printable(text: &str) -> String {
     text.chars()
+        .filter(|&c| c != SOFT_HYPHEN)
         .map(|c| if c.is_control() { ' ' } else { c })
         .collect()
 }

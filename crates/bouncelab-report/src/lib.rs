@@ -29,6 +29,7 @@
 //! | room | question it answers |
 //! |---|---|
 //! | [`error`](Error) | what can go wrong |
+//! | [`language`] | how the English here becomes another language |
 //! | [`units`] | which quantity somebody wrote down |
 //! | [`quantity`](Quantity) | how many digits, and which prefix |
 //! | [`table`](Table) | how numbers stand under each other |
@@ -54,6 +55,7 @@ pub mod document;
 mod error;
 pub mod figure;
 pub mod illustration;
+pub mod language;
 pub mod paper;
 #[cfg(feature = "png")]
 mod picture;

@@ -1,11 +1,18 @@
 //! The furniture of a figure: a title, a key, and panels with axes.
 
+use std::borrow::Cow;
+
 use crate::canvas::{Anchor, Canvas, Pen, Point, Rect, Style, shortened, text_width};
+use crate::language::{Say, said};
 use crate::scale::{Scale, Ticks};
 use crate::theme::{self, Colour};
 
 /// Distance of everything from the edge of the sheet.
 const MARGIN: f64 = 16.0;
+/// Where the title ends.
+const BELOW_TITLE: f64 = 40.0;
+/// Between what stands for something in the key and its name.
+const AFTER_SWATCH: f64 = 7.0;
 /// Points off the sheet are at most this far away, so that curves to them can be cut at the
 /// frame in finite numbers.
 const FAR: f64 = 1e9;
@@ -43,33 +50,90 @@ impl KeyEntry {
 }
 
 /// A sheet with its title and key; what is below `top` is free.
+///
+/// Title and key are drawn last: in another language the key may take more rows, and then all that
+/// is below moves down.
 #[derive(Debug)]
 pub(crate) struct Sheet {
+    title: String,
+    key: Vec<KeyEntry>,
+    /// What lies below title and key.
     pub(crate) canvas: Canvas,
     top: f64,
 }
 
+/// A name of the key in its place.
+struct Placed<'a> {
+    swatch: Swatch,
+    place: Point,
+    name: Cow<'a, str>,
+}
+
 impl Sheet {
     pub(crate) fn new(height: f64, title: &str) -> Self {
-        let mut canvas = Canvas::new(theme::WIDTH, height);
-        let mut style = Style::new(theme::TITLE_SIZE, theme::INK, Anchor::Start);
-        style.bold = true;
-        canvas.text((MARGIN, 29.0), title, style);
-        Self { canvas, top: 40.0 }
+        Self {
+            title: title.to_owned(),
+            key: Vec::new(),
+            canvas: Canvas::new(theme::WIDTH, height),
+            top: BELOW_TITLE,
+        }
+    }
+
+    pub(crate) fn title(&self) -> &str {
+        &self.title
     }
 
     /// A key under the title, in as many rows as it needs.
     pub(crate) fn key(&mut self, entries: &[KeyEntry]) {
-        const AFTER_SWATCH: f64 = 7.0;
+        self.key = entries.to_vec();
+        self.top = self.placed_key().1;
+    }
+
+    /// Says every word on it in another language.
+    pub(crate) fn translate(&mut self, say: &mut Say<'_>) {
+        said(&mut self.title, say);
+        for entry in &mut self.key {
+            said(&mut entry.name, say);
+        }
+        self.canvas.translate(say);
+    }
+
+    /// Width and height.
+    pub(crate) fn size(&self) -> (f64, f64) {
+        let lower = self.placed_key().1 - self.top;
+        (self.canvas.width(), self.canvas.height() + lower)
+    }
+
+    /// All of it.
+    pub(crate) fn drawn(&self) -> Canvas {
+        let (width, height) = self.size();
+        let mut canvas = Canvas::new(width, height);
+        let mut style = Style::new(theme::TITLE_SIZE, theme::INK, Anchor::Start);
+        style.bold = true;
+        canvas.text((MARGIN, 29.0), self.title.as_str(), style);
+        for Placed {
+            swatch,
+            place: (x, y),
+            name,
+        } in self.placed_key().0
+        {
+            swatch.draw(&mut canvas, (x, y));
+            let place = (x + swatch.width() + AFTER_SWATCH, y + 5.0);
+            canvas.text(place, name, KEY_TEXT);
+        }
+        canvas.take(&self.canvas, height - self.canvas.height());
+        canvas
+    }
+
+    /// The key laid out, and where it ends.
+    fn placed_key(&self) -> (Vec<Placed<'_>>, f64) {
         const GAP: f64 = 22.0;
         const ROW: f64 = 21.0;
-        if entries.is_empty() {
-            return;
-        }
         let right = self.canvas.width() - MARGIN;
         let mut x = MARGIN;
-        let mut y = self.top + 10.0;
-        for entry in entries {
+        let mut y = BELOW_TITLE + 10.0;
+        let mut placed = Vec::new();
+        for entry in &self.key {
             let before_name = entry.swatch.width() + AFTER_SWATCH;
             let room = right - MARGIN - before_name;
             let name = shortened(&entry.name, KEY_TEXT.size, room);
@@ -78,12 +142,19 @@ impl Sheet {
                 x = MARGIN;
                 y += ROW;
             }
-            entry.swatch.draw(&mut self.canvas, (x, y));
-            let place = (x + before_name, y + 5.0);
-            self.canvas.text(place, &name, KEY_TEXT);
+            placed.push(Placed {
+                swatch: entry.swatch,
+                place: (x, y),
+                name,
+            });
             x += width + GAP;
         }
-        self.top = y + 14.0;
+        let end = if placed.is_empty() {
+            BELOW_TITLE
+        } else {
+            y + 14.0
+        };
+        (placed, end)
     }
 
     /// A sentence in the middle, where a figure without data would have its panel.
@@ -93,8 +164,8 @@ impl Sheet {
             self.canvas.width() / 2.0,
             f64::midpoint(self.top, self.canvas.height()),
         );
-        let text = shortened(text, style.size, self.canvas.width() - 2.0 * MARGIN);
-        self.canvas.text(middle, &text, style);
+        let room = self.canvas.width() - 2.0 * MARGIN;
+        self.canvas.text_within(room, middle, text, style);
     }
 }
 
@@ -229,7 +300,7 @@ impl Panel {
     fn draw(sheet: &mut Sheet, rows: Rows, left: f64, x: &Axis, y: &Axis, room: f64) -> Self {
         let canvas = &mut sheet.canvas;
         let name_y = rows.top - 13.0 - room;
-        canvas.text((MARGIN, name_y), &y.name, AXIS_NAME);
+        canvas.text((MARGIN, name_y), y.name.as_str(), AXIS_NAME);
         let frame = Rect {
             left,
             top: rows.top,
@@ -262,7 +333,7 @@ impl Panel {
         for tick in ticks.major {
             let y = self.y_at(tick.value);
             canvas.line((left, y), (right, y), Pen::solid(theme::GRID, 1.0));
-            canvas.text((left - 9.0, y + 4.5), &tick.label, style);
+            canvas.text((left - 9.0, y + 4.5), tick.label, style);
         }
     }
 
@@ -295,7 +366,7 @@ impl Panel {
             if x + half > right + self.label_room {
                 continue;
             }
-            canvas.text((x, bottom + 20.0), &tick.label, style);
+            canvas.text((x, bottom + 20.0), tick.label, style);
         }
         let style = Style::new(theme::LABEL_SIZE, theme::SOFT_INK, Anchor::Middle);
         let middle = f64::midpoint(left, right);

@@ -7,6 +7,8 @@ use std::fmt;
 
 use unicode_width::UnicodeWidthStr;
 
+use crate::language::Say;
+
 /// On which side of its column a text stands.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Align {
@@ -59,6 +61,14 @@ impl Table {
         let mut row: Vec<String> = cells.into_iter().map(one_line).collect();
         row.resize(self.header.len(), String::new());
         self.rows.push(row);
+    }
+
+    /// Says headings and cells in another language.
+    pub(crate) fn translate(&mut self, say: &mut Say<'_>) {
+        let cells = self.rows.iter_mut().flatten();
+        for text in self.header.iter_mut().chain(cells) {
+            *text = one_line(say(text));
+        }
     }
 
     /// The headings, and on which side of its column each stands.

@@ -776,3 +776,40 @@ mod pictures {
         assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 0);
     }
 }
+
+/// A key of names that are three times as long takes more rows; the panel moves down by as much, so
+/// that nothing lies over anything else, and the sheet grows.
+#[test]
+fn a_figure_grows_with_the_words_of_another_language() {
+    let curve = |name: &str, meaning| Curve {
+        name: name.to_owned(),
+        meaning,
+        points: vec![(0.0, 0.3), (1.0, 0.2)],
+    };
+    let curves = [
+        curve("a law of drag", Meaning::Drag),
+        curve("another one of them", Meaning::NoDrag),
+    ];
+    let english = figure::height(&curves, &[]);
+    let mut longer = figure::height(&curves, &[]);
+    longer.translate(&mut |text| {
+        if text.parse::<f64>().is_ok() {
+            text.replace('.', ",")
+        } else {
+            format!("{text} {text} {text}")
+        }
+    });
+    let grown = longer.size().1 - english.size().1;
+    assert!(grown > 0.0);
+    let y_of = |figure: &Figure, text: &str| {
+        let svg = figure.svg();
+        let before = svg.split(&format!(">{text}<")).next().unwrap();
+        let place = before.rsplit(" y=\"").next().unwrap();
+        place.split('"').next().unwrap().parse::<f64>().unwrap()
+    };
+    let name = "height (cm)";
+    let moved = y_of(&longer, &[name; 3].join(" ")) - y_of(&english, name);
+    assert!((moved - grown).abs() < 1e-6, "{moved} {grown}");
+    assert!(longer.svg().contains(">0,5<"));
+    assert!(longer.caption().starts_with("The models start alike"));
+}

@@ -182,3 +182,37 @@ fn a_recording_without_a_drop_says_why() {
     let html = report::of_recording(&recording, &Provenance::default()).html();
     assert!(html.contains("No drop was found: nothing stands out of the background."));
 }
+
+/// The text of an HTML file without its head, its code and the title.
+fn said_in(html: &str) -> String {
+    let body = html.split_once("</h1>").unwrap().1;
+    let mut said = String::new();
+    for piece in body.split('<') {
+        let (tag, text) = piece.split_once('>').unwrap_or_default();
+        if !tag.starts_with("code") && !tag.starts_with('m') {
+            said.push_str(text);
+        }
+        for label in tag.split("aria-label=\"").skip(1) {
+            said.push_str(label.split('"').next().unwrap_or_default());
+        }
+    }
+    said
+}
+
+/// What every text becomes: what is left of the English was not handed over.
+#[test]
+fn everything_on_a_page_can_be_said_in_another_language() {
+    let settings = settings();
+    let drops = [drop(&settings), drop(&settings)];
+    let mut page = page("a name", &drops, &settings);
+    page.translate("de", &mut |_| "\u{f8}".to_owned());
+    let html = page.html();
+    assert!(html.contains("<html lang=\"de\">"));
+    let said = said_in(&html);
+    assert!(said.contains('\u{f8}'));
+    let english: Vec<&str> = said
+        .split(|letter: char| !letter.is_ascii_alphabetic())
+        .filter(|word| !word.is_empty())
+        .collect();
+    assert_eq!(english, Vec::<&str>::new());
+}

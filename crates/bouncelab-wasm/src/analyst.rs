@@ -10,6 +10,7 @@ use bouncelab::train;
 use bouncelab_report::Figure;
 use bouncelab_report::document::{Document, rows};
 use bouncelab_report::illustration;
+use bouncelab_report::language::Say;
 use bouncelab_report::report::{self, Provenance, Recording};
 use bouncelab_report::theme::Meaning;
 
@@ -54,30 +55,42 @@ impl Analyst {
         Ok(self.answer(request)?.analysed())
     }
 
-    /// Draws one of the figures that [`Analysed::figures`] names.
+    /// Draws one of the figures that [`Analysed::figures`] names, with its words said by `say`; `over`
+    /// is laid over that of the height.
     ///
     /// # Errors
     ///
     /// Those of [`Self::analyse`], and if there is no figure of this name.
-    pub fn figure(&mut self, request: &AnalysisRequest, name: &str) -> Result<Drawn> {
-        let figure = self.answer(request)?.figure(name);
+    pub fn figure(
+        &mut self,
+        request: &AnalysisRequest,
+        name: &str,
+        over: Option<&HeightCurve>,
+        say: &mut Say<'_>,
+    ) -> Result<Drawn> {
+        let figure = self.answer(request)?.figure(name, over);
         figure
-            .map(|figure| drawn(name, &figure))
+            .map(|figure| drawn(name, figure, say))
             .ok_or_else(|| setting(&format!("there is no figure \"{name}\" of this drop")))
     }
 
-    /// Draws the sound with its impacts.
+    /// Draws the sound with its impacts, its words said by `say`.
     ///
     /// # Errors
     ///
     /// Those of [`Self::analyse`].
-    pub fn waveform(&mut self, request: &AnalysisRequest, sound: &Envelope) -> Result<Drawn> {
+    pub fn waveform(
+        &mut self,
+        request: &AnalysisRequest,
+        sound: &Envelope,
+        say: &mut Say<'_>,
+    ) -> Result<Drawn> {
         let answered = self.answer(request)?;
         let figure = illustration::waveform(sound, &answered.drops)?;
-        Ok(drawn("waveform", &figure))
+        Ok(drawn("waveform", figure, say))
     }
 
-    /// The report as one HTML file.
+    /// The report as one HTML file, in the language of this code, which `say` knows.
     ///
     /// # Errors
     ///
@@ -87,9 +100,10 @@ impl Analyst {
         request: &AnalysisRequest,
         sound: Option<&Envelope>,
         made: Option<String>,
+        (language, say): (&str, &mut Say<'_>),
     ) -> Result<String> {
         let answered = self.answer(request)?;
-        let page = report::of_recording(
+        let mut page = report::of_recording(
             &Recording {
                 name: &request.name,
                 origin: &request.source,
@@ -106,6 +120,7 @@ impl Analyst {
                 ..Provenance::default()
             },
         );
+        page.translate(language, say);
         Ok(page.html())
     }
 
@@ -253,7 +268,7 @@ impl Answered<'_> {
         names
     }
 
-    fn figure(&self, name: &str) -> Option<Figure> {
+    fn figure(&self, name: &str, over: Option<&HeightCurve>) -> Option<Figure> {
         let settings = self.settings();
         match name {
             "drag" => return illustration::drag(settings, self.fastest_m_s()?),
@@ -266,7 +281,10 @@ impl Answered<'_> {
             match () {
                 () if is("flight-times") => Some(illustration::flight_times(drop)),
                 () if is("restitution") => Some(illustration::restitution(drop)),
-                () if is("height") => Some(illustration::height(drop, settings)),
+                () if is("height") => {
+                    let over = over.map(HeightCurve::points);
+                    Some(illustration::height_with(drop, settings, over))
+                }
                 () if is("bounce-heights") => Some(illustration::bounce_heights(drop)),
                 () if is("bounce-energies") => Some(illustration::bounce_energies(drop, settings)),
                 () if is("posterior") => found.map(illustration::corner),
@@ -280,8 +298,9 @@ impl Answered<'_> {
     }
 }
 
-/// A figure as data.
-pub(crate) fn drawn(name: &str, figure: &Figure) -> Drawn {
+/// A figure as data, its words said by `say`.
+pub(crate) fn drawn(name: &str, mut figure: Figure, say: &mut Say<'_>) -> Drawn {
+    figure.translate(say);
     let (width_px, height_px) = figure.size();
     Drawn {
         name: name.to_owned(),
@@ -315,6 +334,12 @@ impl HeightCurve {
             .map(|(time_s, height_m)| (time_s, Some(height_m).filter(|h| h.is_finite())))
             .unzip();
         Self { time_s, height_m }
+    }
+
+    /// Its points; a height that is not a number interrupts it.
+    fn points(&self) -> Vec<(f64, f64)> {
+        let heights = self.height_m.iter().map(|h| h.unwrap_or(f64::NAN));
+        self.time_s.iter().copied().zip(heights).collect()
     }
 }
 

@@ -7,6 +7,7 @@
 
 use bouncelab::listen::Envelope;
 use bouncelab_audio::{SampleFormat, encode_wav, times};
+use bouncelab_report::language::Say;
 use bouncelab_report::paper;
 use serde::Serialize;
 use serde::de::DeserializeOwned;
@@ -19,7 +20,7 @@ use crate::refusal::Result;
 use crate::simulator;
 use crate::sound::{self, Ear, Label};
 use crate::spectrogram::{self, FLOOR_DB};
-use crate::wire::Drawn;
+use crate::wire::{Drawn, HeightCurve};
 
 fn json<T: Serialize>(value: &T) -> Result<String> {
     Ok(serde_json::to_string(value)?)
@@ -134,6 +135,18 @@ impl Hearer {
     }
 }
 
+#[wasm_bindgen]
+extern "C" {
+    /// The language of the page, which knows the words for those of the science.
+    pub type Tongue;
+
+    #[wasm_bindgen(method, getter)]
+    fn code(this: &Tongue) -> String;
+
+    #[wasm_bindgen(method)]
+    fn say(this: &Tongue, text: &str) -> String;
+}
+
 /// Analyses drops.
 #[wasm_bindgen(js_name = Analyst)]
 #[derive(Default)]
@@ -152,15 +165,31 @@ impl JsAnalyst {
         json(&self.0.analyse(&read(request)?)?)
     }
 
-    /// Draws a figure.
-    pub fn figure(&mut self, request: &str, name: &str) -> Result<String> {
-        json(&self.0.figure(&read(request)?, name)?)
+    /// Draws a figure; over that of the height, also a curve of height.
+    pub fn figure(
+        &mut self,
+        request: &str,
+        name: &str,
+        over: Option<String>,
+        tongue: &Tongue,
+    ) -> Result<String> {
+        let over: Option<HeightCurve> = over.as_deref().map(read).transpose()?;
+        let mut say = |text: &str| tongue.say(text);
+        let request = read(request)?;
+        json(&self.0.figure(&request, name, over.as_ref(), &mut say)?)
     }
 
     /// Draws the waveform from least and greatest sample of each step, one after the other.
-    pub fn waveform(&mut self, request: &str, extremes: &[f32], step_s: f64) -> Result<String> {
+    pub fn waveform(
+        &mut self,
+        request: &str,
+        extremes: &[f32],
+        step_s: f64,
+        tongue: &Tongue,
+    ) -> Result<String> {
         let envelope = envelope(extremes, step_s);
-        json(&self.0.waveform(&read(request)?, &envelope)?)
+        let mut say = |text: &str| tongue.say(text);
+        json(&self.0.waveform(&read(request)?, &envelope, &mut say)?)
     }
 
     /// The report as HTML; without extremes there is no sound.
@@ -170,9 +199,13 @@ impl JsAnalyst {
         extremes: &[f32],
         step_s: f64,
         made: Option<String>,
+        tongue: &Tongue,
     ) -> Result<String> {
         let sound = (!extremes.is_empty()).then(|| envelope(extremes, step_s));
-        self.0.report(&read(request)?, sound.as_ref(), made)
+        let mut say = |text: &str| tongue.say(text);
+        let language = (&*tongue.code(), &mut say as &mut Say<'_>);
+        self.0
+            .report(&read(request)?, sound.as_ref(), made, language)
     }
 
     /// The impacts as CSV.
@@ -321,13 +354,12 @@ pub fn paper_document() -> Result<String> {
     ))
 }
 
-/// The paper's figures.
+/// The paper's figures, in English as it is.
 #[wasm_bindgen(js_name = paperFigures)]
 pub fn paper_figures() -> Result<String> {
-    let figures = paper::figures()?;
-    let drawn: Vec<Drawn> = figures
-        .iter()
-        .map(|(name, figure)| analyst::drawn(name, figure))
+    let drawn: Vec<Drawn> = paper::figures()?
+        .into_iter()
+        .map(|(name, figure)| analyst::drawn(name, figure, &mut str::to_owned))
         .collect();
     json(&drawn)
 }

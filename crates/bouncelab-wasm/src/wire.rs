@@ -307,7 +307,7 @@ pub struct Series {
 }
 
 /// Height against time.
-#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(not(target_family = "wasm"), derive(TS))]
 pub struct HeightCurve {
     /// Times.

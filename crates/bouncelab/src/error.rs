@@ -1,5 +1,7 @@
 //! What can go wrong in the science.
 
+use std::ops::Range;
+
 /// The result of a calculation that can refuse its input.
 pub type Result<T> = std::result::Result<T, Error>;
 
@@ -92,6 +94,17 @@ pub enum Error {
         drops: usize,
     },
 
+    /// No frequency band that a detector watches lies in this range.
+    #[error(
+        "no band lies {range} Hz, at least by half; at this sample rate the bands are {bands} Hz"
+    )]
+    NoBand {
+        /// The range, as in "between 400 and 500".
+        range: String,
+        /// The bands that there are, as in "80 to 400, 400 to 1500".
+        bands: String,
+    },
+
     /// The data do not suffice for an inference, or it did not come to an end.
     #[error("{0}")]
     CannotInfer(String),
@@ -109,6 +122,21 @@ pub enum Error {
 }
 
 impl Error {
+    /// An [`Error::NoBand`] that lists the bands there are.
+    pub(crate) fn no_band(range_hz: &Range<f64>, bands_hz: &[Range<f64>]) -> Self {
+        let bands = bands_hz
+            .iter()
+            .map(|band| format!("{:.0} to {:.0}", band.start, band.end));
+        Self::NoBand {
+            range: if range_hz.end.is_finite() {
+                format!("between {} and {}", range_hz.start, range_hz.end)
+            } else {
+                format!("above {}", range_hz.start)
+            },
+            bands: bands.collect::<Vec<_>>().join(", "),
+        }
+    }
+
     /// An [`Error::UnknownName`] that offers the known name most like `name`.
     pub(crate) fn unknown_name(kind: &'static str, name: &str, known: &[&str]) -> Self {
         let likeness = |candidate: &&&str| strsim::jaro_winkler(name, candidate);

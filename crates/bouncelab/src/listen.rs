@@ -30,8 +30,10 @@
 //! # Ok::<(), bouncelab::Error>(())
 //! ```
 
+use crate::error::Result;
 use crate::onset::{self, Detector, Onset};
 use crate::train::{self, Found, NoDrop, Span};
+use std::ops::Range;
 
 /// No drop lasts longer than this many seconds: what is older is forgotten.
 const MEMORY_S: f64 = 120.0;
@@ -88,6 +90,21 @@ impl Heard {
 }
 
 impl Heard {
+    /// The band in which the impacts of all drops stand out most, by its number in
+    /// [`onset::bands_hz`], and by how many dB they do so in the middle; `None` without a drop.
+    pub fn clearest_band(&self) -> Option<(usize, f64)> {
+        let impacts = || self.found.trains.iter().flat_map(train::Train::impacts);
+        (0..onset::BANDS)
+            .filter_map(|band| {
+                let mut above_db: Vec<f32> = impacts()
+                    .map(|i| i.onset.band_levels_db[band] - i.onset.band_noise_db[band])
+                    .collect();
+                above_db.sort_by(f32::total_cmp);
+                Some((band, f64::from(*above_db.get(above_db.len() / 2)?)))
+            })
+            .max_by(|a, b| a.1.total_cmp(&b.1))
+    }
+
     /// What is odd about the recording as a whole, in words.
     pub fn remarks(&self) -> Vec<String> {
         let far = self.found.distant.iter().map(|train| {
@@ -112,7 +129,21 @@ impl Heard {
 impl Listener {
     /// A listener for this many channels (at least one) at this rate.
     pub fn new(sample_rate_hz: u32, channels: usize) -> Self {
-        let mut ears: Vec<Option<Ear>> = vec![Some(Ear::new(sample_rate_hz))];
+        Self::with(Detector::new(sample_rate_hz), sample_rate_hz, channels)
+    }
+
+    /// A listener that hears sounds only in the bands ([`onset::bands_hz`]) of which at least half
+    /// lies between these frequencies. It times them by their whole spectrum.
+    ///
+    /// # Errors
+    /// [`Error::NoBand`](crate::Error::NoBand) if there is none.
+    pub fn within(sample_rate_hz: u32, channels: usize, range_hz: &Range<f64>) -> Result<Self> {
+        let detector = Detector::within(sample_rate_hz, range_hz)?;
+        Ok(Self::with(detector, sample_rate_hz, channels))
+    }
+
+    fn with(detector: Detector, sample_rate_hz: u32, channels: usize) -> Self {
+        let mut ears: Vec<Option<Ear>> = vec![Some(Ear::new(detector, sample_rate_hz))];
         ears.resize_with(channels.max(1), || None);
         Self { ears }
     }
@@ -196,10 +227,10 @@ struct Ear {
 }
 
 impl Ear {
-    fn new(sample_rate_hz: u32) -> Self {
+    fn new(detector: Detector, sample_rate_hz: u32) -> Self {
         Self {
             sample_rate_hz: f64::from(sample_rate_hz),
-            detector: Detector::remembering(sample_rate_hz),
+            detector: detector.remembering(),
             onsets: Vec::new(),
             onsets_judged: 0,
             judged_s: 0.0,

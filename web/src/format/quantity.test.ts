@@ -41,3 +41,8 @@ test('a range ends where its uncertainty ends', () => {
 test('an uncertainty above ten rounds the digits before the point', () => {
   expect(uncertain(1234, 31, PLAIN, 'en')).toBe('1230 ± 30');
 });
+
+test('zero without an uncertainty is zero, whatever the digits asked for', () => {
+  expect(plain(0, PLAIN, 3, 'en')).toBe('0');
+  expect(plain(0, CENTIMETRE, 3, 'de')).toBe('0\u202fcm');
+});

@@ -46,21 +46,23 @@ export function fixed(value: number, decimals: number, language: string): string
     .replace('-', '\u2212');
 }
 
-/** A number that is written with a point already, in the manner of a language. */
+/** Numbers that are written with a point already, in the manner of a language; 1.2.3 is none. */
 export function localised(written: string, language: string): string {
   const point = (1.5).toLocaleString(language).charAt(1);
-  return written.replace(/(\d)\.(\d)/g, `$1${point}$2`);
+  return written.replace(/\d+(?:\.\d+)+/g, (number) =>
+    number.split('.').length === 2 ? number.replace('.', point) : number,
+  );
 }
 
 /** A share of one in per cent. */
 export const perCent = (share: number, language: string): string =>
   withUnit(fixed(100 * share, 0, language), PERCENT);
 
-/** A value without an uncertainty, in so many significant digits. */
+/** A value without an uncertainty, in so many significant digits; zero has none. */
 export function plain(value: number, unit: Unit, digits: number, language: string): string {
   const shown = value / unit.size;
-  const exponent = shown === 0 ? 0 : Math.floor(Math.log10(Math.abs(shown)));
-  return withUnit(fixed(shown, Math.max(0, digits - 1 - exponent), language), unit);
+  const decimals = shown === 0 ? 0 : digits - 1 - Math.floor(Math.log10(Math.abs(shown)));
+  return withUnit(fixed(shown, Math.max(0, decimals), language), unit);
 }
 
 /** A value with its uncertainty and unit, as in "94.6 ± 0.2 %". */

@@ -1,3 +1,4 @@
+import { ENGLISH } from '../format/tongue.ts';
 import { Connection, type Modules, type Port } from './connection.ts';
 import { LabError } from './error.ts';
 import type { Level, Spectrogram } from './protocol.ts';
@@ -9,6 +10,7 @@ import type {
   Demo,
   Drawn,
   DropMarks,
+  HeightCurve,
   PaperDocument,
   SceneRequest,
   Settings,
@@ -168,28 +170,46 @@ export class Lab {
     return result;
   }
 
-  /** Draws a figure of an analysis, as the program does, by a name from `Analysed.figures`. */
-  figure(request: AnalysisRequest, name: string): Promise<Drawn> {
-    return this.#back.call('figure', { request, name });
+  /**
+   * Draws a figure of an analysis, as the program does, by a name from `Analysed.figures`; over that of
+   * the height lies a curve, if one is given.
+   */
+  figure(
+    request: AnalysisRequest,
+    name: string,
+    language = ENGLISH,
+    over: HeightCurve | null = null,
+  ): Promise<Drawn> {
+    return this.#back.call('figure', { request, name, over, language });
   }
 
   /** Draws the waveform with its impacts, as the program does. */
-  async waveform(recording: Recording, request: AnalysisRequest): Promise<Drawn> {
+  async waveform(
+    recording: Recording,
+    request: AnalysisRequest,
+    language = ENGLISH,
+  ): Promise<Drawn> {
     const level = pictured(recording);
     if (level === null || recording.sound === null) {
       throw new LabError('empty', 'a list of times has no waveform');
     }
     const { sampleRateHz } = recording.sound;
-    return this.#back.call('waveform', { request, level, sampleRateHz });
+    return this.#back.call('waveform', { request, level, sampleRateHz, language });
   }
 
-  /** The report of an analysis as one HTML file, as the program writes it. */
-  report(recording: Recording, request: AnalysisRequest, made: Date): Promise<string> {
+  /** The report of an analysis as one HTML file, as the program writes it but for the language. */
+  report(
+    recording: Recording,
+    request: AnalysisRequest,
+    made: Date,
+    language = ENGLISH,
+  ): Promise<string> {
     return this.#back.call('report', {
       request,
       level: pictured(recording),
       sampleRateHz: recording.sound?.sampleRateHz ?? 1,
       made: made.toISOString().slice(0, 10),
+      language,
     });
   }
 

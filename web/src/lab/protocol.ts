@@ -1,3 +1,4 @@
+import type { Phrasebook } from '../format/tongue.ts';
 import type { LabRefusal } from './error.ts';
 import type {
   Analysed,
@@ -6,6 +7,7 @@ import type {
   Demo,
   Drawn,
   Heard,
+  HeightCurve,
   OnsetFound,
   PaperDocument,
   SceneRequest,
@@ -64,9 +66,22 @@ export interface Calls {
   };
   deafen: { take: { ear: number }; give: null };
   analyse: { take: { request: AnalysisRequest }; give: Analysed };
-  figure: { take: { request: AnalysisRequest; name: string }; give: Drawn };
+  figure: {
+    take: {
+      request: AnalysisRequest;
+      name: string;
+      over: HeightCurve | null;
+      language: Phrasebook;
+    };
+    give: Drawn;
+  };
   waveform: {
-    take: { request: AnalysisRequest; level: Level; sampleRateHz: number };
+    take: {
+      request: AnalysisRequest;
+      level: Level;
+      sampleRateHz: number;
+      language: Phrasebook;
+    };
     give: Drawn;
   };
   report: {
@@ -75,6 +90,7 @@ export interface Calls {
       level: Level | null;
       sampleRateHz: number;
       made: string;
+      language: Phrasebook;
     };
     give: string;
   };

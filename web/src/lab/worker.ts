@@ -4,6 +4,8 @@
  * Calls are answered one by one. If the science traps (a fault in it, or a file that breaks a
  * decoder), it must not be used again: the answer says so, and the page starts another worker.
  */
+
+import { Tongue } from '../format/tongue.ts';
 import * as decoding from './engine/decoders.js';
 import * as science from './engine/engine.js';
 import type { LabReason, LabRefusal } from './error.ts';
@@ -112,19 +114,26 @@ const handlers: Handlers = {
   },
 
   analyse: ({ request }) => ({ give: JSON.parse(analyst().analyse(JSON.stringify(request))) }),
-  figure: ({ request, name }) => ({
-    give: JSON.parse(analyst().figure(JSON.stringify(request), name)),
-  }),
-  waveform: ({ request, level, sampleRateHz }) => {
-    const stepS = level.samplesPerBin / sampleRateHz;
-    return {
-      give: JSON.parse(analyst().waveform(JSON.stringify(request), level.extremes, stepS)),
-    };
+  figure: ({ request, name, over, language }) => {
+    const laid = over && JSON.stringify(over);
+    const drawn = analyst().figure(JSON.stringify(request), name, laid, new Tongue(language));
+    return { give: JSON.parse(drawn) };
   },
-  report: ({ request, level, sampleRateHz, made }) => {
+  waveform: ({ request, level, sampleRateHz, language }) => {
+    const stepS = level.samplesPerBin / sampleRateHz;
+    const drawn = analyst().waveform(
+      JSON.stringify(request),
+      level.extremes,
+      stepS,
+      new Tongue(language),
+    );
+    return { give: JSON.parse(drawn) };
+  },
+  report: ({ request, level, sampleRateHz, made, language }) => {
     const stepS = (level?.samplesPerBin ?? 1) / sampleRateHz;
     const extremes = level?.extremes ?? new Float32Array();
-    return { give: analyst().report(JSON.stringify(request), extremes, stepS, made) };
+    const tongue = new Tongue(language);
+    return { give: analyst().report(JSON.stringify(request), extremes, stepS, made, tongue) };
   },
   rows: ({ request }) => ({ give: analyst().rows(JSON.stringify(request)) }),
 

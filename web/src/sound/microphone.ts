@@ -24,6 +24,9 @@ export class MicrophoneError extends Error {
   }
 }
 
+/** So long a browser may take to start, in milliseconds. */
+const PATIENCE_MS = 5000;
+
 /** An open microphone. */
 export interface Microphone {
   /** Samples a second, as the device really gives them. */
@@ -86,6 +89,19 @@ function faultOf(error: unknown): MicrophoneFault {
 
 async function tap(stream: MediaStream, events: MicrophoneEvents): Promise<Microphone> {
   const context = contextFor(stream);
+  try {
+    return await listenIn(context, stream, events);
+  } catch (error) {
+    await context.close();
+    throw error;
+  }
+}
+
+async function listenIn(
+  context: AudioContext,
+  stream: MediaStream,
+  events: MicrophoneEvents,
+): Promise<Microphone> {
   await context.audioWorklet.addModule(tapUrl);
   const source = context.createMediaStreamSource(stream);
   const node = new AudioWorkletNode(context, 'tap', { numberOfOutputs: 1 });
@@ -95,7 +111,7 @@ async function tap(stream: MediaStream, events: MicrophoneEvents): Promise<Micro
   for (const track of stream.getAudioTracks()) track.onended = () => events.lost();
   // A node that leads nowhere is not run by every browser; its output is silence.
   source.connect(node).connect(context.destination);
-  await context.resume();
+  await started(context);
   return {
     rateHz: context.sampleRate,
     close: async () => {
@@ -104,6 +120,15 @@ async function tap(stream: MediaStream, events: MicrophoneEvents): Promise<Micro
       await context.close();
     },
   };
+}
+
+/** Where nothing can be played, Firefox neither starts nor says why. */
+async function started(context: AudioContext): Promise<void> {
+  let clock: ReturnType<typeof setTimeout> | undefined;
+  const tooLong = new Promise<never>((_, reject) => {
+    clock = setTimeout(() => reject(new Error('the sound does not start')), PATIENCE_MS);
+  });
+  await Promise.race([context.resume(), tooLong]).finally(() => clearTimeout(clock));
 }
 
 /** At the device's own rate where it says so: resampling would move what the impacts look like. */

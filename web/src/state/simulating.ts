@@ -1,5 +1,5 @@
 /** A drop that does not exist: where the sliders stand, what follows, and the runs that were kept. */
-import { effect, signal } from '@preact/signals';
+import { computed, effect, signal } from '@preact/signals';
 import { note, parseRoute } from '../address/route.ts';
 import {
   type SimulationSetup,
@@ -10,7 +10,7 @@ import {
 import type { HeightCurve, SceneRequest, Simulated, SimulationRequest } from '../lab/index.ts';
 import { play } from '../sound/player.ts';
 import { texts } from '../text/language.ts';
-import { drop } from './bench.ts';
+import { chosenDrop, drop, type OnBench, onBench } from './bench.ts';
 import { catalogue, engine, messageOf } from './engine.ts';
 import { Latest } from './latest.ts';
 import { openSamples } from './opening.ts';
@@ -36,8 +36,19 @@ export const impossible = signal<string | null>(null);
 export const runs = signal<readonly Run[]>([]);
 const MOST_RUNS = 3;
 
-/** A run laid over the measurement, moved so that the first impacts coincide. */
-export const overlay = signal<HeightCurve | null>(null);
+/** A run, moved so that its first impact coincides with that of a measured drop. */
+interface Laid {
+  readonly over: OnBench;
+  readonly dropIndex: number;
+  readonly curve: HeightCurve;
+}
+
+const laid = signal<Laid | null>(null);
+/** The run laid over the measurement that is looked at; over another it would tell nothing. */
+export const overlay = computed(() => {
+  const isHere = laid.value?.over === onBench.value && laid.value?.dropIndex === chosenDrop.value;
+  return isHere ? (laid.value?.curve ?? null) : null;
+});
 
 /** The restitution of the slider is that at 1 m/s. */
 const AT_SPEED_M_S = 1;
@@ -131,6 +142,16 @@ export function layOver(): void {
   const curve = done?.curves[0];
   const first = done?.document.simulations[0]?.bounces[0]?.time_s;
   const heard = drop.peek()?.impacts[0]?.time_s;
-  if (!curve || first === undefined || heard === undefined) return;
-  overlay.value = { ...curve, time_s: curve.time_s.map((time) => time - first + heard) };
+  const over = onBench.peek();
+  if (!over || !curve || first === undefined || heard === undefined) return;
+  laid.value = {
+    over,
+    dropIndex: chosenDrop.peek(),
+    curve: { ...curve, time_s: curve.time_s.map((time) => time - first + heard) },
+  };
+}
+
+/** Takes it off again. */
+export function takeOff(): void {
+  laid.value = null;
 }

@@ -1,31 +1,15 @@
-/**
- * What the engine says in English, in the language of the page. A language lists templates in which
- * `{}` stands for whatever the engine put there; what no template knows stays English.
- */
-import { localised } from '../format/quantity.ts';
+/** What the science says, in the language of the page. */
+import { computed } from '@preact/signals';
+import { capital, type Phrasebook, Tongue } from '../format/tongue.ts';
 import { language, texts } from './language.ts';
 
-export function translated(english: string): string {
-  for (const [template, words] of Object.entries(texts.value.engine)) {
-    const parts = patternOf(template).exec(english);
-    if (parts) return filled(words, parts.slice(1));
-  }
-  return english.charAt(0).toUpperCase() + english.slice(1);
-}
+/** For what the engine writes: reports and figures. */
+export const phrasebook = computed<Phrasebook>(() => ({
+  code: language.value,
+  phrases: texts.value.engine,
+}));
 
-const patterns = new Map<string, RegExp>();
+const tongue = computed(() => new Tongue(phrasebook.value));
 
-function patternOf(template: string): RegExp {
-  const known = patterns.get(template);
-  if (known) return known;
-  const literal = template.split('{}').map((part) => part.replace(/[\\^$.*+?()[\]{}|]/g, '\\$&'));
-  const pattern = new RegExp(`^${literal.join('(.+?)')}$`);
-  patterns.set(template, pattern);
-  return pattern;
-}
-
-/** `{}` takes what the engine put there, in order. */
-function filled(words: string, values: readonly string[]): string {
-  let next = 0;
-  return words.replace(/\{\}/g, () => localised(values[next++] ?? '', language.value));
-}
+/** A sentence of its own. */
+export const translated = (english: string): string => capital(tongue.value.say(english));

@@ -1,16 +1,18 @@
 //! A file to the drops in it.
 
+use std::ops::Range;
 use std::path::Path;
 use std::time::Duration;
 
-use bouncelab::analysis::{self, Analysis, Impact, Settings};
+use bouncelab::analysis::{self, Analysis, Settings};
 use bouncelab::listen::{Envelope, Heard, Listener};
-use bouncelab::train::FEWEST_IMPACTS;
+use bouncelab::onset;
 use bouncelab_audio::{Input, Source};
 use bouncelab_report::document::{Document, Origin};
 use indicatif::{ProgressBar, ProgressStyle};
 use rayon::prelude::*;
 
+use super::edit::{Unanalysed, edit};
 use crate::doubt;
 use crate::failure::Failure;
 use crate::physics::Physics;
@@ -20,6 +22,8 @@ use crate::physics::Physics;
 pub(crate) struct Heeded {
     /// The channel to listen to, the first being 1.
     pub(crate) channel: Option<usize>,
+    /// The frequencies to listen to, in Hz.
+    pub(crate) band_hz: Option<Range<f64>>,
     /// Times of impacts to leave out.
     pub(crate) exclude_s: Vec<f64>,
     /// Times of impacts to add.
@@ -44,6 +48,16 @@ pub(crate) struct Hearing {
     pub(crate) warnings: Vec<String>,
     /// Loudness over time, if it is a recording.
     pub(crate) envelope: Option<Envelope>,
+    /// Where the impacts stand out most, if it is a recording with a drop.
+    pub(crate) clearest: Option<Clearest>,
+}
+
+/// A band in which impacts stand out of what went before.
+pub(crate) struct Clearest {
+    /// Its frequencies in Hz.
+    pub(crate) band_hz: Range<f64>,
+    /// By how much they do so, in dB.
+    pub(crate) above_db: f64,
 }
 
 impl Hearing {
@@ -75,23 +89,19 @@ pub(crate) fn hear(file: &Path, heeded: &Heeded, settings: &Settings) -> Result<
 
 /// A list of times is one drop: whoever made it has chosen.
 fn hear_times(name: String, times_s: &[f64], heeded: &Heeded, settings: &Settings) -> Hearing {
-    let mut drops = vec![analysis::impacts_of_times(times_s)];
-    let mut warnings = edit(&mut drops, heeded);
-    let no_drop = (drops.concat().len() < 2).then(|| analysis::TOO_FEW_TIMES.to_owned());
-    if no_drop.is_some() {
-        drops.clear();
-    }
-    let probabilities = vec![1.0; drops.len()];
-    let drops = analyze(drops, settings);
-    warnings.extend(doubts(&drops, settings));
+    let mut drops = vec![Unanalysed::by_hand(times_s)];
+    let mut warnings = edit(&mut drops, &heeded.exclude_s, &heeded.include_s);
+    drops.retain(Unanalysed::has_a_flight);
+    let no_drop = drops.is_empty().then(|| analysis::TOO_FEW_TIMES.to_owned());
     Hearing {
         name,
         origin: Origin::Times,
-        probabilities,
-        drops,
+        probabilities: drops.iter().map(|drop| drop.probability).collect(),
+        drops: analyze(drops, settings, &mut warnings),
         no_drop,
         warnings,
         envelope: None,
+        clearest: None,
     }
 }
 
@@ -109,7 +119,7 @@ fn hear_sound(
         channel: heeded.channel,
     };
     let (heard, warnings) = listen(source, heeded)?;
-    let edit = |drops: &mut Vec<Vec<Impact>>| edit(drops, heeded);
+    let edit = |drops: &mut Vec<_>| edit(drops, &heeded.exclude_s, &heeded.include_s);
     Ok(recording.hearing(heard, warnings, edit, settings))
 }
 
@@ -135,28 +145,18 @@ impl Recording {
         &self,
         heard: Heard,
         mut warnings: Vec<String>,
-        edit: impl FnOnce(&mut Vec<Vec<Impact>>) -> Vec<String>,
+        edit: impl FnOnce(&mut Vec<Unanalysed>) -> Vec<String>,
         settings: &Settings,
     ) -> Hearing {
         warnings.extend(heard.remarks());
-        let trains = &heard.found.trains;
-        let mut drops: Vec<Vec<Impact>> = trains
-            .iter()
-            .map(|train| train.impacts().iter().map(Impact::from).collect())
-            .collect();
-        let mut probabilities: Vec<f64> = trains
-            .iter()
-            .map(bouncelab::train::Train::probability)
-            .collect();
+        let trains = heard.found.trains.iter();
+        let mut drops: Vec<Unanalysed> = trains.map(Unanalysed::from).collect();
         warnings.extend(edit(&mut drops));
-        // A drop added by hand is as sure as the hand.
-        probabilities.resize(drops.len(), 1.0);
-        let no_drop = heard
-            .no_drop()
-            .filter(|_| drops.is_empty())
-            .map(|reason| reason.to_string());
-        let drops = analyze(drops, settings);
-        warnings.extend(doubts(&drops, settings));
+        drops.retain(Unanalysed::has_a_flight);
+        let no_drop = drops.is_empty().then(|| {
+            let reason = heard.no_drop().map(|reason| reason.to_string());
+            reason.unwrap_or_else(|| NOTHING_LEFT.to_owned())
+        });
         Hearing {
             name: self.name.clone(),
             origin: Origin::Sound {
@@ -167,22 +167,40 @@ impl Recording {
                 duration_s: heard.duration_s,
                 onsets: heard.onsets,
             },
-            probabilities,
-            drops,
+            probabilities: drops.iter().map(|drop| drop.probability).collect(),
+            drops: analyze(drops, settings, &mut warnings),
             no_drop,
             warnings,
+            clearest: self.clearest(&heard),
             envelope: Some(heard.envelope),
         }
     }
+
+    fn clearest(&self, heard: &Heard) -> Option<Clearest> {
+        let (band, above_db) = heard.clearest_band()?;
+        let band_hz = onset::bands_hz(self.sample_rate_hz).get(band)?.clone();
+        Some(Clearest { band_hz, above_db })
+    }
 }
 
-/// Analyses drops, side by side unless somebody hears recordings side by side already.
-fn analyze(drops: Vec<Vec<Impact>>, settings: &Settings) -> Vec<Analysis> {
-    let one = |impacts| analysis::analyze(impacts, settings);
-    if rayon::current_thread_index().is_some() {
-        return drops.into_iter().map(one).collect();
-    }
-    drops.into_par_iter().map(one).collect()
+/// Why there is no drop where one was heard.
+const NOTHING_LEFT: &str = "so many impacts of what was heard were left out that no flight is left";
+
+/// Analyses drops, side by side unless somebody hears recordings side by side already; doubts about
+/// what was stated go to the warnings.
+fn analyze(
+    drops: Vec<Unanalysed>,
+    settings: &Settings,
+    warnings: &mut Vec<String>,
+) -> Vec<Analysis> {
+    let one = |drop: Unanalysed| analysis::analyze(drop.impacts, settings);
+    let drops: Vec<Analysis> = if rayon::current_thread_index().is_some() {
+        drops.into_iter().map(one).collect()
+    } else {
+        drops.into_par_iter().map(one).collect()
+    };
+    warnings.extend(doubts(&drops, settings));
+    drops
 }
 
 /// What was stated that does not go with what was heard, once for each.
@@ -206,7 +224,11 @@ fn listen(mut source: Source, heeded: &Heeded) -> Result<(Heard, Vec<String>), F
     }
     let ears = channel.map_or(0..source.channels(), |channel| channel - 1..channel);
     let rate = f64::from(source.sample_rate_hz());
-    let mut listener = Listener::new(source.sample_rate_hz(), ears.len());
+    let mut listener = match &heeded.band_hz {
+        None => Listener::new(source.sample_rate_hz(), ears.len()),
+        Some(band_hz) => Listener::within(source.sample_rate_hz(), ears.len(), band_hz)
+            .map_err(|reason| Failure::Usage(format!("{}: {reason}", source.name())))?,
+    };
     let progress = progress(source.duration_s().filter(|_| !heeded.quiet));
     let mut frames = 0;
     while let Some(block) = source.next_block()? {
@@ -234,42 +256,4 @@ fn progress(duration_s: Option<f64>) -> ProgressBar {
     }
     bar.enable_steady_tick(Duration::from_millis(200));
     bar
-}
-
-/// Leaves out and adds impacts by hand: each in the drop in which, or nearest to which, it lies.
-fn edit(drops: &mut Vec<Vec<Impact>>, heeded: &Heeded) -> Vec<String> {
-    /// An impact farther than this from a drop, in seconds, does not belong to it.
-    const REACH_S: f64 = 2.0;
-    let mut include_s = heeded.include_s.clone();
-    let mut exclude_s = heeded.exclude_s.clone();
-    if include_s.is_empty() && exclude_s.is_empty() {
-        return Vec::new();
-    }
-    for impacts in drops.iter_mut().filter(|impacts| !impacts.is_empty()) {
-        let (start_s, end_s) = (impacts[0].time_s, impacts[impacts.len() - 1].time_s);
-        let near = start_s - REACH_S..=end_s + REACH_S;
-        let (own, others) = include_s
-            .iter()
-            .copied()
-            .partition::<Vec<f64>, _>(|t| near.contains(t));
-        include_s = others;
-        let (edited, unmatched) = analysis::edit(impacts, &exclude_s, &own);
-        *impacts = edited;
-        exclude_s = unmatched;
-    }
-    let mut warnings: Vec<String> = exclude_s
-        .iter()
-        .map(|time_s| format!("there is no impact within 20 ms of {time_s} s to leave out"))
-        .collect();
-    if include_s.len() >= FEWEST_IMPACTS - 2 {
-        include_s.sort_by(f64::total_cmp);
-        drops.push(analysis::impacts_of_times(&include_s));
-        drops.sort_by(|a, b| a[0].time_s.total_cmp(&b[0].time_s));
-    } else {
-        warnings.extend(include_s.iter().map(|time_s| {
-            format!("{time_s} s lies more than {REACH_S} s from any drop and was not added")
-        }));
-    }
-    drops.retain(|impacts| impacts.len() >= 2);
-    warnings
 }

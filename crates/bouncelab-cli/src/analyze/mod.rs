@@ -1,17 +1,19 @@
 //! `bouncelab analyze`: what recordings, or lists of impact times, say.
 
+mod edit;
 mod figures;
 mod hear;
 mod inference;
 mod report;
 mod text;
 
+pub(crate) use edit::Unanalysed;
 pub(crate) use figures::save_figures;
 pub(crate) use hear::{Hearing, Heeded, Recording, hear};
 pub(crate) use text::{report, shown};
 
 use std::io::{self, Write};
-use std::ops::RangeInclusive;
+use std::ops::{Range, RangeInclusive};
 use std::path::PathBuf;
 
 use bouncelab_report::document::{Document, rows};
@@ -50,13 +52,17 @@ pub(crate) struct Arguments {
     /// Listen to this channel only, the first being 1 (default: the one that tells most)
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
     channel: Option<u16>,
+    /// Listen for sounds between these frequencies only, in Hz, as in 400..6000 (default: all bands,
+    /// each against its own background)
+    #[arg(long, value_name = "LOW..HIGH", value_parser = frequency_range)]
+    band: Option<Range<f64>>,
     /// Leave out the impacts at these times, as in 1.234s,2.5s
     #[arg(long, value_name = "TIMES", value_delimiter = ',', value_parser = units::time)]
     exclude: Vec<f64>,
     /// Add impacts at these times
     #[arg(long, value_name = "TIMES", value_delimiter = ',', value_parser = units::time)]
     include: Vec<f64>,
-    /// Print also each flight and how sure each impact is
+    /// Print also each flight, how sure each impact is, and what was chosen in listening
     #[arg(long)]
     details: bool,
     #[command(flatten)]
@@ -93,6 +99,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let physics = physics(&arguments.physics, &arguments.knowledge, arguments.flights)?;
     let heeded = Heeded {
         channel: arguments.channel.map(usize::from),
+        band_hz: arguments.band.clone(),
         exclude_s: arguments.exclude.clone(),
         include_s: arguments.include.clone(),
         quiet: false,
@@ -240,9 +247,35 @@ pub(crate) fn flight_range(text: &str) -> Result<(usize, usize), String> {
     Ok((first, last))
 }
 
+/// Reads `400..6000`, `..6000` or `400..`, in Hz.
+fn frequency_range(text: &str) -> Result<Range<f64>, String> {
+    let wrong = || format!("\"{text}\" is no range of frequencies in Hz; write it as in 400..6000");
+    let number = |part: &str, otherwise: f64| match part {
+        "" => Ok(otherwise),
+        _ => part.parse().map_err(|_| wrong()),
+    };
+    let (low, high) = text.split_once("..").ok_or_else(wrong)?;
+    let range = number(low, 0.0)?..number(high, f64::INFINITY)?;
+    if range.start < range.end {
+        Ok(range)
+    } else {
+        Err(wrong())
+    }
+}
+
 #[cfg(test)]
 mod tests {
-    use super::flight_range;
+    use super::{flight_range, frequency_range};
+
+    #[test]
+    fn frequency_ranges_may_be_open() {
+        assert_eq!(frequency_range("400..6000"), Ok(400.0..6000.0));
+        assert_eq!(frequency_range("..6000"), Ok(0.0..6000.0));
+        assert_eq!(frequency_range("400.."), Ok(400.0..f64::INFINITY));
+        for wrong in ["400", "6000..400", "1..1", "a..b", "nan..5", ""] {
+            assert!(frequency_range(wrong).is_err(), "{wrong}");
+        }
+    }
 
     #[test]
     fn flight_ranges_include_both_ends() {

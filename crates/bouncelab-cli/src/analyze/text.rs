@@ -7,7 +7,7 @@ use bouncelab::regression::Estimate;
 use bouncelab_report::document::Origin;
 use bouncelab_report::{CANNOT_TELL, Quantity, Unit, tables};
 
-use super::hear::Hearing;
+use super::hear::{Clearest, Hearing};
 use super::inference;
 use crate::physics::Physics;
 
@@ -15,6 +15,9 @@ use crate::physics::Physics;
 pub(crate) fn report(hearing: &Hearing, physics: &Physics, details: bool) -> String {
     let mut text = String::new();
     line(&mut text, &headline(hearing));
+    if details && let Some(choice) = listening(hearing) {
+        line(&mut text, &format!("  {choice}"));
+    }
     for (index, drop) in hearing.drops.iter().enumerate() {
         line(&mut text, "");
         line(&mut text, &drop_headline(hearing, index));
@@ -85,6 +88,20 @@ fn headline(hearing: &Hearing) -> String {
             )
         }
     }
+}
+
+/// What was chosen in listening.
+fn listening(hearing: &Hearing) -> Option<String> {
+    let Origin::Sound { onsets, .. } = &hearing.origin else {
+        return None;
+    };
+    let Clearest { band_hz, above_db } = hearing.clearest.as_ref()?;
+    let impacts: usize = hearing.drops.iter().map(|drop| drop.impacts.len()).sum();
+    Some(format!(
+        "{onsets} sounds stand out of the background and {impacts} impacts were heard, clearest from \
+         {:.0} to {:.0} Hz, {above_db:.0} dB above the sound before them (--channel, --band).",
+        band_hz.start, band_hz.end,
+    ))
 }
 
 fn drop_headline(hearing: &Hearing, index: usize) -> String {

@@ -14,7 +14,7 @@ use super::sound::{Arrival, Sound};
 use super::stop::Stop;
 use super::watch::{self, Watch};
 use super::{Arguments, Format, summary};
-use crate::analyze::{self, Hearing, Recording};
+use crate::analyze::{self, Hearing, Recording, Unanalysed};
 use crate::failure::Failure;
 use crate::physics::Physics;
 
@@ -215,10 +215,9 @@ impl<'a> Session<'a> {
     fn tell(&mut self, heard: Heard, warnings: Vec<String>) -> Result<(), Failure> {
         let train = heard.found.trains[0].clone();
         let gaps = &self.gaps;
-        let cut = |drops: &mut Vec<_>| {
-            let words = gaps.cut(drops);
-            drops.retain(|impacts| impacts.len() >= 2);
-            words
+        let cut = |drops: &mut Vec<Unanalysed>| {
+            let cut = drops.iter_mut().map(|drop| gaps.cut(&mut drop.impacts));
+            cut.flatten().collect()
         };
         let settings = &self.physics.settings;
         let mut hearing = self.recording.hearing(heard, warnings, cut, settings);

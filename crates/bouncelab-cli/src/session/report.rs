@@ -3,7 +3,7 @@
 use bouncelab::groups::Study;
 use bouncelab_report::Figure;
 use bouncelab_report::document::{AboutSession, Reason};
-use bouncelab_report::report::{Block, Page, Provenance, Section, repeat};
+use bouncelab_report::report::{Block, Language, Page, Provenance, Section, repeat};
 
 use super::figures;
 use super::notes::some_of;
@@ -43,6 +43,7 @@ pub(super) fn page(outcome: &Outcome<'_>, results: &Results<'_>) -> Result<Page,
         subtitle: format!("Report of bouncelab {}, {made}", env!("CARGO_PKG_VERSION")),
         lead: lead(outcome, about),
         sections,
+        language: Language::default(),
     })
 }
 

@@ -118,6 +118,31 @@ pub(super) fn trend_table(outcome: &Outcome<'_>, study: &Study) -> Table {
     table
 }
 
+/// Restitution of each group at several speeds.
+pub(super) fn law_table(outcome: &Outcome<'_>, study: &Study) -> Table {
+    let mut table = Table::new([
+        ("group", Align::Left),
+        ("speed m/s", Align::Right),
+        ("drops", Align::Right),
+        ("restitution", Align::Right),
+        ("95 % interval", Align::Right),
+    ]);
+    for group in &study.groups {
+        for (speed_m_s, mean) in &group.law {
+            let shown = restitution(mean);
+            let interval = |ends| shown.interval(ends);
+            table.row([
+                outcome.group_name(&group.levels),
+                format!("{speed_m_s:.3}"),
+                mean.drops.to_string(),
+                shown.to_string(),
+                mean.interval95.map_or_else(String::new, interval),
+            ]);
+        }
+    }
+    table
+}
+
 /// 95 % intervals of the groups.
 pub(super) fn interval_table(outcome: &Outcome<'_>, study: &Study) -> Table {
     let mut table = Table::new([

@@ -4,7 +4,7 @@ use std::fmt::Write;
 
 use bouncelab::groups::{Difference, Study};
 use bouncelab_report::document::{AboutSession, Reason};
-use bouncelab_report::{Align, CANNOT_TELL, Quantity, Table, Unit};
+use bouncelab_report::{CANNOT_TELL, Table};
 
 use super::outcome::Outcome;
 use super::tables;
@@ -102,7 +102,8 @@ impl Page {
             self.table(&tables::trend_table(outcome, study));
         }
         if details {
-            self.law(outcome, study);
+            self.line("\nRestitution against impact speed, pooled over the drops that know it:\n");
+            self.table(&tables::law_table(outcome, study));
         }
         if !study.outliers.is_empty() {
             self.line("\nThese do not belong to their group; is what was noted of them right?\n");
@@ -160,31 +161,6 @@ impl Page {
             let more = differences.len() - most;
             self.line(&format!("  and {more} more (--details)"));
         }
-    }
-
-    fn law(&mut self, outcome: &Outcome<'_>, study: &Study) {
-        self.line("\nRestitution against impact speed, pooled over the drops that know it:\n");
-        let mut table = Table::new([
-            ("group", Align::Left),
-            ("speed m/s", Align::Right),
-            ("drops", Align::Right),
-            ("restitution", Align::Right),
-            ("95 % interval", Align::Right),
-        ]);
-        for group in &study.groups {
-            for (speed_m_s, mean) in &group.law {
-                let shown = Quantity::measured(mean.value, mean.standard_error, Unit::Number);
-                table.row([
-                    outcome.group_name(&group.levels),
-                    format!("{speed_m_s:.3}"),
-                    mean.drops.to_string(),
-                    shown.to_string(),
-                    mean.interval95
-                        .map_or_else(String::new, |ends| shown.interval(ends)),
-                ]);
-            }
-        }
-        self.table(&table);
     }
 
     fn troubles(&mut self, outcome: &Outcome<'_>, details: bool) {

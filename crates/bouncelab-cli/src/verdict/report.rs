@@ -5,7 +5,7 @@ use bouncelab::rulebook::{Limits, Rebound, Requirement, Status};
 use bouncelab_report::Figure;
 use bouncelab_report::figure::{self, Judged};
 use bouncelab_report::report::{
-    Block, Page, Provenance, Section, method, repeat, shared_conditions,
+    Block, Language, Page, Provenance, Section, method, repeat, shared_conditions,
 };
 
 use super::{Told, tables, text};
@@ -33,6 +33,7 @@ pub(super) fn page(told: &Told<'_>, hashes: Vec<(String, String)>) -> Page {
             method(),
             repeat(&provenance),
         ],
+        language: Language::default(),
     }
 }
 

@@ -50,7 +50,6 @@ pub fn bounce_heights(bounces: &[BounceHeight]) -> Figure {
     }
     Figure::new(
         sheet,
-        HEIGHTS,
         "Every bounce keeps about the same share of the height before it, so that the points lie near a \
          straight line.",
     )
@@ -111,7 +110,6 @@ pub fn bounce_energies(losses: &[BounceLoss]) -> Figure {
     }
     Figure::new(
         sheet,
-        ENERGIES,
         "What each impact takes, and on top of it what the air takes in the flight after it: the faster \
          the ball, the larger the share of the air.",
     )

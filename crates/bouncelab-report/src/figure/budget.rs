@@ -1,7 +1,7 @@
 //! Where an uncertainty comes from.
 
 use super::Figure;
-use crate::canvas::{Anchor, Rect, Style, shortened};
+use crate::canvas::{Anchor, Rect, Style};
 use crate::sheet::Sheet;
 use crate::theme::{self, Meaning};
 
@@ -46,7 +46,7 @@ pub fn budget(budgets: &[Budget]) -> Figure {
     for (quantity, sources) in &groups {
         let mut style = Style::new(theme::LABEL_SIZE, theme::INK, Anchor::Start);
         style.bold = true;
-        sheet.canvas.text((16.0, y + 18.0), quantity, style);
+        sheet.canvas.text((16.0, y + 18.0), *quantity, style);
         y += HEADING;
         for source in sources {
             bar(&mut sheet, y, source);
@@ -55,7 +55,6 @@ pub fn budget(budgets: &[Budget]) -> Figure {
     }
     Figure::new(
         sheet,
-        TITLE,
         "Each bar is a source's share of the variance: to know the ball better, improve what is on \
          top.",
     )
@@ -83,8 +82,10 @@ fn bar(sheet: &mut Sheet, y: f64, source: &Source) {
     const LEFT: f64 = 200.0;
     const RIGHT: f64 = 560.0;
     let name = Style::new(theme::TICK_SIZE, theme::SOFT_INK, Anchor::End);
-    let text = shortened(&source.name, theme::TICK_SIZE, LEFT - 30.0);
-    sheet.canvas.text((LEFT - 10.0, y + 15.0), &text, name);
+    let place = (LEFT - 10.0, y + 15.0);
+    sheet
+        .canvas
+        .text_within(LEFT - 30.0, place, source.name.as_str(), name);
     let bar = Rect {
         left: LEFT,
         top: y + 3.0,
@@ -105,7 +106,5 @@ fn bar(sheet: &mut Sheet, y: f64, source: &Source) {
     } else {
         format!("{percent:.0} %")
     };
-    sheet
-        .canvas
-        .text((bar.right + 8.0, y + 15.0), &text, number);
+    sheet.canvas.text((bar.right + 8.0, y + 15.0), text, number);
 }

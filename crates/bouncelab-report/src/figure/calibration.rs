@@ -78,7 +78,6 @@ pub fn calibration(histograms: &[RankHistogram]) -> Figure {
     }
     Figure::new(
         sheet,
-        TITLE,
         "Flat bars: intervals hold as often as they say. A hill would mean intervals too wide, a \
          valley too narrow, a slope a bias.",
     )

@@ -77,7 +77,6 @@ pub fn corner(parameters: &[CornerParameter]) -> Figure {
     }
     Figure::new(
         sheet,
-        TITLE,
         "A round cloud: the data tell the two quantities apart. A tilted one: what is added to one \
          can be taken from the other. A histogram as wide as the grey curve: the data told nothing.",
     )

@@ -98,7 +98,6 @@ pub fn cut(series: &[CutSeries], quantity: &str, truth: Option<f64>) -> Figure {
     }
     Figure::new(
         sheet,
-        TITLE,
         "A model that is right gives the same answer however many flights it uses; the answer of a \
          straight line moves, because it knows no air.",
     )

@@ -55,7 +55,7 @@ pub fn drag(curves: &[Curve], axes: DragAxes, fastest_m_s: Option<f64>) -> Figur
     for (curve, pen) in curves.iter().zip(pens) {
         panel.curve(&mut sheet.canvas, &curve.points, pen);
     }
-    Figure::new(sheet, TITLE, caption(axes, fastest))
+    Figure::new(sheet, caption(axes, fastest))
 }
 
 /// A vertical line at the fastest speed, with its name beside it at the top, where the curves
@@ -75,7 +75,7 @@ fn draw_fastest(sheet: &mut Sheet, panel: &Panel, fastest_m_s: f64) {
         (x + 8.0, Anchor::Start)
     };
     let style = Style::new(theme::LABEL_SIZE, Meaning::Measured.colour(), anchor);
-    sheet.canvas.text((place, top + 15.0), &name, style);
+    sheet.canvas.text((place, top + 15.0), name, style);
 }
 
 fn speed(speed_m_s: f64) -> Quantity {

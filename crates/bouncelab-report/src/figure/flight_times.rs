@@ -77,7 +77,7 @@ pub fn flight_times(flights: &[TimedFlight], line: Option<Line>) -> Figure {
     let Some(line) = line else {
         let panel = Panel::fill(&mut sheet, &x, &y, 0.0);
         draw_flights(&mut sheet, &panel, &flights, time);
-        return Figure::new(sheet, TITLE, caption(&flights, None));
+        return Figure::new(sheet, caption(&flights, None));
     };
     let off_line = |flight: &TimedFlight| {
         let number = f64::from(flight.number);
@@ -94,7 +94,7 @@ pub fn flight_times(flights: &[TimedFlight], line: Option<Line>) -> Figure {
     let pen = Pen::solid(Meaning::NoDrag.colour(), LINE);
     below.level(&mut sheet.canvas, 0.0, pen);
     draw_flights(&mut sheet, &below, &flights, off_line);
-    Figure::new(sheet, TITLE, caption(&flights, Some(line)))
+    Figure::new(sheet, caption(&flights, Some(line)))
 }
 
 /// Shows zero and the flights used, with as much room again for the others.

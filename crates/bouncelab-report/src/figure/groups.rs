@@ -87,7 +87,7 @@ pub fn groups(groups: &[GroupLaw]) -> Figure {
     for (place, group) in shown.iter().enumerate() {
         mean(&panel, &mut sheet, place, group);
     }
-    Figure::new(sheet, TITLE, caption(groups.len()))
+    Figure::new(sheet, caption(groups.len()))
 }
 
 fn band(panel: &Panel, sheet: &mut Sheet, place: usize, group: &GroupLaw) {

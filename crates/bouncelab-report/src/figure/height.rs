@@ -56,7 +56,7 @@ pub fn height(curves: &[Curve], apexes: &[(f64, f64)]) -> Figure {
         };
         panel.point(&mut sheet.canvas, point, Swatch::Dot(colour));
     }
-    Figure::new(sheet, TITLE, caption(curves.len(), !apexes.is_empty()))
+    Figure::new(sheet, caption(curves.len(), !apexes.is_empty()))
 }
 
 fn caption(curves: usize, apexes: bool) -> String {

@@ -47,7 +47,6 @@ pub fn intervals(title: &str, groups: &[GroupInterval], quantity: &str) -> Figur
     }
     Figure::new(
         rows.sheet,
-        title,
         "Where the strong bars of two groups are far apart, the groups differ; where one lies within \
          the other's pale bar, single drops cannot tell them apart.",
     )

@@ -69,7 +69,6 @@ pub fn limits(
     }
     Figure::new(
         rows.sheet,
-        title,
         "A value whose bar lies between the limits is within them with a probability of 95 % or more.",
     )
 }

@@ -90,5 +90,5 @@ pub fn listening(hearing: Hearing, curves: &[Curve]) -> Figure {
     for (curve, pen) in curves.iter().zip(pens) {
         panel.curve(&mut sheet.canvas, &curve.points, pen);
     }
-    Figure::new(sheet, hearing.title(), hearing.caption())
+    Figure::new(sheet, hearing.caption())
 }

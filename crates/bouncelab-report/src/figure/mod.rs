@@ -40,7 +40,8 @@ pub use restitution::{BandPoint, Restitution, restitution};
 pub use run_chart::{RunPoint, run_chart};
 pub use waveform::{Envelope, Mark, SURE, waveform};
 
-use crate::canvas::{Canvas, Dash, Pen};
+use crate::canvas::{Dash, Pen};
+use crate::language::{Say, said};
 use crate::scale::Scale;
 use crate::sheet::{KeyEntry, Sheet, Swatch};
 use crate::theme::Meaning;
@@ -53,16 +54,14 @@ pub const MAX_WIDTH_PX: u32 = 8000;
 /// A drawn figure.
 #[derive(Debug)]
 pub struct Figure {
-    canvas: Canvas,
-    title: String,
+    sheet: Sheet,
     caption: String,
 }
 
 impl Figure {
-    fn new(sheet: Sheet, title: &str, caption: impl Into<String>) -> Self {
+    fn new(sheet: Sheet, caption: impl Into<String>) -> Self {
         Self {
-            canvas: sheet.canvas,
-            title: title.to_owned(),
+            sheet,
             caption: caption.into(),
         }
     }
@@ -71,12 +70,12 @@ impl Figure {
     fn empty(height: f64, title: &str, reason: &str) -> Self {
         let mut sheet = Sheet::new(height, title);
         sheet.message(reason);
-        Self::new(sheet, title, reason)
+        Self::new(sheet, reason)
     }
 
     /// The title, which also stands on the figure.
     pub fn title(&self) -> &str {
-        &self.title
+        self.sheet.title()
     }
 
     /// One sentence that says what to see in it.
@@ -84,15 +83,21 @@ impl Figure {
         &self.caption
     }
 
+    /// Says every word of it in another language. Where the words need more room, the figure grows.
+    pub fn translate(&mut self, say: &mut Say<'_>) {
+        said(&mut self.caption, say);
+        self.sheet.translate(say);
+    }
+
     /// Width and height of the drawing in figure pixels: its natural size on a page.
     pub fn size(&self) -> (f64, f64) {
-        (self.canvas.width(), self.canvas.height())
+        self.sheet.size()
     }
 
     /// The figure as SVG, which scales to any size; the caption is its description for those
     /// who cannot see it.
     pub fn svg(&self) -> String {
-        self.canvas.svg(&self.title, &self.caption)
+        self.sheet.drawn().svg(self.title(), &self.caption)
     }
 
     /// The figure as a PNG picture of the given width in pixels.
@@ -107,12 +112,11 @@ impl Figure {
         if !(MIN_WIDTH_PX..=MAX_WIDTH_PX).contains(&width_px) {
             return Err(crate::Error::PictureWidth { width_px });
         }
-        self.canvas
-            .png(width_px)
-            .map_err(|problem| crate::Error::Picture {
-                title: self.title.clone(),
-                problem,
-            })
+        let drawn = self.sheet.drawn().png(width_px);
+        drawn.map_err(|problem| crate::Error::Picture {
+            title: self.title().to_owned(),
+            problem,
+        })
     }
 }
 

@@ -1,7 +1,7 @@
 //! Which law may be true, and what each says.
 
 use super::Figure;
-use crate::canvas::{Anchor, Pen, Rect, Style, shortened};
+use crate::canvas::{Anchor, Pen, Rect, Style};
 use crate::scale::Scale;
 use crate::sheet::{Measured, Panel, Sheet, Swatch};
 use crate::theme::{self, Meaning};
@@ -68,7 +68,6 @@ pub fn models(models: &[ModelWeight], quantity: &str) -> Figure {
     }
     Figure::new(
         sheet,
-        TITLE,
         "The longer the bar, the more probable the law; where no bar wins, the answer is an average \
          over all of them.",
     )
@@ -78,8 +77,9 @@ fn name_and_bar(sheet: &mut Sheet, middle: f64, model: &ModelWeight) {
     const LEFT: f64 = 230.0;
     const LENGTH: f64 = 110.0;
     let style = Style::new(theme::TICK_SIZE, theme::INK, Anchor::Start);
-    let name = shortened(&model.name, theme::TICK_SIZE, LEFT - 26.0);
-    sheet.canvas.text((16.0, middle + 4.5), &name, style);
+    let place = (16.0, middle + 4.5);
+    let name = model.name.as_str();
+    sheet.canvas.text_within(LEFT - 26.0, place, name, style);
     let right = LEFT + LENGTH * model.weight.clamp(0.0, 1.0);
     let corners = [
         (LEFT, middle - 8.0),
@@ -89,5 +89,5 @@ fn name_and_bar(sheet: &mut Sheet, middle: f64, model: &ModelWeight) {
     ];
     sheet.canvas.area(&corners, Meaning::Drag.colour());
     let text = format!("{:.1} %", model.weight * 100.0);
-    sheet.canvas.text((right + 6.0, middle + 4.5), &text, style);
+    sheet.canvas.text((right + 6.0, middle + 4.5), text, style);
 }

@@ -79,7 +79,6 @@ pub fn residuals(residuals: &[Residual]) -> Figure {
     }
     Figure::new(
         sheet,
-        TITLE,
         "Two of three impacts should lie in the dark band, 19 of 20 in the light one; one far \
          outside hit an edge, or is no impact.",
     )

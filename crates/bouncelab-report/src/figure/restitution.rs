@@ -139,11 +139,7 @@ pub fn restitution(
         };
         panel.point(&mut sheet.canvas, impact.into(), swatch);
     }
-    Figure::new(
-        sheet,
-        TITLE,
-        caption(!raw.is_empty() && !corrected.is_empty()),
-    )
+    Figure::new(sheet, caption(!raw.is_empty() && !corrected.is_empty()))
 }
 
 fn draw_band(panel: &Panel, sheet: &mut Sheet, band: &[BandPoint], pen: Pen) {

@@ -1,6 +1,6 @@
 //! What figures with one named row for each value have in common.
 
-use crate::canvas::{Anchor, Rect, Style, shortened};
+use crate::canvas::{Anchor, Rect, Style};
 use crate::scale::Scale;
 use crate::sheet::{Panel, Sheet};
 use crate::theme;
@@ -60,13 +60,11 @@ impl Rows {
     pub(super) fn name(&mut self, row: usize, name: &str, below: Option<&str>) {
         let middle = TOP + self.height * (row as f64 + 0.5);
         let style = Style::new(theme::TICK_SIZE, theme::INK, Anchor::Start);
-        let text = shortened(name, theme::TICK_SIZE, LEFT - 28.0);
-        let Some(below) = below else {
-            self.sheet.canvas.text((16.0, middle + 4.0), &text, style);
-            return;
-        };
-        self.sheet.canvas.text((16.0, middle - 1.0), &text, style);
+        let canvas = &mut self.sheet.canvas;
+        let up = if below.is_some() { -1.0 } else { 4.0 };
+        canvas.text_within(LEFT - 28.0, (16.0, middle + up), name, style);
+        let Some(below) = below else { return };
         let soft = Style::new(theme::TICK_SIZE - 1, theme::SOFT_INK, Anchor::Start);
-        self.sheet.canvas.text((16.0, middle + 13.0), below, soft);
+        canvas.text((16.0, middle + 13.0), below, soft);
     }
 }

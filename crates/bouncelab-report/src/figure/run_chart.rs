@@ -96,7 +96,6 @@ pub fn run_chart(points: &[RunPoint], groups: &[String], limit: Option<f64>) -> 
     }
     Figure::new(
         sheet,
-        TITLE,
         "Each drop less the median of its group, in order: a slope or a step means that ball, surface \
          or air have changed on the way.",
     )

@@ -160,7 +160,7 @@ pub fn waveform(sound: &Envelope, marks: &[Mark]) -> Figure {
     draw_marks(&mut sheet, &panel, &marks, unit);
     draw_sound(&mut sheet, &panel, sound, unit);
     draw_numbers(&mut sheet, &panel, &marks, unit, &drops);
-    Figure::new(sheet, TITLE, caption(marks.len(), uncertain, drops.len()))
+    Figure::new(sheet, caption(marks.len(), uncertain, drops.len()))
 }
 
 fn is_sure(mark: &Mark) -> bool {
@@ -275,36 +275,58 @@ fn draw_marks(sheet: &mut Sheet, panel: &Panel, marks: &[Mark], unit: TimeUnit) 
 fn draw_numbers(sheet: &mut Sheet, panel: &Panel, marks: &[Mark], unit: TimeUnit, drops: &[usize]) {
     let frame = panel.frame;
     let style = Style::new(theme::TICK_SIZE, theme::SOFT_INK, Anchor::Middle);
+    let trains: Vec<(usize, Vec<f64>)> = drops
+        .iter()
+        .map(|&drop| {
+            let train = marks
+                .iter()
+                .filter(|mark| mark.drop == drop)
+                .map(|mark| panel.at((mark.time_s / unit.seconds, 0.0)).0)
+                .filter(|x| (frame.left..=frame.right).contains(x));
+            (drop, train.collect::<Vec<f64>>())
+        })
+        .filter(|(_, train)| !train.is_empty())
+        .collect();
     let mut free = f64::NEG_INFINITY;
-    for &drop in drops {
-        let train: Vec<f64> = marks
-            .iter()
-            .filter(|mark| mark.drop == drop)
-            .map(|mark| panel.at((mark.time_s / unit.seconds, 0.0)).0)
-            .filter(|x| (frame.left..=frame.right).contains(x))
-            .collect();
-        let (Some(&first), Some(&last)) = (train.first(), train.last()) else {
-            continue;
-        };
+    for (index, (drop, train)) in trains.iter().enumerate() {
         let mut taken = free;
-        for (number, x) in numbers(&train) {
+        for (number, x) in numbers(train) {
             let half = text_width(&number, style.size) / 2.0 + 2.0;
             if x - half > taken {
-                sheet.canvas.text((x, frame.top - 16.0), &number, style);
+                sheet.canvas.text((x, frame.top - 16.0), number, style);
                 taken = x + half;
             }
         }
         if drops.len() > 1 {
             let name = format!("drop {drop}");
             let half = text_width(&name, style.size) / 2.0 + 2.0;
-            let middle = f64::midpoint(first, last);
+            let middle = middle(train);
             if middle - half > free {
-                sheet.canvas.text((middle, frame.top - 34.0), &name, style);
+                // Longer words of another language end where those of the neighbours begin.
+                let before = index
+                    .checked_sub(1)
+                    .map(|i| middle - self::middle(&trains[i].1));
+                let after = trains
+                    .get(index + 1)
+                    .map(|next| self::middle(&next.1) - middle);
+                let room = before
+                    .into_iter()
+                    .chain(after)
+                    .fold(f64::INFINITY, f64::min);
+                let place = (middle, frame.top - 34.0);
+                sheet
+                    .canvas
+                    .text_within(room.max(2.0 * half), place, name, style);
                 taken = taken.max(middle + half);
             }
         }
         free = taken;
     }
+}
+
+/// The middle between the first and the last impact of a drop.
+fn middle(train: &[f64]) -> f64 {
+    f64::midpoint(train[0], train[train.len() - 1])
 }
 
 /// The numbers worth showing, each with its place: the first, every fifth and the last, or

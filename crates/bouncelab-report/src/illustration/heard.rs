@@ -134,16 +134,28 @@ pub fn flown(drop: &Analysis, settings: &Settings) -> Flown {
 
 /// The height of each flight by the flight model, from impact to impact.
 pub fn height(drop: &Analysis, settings: &Settings) -> Figure {
+    height_with(drop, settings, None)
+}
+
+/// The same with a simulation of the reader laid over it: time in s, in that of the recording, and
+/// height in m.
+pub fn height_with(
+    drop: &Analysis,
+    settings: &Settings,
+    simulation: Option<Vec<(f64, f64)>>,
+) -> Figure {
     let Flown { points, apexes } = flown(drop, settings);
+    let curve = |name: String, points| Curve {
+        name,
+        meaning: Meaning::Drag,
+        points,
+    };
     let name = format!("flight model, drag {}", settings.environment.drag);
-    figure::height(
-        &[Curve {
-            name,
-            meaning: Meaning::Drag,
-            points,
-        }],
-        &apexes,
-    )
+    let simulation = simulation.map(|points| curve("your simulation".to_owned(), points));
+    let curves: Vec<Curve> = std::iter::once(curve(name, points))
+        .chain(simulation)
+        .collect();
+    figure::height(&curves, &apexes)
 }
 
 /// The height of each bounce: with the air taken into account where that can be done, else as if there

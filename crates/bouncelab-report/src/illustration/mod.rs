@@ -24,7 +24,7 @@ use bouncelab::analysis::{Analysis, Settings};
 pub use air::{drag, drag_curves, drag_log};
 pub use heard::{
     BounceEnergy, Flown, bounce_energies, bounce_heights, energies, flight_times, flown, height,
-    restitution, waveform,
+    height_with, restitution, waveform,
 };
 pub use inferred::{budget, corner, cut, models, residuals};
 

@@ -5,7 +5,7 @@
 
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 
-use super::page::{Block, Page, Section};
+use super::page::{Block, Language, Page, Section};
 use crate::figure::Figure;
 use crate::table::{Align, Table};
 
@@ -17,10 +17,14 @@ const POLICY: &str = "default-src 'none'; style-src 'unsafe-inline'; img-src dat
 impl Page {
     /// The page as a whole file.
     pub fn html(&self) -> String {
-        let mut form = Form::default();
+        let mut form = Form {
+            language: &self.language,
+            sections: 0,
+            figures: 0,
+        };
         let page = html! {
             (DOCTYPE)
-            html lang="en" {
+            html lang=(self.language.code) {
                 head {
                     meta charset="utf-8";
                     meta http-equiv="Content-Security-Policy" content=(POLICY);
@@ -52,14 +56,14 @@ impl Page {
 /// A table of so many rows stays on one page.
 const SHORT: usize = 16;
 
-/// What is counted while a page is written.
-#[derive(Default)]
-struct Form {
+/// What is known and counted while a page is written.
+struct Form<'a> {
+    language: &'a Language,
     sections: usize,
     figures: usize,
 }
 
-impl Form {
+impl Form<'_> {
     fn section(&mut self, section: &Section, level: usize) -> Markup {
         self.sections += 1;
         let id = format!("section-{}", self.sections);
@@ -76,7 +80,9 @@ impl Form {
         match block {
             Block::Lead(words) => html! { p .first { (words) } },
             Block::Text(words) => html! { p { (words) } },
-            Block::Note(words) => html! { p .note { strong { "Note. " } (words) } },
+            Block::Note(words) => {
+                html! { p .note { strong { (self.language.note) ". " } (words) } }
+            }
             Block::List(items) => html! { ul { @for item in items { li { (item) } } } },
             Block::Facts(facts) => html! {
                 dl { @for (name, value) in facts { div { dt { (name) } dd { (value) } } } }
@@ -95,7 +101,7 @@ impl Form {
         html! {
             figure id={ "figure-" (self.figures) } {
                 (PreEscaped(figure.svg()))
-                figcaption { b { "Figure " (self.figures) ". " } (figure.caption()) }
+                figcaption { b { (self.language.figure) " " (self.figures) ". " } (figure.caption()) }
             }
         }
     }

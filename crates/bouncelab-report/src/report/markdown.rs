@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::fmt::Write;
 
-use super::page::{Block, Page, Section};
+use super::page::{Block, Language, Page, Section};
 use crate::figure::Figure;
 use crate::table::{Align, Table};
 
@@ -21,6 +21,7 @@ impl Page {
     /// beside itself.
     pub fn markdown(&self, folder: &str) -> Markdown {
         let mut form = Form {
+            language: &self.language,
             folder: folder.to_owned(),
             text: String::new(),
             figures: Vec::new(),
@@ -41,7 +42,8 @@ impl Page {
     }
 }
 
-struct Form {
+struct Form<'a> {
+    language: &'a Language,
     folder: String,
     text: String,
     figures: Vec<(String, String)>,
@@ -49,7 +51,7 @@ struct Form {
     names: BTreeMap<String, usize>,
 }
 
-impl Form {
+impl Form<'_> {
     /// Something with an empty line after it.
     fn block(&mut self, text: &str) {
         if !self.text.is_empty() {
@@ -74,7 +76,10 @@ impl Form {
         match block {
             Block::Lead(words) => self.block(&format!("**{}**", escaped(words))),
             Block::Text(words) => self.block(&escaped(words)),
-            Block::Note(words) => self.block(&format!("> **Note.** {}", escaped(words))),
+            Block::Note(words) => {
+                let note = escaped(&self.language.note);
+                self.block(&format!("> **{note}.** {}", escaped(words)));
+            }
             Block::List(items) => {
                 let rows: Vec<String> = items
                     .iter()
@@ -112,8 +117,9 @@ impl Form {
         };
         let number = self.figures.len() + 1;
         let caption = escaped(figure.caption());
+        let word = escaped(&self.language.figure);
         self.block(&format!(
-            "![{}](<{}>)\n\n*Figure {number}. {caption}*",
+            "![{}](<{}>)\n\n*{word} {number}. {caption}*",
             escaped(figure.title()),
             path.replace(['<', '>', '\n'], "-")
         ));

@@ -2,6 +2,7 @@
 
 use super::equation::Equation;
 use crate::figure::Figure;
+use crate::language::{Say, said};
 use crate::table::Table;
 
 /// A document to read: what it says, not how it looks.
@@ -18,6 +19,47 @@ pub struct Page {
     pub lead: Vec<Block>,
     /// The rest.
     pub sections: Vec<Section>,
+    /// The language of all this.
+    pub language: Language,
+}
+
+/// A language, and the words that stand on a page because of its form.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Language {
+    /// Its code, as in "en" or "de-AT".
+    pub code: String,
+    /// What stands before something to be careful with.
+    pub note: String,
+    /// What stands before the number of a figure.
+    pub figure: String,
+}
+
+/// English.
+impl Default for Language {
+    fn default() -> Self {
+        Self {
+            code: "en".to_owned(),
+            note: "Note".to_owned(),
+            figure: "Figure".to_owned(),
+        }
+    }
+}
+
+impl Page {
+    /// Says everything in another language, whose code is given, but for the title, which is a name,
+    /// and code.
+    pub fn translate(&mut self, code: &str, say: &mut Say<'_>) {
+        code.clone_into(&mut self.language.code);
+        said(&mut self.language.note, say);
+        said(&mut self.language.figure, say);
+        said(&mut self.subtitle, say);
+        for block in &mut self.lead {
+            block.translate(say);
+        }
+        for section in &mut self.sections {
+            section.translate(say);
+        }
+    }
 }
 
 /// A heading and what belongs to it.
@@ -38,6 +80,16 @@ impl Section {
             heading: heading.into(),
             blocks,
             parts: Vec::new(),
+        }
+    }
+
+    fn translate(&mut self, say: &mut Say<'_>) {
+        said(&mut self.heading, say);
+        for block in &mut self.blocks {
+            block.translate(say);
+        }
+        for part in &mut self.parts {
+            part.translate(say);
         }
     }
 
@@ -92,6 +144,25 @@ impl Block {
         Self::Table {
             caption: caption.into(),
             table,
+        }
+    }
+
+    fn translate(&mut self, say: &mut Say<'_>) {
+        match self {
+            Self::Lead(words) | Self::Text(words) | Self::Note(words) => said(words, say),
+            Self::List(items) => items.iter_mut().for_each(|item| said(item, say)),
+            Self::Facts(facts) => {
+                for (name, value) in facts {
+                    said(name, say);
+                    said(value, say);
+                }
+            }
+            Self::Table { caption, table } => {
+                said(caption, say);
+                table.translate(say);
+            }
+            Self::Figure { figure, .. } => figure.translate(say),
+            Self::Equation(_) | Self::Code(_) => {}
         }
     }
 

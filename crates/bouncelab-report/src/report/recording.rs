@@ -6,7 +6,7 @@ use bouncelab::estimate::Summary;
 use super::conditions::conditions;
 use super::drop::{drop, in_words, measured};
 use super::method::method;
-use super::page::{Block, Page, Section, sentence};
+use super::page::{Block, Language, Page, Section, sentence};
 use super::subject::{Provenance, Recording};
 use crate::illustration;
 use crate::quantity::{CANNOT_TELL, Unit};
@@ -35,6 +35,7 @@ pub fn of_recording(recording: &Recording, provenance: &Provenance) -> Page {
         subtitle: subtitle(provenance),
         lead: lead(recording),
         sections,
+        language: Language::default(),
     }
 }
 

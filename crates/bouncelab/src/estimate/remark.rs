@@ -262,9 +262,11 @@ fn heard_height_m(posterior: &Posterior, law: LawKind, surroundings: usize) -> O
             release_s: None,
             ..posterior.knowledge.clone()
         },
+        observed: posterior.observed.clone(),
+        surroundings: posterior.surroundings.clone(),
         candidates: Vec::new(),
         draws: Vec::new(),
-        ..posterior.clone()
+        ..*posterior
     };
     let model = without.model_of(law, surroundings, 0);
     let mut evaluator = Evaluator::new(&model);

@@ -36,7 +36,11 @@ pub(super) type FrameEnergies = [[f32; FRAME_HOPS]; BANDS];
 pub(super) struct FilterBank {
     /// How many bands lie below the Nyquist frequency; the rest have no energy.
     pub(super) bands: usize,
-    /// Width of each band in Hz.
+    /// Where each band begins and ends, in Hz.
+    pub(super) edges_hz: [(f64, f64); BANDS],
+    /// Whether what rises in each band counts.
+    pub(super) watched: [bool; BANDS],
+    /// Width of each band in Hz, as noise fills it.
     pub(super) width_hz: [f64; BANDS],
     /// Share of the power of white noise that falls in each band.
     pub(super) share: [f64; BANDS],
@@ -59,6 +63,8 @@ impl FilterBank {
         let hop = cells << halvings;
         let mut bank = Self {
             bands: 0,
+            edges_hz: [(0.0, 0.0); BANDS],
+            watched: [true; BANDS],
             width_hz: [1.0; BANDS],
             share: [0.0; BANDS],
             hop,
@@ -82,6 +88,7 @@ impl FilterBank {
                 break;
             }
             self.bands = band + 1;
+            self.edges_hz[band] = (low_hz, high_hz);
             self.width_hz[band] = high_hz - low_hz;
             self.share[band] = (high_hz - low_hz) / (rate_hz / 2.0);
             self.low.set(band, low_hz / rate_hz, high_hz / rate_hz);
@@ -95,16 +102,28 @@ impl FilterBank {
             if band >= BANDS {
                 break;
             }
-            let width_hz = STEADINESS * sample_rate_hz / f64::from(4 << level);
+            let octave_hz = sample_rate_hz / f64::from(4 << level);
             if level == halvings || band > LOW {
-                self.width_hz[band] = width_hz;
+                self.edges_hz[band] = (octave_hz, 2.0 * octave_hz);
+                self.width_hz[band] = STEADINESS * octave_hz;
             } else {
-                self.width_hz[band] += width_hz;
+                self.edges_hz[band].1 = 2.0 * octave_hz;
+                self.width_hz[band] += STEADINESS * octave_hz;
             }
             self.share[band] += octaves::WHITE_SHARE / f64::from(1 << level);
             self.levels.push((level, band));
             self.bands = band + 1;
         }
+    }
+
+    /// Watches only the bands of which at least half lies between these frequencies in Hz; whether
+    /// there are any.
+    pub(super) fn watch(&mut self, low_hz: f64, high_hz: f64) -> bool {
+        for (watched, edges_hz) in self.watched.iter_mut().zip(self.edges_hz) {
+            let inside_hz = edges_hz.1.min(high_hz) - edges_hz.0.max(low_hz);
+            *watched = low_hz < high_hz && inside_hz >= 0.5 * (edges_hz.1 - edges_hz.0);
+        }
+        self.watched[..self.bands].contains(&true)
     }
 
     /// Samples of a frame.
@@ -287,6 +306,28 @@ mod tests {
             // Two octaves below a band less than -46 dB is left.
             assert!(response(1100.0, rate)[3] < 10f32.powf(-4.6));
         }
+    }
+
+    #[test]
+    fn a_tone_is_in_the_band_whose_edges_lie_around_it() {
+        for rate in [8000.0, 22_050.0, 44_100.0, 48_000.0] {
+            let bank = FilterBank::new(rate);
+            for band in 0..bank.bands {
+                let (low_hz, high_hz) = bank.edges_hz[band];
+                let energies = response((low_hz * high_hz).sqrt(), rate);
+                // Half of it where two octaves make the band.
+                assert!(energies[band] > 0.45, "{rate} band {band}: {energies:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn bands_that_lie_mostly_in_a_range_are_watched() {
+        let mut bank = FilterBank::new(44_100.0);
+        assert!(bank.watch(300.0, 9000.0));
+        assert_eq!(bank.watched, [false, true, true, true, false]);
+        assert!(!bank.watch(300.0, 310.0));
+        assert!(!bank.watch(f64::NAN, f64::NAN));
     }
 
     #[test]

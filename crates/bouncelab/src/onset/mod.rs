@@ -42,11 +42,13 @@ mod pick;
 pub use bands::BANDS;
 pub(crate) use history::History;
 
+use crate::error::{Error, Result};
 use bands::{FRAME_HOPS, FilterBank};
 use floor::QuantisationStep;
 use novelty::{HopEnergies, Novelty};
 use pick::Picker;
 use std::borrow::Cow;
+use std::ops::Range;
 
 /// A candidate for an impact.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -88,6 +90,19 @@ impl Onset {
 /// White noise hardly ever makes a candidate stronger than this.
 const STANDS_OUT: f64 = 2.0;
 
+/// The bands that are watched at this sample rate, low to high, in Hz.
+///
+/// ```
+/// let bands_hz = bouncelab::onset::bands_hz(48_000);
+/// assert_eq!(bands_hz[0], 80.0..400.0);
+/// assert_eq!(bands_hz[4], 12_000.0..24_000.0);
+/// ```
+pub fn bands_hz(sample_rate_hz: u32) -> Vec<Range<f64>> {
+    let bank = FilterBank::new(f64::from(sample_rate_hz.max(1)));
+    let edges_hz = bank.edges_hz[..bank.bands].iter();
+    edges_hz.map(|&(low_hz, high_hz)| low_hz..high_hz).collect()
+}
+
 /// A candidate is the strongest moment this far to both sides.
 const SPACING_S: f64 = 0.006;
 /// The bar for a candidate. White noise reaches it about once a second, other backgrounds more often.
@@ -125,7 +140,23 @@ impl Detector {
     /// A detector for samples at this rate.
     pub fn new(sample_rate_hz: u32) -> Self {
         let sample_rate_hz = f64::from(sample_rate_hz.max(1));
-        let bank = FilterBank::new(sample_rate_hz);
+        Self::with(FilterBank::new(sample_rate_hz), sample_rate_hz)
+    }
+
+    /// A detector that watches only the bands of which at least half lies between these frequencies.
+    ///
+    /// # Errors
+    /// [`Error::NoBand`] if there is none.
+    pub fn within(sample_rate_hz: u32, range_hz: &Range<f64>) -> Result<Self> {
+        let mut bank = FilterBank::new(f64::from(sample_rate_hz.max(1)));
+        if bank.watch(range_hz.start, range_hz.end) {
+            Ok(Self::with(bank, f64::from(sample_rate_hz.max(1))))
+        } else {
+            Err(Error::no_band(range_hz, &bands_hz(sample_rate_hz)))
+        }
+    }
+
+    fn with(bank: FilterBank, sample_rate_hz: f64) -> Self {
         let hop_s = bank.hop as f64 / sample_rate_hz;
         Self {
             sample_rate_hz,
@@ -144,11 +175,11 @@ impl Detector {
         }
     }
 
-    /// A detector that forgets no sample by itself.
-    pub(crate) fn remembering(sample_rate_hz: u32) -> Self {
+    /// The same detector, which forgets no sample by itself.
+    pub(crate) fn remembering(self) -> Self {
         Self {
             remembers: true,
-            ..Self::new(sample_rate_hz)
+            ..self
         }
     }
 

@@ -44,7 +44,8 @@ struct Band {
     /// Hops after and before a moment that are compared.
     after: usize,
     before: usize,
-    /// Standard deviation of the logarithm of the energy ratio of stationary noise.
+    /// Standard deviation of the logarithm of the energy ratio of stationary noise; infinite if no
+    /// rise counts here.
     chance: f64,
     /// Share of the power of white noise in this band.
     share: f64,
@@ -87,10 +88,15 @@ impl HopEnergies {
                 // Noise of bandwidth B has 2 B t degrees of freedom in a time t.
                 let freedom = 2.0 * bank.width_hz[band] * hop_s;
                 let variance = |hops: usize| 2.0 / (freedom * hops as f64);
+                let chance = (variance(after[band]) + variance(before[band])).sqrt();
                 Band {
                     after: after[band],
                     before: before[band],
-                    chance: (variance(after[band]) + variance(before[band])).sqrt(),
+                    chance: if bank.watched[band] {
+                        chance
+                    } else {
+                        f64::INFINITY
+                    },
                     share: bank.share[band],
                     floor: Quantile::new(FLOOR_QUANTILE, hops(FLOOR_S, hop_s) / FLOOR_HOPS),
                     quiet: 0.0,

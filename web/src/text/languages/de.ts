@@ -476,6 +476,7 @@ const deutsch: Texts = {
     hear: 'Anhören',
     stop: 'Stopp',
     lay: 'Über die Messung legen',
+    takeOff: 'Nicht mehr über die Messung legen',
     laid: 'Er liegt jetzt über der Messung, in der Abbildung „Vergleich“.',
     analyse: 'Auswerten, als wäre er echt',
     runs: 'Läufe',
@@ -685,7 +686,7 @@ const deutsch: Texts = {
     'impacts before the first one heard were missed, with probability {}':
       'Mit der Wahrscheinlichkeit {} fehlen Aufpralle vor dem ersten gehörten.',
     'the drop height is of the fall before the first impact heard; with the measured height (--height) missed impacts would show':
-      'Die Fallhöhe ist die vor dem ersten gehörten Aufprall; mit einer gemessenen Höhe (unter „ändern“) fielen verpasste Aufpralle auf.',
+      'Die Fallhöhe ist die vor dem ersten gehörten Aufprall; mit einer gemessenen Höhe fielen verpasste Aufpralle auf.',
     'these flight times say next to nothing about drag: the drag coefficient is what is known of spheres':
       'Diese Flugzeiten sagen fast nichts über den Luftwiderstand: Der Beiwert ist, was man von Kugeln weiß.',
     'drag and falling restitution cannot be told apart from this recording; a measured drop height or a denser ball would':
@@ -731,13 +732,13 @@ const deutsch: Texts = {
       'Der Ball wiegt {} kg und verdrängt {} kg Luft, er schwebt also; prüfe Masse und Durchmesser.',
     'the ball still rises {} m after {} bounces; lower the restitution, stop at a greater height, or ask for at most {} bounces':
       'Der Ball steigt noch {} m nach {} Sprüngen; senke die Stoßzahl, oder begnüge dich mit {} Sprüngen.',
-    '{} is {}; it must be {}': '{} ist {}; es muss so sein: {}',
-    'drag coefficient': 'Widerstandsbeiwert',
+    '{} is {}; it must be {}': '{} ist {}; erlaubt ist: {}',
+    'drag coefficient': 'Wider\u00adstands\u00adbeiwert',
     'slope of restitution': 'Gefälle der Stoßzahl',
     'scatter of restitution': 'Streuung der Stoßzahl',
     'errors of the times': 'Fehler der Zeiten',
     'contact time': 'Kontaktzeit',
-    gravity: 'Fallbeschleunigung',
+    gravity: 'Fall\u00adbeschleu\u00adnigung',
     'The numbers of the paper': 'Die Zahlen des Aufsatzes',
     'Restitution, time and distance without drag': 'Stoßzahl, Zeit und Weg ohne Luftwiderstand',
     'Equations as printed, and as they must be':
@@ -759,7 +760,7 @@ const deutsch: Texts = {
     'drag over weight at 2.4 m/s, C_D(Re)': 'Luftwiderstand durch Gewicht bei 2,4 m/s, C_D(Re)',
     'the paper read its curve off a figure': 'der Aufsatz las seine Kurve aus einer Abbildung ab',
     'terminal speed, C_D(Re)': 'Endgeschwindigkeit, C_D(Re)',
-    'the same': 'ebenso',
+    'the same': 'dasselbe',
     'e by the rule book, steel, least': 'e nach dem Regelbuch, Stahl, kleinstes',
     'e by the rule book, steel, most': 'e nach dem Regelbuch, Stahl, größtes',
     'e by the rule book, table, least': 'e nach dem Regelbuch, Tisch, kleinstes',
@@ -775,10 +776,9 @@ const deutsch: Texts = {
     'h0 by Eq. 6 as printed: g 10^b/8': 'h₀ nach Gl. 6 wie gedruckt: g 10^b/8',
     '10^b = 2 v0/g must be squared': '10^b = 2 v₀/g gehört quadriert',
     'h0 by Eq. 6 corrected: g (10^b)^2/8': 'h₀ nach Gl. 6 berichtigt: g (10^b)²/8',
-    'Eq. 13 at the first impact': 'Gl. 13 beim ersten Aufprall',
+    'Eq. {} at the first impact': 'Gl. {} beim ersten Aufprall',
     'the drop height: its left side is the distance y, not v':
       'die Fallhöhe: links steht der Weg y, nicht v',
-    'Eq. 14 at the first impact': 'Gl. 14 beim ersten Aufprall',
     'e = 0.935 with drag (Fig. 8) regresses to':
       'e = 0,935 mit Luftwiderstand (Abb. 8) gibt als Gerade',
     'Fig. 8 takes the drag into account twice': 'Abb. 8 rechnet den Luftwiderstand doppelt',
@@ -799,6 +799,355 @@ const deutsch: Texts = {
       'der Auftrieb allein 1,4 %; jede Höhe schrumpft mit',
     'time until rest with drag, e = {}': 'Zeit bis zur Ruhe mit Luftwiderstand, e = {}',
     'path until rest with drag, e = {}': 'Weg bis zur Ruhe mit Luftwiderstand, e = {}',
+    // Der Bericht.
+    Note: 'Hinweis',
+    Figure: 'Abbildung',
+    'Report of bouncelab {}, {}': 'Bericht von bouncelab {}, {}',
+    'The drop': 'Der Versuch',
+    'Drop {} of {}': 'Versuch {} von {}',
+    'The drops': 'Die Versuche',
+    'No drop was found: {}': 'Kein springender Ball gehört: {}',
+    'nothing in it bounces': 'Nichts darin springt.',
+    '{} drops with {} impacts were heard': '{} Versuche mit {} Aufprallen wurden gehört.',
+    'The ball kept {} of its speed at each bounce and fell from {} before the first impact heard':
+      'Der Ball behielt bei jedem Aufprall {} seines Tempos und fiel vor dem ersten gehörten Aufprall aus {} Höhe.',
+    'The ball kept {} of its speed at each bounce and fell from {}':
+      'Der Ball behielt bei jedem Aufprall {} seines Tempos und fiel aus {} Höhe.',
+    'The ball kept {} of its speed at each bounce':
+      'Der Ball behielt bei jedem Aufprall {} seines Tempos.',
+    'If there were no air, the ball kept {} of its speed at each bounce and fell from {}':
+      'Gäbe es keine Luft, hätte der Ball bei jedem Aufprall {} seines Tempos behalten und wäre aus {} Höhe gefallen.',
+    'How much the ball kept cannot tell: {}':
+      'Wie viel der Ball behielt, lässt sich nicht sagen: {}',
+    '{} impacts were heard from {} s to {} s, {}. The restitution, speed after an impact over speed before it, is {} at {}, with the air accounted for':
+      '{} Aufpralle wurden von {} s bis {} s gehört, {}. Die Stoßzahl, Tempo nach dem Aufprall durch Tempo davor, ist {} bei {}, die Luft herausgerechnet.',
+    '1 impacts were heard from {} s to {} s, {}': '1 Aufprall wurde von {} s bis {} s gehört, {}.',
+    '{} impacts were heard from {} s to {} s, {}':
+      '{} Aufpralle wurden von {} s bis {} s gehört, {}.',
+    'none of them uncertain': 'keiner davon unsicher',
+    'one of them uncertain': 'einer davon unsicher',
+    '{0} of them uncertain': '{} davon unsicher',
+    'A straight line through the logarithms of the flight times, which knows no air, says {} ({}) and {}':
+      'Eine Gerade durch die Logarithmen der Flugzeiten, die keine Luft kennt, sagt {} ({}) und {}.',
+    '{} points less': '{} Prozentpunkte weniger',
+    '{} points more': '{} Prozentpunkte mehr',
+    'What the silences say, and what a straight line makes of them':
+      'Was die Stille sagt, und was eine Gerade daraus macht',
+    'There is no inference: {}': 'Es gibt keine Schätzung: {}',
+    'inference, with air': 'Schätzung, mit Luft',
+    'straight line, no air': 'Gerade, ohne Luft',
+    'restitution e': 'Stoßzahl e',
+    restitution: 'Stoßzahl',
+    'drop height': 'Fallhöhe',
+    'energy kept': 'behaltene Energie',
+    'terminal speed': 'Endgeschwindigkeit',
+    'scatter from impact to impact': 'Streuung von Aufprall zu Aufprall',
+    'release until rest': 'vom Loslassen bis zur Ruhe',
+    'path until rest': 'Weg bis zur Ruhe',
+    'cannot tell': 'nicht zu sagen',
+    'The impacts': 'Die Aufpralle',
+    'Impacts, each with the flight after it and its restitution, without and with correction for drag (? marks uncertain ones)':
+      'Aufpralle, jeder mit dem Flug danach und seiner Stoßzahl, ohne Luft gerechnet und mit ihr (? heißt unsicher)',
+    'The straight line': 'Die Gerade',
+    'It goes through {} flights, with a coefficient of determination of {}':
+      'Sie geht durch {} Flüge, mit einem Bestimmtheitsmaß von {}.',
+    'It goes through {} flights': 'Sie geht durch {} Flüge.',
+    'There is none: {}': 'Es gibt keine: {}',
+    'Where the uncertainty comes from': 'Woher die Unsicherheit kommt',
+    'Budget of the restitution': 'Beiträge zur Unsicherheit der Stoßzahl',
+    'Budget of the drop height': 'Beiträge zur Unsicherheit der Fallhöhe',
+    'Which laws may be true': 'Welche Gesetze wahr sein können',
+    'Laws of equal probability before the data': 'Gesetze, vor den Daten gleich wahrscheinlich',
+    'What this recording can tell': 'Was diese Aufnahme sagen kann',
+    'Correlations of the answers': 'Korrelationen der Antworten',
+    '{}: these data say next to nothing; it is what was known before':
+      '{}: Diese Daten sagen fast nichts darüber; es bleibt bei dem, was man vorher wusste.',
+    '{}: the data help a little; {} % of the prior uncertainty is left':
+      '{}: Die Daten helfen ein wenig; {} % der vorigen Unsicherheit bleiben.',
+    '{}: told by the data; {} % of the prior uncertainty is left':
+      '{}: Das sagen die Daten; {} % der vorigen Unsicherheit bleiben.',
+    'How well it fits': 'Wie gut es passt',
+    'The impacts as the inference has them, with the energy each took and its weight in the fit':
+      'Die Aufpralle, wie die Schätzung sie sieht, mit der Energie, die jeder nahm, und seinem Gewicht darin',
+    'The sampling is worth {} independent draws; its Pareto shape is {} (good below 0.7)':
+      'Die Stichprobe ist {} unabhängige Ziehungen wert; ihre Pareto-Form ist {} (gut unter 0,7).',
+    'A method that is right does not change its answer with the number of flights it uses:':
+      'Ein richtiges Verfahren sagt dasselbe, wie viele Flüge es auch benutzt:',
+    'Conditions and assumptions': 'Bedingungen und Annahmen',
+    'Nobody stated these, so they were assumed:':
+      'Das hat niemand angegeben, darum ist es angenommen:',
+    'Before it saw the data, the inference knew this:':
+      'Ehe sie die Daten sah, wusste die Schätzung dies:',
+    'The air at these speeds': 'Die Luft bei diesem Tempo',
+    'To repeat this': 'Um das zu wiederholen',
+    'Version {} of bouncelab gives the same numbers from the same file and settings; the random numbers of the inference have a seed':
+      'Version {} von bouncelab gibt aus derselben Datei und denselben Einstellungen dieselben Zahlen; die Zufallszahlen der Schätzung haben einen festen Startwert.',
+    // Das Verfahren.
+    Method: 'Verfahren',
+    'A ball is heard only when it hits. The silence between two impacts is a flight, and its length T tells the height h of the flight, nearly independently of the air:':
+      'Einen Ball hört man nur, wenn er aufprallt. Die Stille zwischen zwei Aufprallen ist ein Flug, und ihre Dauer T sagt die Höhe h des Flugs, fast unabhängig von der Luft:',
+    'If each impact kept the same share e of the speed and there were no air, the logarithms of the flight times would lie on a straight line against the number n of the impact. Its slope gives the restitution e and its intercept b the drop height (Nagurka, Eqs. 4 and 6):':
+      'Behielte jeder Aufprall denselben Anteil e des Tempos und gäbe es keine Luft, so lägen die Logarithmen der Flugzeiten über der Nummer n des Aufpralls auf einer Geraden. Ihre Steigung gibt die Stoßzahl e, ihr Achsenabschnitt b die Fallhöhe (Nagurka, Gl. 4 und 6):',
+    'The air takes speed as well, and pushes and carries the ball a little. With mass m, volume V and cross-section A of the ball, density ρ of the air, and a drag coefficient that follows the Reynolds number, the velocity v changes as':
+      'Auch die Luft nimmt Tempo, und sie trägt den Ball ein wenig und bewegt sich mit ihm. Mit Masse m, Volumen V und Querschnitt A des Balls, Dichte ρ der Luft und einem Widerstandsbeiwert, der der Reynolds-Zahl folgt, ändert sich die Geschwindigkeit v so:',
+    'From each flight time follows the speed v at which the ball left the surface and the speed v′ at which it came back, and from two neighbouring flights the restitution of the impact between them:':
+      'Aus jeder Flugzeit folgt, mit welchem Tempo v der Ball den Untergrund verließ und mit welchem Tempo v′ er wiederkam, und aus zwei benachbarten Flügen die Stoßzahl des Aufpralls zwischen ihnen:',
+    "Two kinds of noise are kept apart: impacts scatter by a share σₑ of their restitution, and times have errors σₜ, which neighbouring impacts share through the derivatives J. Odd impacts count less (Student's t)":
+      'Zweierlei Rauschen wird getrennt: Aufpralle streuen um einen Anteil σₑ ihrer Stoßzahl, und Zeiten haben Fehler σₜ, die benachbarte Aufpralle über die Ableitungen J teilen. Aufpralle, die aus der Reihe fallen, zählen weniger (Student-t).',
+    'The inference weighs all values θ of what is unknown, under every restitution law and drag law M, by how well they explain the times t and by what was known before. Each quantity is stated as the median of that, ± its standard deviation; an interval of 95 % holds the truth with that probability if the assumptions hold':
+      'Die Schätzung wägt alle Werte θ dessen, was unbekannt ist, unter jedem Gesetz M von Stoßzahl und Luftwiderstand: danach, wie gut sie die Zeiten t erklären, und nach dem, was man vorher wusste. Von jeder Größe steht der Median da, ± ihre Standardabweichung; ein Bereich von 95 % enthält die Wahrheit mit dieser Wahrscheinlichkeit, wenn die Annahmen stimmen.',
+    'References:': 'Literatur:',
+    '{}: the standard drag curve': '{}: die übliche Kurve des Luftwiderstands',
+    '{}: the scatter of impacts': '{}: die Streuung der Aufpralle',
+    // Womit gehört wurde und was bekannt war.
+    Source: 'Quelle',
+    'a list of impact times': 'eine Liste von Aufprallzeiten',
+    '{}, {} kHz, {} s': '{}, {} kHz, {} s',
+    microphone: 'Mikrofon',
+    Channel: 'Kanal',
+    'Sounds above the noise': 'Laute über dem Rauschen',
+    Ball: 'Ball',
+    Mass: 'Masse',
+    Diameter: 'Durchmesser',
+    'Density of the air': 'Dichte der Luft',
+    'Drag law': 'Widerstandsgesetz',
+    'Buoyancy and added mass': 'Auftrieb und mitbewegte Luft',
+    'both taken into account': 'beide berücksichtigt',
+    'buoyancy only': 'nur der Auftrieb',
+    'added mass only': 'nur mitbewegte Luft',
+    'left out': 'weggelassen',
+    'Measured drop height': 'Gemessene Fallhöhe',
+    'Release, in the recording': 'Loslassen, in der Aufnahme',
+    Sampling: 'Stichprobe',
+    '{} draws, seed {}': '{} Ziehungen, Startwert {}',
+    'table tennis 40+': 'Tischtennis 40+',
+    'table tennis 38 mm (to 2000)': 'Tischtennis 38 mm (bis 2000)',
+    tennis: 'Tennis',
+    'football, size 5': 'Fußball, Größe 5',
+    'basketball, size 7': 'Basketball, Größe 7',
+    golf: 'Golf',
+    squash: 'Squash',
+    racquetball: 'Racquetball',
+    pickleball: 'Pickleball',
+    padel: 'Padel',
+    'steel, {} mm': 'Stahl, {} mm',
+    'glass, {} mm': 'Glas, {} mm',
+    'the ball is {}': 'Der Ball: {}.',
+    'it touches for {} ms': 'Er berührt den Untergrund {} ms lang.',
+    'gravity {} m/s2': 'Fallbeschleunigung {} m/s².',
+    'air of {} C, {} hPa, {} % humidity': 'Luft von {} °C, {} hPa, {} % Feuchte.',
+    'restitution: anything from 0 to 1': 'Stoßzahl: alles von 0 bis 1.',
+    'scatter of restitution: about {} %, within a factor of two':
+      'Streuung der Stoßzahl: etwa {} %, auf einen Faktor zwei.',
+    'drop height: anything (flat in its logarithm)':
+      'Fallhöhe: beliebig (im Logarithmus gleich verteilt).',
+    'drop height: measured, {} +- {} m': 'Fallhöhe: gemessen, {} ± {} m.',
+    'release: measured, {} +- {} s': 'Loslassen: gemessen, {} ± {} s.',
+    'a constant drag coefficient: as probable as the law':
+      'Ein gleichbleibender Widerstandsbeiwert: so wahrscheinlich wie das Gesetz.',
+    'each further impact missed at the start: half as likely':
+      'Jeder weitere Aufprall, der am Anfang fehlt: halb so wahrscheinlich.',
+    '{}: known to {} %': '{}: auf {} % bekannt.',
+    '{}: unknown (a factor e either way)': '{}: unbekannt (ein Faktor e nach oben oder unten).',
+    'drag coefficient, around the law': 'Widerstandsbeiwert, um das Gesetz herum',
+    'stated errors of the times': 'angegebene Fehler der Zeiten',
+    'air density': 'Dichte der Luft',
+    'ball mass': 'Masse des Balls',
+    'ball diameter': 'Durchmesser des Balls',
+    'added mass': 'mitbewegte Luft',
+    'choice of law': 'Wahl des Gesetzes',
+    'number of impacts': 'Zahl der Aufpralle',
+    'timing of the impacts': 'Zeiten der Aufpralle',
+    'release time': 'Zeit des Loslassens',
+    'measured height': 'gemessene Höhe',
+    'all others': 'alles andere',
+    // Gesetze.
+    constant: 'gleich\u00adbleibend',
+    linear: 'linear',
+    power: 'Potenz\u00adgesetz',
+    viscoelastic: 'visko\u00adelastisch',
+    knee: 'mit Knick',
+    none: 'keines',
+    'constant:{}': 'C_D = {}',
+    // Köpfe der Tabellen.
+    drop: 'Versuch',
+    'from s': 'ab s',
+    impact: 'Aufprall',
+    impacts: 'Aufpralle',
+    'time s': 'Zeit s',
+    'flight s': 'Flug s',
+    'apex cm': 'Höhe cm',
+    'speed m/s': 'Tempo m/s',
+    'e no drag': 'e ohne Luft',
+    '± time µs': '± Zeit µs',
+    'level dB': 'Pegel dB',
+    probability: 'Wahr\u00adschein\u00adlich\u00adkeit',
+    'line %': 'Gerade %',
+    'restitution law': 'Gesetz der Stoßzahl',
+    drag: 'Luft\u00adwiderstand',
+    'ln evidence': 'ln Evidenz',
+    alone: 'allein',
+    '% of variance': '% der Varianz',
+    'to surface mJ': 'Untergrund mJ',
+    'to air mJ': 'Luft mJ',
+    residual: 'Abwei\u00adchung',
+    // Die Abbildungen.
+    'The sound and its impacts': 'Der Ton und seine Aufpralle',
+    'uncertain impact': 'unsicherer Aufprall',
+    'amplitude, relative to full scale': 'Ausschlag, bezogen auf Vollausschlag',
+    'The sound, in which no impacts were found': 'Der Ton, in dem keine Aufpralle gefunden wurden.',
+    '{}: their spacing shrinks by nearly the same ratio each time':
+      '{}: Ihr Abstand schrumpft jedes Mal fast im selben Verhältnis.',
+    '{} of one drop ({} uncertain, open and orange)':
+      '{} eines Versuchs ({} unsicher, offen und orange)',
+    '{} of {} drops ({} uncertain, open and orange)':
+      '{} aus {} Versuchen ({} unsicher, offen und orange)',
+    '{} of one drop': '{} eines Versuchs',
+    '{} of {} drops': '{} aus {} Versuchen',
+    'drop {0}': '{}. Versuch',
+    'Flight times and the straight line': 'Die Flugzeiten und die Gerade',
+    'measured flights': 'gemessene Flüge',
+    'flights used': 'benutzte Flüge',
+    'not used': 'nicht benutzt',
+    'straight line: × {} each time': 'Gerade: jedes Mal × {}',
+    'straight line: {}': 'Gerade: {}',
+    'straight line': 'Gerade',
+    'number of the flight': 'Nummer des Flugs',
+    'flight time (s)': 'Flugzeit (s)',
+    'off the line (%)': 'neben der Geraden (%)',
+    '1 flight, without a line through them': '1 Flug, ohne eine Gerade.',
+    '{} flights, without a line through them': '{} Flüge, ohne eine Gerade durch sie.',
+    'Without air each flight would last the same share of the one before, {} by the line; a bend in the lower panel shows air drag, or a bounciness that changes with speed':
+      'Ohne Luft dauerte jeder Flug denselben Anteil des vorigen, nach der Geraden {}; ein Bogen im unteren Feld zeigt Luftwiderstand oder eine Sprungkraft, die sich mit dem Tempo ändert.',
+    'Bounciness of each impact': 'Die Sprungkraft bei jedem Aufprall',
+    'corrected for drag': 'Luft herausgerechnet',
+    'as if there were no air': 'ohne Luft gerechnet',
+    'odd, counts less': 'aus der Reihe, zählt weniger',
+    'fitted law, 68 and 95 %': 'angepasstes Gesetz, 68 und 95 %',
+    'restitution: speed after / before': 'Stoßzahl: Tempo nachher / vorher',
+    'speed at the impact (m/s)': 'Aufpralltempo (m/s)',
+    'What the ball keeps of its speed at each impact; the gap between grey and blue is what the air takes, which a straight line counts as lost in the bounce':
+      'Was der Ball bei jedem Aufprall von seinem Tempo behält; die Lücke zwischen Grau und Blau nimmt die Luft, und eine Gerade hält sie für Verlust beim Aufprall.',
+    'Height of the ball': 'Die Höhe des Balls',
+    'flight model, drag {}': 'Flugmodell, Luftwiderstand: {}',
+    'your simulation': 'deine Simulation',
+    'measured apexes': 'gemessene Scheitel',
+    'Each hop is lower and shorter than the one before; dots are the measured tops of the hops':
+      'Jeder Sprung ist niedriger und kürzer als der vorige; die Punkte sind die gemessenen Scheitel.',
+    'How high is each bounce?': 'Wie hoch ist jeder Sprung?',
+    bounce: 'Sprung',
+    'Every bounce keeps about the same share of the height before it, so that the points lie near a straight line':
+      'Jeder Sprung behält etwa denselben Anteil der Höhe vor ihm, sodass die Punkte nahe einer Geraden liegen.',
+    'Where does the energy go?': 'Wohin geht die Energie?',
+    'the air, in the flight after it': 'die Luft, im Flug danach',
+    'the bounce': 'der Aufprall',
+    'What each impact takes, and on top of it what the air takes in the flight after it: the faster the ball, the larger the share of the air':
+      'Was jeder Aufprall nimmt, und darauf, was die Luft im Flug danach nimmt: je schneller der Ball, desto größer der Anteil der Luft.',
+    'Air drag relative to weight': 'Luftwiderstand, verglichen mit dem Gewicht',
+    'drag / weight': 'Luftwiderstand / Gewicht',
+    'speed (m/s)': 'Tempo (m/s)',
+    'this drop: up to {}': 'dieser Versuch: bis {}',
+    'Drag grows nearly with the square of the speed and balances the weight at the terminal speed, where the curve reaches 1; this drop reached {}':
+      'Der Luftwiderstand wächst fast mit dem Quadrat des Tempos und trägt bei der Endgeschwindigkeit, wo die Kurve 1 erreicht, das ganze Gewicht; dieser Versuch erreichte {}.',
+    'A constant drag coefficient is a straight line here; the laws part at low speed, where drag is too weak to matter; this drop reached {}':
+      'Ein gleichbleibender Beiwert ist hier eine Gerade; die Gesetze trennen sich bei kleinem Tempo, wo der Luftwiderstand nichts mehr ausmacht; dieser Versuch erreichte {}.',
+    'How odd is each impact?': 'Wie weit fällt jeder Aufprall aus der Reihe?',
+    'residual (standard deviations)': 'Abweichung (in Standardabweichungen)',
+    'Two of three impacts should lie in the dark band, 19 of 20 in the light one; one far outside hit an edge, or is no impact':
+      'Zwei von drei Aufprallen sollten im dunklen Band liegen, 19 von 20 im hellen; einer weit außerhalb traf eine Kante oder ist kein Aufprall.',
+    'What is known of them together': 'Was man von allen zusammen weiß',
+    'after the data: 68 % dark, 95 % light': 'nach den Daten: 68 % dunkel, 95 % hell',
+    'before the data': 'vor den Daten',
+    'A round cloud: the data tell the two quantities apart. A tilted one: what is added to one can be taken from the other. A histogram as wide as the grey curve: the data told nothing':
+      'Eine runde Wolke: Die Daten unterscheiden die beiden Größen. Eine schräge: Was man der einen zugibt, lässt sich der anderen nehmen. Ein Histogramm so breit wie die graue Kurve: Die Daten haben nichts gesagt.',
+    "Each bar is a source's share of the variance: to know the ball better, improve what is on top":
+      'Jeder Balken ist der Anteil einer Quelle an der Varianz: Wer den Ball besser kennen will, verbessert, was oben steht.',
+    'Which law is it?': 'Welches Gesetz ist es?',
+    'The longer the bar, the more probable the law; where no bar wins, the answer is an average over all of them':
+      'Je länger der Balken, desto wahrscheinlicher das Gesetz; wo keiner gewinnt, ist die Antwort ein Mittel über alle.',
+    'Does the answer depend on how many flights are used?':
+      'Hängt die Antwort an der Zahl der benutzten Flüge?',
+    truth: 'Wahrheit',
+    'A model that is right gives the same answer however many flights it uses; the answer of a straight line moves, because it knows no air':
+      'Ein richtiges Modell gibt dieselbe Antwort, wie viele Flüge es auch benutzt; die einer Geraden wandert, weil sie keine Luft kennt.',
+    'There are no flights to show': 'Hier gibt es keine Flüge zu zeigen.',
+    'There are no heights to show': 'Hier gibt es keine Höhen zu zeigen.',
+    'There are no energies to show': 'Hier gibt es keine Energien zu zeigen.',
+    'There are no drag curves to show': 'Hier gibt es keine Widerstandskurven zu zeigen.',
+    'There are no impacts with a known restitution':
+      'Hier gibt es keinen Aufprall mit bekannter Stoßzahl.',
+    // Was sich nicht sagen lässt, und warum.
+    'a straight line through log flight time needs at least 2 flights, but there are {}; use a recording with at least 3 impacts, or a wider range of flights':
+      'Eine Gerade durch die Logarithmen der Flugzeiten braucht mindestens 2 Flüge, hier sind es {}; nimm eine Aufnahme mit mindestens 3 Aufprallen oder mehr Flüge.',
+    'a flight needs two impact times, and there are fewer':
+      'Ein Flug braucht zwei Aufprallzeiten, und es sind weniger.',
+    'an inference needs a flight, and a flight needs two impacts':
+      'Eine Schätzung braucht einen Flug, und ein Flug braucht zwei Aufpralle.',
+    '{} impacts in a row were missed after impact {}':
+      '{} Aufpralle in Folge fehlen nach Aufprall {}.',
+    'air drag makes so long a flight impossible for this ball; check mass, diameter and the unit of the times':
+      'Der Luftwiderstand macht einen so langen Flug dieses Balls unmöglich; prüfe Masse, Durchmesser und die Einheit der Zeiten.',
+    'no physical model explains these times; are they of one drop, in seconds, and is the ball the right one?':
+      'Kein Modell erklärt diese Zeiten; sind sie von einem Versuch, in Sekunden, und ist es der richtige Ball?',
+    'the flights get longer from impact to impact, which no ball on a surface at rest does; are the times in order, and are they of one drop?':
+      'Die Flüge werden von Aufprall zu Aufprall länger, was auf ruhendem Untergrund kein Ball tut; stehen die Zeiten der Reihe nach, und sind sie von einem Versuch?',
+    'the {} restitution law takes {} impacts between two flights to be told from a constant, and there is {}: how restitution changes is what was assumed':
+      'Das Gesetz der Stoßzahl „{}“ braucht {} Aufpralle zwischen zwei Flügen, um von einer gleichbleibenden Stoßzahl zu unterscheiden zu sein, und hier gibt es {}: Wie sich die Stoßzahl ändert, ist angenommen.',
+    'the {} restitution law takes {} impacts between two flights to be told from a constant, and there are {}: how restitution changes is what was assumed':
+      'Das Gesetz der Stoßzahl „{}“ braucht {} Aufpralle zwischen zwei Flügen, um von einer gleichbleibenden Stoßzahl zu unterscheiden zu sein, und hier gibt es {}: Wie sich die Stoßzahl ändert, ist angenommen.',
+    'a far fainter ball was heard from {} s to {} s ({} impacts) and left out':
+      'Ein viel leiserer Ball wurde von {} s bis {} s gehört ({} Aufpralle) und weggelassen.',
+    'the mass of a ball goes with its diameter': 'Zur Masse eines Balls gehört sein Durchmesser.',
+    '"{}" is no diameter in metres': '„{}“ ist kein Durchmesser in Metern.',
+    'no {} is called "{}"; the nearest is "{}" (known: {})':
+      '{} „{}“ gibt es nicht; am nächsten kommt „{}“ (bekannt: {}).',
+    // Größen und Grenzen von Einstellungen.
+    'mass of the ball in kg': 'Masse des Balls in kg',
+    'diameter of the ball in m': 'Durchmesser des Balls in m',
+    'temperature of the air in K': 'Temperatur der Luft in K',
+    'pressure of the air in Pa': 'Druck der Luft in Pa',
+    'relative humidity': 'relative Feuchte',
+    'density of the air in kg/m3': 'Dichte der Luft in kg/m³',
+    'viscosity of the air in Pa s': 'Zähigkeit der Luft in Pa s',
+    'gravity in m/s2': 'Fallbeschleunigung in m/s²',
+    'latitude in degrees': 'Breite in Grad',
+    'altitude in m': 'Höhe über dem Meer in m',
+    'release height in m': 'Fallhöhe in m',
+    'measured drop height in m': 'gemessene Fallhöhe in m',
+    'standard uncertainty of the drop height in m': 'Unsicherheit der Fallhöhe in m',
+    'standard uncertainty of the release time in s': 'Unsicherheit der Zeit des Loslassens in s',
+    'impact speed at which to state the restitution in m/s':
+      'Aufpralltempo, für das die Stoßzahl gelten soll, in m/s',
+    'coefficient of restitution': 'Stoßzahl',
+    'flight time in s': 'Flugzeit in s',
+    'time between two impacts in s': 'Zeit zwischen zwei Aufprallen in s',
+    'finite and above 0': 'endlich und größer als 0',
+    'finite and not below 0': 'endlich und nicht kleiner als 0',
+    'finite, in order, and longer than the contact time':
+      'endlich, der Reihe nach und länger als die Kontaktzeit',
+    'a number that is finite and not below 0, as in "constant:0.4"':
+      'eine endliche Zahl, nicht kleiner als 0, wie in „constant:0.4“',
+    'from 0 (dead) to 1 (lossless)': 'von 0 (tot) bis 1 (ohne Verlust)',
+    'from 0 (dry) to 1 (saturated)': 'von 0 (trocken) bis 1 (gesättigt)',
+    'from -90 (south) to 90 (north)': 'von −90 (Süden) bis 90 (Norden)',
+    'from 250 to 330 (-23 to 57 degrees Celsius)': 'von 250 bis 330 (−23 bis 57 Grad Celsius)',
+    'from {} to {}': 'von {} bis {}',
+    // Was auf vieles passt.
+    'time ({})': 'Zeit ({})',
+    'height ({})': 'Höhe ({})',
+    'drop height ({})': 'Fallhöhe ({})',
+    'energy lost ({})': 'verlorene Energie ({})',
+    'restitution: {0}': 'Stoßzahl: {}',
+    'drop height: {0}': 'Fallhöhe: {}',
+    '1 impact': '1 Aufprall',
+    '{0} impacts': '{} Aufpralle',
+    'constant, {}': 'konstant, {}',
+    'linear, {}': 'linear, {}',
+    'power, {}': 'Potenz, {}',
+    'viscoelastic, {}': 'viskoelastisch, {}',
+    'knee, {}': 'mit Knick, {}',
+    '{0} to {0}': '{} bis {}',
+    '{0} of {0}': '{} von {}',
   },
 };
 

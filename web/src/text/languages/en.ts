@@ -472,6 +472,7 @@ export default {
     hear: 'Hear it',
     stop: 'Stop',
     lay: 'Lay it over the measurement',
+    takeOff: 'Take it off the measurement',
     laid: 'It lies over the measurement now, in the figure “Compare”.',
     analyse: 'Analyse it as if it were real',
     runs: 'Runs',
@@ -648,13 +649,13 @@ export default {
     unavailable: 'The browser keeps nothing here (a private window?).',
   },
   /**
-   * What the engine says, which is English already: only what names options of the command line is
-   * said in another way here. In other languages every template is translated; `{}` is what the
-   * engine puts there.
+   * What the science says, which is English already: only what names options of the command line is
+   * said in another way here. In other languages every template is translated; `{}` is what is put
+   * there, `{0}` what begins with a number. `said.txt` has an example of each.
    */
   engine: {
     'the drop height is of the fall before the first impact heard; with the measured height (--height) missed impacts would show':
-      'The drop height is of the fall before the first impact heard; with a measured height (under “change”) missed impacts would show.',
+      'The drop height is of the fall before the first impact heard; with a measured height missed impacts would show.',
     'impact {} would give energy (restitution above 1): a double trigger, a moving surface, or a sound that is no impact; leave it out by hand (--exclude TIME)':
       'Impact {} would give energy to the ball: a double trigger, a moving surface, or a sound that is no impact. Remove it if it looks wrong in the waveform.',
     'impacts {} would give energy (restitution above 1): a double trigger, a moving surface, or a sound that is no impact; leave it out by hand (--exclude TIME)':

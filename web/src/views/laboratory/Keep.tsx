@@ -10,6 +10,7 @@ import { engine } from '../../state/engine.ts';
 import { keepDrop } from '../../state/keeping.ts';
 import { settings } from '../../state/settings.ts';
 import { texts } from '../../text/language.ts';
+import { phrasebook } from '../../text/remarks.ts';
 import { SaveSound } from './SaveSound.tsx';
 
 const kept = signal<string | null>(null);
@@ -51,11 +52,11 @@ async function saveCsv(stem: string): Promise<void> {
   if (asked) saveText(await engine().rows(asked), 'text/csv', `${stem}.csv`);
 }
 
-/** One file to print, send or hand in: the same as the command line writes. */
+/** One file to print, send or hand in: as the command line writes it, in the language of the page. */
 async function saveReport(stem: string): Promise<void> {
   const [asked, bench] = [request(), onBench.peek()];
   if (!asked || !bench) return;
-  const html = await engine().report(bench.recording, asked, new Date());
+  const html = await engine().report(bench.recording, asked, new Date(), phrasebook.peek());
   saveText(html, 'text/html', `${stem}.html`);
 }
 

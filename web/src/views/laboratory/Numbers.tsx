@@ -56,18 +56,17 @@ function inferredEntries({ estimate }: DocumentDrop): Entry[] {
   if (!estimate) return [];
   const words = texts.value.quantities;
   const spoken = language.value;
-  const entry = (name: string, posterior: Posterior | null, unit: Unit): Entry[] =>
-    posterior
-      ? [
-          {
-            name,
-            value: uncertain(posterior.value, posterior.sd, unit, spoken),
-            note: words.interval(
-              between(posterior.interval95, posterior.sd, unit, texts.value.to, spoken),
-            ),
-          },
-        ]
-      : [];
+  const entry = (name: string, posterior: Posterior | null, unit: Unit): Entry[] => {
+    if (!posterior) return [];
+    const { value, sd, interval95: ends } = posterior;
+    // As the slope of a restitution that is surely constant: an interval would be of noughts only.
+    if (ends[0] === ends[1]) {
+      const only = plain(value, unit, 3, spoken);
+      return [{ name, value: only, note: words.interval(only) }];
+    }
+    const note = words.interval(between(ends, sd, unit, texts.value.to, spoken));
+    return [{ name, value: uncertain(value, sd, unit, spoken), note }];
+  };
   const speed = plain(estimate.at_speed_m_s, METRE_PER_SECOND, 3, spoken);
   const height = estimate.drop_height_m;
   return [

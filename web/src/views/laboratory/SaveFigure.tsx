@@ -3,9 +3,11 @@ import { engineName, type FigureId } from '../../figures/all.ts';
 import { request } from '../../state/analysing.ts';
 import { analysed, chosenDrop, onBench } from '../../state/bench.ts';
 import { engine } from '../../state/engine.ts';
+import { overlay } from '../../state/simulating.ts';
 import { texts } from '../../text/language.ts';
+import { phrasebook } from '../../text/remarks.ts';
 
-/** Saves a figure as the engine draws it, the same picture as that of the command line. */
+/** Saves a figure as the engine draws it: the picture of the command line, in the language of the page. */
 export function SaveFigure({ id, log }: { readonly id: FigureId; readonly log: boolean }) {
   const words = texts.value.figures;
   const name = nameOf(id, log);
@@ -36,7 +38,7 @@ function nameOf(id: FigureId, log: boolean): string | undefined {
 async function saveDrawn(name: string, format: 'svg' | 'png'): Promise<void> {
   const asked = request();
   if (!asked) return;
-  const drawn = await engine().figure(asked, name);
+  const drawn = await engine().figure(asked, name, phrasebook.peek(), overlay.peek());
   const file = `${fileName(onBench.peek()?.name ?? '')}-${drawn.name}`;
   if (format === 'svg') saveText(drawn.svg, 'image/svg+xml', `${file}.svg`);
   else save(await rasterised(drawn.svg, drawn.width_px, drawn.height_px), `${file}.png`);

@@ -1,4 +1,3 @@
-import { signal } from '@preact/signals';
 import { Pause, Play } from '../../app/icons.tsx';
 import { fixed } from '../../format/quantity.ts';
 import { playing, stop } from '../../sound/player.ts';
@@ -10,14 +9,14 @@ import {
   keepRun,
   layOver,
   outcome,
+  overlay,
   type Run,
   removeRun,
   runs,
+  takeOff,
 } from '../../state/simulating.ts';
 import { language, texts } from '../../text/language.ts';
 import { ballName } from '../../text/names.ts';
-
-const laid = signal(false);
 
 /** What can be done with a run. */
 export function RunTools() {
@@ -46,22 +45,19 @@ export function RunTools() {
           {words.analyse}
         </button>
         {drop.value && (
-          <button
-            type="button"
-            class="quiet"
-            disabled={!ready}
-            onClick={() => {
-              layOver();
-              laid.value = true;
-            }}
-          >
+          <button type="button" class="quiet" disabled={!ready} onClick={layOver}>
             {words.lay}
           </button>
         )}
       </div>
       <p role="status" class="small">
-        {laid.value && <a href={labAddress.value}>{words.laid}</a>}
+        {overlay.value && <a href={labAddress.value}>{words.laid}</a>}
       </p>
+      {overlay.value && (
+        <button type="button" class="quiet small" onClick={takeOff}>
+          {words.takeOff}
+        </button>
+      )}
       <p class="small soft">{words.address}</p>
     </div>
   );
