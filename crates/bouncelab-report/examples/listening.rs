@@ -18,22 +18,23 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         return Err("give a table and a folder".into());
     };
     let table = std::fs::read_to_string(table)?;
-    if table.contains("over the bound") {
-        let timing = balls(
-            &table,
-            4,
-            &[("the bound:", 1.0), ("the goal: at most", 2.0)],
-        );
+    if let Some((table, lateness)) = table.split_once("| ball | level |") {
+        let timing = balls(table, 4, &[("the bound:", 1.0), ("the goal: at most", 2.0)]);
         draw(
             &figure::listening(Hearing::Timing, &timing),
             folder,
             "timing",
         )?;
-        let stated = balls(&table, 5, &[("the goal: from", 60.0), ("to", 76.0)]);
-        return draw(
+        let stated = balls(table, 5, &[("the goal: from", 60.0), ("to", 76.0)]);
+        draw(
             &figure::listening(Hearing::Stated, &stated),
             folder,
             "stated",
+        )?;
+        return draw(
+            &figure::listening(Hearing::Late, &late(lateness)),
+            folder,
+            "late",
         );
     }
     let found = detectors(&table);
@@ -62,10 +63,11 @@ fn balls(text: &str, column: usize, limits: &[(&str, f64)]) -> Vec<Curve> {
             continue;
         };
         let point = (f64::from(ratio), value);
-        match curves.iter_mut().find(|curve| curve.name == row[0]) {
+        let name = row[0].replace('-', " ");
+        match curves.iter_mut().find(|curve| curve.name == name) {
             Some(curve) => curve.points.push(point),
             None => curves.push(Curve {
-                name: row[0].to_owned(),
+                name,
                 meaning: Meaning::Measured,
                 points: vec![point],
             }),
@@ -80,6 +82,33 @@ fn balls(text: &str, column: usize, limits: &[(&str, f64)]) -> Vec<Curve> {
         points: ends.iter().map(|&ratio| (ratio, level)).collect(),
     }));
     curves
+}
+
+/// How late a bright and a dull ball are found, by bouncelab and by the first sample above a fixed
+/// level.
+fn late(text: &str) -> Vec<Curve> {
+    /// A median of fewer impacts says little.
+    const FEWEST: u32 = 20;
+    let curve = |ball: &str, column: usize, by: &str, meaning| {
+        let rows = text.lines().map(cells).filter(|row| row[0] == ball);
+        let points = rows.filter_map(|row| {
+            let count: u32 = row.get(2)?.parse().ok()?;
+            let late_us: f64 = row.get(column)?.strip_suffix(" us")?.parse().ok()?;
+            (count >= FEWEST).then_some((f64::from(decibels(row[1])?), late_us))
+        });
+        Curve {
+            name: format!("{}, {by}", ball.replace('-', " ")),
+            meaning,
+            points: points.collect(),
+        }
+    };
+    let by_both =
+        |column, by, meaning| ["table-tennis", "tennis"].map(|b| curve(b, column, by, meaning));
+    [
+        by_both(3, "whole sound", Meaning::Measured),
+        by_both(4, "fixed level", Meaning::NoDrag),
+    ]
+    .concat()
 }
 
 /// One curve for each detector: the mean over the balls at each ratio.

@@ -15,6 +15,9 @@ pub enum Hearing {
     Timing,
     /// Percentage of errors within the stated standard error.
     Stated,
+    /// How much later than the loudest impact of a drop others are found, in microseconds, against
+    /// how loud they are.
+    Late,
 }
 
 impl Hearing {
@@ -23,19 +26,31 @@ impl Hearing {
             Self::Found => "Impacts found in noise",
             Self::Timing => "Errors of flight times and the physical limit",
             Self::Stated => "Errors of flight times and what is stated of them",
+            Self::Late => "Faint impacts are found no later than loud ones",
         }
     }
 
-    fn axis(self) -> Axis {
+    fn loudness(self) -> &'static str {
+        match self {
+            Self::Late => "impact above the noise (dB)",
+            Self::Found | Self::Timing | Self::Stated => "loudest impact above the noise (dB)",
+        }
+    }
+
+    fn axis(self, values: impl Iterator<Item = f64>) -> Axis {
         match self {
             Self::Found => Axis::new(Scale::linear([0.0, 1.0]).padded(0.0, 0.03), "F1"),
             Self::Timing => Axis::new(
-                Scale::linear([0.0, 2.6]),
+                Scale::linear([0.0, 2.2]),
                 "median error over that of the bound",
             ),
             Self::Stated => Axis::new(
                 Scale::linear([40.0, 100.0]),
                 "within one standard error (%)",
+            ),
+            Self::Late => Axis::new(
+                Scale::linear(values.chain([0.0])).padded(0.05, 0.05),
+                "later than the loudest (µs)",
             ),
         }
     }
@@ -50,19 +65,24 @@ impl Hearing {
                  can be timed."
             }
             Self::Stated => "Of normal errors 68 % lie within one standard error.",
+            Self::Late => {
+                "The first sample above a fixed level comes the later, the fainter the impact; where \
+                 the whole sound fits best does not depend on loudness."
+            }
         }
     }
 }
 
-/// Curves against the signal-to-noise ratio of the loudest impact in dB.
+/// Curves against the signal-to-noise ratio in dB: that of the loudest impact, but for lateness
+/// that of the impact itself.
 pub fn listening(hearing: Hearing, curves: &[Curve]) -> Figure {
     let points = curves.iter().flat_map(|curve| curve.points.iter().copied());
-    let ratios: Vec<f64> = points.filter(|p| is_finite(*p)).map(|p| p.0).collect();
+    let (ratios, values): (Vec<f64>, Vec<f64>) = points.filter(|p| is_finite(*p)).unzip();
     if ratios.is_empty() {
         return Figure::empty(HEIGHT, hearing.title(), "There is nothing to compare.");
     }
-    let x = Axis::new(Scale::linear(ratios), "loudest impact above the noise (dB)");
-    let y = hearing.axis();
+    let x = Axis::new(Scale::linear(ratios), hearing.loudness());
+    let y = hearing.axis(values.into_iter());
     let pens = pens(curves);
     let mut sheet = Sheet::new(HEIGHT, hearing.title());
     sheet.key(&curve_key(curves, &pens));

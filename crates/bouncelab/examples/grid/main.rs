@@ -11,6 +11,7 @@ mod backgrounds;
 mod cells;
 mod drops;
 mod export;
+mod recorder;
 mod silence;
 mod timing;
 

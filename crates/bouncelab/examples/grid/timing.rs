@@ -3,13 +3,18 @@
 
 use crate::cells::median;
 use crate::drops::{hear, strikes, usual};
-use bouncelab::synth::{self, BitDepth, Scene, Voice};
+use crate::recorder::record;
+use bouncelab::synth::{BitDepth, Scene, Voice};
+use std::collections::BTreeMap;
 use std::f64::consts::PI;
 
 /// Impacts this far above the noise count, in dB.
 const LEAST_SNR_DB: f64 = 10.0;
 /// What the bound makes use of: this time of each impact, in seconds.
 const USED_S: f64 = 0.008;
+/// The fixed level that the whole sound is compared with: so many times the noise, which exceeds
+/// it once in a while.
+const THRESHOLD: f64 = 5.0;
 /// Median of the size of a normal error, in standard deviations.
 const MEDIAN_OF_NORMAL: f64 = 0.6745;
 
@@ -20,6 +25,8 @@ struct Timed {
     sigma_s: f64,
     bound_s: f64,
     level_db: f64,
+    /// When the first sample exceeds a fixed level, in seconds after the truth.
+    crossed_s: Option<f64>,
 }
 
 /// The error of a flight time: of a difference, so that a constant offset does not matter.
@@ -30,16 +37,28 @@ struct Flight {
     bound: f64,
 }
 
+/// How far the noise lies below the loudest impact, in dB.
+const NOISES_DB: [f64; 4] = [20.0, 30.0, 40.0, 50.0];
+
 pub(crate) fn print(drops: u64) {
     println!(
         "\n| ball | noise | flights | median error | over the bound | within one sigma | drift for 10 dB |"
     );
     println!("|---|---|---|---|---|---|---|");
+    let mut quietest = Vec::new();
     for voice in Voice::NAMES {
-        for snr_db in [20.0, 30.0, 40.0, 50.0] {
+        for snr_db in NOISES_DB {
             let heard: Vec<Vec<Timed>> = (0..drops).map(|seed| time(voice, snr_db, seed)).collect();
             println!("| {voice} | {snr_db} dB | {}", summary(&heard));
+            if snr_db == NOISES_DB[3] {
+                quietest.push((voice, heard));
+            }
         }
+    }
+    println!("\n| ball | level | impacts | late | late by a threshold |");
+    println!("|---|---|---|---|---|");
+    for (voice, heard) in quietest {
+        print_lateness(voice, &heard);
     }
 }
 
@@ -51,26 +70,15 @@ fn time(voice: &str, snr_db: f64, seed: u64) -> Vec<Timed> {
         bit_depth: BitDepth::Float,
         ..usual(snr_db)
     };
-    let strikes = strikes(seed, &scene.voice);
-    let render = |scene: &Scene| {
-        synth::render(&strikes, scene, seed).unwrap_or_else(|error| panic!("{voice}: {error}"))
-    };
-    let noisy = render(&scene);
-    let clean = render(&Scene {
-        noise: None,
-        ..scene.clone()
-    });
-    let noise: Vec<f64> = std::iter::zip(&noisy.samples, &clean.samples)
-        .map(|(a, b)| f64::from(a - b))
-        .collect();
-    let noise_rms = (noise.iter().map(|x| x * x).sum::<f64>() / noise.len() as f64).sqrt();
-    let rate = f64::from(noisy.sample_rate_hz);
-    let heard = hear(&noisy.samples, noisy.sample_rate_hz);
+    let recorded = record(&strikes(seed, &scene.voice), &scene, seed);
+    let sound = &recorded.noisy;
+    let rate = f64::from(sound.sample_rate_hz);
+    let heard = hear(&sound.samples, sound.sample_rate_hz);
     let Some(train) = heard.found.trains.iter().max_by_key(|t| t.impacts().len()) else {
         return Vec::new();
     };
     let mut timed: Vec<Timed> = Vec::new();
-    for (index, truth) in noisy.impacts.iter().enumerate() {
+    for (index, truth) in sound.impacts.iter().enumerate() {
         if truth.snr_db < LEAST_SNR_DB {
             continue;
         }
@@ -82,21 +90,54 @@ fn time(voice: &str, snr_db: f64, seed: u64) -> Vec<Timed> {
         let Some((impact, error_s)) = nearest.filter(|(_, e)| e.abs() < 0.004) else {
             continue;
         };
-        let next_s = noisy
+        let next_s = sound
             .impacts
             .get(index + 1)
             .map_or(f64::INFINITY, |i| i.time_s);
         let first = (truth.time_s * rate) as usize;
         let end = ((truth.time_s + USED_S).min(next_s) * rate) as usize;
+        let threshold = THRESHOLD * recorded.noise_rms;
+        let above = |sample: &f32| f64::from(sample.abs()) > threshold;
+        let crossed = sound.samples[first + 1..end].iter().position(above);
         timed.push(Timed {
             number: index,
             error_s,
             sigma_s: impact.onset.sigma_s,
-            bound_s: noise_rms / slope(&clean.samples, first, end).sqrt() / rate,
+            bound_s: recorded.noise_rms / slope(&recorded.clean, first, end).sqrt() / rate,
             level_db: truth.snr_db,
+            crossed_s: crossed.map(|n| (first + 1 + n) as f64 / rate - truth.time_s),
         });
     }
     timed
+}
+
+/// How late impacts are found, against the loudest of the same drop, by how loud they are: with
+/// the whole sound, and by the first sample above a fixed level.
+fn print_lateness(voice: &str, heard: &[Vec<Timed>]) {
+    const STEP_DB: f64 = 5.0;
+    let mut later: BTreeMap<i32, (Vec<f64>, Vec<f64>)> = BTreeMap::new();
+    for drop in heard {
+        let Some(loudest) = drop.iter().max_by(|a, b| a.level_db.total_cmp(&b.level_db)) else {
+            continue;
+        };
+        for impact in drop.iter().filter(|impact| impact.number != loudest.number) {
+            let step = (impact.level_db / STEP_DB).round() as i32;
+            let (errors, crossings) = later.entry(step).or_default();
+            errors.push(impact.error_s - loudest.error_s);
+            crossings.extend(impact.crossed_s.zip(loudest.crossed_s).map(|(a, b)| a - b));
+        }
+    }
+    for (step, (mut errors, mut crossings)) in later {
+        let count = errors.len();
+        if let (Some(late_s), Some(crossed_s)) = (median(&mut errors), median(&mut crossings)) {
+            println!(
+                "| {voice} | {:.0} dB | {count} | {:+.2} us | {:+.1} us |",
+                f64::from(step) * STEP_DB,
+                1e6 * late_s,
+                1e6 * crossed_s
+            );
+        }
+    }
 }
 
 /// Sum of the squared derivative of a band-limited signal, per sample.

@@ -1,0 +1,163 @@
+//! Times below a sample, from what the impacts of one drop have in common.
+//!
+//! The impacts of a drop sound alike. Their waveforms, whitened, are laid over each other by the
+//! picked times and stacked; each is then shifted to where it fits the stack of the others best.
+//! This uses the whole of each sound where a pick uses its first fraction of a millisecond, and
+//! does not depend on loudness. It is done twice: the first time tells how the impacts ring, which is
+//! taken out for the second. What a shift leaves unexplained gives its standard error, as the
+//! Cramer-Rao bound for the arrival time of a known waveform in noise:
+//! var(t) = var(noise) / sum (a s'(t))^2.
+
+mod ringing;
+mod sound;
+mod template;
+mod wave;
+
+use super::HeardImpact;
+use sound::{Sound, Span, cut_out, noise_power, whitened};
+use template::{Left, Template, middle_size, stack, weight};
+use wave::{convolve, running_energy, smoothing};
+
+/// What sounds after that holds less than this share of the energy.
+const LEAST_SHARE: f64 = 0.03;
+/// Each pass knows from the one before where the impacts are, and so how they ring. Times settle to
+/// well below their errors in so many rounds.
+const ROUNDS: [usize; 2] = [1, 3];
+/// High frequencies are smoothed away while this share of the energy of the impacts is kept: what
+/// little they hold is steep.
+const LEAST_KEPT: f64 = 0.97;
+/// So many of the loudest impacts are asked.
+const TRIED: usize = 6;
+
+/// Moves the times of these impacts to where their waveforms agree, and says which of them agree
+/// and begin there.
+/// `samples` begin at `start_s` of the recording; impacts too near their ends keep their times.
+pub(super) fn align(
+    impacts: &mut [HeardImpact],
+    samples: &[f32],
+    start_s: f64,
+    rate_hz: f64,
+) -> Vec<bool> {
+    let mut fits = vec![false; impacts.len()];
+    let mut positions: Vec<f64> = impacts
+        .iter()
+        .map(|impact| (impact.onset.time_s - start_s) * rate_hz)
+        .collect();
+    let mut span = Span::new(rate_hz);
+    let mut sounds = Vec::new();
+    for rounds in ROUNDS {
+        span = Span::new(rate_hz);
+        let mut cuts = cut_out(&positions, &fits, samples, &span);
+        // With fewer there is no stack of others to speak of.
+        if cuts.len() < 3 {
+            return fits;
+        }
+        ringing::remove(&mut cuts, samples, &span);
+        sounds = whitened(&cuts, impacts, rate_hz, &span);
+        lay_over(&mut sounds, &mut span, rounds);
+        for sound in &sounds {
+            fits[sound.impact] = sound.fits;
+            positions[sound.impact] += sound.shift;
+        }
+    }
+    for sound in sounds.iter().filter(|sound| sound.fits) {
+        let onset = &mut impacts[sound.impact].onset;
+        onset.time_s = start_s + positions[sound.impact] / rate_hz;
+        onset.sigma_s = sound.sigma / rate_hz;
+        fits[sound.impact] = sound.begins(&span);
+    }
+    fits
+}
+
+/// Lays the sounds over each other and shifts each to where it fits the stack of the others.
+fn lay_over(sounds: &mut [Sound], span: &mut Span, rounds: usize) {
+    let smoothing = smooth(sounds, span);
+    span.length = span.before + sounding(sounds, span);
+    for round in 0..rounds {
+        let waves: Vec<Vec<f32>> = sounds.iter().map(|s| s.wave(span, s.shift)).collect();
+        let middle = middle_size(&waves);
+        // How much noise of one wave is in the stack.
+        let noise: f32 = waves.iter().map(|w| weight(w, middle).powi(2)).sum();
+        let stack = stack(&waves, middle);
+        let left = Left::new(&stack, &smoothing);
+        for (sound, wave) in sounds.iter_mut().zip(&waves) {
+            let own = weight(wave, middle);
+            let others: Vec<f32> = stack.iter().zip(wave).map(|(s, w)| s - w * own).collect();
+            let template = Template::new(&others, noise - own * own, own);
+            if round == 0 {
+                sound.find(&template, span);
+            } else if sound.fits {
+                sound.settle(&template, wave, &left, span);
+            }
+        }
+        keep_mean(sounds);
+    }
+}
+
+/// Only differences of time have a meaning: the stack as a whole stays where the picks are.
+fn keep_mean(sounds: &mut [Sound]) {
+    let (mut weights, mut sum) = (0.0, 0.0);
+    for sound in sounds.iter().filter(|s| s.fits) {
+        let weight = sound.pick_sigma.powi(-2);
+        weights += weight;
+        sum += weight * sound.shift;
+    }
+    if weights > 0.0 {
+        for sound in sounds.iter_mut().filter(|s| s.fits) {
+            sound.shift -= sum / weights;
+        }
+    }
+}
+
+/// Takes out the high frequencies in which the impacts do not sound: they would drown the slope
+/// of a dull thump. Returns the weights.
+fn smooth(sounds: &mut [Sound], span: &Span) -> Vec<f32> {
+    let loudness = |energy: &[f64], noise: f64| {
+        let (first, end) = (span.origin, span.origin + span.most);
+        (energy[end] - energy[first] - noise * span.most as f64).max(0.0)
+    };
+    let mut loudest: Vec<(f64, usize)> = (0..sounds.len())
+        .map(|n| (loudness(&sounds[n].energy, sounds[n].noise), n))
+        .filter(|&(loudness, _)| loudness > 0.0)
+        .collect();
+    loudest.sort_by(|a, b| b.0.total_cmp(&a.0));
+    loudest.truncate(TRIED);
+    let kept = |kernel: &[f32]| {
+        let shares = loudest.iter().map(|&(before, n)| {
+            let energy = running_energy(&convolve(&sounds[n].samples, kernel));
+            loudness(&energy, noise_power(&energy, span)) / before
+        });
+        shares.sum::<f64>() / loudest.len() as f64
+    };
+    let mut kernels = [16, 8, 4, 2, 1].map(smoothing).into_iter();
+    let Some(kernel) = kernels.find(|kernel| kept(kernel) > LEAST_KEPT) else {
+        return vec![1.0];
+    };
+    for sound in sounds {
+        sound.samples = convolve(&sound.samples, &kernel);
+        sound.energy = running_energy(&sound.samples);
+        sound.noise = noise_power(&sound.energy, span);
+    }
+    kernel
+}
+
+/// How long the impacts sound, in samples after their times.
+fn sounding(sounds: &[Sound], span: &Span) -> usize {
+    let energy_in = |sound: &Sound, first: usize, length: usize| {
+        let first = span.origin + first;
+        let noise = sound.noise * length as f64;
+        (sound.energy[first + length] - sound.energy[first] - noise).max(0.0)
+    };
+    let share_after = |after: usize| {
+        let shares = sounds.iter().filter_map(|sound| {
+            let all = energy_in(sound, 0, span.most);
+            (all > 0.0).then(|| energy_in(sound, after, span.most - after) / all)
+        });
+        let shares: Vec<f64> = shares.collect();
+        shares.iter().sum::<f64>() / shares.len().max(1) as f64
+    };
+    (span.least..span.most)
+        .step_by(span.least / 4 + 1)
+        .find(|&after| share_after(after) < LEAST_SHARE)
+        .unwrap_or(span.most)
+}

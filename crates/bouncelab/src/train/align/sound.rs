@@ -1,0 +1,262 @@
+//! The whitened surroundings of one impact, and where in them it begins.
+
+use super::template::{Left, Noise, Template};
+use super::wave::{KERNEL, dot, norm, resample, running_energy};
+use crate::train::HeardImpact;
+use crate::whiten::{self, Autoregression};
+
+/// What is compared of each impact, in seconds before and after its time: as long as it sounds,
+/// but no longer than this, lest the next one is heard in it.
+const BEFORE_S: f64 = 0.0005;
+const AFTER_S: f64 = 0.0025;
+const MOST_AFTER_S: f64 = 0.008;
+/// The longest that an impact is heard to ring, in seconds.
+const RINGING_S: f64 = 0.1;
+/// The noise before an impact from which the whitening is learnt, in seconds.
+const NOISE_S: f64 = 0.010;
+/// The farthest an impact is shifted, in seconds, and in standard errors of its pick.
+const FARTHEST_S: f64 = 0.006;
+/// A pick may be surer of itself than it should be, in the ringing of the impact before: every
+/// impact is sought at least so far around its pick, in seconds.
+const NEAREST_S: f64 = 0.003;
+const FARTHEST_SIGMA: f64 = 6.0;
+/// An impact that shares less than this with the others keeps its pick.
+const LEAST_CORRELATION: f64 = 0.6;
+/// After the first round an impact is sought so many samples around where it was found.
+const NEAR: usize = 6;
+
+/// Lengths in samples at one rate.
+pub(super) struct Span {
+    /// The picked time lies so far inside the samples of a sound.
+    pub(super) origin: usize,
+    pub(super) before: usize,
+    pub(super) length: usize,
+    /// The least and the greatest length after the picked time.
+    pub(super) least: usize,
+    pub(super) most: usize,
+    pub(super) nearest: f64,
+    pub(super) farthest: f64,
+    pub(super) noise: usize,
+    pub(super) ringing: usize,
+}
+
+impl Span {
+    pub(super) fn new(rate_hz: f64) -> Self {
+        let samples = |time_s: f64| (time_s * rate_hz).ceil() as usize;
+        let before = samples(BEFORE_S);
+        let farthest = samples(FARTHEST_S).max(2);
+        Self {
+            origin: before + farthest + KERNEL,
+            before,
+            length: before + samples(MOST_AFTER_S),
+            least: samples(AFTER_S),
+            most: samples(MOST_AFTER_S),
+            nearest: samples(NEAREST_S).max(2) as f64,
+            farthest: farthest as f64,
+            noise: samples(NOISE_S).max(4 * whiten::ORDER),
+            ringing: samples(RINGING_S),
+        }
+    }
+
+    /// Samples of a sound that lie before the impact, wherever it begins.
+    pub(super) fn quiet(&self) -> usize {
+        self.origin - self.before - self.nearest as usize
+    }
+
+    /// Samples of a sound after its origin.
+    fn after(&self) -> usize {
+        self.most + self.farthest as usize + KERNEL + 1
+    }
+}
+
+/// The whitened surroundings of one impact.
+pub(super) struct Sound {
+    pub(super) impact: usize,
+    /// Samples on a grid that has the picked time at its origin.
+    pub(super) samples: Vec<f32>,
+    /// Energy of the samples before each.
+    pub(super) energy: Vec<f64>,
+    /// Power of the noise before the impact, and what it was before smoothing: its density in the
+    /// band that is left.
+    pub(super) noise: f64,
+    pub(super) density: f64,
+    /// How far the impact may be from its pick, in samples.
+    pub(super) reach: usize,
+    /// Standard error of the pick in samples.
+    pub(super) pick_sigma: f64,
+    /// Where the impact begins, in samples after its pick.
+    pub(super) shift: f64,
+    /// Whether it fits the others.
+    pub(super) fits: bool,
+    /// Standard error of the shift in samples, once it is settled.
+    pub(super) sigma: f64,
+}
+
+/// The samples around one impact, and before them the noise from which the whitening is learnt.
+pub(super) struct Cut {
+    impact: usize,
+    /// Its time, and the first of the samples, in samples of the recording.
+    pub(super) at: f64,
+    pub(super) first: usize,
+    pub(super) samples: Vec<f32>,
+    /// Whether it is known to fit the others.
+    pub(super) fits: bool,
+}
+
+/// Cuts out the impacts at these positions, in order of time, but for those too near the ends of
+/// the samples.
+pub(super) fn cut_out(positions: &[f64], fits: &[bool], samples: &[f32], span: &Span) -> Vec<Cut> {
+    let cut = |(impact, &at): (usize, &f64)| {
+        let first = (at as usize).checked_sub(span.origin + span.noise)?;
+        let end = at as usize + span.after() + KERNEL;
+        Some(Cut {
+            impact,
+            at,
+            first,
+            samples: samples.get(first..end)?.to_vec(),
+            fits: fits[impact],
+        })
+    };
+    let mut cuts: Vec<Cut> = positions.iter().enumerate().filter_map(cut).collect();
+    cuts.sort_by(|a, b| a.at.total_cmp(&b.at));
+    cuts
+}
+
+/// The cuts without what the noise before them foretells.
+pub(super) fn whitened(
+    cuts: &[Cut],
+    impacts: &[HeardImpact],
+    rate_hz: f64,
+    span: &Span,
+) -> Vec<Sound> {
+    let noises = cuts.iter().map(|cut| &cut.samples[..span.noise]);
+    let model = Autoregression::learn_from_many(noises);
+    cuts.iter()
+        .map(|cut| {
+            let errors = model.errors(&cut.samples[span.noise - whiten::ORDER..]);
+            let pick_sigma = impacts[cut.impact].onset.sigma_s * rate_hz;
+            let samples = resample(&errors, cut.at.fract(), span.origin + span.after());
+            let energy = running_energy(&samples);
+            let noise = noise_power(&energy, span);
+            Sound {
+                impact: cut.impact,
+                noise,
+                density: noise,
+                energy,
+                samples,
+                reach: (FARTHEST_SIGMA * pick_sigma)
+                    .clamp(span.nearest, span.farthest)
+                    .ceil() as usize,
+                pick_sigma,
+                shift: 0.0,
+                fits: cut.fits,
+                sigma: f64::INFINITY,
+            }
+        })
+        .collect()
+}
+
+impl Sound {
+    /// The waveform that begins this many samples after the pick.
+    pub(super) fn wave(&self, span: &Span, shift: f64) -> Vec<f32> {
+        let first = (span.origin - span.before) as f64 + shift;
+        resample(&self.samples, first, span.length)
+    }
+
+    /// Whether something begins here: the ringing of the impact before may look alike, but fades.
+    pub(super) fn begins(&self, span: &Span) -> bool {
+        let length = span.origin - span.before;
+        // The others may have moved it to beyond what was cut out.
+        let last = self.energy.len() - 1 - length;
+        let at = ((length as f64 + self.shift).max(0.0) as usize).min(last);
+        let energy = |first: usize| self.energy[first + length] - self.energy[first];
+        energy(at) > energy(at.saturating_sub(length))
+    }
+
+    /// Finds the shift at which the sound fits the stack of the others best: near where it was
+    /// found before, or else anywhere.
+    pub(super) fn find(&mut self, template: &Template, span: &Span) {
+        let others = template.wave;
+        let found = if self.fits {
+            let near = self.shift.round() as isize;
+            self.best_shift(others, span, near, NEAR)
+        } else {
+            None
+        };
+        let found = found.or_else(|| self.best_shift(others, span, 0, self.reach));
+        self.fits = found.is_some();
+        self.shift = found.unwrap_or(0.0);
+    }
+
+    /// Settles the shift and its standard error, by the wave at the shift that was found.
+    pub(super) fn settle(&mut self, template: &Template, wave: &[f32], left: &Left, span: &Span) {
+        let noise = Noise {
+            power: self.noise,
+            heard: span.quiet() as f64,
+            alike: self.density / self.noise.max(f64::MIN_POSITIVE),
+            density: self.density * left.where_steep,
+            slope: self.density * left.slope,
+        };
+        let fit = template.fit(wave);
+        self.shift += template.step(&fit);
+        self.sigma = template.shift_error(&fit, &noise);
+    }
+
+    /// The highest correlation at whole samples around `middle`, and a parabola through it.
+    fn best_shift(&self, others: &[f32], span: &Span, middle: isize, reach: usize) -> Option<f64> {
+        let reach = reach.cast_signed();
+        let farthest = self.reach.cast_signed();
+        let lags = (middle - reach).max(-farthest)..=(middle + reach).min(farthest);
+        let first_lag = *lags.start();
+        let scale = f64::from(norm(others));
+        let fits: Vec<f64> = lags
+            .map(|lag| {
+                let first = (span.origin - span.before).saturating_add_signed(lag);
+                let end = first + span.length;
+                let energy = self.energy[end] - self.energy[first];
+                let product = f64::from(dot(&self.samples[first..end], others));
+                product / (energy.max(f64::MIN_POSITIVE).sqrt() * scale)
+            })
+            .collect();
+        let best = (1..fits.len().saturating_sub(1))
+            .filter(|&i| fits[i] > LEAST_CORRELATION)
+            .filter(|&i| fits[i] >= fits[i - 1] && fits[i] > fits[i + 1])
+            .max_by(|&a, &b| fits[a].total_cmp(&fits[b]))?;
+        let (left, right) = (fits[best - 1], fits[best + 1]);
+        let vertex = 0.5 * (left - right) / (left - 2.0 * fits[best] + right);
+        Some((first_lag + best.cast_signed()) as f64 + vertex)
+    }
+}
+
+/// Power of the noise before an impact.
+pub(super) fn noise_power(energy: &[f64], span: &Span) -> f64 {
+    energy[span.quiet()] / span.quiet() as f64
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_impact_moved_out_of_its_sound_is_survived() {
+        let span = Span::new(44_100.0);
+        let fading = (0..span.origin + span.after()).map(|n| 0.99_f32.powf(n as f32));
+        let samples: Vec<f32> = fading.collect();
+        for shift in [-1e4, -400.0, 0.0, 400.0, 1e4] {
+            let sound = Sound {
+                impact: 0,
+                energy: running_energy(&samples),
+                samples: samples.clone(),
+                noise: 1e-6,
+                density: 1e-6,
+                reach: 1,
+                pick_sigma: 1.0,
+                shift,
+                fits: false,
+                sigma: 0.0,
+            };
+            assert!(!sound.begins(&span), "{shift}");
+            assert_eq!(sound.wave(&span, shift).len(), span.length);
+        }
+    }
+}

@@ -1,0 +1,161 @@
+//! What impacts have in common, and how far one of them is from it.
+
+use super::wave::{KERNEL, convolve, derivative, dot, norm};
+
+/// Impacts of one drop differ a little, and not as noise does: what they leave unexplained is like
+/// so many numbers drawn at random, one or two for each mode that rings.
+const FREE_DIFFERENCES: f64 = 2.0;
+/// At least this share of the slope of a template is that of the impacts.
+const LEAST_SIGNAL: f64 = 0.1;
+/// No shift is surer than this, in samples.
+const LEAST_SIGMA: f64 = 0.0001;
+
+pub(super) fn middle_size(waves: &[Vec<f32>]) -> f32 {
+    let mut sizes: Vec<f32> = waves.iter().map(|wave| norm(wave)).collect();
+    sizes.sort_by(f32::total_cmp);
+    sizes[sizes.len() / 2]
+}
+
+/// The weight of a wave in a stack of waves of this middle size.
+pub(super) fn weight(wave: &[f32], middle: f32) -> f32 {
+    1.0 / norm(wave).max(middle).max(f32::MIN_POSITIVE)
+}
+
+/// The sum of the waves: each at unit energy, but those below the middle as quiet as they are,
+/// because they hold more noise.
+pub(super) fn stack(waves: &[Vec<f32>], middle: f32) -> Vec<f32> {
+    let mut stack = vec![0.0; waves[0].len()];
+    for wave in waves {
+        let scale = weight(wave, middle);
+        for (sum, value) in stack.iter_mut().zip(wave) {
+            *sum += value * scale;
+        }
+    }
+    stack
+}
+
+/// What other impacts say an impact sounds like.
+pub(super) struct Template<'a> {
+    pub(super) wave: &'a [f32],
+    derivative: Vec<f32>,
+    energy: f32,
+    slope: f32,
+    /// Power of its noise over that of one impact.
+    noise: f32,
+    /// The weight of the wave that is compared with it, which would be in the stack.
+    own: f32,
+}
+
+/// How a wave fits a template.
+pub(super) struct Fit {
+    level: f64,
+    /// By how many samples the wave comes late.
+    late: f64,
+    /// The energy that neither level nor time explains, and of how many samples.
+    unexplained: f64,
+    count: f64,
+}
+
+impl<'a> Template<'a> {
+    pub(super) fn new(wave: &'a [f32], noise: f32, own: f32) -> Self {
+        let derivative = derivative(wave);
+        Self {
+            wave,
+            noise,
+            own,
+            energy: dot(wave, wave),
+            slope: dot(&derivative, &derivative),
+            derivative,
+        }
+    }
+
+    /// Fits level and time to a wave.
+    pub(super) fn fit(&self, wave: &[f32]) -> Fit {
+        let level = dot(wave, self.wave) / self.energy;
+        let pairs = wave.iter().zip(self.wave);
+        let residual: Vec<f32> = pairs.map(|(w, t)| w - level * t).collect();
+        let along = dot(&self.derivative, &residual);
+        Fit {
+            level: level.into(),
+            late: f64::from(-along / (level * self.slope)),
+            unexplained: f64::from(dot(&residual, &residual) - along * along / self.slope),
+            count: wave.len() as f64,
+        }
+    }
+
+    /// By how many samples to shift a wave. The others are shifted too, each by what is its own
+    /// share of the way: so all of them meet in one step.
+    pub(super) fn step(&self, fit: &Fit) -> f64 {
+        let share = 1.0 / (1.0 + f64::from(self.own) * fit.level);
+        if fit.late.is_finite() {
+            (share * fit.late).clamp(-0.5, 0.5)
+        } else {
+            0.0
+        }
+    }
+
+    /// Standard error of the shift of a wave in this noise, in samples.
+    pub(super) fn shift_error(&self, fit: &Fit, noise: &Noise) -> f64 {
+        let Fit {
+            level,
+            unexplained,
+            count,
+            ..
+        } = *fit;
+        let square = level * level;
+        // What the noise of both leaves, give or take chance: here, and in what was heard before,
+        // from which it is known. (That of the template is common to all impacts, and shifts none
+        // against another.)
+        let by_noise = count * noise.power * (1.0 + square * f64::from(self.noise));
+        let chance = (2.0 * noise.alike * (1.0 / count + 1.0 / noise.heard)).sqrt();
+        let different = if unexplained > by_noise * (1.0 + 2.0 * chance) {
+            unexplained - by_noise
+        } else {
+            0.0
+        };
+        // The noise of the template is steep too, but says nothing of the time.
+        let steep = square * f64::from(self.slope);
+        let of_noise = square * count * f64::from(self.noise) * noise.slope;
+        let slope = (steep - of_noise).max(LEAST_SIGNAL * steep);
+        let variance = (noise.density + different / FREE_DIFFERENCES) * steep / slope.powi(2);
+        variance.sqrt().hypot(LEAST_SIGMA)
+    }
+}
+
+/// The noise under an impact.
+pub(super) struct Noise {
+    /// Its power, and from how many samples that is known.
+    pub(super) power: f64,
+    pub(super) heard: f64,
+    /// How many samples in a row are alike, because it was smoothed.
+    pub(super) alike: f64,
+    /// Its density where the template is steep.
+    pub(super) density: f64,
+    /// The power of its slope.
+    pub(super) slope: f64,
+}
+
+/// What smoothing leaves of white noise.
+pub(super) struct Left {
+    /// The share of its power that can shift impacts like those of this stack: the shift smooths
+    /// once what is left of a wave and once the template.
+    pub(super) where_steep: f64,
+    /// The power of its slope, for each unit of power before.
+    pub(super) slope: f64,
+}
+
+impl Left {
+    pub(super) fn new(stack: &[f32], smoothing: &[f32]) -> Self {
+        let slope = derivative(stack);
+        let twice = convolve(&slope, smoothing);
+        let mut impulse = vec![0.0; smoothing.len() + 2 * KERNEL];
+        impulse[KERNEL..][..smoothing.len()].copy_from_slice(smoothing);
+        let of_noise = derivative(&impulse);
+        Self {
+            where_steep: f64::from(
+                dot(&twice, &twice) / dot(&slope, &slope).max(f32::MIN_POSITIVE),
+            ),
+            slope: f64::from(dot(&of_noise, &of_noise)),
+        }
+    }
+}

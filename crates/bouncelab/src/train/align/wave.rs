@@ -1,0 +1,132 @@
+//! Arithmetic on waves: products, smoothing, values and slopes between samples.
+
+use std::f64::consts::PI;
+
+/// Half the length of the interpolation kernel in samples.
+pub(super) const KERNEL: usize = 8;
+
+/// A bell of weights that reaches so far to both sides, its sum 1.
+pub(super) fn smoothing(reach: usize) -> Vec<f32> {
+    let bell: Vec<f64> = (0..=2 * reach)
+        .map(|n| 1.0 - (PI * (n + 1) as f64 / (reach + 1) as f64).cos())
+        .collect();
+    let sum: f64 = bell.iter().sum();
+    bell.iter().map(|weight| (weight / sum) as f32).collect()
+}
+
+/// As many samples, each the weighted mean of those around it.
+pub(super) fn convolve(samples: &[f32], kernel: &[f32]) -> Vec<f32> {
+    let reach = kernel.len() / 2;
+    let mut padded = vec![0.0; samples.len() + 2 * reach];
+    padded[reach..][..samples.len()].copy_from_slice(samples);
+    let mut sums = vec![0.0; samples.len()];
+    for (shift, weight) in kernel.iter().enumerate() {
+        for (sum, sample) in sums.iter_mut().zip(&padded[shift..]) {
+            *sum += weight * sample;
+        }
+    }
+    sums
+}
+
+/// The derivative of a band-limited signal, for each sample; silence lies before and after.
+pub(super) fn derivative(samples: &[f32]) -> Vec<f32> {
+    let length = samples.len();
+    let mut padded = vec![0.0; length + 2 * KERNEL];
+    padded[KERNEL..][..length].copy_from_slice(samples);
+    let mut derivative = vec![0.0; length];
+    for k in 1..=KERNEL {
+        let window = 0.5 + 0.5 * (PI * k as f64 / (KERNEL + 1) as f64).cos();
+        let sign = if k % 2 == 1 { 1.0 } else { -1.0 };
+        let weight = (sign * window / k as f64) as f32;
+        let (before, after) = (&padded[KERNEL - k..], &padded[KERNEL + k..]);
+        for ((sum, before), after) in derivative.iter_mut().zip(before).zip(after) {
+            *sum += weight * (after - before);
+        }
+    }
+    derivative
+}
+
+pub(super) fn dot(a: &[f32], b: &[f32]) -> f32 {
+    let ((a, rest_a), (b, rest_b)) = (a.as_chunks::<LANES>(), b.as_chunks::<LANES>());
+    let mut lanes = [0.0_f32; LANES];
+    for (a, b) in a.iter().zip(b) {
+        for lane in 0..LANES {
+            lanes[lane] += a[lane] * b[lane];
+        }
+    }
+    let rest: f32 = rest_a.iter().zip(rest_b).map(|(x, y)| x * y).sum();
+    lanes.iter().sum::<f32>() + rest
+}
+
+/// So many products are added side by side.
+pub(super) const LANES: usize = 16;
+
+pub(super) fn norm(a: &[f32]) -> f32 {
+    dot(a, a).sqrt()
+}
+
+/// The energy before each of these samples, and of all.
+pub(super) fn running_energy(samples: &[f32]) -> Vec<f64> {
+    let mut sum = 0.0;
+    let sums = samples.iter().map(|&sample| {
+        sum += f64::from(sample).powi(2);
+        sum
+    });
+    std::iter::once(0.0).chain(sums).collect()
+}
+
+/// So many values from a position between samples on, by a windowed sinc; silence lies before
+/// the first sample and after the last.
+pub(super) fn resample(samples: &[f32], position: f64, length: usize) -> Vec<f32> {
+    let whole = position.floor();
+    let kernel = kernel(position - whole);
+    let first = whole as isize + 1 - KERNEL.cast_signed();
+    let mut values = vec![0.0; length];
+    for (tap, weight) in kernel.into_iter().enumerate() {
+        let start = first + tap.cast_signed();
+        let skipped = start.min(0).unsigned_abs().min(length);
+        let taps = samples.get(start.max(0) as usize..).unwrap_or_default();
+        for (value, sample) in values[skipped..].iter_mut().zip(taps) {
+            *value += weight * sample;
+        }
+    }
+    values
+}
+
+/// The weights of the samples around a position this fraction after one of them.
+pub(super) fn kernel(fraction: f64) -> [f32; 2 * KERNEL] {
+    // From tap to tap the sine changes its sign, and the window turns by an equal angle.
+    let mut sin = (PI * (fraction + KERNEL as f64 - 1.0)).sin() / PI;
+    let (turn_sin, turn_cos) = (PI / KERNEL as f64).sin_cos();
+    let (mut window_sin, mut window_cos) = (PI * (1.0 - fraction) / KERNEL as f64 - PI).sin_cos();
+    std::array::from_fn(|tap| {
+        let x = (tap + 1) as f64 - KERNEL as f64 - fraction;
+        let weight = if x.abs() < 1e-9 {
+            1.0
+        } else {
+            -(0.5 + 0.5 * window_cos) * sin / x
+        };
+        sin = -sin;
+        (window_sin, window_cos) = (
+            window_sin * turn_cos + window_cos * turn_sin,
+            window_cos * turn_cos - window_sin * turn_sin,
+        );
+        weight as f32
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn interpolation_is_that_of_a_band_limited_signal() {
+        let tone: Vec<f32> = (0..200)
+            .map(|n| (0.9 * f64::from(n)).sin() as f32)
+            .collect();
+        for position in [100.0, 100.25, 100.5, 101.9] {
+            let error = f64::from(resample(&tone, position, 1)[0]) - (0.9 * position).sin();
+            assert!(error.abs() < 2e-3, "{position}: {error}");
+        }
+    }
+}
