@@ -16,8 +16,8 @@ fn main() {
     divan::main();
 }
 
-/// A drop of seventy-odd impacts in a minute of background.
-fn minute(noise: Noise) -> Vec<f32> {
+/// A drop of seventy-odd impacts in this much background.
+fn drop_in(duration_s: f64, noise: Noise) -> Vec<f32> {
     let mut strikes = Vec::new();
     let (mut time_s, mut speed_m_s) = (5.0, 2.4_f64);
     while speed_m_s > 0.1 {
@@ -25,7 +25,7 @@ fn minute(noise: Noise) -> Vec<f32> {
         speed_m_s *= 0.955;
         time_s += 2.0 * speed_m_s / 9.81;
     }
-    let tail_s = 60.0 - time_s;
+    let tail_s = duration_s - time_s;
     let scene = Scene {
         noise: Some(noise),
         tail_s,
@@ -42,6 +42,10 @@ fn onsets(samples: &[f32]) -> Vec<Onset> {
     onsets
 }
 
+fn minute(noise: Noise) -> Vec<f32> {
+    drop_in(60.0, noise)
+}
+
 /// Onset candidates of a minute with a drop.
 #[divan::bench]
 fn detector(bencher: Bencher) {
@@ -55,6 +59,12 @@ fn detector(bencher: Bencher) {
 #[divan::bench(args = [40.0, 10.0])]
 fn listener(bencher: Bencher, snr_db: f64) {
     hear(bencher, &minute(Noise::pink(snr_db)));
+}
+
+/// The same where ten balls are dropped in an hour: one in six minutes.
+#[divan::bench]
+fn listener_ten_drops_an_hour(bencher: Bencher) {
+    hear(bencher, &drop_in(360.0, Noise::pink(40.0)));
 }
 
 /// The same without a drop.

@@ -91,6 +91,7 @@ pub mod stated;
 pub mod synth;
 pub mod train;
 mod whiten;
+mod wide;
 mod words;
 
 pub use error::{Error, Result};

@@ -33,6 +33,7 @@
 use crate::error::Result;
 use crate::onset::{self, Detector, Onset};
 use crate::train::{self, Found, NoDrop, Span};
+use crate::wide::widely;
 use std::ops::Range;
 
 /// No drop lasts longer than this many seconds: what is older is forgotten.
@@ -245,9 +246,15 @@ impl Ear {
     }
 
     fn push(&mut self, samples: &[f32]) {
-        let samples = &*onset::finite(samples);
-        let extremes = self.envelope.push(samples);
-        self.clipping.push(samples, extremes.size());
+        let samples = &*widely(
+            #[inline(always)]
+            || {
+                let samples = onset::finite(samples);
+                let extremes = self.envelope.push(&samples);
+                self.clipping.push(&samples, extremes.size());
+                samples
+            },
+        );
         let heard = self.onsets.len();
         self.detector.push_finite(samples, &mut self.onsets);
         self.judge_onsets_from(heard);
@@ -422,6 +429,7 @@ impl Envelope {
     }
 
     /// Takes the next samples; returns the extremes of them.
+    #[inline(always)]
     fn push(&mut self, samples: &[f32]) -> Extremes {
         let begun = self.samples_per_step - self.in_step;
         let (now, mut rest) = samples.split_at(begun.min(samples.len()));
@@ -468,6 +476,7 @@ struct Extremes {
 
 impl Extremes {
     /// Of these samples.
+    #[inline(always)]
     fn of(samples: &[f32]) -> Self {
         Self {
             least: extreme(samples, lesser),
@@ -489,7 +498,7 @@ impl Extremes {
 }
 
 /// The most extreme of these samples, many at a time; infinite if there are none.
-#[inline]
+#[inline(always)]
 fn extreme(samples: &[f32], pick: impl Fn(f32, f32) -> f32) -> f32 {
     const LANES: usize = 8;
     let nothing = -pick(f32::INFINITY, f32::NEG_INFINITY);
@@ -504,13 +513,13 @@ fn extreme(samples: &[f32], pick: impl Fn(f32, f32) -> f32) -> f32 {
 }
 
 /// Without the care for NaN that `f32::min` takes: one instruction.
-#[inline]
+#[inline(always)]
 fn lesser(a: f32, b: f32) -> f32 {
     if a < b { a } else { b }
 }
 
 /// Without the care for NaN that `f32::max` takes.
-#[inline]
+#[inline(always)]
 fn greater(a: f32, b: f32) -> f32 {
     if a > b { a } else { b }
 }

@@ -15,6 +15,7 @@ pub(crate) struct Autoregression {
 
 impl Autoregression {
     /// Learns from a stretch of background; `noise_power` is the least there can be.
+    #[inline(always)]
     pub(crate) fn learn(samples: &[f32], noise_power: f64) -> Self {
         let (mean, mut covariance) = moments(samples);
         // Rounding noise, and a little more, keeps the recursion well conditioned.
@@ -48,6 +49,7 @@ impl Autoregression {
     }
 
     /// The prediction errors of all samples but the first `ORDER`.
+    #[inline(always)]
     pub(crate) fn errors(&self, samples: &[f32]) -> Vec<f32> {
         let centre = |&v: &f32| (f64::from(v) - self.mean) as f32;
         let centred: Vec<f32> = samples.iter().map(centre).collect();
@@ -64,6 +66,7 @@ impl Autoregression {
 }
 
 /// Mean and autocovariance.
+#[inline(always)]
 fn moments(samples: &[f32]) -> (f64, [f64; ORDER + 1]) {
     let n = samples.len().max(1) as f64;
     let mean = samples.iter().map(|&v| f64::from(v)).sum::<f64>() / n;
@@ -76,6 +79,7 @@ fn moments(samples: &[f32]) -> (f64, [f64; ORDER + 1]) {
 }
 
 /// The sum of the products, many side by side; the longer one is cut.
+#[inline(always)]
 fn dot(a: &[f64], b: &[f64]) -> f64 {
     const LANES: usize = 8;
     let length = a.len().min(b.len());

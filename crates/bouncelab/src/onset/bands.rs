@@ -137,7 +137,7 @@ impl FilterBank {
     }
 
     /// Mean square of each band in each hop of the next frame of samples.
-    #[inline]
+    #[inline(always)]
     pub(super) fn energies(&mut self, frame: &[f32]) -> &FrameEnergies {
         if !self.has_begun {
             self.has_begun = true;
@@ -207,7 +207,7 @@ impl LowBands {
     }
 
     /// Mean square of each band in each hop.
-    #[inline]
+    #[inline(always)]
     fn energies(&mut self, samples: &[f32], energies: &mut FrameEnergies) {
         // A whisper of an offset keeps the filters out of denormal numbers in digital silence.
         const WHISPER: f32 = 1e-10;

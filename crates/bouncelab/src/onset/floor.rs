@@ -36,7 +36,7 @@ impl Quantile {
         }
     }
 
-    #[inline]
+    #[inline(always)]
     pub(super) fn push(&mut self, value: f32) {
         let bin = (value.to_bits() >> SHIFT) as u16 & (BINS - 1) as u16;
         if self.recent.len() < self.capacity {
@@ -97,7 +97,7 @@ impl QuantisationStep {
         }
     }
 
-    #[inline]
+    #[inline(always)]
     pub(super) fn see(&mut self, samples: &[f32]) {
         let (Some(first), Some(last)) = (samples.first(), samples.last()) else {
             return;

@@ -43,6 +43,7 @@ pub use bands::BANDS;
 pub(crate) use history::History;
 
 use crate::error::{Error, Result};
+use crate::wide::widely;
 use bands::{FRAME_HOPS, FilterBank};
 use floor::QuantisationStep;
 use novelty::{HopEnergies, Novelty};
@@ -240,11 +241,16 @@ impl Detector {
     fn hear_frame(&mut self) {
         let frame = self.history.frame(self.frame);
         self.frame += 1;
-        // A part of each frame shows the steps well enough.
-        self.step.see(&frame[..frame.len() / STEP_SHARE]);
-        let energies = self.bank.energies(frame);
-        self.energies
-            .push(energies, self.step.power(), BAR, &mut self.moments);
+        widely(
+            #[inline(always)]
+            || {
+                // A part of each frame shows the steps well enough.
+                self.step.see(&frame[..frame.len() / STEP_SHARE]);
+                let energies = self.bank.energies(frame);
+                self.energies
+                    .push(energies, self.step.power(), BAR, &mut self.moments);
+            },
+        );
     }
 
     /// Makes candidates of the moments that are the strongest nearby.
@@ -291,9 +297,11 @@ impl Detector {
         let from = rough.saturating_sub(self.picker.history() as u64);
         let to = rough + self.picker.look_ahead() as u64;
         let first = self.history.read(from..to, &mut self.around);
-        let pick = self
-            .picker
-            .pick(&self.around, (rough - first) as usize, self.step.power());
+        let at = (rough - first) as usize;
+        let pick = widely(
+            #[inline(always)]
+            || self.picker.pick(&self.around, at, self.step.power()),
+        );
         Onset {
             time_s: ((first + pick.sample as u64) as f64 + pick.after) / self.sample_rate_hz,
             sigma_s: pick.sigma / self.sample_rate_hz,
@@ -313,6 +321,7 @@ impl Detector {
 }
 
 /// The same samples; those that are not finite become 0.
+#[inline(always)]
 pub(crate) fn finite(samples: &[f32]) -> Cow<'_, [f32]> {
     // Nothing of a finite number is 0, of anything else it is NaN. Without early exit, many at a time.
     let mut sums = [0.0_f32; 16];

@@ -126,7 +126,7 @@ impl HopEnergies {
 
     /// Takes the energies of the next frame; `noise_power` is that of rounding. Appends the
     /// moments that can now be judged and are at least as strong as `bar`.
-    #[inline]
+    #[inline(always)]
     pub(super) fn push(
         &mut self,
         energies: &FrameEnergies,
@@ -178,7 +178,7 @@ impl HopEnergies {
     }
 
     /// Goes on with the sums; all bands side by side, because each sum waits for the last.
-    #[inline]
+    #[inline(always)]
     fn add(&mut self, energies: &FrameEnergies) {
         self.first += FRAME_HOPS;
         if self.first + self.history + FRAME_HOPS >= self.sums[0].len() {
@@ -240,7 +240,7 @@ impl HopEnergies {
 }
 
 impl Band {
-    #[inline]
+    #[inline(always)]
     fn push(&mut self, energies: &[f32; FRAME_HOPS], noise_power: f64) {
         for means in energies.chunks_exact(FLOOR_HOPS) {
             let mean: f32 = means.iter().sum::<f32>() / FLOOR_HOPS as f32;
@@ -255,7 +255,7 @@ impl Band {
     ///
     /// For x > 0, ln(1 + x) < x (6 + x) / (6 + 4 x), and hardly less while x is small: so nearly
     /// all moments need no logarithm.
-    #[inline]
+    #[inline(always)]
     fn add_most(&self, sums: &[f64], first: usize, most: &mut [f32; FRAME_HOPS]) {
         let sums = |from: usize| &sums[from..][..FRAME_HOPS];
         let (now, end, start) = (

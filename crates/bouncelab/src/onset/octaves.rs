@@ -85,7 +85,7 @@ impl Octaves {
 
     /// Takes the next frame; gives what is left of it after all halvings, less late than the
     /// squares.
-    #[inline]
+    #[inline(always)]
     pub(super) fn push(&mut self, frame: &[f32]) -> &[f32] {
         let mut sound = frame;
         for level in &mut self.levels {
@@ -98,7 +98,7 @@ impl Octaves {
     }
 
     /// Adds the mean squares of each hop in the upper half of a level to `energies`.
-    #[inline]
+    #[inline(always)]
     pub(super) fn add_energies(&self, level: usize, energies: &mut [f32]) {
         let (squares, delay, scale) = if let Some(level) = self.levels.get(level) {
             (&level.pairs, level.delay, 0.5)
@@ -121,7 +121,7 @@ impl Octaves {
 }
 
 /// Adds the mean of each chunk of values, times `scale`.
-#[inline]
+#[inline(always)]
 fn add_means<const LENGTH: usize>(chunks: &[[f32; LENGTH]], scale: f32, means: &mut [f32]) {
     let scale = scale / LENGTH as f32;
     for (mean, values) in means.iter_mut().zip(chunks) {
@@ -129,7 +129,7 @@ fn add_means<const LENGTH: usize>(chunks: &[[f32; LENGTH]], scale: f32, means: &
     }
 }
 
-#[inline]
+#[inline(always)]
 fn sum(values: &[f32]) -> f32 {
     let quads = values.chunks_exact(4);
     let rest: f32 = quads.remainder().iter().sum();
@@ -141,7 +141,7 @@ fn sum(values: &[f32]) -> f32 {
 
 impl Level {
     /// Takes the next samples, squares their upper half and keeps the lower half.
-    #[inline]
+    #[inline(always)]
     fn split(&mut self, samples: &[f32]) {
         let length = self.low.len();
         self.even.copy_within(length.., 0);
@@ -172,7 +172,7 @@ struct Taps<'a> {
 }
 
 impl<'a> Taps<'a> {
-    #[inline]
+    #[inline(always)]
     fn new(values: &'a [f32]) -> Self {
         let length = values.len() - REACH;
         Self {
@@ -180,7 +180,7 @@ impl<'a> Taps<'a> {
         }
     }
 
-    #[inline]
+    #[inline(always)]
     fn around(&self, j: usize) -> f32 {
         WEIGHTS[0] * (self.at[2][j] + self.at[3][j])
             + WEIGHTS[1] * (self.at[1][j] + self.at[4][j])
@@ -189,14 +189,14 @@ impl<'a> Taps<'a> {
 }
 
 impl LastLevel {
-    #[inline]
+    #[inline(always)]
     fn take(&mut self, samples: &[f32]) {
         let length = samples.len();
         self.samples.copy_within(length.., 0);
         self.samples[2 * REACH..].copy_from_slice(samples);
     }
 
-    #[inline]
+    #[inline(always)]
     fn square(&mut self) {
         let length = self.squares.len();
         let at = |place: usize| &self.samples[place..][..length];

@@ -61,6 +61,7 @@ impl Picker {
     }
 
     /// The onset near sample `rough`; `noise_power` is the least there can be.
+    #[inline(always)]
     pub(super) fn pick(&mut self, samples: &[f32], rough: usize, noise_power: f64) -> Pick {
         let end = (rough + self.after).min(samples.len());
         let start = rough.saturating_sub(self.before).max(ORDER);
@@ -86,6 +87,7 @@ impl Picker {
         self.change_point(start)
     }
 
+    #[inline(always)]
     fn change_point(&mut self, start: usize) -> Pick {
         let n = self.error_energy.len() - 1;
         let total = self.error_energy[n];
@@ -122,7 +124,7 @@ impl Picker {
 
 /// The natural logarithm of a positive number to six digits, in plain arithmetic, so that many are
 /// taken side by side: the exponent, and the series of the inverse hyperbolic tangent for the rest.
-#[inline]
+#[inline(always)]
 fn ln(x: f32) -> f32 {
     /// The rest lies between the roots of 1/2 and 2.
     const LEAST_REST: u32 = std::f32::consts::FRAC_1_SQRT_2.to_bits();

@@ -1,5 +1,6 @@
 //! Arithmetic on waves: products, smoothing, values and slopes between samples.
 
+use crate::wide::widely;
 use std::f64::consts::PI;
 
 /// Half the length of the interpolation kernel in samples.
@@ -47,6 +48,14 @@ pub(super) fn derivative(samples: &[f32]) -> Vec<f32> {
 }
 
 pub(super) fn dot(a: &[f32], b: &[f32]) -> f32 {
+    widely(
+        #[inline(always)]
+        || sum_of_products(a, b),
+    )
+}
+
+#[inline(always)]
+fn sum_of_products(a: &[f32], b: &[f32]) -> f32 {
     let ((a, rest_a), (b, rest_b)) = (a.as_chunks::<LANES>(), b.as_chunks::<LANES>());
     let mut lanes = [0.0_f32; LANES];
     for (a, b) in a.iter().zip(b) {
