@@ -192,3 +192,26 @@ fn damage_in_the_middle_leaves_the_times_behind_it() {
     let (seconds, _) = salvage(bytes, "hit.mp3");
     assert!((seconds - intact).abs() < 0.03, "{seconds} s of {intact} s");
 }
+
+/// A WAV as a recorder leaves it that was stopped before it could write the sizes.
+fn unfinished(riff_size: u32) -> Vec<u8> {
+    let mut wav = fixture("pcm16.wav");
+    let data = wav.windows(4).position(|word| word == b"data").unwrap();
+    wav[4..8].copy_from_slice(&riff_size.to_le_bytes());
+    wav[data + 4..data + 8].fill(0);
+    wav
+}
+
+#[test]
+fn a_wav_that_was_never_finished_is_read_to_its_end() {
+    let (whole_s, _) = salvage(fixture("pcm16.wav"), "pcm16.wav");
+    for riff_size in [0, 36] {
+        let (read_s, _) = salvage(unfinished(riff_size), "unfinished.wav");
+        assert!((read_s - whole_s).abs() < 1e-9, "{riff_size}: {read_s} s");
+    }
+    // With nothing after its header it is empty.
+    let mut empty = unfinished(0);
+    let data = empty.windows(4).position(|word| word == b"data").unwrap();
+    empty.truncate(data + 8);
+    refusal(empty, "empty.wav");
+}

@@ -4,21 +4,21 @@ mod codec;
 mod contain;
 mod container;
 mod edits;
+mod input;
 mod opus;
 mod presentation;
 mod track;
 
 use std::fmt;
 use std::fs::File;
-use std::io::{self, Cursor, Read, Seek, SeekFrom};
+use std::io::{Cursor, Read, Seek};
 use std::ops::Range;
 use std::path::Path;
 use std::sync::Arc;
 
-use symphonia::core::io::MediaSource;
-
 use self::codec::{Layout, MAX_CHANNELS};
-use self::container::Content;
+use self::container::{Container, Content};
+use self::input::Input;
 use self::presentation::Presentation;
 use self::track::{Step, Track};
 use crate::error::{Error, Result};
@@ -186,7 +186,10 @@ impl Source {
                 });
             }
         };
-        reader.is_stream = container.is_stream();
+        reader.set_stream(container.is_stream());
+        if container == Container::Wav {
+            reader.mend_wav().map_err(fail)?;
+        }
         let track = Track::open(container, Box::new(reader), name)?;
         Self::start(track, name)
     }
@@ -452,44 +455,4 @@ fn check_layout(layout: Layout, name: &str) -> Result<()> {
         name: name.to_owned(),
         problem,
     })
-}
-
-/// Something to read from, as the demuxers want it.
-struct Input<R> {
-    reader: R,
-    len: u64,
-    is_stream: bool,
-}
-
-impl<R: Read + Seek> Input<R> {
-    fn new(mut reader: R) -> io::Result<Self> {
-        let len = reader.seek(SeekFrom::End(0))?;
-        Ok(Self {
-            reader,
-            len,
-            is_stream: false,
-        })
-    }
-}
-
-impl<R: Read> Read for Input<R> {
-    fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
-        self.reader.read(buffer)
-    }
-}
-
-impl<R: Seek> Seek for Input<R> {
-    fn seek(&mut self, to: SeekFrom) -> io::Result<u64> {
-        self.reader.seek(to)
-    }
-}
-
-impl<R: Read + Seek + Send + Sync> MediaSource for Input<R> {
-    fn is_seekable(&self) -> bool {
-        !self.is_stream
-    }
-
-    fn byte_len(&self) -> Option<u64> {
-        (!self.is_stream).then_some(self.len)
-    }
 }
