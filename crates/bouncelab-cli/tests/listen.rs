@@ -126,6 +126,21 @@ fn a_played_file_says_what_analyze_says() {
 }
 
 #[test]
+fn a_release_is_of_the_drop_that_begins_next() {
+    let folder = TempDir::new().unwrap();
+    let file = three_drops(&folder);
+    // A quarter of a second before the first impact of the second drop.
+    let stated = ["--format", "json", "--release", "8.255s"];
+    let heard = lines(&play(&file).args(stated).output().unwrap().stdout);
+    let expected = bouncelab(&["analyze"]).args(stated).arg(&file).output();
+    let expected: Value = serde_json::from_slice(&expected.unwrap().stdout).unwrap();
+    assert_eq!(Value::from(drops(&heard)), expected["drops"]);
+    let uses_it = |drop: &Value| !drop["estimate"]["missed_first_impacts"].is_null();
+    let uses_it: Vec<bool> = drops(&heard).iter().map(uses_it).collect();
+    assert_eq!(uses_it, [false, true, false]);
+}
+
+#[test]
 fn each_drop_is_told_of_in_turn_and_stands_in_the_table() {
     let folder = TempDir::new().unwrap();
     let file = three_drops(&folder);

@@ -134,7 +134,7 @@ impl Journal {
         })
     }
 
-    /// How many lines were damaged, and so will be made again.
+    /// How many lines were damaged, and do not count.
     pub fn damaged(&self) -> usize {
         self.damaged
     }

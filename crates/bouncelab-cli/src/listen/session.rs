@@ -3,7 +3,7 @@
 use std::thread;
 use std::time::Duration;
 
-use bouncelab::analysis::Analysis;
+use bouncelab::analysis::{Analysis, Settings};
 use bouncelab::listen::Heard;
 use bouncelab::train::{Found, Train};
 
@@ -219,8 +219,8 @@ impl<'a> Session<'a> {
             let cut = drops.iter_mut().map(|drop| gaps.cut(&mut drop.impacts));
             cut.flatten().collect()
         };
-        let settings = &self.physics.settings;
-        let mut hearing = self.recording.hearing(heard, warnings, cut, settings);
+        let settings = self.settings_for(&train);
+        let mut hearing = self.recording.hearing(heard, warnings, cut, &settings);
         let Some(analysis) = hearing.drops.first().cloned() else {
             for warning in &hearing.warnings {
                 self.screen
@@ -242,6 +242,21 @@ impl<'a> Session<'a> {
             self.drops.push(told);
         }
         self.print(&hearing, index + 1)
+    }
+
+    /// What is stated of a drop: a release is of the one that begins next after it.
+    fn settings_for(&self, train: &Train) -> Settings {
+        let mut settings = self.physics.settings.clone();
+        let others = self.drops.iter().map(|told| &told.train);
+        let others = others.filter(|other| !watch::overlap(other, train));
+        let starts_s: Vec<f64> = others.map(Train::start_s).collect();
+        let is_its_own = |released_s: f64| {
+            let between = released_s..train.start_s();
+            !between.is_empty() && !starts_s.iter().any(|start_s| between.contains(start_s))
+        };
+        let release = settings.knowledge.release_s;
+        settings.knowledge.release_s = release.filter(|it| is_its_own(it.value));
+        settings
     }
 
     fn print(&self, hearing: &Hearing, number: usize) -> Result<(), Failure> {

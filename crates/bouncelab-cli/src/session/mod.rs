@@ -179,7 +179,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let draft = arguments.report.as_deref().map(Draft::new).transpose()?;
     if journal.damaged() > 0 {
         eprintln!(
-            "bouncelab: {} results in the journal were cut off or damaged, and are made again",
+            "bouncelab: {} lines of the journal are cut off or damaged, and do not count",
             journal.damaged()
         );
     }
