@@ -7,7 +7,7 @@ import { brotliCompressSync, gzipSync } from 'node:zlib';
  * The most that may be taken, in bytes after gzip, the more modest of the two: by what the page loads at
  * once, and by all that it ever loads. `docs/laboratory.md` says what limits the second.
  */
-const LIMITS = { atOnce: 600_000, whole: 1_050_000 };
+const LIMITS = { atOnce: 600_000, whole: 1_060_000 };
 const DIST = new URL('../dist/', import.meta.url).pathname;
 
 /** Decoders come when a file is opened, or when the page has nothing else to do. */

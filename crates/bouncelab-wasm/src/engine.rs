@@ -173,7 +173,7 @@ impl JsAnalyst {
         over: Option<String>,
         tongue: &Tongue,
     ) -> Result<String> {
-        let over: Option<HeightCurve> = over.as_deref().map(read).transpose()?;
+        let over: Option<HeightCurve> = over.map(|over| read(&over)).transpose()?;
         let mut say = |text: &str| tongue.say(text);
         let request = read(request)?;
         json(&self.0.figure(&request, name, over.as_ref(), &mut say)?)
