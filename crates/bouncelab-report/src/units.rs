@@ -186,12 +186,12 @@ fn quantity(text: &str, units: Units) -> Result<f64, String> {
 /// A number and what follows it.
 fn split(text: &str) -> Result<(f64, &str), String> {
     let text = text.trim();
+    let goes_on = |next: char| next.is_ascii_digit() || matches!(next, '+' | '-');
     let is_number = |(index, c): (usize, char)| {
         c.is_ascii_digit()
             || matches!(c, '.' | '+' | '-')
             // An exponent is part of the number if a digit or sign follows it.
-            || (matches!(c, 'e' | 'E')
-                && text[index + 1..].starts_with(|next: char| next.is_ascii_digit() || matches!(next, '+' | '-')))
+            || (matches!(c, 'e' | 'E') && text[index + 1..].starts_with(goes_on))
     };
     let end = text
         .char_indices()

@@ -88,9 +88,7 @@ impl Heard {
             self.found.reason(self.onsets)
         })
     }
-}
 
-impl Heard {
     /// The band in which the impacts of all drops stand out most, by its number in
     /// [`onset::bands_hz`], and by how many dB they do so in the middle; `None` without a drop.
     pub fn clearest_band(&self) -> Option<(usize, f64)> {

@@ -20,11 +20,11 @@ const SIZE: usize = 4;
 impl<R: Read + Seek> Input<R> {
     pub(super) fn new(mut reader: R) -> io::Result<Self> {
         let len = reader.seek(SeekFrom::End(0))?;
-        let position = reader.rewind().map(|()| 0)?;
+        reader.rewind()?;
         Ok(Self {
             reader,
             len,
-            position,
+            position: 0,
             is_stream: false,
             unwritten: Vec::new(),
         })

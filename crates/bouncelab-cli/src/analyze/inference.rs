@@ -2,9 +2,9 @@
 
 use bouncelab::analysis::Analysis;
 use bouncelab::estimate::{Inference, Prediction, Reach, Summary, UNKNOWN};
+use bouncelab_report::report::ended;
 use bouncelab_report::{CANNOT_TELL, Quantity, Unit, tables};
 
-use super::text::sentence;
 use crate::physics::Physics;
 
 /// The answers, one line for each; `None` if there is no inference to show.
@@ -13,10 +13,7 @@ pub(super) fn lines(drop: &Analysis, physics: &Physics) -> Option<Vec<String>> {
     let found = match &drop.estimate {
         Ok(found) => found,
         Err(reason) => {
-            return Some(vec![format!(
-                "Inference: {CANNOT_TELL}: {}",
-                sentence(reason)
-            )]);
+            return Some(vec![format!("Inference: {CANNOT_TELL}: {}", ended(reason))]);
         }
     };
     let ball_label = &physics.ball_label;

@@ -1,10 +1,11 @@
 //! The result for people.
 
-use std::fmt::{Display, Write};
+use std::fmt::Write;
 
 use bouncelab::analysis::{Analysis, SURE};
 use bouncelab::regression::Estimate;
 use bouncelab_report::document::Origin;
+use bouncelab_report::report::ended;
 use bouncelab_report::{CANNOT_TELL, Quantity, Unit, tables};
 
 use super::hear::{Clearest, Hearing};
@@ -38,14 +39,14 @@ pub(crate) fn report(hearing: &Hearing, physics: &Physics, details: bool) -> Str
             line(&mut text, "");
         }
         for warning in &drop.warnings {
-            line(&mut text, &format!("  Note: {}", sentence(warning)));
+            line(&mut text, &format!("  Note: {}", ended(warning)));
         }
         for remark in inference::remarks(drop) {
-            line(&mut text, &format!("  Note: {}", sentence(remark)));
+            line(&mut text, &format!("  Note: {}", ended(remark)));
         }
     }
     for warning in &hearing.warnings {
-        line(&mut text, &format!("  Note: {}", sentence(warning)));
+        line(&mut text, &format!("  Note: {}", ended(warning)));
     }
     if !physics.assumptions.is_empty() {
         line(
@@ -54,13 +55,6 @@ pub(crate) fn report(hearing: &Hearing, physics: &Physics, details: bool) -> Str
         );
     }
     text
-}
-
-/// With a full stop, unless it is a question.
-pub(super) fn sentence(words: impl Display) -> String {
-    let words = words.to_string();
-    let end = if words.ends_with('?') { "" } else { "." };
-    format!("{words}{end}")
 }
 
 fn line(text: &mut String, words: &str) {
@@ -170,10 +164,7 @@ fn findings(drop: &Analysis, physics: &Physics) -> Vec<String> {
                 ));
             }
         }
-        Err(reason) => lines.push(format!(
-            "Straight line: {CANNOT_TELL}: {}",
-            sentence(reason)
-        )),
+        Err(reason) => lines.push(format!("Straight line: {CANNOT_TELL}: {}", ended(reason))),
     }
     match inference::lines(drop, physics) {
         Some(inferred) if drop.estimate.is_ok() => lines.extend(inferred),
@@ -192,7 +183,7 @@ fn corrected_lines(drop: &Analysis, physics: &Physics) -> Vec<String> {
         Err(reason) => {
             return vec![format!(
                 "Corrected for drag: {CANNOT_TELL}: {}",
-                sentence(reason)
+                ended(reason)
             )];
         }
     };
@@ -223,16 +214,5 @@ pub(crate) fn shown(estimate: Estimate, unit: Unit) -> String {
     match estimate.standard_error {
         Some(error) => Quantity::measured(estimate.value, error, unit).to_string(),
         None => Quantity::rounded(estimate.value, 4, unit).to_string(),
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::sentence;
-
-    #[test]
-    fn questions_need_no_full_stop() {
-        assert_eq!(sentence("it is so"), "it is so.");
-        assert_eq!(sentence("is it so?"), "is it so?");
     }
 }

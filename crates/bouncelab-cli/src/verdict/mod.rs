@@ -137,7 +137,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
             rule.name
         )));
     }
-    once_each(arguments.files.iter().chain(&arguments.reference))?;
+    let hashes = once_each(arguments.files.iter().chain(&arguments.reference))?;
     let draft = arguments.report.as_deref().map(Draft::new).transpose()?;
     let surface = Heard::new(&arguments.files, &physics)?;
     let reference = Heard::new(&arguments.reference, &physics)?;
@@ -160,7 +160,6 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
         physics: &physics,
     };
     if let Some(draft) = draft {
-        let hashes = hashes(arguments.files.iter().chain(&arguments.reference))?;
         draft.write(&report::page(&told, hashes))?;
     }
     let mut out = io::stdout().lock();
@@ -197,21 +196,19 @@ struct Told<'a> {
     physics: &'a Physics,
 }
 
-/// Name and hash of each file.
-fn hashes<'a>(files: impl Iterator<Item = &'a PathBuf>) -> Result<Vec<(String, String)>, Failure> {
-    files
-        .map(|file| Ok((file.display().to_string(), hash_of_file(file)?.to_string())))
-        .collect()
-}
-
-/// The same drop counted twice would make a verdict look surer than it is.
-fn once_each<'a>(files: impl Iterator<Item = &'a PathBuf>) -> Result<(), Failure> {
+/// Name and hash of each file, once each: the same drop counted twice would make a verdict look surer
+/// than it is.
+fn once_each<'a>(
+    files: impl Iterator<Item = &'a PathBuf>,
+) -> Result<Vec<(String, String)>, Failure> {
     let mut seen = BTreeMap::new();
+    let mut hashes = Vec::new();
     for file in files {
         // What cannot be read is said when it is opened.
         let Ok(content) = hash_of_file(file) else {
             continue;
         };
+        hashes.push((file.display().to_string(), content.to_string()));
         if let Some(first) = seen.insert(content, file) {
             return Err(Failure::Usage(format!(
                 "{} and {} are the same recording; every drop counts once",
@@ -220,7 +217,7 @@ fn once_each<'a>(files: impl Iterator<Item = &'a PathBuf>) -> Result<(), Failure
             )));
         }
     }
-    Ok(())
+    Ok(hashes)
 }
 
 /// The physics of the arguments, with the ball and the height of the rule where they state none.

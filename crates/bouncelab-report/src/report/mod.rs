@@ -45,6 +45,6 @@ pub use drop::{drop, in_words};
 pub use equation::Equation;
 pub use markdown::Markdown;
 pub use method::method;
-pub use page::{Block, Language, Page, Section};
+pub use page::{Block, Language, Page, Section, ended};
 pub use recording::{of_recording, repeat};
 pub use subject::{Provenance, Recording};

@@ -1,5 +1,7 @@
 //! A page before it has a form: headings, words, tables, figures and equations in order.
 
+use std::fmt;
+
 use super::equation::Equation;
 use crate::figure::Figure;
 use crate::language::{Say, said};
@@ -182,10 +184,27 @@ pub(super) fn sentence(remark: &str) -> String {
         .next()
         .map(|letter| letter.to_uppercase().collect())
         .unwrap_or_default();
-    let end = if remark.ends_with(['.', '?', '!']) {
+    ended(format_args!("{first}{}", letters.as_str()))
+}
+
+/// With a full stop, unless it has an end already: it may be a question.
+pub fn ended(words: impl fmt::Display) -> String {
+    let words = words.to_string();
+    let end = if words.ends_with(['.', '?', '!']) {
         ""
     } else {
         "."
     };
-    format!("{first}{}{end}", letters.as_str())
+    words + end
+}
+
+#[cfg(test)]
+mod tests {
+    use super::ended;
+
+    #[test]
+    fn questions_need_no_full_stop() {
+        assert_eq!(ended("it is so"), "it is so.");
+        assert_eq!(ended("is it so?"), "is it so?");
+    }
 }

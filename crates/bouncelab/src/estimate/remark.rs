@@ -40,7 +40,8 @@ pub enum Remark {
     },
     /// Impacts before the first one heard were missed, with this probability.
     MissedFirst(f64),
-    /// Neither height nor release was measured: the drop height is that of the fall before the first impact *heard*.
+    /// Neither height nor release was measured: the drop height is that of the fall before the first
+    /// impact *heard*.
     HeightIsOfFirstHeard,
     /// The data say nothing of the drag coefficient: it is what the sphere laws say.
     DragFromPrior,

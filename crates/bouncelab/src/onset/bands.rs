@@ -7,6 +7,7 @@
 
 use super::octaves::{self, Octaves};
 use std::f64::consts::{PI, SQRT_2};
+use std::ops::Range;
 
 /// How many frequency bands the detector watches.
 pub const BANDS: usize = 5;
@@ -114,6 +115,12 @@ impl FilterBank {
             self.levels.push((level, band));
             self.bands = band + 1;
         }
+    }
+
+    /// The bands that there are, low to high, in Hz.
+    pub(super) fn bands_hz(&self) -> Vec<Range<f64>> {
+        let edges_hz = self.edges_hz[..self.bands].iter();
+        edges_hz.map(|&(low_hz, high_hz)| low_hz..high_hz).collect()
     }
 
     /// Watches only the bands of which at least half lies between these frequencies in Hz; whether

@@ -99,9 +99,7 @@ const STANDS_OUT: f64 = 2.0;
 /// assert_eq!(bands_hz[4], 12_000.0..24_000.0);
 /// ```
 pub fn bands_hz(sample_rate_hz: u32) -> Vec<Range<f64>> {
-    let bank = FilterBank::new(f64::from(sample_rate_hz.max(1)));
-    let edges_hz = bank.edges_hz[..bank.bands].iter();
-    edges_hz.map(|&(low_hz, high_hz)| low_hz..high_hz).collect()
+    FilterBank::new(f64::from(sample_rate_hz.max(1))).bands_hz()
 }
 
 /// A candidate is the strongest moment this far to both sides.
@@ -149,11 +147,12 @@ impl Detector {
     /// # Errors
     /// [`Error::NoBand`] if there is none.
     pub fn within(sample_rate_hz: u32, range_hz: &Range<f64>) -> Result<Self> {
-        let mut bank = FilterBank::new(f64::from(sample_rate_hz.max(1)));
+        let sample_rate_hz = f64::from(sample_rate_hz.max(1));
+        let mut bank = FilterBank::new(sample_rate_hz);
         if bank.watch(range_hz.start, range_hz.end) {
-            Ok(Self::with(bank, f64::from(sample_rate_hz.max(1))))
+            Ok(Self::with(bank, sample_rate_hz))
         } else {
-            Err(Error::no_band(range_hz, &bands_hz(sample_rate_hz)))
+            Err(Error::no_band(range_hz, &bank.bands_hz()))
         }
     }
 

@@ -68,7 +68,7 @@ fn sum_of_products(a: &[f32], b: &[f32]) -> f32 {
 }
 
 /// So many products are added side by side.
-pub(super) const LANES: usize = 16;
+const LANES: usize = 16;
 
 pub(super) fn norm(a: &[f32]) -> f32 {
     dot(a, a).sqrt()
@@ -103,7 +103,7 @@ pub(super) fn resample(samples: &[f32], position: f64, length: usize) -> Vec<f32
 }
 
 /// The weights of the samples around a position this fraction after one of them.
-pub(super) fn kernel(fraction: f64) -> [f32; 2 * KERNEL] {
+fn kernel(fraction: f64) -> [f32; 2 * KERNEL] {
     // From tap to tap the sine changes its sign, and the window turns by an equal angle.
     let mut sin = (PI * (fraction + KERNEL as f64 - 1.0)).sin() / PI;
     let (turn_sin, turn_cos) = (PI / KERNEL as f64).sin_cos();
