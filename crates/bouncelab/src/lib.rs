@@ -84,6 +84,7 @@ pub mod groups;
 pub mod impact;
 pub mod listen;
 pub mod onset;
+mod order;
 pub mod regression;
 pub mod restitution;
 pub mod rulebook;

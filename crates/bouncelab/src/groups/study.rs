@@ -5,11 +5,12 @@ use std::collections::{BTreeMap, BTreeSet};
 use super::compare::{Difference, compare, compare_means};
 use super::mean::Mean;
 use super::mixed::{Component, Drop, Factor, Mixed};
-use super::outlier::{Outlier, median, outliers};
+use super::outlier::{Outlier, outliers};
 use super::plan::drops_needed;
 use super::quantile::{student, student_beyond};
 use crate::error::{Error, Result, positive};
 use crate::estimate::Measured;
+use crate::order::median;
 
 /// Restitution at one impact speed.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -262,7 +263,7 @@ fn common_speed_m_s(drops: &[StudyDrop]) -> Option<f64> {
     let middle = median(drops.iter().filter_map(|drop| {
         let (first, last) = (drop.law.0.first()?, drop.law.0.last()?);
         Some((first.speed_m_s * last.speed_m_s).sqrt().ln())
-    }));
+    }))?;
     known
         .into_iter()
         .filter(|(_, count)| *count == most)

@@ -12,6 +12,7 @@ use super::rule::{Averaging, Conditions, Evenness, Limits, Requirement, Rule};
 use crate::analysis::{Analysis, Settings};
 use crate::error::{Result, require};
 use crate::estimate::{self, Summary};
+use crate::order::{quantile, sorted};
 
 /// The drops that were heard in one place: those of one recording.
 pub type Place<'a> = Vec<&'a Analysis>;
@@ -282,14 +283,8 @@ impl Told {
         if limits.is_open() {
             return None;
         }
-        let mut sorted = values.to_vec();
-        sorted.sort_by(f64::total_cmp);
-        let at = |share: f64| {
-            let place = share * sorted.len() as f64;
-            sorted
-                .get((place as usize).min(sorted.len().saturating_sub(1)))
-                .copied()
-        };
+        let sorted = sorted(values.iter().copied());
+        let at = |share: f64| quantile(&sorted, share);
         let (middle, low, high) = (at(0.5)?, at(decision.risk())?, at(1.0 - decision.risk())?);
         let accepted = Limits {
             least: limits.least.map(|least| least + middle - low),
