@@ -83,6 +83,8 @@ pub mod gravity;
 pub mod groups;
 pub mod impact;
 pub mod listen;
+mod logistic;
+mod moments;
 pub mod onset;
 mod order;
 pub mod regression;

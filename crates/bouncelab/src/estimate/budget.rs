@@ -8,8 +8,8 @@ use nalgebra::{Cholesky, DMatrix, DVector};
 
 use super::likelihood::Evaluator;
 use super::model::{Model, Slot};
-use super::posterior::Posterior;
-use super::residual::covariance;
+use super::posterior::{Posterior, THINNED};
+use super::residual::{covariance_by_time, variance_by_time};
 
 /// What one source adds to the uncertainty of a quantity.
 #[derive(Debug, Clone, PartialEq)]
@@ -80,11 +80,7 @@ impl Linear {
         evaluator.log_posterior(vector)?;
         let weights: Vec<f64> = evaluator.innovations.iter().map(|i| i.weight).collect();
         let residuals = evaluator.residuals(&point)?;
-        let observed = model.observed;
-        let variance = |impact: usize| {
-            let sigma_s = observed.sigma_s.get(impact).copied().unwrap_or(0.0);
-            (point.timing * sigma_s).powi(2)
-        };
+        let variance = |impact: usize| point.time_variance_s2(model.observed, impact);
         let rows = residuals.len();
         let mut by_time = DMatrix::zeros(rows, rows);
         let mut by_scatter = DMatrix::zeros(rows, rows);
@@ -92,8 +88,8 @@ impl Linear {
         for (row, residual) in residuals.iter().enumerate() {
             for earlier in row.saturating_sub(2)..=row {
                 let shared = match row - earlier {
-                    0 => own_variance(&residual.timing, residual.impact, variance),
-                    _ => covariance(&residuals[earlier], residual, variance),
+                    0 => variance_by_time(residual, variance),
+                    _ => covariance_by_time(&residuals[earlier], residual, variance),
                 };
                 by_time[(row, earlier)] = shared;
                 by_time[(earlier, row)] = shared;
@@ -192,15 +188,6 @@ pub(super) fn shared_sd(posterior: &Posterior, speeds_m_s: &[f64]) -> Option<Vec
         .collect()
 }
 
-fn own_variance(timing: &[f64; 3], impact: usize, variance: impl Fn(usize) -> f64) -> f64 {
-    let [before, own, after] = timing;
-    let mut sum = own * own * variance(impact) + after * after * variance(impact + 1);
-    if impact > 0 {
-        sum += before * before * variance(impact - 1);
-    }
-    sum
-}
-
 /// Derivatives of a quantity by the unknowns, by central differences.
 fn gradient(
     evaluator: &mut Evaluator,
@@ -233,14 +220,14 @@ fn between(posterior: &Posterior, at_speed_m_s: f64) -> [[f64; 2]; 2] {
             (law, candidate.missed_first)
         })
         .collect();
-    let values = posterior.each(4, |evaluator, point| {
+    let values = posterior.each(THINNED, |evaluator, point| {
         let told = evaluator.told(point)?;
         Some([point.law.at(at_speed_m_s), told.drop_height_m])
     });
     let of_draw: Vec<(usize, usize)> = posterior
         .draws
         .iter()
-        .step_by(4)
+        .step_by(THINNED)
         .map(|draw| keys[draw.candidate])
         .collect();
     if of_draw.len() != values.len() {

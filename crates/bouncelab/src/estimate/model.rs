@@ -8,6 +8,7 @@ use crate::error::{Error, Result};
 use crate::flight::table::{DragProfile, FlightTables, Row};
 use crate::flight::{Environment, FlightModel};
 use crate::impact::Restitution;
+use crate::logistic::{logistic, softplus};
 use crate::order::{median, robust_sd};
 
 /// How far the typical scatter of restitution may be off, as a factor.
@@ -144,6 +145,13 @@ pub(super) struct Point {
 }
 
 impl Point {
+    /// Variance of the time of an impact, s²; none beyond the last.
+    #[inline]
+    pub(super) fn time_variance_s2(&self, observed: &Observed, impact: usize) -> f64 {
+        let sigma_s = observed.sigma_s.get(impact).copied().unwrap_or(0.0);
+        self.timing * self.timing * sigma_s * sigma_s
+    }
+
     /// The impact speed that the law turns into a launch speed.
     pub(super) fn impact_before(&self, launch: f64) -> Option<f64> {
         const STEPS: usize = 60;
@@ -505,13 +513,4 @@ fn index(slot: Slot) -> usize {
         Slot::Gravity => 8,
         Slot::Inputs => 9,
     }
-}
-
-fn logistic(x: f64) -> f64 {
-    1.0 / (1.0 + (-x).exp())
-}
-
-/// ln(1 + exp x) without overflow.
-fn softplus(x: f64) -> f64 {
-    x.max(0.0) + (-x.abs()).exp().ln_1p()
 }

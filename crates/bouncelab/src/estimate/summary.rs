@@ -1,5 +1,6 @@
 //! What a posterior says of one quantity.
 
+use crate::moments::sd;
 use crate::order::{quantile, sorted};
 
 /// The posterior of one quantity.
@@ -24,12 +25,9 @@ impl Summary {
     pub fn of(values: impl IntoIterator<Item = f64>) -> Option<Self> {
         let sorted = sorted(values.into_iter().filter(|v| v.is_finite()));
         let at = |share: f64| quantile(&sorted, share);
-        let count = sorted.len() as f64;
-        let mean = sorted.iter().sum::<f64>() / count;
-        let variance = sorted.iter().map(|v| (v - mean).powi(2)).sum::<f64>() / count;
         Some(Self {
             value: at(0.5)?,
-            sd: variance.sqrt(),
+            sd: sd(&sorted),
             interval68: [at(TAIL68)?, at(1.0 - TAIL68)?],
             interval95: [at(TAIL95)?, at(1.0 - TAIL95)?],
         })

@@ -12,6 +12,7 @@ use super::rule::{Averaging, Conditions, Evenness, Limits, Requirement, Rule};
 use crate::analysis::{Analysis, Settings};
 use crate::error::{Result, require};
 use crate::estimate::{self, Summary};
+use crate::moments;
 use crate::order::{quantile, sorted};
 
 /// The drops that were heard in one place: those of one recording.
@@ -125,7 +126,7 @@ impl Verdict {
 
 fn mean_of(drops: &[Rebound], value: impl Fn(&Rebound) -> Option<f64>) -> Option<f64> {
     let values = drops.iter().map(value).collect::<Option<Vec<f64>>>()?;
-    (!values.is_empty()).then(|| values.iter().sum::<f64>() / values.len() as f64)
+    (!values.is_empty()).then(|| moments::mean(&values))
 }
 
 /// The seed of what little chance there is: the order in which draws meet.
@@ -322,7 +323,7 @@ fn mean<'a>(drops: impl Iterator<Item = &'a Rebound>, rng: &mut ChaCha8Rng) -> V
 }
 
 fn farthest_from_mean(places: &[f64]) -> f64 {
-    let mean = places.iter().sum::<f64>() / places.len() as f64;
+    let mean = moments::mean(places);
     places
         .iter()
         .map(|place| (place / mean - 1.0).abs())
