@@ -9,12 +9,13 @@ mod text;
 
 pub(crate) use edit::Unanalysed;
 pub(crate) use figures::{Stems, save_figures};
-pub(crate) use hear::{Hearing, Heeded, Recording, hear};
+pub(crate) use hear::{Hearing, Heeded, Recording, hear, nothing_released, settings_of_drop};
 pub(crate) use text::{report, shown};
 
 use std::io::{self, Write};
 use std::ops::{Range, RangeInclusive};
 use std::path::PathBuf;
+use std::str::FromStr;
 
 use bouncelab_report::document::{Document, rows};
 use clap::{Args, ValueEnum};
