@@ -374,8 +374,13 @@ impl StatedDrop {
             let is_inferred = self.infer.contains(&input);
             if is_inferred { UNKNOWN } else { known }
         };
-        let mut laws = self.laws.clone();
-        laws.dedup();
+        // Stated twice, a law would count twice.
+        let mut laws: Vec<LawKind> = Vec::new();
+        for &law in &self.laws {
+            if !laws.contains(&law) {
+                laws.push(law);
+            }
+        }
         let all = Knowledge {
             drop_height_m: measured(self.height_m, self.height_sd_m.unwrap_or(HEIGHT_SD_M)),
             first_was_heard: self.first_heard,
