@@ -201,7 +201,10 @@ fn analyze(
     let drops: Vec<Analysis> = if rayon::current_thread_index().is_some() {
         drops.into_iter().map(one).collect()
     } else {
-        drops.into_par_iter().map(one).collect()
+        let waiting = inferring(&drops, settings);
+        let analysed = drops.into_par_iter().map(one).collect();
+        waiting.finish_and_clear();
+        analysed
     };
     warnings.extend(doubts(&drops, settings));
     warnings.extend(nothing_released(settings, &starts_s));
@@ -280,9 +283,29 @@ fn progress(duration_s: Option<f64>) -> ProgressBar {
     {
         bar.set_style(style);
     }
-    bar.enable_steady_tick(Duration::from_millis(200));
+    bar.enable_steady_tick(TICK);
     bar
 }
+
+/// A sign of life while so many impacts are inferred from that it takes seconds; it hides itself as
+/// the bar does.
+fn inferring(drops: &[Unanalysed], settings: &Settings) -> ProgressBar {
+    /// About two milliseconds each.
+    const MANY: usize = 1000;
+    let impacts: usize = drops.iter().map(|drop| drop.impacts.len()).sum();
+    if settings.question.is_none() || impacts < MANY {
+        return ProgressBar::hidden();
+    }
+    let spinner = ProgressBar::new_spinner();
+    spinner.set_message(format!(
+        "inferring from {impacts} impacts (--no-inference leaves it out)"
+    ));
+    spinner.enable_steady_tick(TICK);
+    spinner
+}
+
+/// How often what shows progress moves.
+const TICK: Duration = Duration::from_millis(200);
 
 #[cfg(test)]
 mod tests {
