@@ -62,6 +62,14 @@ impl Pen {
             dash: None,
         }
     }
+
+    /// The same with strokes and gaps of these lengths.
+    pub(crate) const fn dashed(self, stroke: f64, gap: f64) -> Self {
+        Self {
+            dash: Some(Dash { stroke, gap }),
+            ..self
+        }
+    }
 }
 
 /// Which part of a text lies at its place.
@@ -199,6 +207,18 @@ impl Canvas {
         }
         let corners = corners.to_vec();
         self.ink.push(Ink::Area { corners, colour });
+    }
+
+    /// A filled rectangle.
+    pub(crate) fn block(&mut self, rect: Rect, colour: Colour) {
+        let Rect {
+            left,
+            top,
+            right,
+            bottom,
+        } = rect;
+        let corners = [(left, top), (right, top), (right, bottom), (left, bottom)];
+        self.area(&corners, colour);
     }
 
     /// A filled circle.
@@ -493,7 +513,8 @@ fn color(colour: Colour) -> Color {
     Color::Rgb(red, green, blue)
 }
 
-fn is_finite((x, y): Point) -> bool {
+/// Whether both coordinates are numbers.
+pub(crate) fn is_finite((x, y): Point) -> bool {
     x.is_finite() && y.is_finite()
 }
 

@@ -31,6 +31,7 @@
 //! | [`error`](Error) | what can go wrong |
 //! | [`language`] | how the English here becomes another language |
 //! | [`units`] | which quantity somebody wrote down |
+//! | `digits` | how signs and exponents are written |
 //! | [`quantity`](Quantity) | how many digits, and which prefix |
 //! | [`table`](Table) | how numbers stand under each other |
 //! | [`theme`] | what a colour means |
@@ -51,6 +52,7 @@
 //! [`Figure::png`](figure::Figure::png) and [`save()`].
 
 mod canvas;
+mod digits;
 pub mod document;
 mod error;
 pub mod figure;

@@ -494,8 +494,8 @@ impl Panel {
 
     /// A point as a dot or ring; one above or below the frame becomes an arrow head at the
     /// edge, so that none is lost unseen.
-    pub(crate) fn point(&self, canvas: &mut Canvas, point: Measured, swatch: Swatch) {
-        let (x, y) = self.at(point.place);
+    pub(crate) fn point(&self, canvas: &mut Canvas, point: (f64, f64), swatch: Swatch) {
+        let (x, y) = self.at(point);
         let Rect {
             left,
             top,

@@ -6,6 +6,7 @@ use super::experiment::{
 use crate::error::Result;
 use crate::figure::{self, Curve, DragAxes, Envelope, Figure, Line, Mark, TimedFlight};
 use crate::theme::Meaning;
+use bouncelab::analysis::SURE;
 use bouncelab::drag::DragLaw;
 use bouncelab::drop::{History, Stop};
 use bouncelab::impact::Strike;
@@ -83,7 +84,7 @@ fn sound() -> Result<Figure> {
         .flat_map(Train::impacts)
         .map(|impact| Mark {
             time_s: impact.onset.time_s,
-            probability: impact.probability,
+            sure: impact.probability >= SURE,
             drop: 1,
         })
         .collect();
