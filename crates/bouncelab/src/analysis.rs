@@ -331,8 +331,12 @@ fn warnings(
     flights: &[FlightFound],
     corrected: Option<&Corrected>,
 ) -> Vec<Warning> {
+    /// No ball that one drops flies so long, in seconds.
+    const TOO_LONG_S: f64 = 30.0;
+    /// A flight longer than the one before by this factor is no error of the times.
+    const GROWS: f64 = 1.02;
     let mut warnings = Vec::new();
-    if flights.iter().any(|flight| flight.time_s > 30.0) {
+    if flights.iter().any(|flight| flight.time_s > TOO_LONG_S) {
         warnings.push(Warning::Milliseconds);
     }
     let span = impacts
@@ -354,7 +358,7 @@ fn warnings(
     if gains.is_empty() {
         let grows = flights
             .windows(2)
-            .find(|pair| pair[1].time_s > 1.02 * pair[0].time_s);
+            .find(|pair| pair[1].time_s > GROWS * pair[0].time_s);
         if let (Some(pair), None) = (grows, corrected) {
             warnings.push(Warning::Grows(pair[1].number));
         }

@@ -78,9 +78,10 @@ pub(super) struct Posterior {
     pub(super) surroundings: Vec<Surroundings>,
     pub(super) middle: Middle,
     pub(super) knowledge: Knowledge,
+    pub(super) ball: Ball,
+    /// As stated, with the drag law of the first of the surroundings.
+    pub(super) environment: Environment,
     pub(super) contact_time_s: f64,
-    /// Gravity as stated, m/s².
-    pub(super) gravity_m_s2: f64,
     /// Most probable first.
     pub(super) candidates: Vec<Candidate>,
     /// Equally likely draws.
@@ -157,8 +158,9 @@ impl Posterior {
             surroundings,
             middle,
             knowledge: knowledge.clone(),
+            ball: *ball,
+            environment: *environment,
             contact_time_s,
-            gravity_m_s2: environment.gravity_m_s2,
             candidates: Vec::new(),
             draws: Vec::new(),
         };

@@ -193,27 +193,9 @@ impl Study {
         let known: Vec<Option<LawPoint>> =
             drops.iter().map(|drop| drop.law.at(speed_m_s)).collect();
         let used: Vec<usize> = (0..drops.len()).filter(|&i| known[i].is_some()).collect();
-        let points: Vec<LawPoint> = known.iter().flatten().copied().collect();
-        let mut cells: BTreeMap<Vec<Option<usize>>, Vec<usize>> = BTreeMap::new();
-        for &place in &used {
-            let levels = by.iter().map(|&factor| drops[place].levels[factor]);
-            cells.entry(levels.collect()).or_default().push(place);
-        }
-        let mut group_of = vec![0; drops.len()];
-        for (number, places) in cells.values().enumerate() {
-            for &place in places {
-                group_of[place] = number;
-            }
-        }
-        let group_of: Vec<usize> = used.iter().map(|&place| group_of[place]).collect();
-        let values: Vec<Measured> = points.iter().map(own).collect();
-        let outliers: Vec<Outlier> = outliers(&values, &group_of)
-            .into_iter()
-            .map(|outlier| Outlier {
-                drop: used[outlier.drop],
-                ..outlier
-            })
-            .collect();
+        let values: Vec<Measured> = known.iter().flatten().map(own).collect();
+        let cells = cells(drops, &used, by);
+        let outliers = outliers_of(&cells, &used, &values);
         let odd: BTreeSet<usize> = outliers.iter().map(|outlier| outlier.drop).collect();
         let of = |places: &[usize], levels: Vec<Option<usize>>| {
             group(drops, &known, places, &odd, levels, wanted)
@@ -242,6 +224,34 @@ impl Study {
             outliers,
         })
     }
+}
+
+/// The drops that have the same levels of some factors, by those levels.
+type Cells = BTreeMap<Vec<Option<usize>>, Vec<usize>>;
+
+fn cells(drops: &[StudyDrop], used: &[usize], by: &[usize]) -> Cells {
+    let mut cells = Cells::new();
+    for &place in used {
+        let levels = by.iter().map(|&factor| drops[place].levels[factor]);
+        cells.entry(levels.collect()).or_default().push(place);
+    }
+    cells
+}
+
+/// The drops that do not belong to their cell, by their place in the list given.
+fn outliers_of(cells: &Cells, used: &[usize], values: &[Measured]) -> Vec<Outlier> {
+    let mut cell_of = BTreeMap::new();
+    for (places, number) in cells.values().zip(0..) {
+        cell_of.extend(places.iter().map(|&place| (place, number)));
+    }
+    let groups: Vec<usize> = used.iter().map(|place| cell_of[place]).collect();
+    outliers(values, &groups)
+        .into_iter()
+        .map(|outlier| Outlier {
+            drop: used[outlier.drop],
+            ..outlier
+        })
+        .collect()
 }
 
 /// The value of a drop with what of its uncertainty is its own.
