@@ -16,7 +16,7 @@
 //! # Ok::<(), bouncelab::Error>(())
 //! ```
 
-use crate::error::{Error, Result, not_negative, positive, require};
+use crate::error::{Error, Result, not_negative, of_a_size, positive, require};
 use crate::flight::{Fall, Flight, FlightModel, State};
 use crate::impact::{Contact, Strike};
 
@@ -142,10 +142,10 @@ pub fn simulate(
     not_negative("height in m at which to stop", stop.apex_m)?;
     let opening = match start {
         Start::Height(height_m) => {
-            Opening::Fall(model.fall(positive("release height in m", height_m)?)?)
+            Opening::Fall(model.fall(of_a_size("release height in m", height_m)?)?)
         }
         Start::Launch(speed_m_s) => {
-            Opening::Flight(model.launch(positive("launch speed in m/s", speed_m_s)?)?)
+            Opening::Flight(model.launch(of_a_size("launch speed in m/s", speed_m_s)?)?)
         }
     };
     let mut landing = Strike {

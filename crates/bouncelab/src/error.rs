@@ -189,6 +189,19 @@ pub(crate) fn positive(quantity: &'static str, value: f64) -> Result<f64> {
     Ok(value)
 }
 
+/// The value back if it is of a size that things have, in SI: far beyond it the physics drowns in
+/// the range of floating-point numbers.
+pub(crate) fn of_a_size(quantity: &'static str, value: f64) -> Result<f64> {
+    let sizes = 1e-20..=1e20;
+    require(
+        sizes.contains(&value),
+        quantity,
+        value,
+        "from 1e-20 to 1e20",
+    )?;
+    Ok(value)
+}
+
 /// The value back if it is finite and not negative.
 pub(crate) fn not_negative(quantity: &'static str, value: f64) -> Result<f64> {
     require(

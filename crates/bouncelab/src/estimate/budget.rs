@@ -6,6 +6,7 @@
 
 use nalgebra::{Cholesky, DMatrix, DVector};
 
+use super::banded::Banded;
 use super::likelihood::Evaluator;
 use super::model::{Model, Slot};
 use super::posterior::{Posterior, THINNED};
@@ -67,9 +68,9 @@ struct Linear {
     covariance: DMatrix<f64>,
     /// What one unit of each residual moves the unknowns by.
     gain: DMatrix<f64>,
-    by_time: DMatrix<f64>,
-    by_scatter: DMatrix<f64>,
-    by_release: DMatrix<f64>,
+    by_time: Banded,
+    by_scatter: Banded,
+    by_release: Banded,
 }
 
 impl Linear {
@@ -81,40 +82,36 @@ impl Linear {
         let weights: Vec<f64> = evaluator.innovations.iter().map(|i| i.weight).collect();
         let residuals = evaluator.residuals(&point)?;
         let variance = |impact: usize| point.time_variance_s2(model.observed, impact);
-        let rows = residuals.len();
-        let mut by_time = DMatrix::zeros(rows, rows);
-        let mut by_scatter = DMatrix::zeros(rows, rows);
-        let mut by_release = DMatrix::zeros(rows, rows);
+        let mut by_time = Banded::default();
+        let mut by_scatter = Banded::default();
+        let mut by_release = Banded::default();
+        let scatter = point.scatter * point.scatter;
         for (row, residual) in residuals.iter().enumerate() {
-            for earlier in row.saturating_sub(2)..=row {
-                let shared = match row - earlier {
-                    0 => variance_by_time(residual, variance),
-                    _ => covariance_by_time(&residuals[earlier], residual, variance),
-                };
-                by_time[(row, earlier)] = shared;
-                by_time[(earlier, row)] = shared;
-            }
-            let scatter = point.scatter * point.scatter;
+            let shared = |places: usize| {
+                let earlier = row.checked_sub(places).map(|place| &residuals[place]);
+                earlier.map_or(0.0, |earlier| {
+                    covariance_by_time(earlier, residual, variance)
+                })
+            };
+            let own = variance_by_time(residual, variance);
+            by_time.push([shared(2), shared(1), own]);
             // An odd impact counts less, as if its scatter were larger.
-            by_scatter[(row, row)] = scatter * residual.scatter / weights[row].max(1e-3);
-            if row > 0 {
-                by_scatter[(row, row - 1)] = scatter * residual.scatter_before;
-                by_scatter[(row - 1, row)] = scatter * residual.scatter_before;
-            }
-            by_release[(row, row)] = residual.own_variance;
+            let own = scatter * residual.scatter / weights[row].max(1e-3);
+            by_scatter.push([0.0, scatter * residual.scatter_before, own]);
+            by_release.push([0.0, 0.0, residual.own_variance]);
         }
-        let noise = &by_time + &by_scatter + &by_release;
-        let precise = Cholesky::new(noise)?.inverse();
+        let noise = Banded::sum([&by_time, &by_scatter, &by_release]);
+        let precise = noise.solve(slopes.clone())?;
         let priors = model
             .slots()
             .iter()
             .zip(vector)
             .map(|(&slot, &value)| model.prior_information(slot, value));
         let priors = DMatrix::from_diagonal(&DVector::from_iterator(vector.len(), priors));
-        let information = slopes.transpose() * &precise * &slopes + priors;
+        let information = slopes.transpose() * &precise + priors;
         let covariance = Cholesky::new(information)?.inverse();
         Some(Self {
-            gain: &covariance * slopes.transpose() * precise,
+            gain: &covariance * precise.transpose(),
             covariance,
             by_time,
             by_scatter,
@@ -125,7 +122,7 @@ impl Linear {
     /// Variance of a quantity with this gradient by the unknowns, source by source.
     fn sources(&self, gradient: &DVector<f64>, model: &Model) -> Vec<(&'static str, f64)> {
         let pull = self.gain.transpose() * gradient;
-        let of_noise = |noise: &DMatrix<f64>| pull.dot(&(noise * &pull));
+        let of_noise = |noise: &Banded| noise.quadratic(&pull);
         let mut sources = vec![
             ("timing of the impacts", of_noise(&self.by_time)),
             ("scatter of restitution", of_noise(&self.by_scatter)),

@@ -31,8 +31,8 @@ pub struct Knowledge {
     /// Whether to consider a constant drag coefficient too, beside a law of the Reynolds number: what
     /// the law says at the fastest impact heard.
     pub constant_drag_too: bool,
-    /// Drag coefficient: how far a real ball may lie from the law. The good laws of smooth spheres
-    /// differ by 3 to 4 % at Reynolds numbers of 1,000 to 10,000.
+    /// Drag coefficient: how far a real ball may lie from the law. The laws of smooth spheres
+    /// scatter by about 3 % at Reynolds numbers of 1,000 to 10,000; 4 % leaves room for a ball.
     pub drag: f64,
     /// Gravity.
     pub gravity: f64,

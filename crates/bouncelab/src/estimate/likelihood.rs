@@ -15,7 +15,7 @@
 //! arXiv 1104.0049), so an innovation follows Student's t, and what an odd one seems to say of the
 //! times of its neighbours is taken back.
 
-use nalgebra::{DMatrix, DVector};
+use nalgebra::DMatrix;
 
 use super::knowledge::Measured;
 use super::model::{Height, LOG_SCATTER_SD, Model, Point, Slot};
@@ -248,9 +248,11 @@ impl<'a> Evaluator<'a> {
     pub(super) fn information(&mut self, vector: &[f64]) -> Option<DMatrix<f64>> {
         let columns = self.whitened_slopes(vector)?;
         let model = self.model;
-        let weights = self.innovations.iter().map(|i| i.weight);
-        let weighted = DMatrix::from_diagonal(&DVector::from_iterator(columns.nrows(), weights));
-        let mut information = columns.transpose() * weighted * &columns;
+        let mut weighted = columns.clone();
+        for (mut row, innovation) in weighted.row_iter_mut().zip(&self.innovations) {
+            row *= innovation.weight;
+        }
+        let mut information = columns.transpose() * weighted;
         // The noise: the logarithm of a standard deviation is known to 1/2^1/2 from one residual,
         // less from one with tails.
         let tells = 2.0 * FREEDOM / (FREEDOM + 3.0);
