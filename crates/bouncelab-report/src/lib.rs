@@ -37,6 +37,7 @@
 //! | [`table`](Table) | how numbers stand under each other |
 //! | [`theme`] | what a colour means |
 //! | `picture` | how a drawing becomes pixels |
+//! | `shape` | which parts of a curve are drawn |
 //! | `canvas` | where ink goes: the only room besides that knows the drawing library |
 //! | `scale` | where a value lies on an axis, and which values get a tick |
 //! | `sheet` | title, key, panels with axes |
@@ -68,6 +69,7 @@ pub mod rules;
 #[cfg(all(feature = "png", not(target_family = "wasm")))]
 mod save;
 mod scale;
+mod shape;
 mod sheet;
 mod table;
 pub mod tables;

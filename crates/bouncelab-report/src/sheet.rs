@@ -2,9 +2,10 @@
 
 use std::borrow::Cow;
 
-use crate::canvas::{Anchor, Canvas, Pen, Point, Rect, Style, shortened, text_width};
+use crate::canvas::{Anchor, Canvas, Pen, Style, shortened, text_width};
 use crate::language::{Say, said};
 use crate::scale::{Scale, Ticks};
+use crate::shape::{Point, Rect};
 use crate::theme::{self, Colour};
 
 /// Distance of everything from the edge of the sheet.

@@ -1,7 +1,8 @@
 //! Where an uncertainty comes from.
 
 use super::Figure;
-use crate::canvas::{Anchor, Rect, Style};
+use crate::canvas::{Anchor, Style};
+use crate::shape::Rect;
 use crate::sheet::Sheet;
 use crate::theme::{self, Meaning};
 

@@ -1,8 +1,9 @@
 //! What is known of several quantities together.
 
 use super::{Figure, LINE};
-use crate::canvas::{Pen, Rect};
+use crate::canvas::Pen;
 use crate::scale::{Scale, extent};
+use crate::shape::Rect;
 use crate::sheet::{KeyEntry, Panel, Sheet, Swatch};
 use crate::theme::{self, Colour, Meaning};
 

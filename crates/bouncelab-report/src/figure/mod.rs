@@ -40,9 +40,10 @@ pub use restitution::{BandPoint, Restitution, restitution};
 pub use run_chart::{RunPoint, run_chart};
 pub use waveform::{Envelope, Mark, waveform};
 
-use crate::canvas::{Dash, Pen, is_finite};
+use crate::canvas::Pen;
 use crate::language::{Say, said};
 use crate::scale::Scale;
+use crate::shape::{Dash, is_finite};
 use crate::sheet::{KeyEntry, Sheet, Swatch};
 use crate::theme::Meaning;
 

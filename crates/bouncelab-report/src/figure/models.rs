@@ -1,8 +1,9 @@
 //! Which law may be true, and what each says.
 
 use super::Figure;
-use crate::canvas::{Anchor, Pen, Rect, Style};
+use crate::canvas::{Anchor, Pen, Style};
 use crate::scale::Scale;
+use crate::shape::Rect;
 use crate::sheet::{Panel, Sheet, Swatch};
 use crate::theme::{self, Meaning};
 

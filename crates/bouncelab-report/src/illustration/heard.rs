@@ -3,6 +3,7 @@
 use bouncelab::analysis::{Analysis, SURE, Settings};
 use bouncelab::estimate::Impact;
 use bouncelab::listen;
+use bouncelab::regression::Regression;
 
 use super::inferred;
 use crate::error::Result;
@@ -20,8 +21,7 @@ const POINTS: usize = 24;
 ///
 /// [`Error::Envelope`](crate::Error::Envelope) if the sound is longer than thirty years.
 pub fn waveform(sound: &listen::Envelope, drops: &[Analysis]) -> Result<Figure> {
-    let (least, greatest) = (sound.least().to_vec(), sound.greatest().to_vec());
-    let envelope = Envelope::new(0.0, sound.step_s(), least, greatest)?;
+    let envelope = envelope(sound)?;
     let marks: Vec<Mark> = drops
         .iter()
         .zip(1..)
@@ -36,6 +36,20 @@ pub fn waveform(sound: &listen::Envelope, drops: &[Analysis]) -> Result<Figure> 
     Ok(figure::waveform(&envelope, &marks))
 }
 
+/// The loudness of a sound, to be drawn.
+pub(crate) fn envelope(sound: &listen::Envelope) -> Result<Envelope> {
+    let (least, greatest) = (sound.least().to_vec(), sound.greatest().to_vec());
+    Envelope::new(0.0, sound.step_s(), least, greatest)
+}
+
+/// A straight line, to be drawn.
+pub(crate) fn line(fit: &Regression) -> Line {
+    Line {
+        slope: fit.slope().value,
+        intercept: fit.intercept().value,
+    }
+}
+
 /// The flight times and the straight line through their logarithms.
 pub fn flight_times(drop: &Analysis) -> Figure {
     let flights: Vec<TimedFlight> = drop
@@ -48,10 +62,7 @@ pub fn flight_times(drop: &Analysis) -> Figure {
             used: flight.in_line,
         })
         .collect();
-    let line = drop.line.as_ref().ok().map(|fit| Line {
-        slope: fit.slope().value,
-        intercept: fit.intercept().value,
-    });
+    let line = drop.line.as_ref().ok().map(line);
     figure::flight_times(&flights, line)
 }
 
