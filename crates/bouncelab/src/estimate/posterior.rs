@@ -251,23 +251,15 @@ impl Posterior {
     /// Samples the candidates that matter, weighs them by their evidence and pools their draws.
     fn sample(&mut self, effort: &Effort) {
         let best = best_evidence(&self.candidates);
-        self.candidates
-            .retain(|candidate| candidate.log_evidence > best - 2.0 * HOPELESS);
-        let shares: Vec<f64> = self
-            .candidates
-            .iter()
-            .map(|candidate| (candidate.log_evidence - best).exp())
-            .collect();
-        let total: f64 = shares.iter().sum();
         let mut candidates = std::mem::take(&mut self.candidates);
-        for ((candidate, share), mut rng) in
-            candidates.iter_mut().zip(&shares).zip(effort.streams())
-        {
+        candidates.retain(|candidate| candidate.log_evidence > best - 2.0 * HOPELESS);
+        weigh(&mut candidates);
+        for (candidate, mut rng) in candidates.iter_mut().zip(effort.streams()) {
             if candidate.log_evidence < best - HOPELESS {
                 continue;
             }
             let model = self.model(candidate);
-            let draws = (effort.draws as f64 * share / total) as usize;
+            let draws = (effort.draws as f64 * candidate.weight) as usize;
             let sample = sample::sample(
                 &mut Evaluator::new(&model),
                 &candidate.fit,
