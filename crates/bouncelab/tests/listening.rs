@@ -586,3 +586,25 @@ fn a_rhythm_that_speeds_up_is_no_drop() {
     }
     assert!(drops <= 6, "{drops} drops");
 }
+
+/// A ball that hops off a table reaches the floor 0.4 s after its last impact there: two trains.
+#[test]
+fn a_ball_that_falls_off_a_table_is_heard_on_both() {
+    let bounces = |start_s: f64, first_flight_s: f64, count: i32| {
+        let ends = (0..count).map(move |n| first_flight_s * (1.0 - 0.8_f64.powi(n)) / 0.2);
+        ends.map(move |time_s| start_s + time_s)
+    };
+    let table: Vec<f64> = bounces(0.5, 0.5, 6).collect();
+    let floor: Vec<f64> = bounces(table[5] + 0.4, 0.55, 9).collect();
+    let like = |times_s: &[f64], level_db: f64| -> Vec<Onset> {
+        let onset = |(n, time_s): (i32, &f64)| Onset {
+            level_db: level_db - 2.0 * f64::from(n),
+            ..Onset::click(*time_s)
+        };
+        (0..).zip(times_s).map(onset).collect()
+    };
+    let heard = [like(&table, -20.0), like(&floor, -17.0)].concat();
+    let found = train::find(&heard);
+    let counts: Vec<usize> = found.trains.iter().map(|t| t.impacts().len()).collect();
+    assert_eq!(counts, [6, 9]);
+}

@@ -415,11 +415,11 @@ fn search_among(onsets: &[Onset], span: Span, found: &mut Found) {
         impacts: impacts(onsets, &chain),
     };
     let before = Span {
-        end_s: best.start_s() - HANDLING_S,
+        end_s: best.start_s() - FALL_S,
         ..span
     };
     let after = Span {
-        start_s: best.end_s() + HANDLING_S,
+        start_s: best.end_s() + FALL_S,
         ..span
     };
     let first = onsets.partition_point(|o| o.time_s < before.end_s);
@@ -429,9 +429,9 @@ fn search_among(onsets: &[Onset], span: Span, found: &mut Found) {
     search_among(&onsets[rest..], after, found);
 }
 
-/// A hand needs this many seconds between two drops; what bounces sooner is the same ball, coming
-/// to rest or not yet let go.
-const HANDLING_S: f64 = 0.5;
+/// A ball that falls off a table needs more seconds to the floor, and a hand to the next drop: from
+/// 60 cm it falls so long. What bounces sooner is the same ball, coming to rest or not yet let go.
+const FALL_S: f64 = 0.35;
 
 /// Evidence from how alone the impacts are.
 ///
