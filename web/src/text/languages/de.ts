@@ -702,8 +702,8 @@ const deutsch: Texts = {
       'Nur ein Laut hebt sich vom Hintergrund ab; einen springenden Ball erkennt man an mindestens {} Aufprallen.',
     'only {} sounds stand out of the background; a drop is told from chance by at least {} impacts':
       'Nur {} Laute heben sich vom Hintergrund ab; einen springenden Ball erkennt man an mindestens {} Aufprallen.',
-    '{} sounds come at equal intervals of {} s, as of a clock; the flights of a ball shrink':
-      '{} Laute kommen in gleichen Abständen von {} s, wie von einer Uhr; die Flüge eines Balls werden kürzer.',
+    '{} sounds keep time, about every {} s, as of a clock, of steps or a drum; the flights of a ball shrink':
+      '{} Laute kommen im Takt, etwa alle {} s, wie von einer Uhr, von Schritten oder einer Trommel; die Flüge eines Balls werden kürzer.',
     '{} sounds stand out of the background, but no {} of them come at shrinking intervals as the impacts of a ball do':
       '{} Laute heben sich ab, aber keine {} davon kommen in schrumpfenden Abständen wie die Aufpralle eines Balls.',
     'the file is cut short: {} s of {} s could be read':
