@@ -31,6 +31,8 @@ export interface OnBench {
 }
 
 export const phase = signal<Phase>({ kind: 'empty' });
+/** While it listens or reads, nothing else is put on the bench. */
+export const busy = computed(() => !['empty', 'ready'].includes(phase.value.kind));
 export const fault = signal<Fault | null>(null);
 export const onBench = signal<OnBench | null>(null);
 

@@ -128,6 +128,8 @@ const deutsch: Texts = {
     redo: 'Wiederholen',
     cancel: 'Abbrechen',
     why: 'Warum?',
+    numberWanted: (least, most) =>
+      `Hier wird eine Zahl${most ? ` von ${least} bis ${most}` : least && ` ab ${least}`} erwartet.`,
     dropHere: 'Loslassen, dann wird zugehört',
     unreadableLink: (parts) =>
       `Einiges an den Einstellungen in der Adresse war nicht zu verstehen und bleibt weg: ${parts}.`,
@@ -214,7 +216,7 @@ const deutsch: Texts = {
       do: 'Nimm einen aktuellen Firefox, Chrome, Edge oder Safari, oder öffne eine Aufnahme.',
     },
     ended: {
-      what: 'Das Mikrofon verschwand beim Zuhören.',
+      what: 'Das Mikrofon ist weg: ausgesteckt, oder ein Anruf braucht es.',
       do: 'Was bis dahin zu hören war, ist aufgehoben und ausgewertet.',
     },
     unknown: {
@@ -309,7 +311,7 @@ const deutsch: Texts = {
   figures: {
     title: 'Abbildungen',
     nothing: 'Hier gibt es nichts zu zeigen: Dafür braucht es mehr Aufpralle.',
-    reset: 'Doppelklick zeigt wieder alles.',
+    reset: 'Seitwärts ziehen vergrößert, ein Doppelklick zeigt wieder alles.',
     numbers: 'Dasselbe als Zahlen',
     saveSvg: 'SVG',
     savePng: 'PNG',

@@ -128,6 +128,8 @@ export default {
     redo: 'Redo',
     cancel: 'Cancel',
     why: 'Why?',
+    numberWanted: (least: string, most: string) =>
+      `A number${most ? ` from ${least} to ${most}` : least && ` of at least ${least}`} is expected here.`,
     dropHere: 'Let go to hear it',
     unreadableLink: (parts: string) =>
       `Some of the set-up in the address was not understood and is left out: ${parts}.`,
@@ -213,7 +215,7 @@ export default {
       do: 'Use a current Firefox, Chrome, Edge or Safari, or open a recording.',
     },
     ended: {
-      what: 'The microphone went away while it was heard.',
+      what: 'The microphone was taken away: unplugged, or needed for a call.',
       do: 'What was heard until then is kept and analysed.',
     },
     unknown: {
@@ -305,7 +307,7 @@ export default {
   figures: {
     title: 'Figures',
     nothing: 'Nothing to show here: this takes more impacts.',
-    reset: 'Double-click resets the zoom.',
+    reset: 'Drag sideways to zoom, double-click to see all.',
     numbers: 'The same as numbers',
     saveSvg: 'SVG',
     savePng: 'PNG',

@@ -4,7 +4,7 @@ import { lawName } from '../../figures/drag.ts';
 import { catalogue } from '../../state/engine.ts';
 import { change, forgetSettings, settings } from '../../state/settings.ts';
 import { texts } from '../../text/language.ts';
-import { ballName } from '../../text/names.ts';
+import { ballName, nameIn } from '../../text/names.ts';
 
 const OWN = 'own';
 const ABSOLUTE_ZERO_C = -273.15;
@@ -220,7 +220,7 @@ function Measured() {
         value={restitution_laws?.[0] ?? ''}
         options={[
           ['', words.restitutionAny],
-          ...laws.map((law) => [law, words.laws[law] ?? law] as const),
+          ...laws.map((law) => [law, nameIn(words.laws, law)] as const),
         ]}
         onChange={(law) => change({ restitution_laws: law === '' ? undefined : [law] })}
       />
