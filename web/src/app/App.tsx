@@ -1,6 +1,6 @@
 import { useEffect, useRef, useState } from 'preact/hooks';
 import { route } from '../address/route.ts';
-import { phase } from '../state/bench.ts';
+import { busy } from '../state/bench.ts';
 import { broken, catalogue } from '../state/engine.ts';
 import { openFile } from '../state/opening.ts';
 import { goToLab } from '../state/settings.ts';
@@ -72,7 +72,7 @@ function Footer() {
       <div class="page">
         <span>{words.privacy}</span>
         {version !== undefined && <span>{words.version(version)}</span>}
-        {newer.value && (
+        {newer.value && !busy.value && (
           <span role="status">
             {words.newer}{' '}
             <button type="button" class="quiet slim" onClick={takeOver}>
@@ -96,11 +96,10 @@ function DropZone() {
     ): void => globalThis.addEventListener(kind, listener, { signal: listeners.signal });
     const hasFile = (event: DragEvent): boolean =>
       event.dataTransfer?.types.includes('Files') ?? false;
-    const busy = (): boolean => !['empty', 'ready'].includes(phase.peek().kind);
     on('dragover', (event) => {
       if (!hasFile(event)) return;
       event.preventDefault();
-      setOver(!busy());
+      setOver(!busy.peek());
     });
     on('dragleave', (event) => {
       if (event.relatedTarget === null) setOver(false);
@@ -110,7 +109,7 @@ function DropZone() {
       event.preventDefault();
       setOver(false);
       const file = event.dataTransfer?.files[0];
-      if (!file || busy()) return;
+      if (!file || busy.peek()) return;
       goToLab();
       void openFile(file);
     });

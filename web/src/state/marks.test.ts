@@ -1,6 +1,15 @@
 import { expect, test } from 'vitest';
-import { redo, undo } from './history.ts';
-import { added, editsOf, forEngine, isEdited, markAt, removed, withChange } from './marks.ts';
+import { advance, redo, undo } from './history.ts';
+import {
+  added,
+  asHeard,
+  editsOf,
+  forEngine,
+  isEdited,
+  markAt,
+  removed,
+  withChange,
+} from './marks.ts';
 
 const heard = {
   probability: 0.99,
@@ -38,4 +47,12 @@ test('a mark that is moved past another changes places with it', () => {
   const moved = withChange(present, present[0]?.id ?? 0, { timeS: 1.2, sigmaS: null });
   expect(moved.map(({ timeS }) => timeS)).toEqual([1, 1.2, 2]);
   expect(moved[1]?.sigmaS).toBeNull();
+});
+
+test('what was put back as it was heard is not edited, however many steps lie between', () => {
+  let edits = editsOf(heard);
+  for (let step = 0; step < 500; step += 1) edits = added(edits, markAt(3 + step));
+  const restored = advance(edits, asHeard(edits));
+  expect(isEdited(restored)).toBe(false);
+  expect(forEngine(restored)).toEqual({ edited: false, impacts: heard.impacts });
 });

@@ -98,7 +98,7 @@ function Panel() {
           <div class="row no-print">
             {id === 'drag' && <DragScale />}
             <SaveFigure id={id} log={log} />
-            <span class="small soft">{words.figures.reset}</span>
+            <span class="small soft mouse">{words.figures.reset}</span>
           </div>
         )}
         {charts.length > 0 && <NumbersOf charts={charts} />}
