@@ -8,7 +8,7 @@ export const focusPage = (): void =>
 export function handFocusOn(button: HTMLElement, entry: string): void {
   const going = button.closest(entry);
   const next = going?.nextElementSibling ?? going?.previousElementSibling;
-  const heir = next?.querySelector<HTMLElement>('button:last-of-type');
+  const heir = [...(next?.querySelectorAll('button') ?? [])].at(-1);
   if (heir) heir.focus({ preventScroll: true });
   else focusPage();
 }

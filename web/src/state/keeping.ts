@@ -1,13 +1,13 @@
 /** Keeping drops in the browser, and what is said of all of them together. */
 import { computed, signal } from '@preact/signals';
-import type { DocumentDrop, DropMarks } from '../lab/index.ts';
+import type { DocumentDrop } from '../lab/index.ts';
 import { claim, claimed } from '../store/claims.ts';
 import { allDrops, deleteDrop, type KeptDrop, putDrop } from '../store/drops.ts';
 import { newId } from '../store/id.ts';
 import { deleteRecording, putBlock, putRecording } from '../store/recordings.ts';
 import { analysed, drop, edits, lookAt, onBench, present } from './bench.ts';
 import { setMarks } from './editing.ts';
-import { forEngine } from './marks.ts';
+import { dropNear, forEngine } from './marks.ts';
 import { openStored, openTimes } from './opening.ts';
 import { goToLab, settings } from './settings.ts';
 
@@ -150,15 +150,6 @@ export async function openKept(drop: KeptDrop): Promise<void> {
     return;
   }
   await openStored(drop.recording);
-  lookAt(heardAs(drop.marks));
+  lookAt(dropNear(edits.peek(), drop.marks));
   if (drop.marks.edited) setMarks(drop.marks);
-}
-
-/** Which drop of the recording on the bench it is: the one that begins next to it. */
-function heardAs({ impacts }: DropMarks): number {
-  const beginsAt = impacts[0]?.time_s ?? 0;
-  const apart = edits
-    .peek()
-    .map(({ present: [first] }) => Math.abs((first?.timeS ?? Infinity) - beginsAt));
-  return apart.indexOf(Math.min(...apart));
 }

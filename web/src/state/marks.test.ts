@@ -3,6 +3,7 @@ import { advance, redo, undo } from './history.ts';
 import {
   added,
   asHeard,
+  dropNear,
   editsOf,
   forEngine,
   isEdited,
@@ -55,4 +56,16 @@ test('what was put back as it was heard is not edited, however many steps lie be
   const restored = advance(edits, asHeard(edits));
   expect(isEdited(restored)).toBe(false);
   expect(forEngine(restored)).toEqual({ edited: false, impacts: heard.impacts });
+});
+
+test('a kept drop is found again among those of its recording, edited or not', () => {
+  const later = {
+    ...heard,
+    impacts: heard.impacts.map((one) => ({ ...one, time_s: 10 + one.time_s })),
+  };
+  const drops = [editsOf(heard), editsOf(later)];
+  const first = drops[1]?.present[0];
+  const kept = removed(drops[1] ?? editsOf(later), first?.id ?? 0);
+  expect(dropNear(drops, forEngine(kept))).toBe(1);
+  expect(dropNear(drops, forEngine(editsOf(heard)))).toBe(0);
 });

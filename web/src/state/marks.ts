@@ -62,3 +62,12 @@ export function forEngine(edits: Edits): DropMarks {
     })),
   };
 }
+
+/** Which of several drops begins next to where a kept one begins. */
+export function dropNear(drops: readonly Edits[], { impacts }: DropMarks): number {
+  const beginsAt = impacts[0]?.time_s ?? 0;
+  const apart = drops.map(({ present: [first] }) =>
+    Math.abs((first?.timeS ?? Number.POSITIVE_INFINITY) - beginsAt),
+  );
+  return apart.indexOf(Math.min(...apart));
+}

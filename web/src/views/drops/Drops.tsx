@@ -1,7 +1,16 @@
+import { useEffect } from 'preact/hooks';
 import { focusPage } from '../../app/focus.ts';
 import { Rich } from '../../app/Rich.tsx';
 import { PERCENT, plain, uncertain } from '../../format/quantity.ts';
-import { bringBack, canKeep, compared, deleted, kept, remove } from '../../state/keeping.ts';
+import {
+  bringBack,
+  canKeep,
+  compared,
+  deleted,
+  kept,
+  loadKept,
+  remove,
+} from '../../state/keeping.ts';
 import { labAddress } from '../../state/settings.ts';
 import { spreadOf } from '../../state/spread.ts';
 import { language, texts } from '../../text/language.ts';
@@ -13,6 +22,8 @@ import { saveDropsCsv, saveDropsJson } from './export.ts';
 export function Drops() {
   const words = texts.value.drops;
   const chosen = compared.value;
+  // Another window may have kept one meanwhile.
+  useEffect(() => void loadKept(), []);
   return (
     <div class="stack wide drops">
       <h1>{words.title}</h1>
