@@ -179,6 +179,7 @@ function gestureTarget(
     view: () => latest.current.view.value,
     width: () => element.clientWidth,
     markAt: (timeS, reachS) => nearest(latest.current.marks, timeS, reachS),
+    isChosen: (id) => latest.current.selected.value === id,
     onPan: (view) => {
       const { durationS } = latest.current;
       latest.current.view.value = clamped(view, durationS);

@@ -1,5 +1,5 @@
 import { perCent } from '../../format/quantity.ts';
-import { analysed, drop } from '../../state/bench.ts';
+import { analysed, drop, refining } from '../../state/bench.ts';
 import { language, texts } from '../../text/language.ts';
 import { sentence, translated } from '../../text/remarks.ts';
 
@@ -19,7 +19,8 @@ export function Remarks() {
           ))}
         </ul>
       )}
-      {(estimate || said.no_estimate) && (
+      {/* It stays while the inference runs, unfolded if it was. */}
+      {(estimate || said.no_estimate || refining.value) && (
         <details>
           <summary>{texts.value.lab.tells}</summary>
           <ul class="remarks small">

@@ -173,7 +173,9 @@ function Correcting() {
         <Forth />
         {texts.value.app.redo}
       </Tool>
-      {edited.value && <Tool do={editing.restore}>{words.restore}</Tool>}
+      <Tool disabled={!edited.value} do={editing.restore}>
+        {words.restore}
+      </Tool>
     </div>
   );
 }
