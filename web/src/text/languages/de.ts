@@ -156,6 +156,7 @@ const deutsch: Texts = {
     soFar: (count) => `${count} ${zahl(count, 'Aufprall', 'Aufpralle')} bisher`,
     soFarKeeps: (share) => `er behält etwa ${share} seines Tempos`,
     endsItself: 'Es endet von selbst, wenn der Ball ruht.',
+    result: 'Ergebnis',
     opening: (name) => `Lese ${name} …`,
     kept: (share) => ['Der Ball behielt bei jedem Aufprall ', share, ' seines Tempos.'],
     fell: (height) => ['Er fiel aus ', height, ' Höhe.'],
@@ -310,6 +311,7 @@ const deutsch: Texts = {
   },
   figures: {
     title: 'Abbildungen',
+    against: (y, x) => `${y} über ${x}`,
     nothing: 'Hier gibt es nichts zu zeigen: Dafür braucht es mehr Aufpralle.',
     reset: 'Seitwärts ziehen vergrößert, ein Doppelklick zeigt wieder alles.',
     numbers: 'Dasselbe als Zahlen',
@@ -329,7 +331,7 @@ const deutsch: Texts = {
       x: 'Flug',
       y: 'Flugzeit (s)',
     },
-    residuals: { y: 'neben der Geraden (%)' },
+    residuals: { y: 'Abweichung (%)' },
     restitution: {
       tab: 'Stoßzahl',
       see: 'Grau lässt die Luft weg, Blau rechnet sie heraus. Liegt Blau waagerecht, springt der Ball bei jedem Tempo gleich gut.',

@@ -156,6 +156,7 @@ export default {
     soFar: (count: number) => `${count} ${plural(count, 'impact', 'impacts')} so far`,
     soFarKeeps: (share: string) => `it keeps about ${share} of its speed`,
     endsItself: 'It ends by itself when the ball rests.',
+    result: 'Result',
     opening: (name: string) => `Reading ${name} …`,
     kept: (share: string) => ['The ball kept ', share, ' of its speed at each bounce.'],
     fell: (height: string) => ['It fell from ', height, '.'],
@@ -306,6 +307,7 @@ export default {
   },
   figures: {
     title: 'Figures',
+    against: (y: string, x: string) => `${y} against ${x}`,
     nothing: 'Nothing to show here: this takes more impacts.',
     reset: 'Drag sideways to zoom, double-click to see all.',
     numbers: 'The same as numbers',

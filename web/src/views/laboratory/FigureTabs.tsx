@@ -92,7 +92,7 @@ function Panel() {
         <figcaption>{charts.length > 0 ? sentence : words.figures.nothing}</figcaption>
         {charts[0] && <Key spec={charts[0]} />}
         {charts.map((spec, index) => (
-          <Chart key={index} spec={spec} label={sentence} />
+          <Chart key={index} spec={spec} />
         ))}
         {charts.length > 0 && (
           <div class="row no-print">

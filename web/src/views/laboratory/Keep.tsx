@@ -90,11 +90,12 @@ function KeepForm() {
         setLast({ recording: bench.recording, drop: index, name: isKept ? given : null });
       }}
     >
-      <label class="field">
-        <span>{words.name}</span>
+      <div class="field">
+        <label for="drop-name">{words.name}</label>
         <span class="pair">
           <input
             key={name}
+            id="drop-name"
             ref={input}
             defaultValue={name}
             placeholder={words.nameHint}
@@ -104,7 +105,7 @@ function KeepForm() {
             {words.keep}
           </button>
         </span>
-      </label>
+      </div>
       <p role="status" class="small">
         {attempt && attempt.name !== null && (
           <>

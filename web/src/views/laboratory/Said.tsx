@@ -15,7 +15,7 @@ export function Said() {
   const words = texts.value.lab;
   const said = drop.value;
   return (
-    <section class="said" aria-live="polite" aria-busy={refining.value}>
+    <section class="said" aria-label={words.result} aria-live="polite" aria-busy={refining.value}>
       {onBench.value?.recording.heard.drops.length === 0 && marks.value.length < 3 && <NoDrop />}
       {marks.value.length > 0 && !said?.regression && !said?.estimate && (
         <p class="second">{words.cannotTell}</p>

@@ -42,13 +42,13 @@ export function Simulate() {
             <figure class="figure-box">
               <figcaption>{words.see}</figcaption>
               <Key spec={heights} />
-              <Chart spec={heights} label={words.see} />
+              <Chart spec={heights} />
             </figure>
           )}
           {flights && (
             <figure class="figure-box">
               <figcaption>{words.seeTimes}</figcaption>
-              <Chart spec={flights} label={words.seeTimes} />
+              <Chart spec={flights} />
               {heights && <NumbersOf charts={[flights]} />}
             </figure>
           )}
