@@ -1,5 +1,7 @@
 //! The arguments that say what is known besides the sounds, and what to ask of the inference.
 
+use bouncelab::analysis::Settings;
+use bouncelab::drag::DragLaw;
 use bouncelab::estimate::{Effort, Knowledge, LawKind, Question, Reach};
 use bouncelab::stated::{self, StatedDrop};
 use clap::{Args, ValueEnum};
@@ -52,7 +54,7 @@ pub(crate) struct KnowledgeArguments {
     #[arg(long, value_name = "N", default_value_t = 1)]
     seed: u64,
     /// Leave the inference out, for speed
-    #[arg(long)]
+    #[arg(long, conflicts_with_all = ["reach", "at_speed", "infer"])]
     no_inference: bool,
 }
 
@@ -65,6 +67,17 @@ enum Inferred {
     Drag,
     /// The contact time
     ContactTime,
+}
+
+impl Inferred {
+    /// The input whose uncertainty it stands for.
+    fn input(self) -> Input {
+        match self {
+            Self::Gravity => Input::Gravity,
+            Self::Drag => Input::Drag,
+            Self::ContactTime => Input::ContactTime,
+        }
+    }
 }
 
 impl From<Inferred> for stated::Inferred {
@@ -92,6 +105,12 @@ enum Input {
 }
 
 impl Input {
+    /// As in arguments.
+    fn name(self) -> String {
+        let value = self.to_possible_value();
+        value.map_or_else(String::new, |value| value.get_name().to_owned())
+    }
+
     /// Where the knowledge has it.
     fn of(self, knowledge: &mut Knowledge) -> &mut f64 {
         match self {
@@ -124,8 +143,52 @@ impl KnowledgeArguments {
         doubt::of_quantities(&[("height", self.height), ("height_sd", self.height_sd)])
     }
 
-    /// What these arguments add to what the physics says.
-    pub(crate) fn knowledge(&self, physics: Knowledge) -> Result<Knowledge, Failure> {
+    /// Adds what these arguments say, and what they ask, to what the physics says.
+    pub(crate) fn add_to(&self, settings: &mut Settings) -> Result<(), Failure> {
+        self.check_against(settings).map_err(Failure::Usage)?;
+        let of_inputs = std::mem::take(&mut settings.knowledge);
+        settings.knowledge = self.knowledge(of_inputs)?;
+        settings.question = (!self.no_inference).then(|| self.question());
+        Ok(())
+    }
+
+    /// Whether no two arguments contradict each other; if some do, which.
+    fn check_against(&self, settings: &Settings) -> Result<(), String> {
+        let known: Vec<Input> = self.known.iter().map(|&(input, _)| input).collect();
+        for (place, input) in known.iter().enumerate() {
+            if known[..place].contains(input) {
+                return Err(format!(
+                    "--known states {} twice; leave out one",
+                    input.name()
+                ));
+            }
+        }
+        if let Some(both) = self.infer.iter().find(|it| known.contains(&it.input())) {
+            let name = both.input().name();
+            return Err(format!(
+                "--known {name} and --infer {name} contradict each other; leave out one"
+            ));
+        }
+        let environment = &settings.environment;
+        let no_drag = environment.drag == DragLaw::None || environment.air.is_vacuum();
+        if no_drag && self.infer.contains(&Inferred::Drag) {
+            return Err(
+                "--infer drag and no drag at all (--drag none, --air-density 0) contradict each \
+                 other; leave out one"
+                    .to_owned(),
+            );
+        }
+        if settings.contact_time_s == 0.0 && self.infer.contains(&Inferred::ContactTime) {
+            return Err(
+                "--infer contact-time and a contact time of exactly 0 contradict each other; leave \
+                 out one"
+                    .to_owned(),
+            );
+        }
+        Ok(())
+    }
+
+    fn knowledge(&self, physics: Knowledge) -> Result<Knowledge, Failure> {
         let stated = StatedDrop {
             height_m: self.height,
             height_sd_m: self.height_sd,
@@ -142,25 +205,15 @@ impl KnowledgeArguments {
         Ok(stated.add_to(&known)?)
     }
 
-    /// What to ask.
-    pub(crate) fn question(&self) -> Result<Option<Question>, Failure> {
-        if self.no_inference {
-            if self.reach.is_empty() {
-                return Ok(None);
-            }
-            return Err(Failure::Usage(
-                "--reach is an answer of the inference; leave out --no-inference".to_owned(),
-            ));
-        }
-        let effort = Effort {
-            draws: self.draws as usize,
-            seed: self.seed,
-        };
-        Ok(Some(Question {
+    fn question(&self) -> Question {
+        Question {
             at_speed_m_s: self.at_speed,
             reach: self.reach.clone(),
-            effort,
-        }))
+            effort: Effort {
+                draws: self.draws as usize,
+                seed: self.seed,
+            },
+        }
     }
 }
 
@@ -175,10 +228,8 @@ fn known(text: &str) -> Result<(Input, f64), String> {
         .split_once('=')
         .ok_or_else(|| format!("\"{text}\" is no input with a share; write it as in mass=0.1%"))?;
     let input = Input::from_str(name.trim(), true).map_err(|_| {
-        let names: Vec<String> = Input::value_variants()
-            .iter()
-            .filter_map(|input| Some(input.to_possible_value()?.get_name().to_owned()))
-            .collect();
+        let names = Input::value_variants().iter().map(|input| input.name());
+        let names: Vec<String> = names.collect();
         format!("\"{name}\" is none of {}", names.join(", "))
     })?;
     Ok((input, units::share(share.trim())?))

@@ -199,6 +199,34 @@ fn wrong_arguments_are_refused() {
     }
 }
 
+/// What contradicts each other is not settled by chance: both are named.
+#[test]
+fn contradictions_are_refused() {
+    let contradictions: [(&[&str], &str); 7] = [
+        (&["--known", "mass=1%,mass=2%"], "mass twice"),
+        (&["--known", "drag=1%", "--infer", "drag"], "--infer drag"),
+        (&["--infer", "drag", "--drag", "none"], "--drag none"),
+        (
+            &["--infer", "drag", "--air-density", "0"],
+            "--air-density 0",
+        ),
+        (
+            &["--infer", "contact-time", "--contact-time", "0"],
+            "contact time of exactly 0",
+        ),
+        (&["--no-inference", "--reach", "2:28cm"], "--reach"),
+        (&["--no-inference", "--infer", "drag"], "--infer"),
+    ];
+    for (arguments, words) in contradictions {
+        bouncelab()
+            .args(["analyze", "nowhere.txt"])
+            .args(arguments)
+            .assert()
+            .code(2)
+            .stderr(predicate::str::contains(words));
+    }
+}
+
 /// A recorder that started late: the drop from 1.50 m is missing its first impacts. The students
 /// who recorded it took the first sound for the first bounce and found 57 cm.
 #[test]

@@ -141,6 +141,21 @@ fn a_release_is_of_the_drop_that_begins_next() {
 }
 
 #[test]
+fn a_release_after_every_drop_is_of_none() {
+    let folder = TempDir::new().unwrap();
+    let file = three_drops(&folder);
+    let stated = ["--format", "json", "--release", "500s", "--draws", "100"];
+    let said = predicate::str::contains("no drop begins after it");
+    let played = play(&file).args(stated).assert().success();
+    let heard = lines(&played.stderr(said).get_output().stdout);
+    let expected = bouncelab(&["analyze"]).args(stated).arg(&file).output();
+    let expected: Value = serde_json::from_slice(&expected.unwrap().stdout).unwrap();
+    assert_eq!(Value::from(drops(&heard)), expected["drops"]);
+    let warning = expected["warnings"][0].as_str().unwrap();
+    assert!(warning.contains("no drop begins after it"), "{warning}");
+}
+
+#[test]
 fn each_drop_is_told_of_in_turn_and_stands_in_the_table() {
     let folder = TempDir::new().unwrap();
     let file = three_drops(&folder);

@@ -301,12 +301,31 @@ fn questions_that_make_no_sense_are_refused() {
     };
     refused(&["--by", "colour"], "nothing is noted of that");
     refused(&["--exclude", "z.wav"], "there is no such drop");
+    refused(
+        &["--exclude", "a.wav,a.wav"],
+        "--exclude before each of several",
+    );
     refused(&["--pattern", "{ball"], "has a { without a }");
     room.session()
         .args(["--table", "nowhere.csv"])
         .assert()
         .code(1)
         .stderr(contains("cannot read nowhere.csv"));
+}
+
+/// The name is one argument, whatever stands in it.
+#[test]
+fn a_name_with_a_comma_can_be_excluded() {
+    let room = Room::new(&[]);
+    for (seed, name) in ["one, two.wav", "three.wav", "four.wav"].iter().enumerate() {
+        room.record(name, seed as u16);
+    }
+    room.session()
+        .args(["--exclude", "one, two.wav", "--exclude", "three.wav"])
+        .assert()
+        .success()
+        .stdout(contains("one, two.wav: left out by hand"))
+        .stdout(contains("three.wav: left out by hand"));
 }
 
 /// A field of any name may be noted, so a slip would make one more and lose what was meant.

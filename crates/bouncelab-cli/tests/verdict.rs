@@ -190,12 +190,14 @@ fn rules_of_ones_own_are_read_and_wrong_ones_refused() {
         )
     };
     let path = folder.path().join("own.toml");
-    fs::write(&path, own("least = \"20cm\"")).unwrap();
+    let asking = own("least = \"20cm\"") + "note = \"was the floor oiled?\"\n";
+    fs::write(&path, asking).unwrap();
     let arguments = ["--rule", "ours", "--rules", "own.toml", "good.txt"];
     verdict(&folder, &arguments)
         .assert()
         .code(0)
-        .stdout(predicate::str::contains("this rule is unverified"));
+        .stdout(predicate::str::contains("this rule is unverified"))
+        .stdout(predicate::str::contains("Note: was the floor oiled?\n"));
     fs::write(&path, own("least = \"20kg\"")).unwrap();
     verdict(&folder, &arguments)
         .assert()

@@ -151,36 +151,45 @@ pub fn latitude(text: &str) -> Result<f64, String> {
 /// What is wrong with the text, and what would be right.
 pub fn temperature(text: &str) -> Result<f64, String> {
     let (number, unit) = split(text)?;
-    match unit {
-        "" | "C" | "\u{b0}C" => Ok(number + 273.15),
-        "K" => Ok(number),
-        "F" | "\u{b0}F" => Ok((number - 32.0) / 1.8 + 273.15),
-        _ => Err(format!(
-            "no temperature is measured in \"{unit}\"; use C, K or F, as in 20C"
-        )),
-    }
+    let kelvin = match unit {
+        "" | "C" | "\u{b0}C" => number + 273.15,
+        "K" => number,
+        "F" | "\u{b0}F" => (number - 32.0) / 1.8 + 273.15,
+        _ => {
+            return Err(format!(
+                "no temperature is measured in \"{unit}\"; use C, K or F, as in 20C"
+            ));
+        }
+    };
+    finite(kelvin, text)
 }
 
 fn quantity(text: &str, units: Units) -> Result<f64, String> {
     let (number, unit) = split(text)?;
     if unit.is_empty() {
-        return Ok(number);
+        return finite(number, text);
     }
-    let factor = units
-        .iter()
-        .find(|(name, _)| *name == unit)
-        .map(|(_, factor)| factor);
-    factor.map(|factor| number * factor).ok_or_else(|| {
+    let Some((_, factor)) = units.iter().find(|(name, _)| *name == unit) else {
         let known: Vec<&str> = units
             .iter()
             .map(|(name, _)| *name)
             .filter(|name| !name.is_empty())
             .collect();
-        format!(
+        return Err(format!(
             "\"{unit}\" is not a unit for this; use one of {}",
             known.join(", ")
-        )
-    })
+        ));
+    };
+    finite(number * factor, text)
+}
+
+/// The value in SI, unless it is beyond all numbers.
+fn finite(value: f64, text: &str) -> Result<f64, String> {
+    if value.is_finite() {
+        Ok(value)
+    } else {
+        Err(format!("{} is too large a number", text.trim()))
+    }
 }
 
 /// A number and what follows it.
@@ -206,9 +215,6 @@ fn split(text: &str) -> Result<(f64, &str), String> {
         .map_err(|_| format!("\"{text}\" does not begin with a number; write it as in 30.5cm"))?;
     if unit.starts_with(',') {
         return Err("write the decimal point as a point, as in 30.5cm".to_owned());
-    }
-    if value.is_infinite() {
-        return Err(format!("{number} is too large a number"));
     }
     Ok((value, unit.trim()))
 }
@@ -253,7 +259,14 @@ mod tests {
         assert!(length("3kg").unwrap_err().contains("cm"));
         assert!(length("abc").unwrap_err().contains("30.5cm"));
         assert!(length("30,5cm").unwrap_err().contains("point"));
-        assert!(length("1e999m").unwrap_err().contains("too large"));
         assert!(temperature("20X").unwrap_err().contains("20C"));
+    }
+
+    #[test]
+    fn no_number_is_infinite_with_its_unit_or_without() {
+        for text in ["1e999", "1e999m", "1e308km"] {
+            assert!(length(text).unwrap_err().contains("too large"), "{text}");
+        }
+        assert!(temperature("1e999F").unwrap_err().contains("too large"));
     }
 }

@@ -9,7 +9,7 @@
 //! ```
 
 use crate::ball::Ball;
-use crate::error::{Result, positive, require};
+use crate::error::{Result, of_a_size, require};
 
 /// A still gas (or liquid) of uniform density and viscosity, or nothing at all.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -22,12 +22,12 @@ impl Air {
     /// Air of a known density and dynamic viscosity.
     ///
     /// # Errors
-    /// [`Error::OutOfRange`](crate::Error::OutOfRange) unless both are finite and above zero. For
-    /// no air at all use [`Air::vacuum`].
+    /// [`Error::OutOfRange`](crate::Error::OutOfRange) unless both are from 1e-20 to 1e20. For no air
+    /// at all use [`Air::vacuum`].
     pub fn new(density_kg_m3: f64, viscosity_pa_s: f64) -> Result<Self> {
         Ok(Self {
-            density_kg_m3: positive("density of the air in kg/m3", density_kg_m3)?,
-            viscosity_pa_s: positive("viscosity of the air in Pa s", viscosity_pa_s)?,
+            density_kg_m3: of_a_size("density of the air in kg/m3", density_kg_m3)?,
+            viscosity_pa_s: of_a_size("viscosity of the air in Pa s", viscosity_pa_s)?,
         })
     }
 

@@ -11,7 +11,7 @@
 
 use std::f64::consts::PI;
 
-use crate::error::{Error, Result, positive};
+use crate::error::{Error, Result, of_a_size};
 
 /// Density of bearing steel (100Cr6, ISO 683-17), kg/m³.
 const STEEL_KG_M3: f64 = 7810.0;
@@ -21,7 +21,7 @@ const GLASS_KG_M3: f64 = 2500.0;
 
 /// A sphere with a mass and a diameter.
 ///
-/// Both are finite and above zero.
+/// Both are from 1e-20 to 1e20: nothing outside bounces, and numbers end not far beyond.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Ball {
     mass_kg: f64,
@@ -32,18 +32,18 @@ impl Ball {
     /// A ball of any mass and diameter.
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] unless both are finite and above zero.
+    /// [`Error::OutOfRange`] unless both are from 1e-20 to 1e20.
     pub fn new(mass_kg: f64, diameter_m: f64) -> Result<Self> {
         Ok(Self {
-            mass_kg: positive("mass of the ball in kg", mass_kg)?,
-            diameter_m: positive("diameter of the ball in m", diameter_m)?,
+            mass_kg: of_a_size("mass of the ball in kg", mass_kg)?,
+            diameter_m: of_a_size("diameter of the ball in m", diameter_m)?,
         })
     }
 
     /// A solid steel bearing ball (density 7810 kg/m³).
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] unless the diameter is finite and above zero.
+    /// [`Error::OutOfRange`] unless diameter and mass are from 1e-20 to 1e20.
     pub fn steel(diameter_m: f64) -> Result<Self> {
         Self::solid(STEEL_KG_M3, diameter_m)
     }
@@ -51,13 +51,13 @@ impl Ball {
     /// A solid glass marble (density 2500 kg/m³).
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] unless the diameter is finite and above zero.
+    /// [`Error::OutOfRange`] unless diameter and mass are from 1e-20 to 1e20.
     pub fn glass(diameter_m: f64) -> Result<Self> {
         Self::solid(GLASS_KG_M3, diameter_m)
     }
 
     fn solid(density_kg_m3: f64, diameter_m: f64) -> Result<Self> {
-        let diameter_m = positive("diameter of the ball in m", diameter_m)?;
+        let diameter_m = of_a_size("diameter of the ball in m", diameter_m)?;
         Self::new(density_kg_m3 * sphere_volume_m3(diameter_m), diameter_m)
     }
 
@@ -123,6 +123,11 @@ pub struct Preset {
 /// Steel and glass balls come in any size: see [`Ball::steel`] and [`Ball::glass`].
 pub fn presets() -> &'static [Preset] {
     &PRESETS
+}
+
+/// The ball that is assumed where nobody says which: the first of the list.
+pub(crate) fn usual() -> &'static Preset {
+    &PRESETS[0]
 }
 
 /// The preset with a name.

@@ -16,7 +16,7 @@
 //! # Ok::<(), bouncelab::Error>(())
 //! ```
 
-use crate::error::{Error, Result, not_negative, positive, require};
+use crate::error::{Error, Result, not_negative, of_a_size, positive, require};
 use crate::flight::{Fall, Flight, FlightModel, State};
 use crate::impact::{Contact, Strike};
 
@@ -142,10 +142,10 @@ pub fn simulate(
     not_negative("height in m at which to stop", stop.apex_m)?;
     let opening = match start {
         Start::Height(height_m) => {
-            Opening::Fall(model.fall(positive("release height in m", height_m)?)?)
+            Opening::Fall(model.fall(of_a_size("release height in m", height_m)?)?)
         }
         Start::Launch(speed_m_s) => {
-            Opening::Flight(model.launch(positive("launch speed in m/s", speed_m_s)?)?)
+            Opening::Flight(model.launch(of_a_size("launch speed in m/s", speed_m_s)?)?)
         }
     };
     let mut landing = Strike {
@@ -250,11 +250,12 @@ impl History {
 
     /// Energy that the air takes before the first impact, J/kg.
     pub fn opening_lost_to_air_j_kg(&self) -> f64 {
-        if self.model.terminal_speed_m_s().is_none() {
+        let speed_m_s = self.opening.impact_speed_m_s();
+        if self.model.drag_over_weight(speed_m_s) == Ok(0.0) {
             // Without drag the difference would be rounding.
             return 0.0;
         }
-        (self.initial_energy_j_kg() - kinetic_j_kg(self.opening.impact_speed_m_s())).max(0.0)
+        (self.initial_energy_j_kg() - kinetic_j_kg(speed_m_s)).max(0.0)
     }
 
     /// Height of the lowest point of the ball at a time after the start, m.

@@ -42,7 +42,7 @@ mod tests;
 use crate::air::Air;
 use crate::ball::Ball;
 use crate::drag::DragLaw;
-use crate::error::{Error, Result, not_negative, positive, require};
+use crate::error::{Error, Result, not_negative, of_a_size, require};
 use quadratic::QuadraticDrag;
 use reynolds::ReynoldsDrag;
 
@@ -171,7 +171,7 @@ impl FlightModel {
             buoyancy,
             added_mass,
         } = *environment;
-        positive("gravity in m/s2", gravity_m_s2)?;
+        of_a_size("gravity in m/s2", gravity_m_s2)?;
         drag.check()?;
         let displaced_kg = air.density_kg_m3() * ball.volume_m3();
         let carried_kg = if buoyancy { displaced_kg } else { 0.0 };
@@ -210,7 +210,7 @@ impl FlightModel {
     /// A flight without air.
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] unless gravity is finite and above zero.
+    /// [`Error::OutOfRange`] unless gravity is from 1e-20 to 1e20.
     pub fn drag_free(gravity_m_s2: f64) -> Result<Self> {
         Self::with_terminal_speed(gravity_m_s2, f64::INFINITY)
     }
@@ -219,10 +219,10 @@ impl FlightModel {
     /// infinite terminal speed means no drag.
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] unless gravity is finite and above zero and the terminal speed above
+    /// [`Error::OutOfRange`] unless gravity is from 1e-20 to 1e20 and the terminal speed above
     /// zero.
     pub fn with_terminal_speed(gravity_m_s2: f64, terminal_speed_m_s: f64) -> Result<Self> {
-        positive("gravity in m/s2", gravity_m_s2)?;
+        of_a_size("gravity in m/s2", gravity_m_s2)?;
         require(
             terminal_speed_m_s > 0.0,
             "terminal speed in m/s",

@@ -2,22 +2,26 @@
 
 use bouncelab::Error;
 use bouncelab::air::{Air, Conditions};
-use bouncelab::ball;
+use bouncelab::ball::{self, Ball};
 use bouncelab::drag::DragLaw;
 use bouncelab::drop::{self, History, MAX_BOUNCES, Opening, Start, Stop};
 use bouncelab::flight::{Environment, FlightModel};
 use bouncelab::impact::{Contact, Restitution};
 use proptest::prelude::*;
 
-fn model(law: DragLaw) -> FlightModel {
-    let environment = Environment {
+fn environment(law: DragLaw) -> Environment {
+    Environment {
         gravity_m_s2: 9.81,
         air: Air::moist(&Conditions::default()).unwrap(),
         drag: law,
         buoyancy: true,
         added_mass: true,
-    };
-    FlightModel::new(&ball::preset("table-tennis-40").unwrap().ball, &environment).unwrap()
+    }
+}
+
+fn model(law: DragLaw) -> FlightModel {
+    let ball = ball::preset("table-tennis-40").unwrap().ball;
+    FlightModel::new(&ball, &environment(law)).unwrap()
 }
 
 fn any_law() -> impl Strategy<Value = DragLaw> {
@@ -38,6 +42,35 @@ fn any_start() -> impl Strategy<Value = Start> {
 
 fn bouncing(restitution: f64) -> Contact {
     Contact::instantaneous(Restitution::constant(restitution).unwrap())
+}
+
+/// A football outgrows the law of Haider and Levenspiel before drag balances its weight. That it has no
+/// terminal speed does not mean that it has no drag: the fall loses as much as with a constant
+/// coefficient like that of the law (0.48 at Re = 5e4), within a tenth.
+#[test]
+fn a_law_that_ends_below_the_terminal_speed_drags_in_the_fall_too() {
+    let lost_in_fall = |drag: DragLaw| {
+        let environment = Environment {
+            gravity_m_s2: 9.81,
+            air: Air::moist(&Conditions::default()).unwrap(),
+            drag,
+            buoyancy: true,
+            added_mass: true,
+        };
+        let football = ball::preset("football").unwrap().ball;
+        let model = FlightModel::new(&football, &environment).unwrap();
+        let stop = Stop::after(1);
+        let history = drop::simulate(&model, &bouncing(0.7), Start::Height(2.0), stop).unwrap();
+        (
+            model.terminal_speed_m_s(),
+            history.opening_lost_to_air_j_kg(),
+        )
+    };
+    let (terminal, lost) = lost_in_fall(DragLaw::HaiderLevenspiel);
+    let (_, expected) = lost_in_fall(DragLaw::Constant(0.48));
+    assert_eq!(terminal, None);
+    assert!((lost / expected - 1.0).abs() < 0.1, "{lost} {expected}");
+    assert_eq!(lost_in_fall(DragLaw::None), (None, 0.0));
 }
 
 proptest! {
@@ -212,6 +245,45 @@ fn absurd_drops_are_refused() {
     assert!(drop::total_time_s(1.0, 0.3, 9.81).is_err());
     assert!(drop::total_path_m(-0.1, 0.3).is_err());
     assert!(drop::restitution_of_total_time(0.1, 0.3, 9.81).is_err());
+}
+
+/// At the ends of what is accepted a drop is simulated or refused, and in no time; beyond them the
+/// scales of the flight would be no numbers any more, and the search for them would not end.
+#[test]
+fn every_size_is_simulated_or_refused() {
+    let ends = [1e-20, 1.0, 1e20];
+    for (mass_kg, diameter_m) in pairs(ends) {
+        let ball = Ball::new(mass_kg, diameter_m).unwrap();
+        for (density_kg_m3, viscosity_pa_s) in pairs(ends) {
+            let air = Air::new(density_kg_m3, viscosity_pa_s).unwrap();
+            for (gravity_m_s2, height_m) in pairs(ends) {
+                let environment = Environment {
+                    gravity_m_s2,
+                    air,
+                    ..environment(DragLaw::CliftGraceWeber)
+                };
+                let Ok(model) = FlightModel::new(&ball, &environment) else {
+                    continue;
+                };
+                let (start, stop) = (Start::Height(height_m), Stop::after(3));
+                if let Ok(history) = drop::simulate(&model, &bouncing(0.9), start, stop) {
+                    let told = format!("{ball:?} {environment:?} {height_m} m");
+                    assert!(history.total_time_s().is_finite(), "{told}");
+                    assert!(history.total_path_m().is_finite(), "{told}");
+                }
+            }
+        }
+    }
+    let environment = Environment {
+        gravity_m_s2: 1e-300,
+        ..environment(DragLaw::CliftGraceWeber)
+    };
+    let ball = Ball::new(2.7e-3, 0.04).unwrap();
+    assert!(FlightModel::new(&ball, &environment).is_err());
+}
+
+fn pairs(values: [f64; 3]) -> impl Iterator<Item = (f64, f64)> {
+    values.into_iter().flat_map(move |a| values.map(|b| (a, b)))
 }
 
 /// A law that ends below the speeds of the drop says so instead of extrapolating.

@@ -193,27 +193,43 @@ fn analyze(
     settings: &Settings,
     warnings: &mut Vec<String>,
 ) -> Vec<Analysis> {
-    let released = released(&drops, settings);
-    let one = |(place, drop): (usize, Unanalysed)| {
-        let mut settings = settings.clone();
-        if released.is_some_and(|it| it != place) {
-            settings.knowledge.release_s = None;
-        }
+    let starts_s: Vec<f64> = drops.iter().map(Unanalysed::start_s).collect();
+    let one = |drop: Unanalysed| {
+        let settings = settings_of_drop(settings, drop.start_s(), &starts_s);
         analysis::analyze(drop.impacts, &settings)
     };
     let drops: Vec<Analysis> = if rayon::current_thread_index().is_some() {
-        drops.into_iter().enumerate().map(one).collect()
+        drops.into_iter().map(one).collect()
     } else {
-        drops.into_par_iter().enumerate().map(one).collect()
+        let waiting = inferring(&drops, settings);
+        let analysed = drops.into_par_iter().map(one).collect();
+        waiting.finish_and_clear();
+        analysed
     };
     warnings.extend(doubts(&drops, settings));
+    warnings.extend(nothing_released(settings, &starts_s));
     drops
 }
 
-/// The drop that was released when it is stated: the first that begins after that.
-fn released(drops: &[Unanalysed], settings: &Settings) -> Option<usize> {
-    let release_s = settings.knowledge.release_s?.value;
-    drops.iter().position(|drop| drop.start_s() > release_s)
+/// What is stated of the drop that begins at a time, given when all begin: a release is of the drop
+/// that begins next after it.
+pub(crate) fn settings_of_drop(settings: &Settings, start_s: f64, starts_s: &[f64]) -> Settings {
+    let mut settings = settings.clone();
+    let is_its_own = |released_s: f64| {
+        let is_between = |&start: &f64| released_s < start && start < start_s;
+        released_s < start_s && !starts_s.iter().any(is_between)
+    };
+    let release = settings.knowledge.release_s;
+    settings.knowledge.release_s = release.filter(|it| is_its_own(it.value));
+    settings
+}
+
+/// What to say if a release was stated and no drop begins after it.
+pub(crate) fn nothing_released(settings: &Settings, starts_s: &[f64]) -> Option<String> {
+    let released_s = settings.knowledge.release_s?.value;
+    let is_told = starts_s.iter().any(|&start_s| released_s < start_s);
+    (!is_told && !starts_s.is_empty())
+        .then(|| format!("the release at {released_s} s is left out: no drop begins after it"))
 }
 
 /// What was stated that does not go with what was heard, once for each.
@@ -267,9 +283,29 @@ fn progress(duration_s: Option<f64>) -> ProgressBar {
     {
         bar.set_style(style);
     }
-    bar.enable_steady_tick(Duration::from_millis(200));
+    bar.enable_steady_tick(TICK);
     bar
 }
+
+/// A sign of life while so many impacts are inferred from that it takes seconds; it hides itself as
+/// the bar does.
+fn inferring(drops: &[Unanalysed], settings: &Settings) -> ProgressBar {
+    /// About two milliseconds each.
+    const MANY: usize = 1000;
+    let impacts: usize = drops.iter().map(|drop| drop.impacts.len()).sum();
+    if settings.question.is_none() || impacts < MANY {
+        return ProgressBar::hidden();
+    }
+    let spinner = ProgressBar::new_spinner();
+    spinner.set_message(format!(
+        "inferring from {impacts} impacts (--no-inference leaves it out)"
+    ));
+    spinner.enable_steady_tick(TICK);
+    spinner
+}
+
+/// How often what shows progress moves.
+const TICK: Duration = Duration::from_millis(200);
 
 #[cfg(test)]
 mod tests {
@@ -277,15 +313,16 @@ mod tests {
 
     use super::*;
 
-    #[test]
-    fn a_release_is_of_the_drop_that_begins_next() {
+    /// Of drops that begin at 0 s and 10 s, whether what is told uses a release at this time (it
+    /// shows whether impacts were missed before the first one heard), and the warnings.
+    fn released_at(release_s: f64) -> (Vec<bool>, Vec<String>) {
         let drop = |start_s: f64| {
             let times = [0.0, 0.45, 0.86, 1.23, 1.57].map(|time_s| start_s + time_s);
             Unanalysed::by_hand(&times)
         };
         let mut settings = Settings::default();
         settings.knowledge.release_s = Some(Measured {
-            value: 9.75,
+            value: release_s,
             sd: 0.005,
         });
         let effort = Effort {
@@ -296,10 +333,26 @@ mod tests {
             effort,
             ..Question::default()
         });
-        let drops = analyze(vec![drop(0.0), drop(10.0)], &settings, &mut Vec::new());
+        let mut warnings = Vec::new();
+        let drops = analyze(vec![drop(0.0), drop(10.0)], &settings, &mut warnings);
         let told = drops.iter().map(|drop| drop.estimate.as_ref().unwrap());
-        // It shows whether impacts were missed before the first one heard.
-        let shown: Vec<bool> = told.map(|found| found.missed_first.is_some()).collect();
-        assert_eq!(shown, [false, true]);
+        let uses = told.map(|found| found.missed_first.is_some()).collect();
+        (uses, warnings)
+    }
+
+    #[test]
+    fn a_release_is_of_the_drop_that_begins_next() {
+        assert_eq!(released_at(9.75), (vec![false, true], Vec::new()));
+        assert_eq!(released_at(-0.25), (vec![true, false], Vec::new()));
+    }
+
+    #[test]
+    fn a_release_after_every_drop_is_of_none_and_that_is_said() {
+        let (uses, warnings) = released_at(20.0);
+        assert_eq!(uses, [false, false]);
+        assert!(
+            warnings[0].contains("no drop begins after it"),
+            "{warnings:?}"
+        );
     }
 }

@@ -9,12 +9,13 @@ mod text;
 
 pub(crate) use edit::Unanalysed;
 pub(crate) use figures::{Stems, save_figures};
-pub(crate) use hear::{Hearing, Heeded, Recording, hear};
+pub(crate) use hear::{Hearing, Heeded, Recording, hear, nothing_released, settings_of_drop};
 pub(crate) use text::{report, shown};
 
 use std::io::{self, Write};
 use std::ops::{Range, RangeInclusive};
 use std::path::PathBuf;
+use std::str::FromStr;
 
 use bouncelab_report::document::{Document, rows};
 use clap::{Args, ValueEnum};
@@ -27,8 +28,8 @@ use crate::units;
 
 /// Find the drops in recordings, or in lists of impact times
 ///
-/// Reads WAV, AIFF, FLAC, MP3, OGG, Opus, WebM, M4A, MP4 and MOV, and impact times in seconds as
-/// .txt (one a line), .csv (one a line, or a column `time` or `time_s`) or .json (an array). Exit
+/// Reads WAV, AIFF, FLAC, MP3, AAC, Ogg, Opus, WebM, M4A, MP4 and MOV, and impact times in seconds
+/// as .txt (one a line), .csv (one a line, or a column `time` or `time_s`) or .json (an array). Exit
 /// status: 0 if every file holds a drop, 1 if one does not or cannot be read, 2 for wrong usage.
 #[derive(Args)]
 #[command(after_help = EXAMPLES)]
@@ -62,7 +63,8 @@ pub(crate) struct Arguments {
     /// Add impacts at these times
     #[arg(long, value_name = "TIMES", value_delimiter = ',', value_parser = units::time)]
     include: Vec<f64>,
-    /// Print also each flight, how sure each impact is, and what was chosen in listening
+    /// Print also how sure each impact is, where the impacts stand out, the laws that were weighed,
+    /// where the uncertainty comes from and what was assumed before the data
     #[arg(long)]
     details: bool,
     #[command(flatten)]
@@ -154,9 +156,7 @@ pub(crate) fn physics(
 ) -> Result<Physics, Failure> {
     let mut physics = physics.questioned(knowledge.doubts())?;
     physics.settings.flights = flights.map(|(first, last)| RangeInclusive::new(first, last));
-    let of_inputs = std::mem::take(&mut physics.settings.knowledge);
-    physics.settings.knowledge = knowledge.knowledge(of_inputs)?;
-    physics.settings.question = knowledge.question()?;
+    knowledge.add_to(&mut physics.settings)?;
     Ok(physics)
 }
 
@@ -230,38 +230,34 @@ impl Printer {
 
 /// Reads `1..10` (both ends included), `..10`, `3..` or `5`.
 pub(crate) fn flight_range(text: &str) -> Result<(usize, usize), String> {
-    let wrong = || format!("\"{text}\" is no range of flights; write it as in 1..10");
-    let number = |part: &str, otherwise: usize| match part {
-        "" => Ok(otherwise),
-        _ => part.parse().map_err(|_| wrong()),
-    };
-    let (first, last) = match text.split_once("..") {
-        Some((first, last)) => (
-            number(first, 1)?,
-            number(last.trim_start_matches('='), usize::MAX)?,
-        ),
-        None => (number(text, 0)?, number(text, 0)?),
-    };
-    if first == 0 || last < first {
-        return Err(format!("{}, counted from 1", wrong()));
-    }
-    Ok((first, last))
+    let single = || text.parse().ok().map(|number| (number, number));
+    let range = ends(text, "..", 1, usize::MAX).or_else(|| ends(text, "..=", 1, usize::MAX));
+    let range = range.or_else(single);
+    range
+        .filter(|&(first, last)| 1 <= first && first <= last)
+        .ok_or_else(|| {
+            format!("\"{text}\" is no range of flights, counted from 1; write it as in 1..10")
+        })
 }
 
 /// Reads `400..6000`, `..6000` or `400..`, in Hz.
 fn frequency_range(text: &str) -> Result<Range<f64>, String> {
-    let wrong = || format!("\"{text}\" is no range of frequencies in Hz; write it as in 400..6000");
-    let number = |part: &str, otherwise: f64| match part {
-        "" => Ok(otherwise),
-        _ => part.parse().map_err(|_| wrong()),
+    ends(text, "..", 0.0, f64::INFINITY)
+        .filter(|(low, high)| (0.0..*high).contains(low))
+        .map(|(low, high)| low..high)
+        .ok_or_else(|| {
+            format!("\"{text}\" is no range of frequencies in Hz; write it as in 400..6000")
+        })
+}
+
+/// The two ends of a range, either of which may be open.
+fn ends<T: FromStr>(text: &str, between: &str, lowest: T, highest: T) -> Option<(T, T)> {
+    let end = |text: &str, open: T| match text {
+        "" => Some(open),
+        _ => text.parse().ok(),
     };
-    let (low, high) = text.split_once("..").ok_or_else(wrong)?;
-    let range = number(low, 0.0)?..number(high, f64::INFINITY)?;
-    if range.start < range.end {
-        Ok(range)
-    } else {
-        Err(wrong())
-    }
+    let (first, last) = text.split_once(between)?;
+    Some((end(first, lowest)?, end(last, highest)?))
 }
 
 #[cfg(test)]
@@ -273,7 +269,7 @@ mod tests {
         assert_eq!(frequency_range("400..6000"), Ok(400.0..6000.0));
         assert_eq!(frequency_range("..6000"), Ok(0.0..6000.0));
         assert_eq!(frequency_range("400.."), Ok(400.0..f64::INFINITY));
-        for wrong in ["400", "6000..400", "1..1", "a..b", "nan..5", ""] {
+        for wrong in ["400", "6000..400", "1..1", "a..b", "nan..5", "-5..5", ""] {
             assert!(frequency_range(wrong).is_err(), "{wrong}");
         }
     }
@@ -283,6 +279,7 @@ mod tests {
         assert_eq!(flight_range("1..10"), Ok((1, 10)));
         assert_eq!(flight_range("..10"), Ok((1, 10)));
         assert_eq!(flight_range("3.."), Ok((3, usize::MAX)));
+        assert_eq!(flight_range("3..=7"), Ok((3, 7)));
         assert_eq!(flight_range("5"), Ok((5, 5)));
         assert!(flight_range("10..1").is_err());
         assert!(flight_range("0..3").is_err());

@@ -244,19 +244,12 @@ impl<'a> Session<'a> {
         self.print(&hearing, index + 1)
     }
 
-    /// What is stated of a drop: a release is of the one that begins next after it.
+    /// What is stated of a drop among those that were told of.
     fn settings_for(&self, train: &Train) -> Settings {
-        let mut settings = self.physics.settings.clone();
         let others = self.drops.iter().map(|told| &told.train);
         let others = others.filter(|other| !watch::overlap(other, train));
         let starts_s: Vec<f64> = others.map(Train::start_s).collect();
-        let is_its_own = |released_s: f64| {
-            let between = released_s..train.start_s();
-            !between.is_empty() && !starts_s.iter().any(|start_s| between.contains(start_s))
-        };
-        let release = settings.knowledge.release_s;
-        settings.knowledge.release_s = release.filter(|it| is_its_own(it.value));
-        settings
+        analyze::settings_of_drop(&self.physics.settings, train.start_s(), &starts_s)
     }
 
     fn print(&self, hearing: &Hearing, number: usize) -> Result<(), Failure> {
@@ -292,6 +285,7 @@ impl<'a> Session<'a> {
         let whole = self.watch.whole();
         self.judge_again(&whole, &warnings)?;
         self.tell_losses();
+        self.tell_nothing_released();
         self.tell_saved();
         if self.drops.is_empty() {
             return self.tell_nothing(whole, warnings);
@@ -361,6 +355,14 @@ impl<'a> Session<'a> {
                 "{frames} samples of each channel ({lost_s:.2} s) were lost in {count} place{}",
                 if count == 1 { "" } else { "s" }
             ));
+        }
+    }
+
+    fn tell_nothing_released(&self) {
+        let starts = self.drops.iter().map(|told| told.train.start_s());
+        let starts_s: Vec<f64> = starts.collect();
+        if let Some(trouble) = analyze::nothing_released(&self.physics.settings, &starts_s) {
+            self.screen.say(&trouble);
         }
     }
 

@@ -212,7 +212,7 @@ impl Excluded<'_> {
         unknown.map_or(Ok(()), |(name, _)| {
             Err(Failure::Usage(format!(
                 "--exclude {name}: there is no such drop; write the recording as in the tables, \
-                 with #2 for its second drop"
+                 with #2 for its second drop, and --exclude before each of several"
             )))
         })
     }

@@ -77,13 +77,9 @@ pub(crate) struct Arguments {
         help_heading = "Comparison"
     )]
     want: Option<f64>,
-    /// Leave these drops out of the comparison: a recording, or recording#2 for its second drop
-    #[arg(
-        long,
-        value_name = "NAMES",
-        value_delimiter = ',',
-        help_heading = "Comparison"
-    )]
+    /// Leave this out of the comparison: a recording, or recording#2 for its second drop; may be
+    /// repeated
+    #[arg(long, value_name = "NAME", help_heading = "Comparison")]
     exclude: Vec<String>,
     /// How to print the result; JSON is documented in docs/json.md
     #[arg(long, value_enum, default_value_t = Format::Text)]

@@ -170,9 +170,7 @@ impl Reading<'_> {
     ) -> Result<Physics, Failure> {
         let mut physics = self.physics.with(noted).physics()?;
         let knowledge = self.knowledge.with_height(height_m, height_sd_m);
-        let of_inputs = std::mem::take(&mut physics.settings.knowledge);
-        physics.settings.knowledge = knowledge.knowledge(of_inputs)?;
-        physics.settings.question = knowledge.question()?;
+        knowledge.add_to(&mut physics.settings)?;
         Ok(physics)
     }
 }

@@ -3,7 +3,7 @@
 use bouncelab::groups::Study;
 use bouncelab_report::Figure;
 use bouncelab_report::document::{AboutSession, Reason};
-use bouncelab_report::report::{Block, Language, Page, Provenance, Section, repeat};
+use bouncelab_report::report::{Block, Language, Page, Provenance, Section, ended, repeat};
 
 use super::figures;
 use super::notes::some_of;
@@ -68,7 +68,10 @@ fn lead(outcome: &Outcome<'_>, about: &AboutSession) -> Vec<Block> {
                 )));
             }
         }
-        Err(reason) => lead.push(Block::Note(format!("Nothing can be compared: {reason}."))),
+        Err(reason) => lead.push(Block::Note(format!(
+            "Nothing can be compared: {}",
+            ended(reason)
+        ))),
     }
     lead
 }
@@ -175,7 +178,7 @@ fn assumed(about: &AboutSession) -> Section {
     let mut blocks: Vec<Block> = about
         .remarks
         .iter()
-        .map(|remark| Block::Note(format!("{remark}.")))
+        .map(|remark| Block::Note(ended(remark)))
         .collect();
     if !about.assumptions.is_empty() {
         blocks.push(Block::text("Nobody noted these, so they were assumed:"));

@@ -4,6 +4,7 @@ use std::fmt::Write;
 
 use bouncelab::groups::{Difference, Study};
 use bouncelab_report::document::{AboutSession, Reason};
+use bouncelab_report::report::ended;
 use bouncelab_report::{CANNOT_TELL, Table};
 
 use super::outcome::Outcome;
@@ -18,7 +19,7 @@ pub(super) fn report(outcome: &Outcome<'_>, details: bool, wanted: Option<f64>) 
     page.line(&headline(&outcome.about));
     match &outcome.study {
         Ok(study) => page.study(outcome, study, details, wanted),
-        Err(reason) => page.line(&format!("\nRestitution: {CANNOT_TELL}: {reason}.")),
+        Err(reason) => page.line(&format!("\nRestitution: {CANNOT_TELL}: {}", ended(reason))),
     }
     page.troubles(outcome, details);
     page.0
@@ -182,7 +183,7 @@ impl Page {
         };
         self.list("To be looked at:", &doubtful, details);
         for remark in &about.remarks {
-            self.line(&format!("  Note: {remark}."));
+            self.line(&format!("  Note: {}", ended(remark)));
         }
         if !about.assumptions.is_empty() {
             self.line(&format!("  Assumed: {}.", about.assumptions.join("; ")));

@@ -5,7 +5,7 @@ use bouncelab::rulebook::{Limits, Rebound, Requirement, Status};
 use bouncelab_report::Figure;
 use bouncelab_report::figure::{self, Judged};
 use bouncelab_report::report::{
-    Block, Language, Page, Provenance, Section, method, repeat, shared_conditions,
+    Block, Language, Page, Provenance, Section, ended, method, repeat, shared_conditions,
 };
 
 use super::{Told, tables, text};
@@ -42,7 +42,7 @@ fn lead(told: &Told<'_>) -> Vec<Block> {
     let mut lead = vec![Block::Lead(text::outcome(verdict))];
     lead.push(Block::text(text::by_rule(verdict, told.decision).join(" ")));
     let because = verdict.doubts.iter();
-    lead.extend(because.map(|doubt| Block::Note(format!("Because {doubt}."))));
+    lead.extend(because.map(|doubt| Block::Note(format!("Because {}", ended(doubt)))));
     if told.rule.status == Status::Unverified {
         let unverified = "This rule is unverified: nobody has read it in its source.";
         lead.push(Block::Note(unverified.to_owned()));
@@ -82,7 +82,7 @@ fn rebound(told: &Told<'_>) -> Section {
     }
     let remarks = told.verdict.remarks.iter().map(ToString::to_string);
     let notes = remarks.chain(told.rule.note.clone());
-    blocks.extend(notes.map(|note| Block::Note(format!("{note}."))));
+    blocks.extend(notes.map(|note| Block::Note(ended(note))));
     Section::new("The rebound", blocks)
 }
 

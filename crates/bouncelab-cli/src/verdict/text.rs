@@ -3,6 +3,7 @@
 use std::fmt::Write;
 
 use bouncelab::rulebook::{Decision, Limits, Outcome, Rule, Verdict};
+use bouncelab_report::report::ended;
 use bouncelab_report::{Quantity, Table, Unit};
 
 use super::{Told, tables};
@@ -27,7 +28,7 @@ pub(super) fn report(told: &Told<'_>) -> String {
         add(&mut text, &line);
     }
     for doubt in &verdict.doubts {
-        add(&mut text, &format!("  Because {doubt}."));
+        add(&mut text, &format!("  Because {}", ended(doubt)));
     }
     add(&mut text, "");
     add(&mut text, &indented(&tables::ways(verdict)));
@@ -50,11 +51,9 @@ pub(super) fn report(told: &Told<'_>) -> String {
         );
     }
     add(&mut text, "");
-    for remark in &verdict.remarks {
-        add(&mut text, &format!("  Note: {remark}."));
-    }
-    if let Some(note) = &rule.note {
-        add(&mut text, &format!("  Note: {note}."));
+    let remarks = verdict.remarks.iter().map(ended);
+    for note in remarks.chain(rule.note.as_ref().map(ended)) {
+        add(&mut text, &format!("  Note: {note}"));
     }
     if !physics.assumptions.is_empty() {
         add(

@@ -4,7 +4,7 @@ use bouncelab::analysis::{Analysis, SURE, Settings};
 use bouncelab::estimate::{Inference, Narrowed, Summary, TOLD_NOTHING, UNKNOWN};
 use bouncelab::regression::{Estimate, Regression};
 
-use super::page::{Block, Section, sentence};
+use super::page::{Block, Section, ended, sentence};
 use crate::quantity::{CANNOT_TELL, Quantity, Unit};
 use crate::table::{Align, Table};
 use crate::{illustration, tables};
@@ -40,7 +40,7 @@ fn kept(drop: &Analysis) -> String {
             unbroken(&estimated(line.restitution(), Unit::Percent)),
             unbroken(&estimated(line.drop_height_m(), Unit::Length))
         ),
-        (.., Err(reason)) => format!("How much the ball kept {CANNOT_TELL}: {reason}."),
+        (.., Err(reason)) => format!("How much the ball kept {CANNOT_TELL}: {}", ended(reason)),
     }
 }
 
@@ -243,7 +243,7 @@ fn straight_line(drop: &Analysis) -> Section {
                 illustration::flight_times(drop),
             ));
         }
-        Err(reason) => blocks.push(Block::text(format!("There is none: {reason}."))),
+        Err(reason) => blocks.push(Block::text(format!("There is none: {}", ended(reason)))),
     }
     Section::new("The straight line", blocks)
 }

@@ -6,7 +6,7 @@ use bouncelab::estimate::Summary;
 use super::conditions::conditions;
 use super::drop::{drop, in_words, measured};
 use super::method::method;
-use super::page::{Block, Language, Page, Section, sentence};
+use super::page::{Block, Language, Page, Section, ended, sentence};
 use super::subject::{Provenance, Recording};
 use crate::illustration;
 use crate::quantity::{CANNOT_TELL, Unit};
@@ -58,7 +58,7 @@ fn lead(recording: &Recording) -> Vec<Block> {
     match recording.drops {
         [] => {
             let reason = recording.no_drop.unwrap_or("nothing in it bounces");
-            lead.push(Block::Lead(format!("No drop was found: {reason}.")));
+            lead.push(Block::Lead(format!("No drop was found: {}", ended(reason))));
         }
         [only] => lead.extend(in_words(only)),
         several => {

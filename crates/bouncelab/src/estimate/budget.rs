@@ -6,10 +6,11 @@
 
 use nalgebra::{Cholesky, DMatrix, DVector};
 
+use super::banded::Banded;
 use super::likelihood::Evaluator;
 use super::model::{Model, Slot};
-use super::posterior::Posterior;
-use super::residual::covariance;
+use super::posterior::{Posterior, THINNED};
+use super::residual::{covariance_by_time, variance_by_time};
 
 /// What one source adds to the uncertainty of a quantity.
 #[derive(Debug, Clone, PartialEq)]
@@ -67,9 +68,9 @@ struct Linear {
     covariance: DMatrix<f64>,
     /// What one unit of each residual moves the unknowns by.
     gain: DMatrix<f64>,
-    by_time: DMatrix<f64>,
-    by_scatter: DMatrix<f64>,
-    by_release: DMatrix<f64>,
+    by_time: Banded,
+    by_scatter: Banded,
+    by_release: Banded,
 }
 
 impl Linear {
@@ -80,45 +81,37 @@ impl Linear {
         evaluator.log_posterior(vector)?;
         let weights: Vec<f64> = evaluator.innovations.iter().map(|i| i.weight).collect();
         let residuals = evaluator.residuals(&point)?;
-        let observed = model.observed;
-        let variance = |impact: usize| {
-            let sigma_s = observed.sigma_s.get(impact).copied().unwrap_or(0.0);
-            (point.timing * sigma_s).powi(2)
-        };
-        let rows = residuals.len();
-        let mut by_time = DMatrix::zeros(rows, rows);
-        let mut by_scatter = DMatrix::zeros(rows, rows);
-        let mut by_release = DMatrix::zeros(rows, rows);
+        let variance = |impact: usize| point.time_variance_s2(model.observed, impact);
+        let mut by_time = Banded::default();
+        let mut by_scatter = Banded::default();
+        let mut by_release = Banded::default();
+        let scatter = point.scatter * point.scatter;
         for (row, residual) in residuals.iter().enumerate() {
-            for earlier in row.saturating_sub(2)..=row {
-                let shared = match row - earlier {
-                    0 => own_variance(&residual.timing, residual.impact, variance),
-                    _ => covariance(&residuals[earlier], residual, variance),
-                };
-                by_time[(row, earlier)] = shared;
-                by_time[(earlier, row)] = shared;
-            }
-            let scatter = point.scatter * point.scatter;
+            let shared = |places: usize| {
+                let earlier = row.checked_sub(places).map(|place| &residuals[place]);
+                earlier.map_or(0.0, |earlier| {
+                    covariance_by_time(earlier, residual, variance)
+                })
+            };
+            let own = variance_by_time(residual, variance);
+            by_time.push([shared(2), shared(1), own]);
             // An odd impact counts less, as if its scatter were larger.
-            by_scatter[(row, row)] = scatter * residual.scatter / weights[row].max(1e-3);
-            if row > 0 {
-                by_scatter[(row, row - 1)] = scatter * residual.scatter_before;
-                by_scatter[(row - 1, row)] = scatter * residual.scatter_before;
-            }
-            by_release[(row, row)] = residual.own_variance;
+            let own = scatter * residual.scatter / weights[row].max(1e-3);
+            by_scatter.push([0.0, scatter * residual.scatter_before, own]);
+            by_release.push([0.0, 0.0, residual.own_variance]);
         }
-        let noise = &by_time + &by_scatter + &by_release;
-        let precise = Cholesky::new(noise)?.inverse();
+        let noise = Banded::sum([&by_time, &by_scatter, &by_release]);
+        let precise = noise.solve(slopes.clone())?;
         let priors = model
             .slots()
             .iter()
             .zip(vector)
             .map(|(&slot, &value)| model.prior_information(slot, value));
         let priors = DMatrix::from_diagonal(&DVector::from_iterator(vector.len(), priors));
-        let information = slopes.transpose() * &precise * &slopes + priors;
+        let information = slopes.transpose() * &precise + priors;
         let covariance = Cholesky::new(information)?.inverse();
         Some(Self {
-            gain: &covariance * slopes.transpose() * precise,
+            gain: &covariance * precise.transpose(),
             covariance,
             by_time,
             by_scatter,
@@ -129,7 +122,7 @@ impl Linear {
     /// Variance of a quantity with this gradient by the unknowns, source by source.
     fn sources(&self, gradient: &DVector<f64>, model: &Model) -> Vec<(&'static str, f64)> {
         let pull = self.gain.transpose() * gradient;
-        let of_noise = |noise: &DMatrix<f64>| pull.dot(&(noise * &pull));
+        let of_noise = |noise: &Banded| noise.quadratic(&pull);
         let mut sources = vec![
             ("timing of the impacts", of_noise(&self.by_time)),
             ("scatter of restitution", of_noise(&self.by_scatter)),
@@ -192,15 +185,6 @@ pub(super) fn shared_sd(posterior: &Posterior, speeds_m_s: &[f64]) -> Option<Vec
         .collect()
 }
 
-fn own_variance(timing: &[f64; 3], impact: usize, variance: impl Fn(usize) -> f64) -> f64 {
-    let [before, own, after] = timing;
-    let mut sum = own * own * variance(impact) + after * after * variance(impact + 1);
-    if impact > 0 {
-        sum += before * before * variance(impact - 1);
-    }
-    sum
-}
-
 /// Derivatives of a quantity by the unknowns, by central differences.
 fn gradient(
     evaluator: &mut Evaluator,
@@ -233,14 +217,14 @@ fn between(posterior: &Posterior, at_speed_m_s: f64) -> [[f64; 2]; 2] {
             (law, candidate.missed_first)
         })
         .collect();
-    let values = posterior.each(4, |evaluator, point| {
+    let values = posterior.each(THINNED, |evaluator, point| {
         let told = evaluator.told(point)?;
         Some([point.law.at(at_speed_m_s), told.drop_height_m])
     });
     let of_draw: Vec<(usize, usize)> = posterior
         .draws
         .iter()
-        .step_by(4)
+        .step_by(THINNED)
         .map(|draw| keys[draw.candidate])
         .collect();
     if of_draw.len() != values.len() {

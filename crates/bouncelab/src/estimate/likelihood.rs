@@ -15,11 +15,11 @@
 //! arXiv 1104.0049), so an innovation follows Student's t, and what an odd one seems to say of the
 //! times of its neighbours is taken back.
 
-use nalgebra::{DMatrix, DVector};
+use nalgebra::DMatrix;
 
 use super::knowledge::Measured;
 use super::model::{Height, LOG_SCATTER_SD, Model, Point, Slot};
-use super::residual::{End, Opening, Residual, covariance};
+use super::residual::{End, Opening, Residual, covariance_by_time, variance_by_time};
 use super::tail::{FREEDOM, Tail};
 use crate::flight::table::FlightTable;
 
@@ -212,11 +212,7 @@ impl<'a> Evaluator<'a> {
     fn factorise(&mut self, point: &Point) {
         let observed = self.model.observed;
         let scatter = point.scatter * point.scatter;
-        let timing = point.timing * point.timing;
-        let variance = |impact: usize| {
-            let sigma_s = observed.sigma_s.get(impact).copied().unwrap_or(0.0);
-            timing * sigma_s * sigma_s
-        };
+        let variance = |impact: usize| point.time_variance_s2(observed, impact);
         self.factors.clear();
         let mut one = Factor {
             variance: 1.0,
@@ -224,21 +220,16 @@ impl<'a> Evaluator<'a> {
         };
         let mut two = one;
         for (row, residual) in self.residuals.iter().enumerate() {
-            let [t0, t1, t2] = residual.timing;
-            let own = residual.impact;
-            let mut by_time = t1 * t1 * variance(own) + t2 * t2 * variance(own + 1);
-            if own > 0 {
-                by_time += t0 * t0 * variance(own - 1);
-            }
+            let by_time = variance_by_time(residual, variance);
             let by_scatter = scatter * residual.scatter;
             let diagonal = residual.own_variance + by_scatter + by_time;
             let (mut first, mut second) = (0.0, 0.0);
             if row > 0 {
-                first = covariance(&self.residuals[row - 1], residual, variance)
+                first = covariance_by_time(&self.residuals[row - 1], residual, variance)
                     + scatter * residual.scatter_before;
             }
             if row > 1 {
-                second = covariance(&self.residuals[row - 2], residual, variance);
+                second = covariance_by_time(&self.residuals[row - 2], residual, variance);
             }
             let l2 = second / two.variance;
             let l1 = (first - l2 * one.before[0] * two.variance) / one.variance;
@@ -257,9 +248,11 @@ impl<'a> Evaluator<'a> {
     pub(super) fn information(&mut self, vector: &[f64]) -> Option<DMatrix<f64>> {
         let columns = self.whitened_slopes(vector)?;
         let model = self.model;
-        let weights = self.innovations.iter().map(|i| i.weight);
-        let weighted = DMatrix::from_diagonal(&DVector::from_iterator(columns.nrows(), weights));
-        let mut information = columns.transpose() * weighted * &columns;
+        let mut weighted = columns.clone();
+        for (mut row, innovation) in weighted.row_iter_mut().zip(&self.innovations) {
+            row *= innovation.weight;
+        }
+        let mut information = columns.transpose() * weighted;
         // The noise: the logarithm of a standard deviation is known to 1/2^1/2 from one residual,
         // less from one with tails.
         let tells = 2.0 * FREEDOM / (FREEDOM + 3.0);

@@ -43,6 +43,7 @@
 //! one pass over the impacts.
 
 mod answers;
+mod banded;
 mod budget;
 mod fit;
 mod identify;
