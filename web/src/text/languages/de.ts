@@ -104,7 +104,6 @@ function grund(fund: LabReason): string {
 const komma = (zahl: number): string => String(zahl).replace('.', ',');
 
 const deutsch: Texts = {
-  name: 'Deutsch',
   to: 'bis',
   app: {
     title: 'bouncelab: Ball fallen lassen, Physik hören',
@@ -324,7 +323,7 @@ const deutsch: Texts = {
     measured: 'gemessen',
     notUsed: 'nicht in der Geraden',
     model: 'Modell mit Luft',
-    line95: 'was das Gesetz sein kann',
+    line95: 'wahrscheinlicher Bereich (95 %)',
     flights: {
       tab: 'Flüge',
       see: 'Ein Ball, der bei jedem Aufprall denselben Anteil behält, gibt hier eine Gerade; wo die Punkte abbiegen, wirken Luft oder Tempo mit.',
@@ -382,7 +381,6 @@ const deutsch: Texts = {
     scatter: 'Streuung von Aufprall zu Aufprall',
     timing: 'Fehler der Zeiten',
     contact: 'Kontaktzeit',
-    gravity: 'Fallbeschleunigung',
     lineRestitution: 'Gerade: e',
     lineHeight: 'Gerade: Fallhöhe',
     lineFlights: 'Gerade: Flüge',

@@ -104,7 +104,6 @@ function reason(found: LabReason): string {
 }
 
 export default {
-  name: 'English',
   to: 'to',
   app: {
     title: 'bouncelab: drop a ball, hear the physics',
@@ -320,7 +319,7 @@ export default {
     measured: 'measured',
     notUsed: 'not in the line',
     model: 'model with air',
-    line95: 'what the law may be',
+    line95: 'likely range (95 %)',
     flights: {
       tab: 'Flights',
       see: 'A ball that keeps the same share at each bounce makes a straight line here; where the points bend away from it, air or speed plays a part.',
@@ -378,7 +377,6 @@ export default {
     scatter: 'Scatter from bounce to bounce',
     timing: 'Error of the times',
     contact: 'Contact time',
-    gravity: 'Gravity',
     lineRestitution: 'Straight line: e',
     lineHeight: 'Straight line: drop height',
     lineFlights: 'Straight line: flights',
