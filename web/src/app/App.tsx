@@ -1,5 +1,6 @@
 import { useEffect, useRef, useState } from 'preact/hooks';
 import { route } from '../address/route.ts';
+import { stop } from '../sound/player.ts';
 import { busy } from '../state/bench.ts';
 import { broken, catalogue } from '../state/engine.ts';
 import { openFile } from '../state/opening.ts';
@@ -18,9 +19,10 @@ export function App() {
   const view = route.value.view;
   const first = useRef(true);
 
-  // A new page is read from its beginning, also by a screen reader.
+  // A new page is read from its beginning, also by a screen reader; what the last one plays ends.
   useEffect(() => {
     if (!first.current) {
+      stop();
       main.current?.focus({ preventScroll: true });
       scrollTo(0, 0);
     }

@@ -11,7 +11,7 @@ interface Props {
   /** What is assumed, shown faintly. */
   readonly usual?: number | undefined;
   readonly min?: number;
-  readonly max?: number;
+  readonly max?: number | undefined;
   readonly onChange: (value: number | undefined) => void;
 }
 

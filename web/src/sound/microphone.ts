@@ -119,7 +119,9 @@ async function listenIn(
   source.connect(node).connect(context.destination);
   await started(context);
   // Sound that is missing in the middle would make a flight too short: what comes after is not heard.
-  context.onstatechange = () => events.lost();
+  context.onstatechange = () => {
+    if (context.state !== 'running') events.lost();
+  };
   return {
     rateHz: context.sampleRate,
     close: async () => {
