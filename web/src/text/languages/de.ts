@@ -104,7 +104,6 @@ function grund(fund: LabReason): string {
 const komma = (zahl: number): string => String(zahl).replace('.', ',');
 
 const deutsch: Texts = {
-  name: 'Deutsch',
   to: 'bis',
   app: {
     title: 'bouncelab: Ball fallen lassen, Physik hören',
@@ -128,6 +127,8 @@ const deutsch: Texts = {
     redo: 'Wiederholen',
     cancel: 'Abbrechen',
     why: 'Warum?',
+    numberWanted: (least, most) =>
+      `Hier wird eine Zahl${most ? ` von ${least} bis ${most}` : least && ` ab ${least}`} erwartet.`,
     dropHere: 'Loslassen, dann wird zugehört',
     unreadableLink: (parts) =>
       `Einiges an den Einstellungen in der Adresse war nicht zu verstehen und bleibt weg: ${parts}.`,
@@ -154,6 +155,7 @@ const deutsch: Texts = {
     soFar: (count) => `${count} ${zahl(count, 'Aufprall', 'Aufpralle')} bisher`,
     soFarKeeps: (share) => `er behält etwa ${share} seines Tempos`,
     endsItself: 'Es endet von selbst, wenn der Ball ruht.',
+    result: 'Ergebnis',
     opening: (name) => `Lese ${name} …`,
     kept: (share) => ['Der Ball behielt bei jedem Aufprall ', share, ' seines Tempos.'],
     fell: (height) => ['Er fiel aus ', height, ' Höhe.'],
@@ -214,7 +216,7 @@ const deutsch: Texts = {
       do: 'Nimm einen aktuellen Firefox, Chrome, Edge oder Safari, oder öffne eine Aufnahme.',
     },
     ended: {
-      what: 'Das Mikrofon verschwand beim Zuhören.',
+      what: 'Das Mikrofon ist weg: ausgesteckt, oder ein Anruf braucht es.',
       do: 'Was bis dahin zu hören war, ist aufgehoben und ausgewertet.',
     },
     unknown: {
@@ -308,8 +310,9 @@ const deutsch: Texts = {
   },
   figures: {
     title: 'Abbildungen',
+    against: (y, x) => `${y} über ${x}`,
     nothing: 'Hier gibt es nichts zu zeigen: Dafür braucht es mehr Aufpralle.',
-    reset: 'Doppelklick zeigt wieder alles.',
+    reset: 'Seitwärts ziehen vergrößert, ein Doppelklick zeigt wieder alles.',
     numbers: 'Dasselbe als Zahlen',
     saveSvg: 'SVG',
     savePng: 'PNG',
@@ -320,14 +323,14 @@ const deutsch: Texts = {
     measured: 'gemessen',
     notUsed: 'nicht in der Geraden',
     model: 'Modell mit Luft',
-    line95: 'was das Gesetz sein kann',
+    line95: 'wahrscheinlicher Bereich (95 %)',
     flights: {
       tab: 'Flüge',
       see: 'Ein Ball, der bei jedem Aufprall denselben Anteil behält, gibt hier eine Gerade; wo die Punkte abbiegen, wirken Luft oder Tempo mit.',
       x: 'Flug',
       y: 'Flugzeit (s)',
     },
-    residuals: { y: 'neben der Geraden (%)' },
+    residuals: { y: 'Abweichung (%)' },
     restitution: {
       tab: 'Stoßzahl',
       see: 'Grau lässt die Luft weg, Blau rechnet sie heraus. Liegt Blau waagerecht, springt der Ball bei jedem Tempo gleich gut.',
@@ -378,7 +381,6 @@ const deutsch: Texts = {
     scatter: 'Streuung von Aufprall zu Aufprall',
     timing: 'Fehler der Zeiten',
     contact: 'Kontaktzeit',
-    gravity: 'Fallbeschleunigung',
     lineRestitution: 'Gerade: e',
     lineHeight: 'Gerade: Fallhöhe',
     lineFlights: 'Gerade: Flüge',
