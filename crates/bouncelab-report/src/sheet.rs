@@ -2,7 +2,9 @@
 
 use std::borrow::Cow;
 
-use crate::canvas::{Anchor, Canvas, Pen, Point, Rect, Style, shortened, text_width};
+use crate::canvas::{
+    Anchor, Canvas, MOST_LINES, Pen, Point, Rect, Style, line_height, text_width, wrapped,
+};
 use crate::language::{Say, said};
 use crate::scale::{Scale, Ticks};
 use crate::theme::{self, Colour};
@@ -62,11 +64,11 @@ pub(crate) struct Sheet {
     top: f64,
 }
 
-/// A name of the key in its place.
+/// An entry of the key in its place.
 struct Placed<'a> {
     swatch: Swatch,
     place: Point,
-    name: Cow<'a, str>,
+    lines: Vec<Cow<'a, str>>,
 }
 
 impl Sheet {
@@ -111,15 +113,14 @@ impl Sheet {
         let mut style = Style::new(theme::TITLE_SIZE, theme::INK, Anchor::Start);
         style.bold = true;
         canvas.text((MARGIN, 29.0), self.title.as_str(), style);
-        for Placed {
-            swatch,
-            place: (x, y),
-            name,
-        } in self.placed_key().0
-        {
-            swatch.draw(&mut canvas, (x, y));
-            let place = (x + swatch.width() + AFTER_SWATCH, y + 5.0);
-            canvas.text(place, name, KEY_TEXT);
+        for entry in self.placed_key().0 {
+            let (x, y) = entry.place;
+            entry.swatch.draw(&mut canvas, entry.place);
+            let x = x + entry.swatch.width() + AFTER_SWATCH;
+            for (line, words) in entry.lines.into_iter().enumerate() {
+                let y = y + 5.0 + line_height(KEY_TEXT.size) * line as f64;
+                canvas.text((x, y), words, KEY_TEXT);
+            }
         }
         canvas.take(&self.canvas, height - self.canvas.height());
         canvas
@@ -132,27 +133,32 @@ impl Sheet {
         let right = self.canvas.width() - MARGIN;
         let mut x = MARGIN;
         let mut y = BELOW_TITLE + 10.0;
+        // By how much the lines after the first of an entry make its row higher.
+        let mut more = 0.0;
         let mut placed = Vec::new();
         for entry in &self.key {
             let before_name = entry.swatch.width() + AFTER_SWATCH;
             let room = right - MARGIN - before_name;
-            let name = shortened(&entry.name, KEY_TEXT.size, room);
-            let width = before_name + text_width(&name, KEY_TEXT.size);
+            let lines = wrapped(&entry.name, KEY_TEXT.size, room, MOST_LINES);
+            let widths = lines.iter().map(|line| text_width(line, KEY_TEXT.size));
+            let width = before_name + widths.fold(0.0, f64::max);
             if x > MARGIN && x + width > right {
                 x = MARGIN;
-                y += ROW;
+                y += ROW + more;
+                more = 0.0;
             }
+            more = more.max(line_height(KEY_TEXT.size) * (lines.len() - 1) as f64);
             placed.push(Placed {
                 swatch: entry.swatch,
                 place: (x, y),
-                name,
+                lines,
             });
             x += width + GAP;
         }
         let end = if placed.is_empty() {
             BELOW_TITLE
         } else {
-            y + 14.0
+            y + more + 14.0
         };
         (placed, end)
     }
@@ -165,7 +171,7 @@ impl Sheet {
             f64::midpoint(self.top, self.canvas.height()),
         );
         let room = self.canvas.width() - 2.0 * MARGIN;
-        self.canvas.text_within(room, middle, text, style);
+        self.canvas.text_wrapped(room, middle, text, style);
     }
 }
 

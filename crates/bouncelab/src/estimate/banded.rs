@@ -20,7 +20,7 @@ impl Banded {
     }
 
     /// The sum of matrices of the same size.
-    pub(super) fn sum<'a>(matrices: [&'a Self; 3]) -> Self {
+    pub(super) fn sum(matrices: [&Self; 3]) -> Self {
         let [a, b, c] = matrices.map(|matrix| matrix.rows.iter());
         let rows = a.zip(b).zip(c);
         Self {
