@@ -23,7 +23,7 @@ use clap::{Args, ValueEnum};
 use crate::failure::Failure;
 use crate::knowledge::KnowledgeArguments;
 use crate::physics::{Physics, PhysicsArguments};
-use crate::report::Draft;
+use crate::report::ReportFile;
 use crate::units;
 
 /// Find the drops in recordings, or in lists of impact times
@@ -105,9 +105,9 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
         include_s: arguments.include.clone(),
         quiet: false,
     };
-    let mut draft = match (&arguments.report, arguments.files.as_slice()) {
+    let mut report_file = match (&arguments.report, arguments.files.as_slice()) {
         (None, _) => None,
-        (Some(path), [_]) => Some(Draft::new(path)?),
+        (Some(path), [_]) => Some(ReportFile::new(path)?),
         (Some(_), _) => return Err(Failure::Usage(report::OF_ONE.to_owned())),
     };
     let mut printer = Printer::new(arguments)?;
@@ -124,8 +124,8 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
                 if let Some(folder) = &arguments.figures {
                     save_figures(&hearing, &physics, folder, &mut stems)?;
                 }
-                if let Some(draft) = draft.take() {
-                    draft.write(&report::page(file, &hearing, &physics)?)?;
+                if let Some(report_file) = report_file.take() {
+                    report_file.write(&report::page(file, &hearing, &physics)?)?;
                 }
                 printer.print(&hearing, &physics)?;
             }
@@ -178,7 +178,7 @@ impl Printer {
             rows,
         };
         if let Some(rows) = &mut printer.rows {
-            rows.write_record(rows::HEADER).map_err(io::Error::from)?;
+            rows.write_record(rows::HEADER)?;
         }
         Ok(printer)
     }
@@ -194,7 +194,7 @@ impl Printer {
             Format::Csv => {
                 if let Some(rows) = &mut self.rows {
                     for row in rows::of(&hearing.document(physics)) {
-                        rows.write_record(&row).map_err(io::Error::from)?;
+                        rows.write_record(&row)?;
                     }
                 }
                 Ok(())

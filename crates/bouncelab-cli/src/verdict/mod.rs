@@ -18,7 +18,7 @@ use crate::analyze::{self, Hearing, Heeded, hear};
 use crate::failure::Failure;
 use crate::knowledge::KnowledgeArguments;
 use crate::physics::{Physics, PhysicsArguments};
-use crate::report::Draft;
+use crate::report::ReportFile;
 use crate::rules::Files;
 use crate::units;
 
@@ -138,7 +138,11 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
         )));
     }
     let hashes = once_each(arguments.files.iter().chain(&arguments.reference))?;
-    let draft = arguments.report.as_deref().map(Draft::new).transpose()?;
+    let report_file = arguments
+        .report
+        .as_deref()
+        .map(ReportFile::new)
+        .transpose()?;
     let surface = Heard::new(&arguments.files, &physics)?;
     let reference = Heard::new(&arguments.reference, &physics)?;
     let conditions = arguments.physics.conditions();
@@ -159,8 +163,8 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
         reference_files: &reference_files,
         physics: &physics,
     };
-    if let Some(draft) = draft {
-        draft.write(&report::page(&told, hashes))?;
+    if let Some(file) = report_file {
+        file.write(&report::page(&told, hashes))?;
     }
     let mut out = io::stdout().lock();
     match arguments.format {
