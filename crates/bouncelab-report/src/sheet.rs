@@ -6,7 +6,7 @@ use crate::canvas::{
     Anchor, Canvas, MOST_LINES, Pen, Point, Rect, Style, line_height, text_width, wrapped,
 };
 use crate::language::{Say, said};
-use crate::scale::{Scale, Ticks};
+use crate::scale::{Scale, Tick, Ticks};
 use crate::theme::{self, Colour};
 
 /// Distance of everything from the edge of the sheet.
@@ -541,17 +541,30 @@ fn x_ticks(scale: &Scale, width: f64) -> Ticks {
     (2..=10)
         .rev()
         .map(|most| scale.ticks(most))
-        .find(|ticks| fits(ticks, width))
-        .unwrap_or_default()
+        .find(|ticks| widest(&ticks.major) * ticks.major.len() as f64 <= width)
+        .unwrap_or_else(|| outermost(scale, width))
 }
 
-fn fits(ticks: &Ticks, width: f64) -> bool {
-    let text: f64 = ticks
-        .major
+/// Of few wide numbers the first and the last, or one of them: an axis says where it is.
+fn outermost(scale: &Scale, width: f64) -> Ticks {
+    let mut major = scale.ticks(2).major;
+    let last = major.split_off(1.min(major.len())).pop();
+    let apart = |a: &Tick, b: &Tick| (scale.share(b.value) - scale.share(a.value)) * width;
+    let room = widest(&major);
+    let last = last.filter(|last| major.iter().all(|first| apart(first, last) >= room));
+    major.extend(last);
+    Ticks {
+        major,
+        minor: Vec::new(),
+    }
+}
+
+/// The width of the widest number, and what stays free beside it.
+fn widest(ticks: &[Tick]) -> f64 {
+    let widths = ticks
         .iter()
-        .map(|tick| text_width(&tick.label, theme::TICK_SIZE) + 16.0)
-        .fold(0.0, f64::max);
-    text * ticks.major.len() as f64 <= width
+        .map(|tick| text_width(&tick.label, theme::TICK_SIZE) + 16.0);
+    widths.fold(0.0, f64::max)
 }
 
 fn y_ticks(scale: &Scale, height: f64) -> Ticks {
@@ -566,4 +579,26 @@ fn left_of_labels(axes: &[(&Axis, Rows)]) -> f64 {
         .map(|tick| text_width(&tick.label, theme::TICK_SIZE))
         .fold(0.0, f64::max);
     (MARGIN + widest + 9.0).max(48.0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Restitution known to a few millionths, in a panel as narrow as those of the posterior.
+    #[test]
+    fn an_axis_of_wide_numbers_has_some() {
+        for width in [30.0, 100.0, 157.0, 300.0] {
+            let scale = Scale::linear([0.934_96, 0.935_04]);
+            let ticks = x_ticks(&scale, width).major;
+            assert!(!ticks.is_empty(), "{width}");
+            for pair in ticks.windows(2) {
+                let apart = (scale.share(pair[1].value) - scale.share(pair[0].value)) * width;
+                assert!(
+                    apart >= text_width(&pair[0].label, theme::TICK_SIZE),
+                    "{width}"
+                );
+            }
+        }
+    }
 }
