@@ -53,19 +53,19 @@ const CHORES: [Chore; 8] = [
     },
     Chore {
         name: "verdicts",
-        arguments: "[BALLS]",
+        arguments: "[BALLS [DROPS]]",
         about: verdicts::ABOUT,
         run: verdicts::run,
     },
     Chore {
         name: "grid",
-        arguments: "[PART...]",
+        arguments: "[PART...] [drops=20] [hours=1] [only=SOUND] [wav=FOLDER]",
         about: grid::ABOUT,
         run: grid::run,
     },
     Chore {
         name: "fuzz",
-        arguments: "[TARGET...]",
+        arguments: "[TARGET...] [seconds=60]",
         about: fuzz::ABOUT,
         run: fuzz::run,
     },
@@ -100,7 +100,7 @@ fn main() -> ExitCode {
 fn help() -> String {
     let chores = CHORES.iter().map(|chore| {
         let usage = format!("{} {}", chore.name, chore.arguments);
-        format!("  cargo xtask {usage:<20} {}\n", chore.about)
+        format!("  cargo xtask {usage}\n      {}\n", chore.about)
     });
     let checks = test::CHECKS.iter().map(|check| {
         let command = check.words.join(" ");

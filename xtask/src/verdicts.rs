@@ -4,7 +4,7 @@ use crate::Result;
 use crate::cargo::run_example;
 
 pub(crate) const ABOUT: &str =
-    "Judge BALLS simulated balls on and beside the limits; print the table";
+    "Judge BALLS simulated balls a line, in all lines or those of DROPS drops; print the table";
 
 pub(crate) fn run(words: &[String]) -> Result {
     run_example("bouncelab", "verdicts", words)

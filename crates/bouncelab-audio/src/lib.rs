@@ -23,8 +23,8 @@
 //! Opus is decoded by opus-pure, whose samples are those of libopus; ffmpeg's own Opus decoder
 //! differs from both in speech modes.
 //!
-//! Only the microphone starts a thread; without that feature the crate builds for wasm32, where [`Source::from_bytes`] and
-//! [`Input::from_bytes`] take the place of files.
+//! Only the microphone starts a thread; without that feature the crate builds for wasm32, where
+//! [`Source::from_bytes`] and [`Input::from_bytes`] take the place of files.
 
 mod error;
 mod input;

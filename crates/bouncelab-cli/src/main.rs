@@ -25,7 +25,13 @@ use clap::{Parser, Subcommand};
 
 /// Drop a ball near a microphone, get the physics out of the silence between the bounces.
 #[derive(Parser)]
-#[command(version, arg_required_else_help = true, help_expected = true, after_help = EXAMPLES)]
+#[command(
+    name = "bouncelab",
+    version,
+    arg_required_else_help = true,
+    help_expected = true,
+    after_help = EXAMPLES
+)]
 struct Cli {
     #[command(subcommand)]
     command: Command,

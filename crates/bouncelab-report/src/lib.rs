@@ -1,7 +1,8 @@
-//! Figures, tables and rounded numbers: how bouncelab shows what it found.
+//! Figures, tables, documents and reports: how bouncelab shows what it found.
 //!
 //! Figures, tables and quantities take plain data with its unit in the name and give back text or
-//! a picture; only [`illustration`], [`document`] and [`report`] know how the numbers were found.
+//! a picture; only [`illustration`], [`tables`], [`document`], [`paper`] and [`report`] know how the
+//! numbers were found.
 //!
 //! ```
 //! use bouncelab_report::figure::{self, Line, TimedFlight};

@@ -2,8 +2,8 @@
 //!
 //! The page never sees this crate: a worker does, and hands on what a page asks for. What is asked
 //! and answered is plain data ([`wire`]), of which `web/src/lab/types.ts` is made. The rooms answer
-//! in Rust, so that they are tested like everything else; `engine`, which exists on wasm only, turns
-//! their answers into JSON and arrays.
+//! in Rust, so that they are tested like everything else; `engine` and `decoders`, which exist on
+//! wasm only, turn their answers into JSON and arrays.
 //!
 //! It is compiled twice, with the feature `engine` and with the feature `decoders`: nearly half of it
 //! all are decoders, which a page needs only once a file is opened.

@@ -26,6 +26,7 @@ use crate::drag::DragLaw;
 use crate::estimate::{self, Inference, Knowledge, Question};
 use crate::flight::{Environment, FlightModel};
 use crate::gravity;
+use crate::order::{median, robust_sd};
 use crate::regression::{self, Estimate, NumberedFlight, Regression};
 use crate::restitution::{self, Corrected, TimedImpact};
 use crate::train::{self, HeardImpact};
@@ -374,20 +375,15 @@ impl Analysis {
     /// [`Self::corrected`](Analysis::corrected) for how it depends on speed.
     pub fn corrected_restitution(&self) -> Option<Estimate> {
         let corrected = self.corrected.as_ref().ok()?;
-        let mut values: Vec<f64> = corrected
-            .impacts
-            .iter()
-            .map(|impact| impact.restitution.value)
-            .collect();
-        if values.len() < 3 {
+        let values = || corrected.impacts.iter().map(|i| i.restitution.value);
+        let count = corrected.impacts.len();
+        if count < 3 {
             return None;
         }
-        let middle = median(&mut values);
-        let mut deviations: Vec<f64> = values.iter().map(|v| (v - middle).abs()).collect();
-        // For a normal scatter: sd = 1.4826 median deviations, and the median of n values has a
-        // standard error of sd sqrt(pi / 2 n).
-        let sd = 1.4826 * median(&mut deviations);
-        let error = sd * (std::f64::consts::FRAC_PI_2 / values.len() as f64).sqrt();
+        let middle = median(values())?;
+        let sd = robust_sd(values().map(|value| value - middle))?;
+        // Of the median of so many values with a normal scatter.
+        let error = sd * (std::f64::consts::FRAC_PI_2 / count as f64).sqrt();
         Some(Estimate {
             value: middle,
             standard_error: Some(error),
@@ -400,16 +396,6 @@ impl Analysis {
         let speeds = impacts.iter().map(|impact| impact.impact_speed_m_s);
         let least = speeds.clone().reduce(f64::min)?;
         Some((least, speeds.reduce(f64::max)?))
-    }
-}
-
-fn median(values: &mut [f64]) -> f64 {
-    values.sort_by(f64::total_cmp);
-    let n = values.len();
-    if n % 2 == 1 {
-        values[n / 2]
-    } else {
-        f64::midpoint(values[n / 2 - 1], values[n / 2])
     }
 }
 

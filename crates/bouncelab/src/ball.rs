@@ -125,6 +125,11 @@ pub fn presets() -> &'static [Preset] {
     &PRESETS
 }
 
+/// The ball that is assumed where nobody says which: the first of the list.
+pub(crate) fn usual() -> &'static Preset {
+    &PRESETS[0]
+}
+
 /// The preset with a name.
 ///
 /// # Errors

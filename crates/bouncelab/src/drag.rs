@@ -1,8 +1,8 @@
 //! C<sub>D</sub> at a Reynolds number: one enum of named laws.
 //!
-//! All named laws are for a smooth sphere in a steady stream. They differ by 3 to 4 % at Reynolds
-//! numbers from 1e3 to 1e4, where sports balls bounce: that is how well drag is known before one
-//! measures. Felt, dimples, holes and seams change it further.
+//! All named laws are for a smooth sphere in a steady stream. Those that reach Reynolds numbers from
+//! 1e3 to 1e4, where small balls bounce, scatter there by about 3 % (standard deviation): that is how
+//! well drag is known before one measures. Felt, dimples, holes and seams change it further.
 //!
 //! ```
 //! use bouncelab::drag::DragLaw;

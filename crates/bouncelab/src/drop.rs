@@ -250,11 +250,12 @@ impl History {
 
     /// Energy that the air takes before the first impact, J/kg.
     pub fn opening_lost_to_air_j_kg(&self) -> f64 {
-        if self.model.terminal_speed_m_s().is_none() {
+        let speed_m_s = self.opening.impact_speed_m_s();
+        if self.model.drag_over_weight(speed_m_s) == Ok(0.0) {
             // Without drag the difference would be rounding.
             return 0.0;
         }
-        (self.initial_energy_j_kg() - kinetic_j_kg(self.opening.impact_speed_m_s())).max(0.0)
+        (self.initial_energy_j_kg() - kinetic_j_kg(speed_m_s)).max(0.0)
     }
 
     /// Height of the lowest point of the ball at a time after the start, m.

@@ -182,6 +182,12 @@ pub(crate) fn require(
     }
 }
 
+/// The value back if it is finite.
+pub(crate) fn finite(quantity: &'static str, value: f64) -> Result<f64> {
+    require(value.is_finite(), quantity, value, "finite")?;
+    Ok(value)
+}
+
 /// The value back if it is finite and above zero.
 pub(crate) fn positive(quantity: &'static str, value: f64) -> Result<f64> {
     require(
@@ -215,6 +221,18 @@ pub(crate) fn not_negative(quantity: &'static str, value: f64) -> Result<f64> {
         "finite and not below 0",
     )?;
     Ok(value)
+}
+
+/// `Ok` if each number exceeds the one before, otherwise an [`Error::NotInOrder`].
+pub(crate) fn in_order(what: &'static str, numbers: impl IntoIterator<Item = usize>) -> Result<()> {
+    let mut before = None;
+    for number in numbers {
+        if before.is_some_and(|before| number <= before) {
+            return Err(Error::NotInOrder { what, number });
+        }
+        before = Some(number);
+    }
+    Ok(())
 }
 
 #[cfg(test)]

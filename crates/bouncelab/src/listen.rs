@@ -32,6 +32,7 @@
 
 use crate::error::Result;
 use crate::onset::{self, Detector, Onset};
+use crate::order::median;
 use crate::train::{self, Found, NoDrop, Span};
 use crate::wide::widely;
 use std::ops::Range;
@@ -95,11 +96,9 @@ impl Heard {
         let impacts = || self.found.trains.iter().flat_map(train::Train::impacts);
         (0..onset::BANDS)
             .filter_map(|band| {
-                let mut above_db: Vec<f32> = impacts()
-                    .map(|i| i.onset.band_levels_db[band] - i.onset.band_noise_db[band])
-                    .collect();
-                above_db.sort_by(f32::total_cmp);
-                Some((band, f64::from(*above_db.get(above_db.len() / 2)?)))
+                let above_db =
+                    impacts().map(|i| i.onset.band_levels_db[band] - i.onset.band_noise_db[band]);
+                Some((band, median(above_db.map(f64::from))?))
             })
             .max_by(|a, b| a.1.total_cmp(&b.1))
     }

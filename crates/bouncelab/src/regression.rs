@@ -24,7 +24,7 @@
 use std::f64::consts::LN_10;
 
 use crate::drop;
-use crate::error::{Error, Result, positive};
+use crate::error::{Error, Result, in_order, positive};
 
 /// A number found from data, and how well it is known.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -101,15 +101,7 @@ pub fn fit(flights: &[NumberedFlight], gravity_m_s2: f64) -> Result<Regression> 
     for flight in flights {
         positive("flight time in s", flight.time_s)?;
     }
-    if let Some(pair) = flights
-        .windows(2)
-        .find(|pair| pair[1].number <= pair[0].number)
-    {
-        return Err(Error::NotInOrder {
-            what: "flight",
-            number: pair[1].number,
-        });
-    }
+    in_order("flight", flights.iter().map(|flight| flight.number))?;
     Ok(least_squares(flights, gravity_m_s2))
 }
 

@@ -23,7 +23,7 @@
 //! # Ok::<(), bouncelab::Error>(())
 //! ```
 
-use crate::error::{Error, Result, not_negative, positive, require};
+use crate::error::{Result, finite, in_order, not_negative, positive};
 use crate::flight::{Flight, FlightModel};
 use crate::regression::Estimate;
 
@@ -83,9 +83,10 @@ pub struct Corrected {
 /// list too short for any flight gives an empty answer.
 ///
 /// # Errors
-/// [`Error::NotInOrder`] if a number does not exceed the one before, [`Error::OutOfRange`] if two
-/// impacts are no farther apart than the contact time or a standard error is negative, and the
-/// errors of [`FlightModel::from_flight_time`].
+/// [`Error::NotInOrder`](crate::Error::NotInOrder) if a number does not exceed the one before,
+/// [`Error::OutOfRange`](crate::Error::OutOfRange) if two impacts are no farther apart than the
+/// contact time or a standard error is negative, and the errors of
+/// [`FlightModel::from_flight_time`].
 pub fn of_impacts(
     impacts: &[TimedImpact],
     contact_time_s: f64,
@@ -111,22 +112,9 @@ pub fn of_impacts(
 }
 
 fn check(impacts: &[TimedImpact]) -> Result<()> {
-    if let Some(pair) = impacts
-        .windows(2)
-        .find(|pair| pair[1].number <= pair[0].number)
-    {
-        return Err(Error::NotInOrder {
-            what: "impact",
-            number: pair[1].number,
-        });
-    }
+    in_order("impact", impacts.iter().map(|impact| impact.number))?;
     for impact in impacts {
-        require(
-            impact.time_s.is_finite(),
-            "impact time in s",
-            impact.time_s,
-            "finite",
-        )?;
+        finite("impact time in s", impact.time_s)?;
         if let Some(error) = impact.standard_error_s {
             not_negative("standard error of an impact time in s", error)?;
         }

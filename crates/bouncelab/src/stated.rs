@@ -83,7 +83,7 @@ pub enum StatedAir {
     },
     /// By its density.
     Density {
-        /// Density in kg/m&sup3;; 0 is vacuum.
+        /// Density in kg/m³; 0 is vacuum.
         density_kg_m3: f64,
         /// Viscosity in Pa s; if left out, that of ordinary air.
         viscosity_pa_s: Option<f64>,
@@ -103,7 +103,7 @@ impl Default for StatedAir {
 /// What is stated of gravity.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum StatedGravity {
-    /// As measured, in m/s&sup2;.
+    /// As measured, in m/s².
     Measured(f64),
     /// By the place on earth.
     Place {
@@ -172,12 +172,11 @@ impl Stated {
     }
 
     /// How well the inputs are known that were stated.
-    fn knowledge(&self, of_ball: Knowledge) -> Knowledge {
+    fn knowledge(&self, usual: Knowledge) -> Knowledge {
         /// What is stated is taken to be measured with ordinary care.
         const STATED_AIR: f64 = 0.003;
         const STATED_GRAVITY: f64 = 1e-4;
         const STATED_CONTACT: f64 = 0.1;
-        let usual = of_ball;
         let air_stated = match self.air {
             StatedAir::Weather {
                 temperature_k,
@@ -202,34 +201,24 @@ impl Stated {
     fn ball(&self, assumptions: &mut Vec<String>) -> Result<KnownBall> {
         let mut known = match &self.ball {
             Some(StatedBall::Named(name)) => KnownBall::of_preset(ball::preset(name)?),
-            Some(StatedBall::Steel(diameter_m)) => KnownBall {
-                ball: Ball::steel(*diameter_m)?,
-                label: format!("steel, {} mm", rounded(diameter_m * 1e3)),
-                contact_time_s: KnownBall::HARD_CONTACT_S,
-                knowledge: KnownBall::measured(),
-            },
-            Some(StatedBall::Glass(diameter_m)) => KnownBall {
-                ball: Ball::glass(*diameter_m)?,
-                label: format!("glass, {} mm", rounded(diameter_m * 1e3)),
-                contact_time_s: KnownBall::HARD_CONTACT_S,
-                knowledge: KnownBall::measured(),
-            },
+            &Some(StatedBall::Steel(diameter_m)) => {
+                let ball = Ball::steel(diameter_m)?;
+                KnownBall::measured(ball, "steel", KnownBall::HARD_CONTACT_S)
+            }
+            &Some(StatedBall::Glass(diameter_m)) => {
+                let ball = Ball::glass(diameter_m)?;
+                KnownBall::measured(ball, "glass", KnownBall::HARD_CONTACT_S)
+            }
             &Some(StatedBall::Measured {
                 mass_kg,
                 diameter_m,
-            }) => KnownBall {
-                ball: Ball::new(mass_kg, diameter_m)?,
-                label: format!(
-                    "{} g, {} mm",
-                    rounded(mass_kg * 1e3),
-                    rounded(diameter_m * 1e3)
-                ),
-                contact_time_s: KnownBall::CONTACT_S,
-                knowledge: KnownBall::measured(),
-            },
+            }) => {
+                let ball = Ball::new(mass_kg, diameter_m)?;
+                let weight = format!("{} g", rounded(mass_kg * 1e3));
+                KnownBall::measured(ball, &weight, KnownBall::CONTACT_S)
+            }
             None => {
-                // The list begins with the one that is assumed.
-                let preset = &ball::presets()[0];
+                let preset = ball::usual();
                 assumptions.push(format!("the ball is {}", preset.label));
                 KnownBall::of_preset(preset)
             }
@@ -322,12 +311,18 @@ impl KnownBall {
         }
     }
 
-    /// Weighed and measured by the person.
-    fn measured() -> Knowledge {
-        Knowledge {
-            mass: Self::WEIGHED,
-            diameter: Self::CALLIPERED,
-            ..Knowledge::default()
+    /// Weighed and measured by the person, or measured and of a known material.
+    fn measured(ball: Ball, weight_or_material: &str, contact_time_s: f64) -> Self {
+        let diameter_mm = rounded(ball.diameter_m() * 1e3);
+        Self {
+            ball,
+            label: format!("{weight_or_material}, {diameter_mm} mm"),
+            contact_time_s,
+            knowledge: Knowledge {
+                mass: Self::WEIGHED,
+                diameter: Self::CALLIPERED,
+                ..Knowledge::default()
+            },
         }
     }
 }
@@ -374,18 +369,11 @@ impl StatedDrop {
             let is_inferred = self.infer.contains(&input);
             if is_inferred { UNKNOWN } else { known }
         };
-        // Stated twice, a law would count twice.
-        let mut laws: Vec<LawKind> = Vec::new();
-        for &law in &self.laws {
-            if !laws.contains(&law) {
-                laws.push(law);
-            }
-        }
         let all = Knowledge {
             drop_height_m: measured(self.height_m, self.height_sd_m.unwrap_or(HEIGHT_SD_M)),
             first_was_heard: self.first_heard,
             release_s: measured(self.release_s, self.release_sd_s.unwrap_or(RELEASE_SD_S)),
-            restitution_laws: laws,
+            restitution_laws: self.laws.clone(),
             gravity: unless_inferred(Inferred::Gravity, knowledge.gravity),
             drag: unless_inferred(Inferred::Drag, knowledge.drag),
             contact_time: unless_inferred(Inferred::ContactTime, knowledge.contact_time),

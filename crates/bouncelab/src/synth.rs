@@ -43,8 +43,8 @@ use rand::{Rng, RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use rand_distr::{Exp1, StandardNormal};
 
+use crate::error::{Error, Result, positive};
 use crate::impact::Strike;
-use crate::{Error, Result};
 use burst::Burst;
 pub use scene::{BitDepth, Clicks, Colour, Hum, Lost, Noise, Reverb, Scene};
 pub use voice::{Mode, Voice};
@@ -93,7 +93,8 @@ pub struct SynthImpact {
 ///
 /// [`Error::OutOfRange`] if a number of the scene is outside its range, if a strike has a negative
 /// time or a speed that is not positive, if the strikes are not in the order of time, if a lost
-/// impact is not in the list, if the voice makes no sound at this sample rate, or if the recording would have more samples than an hour at 48 kHz.
+/// impact is not in the list, if the voice makes no sound at this sample rate, or if the recording
+/// would have more samples than an hour at 48 kHz.
 pub fn render(strikes: &[Strike], scene: &Scene, seed: u64) -> Result<Rendered> {
     scene.check()?;
     check_strikes(strikes)?;
@@ -137,7 +138,7 @@ fn check_strikes(strikes: &[Strike]) -> Result<()> {
             earliest..=f64::MAX,
             "0 or more, and not before the strike it follows",
         )?;
-        checks::positive("speed of a strike in m/s", strike.speed_m_s)?;
+        positive("speed of a strike in m/s", strike.speed_m_s)?;
         earliest = strike.time_s;
     }
     Ok(())

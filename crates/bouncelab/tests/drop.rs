@@ -44,6 +44,35 @@ fn bouncing(restitution: f64) -> Contact {
     Contact::instantaneous(Restitution::constant(restitution).unwrap())
 }
 
+/// A football outgrows the law of Haider and Levenspiel before drag balances its weight. That it has no
+/// terminal speed does not mean that it has no drag: the fall loses as much as with a constant
+/// coefficient like that of the law (0.48 at Re = 5e4), within a tenth.
+#[test]
+fn a_law_that_ends_below_the_terminal_speed_drags_in_the_fall_too() {
+    let lost_in_fall = |drag: DragLaw| {
+        let environment = Environment {
+            gravity_m_s2: 9.81,
+            air: Air::moist(&Conditions::default()).unwrap(),
+            drag,
+            buoyancy: true,
+            added_mass: true,
+        };
+        let football = ball::preset("football").unwrap().ball;
+        let model = FlightModel::new(&football, &environment).unwrap();
+        let stop = Stop::after(1);
+        let history = drop::simulate(&model, &bouncing(0.7), Start::Height(2.0), stop).unwrap();
+        (
+            model.terminal_speed_m_s(),
+            history.opening_lost_to_air_j_kg(),
+        )
+    };
+    let (terminal, lost) = lost_in_fall(DragLaw::HaiderLevenspiel);
+    let (_, expected) = lost_in_fall(DragLaw::Constant(0.48));
+    assert_eq!(terminal, None);
+    assert!((lost / expected - 1.0).abs() < 0.1, "{lost} {expected}");
+    assert_eq!(lost_in_fall(DragLaw::None), (None, 0.0));
+}
+
 proptest! {
     /// What the surface and the air take, and what is left at the landing, is what was there.
     #[test]

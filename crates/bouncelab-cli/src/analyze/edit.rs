@@ -77,7 +77,7 @@ pub(super) fn edit(
         .map(|time_s| format!("there is no impact within 20 ms of {time_s} s to leave out"))
         .collect();
     if include_s.len() >= FEWEST_IMPACTS - 2 {
-        include_s.sort_by(f64::total_cmp);
+        include_s.sort_unstable_by(f64::total_cmp);
         drops.push(Unanalysed::by_hand(&include_s));
         drops.sort_by(|a, b| a.start_s().total_cmp(&b.start_s()));
     } else {

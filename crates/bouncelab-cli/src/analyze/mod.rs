@@ -28,8 +28,8 @@ use crate::units;
 
 /// Find the drops in recordings, or in lists of impact times
 ///
-/// Reads WAV, AIFF, FLAC, MP3, OGG, Opus, WebM, M4A, MP4 and MOV, and impact times in seconds as
-/// .txt (one a line), .csv (one a line, or a column `time` or `time_s`) or .json (an array). Exit
+/// Reads WAV, AIFF, FLAC, MP3, AAC, Ogg, Opus, WebM, M4A, MP4 and MOV, and impact times in seconds
+/// as .txt (one a line), .csv (one a line, or a column `time` or `time_s`) or .json (an array). Exit
 /// status: 0 if every file holds a drop, 1 if one does not or cannot be read, 2 for wrong usage.
 #[derive(Args)]
 #[command(after_help = EXAMPLES)]
@@ -63,7 +63,8 @@ pub(crate) struct Arguments {
     /// Add impacts at these times
     #[arg(long, value_name = "TIMES", value_delimiter = ',', value_parser = units::time)]
     include: Vec<f64>,
-    /// Print also each flight, how sure each impact is, and what was chosen in listening
+    /// Print also how sure each impact is, where the impacts stand out, the laws that were weighed,
+    /// where the uncertainty comes from and what was assumed before the data
     #[arg(long)]
     details: bool,
     #[command(flatten)]

@@ -68,7 +68,8 @@ pub(crate) struct Arguments {
     /// Listen to this channel only, the first being 1 (default: the one that tells most)
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
     channel: Option<u16>,
-    /// Print also each flight and how sure each impact is
+    /// Print also how sure each impact is, the laws that were weighed, where the uncertainty comes from
+    /// and what was assumed before the data
     #[arg(long)]
     details: bool,
     #[command(flatten)]

@@ -196,7 +196,7 @@ pub(super) fn list_devices() -> Result<(), Failure> {
 #[cfg(not(feature = "microphone"))]
 fn no_microphone() -> Failure {
     let headers = if cfg!(target_os = "linux") {
-        "\n  sudo apt install libasound2-dev      (Debian, Ubuntu; Fedora: alsa-lib-devel)"
+        "\n  sudo apt install libasound2-dev pkg-config   (Debian, Ubuntu; Fedora: alsa-lib-devel)"
     } else {
         ""
     };

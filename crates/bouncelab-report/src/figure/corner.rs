@@ -103,7 +103,7 @@ fn varies(values: &[f64]) -> bool {
 
 fn scale(values: &[f64]) -> Scale {
     let mut sorted: Vec<f64> = values.iter().copied().filter(|v| v.is_finite()).collect();
-    sorted.sort_by(f64::total_cmp);
+    sorted.sort_unstable_by(f64::total_cmp);
     let trimmed = (TRIMMED * sorted.len() as f64) as usize;
     let kept = &sorted[trimmed..sorted.len() - trimmed];
     Scale::linear(kept.iter().copied()).padded(0.05, 0.05)
@@ -225,7 +225,7 @@ fn convolved(counts: &[f64], kernel: &[f64; 5], stride: usize) -> Vec<f64> {
 /// The count above which the cells hold a share of all.
 fn level(counts: &[f64], share: f64) -> f64 {
     let mut sorted = counts.to_vec();
-    sorted.sort_by(|a, b| b.total_cmp(a));
+    sorted.sort_unstable_by(|a, b| b.total_cmp(a));
     let total: f64 = sorted.iter().sum();
     let mut sum = 0.0;
     for count in sorted {

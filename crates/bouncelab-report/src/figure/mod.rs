@@ -195,7 +195,7 @@ fn robust_scale(values: &[(f64, Option<f64>)]) -> Scale {
     if sorted.is_empty() {
         return Scale::linear([]);
     }
-    sorted.sort_by(f64::total_cmp);
+    sorted.sort_unstable_by(f64::total_cmp);
     let quartile = |share: f64| sorted[(share * (sorted.len() - 1) as f64).round() as usize];
     let (lower, upper) = (quartile(0.25), quartile(0.75));
     let far = 3.0 * (upper - lower);

@@ -120,7 +120,8 @@ pub fn models(found: &Inference) -> Option<Figure> {
 }
 
 /// The drop height from the first flights only: by the straight line, and by the inference with a
-/// constant restitution; the inference runs anew for each cut. `None` for a drop too short to cut.
+/// restitution that is constant or a power of the speed; the inference runs anew for each cut. `None`
+/// for a drop too short to cut.
 pub fn cut(drop: &Analysis, settings: &Settings) -> Option<Figure> {
     const CUTS: [usize; 4] = [6, 10, 20, 40];
     /// A figure needs fewer draws than an answer.

@@ -3,7 +3,8 @@
 //! Parts: `cells` (impacts found, false drops, by what disturbs), `timing` (errors of the times
 //! against the Cramer-Rao bound and against the stated standard errors), `silence` (false drops in
 //! sound without a drop). None means all. `drops=N` drops in each cell, `hours=H` of sound without
-//! a drop of each kind, `only=WORDS` the rows of silence with these words in their names. `wav=FOLDER` writes the sounds of the cells and their truth instead.
+//! a drop of each kind, `only=WORDS` the rows of silence with these words in their names.
+//! `wav=FOLDER` writes the sounds of the cells and their truth instead.
 //!
 //! Every sound comes from a seed: the same command prints the same numbers.
 

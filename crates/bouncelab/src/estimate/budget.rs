@@ -9,8 +9,8 @@ use nalgebra::{Cholesky, DMatrix, DVector};
 use super::banded::Banded;
 use super::likelihood::Evaluator;
 use super::model::{Model, Slot};
-use super::posterior::Posterior;
-use super::residual::covariance;
+use super::posterior::{Posterior, THINNED};
+use super::residual::{covariance_by_time, variance_by_time};
 
 /// What one source adds to the uncertainty of a quantity.
 #[derive(Debug, Clone, PartialEq)]
@@ -81,11 +81,7 @@ impl Linear {
         evaluator.log_posterior(vector)?;
         let weights: Vec<f64> = evaluator.innovations.iter().map(|i| i.weight).collect();
         let residuals = evaluator.residuals(&point)?;
-        let observed = model.observed;
-        let variance = |impact: usize| {
-            let sigma_s = observed.sigma_s.get(impact).copied().unwrap_or(0.0);
-            (point.timing * sigma_s).powi(2)
-        };
+        let variance = |impact: usize| point.time_variance_s2(model.observed, impact);
         let mut by_time = Banded::default();
         let mut by_scatter = Banded::default();
         let mut by_release = Banded::default();
@@ -93,9 +89,11 @@ impl Linear {
         for (row, residual) in residuals.iter().enumerate() {
             let shared = |places: usize| {
                 let earlier = row.checked_sub(places).map(|place| &residuals[place]);
-                earlier.map_or(0.0, |earlier| covariance(earlier, residual, variance))
+                earlier.map_or(0.0, |earlier| {
+                    covariance_by_time(earlier, residual, variance)
+                })
             };
-            let own = own_variance(&residual.timing, residual.impact, variance);
+            let own = variance_by_time(residual, variance);
             by_time.push([shared(2), shared(1), own]);
             // An odd impact counts less, as if its scatter were larger.
             let own = scatter * residual.scatter / weights[row].max(1e-3);
@@ -187,15 +185,6 @@ pub(super) fn shared_sd(posterior: &Posterior, speeds_m_s: &[f64]) -> Option<Vec
         .collect()
 }
 
-fn own_variance(timing: &[f64; 3], impact: usize, variance: impl Fn(usize) -> f64) -> f64 {
-    let [before, own, after] = timing;
-    let mut sum = own * own * variance(impact) + after * after * variance(impact + 1);
-    if impact > 0 {
-        sum += before * before * variance(impact - 1);
-    }
-    sum
-}
-
 /// Derivatives of a quantity by the unknowns, by central differences.
 fn gradient(
     evaluator: &mut Evaluator,
@@ -228,14 +217,14 @@ fn between(posterior: &Posterior, at_speed_m_s: f64) -> [[f64; 2]; 2] {
             (law, candidate.missed_first)
         })
         .collect();
-    let values = posterior.each(4, |evaluator, point| {
+    let values = posterior.each(THINNED, |evaluator, point| {
         let told = evaluator.told(point)?;
         Some([point.law.at(at_speed_m_s), told.drop_height_m])
     });
     let of_draw: Vec<(usize, usize)> = posterior
         .draws
         .iter()
-        .step_by(4)
+        .step_by(THINNED)
         .map(|draw| keys[draw.candidate])
         .collect();
     if of_draw.len() != values.len() {

@@ -5,6 +5,7 @@ use std::fmt;
 use super::knowledge::LawKind;
 use super::model::{Model, Slot};
 use super::posterior::Posterior;
+use crate::moments::{mean, sd};
 
 /// Something that was not known before the data.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -120,13 +121,4 @@ pub(super) fn correlations(columns: Vec<(&'static str, Vec<f64>)>) -> Correlatio
             .map(|(_, a)| columns.iter().map(|(_, b)| correlation(a, b)).collect())
             .collect(),
     }
-}
-
-fn mean(values: &[f64]) -> f64 {
-    values.iter().sum::<f64>() / values.len().max(1) as f64
-}
-
-fn sd(values: &[f64]) -> f64 {
-    let mean = mean(values);
-    (values.iter().map(|v| (v - mean).powi(2)).sum::<f64>() / values.len().max(1) as f64).sqrt()
 }

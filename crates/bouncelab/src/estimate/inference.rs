@@ -152,6 +152,11 @@ impl Impact {
 }
 
 impl Inference {
+    /// The impact of this number, if it was heard.
+    pub fn impact(&self, number: usize) -> Option<&Impact> {
+        self.impacts.iter().find(|impact| impact.number == number)
+    }
+
     /// The restitution law at a speed, m/s.
     pub fn restitution_at(&self, speed_m_s: f64) -> Option<Summary> {
         Summary::of(

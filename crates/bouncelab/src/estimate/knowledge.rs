@@ -1,7 +1,7 @@
 //! What is known besides the sounds: measurements, and how well each input is known.
 
 use crate::ball::Preset;
-use crate::error::{Result, not_negative, positive, require};
+use crate::error::{Result, finite, not_negative, positive};
 
 /// A measured quantity.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -31,8 +31,8 @@ pub struct Knowledge {
     /// Whether to consider a constant drag coefficient too, beside a law of the Reynolds number: what
     /// the law says at the fastest impact heard.
     pub constant_drag_too: bool,
-    /// Drag coefficient: how far a real ball may lie from the law. The good laws of smooth spheres
-    /// differ by 3 to 4 % at Reynolds numbers of 1,000 to 10,000.
+    /// Drag coefficient: how far a real ball may lie from the law. The laws of smooth spheres
+    /// scatter by about 3 % at Reynolds numbers of 1,000 to 10,000; 4 % leaves room for a ball.
     pub drag: f64,
     /// Gravity.
     pub gravity: f64,
@@ -98,13 +98,13 @@ impl Knowledge {
         let share = |name: &str, sd: f64| match sd {
             0.0 => format!("{name}: exact"),
             sd if sd >= UNKNOWN => format!("{name}: unknown (a factor e either way)"),
-            sd => format!("{name}: known to {} %", (sd * 1e4).round() / 100.0),
+            sd => format!("{name}: known to {} %", percent(sd)),
         };
         let mut statements = vec![
             "restitution: anything from 0 to 1".to_owned(),
             format!(
                 "scatter of restitution: about {} %, within a factor of two",
-                (self.scatter * 1e4).round() / 100.0
+                percent(self.scatter)
             ),
             share("drag coefficient, around the law", self.drag),
             share("gravity", self.gravity),
@@ -133,14 +133,17 @@ impl Knowledge {
         statements
     }
 
-    /// The laws to consider when so many restitutions were seen.
+    /// The laws to consider when so many restitutions were seen, each once: a law asked for twice is
+    /// no more probable.
     pub(super) fn laws(&self, restitutions: usize) -> Vec<LawKind> {
-        if !self.restitution_laws.is_empty() {
-            return self.restitution_laws.clone();
-        }
+        let asked = &self.restitution_laws;
         let mut laws = LawKind::ALL.to_vec();
-        // A ball seen to bounce once shows nothing of how its restitution changes.
-        laws.retain(|law| *law == LawKind::Constant || law.needs() <= restitutions);
+        if asked.is_empty() {
+            // A ball seen to bounce once shows nothing of how its restitution changes.
+            laws.retain(|law| *law == LawKind::Constant || law.needs() <= restitutions);
+        } else {
+            laws.retain(|law| asked.contains(law));
+        }
         laws
     }
 
@@ -161,12 +164,7 @@ impl Knowledge {
             positive("standard uncertainty of the drop height in m", height.sd)?;
         }
         if let Some(release) = self.release_s {
-            require(
-                release.value.is_finite(),
-                "release time in s",
-                release.value,
-                "finite",
-            )?;
+            finite("release time in s", release.value)?;
             positive("standard uncertainty of the release time in s", release.sd)?;
         }
         for share in [
@@ -184,6 +182,11 @@ impl Knowledge {
         positive("typical scatter of restitution", self.scatter)?;
         Ok(())
     }
+}
+
+/// A share in per cent, to two decimals.
+fn percent(share: f64) -> f64 {
+    (share * 1e4).round() / 100.0
 }
 
 /// A family of restitution laws whose numbers the inference finds; see
@@ -264,5 +267,27 @@ impl std::str::FromStr for LawKind {
             .ok_or_else(|| {
                 crate::Error::unknown_name("restitution law", text, &Self::ALL.map(Self::name))
             })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_law_asked_for_twice_is_considered_once() {
+        let knowledge = Knowledge {
+            restitution_laws: vec![LawKind::Knee, LawKind::Constant, LawKind::Knee],
+            ..Knowledge::default()
+        };
+        assert_eq!(knowledge.laws(1), [LawKind::Constant, LawKind::Knee]);
+    }
+
+    #[test]
+    fn few_restitutions_leave_few_laws() {
+        let laws = |restitutions| Knowledge::default().laws(restitutions);
+        assert_eq!(laws(0), [LawKind::Constant]);
+        assert_eq!(laws(3).len(), 4);
+        assert_eq!(laws(4), LawKind::ALL);
     }
 }

@@ -19,7 +19,7 @@ use nalgebra::DMatrix;
 
 use super::knowledge::Measured;
 use super::model::{Height, LOG_SCATTER_SD, Model, Point, Slot};
-use super::residual::{End, Opening, Residual, covariance};
+use super::residual::{End, Opening, Residual, covariance_by_time, variance_by_time};
 use super::tail::{FREEDOM, Tail};
 use crate::flight::table::FlightTable;
 
@@ -212,11 +212,7 @@ impl<'a> Evaluator<'a> {
     fn factorise(&mut self, point: &Point) {
         let observed = self.model.observed;
         let scatter = point.scatter * point.scatter;
-        let timing = point.timing * point.timing;
-        let variance = |impact: usize| {
-            let sigma_s = observed.sigma_s.get(impact).copied().unwrap_or(0.0);
-            timing * sigma_s * sigma_s
-        };
+        let variance = |impact: usize| point.time_variance_s2(observed, impact);
         self.factors.clear();
         let mut one = Factor {
             variance: 1.0,
@@ -224,21 +220,16 @@ impl<'a> Evaluator<'a> {
         };
         let mut two = one;
         for (row, residual) in self.residuals.iter().enumerate() {
-            let [t0, t1, t2] = residual.timing;
-            let own = residual.impact;
-            let mut by_time = t1 * t1 * variance(own) + t2 * t2 * variance(own + 1);
-            if own > 0 {
-                by_time += t0 * t0 * variance(own - 1);
-            }
+            let by_time = variance_by_time(residual, variance);
             let by_scatter = scatter * residual.scatter;
             let diagonal = residual.own_variance + by_scatter + by_time;
             let (mut first, mut second) = (0.0, 0.0);
             if row > 0 {
-                first = covariance(&self.residuals[row - 1], residual, variance)
+                first = covariance_by_time(&self.residuals[row - 1], residual, variance)
                     + scatter * residual.scatter_before;
             }
             if row > 1 {
-                second = covariance(&self.residuals[row - 2], residual, variance);
+                second = covariance_by_time(&self.residuals[row - 2], residual, variance);
             }
             let l2 = second / two.variance;
             let l1 = (first - l2 * one.before[0] * two.variance) / one.variance;

@@ -8,6 +8,8 @@ use crate::error::{Error, Result};
 use crate::flight::table::{DragProfile, FlightTables, Row};
 use crate::flight::{Environment, FlightModel};
 use crate::impact::Restitution;
+use crate::logistic::{logistic, softplus};
+use crate::order::{median, robust_sd};
 
 /// How far the typical scatter of restitution may be off, as a factor.
 pub(super) const LOG_SCATTER_SD: f64 = 0.7;
@@ -143,6 +145,13 @@ pub(super) struct Point {
 }
 
 impl Point {
+    /// Variance of the time of an impact, s²; none beyond the last.
+    #[inline]
+    pub(super) fn time_variance_s2(&self, observed: &Observed, impact: usize) -> f64 {
+        let sigma_s = observed.sigma_s.get(impact).copied().unwrap_or(0.0);
+        self.timing * self.timing * sigma_s * sigma_s
+    }
+
     /// The impact speed that the law turns into a launch speed.
     pub(super) fn impact_before(&self, launch: f64) -> Option<f64> {
         const STEPS: usize = 60;
@@ -460,15 +469,12 @@ impl Middle {
                 )
             })?;
         let single = |place: usize| observed.stretches[place].flights == 1;
-        let mut logs: Vec<f64> = (1..rows.len())
+        let logs: Vec<f64> = (1..rows.len())
             .filter(|&place| single(place) && single(place - 1))
             .map(|place| (rows[place].launch / rows[place - 1].impact).ln())
             .collect();
-        let middle = median(&mut logs);
-        let mut off: Vec<f64> = logs
-            .iter()
-            .map(|log| (log - middle.unwrap_or(0.0)).abs())
-            .collect();
+        let middle = median(logs.iter().copied());
+        let scatter = robust_sd(logs.iter().map(|log| log - middle.unwrap_or(0.0)));
         if middle.is_some_and(|log_e| log_e > 0.1) {
             return Err(Error::CannotInfer(
                 "the ball would gain speed at each impact, which no surface at rest gives; are the \
@@ -487,8 +493,7 @@ impl Middle {
             fastest_m_s: fastest_m_s.max(1.05 * slowest_m_s),
             restitution: middle.map_or(GUESS, f64::exp),
             first_launch_m_s: rows[0].launch,
-            // The median deviation of a normal distribution is 0.6745 of the standard one.
-            scatter: median(&mut off).map(|off| (1.4826 * off).max(1e-4)),
+            scatter: scatter.map(|scatter| scatter.max(1e-4)),
         })
     }
 }
@@ -508,18 +513,4 @@ fn index(slot: Slot) -> usize {
         Slot::Gravity => 8,
         Slot::Inputs => 9,
     }
-}
-
-fn median(values: &mut [f64]) -> Option<f64> {
-    values.sort_by(f64::total_cmp);
-    values.get(values.len() / 2).copied()
-}
-
-fn logistic(x: f64) -> f64 {
-    1.0 / (1.0 + (-x).exp())
-}
-
-/// ln(1 + exp x) without overflow.
-fn softplus(x: f64) -> f64 {
-    x.max(0.0) + (-x.abs()).exp().ln_1p()
 }

@@ -1,6 +1,6 @@
 //! The impact times as the inference sees them: stretches between impacts that were heard.
 
-use crate::error::{Error, Result, not_negative, require};
+use crate::error::{Error, Result, in_order, not_negative, require};
 use crate::restitution::TimedImpact;
 
 /// The time from one heard impact to the next; more than one flight if impacts were missed.
@@ -40,6 +40,7 @@ impl Observed {
                 "an inference needs a flight, and a flight needs two impacts".to_owned(),
             ));
         }
+        in_order("impact", impacts.iter().map(|impact| impact.number))?;
         let mut stretches = Vec::with_capacity(impacts.len() - 1);
         for pair in impacts.windows(2) {
             stretches.push(stretch(&pair[0], &pair[1], contact_time_s)?);
@@ -86,12 +87,6 @@ impl Observed {
 }
 
 fn stretch(from: &TimedImpact, to: &TimedImpact, contact_time_s: f64) -> Result<Stretch> {
-    if to.number <= from.number {
-        return Err(Error::NotInOrder {
-            what: "impact",
-            number: to.number,
-        });
-    }
     let (duration_s, flights) = (to.time_s - from.time_s, to.number - from.number);
     require(
         duration_s > contact_time_s * flights as f64 && duration_s.is_finite(),

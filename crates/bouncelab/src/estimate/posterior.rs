@@ -87,6 +87,9 @@ pub(super) struct Posterior {
     pub(super) draws: Vec<Draw>,
 }
 
+/// A candidate that is more probable than this matters.
+pub(super) const MATTERS: f64 = 0.05;
+
 /// A candidate whose logarithm of the evidence is so far below the best is not sampled: at most one
 /// draw in a thousand would come from it.
 const HOPELESS: f64 = 7.0;
@@ -321,7 +324,7 @@ impl Posterior {
     pub(super) fn pareto_shape(&self) -> f64 {
         self.candidates
             .iter()
-            .filter(|candidate| candidate.weight > 0.05)
+            .filter(|candidate| candidate.weight > MATTERS)
             .map(|candidate| match &candidate.sample {
                 Some(sample) => sample.pareto_shape,
                 None => f64::INFINITY,

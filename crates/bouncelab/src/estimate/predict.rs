@@ -49,10 +49,9 @@ pub(super) fn until_rest(evaluator: &mut Evaluator, point: &Point) -> Option<Res
     for _ in 0..MOST_BOUNCES {
         let launch = impact * point.law.at(impact);
         if launch < REST_M_S {
-            // What is left is a geometric series, without air.
-            let left = 1.0 / (1.0 - point.law.at(launch));
-            rest.time_s += 2.0 * launch / gravity * left + point.contact_time_s;
-            rest.path_m += launch * launch / gravity * left;
+            let last = last_bounces(launch, point.law.at(launch), gravity);
+            rest.time_s += last.time_s + point.contact_time_s;
+            rest.path_m += last.path_m;
             return rest.time_s.is_finite().then_some(rest);
         }
         let row = table.launch(launch)?;
@@ -61,6 +60,15 @@ pub(super) fn until_rest(evaluator: &mut Evaluator, point: &Point) -> Option<Res
         impact = row.impact;
     }
     None
+}
+
+/// The flights from a launch until rest, all without air and with the same restitution: geometric
+/// series, as in Eqs. 7 and 8 of the paper.
+fn last_bounces(launch: f64, restitution: f64, gravity: f64) -> Rest {
+    Rest {
+        time_s: 2.0 * launch / gravity / (1.0 - restitution),
+        path_m: launch * launch / gravity / (1.0 - restitution * restitution),
+    }
 }
 
 /// The height from which the flight after a bounce (1 for the first) rises to an apex, with the
@@ -96,4 +104,25 @@ pub(super) fn rebound_m(
         .impact;
     let apex_m = table.fall(impact * point.law.at(impact))?.0 / gravity;
     apex_m.is_finite().then_some(apex_m)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Added up bounce by bounce: a launch at v lasts 2 v/g and goes v²/g up and down.
+    #[test]
+    fn the_last_bounces_add_up() {
+        let (launch, restitution, gravity) = (0.03, 0.9, 9.81);
+        let (mut time_s, mut path_m) = (0.0, 0.0);
+        let mut speed: f64 = launch;
+        for _ in 0..1000 {
+            time_s += 2.0 * speed / gravity;
+            path_m += speed * speed / gravity;
+            speed *= restitution;
+        }
+        let rest = last_bounces(launch, restitution, gravity);
+        assert!((rest.time_s / time_s - 1.0).abs() < 1e-12);
+        assert!((rest.path_m / path_m - 1.0).abs() < 1e-12);
+    }
 }

@@ -7,7 +7,7 @@ use super::fit;
 use super::identify::{Narrowed, TOLD_NOTHING, Unknown};
 use super::knowledge::{Knowledge, Measured};
 use super::likelihood::{Evaluator, Innovation};
-use super::posterior::Posterior;
+use super::posterior::{MATTERS, Posterior};
 use crate::words::list;
 
 /// Something to know about an inference.
@@ -153,12 +153,11 @@ pub(super) fn remarks(
         remarks.push(Remark::FewImpacts(impacts.len()));
     }
     let seen = posterior.observed.restitutions();
-    let asked = &posterior.knowledge.restitution_laws;
+    let considered = posterior.knowledge.laws(seen).into_iter();
     remarks.extend(
-        asked
-            .iter()
+        considered
             .filter(|law| law.needs() > seen.max(1))
-            .map(|&law| Remark::TooFewFor { law, seen }),
+            .map(|law| Remark::TooFewFor { law, seen }),
     );
     // The first innovation belongs to the drop height, and is no impact of its own.
     let odd: Vec<usize> = innovations
@@ -181,7 +180,7 @@ pub(super) fn remarks(
     let slope_possible = posterior
         .candidates
         .iter()
-        .any(|candidate| candidate.law != LawKind::Constant && candidate.weight > 0.05);
+        .any(|candidate| candidate.law != LawKind::Constant && candidate.weight > MATTERS);
     if drag_unknown && slope_possible {
         remarks.push(Remark::DragOrSlope);
     }
@@ -224,7 +223,7 @@ fn about_the_height(posterior: &Posterior, innovations: &[Innovation]) -> Option
         .filter(|candidate| candidate.missed_first > 0)
         .map(|candidate| candidate.weight)
         .sum();
-    (missed > 0.05).then_some(Remark::MissedFirst(missed))
+    (missed > MATTERS).then_some(Remark::MissedFirst(missed))
 }
 
 /// Whether even the best number of missed impacts leaves a gap between the measured height and the

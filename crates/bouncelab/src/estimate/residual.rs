@@ -174,9 +174,20 @@ impl Residual {
     }
 }
 
+/// Variance of a residual through its times, of which `variance` tells that of each.
+#[inline]
+pub(super) fn variance_by_time(residual: &Residual, variance: impl Fn(usize) -> f64) -> f64 {
+    let ([before, own, after], impact) = (residual.timing, residual.impact);
+    let mut sum = own * own * variance(impact) + after * after * variance(impact + 1);
+    if impact > 0 {
+        sum += before * before * variance(impact - 1);
+    }
+    sum
+}
+
 /// Covariance of two residuals through the times they share.
 #[inline]
-pub(super) fn covariance(
+pub(super) fn covariance_by_time(
     earlier: &Residual,
     later: &Residual,
     variance: impl Fn(usize) -> f64,

@@ -6,7 +6,7 @@
 //! Pareto distribution that their tail follows, whose shape k tells whether the weights can be
 //! trusted at all (A. Vehtari et al., Pareto smoothed importance sampling, JMLR 25, 2024).
 
-use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
+use nalgebra::{Cholesky, DMatrix, DVector};
 use rand::RngExt;
 use rand_chacha::ChaCha8Rng;
 use rand_distr::{ChiSquared, Distribution, StandardNormal};
@@ -49,12 +49,13 @@ impl Sample {
 /// A multivariate Student's t.
 struct Proposal {
     centre: DVector<f64>,
-    root: Cholesky<f64, Dyn>,
+    /// Lower triangular root of its shape.
+    root: DMatrix<f64>,
 }
 
 impl Proposal {
     fn new(centre: DVector<f64>, covariance: DMatrix<f64>) -> Option<Self> {
-        let root = Cholesky::new(covariance * (WIDENING * WIDENING))?;
+        let root = Cholesky::new(covariance * (WIDENING * WIDENING))?.unpack();
         Some(Self { centre, root })
     }
 
@@ -66,14 +67,14 @@ impl Proposal {
         let square = normal.norm_squared() * stretch * stretch;
         let dimensions = self.centre.len() as f64;
         let density = -0.5 * (FREEDOM + dimensions) * (square / FREEDOM).ln_1p();
-        let offset = self.root.l_dirty().lower_triangle() * normal * stretch;
+        let offset = &self.root * normal * stretch;
         (&self.centre + offset, density)
     }
 
     /// Logarithm of the constant that [`Self::draw`] leaves out of the density.
     fn log_constant(&self) -> f64 {
         let dimensions = self.centre.len() as f64;
-        let log_root: f64 = self.root.l_dirty().diagonal().iter().map(|d| d.ln()).sum();
+        let log_root: f64 = self.root.diagonal().iter().map(|d| d.ln()).sum();
         log_gamma(0.5 * (FREEDOM + dimensions))
             - log_gamma(0.5 * FREEDOM)
             - 0.5 * dimensions * (FREEDOM * std::f64::consts::PI).ln()

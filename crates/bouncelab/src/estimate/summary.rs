@@ -1,5 +1,8 @@
 //! What a posterior says of one quantity.
 
+use crate::moments::sd;
+use crate::order::{quantile, sorted};
+
 /// The posterior of one quantity.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Summary {
@@ -20,30 +23,15 @@ const TAIL95: f64 = 0.025;
 impl Summary {
     /// The summary of equally likely values; `None` without a finite value.
     pub fn of(values: impl IntoIterator<Item = f64>) -> Option<Self> {
-        let mut sorted: Vec<f64> = values.into_iter().filter(|v| v.is_finite()).collect();
-        if sorted.is_empty() {
-            return None;
-        }
-        let count = sorted.len() as f64;
-        let mean = sorted.iter().sum::<f64>() / count;
-        let variance = sorted.iter().map(|v| (v - mean).powi(2)).sum::<f64>() / count;
-        sorted.sort_unstable_by(f64::total_cmp);
+        let sorted = sorted(values.into_iter().filter(|v| v.is_finite()));
         let at = |share: f64| quantile(&sorted, share);
         Some(Self {
-            value: at(0.5),
-            sd: variance.sqrt(),
-            interval68: [at(TAIL68), at(1.0 - TAIL68)],
-            interval95: [at(TAIL95), at(1.0 - TAIL95)],
+            value: at(0.5)?,
+            sd: sd(&sorted),
+            interval68: [at(TAIL68)?, at(1.0 - TAIL68)?],
+            interval95: [at(TAIL95)?, at(1.0 - TAIL95)?],
         })
     }
-}
-
-/// The value below which a share of sorted values lies, between neighbours in proportion.
-fn quantile(sorted: &[f64], share: f64) -> f64 {
-    let place = (share * sorted.len() as f64 - 0.5).clamp(0.0, (sorted.len() - 1) as f64);
-    let low = place as usize;
-    let high = (low + 1).min(sorted.len() - 1);
-    sorted[low] + (place - low as f64) * (sorted[high] - sorted[low])
 }
 
 #[cfg(test)]

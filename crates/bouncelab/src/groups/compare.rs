@@ -2,7 +2,7 @@
 
 use super::mean::Mean;
 use super::mixed::{Drop, Factor, Mixed};
-use super::quantile::{student, student_beyond};
+use super::quantile::{interval95, student_beyond};
 use crate::error::Result;
 use crate::estimate::Measured;
 
@@ -26,13 +26,12 @@ pub struct Difference {
 
 impl Difference {
     fn new(of: usize, less: usize, value: Measured, degrees: f64) -> Self {
-        let half = student(0.975, degrees) * value.sd;
         Self {
             of,
             less,
             value,
             degrees,
-            interval95: [value.value - half, value.value + half],
+            interval95: interval95(value, degrees),
             p_value: student_beyond(value.value / value.sd, degrees),
         }
     }

@@ -1,7 +1,7 @@
 //! The mean of a group of drops, each with its own standard error.
 
 use super::quantile::{chi_squared, student};
-use crate::error::{Error, Result, not_negative, require};
+use crate::error::{Error, Result, finite, not_negative};
 use crate::estimate::Measured;
 
 /// The mean of a group under a random-effects model.
@@ -42,7 +42,13 @@ impl Mean {
     /// [`Error::TooFewDrops`] without any, [`Error::OutOfRange`] if a value is not finite or a
     /// standard error is below zero.
     pub fn of(drops: &[Measured]) -> Result<Self> {
-        check(drops)?;
+        if drops.is_empty() {
+            return Err(Error::TooFewDrops {
+                needed: 1,
+                drops: 0,
+            });
+        }
+        drops.iter().try_for_each(check)?;
         let own = (drops.iter().map(|d| d.sd * d.sd).sum::<f64>() / drops.len() as f64).sqrt();
         let [first, _, ..] = drops else {
             return Ok(Self {
@@ -88,22 +94,10 @@ impl Mean {
     }
 }
 
-fn check(drops: &[Measured]) -> Result<()> {
-    if drops.is_empty() {
-        return Err(Error::TooFewDrops {
-            needed: 1,
-            drops: 0,
-        });
-    }
-    for drop in drops {
-        require(
-            drop.value.is_finite(),
-            "value of a drop",
-            drop.value,
-            "finite",
-        )?;
-        not_negative("standard error of a drop", drop.sd)?;
-    }
+/// Refuses a drop that has no value or no standard error.
+pub(super) fn check(drop: &Measured) -> Result<()> {
+    finite("value of a drop", drop.value)?;
+    not_negative("standard error of a drop", drop.sd)?;
     Ok(())
 }
 

@@ -2,10 +2,11 @@
 
 use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
 
-use super::mean::climb;
-use super::quantile::{chi_squared, student};
-use crate::error::{Error, Result, not_negative, require};
+use super::mean::{check, climb};
+use super::quantile::{chi_squared, interval95};
+use crate::error::{Error, Result};
 use crate::estimate::Measured;
+use crate::moments::{mean, sd};
 
 /// Something noted of each drop that takes a few values: the ball, the surface, the operator.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -109,7 +110,7 @@ impl Mixed {
         random: &[usize],
     ) -> Result<Self> {
         let known: Vec<f64> = amounts.iter().copied().flatten().collect();
-        let middle = known.iter().sum::<f64>() / known.len().max(1) as f64;
+        let middle = mean(&known);
         let effects = amounts.iter();
         let effects = effects.map(|amount| Some(vec![(0, 1.0), (1, (*amount)? - middle)]));
         Self::climbed(Design::new(drops, factors, effects.collect(), 2, random)?)
@@ -147,9 +148,7 @@ impl Mixed {
     pub fn mean95(&self, level: usize) -> [f64; 2] {
         let mut contrast = DVector::zeros(self.design.fixed_effects);
         contrast[level] = 1.0;
-        let mean = self.mean(level);
-        let half = student(0.975, self.degrees(&contrast)) * mean.sd;
-        [mean.value - half, mean.value + half]
+        interval95(self.mean(level), self.degrees(&contrast))
     }
 
     /// Mean of level `a` less mean of level `b`, its standard error, and the degrees of freedom of
@@ -307,9 +306,7 @@ impl Design {
             .filter_map(|(drop, effects)| Some((drop, effects?)))
             .collect();
         for (drop, _) in &used {
-            let Measured { value, sd } = drop.measured;
-            require(value.is_finite(), "value of a drop", value, "finite")?;
-            not_negative("standard error of a drop", sd)?;
+            check(&drop.measured)?;
         }
         let has = |effect: usize, of: &[(usize, f64)]| of.iter().any(|(known, _)| *known == effect);
         let empty = (0..fixed_effects).any(|effect| !used.iter().any(|(_, of)| has(effect, of)));
@@ -330,8 +327,6 @@ impl Design {
             .iter()
             .map(|(drop, _)| drop.measured.value - origin)
             .collect();
-        let mean = values.iter().sum::<f64>() / values.len() as f64;
-        let squares: f64 = values.iter().map(|value| (value - mean).powi(2)).sum();
         Ok(Self {
             own_variances: used.iter().map(|(d, _)| d.measured.sd.powi(2)).collect(),
             columns: columns.collect(),
@@ -339,7 +334,7 @@ impl Design {
             fixed_effects,
             column_count,
             random_factors: random.len(),
-            scale: (squares / values.len() as f64).sqrt().max(1e-150),
+            scale: sd(&values).max(1e-150),
             values,
             origin,
         })

@@ -3,13 +3,11 @@
 use std::collections::BTreeMap;
 
 use crate::estimate::Measured;
+use crate::order::{median, robust_sd};
 
 /// A modified z-score beyond this names an outlier (Iglewicz and Hoaglin, *How to Detect and Handle
 /// Outliers*, 1993).
 pub const FAR: f64 = 3.5;
-
-/// Median absolute deviation to standard deviation of a normal distribution, 1 / 0.6745.
-const NORMAL: f64 = 1.4826;
 
 /// In a group of two both are equally odd.
 const FEWEST: usize = 3;
@@ -41,18 +39,25 @@ pub fn outliers(drops: &[Measured], group: &[usize]) -> Vec<Outlier> {
     let mut off = vec![None; drops.len()];
     let mut deviations = Vec::new();
     for of_group in members.values() {
-        let middle = median(of_group.iter().map(|&drop| drops[drop].value));
+        let Some(middle) = median(of_group.iter().map(|&drop| drops[drop].value)) else {
+            continue;
+        };
         // The median follows few values closely, so that they seem to scatter less.
         let few = of_group.len() as f64;
         let wider = (few / (few - 1.0)).sqrt();
         for &drop in of_group {
             let from_median = drops[drop].value - middle;
             off[drop] = Some(from_median);
-            deviations.push((from_median * wider).abs());
+            deviations.push(from_median * wider);
         }
     }
-    let typical = median(drops.iter().map(|drop| drop.sd));
-    let scatter = (NORMAL * median(deviations.into_iter())).max(typical);
+    let (Some(typical), Some(scatter)) = (
+        median(drops.iter().map(|drop| drop.sd)),
+        robust_sd(deviations),
+    ) else {
+        return Vec::new();
+    };
+    let scatter = scatter.max(typical);
     let mut found: Vec<Outlier> = (0..drops.len())
         .filter_map(|drop| {
             let off = off[drop]?;
@@ -63,16 +68,6 @@ pub fn outliers(drops: &[Measured], group: &[usize]) -> Vec<Outlier> {
         .collect();
     found.sort_by(|a, b| b.score.abs().total_cmp(&a.score.abs()));
     found
-}
-
-pub(super) fn median(values: impl Iterator<Item = f64>) -> f64 {
-    let mut sorted: Vec<f64> = values.collect();
-    sorted.sort_by(f64::total_cmp);
-    match sorted.len() {
-        0 => f64::NAN,
-        n if n % 2 == 1 => sorted[n / 2],
-        n => f64::midpoint(sorted[n / 2 - 1], sorted[n / 2]),
-    }
 }
 
 #[cfg(test)]

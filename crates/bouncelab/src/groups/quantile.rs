@@ -2,6 +2,8 @@
 
 use statrs::distribution::{ChiSquared, ContinuousCDF, StudentsT};
 
+use crate::estimate::Measured;
+
 /// So many degrees of freedom make a t distribution a normal one, to six digits.
 const NORMAL: f64 = 1e6;
 
@@ -10,6 +12,12 @@ const NORMAL: f64 = 1e6;
 /// Not a number if the degrees of freedom are not above zero.
 pub(super) fn student(share: f64, degrees: f64) -> f64 {
     StudentsT::new(0.0, 1.0, degrees.min(NORMAL)).map_or(f64::NAN, |t| t.inverse_cdf(share))
+}
+
+/// Where a value with so many degrees of freedom behind its standard error lies with 95 % confidence.
+pub(super) fn interval95(measured: Measured, degrees: f64) -> [f64; 2] {
+    let half = student(0.975, degrees) * measured.sd;
+    [measured.value - half, measured.value + half]
 }
 
 /// The probability of a t value at least so far from zero.

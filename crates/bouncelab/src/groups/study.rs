@@ -5,11 +5,12 @@ use std::collections::{BTreeMap, BTreeSet};
 use super::compare::{Difference, compare, compare_means};
 use super::mean::Mean;
 use super::mixed::{Component, Drop, Factor, Mixed};
-use super::outlier::{Outlier, median, outliers};
+use super::outlier::{Outlier, outliers};
 use super::plan::drops_needed;
-use super::quantile::{student, student_beyond};
+use super::quantile::{interval95, student_beyond};
 use crate::error::{Error, Result, positive};
 use crate::estimate::Measured;
+use crate::order::median;
 
 /// Restitution at one impact speed.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -262,7 +263,7 @@ fn common_speed_m_s(drops: &[StudyDrop]) -> Option<f64> {
     let middle = median(drops.iter().filter_map(|drop| {
         let (first, last) = (drop.law.0.first()?, drop.law.0.last()?);
         Some((first.speed_m_s * last.speed_m_s).sqrt().ln())
-    }));
+    }))?;
     known
         .into_iter()
         .filter(|(_, count)| *count == most)
@@ -412,18 +413,14 @@ impl Apart {
         }
         let amount = |drop: &Drop| Some(amounts.of_levels[levels[drop.levels[factor]?]]);
         let at: Vec<Option<f64>> = self.drops.iter().map(amount).collect();
-        let others = self.distinct.iter();
-        let others = others.filter(|together| !together.contains(&factor));
-        let others: Vec<usize> = others.map(|together| together[0]).collect();
-        let line = Mixed::line(&self.drops, &self.factors, &at, &others).ok()?;
+        let line = Mixed::line(&self.drops, &self.factors, &at, &self.others(factor)).ok()?;
         let (slope, degrees) = line.slope();
-        let half = student(0.975, degrees) * slope.sd;
         Some(Trend {
             factor,
             levels: levels.len(),
             slope,
             degrees,
-            interval95: [slope.value - half, slope.value + half],
+            interval95: interval95(slope, degrees),
             p_value: student_beyond(slope.value / slope.sd, degrees),
         })
     }
@@ -433,12 +430,7 @@ impl Apart {
     fn differences(&self) -> Vec<(usize, Vec<Difference>)> {
         let of_factor = |together: &Vec<usize>| {
             let factor = together[0];
-            let others: Vec<usize> = self
-                .distinct
-                .iter()
-                .map(|together| together[0])
-                .filter(|&other| other != factor)
-                .collect();
+            let others = self.others(factor);
             let mut differences = if others.is_empty() {
                 compare_means(&self.means(factor)?)
             } else {
@@ -451,6 +443,15 @@ impl Apart {
             Some((factor, differences))
         };
         self.distinct.iter().filter_map(of_factor).collect()
+    }
+
+    /// The other factors that can be told apart, one of those that always go together.
+    fn others(&self, factor: usize) -> Vec<usize> {
+        let apart = self.distinct.iter();
+        apart
+            .filter(|together| !together.contains(&factor))
+            .map(|together| together[0])
+            .collect()
     }
 
     /// The mean of each level.

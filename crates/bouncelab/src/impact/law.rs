@@ -1,6 +1,7 @@
 //! Restitution laws: how much of its speed a ball keeps, by how fast it hits.
 
-use crate::error::{Result, not_negative, positive, require};
+use crate::error::{Result, finite, not_negative, positive, require};
+use crate::logistic::{logistic, softplus};
 
 /// The coefficient of restitution e as a function of the impact speed.
 ///
@@ -72,6 +73,8 @@ mod pade {
     }
 }
 
+const LOSS: &str = "loss of restitution with speed in s/m";
+
 /// The knee is rounded over this share of its speed: a real ball has no corner, and neither should
 /// a likelihood.
 const KNEE_WIDTH: f64 = 0.1;
@@ -100,15 +103,9 @@ impl Restitution {
             at_rest,
             "from 0 to 2",
         )?;
-        require(
-            loss_per_speed_s_m.is_finite(),
-            "loss of restitution with speed in s/m",
-            loss_per_speed_s_m,
-            "finite",
-        )?;
         Ok(Self(Law::Linear {
             at_rest,
-            loss_per_speed: loss_per_speed_s_m,
+            loss_per_speed: finite(LOSS, loss_per_speed_s_m)?,
         }))
     }
 
@@ -120,16 +117,10 @@ impl Restitution {
     pub fn power(reference: f64, reference_speed_m_s: f64, exponent: f64) -> Result<Self> {
         fraction("coefficient of restitution", reference)?;
         positive("reference speed in m/s", reference_speed_m_s)?;
-        require(
-            exponent.is_finite(),
-            "exponent of the restitution law",
-            exponent,
-            "finite",
-        )?;
         Ok(Self(Law::Power {
             reference,
             reference_speed: reference_speed_m_s,
-            exponent,
+            exponent: finite("exponent of the restitution law", exponent)?,
         }))
     }
 
@@ -177,16 +168,10 @@ impl Restitution {
     pub fn knee(below: f64, knee_speed_m_s: f64, loss_per_speed_s_m: f64) -> Result<Self> {
         fraction("coefficient of restitution below the knee", below)?;
         positive("speed of the knee in m/s", knee_speed_m_s)?;
-        require(
-            loss_per_speed_s_m.is_finite(),
-            "loss of restitution with speed in s/m",
-            loss_per_speed_s_m,
-            "finite",
-        )?;
         Ok(Self(Law::Knee {
             below,
             knee_speed: knee_speed_m_s,
-            loss_per_speed: loss_per_speed_s_m,
+            loss_per_speed: finite(LOSS, loss_per_speed_s_m)?,
         }))
     }
 
@@ -214,8 +199,7 @@ impl Restitution {
                 loss_per_speed,
                 ..
             } => {
-                let width = KNEE_WIDTH * knee_speed;
-                let past = 1.0 / (1.0 + (-(v - knee_speed) / width).exp());
+                let past = logistic((v - knee_speed) / (KNEE_WIDTH * knee_speed));
                 -loss_per_speed * past * v / e
             }
         }
@@ -270,11 +254,6 @@ fn pade_argument(restitution: f64) -> f64 {
         }
     }
     x
-}
-
-/// ln(1 + exp x) without overflow.
-fn softplus(x: f64) -> f64 {
-    x.max(0.0) + (-x.abs()).exp().ln_1p()
 }
 
 fn fraction(quantity: &'static str, value: f64) -> Result<f64> {

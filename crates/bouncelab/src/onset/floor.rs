@@ -147,7 +147,7 @@ mod tests {
         for end in 1..values.len() {
             quantile.push(values[end - 1]);
             let mut latest = values[end.saturating_sub(100)..end].to_vec();
-            latest.sort_by(f32::total_cmp);
+            latest.sort_unstable_by(f32::total_cmp);
             let expected = latest[(latest.len() as f64 * 0.3) as usize];
             let ratio = quantile.value() / expected;
             assert!((0.88..1.13).contains(&ratio), "{end}: {ratio}");

@@ -37,13 +37,6 @@ pub enum Doubt {
     TooUncertain,
 }
 
-impl Doubt {
-    /// Whether better knowledge of the same drops would not help: the input is not what the rule wants.
-    pub const fn is_of_input(&self) -> bool {
-        !matches!(self, Self::TooUncertain)
-    }
-}
-
 impl fmt::Display for Doubt {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use crate::error::{Error, Result, require};
+use crate::error::{Error, Result, positive, require};
 
 /// Whether somebody has read the rule where it comes from.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -102,12 +102,7 @@ impl Limits {
 
     fn check(&self, quantity: &'static str) -> Result<()> {
         for end in [self.least, self.greatest].into_iter().flatten() {
-            require(
-                end > 0.0 && end.is_finite(),
-                quantity,
-                end,
-                "finite and above 0",
-            )?;
+            positive(quantity, end)?;
         }
         if let (Some(least), Some(greatest)) = (self.least, self.greatest) {
             require(least < greatest, quantity, least, "below the greatest")?;

@@ -12,6 +12,8 @@ use super::rule::{Averaging, Conditions, Evenness, Limits, Requirement, Rule};
 use crate::analysis::{Analysis, Settings};
 use crate::error::{Result, require};
 use crate::estimate::{self, Summary};
+use crate::moments;
+use crate::order::{quantile, sorted};
 
 /// The drops that were heard in one place: those of one recording.
 pub type Place<'a> = Vec<&'a Analysis>;
@@ -124,7 +126,7 @@ impl Verdict {
 
 fn mean_of(drops: &[Rebound], value: impl Fn(&Rebound) -> Option<f64>) -> Option<f64> {
     let values = drops.iter().map(value).collect::<Option<Vec<f64>>>()?;
-    (!values.is_empty()).then(|| values.iter().sum::<f64>() / values.len() as f64)
+    (!values.is_empty()).then(|| moments::mean(&values))
 }
 
 /// The seed of what little chance there is: the order in which draws meet.
@@ -282,14 +284,8 @@ impl Told {
         if limits.is_open() {
             return None;
         }
-        let mut sorted = values.to_vec();
-        sorted.sort_by(f64::total_cmp);
-        let at = |share: f64| {
-            let place = share * sorted.len() as f64;
-            sorted
-                .get((place as usize).min(sorted.len().saturating_sub(1)))
-                .copied()
-        };
+        let sorted = sorted(values.iter().copied());
+        let at = |share: f64| quantile(&sorted, share);
         let (middle, low, high) = (at(0.5)?, at(decision.risk())?, at(1.0 - decision.risk())?);
         let accepted = Limits {
             least: limits.least.map(|least| least + middle - low),
@@ -327,7 +323,7 @@ fn mean<'a>(drops: impl Iterator<Item = &'a Rebound>, rng: &mut ChaCha8Rng) -> V
 }
 
 fn farthest_from_mean(places: &[f64]) -> f64 {
-    let mean = places.iter().sum::<f64>() / places.len() as f64;
+    let mean = moments::mean(places);
     places
         .iter()
         .map(|place| (place / mean - 1.0).abs())

@@ -3,7 +3,7 @@
 use std::ops::RangeInclusive;
 
 use crate::Result;
-use crate::error::{self, require};
+use crate::error::require;
 
 /// Accepts a value in the closed range.
 pub(super) fn within(
@@ -23,9 +23,4 @@ pub(super) fn positive_up_to(
     allowed: &'static str,
 ) -> Result<()> {
     within(quantity, value, f64::MIN_POSITIVE..=max, allowed)
-}
-
-/// Accepts any finite value above zero.
-pub(super) fn positive(quantity: &'static str, value: f64) -> Result<()> {
-    error::positive(quantity, value).map(|_| ())
 }

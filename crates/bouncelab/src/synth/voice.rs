@@ -1,7 +1,7 @@
 //! What an impact sounds like: the decaying modes of ball and surface.
 
-use super::checks::{positive, positive_up_to, within};
-use crate::Result;
+use super::checks::{positive_up_to, within};
+use crate::error::{Result, positive};
 
 /// One ringing mode of the ball or of the surface: a sine that decays exponentially.
 #[derive(Clone, Copy, Debug, PartialEq)]

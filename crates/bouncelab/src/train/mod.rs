@@ -30,6 +30,7 @@ mod chain;
 mod evidence;
 
 use crate::onset::Onset;
+use crate::order::median;
 use chain::Chain;
 pub(crate) use evidence::Span;
 use std::fmt;
@@ -124,7 +125,7 @@ impl Train {
     /// Level in dB relative to full scale that an impact at 1 m/s would have, if the amplitude
     /// follows the speed: how near and how hard the surface is, whatever the height of the drop.
     fn level_at_unit_speed_db(&self) -> f64 {
-        let mut levels: Vec<f64> = self
+        let levels = self
             .impacts
             .windows(2)
             .filter(|pair| pair[1].number == pair[0].number + 1)
@@ -132,13 +133,8 @@ impl Train {
                 let flight_s = pair[1].onset.time_s - pair[0].onset.time_s;
                 // An impact is followed by a flight of duration 2 v/g, near enough.
                 pair[0].onset.level_db - 20.0 * (flight_s * 9.81 / 2.0).log10()
-            })
-            .collect();
-        levels.sort_by(f64::total_cmp);
-        levels
-            .get(levels.len() / 2)
-            .copied()
-            .unwrap_or(f64::NEG_INFINITY)
+            });
+        median(levels).unwrap_or(f64::NEG_INFINITY)
     }
 }
 
@@ -335,16 +331,14 @@ const UNHEARD: f64 = 0.95;
 fn ratio_near(impacts: &[HeardImpact], index: usize) -> f64 {
     const AROUND: usize = 6;
     let around = &impacts[index.saturating_sub(AROUND)..(index + AROUND).min(impacts.len())];
-    let mut ratios: Vec<f64> = around
+    let ratios = around
         .windows(3)
         .filter(|three| three[2].number == three[0].number + 2)
         .map(|three| {
             let later_s = three[2].onset.time_s - three[1].onset.time_s;
             later_s / (three[1].onset.time_s - three[0].onset.time_s)
-        })
-        .collect();
-    ratios.sort_by(f64::total_cmp);
-    ratios.get(ratios.len() / 2).copied().unwrap_or(1.0)
+        });
+    median(ratios).unwrap_or(1.0)
 }
 
 /// Finds the trains among the onsets, which are all that was heard in this span.

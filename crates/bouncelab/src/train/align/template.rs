@@ -1,6 +1,7 @@
 //! What impacts have in common, and how far one of them is from it.
 
 use super::wave::{KERNEL, convolve, derivative, dot, norm};
+use crate::order::median;
 
 /// Impacts of one drop differ a little, and not as noise does: what they leave unexplained is like
 /// so many numbers drawn at random, one or two for each mode that rings.
@@ -11,9 +12,7 @@ const LEAST_SIGNAL: f64 = 0.1;
 const LEAST_SIGMA: f64 = 0.0001;
 
 pub(super) fn middle_size(waves: &[Vec<f32>]) -> f32 {
-    let mut sizes: Vec<f32> = waves.iter().map(|wave| norm(wave)).collect();
-    sizes.sort_by(f32::total_cmp);
-    sizes[sizes.len() / 2]
+    median(waves.iter().map(|wave| f64::from(norm(wave)))).unwrap_or(0.0) as f32
 }
 
 /// The weight of a wave in a stack of waves of this middle size.
