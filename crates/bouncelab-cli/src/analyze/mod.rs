@@ -58,10 +58,10 @@ pub(crate) struct Arguments {
     #[arg(long, value_name = "LOW..HIGH", value_parser = frequency_range)]
     band: Option<Range<f64>>,
     /// Leave out the impacts at these times, as in 1.234s,2.5s
-    #[arg(long, value_name = "TIMES", value_delimiter = ',', value_parser = units::time)]
+    #[arg(long, value_name = "TIMES", value_delimiter = ',', allow_hyphen_values = true, value_parser = units::time)]
     exclude: Vec<f64>,
     /// Add impacts at these times
-    #[arg(long, value_name = "TIMES", value_delimiter = ',', value_parser = units::time)]
+    #[arg(long, value_name = "TIMES", value_delimiter = ',', allow_hyphen_values = true, value_parser = units::time)]
     include: Vec<f64>,
     /// Print also how sure each impact is, where the impacts stand out, the laws that were weighed,
     /// where the uncertainty comes from and what was assumed before the data
