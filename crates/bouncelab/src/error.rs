@@ -152,8 +152,14 @@ impl Error {
     }
 }
 
-/// A number, in powers of ten where there would be a row of zeros.
+/// A number without the noise of binary fractions, in powers of ten where there would be a row of
+/// zeros.
 fn written(value: f64) -> String {
+    let value = if value.fract() == 0.0 {
+        value
+    } else {
+        format!("{value:.8e}").parse().unwrap_or(value)
+    };
     let ordinary = value == 0.0 || !value.is_finite() || (1e-9..1e15).contains(&value.abs());
     if ordinary {
         format!("{value}")
@@ -243,6 +249,7 @@ mod tests {
     fn numbers_are_written_without_rows_of_zeros() {
         let said = |value: f64| positive("height in m", value).unwrap_err().to_string();
         assert!(said(-1.5).starts_with("height in m is -1.5;"));
+        assert!(said(0.2 - 0.3).starts_with("height in m is -0.1;"));
         assert!(said(-1e300).starts_with("height in m is -1e300;"));
         assert!(said(-1e-300).starts_with("height in m is -1e-300;"));
         assert!(said(f64::NAN).starts_with("height in m is NaN;"));
