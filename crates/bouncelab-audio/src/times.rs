@@ -88,6 +88,9 @@ impl Format {
     }
 }
 
+/// Three centuries: farther from zero no clock has a microsecond left to tell.
+const FARTHEST_S: f64 = 1e10;
+
 /// A list being read; knows its name for the errors.
 struct List<'a> {
     name: &'a str,
@@ -212,6 +215,10 @@ impl List<'_> {
                 name: self.name.to_owned(),
                 what: Lack::Time,
             });
+        }
+        if let Some(&(line, time_s)) = entries.iter().find(|entry| entry.1.abs() > FARTHEST_S) {
+            let text = format!("{time_s:e}");
+            return self.refuse(line, TimesProblem::NotNumber { text });
         }
         match entries.windows(2).find(|pair| pair[1].1 <= pair[0].1) {
             Some(&[(_, before_s), (line, time_s)]) => {

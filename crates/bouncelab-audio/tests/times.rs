@@ -71,6 +71,16 @@ fn the_line_with_the_fault_is_named() {
 }
 
 #[test]
+fn times_beyond_all_clocks_are_none() {
+    let (line, message) = blame("0.1\n1e300\n", "a.txt");
+    assert_eq!(line, Some(2));
+    assert!(message.contains("\"1e300\" is not a time"), "{message}");
+    assert!(blame("[1e12]", "a.json").1.contains("1e12"));
+    // Seconds since 1970 are a clock.
+    assert!(times::parse(b"1700000000.1\n1700000000.6\n", "a.txt").is_ok());
+}
+
+#[test]
 fn times_must_increase() {
     let (line, message) = blame("0.1\n0.72\n0.45\n", "a.txt");
     assert_eq!(line, Some(3));

@@ -54,6 +54,16 @@ impl From<bouncelab::Error> for Failure {
     }
 }
 
+impl From<csv::Error> for Failure {
+    fn from(fault: csv::Error) -> Self {
+        Self::Output(match fault.into_kind() {
+            // As it came, so that a closed pipe is known for one.
+            csv::ErrorKind::Io(reason) => reason,
+            other => io::Error::other(format!("{other:?}")),
+        })
+    }
+}
+
 impl From<bouncelab_audio::Error> for Failure {
     fn from(fault: bouncelab_audio::Error) -> Self {
         Self::Input(fault.to_string())
@@ -75,5 +85,20 @@ impl From<bouncelab_session::Error> for Failure {
             }
             _ => Self::Input(fault.to_string()),
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Who has read enough of a CSV hears no complaint, as with any other result.
+    #[test]
+    fn a_closed_pipe_is_known_behind_csv() {
+        let closed = csv::Error::from(io::Error::from(io::ErrorKind::BrokenPipe));
+        let Failure::Output(reason) = closed.into() else {
+            panic!("no output was meant");
+        };
+        assert_eq!(reason.kind(), io::ErrorKind::BrokenPipe);
     }
 }

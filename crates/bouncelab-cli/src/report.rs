@@ -2,10 +2,9 @@
 
 use std::ffi::OsStr;
 use std::fs;
-use std::io::Write;
 use std::path::{Path, PathBuf};
 
-use bouncelab_files as files;
+use bouncelab_files::{Draft, write_whole};
 use bouncelab_report::report::{Markdown, Page, Provenance};
 use jiff::Zoned;
 
@@ -18,14 +17,13 @@ enum Form {
     Markdown,
 }
 
-/// A report that is going to be written: its place is known to be writable before any work is done.
-pub(crate) struct Draft {
+/// A file for a report, known to be writable before any work is done.
+pub(crate) struct ReportFile {
     path: PathBuf,
     form: Form,
-    file: files::Draft,
 }
 
-impl Draft {
+impl ReportFile {
     /// A report at a path whose ending says its form.
     pub(crate) fn new(path: &Path) -> Result<Self, Failure> {
         let ending = path.extension().map(OsStr::to_ascii_lowercase);
@@ -39,24 +37,22 @@ impl Draft {
                 )));
             }
         };
-        let file = files::Draft::new(path).map_err(|reason| Failure::unwritable(path, &reason))?;
+        // Gone at once: who interrupts the work finds nothing lying about.
+        drop(Draft::new(path).map_err(|reason| Failure::unwritable(path, &reason))?);
         Ok(Self {
             path: path.to_owned(),
             form,
-            file,
         })
     }
 
     /// Writes a page; it appears whole or not at all.
-    pub(crate) fn write(mut self, page: &Page) -> Result<(), Failure> {
+    pub(crate) fn write(self, page: &Page) -> Result<(), Failure> {
         let text = match self.form {
             Form::Html => page.html(),
             Form::Markdown => self.markdown(page)?.text,
         };
         let path = self.path;
-        let written = self.file.write_all(text.as_bytes());
-        written
-            .and_then(|()| self.file.finish())
+        write_whole(&path, text.as_bytes())
             .map_err(|reason| Failure::unwritable(&path, &reason))?;
         eprintln!("wrote {}", path.display());
         Ok(())
@@ -70,8 +66,7 @@ impl Draft {
         let folder = self.path.with_file_name(&name);
         let written = fs::create_dir_all(&folder).and_then(|()| {
             let mut figures = markdown.figures.iter();
-            figures
-                .try_for_each(|(name, svg)| files::write_whole(&folder.join(name), svg.as_bytes()))
+            figures.try_for_each(|(name, svg)| write_whole(&folder.join(name), svg.as_bytes()))
         });
         written.map_err(|reason| Failure::unwritable(&folder, &reason))?;
         Ok(markdown)
@@ -110,6 +105,14 @@ fn quoted(word: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_place_is_tried_and_nothing_left_there() {
+        let folder = tempfile::tempdir().unwrap();
+        assert!(ReportFile::new(&folder.path().join("drop.html")).is_ok());
+        assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 0);
+        assert!(ReportFile::new(&folder.path().join("nowhere/drop.html")).is_err());
+    }
 
     #[test]
     fn words_are_quoted_for_a_shell() {

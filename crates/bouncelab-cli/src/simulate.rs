@@ -218,7 +218,7 @@ fn height_figure(runs: &[Run]) -> figure::Figure {
 fn csv(runs: &[Run], out: impl Write) -> Result<(), Failure> {
     let mut writer = csv::Writer::from_writer(out);
     for row in runs.iter().flat_map(Run::bounces) {
-        writer.serialize(row).map_err(io::Error::from)?;
+        writer.serialize(row)?;
     }
     Ok(writer.flush()?)
 }

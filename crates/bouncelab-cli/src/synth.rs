@@ -1,12 +1,14 @@
 //! `bouncelab synth`: a recording of a drop, without a microphone.
 
+use std::ffi::OsStr;
 use std::io::{self, Write};
-use std::path::{self, Path, PathBuf};
+use std::path::{Path, PathBuf};
 
 use bouncelab::impact::Strike;
 use bouncelab::synth::{self, BitDepth, Clicks, Hum, Lost, Noise, Rendered, Reverb, Scene, Voice};
 use bouncelab_audio::{SampleFormat, write_wav};
 use bouncelab_files::write_whole;
+use clap::builder::{PathBufValueParser, TypedValueParser};
 use clap::{Args, ValueEnum};
 
 use crate::failure::Failure;
@@ -22,7 +24,7 @@ use crate::units;
 #[command(after_help = EXAMPLES)]
 pub(crate) struct Arguments {
     /// The recording to write
-    #[arg(value_name = "OUT.wav")]
+    #[arg(value_name = "OUT.wav", value_parser = wav())]
     output: PathBuf,
     /// Write the true impact times too, as .txt, .csv or .json
     #[arg(long, value_name = "FILE")]
@@ -147,6 +149,18 @@ impl Bits {
     }
 }
 
+/// A name that says what is in the file, since other names mean other things to `analyze`.
+pub(crate) fn wav() -> impl TypedValueParser<Value = PathBuf> {
+    PathBufValueParser::new().try_map(|file| {
+        let ending = file.extension().unwrap_or_default();
+        if ending.eq_ignore_ascii_case("wav") {
+            Ok(file)
+        } else {
+            Err("the sound is saved as WAV: name a file that ends in .wav")
+        }
+    })
+}
+
 fn voice(name: &str) -> Result<Voice, String> {
     Voice::named(name).ok_or_else(|| {
         format!(
@@ -169,17 +183,14 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
         .as_deref()
         .map(TruthFormat::of)
         .transpose()?;
-    if let Some(truth) = &arguments.truth
-        && path::absolute(truth).ok() == path::absolute(&arguments.output).ok()
-    {
-        return Err(Failure::Usage(format!(
-            "--truth {}: that is the recording itself; name another file",
-            truth.display()
-        )));
-    }
     for file in std::iter::once(&arguments.output).chain(&arguments.truth) {
+        let name = file.display();
+        if file.is_dir() {
+            return Err(Failure::Input(format!(
+                "{name} is a folder; name a file in it"
+            )));
+        }
         if file.exists() && !arguments.force {
-            let name = file.display();
             return Err(Failure::Input(format!(
                 "{name} exists; use --force to overwrite it"
             )));
@@ -202,12 +213,13 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
             .map_err(|reason| Failure::unwritable(file, &reason))?;
     }
     let seconds = sound.samples.len() as f64 / f64::from(sound.sample_rate_hz);
+    let heard = sound.impacts.iter().filter(|impact| !impact.lost).count();
     let mut out = io::stdout().lock();
     Ok(writeln!(
         out,
-        "{}: {} impacts in {seconds:.1} s, {} Hz, seed {}",
+        "{}: {heard} impact{} in {seconds:.1} s, {} Hz, seed {}",
         arguments.output.display(),
-        sound.impacts.iter().filter(|impact| !impact.lost).count(),
+        if heard == 1 { "" } else { "s" },
         sound.sample_rate_hz,
         arguments.seed
     )?)
@@ -255,7 +267,8 @@ enum TruthFormat {
 
 impl TruthFormat {
     fn of(file: &Path) -> Result<Self, Failure> {
-        match file.extension().and_then(|ending| ending.to_str()) {
+        let ending = file.extension().map(OsStr::to_ascii_lowercase);
+        match ending.as_ref().and_then(|ending| ending.to_str()) {
             Some("txt") => Ok(Self::Text),
             Some("csv") => Ok(Self::Csv),
             Some("json") => Ok(Self::Json),

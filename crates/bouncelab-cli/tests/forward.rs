@@ -144,6 +144,22 @@ fn synth_does_not_overwrite_and_says_where_it_cannot_write() {
         .assert()
         .code(1)
         .stderr(predicate::str::contains("inside.wav"));
+    bouncelab(&["synth", "--force"])
+        .arg(folder.path().join("drop.mp3"))
+        .assert()
+        .code(2)
+        .stderr(predicate::str::contains("ends in .wav"));
+    fs::create_dir(folder.path().join("folder.wav")).unwrap();
+    bouncelab(&["synth", "--force"])
+        .arg(folder.path().join("folder.wav"))
+        .assert()
+        .code(1)
+        .stderr(predicate::str::contains("is a folder"));
+    bouncelab(&["synth", "--bounces", "0"])
+        .arg(folder.path().join("one.wav"))
+        .assert()
+        .success()
+        .stdout(predicate::str::contains(": 1 impact in "));
     bouncelab(&["synth", "--sample-rate", "10"])
         .arg(folder.path().join("slow.wav"))
         .assert()
@@ -219,13 +235,16 @@ fn every_command_explains_itself_with_examples() {
     bouncelab(&[]).assert().code(2);
 }
 
+/// The endings of the two have nothing in common, so no file can be both.
 #[test]
 fn the_truth_does_not_overwrite_its_recording() {
     let folder = TempDir::new().unwrap();
-    bouncelab(&["synth", "drop.csv", "--truth", "./drop.csv", "--force"])
-        .current_dir(&folder)
-        .assert()
-        .code(2)
-        .stderr(predicate::str::contains("that is the recording itself"));
-    assert!(!folder.path().join("drop.csv").exists());
+    for name in ["drop.csv", "drop.wav"] {
+        bouncelab(&["synth", name, "--truth", name, "--force"])
+            .current_dir(&folder)
+            .assert()
+            .code(2)
+            .stderr(predicate::str::contains("end"));
+        assert!(!folder.path().join(name).exists());
+    }
 }

@@ -199,6 +199,37 @@ fn wrong_arguments_are_refused() {
     }
 }
 
+/// With few draws each model still has enough to judge its sampling by.
+#[test]
+fn few_draws_have_a_shape() {
+    let folder = TempDir::new().unwrap();
+    for times in ["0\n1.4538\n2.0717\n2.6314\n", "-5\n-3.3745\n"] {
+        let file = folder.path().join("times.txt");
+        fs::write(&file, times).unwrap();
+        bouncelab()
+            .arg("analyze")
+            .arg(&file)
+            .args(["--draws", "100", "--details", "--height", "0.95m"])
+            .assert()
+            .success()
+            .stdout(predicate::str::contains("Pareto shape inf").not());
+    }
+}
+
+#[test]
+fn an_impact_before_time_zero_can_be_left_out() {
+    let folder = TempDir::new().unwrap();
+    let file = folder.path().join("times.txt");
+    fs::write(&file, "-1\n-0.5\n-0.05\n0.36\n0.72\n").unwrap();
+    bouncelab()
+        .arg("analyze")
+        .arg(&file)
+        .args(["--no-inference", "--exclude", "-0.5"])
+        .assert()
+        .success()
+        .stdout(predicate::str::contains("Drop: 4 impacts"));
+}
+
 /// What contradicts each other is not settled by chance: both are named.
 #[test]
 fn contradictions_are_refused() {

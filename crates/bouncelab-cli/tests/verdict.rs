@@ -301,6 +301,43 @@ fn a_copy_of_a_recording_is_no_second_drop() {
 }
 
 #[test]
+fn another_ball_than_the_rules_is_questioned() {
+    let folder = TempDir::new().unwrap();
+    drop(folder.path(), "good.txt", "30.5cm", "0.935");
+    let question = "is it the right rule?\n";
+    let says = |ball: &[&str], expected: bool| {
+        let arguments = [&["--rule", "ittf-ball", "good.txt"], ball].concat();
+        let says = predicate::str::contains(question);
+        let assert = verdict(&folder, &arguments).assert();
+        if expected {
+            assert.stdout(says)
+        } else {
+            assert.stdout(says.not())
+        }
+    };
+    says(&["--ball", "tennis"], true);
+    says(&["--mass", "2.65g", "--diameter", "40mm"], false);
+}
+
+#[test]
+fn a_simple_decision_takes_no_risk() {
+    let folder = TempDir::new().unwrap();
+    let arguments = [
+        "--rule",
+        "ittf-ball",
+        "--decision",
+        "simple",
+        "--risk",
+        "1%",
+        "x.txt",
+    ];
+    verdict(&folder, &arguments)
+        .assert()
+        .code(2)
+        .stderr(predicate::str::contains("knows no --risk"));
+}
+
+#[test]
 fn a_rule_of_heights_takes_no_reference() {
     let folder = TempDir::new().unwrap();
     drop(folder.path(), "good.txt", "30.5cm", "0.935");

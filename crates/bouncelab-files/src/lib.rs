@@ -126,12 +126,22 @@ pub fn remove_drafts(folder: &Path) -> io::Result<()> {
     for entry in fs::read_dir(folder)? {
         let entry = entry?;
         let name = entry.file_name();
-        let name = name.as_encoded_bytes();
-        if name.starts_with(b".") && name.ends_with(ENDING.as_bytes()) {
+        if is_part_name(&name.to_string_lossy()) {
             fs::remove_file(entry.path())?;
         }
     }
     Ok(())
+}
+
+/// Whether [`part_name`] makes such names; others may be somebody's own.
+fn is_part_name(name: &str) -> bool {
+    let is_number = |text: &str| !text.is_empty() && text.bytes().all(|b| b.is_ascii_digit());
+    let numbers = name
+        .strip_prefix('.')
+        .and_then(|name| name.strip_suffix(ENDING))
+        .and_then(|name| name.rsplit_once('.'))
+        .and_then(|(_, numbers)| numbers.split_once('-'));
+    numbers.is_some_and(|(process, draft)| is_number(process) && is_number(draft))
 }
 
 /// A hidden name that no other draft has, of this program or another.

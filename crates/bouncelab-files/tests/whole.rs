@@ -48,13 +48,13 @@ fn the_place_of_a_folder_is_refused_before_anything_is_written() {
 #[test]
 fn drafts_of_a_killed_program_are_removed_and_nothing_else() {
     let folder = tempfile::tempdir().unwrap();
-    for name in [".drops.csv.17-0.part", ".hidden", "my.part"] {
+    for name in [".drops.csv.17-0.part", ".film.part", ".hidden", "my.part"] {
         fs::write(folder.path().join(name), "").unwrap();
     }
     remove_drafts(folder.path()).unwrap();
     let mut left = names(folder.path());
     left.sort();
-    assert_eq!(left, [".hidden", "my.part"]);
+    assert_eq!(left, [".film.part", ".hidden", "my.part"]);
 }
 
 /// As the system makes any other file: who may read it is the business of the user's mask.

@@ -93,8 +93,10 @@ enum Ink {
         place: Point,
         words: String,
         style: Style,
-        /// A text that is wider is shortened.
+        /// A text that is wider goes on in another line.
         room: f64,
+        /// What does not fit into so many lines is left out.
+        lines: usize,
     },
 }
 
@@ -215,7 +217,7 @@ impl Canvas {
     }
 
     pub(crate) fn text(&mut self, place: Point, words: impl Into<String>, style: Style) {
-        self.text_within(f64::INFINITY, place, words, style);
+        self.text_in((f64::INFINITY, 1), place, words, style);
     }
 
     /// A text that is shortened if it is wider than `room` figure pixels.
@@ -226,12 +228,35 @@ impl Canvas {
         words: impl Into<String>,
         style: Style,
     ) {
+        self.text_in((room, 1), place, words, style);
+    }
+
+    /// A text that is broken into lines if it is wider than `room` figure pixels. Where one line would
+    /// stand is the middle of them.
+    pub(crate) fn text_wrapped(
+        &mut self,
+        room: f64,
+        place: Point,
+        words: impl Into<String>,
+        style: Style,
+    ) {
+        self.text_in((room, MOST_LINES), place, words, style);
+    }
+
+    fn text_in(
+        &mut self,
+        (room, lines): (f64, usize),
+        place: Point,
+        words: impl Into<String>,
+        style: Style,
+    ) {
         if is_finite(place) {
             self.ink.push(Ink::Text {
                 place,
                 words: words.into(),
                 style,
                 room,
+                lines,
             });
         }
     }
@@ -242,7 +267,9 @@ impl Canvas {
         scene.text_color = Some(theme::INK.to_string());
         scene.font_family = Some(theme::FONT_FAMILY.to_owned());
         for ink in &self.ink {
-            scene.add(ink.primitive());
+            for primitive in ink.primitives() {
+                scene.add(primitive);
+            }
         }
         scene
     }
@@ -290,8 +317,8 @@ impl Ink {
     }
 
     /// The same for the drawing library.
-    fn primitive(&self) -> Primitive {
-        match self {
+    fn primitives(&self) -> Vec<Primitive> {
+        let primitive = match self {
             Self::Stroke { points, pen } => Primitive::PolyLine {
                 points: points.clone(),
                 stroke: color(pen.colour),
@@ -325,8 +352,20 @@ impl Ink {
                 words,
                 style,
                 room,
-            } => text(*place, &shortened(words, style.size, *room), *style),
-        }
+                lines,
+            } => {
+                let lines = wrapped(words, style.size, *room, *lines);
+                let (x, mut y) = *place;
+                let height = line_height(style.size);
+                y -= height * (lines.len() - 1) as f64 / 2.0;
+                let place_of = |line: usize| (x, y + height * line as f64);
+                let lines = lines.iter().enumerate();
+                return lines
+                    .map(|(line, words)| text(place_of(line), words, *style))
+                    .collect();
+            }
+        };
+        vec![primitive]
     }
 }
 
@@ -382,8 +421,46 @@ fn letter_width(letter: char) -> f64 {
     }
 }
 
+/// Names of more lines than this are left out in part.
+pub(crate) const MOST_LINES: usize = 4;
+
+/// From line to line, in figure pixels.
+pub(crate) fn line_height(size: u32) -> f64 {
+    1.15 * f64::from(size)
+}
+
+/// The text in lines no wider than `width` figure pixels, at least one and at most so many: broken
+/// between words where that goes, within one where not, and shortened where even that is too long.
+pub(crate) fn wrapped(text: &str, size: u32, width: f64, most: usize) -> Vec<Cow<'_, str>> {
+    let mut lines = Vec::new();
+    let mut rest = text.trim();
+    while lines.len() + 1 < most && text_width(rest, size) > width {
+        let Some(end) = line_end(rest, size, width) else {
+            break;
+        };
+        let (line, following) = rest.split_at(end);
+        lines.push(Cow::Borrowed(line.trim_end()));
+        rest = following.trim_start();
+    }
+    lines.push(shortened(rest, size, width));
+    lines
+}
+
+/// Where the first line of a text that is too wide ends; `None` if not even a letter fits.
+fn line_end(text: &str, size: u32, width: f64) -> Option<usize> {
+    let fits = |&end: &usize| text_width(text[..end].trim_end(), size) <= width;
+    let ends = text.char_indices().map(|(end, _)| end).skip(1);
+    let ends: Vec<usize> = ends.take_while(fits).collect();
+    let after = |signs: &[char]| {
+        let is_after = |end: &&usize| text[..**end].ends_with(signs);
+        ends.iter().rfind(is_after)
+    };
+    let end = after(&[' ']).or_else(|| after(&['-', '_', '/']));
+    end.or(ends.last()).copied()
+}
+
 /// The text, shortened with an ellipsis if it is wider than `width` figure pixels.
-pub(crate) fn shortened(text: &str, size: u32, width: f64) -> Cow<'_, str> {
+fn shortened(text: &str, size: u32, width: f64) -> Cow<'_, str> {
     if text_width(text, size) <= width {
         return Cow::Borrowed(text);
     }
@@ -446,5 +523,31 @@ mod tests {
             "{short}"
         );
         assert_eq!(shortened(text, 14, 1000.0), text);
+    }
+
+    #[test]
+    fn long_texts_are_broken_between_words_and_nothing_is_lost() {
+        let text = "blue ball of the school, old-gymnasium";
+        for width in [60.0, 100.0, 150.0, 1000.0] {
+            let lines = wrapped(text, 13, width, 20);
+            assert!(lines.iter().all(|line| text_width(line, 13) <= width));
+            let letters = |text: &str| text.replace(' ', "");
+            assert_eq!(letters(&lines.concat()), letters(text), "{width}");
+        }
+        assert_eq!(
+            wrapped(text, 13, 150.0, 4),
+            ["blue ball of the", "school,", "old-gymnasium"]
+        );
+    }
+
+    #[test]
+    fn what_has_no_words_is_broken_anywhere_and_shortened_at_last() {
+        let text = "a".repeat(60);
+        let lines = wrapped(&text, 13, 100.0, 3);
+        assert_eq!(lines.len(), 3);
+        assert!(lines[2].ends_with('…'), "{lines:?}");
+        assert_eq!(wrapped("one-two-three", 13, 70.0, 3), ["one-two-", "three"]);
+        assert_eq!(wrapped(&text, 13, 0.0, 3).len(), 1);
+        assert_eq!(wrapped("", 13, 10.0, 3), [""]);
     }
 }

@@ -2,9 +2,9 @@
 
 use std::borrow::Cow;
 
-use crate::canvas::{Anchor, Canvas, Pen, Style, shortened, text_width};
+use crate::canvas::{Anchor, Canvas, MOST_LINES, Pen, Style, line_height, text_width, wrapped};
 use crate::language::{Say, said};
-use crate::scale::{Scale, Ticks};
+use crate::scale::{Scale, Tick, Ticks};
 use crate::shape::{Point, Rect};
 use crate::theme::{self, Colour};
 
@@ -63,11 +63,11 @@ pub(crate) struct Sheet {
     top: f64,
 }
 
-/// A name of the key in its place.
+/// An entry of the key in its place.
 struct Placed<'a> {
     swatch: Swatch,
     place: Point,
-    name: Cow<'a, str>,
+    lines: Vec<Cow<'a, str>>,
 }
 
 impl Sheet {
@@ -112,15 +112,14 @@ impl Sheet {
         let mut style = Style::new(theme::TITLE_SIZE, theme::INK, Anchor::Start);
         style.bold = true;
         canvas.text((MARGIN, 29.0), self.title.as_str(), style);
-        for Placed {
-            swatch,
-            place: (x, y),
-            name,
-        } in self.placed_key().0
-        {
-            swatch.draw(&mut canvas, (x, y));
-            let place = (x + swatch.width() + AFTER_SWATCH, y + 5.0);
-            canvas.text(place, name, KEY_TEXT);
+        for entry in self.placed_key().0 {
+            let (x, y) = entry.place;
+            entry.swatch.draw(&mut canvas, entry.place);
+            let x = x + entry.swatch.width() + AFTER_SWATCH;
+            for (line, words) in entry.lines.into_iter().enumerate() {
+                let y = y + 5.0 + line_height(KEY_TEXT.size) * line as f64;
+                canvas.text((x, y), words, KEY_TEXT);
+            }
         }
         canvas.take(&self.canvas, height - self.canvas.height());
         canvas
@@ -133,27 +132,32 @@ impl Sheet {
         let right = self.canvas.width() - MARGIN;
         let mut x = MARGIN;
         let mut y = BELOW_TITLE + 10.0;
+        // By how much the lines after the first of an entry make its row higher.
+        let mut more = 0.0;
         let mut placed = Vec::new();
         for entry in &self.key {
             let before_name = entry.swatch.width() + AFTER_SWATCH;
             let room = right - MARGIN - before_name;
-            let name = shortened(&entry.name, KEY_TEXT.size, room);
-            let width = before_name + text_width(&name, KEY_TEXT.size);
+            let lines = wrapped(&entry.name, KEY_TEXT.size, room, MOST_LINES);
+            let widths = lines.iter().map(|line| text_width(line, KEY_TEXT.size));
+            let width = before_name + widths.fold(0.0, f64::max);
             if x > MARGIN && x + width > right {
                 x = MARGIN;
-                y += ROW;
+                y += ROW + more;
+                more = 0.0;
             }
+            more = more.max(line_height(KEY_TEXT.size) * (lines.len() - 1) as f64);
             placed.push(Placed {
                 swatch: entry.swatch,
                 place: (x, y),
-                name,
+                lines,
             });
             x += width + GAP;
         }
         let end = if placed.is_empty() {
             BELOW_TITLE
         } else {
-            y + 14.0
+            y + more + 14.0
         };
         (placed, end)
     }
@@ -166,7 +170,7 @@ impl Sheet {
             f64::midpoint(self.top, self.canvas.height()),
         );
         let room = self.canvas.width() - 2.0 * MARGIN;
-        self.canvas.text_within(room, middle, text, style);
+        self.canvas.text_wrapped(room, middle, text, style);
     }
 }
 
@@ -536,17 +540,30 @@ fn x_ticks(scale: &Scale, width: f64) -> Ticks {
     (2..=10)
         .rev()
         .map(|most| scale.ticks(most))
-        .find(|ticks| fits(ticks, width))
-        .unwrap_or_default()
+        .find(|ticks| widest(&ticks.major) * ticks.major.len() as f64 <= width)
+        .unwrap_or_else(|| outermost(scale, width))
 }
 
-fn fits(ticks: &Ticks, width: f64) -> bool {
-    let text: f64 = ticks
-        .major
+/// Of few wide numbers the first and the last, or one of them: an axis says where it is.
+fn outermost(scale: &Scale, width: f64) -> Ticks {
+    let mut major = scale.ticks(2).major;
+    let last = major.split_off(1.min(major.len())).pop();
+    let apart = |a: &Tick, b: &Tick| (scale.share(b.value) - scale.share(a.value)) * width;
+    let room = widest(&major);
+    let last = last.filter(|last| major.iter().all(|first| apart(first, last) >= room));
+    major.extend(last);
+    Ticks {
+        major,
+        minor: Vec::new(),
+    }
+}
+
+/// The width of the widest number, and what stays free beside it.
+fn widest(ticks: &[Tick]) -> f64 {
+    let widths = ticks
         .iter()
-        .map(|tick| text_width(&tick.label, theme::TICK_SIZE) + 16.0)
-        .fold(0.0, f64::max);
-    text * ticks.major.len() as f64 <= width
+        .map(|tick| text_width(&tick.label, theme::TICK_SIZE) + 16.0);
+    widths.fold(0.0, f64::max)
 }
 
 fn y_ticks(scale: &Scale, height: f64) -> Ticks {
@@ -561,4 +578,26 @@ fn left_of_labels(axes: &[(&Axis, Rows)]) -> f64 {
         .map(|tick| text_width(&tick.label, theme::TICK_SIZE))
         .fold(0.0, f64::max);
     (MARGIN + widest + 9.0).max(48.0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Restitution known to a few millionths, in a panel as narrow as those of the posterior.
+    #[test]
+    fn an_axis_of_wide_numbers_has_some() {
+        for width in [30.0, 100.0, 157.0, 300.0] {
+            let scale = Scale::linear([0.934_96, 0.935_04]);
+            let ticks = x_ticks(&scale, width).major;
+            assert!(!ticks.is_empty(), "{width}");
+            for pair in ticks.windows(2) {
+                let apart = (scale.share(pair[1].value) - scale.share(pair[0].value)) * width;
+                assert!(
+                    apart >= text_width(&pair[0].label, theme::TICK_SIZE),
+                    "{width}"
+                );
+            }
+        }
+    }
 }

@@ -813,3 +813,54 @@ fn a_figure_grows_with_the_words_of_another_language() {
     assert!(longer.svg().contains(">0,5<"));
     assert!(longer.caption().starts_with("The models start alike"));
 }
+
+/// The words of a figure as they stand in it, lines that were broken put together.
+fn words_of(figure: &Figure) -> String {
+    let svg = figure.svg();
+    let texts = svg.split('>').filter_map(|part| part.split_once('<'));
+    let texts = texts.map(|(text, _)| text.trim());
+    let texts: Vec<&str> = texts.filter(|text| !text.is_empty()).collect();
+    texts.join(" ")
+}
+
+/// A name that is cut off tells nobody which ball or law it is.
+#[test]
+fn long_names_are_broken_not_cut() {
+    let group = "the old ball of the school, on the wooden floor in the gymnasium";
+    let of_group = |mean| GroupInterval {
+        name: group.to_owned(),
+        mean,
+        interval95: None,
+        next95: None,
+        drops: Vec::new(),
+    };
+    let judged = Judged {
+        name: group.to_owned(),
+        value: 0.25,
+        interval95: None,
+        decides: true,
+    };
+    let curve = Curve {
+        name: [group; 2].join(", "),
+        meaning: Meaning::Drag,
+        points: vec![(0.0, 0.3), (1.0, 0.2)],
+    };
+    let drawn = [
+        figure::intervals("Groups", &[of_group(0.9), of_group(0.91)], "restitution"),
+        figure::limits("Limits", &[judged], [Some(0.24), None], [None, None], "m"),
+        figure::height(&[curve], &[]),
+    ];
+    for figure in drawn {
+        let words = words_of(&figure);
+        assert!(words.contains(group), "{words}");
+    }
+    let mut models = weights();
+    models[0].name = "viscoelastic, clift-grace-weber".to_owned();
+    let mut in_german = figure::models(&models, "drop height (cm)");
+    in_german.translate(&mut |text| text.replace("viscoelastic", "viskoelastisch"));
+    let words = words_of(&in_german);
+    assert!(
+        words.contains("viskoelastisch, clift-grace-weber"),
+        "{words}"
+    );
+}

@@ -1,5 +1,6 @@
 //! What was noted of recordings, in a TOML file or a CSV.
 
+use std::borrow::Cow;
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -192,7 +193,11 @@ pub(crate) fn read_csv(path: &Path) -> Result<Listed> {
                 .filter(|(column, _)| *column != file)
                 .map(|(_, ((field, unit), cell))| {
                     let note = Note {
-                        text: format!("{cell}{unit}"),
+                        text: if delimiter == Some(b',') {
+                            format!("{cell}{unit}")
+                        } else {
+                            format!("{}{unit}", with_point(cell))
+                        },
                         said_by: said_by.clone(),
                     };
                     (field.clone(), note)
@@ -213,6 +218,21 @@ fn heading(text: &str) -> (String, String) {
     let unit = unit.trim_matches(|c: char| "()[] ".contains(c));
     let field = field.trim().to_lowercase().replace([' ', '-'], "_");
     (field, unit.to_owned())
+}
+
+/// A number with a decimal comma, as spreadsheets of many countries write it, with a point; anything
+/// else as it is.
+fn with_point(cell: &str) -> Cow<'_, str> {
+    let is_digits = |text: &str| !text.is_empty() && text.bytes().all(|b| b.is_ascii_digit());
+    let number = cell.split_once(',').filter(|(whole, rest)| {
+        is_digits(whole.trim_start_matches(['+', '-']))
+            && rest.starts_with(|c: char| c.is_ascii_digit())
+            && !rest.contains(',')
+    });
+    match number {
+        Some((whole, rest)) => Cow::Owned(format!("{whole}.{rest}")),
+        None => Cow::Borrowed(cell),
+    }
 }
 
 fn csv_fault(path: &Path, fault: &csv::Error) -> Error {
@@ -304,6 +324,25 @@ mod tests {
         assert_eq!(notes["ball_type"].text, "red");
         assert!(!notes.contains_key("note"));
         assert_eq!(listed.rows[1].2["note"].text, "x;y");
+    }
+
+    /// As a German spreadsheet saves them.
+    #[test]
+    fn decimal_commas_are_read_where_commas_do_not_separate() {
+        let noted = |text: &str| {
+            let (_folder, path) = written("notes.csv", text.as_bytes());
+            let listed = read_csv(&path).unwrap();
+            let (_, _, notes) = &listed.rows[0];
+            ["height", "temperature", "surface"].map(|field| notes[field].text.clone())
+        };
+        assert_eq!(
+            noted("file;height (cm);temperature;surface\na.wav;30,5;-1,5 C;wood, 1,5 mm\n"),
+            ["30.5cm", "-1.5 C", "wood, 1,5 mm"]
+        );
+        assert_eq!(
+            noted("file,height (cm),temperature,surface\na.wav,\"30,5\",20,\"1,2\"\n"),
+            ["30,5cm", "20", "1,2"]
+        );
     }
 
     #[test]

@@ -13,7 +13,7 @@ pub type Result<T> = std::result::Result<T, Error>;
 #[non_exhaustive]
 pub enum Error {
     /// A number lies outside the values for which the calculation makes sense (this includes NaN).
-    #[error("{quantity} is {value}; it must be {allowed}")]
+    #[error("{quantity} is {}; it must be {allowed}", written(*value))]
     OutOfRange {
         /// The quantity with its unit, as in "mass in kg".
         quantity: &'static str,
@@ -152,6 +152,22 @@ impl Error {
     }
 }
 
+/// A number without the noise of binary fractions, in powers of ten where there would be a row of
+/// zeros.
+fn written(value: f64) -> String {
+    let value = if value.fract() == 0.0 {
+        value
+    } else {
+        format!("{value:.8e}").parse().unwrap_or(value)
+    };
+    let ordinary = value == 0.0 || !value.is_finite() || (1e-9..1e15).contains(&value.abs());
+    if ordinary {
+        format!("{value}")
+    } else {
+        format!("{value:e}")
+    }
+}
+
 /// `Ok` if `holds`, otherwise an [`Error::OutOfRange`] for the quantity.
 ///
 /// Conditions are written so that NaN makes them false.
@@ -223,4 +239,19 @@ pub(crate) fn in_order(what: &'static str, numbers: impl IntoIterator<Item = usi
         before = Some(number);
     }
     Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::positive;
+
+    #[test]
+    fn numbers_are_written_without_rows_of_zeros() {
+        let said = |value: f64| positive("height in m", value).unwrap_err().to_string();
+        assert!(said(-1.5).starts_with("height in m is -1.5;"));
+        assert!(said(0.2 - 0.3).starts_with("height in m is -0.1;"));
+        assert!(said(-1e300).starts_with("height in m is -1e300;"));
+        assert!(said(-1e-300).starts_with("height in m is -1e-300;"));
+        assert!(said(f64::NAN).starts_with("height in m is NaN;"));
+    }
 }

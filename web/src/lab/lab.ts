@@ -119,10 +119,10 @@ export class Lab {
     return new Recording(heard, sound, this.#services);
   }
 
-  /** The paper's drop, made and heard: its recording, its settings and the truth. */
-  async demo(seed = 1): Promise<{ recording: Recording; demo: Demo }> {
+  /** The paper's drop, made and heard: its recording (by this name), its settings and the truth. */
+  async demo(name?: string, seed = 1): Promise<{ recording: Recording; demo: Demo }> {
     const { demo, samples, sampleRateHz } = await this.#front.call('demo', { seed });
-    const recording = await this.hear([samples], sampleRateHz, demo.name, 'WAV');
+    const recording = await this.hear([samples], sampleRateHz, name ?? demo.name, 'WAV');
     return { recording, demo };
   }
 

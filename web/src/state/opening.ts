@@ -43,8 +43,10 @@ export function openFile(file: File): Promise<void> {
 export const openTimes = (text: string): Promise<void> =>
   bring(texts.peek().lab.pastedName, () => engine().paste(text));
 
-export const openDemo = (): Promise<void> =>
-  bring(texts.peek().lab.demoName, async () => (await engine().demo()).recording);
+export function openDemo(): Promise<void> {
+  const name = texts.peek().lab.demoName;
+  return bring(name, async () => (await engine().demo(name)).recording);
+}
 
 /** Samples that were made or kept. */
 export function openSamples(

@@ -23,7 +23,7 @@ use clap::{Args, ValueEnum};
 use crate::failure::Failure;
 use crate::knowledge::KnowledgeArguments;
 use crate::physics::{Physics, PhysicsArguments};
-use crate::report::Draft;
+use crate::report::ReportFile;
 use crate::units;
 
 /// Find the drops in recordings, or in lists of impact times
@@ -58,10 +58,10 @@ pub(crate) struct Arguments {
     #[arg(long, value_name = "LOW..HIGH", value_parser = frequency_range)]
     band: Option<Range<f64>>,
     /// Leave out the impacts at these times, as in 1.234s,2.5s
-    #[arg(long, value_name = "TIMES", value_delimiter = ',', value_parser = units::time)]
+    #[arg(long, value_name = "TIMES", value_delimiter = ',', allow_hyphen_values = true, value_parser = units::time)]
     exclude: Vec<f64>,
     /// Add impacts at these times
-    #[arg(long, value_name = "TIMES", value_delimiter = ',', value_parser = units::time)]
+    #[arg(long, value_name = "TIMES", value_delimiter = ',', allow_hyphen_values = true, value_parser = units::time)]
     include: Vec<f64>,
     /// Print also how sure each impact is, where the impacts stand out, the laws that were weighed,
     /// where the uncertainty comes from and what was assumed before the data
@@ -106,9 +106,9 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
         include_s: arguments.include.clone(),
         quiet: false,
     };
-    let mut draft = match (&arguments.report, arguments.files.as_slice()) {
+    let mut report_file = match (&arguments.report, arguments.files.as_slice()) {
         (None, _) => None,
-        (Some(path), [_]) => Some(Draft::new(path)?),
+        (Some(path), [_]) => Some(ReportFile::new(path)?),
         (Some(_), _) => return Err(Failure::Usage(report::OF_ONE.to_owned())),
     };
     let mut printer = Printer::new(arguments)?;
@@ -125,8 +125,8 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
                 if let Some(folder) = &arguments.figures {
                     save_figures(&hearing, &physics, folder, &mut stems)?;
                 }
-                if let Some(draft) = draft.take() {
-                    draft.write(&report::page(file, &hearing, &physics)?)?;
+                if let Some(report_file) = report_file.take() {
+                    report_file.write(&report::page(file, &hearing, &physics)?)?;
                 }
                 printer.print(&hearing, &physics)?;
             }
@@ -179,7 +179,7 @@ impl Printer {
             rows,
         };
         if let Some(rows) = &mut printer.rows {
-            rows.write_record(rows::HEADER).map_err(io::Error::from)?;
+            rows.write_record(rows::HEADER)?;
         }
         Ok(printer)
     }
@@ -195,7 +195,7 @@ impl Printer {
             Format::Csv => {
                 if let Some(rows) = &mut self.rows {
                     for row in rows::of(&hearing.document(physics)) {
-                        rows.write_record(&row).map_err(io::Error::from)?;
+                        rows.write_record(&row)?;
                     }
                 }
                 Ok(())

@@ -22,6 +22,7 @@ use crate::analyze;
 use crate::failure::Failure;
 use crate::knowledge::KnowledgeArguments;
 use crate::physics::PhysicsArguments;
+use crate::synth::wav;
 use crate::units;
 
 /// Hear drops while they happen, one after the other, until Ctrl-C
@@ -47,7 +48,7 @@ pub(crate) struct Arguments {
     devices: bool,
     /// The WAV file to save the sound in; nothing is overwritten (default: bouncelab- and the
     /// date; with --from, none)
-    #[arg(long, value_name = "FILE.wav", conflicts_with = "no_save", value_parser = wav)]
+    #[arg(long, value_name = "FILE.wav", conflicts_with = "no_save", value_parser = wav())]
     save: Option<PathBuf>,
     /// Do not save the sound
     #[arg(long)]
@@ -99,17 +100,6 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
         return sound::list_devices();
     }
     session::run(arguments)
-}
-
-/// A name that says what is in the file, since other names mean other things to `analyze`.
-fn wav(name: &str) -> Result<PathBuf, String> {
-    let file = PathBuf::from(name);
-    let ending = file.extension().unwrap_or_default();
-    if ending.eq_ignore_ascii_case("wav") {
-        Ok(file)
-    } else {
-        Err("the sound is saved as WAV: name a file that ends in .wav".to_owned())
-    }
 }
 
 fn duration(text: &str) -> Result<f64, String> {

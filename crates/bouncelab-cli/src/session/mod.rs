@@ -24,7 +24,7 @@ use clap::{Args, ValueEnum};
 use crate::failure::Failure;
 use crate::knowledge::{KnowledgeArguments, impact_speed};
 use crate::physics::PhysicsArguments;
-use crate::report::Draft;
+use crate::report::ReportFile;
 use columns::Tables;
 use notes::Reading;
 use outcome::{Outcome, Wish};
@@ -171,8 +171,12 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let journal = Journal::open(&arguments.output)?;
     let folder = &arguments.output;
     remove_drafts(folder).map_err(|reason| Failure::unwritable(folder, &reason))?;
-    // After that, since it may lie in the same folder.
-    let draft = arguments.report.as_deref().map(Draft::new).transpose()?;
+    // It may lie in the same folder.
+    let report_file = arguments
+        .report
+        .as_deref()
+        .map(ReportFile::new)
+        .transpose()?;
     if journal.damaged() > 0 {
         eprintln!(
             "bouncelab: {} lines of the journal are cut off or damaged, and do not count",
@@ -202,8 +206,8 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
     if arguments.figures {
         figures::save(&outcome, &results, folder)?;
     }
-    if let Some(draft) = draft {
-        draft.write(&report::page(&outcome, &results)?)?;
+    if let Some(file) = report_file {
+        file.write(&report::page(&outcome, &results)?)?;
     }
     let mut out = io::stdout().lock();
     match arguments.format {

@@ -18,7 +18,7 @@ use crate::analyze::{self, Hearing, Heeded, hear};
 use crate::failure::Failure;
 use crate::knowledge::KnowledgeArguments;
 use crate::physics::{Physics, PhysicsArguments};
-use crate::report::Draft;
+use crate::report::ReportFile;
 use crate::rules::Files;
 use crate::units;
 
@@ -44,9 +44,9 @@ pub(crate) struct Arguments {
     /// How a verdict follows from a probability
     #[arg(long, value_enum, default_value_t = DecisionRule::Guarded)]
     decision: DecisionRule,
-    /// Greatest probability of a wrong decision, as in 5%
-    #[arg(long, value_name = "SHARE", default_value = "5%", value_parser = risk)]
-    risk: f64,
+    /// Greatest probability of a wrong decision, as in 5% [default: 5%]
+    #[arg(long, value_name = "SHARE", value_parser = risk)]
+    risk: Option<f64>,
     /// How to print the result; JSON is documented in docs/json.md
     #[arg(long, value_enum, default_value_t = Format::Text)]
     format: Format,
@@ -121,14 +121,22 @@ impl Heard {
     }
 }
 
+/// The greatest probability of a wrong decision, where nobody states another.
+const RISK: f64 = 0.05;
+
 pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let rules = arguments.rules.read()?;
     let rule = rulebook::find(&rules, &arguments.rule)?;
-    let decision = match arguments.decision {
-        DecisionRule::Guarded => Decision::Guarded {
-            risk: arguments.risk,
+    let decision = match (arguments.decision, arguments.risk) {
+        (DecisionRule::Guarded, risk) => Decision::Guarded {
+            risk: risk.unwrap_or(RISK),
         },
-        DecisionRule::Simple => Decision::Simple,
+        (DecisionRule::Simple, None) => Decision::Simple,
+        (DecisionRule::Simple, Some(_)) => {
+            return Err(Failure::Usage(
+                "--decision simple knows no --risk: leave out one".to_owned(),
+            ));
+        }
     };
     let physics = physics(arguments, rule)?;
     if !rule.needs_reference() && !arguments.reference.is_empty() {
@@ -138,7 +146,11 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
         )));
     }
     let hashes = once_each(arguments.files.iter().chain(&arguments.reference))?;
-    let draft = arguments.report.as_deref().map(Draft::new).transpose()?;
+    let report_file = arguments
+        .report
+        .as_deref()
+        .map(ReportFile::new)
+        .transpose()?;
     let surface = Heard::new(&arguments.files, &physics)?;
     let reference = Heard::new(&arguments.reference, &physics)?;
     let conditions = arguments.physics.conditions();
@@ -159,8 +171,8 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
         reference_files: &reference_files,
         physics: &physics,
     };
-    if let Some(draft) = draft {
-        draft.write(&report::page(&told, hashes))?;
+    if let Some(file) = report_file {
+        file.write(&report::page(&told, hashes))?;
     }
     let mut out = io::stdout().lock();
     match arguments.format {

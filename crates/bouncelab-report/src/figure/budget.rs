@@ -7,7 +7,8 @@ use crate::sheet::Sheet;
 use crate::theme::{self, Meaning};
 
 const TITLE: &str = "Where the uncertainty comes from";
-const ROW: f64 = 24.0;
+/// Two lines of a name have room.
+const ROW: f64 = 30.0;
 const HEADING: f64 = 30.0;
 /// Sources below this share are added up.
 const SMALL: f64 = 0.005;
@@ -83,15 +84,15 @@ fn bar(sheet: &mut Sheet, y: f64, source: &Source) {
     const LEFT: f64 = 200.0;
     const RIGHT: f64 = 560.0;
     let name = Style::new(theme::TICK_SIZE, theme::SOFT_INK, Anchor::End);
-    let place = (LEFT - 10.0, y + 15.0);
+    let place = (LEFT - 10.0, y + 19.0);
     sheet
         .canvas
-        .text_within(LEFT - 30.0, place, source.name.as_str(), name);
+        .text_wrapped(LEFT - 30.0, place, source.name.as_str(), name);
     let bar = Rect {
         left: LEFT,
-        top: y + 3.0,
+        top: y + 5.0,
         right: LEFT + (RIGHT - LEFT) * source.share.min(1.0),
-        bottom: y + ROW - 4.0,
+        bottom: y + ROW - 5.0,
     };
     sheet.canvas.block(bar, Meaning::Measured.colour());
     let number = Style::new(theme::TICK_SIZE, theme::INK, Anchor::Start);
@@ -101,5 +102,5 @@ fn bar(sheet: &mut Sheet, y: f64, source: &Source) {
     } else {
         format!("{percent:.0} %")
     };
-    sheet.canvas.text((bar.right + 8.0, y + 15.0), text, number);
+    sheet.canvas.text((bar.right + 8.0, y + 19.0), text, number);
 }

@@ -1,6 +1,6 @@
 //! The mean of each group with its interval, over its drops.
 
-use super::rows::Rows;
+use super::rows::{Name, Rows};
 use super::{Figure, count};
 use crate::canvas::Pen;
 use crate::scale::Scale;
@@ -38,12 +38,15 @@ pub fn intervals(title: &str, groups: &[GroupInterval], quantity: &str) -> Figur
     });
     let x = Scale::linear(ends.filter(|end| end.is_finite())).padded(0.05, 0.05);
     let legend = "specks: drops \u{b7} pale bar: next drop, 95 % \u{b7} strong bar: mean, 95 %";
-    let mut rows = Rows::new(title, legend, (usable.len(), ROW), x, quantity);
+    let names = usable.iter().map(|group| Name {
+        name: &group.name,
+        below: Some(count(group.drops.len(), "drop")),
+    });
+    let names: Vec<Name> = names.collect();
+    let mut rows = Rows::new(title, legend, (&names, ROW), x, quantity);
     for (row, group) in usable.iter().enumerate() {
         let middle = rows.middle(row);
         draw_row(&rows.panel, &mut rows.sheet, middle, group);
-        let drops = count(group.drops.len(), "drop");
-        rows.name(row, &group.name, Some(&drops));
     }
     Figure::new(
         rows.sheet,

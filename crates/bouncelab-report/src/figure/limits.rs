@@ -1,7 +1,7 @@
 //! Values with their intervals, and the limits that they must keep.
 
 use super::Figure;
-use super::rows::Rows;
+use super::rows::{Name, Rows};
 use crate::canvas::Pen;
 use crate::scale::Scale;
 use crate::sheet::{Panel, Sheet, Swatch};
@@ -53,7 +53,12 @@ pub fn limits(
     let x = Scale::linear(ends.filter(|end| end.is_finite())).padded(0.08, 0.08);
     let legend =
         "pale: within the limits \u{b7} darker: accepted at this uncertainty \u{b7} bars: 95 %";
-    let mut rows = Rows::new(title, legend, (usable.len(), ROW), x, quantity);
+    let names = usable.iter().map(|judged| Name {
+        name: &judged.name,
+        below: None,
+    });
+    let names: Vec<Name> = names.collect();
+    let mut rows = Rows::new(title, legend, (&names, ROW), x, quantity);
     let green = theme::group(2);
     shade(&mut rows, limits, green.mixed(0.12));
     shade(&mut rows, accepted, green.mixed(0.25));
@@ -65,7 +70,6 @@ pub fn limits(
     for (row, judged) in usable.iter().enumerate() {
         let middle = rows.middle(row);
         draw_row(&rows.panel, &mut rows.sheet, middle, judged);
-        rows.name(row, &judged.name, None);
     }
     Figure::new(
         rows.sheet,

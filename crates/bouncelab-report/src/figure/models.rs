@@ -8,7 +8,8 @@ use crate::sheet::{Panel, Sheet, Swatch};
 use crate::theme::{self, Meaning};
 
 const TITLE: &str = "Which law is it?";
-const ROW: f64 = 26.0;
+/// Two lines of a name have room.
+const ROW: f64 = 32.0;
 
 /// A model with its probability and what it says of a quantity.
 #[derive(Debug, Clone, PartialEq)]
@@ -76,7 +77,7 @@ fn name_and_bar(sheet: &mut Sheet, middle: f64, model: &ModelWeight) {
     let style = Style::new(theme::TICK_SIZE, theme::INK, Anchor::Start);
     let place = (16.0, middle + 4.5);
     let name = model.name.as_str();
-    sheet.canvas.text_within(LEFT - 26.0, place, name, style);
+    sheet.canvas.text_wrapped(LEFT - 26.0, place, name, style);
     let bar = Rect {
         left: LEFT,
         top: middle - 8.0,

@@ -316,9 +316,12 @@ impl Posterior {
     /// How far the weights of the sampling can be trusted: the worst Pareto shape of a candidate
     /// that matters.
     pub(super) fn pareto_shape(&self) -> f64 {
+        let weights = self.candidates.iter().map(|candidate| candidate.weight);
+        // Of many that are alike none may be so probable, but they do matter.
+        let matters = weights.fold(0.0, f64::max).min(MATTERS);
         self.candidates
             .iter()
-            .filter(|candidate| candidate.weight > MATTERS)
+            .filter(|candidate| candidate.weight >= matters)
             .map(|candidate| match &candidate.sample {
                 Some(sample) => sample.pareto_shape,
                 None => f64::INFINITY,

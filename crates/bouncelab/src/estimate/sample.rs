@@ -126,6 +126,7 @@ pub(super) fn sample(
         }
     }
     let wanted = (effective_draws as f64 / share.clamp(LEAST_SHARE, 1.0)) as usize;
+    let wanted = wanted.max(FEWEST_DRAWS);
     let mut found = round(evaluator, &proposal, wanted, rng)?;
     for _ in 0..MOST_RETRIES {
         if found.pareto_shape < DOUBTFUL_SHAPE {
@@ -151,6 +152,9 @@ const GOOD_SHARE: f64 = 0.35;
 /// Weights with a heavier tail than this are worth another try, but not for ever.
 const DOUBTFUL_SHAPE: f64 = 0.6;
 const MOST_RETRIES: usize = 2;
+
+/// The weights of fewer draws have no tail whose shape could tell anything.
+const FEWEST_DRAWS: usize = 25;
 
 /// A proposal that fits badly is not drawn from for ever: at most three draws for one.
 const LEAST_SHARE: f64 = 0.33;

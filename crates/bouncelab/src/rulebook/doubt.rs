@@ -101,6 +101,8 @@ pub enum Remark {
     TemperatureNotStated(Limits),
     /// The rule holds at these heights above the sea (m), and nobody stated one.
     AltitudeNotStated(Limits),
+    /// The ball is far heavier, lighter, larger or smaller than this one, which the rule is for.
+    OtherBall(&'static str),
     /// The ball was dropped from so high (m, lowest point) instead of the rule's fall: the rebound is
     /// predicted for the rule's height.
     OtherHeight {
@@ -126,6 +128,11 @@ impl fmt::Display for Remark {
             Self::UnverifiedFormula => write!(
                 f,
                 "the formula of this rule is unverified: nobody has read it in its source"
+            ),
+            Self::OtherBall(label) => write!(
+                f,
+                "the rule is for a ball of the kind {label}, and that stated is another by mass or \
+                 diameter: is it the right rule?"
             ),
             Self::PointNotStated => write!(
                 f,

@@ -10,6 +10,7 @@ use super::pool;
 use super::rebound::Rebound;
 use super::rule::{Averaging, Conditions, Evenness, Limits, Requirement, Rule};
 use crate::analysis::{Analysis, Settings};
+use crate::ball::{self, Ball};
 use crate::error::{Result, require};
 use crate::estimate::{self, Summary};
 use crate::moments;
@@ -410,6 +411,17 @@ fn of_drops(places: &[Place], rebounds: &[Rebound]) -> Vec<Doubt> {
 }
 
 /// What to know of the drops against the rule.
+/// A remark if the ball is not of the kind that the rule is for.
+fn other_ball(rule: &Rule, ball: &Ball) -> Option<Remark> {
+    /// Balls of one kind differ by less, worn ones too.
+    const ALIKE: f64 = 0.1;
+    let preset = ball::preset(rule.ball.as_ref()?).ok()?;
+    let differs = |stated: f64, of_rule: f64| (stated / of_rule - 1.0).abs() > ALIKE;
+    let other = differs(ball.mass_kg(), preset.ball.mass_kg())
+        || differs(ball.diameter_m(), preset.ball.diameter_m());
+    other.then_some(Remark::OtherBall(preset.label))
+}
+
 fn of_circumstances(
     rule: &Rule,
     fall_m: Option<f64>,
@@ -423,6 +435,7 @@ fn of_circumstances(
     const FASTER: f64 = 1.1;
     let dropped_m = settings.knowledge.drop_height_m.map(|height| height.value);
     let mut remarks = Vec::new();
+    remarks.extend(other_ball(rule, &settings.ball));
     if conditions.temperature_k.is_none() && !rule.temperature_k.is_open() {
         remarks.push(Remark::TemperatureNotStated(rule.temperature_k));
     }
