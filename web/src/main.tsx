@@ -27,8 +27,11 @@ if (place) render(<App />, place);
 keepAnalysed();
 keepSimulated();
 void start();
+void loadKept();
+// What another tab has kept meanwhile is kept here too.
+addEventListener('visibilitychange', () => {
+  if (!document.hidden) void loadKept();
+});
 // Where the browser keeps nothing there is nothing left over either.
-void loadKept()
-  .then(findLeftovers)
-  .catch(() => undefined);
+void findLeftovers().catch(() => undefined);
 void workOffline();

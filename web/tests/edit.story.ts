@@ -106,12 +106,20 @@ test('an impact can be removed from the list, and a double click adds one', asyn
   await page.getByText('List of impacts').click();
   await page.getByRole('button', { name: 'Remove impact 5', exact: true }).click();
   await counts(all - 1);
+  // What was impact 6 is number 5 now, and the keyboard stands on it.
+  const focus = page.locator(':focus');
+  expect(await focus.getAttribute('aria-label')).toBe('Remove impact 5');
   const box = await waveform().boundingBox();
   if (!box) throw new Error('no waveform');
   await page.mouse.dblclick(box.x + 5, box.y + box.height / 2);
   await counts(all);
+  // There is one already: the second is not set.
+  await press('Enter');
+  await counts(all);
+  await page.getByText('edited by hand').waitFor();
   await page.getByRole('button', { name: 'As heard' }).click();
   await counts(all);
+  await page.getByText('edited by hand').waitFor({ state: 'detached' });
 });
 
 test('the words follow within a tenth of a second', async () => {

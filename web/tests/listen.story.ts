@@ -6,7 +6,7 @@ import type { Browser, Page } from 'playwright-core';
 import { afterAll, afterEach, beforeAll, expect, test } from 'vitest';
 import { launch, type Microphone } from './harness/browser.ts';
 import { Site } from './harness/site.ts';
-import { open, said, settled } from './support/page.ts';
+import { follow, open, said, settled } from './support/page.ts';
 import { drop, samplesOf, TRUTH } from './support/sounds.ts';
 
 let site: Site;
@@ -139,6 +139,36 @@ test('a browser whose sound never starts is not waited for', async () => {
   await page.getByText('The microphone could not be opened.').waitFor();
   await page.getByRole('button', { name: 'try the demo' }).click();
   await settled(page);
+});
+
+test('a call ends the listening with what was heard; until then nothing comes between', async () => {
+  browser = await launch({ file: heard });
+  const context = await browser.newContext({ locale: 'en-GB' });
+  await context.addInitScript(() => {
+    const begin = AudioContext.prototype.createMediaStreamSource;
+    AudioContext.prototype.createMediaStreamSource = function (stream) {
+      addEventListener('call', () => void this.suspend());
+      return begin.call(this, stream);
+    };
+  });
+  const page = await context.newPage();
+  await page.goto(site.url);
+  await listen(page);
+  await follow(page, 'Simulate');
+  expect(await page.getByRole('button', { name: 'Analyse it as if' }).isDisabled()).toBe(true);
+  const beside = await context.newPage();
+  await beside.goto(site.url);
+  await beside.getByRole('button', { name: 'Listen' }).waitFor();
+  await page.bringToFront();
+  await follow(page, 'Listen');
+  await page.getByText(/(\d\d) impacts so far/).waitFor();
+  await page.getByRole('button', { name: 'Stop' }).focus();
+  await page.evaluate(() => dispatchEvent(new Event('call')));
+  await page.getByText(/was taken away/).waitFor();
+  await settled(page);
+  // The keyboard goes on where the next drop begins.
+  expect(await page.locator(':focus').innerText()).toBe('Listen again');
+  expect(await beside.getByText(/was cut short|not in the table/).count()).toBe(0);
 });
 
 test('a page that is closed while it listens loses nothing', async () => {

@@ -47,12 +47,28 @@ test('times that are pasted', async () => {
   await on.getByRole('button', { name: 'paste times' }).click();
   // Without air: e = 0.9 and flights that begin with 0.5 s.
   const times = Array.from({ length: 12 }, (_, n) => (0.5 * (1 - 0.9 ** n)) / 0.1);
-  await on.getByRole('textbox').fill(times.map((time) => time.toFixed(6)).join('\n'));
+  const written = times.map((time) => time.toFixed(6).replace('.', ','));
+  await on.getByRole('textbox').fill(written.join('\n'));
   await on.getByRole('button', { name: 'Analyse' }).click();
   const { kept } = await said(on);
   expect(kept.value).toBeGreaterThan(89);
   expect(kept.value).toBeLessThan(93);
   await on.getByText('12 impacts').waitFor();
+});
+
+test('a browser that may keep nothing opens the page too', async () => {
+  const context = await browser.newContext({ locale: 'en-GB' });
+  await context.addInitScript(() => {
+    const denied = () => {
+      throw new DOMException('denied', 'SecurityError');
+    };
+    Object.defineProperty(globalThis, 'localStorage', { get: denied });
+    Object.defineProperty(globalThis, 'indexedDB', { get: denied });
+  });
+  const on = await context.newPage();
+  await on.goto(`${site.url}#drops`);
+  await on.getByText(/keeps nothing|cannot keep/).waitFor();
+  await context.close();
 });
 
 test('the demo', async () => {

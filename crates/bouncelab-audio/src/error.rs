@@ -110,7 +110,7 @@ pub enum Error {
         problem: TimesProblem,
     },
 
-    /// Samples that cannot be written as a WAV file.
+    /// Samples that no WAV file can hold.
     #[error("{name}: cannot write this sound: {problem}")]
     Unwritable {
         /// The file as the caller named it.
@@ -158,6 +158,14 @@ impl Error {
             io::ErrorKind::NotSeekable => Self::Pipe { name },
             io::ErrorKind::AlreadyExists => Self::Exists { name },
             _ => Self::Io { name, source },
+        }
+    }
+
+    /// The error for samples that no WAV file can hold.
+    pub(crate) fn unwritable(name: &str, problem: impl Into<String>) -> Self {
+        Self::Unwritable {
+            name: name.to_owned(),
+            problem: problem.into(),
         }
     }
 }

@@ -5,7 +5,7 @@ use std::io::{self, Seek, SeekFrom, Write};
 use std::path::Path;
 
 use crate::error::{Error, Result};
-use crate::wav::{HEADER_LEN, Layout, SampleFormat};
+use crate::wav::{HEADER_LEN, Layout, MOST_DATA, SampleFormat, TOO_LONG};
 
 /// A WAV file that is written while the sound comes, and can be read at any time.
 ///
@@ -38,9 +38,6 @@ pub struct Recorder<W: Write + Seek = File> {
     is_closed: bool,
 }
 
-/// The most bytes of samples that fit: sizes have 32 bits, and count most of the header.
-const MOST_DATA: u32 = u32::MAX - 64;
-
 impl Recorder {
     /// Creates the file; one that exists is left alone.
     ///
@@ -57,7 +54,7 @@ impl Recorder {
     ) -> Result<Self> {
         let path = path.as_ref();
         let name = path.display().to_string();
-        let layout = layout(&name, sample_rate_hz, channels, format)?;
+        let layout = Layout::new(&name, sample_rate_hz, channels, format)?;
         let file = File::options().write(true).create_new(true).open(path);
         file.and_then(|file| Self::start(&name, layout, file))
             .map_err(|reason| Error::io(&name, reason))
@@ -138,10 +135,7 @@ impl<W: Write + Seek> Recorder<W> {
         if frames as u64 > self.room_frames() {
             self.hand_over()?;
             self.is_closed = true;
-            return Err(Error::Unwritable {
-                name: self.name.clone(),
-                problem: "a WAV file cannot hold more than 4 GB".to_owned(),
-            });
+            return Err(Error::unwritable(&self.name, TOO_LONG));
         }
         for frame in 0..frames {
             for channel in channels {
@@ -210,31 +204,6 @@ impl<W: Write + Seek> Drop for Recorder<W> {
     }
 }
 
-fn layout(
-    name: &str,
-    sample_rate_hz: u32,
-    channels: usize,
-    format: SampleFormat,
-) -> Result<Layout> {
-    /// A frame has at most 65535 bytes.
-    const MOST_CHANNELS: u16 = u16::MAX / 4;
-    let problem = match u16::try_from(channels) {
-        _ if sample_rate_hz == 0 => "the sample rate is zero".to_owned(),
-        Ok(channels @ 1..=MOST_CHANNELS) => {
-            return Ok(Layout {
-                sample_rate_hz,
-                channels,
-                format,
-            });
-        }
-        _ => format!("it has {channels} channels"),
-    };
-    Err(Error::Unwritable {
-        name: name.to_owned(),
-        problem,
-    })
-}
-
 #[cfg(test)]
 mod tests {
     use std::io::Cursor;
@@ -275,7 +244,7 @@ mod tests {
             content: Cursor::default(),
             room,
         };
-        let layout = layout("test", RATE_HZ, channels, format).unwrap();
+        let layout = Layout::new("test", RATE_HZ, channels, format).unwrap();
         Recorder::start("test", layout, disk).unwrap()
     }
 

@@ -78,9 +78,6 @@ pub fn write_wav(
     let path = path.as_ref();
     let name = path.display().to_string();
     let sound = Sound::new(&name, sample_rate_hz, format, channels)?;
-    if path.is_dir() {
-        return Err(Error::Directory { name });
-    }
     let write = || {
         let draft = Draft::new(path)?;
         sound.encode(BufWriter::new(draft.file()))?;
@@ -110,10 +107,8 @@ pub fn encode_wav(
 
 /// A sound that fits into a WAV file.
 struct Sound<'a> {
-    sample_rate_hz: u32,
-    format: SampleFormat,
+    layout: Layout,
     channels: &'a [&'a [f32]],
-    channel_count: u16,
     /// The size of all samples.
     data_len: u32,
 }
@@ -125,61 +120,35 @@ impl<'a> Sound<'a> {
         format: SampleFormat,
         channels: &'a [&'a [f32]],
     ) -> Result<Self> {
-        let refuse = |problem: String| {
-            Err(Error::Unwritable {
-                name: name.to_owned(),
-                problem,
-            })
-        };
-        let Some(first) = channels.first() else {
-            return refuse("there is no channel".to_owned());
-        };
-        if sample_rate_hz == 0 {
-            return refuse("the sample rate is zero".to_owned());
-        }
-        if let Some(other) = channels.iter().find(|channel| channel.len() != first.len()) {
-            return refuse(format!(
-                "channels of {} and {} samples",
-                first.len(),
-                other.len()
-            ));
+        let layout = Layout::new(name, sample_rate_hz, channels.len(), format)?;
+        let frames = channels[0].len();
+        if let Some(other) = channels.iter().find(|channel| channel.len() != frames) {
+            let problem = format!("channels of {frames} and {} samples", other.len());
+            return Err(Error::unwritable(name, problem));
         }
         for (number, channel) in channels.iter().enumerate() {
             if let Some(place) = channel.iter().position(|sample| !sample.is_finite()) {
-                return refuse(format!(
-                    "sample {place} of channel {number} is not a number"
-                ));
+                let problem = format!("sample {place} of channel {number} is not a number");
+                return Err(Error::unwritable(name, problem));
             }
         }
-        let frame_len = channels.len() as u64 * u64::from(format.bits() / 8);
-        let data_len = u32::try_from(first.len() as u64 * frame_len).ok();
-        match (
-            u16::try_from(frame_len),
-            data_len.filter(|len| *len < u32::MAX - 64),
-        ) {
-            (Ok(_), Some(data_len)) => Ok(Self {
-                sample_rate_hz,
-                format,
+        let data_len = u32::try_from(frames as u64 * u64::from(layout.frame_len()));
+        match data_len {
+            Ok(data_len @ ..=MOST_DATA) => Ok(Self {
+                layout,
                 channels,
-                channel_count: channels.len() as u16,
                 data_len,
             }),
-            (Err(_), _) => refuse(format!("{} channels are too many", channels.len())),
-            (_, None) => refuse("a WAV file cannot hold more than 4 GB".to_owned()),
+            _ => Err(Error::unwritable(name, TOO_LONG)),
         }
     }
 
     /// Writes the whole file.
     fn encode(&self, mut target: impl Write) -> io::Result<()> {
-        let layout = Layout {
-            sample_rate_hz: self.sample_rate_hz,
-            channels: self.channel_count,
-            format: self.format,
-        };
-        target.write_all(&layout.header(self.data_len))?;
+        target.write_all(&self.layout.header(self.data_len))?;
         for frame in 0..self.channels[0].len() {
             for channel in self.channels {
-                self.format.encode(channel[frame], &mut target)?;
+                self.layout.format.encode(channel[frame], &mut target)?;
             }
         }
         target.write_all(&[0][..(self.data_len % 2) as usize])?;
@@ -190,7 +159,13 @@ impl<'a> Sound<'a> {
 /// The length of a header in bytes.
 pub(crate) const HEADER_LEN: u32 = 44;
 
-/// What a header says of the samples.
+/// The most bytes of samples that fit: sizes have 32 bits, and count most of the header.
+pub(crate) const MOST_DATA: u32 = u32::MAX - 64;
+
+/// What is wrong with more.
+pub(crate) const TOO_LONG: &str = "a WAV file cannot hold more than 4 GB";
+
+/// What a header says of the samples: the rate is above zero, and a frame has 1 to 65535 bytes.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Layout {
     pub(crate) sample_rate_hz: u32,
@@ -199,6 +174,30 @@ pub(crate) struct Layout {
 }
 
 impl Layout {
+    /// The layout of a file of this name, for messages.
+    pub(crate) fn new(
+        name: &str,
+        sample_rate_hz: u32,
+        channels: usize,
+        format: SampleFormat,
+    ) -> Result<Self> {
+        let frame_len = channels.checked_mul(usize::from(format.bits() / 8));
+        let frame_fits = frame_len.is_some_and(|len| u16::try_from(len).is_ok());
+        let problem = match channels {
+            0 => "there is no channel".to_owned(),
+            _ if sample_rate_hz == 0 => "the sample rate is zero".to_owned(),
+            _ if !frame_fits => format!("{channels} channels are too many"),
+            _ => {
+                return Ok(Self {
+                    sample_rate_hz,
+                    channels: channels as u16,
+                    format,
+                });
+            }
+        };
+        Err(Error::unwritable(name, problem))
+    }
+
     /// How many bytes the samples of one moment take.
     pub(crate) fn frame_len(self) -> u16 {
         self.channels * (self.format.bits() / 8)

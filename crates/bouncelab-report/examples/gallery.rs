@@ -110,7 +110,7 @@ fn waveform(impacts: usize, first_s: f64) -> bouncelab_report::Result<Figure> {
         .enumerate()
         .map(|(n, &time_s)| Mark {
             time_s,
-            probability: if n == 13 || n > 35 { 0.6 } else { 0.99 },
+            sure: n != 13 && n <= 35,
             drop: 1,
         })
         .collect();
@@ -123,7 +123,7 @@ fn several_drops() -> bouncelab_report::Result<Figure> {
         let start_s = 5.0 * (drop - 1) as f64;
         marks.extend(impact_times(16, 0.42).iter().map(|time_s| Mark {
             time_s: start_s + time_s,
-            probability: if drop == 2 { 0.7 } else { 0.98 },
+            sure: drop != 2,
             drop,
         }));
     }
@@ -143,7 +143,7 @@ fn twenty_minutes() -> bouncelab_report::Result<Figure> {
         .iter()
         .map(|time_s| Mark {
             time_s: 700.0 + time_s,
-            probability: 0.95,
+            sure: true,
             drop: 1,
         })
         .collect();

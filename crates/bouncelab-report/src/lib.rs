@@ -32,10 +32,12 @@
 //! | [`error`](Error) | what can go wrong |
 //! | [`language`] | how the English here becomes another language |
 //! | [`units`] | which quantity somebody wrote down |
+//! | `digits` | how signs and exponents are written |
 //! | [`quantity`](Quantity) | how many digits, and which prefix |
 //! | [`table`](Table) | how numbers stand under each other |
 //! | [`theme`] | what a colour means |
 //! | `picture` | how a drawing becomes pixels |
+//! | `shape` | which parts of a curve are drawn |
 //! | `canvas` | where ink goes: the only room besides that knows the drawing library |
 //! | `scale` | where a value lies on an axis, and which values get a tick |
 //! | `sheet` | title, key, panels with axes |
@@ -52,6 +54,7 @@
 //! [`Figure::png`](figure::Figure::png) and [`save()`].
 
 mod canvas;
+mod digits;
 pub mod document;
 mod error;
 pub mod figure;
@@ -66,6 +69,7 @@ pub mod rules;
 #[cfg(all(feature = "png", not(target_family = "wasm")))]
 mod save;
 mod scale;
+mod shape;
 mod sheet;
 mod table;
 pub mod tables;

@@ -6,7 +6,7 @@
 
 use std::fmt;
 
-use crate::scale::superscript;
+use crate::digits::{superscript, with_minus};
 
 /// What is said of a value that is not known.
 pub const CANNOT_TELL: &str = "cannot tell";
@@ -55,7 +55,7 @@ impl Unit {
     }
 
     /// The largest unit that is not larger than the quantity.
-    fn step_for(self, size: f64) -> (f64, &'static str) {
+    pub(crate) fn step_for(self, size: f64) -> (f64, &'static str) {
         let steps = self.steps();
         let fitting = steps.iter().rev().find(|(step, _)| size >= *step);
         // Zero is shown in the largest, which is the SI unit itself.
@@ -278,12 +278,6 @@ fn at_place(value: f64, place: i32) -> String {
         format!("{:.0}", (value / unit).round() * unit)
     };
     with_minus(&number)
-}
-
-/// With a true minus sign, and none before zero.
-fn with_minus(number: &str) -> String {
-    let is_zero = number.chars().all(|c| matches!(c, '-' | '0' | '.'));
-    number.replace('-', if is_zero { "" } else { "−" })
 }
 
 #[cfg(test)]

@@ -281,7 +281,8 @@ impl Entry {
                 status: formula.status.into(),
             }),
             drop_height_m: self.drop.height.map(|length| length.0),
-            ..Rule::new(&self.name, &self.title, 1.0)
+            name: self.name,
+            title: self.title,
         })
     }
 

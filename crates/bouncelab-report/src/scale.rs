@@ -1,5 +1,7 @@
 //! Where a value lies on an axis, and which values get a tick.
 
+use crate::digits::{superscript, with_minus};
+
 /// Nothing has more ticks than this, whatever the numbers.
 const MOST_TICKS: usize = 60;
 
@@ -221,7 +223,8 @@ impl Scale {
     }
 }
 
-fn extent(values: impl Iterator<Item = f64>) -> Option<(f64, f64)> {
+/// The least and the greatest value.
+pub(crate) fn extent(values: impl Iterator<Item = f64>) -> Option<(f64, f64)> {
     values.fold(None, |extent, v| {
         let (low, high) = extent.unwrap_or((v, v));
         Some((v.min(low), v.max(high)))
@@ -270,10 +273,6 @@ fn decimal_label(value: f64, step: f64) -> String {
     with_minus(&format!("{value:.decimals$}"))
 }
 
-fn with_minus(number: &str) -> String {
-    number.replace('-', "−")
-}
-
 /// 0.02, 5, 200: a digit at its decimal place.
 fn digit_label(value: f64) -> String {
     let decimals = (-(value.log10() + 1e-9).floor()).max(0.0) as usize;
@@ -290,16 +289,6 @@ fn power_label(value: f64) -> String {
     } else {
         format!("10{power}")
     }
-}
-
-/// The exponent in raised digits.
-pub(crate) fn superscript(exponent: i32) -> String {
-    const RAISED: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
-    exponent
-        .to_string()
-        .chars()
-        .map(|c| c.to_digit(10).map_or('⁻', |digit| RAISED[digit as usize]))
-        .collect()
 }
 
 #[cfg(test)]
@@ -364,7 +353,6 @@ mod tests {
             labels(Scale::linear([0.0, 3e7]), 4),
             ["0", "1×10⁷", "2×10⁷", "3×10⁷"]
         );
-        assert_eq!(superscript(-12), "⁻¹²");
     }
 
     #[test]

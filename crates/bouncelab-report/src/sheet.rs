@@ -2,11 +2,10 @@
 
 use std::borrow::Cow;
 
-use crate::canvas::{
-    Anchor, Canvas, MOST_LINES, Pen, Point, Rect, Style, line_height, text_width, wrapped,
-};
+use crate::canvas::{Anchor, Canvas, MOST_LINES, Pen, Style, line_height, text_width, wrapped};
 use crate::language::{Say, said};
 use crate::scale::{Scale, Tick, Ticks};
+use crate::shape::{Point, Rect};
 use crate::theme::{self, Colour};
 
 /// Distance of everything from the edge of the sheet.
@@ -500,8 +499,8 @@ impl Panel {
 
     /// A point as a dot or ring; one above or below the frame becomes an arrow head at the
     /// edge, so that none is lost unseen.
-    pub(crate) fn point(&self, canvas: &mut Canvas, point: Measured, swatch: Swatch) {
-        let (x, y) = self.at(point.place);
+    pub(crate) fn point(&self, canvas: &mut Canvas, point: (f64, f64), swatch: Swatch) {
+        let (x, y) = self.at(point);
         let Rect {
             left,
             top,

@@ -37,13 +37,9 @@ pub fn impacts(drop: &Analysis, details: bool) -> Table {
 
 fn impact_row(drop: &Analysis, index: usize, details: bool) -> Vec<String> {
     let impact = &drop.impacts[index];
-    let flight = drop
-        .flights
-        .iter()
-        .find(|flight| flight.number == impact.number);
-    let found = drop.corrected.as_ref().ok();
-    let corrected = found.and_then(|f| f.impacts.iter().find(|i| i.number == impact.number));
-    let modelled = found.and_then(|f| f.flights.iter().find(|f| f.number == impact.number));
+    let flight = drop.flight(impact.number);
+    let corrected = drop.corrected_impact(impact.number);
+    let modelled = drop.modelled_flight(impact.number);
     let apex_m = modelled
         .map(|m| m.flight.apex_m)
         .or(flight.map(|f| f.plain_height_m));
@@ -72,7 +68,7 @@ fn impact_row(drop: &Analysis, index: usize, details: bool) -> Vec<String> {
 /// How far the flight after an impact lies from the straight line, in per cent of its time.
 fn residual_percent(drop: &Analysis, number: usize) -> Option<f64> {
     let fit = drop.line.as_ref().ok()?;
-    let flight = drop.flights.iter().find(|flight| flight.number == number)?;
+    let flight = drop.flight(number)?;
     Some((flight.time_s / fit.flight_time_s(number).value - 1.0) * 100.0)
 }
 

@@ -101,22 +101,22 @@ pub const INK: Colour = Colour::new(0x22, 0x22, 0x22);
 /// Numbers along the axes and names of the axes.
 pub const SOFT_INK: Colour = Colour::new(0x59, 0x59, 0x59);
 /// The line a panel stands on.
-pub const BASE_LINE: Colour = Colour::new(0x99, 0x99, 0x99);
+pub(crate) const BASE_LINE: Colour = Colour::new(0x99, 0x99, 0x99);
 /// Grid lines.
-pub const GRID: Colour = Colour::new(0xe8, 0xe8, 0xe8);
+pub(crate) const GRID: Colour = Colour::new(0xe8, 0xe8, 0xe8);
 /// The page.
 pub const PAPER: Colour = Colour::new(0xff, 0xff, 0xff);
 
 /// The fonts of whatever system shows the figure.
-pub const FONT_FAMILY: &str = "system-ui, -apple-system, 'Segoe UI', Roboto, 'Helvetica Neue', Arial, 'DejaVu Sans', sans-serif";
+pub(crate) const FONT_FAMILY: &str = "system-ui, -apple-system, 'Segoe UI', Roboto, 'Helvetica Neue', Arial, 'DejaVu Sans', sans-serif";
 
 /// Size of the title, in figure pixels. A figure is [`WIDTH`] figure pixels wide.
-pub const TITLE_SIZE: u32 = 17;
+pub(crate) const TITLE_SIZE: u32 = 17;
 /// Size of labels and names of axes, in figure pixels.
-pub const LABEL_SIZE: u32 = 14;
+pub(crate) const LABEL_SIZE: u32 = 14;
 /// Size of the numbers along the axes, in figure pixels; still legible when the figure is
 /// shown 480 pixels wide.
-pub const TICK_SIZE: u32 = 13;
+pub(crate) const TICK_SIZE: u32 = 13;
 
 /// Width of every figure, in figure pixels.
 pub const WIDTH: f64 = 640.0;

@@ -25,10 +25,10 @@ fn flights(count: u32, used: u32) -> Vec<TimedFlight> {
         .collect()
 }
 
-fn marks(probability: f64) -> Vec<Mark> {
+fn marks(sure: bool) -> Vec<Mark> {
     let mark = |n: u16| Mark {
         time_s: 2.0 - 2.0 * 0.94_f64.powf(f64::from(n)),
-        probability,
+        sure,
         drop: 1,
     };
     (0..60).map(mark).collect()
@@ -76,7 +76,7 @@ fn of_a_drop() -> Vec<Usual> {
     ];
     vec![
         (
-            figure::waveform(&sound(), &marks(0.99)),
+            figure::waveform(&sound(), &marks(true)),
             &["time (s)", "amplitude, relative to full scale"],
         ),
         (
@@ -460,9 +460,9 @@ fn a_screen_reader_finds_the_title_and_the_caption() {
 fn colours_keep_their_meaning() {
     let has =
         |figure: &Figure, meaning: Meaning| figure.svg().contains(&meaning.colour().to_string());
-    let sure = figure::waveform(&sound(), &marks(0.99));
+    let sure = figure::waveform(&sound(), &marks(true));
     assert!(has(&sure, Meaning::Measured) && !has(&sure, Meaning::Warning));
-    let uncertain = figure::waveform(&sound(), &marks(0.5));
+    let uncertain = figure::waveform(&sound(), &marks(false));
     assert!(has(&uncertain, Meaning::Warning));
     let line = figure::flight_times(&flights(10, 10), Some(LINE));
     assert!(has(&line, Meaning::Measured) && has(&line, Meaning::NoDrag));
@@ -594,7 +594,7 @@ proptest! {
             .collect();
         let marks: Vec<_> = numbers
             .iter()
-            .map(|&(time_s, probability)| Mark { time_s, probability, drop: time_s as usize })
+            .map(|&(time_s, other)| Mark { time_s, sure: other > 0.0, drop: time_s as usize })
             .collect();
         let lows = numbers.iter().map(|n| n.0 as f32).collect();
         let highs = numbers.iter().map(|n| n.1 as f32).collect();
@@ -657,7 +657,7 @@ proptest! {
         check_drawing(&figure::flight_times(&flights, Some(LINE)))?;
         let time = |n: u32| first_s * (1.0 - ratio.powf(f64::from(n)));
         let marks: Vec<_> = (0..count)
-            .map(|n| Mark { time_s: time(n), probability: 0.95, drop: 1 })
+            .map(|n| Mark { time_s: time(n), sure: true, drop: 1 })
             .collect();
         let sound = Envelope::new(0.0, first_s / 500.0, vec![-0.5; 500], vec![0.5; 500]);
         check_drawing(&figure::waveform(&sound.unwrap(), &marks))?;

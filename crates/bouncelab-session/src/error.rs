@@ -2,6 +2,8 @@
 
 use std::path::{Path, PathBuf};
 
+use crate::name::shown;
+
 /// What can go wrong between recordings with notes and tables with results.
 ///
 /// Each message says which file, what was wrong with it and what to do next.
@@ -99,11 +101,7 @@ impl Error {
     }
 }
 
-fn shown(path: &Path) -> String {
-    crate::name::shown(path)
-}
-
-/// ":3:5", ":3" or nothing.
+/// ", line 3, column 5", ", line 3" or nothing.
 struct AtPlace(Option<usize>, Option<usize>);
 
 impl std::fmt::Display for AtPlace {

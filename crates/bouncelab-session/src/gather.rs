@@ -64,12 +64,17 @@ impl Session {
     /// If a file or folder cannot be read, a file of notes is damaged or speaks of recordings that
     /// are not there, the pattern makes no sense, or there is no recording.
     pub fn gather(sources: &Sources) -> Result<Self> {
-        let mut found = Found::default();
-        let alone = sources.inputs.len() == 1;
+        let mut found = Found {
+            alone: sources.inputs.len() == 1,
+            file: None,
+            paths: Vec::new(),
+        };
         for input in &sources.inputs {
-            found.add(input, alone)?;
+            found.add(input)?;
         }
-        let Found { file, mut paths } = found;
+        let Found {
+            file, mut paths, ..
+        } = found;
         if paths.is_empty() {
             let looked: Vec<String> = sources.inputs.iter().map(|path| shown(path)).collect();
             return Err(Error::NoRecordings {
@@ -215,8 +220,9 @@ impl Index {
 }
 
 /// Recordings as they are found.
-#[derive(Default)]
 struct Found {
+    /// Whether a single input was named, so that names need not say in which folder.
+    alone: bool,
     /// The session file and its folder.
     file: Option<(PathBuf, Box<SessionFile>)>,
     /// Where each is and what it is called.
@@ -224,25 +230,25 @@ struct Found {
 }
 
 impl Found {
-    fn add(&mut self, input: &Path, alone: bool) -> Result<()> {
+    fn add(&mut self, input: &Path) -> Result<()> {
         let about = fs::metadata(input).map_err(Error::read(input))?;
         let is_notes = input.extension().is_some_and(|ending| ending == "toml");
         if about.is_dir() {
             let file = input.join(SESSION_FILE);
             if file.is_file() {
-                self.add_session(&file, alone)
+                self.add_session(&file)
             } else {
-                self.add_folder(input, input, alone)
+                self.add_folder(input, input)
             }
         } else if is_notes {
-            self.add_session(input, alone)
+            self.add_session(input)
         } else {
             self.paths.push((input.to_owned(), name(input)));
             Ok(())
         }
     }
 
-    fn add_session(&mut self, path: &Path, alone: bool) -> Result<()> {
+    fn add_session(&mut self, path: &Path) -> Result<()> {
         if self.file.is_some() {
             return Err(Error::notes(
                 path,
@@ -259,7 +265,7 @@ impl Found {
             } else {
                 within
             };
-            self.add_folder(&folder, &within, alone)?;
+            self.add_folder(&folder, &within)?;
         }
         self.file = Some((folder, Box::new(file)));
         Ok(())
@@ -267,7 +273,7 @@ impl Found {
 
     /// All recordings in a folder and the folders in it, but for hidden ones. Folders that are links
     /// are left out: they may lead round in a circle.
-    fn add_folder(&mut self, base: &Path, folder: &Path, alone: bool) -> Result<()> {
+    fn add_folder(&mut self, base: &Path, folder: &Path) -> Result<()> {
         let mut entries = fs::read_dir(folder)
             .and_then(Iterator::collect::<std::io::Result<Vec<_>>>)
             .map_err(Error::read(folder))?;
@@ -279,11 +285,11 @@ impl Found {
             }
             let kind = entry.file_type().map_err(Error::read(&path))?;
             if kind.is_dir() {
-                self.add_folder(base, &path, alone)?;
+                self.add_folder(base, &path)?;
             } else if is_recording(&path) && path.is_file() {
                 let relative = path.strip_prefix(base).unwrap_or(&path);
                 let relative = relative.strip_prefix(".").unwrap_or(relative);
-                let called = name(if alone { relative } else { &path });
+                let called = name(if self.alone { relative } else { &path });
                 self.paths.push((path, called));
             }
         }

@@ -5,27 +5,22 @@
 //! valid for one recording with one content under one set of settings, which its key names.
 
 use std::collections::HashMap;
-use std::fmt;
 use std::fs::{self, File, OpenOptions, TryLockError};
-use std::io::{BufRead, BufReader, Read, Seek, SeekFrom, Write};
+use std::io::{BufRead, BufReader, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 use std::sync::Mutex;
 
 use serde::de::DeserializeOwned;
-use serde::{Deserialize, Serialize, Serializer};
-use sha2::{Digest, Sha256};
+use serde::{Deserialize, Serialize};
 
 use crate::error::{Error, Result};
+use crate::hash::{Hash, hash};
 
 /// Name of the journal in the folder of the results.
 pub const JOURNAL: &str = "journal.jsonl";
 
 /// So many characters of a checksum stand before each line.
 const CHECK: usize = 16;
-
-/// A SHA-256 hash, shown and written as hexadecimal digits.
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub struct Hash([u8; 32]);
 
 /// What a result is of: the content of a recording and the settings.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
@@ -65,10 +60,7 @@ impl Id {
 
     fn of_text(name: &str, content: &str, settings: &str) -> Self {
         // No hash contains a line break, so no two differ only in where one part ends.
-        let Hash(bytes) = hash(format!("{content}\n{settings}\n{name}").as_bytes());
-        let mut id = [0; 16];
-        id.copy_from_slice(&bytes[..16]);
-        Self(id)
+        Self(hash(format!("{content}\n{settings}\n{name}").as_bytes()).half())
     }
 }
 
@@ -255,57 +247,6 @@ fn check(text: &str) -> String {
     hash
 }
 
-/// The hash of bytes.
-pub fn hash(bytes: &[u8]) -> Hash {
-    Hash(Sha256::digest(bytes).into())
-}
-
-/// The hash of the content of a file, read in pieces.
-///
-/// # Errors
-/// [`Error::Read`] if it cannot be read.
-pub fn hash_of_file(path: &Path) -> Result<Hash> {
-    const PIECE: usize = 1 << 16;
-    let read = || -> std::io::Result<Hash> {
-        let mut file = File::open(path)?;
-        let mut sha = Sha256::new();
-        let mut piece = vec![0; PIECE];
-        loop {
-            match file.read(&mut piece)? {
-                0 => return Ok(Hash(sha.finalize().into())),
-                length => sha.update(&piece[..length]),
-            }
-        }
-    };
-    read().map_err(Error::read(path))
-}
-
-impl Hash {
-    /// Its first 64 bits, as a number that is as good as drawn at random.
-    pub fn number(&self) -> u64 {
-        let [a, b, c, d, e, f, g, h, ..] = self.0;
-        u64::from_be_bytes([a, b, c, d, e, f, g, h])
-    }
-}
-
-impl fmt::Display for Hash {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        self.0.iter().try_for_each(|byte| write!(f, "{byte:02x}"))
-    }
-}
-
-impl fmt::Debug for Hash {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        fmt::Display::fmt(self, f)
-    }
-}
-
-impl Serialize for Hash {
-    fn serialize<S: Serializer>(&self, serializer: S) -> std::result::Result<S::Ok, S::Error> {
-        serializer.collect_str(self)
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -397,19 +338,5 @@ mod tests {
             Journal::open(folder.path()),
             Err(Error::Busy { .. })
         ));
-    }
-
-    /// FIPS 180-2, appendix B.1, and the empty file of FIPS 180-4's example programs.
-    #[test]
-    fn hashes_are_those_of_the_standard() {
-        let abc = "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad";
-        assert_eq!(hash(b"abc").to_string(), abc);
-        assert_eq!(hash(b"abc").number(), 0xba78_16bf_8f01_cfea);
-        let nothing = "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855";
-        let file = tempfile::NamedTempFile::new().unwrap();
-        let of_file = || hash_of_file(file.path()).unwrap().to_string();
-        assert_eq!(of_file(), nothing);
-        fs::write(file.path(), "abc").unwrap();
-        assert_eq!(of_file(), abc);
     }
 }

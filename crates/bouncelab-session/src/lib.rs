@@ -10,11 +10,13 @@
 //! | [`pattern`](Pattern) | what does a file name say? |
 //! | `notes` | what does a TOML file or a CSV say? |
 //! | [`gather`](Session) | which recordings are there, and what was said of each? |
+//! | [`hash`] | what tells contents and settings apart? |
 //! | [`journal`] | which results are there already? |
 //! | [`table`] | results as Parquet, CSV and JSON lines |
 
 mod error;
 mod gather;
+pub mod hash;
 pub mod journal;
 mod name;
 mod notes;

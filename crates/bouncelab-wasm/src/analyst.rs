@@ -6,7 +6,6 @@ use bouncelab::estimate::Inference;
 use bouncelab::impact::{Contact, Restitution};
 use bouncelab::listen::Envelope;
 use bouncelab::stated::Understood;
-use bouncelab::train;
 use bouncelab_report::Figure;
 use bouncelab_report::document::{Document, rows};
 use bouncelab_report::illustration;
@@ -170,16 +169,12 @@ impl Analyst {
 
 /// The impacts of marks: in order of time, no two at the same, numbered anew if edited.
 fn impacts(marks: &DropMarks) -> Vec<Impact> {
-    let mut impacts: Vec<Impact> = marks.impacts.iter().copied().map(Impact::from).collect();
+    let impacts: Vec<Impact> = marks.impacts.iter().copied().map(Impact::from).collect();
     if marks.edited {
-        impacts.sort_by(|a, b| a.time_s.total_cmp(&b.time_s));
-        impacts.dedup_by(|a, b| a.time_s <= b.time_s);
-        let times_s: Vec<f64> = impacts.iter().map(|impact| impact.time_s).collect();
-        for (impact, number) in impacts.iter_mut().zip(train::number_impacts(&times_s)) {
-            impact.number = number as usize + 1;
-        }
+        analysis::renumbered(impacts)
+    } else {
+        impacts
     }
-    impacts
 }
 
 impl Answered<'_> {

@@ -28,7 +28,7 @@ use crate::flight::{Environment, FlightModel};
 use crate::gravity;
 use crate::order::{median, robust_sd};
 use crate::regression::{self, Estimate, NumberedFlight, Regression};
-use crate::restitution::{self, Corrected, TimedImpact};
+use crate::restitution::{self, Corrected, ImpactRestitution, TimedFlight, TimedImpact};
 use crate::train::{self, HeardImpact};
 use crate::words::list;
 use crate::{Error, Result};
@@ -52,11 +52,10 @@ pub struct Settings {
 }
 
 impl Default for Settings {
-    /// A 40 mm table-tennis ball in air of 20 &deg;C with the standard drag curve and gravity, and
+    /// A 40 mm table-tennis ball in air of 20 °C with the standard drag curve and gravity, and
     /// with buoyancy and added mass.
     fn default() -> Self {
-        // The list begins with it.
-        let preset = &ball::presets()[0];
+        let preset = ball::usual();
         let air = Air::moist(&Conditions::default());
         Self {
             ball: preset.ball,
@@ -152,13 +151,18 @@ pub fn edit(impacts: &[Impact], exclude_s: &[f64], include_s: &[f64]) -> (Vec<Im
         }
     }
     edited.extend(impacts_of_times(include_s));
-    edited.sort_by(|a, b| a.time_s.total_cmp(&b.time_s));
-    edited.dedup_by(|a, b| a.time_s <= b.time_s);
-    let times_s: Vec<f64> = edited.iter().map(|impact| impact.time_s).collect();
-    for (impact, number) in edited.iter_mut().zip(train::number_impacts(&times_s)) {
+    (renumbered(edited), unmatched)
+}
+
+/// Impacts in any order: in order of time, no two at the same, numbered as [`impacts_of_times`] does.
+pub fn renumbered(mut impacts: Vec<Impact>) -> Vec<Impact> {
+    impacts.sort_by(|a, b| a.time_s.total_cmp(&b.time_s));
+    impacts.dedup_by(|a, b| a.time_s <= b.time_s);
+    let times_s: Vec<f64> = impacts.iter().map(|impact| impact.time_s).collect();
+    for (impact, number) in impacts.iter_mut().zip(train::number_impacts(&times_s)) {
         impact.number = number as usize + 1;
     }
-    (edited, unmatched)
+    impacts
 }
 
 /// The time between two impacts, one after the other.
@@ -170,7 +174,7 @@ pub struct FlightFound {
     pub time_s: f64,
     /// Whether it goes into the straight line.
     pub in_line: bool,
-    /// Apex height in metres by g T&sup2;/8, without drag (paper Eq. 5).
+    /// Apex height in metres by g T²/8, without drag (paper Eq. 5).
     pub plain_height_m: f64,
 }
 
@@ -327,8 +331,12 @@ fn warnings(
     flights: &[FlightFound],
     corrected: Option<&Corrected>,
 ) -> Vec<Warning> {
+    /// No ball that one drops flies so long, in seconds.
+    const TOO_LONG_S: f64 = 30.0;
+    /// A flight longer than the one before by this factor is no error of the times.
+    const GROWS: f64 = 1.02;
     let mut warnings = Vec::new();
-    if flights.iter().any(|flight| flight.time_s > 30.0) {
+    if flights.iter().any(|flight| flight.time_s > TOO_LONG_S) {
         warnings.push(Warning::Milliseconds);
     }
     let span = impacts
@@ -350,7 +358,7 @@ fn warnings(
     if gains.is_empty() {
         let grows = flights
             .windows(2)
-            .find(|pair| pair[1].time_s > 1.02 * pair[0].time_s);
+            .find(|pair| pair[1].time_s > GROWS * pair[0].time_s);
         if let (Some(pair), None) = (grows, corrected) {
             warnings.push(Warning::Grows(pair[1].number));
         }
@@ -368,6 +376,23 @@ fn warnings(
 }
 
 impl Analysis {
+    /// The flight after the impact of this number, if it and the next were heard.
+    pub fn flight(&self, number: usize) -> Option<&FlightFound> {
+        self.flights.iter().find(|flight| flight.number == number)
+    }
+
+    /// The restitution of the impact of this number, corrected for drag, if there is one.
+    pub fn corrected_impact(&self, number: usize) -> Option<&ImpactRestitution> {
+        let impacts = &self.corrected.as_ref().ok()?.impacts;
+        impacts.iter().find(|impact| impact.number == number)
+    }
+
+    /// The flight after the impact of this number by the flight model, if there is one.
+    pub fn modelled_flight(&self, number: usize) -> Option<&TimedFlight> {
+        let flights = &self.corrected.as_ref().ok()?.flights;
+        flights.iter().find(|flight| flight.number == number)
+    }
+
     /// The restitution corrected for drag: the median over the impacts, and its standard error
     /// from their scatter. `None` with fewer than three impacts that have one.
     ///
@@ -405,7 +430,7 @@ impl Settings {
     /// # Errors
     ///
     /// Those of [`FlightModel::new`].
-    pub fn model(&self) -> std::result::Result<FlightModel, Error> {
+    pub fn model(&self) -> Result<FlightModel> {
         FlightModel::new(&self.ball, &self.environment)
     }
 }

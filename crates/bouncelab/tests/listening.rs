@@ -61,19 +61,27 @@ fn times(train: &Train) -> Vec<f64> {
 }
 
 /// Heard less true times of the impacts, their median taken out: only differences have a meaning.
-fn errors(train: &Train, sound: &Rendered) -> Vec<f64> {
-    let mut errors: Vec<f64> = times(train)
-        .into_iter()
+/// With each its stated standard error.
+fn errors(train: &Train, sound: &Rendered) -> Vec<(f64, f64)> {
+    let mut errors: Vec<(f64, f64)> = train
+        .impacts()
+        .iter()
         .filter_map(|heard| {
-            let errors = sound.impacts.iter().map(|impact| heard - impact.time_s);
-            errors
-                .min_by(|a, b| a.abs().total_cmp(&b.abs()))
-                .filter(|e| e.abs() < SAME_S)
+            let errors = sound
+                .impacts
+                .iter()
+                .map(|impact| heard.onset.time_s - impact.time_s);
+            let nearest = errors.min_by(|a, b| a.abs().total_cmp(&b.abs()))?;
+            (nearest.abs() < SAME_S).then_some((nearest, heard.onset.sigma_s))
         })
         .collect();
-    errors.sort_by(f64::total_cmp);
-    let middle = errors[errors.len() / 2];
-    errors.iter().map(|error| error - middle).collect()
+    let mut sorted: Vec<f64> = errors.iter().map(|(error, _)| *error).collect();
+    sorted.sort_by(f64::total_cmp);
+    let middle = sorted[sorted.len() / 2];
+    for (error, _) in &mut errors {
+        *error -= middle;
+    }
+    errors
 }
 
 /// The true impacts louder than the noise.
@@ -130,7 +138,7 @@ proptest! {
             heard.probability > SURE && !sound.impacts.iter().any(is_it)
         });
         prop_assert_eq!(made_up.count(), 0, "an impact is made up");
-        for error in &errors {
+        for (error, _) in &errors {
             prop_assert!(error.abs() < 50e-6, "off by {} s", error);
         }
         let impacts = train.impacts().iter().map(Impact::from).collect();
@@ -199,42 +207,27 @@ fn impacts_of_equal_loudness_are_one_drop() {
     }
 }
 
-/// The stated standard errors are those of the times: 60 to 76 % lie within one.
+/// The stated standard errors are those of the times, of impacts that differ a little as real ones do:
+/// of early ones, where the noise is a small part, and of late ones, whose differences drown in it.
 #[test]
 fn standard_errors_of_times_are_honest() {
-    let (mut within, mut all) = (0, 0);
+    let (mut early, mut late) = (Vec::new(), Vec::new());
     for seed in 0..40 {
         let sound = synth::render(&usual_strikes(), &scene(40.0), seed).unwrap();
         let heard = hear(&sound);
-        let train = the_only_train(&heard);
-        for (error, impact) in errors(train, &sound)
-            .iter()
-            .zip(sorted_by_error(train, &sound))
-        {
-            all += 1;
-            within += u32::from(error.abs() < impact);
-        }
+        let errors = errors(the_only_train(&heard), &sound);
+        let scores = errors.iter().map(|(error, sigma)| error.abs() / sigma);
+        let middle = errors.len() / 2;
+        early.extend(scores.clone().take(middle));
+        late.extend(scores.skip(middle));
     }
-    let share = f64::from(within) / f64::from(all);
-    assert!((0.60..0.76).contains(&share), "{share}");
-}
-
-/// The standard errors of the impacts in the order of [`errors`].
-fn sorted_by_error(train: &Train, sound: &Rendered) -> Vec<f64> {
-    let mut pairs: Vec<(f64, f64)> = train
-        .impacts()
-        .iter()
-        .filter_map(|heard| {
-            let errors = sound
-                .impacts
-                .iter()
-                .map(|impact| heard.onset.time_s - impact.time_s);
-            let nearest = errors.min_by(|a, b| a.abs().total_cmp(&b.abs()))?;
-            (nearest.abs() < SAME_S).then_some((nearest, heard.onset.sigma_s))
-        })
-        .collect();
-    pairs.sort_by(|a, b| a.0.total_cmp(&b.0));
-    pairs.into_iter().map(|pair| pair.1).collect()
+    for half in [early, late] {
+        let within = |most: f64| {
+            half.iter().filter(|&&score| score < most).count() as f64 / half.len() as f64
+        };
+        assert!((0.60..0.76).contains(&within(1.0)), "{}", within(1.0));
+        assert!(within(3.0) > 0.985, "{}", within(3.0));
+    }
 }
 
 /// The last flights of a basketball take 25 to 50 ms, and it rings for longer: with that taken out,
@@ -466,7 +459,7 @@ fn a_long_recording_is_forgotten_but_its_drops_are_not() {
     }
     let second = &heard.found.trains[1];
     let offset = errors(second, &sound);
-    assert!(offset.iter().all(|error| error.abs() < 100e-6));
+    assert!(offset.iter().all(|(error, _)| error.abs() < 100e-6));
 }
 
 #[test]
@@ -554,4 +547,57 @@ fn a_ball_rests_after_three_times_its_last_flight() {
     assert!((latest_next_s(&clicks(&[0.0, 0.4, 0.7])) - (0.7 + 0.9 + 0.3)).abs() < 1e-12);
     // But nobody drops from more than 5 m.
     assert!((latest_next_s(&clicks(&[0.0, 1.5, 2.9])) - (2.9 + 2.0 + 0.3)).abs() < 1e-12);
+}
+
+/// Somebody who claps or knocks ever faster is no ball, though the intervals shrink: they scatter
+/// about a tempo. (Of these 60 runs 18 were drops when only unrelated sounds were thought of, 4 are.)
+#[test]
+fn a_rhythm_that_speeds_up_is_no_drop() {
+    let mut state = 1_u64;
+    // Between -1 and 1, with a standard deviation of 0.41: the mean of two.
+    let mut chance = || {
+        let mut uniform = || {
+            state = state.wrapping_mul(6_364_136_223_846_793_005) + 1;
+            (state >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
+        };
+        0.5 * (uniform() + uniform())
+    };
+    let mut drops = 0;
+    for run in 0..60 {
+        let speeds_up = 0.98 - 0.01 * f64::from(run % 4);
+        let (mut time_s, mut interval_s) = (0.5, 0.4);
+        let mut claps = Vec::new();
+        for _ in 0..12 {
+            claps.push(Onset {
+                level_db: -20.0 + 4.0 * chance(),
+                ..Onset::click(time_s)
+            });
+            time_s += interval_s * (1.0 + 0.07 * chance());
+            interval_s *= speeds_up;
+        }
+        drops += train::find(&claps).trains.len();
+    }
+    assert!(drops <= 6, "{drops} drops");
+}
+
+/// A ball that hops off a table reaches the floor 0.4 s after its last impact there: two trains.
+#[test]
+fn a_ball_that_falls_off_a_table_is_heard_on_both() {
+    let bounces = |start_s: f64, first_flight_s: f64, count: i32| {
+        let ends = (0..count).map(move |n| first_flight_s * (1.0 - 0.8_f64.powi(n)) / 0.2);
+        ends.map(move |time_s| start_s + time_s)
+    };
+    let table: Vec<f64> = bounces(0.5, 0.5, 6).collect();
+    let floor: Vec<f64> = bounces(table[5] + 0.4, 0.55, 9).collect();
+    let like = |times_s: &[f64], level_db: f64| -> Vec<Onset> {
+        let onset = |(n, time_s): (i32, &f64)| Onset {
+            level_db: level_db - 2.0 * f64::from(n),
+            ..Onset::click(*time_s)
+        };
+        (0..).zip(times_s).map(onset).collect()
+    };
+    let heard = [like(&table, -20.0), like(&floor, -17.0)].concat();
+    let found = train::find(&heard);
+    let counts: Vec<usize> = found.trains.iter().map(|t| t.impacts().len()).collect();
+    assert_eq!(counts, [6, 9]);
 }

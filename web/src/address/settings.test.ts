@@ -38,7 +38,7 @@ test('nothing stated is an empty address', () => {
 
 test('what makes no sense is named, the rest is taken', () => {
   const read = settingsFromParameters(
-    new URLSearchParams('ball=<script>&height_cm=tall&flights=5-3&temperature_c=20,5&unknown=1'),
+    new URLSearchParams('ball=<script>&height_cm=tall&flights=1-1e9&temperature_c=20,5&unknown=1'),
   );
   expect(read.unreadable).toEqual(['ball', 'height_cm', 'flights']);
   expect(read.settings).toEqual({ temperature_k: 293.65 });
@@ -48,7 +48,7 @@ test('numbers with a comma, a sign or an exponent; nothing else', () => {
   expect(readNumber(' 30,5 ')).toBe(30.5);
   expect(readNumber('\u22121.5')).toBe(-1.5);
   expect(readNumber('1e-3')).toBe(0.001);
-  for (const wrong of ['', '1.2.3', '12abc', 'NaN', 'Infinity', '1,000.5']) {
+  for (const wrong of ['', '1.2.3', '12abc', 'NaN', 'Infinity', '1,000.5', '1e999']) {
     expect(readNumber(wrong)).toBeUndefined();
   }
 });

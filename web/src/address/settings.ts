@@ -58,6 +58,9 @@ function flag(key: string, setting: FlagKey): Field {
   };
 }
 
+/** No drop has more. */
+const MOST_FLIGHTS = 10_000;
+
 const INFERRED = ['gravity', 'drag', 'contact-time'] as const;
 
 const FIELDS: readonly Field[] = [
@@ -97,9 +100,14 @@ const FIELDS: readonly Field[] = [
     key: 'flights',
     write: (settings) => settings.flights?.join('-'),
     read: (word) => {
-      const [from, to] = word.split('-').map(Number);
-      const fine = from !== undefined && to !== undefined && from >= 1 && to > from;
-      return fine ? { flights: [Math.round(from), Math.round(to)] } : undefined;
+      const [from = 0, to = 0] = word.split('-').map(Number);
+      const fine =
+        Number.isInteger(from) &&
+        Number.isInteger(to) &&
+        from >= 1 &&
+        to > from &&
+        to <= MOST_FLIGHTS;
+      return fine ? { flights: [from, to] } : undefined;
     },
   },
 ];
@@ -140,5 +148,6 @@ const clean = (value: number): number => Number(value.toPrecision(10));
 export function readNumber(written: string): number | undefined {
   const trimmed = written.trim().replace(',', '.').replace('\u2212', '-');
   if (!/^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i.test(trimmed)) return undefined;
-  return Number(trimmed);
+  const number = Number(trimmed);
+  return Number.isFinite(number) ? number : undefined;
 }

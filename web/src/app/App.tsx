@@ -1,6 +1,7 @@
 import { useEffect, useRef, useState } from 'preact/hooks';
 import { route } from '../address/route.ts';
-import { phase } from '../state/bench.ts';
+import { stop } from '../sound/player.ts';
+import { busy } from '../state/bench.ts';
 import { broken, catalogue } from '../state/engine.ts';
 import { openFile } from '../state/opening.ts';
 import { goToLab } from '../state/settings.ts';
@@ -18,9 +19,10 @@ export function App() {
   const view = route.value.view;
   const first = useRef(true);
 
-  // A new page is read from its beginning, also by a screen reader.
+  // A new page is read from its beginning, also by a screen reader; what the last one plays ends.
   useEffect(() => {
     if (!first.current) {
+      stop();
       main.current?.focus({ preventScroll: true });
       scrollTo(0, 0);
     }
@@ -72,7 +74,7 @@ function Footer() {
       <div class="page">
         <span>{words.privacy}</span>
         {version !== undefined && <span>{words.version(version)}</span>}
-        {newer.value && (
+        {newer.value && !busy.value && (
           <span role="status">
             {words.newer}{' '}
             <button type="button" class="quiet slim" onClick={takeOver}>
@@ -96,11 +98,10 @@ function DropZone() {
     ): void => globalThis.addEventListener(kind, listener, { signal: listeners.signal });
     const hasFile = (event: DragEvent): boolean =>
       event.dataTransfer?.types.includes('Files') ?? false;
-    const busy = (): boolean => !['empty', 'ready'].includes(phase.peek().kind);
     on('dragover', (event) => {
       if (!hasFile(event)) return;
       event.preventDefault();
-      setOver(!busy());
+      setOver(!busy.peek());
     });
     on('dragleave', (event) => {
       if (event.relatedTarget === null) setOver(false);
@@ -110,7 +111,7 @@ function DropZone() {
       event.preventDefault();
       setOver(false);
       const file = event.dataTransfer?.files[0];
-      if (!file || busy()) return;
+      if (!file || busy.peek()) return;
       goToLab();
       void openFile(file);
     });

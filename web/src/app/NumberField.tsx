@@ -1,7 +1,7 @@
 import { useId, useState } from 'preact/hooks';
 import { readNumber, tidy } from '../address/settings.ts';
 import { localised } from '../format/quantity.ts';
-import { language } from '../text/language.ts';
+import { language, texts } from '../text/language.ts';
 
 interface Props {
   readonly label: string;
@@ -11,26 +11,23 @@ interface Props {
   /** What is assumed, shown faintly. */
   readonly usual?: number | undefined;
   readonly min?: number;
-  readonly max?: number;
+  readonly max?: number | undefined;
   readonly onChange: (value: number | undefined) => void;
 }
 
 /** A number with its unit; empty means: what is assumed. A comma is as good as a point. */
 export function NumberField({ label, unit, value, usual, min, max, onChange }: Props) {
   const id = useId();
-  const [wrong, setWrong] = useState(false);
+  /** What was typed and is no such number: it stays, to be mended. */
+  const [wrong, setWrong] = useState<string>();
   const written = (number: number | undefined): string =>
-    number === undefined ? '' : localised(tidy(number), language.value);
+    number === undefined ? '' : localised(tidy(number), language.value).replace('-', '\u2212');
   const take = (typed: string): void => {
-    if (typed.trim() === '') {
-      setWrong(false);
-      onChange(undefined);
-      return;
-    }
     const read = readNumber(typed);
     const fine = read !== undefined && read >= (min ?? read) && read <= (max ?? read);
-    setWrong(!fine);
-    if (fine) onChange(read);
+    const isEmpty = typed.trim() === '';
+    setWrong(fine || isEmpty ? undefined : typed);
+    if (fine || isEmpty) onChange(read);
   };
   return (
     <div class="field">
@@ -41,12 +38,16 @@ export function NumberField({ label, unit, value, usual, min, max, onChange }: P
           type="text"
           inputMode="decimal"
           autocomplete="off"
-          value={written(value)}
+          value={wrong ?? written(value)}
           placeholder={written(usual)}
-          aria-invalid={wrong}
+          aria-invalid={wrong !== undefined}
+          aria-describedby={`${id}-hint`}
           onChange={(event) => take(event.currentTarget.value)}
         />
         <span class="unit">{unit}</span>
+      </span>
+      <span id={`${id}-hint`} class="hint" role="status">
+        {wrong !== undefined && texts.value.app.numberWanted(written(min), written(max))}
       </span>
     </div>
   );

@@ -20,7 +20,8 @@ export function Slider({ label, value, shown, hint, disabled, onInput, ...range 
     <div class="field">
       <span>
         <label for={id}>{label}</label>
-        <output for={id}>{shown}</output>
+        {/* A screen reader hears it from the slider itself. */}
+        <strong aria-hidden="true">{shown}</strong>
       </span>
       <input
         id={id}

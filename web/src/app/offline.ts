@@ -24,10 +24,11 @@ export async function workOffline(): Promise<void> {
   }
 }
 
-/** Lets the newer page take over. */
+/** Lets the newer page take over; another tab may have done so already. */
 export function takeOver(): void {
-  navigator.serviceWorker.addEventListener('controllerchange', () => location.reload(), {
-    once: true,
-  });
-  waiting?.postMessage('take over');
+  const reload = (): void => location.reload();
+  if (waiting?.state === 'installed') {
+    navigator.serviceWorker.addEventListener('controllerchange', reload, { once: true });
+    waiting.postMessage('take over');
+  } else reload();
 }

@@ -2,13 +2,13 @@ import { useEffect, useRef } from 'preact/hooks';
 import uPlot from 'uplot';
 import 'uplot/dist/uPlot.min.css';
 import { dark } from '../style/colours.ts';
-import { language } from '../text/language.ts';
+import { language, texts } from '../text/language.ts';
 import { optionsOf } from './options.ts';
 import type { ChartSpec } from './spec.ts';
 import { dataOf } from './table.ts';
 
-/** A chart of the page; its sentence and its numbers stand beside it. */
-export function Chart({ spec, label }: { readonly spec: ChartSpec; readonly label: string }) {
+/** A chart of the page, named by its axes; its sentence and its numbers stand beside it. */
+export function Chart({ spec }: { readonly spec: ChartSpec }) {
   const box = useRef<HTMLDivElement>(null);
   const isDark = dark.value;
   const spoken = language.value;
@@ -36,5 +36,6 @@ export function Chart({ spec, label }: { readonly spec: ChartSpec; readonly labe
     };
   }, [spec, isDark, spoken]);
 
+  const label = texts.value.figures.against(spec.y.label, spec.x.label);
   return <div ref={box} class="chart" role="img" aria-label={label} />;
 }

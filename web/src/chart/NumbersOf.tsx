@@ -1,7 +1,7 @@
 import { signal } from '@preact/signals';
-import { PLAIN, plain } from '../format/quantity.ts';
+import { fixed, PLAIN, plain } from '../format/quantity.ts';
 import { language, texts } from '../text/language.ts';
-import type { ChartSpec, Layer } from './spec.ts';
+import type { Axis, ChartSpec, Layer } from './spec.ts';
 
 const open = signal(false);
 /** A curve of hundreds of points is better seen than read. */
@@ -26,7 +26,8 @@ export function NumbersOf({ charts }: { readonly charts: readonly ChartSpec[] })
 
 function Table({ spec }: { readonly spec: ChartSpec }) {
   const rows = spec.layers.flatMap(rowsOf);
-  const number = (value: number): string => plain(value, PLAIN, 4, language.value);
+  const number = (value: number, { counting = false }: Axis): string =>
+    counting ? fixed(value, 0, language.value) : plain(value, PLAIN, 4, language.value);
   return (
     <section class="scroll impacts" tabIndex={0} aria-label={spec.y.label}>
       <table>
@@ -40,8 +41,8 @@ function Table({ spec }: { readonly spec: ChartSpec }) {
         <tbody>
           {rows.map((row, index) => (
             <tr key={index}>
-              <td class="figure">{number(row.x)}</td>
-              <td class="figure">{number(row.y)}</td>
+              <td class="figure">{number(row.x, spec.x)}</td>
+              <td class="figure">{number(row.y, spec.y)}</td>
               <td>{row.label}</td>
             </tr>
           ))}

@@ -79,7 +79,7 @@ export function drawLevels(plot: uPlot, spec: ChartSpec): void {
     context.stroke();
     const pad = 5 * devicePixelRatio;
     if (level.upright) {
-      const room = bbox.left + bbox.width - at > bbox.width / 3;
+      const room = at < bbox.left + bbox.width / 2;
       write(
         plot,
         level.label,
@@ -105,10 +105,12 @@ export function drawLabels(plot: uPlot, spec: ChartSpec): void {
   for (const layer of spec.layers) {
     if (layer.kind !== 'line' || layer.label === '') continue;
     const seen = inSight(plot, layer);
-    const [middle, end] = [seen[Math.floor(0.6 * seen.length)], seen.at(-1)];
-    if (!middle || !end) continue;
+    const [first, end] = [seen[0], seen.at(-1)];
+    if (!first || !end) continue;
+    const middleX = first.x + 0.6 * (end.x - first.x);
+    const middle = seen.find(({ x }) => x >= middleX) ?? end;
     if (isSteady(seen)) {
-      const falls = (seen[0]?.y ?? 0) <= end.y;
+      const falls = first.y <= end.y;
       const above = steady % 2 === 0;
       const y = above ? middle.y - gap : middle.y + gap + height / 2;
       const right = falls === above;
@@ -154,27 +156,32 @@ function isSteady(places: readonly Place[]): boolean {
   return steps.every((step) => step >= -0.5) || steps.every((step) => step <= 0.5);
 }
 
+/** Words beside a place, moved as far as it takes to be whole. */
 function write(
   plot: uPlot,
   words: string,
   x: number,
   y: number,
   meaning: Meaning,
-  align: CanvasTextAlign,
+  align: 'left' | 'right',
 ): void {
-  const { ctx: context } = plot;
+  const { ctx: context, bbox } = plot;
   context.save();
   context.font = fontOf(0.8125 * devicePixelRatio);
-  context.textAlign = align;
+  context.textAlign = 'left';
   context.textBaseline = 'alphabetic';
   context.setLineDash([]);
   // A rim of paper keeps words legible over lines.
   context.strokeStyle = colour('paper');
   context.lineWidth = 4 * devicePixelRatio;
   context.lineJoin = 'round';
-  context.strokeText(words, x, y);
+  const { width } = context.measureText(words);
+  const from = align === 'left' ? x : x - width;
+  const left = Math.max(bbox.left, Math.min(from, bbox.left + bbox.width - width));
+  const foot = Math.min(y, bbox.top + bbox.height - 4 * devicePixelRatio);
+  context.strokeText(words, left, foot);
   context.fillStyle = inkOf(meaning);
-  context.fillText(words, x, y);
+  context.fillText(words, left, foot);
   context.restore();
 }
 

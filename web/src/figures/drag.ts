@@ -1,5 +1,7 @@
 import type { ChartSpec, Layer } from '../chart/spec.ts';
+import { localised } from '../format/quantity.ts';
 import type { DragCurve } from '../lab/index.ts';
+import { language } from '../text/language.ts';
 import type { Texts } from '../text/texts.ts';
 
 /** Drag over weight against speed, by the law of the settings and by a constant coefficient. */
@@ -38,7 +40,7 @@ export function dragChart(
 export function lawName(law: string, texts: Texts): string {
   if (law === 'none') return texts.settings.dragNone;
   const constant = /^constant[: ]*(.*)$/.exec(law);
-  if (constant) return `C_D = ${constant[1] ?? ''}`;
+  if (constant) return `C_D = ${localised(constant[1] ?? '', language.peek())}`;
   return law
     .split('-')
     .map((part) => part.charAt(0).toUpperCase() + part.slice(1))

@@ -14,11 +14,9 @@ export const PLAIN: Unit = { size: 1, symbol: '' };
 export const PERCENT: Unit = { size: 0.01, symbol: '%' };
 export const CENTIMETRE: Unit = { size: 0.01, symbol: 'cm' };
 export const METRE: Unit = { size: 1, symbol: 'm' };
-export const MILLIMETRE: Unit = { size: 1e-3, symbol: 'mm' };
 export const SECOND: Unit = { size: 1, symbol: 's' };
 export const MILLISECOND: Unit = { size: 1e-3, symbol: 'ms' };
 export const METRE_PER_SECOND: Unit = { size: 1, symbol: 'm/s' };
-export const MILLIJOULE: Unit = { size: 1e-3, symbol: 'mJ' };
 
 /** Narrow no-break space: between a number and its unit. */
 const THIN = '\u202f';

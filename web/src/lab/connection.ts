@@ -39,10 +39,6 @@ export class Connection {
     this.#modules = modules;
   }
 
-  get isBusy(): boolean {
-    return this.#pending.size > 0;
-  }
-
   call<C extends Call>(
     call: C,
     take: Take<C>,

@@ -1,6 +1,7 @@
 import { ENGLISH } from '../format/tongue.ts';
 import { Connection, type Modules, type Port } from './connection.ts';
 import { LabError } from './error.ts';
+import { listOf } from './pasted.ts';
 import type { Level, Spectrogram } from './protocol.ts';
 import { Recording } from './recording.ts';
 import type {
@@ -100,8 +101,8 @@ export class Lab {
 
   /** Impact times as a person pastes them: one a line, or a table, or an array. */
   async paste(text: string): Promise<Recording> {
-    const name = /^\s*\[/.test(text) ? 'times.json' : /[,;]/.test(text) ? 'times.csv' : 'times.txt';
-    return this.open({ name, blob: new Blob([text]) });
+    const list = listOf(text);
+    return this.open({ name: list.name, blob: new Blob([list.text]) });
   }
 
   /** Hears samples that are already in memory, as those of a simulation or of the keepsakes. */

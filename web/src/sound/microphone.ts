@@ -37,8 +37,10 @@ export interface Microphone {
 
 export interface MicrophoneEvents {
   block(samples: Float32Array<ArrayBuffer>): void;
-  /** The device went away while it was heard. */
+  /** The device went away, or the browser stopped the sound, as for a call. */
   lost(): void;
+  /** The device is there but gives silence, until it is unmuted. */
+  muted(isMuted: boolean): void;
 }
 
 export async function openMicrophone(events: MicrophoneEvents): Promise<Microphone> {
@@ -108,15 +110,24 @@ async function listenIn(
   node.port.onmessage = (message: MessageEvent<Float32Array<ArrayBuffer>>) => {
     events.block(message.data);
   };
-  for (const track of stream.getAudioTracks()) track.onended = () => events.lost();
+  for (const track of stream.getAudioTracks()) {
+    track.onended = () => events.lost();
+    track.onmute = () => events.muted(true);
+    track.onunmute = () => events.muted(false);
+  }
   // A node that leads nowhere is not run by every browser; its output is silence.
   source.connect(node).connect(context.destination);
   await started(context);
+  // Sound that is missing in the middle would make a flight too short: what comes after is not heard.
+  context.onstatechange = () => {
+    if (context.state !== 'running') events.lost();
+  };
   return {
     rateHz: context.sampleRate,
     close: async () => {
       stopAll(stream);
       node.port.onmessage = null;
+      context.onstatechange = null;
       await context.close();
     },
   };
@@ -144,6 +155,8 @@ function contextFor(stream: MediaStream): AudioContext {
 function stopAll(stream: MediaStream): void {
   for (const track of stream.getTracks()) {
     track.onended = null;
+    track.onmute = null;
+    track.onunmute = null;
     track.stop();
   }
 }

@@ -22,24 +22,30 @@ const analyser = new Latest<AnalysisRequest>(
       engine()
         .analyse(job, (rough) => {
           // While the inference runs, the words of the last one would be about other impacts.
-          analysed.value = rough;
-          refusedSettings.value = null;
+          if (job === wanted) {
+            analysed.value = rough;
+            refusedSettings.value = null;
+          }
           next();
         })
         .then(
           (exact) => {
+            if (job !== wanted) return;
             batch(() => {
               analysed.value = exact;
               refining.value = false;
             });
           },
           (error: unknown) => {
-            if (!LabError.isMoot(error)) refuse(error);
+            if (job === wanted && !LabError.isMoot(error)) refuse(error);
           },
         )
         .finally(next);
     }),
 );
+
+/** What was asked last; answers to anything else come too late. */
+let wanted: AnalysisRequest | undefined;
 
 function refuse(error: unknown): void {
   batch(() => {
@@ -56,13 +62,14 @@ export function keepAnalysed(): void {
     void settings.value;
     if (!onBench.peek()) return;
     if (drops.every((drop) => drop.present.length < 2)) {
+      wanted = undefined;
       analysed.value = null;
       refining.value = false;
       return;
     }
-    const job = request();
-    if (!job) return;
+    wanted = request();
+    if (!wanted) return;
     refining.value = true;
-    analyser.ask(job);
+    analyser.ask(wanted);
   });
 }

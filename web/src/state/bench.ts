@@ -4,6 +4,7 @@
  */
 import { batch, computed, signal } from '@preact/signals';
 import type { Analysed, Recording } from '../lab/index.ts';
+import { stop } from '../sound/player.ts';
 import type { Pyramid } from '../wave/pyramid.ts';
 import { framing, type Viewport, whole } from '../wave/viewport.ts';
 import type { Fault } from './faults.ts';
@@ -31,6 +32,8 @@ export interface OnBench {
 }
 
 export const phase = signal<Phase>({ kind: 'empty' });
+/** While it listens or reads, nothing else is put on the bench. */
+export const busy = computed(() => !['empty', 'ready'].includes(phase.value.kind));
 export const fault = signal<Fault | null>(null);
 export const onBench = signal<OnBench | null>(null);
 
@@ -59,6 +62,7 @@ export const edited = computed(() => present.value !== undefined && isEdited(pre
 /** Puts something on the bench; what lay there is gone from the page, not from the database. */
 export function put(name: string, recording: Recording, storedAs: string | null): void {
   const { sound, believed } = recording;
+  stop();
   batch(() => {
     onBench.value = {
       name,

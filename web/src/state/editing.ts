@@ -3,11 +3,11 @@ import { signal } from '@preact/signals';
 import { fixed } from '../format/quantity.ts';
 import type { DropMarks } from '../lab/index.ts';
 import { language, texts } from '../text/language.ts';
-import type { Mark } from '../wave/mark.ts';
+import { type Mark, nearest } from '../wave/mark.ts';
 import { revealing, widthS } from '../wave/viewport.ts';
 import { chosenDrop, cursorS, edits, onBench, present, selected, view } from './bench.ts';
 import { advance, redo as redone, replace, undo as undone } from './history.ts';
-import { added, type Edits, markAt, marksOf, removed, withChange } from './marks.ts';
+import { added, asHeard, type Edits, markAt, marksOf, removed, withChange } from './marks.ts';
 
 /** What was done, for screen readers. */
 export const announced = signal('');
@@ -20,6 +20,9 @@ function update(change: (edits: Edits) => Edits): void {
   const index = chosenDrop.peek();
   edits.value = edits.peek().map((drop, i) => (i === index ? change(drop) : drop));
 }
+
+/** Nearer than that are no two impacts: the ball still touches. */
+const SAME_S = 5e-4;
 
 const numberOf = (id: number): number =>
   (present.peek()?.present.findIndex((mark) => mark.id === id) ?? -1) + 1;
@@ -40,10 +43,18 @@ async function snapped(timeS: number): Promise<Partial<Mark>> {
 
 export async function add(timeS: number): Promise<void> {
   const mark = { ...markAt(timeS), ...(await snapped(timeS)) };
+  const there = nearest(present.peek()?.present ?? [], mark.timeS, SAME_S);
+  if (there) return choose(there);
   update((drop) => added(drop, mark));
   selected.value = mark.id;
   cursorS.value = mark.timeS;
   announced.value = texts.peek().wave.added(say(mark.timeS));
+}
+
+/** Selects a mark and brings it into sight. */
+export function choose(mark: Mark): void {
+  selected.value = mark.id;
+  bringIntoSight(mark);
 }
 
 export function remove(id: number): void {
@@ -99,11 +110,14 @@ export async function snap(id: number): Promise<void> {
 /** The cursor goes with the mark that moved. */
 function follow(id: number): void {
   const mark = present.peek()?.present.find((candidate) => candidate.id === id);
-  const recording = onBench.peek();
-  if (!mark || !recording) return;
-  cursorS.value = mark.timeS;
-  view.value = revealing(view.peek(), mark.timeS, recording.durationS);
+  if (!mark) return;
+  bringIntoSight(mark);
   announced.value = texts.peek().wave.moved(numberOf(id), say(mark.timeS));
+}
+
+function bringIntoSight({ timeS }: Mark): void {
+  cursorS.value = timeS;
+  view.value = revealing(view.peek(), timeS, onBench.peek()?.durationS ?? 0);
 }
 
 export function undo(): void {
@@ -120,10 +134,7 @@ export function redo(): void {
 
 /** As it was heard, in one step that can be undone too. */
 export function restore(): void {
-  update((drop) => {
-    const heard = drop.past[0];
-    return heard ? advance(drop, heard) : drop;
-  });
+  update((drop) => advance(drop, asHeard(drop)));
   keepSelection();
 }
 

@@ -5,7 +5,7 @@ export interface History<T> {
   readonly future: readonly T[];
 }
 
-/** Steps that are kept; older ones are forgotten. */
+/** Steps that are kept, besides the very first; older ones are forgotten. */
 const DEPTH = 200;
 
 export function begin<T>(present: T): History<T> {
@@ -15,7 +15,8 @@ export function begin<T>(present: T): History<T> {
 /** A new present; what was undone is gone. */
 export function advance<T>(history: History<T>, present: T): History<T> {
   if (present === history.present) return history;
-  const past = [...history.past, history.present].slice(-DEPTH);
+  const [first, ...steps] = [...history.past, history.present];
+  const past = [first as T, ...steps.slice(-DEPTH)];
   return { past, present, future: [] };
 }
 

@@ -1,12 +1,13 @@
 /** Keeping drops in the browser, and what is said of all of them together. */
 import { computed, signal } from '@preact/signals';
 import type { DocumentDrop } from '../lab/index.ts';
+import { claim, claimed } from '../store/claims.ts';
 import { allDrops, deleteDrop, type KeptDrop, putDrop } from '../store/drops.ts';
 import { newId } from '../store/id.ts';
 import { deleteRecording, putBlock, putRecording } from '../store/recordings.ts';
-import { analysed, drop, onBench, present } from './bench.ts';
+import { analysed, drop, edits, lookAt, onBench, present } from './bench.ts';
 import { setMarks } from './editing.ts';
-import { forEngine } from './marks.ts';
+import { dropNear, forEngine } from './marks.ts';
 import { openStored, openTimes } from './opening.ts';
 import { goToLab, settings } from './settings.ts';
 
@@ -71,6 +72,7 @@ async function storeSound(name: string): Promise<string | null> {
   if (!pyramid) return null;
   const id = newId();
   await putBlock(id, 0, pyramid.samples.slice());
+  claim(id);
   await putRecording({
     id,
     name,
@@ -103,7 +105,7 @@ export function summaryOf(
 
 export async function rename(id: string, name: string): Promise<void> {
   const found = kept.peek().find((candidate) => candidate.id === id);
-  if (!found || name === '') return;
+  if (!found) return;
   const renamed = { ...found, name };
   await putDrop(renamed);
   kept.value = kept.peek().map((candidate) => (candidate.id === id ? renamed : candidate));
@@ -127,11 +129,14 @@ export async function bringBack(): Promise<void> {
   await loadKept();
 }
 
-/** Frees the room of what was deleted for good: sounds that no drop uses any more. */
+/** Frees the room of what was deleted for good: sounds that no drop uses any more, here or elsewhere. */
 async function forgetDeleted(): Promise<void> {
-  const used = new Set(kept.peek().map(({ recording }) => recording));
+  const used = new Set((await allDrops()).map(({ recording }) => recording));
+  // What lies on a bench may be kept once more.
+  const inHand = await claimed();
   for (const { recording } of deleted.peek()) {
-    if (recording !== null && !used.has(recording)) await deleteRecording(recording);
+    if (recording !== null && !used.has(recording) && !inHand.has(recording))
+      await deleteRecording(recording);
   }
   deleted.value = [];
 }
@@ -145,5 +150,6 @@ export async function openKept(drop: KeptDrop): Promise<void> {
     return;
   }
   await openStored(drop.recording);
+  lookAt(dropNear(edits.peek(), drop.marks));
   if (drop.marks.edited) setMarks(drop.marks);
 }

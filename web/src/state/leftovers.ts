@@ -3,21 +3,23 @@
  * short wait until the reader decides; of the others the newest waits, and older ones make room.
  */
 import { signal } from '@preact/signals';
+import { claimed } from '../store/claims.ts';
+import { allDrops } from '../store/drops.ts';
 import {
   allRecordings,
   deleteRecording,
   putRecording,
   type StoredRecording,
 } from '../store/recordings.ts';
-import { kept } from './keeping.ts';
 import { openStored } from './opening.ts';
 
 export const leftovers = signal<readonly StoredRecording[]>([]);
 
-/** Looks once, at the start, when the kept drops are known. */
+/** Looks once, at the start. */
 export async function findLeftovers(): Promise<void> {
-  const used = new Set(kept.peek().map(({ recording }) => recording));
-  const unused = (await allRecordings()).filter(({ id }) => !used.has(id));
+  const used = new Set((await allDrops()).map(({ recording }) => recording));
+  const inHand = await claimed();
+  const unused = (await allRecordings()).filter(({ id }) => !used.has(id) && !inHand.has(id));
   const newest = unused.findLast(({ finished }) => finished);
   const isOffered = (recording: StoredRecording): boolean =>
     !recording.finished || recording === newest;

@@ -1,13 +1,16 @@
 /** Listening: the microphone to the engine, to the disk and to the eye, block by block. */
 import { signal } from '@preact/signals';
 import type { Listening, SoFar } from '../lab/index.ts';
+import { keepAwake } from '../sound/awake.ts';
 import { LiveEnvelope } from '../sound/live-envelope.ts';
 import { type Microphone, MicrophoneError, openMicrophone } from '../sound/microphone.ts';
+import { stop } from '../sound/player.ts';
 import { joined } from '../store/blocks.ts';
+import { claim } from '../store/claims.ts';
 import { newId } from '../store/id.ts';
 import { Safekeeper } from '../store/safekeeper.ts';
 import { region, texts } from '../text/language.ts';
-import { fail, fault, phase, put } from './bench.ts';
+import { busy, fail, fault, phase, put } from './bench.ts';
 import { engine, faultOf } from './engine.ts';
 
 /** What runs by while listening. */
@@ -30,6 +33,8 @@ interface Take {
   readonly microphone: Microphone;
   readonly ear: Listening;
   readonly keeper: Safekeeper;
+  /** Lets the screen go dark again. */
+  readonly rest: () => void;
   /** What the engine has not been given yet, because it still thinks about what came before. */
   waiting: Float32Array<ArrayBuffer>[];
   asking: boolean;
@@ -40,7 +45,9 @@ interface Take {
 let take: Take | undefined;
 
 export async function listen(): Promise<void> {
-  if (take || phase.peek().kind === 'starting') return;
+  if (busy.peek()) return;
+  // It would hear itself.
+  stop();
   fault.value = null;
   phase.value = { kind: 'starting' };
   // What comes before the engine is ready is not lost.
@@ -55,6 +62,10 @@ export async function listen(): Promise<void> {
       lost: () => {
         fault.value = { key: 'ended' };
         void stopListening();
+      },
+      muted: (isMuted) => {
+        if (isMuted) fault.value = { key: 'silent' };
+        else tellOfSound();
       },
     });
     take = await begin(microphone);
@@ -80,10 +91,20 @@ async function begin(microphone: Microphone): Promise<Take> {
   const ear = await engine().listen(rateHz);
   soFar.value = null;
   live.value = new LiveEnvelope(rateHz, SHOWN_S, BINS_PER_SECOND);
+  claim(recording.id);
   const keeper = new Safekeeper(recording, (problem) => {
     fault.value = { key: problem };
   });
-  return { microphone, ear, keeper, waiting: [], asking: false, heardS: 0, heardAnything: false };
+  return {
+    microphone,
+    ear,
+    keeper,
+    rest: keepAwake(),
+    waiting: [],
+    asking: false,
+    heardS: 0,
+    heardAnything: false,
+  };
 }
 
 function hear(now: Take, samples: Float32Array<ArrayBuffer>): void {
@@ -121,21 +142,24 @@ function give(now: Take): Promise<SoFar> {
 }
 
 function tellOfSilence(now: Take, peak: number): void {
-  now.heardAnything ||= peak > 0;
-  const said = fault.peek()?.key;
-  if (now.heardAnything && said === 'silent') fault.value = null;
-  if (!now.heardAnything && now.heardS > SILENT_AFTER_S && said === undefined) {
-    fault.value = { key: 'silent' };
-  }
+  if (now.heardAnything) return;
+  now.heardAnything = peak > 0;
+  if (now.heardAnything) tellOfSound();
+  else if (now.heardS > SILENT_AFTER_S) fault.value ??= { key: 'silent' };
+}
+
+function tellOfSound(): void {
+  if (fault.peek()?.key === 'silent') fault.value = null;
 }
 
 export async function stopListening(): Promise<void> {
   const ended = take;
   if (!ended) return;
   take = undefined;
-  const { keeper, ear, microphone } = ended;
+  const { keeper, ear, microphone, rest } = ended;
   const { name, id } = keeper.recording;
   level.value = 0;
+  rest();
   phase.value = { kind: 'reading', name };
   await microphone.close();
   void give(ended).catch(() => undefined);

@@ -1,6 +1,16 @@
 import { expect, test } from 'vitest';
-import { redo, undo } from './history.ts';
-import { added, editsOf, forEngine, isEdited, markAt, removed, withChange } from './marks.ts';
+import { advance, redo, undo } from './history.ts';
+import {
+  added,
+  asHeard,
+  dropNear,
+  editsOf,
+  forEngine,
+  isEdited,
+  markAt,
+  removed,
+  withChange,
+} from './marks.ts';
 
 const heard = {
   probability: 0.99,
@@ -38,4 +48,24 @@ test('a mark that is moved past another changes places with it', () => {
   const moved = withChange(present, present[0]?.id ?? 0, { timeS: 1.2, sigmaS: null });
   expect(moved.map(({ timeS }) => timeS)).toEqual([1, 1.2, 2]);
   expect(moved[1]?.sigmaS).toBeNull();
+});
+
+test('what was put back as it was heard is not edited, however many steps lie between', () => {
+  let edits = editsOf(heard);
+  for (let step = 0; step < 500; step += 1) edits = added(edits, markAt(3 + step));
+  const restored = advance(edits, asHeard(edits));
+  expect(isEdited(restored)).toBe(false);
+  expect(forEngine(restored)).toEqual({ edited: false, impacts: heard.impacts });
+});
+
+test('a kept drop is found again among those of its recording, edited or not', () => {
+  const later = {
+    ...heard,
+    impacts: heard.impacts.map((one) => ({ ...one, time_s: 10 + one.time_s })),
+  };
+  const drops = [editsOf(heard), editsOf(later)];
+  const first = drops[1]?.present[0];
+  const kept = removed(drops[1] ?? editsOf(later), first?.id ?? 0);
+  expect(dropNear(drops, forEngine(kept))).toBe(1);
+  expect(dropNear(drops, forEngine(editsOf(heard)))).toBe(0);
 });

@@ -43,8 +43,11 @@ export function withChange(
   return inOrder(marks.map((mark) => (mark.id === id ? { ...mark, ...changes } : mark)));
 }
 
+/** As it was heard, before any hand. */
+export const asHeard = ({ past, present }: Edits): readonly Mark[] => past[0] ?? present;
+
 /** Whether a hand has changed anything since it was heard. */
-export const isEdited = (edits: Edits): boolean => edits.past.length > 0;
+export const isEdited = (edits: Edits): boolean => edits.present !== asHeard(edits);
 
 /** As the engine wants them. Numbers with their gaps hold as long as no hand changed anything. */
 export function forEngine(edits: Edits): DropMarks {
@@ -58,4 +61,13 @@ export function forEngine(edits: Edits): DropMarks {
       level_db: mark.levelDb,
     })),
   };
+}
+
+/** Which of several drops begins next to where a kept one begins. */
+export function dropNear(drops: readonly Edits[], { impacts }: DropMarks): number {
+  const beginsAt = impacts[0]?.time_s ?? 0;
+  const apart = drops.map(({ present: [first] }) =>
+    Math.abs((first?.timeS ?? Number.POSITIVE_INFINITY) - beginsAt),
+  );
+  return apart.indexOf(Math.min(...apart));
 }

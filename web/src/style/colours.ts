@@ -1,4 +1,5 @@
 import { computed, effect, signal } from '@preact/signals';
+import { recall, remember } from '../address/memory.ts';
 
 /** What is shown decides its colour, on the page as in the figures of the command line. */
 export type Meaning = 'measured' | 'drag' | 'plain' | 'warning' | 'ink' | 'soft' | 'line' | 'edge';
@@ -18,7 +19,7 @@ export const dark = computed(() =>
 );
 
 function remembered(): Theme {
-  const stored = globalThis.localStorage?.getItem(KEY);
+  const stored = recall(KEY);
   return stored === 'light' || stored === 'dark' ? stored : 'system';
 }
 
@@ -26,13 +27,9 @@ function remembered(): Theme {
 export function followTheme(): void {
   effect(() => {
     const chosen = theme.value;
-    if (chosen === 'system') {
-      delete document.documentElement.dataset['theme'];
-      localStorage.removeItem(KEY);
-    } else {
-      document.documentElement.dataset['theme'] = chosen;
-      localStorage.setItem(KEY, chosen);
-    }
+    if (chosen === 'system') delete document.documentElement.dataset['theme'];
+    else document.documentElement.dataset['theme'] = chosen;
+    remember(KEY, chosen === 'system' ? null : chosen);
   });
 }
 

@@ -3,6 +3,7 @@
  * it. English comes with the page, the others when they are chosen.
  */
 import { computed, signal } from '@preact/signals';
+import { recall, remember } from '../address/memory.ts';
 import english from './languages/en.ts';
 import type { Texts } from './texts.ts';
 
@@ -40,13 +41,13 @@ export async function speak(code: string): Promise<void> {
 
 /** Speaks a language that the reader chose, and remembers it. */
 export async function choose(code: string): Promise<void> {
-  localStorage.setItem(KEY, code);
+  remember(KEY, code);
   await speak(code);
 }
 
 /** The language that was chosen before, else the first one of the browser that is there. */
 export function preferred(): string {
-  const wanted = [localStorage.getItem(KEY) ?? '', ...navigator.languages];
+  const wanted = [recall(KEY) ?? '', ...navigator.languages];
   const codes = wanted.map((tag) => tag.slice(0, 2).toLowerCase());
   return codes.find((code) => languages.includes(code)) ?? FALLBACK;
 }

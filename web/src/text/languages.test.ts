@@ -5,7 +5,7 @@ import { Tongue } from '../format/tongue.ts';
 import { texts } from './language.ts';
 import deutsch from './languages/de.ts';
 import english from './languages/en.ts';
-import { translated } from './remarks.ts';
+import { sentence, translated } from './remarks.ts';
 import type { Texts } from './texts.ts';
 
 /** Every language there is, by the name of its file. */
@@ -90,6 +90,8 @@ test('what the science says is said in the language of the page', () => {
     '3 Aufpralle dazwischen wurden nicht gehört; sie sind mitgezählt.',
   );
   expect(translated('something new')).toBe('Something new');
+  expect(sentence('something new')).toBe('Something new.');
+  expect(sentence('Something new.')).toBe('Something new.');
   texts.value = english;
 });
 

@@ -1,5 +1,9 @@
 /** Names of things that the engine knows by a key. */
 import { texts } from './language.ts';
 
-/** A ball in the language of the page; one that has no name there is called as the engine calls it. */
-export const ballName = (name: string): string => texts.value.settings.balls[name] ?? name;
+/** The name of a thing; one that has none is called by its key, as one that an address made up. */
+export const nameIn = (names: Readonly<Record<string, string>>, key: string): string =>
+  (Object.hasOwn(names, key) ? names[key] : undefined) ?? key;
+
+/** A ball in the language of the page. */
+export const ballName = (name: string): string => nameIn(texts.value.settings.balls, name);

@@ -11,5 +11,11 @@ export const phrasebook = computed<Phrasebook>(() => ({
 
 const tongue = computed(() => new Tongue(phrasebook.value));
 
-/** A sentence of its own. */
+/** What stands by itself, as a name in a list. */
 export const translated = (english: string): string => capital(tongue.value.say(english));
+
+/** A whole sentence, with its full stop. */
+export function sentence(english: string): string {
+  const said = translated(english);
+  return /[.?!:]$/.test(said) ? said : `${said}.`;
+}

@@ -13,6 +13,8 @@ import { clamped, revealing, type Viewport, whole, widthS, zoomed } from './view
 /** What the reader does to the impacts. */
 export interface WaveformEdits {
   add(timeS: number): void;
+  /** Selects a mark and brings it into sight. */
+  choose(mark: Mark): void;
   /** While a mark is dragged. */
   drag(id: number, timeS: number): void;
   dragEnd(id: number): void;
@@ -113,7 +115,7 @@ const FINE_STEP = 1 / 800;
 function act(action: Action, props: WaveformProps): void {
   const { view, cursorS, selected, marks, edits, durationS } = props;
   const now = view.value;
-  const at = cursorS.value ?? (now.startS + now.endS) / 2;
+  const at = cursorS.value ?? now.startS;
   switch (action.kind) {
     case 'cursor':
       moveCursor(props, at + action.by * widthS(now) * (action.fine ? FINE_STEP : STEP));
@@ -123,7 +125,7 @@ function act(action: Action, props: WaveformProps): void {
       return;
     case 'beside': {
       const mark = beside(marks, at, action.by);
-      if (mark) choose(props, mark);
+      if (mark) edits.choose(mark);
       return;
     }
     case 'nudge':
@@ -132,7 +134,12 @@ function act(action: Action, props: WaveformProps): void {
       }
       return;
     case 'zoom':
-      view.value = zoomed(now, action.closer ? 1.5 : 1 / 1.5, at, durationS);
+      view.value = zoomed(
+        now,
+        action.closer ? 1.5 : 1 / 1.5,
+        cursorS.value ?? (now.startS + now.endS) / 2,
+        durationS,
+      );
       return;
     case 'whole':
       view.value = whole(durationS);
@@ -164,21 +171,6 @@ function moveCursor({ cursorS, view, selected, durationS, marks }: WaveformProps
   selected.value = nearest(marks, at, widthS(view.value) * FINE_STEP * 2)?.id ?? null;
 }
 
-/** Selects a mark and brings it into sight. */
-export function choose(
-  {
-    cursorS,
-    view,
-    selected,
-    durationS,
-  }: Pick<WaveformProps, 'cursorS' | 'view' | 'selected' | 'durationS'>,
-  mark: Mark,
-): void {
-  selected.value = mark.id;
-  cursorS.value = mark.timeS;
-  view.value = revealing(view.value, mark.timeS, durationS);
-}
-
 function gestureTarget(
   latest: { readonly current: WaveformProps },
   element: HTMLElement,
@@ -187,6 +179,7 @@ function gestureTarget(
     view: () => latest.current.view.value,
     width: () => element.clientWidth,
     markAt: (timeS, reachS) => nearest(latest.current.marks, timeS, reachS),
+    isChosen: (id) => latest.current.selected.value === id,
     onPan: (view) => {
       const { durationS } = latest.current;
       latest.current.view.value = clamped(view, durationS);

@@ -13,6 +13,7 @@ export interface GestureTarget {
   width(): number;
   /** The mark at a place, if there is one. */
   markAt(timeS: number, reachS: number): { id: number; timeS: number } | undefined;
+  isChosen(mark: number): boolean;
   onPan(view: Viewport): void;
   onZoom(factor: number, aroundS: number): void;
   onTap(timeS: number, mark: number | undefined): void;
@@ -32,7 +33,7 @@ interface Pointer {
 type Hold =
   | { readonly kind: 'none' }
   | { readonly kind: 'mark'; readonly id: number; readonly offsetS: number; moved: boolean }
-  | { readonly kind: 'pan'; readonly grabbedS: number; moved: boolean };
+  | { readonly kind: 'pan'; readonly grabbedS: number; readonly over?: number; moved: boolean };
 
 /** Listens on an element until the returned function is called. */
 export function listenToGestures(element: HTMLElement, target: GestureTarget): () => void {
@@ -47,6 +48,10 @@ export function listenToGestures(element: HTMLElement, target: GestureTarget): (
     return target.markAt(time(x), time(x + reach) - time(x));
   };
 
+  /** Under a finger there is always some mark: it moves the one that was chosen, and else the sound. */
+  const canDrag = ({ pointerType }: PointerEvent, mark: number): boolean =>
+    pointerType === 'mouse' || target.isChosen(mark);
+
   const down = (event: PointerEvent): void => {
     if (event.button !== 0) return;
     const x = xIn(event);
@@ -58,9 +63,11 @@ export function listenToGestures(element: HTMLElement, target: GestureTarget): (
       return;
     }
     const mark = markAt(event, x);
-    hold = mark
-      ? { kind: 'mark', id: mark.id, offsetS: mark.timeS - time(x), moved: false }
-      : { kind: 'pan', grabbedS: time(x), moved: false };
+    if (mark && canDrag(event, mark.id)) {
+      hold = { kind: 'mark', id: mark.id, offsetS: mark.timeS - time(x), moved: false };
+    } else {
+      hold = { kind: 'pan', grabbedS: time(x), moved: false, ...(mark && { over: mark.id }) };
+    }
   };
 
   const move = (event: PointerEvent): void => {
@@ -114,7 +121,7 @@ export function listenToGestures(element: HTMLElement, target: GestureTarget): (
     if (finished.moved) {
       if (finished.kind === 'mark') target.onDragEnd(finished.id);
     } else if (Math.abs(event.clientY - pointer.downY) < 2 * STILL) {
-      tap(pointer.x, finished.kind === 'mark' ? finished.id : undefined);
+      tap(pointer.x, finished.kind === 'mark' ? finished.id : finished.over);
     }
   };
 

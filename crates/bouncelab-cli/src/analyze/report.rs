@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use bouncelab_report::report::{self, Page, Provenance, Recording};
-use bouncelab_session::journal::hash_of_file;
+use bouncelab_session::hash::hash_of_file;
 
 use super::hear::Hearing;
 use crate::failure::Failure;

@@ -188,17 +188,15 @@ fn is_odd(remark: &Remark) -> bool {
 }
 
 fn impacts(drop: &Analysis) -> Vec<ImpactRecord> {
-    let corrected = drop.corrected.as_ref().ok();
     let inferred = drop.estimate.as_ref().ok();
     drop.impacts
         .iter()
         .map(|impact| {
             let number = impact.number;
-            let flight = drop.flights.iter().find(|flight| flight.number == number);
-            let found = corrected.and_then(|c| c.impacts.iter().find(|i| i.number == number));
-            let modelled = corrected.and_then(|c| c.flights.iter().find(|f| f.number == number));
-            let weighed =
-                inferred.and_then(|found| found.impacts.iter().find(|i| i.number == number));
+            let flight = drop.flight(number);
+            let found = drop.corrected_impact(number);
+            let modelled = drop.modelled_flight(number);
+            let weighed = inferred.and_then(|found| found.impact(number));
             ImpactRecord {
                 number,
                 time_s: impact.time_s,

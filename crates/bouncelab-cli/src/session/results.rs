@@ -2,7 +2,8 @@
 
 use std::collections::BTreeMap;
 
-use bouncelab_session::journal::{Hash, Journal, Key};
+use bouncelab_session::hash::Hash;
+use bouncelab_session::journal::{Journal, Key};
 
 use super::notes::Understood;
 use super::record::Record;

@@ -4,7 +4,8 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::Duration;
 
-use bouncelab_session::journal::{self, Hash, Journal, Key};
+use bouncelab_session::hash::{self, Hash};
+use bouncelab_session::journal::{Journal, Key};
 use indicatif::{ProgressBar, ProgressStyle};
 use rayon::ThreadPoolBuilder;
 use rayon::prelude::*;
@@ -42,7 +43,7 @@ pub(super) fn hear_all(
     let (kept, failed) = (AtomicUsize::new(0), AtomicUsize::new(0));
     let appended = AtomicUsize::new(0);
     let one = |understood: &Understood| -> Result<Result<Hash, String>, Failure> {
-        let content = match journal::hash_of_file(&understood.recording.path) {
+        let content = match hash::hash_of_file(&understood.recording.path) {
             Ok(content) => content,
             Err(reason) => {
                 failed.fetch_add(1, Ordering::Relaxed);
@@ -105,7 +106,7 @@ impl Understood {
         let text = format!("{RECORD} {} {settings:?}", env!("CARGO_PKG_VERSION"));
         Key {
             content,
-            settings: journal::hash(text.as_bytes()),
+            settings: hash::hash(text.as_bytes()),
         }
     }
 }

@@ -11,7 +11,7 @@ use std::path::PathBuf;
 use bouncelab::estimate::Measured;
 use bouncelab::rulebook::{self, Decision, Outcome, Place, Rule, Verdict};
 use bouncelab_report::document::verdict::VerdictDocument;
-use bouncelab_session::journal::hash_of_file;
+use bouncelab_session::hash::hash_of_file;
 use clap::{Args, ValueEnum};
 
 use crate::analyze::{self, Hearing, Heeded, hear};

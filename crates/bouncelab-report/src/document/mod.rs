@@ -24,7 +24,6 @@ pub mod verdict;
 
 use bouncelab::analysis::{Analysis, Settings};
 use bouncelab::regression::{Estimate, Regression};
-use bouncelab::restitution::{ImpactRestitution, TimedFlight};
 use serde::{Deserialize, Serialize};
 
 use estimate::Estimate as Estimated;
@@ -263,15 +262,11 @@ impl Drop {
 }
 
 fn impacts(analysis: &Analysis) -> Vec<Impact> {
-    let corrected = |number: usize| -> Option<&ImpactRestitution> {
-        let found = analysis.corrected.as_ref().ok()?;
-        found.impacts.iter().find(|impact| impact.number == number)
-    };
     analysis
         .impacts
         .iter()
         .map(|impact| {
-            let corrected = corrected(impact.number);
+            let corrected = analysis.corrected_impact(impact.number);
             Impact {
                 number: impact.number,
                 time_s: impact.time_s,
@@ -288,15 +283,11 @@ fn impacts(analysis: &Analysis) -> Vec<Impact> {
 }
 
 fn flights(analysis: &Analysis) -> Vec<Flight> {
-    let modelled = |number: usize| -> Option<&TimedFlight> {
-        let found = analysis.corrected.as_ref().ok()?;
-        found.flights.iter().find(|flight| flight.number == number)
-    };
     analysis
         .flights
         .iter()
         .map(|flight| {
-            let modelled = modelled(flight.number);
+            let modelled = analysis.modelled_flight(flight.number);
             Flight {
                 number: flight.number,
                 time_s: flight.time_s,

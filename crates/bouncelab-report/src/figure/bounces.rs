@@ -1,6 +1,7 @@
 //! What each bounce reaches, and what it loses.
 
 use super::Figure;
+use crate::quantity::Unit;
 use crate::scale::Scale;
 use crate::sheet::{Axis, KeyEntry, Measured, Panel, Sheet, Swatch};
 use crate::theme::Meaning;
@@ -46,7 +47,7 @@ pub fn bounce_heights(bounces: &[BounceHeight]) -> Figure {
     });
     for point in points {
         panel.uncertainty(&mut sheet.canvas, point, blue);
-        panel.point(&mut sheet.canvas, point, Swatch::Dot(blue));
+        panel.point(&mut sheet.canvas, point.place, Swatch::Dot(blue));
     }
     Figure::new(
         sheet,
@@ -80,11 +81,7 @@ pub fn bounce_energies(losses: &[BounceLoss]) -> Figure {
     if most <= 0.0 {
         return Figure::empty(HEIGHT, ENERGIES, "There are no energies to show.");
     }
-    let (joules, unit) = match most {
-        most if most < 1e-3 => (1e-6, "µJ"),
-        most if most < 1.0 => (1e-3, "mJ"),
-        _ => (1.0, "J"),
-    };
+    let (joules, unit) = Unit::Energy.step_for(most);
     let (surface, air) = (Meaning::Measured.colour(), Meaning::Drag.colour());
     let mut sheet = Sheet::new(HEIGHT, ENERGIES);
     sheet.key(&[

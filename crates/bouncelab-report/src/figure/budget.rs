@@ -1,7 +1,8 @@
 //! Where an uncertainty comes from.
 
 use super::Figure;
-use crate::canvas::{Anchor, Rect, Style};
+use crate::canvas::{Anchor, Style};
+use crate::shape::Rect;
 use crate::sheet::Sheet;
 use crate::theme::{self, Meaning};
 
@@ -93,13 +94,7 @@ fn bar(sheet: &mut Sheet, y: f64, source: &Source) {
         right: LEFT + (RIGHT - LEFT) * source.share.min(1.0),
         bottom: y + ROW - 5.0,
     };
-    let corners = [
-        (bar.left, bar.top),
-        (bar.right, bar.top),
-        (bar.right, bar.bottom),
-        (bar.left, bar.bottom),
-    ];
-    sheet.canvas.area(&corners, Meaning::Measured.colour());
+    sheet.canvas.block(bar, Meaning::Measured.colour());
     let number = Style::new(theme::TICK_SIZE, theme::INK, Anchor::Start);
     let percent = source.share * 100.0;
     let text = if percent < 9.95 {

@@ -1,8 +1,9 @@
 //! Whether stated uncertainties hold: ranks of the truth among the draws.
 
 use super::Figure;
-use crate::canvas::{Anchor, Rect, Style};
+use crate::canvas::{Anchor, Style};
 use crate::scale::Scale;
+use crate::shape::Rect;
 use crate::sheet::{KeyEntry, Panel, Sheet, Swatch};
 use crate::theme::{self, Meaning};
 

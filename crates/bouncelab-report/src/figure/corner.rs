@@ -1,8 +1,9 @@
 //! What is known of several quantities together.
 
 use super::{Figure, LINE};
-use crate::canvas::{Dash, Pen, Rect};
-use crate::scale::Scale;
+use crate::canvas::Pen;
+use crate::scale::{Scale, extent};
+use crate::shape::Rect;
 use crate::sheet::{KeyEntry, Panel, Sheet, Swatch};
 use crate::theme::{self, Colour, Meaning};
 
@@ -83,22 +84,12 @@ pub fn corner(parameters: &[CornerParameter]) -> Figure {
 }
 
 fn prior_pen() -> Pen {
-    Pen {
-        colour: Meaning::NoDrag.colour(),
-        width: LINE,
-        dash: Some(Dash {
-            stroke: 6.0,
-            gap: 4.0,
-        }),
-    }
+    Pen::solid(Meaning::NoDrag.colour(), LINE).dashed(6.0, 4.0)
 }
 
 fn varies(values: &[f64]) -> bool {
-    let finite = values.iter().filter(|v| v.is_finite());
-    let (low, high) = finite.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), &v| {
-        (low.min(v), high.max(v))
-    });
-    low < high
+    let finite = values.iter().copied().filter(|v| v.is_finite());
+    extent(finite).is_some_and(|(low, high)| low < high)
 }
 
 fn scale(values: &[f64]) -> Scale {

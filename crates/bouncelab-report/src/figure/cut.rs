@@ -1,7 +1,7 @@
 //! An answer against how many flights it uses.
 
 use super::{Figure, LINE};
-use crate::canvas::{Dash, Pen};
+use crate::canvas::Pen;
 use crate::scale::Scale;
 use crate::sheet::{Axis, KeyEntry, Measured, Panel, Sheet, Swatch};
 use crate::theme::{self, Meaning};
@@ -56,14 +56,7 @@ pub fn cut(series: &[CutSeries], quantity: &str, truth: Option<f64>) -> Figure {
         .iter()
         .map(|series| KeyEntry::new(Swatch::Dot(series.meaning.colour()), series.name.clone()))
         .collect();
-    let pen = Pen {
-        colour: theme::INK,
-        width: 1.5,
-        dash: Some(Dash {
-            stroke: 6.0,
-            gap: 4.0,
-        }),
-    };
+    let pen = Pen::solid(theme::INK, 1.5).dashed(6.0, 4.0);
     if truth.is_some() {
         key.push(KeyEntry::new(Swatch::Line(pen), "truth"));
     }
@@ -88,12 +81,8 @@ pub fn cut(series: &[CutSeries], quantity: &str, truth: Option<f64>) -> Figure {
             panel.uncertainty(&mut sheet.canvas, point, colour);
         }
         panel.curve(&mut sheet.canvas, &places, Pen::solid(colour, 0.5 * LINE));
-        for &place in &places {
-            let point = Measured {
-                place,
-                standard_error: None,
-            };
-            panel.point(&mut sheet.canvas, point, Swatch::Dot(colour));
+        for place in places {
+            panel.point(&mut sheet.canvas, place, Swatch::Dot(colour));
         }
     }
     Figure::new(

@@ -1,9 +1,10 @@
 //! Air drag relative to weight against speed (paper, Figs. 6 and 7).
 
 use super::{Curve, Figure, curve_key, is_finite, pens};
-use crate::canvas::{Anchor, Pen, Rect, Style, text_width};
+use crate::canvas::{Anchor, Pen, Style, text_width};
 use crate::quantity::{Quantity, Unit};
 use crate::scale::Scale;
+use crate::shape::Rect;
 use crate::sheet::{Axis, Panel, Sheet};
 use crate::theme::{self, Meaning};
 

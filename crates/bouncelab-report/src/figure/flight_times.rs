@@ -1,9 +1,9 @@
 //! Flight time against bounce number, with the straight line of the paper (Fig. 5).
 
 use super::{Figure, LINE, count, robust_scale};
-use crate::canvas::{Dash, Pen};
+use crate::canvas::Pen;
 use crate::quantity::{Quantity, Unit};
-use crate::scale::Scale;
+use crate::scale::{Scale, extent};
 use crate::sheet::{Axis, KeyEntry, Measured, Panel, Sheet, Swatch};
 use crate::theme::Meaning;
 
@@ -145,26 +145,16 @@ fn key(flights: &[TimedFlight], line: Option<Line>) -> Vec<KeyEntry> {
 /// Solid over the flights it was fitted to, dashed beyond.
 fn draw_line(sheet: &mut Sheet, panel: &Panel, x: &Axis, flights: &[TimedFlight], line: Line) {
     let used = flights.iter().filter(|flight| flight.used);
-    let (first, last) = used.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), flight| {
-        let number = f64::from(flight.number);
-        (low.min(number), high.max(number))
-    });
     let pen = Pen::solid(Meaning::NoDrag.colour(), LINE);
-    let dashed = Pen {
-        dash: Some(Dash {
-            stroke: 5.0,
-            gap: 4.0,
-        }),
-        ..pen
-    };
+    let dashed = pen.dashed(5.0, 4.0);
     let mut segment = |from: f64, to: f64, pen: Pen| {
         let points = [from, to].map(|number| (number, line.time_s(number)));
         panel.curve(&mut sheet.canvas, &points, pen);
     };
-    if first > last {
+    let Some((first, last)) = extent(used.map(|flight| f64::from(flight.number))) else {
         segment(x.scale.low(), x.scale.high(), dashed);
         return;
-    }
+    };
     segment(first, last, pen);
     segment(first, x.scale.low(), dashed);
     segment(last, x.scale.high(), dashed);
@@ -187,7 +177,7 @@ fn draw_flights(
         } else {
             Swatch::Ring(colour)
         };
-        panel.point(&mut sheet.canvas, point(flight), swatch);
+        panel.point(&mut sheet.canvas, point(flight).place, swatch);
     }
 }
 

@@ -1,9 +1,9 @@
 //! Restitution against impact speed, coloured by group.
 
-use super::{Figure, LINE, robust_scale};
+use super::{Figure, LINE, is_finite, robust_scale};
 use crate::canvas::Pen;
 use crate::scale::Scale;
-use crate::sheet::{Axis, KeyEntry, Measured, Panel, Sheet, Swatch};
+use crate::sheet::{Axis, KeyEntry, Panel, Sheet, Swatch};
 use crate::theme;
 
 const TITLE: &str = "Bounciness of each group";
@@ -39,12 +39,11 @@ pub struct GroupLaw {
 /// The first twelve groups are drawn.
 pub fn groups(groups: &[GroupLaw]) -> Figure {
     let shown = &groups[..groups.len().min(MOST)];
-    let finite = |point: &(f64, f64)| point.0.is_finite() && point.1.is_finite();
     let impacts = || {
         shown
             .iter()
             .flat_map(|group| &group.impacts)
-            .filter(|p| finite(p))
+            .filter(|p| is_finite(**p))
     };
     let means = || shown.iter().flat_map(|group| &group.law);
     if impacts().next().is_none() && means().next().is_none() {
@@ -123,11 +122,7 @@ fn mean(panel: &Panel, sheet: &mut Sheet, place: usize, group: &GroupLaw) {
     let points: Vec<(f64, f64)> = group.law.iter().map(|p| (p.speed_m_s, p.value)).collect();
     let pen = Pen::solid(theme::group(place), LINE);
     panel.curve(&mut sheet.canvas, &points, pen);
-    for place_of_point in points {
-        let point = Measured {
-            place: place_of_point,
-            standard_error: None,
-        };
+    for point in points {
         panel.point(&mut sheet.canvas, point, Swatch::of_group(place));
     }
 }

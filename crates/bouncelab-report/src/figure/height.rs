@@ -1,16 +1,16 @@
 //! Height against time (paper, Figs. 2 and 8).
 
 use super::{Curve, Figure, curve_key, is_finite, pens};
+use crate::quantity::Unit;
 use crate::scale::Scale;
-use crate::sheet::{Axis, KeyEntry, Measured, Panel, Sheet, Swatch};
+use crate::sheet::{Axis, KeyEntry, Panel, Sheet, Swatch};
 use crate::theme::Meaning;
 
 const TITLE: &str = "Height of the ball";
 const HEIGHT: f64 = 380.0;
 
 /// Curves of height in metres against time in seconds, and measured apexes as dots (time in
-/// seconds, height in metres). The axis is in millimetres, centimetres or metres, whichever
-/// suits.
+/// seconds, height in metres). The axis is in micrometres to metres, whichever suits.
 pub fn height(curves: &[Curve], apexes: &[(f64, f64)]) -> Figure {
     let points: Vec<(f64, f64)> = curves
         .iter()
@@ -23,11 +23,7 @@ pub fn height(curves: &[Curve], apexes: &[(f64, f64)]) -> Figure {
         return Figure::empty(HEIGHT, TITLE, "There are no heights to show.");
     }
     let highest = points.iter().map(|p| p.1).fold(0.0, f64::max);
-    let (metres, unit) = match highest {
-        h if h < 0.01 => (1e-3, "mm"),
-        h if h < 1.0 => (1e-2, "cm"),
-        _ => (1.0, "m"),
-    };
+    let (metres, unit) = Unit::Length.step_for(highest);
     let x = Axis::new(Scale::linear(points.iter().map(|p| p.0)), "time (s)");
     let heights = points.iter().map(|p| p.1 / metres).chain([0.0]);
     let y = Axis::new(
@@ -50,11 +46,7 @@ pub fn height(curves: &[Curve], apexes: &[(f64, f64)]) -> Figure {
         panel.curve(&mut sheet.canvas, &points, pen);
     }
     for apex in apexes {
-        let point = Measured {
-            place: shown(apex),
-            standard_error: None,
-        };
-        panel.point(&mut sheet.canvas, point, Swatch::Dot(colour));
+        panel.point(&mut sheet.canvas, shown(apex), Swatch::Dot(colour));
     }
     Figure::new(sheet, caption(curves.len(), !apexes.is_empty()))
 }

@@ -4,7 +4,7 @@ use super::rows::{Name, Rows};
 use super::{Figure, count};
 use crate::canvas::Pen;
 use crate::scale::Scale;
-use crate::sheet::{Measured, Panel, Sheet, Swatch};
+use crate::sheet::{Panel, Sheet, Swatch};
 use crate::theme::{self, Meaning};
 
 const ROW: f64 = 34.0;
@@ -74,20 +74,12 @@ fn draw_row(panel: &Panel, sheet: &mut Sheet, middle: f64, group: &GroupInterval
             theme::SOFT_INK
         };
         if outlier {
-            let point = Measured {
-                place: (value, height),
-                standard_error: None,
-            };
-            panel.point(&mut sheet.canvas, point, Swatch::Ring(colour));
+            panel.point(&mut sheet.canvas, (value, height), Swatch::Ring(colour));
         } else {
             panel.speck(&mut sheet.canvas, (value, height), colour);
         }
     }
-    let point = Measured {
-        place: (group.mean, middle),
-        standard_error: None,
-    };
-    panel.point(&mut sheet.canvas, point, Swatch::Dot(blue));
+    panel.point(&mut sheet.canvas, (group.mean, middle), Swatch::Dot(blue));
 }
 
 /// From -1 to 1, evenly for any number of places: multiples of the golden section.

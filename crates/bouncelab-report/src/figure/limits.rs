@@ -4,7 +4,7 @@ use super::Figure;
 use super::rows::{Name, Rows};
 use crate::canvas::Pen;
 use crate::scale::Scale;
-use crate::sheet::{Measured, Panel, Sheet, Swatch};
+use crate::sheet::{Panel, Sheet, Swatch};
 use crate::theme::{self, Meaning};
 
 const ROW: f64 = 30.0;
@@ -106,9 +106,9 @@ fn draw_row(panel: &Panel, sheet: &mut Sheet, middle: f64, judged: &Judged) {
             Pen::solid(colour.mixed(0.45), width),
         );
     }
-    let point = Measured {
-        place: (judged.value, middle),
-        standard_error: None,
-    };
-    panel.point(&mut sheet.canvas, point, Swatch::Dot(colour));
+    panel.point(
+        &mut sheet.canvas,
+        (judged.value, middle),
+        Swatch::Dot(colour),
+    );
 }

@@ -38,11 +38,12 @@ pub use models::{ModelWeight, models};
 pub use residuals::{Residual, residuals};
 pub use restitution::{BandPoint, Restitution, restitution};
 pub use run_chart::{RunPoint, run_chart};
-pub use waveform::{Envelope, Mark, SURE, waveform};
+pub use waveform::{Envelope, Mark, waveform};
 
-use crate::canvas::{Dash, Pen};
+use crate::canvas::Pen;
 use crate::language::{Say, said};
 use crate::scale::Scale;
+use crate::shape::{Dash, is_finite};
 use crate::sheet::{KeyEntry, Sheet, Swatch};
 use crate::theme::Meaning;
 
@@ -176,10 +177,6 @@ fn curve_key(curves: &[Curve], pens: &[Pen]) -> Vec<KeyEntry> {
         .zip(pens)
         .map(|(curve, &pen)| KeyEntry::new(Swatch::Line(pen), curve.name.clone()))
         .collect()
-}
-
-fn is_finite(point: (f64, f64)) -> bool {
-    point.0.is_finite() && point.1.is_finite()
 }
 
 /// A scale that shows the bulk of the values and leaves outliers out: those further from the

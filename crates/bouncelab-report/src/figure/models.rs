@@ -1,9 +1,10 @@
 //! Which law may be true, and what each says.
 
 use super::Figure;
-use crate::canvas::{Anchor, Pen, Rect, Style};
+use crate::canvas::{Anchor, Pen, Style};
 use crate::scale::Scale;
-use crate::sheet::{Measured, Panel, Sheet, Swatch};
+use crate::shape::Rect;
+use crate::sheet::{Panel, Sheet, Swatch};
 use crate::theme::{self, Meaning};
 
 const TITLE: &str = "Which law is it?";
@@ -60,11 +61,7 @@ pub fn models(models: &[ModelWeight], quantity: &str) -> Figure {
                 &whisker,
                 Pen::solid(colour.mixed(0.4), 5.0),
             );
-            let point = Measured {
-                place: (value, place),
-                standard_error: None,
-            };
-            panel.point(&mut sheet.canvas, point, Swatch::Dot(colour));
+            panel.point(&mut sheet.canvas, (value, place), Swatch::Dot(colour));
         }
     }
     Figure::new(
@@ -81,14 +78,14 @@ fn name_and_bar(sheet: &mut Sheet, middle: f64, model: &ModelWeight) {
     let place = (16.0, middle + 4.5);
     let name = model.name.as_str();
     sheet.canvas.text_wrapped(LEFT - 26.0, place, name, style);
-    let right = LEFT + LENGTH * model.weight.clamp(0.0, 1.0);
-    let corners = [
-        (LEFT, middle - 8.0),
-        (right, middle - 8.0),
-        (right, middle + 8.0),
-        (LEFT, middle + 8.0),
-    ];
-    sheet.canvas.area(&corners, Meaning::Drag.colour());
+    let bar = Rect {
+        left: LEFT,
+        top: middle - 8.0,
+        right: LEFT + LENGTH * model.weight.clamp(0.0, 1.0),
+        bottom: middle + 8.0,
+    };
+    sheet.canvas.block(bar, Meaning::Drag.colour());
     let text = format!("{:.1} %", model.weight * 100.0);
-    sheet.canvas.text((right + 6.0, middle + 4.5), text, style);
+    let place = (bar.right + 6.0, middle + 4.5);
+    sheet.canvas.text(place, text, style);
 }

@@ -3,7 +3,7 @@
 use super::Figure;
 use crate::canvas::Pen;
 use crate::scale::Scale;
-use crate::sheet::{Axis, KeyEntry, Measured, Panel, Sheet, Swatch};
+use crate::sheet::{Axis, KeyEntry, Panel, Sheet, Swatch};
 use crate::theme::{self, Meaning};
 
 const TITLE: &str = "How odd is each impact?";
@@ -65,10 +65,7 @@ pub fn residuals(residuals: &[Residual]) -> Figure {
     panel.block(canvas, span, [-1.0, 1.0], theme::BASE_LINE.mixed(0.38));
     panel.level(canvas, 0.0, Pen::solid(theme::BASE_LINE, 1.0));
     for residual in usable {
-        let point = Measured {
-            place: (f64::from(residual.number), residual.standardised),
-            standard_error: None,
-        };
+        let point = (f64::from(residual.number), residual.standardised);
         let outside = residual.standardised.abs() > highest;
         let swatch = match (residual.odd, outside) {
             (true, false) => odd,

@@ -36,12 +36,9 @@ pub struct BandPoint {
     pub interval95: [f64; 2],
 }
 
-impl From<Restitution> for Measured {
-    fn from(impact: Restitution) -> Self {
-        Self {
-            place: (impact.speed_m_s, impact.value),
-            standard_error: impact.standard_error,
-        }
+impl Restitution {
+    fn place(self) -> (f64, f64) {
+        (self.speed_m_s, self.value)
     }
 }
 
@@ -89,6 +86,10 @@ pub fn restitution(
     let blue = Meaning::Measured.colour();
     let orange = Meaning::Drag.colour();
     let pen = Pen::solid(grey, LINE);
+    let odd = Swatch::Mark {
+        colour: orange,
+        filled: false,
+    };
     let mut key = Vec::new();
     if !corrected.is_empty() {
         key.push(KeyEntry::new(Swatch::Dot(blue), "corrected for drag"));
@@ -97,11 +98,7 @@ pub fn restitution(
         key.push(KeyEntry::new(Swatch::Ring(grey), "as if there were no air"));
     }
     if corrected.iter().any(|impact| impact.odd) {
-        let swatch = Swatch::Mark {
-            colour: orange,
-            filled: false,
-        };
-        key.push(KeyEntry::new(swatch, "odd, counts less"));
+        key.push(KeyEntry::new(odd, "odd, counts less"));
     }
     let fit = Pen::solid(orange, LINE);
     if !band.is_empty() {
@@ -121,7 +118,11 @@ pub fn restitution(
     ];
     for (impacts, _, colour) in groups {
         for &impact in impacts {
-            panel.uncertainty(&mut sheet.canvas, impact.into(), colour);
+            let point = Measured {
+                place: impact.place(),
+                standard_error: impact.standard_error,
+            };
+            panel.uncertainty(&mut sheet.canvas, point, colour);
         }
     }
     if let Some(value) = line {
@@ -129,15 +130,11 @@ pub fn restitution(
     }
     for (impacts, swatch, _) in groups {
         for &impact in impacts {
-            panel.point(&mut sheet.canvas, impact.into(), swatch);
+            panel.point(&mut sheet.canvas, impact.place(), swatch);
         }
     }
     for &impact in corrected.iter().filter(|impact| impact.odd) {
-        let swatch = Swatch::Mark {
-            colour: orange,
-            filled: false,
-        };
-        panel.point(&mut sheet.canvas, impact.into(), swatch);
+        panel.point(&mut sheet.canvas, impact.place(), odd);
     }
     Figure::new(sheet, caption(!raw.is_empty() && !corrected.is_empty()))
 }

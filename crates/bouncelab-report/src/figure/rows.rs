@@ -1,7 +1,8 @@
 //! What figures with one named row for each value have in common.
 
-use crate::canvas::{Anchor, Canvas, MOST_LINES, Rect, Style, line_height, wrapped};
+use crate::canvas::{Anchor, Canvas, MOST_LINES, Style, line_height, wrapped};
 use crate::scale::Scale;
+use crate::shape::Rect;
 use crate::sheet::{Panel, Sheet};
 use crate::theme;
 

@@ -1,7 +1,7 @@
 //! The drops in the order in which they were made.
 
 use super::{Figure, LINE, robust_scale};
-use crate::canvas::{Dash, Pen};
+use crate::canvas::Pen;
 use crate::scale::Scale;
 use crate::sheet::{Axis, KeyEntry, Measured, Panel, Sheet, Swatch};
 use crate::theme::{self, Meaning};
@@ -50,13 +50,7 @@ pub fn run_chart(points: &[RunPoint], groups: &[String], limit: Option<f64>) -> 
     let orders = numbered.iter().map(|(order, _)| *order).chain([0.0]);
     let x = Axis::new(Scale::linear(orders).padded(0.0, 0.02), "drop, in order");
     let mut sheet = Sheet::new(HEIGHT, TITLE);
-    let pen = Pen {
-        dash: Some(Dash {
-            stroke: 7.0,
-            gap: 5.0,
-        }),
-        ..Pen::solid(Meaning::NoDrag.colour(), 1.5)
-    };
+    let pen = Pen::solid(Meaning::NoDrag.colour(), 1.5).dashed(7.0, 5.0);
     let mut key = Vec::new();
     if groups.len() > 1 && groups.len() <= MOST_NAMED {
         let named = groups.iter().enumerate();
@@ -86,12 +80,16 @@ pub fn run_chart(points: &[RunPoint], groups: &[String], limit: Option<f64>) -> 
         };
         let colour = theme::group(point.group);
         if point.outlier {
-            panel.point(&mut sheet.canvas, measured, odd());
+            panel.point(&mut sheet.canvas, measured.place, odd());
         } else if crowded {
             panel.speck(&mut sheet.canvas, measured.place, colour);
         } else {
             panel.uncertainty(&mut sheet.canvas, measured, colour);
-            panel.point(&mut sheet.canvas, measured, Swatch::of_group(point.group));
+            panel.point(
+                &mut sheet.canvas,
+                measured.place,
+                Swatch::of_group(point.group),
+            );
         }
     }
     Figure::new(

@@ -10,9 +10,6 @@ use crate::theme::{self, Meaning};
 const TITLE: &str = "The sound and its impacts";
 const HEIGHT: f64 = 360.0;
 
-/// An impact at least this probable is drawn as sure.
-pub const SURE: f64 = 0.9;
-
 /// No recording lasts longer, in seconds: thirty years.
 const LONGEST_S: f64 = 1e9;
 
@@ -113,9 +110,8 @@ fn ends(values: &[f32]) -> (f32, f32) {
 pub struct Mark {
     /// When it begins, in seconds.
     pub time_s: f64,
-    /// How probable it is that this is an impact of its drop, 0 to 1; below [`SURE`] it is
-    /// drawn as uncertain.
-    pub probability: f64,
+    /// Whether it is surely an impact of its drop.
+    pub sure: bool,
     /// Which drop it belongs to, counted from 1.
     pub drop: usize,
 }
@@ -125,7 +121,7 @@ pub struct Mark {
 /// ```
 /// use bouncelab_report::figure::{Envelope, Mark, waveform};
 /// let sound = Envelope::from_samples(&[0.0, 0.9, -0.4, 0.1, 0.0, 0.5, -0.2, 0.0], 8.0, 8)?;
-/// let marks = [0.125, 0.625].map(|time_s| Mark { time_s, probability: 0.99, drop: 1 });
+/// let marks = [0.125, 0.625].map(|time_s| Mark { time_s, sure: true, drop: 1 });
 /// assert_eq!(waveform(&sound, &marks).caption(), "2 impacts of one drop.");
 /// # Ok::<(), bouncelab_report::Error>(())
 /// ```
@@ -139,7 +135,7 @@ pub fn waveform(sound: &Envelope, marks: &[Mark]) -> Figure {
         .filter(|mark| mark.time_s.is_finite())
         .collect();
     marks.sort_by(|a, b| a.time_s.total_cmp(&b.time_s));
-    let uncertain = marks.iter().filter(|mark| !is_sure(mark)).count();
+    let uncertain = marks.iter().filter(|mark| !mark.sure).count();
     let drops = drops(&marks);
 
     let mut sheet = Sheet::new(HEIGHT, TITLE);
@@ -163,12 +159,8 @@ pub fn waveform(sound: &Envelope, marks: &[Mark]) -> Figure {
     Figure::new(sheet, caption(marks.len(), uncertain, drops.len()))
 }
 
-fn is_sure(mark: &Mark) -> bool {
-    mark.probability >= SURE
-}
-
 fn meaning(mark: &Mark) -> Meaning {
-    if is_sure(mark) {
+    if mark.sure {
         Meaning::Measured
     } else {
         Meaning::Warning
@@ -257,7 +249,7 @@ fn draw_marks(sheet: &mut Sheet, panel: &Panel, marks: &[Mark], unit: TimeUnit) 
     // The uncertain ones last: a filled mark beside must not hide one.
     let (sure, uncertain): (Vec<usize>, Vec<usize>) = (0..marks.len())
         .filter(on_sheet)
-        .partition(|&i| is_sure(&marks[i]));
+        .partition(|&i| marks[i].sure);
     for i in sure.into_iter().chain(uncertain) {
         let x = places[i];
         let colour = meaning(&marks[i]).colour();
@@ -267,7 +259,7 @@ fn draw_marks(sheet: &mut Sheet, panel: &Panel, marks: &[Mark], unit: TimeUnit) 
         let after = places.get(i + 1).map_or(f64::INFINITY, |next| next - x);
         let half = (0.45 * before.min(after)).clamp(1.5, MARK);
         let tip = (x, frame.top - 2.0);
-        mark(&mut sheet.canvas, tip, half, colour, is_sure(&marks[i]));
+        mark(&mut sheet.canvas, tip, half, colour, marks[i].sure);
     }
 }
 

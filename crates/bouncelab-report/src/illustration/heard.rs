@@ -1,8 +1,9 @@
 //! The figures of what was heard.
 
-use bouncelab::analysis::{Analysis, Settings};
+use bouncelab::analysis::{Analysis, SURE, Settings};
 use bouncelab::estimate::Impact;
 use bouncelab::listen;
+use bouncelab::regression::Regression;
 
 use super::inferred;
 use crate::error::Result;
@@ -20,20 +21,33 @@ const POINTS: usize = 24;
 ///
 /// [`Error::Envelope`](crate::Error::Envelope) if the sound is longer than thirty years.
 pub fn waveform(sound: &listen::Envelope, drops: &[Analysis]) -> Result<Figure> {
-    let (least, greatest) = (sound.least().to_vec(), sound.greatest().to_vec());
-    let envelope = Envelope::new(0.0, sound.step_s(), least, greatest)?;
+    let envelope = envelope(sound)?;
     let marks: Vec<Mark> = drops
         .iter()
         .zip(1..)
         .flat_map(|(found, drop)| {
             found.impacts.iter().map(move |impact| Mark {
                 time_s: impact.time_s,
-                probability: impact.probability,
+                sure: impact.probability >= SURE,
                 drop,
             })
         })
         .collect();
     Ok(figure::waveform(&envelope, &marks))
+}
+
+/// The loudness of a sound, to be drawn.
+pub(crate) fn envelope(sound: &listen::Envelope) -> Result<Envelope> {
+    let (least, greatest) = (sound.least().to_vec(), sound.greatest().to_vec());
+    Envelope::new(0.0, sound.step_s(), least, greatest)
+}
+
+/// A straight line, to be drawn.
+pub(crate) fn line(fit: &Regression) -> Line {
+    Line {
+        slope: fit.slope().value,
+        intercept: fit.intercept().value,
+    }
 }
 
 /// The flight times and the straight line through their logarithms.
@@ -48,10 +62,7 @@ pub fn flight_times(drop: &Analysis) -> Figure {
             used: flight.in_line,
         })
         .collect();
-    let line = drop.line.as_ref().ok().map(|fit| Line {
-        slope: fit.slope().value,
-        intercept: fit.intercept().value,
-    });
+    let line = drop.line.as_ref().ok().map(line);
     figure::flight_times(&flights, line)
 }
 
@@ -59,10 +70,8 @@ pub fn flight_times(drop: &Analysis) -> Figure {
 pub fn restitution(drop: &Analysis) -> Figure {
     let is_odd = |number: usize| {
         let found = drop.estimate.as_ref().ok();
-        found.is_some_and(|found| {
-            let impact = found.impacts.iter().find(|impact| impact.number == number);
-            impact.is_some_and(Impact::is_odd)
-        })
+        let impact = found.and_then(|found| found.impact(number));
+        impact.is_some_and(Impact::is_odd)
     };
     let impacts = drop
         .corrected
@@ -161,13 +170,11 @@ pub fn height_with(
 /// The height of each bounce: with the air taken into account where that can be done, else as if there
 /// were none.
 pub fn bounce_heights(drop: &Analysis) -> Figure {
-    let modelled = drop.corrected.as_ref().ok();
     let bounces: Vec<BounceHeight> = drop
         .flights
         .iter()
         .map(|flight| {
-            let found =
-                modelled.and_then(|found| found.flights.iter().find(|f| f.number == flight.number));
+            let found = drop.modelled_flight(flight.number);
             BounceHeight {
                 number: flight.number as u32,
                 height_m: found.map_or(flight.plain_height_m, |found| found.flight.apex_m),
@@ -202,10 +209,7 @@ pub fn energies(drop: &Analysis, settings: &Settings) -> Vec<BounceEnergy> {
         .impacts
         .iter()
         .filter_map(|impact| {
-            let mut flights = found.flights.iter();
-            let after = flights
-                .find(|flight| flight.number == impact.number)?
-                .flight;
+            let after = drop.modelled_flight(impact.number)?.flight;
             let before_j = kinetic_j(impact.impact_speed_m_s);
             let launched_j = kinetic_j(after.launch_speed_m_s);
             Some(BounceEnergy {

@@ -26,6 +26,7 @@ pub use heard::{
     BounceEnergy, Flown, bounce_energies, bounce_heights, energies, flight_times, flown, height,
     height_with, restitution, waveform,
 };
+pub(crate) use heard::{envelope, line};
 pub use inferred::{budget, corner, cut, models, residuals};
 
 use crate::Figure;

@@ -54,7 +54,12 @@ fn environment(drag: DragLaw, buoyancy: bool) -> Result<Environment> {
 
 /// A drop from the paper's height with a constant restitution.
 pub(super) fn dropped(model: &FlightModel, restitution: f64, stop: Stop) -> Result<History> {
-    let contact = Contact::instantaneous(Restitution::constant(restitution)?);
+    dropped_by(model, Restitution::constant(restitution)?, stop)
+}
+
+/// A drop from the paper's height by a restitution law.
+fn dropped_by(model: &FlightModel, law: Restitution, stop: Stop) -> Result<History> {
+    let contact = Contact::instantaneous(law);
     drop::simulate(model, &contact, Start::Height(DROP_HEIGHT_M), stop)
 }
 
@@ -71,23 +76,47 @@ pub(super) fn flights(history: &History) -> Vec<NumberedFlight> {
 
 /// What the paper's straight line makes of the first flights of a drop with drag.
 pub(super) fn regressed(restitution: f64, count: usize) -> Result<Regression> {
-    let history = dropped(&model(CONSTANT)?, restitution, Stop::after(count))?;
+    regressed_by(
+        Restitution::constant(restitution)?,
+        &model(CONSTANT)?,
+        count,
+    )
+}
+
+/// The same of a drop by a restitution law, in any air.
+pub(super) fn regressed_by(
+    law: Restitution,
+    model: &FlightModel,
+    count: usize,
+) -> Result<Regression> {
+    let history = dropped_by(model, law, Stop::after(count))?;
     regression::fit(&flights(&history), GRAVITY_M_S2)
 }
 
 /// The constant restitution that, with drag, regresses to the paper's e over so many flights.
 pub(super) fn behind_the_regression(count: usize) -> Result<f64> {
-    // The regressed value grows with the true one: bisection to the last bit that matters.
-    let (mut low, mut high) = (REGRESSED, 1.0);
-    while high - low > 1e-12 {
+    // The regressed value grows with the true one.
+    let [low, high] = bisected([REGRESSED, 1.0], 1e-12, |restitution| {
+        Ok(regressed(restitution, count)?.restitution().value < REGRESSED)
+    })?;
+    Ok(f64::midpoint(low, high))
+}
+
+/// Two ends so close together, between which something stops to hold that holds at the lower one.
+pub(super) fn bisected(
+    [mut low, mut high]: [f64; 2],
+    width: f64,
+    mut holds: impl FnMut(f64) -> Result<bool>,
+) -> Result<[f64; 2]> {
+    while high - low > width {
         let middle = f64::midpoint(low, high);
-        if regressed(middle, count)?.restitution().value < REGRESSED {
+        if holds(middle)? {
             low = middle;
         } else {
             high = middle;
         }
     }
-    Ok(f64::midpoint(low, high))
+    Ok([low, high])
 }
 
 /// Time and path from release until the ball no longer bounces measurably, with drag.

@@ -4,8 +4,10 @@ use super::experiment::{
     self, CONSTANT, GRAVITY_M_S2, REGRESSED, SIMULATED, behind_the_regression, dropped, model,
 };
 use crate::error::Result;
-use crate::figure::{self, Curve, DragAxes, Envelope, Figure, Line, Mark, TimedFlight};
+use crate::figure::{self, Curve, DragAxes, Figure, Mark, TimedFlight};
+use crate::illustration;
 use crate::theme::Meaning;
+use bouncelab::analysis::SURE;
 use bouncelab::drag::DragLaw;
 use bouncelab::drop::{History, Stop};
 use bouncelab::impact::Strike;
@@ -71,11 +73,7 @@ fn sound() -> Result<Figure> {
     let mut listener = Listener::new(recording.sample_rate_hz, 1);
     listener.push(&[&recording.samples]);
     let heard = listener.finish();
-    let (least, greatest) = (
-        heard.envelope.least().to_vec(),
-        heard.envelope.greatest().to_vec(),
-    );
-    let envelope = Envelope::new(0.0, heard.envelope.step_s(), least, greatest)?;
+    let envelope = illustration::envelope(&heard.envelope)?;
     let marks: Vec<Mark> = heard
         .found
         .trains
@@ -83,7 +81,7 @@ fn sound() -> Result<Figure> {
         .flat_map(Train::impacts)
         .map(|impact| Mark {
             time_s: impact.onset.time_s,
-            probability: impact.probability,
+            sure: impact.probability >= SURE,
             drop: 1,
         })
         .collect();
@@ -108,10 +106,7 @@ fn flight_times() -> Result<Figure> {
             used: flight.number <= 10,
         })
         .collect();
-    let line = Line {
-        slope: fit.slope().value,
-        intercept: fit.intercept().value,
-    };
+    let line = illustration::line(&fit);
     Ok(figure::flight_times(&drawn, Some(line)))
 }
 

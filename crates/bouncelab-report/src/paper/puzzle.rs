@@ -3,17 +3,20 @@
 
 use bouncelab::Result;
 use bouncelab::drag::DragLaw;
-use bouncelab::drop::{self, Start, Stop};
 use bouncelab::flight::FlightModel;
-use bouncelab::impact::{Contact, Restitution};
-use bouncelab::regression::{self, Regression};
+use bouncelab::impact::Restitution;
 use serde::Serialize;
 
-use super::experiment::{self, CONSTANT, DROP_HEIGHT_M, GRAVITY_M_S2, REGRESSED};
+use super::experiment::{
+    self, CONSTANT, DROP_HEIGHT_M, GRAVITY_M_S2, REGRESSED, bisected, regressed_by,
+};
 
 /// The height that the paper's regression gives, and how far its last digit reaches, m.
 const REGRESSED_HEIGHT_M: f64 = 0.267;
 const LAST_DIGIT_M: f64 = 0.0005;
+
+/// No ball loses more restitution with speed: an exponent, or in s/m.
+const STEEPEST: f64 = 0.1;
 
 /// A slow impact, to compare with the first.
 const SLOW_M_S: f64 = 0.5;
@@ -108,27 +111,13 @@ pub fn explanations() -> Result<Vec<Explanation>> {
     Ok(found)
 }
 
-/// The straight line through the first flights of a drop from the paper's height.
-fn regressed(law: Restitution, model: &FlightModel, flights: usize) -> Result<Regression> {
-    let contact = Contact::instantaneous(law);
-    let start = Start::Height(DROP_HEIGHT_M);
-    let history = drop::simulate(model, &contact, start, Stop::after(flights))?;
-    regression::fit(&experiment::flights(&history), GRAVITY_M_S2)
-}
-
 /// The law of a family with this slope that regresses to the paper's e.
 fn pinned(family: Family, slope: f64, model: &FlightModel, flights: usize) -> Result<Restitution> {
-    let (mut low, mut high) = (0.85, 1.0);
-    while high - low > 1e-10 {
-        let middle = f64::midpoint(low, high);
-        let line = regressed(family(middle, slope)?, model, flights)?;
-        if line.restitution().value < REGRESSED {
-            low = middle;
-        } else {
-            high = middle;
-        }
-    }
-    family(low, slope)
+    let [level, _] = bisected([0.85, 1.0], 1e-10, |level| {
+        let line = regressed_by(family(level, slope)?, model, flights)?;
+        Ok(line.restitution().value < REGRESSED)
+    })?;
+    family(level, slope)
 }
 
 /// What a family without a slope says.
@@ -144,7 +133,7 @@ fn explain(
 }
 
 /// The member of a family with a slope that gives the paper's height too; `None` if there is none
-/// with a slope below one half.
+/// with a slope below [`STEEPEST`].
 fn solve(
     name: &str,
     family: Family,
@@ -154,21 +143,17 @@ fn solve(
 ) -> Result<Option<Explanation>> {
     let height_m = |slope: f64| -> Result<f64> {
         let law = pinned(family, slope, model, flights)?;
-        Ok(regressed(law, model, flights)?.drop_height_m().value)
+        Ok(regressed_by(law, model, flights)?.drop_height_m().value)
     };
-    let (mut low, mut high) = (0.0, 0.1);
-    if height_m(low)? < REGRESSED_HEIGHT_M || height_m(high)? > REGRESSED_HEIGHT_M {
+    let slopes = [0.0, STEEPEST];
+    let [flat, steep] = slopes.map(height_m);
+    if flat? < REGRESSED_HEIGHT_M || steep? > REGRESSED_HEIGHT_M {
         return Ok(None);
     }
-    while high - low > 1e-8 {
-        let middle = f64::midpoint(low, high);
-        if height_m(middle)? > REGRESSED_HEIGHT_M {
-            low = middle;
-        } else {
-            high = middle;
-        }
-    }
-    let law = pinned(family, low, model, flights)?;
+    let [slope, _] = bisected(slopes, 1e-8, |slope| {
+        Ok(height_m(slope)? > REGRESSED_HEIGHT_M)
+    })?;
+    let law = pinned(family, slope, model, flights)?;
     Ok(Some(described(name, law, drag, model, flights)?))
 }
 
@@ -180,7 +165,7 @@ fn described(
     flights: usize,
 ) -> Result<Explanation> {
     let first_m_s = model.fall(DROP_HEIGHT_M)?.impact_speed_m_s;
-    let drop_height_m = regressed(law, model, flights)?.drop_height_m().value;
+    let drop_height_m = regressed_by(law, model, flights)?.drop_height_m().value;
     Ok(Explanation {
         restitution_law: name.to_owned(),
         drag: drag.to_owned(),

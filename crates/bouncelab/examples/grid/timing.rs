@@ -37,6 +37,11 @@ struct Flight {
     bound: f64,
 }
 
+/// By how much impacts differ, as standard deviation of the phase of each of their modes.
+const PHASES_RAD: [f64; 3] = [0.02, 0.1, 0.3];
+/// The noise under impacts that differ.
+const DIFFERING_DB: f64 = 40.0;
+
 /// How far the noise lies below the loudest impact, in dB.
 const NOISES_DB: [f64; 4] = [20.0, 30.0, 40.0, 50.0];
 
@@ -48,7 +53,9 @@ pub(crate) fn print(drops: u64) {
     let mut quietest = Vec::new();
     for voice in Voice::NAMES {
         for snr_db in NOISES_DB {
-            let heard: Vec<Vec<Timed>> = (0..drops).map(|seed| time(voice, snr_db, seed)).collect();
+            let heard: Vec<Vec<Timed>> = (0..drops)
+                .map(|seed| time(voice, snr_db, 0.0, seed))
+                .collect();
             println!("| {voice} | {snr_db} dB | {}", summary(&heard));
             if snr_db == NOISES_DB[3] {
                 quietest.push((voice, heard));
@@ -60,13 +67,22 @@ pub(crate) fn print(drops: u64) {
     for (voice, heard) in quietest {
         print_lateness(voice, &heard);
     }
+    println!("\n| ball | phases differ by | median error | within one sigma | beyond three |");
+    println!("|---|---|---|---|---|");
+    for voice in Voice::NAMES {
+        for phase_scatter_rad in PHASES_RAD {
+            let heard = (0..drops).map(|seed| time(voice, DIFFERING_DB, phase_scatter_rad, seed));
+            let halves = halves(&heard.collect::<Vec<_>>());
+            println!("| {voice} | {phase_scatter_rad} rad | {halves} |");
+        }
+    }
 }
 
-/// Impacts of one drop that are all alike, in white noise.
-fn time(voice: &str, snr_db: f64, seed: u64) -> Vec<Timed> {
+/// The impacts of one drop in white noise; without scatter of their phases they are all alike.
+fn time(voice: &str, snr_db: f64, phase_scatter_rad: f64, seed: u64) -> Vec<Timed> {
     let scene = Scene {
         voice: Voice::named(voice).unwrap_or_default(),
-        phase_scatter_rad: 0.0,
+        phase_scatter_rad,
         bit_depth: BitDepth::Float,
         ..usual(snr_db)
     };
@@ -175,6 +191,33 @@ fn summary(heard: &[Vec<Timed>]) -> String {
         100.0 * within as f64 / flights.len() as f64,
         drift(heard)
     )
+}
+
+/// The median error of flight times, and how many are within one and beyond three standard errors,
+/// of the first and of the second half of each drop.
+fn halves(heard: &[Vec<Timed>]) -> String {
+    let (mut first, mut second): (Vec<Flight>, Vec<Flight>) = Default::default();
+    for drop in heard {
+        let (early, late) = drop.split_at(drop.len() / 2);
+        first.extend(flights(early));
+        second.extend(flights(late));
+    }
+    let halves = [first, second];
+    let each = |cell: &dyn Fn(&[Flight]) -> String| {
+        let [first, second] = halves.each_ref().map(|half| cell(half));
+        format!("{first}, {second}")
+    };
+    let percent = |half: &[Flight], is_meant: &dyn Fn(f64) -> bool| {
+        let meant = half.iter().filter(|f| is_meant(f.error.abs() / f.sigma));
+        100.0 * meant.count() as f64 / half.len().max(1) as f64
+    };
+    let error = each(&|half| {
+        let mut errors: Vec<f64> = half.iter().map(|flight| flight.error.abs()).collect();
+        median(&mut errors).map_or("-".into(), |error| format!("{:.2} us", 1e6 * error))
+    });
+    let within = each(&|half| format!("{:.0} %", percent(half, &|score| score < 1.0)));
+    let beyond = each(&|half| format!("{:.1} %", percent(half, &|score| score > 3.0)));
+    format!("{error} | {within} | {beyond}")
 }
 
 fn flights(drop: &[Timed]) -> impl Iterator<Item = Flight> {

@@ -6,7 +6,6 @@ use super::likelihood::{Evaluator, Innovation};
 use super::posterior::{Posterior, THINNED};
 use super::summary::Summary;
 use super::{Prediction, Question, Reach, budget, identify, predict, remark};
-use crate::ball::Ball;
 use crate::drag::DragLaw;
 use crate::error::Result;
 use crate::flight::{Environment, FlightModel};
@@ -63,13 +62,7 @@ impl Answers {
         })
     }
 
-    pub(super) fn inference(
-        self,
-        posterior: Posterior,
-        ball: &Ball,
-        environment: &Environment,
-        question: &Question,
-    ) -> Option<Inference> {
+    pub(super) fn inference(self, posterior: Posterior, question: &Question) -> Option<Inference> {
         let of = |values: &[f64]| Summary::of(values.iter().copied());
         let innovations = posterior.innovations();
         let narrowed = identify::narrowed(&posterior);
@@ -78,9 +71,9 @@ impl Answers {
         });
         let rests = rest.iter().filter(|rest| rest.is_some()).count() * 2 > rest.len();
         let rest: Vec<predict::Rest> = rest.into_iter().flatten().filter(|_| rests).collect();
-        let drag_coefficient = self.drag_coefficients(&posterior, ball, environment);
-        let drag = self.drag(&posterior, ball, environment, &drag_coefficient);
-        let gravity_m_s2 = of(&self.environment_gravity(&posterior, environment))?;
+        let drag_coefficient = self.drag_coefficients(&posterior);
+        let drag = self.drag(&posterior, &drag_coefficient);
+        let gravity_m_s2 = of(&self.environment_gravity(&posterior))?;
         let remarks = remark::remarks(&posterior, &innovations, &narrowed, rests);
         Some(Inference {
             at_speed_m_s: self.at_speed_m_s,
@@ -96,7 +89,7 @@ impl Answers {
             total_path_m: Summary::of(rest.iter().map(|rest| rest.path_m)),
             missed_first: missed_first(&posterior),
             predictions: predictions(&posterior, &question.reach),
-            impacts: heard(&posterior, &innovations, ball, environment),
+            impacts: heard(&posterior, &innovations),
             models: self.models(&posterior),
             narrowed,
             correlations: identify::correlations(vec![
@@ -124,16 +117,12 @@ impl Answers {
     }
 
     /// The drag coefficient of each draw: that of its law at the fastest impact, times the scale.
-    fn drag_coefficients(
-        &self,
-        posterior: &Posterior,
-        ball: &Ball,
-        environment: &Environment,
-    ) -> Vec<f64> {
+    fn drag_coefficients(&self, posterior: &Posterior) -> Vec<f64> {
+        let environment = &posterior.environment;
         if environment.air.is_vacuum() || environment.drag == DragLaw::None {
             return Vec::new();
         }
-        let reynolds = environment.air.reynolds(ball, posterior.middle.fastest_m_s);
+        let reynolds = fastest_reynolds(posterior);
         let nominal: Vec<f64> = posterior
             .surroundings
             .iter()
@@ -145,28 +134,20 @@ impl Answers {
             .collect()
     }
 
-    fn drag(
-        &self,
-        posterior: &Posterior,
-        ball: &Ball,
-        environment: &Environment,
-        coefficients: &[f64],
-    ) -> Option<Drag> {
+    fn drag(&self, posterior: &Posterior, coefficients: &[f64]) -> Option<Drag> {
+        let environment = &posterior.environment;
         let coefficient = Summary::of(coefficients.iter().copied())?;
-        let reynolds = environment.air.reynolds(ball, posterior.middle.fastest_m_s);
+        let reynolds = fastest_reynolds(posterior);
         let nominal = environment.drag.coefficient(reynolds).ok()?;
         let models: Vec<FlightModel> = posterior
             .surroundings
             .iter()
             .map(|surroundings| {
-                let drag = surroundings.drag_law;
-                FlightModel::new(
-                    ball,
-                    &Environment {
-                        drag,
-                        ..*environment
-                    },
-                )
+                let environment = Environment {
+                    drag: surroundings.drag_law,
+                    ..*environment
+                };
+                FlightModel::new(&posterior.ball, &environment)
             })
             .collect::<Result<_>>()
             .ok()?;
@@ -188,13 +169,14 @@ impl Answers {
 
     /// Gravity itself, of which the effective gravity is only a part: the rest of what moved that
     /// belongs to buoyancy and added mass.
-    fn environment_gravity(&self, posterior: &Posterior, environment: &Environment) -> Vec<f64> {
+    fn environment_gravity(&self, posterior: &Posterior) -> Vec<f64> {
         let surroundings = &posterior.surroundings[posterior.candidates[0].surroundings];
         let share = surroundings.inputs.gravity_share();
         self.gravity_m_s2
             .iter()
             .map(|gravity| {
-                environment.gravity_m_s2 * (gravity / surroundings.gravity_m_s2).powf(share)
+                posterior.environment.gravity_m_s2
+                    * (gravity / surroundings.gravity_m_s2).powf(share)
             })
             .collect()
     }
@@ -236,6 +218,12 @@ impl Answers {
         }
         models
     }
+}
+
+/// The Reynolds number of the fastest impact heard, where drag shows most.
+fn fastest_reynolds(posterior: &Posterior) -> f64 {
+    let air = &posterior.environment.air;
+    air.reynolds(&posterior.ball, posterior.middle.fastest_m_s)
 }
 
 fn predictions(posterior: &Posterior, reach: &[Reach]) -> Vec<Prediction> {
@@ -283,12 +271,7 @@ fn terminal_speed(model: &FlightModel, drag_strength: f64) -> Option<f64> {
 }
 
 /// The impacts heard, with what each did to the speed and the energy of the ball.
-fn heard(
-    posterior: &Posterior,
-    innovations: &[Innovation],
-    ball: &Ball,
-    environment: &Environment,
-) -> Vec<Impact> {
+fn heard(posterior: &Posterior, innovations: &[Innovation]) -> Vec<Impact> {
     let told = posterior.each(THINNED, |evaluator: &mut Evaluator, point| {
         let told = evaluator.told(point)?;
         let table = evaluator.table(point)?;
@@ -299,10 +282,10 @@ fn heard(
             .collect::<Option<Vec<f64>>>()?;
         Some((told, apexes))
     });
-    let mass_kg = FlightModel::new(ball, environment)
+    let mass_kg = FlightModel::new(&posterior.ball, &posterior.environment)
         .ok()
         .and_then(|model| model.moving_mass_kg())
-        .unwrap_or(ball.mass_kg());
+        .unwrap_or(posterior.ball.mass_kg());
     let stretches = &posterior.observed.stretches;
     let impacts = posterior.observed.impacts.iter().enumerate();
     impacts

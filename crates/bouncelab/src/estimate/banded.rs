@@ -65,21 +65,35 @@ impl Banded {
     /// Of each row of the factors the entries of L two and one place before the diagonal, and that of D.
     fn factors(&self) -> Option<Vec<[f64; 3]>> {
         let mut factors: Vec<[f64; 3]> = Vec::with_capacity(self.rows.len());
-        // Before the first row stands a matrix that is one.
-        let (mut two, mut one) = ([0.0, 0.0, 1.0], [0.0, 0.0, 1.0]);
+        let [mut one, mut two] = BEFORE_THE_FIRST;
         for (i, &[second, first, diagonal]) in self.rows.iter().enumerate() {
-            let second = if i < 2 { 0.0 } else { second / two[2] };
+            let second = if i < 2 { 0.0 } else { second };
             let first = if i < 1 { 0.0 } else { first };
-            let first = (first - second * one[1] * two[2]) / one[2];
-            let rest = diagonal - first * first * one[2] - second * second * two[2];
-            if rest.is_nan() || rest <= 0.0 {
+            let factor = next_factor([second, first, diagonal], [one, two]);
+            if factor[2].is_nan() || factor[2] <= 0.0 {
                 return None;
             }
-            (two, one) = (one, [second, first, rest]);
+            (two, one) = (one, factor);
             factors.push(one);
         }
         Some(factors)
     }
+}
+
+/// Before the first row stands a matrix that is one.
+pub(super) const BEFORE_THE_FIRST: [[f64; 3]; 2] = [[0.0, 0.0, 1.0]; 2];
+
+/// The next row of the factors L D L' of a banded matrix, from its row and the factors one and two rows
+/// before: the entries of L two and one places before the diagonal, and that of D.
+#[inline]
+pub(super) fn next_factor(
+    [second, first, diagonal]: [f64; 3],
+    [one, two]: [[f64; 3]; 2],
+) -> [f64; 3] {
+    let second = second / two[2];
+    let first = (first - second * one[1] * two[2]) / one[2];
+    let rest = diagonal - first * first * one[2] - second * second * two[2];
+    [second, first, rest]
 }
 
 #[cfg(test)]

@@ -17,6 +17,7 @@
 
 use nalgebra::DMatrix;
 
+use super::banded::{BEFORE_THE_FIRST, next_factor};
 use super::knowledge::Measured;
 use super::model::{Height, LOG_SCATTER_SD, Model, Point, Slot};
 use super::residual::{End, Opening, Residual, covariance_by_time, variance_by_time};
@@ -49,7 +50,7 @@ pub(super) struct Evaluator<'a> {
 }
 
 /// A row of the Cholesky factors L D L' of the covariance of the residuals.
-#[derive(Debug, Clone, Copy, Default)]
+#[derive(Debug, Clone, Copy)]
 struct Factor {
     /// Entries of L one and two places before the diagonal.
     before: [f64; 2],
@@ -214,11 +215,7 @@ impl<'a> Evaluator<'a> {
         let scatter = point.scatter * point.scatter;
         let variance = |impact: usize| point.time_variance_s2(observed, impact);
         self.factors.clear();
-        let mut one = Factor {
-            variance: 1.0,
-            ..Factor::default()
-        };
-        let mut two = one;
+        let mut before = BEFORE_THE_FIRST;
         for (row, residual) in self.residuals.iter().enumerate() {
             let by_time = variance_by_time(residual, variance);
             let by_scatter = scatter * residual.scatter;
@@ -231,15 +228,14 @@ impl<'a> Evaluator<'a> {
             if row > 1 {
                 second = covariance_by_time(&self.residuals[row - 2], residual, variance);
             }
-            let l2 = second / two.variance;
-            let l1 = (first - l2 * one.before[0] * two.variance) / one.variance;
-            let factor = Factor {
-                before: [l1, l2],
-                variance: diagonal - l1 * l1 * one.variance - l2 * l2 * two.variance,
+            let factor = next_factor([second, first, diagonal], before);
+            before = [factor, before[0]];
+            let [second, first, variance] = factor;
+            self.factors.push(Factor {
+                before: [first, second],
+                variance,
                 scatter_share: by_scatter / diagonal,
-            };
-            self.factors.push(factor);
-            (two, one) = (one, factor);
+            });
         }
     }
 

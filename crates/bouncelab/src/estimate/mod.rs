@@ -142,7 +142,7 @@ pub fn infer(
     )?;
     let at_speed_m_s = question.at_speed_m_s.unwrap_or(posterior.middle.speed_m_s);
     Answers::new(&posterior, at_speed_m_s)
-        .and_then(|answers| answers.inference(posterior, ball, environment, question))
+        .and_then(|answers| answers.inference(posterior, question))
         .ok_or_else(|| {
             Error::CannotInfer(
                 "the posterior could not be sampled: no draw explains the times; are they of one \

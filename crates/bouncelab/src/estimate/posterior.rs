@@ -78,9 +78,10 @@ pub(super) struct Posterior {
     pub(super) surroundings: Vec<Surroundings>,
     pub(super) middle: Middle,
     pub(super) knowledge: Knowledge,
+    pub(super) ball: Ball,
+    /// As stated, with the drag law of the first of the surroundings.
+    pub(super) environment: Environment,
     pub(super) contact_time_s: f64,
-    /// Gravity as stated, m/s².
-    pub(super) gravity_m_s2: f64,
     /// Most probable first.
     pub(super) candidates: Vec<Candidate>,
     /// Equally likely draws.
@@ -157,8 +158,9 @@ impl Posterior {
             surroundings,
             middle,
             knowledge: knowledge.clone(),
+            ball: *ball,
+            environment: *environment,
             contact_time_s,
-            gravity_m_s2: environment.gravity_m_s2,
             candidates: Vec::new(),
             draws: Vec::new(),
         };
@@ -249,23 +251,15 @@ impl Posterior {
     /// Samples the candidates that matter, weighs them by their evidence and pools their draws.
     fn sample(&mut self, effort: &Effort) {
         let best = best_evidence(&self.candidates);
-        self.candidates
-            .retain(|candidate| candidate.log_evidence > best - 2.0 * HOPELESS);
-        let shares: Vec<f64> = self
-            .candidates
-            .iter()
-            .map(|candidate| (candidate.log_evidence - best).exp())
-            .collect();
-        let total: f64 = shares.iter().sum();
         let mut candidates = std::mem::take(&mut self.candidates);
-        for ((candidate, share), mut rng) in
-            candidates.iter_mut().zip(&shares).zip(effort.streams())
-        {
+        candidates.retain(|candidate| candidate.log_evidence > best - 2.0 * HOPELESS);
+        weigh(&mut candidates);
+        for (candidate, mut rng) in candidates.iter_mut().zip(effort.streams()) {
             if candidate.log_evidence < best - HOPELESS {
                 continue;
             }
             let model = self.model(candidate);
-            let draws = (effort.draws as f64 * share / total) as usize;
+            let draws = (effort.draws as f64 * candidate.weight) as usize;
             let sample = sample::sample(
                 &mut Evaluator::new(&model),
                 &candidate.fit,

@@ -252,7 +252,7 @@ fn contradiction(
         measured_m: measured.value,
         heard_m,
         // A height from a flight time goes as gravity.
-        gravity_m_s2: posterior.gravity_m_s2 * measured.value / heard_m,
+        gravity_m_s2: posterior.environment.gravity_m_s2 * measured.value / heard_m,
     })
 }
 

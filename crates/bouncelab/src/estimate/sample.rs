@@ -185,14 +185,20 @@ fn round(
     for weight in &mut weights {
         *weight /= total;
     }
-    let squares: f64 = weights.iter().map(|weight| weight * weight).sum();
     Some(Sample {
         vectors,
+        effective_draws: effective_draws(&weights),
         weights,
-        effective_draws: 1.0 / squares,
         log_evidence: greatest + (total / draws as f64).ln() - proposal.log_constant(),
         pareto_shape,
     })
+}
+
+/// How many independent draws would say as much as draws with these weights, which add up to one
+/// (L. Kish, Survey Sampling, 1965).
+fn effective_draws(weights: &[f64]) -> f64 {
+    let squares: f64 = weights.iter().map(|weight| weight * weight).sum();
+    1.0 / squares
 }
 
 /// The proposal with the mean and covariance that a pilot found. Where few draws have all the
@@ -206,10 +212,7 @@ fn adapted(pilot: &Sample) -> Option<Proposal> {
             let total: f64 = powers.iter().sum();
             powers.iter().map(|w| w / total).collect::<Vec<f64>>()
         })
-        .find(|weights| {
-            let squares: f64 = weights.iter().map(|w| w * w).sum();
-            1.0 / squares > 8.0 * dimensions as f64
-        })?;
+        .find(|weights| effective_draws(weights) > 8.0 * dimensions as f64)?;
     let mut mean = DVector::zeros(dimensions);
     for (vector, &weight) in pilot.vectors.iter().zip(&flattened) {
         mean.axpy(weight, vector, 1.0);

@@ -79,9 +79,8 @@ pub(super) struct ReynoldsDrag {
     /// The speed vₛ by which speeds are measured: the terminal speed, or if the law ends before
     /// it, the terminal speed of the coefficient at that end.
     scale: f64,
-    /// Whether `scale` is the terminal speed.
-    terminal: bool,
-    near_terminal: NearTerminal,
+    /// What the law does there; `None` if it ends before the terminal speed.
+    near_terminal: Option<NearTerminal>,
 }
 
 /// The excess (u² - η)/(1 - u²) of constant drag over the law where both are nearly 1 and the
@@ -112,16 +111,11 @@ impl ReynoldsDrag {
             reynolds_per_speed: air.reynolds(ball, 1.0),
             stokes_over_weight: 3.0 * PI * air.viscosity_pa_s() * ball.diameter_m() / weight,
             scale: 1.0,
-            terminal: false,
-            near_terminal: NearTerminal {
-                at_terminal: 0.0,
-                slope: 0.0,
-            },
+            near_terminal: None,
         };
         if let Some(terminal) = drag.find_terminal_speed() {
             drag.scale = terminal;
-            drag.terminal = true;
-            drag.near_terminal = drag.fit_near_terminal();
+            drag.near_terminal = Some(drag.fit_near_terminal());
         } else {
             let fastest = drag.max_speed();
             drag.scale = fastest / drag.over_weight(fastest).sqrt();
@@ -134,7 +128,7 @@ impl ReynoldsDrag {
     }
 
     pub(super) fn terminal_speed(&self) -> Option<f64> {
-        self.terminal.then_some(self.scale)
+        self.near_terminal.map(|_| self.scale)
     }
 
     /// η, without a check of the range of the law.
@@ -215,10 +209,9 @@ impl ReynoldsDrag {
             Leg::Rise => (1.0 + u * u) / (1.0 + self.over_weight(self.scale * u)),
             Leg::Fall => {
                 let gap = p.cosh().recip().powi(2);
-                let excess = if self.terminal && gap < NearTerminal::LIMIT {
-                    self.near_terminal.excess(gap)
-                } else {
-                    (u * u - self.over_weight(self.scale * u)) / gap
+                let excess = match self.near_terminal {
+                    Some(near) if gap < NearTerminal::LIMIT => near.excess(gap),
+                    _ => (u * u - self.over_weight(self.scale * u)) / gap,
                 };
                 1.0 / (1.0 + excess)
             }
@@ -296,7 +289,7 @@ impl ReynoldsDrag {
     fn parameter_limit(&self, leg: Leg) -> f64 {
         match leg {
             Leg::Rise => std::f64::consts::FRAC_PI_2,
-            Leg::Fall if self.terminal => f64::INFINITY,
+            Leg::Fall if self.near_terminal.is_some() => f64::INFINITY,
             Leg::Fall => leg.parameter(self.max_speed() / self.scale),
         }
     }
@@ -391,7 +384,7 @@ impl ReynoldsDrag {
     pub(super) fn fall(&self, height: f64) -> Result<Fall> {
         let value = height / self.height_unit();
         let constant_drag_speed = (-(-2.0 * value).exp_m1()).sqrt();
-        if !self.terminal {
+        if self.near_terminal.is_none() {
             let [_, reach] = self.integrate(Leg::Fall, 0.0, self.parameter_limit(Leg::Fall));
             if value > reach {
                 self.check_speed(self.scale * constant_drag_speed)?;

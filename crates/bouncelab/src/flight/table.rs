@@ -44,7 +44,7 @@ impl DragProfile {
             let value = match model.drag_over_weight(speed) {
                 Ok(share) => share / speed,
                 Err(error) if node == 1 => return Err(error),
-                Err(_) => per_speed[node - 1] * node as f64 / (node as f64 - 1.0).max(1.0),
+                Err(_) => per_speed[node - 1] * node as f64 / (node - 1) as f64,
             };
             per_speed.push(value);
         }

@@ -13,6 +13,8 @@
 //! | [`compare`](compare()) | by how much do two groups differ? |
 //! | [`outlier`](outliers()) | which drops do not belong to their group? |
 //! | [`plan`](drops_needed()) | how many drops does a wanted uncertainty take? |
+//! | [`law`](Law) | what does a drop know of its restitution, at speeds that all drops share? |
+//! | [`apart`](Varies) | which factors can be told apart, and what does each of them do? |
 //! | [`study`](Study) | all of it at once |
 //!
 //! ```
@@ -29,7 +31,9 @@
 //! # Ok::<(), bouncelab::Error>(())
 //! ```
 
+mod apart;
 mod compare;
+mod law;
 mod mean;
 mod mixed;
 mod outlier;
@@ -37,9 +41,11 @@ mod plan;
 mod quantile;
 mod study;
 
+pub use apart::{Amounts, Trend, Varies};
 pub use compare::{Difference, compare, compare_means};
+pub use law::{Law, LawPoint};
 pub use mean::Mean;
 pub use mixed::{Component, Drop, Factor, Mixed};
 pub use outlier::{FAR, Outlier, outliers};
 pub use plan::{MOST_DROPS, drops_needed, run_limit};
-pub use study::{Amounts, Group, Law, LawPoint, Study, StudyDrop, Trend, Varies};
+pub use study::{Group, Study, StudyDrop};

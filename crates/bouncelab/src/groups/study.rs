@@ -2,76 +2,16 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::compare::{Difference, compare, compare_means};
+use super::apart::{Amounts, Apart, Trend, Varies};
+use super::compare::Difference;
+use super::law::{Law, LawPoint};
 use super::mean::Mean;
-use super::mixed::{Component, Drop, Factor, Mixed};
+use super::mixed::{Drop, Factor};
 use super::outlier::{Outlier, outliers};
 use super::plan::drops_needed;
-use super::quantile::{interval95, student_beyond};
 use crate::error::{Error, Result, positive};
 use crate::estimate::Measured;
 use crate::order::median;
-
-/// Restitution at one impact speed.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct LawPoint {
-    /// Impact speed, m/s.
-    pub speed_m_s: f64,
-    /// Restitution there.
-    pub value: f64,
-    /// Its standard uncertainty by what is this drop's own: timing and the scatter of its impacts.
-    pub own_sd: f64,
-    /// Its standard uncertainty by what it shares with other drops of the ball: drag law, air,
-    /// gravity, mass, diameter, contact.
-    pub shared_sd: f64,
-}
-
-/// Restitution against impact speed, at increasing speeds.
-#[derive(Debug, Clone, PartialEq, Default)]
-pub struct Law(pub Vec<LawPoint>);
-
-impl Law {
-    /// The speeds at which laws of different drops can be compared, m/s: four to an octave, among
-    /// them 1 m/s, from `slowest` to `fastest`.
-    pub fn speeds(slowest_m_s: f64, fastest_m_s: f64) -> Vec<f64> {
-        const TO_AN_OCTAVE: f64 = 4.0;
-        if !(slowest_m_s > 0.0 && fastest_m_s.is_finite()) {
-            return Vec::new();
-        }
-        let step = |speed: f64| TO_AN_OCTAVE * speed.log2();
-        let (first, last) = (
-            step(slowest_m_s).ceil() as i32,
-            step(fastest_m_s).floor() as i32,
-        );
-        (first..=last)
-            .map(|step| 2_f64.powf(f64::from(step) / TO_AN_OCTAVE))
-            .collect()
-    }
-
-    /// The law at a speed, between neighbours in proportion to the logarithm of the speed; `None`
-    /// outside the speeds it is known at.
-    pub fn at(&self, speed_m_s: f64) -> Option<LawPoint> {
-        /// Speeds that differ by less are the same.
-        const SAME: f64 = 1e-9;
-        let after = self
-            .0
-            .iter()
-            .position(|point| point.speed_m_s >= speed_m_s * (1.0 - SAME))?;
-        let high = &self.0[after];
-        if high.speed_m_s <= speed_m_s * (1.0 + SAME) {
-            return Some(*high);
-        }
-        let low = self.0.get(after.checked_sub(1)?)?;
-        let share = (speed_m_s / low.speed_m_s).ln() / (high.speed_m_s / low.speed_m_s).ln();
-        let between = |low: f64, high: f64| low + share * (high - low);
-        Some(LawPoint {
-            speed_m_s,
-            value: between(low.value, high.value),
-            own_sd: between(low.own_sd, high.own_sd),
-            shared_sd: between(low.shared_sd, high.shared_sd),
-        })
-    }
-}
 
 /// What one drop adds to a study.
 #[derive(Debug, Clone, PartialEq)]
@@ -82,32 +22,6 @@ pub struct StudyDrop {
     pub scatter: Option<Measured>,
     /// Level of each factor; `None` where it was not noted.
     pub levels: Vec<Option<usize>>,
-}
-
-/// What the levels of a factor amount to: heights in metres, temperatures in kelvin.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Amounts {
-    /// The factor, by its place.
-    pub factor: usize,
-    /// The amount of each level.
-    pub of_levels: Vec<f64>,
-}
-
-/// How restitution changes with an amount, all else equal.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Trend {
-    /// The factor, by its place.
-    pub factor: usize,
-    /// How many levels it has.
-    pub levels: usize,
-    /// Change of restitution for each unit of the amount, with its standard error.
-    pub slope: Measured,
-    /// Degrees of freedom of the standard error.
-    pub degrees: f64,
-    /// Where the slope lies with 95 % confidence.
-    pub interval95: [f64; 2],
-    /// Probability of so large a slope if there is none.
-    pub p_value: f64,
 }
 
 /// Drops that have the same levels of the factors by which they are grouped.
@@ -130,18 +44,6 @@ pub struct Group {
     pub drops_needed: Option<usize>,
     /// Restitution against speed, pooled over the drops that know it: at each speed a mean of its own.
     pub law: Vec<(f64, Mean)>,
-}
-
-/// How much something varies.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Varies {
-    /// The factors, by their place: several if they always go together and cannot be told apart;
-    /// none for the drops themselves.
-    pub factors: Vec<usize>,
-    /// How many levels it has.
-    pub levels: usize,
-    /// Standard deviation of the restitution, with interval.
-    pub component: Component,
 }
 
 /// What the drops of a session say together.
@@ -193,27 +95,9 @@ impl Study {
         let known: Vec<Option<LawPoint>> =
             drops.iter().map(|drop| drop.law.at(speed_m_s)).collect();
         let used: Vec<usize> = (0..drops.len()).filter(|&i| known[i].is_some()).collect();
-        let points: Vec<LawPoint> = known.iter().flatten().copied().collect();
-        let mut cells: BTreeMap<Vec<Option<usize>>, Vec<usize>> = BTreeMap::new();
-        for &place in &used {
-            let levels = by.iter().map(|&factor| drops[place].levels[factor]);
-            cells.entry(levels.collect()).or_default().push(place);
-        }
-        let mut group_of = vec![0; drops.len()];
-        for (number, places) in cells.values().enumerate() {
-            for &place in places {
-                group_of[place] = number;
-            }
-        }
-        let group_of: Vec<usize> = used.iter().map(|&place| group_of[place]).collect();
-        let values: Vec<Measured> = points.iter().map(own).collect();
-        let outliers: Vec<Outlier> = outliers(&values, &group_of)
-            .into_iter()
-            .map(|outlier| Outlier {
-                drop: used[outlier.drop],
-                ..outlier
-            })
-            .collect();
+        let values: Vec<Measured> = known.iter().flatten().map(own).collect();
+        let cells = cells(drops, &used, by);
+        let outliers = outliers_of(&cells, &used, &values);
         let odd: BTreeSet<usize> = outliers.iter().map(|outlier| outlier.drop).collect();
         let of = |places: &[usize], levels: Vec<Option<usize>>| {
             group(drops, &known, places, &odd, levels, wanted)
@@ -242,6 +126,34 @@ impl Study {
             outliers,
         })
     }
+}
+
+/// The drops that have the same levels of some factors, by those levels.
+type Cells = BTreeMap<Vec<Option<usize>>, Vec<usize>>;
+
+fn cells(drops: &[StudyDrop], used: &[usize], by: &[usize]) -> Cells {
+    let mut cells = Cells::new();
+    for &place in used {
+        let levels = by.iter().map(|&factor| drops[place].levels[factor]);
+        cells.entry(levels.collect()).or_default().push(place);
+    }
+    cells
+}
+
+/// The drops that do not belong to their cell, by their place in the list given.
+fn outliers_of(cells: &Cells, used: &[usize], values: &[Measured]) -> Vec<Outlier> {
+    let mut cell_of = BTreeMap::new();
+    for (places, number) in cells.values().zip(0..) {
+        cell_of.extend(places.iter().map(|&place| (place, number)));
+    }
+    let groups: Vec<usize> = used.iter().map(|place| cell_of[place]).collect();
+    outliers(values, &groups)
+        .into_iter()
+        .map(|outlier| Outlier {
+            drop: used[outlier.drop],
+            ..outlier
+        })
+        .collect()
 }
 
 /// The value of a drop with what of its uncertainty is its own.
@@ -324,168 +236,6 @@ fn pooled_law(drops: &[StudyDrop], places: &[usize]) -> Vec<(f64, Mean)> {
         .collect()
 }
 
-/// The factors that can be told apart, with the drops.
-struct Apart {
-    drops: Vec<Drop>,
-    /// With the levels that these drops have, and no others.
-    factors: Vec<Factor>,
-    /// What the levels of each factor are called outside.
-    outside: Vec<Vec<usize>>,
-    /// Factors of two levels or more; those that always go together share an entry.
-    distinct: Vec<Vec<usize>>,
-}
-
-impl Apart {
-    fn new(mut drops: Vec<Drop>, factors: &[Factor], amounts: &[Amounts]) -> Self {
-        let mut own = Vec::new();
-        let mut outside = Vec::new();
-        for (place, factor) in factors.iter().enumerate() {
-            let has = |level: &usize| drops.iter().any(|d| d.levels[place] == Some(*level));
-            let levels: Vec<usize> = (0..factor.levels.len()).filter(has).collect();
-            for drop in &mut drops {
-                let level = drop.levels[place];
-                drop.levels[place] = levels.iter().position(|known| level == Some(*known));
-            }
-            own.push(Factor {
-                name: factor.name.clone(),
-                levels: levels
-                    .iter()
-                    .map(|&level| factor.levels[level].clone())
-                    .collect(),
-            });
-            outside.push(levels);
-        }
-        // Where nearly every drop has an amount of its own, levels tell nothing.
-        let is_line = |factor: usize| {
-            let many = 2 * outside[factor].len() > drops.len();
-            many && amounts.iter().any(|amounts| amounts.factor == factor)
-        };
-        let mut distinct: Vec<(Vec<usize>, Vec<usize>)> = Vec::new();
-        for factor in (0..factors.len()).filter(|&factor| !is_line(factor)) {
-            let partition = partition(&drops, factor);
-            if partition.iter().max().is_none_or(|&last| last == 0) {
-                continue;
-            }
-            match distinct.iter_mut().find(|(known, _)| *known == partition) {
-                Some((_, together)) => together.push(factor),
-                None => distinct.push((partition, vec![factor])),
-            }
-        }
-        Self {
-            drops,
-            factors: own,
-            outside,
-            distinct: distinct.into_iter().map(|(_, factors)| factors).collect(),
-        }
-    }
-
-    fn varies(&self) -> Vec<Varies> {
-        let random: Vec<usize> = self.distinct.iter().map(|together| together[0]).collect();
-        let Ok(fit) = Mixed::fit(&self.drops, &self.factors, None, &random) else {
-            return Vec::new();
-        };
-        let mut varies: Vec<Varies> = self
-            .distinct
-            .iter()
-            .enumerate()
-            .map(|(place, together)| Varies {
-                factors: together.clone(),
-                levels: self.factors[together[0]].levels.len(),
-                component: fit.between_levels(place),
-            })
-            .collect();
-        varies.push(Varies {
-            factors: Vec::new(),
-            levels: fit.drops(),
-            component: fit.between_drops(),
-        });
-        varies
-    }
-
-    /// The slope against an amount; what the other factors do is taken out.
-    fn trend(&self, amounts: &Amounts) -> Option<Trend> {
-        /// Two levels are a difference.
-        const FEWEST: usize = 3;
-        let factor = amounts.factor;
-        let levels = &self.outside[factor];
-        if levels.len() < FEWEST {
-            return None;
-        }
-        let amount = |drop: &Drop| Some(amounts.of_levels[levels[drop.levels[factor]?]]);
-        let at: Vec<Option<f64>> = self.drops.iter().map(amount).collect();
-        let line = Mixed::line(&self.drops, &self.factors, &at, &self.others(factor)).ok()?;
-        let (slope, degrees) = line.slope();
-        Some(Trend {
-            factor,
-            levels: levels.len(),
-            slope,
-            degrees,
-            interval95: interval95(slope, degrees),
-            p_value: student_beyond(slope.value / slope.sd, degrees),
-        })
-    }
-
-    /// With one factor its groups may scatter differently; with several, what the others do is taken
-    /// out.
-    fn differences(&self) -> Vec<(usize, Vec<Difference>)> {
-        let of_factor = |together: &Vec<usize>| {
-            let factor = together[0];
-            let others = self.others(factor);
-            let mut differences = if others.is_empty() {
-                compare_means(&self.means(factor)?)
-            } else {
-                compare(&self.drops, &self.factors, factor, &others).ok()?
-            };
-            for difference in &mut differences {
-                difference.of = self.outside[factor][difference.of];
-                difference.less = self.outside[factor][difference.less];
-            }
-            Some((factor, differences))
-        };
-        self.distinct.iter().filter_map(of_factor).collect()
-    }
-
-    /// The other factors that can be told apart, one of those that always go together.
-    fn others(&self, factor: usize) -> Vec<usize> {
-        let apart = self.distinct.iter();
-        apart
-            .filter(|together| !together.contains(&factor))
-            .map(|together| together[0])
-            .collect()
-    }
-
-    /// The mean of each level.
-    fn means(&self, factor: usize) -> Option<Vec<Mean>> {
-        (0..self.factors[factor].levels.len())
-            .map(|level| {
-                let of_level = self
-                    .drops
-                    .iter()
-                    .filter(|d| d.levels[factor] == Some(level));
-                let values: Vec<Measured> = of_level.map(|drop| drop.measured).collect();
-                Mean::of(&values).ok()
-            })
-            .collect()
-    }
-}
-
-/// Which drops stand together in a factor, whatever its levels are called: numbers in the order in
-/// which the levels come first.
-fn partition(drops: &[Drop], factor: usize) -> Vec<usize> {
-    let mut seen = Vec::new();
-    drops
-        .iter()
-        .map(|drop| {
-            let level = drop.levels[factor];
-            let known = seen.iter().position(|&other| other == level);
-            known.unwrap_or_else(|| {
-                seen.push(level);
-                seen.len() - 1
-            })
-        })
-        .collect()
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -507,30 +257,6 @@ mod tests {
             name: name.to_owned(),
             levels: levels.iter().map(|level| (*level).to_owned()).collect(),
         }
-    }
-
-    #[test]
-    fn speeds_are_the_same_for_all_drops() {
-        assert_eq!(Law::speeds(0.9, 2.1).len(), 5);
-        assert_eq!(Law::speeds(0.9, 2.1)[0].to_bits(), 1.0_f64.to_bits());
-        let wide = Law::speeds(0.3, 5.0);
-        assert!(
-            Law::speeds(0.9, 2.1)
-                .iter()
-                .all(|speed| wide.contains(speed))
-        );
-        assert_eq!(Law::speeds(0.0, 2.0), Vec::<f64>::new());
-        assert_eq!(Law::speeds(1.05, 1.1), Vec::<f64>::new());
-    }
-
-    #[test]
-    fn a_law_is_read_between_its_speeds_and_not_beyond() {
-        let law = law(1.0, 4.0, |speed| 0.9 - 0.01 * speed.ln());
-        let point = law.at(1.5).unwrap();
-        assert!((point.value - (0.9 - 0.01 * 1.5_f64.ln())).abs() < 1e-12);
-        assert_eq!(law.at(2.0).unwrap().speed_m_s.to_bits(), 2.0_f64.to_bits());
-        assert_eq!(law.at(0.9), None);
-        assert_eq!(law.at(4.5), None);
     }
 
     /// Drops from different heights of a ball whose restitution falls with speed differ at their own

@@ -94,8 +94,8 @@ impl Restitution {
     /// e(v) = e0 - k v: falling with the impact speed if k is above zero.
     ///
     /// # Errors
-    /// [`Error::OutOfRange`](crate::Error::OutOfRange) unless e0 is above 0, not above 2, and k
-    /// (in s/m) is finite. An e0 above 1 is a line that meets 1 at a speed above zero.
+    /// [`Error::OutOfRange`](crate::Error::OutOfRange) unless e0 is from 0 to 2 and k (in
+    /// s/m) is finite. An e0 above 1 is a line that meets 1 at a speed above zero.
     pub fn linear(at_rest: f64, loss_per_speed_s_m: f64) -> Result<Self> {
         require(
             (0.0..=2.0).contains(&at_rest),

@@ -152,7 +152,7 @@ impl State {
             (missed + 1) as f64 * self.ln_ratio
         };
         let seen = f64::from(self.ratios);
-        let variance = step.variance + self.scatter2 * (1.0 + RATIO_VARIANCE / seen);
+        let variance = self.variance(step);
         let evidence = self.evidence
             + step.common
             + (evidence::next_ratio(change, surprise, variance) * step.fall.knowing(ln_fall)).ln()
@@ -169,6 +169,21 @@ impl State {
                 ..self.with_ratio(ln_ratio, self.learn(surprise, variance))
             }
         })
+    }
+
+    /// Logarithm of how likely this interval is for a ball, whatever else may explain it.
+    fn ln_flight(&self, stride: &Stride) -> f64 {
+        let change = stride.step.ln_interval - self.ln_flight;
+        if self.ratios == 0 {
+            return evidence::FIRST_RATIO_DENSITY.ln();
+        }
+        let surprise = change - self.expected[stride.missed];
+        evidence::ln_ratio(surprise, self.variance(&stride.step))
+    }
+
+    /// Variance of the next ratio as it is predicted.
+    fn variance(&self, step: &Step) -> f64 {
+        step.variance + self.scatter2 * (1.0 + RATIO_VARIANCE / f64::from(self.ratios))
     }
 
     /// The third impact sets the ratio.
@@ -439,6 +454,25 @@ impl Chain {
         let ways = self.births(first).into_iter();
         ways.filter_map(|state| follow(state?, rest))
             .max_by(|a, b| a.evidence.total_cmp(&b.evidence))
+    }
+
+    /// Logarithm of how likely these flights are for a ball, given the first.
+    pub(super) fn ln_flights(&self, onsets: &[Onset]) -> f64 {
+        let pairs = self.links.windows(2);
+        let strides: Vec<Stride> = pairs.map(|p| self.stride(onsets, p[0], p[1])).collect();
+        let Some((first, rest)) = strides.split_first() else {
+            return f64::NEG_INFINITY;
+        };
+        let ways = self.births(first).into_iter().flatten();
+        ways.zip(&evidence::SURFACES)
+            .filter_map(|(birth, surface)| {
+                let start = (birth, surface.ln_prior);
+                let end = rest.iter().try_fold(start, |(state, ln), stride| {
+                    Some((state.by(stride)?, ln + state.ln_flight(stride)))
+                });
+                Some(end?.1)
+            })
+            .fold(f64::NEG_INFINITY, f64::max)
     }
 
     fn stride(&self, onsets: &[Onset], from: Link, to: Link) -> Stride {

@@ -107,6 +107,11 @@ pub(super) fn next_ratio(change: f64, surprise: f64, variance: f64) -> f64 {
     student(surprise, variance) / rhythm(change)
 }
 
+/// Logarithm of how likely this surprise is for a ball.
+pub(super) fn ln_ratio(surprise: f64, variance: f64) -> f64 {
+    student(surprise, variance).ln()
+}
+
 /// The largest value of [`next_ratio`] for ratios that scatter with this variance.
 pub(super) fn most_from_ratio(scatter2: f64) -> f64 {
     student(0.0, scatter2)

@@ -6,6 +6,8 @@
 //! next impact is predicted by the ones before, or *other sounds*, which come when they like. The
 //! logarithm of their probability ratio is the evidence, in nats. It adds up over the impacts
 //! (the room `evidence`), so that the best train of all is found by dynamic programming (`chain`).
+//! What is found must then stand against a third explanation: somebody or something that keeps time,
+//! and may speed up (`rhythm`).
 //! There is no threshold on loudness anywhere.
 //!
 //! ```
@@ -28,11 +30,13 @@
 mod align;
 mod chain;
 mod evidence;
+mod rhythm;
 
 use crate::onset::Onset;
 use crate::order::median;
 use chain::Chain;
 pub(crate) use evidence::Span;
+use rhythm::Beat;
 use std::fmt;
 
 /// The fewest impacts that can be told from chance: three set the ratio of the flights, two more
@@ -145,11 +149,11 @@ pub struct Found {
     pub trains: Vec<Train>,
     /// Trains left out because they are far fainter than the rest: other balls, farther away.
     pub distant: Vec<Train>,
-    /// Sequences that look like a train but come at equal intervals: a clock, a machine.
+    /// Sequences that look like a train but keep time: a clock, a machine, steps, applause.
     pub regular: Vec<Regular>,
 }
 
-/// Sounds at equal intervals.
+/// Sounds that keep time, though perhaps a little faster as they go on.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Regular {
     /// Time of the first sound in seconds.
@@ -204,7 +208,7 @@ pub enum NoDrop {
     NoSound,
     /// So many sounds stand out, too few for a drop.
     TooFew(usize),
-    /// The sounds come at equal intervals.
+    /// The sounds keep time.
     Regular(Regular),
     /// So many sounds stand out, but their intervals do not shrink as those of a bouncing ball.
     NoPattern(usize),
@@ -226,8 +230,8 @@ impl fmt::Display for NoDrop {
             ),
             Self::Regular(r) => write!(
                 f,
-                "{} sounds come at equal intervals of {:.3} s, as of a clock; the flights of a \
-                 ball shrink",
+                "{} sounds keep time, about every {:.3} s, as of a clock, of steps or a drum; the \
+                 flights of a ball shrink",
                 r.count, r.interval_s
             ),
             Self::NoPattern(count) => write!(
@@ -382,8 +386,17 @@ fn search_among(onsets: &[Onset], span: Span, found: &mut Found) {
         return;
     }
     chain.extend(onsets);
-    if let Some(regular) = regular(onsets, &chain) {
-        found.regular.push(regular);
+    let beats = beats(onsets, &chain);
+    let against_rhythm =
+        chain.ln_flights(onsets) - rhythm::ln_likelihood(&beats) - rhythm::LN_USUAL;
+    let evidence = against_both(chain.evidence, against_rhythm);
+    if evidence < BELIEVED {
+        let ln_interval = beats.iter().map(|b| b.ln_interval).sum::<f64>() / beats.len() as f64;
+        found.regular.push(Regular {
+            start_s: onsets[chain.links[0].onset].time_s,
+            interval_s: ln_interval.exp(),
+            count: chain.links.len(),
+        });
         let rest: Vec<Onset> = (0..onsets.len())
             .filter(|index| chain.links.iter().all(|link| link.onset != *index))
             .map(|index| onsets[index])
@@ -391,13 +404,16 @@ fn search_among(onsets: &[Onset], span: Span, found: &mut Found) {
         search_among(&rest, span, found);
         return;
     }
-    let best = train(onsets, &chain);
+    let best = Train {
+        evidence,
+        impacts: impacts(onsets, &chain),
+    };
     let before = Span {
-        end_s: best.start_s() - HANDLING_S,
+        end_s: best.start_s() - FALL_S,
         ..span
     };
     let after = Span {
-        start_s: best.end_s() + HANDLING_S,
+        start_s: best.end_s() + FALL_S,
         ..span
     };
     let first = onsets.partition_point(|o| o.time_s < before.end_s);
@@ -407,9 +423,9 @@ fn search_among(onsets: &[Onset], span: Span, found: &mut Found) {
     search_among(&onsets[rest..], after, found);
 }
 
-/// A hand needs this many seconds between two drops; what bounces sooner is the same ball, coming
-/// to rest or not yet let go.
-const HANDLING_S: f64 = 0.5;
+/// A ball that falls off a table needs more seconds to the floor, and a hand to the next drop: from
+/// 60 cm it falls so long. What bounces sooner is the same ball, coming to rest or not yet let go.
+const FALL_S: f64 = 0.35;
 
 /// Evidence from how alone the impacts are.
 ///
@@ -447,51 +463,32 @@ fn alone(onsets: &[Onset], chain: &Chain) -> f64 {
         .fold(0.0, f64::max)
 }
 
-fn train(onsets: &[Onset], chain: &Chain) -> Train {
-    let impacts = std::iter::zip(&chain.links, chain.evidence_without_each(onsets))
+/// Evidence for one explanation over two others that are equally usual.
+fn against_both(one: f64, other: f64) -> f64 {
+    -((-one).exp() + (-other).exp()).ln()
+}
+
+fn impacts(onsets: &[Onset], chain: &Chain) -> Vec<HeardImpact> {
+    std::iter::zip(&chain.links, chain.evidence_without_each(onsets))
         .map(|(link, without)| HeardImpact {
             onset: onsets[link.onset],
             number: link.number,
             probability: logistic(chain.evidence - without),
         })
-        .collect();
-    Train {
-        impacts,
-        evidence: chain.evidence,
-    }
+        .collect()
 }
 
-/// Whether the intervals of a chain are equal: the straight line through their logarithms does not
-/// fall by more than its own uncertainty.
-fn regular(onsets: &[Onset], chain: &Chain) -> Option<Regular> {
-    /// No surface keeps more than this of a ball's speed, so flights shrink by half a percent.
-    const LEAST_FALL: f64 = 0.005;
-    let points: Vec<(f64, f64)> = chain
-        .links
-        .windows(2)
-        .filter(|pair| pair[1].number == pair[0].number + 1)
-        .map(|pair| {
-            let interval_s = onsets[pair[1].onset].time_s - onsets[pair[0].onset].time_s;
-            (f64::from(pair[0].number), interval_s.ln())
-        })
-        .collect();
-    let n = points.len() as f64;
-    let mean_x = points.iter().map(|p| p.0).sum::<f64>() / n;
-    let mean_y = points.iter().map(|p| p.1).sum::<f64>() / n;
-    let sxx: f64 = points.iter().map(|p| (p.0 - mean_x).powi(2)).sum();
-    let sxy: f64 = points.iter().map(|p| (p.0 - mean_x) * (p.1 - mean_y)).sum();
-    let slope = sxy / sxx;
-    let misfit: f64 = points
-        .iter()
-        .map(|p| (p.1 - mean_y - slope * (p.0 - mean_x)).powi(2))
-        .sum();
-    let error = (misfit / (n - 2.0).max(1.0) / sxx).sqrt();
-    let falls = slope < -LEAST_FALL && slope < -3.0 * error;
-    (!falls).then(|| Regular {
-        start_s: onsets[chain.links[0].onset].time_s,
-        interval_s: mean_y.exp(),
-        count: chain.links.len(),
-    })
+/// The intervals of a chain, each as if all flights in it took equally long.
+fn beats(onsets: &[Onset], chain: &Chain) -> Vec<Beat> {
+    let beat = |pair: &[chain::Link]| {
+        let interval_s = onsets[pair[1].onset].time_s - onsets[pair[0].onset].time_s;
+        let (from, to) = (f64::from(pair[0].number), f64::from(pair[1].number));
+        Beat {
+            number: 0.5 * (from + to),
+            ln_interval: (interval_s / (to - from)).ln(),
+        }
+    };
+    chain.links.windows(2).map(beat).collect()
 }
 
 fn logistic(evidence: f64) -> f64 {

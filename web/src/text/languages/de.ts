@@ -104,7 +104,6 @@ function grund(fund: LabReason): string {
 const komma = (zahl: number): string => String(zahl).replace('.', ',');
 
 const deutsch: Texts = {
-  name: 'Deutsch',
   to: 'bis',
   app: {
     title: 'bouncelab: Ball fallen lassen, Physik hören',
@@ -128,6 +127,8 @@ const deutsch: Texts = {
     redo: 'Wiederholen',
     cancel: 'Abbrechen',
     why: 'Warum?',
+    numberWanted: (least, most) =>
+      `Hier wird eine Zahl${most ? ` von ${least} bis ${most}` : least && ` ab ${least}`} erwartet.`,
     dropHere: 'Loslassen, dann wird zugehört',
     unreadableLink: (parts) =>
       `Einiges an den Einstellungen in der Adresse war nicht zu verstehen und bleibt weg: ${parts}.`,
@@ -154,6 +155,7 @@ const deutsch: Texts = {
     soFar: (count) => `${count} ${zahl(count, 'Aufprall', 'Aufpralle')} bisher`,
     soFarKeeps: (share) => `er behält etwa ${share} seines Tempos`,
     endsItself: 'Es endet von selbst, wenn der Ball ruht.',
+    result: 'Ergebnis',
     opening: (name) => `Lese ${name} …`,
     kept: (share) => ['Der Ball behielt bei jedem Aufprall ', share, ' seines Tempos.'],
     fell: (height) => ['Er fiel aus ', height, ' Höhe.'],
@@ -214,7 +216,7 @@ const deutsch: Texts = {
       do: 'Nimm einen aktuellen Firefox, Chrome, Edge oder Safari, oder öffne eine Aufnahme.',
     },
     ended: {
-      what: 'Das Mikrofon verschwand beim Zuhören.',
+      what: 'Das Mikrofon ist weg: ausgesteckt, oder ein Anruf braucht es.',
       do: 'Was bis dahin zu hören war, ist aufgehoben und ausgewertet.',
     },
     unknown: {
@@ -308,8 +310,9 @@ const deutsch: Texts = {
   },
   figures: {
     title: 'Abbildungen',
+    against: (y, x) => `${y} über ${x}`,
     nothing: 'Hier gibt es nichts zu zeigen: Dafür braucht es mehr Aufpralle.',
-    reset: 'Doppelklick zeigt wieder alles.',
+    reset: 'Seitwärts ziehen vergrößert, ein Doppelklick zeigt wieder alles.',
     numbers: 'Dasselbe als Zahlen',
     saveSvg: 'SVG',
     savePng: 'PNG',
@@ -320,14 +323,14 @@ const deutsch: Texts = {
     measured: 'gemessen',
     notUsed: 'nicht in der Geraden',
     model: 'Modell mit Luft',
-    line95: 'was das Gesetz sein kann',
+    line95: 'wahrscheinlicher Bereich (95 %)',
     flights: {
       tab: 'Flüge',
       see: 'Ein Ball, der bei jedem Aufprall denselben Anteil behält, gibt hier eine Gerade; wo die Punkte abbiegen, wirken Luft oder Tempo mit.',
       x: 'Flug',
       y: 'Flugzeit (s)',
     },
-    residuals: { y: 'neben der Geraden (%)' },
+    residuals: { y: 'Abweichung (%)' },
     restitution: {
       tab: 'Stoßzahl',
       see: 'Grau lässt die Luft weg, Blau rechnet sie heraus. Liegt Blau waagerecht, springt der Ball bei jedem Tempo gleich gut.',
@@ -378,7 +381,6 @@ const deutsch: Texts = {
     scatter: 'Streuung von Aufprall zu Aufprall',
     timing: 'Fehler der Zeiten',
     contact: 'Kontaktzeit',
-    gravity: 'Fallbeschleunigung',
     lineRestitution: 'Gerade: e',
     lineHeight: 'Gerade: Fallhöhe',
     lineFlights: 'Gerade: Flüge',
@@ -702,8 +704,8 @@ const deutsch: Texts = {
       'Nur ein Laut hebt sich vom Hintergrund ab; einen springenden Ball erkennt man an mindestens {} Aufprallen.',
     'only {} sounds stand out of the background; a drop is told from chance by at least {} impacts':
       'Nur {} Laute heben sich vom Hintergrund ab; einen springenden Ball erkennt man an mindestens {} Aufprallen.',
-    '{} sounds come at equal intervals of {} s, as of a clock; the flights of a ball shrink':
-      '{} Laute kommen in gleichen Abständen von {} s, wie von einer Uhr; die Flüge eines Balls werden kürzer.',
+    '{} sounds keep time, about every {} s, as of a clock, of steps or a drum; the flights of a ball shrink':
+      '{} Laute kommen im Takt, etwa alle {} s, wie von einer Uhr, von Schritten oder einer Trommel; die Flüge eines Balls werden kürzer.',
     '{} sounds stand out of the background, but no {} of them come at shrinking intervals as the impacts of a ball do':
       '{} Laute heben sich ab, aber keine {} davon kommen in schrumpfenden Abständen wie die Aufpralle eines Balls.',
     'the file is cut short: {} s of {} s could be read':

@@ -104,7 +104,6 @@ function reason(found: LabReason): string {
 }
 
 export default {
-  name: 'English',
   to: 'to',
   app: {
     title: 'bouncelab: drop a ball, hear the physics',
@@ -128,6 +127,8 @@ export default {
     redo: 'Redo',
     cancel: 'Cancel',
     why: 'Why?',
+    numberWanted: (least: string, most: string) =>
+      `A number${most ? ` from ${least} to ${most}` : least && ` of at least ${least}`} is expected here.`,
     dropHere: 'Let go to hear it',
     unreadableLink: (parts: string) =>
       `Some of the set-up in the address was not understood and is left out: ${parts}.`,
@@ -154,6 +155,7 @@ export default {
     soFar: (count: number) => `${count} ${plural(count, 'impact', 'impacts')} so far`,
     soFarKeeps: (share: string) => `it keeps about ${share} of its speed`,
     endsItself: 'It ends by itself when the ball rests.',
+    result: 'Result',
     opening: (name: string) => `Reading ${name} …`,
     kept: (share: string) => ['The ball kept ', share, ' of its speed at each bounce.'],
     fell: (height: string) => ['It fell from ', height, '.'],
@@ -213,7 +215,7 @@ export default {
       do: 'Use a current Firefox, Chrome, Edge or Safari, or open a recording.',
     },
     ended: {
-      what: 'The microphone went away while it was heard.',
+      what: 'The microphone was taken away: unplugged, or needed for a call.',
       do: 'What was heard until then is kept and analysed.',
     },
     unknown: {
@@ -304,8 +306,9 @@ export default {
   },
   figures: {
     title: 'Figures',
+    against: (y: string, x: string) => `${y} against ${x}`,
     nothing: 'Nothing to show here: this takes more impacts.',
-    reset: 'Double-click resets the zoom.',
+    reset: 'Drag sideways to zoom, double-click to see all.',
     numbers: 'The same as numbers',
     saveSvg: 'SVG',
     savePng: 'PNG',
@@ -316,7 +319,7 @@ export default {
     measured: 'measured',
     notUsed: 'not in the line',
     model: 'model with air',
-    line95: 'what the law may be',
+    line95: 'likely range (95 %)',
     flights: {
       tab: 'Flights',
       see: 'A ball that keeps the same share at each bounce makes a straight line here; where the points bend away from it, air or speed plays a part.',
@@ -374,7 +377,6 @@ export default {
     scatter: 'Scatter from bounce to bounce',
     timing: 'Error of the times',
     contact: 'Contact time',
-    gravity: 'Gravity',
     lineRestitution: 'Straight line: e',
     lineHeight: 'Straight line: drop height',
     lineFlights: 'Straight line: flights',

@@ -15,12 +15,12 @@ export function Comparison({ drops }: { readonly drops: readonly KeptDrop[] }) {
   return (
     <div class="pairs">
       <figure class="figure-box">
-        <Chart spec={each} label={words.drops.see} />
+        <Chart spec={each} />
         <figcaption>{words.drops.see}</figcaption>
       </figure>
       <figure class="figure-box">
         <Key spec={curves} />
-        <Chart spec={curves} label={words.drops.seeRestitution} />
+        <Chart spec={curves} />
         <figcaption>{words.drops.seeRestitution}</figcaption>
       </figure>
     </div>

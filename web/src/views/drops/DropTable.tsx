@@ -1,4 +1,6 @@
+import { handFocusOn } from '../../app/focus.ts';
 import { lengthUnit, PLAIN, plain, uncertain } from '../../format/quantity.ts';
+import { busy } from '../../state/bench.ts';
 import { catalogue } from '../../state/engine.ts';
 import { kept, openKept, remove, rename, tick, ticked } from '../../state/keeping.ts';
 import { spreadOf } from '../../state/spread.ts';
@@ -62,7 +64,12 @@ function Row({ drop }: { readonly drop: KeptDrop }) {
           aria-label={words.rename(drop.name)}
           value={drop.name}
           maxLength={120}
-          onChange={(event) => void rename(drop.id, event.currentTarget.value.trim())}
+          onChange={(event) => {
+            const name = event.currentTarget.value.trim();
+            // A drop is never nameless: what it was called stands there again.
+            if (name === '') event.currentTarget.value = drop.name;
+            else void rename(drop.id, name);
+          }}
         />
       </td>
       <td class="figure">{e ? uncertain(e.value, e.sd, PLAIN, spoken) : ''}</td>
@@ -81,6 +88,7 @@ function Row({ drop }: { readonly drop: KeptDrop }) {
             type="button"
             class="quiet slim"
             aria-label={words.openOne(drop.name)}
+            disabled={busy.value}
             onClick={() => void openKept(drop)}
           >
             {words.open}
@@ -89,7 +97,10 @@ function Row({ drop }: { readonly drop: KeptDrop }) {
             type="button"
             class="quiet slim"
             aria-label={words.deleteOne(drop.name)}
-            onClick={() => void remove([drop])}
+            onClick={(event) => {
+              handFocusOn(event.currentTarget, 'tr');
+              void remove([drop]);
+            }}
           >
             {words.delete}
           </button>

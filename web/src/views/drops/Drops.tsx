@@ -1,6 +1,16 @@
+import { useEffect } from 'preact/hooks';
+import { focusPage } from '../../app/focus.ts';
 import { Rich } from '../../app/Rich.tsx';
 import { PERCENT, plain, uncertain } from '../../format/quantity.ts';
-import { bringBack, canKeep, compared, deleted, kept, remove } from '../../state/keeping.ts';
+import {
+  bringBack,
+  canKeep,
+  compared,
+  deleted,
+  kept,
+  loadKept,
+  remove,
+} from '../../state/keeping.ts';
 import { labAddress } from '../../state/settings.ts';
 import { spreadOf } from '../../state/spread.ts';
 import { language, texts } from '../../text/language.ts';
@@ -12,6 +22,8 @@ import { saveDropsCsv, saveDropsJson } from './export.ts';
 export function Drops() {
   const words = texts.value.drops;
   const chosen = compared.value;
+  // Another window may have kept one meanwhile.
+  useEffect(() => void loadKept(), []);
   return (
     <div class="stack wide drops">
       <h1>{words.title}</h1>
@@ -20,9 +32,11 @@ export function Drops() {
       {kept.value.length === 0 ? (
         <>
           <p class="lead soft">{words.empty}</p>
-          <a class="button primary" href={labAddress.value}>
-            {words.toLab}
-          </a>
+          <div>
+            <a class="button primary" href={labAddress.value}>
+              {words.toLab}
+            </a>
+          </div>
         </>
       ) : (
         <>
@@ -35,7 +49,14 @@ export function Drops() {
             <button type="button" class="quiet" onClick={() => saveDropsJson(kept.peek())}>
               {words.json}
             </button>
-            <button type="button" class="quiet" onClick={() => void remove(kept.peek())}>
+            <button
+              type="button"
+              class="quiet"
+              onClick={() => {
+                focusPage();
+                void remove(kept.peek());
+              }}
+            >
               {words.deleteAll}
             </button>
           </div>
@@ -56,7 +77,14 @@ function Undo() {
       {gone.length > 0 && (
         <p class="notice">
           {gone.length === 1 ? words.deleted(name) : words.deletedAll(gone.length)}{' '}
-          <button type="button" class="quiet slim" onClick={() => void bringBack()}>
+          <button
+            type="button"
+            class="quiet slim"
+            onClick={() => {
+              focusPage();
+              void bringBack();
+            }}
+          >
             {texts.value.app.undo}
           </button>
         </p>

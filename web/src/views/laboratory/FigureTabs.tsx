@@ -92,13 +92,13 @@ function Panel() {
         <figcaption>{charts.length > 0 ? sentence : words.figures.nothing}</figcaption>
         {charts[0] && <Key spec={charts[0]} />}
         {charts.map((spec, index) => (
-          <Chart key={index} spec={spec} label={sentence} />
+          <Chart key={index} spec={spec} />
         ))}
         {charts.length > 0 && (
           <div class="row no-print">
             {id === 'drag' && <DragScale />}
             <SaveFigure id={id} log={log} />
-            <span class="small soft">{words.figures.reset}</span>
+            <span class="small soft mouse">{words.figures.reset}</span>
           </div>
         )}
         {charts.length > 0 && <NumbersOf charts={charts} />}

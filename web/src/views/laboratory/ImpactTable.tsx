@@ -1,10 +1,10 @@
 import { signal } from '@preact/signals';
+import { handFocusOn } from '../../app/focus.ts';
 import { fixed, MILLISECOND, PLAIN, plain, uncertain } from '../../format/quantity.ts';
-import { cursorS, drop, marks, onBench, selected, view } from '../../state/bench.ts';
-import { remove } from '../../state/editing.ts';
+import { drop, marks, onBench, selected } from '../../state/bench.ts';
+import { choose, remove } from '../../state/editing.ts';
 import { language, texts } from '../../text/language.ts';
 import { CERTAIN, type Mark } from '../../wave/mark.ts';
-import { choose } from '../../wave/Waveform.tsx';
 
 /** Whether the list is unfolded; the words of the result can ask for it. */
 export const listed = signal(false);
@@ -68,7 +68,7 @@ function Row({ mark, index }: { readonly mark: Mark; readonly index: number }) {
           class="quiet slim"
           aria-label={words.select(index + 1)}
           aria-pressed={mark.id === selected.value}
-          onClick={() => show(mark)}
+          onClick={() => choose(mark)}
         >
           {index + 1}
         </button>
@@ -89,16 +89,14 @@ function Row({ mark, index }: { readonly mark: Mark; readonly index: number }) {
           type="button"
           class="quiet slim"
           aria-label={words.removeOne(index + 1)}
-          onClick={() => remove(mark.id)}
+          onClick={(event) => {
+            handFocusOn(event.currentTarget, 'tr');
+            remove(mark.id);
+          }}
         >
           {words.remove}
         </button>
       </td>
     </tr>
   );
-}
-
-function show(mark: Mark): void {
-  const durationS = onBench.peek()?.durationS ?? 0;
-  choose({ cursorS, view, selected, durationS }, mark);
 }

@@ -1,21 +1,17 @@
-import { signal } from '@preact/signals';
-import { useRef } from 'preact/hooks';
+import { useRef, useState } from 'preact/hooks';
 import { addressOf, hashOf } from '../../address/route.ts';
 import { settingsToParameters } from '../../address/settings.ts';
 import { FaultNotice } from '../../app/FaultNotice.tsx';
 import { fileName, saveText } from '../../app/save.ts';
+import type { Recording } from '../../lab/index.ts';
 import { request } from '../../state/analysing.ts';
-import { analysed, drop, onBench } from '../../state/bench.ts';
+import { analysed, chosenDrop, drop, edits, onBench } from '../../state/bench.ts';
 import { engine } from '../../state/engine.ts';
 import { keepDrop } from '../../state/keeping.ts';
 import { settings } from '../../state/settings.ts';
 import { texts } from '../../text/language.ts';
 import { phrasebook } from '../../text/remarks.ts';
 import { SaveSound } from './SaveSound.tsx';
-
-const kept = signal<string | null>(null);
-const failed = signal(false);
-const shared = signal<{ readonly address: string; readonly copied: boolean } | null>(null);
 
 /** Keep the drop here, save its numbers, share the set-up, print a report. */
 export function Keep() {
@@ -25,7 +21,7 @@ export function Keep() {
   const stem = fileName(recording.name);
   return (
     <section class="stack keep no-print" aria-label={words.title}>
-      {drop.value && <KeepForm key={recording.name} />}
+      {drop.value && <KeepForm />}
       <div class="row">
         <SaveSound />
         {analysed.value && (
@@ -66,50 +62,72 @@ function saveJson(stem: string): void {
   saveText(text, 'application/json', `${stem}.json`);
 }
 
+/** What became of the wish to keep a drop. */
+interface Attempt {
+  readonly recording: Recording;
+  readonly drop: number;
+  /** Under which name it is kept; `null` if it could not be. */
+  readonly name: string | null;
+}
+
 function KeepForm() {
   const words = texts.value.keep;
   const input = useRef<HTMLInputElement>(null);
-  const name = onBench.value?.name ?? '';
+  const [last, setLast] = useState<Attempt>();
+  const bench = onBench.value;
+  if (!bench) return null;
+  const [index, count] = [chosenDrop.value, edits.value.length];
+  const name =
+    count > 1 ? `${bench.name}, ${texts.value.lab.dropOf(index + 1, count)}` : bench.name;
+  const attempt = last?.recording === bench.recording && last.drop === index ? last : undefined;
   return (
     <form
       class="stack"
       onSubmit={async (event) => {
         event.preventDefault();
         const given = input.current?.value.trim() || name;
-        failed.value = !(await keepDrop(given));
-        kept.value = failed.value ? null : given;
+        const isKept = await keepDrop(given);
+        setLast({ recording: bench.recording, drop: index, name: isKept ? given : null });
       }}
     >
-      <label class="field">
-        <span>{words.name}</span>
+      <div class="field">
+        <label for="drop-name">{words.name}</label>
         <span class="pair">
-          <input ref={input} defaultValue={name} placeholder={words.nameHint} maxLength={120} />
+          <input
+            key={name}
+            id="drop-name"
+            ref={input}
+            defaultValue={name}
+            placeholder={words.nameHint}
+            maxLength={120}
+          />
           <button type="submit" class="button">
             {words.keep}
           </button>
         </span>
-      </label>
+      </div>
       <p role="status" class="small">
-        {kept.value !== null && (
+        {attempt && attempt.name !== null && (
           <>
-            {words.kept(kept.value)} <a href={hashOf('drops')}>{words.seeAll}</a>
+            {words.kept(attempt.name)} <a href={hashOf('drops')}>{words.seeAll}</a>
           </>
         )}
       </p>
-      {failed.value && <FaultNotice fault={{ key: 'keep' }} />}
+      {attempt?.name === null && <FaultNotice fault={{ key: 'keep' }} />}
     </form>
   );
 }
 
 function Share() {
   const words = texts.value.keep;
+  const [shared, setShared] = useState<{ readonly address: string; readonly copied: boolean }>();
+  const address = addressOf('lab', settingsToParameters(settings.value));
   const share = async (): Promise<void> => {
-    const address = addressOf('lab', settingsToParameters(settings.peek()));
     const copied = await navigator.clipboard?.writeText(address).then(
       () => true,
       () => false,
     );
-    shared.value = { address, copied: copied ?? false };
+    setShared({ address, copied: copied ?? false });
   };
   return (
     <>
@@ -117,10 +135,9 @@ function Share() {
         {words.share}
       </button>
       <p role="status" class="small shared">
-        {shared.value && (
+        {shared?.address === address && (
           <>
-            {shared.value.copied ? words.shared : words.shareByHand}{' '}
-            <code>{shared.value.address}</code>
+            {shared.copied ? words.shared : words.shareByHand} <code>{address}</code>
           </>
         )}
       </p>

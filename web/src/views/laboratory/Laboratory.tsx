@@ -1,4 +1,4 @@
-import { onBench, phase } from '../../state/bench.ts';
+import { busy, onBench } from '../../state/bench.ts';
 import { texts } from '../../text/language.ts';
 import { FigureTabs } from './FigureTabs.tsx';
 import { Keep } from './Keep.tsx';
@@ -12,15 +12,13 @@ import { Welcome } from './Welcome.tsx';
 
 /** The laboratory: from a button, downwards, to everything the bounces say. */
 export function Laboratory() {
-  const now = phase.value.kind;
-  const busy = now === 'listening' || now === 'starting' || now === 'reading';
-  if (!onBench.value && !busy) return <Welcome />;
+  if (!onBench.value && !busy.value) return <Welcome />;
   return (
     <div class="lab">
       <h1 class="unseen">{texts.value.app.title}</h1>
       <ListenBar />
       <Troubles />
-      {busy ? <LiveStrip /> : <Bench />}
+      {busy.value ? <LiveStrip /> : <Bench />}
     </div>
   );
 }

@@ -1,4 +1,4 @@
-import { onBench } from '../../state/bench.ts';
+import { busy } from '../../state/bench.ts';
 import { ListenButton } from './ListenButton.tsx';
 import { OtherWays } from './OtherWays.tsx';
 import { Paste } from './Paste.tsx';
@@ -8,11 +8,11 @@ import { pasting } from './pasting.ts';
 export function ListenBar() {
   return (
     <>
-      <div class={onBench.value ? 'again has-result' : 'again'}>
+      <div class="again">
         <ListenButton small />
         <OtherWays />
       </div>
-      {pasting.value && <Paste />}
+      {pasting.value && !busy.value && <Paste />}
     </>
   );
 }

@@ -1,29 +1,32 @@
 import { useEffect, useRef } from 'preact/hooks';
-import { onBench, phase } from '../../state/bench.ts';
+import { busy, fault, onBench, phase } from '../../state/bench.ts';
 import { level, listen, stopListening } from '../../state/listening.ts';
 import { texts } from '../../text/language.ts';
 
 /** The one button that matters. While listening it breathes with the sound. */
 export function ListenButton({ small = false }: { readonly small?: boolean }) {
   const words = texts.value.lab;
-  const listening = phase.value.kind === 'listening';
-  const waiting = phase.value.kind === 'starting' || phase.value.kind === 'reading';
+  const now = phase.value.kind;
+  const listening = now === 'listening';
+  const waiting = busy.value && !listening;
   const button = useRef<HTMLButtonElement>(null);
   const loudness = level.value;
   useEffect(() => {
     button.current?.style.setProperty('--level', loudness.toFixed(2));
   }, [loudness]);
-  // The button moves when listening begins; the keyboard must not lose it.
+  // What was pressed goes away when something begins, ends or fails; the keyboard goes on from here.
+  // When the page opens, it begins at its top.
   useEffect(() => {
-    if (listening) button.current?.focus({ preventScroll: true });
-  }, [listening]);
+    const isLost = document.activeElement === document.body;
+    if (isLost && (now !== 'empty' || fault.peek())) button.current?.focus({ preventScroll: true });
+  }, [now]);
   const label = listening ? words.stop : onBench.value ? words.again : words.listen;
   return (
     <button
       type="button"
       class={small ? 'listen small' : 'listen'}
       aria-pressed={listening}
-      disabled={waiting}
+      aria-disabled={waiting}
       ref={button}
       onClick={() => void (listening ? stopListening() : listen())}
     >

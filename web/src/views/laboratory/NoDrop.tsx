@@ -1,6 +1,6 @@
 import { onBench } from '../../state/bench.ts';
 import { texts } from '../../text/language.ts';
-import { translated } from '../../text/remarks.ts';
+import { sentence } from '../../text/remarks.ts';
 
 /** Why there is no drop, and what to do about it. */
 export function NoDrop() {
@@ -11,8 +11,8 @@ export function NoDrop() {
       <p>
         <strong>{words.noDropTitle}</strong>
       </p>
-      {reason && <p>{translated(reason)}</p>}
-      <p>{words.noDropHint}</p>
+      {reason && <p>{sentence(reason)}</p>}
+      {onBench.value?.pyramid && <p>{words.noDropHint}</p>}
     </div>
   );
 }

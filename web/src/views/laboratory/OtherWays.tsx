@@ -1,14 +1,13 @@
 import { useRef } from 'preact/hooks';
-import { phase } from '../../state/bench.ts';
+import { busy } from '../../state/bench.ts';
 import { openDemo, openFile } from '../../state/opening.ts';
 import { texts } from '../../text/language.ts';
-import { pasting } from './pasting.ts';
+import { PASTE, pasting } from './pasting.ts';
 
 /** A file, a list of times, the demo: three quiet links. */
 export function OtherWays() {
   const words = texts.value.lab;
   const input = useRef<HTMLInputElement>(null);
-  const busy = phase.value.kind !== 'empty' && phase.value.kind !== 'ready';
   return (
     <div class="links">
       <input
@@ -24,13 +23,19 @@ export function OtherWays() {
           if (file) void openFile(file);
         }}
       />
-      <button type="button" class="quiet" disabled={busy} onClick={() => input.current?.click()}>
+      <button
+        type="button"
+        class="quiet"
+        disabled={busy.value}
+        onClick={() => input.current?.click()}
+      >
         {words.open}
       </button>
       <button
         type="button"
+        id={PASTE}
         class="quiet"
-        disabled={busy}
+        disabled={busy.value}
         aria-expanded={pasting.value}
         onClick={() => {
           pasting.value = !pasting.value;
@@ -38,7 +43,7 @@ export function OtherWays() {
       >
         {words.paste}
       </button>
-      <button type="button" class="quiet" disabled={busy} onClick={() => void openDemo()}>
+      <button type="button" class="quiet" disabled={busy.value} onClick={() => void openDemo()}>
         {words.demo}
       </button>
     </div>

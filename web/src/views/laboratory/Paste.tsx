@@ -1,6 +1,6 @@
 import { useEffect, useRef } from 'preact/hooks';
 import { texts } from '../../text/language.ts';
-import { analysePasted, draft, pasting } from './pasting.ts';
+import { analysePasted, draft, PASTE, pasting } from './pasting.ts';
 
 /** A box for impact times. */
 export function Paste() {
@@ -38,6 +38,7 @@ export function Paste() {
           type="button"
           class="quiet"
           onClick={() => {
+            document.getElementById(PASTE)?.focus();
             pasting.value = false;
           }}
         >

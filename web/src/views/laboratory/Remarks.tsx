@@ -1,7 +1,7 @@
 import { perCent } from '../../format/quantity.ts';
-import { analysed, drop } from '../../state/bench.ts';
+import { analysed, drop, refining } from '../../state/bench.ts';
 import { language, texts } from '../../text/language.ts';
-import { translated } from '../../text/remarks.ts';
+import { sentence, translated } from '../../text/remarks.ts';
 
 /** What is odd about the drop, and what the sound can and cannot tell. */
 export function Remarks() {
@@ -15,18 +15,19 @@ export function Remarks() {
       {warnings.length > 0 && (
         <ul class="notice remarks">
           {warnings.map((warning) => (
-            <li key={warning}>{translated(warning)}</li>
+            <li key={warning}>{sentence(warning)}</li>
           ))}
         </ul>
       )}
-      {(estimate || said.no_estimate) && (
+      {/* It stays while the inference runs, unfolded if it was. */}
+      {(estimate || said.no_estimate || refining.value) && (
         <details>
           <summary>{texts.value.lab.tells}</summary>
           <ul class="remarks small">
             {estimate?.remarks.map((remark) => (
-              <li key={remark}>{translated(remark)}</li>
+              <li key={remark}>{sentence(remark)}</li>
             ))}
-            {said.no_estimate && <li>{translated(said.no_estimate)}</li>}
+            {said.no_estimate && <li>{sentence(said.no_estimate)}</li>}
           </ul>
           {estimate && estimate.narrowed.length > 0 && <Narrowed narrowed={estimate.narrowed} />}
         </details>

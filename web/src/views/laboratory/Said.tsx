@@ -15,7 +15,7 @@ export function Said() {
   const words = texts.value.lab;
   const said = drop.value;
   return (
-    <section class="said" aria-live="polite" aria-busy={refining.value}>
+    <section class="said" aria-label={words.result} aria-live="polite" aria-busy={refining.value}>
       {onBench.value?.recording.heard.drops.length === 0 && marks.value.length < 3 && <NoDrop />}
       {marks.value.length > 0 && !said?.regression && !said?.estimate && (
         <p class="second">{words.cannotTell}</p>
@@ -94,11 +94,13 @@ function Count() {
 /** How much of the straight line's loss is the air's. */
 function Air({ said }: { readonly said: DocumentDrop }) {
   const words = texts.value.lab;
-  const { estimate, regression } = said;
-  if (!estimate || !regression) return null;
+  const { estimate, corrected, regression } = said;
+  // The rough answer until the inference is there, so that nothing comes and goes.
+  const withoutAir = estimate?.restitution.value ?? corrected?.restitution;
+  if (withoutAir === undefined || !regression) return null;
   const spoken = language.value;
   const height = regression.drop_height_m;
-  const points = 100 * (estimate.restitution.value - regression.restitution);
+  const points = 100 * (withoutAir - regression.restitution);
   return (
     <div class="stack">
       <p>

@@ -4,10 +4,12 @@ import { lawName } from '../../figures/drag.ts';
 import { catalogue } from '../../state/engine.ts';
 import { change, forgetSettings, settings } from '../../state/settings.ts';
 import { texts } from '../../text/language.ts';
-import { ballName } from '../../text/names.ts';
+import { ballName, nameIn } from '../../text/names.ts';
 
 const OWN = 'own';
 const ABSOLUTE_ZERO_C = -273.15;
+/** The last flight of the straight line where nobody says: the paper has ten. */
+const USUAL_LAST = 10;
 
 const scaled = (value: number | undefined, factor: number): number | undefined =>
   value === undefined ? undefined : value * factor;
@@ -185,11 +187,9 @@ function Measured() {
   const words = texts.value.settings;
   const { height_m, height_sd_m, restitution_laws, flights } = settings.value;
   const laws = catalogue.value?.restitution_laws ?? [];
-  const setFlights = (from: number | undefined, to: number | undefined): void => {
-    const begin = Math.max(1, Math.round(from ?? 1));
-    const end = to === undefined ? undefined : Math.round(to);
-    change({ flights: end !== undefined && end > begin ? [begin, end] : undefined });
-  };
+  const [first, last] = flights ?? [1, undefined];
+  const setFlights = (from: number, to: number | undefined): void =>
+    change({ flights: to === undefined ? undefined : [Math.round(from), Math.round(to)] });
   return (
     <fieldset>
       <legend>{words.measured}</legend>
@@ -220,7 +220,7 @@ function Measured() {
         value={restitution_laws?.[0] ?? ''}
         options={[
           ['', words.restitutionAny],
-          ...laws.map((law) => [law, words.laws[law] ?? law] as const),
+          ...laws.map((law) => [law, nameIn(words.laws, law)] as const),
         ]}
         onChange={(law) => change({ restitution_laws: law === '' ? undefined : [law] })}
       />
@@ -231,15 +231,16 @@ function Measured() {
           value={flights?.[0]}
           usual={1}
           min={1}
-          onChange={(from) => setFlights(from, flights?.[1] ?? 10)}
+          max={last === undefined ? undefined : last - 1}
+          onChange={(from = 1) => setFlights(from, last ?? Math.max(USUAL_LAST, from + 1))}
         />
         <NumberField
           label={words.flightsTo}
           unit=""
-          value={flights?.[1]}
-          usual={10}
-          min={2}
-          onChange={(to) => setFlights(flights?.[0], to)}
+          value={last}
+          usual={USUAL_LAST}
+          min={first + 1}
+          onChange={(to) => setFlights(first, to)}
         />
       </div>
     </fieldset>

@@ -1,5 +1,5 @@
 import { FaultNotice } from '../../app/FaultNotice.tsx';
-import { fault } from '../../state/bench.ts';
+import { busy, fault } from '../../state/bench.ts';
 import { unreadable } from '../../state/settings.ts';
 import { texts } from '../../text/language.ts';
 import { Leftovers } from './Leftovers.tsx';
@@ -17,7 +17,7 @@ export function Troubles() {
       {unreadable.value.length > 0 && (
         <p class="notice">{texts.value.app.unreadableLink(unreadable.value.join(', '))}</p>
       )}
-      <Leftovers />
+      {!busy.value && <Leftovers />}
     </>
   );
 }

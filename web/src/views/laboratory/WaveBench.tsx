@@ -12,6 +12,7 @@ import { WaveTools } from './WaveTools.tsx';
 
 const edits: WaveformEdits = {
   add: (timeS) => void editing.add(timeS),
+  choose: editing.choose,
   drag: editing.drag,
   dragEnd: (id) => void editing.dragEnd(id),
   nudge: editing.nudge,

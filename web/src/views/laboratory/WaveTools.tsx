@@ -29,7 +29,16 @@ interface ToolProps {
 
 function Tool({ do: act, disabled = false, pressed, children }: ToolProps) {
   return (
-    <button type="button" class="tool" disabled={disabled} aria-pressed={pressed} onClick={act}>
+    // Not `disabled`: a button that has done its work would drop the keyboard.
+    <button
+      type="button"
+      class="tool"
+      aria-disabled={disabled}
+      aria-pressed={pressed}
+      onClick={() => {
+        if (!disabled) act();
+      }}
+    >
       {children}
     </button>
   );
@@ -164,7 +173,9 @@ function Correcting() {
         <Forth />
         {texts.value.app.redo}
       </Tool>
-      {edited.value && <Tool do={editing.restore}>{words.restore}</Tool>}
+      <Tool disabled={!edited.value} do={editing.restore}>
+        {words.restore}
+      </Tool>
     </div>
   );
 }

@@ -32,7 +32,7 @@ function SmallFigure() {
   return (
     <>
       <Key spec={spec} />
-      <Chart spec={spec} label={words.figures.restitution.see} />
+      <Chart spec={spec} />
     </>
   );
 }

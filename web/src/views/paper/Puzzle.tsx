@@ -148,7 +148,7 @@ function Sinking({ drag, vacuum, flights }: SinkingProps) {
   }, [key, words, spoken]);
   return (
     <figure class="figure-box">
-      {spec ? <Chart spec={spec} label={words.see} /> : <div class="chart waiting" />}
+      {spec ? <Chart spec={spec} /> : <div class="chart waiting" />}
       <figcaption>{words.see}</figcaption>
     </figure>
   );

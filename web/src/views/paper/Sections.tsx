@@ -15,7 +15,7 @@ function Figure({ spec, see }: FigureProps) {
   return (
     <figure class="figure-box">
       {spec && <Key spec={spec} />}
-      {spec ? <Chart spec={spec} label={see} /> : <div class="chart waiting" />}
+      {spec ? <Chart spec={spec} /> : <div class="chart waiting" />}
       <figcaption>{see}</figcaption>
     </figure>
   );

@@ -1,7 +1,8 @@
+import { focusPage, handFocusOn } from '../../app/focus.ts';
 import { Pause, Play } from '../../app/icons.tsx';
 import { fixed } from '../../format/quantity.ts';
 import { playing, stop } from '../../sound/player.ts';
-import { drop } from '../../state/bench.ts';
+import { busy, drop } from '../../state/bench.ts';
 import { labAddress } from '../../state/settings.ts';
 import {
   analyseRun,
@@ -16,7 +17,7 @@ import {
   takeOff,
 } from '../../state/simulating.ts';
 import { language, texts } from '../../text/language.ts';
-import { ballName } from '../../text/names.ts';
+import { ballName, nameIn } from '../../text/names.ts';
 
 /** What can be done with a run. */
 export function RunTools() {
@@ -41,7 +42,12 @@ export function RunTools() {
       </div>
       <Runs />
       <div class="row">
-        <button type="button" class="quiet" disabled={!ready} onClick={() => void analyseRun()}>
+        <button
+          type="button"
+          class="quiet"
+          disabled={!ready || busy.value}
+          onClick={() => void analyseRun()}
+        >
           {words.analyse}
         </button>
         {drop.value && (
@@ -54,7 +60,14 @@ export function RunTools() {
         {overlay.value && <a href={labAddress.value}>{words.laid}</a>}
       </p>
       {overlay.value && (
-        <button type="button" class="quiet small" onClick={takeOff}>
+        <button
+          type="button"
+          class="quiet small"
+          onClick={() => {
+            focusPage();
+            takeOff();
+          }}
+        >
           {words.takeOff}
         </button>
       )}
@@ -77,7 +90,10 @@ function Runs() {
             type="button"
             class="quiet slim"
             aria-label={words.remove(words.run(run.number))}
-            onClick={() => removeRun(run.number)}
+            onClick={(event) => {
+              handFocusOn(event.currentTarget, 'li');
+              removeRun(run.number);
+            }}
           >
             {texts.value.wave.remove}
           </button>
@@ -90,6 +106,6 @@ function Runs() {
 function inWords({ setup }: Run): string {
   const spoken = language.value;
   const height = `${fixed(100 * setup.heightM, 1, spoken)} cm`;
-  const world = texts.value.simulate.worlds[setup.world] ?? setup.world;
+  const world = nameIn(texts.value.simulate.worlds, setup.world);
   return `${ballName(setup.ball)}, ${height}, e ${fixed(setup.restitution, 4, spoken)}, ${world}`;
 }

@@ -7,7 +7,7 @@ import { fixed, METRE, METRE_PER_SECOND, PERCENT, plain, SECOND } from '../../fo
 import type { Simulation } from '../../lab/index.ts';
 import { impossible, outcome, runs } from '../../state/simulating.ts';
 import { language, texts } from '../../text/language.ts';
-import { translated } from '../../text/remarks.ts';
+import { sentence } from '../../text/remarks.ts';
 import { flightsOfRuns, heightsOfRuns } from './charts.ts';
 import { RunTools } from './RunTools.tsx';
 import { Sliders } from './Sliders.tsx';
@@ -34,7 +34,7 @@ export function Simulate() {
         <div class="stack results">
           {impossible.value !== null && (
             <p class="notice" role="alert">
-              {words.impossible} {translated(impossible.value)}
+              {words.impossible} {sentence(impossible.value)}
             </p>
           )}
           {simulation && <Outcome simulation={simulation} />}
@@ -42,13 +42,13 @@ export function Simulate() {
             <figure class="figure-box">
               <figcaption>{words.see}</figcaption>
               <Key spec={heights} />
-              <Chart spec={heights} label={words.see} />
+              <Chart spec={heights} />
             </figure>
           )}
           {flights && (
             <figure class="figure-box">
               <figcaption>{words.seeTimes}</figcaption>
-              <Chart spec={flights} label={words.seeTimes} />
+              <Chart spec={flights} />
               {heights && <NumbersOf charts={[flights]} />}
             </figure>
           )}

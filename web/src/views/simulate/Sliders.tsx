@@ -6,7 +6,7 @@ import { CENTIMETRE, fixed, PERCENT, plain } from '../../format/quantity.ts';
 import { catalogue } from '../../state/engine.ts';
 import { move, setup } from '../../state/simulating.ts';
 import { language, texts } from '../../text/language.ts';
-import { ballName } from '../../text/names.ts';
+import { ballName, nameIn } from '../../text/names.ts';
 
 /** What can be moved. */
 export function Sliders() {
@@ -53,7 +53,7 @@ export function Sliders() {
         label={words.world}
         value={now.world}
         options={(offered?.worlds ?? []).map(
-          ({ name }) => [name, words.worlds[name] ?? name] as const,
+          ({ name }) => [name, nameIn(words.worlds, name)] as const,
         )}
         onChange={(where) => move({ world: where })}
       />

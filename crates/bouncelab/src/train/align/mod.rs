@@ -15,7 +15,7 @@ mod wave;
 
 use super::HeardImpact;
 use sound::{Sound, Span, cut_out, noise_power, whitened};
-use template::{Left, Template, middle_size, stack, weight};
+use template::{Doubt, Left, Template, middle_size, stack, usual_difference, weight};
 use wave::{convolve, running_energy, smoothing};
 
 /// What sounds after that holds less than this share of the energy.
@@ -60,10 +60,15 @@ pub(super) fn align(
             positions[sound.impact] += sound.shift;
         }
     }
-    for sound in sounds.iter().filter(|sound| sound.fits) {
+    let settled = || sounds.iter().filter(|sound| sound.fits);
+    let doubts: Vec<&Doubt> = settled().filter_map(|sound| sound.doubt.as_ref()).collect();
+    let difference = usual_difference(&doubts);
+    for sound in settled() {
         let onset = &mut impacts[sound.impact].onset;
         onset.time_s = start_s + positions[sound.impact] / rate_hz;
-        onset.sigma_s = sound.sigma / rate_hz;
+        if let Some(doubt) = &sound.doubt {
+            onset.sigma_s = doubt.shift_error(difference) / rate_hz;
+        }
         fits[sound.impact] = sound.begins(&span);
     }
     fits

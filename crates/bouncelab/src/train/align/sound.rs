@@ -1,6 +1,6 @@
 //! The whitened surroundings of one impact, and where in them it begins.
 
-use super::template::{Left, Noise, Template};
+use super::template::{Doubt, Left, Noise, Template};
 use super::wave::{KERNEL, dot, norm, resample, running_energy};
 use crate::train::HeardImpact;
 use crate::whiten::{self, Autoregression};
@@ -88,8 +88,8 @@ pub(super) struct Sound {
     pub(super) shift: f64,
     /// Whether it fits the others.
     pub(super) fits: bool,
-    /// Standard error of the shift in samples, once it is settled.
-    pub(super) sigma: f64,
+    /// What keeps the shift from being known, once it is settled.
+    pub(super) doubt: Option<Doubt>,
 }
 
 /// The samples around one impact, and before them the noise from which the whitening is learnt.
@@ -150,7 +150,7 @@ pub(super) fn whitened(
                 pick_sigma,
                 shift: 0.0,
                 fits: cut.fits,
-                sigma: f64::INFINITY,
+                doubt: None,
             }
         })
         .collect()
@@ -188,7 +188,7 @@ impl Sound {
         self.shift = found.unwrap_or(0.0);
     }
 
-    /// Settles the shift and its standard error, by the wave at the shift that was found.
+    /// Settles the shift and what keeps it from being known, by the wave at the shift that was found.
     pub(super) fn settle(&mut self, template: &Template, wave: &[f32], left: &Left, span: &Span) {
         let noise = Noise {
             power: self.noise,
@@ -199,7 +199,7 @@ impl Sound {
         };
         let fit = template.fit(wave);
         self.shift += template.step(&fit);
-        self.sigma = template.shift_error(&fit, &noise);
+        self.doubt = Some(template.doubt(&fit, &noise));
     }
 
     /// The highest correlation at whole samples around `middle`, and a parabola through it.
@@ -253,7 +253,7 @@ mod tests {
                 pick_sigma: 1.0,
                 shift,
                 fits: false,
-                sigma: 0.0,
+                doubt: None,
             };
             assert!(!sound.begins(&span), "{shift}");
             assert_eq!(sound.wave(&span, shift).len(), span.length);

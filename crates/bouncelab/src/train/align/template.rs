@@ -3,9 +3,14 @@
 use super::wave::{KERNEL, convolve, derivative, dot, norm};
 use crate::order::median;
 
-/// Impacts of one drop differ a little, and not as noise does: what they leave unexplained is like
-/// so many numbers drawn at random, one or two for each mode that rings.
-const FREE_DIFFERENCES: f64 = 2.0;
+/// Impacts of one drop differ a little, and not as noise does: what they leave unexplained is like so
+/// many numbers drawn at random, one or two for each mode that rings. (With modes of random phases,
+/// 4 for a steel ball to 7 for a basketball give the errors of the times.)
+const FREE_DIFFERENCES: f64 = 5.0;
+/// An impact that differs by so many times what is usual is odd.
+const ODD: f64 = 4.0;
+/// So many standard errors make it sure that the impacts differ: the noise is not quite known.
+const SURELY: f64 = 3.0;
 /// At least this share of the slope of a template is that of the impacts.
 const LEAST_SIGNAL: f64 = 0.1;
 /// No shift is surer than this, in samples.
@@ -93,32 +98,83 @@ impl<'a> Template<'a> {
         }
     }
 
-    /// Standard error of the shift of a wave in this noise, in samples.
-    pub(super) fn shift_error(&self, fit: &Fit, noise: &Noise) -> f64 {
-        let Fit {
-            level,
-            unexplained,
-            count,
-            ..
-        } = *fit;
-        let square = level * level;
+    /// What keeps the shift of a wave in this noise from being known.
+    pub(super) fn doubt(&self, fit: &Fit, noise: &Noise) -> Doubt {
+        let square = fit.level * fit.level;
+        let count = fit.count;
         // What the noise of both leaves, give or take chance: here, and in what was heard before,
         // from which it is known. (That of the template is common to all impacts, and shifts none
         // against another.)
         let by_noise = count * noise.power * (1.0 + square * f64::from(self.noise));
         let chance = (2.0 * noise.alike * (1.0 / count + 1.0 / noise.heard)).sqrt();
-        let different = if unexplained > by_noise * (1.0 + 2.0 * chance) {
-            unexplained - by_noise
-        } else {
-            0.0
-        };
         // The noise of the template is steep too, but says nothing of the time.
         let steep = square * f64::from(self.slope);
         let of_noise = square * count * f64::from(self.noise) * noise.slope;
         let slope = (steep - of_noise).max(LEAST_SIGNAL * steep);
-        let variance = (noise.density + different / FREE_DIFFERENCES) * steep / slope.powi(2);
+        Doubt {
+            energy: square * f64::from(self.energy),
+            different: fit.unexplained - by_noise,
+            chance: chance * by_noise,
+            density: noise.density,
+            variance: steep / slope.powi(2),
+        }
+    }
+}
+
+/// What keeps the shift of an impact from being known: noise, and that no two impacts are alike.
+pub(super) struct Doubt {
+    energy: f64,
+    /// The energy that neither template nor noise explains, and its standard error.
+    different: f64,
+    chance: f64,
+    /// The density of the noise.
+    density: f64,
+    /// Variance of the shift for each unit of density.
+    variance: f64,
+}
+
+impl Doubt {
+    /// Standard error of the shift in samples, if the impacts of the drop differ by this share of
+    /// their energy.
+    pub(super) fn shift_error(&self, share: f64) -> f64 {
+        let usual = share * self.energy;
+        let different = if self.different > self.most(share) {
+            self.different
+        } else {
+            usual
+        };
+        let variance = (self.density + different / FREE_DIFFERENCES) * self.variance;
         variance.sqrt().hypot(LEAST_SIGMA)
     }
+
+    /// The most that usual differences and chance leave over.
+    fn most(&self, share: f64) -> f64 {
+        ODD * share * self.energy + 2.0 * self.chance
+    }
+}
+
+/// The share of their energy by which the impacts of a drop differ; 0 if all may be alike.
+pub(super) fn usual_difference(doubts: &[&Doubt]) -> f64 {
+    const ROUNDS: usize = 8;
+    let (share, error) = mean_difference(doubts, 0.0);
+    if doubts.is_empty() || share < SURELY * error {
+        return 0.0;
+    }
+    (0..ROUNDS).fold(share, |share, _| mean_difference(doubts, share).0.max(0.0))
+}
+
+/// The mean of the shares by which impacts seem to differ, and its standard error, where they are
+/// thought to differ by `share`: those known better weigh more, and odd ones count no more than the
+/// most that is usual.
+fn mean_difference(doubts: &[&Doubt], share: f64) -> (f64, f64) {
+    let (mut weights, mut sum) = (0.0, 0.0);
+    for doubt in doubts {
+        let by_chance = (doubt.chance / doubt.energy).max(f64::EPSILON);
+        let weight = 1.0 / (by_chance.powi(2) + share.powi(2));
+        weights += weight;
+        sum += weight * doubt.different.min(doubt.most(share)) / doubt.energy;
+    }
+    (sum / weights, 1.0 / weights.sqrt())
 }
 
 /// The noise under an impact.
@@ -156,5 +212,53 @@ impl Left {
             ),
             slope: f64::from(dot(&of_noise, &of_noise)),
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// An impact of this energy, of which so much is left over, give or take 0.01.
+    fn doubt(energy: f64, different: f64) -> Doubt {
+        Doubt {
+            energy,
+            different,
+            chance: 0.01,
+            density: 1e-4,
+            variance: 1.0,
+        }
+    }
+
+    fn usual(doubts: &[Doubt]) -> f64 {
+        usual_difference(&doubts.iter().collect::<Vec<_>>())
+    }
+
+    #[test]
+    fn what_chance_leaves_over_is_no_difference() {
+        let alike: Vec<Doubt> = (0..30)
+            .map(|n| doubt(1.0, 0.01 * f64::from(n % 3 - 1)))
+            .collect();
+        assert!(usual(&alike).abs() < f64::EPSILON);
+        assert!(usual(&[]).abs() < f64::EPSILON);
+    }
+
+    /// Loud impacts tell by how much all differ; a faint one differs as much, though noise hides it.
+    #[test]
+    fn a_faint_impact_is_known_no_better_than_a_loud_one() {
+        let mut doubts: Vec<Doubt> = (0..30).map(|_| doubt(10.0, 1.0)).collect();
+        doubts.push(doubt(0.01, 0.0));
+        let share = usual(&doubts);
+        assert!((share - 0.1).abs() < 1e-3, "{share}");
+        assert!(doubts[30].shift_error(share) > doubts[30].shift_error(0.0));
+    }
+
+    #[test]
+    fn an_odd_impact_counts_its_own_difference_and_hardly_moves_the_usual_one() {
+        let mut doubts: Vec<Doubt> = (0..30).map(|_| doubt(10.0, 1.0)).collect();
+        doubts.push(doubt(10.0, 100.0));
+        let share = usual(&doubts);
+        assert!((0.1..0.12).contains(&share), "{share}");
+        assert!(doubts[30].shift_error(share) > 5.0 * doubts[0].shift_error(share));
     }
 }

@@ -1,0 +1,94 @@
+//! Hashes: of the content of recordings, and of whatever else a result depends on.
+
+use std::fmt;
+use std::fs::File;
+use std::io::Read;
+use std::path::Path;
+
+use serde::{Serialize, Serializer};
+use sha2::{Digest, Sha256};
+
+use crate::error::{Error, Result};
+
+/// A SHA-256 hash, shown and written as hexadecimal digits.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct Hash([u8; 32]);
+
+/// The hash of bytes.
+pub fn hash(bytes: &[u8]) -> Hash {
+    Hash(Sha256::digest(bytes).into())
+}
+
+/// The hash of the content of a file, read in pieces.
+///
+/// # Errors
+/// [`Error::Read`] if it cannot be read.
+pub fn hash_of_file(path: &Path) -> Result<Hash> {
+    const PIECE: usize = 1 << 16;
+    let read = || -> std::io::Result<Hash> {
+        let mut file = File::open(path)?;
+        let mut sha = Sha256::new();
+        let mut piece = vec![0; PIECE];
+        loop {
+            match file.read(&mut piece)? {
+                0 => return Ok(Hash(sha.finalize().into())),
+                length => sha.update(&piece[..length]),
+            }
+        }
+    };
+    read().map_err(Error::read(path))
+}
+
+impl Hash {
+    /// Half of it, which is enough where two must not meet by chance.
+    pub(crate) fn half(&self) -> [u8; 16] {
+        let mut half = [0; 16];
+        half.copy_from_slice(&self.0[..16]);
+        half
+    }
+
+    /// Its first 64 bits, as a number that is as good as drawn at random.
+    pub fn number(&self) -> u64 {
+        let [a, b, c, d, e, f, g, h, ..] = self.0;
+        u64::from_be_bytes([a, b, c, d, e, f, g, h])
+    }
+}
+
+impl fmt::Display for Hash {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.0.iter().try_for_each(|byte| write!(f, "{byte:02x}"))
+    }
+}
+
+impl fmt::Debug for Hash {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        fmt::Display::fmt(self, f)
+    }
+}
+
+impl Serialize for Hash {
+    fn serialize<S: Serializer>(&self, serializer: S) -> std::result::Result<S::Ok, S::Error> {
+        serializer.collect_str(self)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::fs;
+
+    use super::*;
+
+    /// FIPS 180-2, appendix B.1, and the empty file of FIPS 180-4's example programs.
+    #[test]
+    fn hashes_are_those_of_the_standard() {
+        let abc = "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad";
+        assert_eq!(hash(b"abc").to_string(), abc);
+        assert_eq!(hash(b"abc").number(), 0xba78_16bf_8f01_cfea);
+        let nothing = "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855";
+        let file = tempfile::NamedTempFile::new().unwrap();
+        let of_file = || hash_of_file(file.path()).unwrap().to_string();
+        assert_eq!(of_file(), nothing);
+        fs::write(file.path(), "abc").unwrap();
+        assert_eq!(of_file(), abc);
+    }
+}

@@ -1,0 +1,14 @@
+/** Where the keyboard goes before what it stands on goes away. */
+
+/** To the page: the next step is from its top. */
+export const focusPage = (): void =>
+  document.getElementById('main')?.focus({ preventScroll: true });
+
+/** To the same place in the next entry of a list, or the one before; to the page if there is none. */
+export function handFocusOn(button: HTMLElement, entry: string): void {
+  const going = button.closest(entry);
+  const next = going?.nextElementSibling ?? going?.previousElementSibling;
+  const heir = [...(next?.querySelectorAll('button') ?? [])].at(-1);
+  if (heir) heir.focus({ preventScroll: true });
+  else focusPage();
+}

@@ -1,0 +1,30 @@
+import { expect, test } from 'vitest';
+import { listOf } from './pasted.ts';
+
+test.each([
+  ['0.1\n0.5\n0.9'],
+  ['0,1\r\n0,5\r\n0,9\r\n'],
+  ['0.1 0.5 0.9'],
+  ['0,1 0,5 0,9'],
+  ['0,1; 0,5; 0,9'],
+  ['0.1, 0.5, 0.9'],
+  ['0.1,0.5,0.9'],
+  ['0,1, 0,5, 0,9'],
+])('times as people write them: %j', (text) => {
+  expect(listOf(text)).toEqual({ name: 'times.txt', text: '0.1\n0.5\n0.9' });
+});
+
+test('a heading over one column keeps its line, so that errors name the right one', () => {
+  expect(listOf('time (s)\n0,1\n0,5')).toEqual({ name: 'times.txt', text: '\n0.1\n0.5' });
+});
+
+test('tables and arrays are left to those who read them', () => {
+  expect(listOf('n,time_s\n1,0.1').name).toBe('times.csv');
+  expect(listOf('n\ttime_s\n1\t0,1')).toEqual({ name: 'times.csv', text: 'n;time_s\n1;0,1' });
+  expect(listOf(' [0.1, 0.5]').name).toBe('times.json');
+});
+
+test('what makes no sense is handed on as it was written', () => {
+  expect(listOf('0.1\nzwei')).toEqual({ name: 'times.txt', text: '0.1\nzwei' });
+  expect(listOf('hello world').text).toBe('hello world');
+});
