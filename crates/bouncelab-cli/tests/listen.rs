@@ -206,8 +206,14 @@ fn in_real_time_it_takes_as_long_as_it_sounded() {
 fn what_is_heard_is_saved_as_it_was_and_never_over_another_file() {
     let folder = TempDir::new().unwrap();
     let file = one_drop(&folder);
-    let saved = folder.path().join("saved.wav");
-    play(&file).arg("--save").arg(&saved).assert().success();
+    let saved = folder.path().join("saved here.wav");
+    let command = format!("bouncelab analyze '{}'", saved.display());
+    play(&file)
+        .arg("--save")
+        .arg(&saved)
+        .assert()
+        .success()
+        .stderr(predicate::str::contains(command));
     assert_eq!(samples(&saved), samples(&file));
     play(&file)
         .arg("--save")

@@ -17,6 +17,7 @@ use super::{Arguments, Format, summary};
 use crate::analyze::{self, Hearing, Recording, Unanalysed};
 use crate::failure::Failure;
 use crate::physics::Physics;
+use crate::report::quoted;
 
 /// A pause while nothing comes.
 const PAUSE: Duration = Duration::from_millis(20);
@@ -303,9 +304,10 @@ impl<'a> Session<'a> {
             return;
         }
         for file in self.saver.files() {
-            let file = file.display();
             self.screen.say(&format!(
-                "the sound is in {file}; to hear it again: bouncelab analyze {file}"
+                "the sound is in {}; to hear it again: bouncelab analyze {}",
+                file.display(),
+                quoted(&file.to_string_lossy())
             ));
         }
     }
