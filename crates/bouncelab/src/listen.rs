@@ -2,7 +2,7 @@
 //!
 //! It takes a recording of any length in blocks of any size, channel by channel, and remembers no
 //! more of it than the longest drop lasts. All channels are heard; the one whose drops have the
-//! most evidence is believed, and the result says which that is.
+//! most evidence against chance is believed, and the result says which that is.
 //!
 //! ```
 //! use bouncelab::impact::Strike;
@@ -186,7 +186,7 @@ impl Listener {
         self.clone().finish()
     }
 
-    /// Ends the recording and believes the channel with the most evidence.
+    /// Ends the recording and believes the channel with the most evidence against chance.
     pub fn finish(self) -> Heard {
         let distinct_channels = self.ears.iter().flatten().count();
         let heard = self
@@ -198,7 +198,7 @@ impl Listener {
         // Of equals, the first.
         heard
             .reduce(|best, other| {
-                if other.found.evidence() > best.found.evidence() {
+                if other.found.against_chance() > best.found.against_chance() {
                     other
                 } else {
                     best

@@ -420,6 +420,12 @@ fn the_better_channel_is_believed() {
     };
     assert_eq!(hear_both(&bad, &good).channel, 1);
     assert_eq!(hear_both(&good, &bad).channel, 0);
+    // Nobody would doubt the drop in either; one has all of its impacts.
+    let noisy = synth::render(&usual_strikes(), &scene(20.0), 3)
+        .unwrap()
+        .samples;
+    assert_eq!(hear_both(&noisy, &good).channel, 1);
+    assert_eq!(hear_both(&good, &noisy).channel, 0);
     let same = hear_both(&good, &good);
     assert_eq!((same.channel, same.distinct_channels), (0, 1));
     // Channels that part company late were one until then.

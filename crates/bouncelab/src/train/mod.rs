@@ -67,6 +67,7 @@ pub struct HeardImpact {
 pub struct Train {
     impacts: Vec<HeardImpact>,
     evidence: f64,
+    against_chance: f64,
 }
 
 impl Train {
@@ -75,12 +76,18 @@ impl Train {
         &self.impacts
     }
 
-    /// Evidence that this is a drop and not chance, in nats.
+    /// Evidence that this is a drop and neither chance nor a rhythm, in nats.
     pub fn evidence(&self) -> f64 {
         self.evidence
     }
 
-    /// Probability that this is a drop and not chance.
+    /// Evidence that this is no chance, in nats: it grows with every impact that is heard well, where
+    /// a rhythm is ruled out by a few.
+    pub fn against_chance(&self) -> f64 {
+        self.against_chance
+    }
+
+    /// Probability that this is a drop and neither chance nor a rhythm.
     pub fn probability(&self) -> f64 {
         logistic(self.evidence)
     }
@@ -170,21 +177,21 @@ impl Found {
         let heard: Vec<(f64, f64)> = self
             .trains
             .iter()
-            .map(|train| (train.level_at_unit_speed_db(), train.evidence()))
+            .map(|train| (train.level_at_unit_speed_db(), train.against_chance()))
             .collect();
-        let is_distant = |&(level_db, evidence): &(f64, f64)| {
+        let is_distant = |&(level_db, against_chance): &(f64, f64)| {
             heard
                 .iter()
-                .any(|other| other.0 > level_db + DISTANT_DB && other.1 > evidence)
+                .any(|other| other.0 > level_db + DISTANT_DB && other.1 > against_chance)
         };
         let mut distant = heard.iter().map(is_distant);
         self.distant
             .extend(self.trains.extract_if(.., |_| distant.next() == Some(true)));
     }
 
-    /// The evidence of all trains together, in nats.
-    pub fn evidence(&self) -> f64 {
-        self.trains.iter().map(Train::evidence).sum()
+    /// How well all trains together are heard: their evidence against chance, in nats.
+    pub fn against_chance(&self) -> f64 {
+        self.trains.iter().map(Train::against_chance).sum()
     }
 
     /// Why there is no drop, in words; `onsets` is how many candidates there were.
@@ -406,6 +413,7 @@ fn search_among(onsets: &[Onset], span: Span, found: &mut Found) {
     }
     let best = Train {
         evidence,
+        against_chance: chain.evidence,
         impacts: impacts(onsets, &chain),
     };
     let before = Span {
