@@ -25,8 +25,8 @@ use bouncelab_wasm::analyst::Analyst;
 use bouncelab_wasm::simulator;
 use bouncelab_wasm::sound::{Ear, Label};
 use bouncelab_wasm::wire::{
-    AnalysisRequest, DropMarks, Effort, HeightCurve, Inferred, Mark, RestitutionLaw, Settings,
-    SimulationRequest,
+    AnalysisRequest, DropMarks, Effort, HeightCurve, Inferred, Mark, Reach, RestitutionLaw,
+    Settings, SimulationRequest,
 };
 
 const FILE: &str = "../../web/src/text/said.txt";
@@ -274,6 +274,10 @@ fn of_settings(said: &mut Said) {
         latitude_deg: Some(48.0),
         height_m: Some(0.3),
         at_speed_m_s: Some(1.0),
+        reach: Some(vec![Reach {
+            bounce: 2,
+            apex_m: 0.1,
+        }]),
         ..plain()
     });
     all.push(Settings {

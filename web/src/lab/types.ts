@@ -317,7 +317,9 @@ duration_s: number,
 onsets: number, };
 
 /** The paper as data for other programs. */
-export type PaperDocument = { schema: string, facts: Array<PaperFact>,
+export type PaperDocument = { schema: string,
+/** Version of the program that made it. */
+bouncelab: string, facts: Array<PaperFact>,
 /** What would make the straight line say what it says in the paper. */
 puzzle: Array<Explanation>, };
 
@@ -506,7 +508,9 @@ curves: Array<HeightCurve>, };
 export type Simulation = { drag: string, terminal_speed_m_s: number | null, total_time_s: number, total_path_m: number, initial_energy_j: number, lost_to_surface_j: number, lost_to_air_j: number, bounces: Array<Bounce>, };
 
 /** Drops of the same ball under several drag laws. */
-export type SimulationDocument = { schema: string, ball_mass_kg: number, ball_diameter_m: number, contact_time_s: number, air_density_kg_m3: number, gravity_m_s2: number, assumptions: Array<string>, simulations: Array<Simulation>, };
+export type SimulationDocument = { schema: string,
+/** Version of the program that made it. */
+bouncelab: string, ball_mass_kg: number, ball_diameter_m: number, contact_time_s: number, air_density_kg_m3: number, gravity_m_s2: number, assumptions: Array<string>, simulations: Array<Simulation>, };
 
 /** How a simulated drop begins, bounces and ends. */
 export type SimulationRequest = {

@@ -33,12 +33,18 @@ pub(super) fn lines(drop: &Analysis, physics: &Physics) -> Option<Vec<String>> {
         &height_note(found),
     ));
     if let Some(drag) = &found.drag {
-        let prior = Quantity::measured(drag.prior.value, drag.prior.sd, Unit::Number);
+        let prior = match drag.prior.sd {
+            0.0 => "taken as known".to_owned(),
+            sd => format!(
+                "{} before the data",
+                Quantity::measured(drag.prior.value, sd, Unit::Number)
+            ),
+        };
         lines.push(entry(
             "drag coefficient  C_D = ",
             &drag.coefficient,
             Unit::Number,
-            &format!("{prior} before the data"),
+            &prior,
         ));
         if let Some(terminal) = &drag.terminal_speed_m_s {
             lines.push(entry("terminal speed          ", terminal, Unit::Speed, ""));
@@ -99,6 +105,10 @@ fn predicted(prediction: &Prediction) -> String {
 
 /// One answer, with its 95 % interval and a note.
 fn entry(name: &str, summary: &Summary, unit: Unit, note: &str) -> String {
+    if summary.sd == 0.0 {
+        let value = Quantity::rounded(summary.value, 4, unit);
+        return format!("  {name}{value}   (taken as known)");
+    }
     let value = Quantity::measured(summary.value, summary.sd, unit);
     let interval = value.interval(summary.interval95);
     let note = if note.is_empty() {

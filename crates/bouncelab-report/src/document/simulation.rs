@@ -67,6 +67,8 @@ impl Run {
 #[cfg_attr(feature = "typescript", ts(rename = "SimulationDocument"))]
 pub struct Document {
     schema: &'static str,
+    /// Version of the program that made it.
+    bouncelab: &'static str,
     ball_mass_kg: f64,
     ball_diameter_m: f64,
     contact_time_s: f64,
@@ -110,6 +112,7 @@ impl Document {
     pub fn new(runs: &[Run], settings: &Settings, assumptions: Vec<String>) -> Self {
         Self {
             schema: SCHEMA,
+            bouncelab: env!("CARGO_PKG_VERSION"),
             ball_mass_kg: settings.ball.mass_kg(),
             ball_diameter_m: settings.ball.diameter_m(),
             contact_time_s: settings.contact_time_s,

@@ -1,7 +1,7 @@
 //! The figures of the inference.
 
 use bouncelab::analysis::{self, Analysis, Settings};
-use bouncelab::estimate::{Effort, Inference, LawKind, Question, Share};
+use bouncelab::estimate::{Effort, Inference, Question, Share};
 
 use crate::figure::{
     self, BandPoint, Budget, CornerParameter, CutPoint, CutSeries, Figure, ModelWeight, Residual,
@@ -119,9 +119,8 @@ pub fn models(found: &Inference) -> Option<Figure> {
     Some(figure::models(&models, "drop height (cm)"))
 }
 
-/// The drop height from the first flights only: by the straight line, and by the inference with a
-/// restitution that is constant or a power of the speed; the inference runs anew for each cut. `None`
-/// for a drop too short to cut.
+/// The drop height from the first flights only: by the straight line, and by the inference, which runs
+/// anew for each cut. `None` for a drop too short to cut.
 pub fn cut(drop: &Analysis, settings: &Settings) -> Option<Figure> {
     const CUTS: [usize; 4] = [6, 10, 20, 40];
     /// A figure needs fewer draws than an answer.
@@ -152,7 +151,6 @@ pub fn cut(drop: &Analysis, settings: &Settings) -> Option<Figure> {
         // Not to lean on a height that the person stated.
         cut_settings.knowledge.drop_height_m = None;
         cut_settings.knowledge.release_s = None;
-        cut_settings.knowledge.restitution_laws = vec![LawKind::Constant, LawKind::Power];
         let found = analysis::analyze(drop.impacts[..=cut].to_vec(), &cut_settings);
         let point = |value: f64, sd: f64| CutPoint {
             flights: cut as u32,

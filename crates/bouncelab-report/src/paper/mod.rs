@@ -32,6 +32,8 @@ pub const SCHEMA: &str = "bouncelab.paper/1";
 #[cfg_attr(feature = "typescript", ts(rename = "PaperDocument"))]
 pub struct Document {
     schema: &'static str,
+    /// Version of the program that made it.
+    bouncelab: &'static str,
     facts: Vec<Row>,
     /// What would make the straight line say what it says in the paper.
     puzzle: Vec<Explanation>,
@@ -67,6 +69,7 @@ impl Document {
         });
         Self {
             schema: SCHEMA,
+            bouncelab: env!("CARGO_PKG_VERSION"),
             facts: rows.collect(),
             puzzle,
         }

@@ -1,7 +1,7 @@
 //! One drop in words, numbers and figures.
 
 use bouncelab::analysis::{Analysis, SURE, Settings};
-use bouncelab::estimate::{Inference, Narrowed, Summary, TOLD_NOTHING, UNKNOWN};
+use bouncelab::estimate::{Inference, Narrowed, Reach, Summary, TOLD_NOTHING, UNKNOWN};
 use bouncelab::regression::{Estimate, Regression};
 
 use super::page::{Block, Section, ended, sentence};
@@ -204,6 +204,16 @@ fn answers(drop: &Analysis, settings: &Settings) -> Table {
             .map(|p| (p, Unit::Length)),
         of_line(Regression::total_path_m, Unit::Length),
     );
+    for prediction in found.iter().flat_map(|f| &f.predictions) {
+        let Reach { bounce, apex_m } = prediction.reach;
+        let apex = Quantity::rounded(apex_m, 4, Unit::Length);
+        let cannot_tell = || Some(CANNOT_TELL.to_owned());
+        row(
+            &format!("height from which bounce {bounce} reaches {apex}"),
+            prediction.drop_height_m.as_ref().map(|h| (h, Unit::Length)),
+            prediction.drop_height_m.map_or_else(cannot_tell, |_| None),
+        );
+    }
     table
 }
 

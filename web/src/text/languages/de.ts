@@ -846,6 +846,7 @@ const deutsch: Texts = {
     'scatter from impact to impact': 'Streuung von Aufprall zu Aufprall',
     'release until rest': 'vom Loslassen bis zur Ruhe',
     'path until rest': 'Weg bis zur Ruhe',
+    'height from which bounce {} reaches {}': 'Höhe, aus der Sprung {} bis {} reicht',
     'cannot tell': 'nicht zu sagen',
     'The impacts': 'Die Aufpralle',
     'Impacts, each with the flight after it and its restitution, without and with correction for drag (? marks uncertain ones)':
