@@ -121,7 +121,8 @@ fn drop_headline(hearing: &Hearing, index: usize) -> String {
         _ => format!(", {doubtful} uncertain (?)"),
     };
     let sure = match hearing.probabilities.get(index) {
-        Some(probability) if *probability < 0.999 => {
+        // Not where it would read 1.00.
+        Some(probability) if *probability < 0.995 => {
             format!(" (a drop with probability {probability:.2})")
         }
         _ => String::new(),
