@@ -220,7 +220,7 @@ fn what_is_heard_is_saved_as_it_was_and_never_over_another_file() {
         .arg(&saved)
         .assert()
         .code(1)
-        .stderr(predicate::str::contains("saved.wav: exists already"));
+        .stderr(predicate::str::contains("saved here.wav: exists already"));
     // A file that is played is not saved again unless that is asked for.
     let count = fs::read_dir(folder.path()).unwrap().count();
     play(&file).current_dir(&folder).assert().success();
