@@ -45,17 +45,16 @@ function analyse(heard: Heard, settings: Settings): Analysed {
  * Asserts that two documents agree: words to the letter, times to 10 ns, other numbers to seven
  * digits. The mathematical functions of the two machines differ in the last bit, which decoders of
  * lossy formats and the draws of the inference magnify: there, a value and its intervals must agree
- * to two hundredths of its standard deviation, the ends of 95 %, about which few draws lie, to five,
- * other numbers to three digits. Correlations and residuals are differences, of which what counts is
- * the range.
+ * to a twentieth of its standard deviation, which is what some thousand draws are good for, other
+ * numbers to three digits. Correlations and residuals are differences, of which what counts is the
+ * range.
  */
 function expectSame(found: unknown, expected: unknown, path = '$', sd?: number): void {
   if (typeof expected === 'number') {
     expect(found, path).toBeTypeOf('number');
     const share = path.includes('.estimate.') ? 1e-3 : 1e-7;
     const isDifference = /\.correlations\.|standardised_residual/.test(path);
-    const ofSd = path.includes('.interval95.') ? 0.05 : 0.02;
-    const allowed = sd === undefined ? share * (isDifference ? 5 : Math.abs(expected)) : ofSd * sd;
+    const allowed = sd === undefined ? share * (isDifference ? 5 : Math.abs(expected)) : 0.05 * sd;
     expect(
       Math.abs((found as number) - expected),
       `${path}: ${found}, ${expected}`,
