@@ -45,16 +45,21 @@ function analyse(heard: Heard, settings: Settings): Analysed {
  * Asserts that two documents agree: words to the letter, times to 10 ns, other numbers to seven
  * digits. The mathematical functions of the two machines differ in the last bit, which decoders of
  * lossy formats and the draws of the inference magnify: there, a value and its intervals must agree
- * to a twentieth of its standard deviation, which is what some thousand draws are good for, other
- * numbers to three digits. Correlations and residuals are differences, of which what counts is the
- * range.
+ * to a share of its standard deviation, other numbers to three digits. Correlations and residuals are
+ * differences, of which what counts is the range.
  */
-function expectSame(found: unknown, expected: unknown, path = '$', sd?: number): void {
+function expectSame(
+  found: unknown,
+  expected: unknown,
+  path = '$',
+  ofSd = 0.02,
+  sd?: number,
+): void {
   if (typeof expected === 'number') {
     expect(found, path).toBeTypeOf('number');
     const share = path.includes('.estimate.') ? 1e-3 : 1e-7;
     const isDifference = /\.correlations\.|standardised_residual/.test(path);
-    const allowed = sd === undefined ? share * (isDifference ? 5 : Math.abs(expected)) : 0.05 * sd;
+    const allowed = sd === undefined ? share * (isDifference ? 5 : Math.abs(expected)) : ofSd * sd;
     expect(
       Math.abs((found as number) - expected),
       `${path}: ${found}, ${expected}`,
@@ -65,7 +70,7 @@ function expectSame(found: unknown, expected: unknown, path = '$', sd?: number):
     for (const [key, value] of Object.entries(expected)) {
       const part = (found as Record<string, unknown>)[key];
       const isOf = /^(value|sd|interval\d+)$/.test(key);
-      expectSame(part, value, `${path}.${key}`, isOf ? own : sd);
+      expectSame(part, value, `${path}.${key}`, ofSd, isOf ? own : sd);
     }
   } else {
     expect(found, path).toEqual(expected);
@@ -112,7 +117,9 @@ describe('the same document as the command line', () => {
     const times = path.replace('.wav', '-truth.json');
     const settings: Settings = { mass_kg: 0.0025, diameter_m: 0.038, infer: ['drag'] };
     const words = ['--mass', '2.5g', '--diameter', '38mm', '--infer', 'drag'];
-    expectSame(analyse(hear(times), settings).document, analysed(times, ...words));
+    // Exact times make so sharp a fit that the last bits decide which draws are taken: what is left is
+    // the error of the draws themselves, 0.04 standard deviations at the ends of 95 %.
+    expectSame(analyse(hear(times), settings).document, analysed(times, ...words), '$', 0.1);
   });
 
   test('of impacts that were taken out and added by hand', () => {
