@@ -32,6 +32,7 @@ mod chain;
 mod evidence;
 mod rhythm;
 
+use crate::logistic::{logistic, softplus};
 use crate::onset::Onset;
 use crate::order::median;
 use chain::Chain;
@@ -473,7 +474,7 @@ fn alone(onsets: &[Onset], chain: &Chain) -> f64 {
 
 /// Evidence for one explanation over two others that are equally usual.
 fn against_both(one: f64, other: f64) -> f64 {
-    -((-one).exp() + (-other).exp()).ln()
+    one - softplus(one - other)
 }
 
 fn impacts(onsets: &[Onset], chain: &Chain) -> Vec<HeardImpact> {
@@ -497,8 +498,4 @@ fn beats(onsets: &[Onset], chain: &Chain) -> Vec<Beat> {
         }
     };
     chain.links.windows(2).map(beat).collect()
-}
-
-fn logistic(evidence: f64) -> f64 {
-    1.0 / (1.0 + (-evidence).exp())
 }
