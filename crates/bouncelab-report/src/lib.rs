@@ -31,6 +31,7 @@
 //! |---|---|
 //! | [`error`](Error) | what can go wrong |
 //! | [`language`] | how the English here becomes another language |
+//! | [`messages`] | what people read, by id and language |
 //! | [`units`] | which quantity somebody wrote down |
 //! | `digits` | how signs and exponents are written |
 //! | [`quantity`](Quantity) | how many digits, and which prefix |
@@ -60,6 +61,7 @@ mod error;
 pub mod figure;
 pub mod illustration;
 pub mod language;
+pub mod messages;
 pub mod paper;
 #[cfg(feature = "png")]
 mod picture;
