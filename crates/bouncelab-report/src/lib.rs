@@ -53,31 +53,29 @@
 //! All but [`save()`] work in a browser. The feature `png` (on by default) adds
 //! [`Figure::png`](figure::Figure::png) and [`save()`].
 
-mod canvas;
+pub mod chart;
 mod digits;
 pub mod document;
 mod error;
 pub mod figure;
-pub mod illustration;
 pub mod language;
+pub mod messages;
 pub mod paper;
-#[cfg(feature = "png")]
-mod picture;
 mod quantity;
+mod render;
 pub mod report;
 pub mod rules;
 #[cfg(all(feature = "png", not(target_family = "wasm")))]
 mod save;
 mod scale;
-mod shape;
-mod sheet;
 mod table;
 pub mod tables;
 pub mod theme;
 pub mod units;
 
 pub use error::{Error, Result};
-pub use figure::Figure;
+pub use chart::Chart;
+pub use render::{MAX_WIDTH_PX, MIN_WIDTH_PX};
 pub use quantity::{CANNOT_TELL, Quantity, Unit};
 #[cfg(all(feature = "png", not(target_family = "wasm")))]
 pub use save::{Saved, save};

@@ -5,9 +5,11 @@ use bouncelab::estimate::{Inference, Narrowed, Reach, Summary, TOLD_NOTHING, UNK
 use bouncelab::regression::{Estimate, Regression};
 
 use super::page::{Block, Section, ended, sentence};
+use crate::figure::{self, Subject};
+use crate::messages::Translator;
 use crate::quantity::{CANNOT_TELL, Quantity, Unit};
 use crate::table::{Align, Table};
-use crate::{illustration, tables};
+use crate::tables;
 
 /// The answer of a drop in plain words: one sentence to remember, and what it rests on.
 pub fn in_words(drop: &Analysis) -> Vec<Block> {
@@ -105,7 +107,8 @@ pub fn drop(heading: &str, drop: &Analysis, settings: &Settings, with_words: boo
         "What the silences say, and what a straight line makes of them",
         answers(drop, settings),
     ));
-    let mut parts = vec![impacts(drop, settings), straight_line(drop)];
+    let subject = Subject::new(drop, settings);
+    let mut parts = vec![impacts(drop, &subject), straight_line(drop, &subject)];
     match &drop.estimate {
         Ok(found) => {
             blocks.extend(
@@ -114,10 +117,10 @@ pub fn drop(heading: &str, drop: &Analysis, settings: &Settings, with_words: boo
                     .iter()
                     .map(|remark| Block::Note(sentence(&remark.to_string()))),
             );
-            parts.push(uncertainty(found));
-            parts.push(laws(found));
-            parts.push(told(found));
-            parts.push(fit(drop, found, settings));
+            parts.push(uncertainty(found, &subject));
+            parts.push(laws(found, &subject));
+            parts.push(told(found, &subject));
+            parts.push(fit(found, &subject));
         }
         Err(reason) if settings.question.is_some() => {
             let words = format!("there is no inference: {reason}");
@@ -217,27 +220,24 @@ fn answers(drop: &Analysis, settings: &Settings) -> Table {
     table
 }
 
-fn impacts(drop: &Analysis, settings: &Settings) -> Section {
-    Section::new(
-        "The impacts",
-        vec![
-            Block::figure("height", illustration::height(drop, settings)),
-            Block::figure("restitution", illustration::restitution(drop)),
-            Block::figure("bounce-heights", illustration::bounce_heights(drop)),
-            Block::figure(
-                "bounce-energies",
-                illustration::bounce_energies(drop, settings),
-            ),
-            Block::table(
-                "Impacts, each with the flight after it and its restitution, without and with \
-                 correction for drag (? marks uncertain ones)",
-                tables::impacts(drop, true),
-            ),
-        ],
-    )
+/// A figure of the drop, if there is one of this name.
+fn drawn(name: &'static str, subject: &Subject<'_>) -> Option<Block> {
+    let chart = figure::chart(name, subject, &Translator::default())?;
+    Some(Block::figure(name, chart))
 }
 
-fn straight_line(drop: &Analysis) -> Section {
+fn impacts(drop: &Analysis, subject: &Subject<'_>) -> Section {
+    let names = ["height", "restitution", "bounce-heights", "bounce-energies"];
+    let mut blocks: Vec<Block> = names.iter().filter_map(|name| drawn(name, subject)).collect();
+    blocks.push(Block::table(
+        "Impacts, each with the flight after it and its restitution, without and with \
+         correction for drag (? marks uncertain ones)",
+        tables::impacts(drop, true),
+    ));
+    Section::new("The impacts", blocks)
+}
+
+fn straight_line(drop: &Analysis, subject: &Subject<'_>) -> Section {
     let mut blocks = Vec::new();
     match &drop.line {
         Ok(line) => {
@@ -248,17 +248,14 @@ fn straight_line(drop: &Analysis) -> Section {
             blocks.push(Block::text(format!(
                 "It goes through {flights} flights{fits}."
             )));
-            blocks.push(Block::figure(
-                "flight-times",
-                illustration::flight_times(drop),
-            ));
+            blocks.extend(drawn("flight-times", subject));
         }
         Err(reason) => blocks.push(Block::text(format!("There is none: {}", ended(reason)))),
     }
     Section::new("The straight line", blocks)
 }
 
-fn uncertainty(found: &Inference) -> Section {
+fn uncertainty(found: &Inference, subject: &Subject<'_>) -> Section {
     Section::new(
         "Where the uncertainty comes from",
         vec![
@@ -270,30 +267,34 @@ fn uncertainty(found: &Inference) -> Section {
                 "Budget of the drop height",
                 tables::budget(&found.budget.drop_height_m, Unit::Length),
             ),
-            Block::figure("budget", illustration::budget(found)),
-        ],
+        ]
+        .into_iter()
+        .chain(drawn("budget", subject))
+        .collect(),
     )
 }
 
-fn laws(found: &Inference) -> Section {
+fn laws(found: &Inference, subject: &Subject<'_>) -> Section {
     let mut blocks = vec![Block::table(
         "Laws of equal probability before the data",
         tables::models(found),
     )];
-    blocks.extend(illustration::models(found).map(|drawn| Block::figure("models", drawn)));
+    blocks.extend(drawn("models", subject));
     Section::new("Which laws may be true", blocks)
 }
 
 /// What the data told, and what only the priors did.
-fn told(found: &Inference) -> Section {
+fn told(found: &Inference, subject: &Subject<'_>) -> Section {
     let sentences = found.narrowed.iter().map(narrowed).collect();
     Section::new(
         "What this recording can tell",
-        vec![
-            Block::List(sentences),
-            Block::figure("posterior", illustration::corner(found)),
-            Block::table("Correlations of the answers", tables::correlations(found)),
-        ],
+        std::iter::once(Block::List(sentences))
+            .chain(drawn("posterior", subject))
+            .chain([Block::table(
+                "Correlations of the answers",
+                tables::correlations(found),
+            )])
+            .collect(),
     )
 }
 
@@ -310,10 +311,10 @@ fn narrowed(narrowed: &Narrowed) -> String {
     }
 }
 
-fn fit(drop: &Analysis, found: &Inference, settings: &Settings) -> Section {
+fn fit(found: &Inference, subject: &Subject<'_>) -> Section {
     let sampling = &found.sampling;
-    let mut blocks = vec![
-        Block::figure("residuals", illustration::residuals(found)),
+    let mut blocks: Vec<Block> = drawn("residuals", subject).into_iter().collect();
+    blocks.extend([
         Block::table(
             "The impacts as the inference has them, with the energy each took and its weight in \
              the fit",
@@ -324,12 +325,12 @@ fn fit(drop: &Analysis, found: &Inference, settings: &Settings) -> Section {
              0.7).",
             sampling.effective_draws, sampling.pareto_shape
         )),
-    ];
-    if let Some(drawn) = illustration::cut(drop, settings) {
+    ]);
+    if let Some(drawn) = drawn("truncation", subject) {
         blocks.push(Block::text(
             "A method that is right does not change its answer with the number of flights it uses:",
         ));
-        blocks.push(Block::figure("cut", drawn));
+        blocks.push(drawn);
     }
     Section::new("How well it fits", blocks)
 }

@@ -3,7 +3,7 @@
 use std::fmt;
 
 use super::equation::Equation;
-use crate::figure::Figure;
+use crate::chart::Chart;
 use crate::language::{Say, said};
 use crate::table::Table;
 
@@ -126,8 +126,8 @@ pub enum Block {
     Figure {
         /// Lower-case letters, digits and hyphens; made unique where the same name comes again.
         name: String,
-        /// The drawing, whose caption stands under it.
-        figure: Box<Figure>,
+        /// The chart, whose caption stands under it.
+        chart: Box<Chart>,
     },
     /// A formula on a line of its own.
     Equation(Equation),
@@ -163,16 +163,15 @@ impl Block {
                 said(caption, say);
                 table.translate(say);
             }
-            Self::Figure { figure, .. } => figure.translate(say),
-            Self::Equation(_) | Self::Code(_) => {}
+            Self::Figure { .. } | Self::Equation(_) | Self::Code(_) => {}
         }
     }
 
     /// A figure with its name.
-    pub fn figure(name: impl Into<String>, figure: Figure) -> Self {
+    pub fn figure(name: impl Into<String>, chart: Chart) -> Self {
         Self::Figure {
             name: name.into(),
-            figure: Box::new(figure),
+            chart: Box::new(chart),
         }
     }
 }

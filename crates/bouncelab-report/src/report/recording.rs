@@ -8,7 +8,8 @@ use super::drop::{drop, in_words, measured};
 use super::method::method;
 use super::page::{Block, Language, Page, Section, ended, sentence};
 use super::subject::{Provenance, Recording};
-use crate::illustration;
+use crate::figure::{self, Mark};
+use crate::messages::Translator;
 use crate::quantity::{CANNOT_TELL, Unit};
 use crate::table::{Align, Table};
 
@@ -76,9 +77,9 @@ fn lead(recording: &Recording) -> Vec<Block> {
             .iter()
             .map(|warning| Block::Note(sentence(warning))),
     );
-    if let Some(sound) = recording.sound
-        && let Ok(drawn) = illustration::waveform(sound, recording.drops)
-    {
+    if let Some(sound) = recording.sound {
+        let marks = Mark::of_drops(recording.drops);
+        let drawn = figure::waveform(sound, &marks, &Translator::default());
         lead.push(Block::figure("waveform", drawn));
     }
     lead
@@ -111,10 +112,11 @@ fn overview(drops: &[Analysis]) -> Table {
 }
 
 fn air(recording: &Recording) -> Section {
-    let figures = illustration::of_air(recording.drops, recording.settings);
+    let translator = Translator::default();
+    let figures = figure::of_air(recording.drops, recording.settings, &translator);
     let blocks = figures
         .into_iter()
-        .map(|drawn| Block::figure(drawn.name, drawn.figure))
+        .map(|(name, chart)| Block::figure(name, chart))
         .collect();
     Section::new("The air at these speeds", blocks)
 }
