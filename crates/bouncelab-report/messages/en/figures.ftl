@@ -93,6 +93,7 @@ figure-flight-times-no-line = { $count ->
 }, without a line through them.
 figure-flight-times-empty = There are no flights to show.
 figure-flight-times-line = straight line: × { $ratio } each time
+figure-flight-times-all = measured flights
 figure-flight-times-unused = not used
 figure-flight-times-used = flights used
 

@@ -42,8 +42,10 @@ pub(super) fn budget(found: &Inference, translator: &Translator) -> Chart {
 
 fn bars(title: String, shares: &[Share], translator: &Translator) -> Option<Panel> {
     let sources = sources(shares, translator);
-    let largest = sources.first()?.1;
     let rows = sources.len();
+    if rows == 0 {
+        return None;
+    }
     let (mut bars, mut ends, mut texts) = (Vec::new(), Vec::new(), Vec::new());
     for (row, (_, share)) in sources.iter().enumerate() {
         let middle = row_middle(rows, row);
@@ -54,7 +56,8 @@ fn bars(title: String, shares: &[Share], translator: &Translator) -> Option<Pane
         texts.push(translator.number(&format!("{percent:.decimals$}\u{a0}%")));
     }
     let names = sources.into_iter().map(|(name, _)| name);
-    let scale = Scale::linear([0.0, 100.0 * largest.max(0.5)]).padded(0.0, 0.15);
+    // Room for the share beside the longest bar.
+    let scale = Scale::linear([0.0, 100.0]).padded(0.0, 0.15);
     let x = Axis::new(translator.text("figure-budget-axis"), "%", scale);
     let layers = vec![
         Layer::boxes(Meaning::Measured, bars),

@@ -81,7 +81,8 @@ pub fn flight_times(
             let some = !points.is_empty();
             some.then(|| Layer::points(Meaning::Measured, marker, points).named(text(name)))
         };
-        let used = of(true, Marker::Dot, "used");
+        let all_used = flights.iter().all(|flight| flight.used);
+        let used = of(true, Marker::Dot, if all_used { "all" } else { "used" });
         let unused = of(false, Marker::Ring, "unused");
         used.into_iter().chain(unused).collect::<Vec<Layer>>()
     };
