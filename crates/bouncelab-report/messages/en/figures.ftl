@@ -12,9 +12,11 @@ axis-height = height
 axis-impact = impact
 axis-impact-speed = speed at the impact
 axis-off-line = off the line
+axis-rebound = rebound
 axis-restitution = restitution: speed after / before
 axis-restitution-at = restitution at { $speed } m/s
 axis-restitution-short = restitution
+axis-share-of-reference = share of the reference
 axis-speed = speed
 axis-time = time
 

@@ -1,6 +1,6 @@
 //! Where an uncertainty comes from.
 
-use bouncelab::estimate::{Inference, Share};
+use bouncelab::inference::{Posterior, Share};
 
 use crate::chart::{Axis, Chart, Layer, Panel, Scale, Ticks, row_middle};
 use crate::messages::Translator;
@@ -15,7 +15,7 @@ const SMALL: f64 = 0.005;
 const LEAST: f64 = 0.0005;
 
 /// Bars for the share of each source in the variance of restitution and drop height, largest first.
-pub(super) fn budget(found: &Inference, translator: &Translator) -> Chart {
+pub(super) fn budget(found: &Posterior, translator: &Translator) -> Chart {
     let (restitution, height) = (&found.restitution, &found.drop_height_m);
     let restitution = Quantity::measured(restitution.value, restitution.sd, Unit::Number);
     let height = Quantity::measured(height.value, height.sd, Unit::Length);

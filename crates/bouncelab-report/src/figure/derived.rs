@@ -1,10 +1,10 @@
 //! What figures show besides the results: calculations that are not drawing.
 
 use bouncelab::Result;
-use bouncelab::analysis::{self, Analysis, Settings};
+use bouncelab::analysis::{self, Drop, Options};
 use bouncelab::drag::DragLaw;
 use bouncelab::drop::{self, Start, Stop};
-use bouncelab::estimate::{Effort, Question};
+use bouncelab::inference::{InferenceOptions, SamplerConfig};
 use bouncelab::flight::{Environment, FlightModel};
 use bouncelab::impact::{Contact, Restitution};
 
@@ -23,7 +23,7 @@ pub(super) struct History {
 }
 
 /// The height of each flight by the flight model; nothing if the impacts allow none.
-pub(super) fn history(drop: &Analysis, settings: &Settings) -> History {
+pub(super) fn history(drop: &Drop, settings: &Options) -> History {
     /// Points along each flight.
     const POINTS: usize = 24;
     let mut history = History::default();
@@ -54,7 +54,7 @@ pub(super) fn history(drop: &Analysis, settings: &Settings) -> History {
 
 /// The drop that the answers describe, from its release on, in the time of the recording: time in s
 /// and height in m. Nothing without inference.
-pub(super) fn best_fit(drop: &Analysis, settings: &Settings) -> Result<Vec<Point>> {
+pub(super) fn best_fit(drop: &Drop, settings: &Options) -> Result<Vec<Point>> {
     /// Points of the whole curve for each bounce.
     const POINTS: usize = 40;
     let Ok(found) = &drop.estimate else {
@@ -101,7 +101,7 @@ pub(super) struct Loss {
 }
 
 /// The losses of each impact with a flight on both sides; none if the impacts allow none.
-pub(super) fn losses(drop: &Analysis, settings: &Settings) -> Vec<Loss> {
+pub(super) fn losses(drop: &Drop, settings: &Options) -> Vec<Loss> {
     let (Ok(found), Ok(model)) = (&drop.corrected, settings.model()) else {
         return Vec::new();
     };
@@ -125,7 +125,7 @@ pub(super) fn losses(drop: &Analysis, settings: &Settings) -> Vec<Loss> {
 /// # Errors
 ///
 /// If the law does not reach the fastest impact, and the errors of [`FlightModel::new`].
-pub(super) fn drag_curves(settings: &Settings, fastest_m_s: f64) -> Result<Vec<Curve>> {
+pub(super) fn drag_curves(settings: &Options, fastest_m_s: f64) -> Result<Vec<Curve>> {
     let model = settings.model()?;
     let share = model.drag_over_weight(fastest_m_s)?;
     let unit = Environment {
@@ -176,7 +176,7 @@ pub(super) struct Truncated {
 }
 
 /// So many flights, and all of them; fewer than three choices for a short drop.
-pub(super) fn truncations(drop: &Analysis) -> Vec<usize> {
+pub(super) fn truncations(drop: &Drop) -> Vec<usize> {
     const TRUNCATIONS: [usize; 4] = [6, 10, 20, 40];
     let all = drop.impacts.len().saturating_sub(1);
     let shorter = TRUNCATIONS.into_iter().filter(|&flights| flights < all);
@@ -184,25 +184,25 @@ pub(super) fn truncations(drop: &Analysis) -> Vec<usize> {
 }
 
 /// Fits the first flights only, in the numbers of [`truncations`].
-pub(super) fn truncated(drop: &Analysis, settings: &Settings) -> Truncated {
+pub(super) fn truncated(drop: &Drop, settings: &Options) -> Truncated {
     /// A figure needs fewer draws than an answer.
     const DRAWS: usize = 600;
     let mut truncated = Truncated::default();
     for flights in truncations(drop) {
-        let mut settings = Settings {
+        let mut settings = Options {
             flights: Some(1..=drop.impacts[flights].number),
-            question: Some(Question {
-                effort: Effort {
+            inference: Some(InferenceOptions {
+                sampler: SamplerConfig {
                     draws: DRAWS,
                     seed: 1,
                 },
-                ..Question::default()
+                ..InferenceOptions::default()
             }),
             ..settings.clone()
         };
         // Not to lean on a height that the person stated.
-        settings.knowledge.drop_height_m = None;
-        settings.knowledge.release_s = None;
+        settings.priors.drop_height_m = None;
+        settings.priors.release_s = None;
         let found = analysis::analyze(drop.impacts[..=flights].to_vec(), &settings);
         if let Ok(fit) = &found.line {
             let height = fit.drop_height_m();

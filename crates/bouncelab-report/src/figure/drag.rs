@@ -1,6 +1,6 @@
 //! Air drag relative to weight against speed (paper, Figs. 6 and 7).
 
-use bouncelab::analysis::Settings;
+use bouncelab::analysis::Options;
 
 use super::{Curve, curve_layers, derived};
 use crate::chart::{Axis, Chart, Layer, Panel, Point, Scale, xs, ys};
@@ -31,7 +31,7 @@ impl DragAxes {
 /// Drag over weight by the law of the settings up to beyond the fastest impact; `None` without drag,
 /// or beyond what the law knows.
 pub fn drag_of_settings(
-    settings: &Settings,
+    settings: &Options,
     fastest_m_s: f64,
     axes: DragAxes,
     translator: &Translator,

@@ -5,10 +5,10 @@
 //! saves it, and the page shows it.
 //!
 //! ```
-//! use bouncelab::analysis::{self, Settings};
+//! use bouncelab::analysis::{self, Options};
 //! use bouncelab_report::figure::{self, Subject};
 //!
-//! let settings = Settings { question: None, ..Settings::default() };
+//! let settings = Options { inference: None, ..Options::default() };
 //! let impacts = analysis::impacts_of_times(&[0.0, 0.4605, 0.8877, 1.2854, 1.6568, 2.0045]);
 //! let drop = analysis::analyze(impacts, &settings);
 //! let subject = Subject::new(&drop, &settings);
@@ -38,8 +38,8 @@ mod waveform;
 
 use std::fmt;
 
-use bouncelab::analysis::{Analysis, Settings};
-use bouncelab::estimate::Inference;
+use bouncelab::analysis::{Drop, Options};
+use bouncelab::inference::Posterior;
 
 pub use calibration::{RankHistogram, calibration};
 pub use detection::{Detection, detection};
@@ -59,14 +59,14 @@ use crate::theme::Meaning;
 /// One drop and what figures show besides.
 #[derive(Debug, Clone, Copy)]
 pub struct Subject<'a> {
-    drop: &'a Analysis,
-    settings: &'a Settings,
+    drop: &'a Drop,
+    settings: &'a Options,
     simulation: Option<&'a [Point]>,
 }
 
 impl<'a> Subject<'a> {
     /// A drop and the settings with which it was analysed.
-    pub const fn new(drop: &'a Analysis, settings: &'a Settings) -> Self {
+    pub const fn new(drop: &'a Drop, settings: &'a Options) -> Self {
         Self {
             drop,
             settings,
@@ -81,7 +81,7 @@ impl<'a> Subject<'a> {
         Self { simulation, ..self }
     }
 
-    fn inference(&self) -> Option<&'a Inference> {
+    fn inference(&self) -> Option<&'a Posterior> {
         self.drop.estimate.as_ref().ok()
     }
 }
@@ -163,7 +163,7 @@ fn of_inference(
     subject: &Subject<'_>,
     name: &str,
     translator: &Translator,
-    draw: fn(&Inference, &Translator) -> Chart,
+    draw: fn(&Posterior, &Translator) -> Chart,
 ) -> Chart {
     match subject.inference() {
         Some(found) => draw(found, translator),
@@ -185,11 +185,11 @@ pub fn chart(name: &str, subject: &Subject<'_>, translator: &Translator) -> Opti
 /// The figures of the air with their names, up to the fastest impact of the drops; none without drag,
 /// or if no speed is known.
 pub fn of_air(
-    drops: &[Analysis],
-    settings: &Settings,
+    drops: &[Drop],
+    settings: &Options,
     translator: &Translator,
 ) -> Vec<(&'static str, Chart)> {
-    let speeds = drops.iter().filter_map(Analysis::speed_range_m_s);
+    let speeds = drops.iter().filter_map(Drop::speed_range_m_s);
     let Some(fastest) = speeds.map(|(_, fastest)| fastest).reduce(f64::max) else {
         return Vec::new();
     };

@@ -1,6 +1,6 @@
 //! Which law may be true, and what each says.
 
-use bouncelab::estimate::{Inference, Model};
+use bouncelab::inference::{Posterior, Model};
 
 use crate::chart::{Axis, Chart, Layer, Marker, Panel, Scale, Ticks, row_middle, ys};
 use crate::messages::Translator;
@@ -10,7 +10,7 @@ use crate::theme::Meaning;
 const ROW: f64 = 32.0;
 
 /// Probability of each model as a bar, and beside it what it says of the drop height.
-pub(super) fn models(found: &Inference, translator: &Translator) -> Chart {
+pub(super) fn models(found: &Posterior, translator: &Translator) -> Chart {
     let text = |id: &str| translator.text(&format!("figure-models-{id}"));
     let mut models: Vec<&Model> = found.models.iter().collect();
     models.sort_by(|a, b| b.weight.total_cmp(&a.weight));

@@ -1,6 +1,6 @@
 //! What is known of several quantities together.
 
-use bouncelab::estimate::Inference;
+use bouncelab::inference::Posterior;
 
 use crate::chart::{Axis, Chart, Dashes, Layer, Panel, Point, Scale, Ticks};
 use crate::messages::Translator;
@@ -28,7 +28,7 @@ struct Parameter<'a> {
 /// The posterior of restitution, drag coefficient and drop height: a histogram of each on the diagonal,
 /// with what was known before as a grey curve, and below it each pair: the regions that hold 68 and
 /// 95 %.
-pub(super) fn posterior(found: &Inference, translator: &Translator) -> Chart {
+pub(super) fn posterior(found: &Posterior, translator: &Translator) -> Chart {
     let parameter = |id: &str, unit, values: std::borrow::Cow<'static, [f64]>, prior| {
         let axis = Axis::new(translator.text(id), unit, scale(&values));
         Parameter {

@@ -1,6 +1,6 @@
 //! How far each impact lies from what the ones before predict.
 
-use bouncelab::estimate::Inference;
+use bouncelab::inference::Posterior;
 
 use crate::chart::{Axis, Chart, Layer, Marker, Panel, Point, Scale, xs, ys};
 use crate::messages::Translator;
@@ -11,7 +11,7 @@ const MOST: f64 = 5.0;
 
 /// Standardised residual of each impact against its number, with the bands in which 68 and 95 % of
 /// them should lie.
-pub(super) fn residuals(found: &Inference, translator: &Translator) -> Chart {
+pub(super) fn residuals(found: &Posterior, translator: &Translator) -> Chart {
     let text = |id: &str| translator.text(&format!("figure-residuals-{id}"));
     let points = |odd: bool| -> Vec<Point> {
         let impacts = found.impacts.iter().filter(|impact| impact.is_odd() == odd);

@@ -1,7 +1,7 @@
 //! Restitution against impact speed.
 
-use bouncelab::analysis::Analysis;
-use bouncelab::estimate::Impact;
+use bouncelab::analysis::Drop;
+use bouncelab::inference::Impact;
 
 use super::Subject;
 use crate::chart::{Axis, Chart, Layer, Marker, Panel, Point, Scale, xs, ys};
@@ -83,14 +83,14 @@ pub(super) fn restitution(subject: &Subject<'_>, translator: &Translator) -> Cha
 }
 
 /// The fitted law with the 95 and the 68 % interval below it; nothing without inference.
-fn law(drop: &Analysis, name: &str) -> Vec<Layer> {
+fn law(drop: &Drop, name: &str) -> Vec<Layer> {
     let Ok(found) = &drop.estimate else {
         return Vec::new();
     };
     let band = found.band(LAW_POINTS);
     let points = band.iter().map(|p| [p.speed_m_s, p.restitution.value]);
     let points: Vec<Point> = points.collect();
-    let interval = |of: fn(&bouncelab::estimate::Summary) -> [f64; 2]| {
+    let interval = |of: fn(&bouncelab::inference::Summary) -> [f64; 2]| {
         let points = band.iter().map(|p| {
             let [low, high] = of(&p.restitution);
             [p.speed_m_s, low, high]
@@ -105,7 +105,7 @@ fn law(drop: &Analysis, name: &str) -> Vec<Layer> {
 }
 
 /// The points of the impacts that the inference finds odd.
-fn odd(drop: &Analysis, corrected: &[Point]) -> Vec<Point> {
+fn odd(drop: &Drop, corrected: &[Point]) -> Vec<Point> {
     let (Ok(found), Ok(estimate)) = (&drop.corrected, &drop.estimate) else {
         return Vec::new();
     };

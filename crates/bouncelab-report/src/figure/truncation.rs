@@ -24,7 +24,7 @@ pub(super) fn truncation(subject: &Subject<'_>, translator: &Translator) -> Char
     if ys(&layers).next().is_none() {
         return Chart::empty(translator, "truncation");
     }
-    if let Some(stated) = &subject.settings.knowledge.drop_height_m {
+    if let Some(stated) = &subject.settings.priors.drop_height_m {
         let level = Layer::level(Meaning::Ink, 100.0 * stated.value).with_width(1.5);
         layers.push(level.with_dashes(Dashes::Dashed).named(text("stated")));
     }

@@ -1,7 +1,7 @@
 //! The sound with its impacts (paper, Fig. 4).
 
-use bouncelab::analysis::{Analysis, SURE};
-use bouncelab::listen::Envelope;
+use bouncelab::analysis::{CONFIDENT_PROBABILITY, Drop};
+use bouncelab::detection::Envelope;
 
 use crate::chart::{Axis, Chart, Layer, Panel, Scale, Shape};
 use crate::messages::Translator;
@@ -25,12 +25,12 @@ pub struct Mark {
 
 impl Mark {
     /// The impacts of drops.
-    pub fn of_drops(drops: &[Analysis]) -> Vec<Self> {
+    pub fn of_drops(drops: &[Drop]) -> Vec<Self> {
         let numbered = drops.iter().zip(1..);
         let marks = numbered.flat_map(|(found, drop)| {
             found.impacts.iter().map(move |impact| Self {
                 time_s: impact.time_s,
-                sure: impact.probability >= SURE,
+                sure: impact.probability >= CONFIDENT_PROBABILITY,
                 drop,
             })
         });

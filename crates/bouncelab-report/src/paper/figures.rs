@@ -8,11 +8,11 @@ use crate::error::Result;
 use crate::figure::{self, Curve, DragAxes, Line, Mark, TimedFlight};
 use crate::messages::Translator;
 use crate::theme::Meaning;
-use bouncelab::analysis::SURE;
+use bouncelab::analysis::CONFIDENT_PROBABILITY;
+use bouncelab::detection::Detector;
 use bouncelab::drag::DragLaw;
 use bouncelab::drop::{History, Stop};
 use bouncelab::impact::Strike;
-use bouncelab::listen::Listener;
 use bouncelab::regression;
 use bouncelab::synth::{self, Noise, Scene};
 use bouncelab::train::Train;
@@ -73,7 +73,7 @@ fn sound(translator: &Translator) -> Result<Chart> {
         ..Scene::default()
     };
     let recording = synth::render(&strikes, &scene, 1)?;
-    let mut listener = Listener::new(recording.sample_rate_hz, 1);
+    let mut listener = Detector::new(recording.sample_rate_hz, 1);
     listener.push(&[&recording.samples]);
     let heard = listener.finish();
     let marks: Vec<Mark> = heard
@@ -83,7 +83,7 @@ fn sound(translator: &Translator) -> Result<Chart> {
         .flat_map(Train::impacts)
         .map(|impact| Mark {
             time_s: impact.onset.time_s,
-            sure: impact.probability >= SURE,
+            sure: impact.probability >= CONFIDENT_PROBABILITY,
             drop: 1,
         })
         .collect();

@@ -2,9 +2,9 @@
 
 use std::f64::consts::TAU;
 
-use bouncelab::analysis::{self, Analysis, Settings};
+use bouncelab::analysis::{self, Drop, Options};
 use bouncelab::demo;
-use bouncelab::listen::Envelope;
+use bouncelab::detection::Envelope;
 use bouncelab_report::Chart;
 use bouncelab_report::figure::{
     self, Curve, Detection, DragAxes, GroupCurve, GroupInterval, GroupPoint, Judged, Line, Mark,
@@ -37,7 +37,7 @@ pub fn all(translator: &Translator) -> Vec<Named> {
 
 /// A drop of the demo, as it is found from impact times with an error of a few microseconds; one of
 /// them is wrong.
-fn drop_of(settings: &Settings) -> Analysis {
+fn drop_of(settings: &Options) -> Drop {
     let history = demo::history().unwrap();
     let times = history.bounces().iter().enumerate().map(|(n, bounce)| {
         let wrong_s = if n == 20 { 4e-4 } else { 0.0 };
@@ -65,9 +65,9 @@ fn of_drops(translator: &Translator) -> Vec<Named> {
             _ => &["speed (m/s)", "drag / weight"],
         }
     };
-    let full = Settings::default();
-    let quick = Settings {
-        question: None,
+    let full = Options::default();
+    let quick = Options {
+        inference: None,
         ..full.clone()
     };
     let mut all = Vec::new();
