@@ -6,7 +6,7 @@ use bouncelab::inference::{
 };
 use bouncelab::regression::{Estimate, Regression};
 
-use super::page::{Block, Section, ended, sentence};
+use super::page::{Block, Section, capital, ended, sentence};
 use crate::figure::{self, Subject};
 use crate::messages::{Translator, Value};
 use crate::quantity::{Quantity, Unit};
@@ -15,7 +15,10 @@ use crate::tables;
 
 /// The answer of a drop in plain words: one sentence to remember, and what it rests on.
 pub fn in_words(drop: &Drop, words: &Translator) -> Vec<Block> {
-    let mut blocks = vec![Block::Lead(kept(drop, words)), Block::text(detected(drop, words))];
+    let mut blocks = vec![
+        Block::Lead(kept(drop, words)),
+        Block::text(detected(drop, words)),
+    ];
     if let (Ok(found), Ok(line)) = (&drop.estimate, &drop.line) {
         blocks.push(Block::text(against_the_line(found, line, words)));
     }
@@ -28,7 +31,11 @@ fn kept(drop: &Drop, words: &Translator) -> String {
     match (&drop.estimate, drop.corrected_restitution(), &drop.line) {
         (Ok(found), ..) => {
             let is_release = found.first_was_heard() || found.missed_first.is_some();
-            let id = if is_release { "report-kept-and-fell" } else { "report-kept-and-fell-first" };
+            let id = if is_release {
+                "report-kept-and-fell"
+            } else {
+                "report-kept-and-fell-first"
+            };
             let share = inline(measured(&found.restitution, Unit::Percent));
             let height = inline(measured(&found.drop_height_m, Unit::Length));
             words.text_with(id, &[("share", share), ("height", height)])
@@ -40,7 +47,10 @@ fn kept(drop: &Drop, words: &Translator) -> String {
         (.., Ok(line)) => {
             let share = inline(estimated(line.restitution(), Unit::Percent));
             let height = inline(estimated(line.drop_height_m(), Unit::Length));
-            words.text_with("report-kept-without-air", &[("share", share), ("height", height)])
+            words.text_with(
+                "report-kept-without-air",
+                &[("share", share), ("height", height)],
+            )
         }
         (.., Err(reason)) => {
             words.text_with("report-kept-unknown", &[("reason", ended(reason).into())])
@@ -53,7 +63,10 @@ fn detected(drop: &Drop, words: &Translator) -> String {
     let seconds = |impact: Option<&bouncelab::analysis::Impact>| {
         Value::fixed(impact.map_or(f64::NAN, |impact| impact.time_s), 2)
     };
-    let uncertain = impacts.iter().filter(|i| i.probability < CONFIDENT_PROBABILITY).count();
+    let uncertain = impacts
+        .iter()
+        .filter(|i| i.probability < CONFIDENT_PROBABILITY)
+        .count();
     let impacts = words.text_with(
         "report-impacts",
         &[
@@ -69,7 +82,10 @@ fn detected(drop: &Drop, words: &Translator) -> String {
     let value = unbroken(measured(&found.restitution, Unit::Number), words);
     let speed = unbroken(Quantity::rounded(found.at_speed_m_s, 3, Unit::Speed), words);
     let restitution = [("value", value.into()), ("speed", speed.into())];
-    format!("{impacts} {}", words.text_with("report-restitution", &restitution))
+    format!(
+        "{impacts} {}",
+        words.text_with("report-restitution", &restitution)
+    )
 }
 
 /// What drag does to the straight line of the paper.
@@ -101,7 +117,11 @@ pub fn drop(
     in_words_too: bool,
     words: &Translator,
 ) -> Section {
-    let mut blocks = if in_words_too { in_words(drop, words) } else { Vec::new() };
+    let mut blocks = if in_words_too {
+        in_words(drop, words)
+    } else {
+        Vec::new()
+    };
     blocks.extend(
         drop.warnings
             .iter()
@@ -129,7 +149,9 @@ pub fn drop(
         }
         Err(reason) if settings.inference.is_some() => {
             let reason = ended(reason).into();
-            blocks.push(Block::Note(words.text_with("report-no-inference", &[("reason", reason)])));
+            blocks.push(Block::Note(
+                words.text_with("report-no-inference", &[("reason", reason)]),
+            ));
         }
         Err(_) => {}
     }
@@ -159,7 +181,10 @@ fn answers(drop: &Drop, settings: &Options, words: &Translator) -> Table {
         }
         let (value, interval) = inferred.map_or_else(Default::default, |(summary, unit)| {
             let value = Quantity::measured(summary.value, summary.sd, unit);
-            (value.text(words), value.interval_text(summary.interval95, words))
+            (
+                value.text(words),
+                value.interval_text(summary.interval95, words),
+            )
         });
         table.row([name, value, interval, lined.unwrap_or_default()]);
     };
@@ -312,7 +337,9 @@ impl Part<'_> {
     fn contraction(self, found: &Posterior) -> Section {
         let words = self.words;
         let unknowns = found.prior_contraction.iter();
-        let sentences = unknowns.map(|unknown| contraction(unknown, words)).collect();
+        let sentences = unknowns
+            .map(|unknown| contraction(unknown, words))
+            .collect();
         let mut blocks = vec![Block::List(sentences)];
         blocks.extend(self.figure("posterior"));
         let table = tables::correlations(found, words);
@@ -347,9 +374,15 @@ fn contraction(found: &PriorContraction, words: &Translator) -> String {
     if found.remaining > UNINFORMATIVE {
         words.text_with("report-uninformative", &[("unknown", unknown)])
     } else if found.remaining > 0.5 {
-        words.text_with("report-little-informative", &[("unknown", unknown), ("left", left)])
+        words.text_with(
+            "report-little-informative",
+            &[("unknown", unknown), ("left", left)],
+        )
     } else {
-        words.text_with("report-informative", &[("unknown", unknown), ("left", left)])
+        words.text_with(
+            "report-informative",
+            &[("unknown", unknown), ("left", left)],
+        )
     }
 }
 

@@ -28,7 +28,13 @@ pub fn of_recording(recording: &Recording, provenance: &Provenance, words: &Tran
         };
         // With a single drop the page begins with the words already.
         let in_words_too = drops.len() > 1;
-        sections.push(drop(&heading, found, recording.settings, in_words_too, words));
+        sections.push(drop(
+            &heading,
+            found,
+            recording.settings,
+            in_words_too,
+            words,
+        ));
     }
     sections.push(conditions(recording, words));
     sections.push(air(recording, words));
@@ -74,7 +80,10 @@ fn lead(recording: &Recording, words: &Translator) -> Vec<Block> {
             let impacts: usize = several.iter().map(|drop| drop.impacts.len()).sum();
             let counts = [("drops", several.len().into()), ("impacts", impacts.into())];
             lead.push(Block::Lead(words.text_with("report-drops-found", &counts)));
-            lead.push(Block::table(words.text("report-drops"), overview(several, words)));
+            lead.push(Block::table(
+                words.text("report-drops"),
+                overview(several, words),
+            ));
         }
     }
     lead.extend(
@@ -85,7 +94,10 @@ fn lead(recording: &Recording, words: &Translator) -> Vec<Block> {
     );
     if let Some(sound) = recording.sound {
         let marks = Mark::of_drops(recording.drops);
-        lead.push(Block::figure("waveform", figure::waveform(sound, &marks, words)));
+        lead.push(Block::figure(
+            "waveform",
+            figure::waveform(sound, &marks, words),
+        ));
     }
     lead
 }
@@ -132,7 +144,9 @@ fn air(recording: &Recording, words: &Translator) -> Section {
 /// How to get the same page again: version, command, and the hash of each file.
 pub fn repeat(provenance: &Provenance, words: &Translator) -> Section {
     let version = [("version", env!("CARGO_PKG_VERSION").into())];
-    let mut blocks = vec![Block::text(words.text_with("report-repeat-version", &version))];
+    let mut blocks = vec![Block::text(
+        words.text_with("report-repeat-version", &version),
+    )];
     if let Some(command) = &provenance.command {
         blocks.push(Block::Code(command.clone()));
     }
