@@ -2,7 +2,6 @@ report-made-by = Bericht von bouncelab { $version }
 report-made-on = Bericht von bouncelab { $version }, { $date }
 report-note = Hinweis
 report-figure = Abbildung
-report-because = { $what }: { $reason }
 
 report-drop = Der Versuch
 report-drop-of = Versuch { $number } von { $count }

@@ -4,7 +4,6 @@ report-made-by = Report of bouncelab { $version }
 report-made-on = Report of bouncelab { $version }, { $date }
 report-note = Note
 report-figure = Figure
-report-because = { $what }: { $reason }
 
 report-drop = The drop
 report-drop-of = Drop { $number } of { $count }
