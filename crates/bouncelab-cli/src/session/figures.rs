@@ -11,6 +11,7 @@ use bouncelab_report::messages::Translator;
 use super::outcome::Outcome;
 use super::results::Results;
 use crate::failure::Failure;
+use crate::language::translator;
 
 /// Draws them into a folder.
 pub(super) fn save(
@@ -33,7 +34,7 @@ pub(super) fn figures(
     let Ok(study) = &outcome.study else {
         return Ok(Vec::new());
     };
-    let translator = &Translator::default();
+    let translator = translator();
     Ok(vec![
         ("groups", laws(outcome, study, results, translator)?),
         ("intervals", intervals(outcome, study, translator)),
