@@ -24,6 +24,7 @@ use bouncelab::inference::{
 };
 use bouncelab::restitution::TimedImpact;
 use bouncelab_report::figure::{self, RankHistogram};
+use bouncelab_report::messages::Translator;
 use bouncelab_report::save;
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
@@ -298,7 +299,11 @@ fn main() -> bouncelab_report::Result<()> {
         .flat_map(|scenario| report(scenario, &run(scenario, drops)))
         .collect();
     if let Some(folder) = folder {
-        save(&figure::calibration(&histograms), &folder, "calibration")?;
+        save(
+            &figure::calibration(&histograms, &Translator::default()),
+            &folder,
+            "calibration",
+        )?;
     }
     Ok(())
 }

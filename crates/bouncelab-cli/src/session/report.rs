@@ -1,7 +1,7 @@
 //! The report of a session, as a page.
 
 use bouncelab::groups::Study;
-use bouncelab_report::Figure;
+use bouncelab_report::Chart;
 use bouncelab_report::document::{AboutSession, Reason};
 use bouncelab_report::report::{Block, Language, Page, Provenance, Section, ended, repeat};
 
@@ -79,7 +79,7 @@ fn lead(outcome: &Outcome<'_>, about: &AboutSession) -> Vec<Block> {
 fn of_study(
     outcome: &Outcome<'_>,
     study: &Study,
-    drawn: Vec<(&'static str, Figure)>,
+    drawn: Vec<(&'static str, Chart)>,
 ) -> Vec<Section> {
     let mut drawn = drawn.into_iter();
     let mut figure = || {

@@ -6,7 +6,7 @@
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 
 use super::page::{Block, Language, Page, Section};
-use crate::figure::Figure;
+use crate::chart::Chart;
 use crate::table::{Align, Table};
 
 const STYLE: &str = include_str!("style.css");
@@ -88,7 +88,7 @@ impl Form<'_> {
                 dl { @for (name, value) in facts { div { dt { (name) } dd { (value) } } } }
             },
             Block::Table { caption, table } => of_table(caption, table),
-            Block::Figure { figure, .. } => self.figure(figure),
+            Block::Figure { chart, .. } => self.figure(chart),
             Block::Equation(equation) => html! {
                 div .equation { math display="block" { mrow { (equation.mathml()) } } }
             },
@@ -96,12 +96,12 @@ impl Form<'_> {
         }
     }
 
-    fn figure(&mut self, figure: &Figure) -> Markup {
+    fn figure(&mut self, chart: &Chart) -> Markup {
         self.figures += 1;
         html! {
             figure id={ "figure-" (self.figures) } {
-                (PreEscaped(figure.svg()))
-                figcaption { b { (self.language.figure) " " (self.figures) ". " } (figure.caption()) }
+                (PreEscaped(chart.svg()))
+                figcaption { b { (self.language.figure) " " (self.figures) ". " } (chart.caption) }
             }
         }
     }

@@ -21,7 +21,7 @@ struct Pixels {
 }
 
 /// Draws a scene in the given width, as a PNG file.
-pub(crate) fn png(scene: &Scene, width_px: u32) -> Result<Vec<u8>, String> {
+pub(super) fn png(scene: &Scene, width_px: u32) -> Result<Vec<u8>, String> {
     let finer = (FINE_PX / width_px).clamp(1, FINEST);
     // The library rounds the size up; aiming a hair low hits the width exactly.
     let scale = (f64::from(width_px * finer) - 0.01) / scene.width;

@@ -1,44 +1,43 @@
-//! Places on a sheet, and which parts of a curve are drawn: those within a frame, and those between the
-//! gaps of a dashed line.
+//! Which parts of a curve are drawn: those within a frame, and those between the gaps of a dashed line.
 
-/// A place on the sheet, in figure pixels from the upper left corner.
-pub(crate) type Point = (f64, f64);
+/// A place in the drawing, in figure pixels from the upper left corner.
+pub(super) type Place = (f64, f64);
 
-/// A rectangle on the sheet, in figure pixels.
+/// A rectangle in the drawing, in figure pixels.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Rect {
-    pub(crate) left: f64,
-    pub(crate) top: f64,
-    pub(crate) right: f64,
-    pub(crate) bottom: f64,
+pub(super) struct Rect {
+    pub(super) left: f64,
+    pub(super) top: f64,
+    pub(super) right: f64,
+    pub(super) bottom: f64,
 }
 
 impl Rect {
-    pub(crate) fn width(&self) -> f64 {
+    pub(super) fn width(&self) -> f64 {
         self.right - self.left
     }
 
-    pub(crate) fn height(&self) -> f64 {
+    pub(super) fn height(&self) -> f64 {
         self.bottom - self.top
     }
 }
 
 /// Lengths of the strokes and gaps of a line, in figure pixels.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Dash {
-    pub(crate) stroke: f64,
-    pub(crate) gap: f64,
+pub(super) struct Dash {
+    pub(super) stroke: f64,
+    pub(super) gap: f64,
 }
 
 /// Whether both coordinates are numbers.
-pub(crate) fn is_finite((x, y): Point) -> bool {
+pub(super) fn is_finite((x, y): Place) -> bool {
     x.is_finite() && y.is_finite()
 }
 
 /// The parts of a curve inside a rectangle. Cut here and not by the library, which would need
 /// names for the regions that are then not unique on a page with several figures.
-pub(crate) fn within(rect: Rect, points: &[Point]) -> Vec<Vec<Point>> {
-    let mut pieces: Vec<Vec<Point>> = Vec::new();
+pub(super) fn within(rect: Rect, points: &[Place]) -> Vec<Vec<Place>> {
+    let mut pieces: Vec<Vec<Place>> = Vec::new();
     let mut open = false;
     for pair in points.windows(2) {
         let Some([from, to]) = segment_within(rect, pair[0], pair[1]) else {
@@ -55,7 +54,7 @@ pub(crate) fn within(rect: Rect, points: &[Point]) -> Vec<Vec<Point>> {
 }
 
 /// The part of a segment inside a rectangle (Liang and Barsky 1984).
-fn segment_within(rect: Rect, from: Point, to: Point) -> Option<[Point; 2]> {
+fn segment_within(rect: Rect, from: Place, to: Place) -> Option<[Place; 2]> {
     let (dx, dy) = (to.0 - from.0, to.1 - from.1);
     let (mut start, mut end) = (0.0_f64, 1.0_f64);
     for (run, room) in [
@@ -83,9 +82,9 @@ fn segment_within(rect: Rect, from: Point, to: Point) -> Option<[Point; 2]> {
 }
 
 /// The strokes that make a dashed line along the points.
-pub(crate) fn dashes(points: &[Point], dash: Dash) -> Vec<Vec<Point>> {
+pub(super) fn dashes(points: &[Place], dash: Dash) -> Vec<Vec<Place>> {
     let mut pieces = Vec::new();
-    let mut piece: Vec<Point> = points.first().copied().into_iter().collect();
+    let mut piece: Vec<Place> = points.first().copied().into_iter().collect();
     let mut drawing = true;
     let mut left = dash.stroke;
     for pair in points.windows(2) {
@@ -128,8 +127,8 @@ mod tests {
         };
         // The same 30-pixel line, as one segment and as thirty.
         let coarse = dashes(&[(0.0, 0.0), (30.0, 0.0)], dash);
-        let fine: Vec<Point> = (0..=30).map(|x| (f64::from(x), 0.0)).collect();
-        let ends = |pieces: &[Vec<Point>]| -> Vec<(f64, f64)> {
+        let fine: Vec<Place> = (0..=30).map(|x| (f64::from(x), 0.0)).collect();
+        let ends = |pieces: &[Vec<Place>]| -> Vec<(f64, f64)> {
             pieces
                 .iter()
                 .filter(|piece| piece.len() > 1)
