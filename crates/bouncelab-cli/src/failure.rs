@@ -56,10 +56,11 @@ impl From<bouncelab::Error> for Failure {
 
 impl From<csv::Error> for Failure {
     fn from(fault: csv::Error) -> Self {
+        let message = fault.to_string();
         Self::Output(match fault.into_kind() {
             // As it came, so that a closed pipe is known for one.
             csv::ErrorKind::Io(reason) => reason,
-            other => io::Error::other(format!("{other:?}")),
+            _ => io::Error::other(message),
         })
     }
 }

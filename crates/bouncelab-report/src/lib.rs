@@ -42,6 +42,7 @@
 //! | `scale` | where a value lies on an axis, and which values get a tick |
 //! | `sheet` | title, key, panels with axes |
 //! | [`figure`] | one file a figure |
+//! | [`file`] | files that appear whole or not at all |
 //! | [`save()`] | figures as files |
 //! | [`rules`] | which rules there are, built in and in files |
 //! | [`illustration`] | which figures an analysis has |
@@ -50,7 +51,7 @@
 //! | [`paper`] | what the paper says, and what its numbers are |
 //! | [`report`] | an analysis as a page to read, print and repeat |
 //!
-//! All but [`save()`] work in a browser. The feature `png` (on by default) adds
+//! All but [`file`] and [`save()`] work in a browser. The feature `png` (on by default) adds
 //! [`Figure::png`](figure::Figure::png) and [`save()`].
 
 mod canvas;
@@ -58,6 +59,8 @@ mod digits;
 pub mod document;
 mod error;
 pub mod figure;
+#[cfg(not(target_family = "wasm"))]
+pub mod file;
 pub mod illustration;
 pub mod language;
 pub mod paper;

@@ -15,7 +15,7 @@ mod work;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
-use bouncelab_files::{remove_drafts, write_whole};
+use bouncelab_report::file::{remove_drafts, write_whole};
 use bouncelab_session::journal::Journal;
 use bouncelab_session::table::{Form, TableWriter};
 use bouncelab_session::{Session, Sources};

@@ -9,7 +9,7 @@ mod text;
 
 use std::path::{Path, PathBuf};
 
-use bouncelab_files::Draft;
+use bouncelab_report::file::Draft;
 
 use crate::error::{Error, Result};
 use parquet::ParquetTable;
