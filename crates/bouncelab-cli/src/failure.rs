@@ -84,6 +84,19 @@ impl From<bouncelab_session::Error> for Failure {
             Error::Notes { .. } | Error::Pattern { .. } | Error::NoRecordings { .. } => {
                 Self::Usage(fault.to_string())
             }
+            Error::UnknownDrop { name } => Self::Usage(format!(
+                "--exclude {name}: there is no such drop; write the recording as in the tables, \
+                 with #2 for its second drop, and --exclude before each of several"
+            )),
+            Error::UnknownField { name, known } => {
+                let known = match known.as_slice() {
+                    [] => "nothing noted at all".to_owned(),
+                    _ => known.join(", "),
+                };
+                Self::Usage(format!(
+                    "--by {name}: nothing is noted of that; there is {known}"
+                ))
+            }
             _ => Self::Input(fault.to_string()),
         }
     }

@@ -6,9 +6,8 @@ use bouncelab::groups::{Group, Study, run_limit};
 use bouncelab::inference::Summary;
 use bouncelab_report::Figure;
 use bouncelab_report::figure::{self, GroupInterval, GroupLaw, GroupPoint, RunPoint};
+use bouncelab_session::{Outcome, Results};
 
-use super::outcome::Outcome;
-use super::results::Results;
 use crate::failure::Failure;
 
 /// Draws them into a folder.
