@@ -4,7 +4,7 @@ use std::fs;
 use std::io::Write;
 use std::path::Path;
 
-use bouncelab_files::{Draft, remove_drafts, write_whole};
+use bouncelab_report::file::{Draft, remove_drafts, write_whole};
 
 fn names(folder: &Path) -> Vec<String> {
     let entries = fs::read_dir(folder).unwrap();
@@ -17,8 +17,8 @@ fn names(folder: &Path) -> Vec<String> {
 fn a_draft_that_is_given_up_leaves_nothing() {
     let folder = tempfile::tempdir().unwrap();
     let place = folder.path().join("table.csv");
-    let mut draft = Draft::new(&place).unwrap();
-    draft.write_all(b"half").unwrap();
+    let draft = Draft::new(&place).unwrap();
+    draft.file().write_all(b"half").unwrap();
     assert_eq!(names(folder.path()).len(), 1);
     drop(draft);
     assert!(names(folder.path()).is_empty());
@@ -28,9 +28,9 @@ fn a_draft_that_is_given_up_leaves_nothing() {
 fn two_drafts_of_one_file_do_not_disturb_each_other() {
     let folder = tempfile::tempdir().unwrap();
     let place = folder.path().join("table.csv");
-    let (mut first, mut second) = (Draft::new(&place).unwrap(), Draft::new(&place).unwrap());
-    first.write_all(b"first").unwrap();
-    second.write_all(b"second").unwrap();
+    let (first, second) = (Draft::new(&place).unwrap(), Draft::new(&place).unwrap());
+    first.file().write_all(b"first").unwrap();
+    second.file().write_all(b"second").unwrap();
     second.finish().unwrap();
     first.finish().unwrap();
     assert_eq!(fs::read(&place).unwrap(), b"first");
@@ -48,7 +48,7 @@ fn the_place_of_a_folder_is_refused_before_anything_is_written() {
 #[test]
 fn drafts_of_a_killed_program_are_removed_and_nothing_else() {
     let folder = tempfile::tempdir().unwrap();
-    for name in [".drops.csv.17-0.part", ".film.part", ".hidden", "my.part"] {
+    for name in [".bouncelab-a1B2c3.part", ".film.part", ".hidden", "my.part"] {
         fs::write(folder.path().join(name), "").unwrap();
     }
     remove_drafts(folder.path()).unwrap();

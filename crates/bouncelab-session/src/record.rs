@@ -4,97 +4,94 @@ use bouncelab::analysis::Drop;
 use bouncelab::groups::{CurvePoint, RestitutionCurve};
 use bouncelab::inference::{Measured, Posterior, Remark, Summary};
 use bouncelab::regression::Estimate;
-use bouncelab_report::document::Origin;
 use serde::{Deserialize, Serialize};
 
-use crate::analyze::Hearing;
-
-/// Changes whenever a record of before would not be setup, or would say something else.
-pub(super) const RECORD: &str = "bouncelab.record/1";
+/// Changes whenever a record of before could not be read, or would say something else.
+pub const RECORD: &str = "bouncelab.record/1";
 
 /// What one recording says.
 #[derive(Debug, Default, Serialize, Deserialize)]
-pub(super) struct Record {
+pub struct Record {
     /// Length in seconds, if it is sound.
-    pub(super) duration_s: Option<f64>,
+    pub duration_s: Option<f64>,
     /// Its drops, in order of time.
-    pub(super) drops: Vec<DropRecord>,
+    pub drops: Vec<DropRecord>,
     /// Why there is none.
-    pub(super) no_drop: Option<String>,
+    pub no_drop: Option<String>,
     /// Why it could not be read.
-    pub(super) failure: Option<String>,
+    pub failure: Option<String>,
     /// What is odd about it.
-    pub(super) warnings: Vec<String>,
+    pub warnings: Vec<String>,
 }
 
 /// What one drop says.
 #[derive(Debug, Serialize, Deserialize)]
-pub(super) struct DropRecord {
+pub struct DropRecord {
     /// That it is a drop.
-    pub(super) probability: f64,
-    pub(super) impacts: Vec<ImpactRecord>,
-    pub(super) line: Option<LineRecord>,
-    pub(super) estimate: Option<EstimateRecord>,
+    pub probability: f64,
+    pub impacts: Vec<ImpactRecord>,
+    pub line: Option<LineRecord>,
+    pub estimate: Option<EstimateRecord>,
     /// Why there is no estimate.
-    pub(super) no_estimate: Option<String>,
+    pub no_estimate: Option<String>,
     /// What is odd about it, in words.
-    pub(super) remarks: Vec<String>,
+    pub remarks: Vec<String>,
 }
 
 /// One impact and the flight after it.
 #[derive(Debug, Serialize, Deserialize)]
-pub(super) struct ImpactRecord {
-    pub(super) number: usize,
-    pub(super) time_s: f64,
-    pub(super) sigma_s: Option<f64>,
-    pub(super) probability: f64,
-    pub(super) level_db: Option<f64>,
-    pub(super) impact_speed_m_s: Option<f64>,
-    pub(super) restitution: Option<f64>,
-    pub(super) restitution_sd: Option<f64>,
-    pub(super) plain_restitution: Option<f64>,
-    pub(super) flight_time_s: Option<f64>,
-    pub(super) plain_height_m: Option<f64>,
-    pub(super) apex_m: Option<f64>,
+pub struct ImpactRecord {
+    pub number: usize,
+    pub time_s: f64,
+    pub sigma_s: Option<f64>,
+    pub probability: f64,
+    pub level_db: Option<f64>,
+    pub impact_speed_m_s: Option<f64>,
+    pub restitution: Option<f64>,
+    pub restitution_sd: Option<f64>,
+    pub plain_restitution: Option<f64>,
+    pub flight_time_s: Option<f64>,
+    pub plain_height_m: Option<f64>,
+    pub apex_m: Option<f64>,
     /// Its weight in the inference.
-    pub(super) weight: Option<f64>,
+    pub weight: Option<f64>,
 }
 
 /// The straight line.
 #[derive(Debug, Serialize, Deserialize)]
-pub(super) struct LineRecord {
-    pub(super) restitution: Value,
-    pub(super) drop_height_m: Value,
+pub struct LineRecord {
+    pub restitution: Value,
+    pub drop_height_m: Value,
 }
 
 /// The inference.
 #[derive(Debug, Serialize, Deserialize)]
-pub(super) struct EstimateRecord {
-    pub(super) at_speed_m_s: f64,
-    pub(super) restitution: Value,
-    pub(super) drop_height_m: Value,
-    pub(super) drag_coefficient: Option<Value>,
-    pub(super) scatter: Value,
-    pub(super) timing_s: Value,
+pub struct EstimateRecord {
+    pub at_speed_m_s: f64,
+    pub restitution: Value,
+    pub drop_height_m: Value,
+    pub drag_coefficient: Option<Value>,
+    pub scatter: Value,
+    pub timing_s: Value,
     /// Most probable number of impacts missed before the first one heard.
-    pub(super) missed_first: Option<usize>,
-    pub(super) converged: bool,
+    pub missed_first: Option<usize>,
+    pub converged: bool,
     /// Restitution at speeds that all drops share: speed, value, own and shared uncertainty.
-    pub(super) law: Vec<[f64; 4]>,
+    pub law: Vec<[f64; 4]>,
     /// Whether the measured height contradicts the flight times.
-    pub(super) height_contradicts: bool,
+    pub height_contradicts: bool,
 }
 
 /// A value and its standard uncertainty, where that is known.
 #[derive(Debug, Clone, Copy, Serialize, Deserialize)]
-pub(super) struct Value {
-    pub(super) value: f64,
-    pub(super) sd: Option<f64>,
+pub struct Value {
+    pub value: f64,
+    pub sd: Option<f64>,
 }
 
 impl Value {
     /// The value, if its uncertainty is known.
-    pub(super) fn measured(self) -> Option<Measured> {
+    pub fn measured(self) -> Option<Measured> {
         let Self { value, sd } = self;
         Some(Measured { value, sd: sd? })
     }
@@ -123,23 +120,8 @@ fn finite(value: f64) -> Option<f64> {
 }
 
 impl Record {
-    /// What a recording says that could be heard.
-    pub(super) fn of(hearing: &Hearing) -> Self {
-        let drops = hearing.drops.iter().zip(&hearing.probabilities);
-        Self {
-            duration_s: match hearing.origin {
-                Origin::Sound { duration_s, .. } => Some(duration_s),
-                Origin::Times => None,
-            },
-            drops: drops.map(|(drop, &p)| DropRecord::of(drop, p)).collect(),
-            no_drop: hearing.no_drop.clone(),
-            failure: None,
-            warnings: hearing.warnings.clone(),
-        }
-    }
-
     /// A recording that could not be read.
-    pub(super) fn failed(reason: String) -> Self {
+    pub fn failed(reason: String) -> Self {
         Self {
             failure: Some(reason),
             ..Self::default()
@@ -148,7 +130,8 @@ impl Record {
 }
 
 impl DropRecord {
-    fn of(drop: &Drop, probability: f64) -> Self {
+    /// What to keep of a drop.
+    pub fn of(drop: &Drop, probability: f64) -> Self {
         let inferred = drop.estimate.as_ref().ok();
         let remarks = inferred.map_or(&[][..], |found| &found.remarks);
         Self {
@@ -246,7 +229,7 @@ impl EstimateRecord {
     }
 
     /// Restitution at speeds that all drops share.
-    pub(super) fn law(&self) -> RestitutionCurve {
+    pub fn law(&self) -> RestitutionCurve {
         let points = self
             .law
             .iter()
