@@ -10,10 +10,11 @@ use bouncelab::estimate::{
     Effort, Inference, Knowledge, LawKind, Measured, Question, Reach, Remark, UNKNOWN, infer,
 };
 use bouncelab::flight::{Environment, FlightModel};
-use bouncelab::impact::{Contact, Restitution};
+use bouncelab::impact::{Contact, Restitution, Strike};
 use bouncelab::regression::{self, NumberedFlight};
 use bouncelab::restitution::TimedImpact;
 use bouncelab::{Error, Result};
+use bouncelab_testkit::bouncing;
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use rand_distr::StandardNormal;
@@ -54,21 +55,16 @@ impl Truth {
         let model = self.model();
         let contact_s = Settings::default().contact_time_s;
         let fall = model.fall(self.height_m).unwrap();
-        let (mut time_s, mut speed) = (fall.time_s, fall.impact_speed_m_s);
-        (1..=self.impacts)
-            .map(|number| {
-                let heard = TimedImpact {
-                    number,
-                    time_s: time_s + self.sigma_s * normal(),
-                    standard_error_s: Some(self.sigma_s.max(1e-9)),
-                };
-                let launch = speed * self.law.at(speed) * (self.scatter * normal()).exp();
-                let flight = model.launch(launch).unwrap();
-                time_s += flight.time_s() + contact_s;
-                speed = flight.impact_speed_m_s;
-                heard
-            })
-            .collect()
+        let restitution = |speed: f64| self.law.at(speed) * (self.scatter * normal()).exp();
+        let strikes: Vec<Strike> = bouncing(model, contact_s, fall.impact_speed_m_s, restitution)
+            .take(self.impacts)
+            .collect();
+        let heard = strikes.iter().zip(1..).map(|(strike, number)| TimedImpact {
+            number,
+            time_s: fall.time_s + strike.time_s + self.sigma_s * normal(),
+            standard_error_s: Some(self.sigma_s.max(1e-9)),
+        });
+        heard.collect()
     }
 
     fn infer(&self, impacts: &[TimedImpact], knowledge: &Knowledge) -> Result<Inference> {
