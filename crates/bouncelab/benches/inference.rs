@@ -61,7 +61,7 @@ fn best_fit(bencher: Bencher, drag: DragLaw) {
     let (impacts, settings) = (impacts(), Options::default());
     let (environment, priors) = (environment(drag), one_law());
     bencher.bench_local(|| {
-        estimate::best_fit(
+        inference::best_fit(
             &impacts,
             &settings.ball,
             &environment,
@@ -77,7 +77,7 @@ fn posterior(bencher: Bencher, drag: DragLaw) {
     let (impacts, settings) = (impacts(), Options::default());
     let (environment, priors) = (environment(drag), one_law());
     bencher.bench_local(|| {
-        estimate::infer(
+        inference::infer(
             &impacts,
             &settings.ball,
             &environment,
@@ -98,7 +98,7 @@ fn all_models(bencher: Bencher, draws: usize) {
         ..InferenceOptions::default()
     };
     bencher.bench_local(|| {
-        estimate::infer(
+        inference::infer(
             &impacts,
             &settings.ball,
             &environment,

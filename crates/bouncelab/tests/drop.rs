@@ -4,7 +4,7 @@ use bouncelab::Error;
 use bouncelab::air::{Air, Conditions};
 use bouncelab::ball::{self, Ball};
 use bouncelab::drag::DragLaw;
-use bouncelab::drop::{self, History, MAX_BOUNCES, Opening, Start, Stop};
+use bouncelab::drop::{self, History, InitialFall, MAX_BOUNCES, Start, Stop};
 use bouncelab::flight::{Environment, FlightModel};
 use bouncelab::impact::{Contact, Restitution};
 use proptest::prelude::*;

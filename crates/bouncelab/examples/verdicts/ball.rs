@@ -97,14 +97,14 @@ impl RealBall {
         let mut off = |sd: f64| (sd * normal(chance)).exp();
         let nominal = &settings.environment;
         let ball = Ball::new(
-            settings.ball.mass_kg() * off(known.mass),
-            settings.ball.diameter_m() * off(known.diameter),
+            settings.ball.mass_kg() * off(known.mass_rel_sd),
+            settings.ball.diameter_m() * off(known.diameter_rel_sd),
         )
         .unwrap();
         let reynolds = nominal.air.reynolds(&ball, 2.4);
-        let coefficient = nominal.drag.coefficient(reynolds).unwrap() * off(known.drag);
+        let coefficient = nominal.drag.coefficient(reynolds).unwrap() * off(known.drag_rel_sd);
         let environment = Environment {
-            gravity_m_s2: nominal.gravity_m_s2 * off(known.gravity),
+            gravity_m_s2: nominal.gravity_m_s2 * off(known.gravity_rel_sd),
             drag: DragLaw::Constant(coefficient),
             ..*nominal
         };
