@@ -9,6 +9,7 @@ use assert_cmd::Command;
 use bouncelab::impact::Strike;
 use bouncelab::synth::{self, Scene};
 use bouncelab_audio::{SampleFormat, Source, write_wav};
+use bouncelab_testkit::strikes;
 use predicates::prelude::*;
 use serde_json::Value;
 use tempfile::TempDir;
@@ -49,15 +50,14 @@ fn drops(documents: &[Value]) -> Vec<Value> {
 
 /// The sound of drag-free drops that begin at these times: fifteen impacts, 2.4 m/s at first.
 fn sound(starts_s: &[f64], restitution: f64, tail_s: f64) -> Vec<f32> {
-    let mut strikes = Vec::new();
-    for &start_s in starts_s {
-        let mut time_s = start_s;
-        for n in 0..15 {
-            let speed_m_s = 2.4 * restitution.powi(n);
-            strikes.push(Strike { time_s, speed_m_s });
-            time_s += 2.0 * restitution * speed_m_s / 9.806_65;
-        }
-    }
+    let drop = |&start_s: &f64| {
+        let later = move |strike: Strike| Strike {
+            time_s: start_s + strike.time_s,
+            ..strike
+        };
+        strikes(2.4, restitution).take(15).map(later)
+    };
+    let strikes: Vec<Strike> = starts_s.iter().flat_map(drop).collect();
     let scene = Scene {
         sample_rate_hz: RATE_HZ,
         tail_s,

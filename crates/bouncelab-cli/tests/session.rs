@@ -9,6 +9,7 @@ use assert_cmd::Command;
 use bouncelab::impact::Strike;
 use bouncelab::synth::{self, Scene};
 use bouncelab_audio::{SampleFormat, write_wav};
+use bouncelab_testkit::strikes;
 use predicates::prelude::*;
 use predicates::str::contains;
 use tempfile::TempDir;
@@ -37,15 +38,8 @@ impl Room {
 
     /// Adds a recording of a dozen impacts.
     fn record(&self, name: impl AsRef<Path>, seed: u16) -> &Self {
-        let mut time_s = 0.0;
-        let mut speed_m_s = 2.2 + 0.01 * f64::from(seed);
-        let strikes = (0..12).map(|_| {
-            let strike = Strike { time_s, speed_m_s };
-            speed_m_s *= 0.9;
-            time_s += 2.0 * speed_m_s / 9.806_65;
-            strike
-        });
-        let strikes: Vec<Strike> = strikes.collect();
+        let first_speed_m_s = 2.2 + 0.01 * f64::from(seed);
+        let strikes: Vec<Strike> = strikes(first_speed_m_s, 0.9).take(12).collect();
         let scene = Scene {
             lead_in_s: 0.2,
             tail_s: 0.2,

@@ -8,13 +8,14 @@ use bouncelab::analysis::Options;
 use bouncelab::drag::DragLaw;
 use bouncelab::drop::{self, Start, Stop};
 use bouncelab::flight::{Environment, FlightModel};
-use bouncelab::impact::{Contact, Restitution};
+use bouncelab::impact::{Contact, Restitution, Strike};
 use bouncelab::inference::{
     ApexTarget, InferenceOptions, LawKind, Measured, Posterior, Priors, Remark, SamplerConfig,
     UNKNOWN, infer,
 };
 use bouncelab::regression::{self, NumberedFlight};
 use bouncelab::{Error, Result};
+use bouncelab_testkit::bouncing;
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use rand_distr::StandardNormal;
@@ -55,21 +56,12 @@ impl Truth {
         let model = self.model();
         let contact_s = Options::default().contact_time_s;
         let fall = model.fall(self.height_m).unwrap();
-        let (mut time_s, mut speed) = (fall.time_s, fall.impact_speed_m_s);
-        (1..=self.impacts)
-            .map(|number| {
-                let heard = Impact {
-                    number,
-                    time_s: time_s + self.sigma_s * normal(),
-                    time_sd_s: Some(self.sigma_s.max(1e-9)),
-                };
-                let launch = speed * self.law.at(speed) * (self.scatter * normal()).exp();
-                let flight = model.launch(launch).unwrap();
-                time_s += flight.time_s() + contact_s;
-                speed = flight.impact_speed_m_s;
-                heard
-            })
-            .collect()
+        let restitution = |speed: f64| self.law.at(speed) * (self.scatter * normal()).exp();
+        let strikes: Vec<Strike> = bouncing(model, contact_s, fall.impact_speed_m_s, restitution)
+            .take(self.impacts)
+            .collect();
+        let heard = strikes.iter().zip(1..).map(|(strike, number)| Impact::new(number, fall.time_s + strike.time_s + self.sigma_s * normal()).with_time_sd_s(self.sigma_s.max(1e-9)));
+        heard.collect()
     }
 
     fn infer(&self, impacts: &[Impact], priors: &Priors) -> Result<Posterior> {
