@@ -6,8 +6,8 @@
 mod bench;
 mod calibrate;
 mod cargo;
+mod detection;
 mod fuzz;
-mod grid;
 mod laboratory;
 mod tables;
 mod test;
@@ -58,10 +58,10 @@ const CHORES: [Chore; 8] = [
         run: verdicts::run,
     },
     Chore {
-        name: "grid",
+        name: "detection",
         arguments: "[PART...] [drops=20] [hours=1] [only=SOUND] [wav=FOLDER]",
-        about: grid::ABOUT,
-        run: grid::run,
+        about: detection::ABOUT,
+        run: detection::run,
     },
     Chore {
         name: "fuzz",

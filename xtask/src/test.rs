@@ -29,7 +29,7 @@ enum Needs {
     Python,
     /// Node.js, for the page.
     Node,
-    /// Node.js and a browser, for the stories of the page.
+    /// Node.js and a browser, for the end-to-end tests of the page.
     Browser,
 }
 
@@ -122,8 +122,8 @@ pub(crate) const CHECKS: [Check; 11] = [
         needs: Needs::Node,
     },
     Check {
-        name: "stories",
-        words: &["xtask", "web", "stories"],
+        name: "e2e",
+        words: &["xtask", "web", "e2e"],
         needs: Needs::Browser,
     },
 ];

@@ -13,22 +13,22 @@ use crate::cargo::{cargo, root, run as run_command};
 pub(crate) use system::{has_chromium, has_node};
 
 pub(crate) const ABOUT: &str =
-    "Build the page into web/dist; or only its engine; or check it; or play its stories";
+    "Build the page into web/dist; or only its engine; or check it; or run its end-to-end tests";
 
 const TARGET: &str = "wasm32-unknown-unknown";
 
 /// Builds `engine` (the WebAssembly), the whole page (no word), runs `check` (types, lints, unit
-/// tests) or `stories` (the page in a real browser).
+/// tests) or `e2e` (the end-to-end tests, in a real browser).
 pub(crate) fn run(words: &[String]) -> Result {
     system::need_node()?;
     match words {
         [] => build(),
         [word] if word == "engine" => engine(),
         [word] if word == "check" => check(),
-        [word] if word == "stories" => stories(&[]),
-        [word, names @ ..] if word == "stories" => stories(names),
+        [word] if word == "e2e" => e2e(&[]),
+        [word, names @ ..] if word == "e2e" => e2e(names),
         _ => Err(format!(
-            "\"{}\" is none of engine, check, stories",
+            "\"{}\" is none of engine, check, e2e",
             words.join(" ")
         )),
     }
@@ -48,13 +48,13 @@ fn check() -> Result {
     npm(&["run", "test"])
 }
 
-/// Plays the stories, or those whose file has one of these names in it.
-fn stories(names: &[String]) -> Result {
+/// Runs the end-to-end tests, or those whose file has one of these names in it.
+fn e2e(names: &[String]) -> Result {
     system::need_chromium()?;
     if !web().join("dist/index.html").is_file() {
         build()?;
     }
-    let mut command = npm_command(&["run", "stories", "--"]);
+    let mut command = npm_command(&["run", "e2e", "--"]);
     run_command(command.args(names))
 }
 

@@ -47,7 +47,7 @@ function sound(microphone: Microphone): string[] {
     : [...granted, `--use-file-for-fake-audio-capture=${microphone.file}%noloop`];
 }
 
-/** A page that fails the story if anything goes wrong in it that nobody sees. */
+/** A page that fails the test if anything goes wrong in it that nobody sees. */
 export async function openPage(
   browser: Browser,
   url: string,

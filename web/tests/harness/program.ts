@@ -26,9 +26,9 @@ export function analysed(file: string, ...words: string[]): unknown {
   }
 }
 
-/** A folder for the recordings of a story. */
+/** A folder for the recordings of a test. */
 export function folder(): string {
-  return mkdtempSync(join(tmpdir(), 'bouncelab-story-'));
+  return mkdtempSync(join(tmpdir(), 'bouncelab-e2e-'));
 }
 
 /** A made-up recording, and its true impact times. */

@@ -1,4 +1,4 @@
-/** What stories do with the page, and read from it. */
+/** What tests do with the page, and read from it. */
 import type { Browser, BrowserContextOptions, Page } from 'playwright-core';
 import { openPage } from '../harness/browser.ts';
 

@@ -47,7 +47,7 @@ pub(super) fn need_node() -> Result {
     }
 }
 
-/// Where browsers lie that the stories can be played in.
+/// Where browsers lie that the end-to-end tests can use.
 const BROWSERS: [&str; 4] = [
     "chromium",
     "chromium-browser",
@@ -80,7 +80,7 @@ pub(super) fn need_chromium() -> Result {
         return Ok(());
     }
     let words = INSTALL.join(" ");
-    println!("there is no Chromium, for the stories of the page: {words}");
+    println!("there is no Chromium, for the end-to-end tests of the page: {words}");
     let installed = is_root() && succeeds(&["apt-get", "update"]) && succeeds(&INSTALL);
     if installed && is_there() {
         return Ok(());

@@ -52,7 +52,7 @@ async function savedWav(page: Page) {
   return samplesOf(file);
 }
 
-test('a drop is heard, ends by itself, and is told within its uncertainty', async () => {
+test('a drop is heard, ends by itself, and its result is true within its uncertainty', async () => {
   const { page, troubles } = await opened({ file: heard });
   await listen(page);
   await page.getByText(/impacts so far/).waitFor();
@@ -182,7 +182,7 @@ test('a page that is closed while it listens loses nothing', async () => {
   expect(await page.getByText(/\d+ impacts/).count()).toBeGreaterThan(0);
 });
 
-test('a full storage is told, and the recording can still be saved whole', async () => {
+test('a full storage is reported, and the recording can still be saved whole', async () => {
   browser = await launch({ file: heard });
   const context = await browser.newContext({ locale: 'en-GB' });
   await context.addInitScript(() => {
