@@ -9,6 +9,7 @@ export default defineConfig({
     fileParallelism: false,
     // Tests wait for states, so this is only for what hangs: busy machines take long.
     testTimeout: 300_000,
+    expect: { poll: { timeout: 240_000 } },
     // The program may have to be compiled first.
     hookTimeout: 900_000,
   },
