@@ -7,8 +7,10 @@ mod bench;
 mod calibrate;
 mod cargo;
 mod detection;
+mod fresh;
 mod fuzz;
 mod laboratory;
+mod steps;
 mod tables;
 mod test;
 mod verdicts;
@@ -71,7 +73,7 @@ const CHORES: [Chore; 8] = [
     },
     Chore {
         name: "web",
-        arguments: "[PART]",
+        arguments: "[engine | check | e2e [FILE...] [--repeat N] [--load]]",
         about: web::ABOUT,
         run: web::run,
     },
@@ -102,10 +104,9 @@ fn help() -> String {
         let usage = format!("{} {}", chore.name, chore.arguments);
         format!("  cargo xtask {usage}\n      {}\n", chore.about)
     });
-    let checks = test::CHECKS.iter().map(|check| {
-        let command = check.words.join(" ");
-        format!("  {:<10} cargo {command}\n", check.name)
-    });
+    let checks = test::CHECKS
+        .iter()
+        .map(|check| format!("  {:<10} {}\n", check.name, check.about));
     format!(
         "The project's chores:\n{}\nThe checks of `cargo xtask test`, in order:\n{}",
         chores.collect::<String>(),
