@@ -3,7 +3,7 @@
 //! The first byte chooses the kind of sound, the second the sample rate, the third the number of
 //! channels, the fourth the size of the blocks; the rest is the sound.
 
-use bouncelab::listen::{Heard, Listener};
+use bouncelab::detection::{Detection, Detector};
 use bouncelab::train::Train;
 
 /// Enough of one sound, in samples.
@@ -44,8 +44,8 @@ pub fn listen(bytes: &[u8]) {
     assert_eq!(whole.onsets, parts.onsets);
 }
 
-fn hear(a: &[f32], b: &[f32], rate_hz: u32, channels: usize, block: usize) -> Heard {
-    let mut listener = Listener::new(rate_hz, channels);
+fn hear(a: &[f32], b: &[f32], rate_hz: u32, channels: usize, block: usize) -> Detection {
+    let mut listener = Detector::new(rate_hz, channels);
     let block = block.min(a.len()).max(1);
     for (number, (a, b)) in a.chunks(block).zip(b.chunks(block)).enumerate() {
         listener.push(&[a, b][..channels]);
@@ -56,7 +56,7 @@ fn hear(a: &[f32], b: &[f32], rate_hz: u32, channels: usize, block: usize) -> He
     listener.finish()
 }
 
-fn check(heard: &Heard) {
+fn check(heard: &Detection) {
     for train in &heard.found.trains {
         let impacts = train.impacts();
         assert!(
@@ -71,7 +71,7 @@ fn check(heard: &Heard) {
     }
 }
 
-fn times(heard: &Heard) -> Vec<f64> {
+fn times(heard: &Detection) -> Vec<f64> {
     let impacts = heard.found.trains.iter().flat_map(Train::impacts);
     impacts.map(|impact| impact.onset.time_s).collect()
 }

@@ -4,7 +4,7 @@ use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
 use bouncelab::drop::History;
-use bouncelab::estimate::Summary;
+use bouncelab::inference::Summary;
 use bouncelab::regression::{Estimate, Regression};
 use bouncelab::synth::Rendered;
 use bouncelab::{ball, demo};

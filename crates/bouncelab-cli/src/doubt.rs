@@ -1,21 +1,21 @@
 //! What a person states, if it looks like a mistake of units.
 //!
 //! Arguments of any command and notes of a session are questioned alike: what is out of the ordinary
-//! is not believed until it is corrected or insisted on (`--as-stated`). What is ordinary by itself,
+//! is not believed until it is corrected or insisted on (`--allow-implausible`). What is ordinary by itself,
 //! but not for the recording, is only remarked on.
 
 use std::fmt;
 
-use bouncelab::analysis::Analysis;
+use bouncelab::analysis::Drop;
 use bouncelab::ball::Ball;
 use bouncelab_report::{Quantity, Unit};
 
 use crate::failure::Failure;
 
 /// How to go on where something was questioned.
-const HOW_ON: &str = "Correct it, or insist by --as-stated";
+const HOW_ON: &str = "Correct it, or insist by --allow-implausible";
 
-/// A question, without how to go on.
+/// A inference, without how to go on.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Doubt(String);
 
@@ -138,7 +138,7 @@ const ORDINARY: [Ordinary; 9] = [
     },
 ];
 
-/// A question, if a value is out of the ordinary.
+/// A inference, if a value is out of the ordinary.
 pub(crate) fn of_quantity(field: &str, value: f64) -> Option<Doubt> {
     let ordinary = ORDINARY.iter().find(|ordinary| ordinary.field == field)?;
     let fits = |value: f64| (ordinary.low..=ordinary.high).contains(&value);
@@ -177,7 +177,7 @@ fn other_scale(kelvin: f64, fits: impl Fn(f64) -> bool) -> String {
 /// fall, but would fit in another unit or with its point elsewhere.
 ///
 /// The inference would rather believe that many impacts were missed at the beginning.
-pub(crate) fn of_height(stated_m: f64, drop: &Analysis) -> Option<String> {
+pub(crate) fn of_height(stated_m: f64, drop: &Drop) -> Option<String> {
     /// Slips of a unit or a decimal point.
     const SLIPS: [f64; 6] = [10.0, 100.0, 1000.0, 0.1, 0.01, 0.001];
     /// So far a rough height may be off.
@@ -198,13 +198,13 @@ pub(crate) fn of_height(stated_m: f64, drop: &Analysis) -> Option<String> {
 }
 
 /// Roughly the height before the first impact heard: the first apex over what an impact keeps.
-fn fall_heard_m(drop: &Analysis) -> Option<f64> {
+fn fall_heard_m(drop: &Drop) -> Option<f64> {
     let first = drop.corrected.as_ref().ok()?.flights.first()?;
     let kept = drop.corrected_restitution()?.value.powi(2);
     Some(first.flight.apex_m / kept)
 }
 
-/// A question, if no ball is made of such stuff.
+/// A inference, if no ball is made of such stuff.
 pub(crate) fn of_ball(ball: &Ball) -> Option<Doubt> {
     /// From a beach ball to tungsten, kg/m3.
     const DENSITIES: std::ops::RangeInclusive<f64> = 3.0..=20_000.0;

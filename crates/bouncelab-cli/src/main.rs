@@ -5,10 +5,10 @@ mod demo;
 mod doubt;
 mod failure;
 mod history;
-mod knowledge;
 mod listen;
 mod paper;
 mod physics;
+mod priors;
 mod report;
 mod rules;
 #[cfg(feature = "serve")]

@@ -3,7 +3,7 @@
 use bouncelab::ball::Ball;
 use bouncelab::drag::DragLaw;
 use bouncelab::rulebook;
-use bouncelab::stated::{Stated, StatedAir, StatedBall, StatedGravity, Understood};
+use bouncelab::setup::{AirInput, BallInput, GravityInput, Setup, SetupInput};
 use clap::Args;
 
 use crate::doubt::{self, Doubt};
@@ -82,11 +82,11 @@ pub(crate) struct PhysicsArguments {
 
     /// Believe also what looks like a mistake of units, as a drop from 30.5m or a ball of 2.5kg
     #[arg(long)]
-    as_stated: bool,
+    allow_implausible: bool,
 }
 
 /// The physics of a run, and what of it nobody stated.
-pub(crate) type Physics = Understood;
+pub(crate) type Physics = Setup;
 
 /// What was noted of the ball and the air of one recording.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -148,8 +148,8 @@ impl PhysicsArguments {
     }
 
     /// Whether to believe what looks like a mistake of units.
-    pub(crate) fn as_stated(&self) -> bool {
-        self.as_stated
+    pub(crate) fn allow_implausible(&self) -> bool {
+        self.allow_implausible
     }
 
     /// What looks like a mistake of units.
@@ -176,13 +176,13 @@ impl PhysicsArguments {
     pub(crate) fn questioned(&self, others: Vec<Doubt>) -> Result<Physics, Failure> {
         let mut doubts = self.doubts();
         doubts.extend(others);
-        doubt::settle(&doubts, self.as_stated)?;
+        doubt::settle(&doubts, self.allow_implausible)?;
         self.physics()
     }
 
     /// Ball, air and gravity of these arguments.
     pub(crate) fn physics(&self) -> Result<Physics, Failure> {
-        let stated = Stated {
+        let stated = SetupInput {
             ball: self.ball()?,
             weighed_kg: self.mass.filter(|_| self.ball.is_some()),
             measured_m: self.diameter.filter(|_| self.ball.is_some()),
@@ -193,12 +193,12 @@ impl PhysicsArguments {
             no_added_mass: self.no_added_mass,
             gravity: self.gravity(),
         };
-        Ok(stated.understand()?)
+        Ok(stated.resolve()?)
     }
 
-    fn ball(&self) -> Result<Option<StatedBall>, Failure> {
+    fn ball(&self) -> Result<Option<BallInput>, Failure> {
         if let (None, Some(mass_kg), Some(diameter_m)) = (&self.ball, self.mass, self.diameter) {
-            return Ok(Some(StatedBall::Measured {
+            return Ok(Some(BallInput::Measured {
                 mass_kg,
                 diameter_m,
             }));
@@ -207,21 +207,21 @@ impl PhysicsArguments {
             return Ok(None);
         };
         let make = match name.split_once(':') {
-            Some(("steel", diameter)) => (StatedBall::Steel as fn(f64) -> StatedBall, diameter),
-            Some(("glass", diameter)) => (StatedBall::Glass as fn(f64) -> StatedBall, diameter),
-            _ => return Ok(Some(StatedBall::Named(name.clone()))),
+            Some(("steel", diameter)) => (BallInput::Steel as fn(f64) -> BallInput, diameter),
+            Some(("glass", diameter)) => (BallInput::Glass as fn(f64) -> BallInput, diameter),
+            _ => return Ok(Some(BallInput::Named(name.clone()))),
         };
         let diameter_m = units::length(make.1).map_err(Failure::Usage)?;
         Ok(Some(make.0(diameter_m)))
     }
 
-    fn air(&self) -> StatedAir {
+    fn air(&self) -> AirInput {
         match self.air_density {
-            Some(density_kg_m3) => StatedAir::Density {
+            Some(density_kg_m3) => AirInput::Density {
                 density_kg_m3,
                 viscosity_pa_s: self.air_viscosity,
             },
-            None => StatedAir::Weather {
+            None => AirInput::Weather {
                 temperature_k: self.temperature,
                 pressure_pa: self.pressure,
                 relative_humidity: self.humidity,
@@ -229,13 +229,13 @@ impl PhysicsArguments {
         }
     }
 
-    fn gravity(&self) -> Option<StatedGravity> {
-        let place = |latitude_deg| StatedGravity::Place {
+    fn gravity(&self) -> Option<GravityInput> {
+        let place = |latitude_deg| GravityInput::Place {
             latitude_deg,
             altitude_m: self.altitude.unwrap_or(0.0),
         };
         self.gravity
-            .map(StatedGravity::Measured)
+            .map(GravityInput::Measured)
             .or(self.latitude.map(place))
     }
 }

@@ -3,7 +3,7 @@
 use std::io::{self, Write};
 use std::path::PathBuf;
 
-use bouncelab::analysis::Settings;
+use bouncelab::analysis::Options;
 use bouncelab::drag::DragLaw;
 use bouncelab::flight::Environment;
 use bouncelab_report::document::simulation::{Document, Run};
@@ -78,12 +78,12 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
     }
 }
 
-fn simulate(law: DragLaw, settings: &Settings, history: &HistoryArguments) -> Result<Run, Failure> {
+fn simulate(law: DragLaw, settings: &Options, history: &HistoryArguments) -> Result<Run, Failure> {
     let environment = Environment {
         drag: law,
         ..settings.environment
     };
-    let model = Settings {
+    let model = Options {
         environment,
         ..settings.clone()
     }

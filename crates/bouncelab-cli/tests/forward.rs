@@ -82,7 +82,7 @@ fn absurd_drops_are_refused() {
             "Reynolds",
         ),
     ] {
-        bouncelab(&["simulate", "--as-stated"])
+        bouncelab(&["simulate", "--allow-implausible"])
             .args(arguments)
             .assert()
             .code(2)

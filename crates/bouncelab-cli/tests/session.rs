@@ -160,7 +160,7 @@ fn mistakes_of_units_are_questioned_and_can_be_insisted_on() {
         !room.results().exists(),
         "nothing is heard before the notes are clear"
     );
-    room.session().arg("--as-stated").assert().success();
+    room.session().arg("--allow-implausible").assert().success();
 }
 
 #[test]
@@ -331,11 +331,11 @@ fn a_name_with_a_comma_can_be_excluded() {
 /// A field of any name may be noted, so a slip would make one more and lose what was meant.
 #[test]
 fn slips_of_the_pen_are_questioned() {
-    let asks = |notes: &str, question: &str| {
+    let asks = |notes: &str, inference: &str| {
         let room = Room::new(&[("session.toml", notes)]);
         room.record("a.wav", 1);
         let refused = room.session().assert().code(2);
-        refused.stderr(contains(question.to_owned()));
+        refused.stderr(contains(inference.to_owned()));
     };
     asks(
         "[all]\ntemprature = \"20C\"\n",

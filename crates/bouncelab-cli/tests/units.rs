@@ -34,14 +34,14 @@ fn arguments_are_questioned_with_a_guess() {
         (&["--humidity", "45"], "45 %?"),
         (&["--contact-time", "1s"], "1 ms?"),
     ];
-    for (arguments, question) in slips {
+    for (arguments, inference) in slips {
         // No file is looked at before.
         bouncelab()
             .args(["analyze", "nowhere.wav"])
             .args(arguments)
             .assert()
             .code(2)
-            .stderr(contains(question).and(contains("--as-stated")));
+            .stderr(contains(inference).and(contains("--allow-implausible")));
     }
 }
 
@@ -68,7 +68,7 @@ fn every_command_asks() {
 #[test]
 fn who_insists_is_believed() {
     bouncelab()
-        .args(["simulate", "--height", "100m", "--as-stated"])
+        .args(["simulate", "--height", "100m", "--allow-implausible"])
         .assert()
         .success();
 }

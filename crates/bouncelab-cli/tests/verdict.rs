@@ -304,10 +304,10 @@ fn a_copy_of_a_recording_is_no_second_drop() {
 fn another_ball_than_the_rules_is_questioned() {
     let folder = TempDir::new().unwrap();
     drop(folder.path(), "good.txt", "30.5cm", "0.935");
-    let question = "is it the right rule?\n";
+    let inference = "is it the right rule?\n";
     let says = |ball: &[&str], expected: bool| {
         let arguments = [&["--rule", "ittf-ball", "good.txt"], ball].concat();
-        let says = predicate::str::contains(question);
+        let says = predicate::str::contains(inference);
         let assert = verdict(&folder, &arguments).assert();
         if expected {
             assert.stdout(says)

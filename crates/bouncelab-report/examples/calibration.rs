@@ -15,11 +15,13 @@ use std::path::PathBuf;
 use std::thread;
 
 use bouncelab::air::Air;
-use bouncelab::analysis::Settings;
+use bouncelab::analysis::Options;
 use bouncelab::ball::Ball;
 use bouncelab::drag::DragLaw;
-use bouncelab::estimate::{Effort, Inference, Knowledge, LawKind, Measured, Question, infer};
 use bouncelab::flight::{Environment, FlightModel};
+use bouncelab::inference::{
+    InferenceOptions, LawKind, Measured, Posterior, Priors, SamplerConfig, infer,
+};
 use bouncelab::restitution::TimedImpact;
 use bouncelab_report::figure::{self, RankHistogram};
 use bouncelab_report::save;
@@ -84,26 +86,26 @@ struct Drop {
 }
 
 /// One table-tennis ball in a room, known as well as balls and rooms are.
-fn knowledge() -> Knowledge {
-    Knowledge {
+fn priors() -> Priors {
+    Priors {
         restitution_laws: vec![LawKind::Constant],
         // The simulation has no ball with half its added mass.
         added_mass: 0.0,
-        ..Settings::default().knowledge
+        ..Options::default().priors
     }
 }
 
 fn environment() -> Environment {
     Environment {
         drag: DragLaw::Constant(DRAG),
-        ..Settings::default().environment
+        ..Options::default().environment
     }
 }
 
 /// A drop from the priors; `None` if it is too short to be heard as one.
 fn drawn(scenario: Scenario, rng: &mut ChaCha8Rng) -> Option<Drop> {
-    let settings = Settings::default();
-    let (known, nominal) = (knowledge(), environment());
+    let settings = Options::default();
+    let (known, nominal) = (priors(), environment());
     let normal = |rng: &mut ChaCha8Rng| rng.sample::<f64, _>(StandardNormal);
     let spread = |sd: f64, rng: &mut ChaCha8Rng| (sd * normal(rng)).exp();
     let drag = DRAG * spread(known.drag, rng);
@@ -175,25 +177,25 @@ struct Ranks {
 
 fn ranks(scenario: Scenario, seed: u64) -> Option<Ranks> {
     let drop = drawn(scenario, &mut ChaCha8Rng::seed_from_u64(seed))?;
-    let mut known = knowledge();
+    let mut known = priors();
     if scenario == Scenario::HeightMeasured {
         known.drop_height_m = Some(Measured {
             value: drop.measured_m,
             sd: HEIGHT_SD_M,
         });
     }
-    let settings = Settings::default();
-    let question = Question {
-        effort: Effort { draws: 2000, seed },
-        ..Question::default()
+    let settings = Options::default();
+    let inference = InferenceOptions {
+        sampler: SamplerConfig { draws: 2000, seed },
+        ..InferenceOptions::default()
     };
-    let found: Inference = infer(
+    let found: Posterior = infer(
         &drop.impacts,
         &settings.ball,
         &environment(),
         settings.contact_time_s,
         &known,
-        &question,
+        &inference,
     )
     .ok()?;
     let below = |draws: &[f64], truth: f64| {

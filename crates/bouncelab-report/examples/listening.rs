@@ -27,7 +27,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         )?;
         let stated = balls(table, 5, &[("the goal: from", 60.0), ("to", 76.0)]);
         draw(
-            &figure::listening(Hearing::Stated, &stated),
+            &figure::listening(Hearing::SetupInput, &stated),
             folder,
             "stated",
         )?;

@@ -27,7 +27,7 @@
 //!
 //! The rooms, each using only those before it:
 //!
-//! | room | question it answers |
+//! | room | inference it answers |
 //! |---|---|
 //! | [`error`](Error) | what can go wrong |
 //! | [`language`] | how the English here becomes another language |

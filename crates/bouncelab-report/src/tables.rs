@@ -1,14 +1,14 @@
 //! Which tables an analysis has: the same numbers in the terminal, in reports and in the browser.
 
-use bouncelab::analysis::{Analysis, SURE};
-use bouncelab::estimate::{Inference, Share, Summary};
+use bouncelab::analysis::{CONFIDENT_PROBABILITY, Drop};
+use bouncelab::inference::{Posterior, Share, Summary};
 
 use crate::quantity::{Quantity, Unit};
 use crate::table::{Align, Table};
 
 /// The impacts of a drop with the flight after each and its restitution; with `details`, how surely each is
 /// known. The last column marks uncertain impacts.
-pub fn impacts(drop: &Analysis, details: bool) -> Table {
+pub fn impacts(drop: &Drop, details: bool) -> Table {
     let mut columns = vec![
         ("impact", Align::Right),
         ("time s", Align::Right),
@@ -35,7 +35,7 @@ pub fn impacts(drop: &Analysis, details: bool) -> Table {
     table
 }
 
-fn impact_row(drop: &Analysis, index: usize, details: bool) -> Vec<String> {
+fn impact_row(drop: &Drop, index: usize, details: bool) -> Vec<String> {
     let impact = &drop.impacts[index];
     let flight = drop.flight(impact.number);
     let corrected = drop.corrected_impact(impact.number);
@@ -61,12 +61,19 @@ fn impact_row(drop: &Analysis, index: usize, details: bool) -> Vec<String> {
             fixed(residual_percent(drop, impact.number), 2),
         ]);
     }
-    row.push(if impact.probability < SURE { "?" } else { "" }.to_owned());
+    row.push(
+        if impact.probability < CONFIDENT_PROBABILITY {
+            "?"
+        } else {
+            ""
+        }
+        .to_owned(),
+    );
     row
 }
 
 /// How far the flight after an impact lies from the straight line, in per cent of its time.
-fn residual_percent(drop: &Analysis, number: usize) -> Option<f64> {
+fn residual_percent(drop: &Drop, number: usize) -> Option<f64> {
     let fit = drop.line.as_ref().ok()?;
     let flight = drop.flight(number)?;
     Some((flight.time_s / fit.flight_time_s(number).value - 1.0) * 100.0)
@@ -79,7 +86,7 @@ fn fixed(value: Option<f64>, digits: usize) -> String {
 }
 
 /// The laws that were weighed.
-pub fn models(found: &Inference) -> Table {
+pub fn models(found: &Posterior) -> Table {
     let mut table = Table::new(vec![
         ("restitution law", Align::Left),
         ("drag", Align::Left),
@@ -124,23 +131,23 @@ pub fn budget(shares: &[Share], unit: Unit) -> Table {
     table
 }
 
-/// How much the data narrowed each unknown.
-pub fn narrowed(found: &Inference) -> Table {
+/// How much the data prior_contraction each unknown.
+pub fn prior_contraction(found: &Posterior) -> Table {
     let mut table = Table::new(vec![
         ("unknown", Align::Left),
         ("% of prior width left", Align::Right),
     ]);
-    for narrowed in &found.narrowed {
+    for prior_contraction in &found.prior_contraction {
         table.row(vec![
-            narrowed.unknown.to_string(),
-            format!("{:.0}", narrowed.remaining * 100.0),
+            prior_contraction.unknown.to_string(),
+            format!("{:.0}", prior_contraction.remaining * 100.0),
         ]);
     }
     table
 }
 
 /// Correlations between the answers.
-pub fn correlations(found: &Inference) -> Table {
+pub fn correlations(found: &Posterior) -> Table {
     let names = &found.correlations.quantities;
     let mut columns = vec![("", Align::Left)];
     columns.extend(names.iter().map(|&name| (name, Align::Right)));
@@ -154,7 +161,7 @@ pub fn correlations(found: &Inference) -> Table {
 }
 
 /// The impacts as the inference has them, with energies and weights.
-pub fn fitted_impacts(found: &Inference) -> Table {
+pub fn fitted_impacts(found: &Posterior) -> Table {
     let mut table = Table::new(vec![
         ("impact", Align::Right),
         ("speed m/s", Align::Right),

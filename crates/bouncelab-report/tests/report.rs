@@ -2,29 +2,29 @@
 
 use std::collections::BTreeSet;
 
-use bouncelab::analysis::{self, Analysis, Settings};
-use bouncelab::estimate::{Effort, Question};
+use bouncelab::analysis::{self, Drop, Options};
+use bouncelab::inference::{InferenceOptions, SamplerConfig};
 use bouncelab_report::document::Origin;
 use bouncelab_report::report::{self, Markdown, Page, Provenance, Recording};
 
 /// A name that tries everything at once.
 const HOSTILE: &str = "a\"><script>alert('1')</script><img src=x onerror=alert(2)>--> ](javascript:x) `| $x$ & \n# b.wav";
 
-fn settings() -> Settings {
-    Settings {
-        question: Some(Question {
-            effort: Effort {
+fn settings() -> Options {
+    Options {
+        inference: Some(InferenceOptions {
+            sampler: SamplerConfig {
                 draws: 400,
                 seed: 1,
             },
-            ..Question::default()
+            ..InferenceOptions::default()
         }),
-        ..Settings::default()
+        ..Options::default()
     }
 }
 
 /// Ten flights of the paper's ball, recomputed with drag.
-fn drop(settings: &Settings) -> Analysis {
+fn drop(settings: &Options) -> Drop {
     let flights = [
         0.4605, 0.4272, 0.3977, 0.3714, 0.3477, 0.3263, 0.3067, 0.2887, 0.2722, 0.2569,
     ];
@@ -37,7 +37,7 @@ fn drop(settings: &Settings) -> Analysis {
     analysis::analyze(analysis::impacts_of_times(&times_s), settings)
 }
 
-fn page(name: &str, drops: &[Analysis], settings: &Settings) -> Page {
+fn page(name: &str, drops: &[Drop], settings: &Options) -> Page {
     let recording = Recording {
         name,
         origin: &Origin::Times,

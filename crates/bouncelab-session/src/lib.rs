@@ -3,7 +3,7 @@
 //! This crate knows files and formats, and no physics: what a note means and what a recording says
 //! is the business of those who call.
 //!
-//! | room | question it answers |
+//! | room | inference it answers |
 //! |---|---|
 //! | `error` | what can go wrong |
 //! | [`name`](name()) | what is a file called, whatever bytes its name is made of? |

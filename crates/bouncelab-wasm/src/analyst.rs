@@ -1,11 +1,11 @@
 //! What do the impacts say?
 
-use bouncelab::analysis::{self, Analysis, Impact, Settings};
+use bouncelab::analysis::{self, Drop, Impact, Options};
+use bouncelab::detection::Envelope;
 use bouncelab::drop::{self, Start, Stop};
-use bouncelab::estimate::Inference;
 use bouncelab::impact::{Contact, Restitution};
-use bouncelab::listen::Envelope;
-use bouncelab::stated::Understood;
+use bouncelab::inference::Posterior;
+use bouncelab::setup::Setup;
 use bouncelab_report::Figure;
 use bouncelab_report::document::{Document, rows};
 use bouncelab_report::illustration;
@@ -33,15 +33,15 @@ pub struct Analyst {
 
 struct Known {
     impacts: Vec<Impact>,
-    settings: Settings,
-    analysis: Analysis,
+    settings: Options,
+    analysis: Drop,
 }
 
 /// A request with its answer.
 struct Answered<'a> {
     request: &'a AnalysisRequest,
-    understood: Understood,
-    drops: Vec<Analysis>,
+    setup: Setup,
+    drops: Vec<Drop>,
 }
 
 impl Analyst {
@@ -106,9 +106,9 @@ impl Analyst {
             &Recording {
                 name: &request.name,
                 origin: &request.source,
-                settings: &answered.understood.settings,
-                ball_label: &answered.understood.ball_label,
-                assumptions: &answered.understood.assumptions,
+                settings: &answered.setup.settings,
+                ball_label: &answered.setup.ball_label,
+                assumptions: &answered.setup.assumptions,
                 drops: &answered.drops,
                 no_drop: request.no_drop.as_deref(),
                 warnings: &request.warnings,
@@ -135,20 +135,20 @@ impl Analyst {
     }
 
     fn answer<'a>(&mut self, request: &'a AnalysisRequest) -> Result<Answered<'a>> {
-        let understood = request.settings.understand(request.effort)?;
+        let setup = request.settings.resolve(request.effort)?;
         let drops = request.drops.iter();
         let drops = drops
-            .map(|marks| self.know(impacts(marks), &understood.settings))
+            .map(|marks| self.know(impacts(marks), &setup.settings))
             .collect();
         Ok(Answered {
             request,
-            understood,
+            setup,
             drops,
         })
     }
 
     /// The analysis of one drop, from memory if it is there.
-    fn know(&mut self, impacts: Vec<Impact>, settings: &Settings) -> Analysis {
+    fn know(&mut self, impacts: Vec<Impact>, settings: &Options) -> Drop {
         let is_it = |known: &Known| known.impacts == impacts && known.settings == *settings;
         let known = match self.known.iter().position(is_it) {
             Some(index) => self.known.remove(index),
@@ -178,8 +178,8 @@ fn impacts(marks: &DropMarks) -> Vec<Impact> {
 }
 
 impl Answered<'_> {
-    fn settings(&self) -> &Settings {
-        &self.understood.settings
+    fn settings(&self) -> &Options {
+        &self.setup.settings
     }
 
     fn document(&self) -> Document {
@@ -188,7 +188,7 @@ impl Answered<'_> {
             &request.name,
             request.source.clone(),
             self.settings(),
-            self.understood.assumptions.clone(),
+            self.setup.assumptions.clone(),
             &self.drops,
             request.warnings.clone(),
         );
@@ -203,7 +203,7 @@ impl Answered<'_> {
         Analysed {
             document: self.document(),
             effort: self.request.effort,
-            ball: self.understood.ball_label.clone(),
+            ball: self.setup.ball_label.clone(),
             series: drops.map(|drop| series(drop, self.settings())).collect(),
             drag: self.drag().unwrap_or_default(),
             figures: self.figures(),
@@ -211,7 +211,7 @@ impl Answered<'_> {
     }
 
     fn fastest_m_s(&self) -> Option<f64> {
-        let speeds = self.drops.iter().filter_map(Analysis::speed_range_m_s);
+        let speeds = self.drops.iter().filter_map(Drop::speed_range_m_s);
         speeds.map(|(_, fastest)| fastest).reduce(f64::max)
     }
 
@@ -307,7 +307,7 @@ pub(crate) fn drawn(name: &str, mut figure: Figure, say: &mut Say<'_>) -> Drawn 
     }
 }
 
-fn series(drop: &Analysis, settings: &Settings) -> Series {
+fn series(drop: &Drop, settings: &Options) -> Series {
     let flown = illustration::flown(drop, settings);
     let found = drop.estimate.as_ref().ok();
     Series {
@@ -338,7 +338,7 @@ impl HeightCurve {
     }
 }
 
-fn draws(found: &Inference) -> Draws {
+fn draws(found: &Posterior) -> Draws {
     /// More points say no more on a screen.
     const SHOWN: usize = 1000;
     let all = &found.draws;
@@ -352,11 +352,7 @@ fn draws(found: &Inference) -> Draws {
 }
 
 /// The drop that the answers describe, from its release on, in the time of the recording.
-fn simulated(
-    drop: &Analysis,
-    found: &Inference,
-    settings: &Settings,
-) -> bouncelab::Result<HeightCurve> {
+fn simulated(drop: &Drop, found: &Posterior, settings: &Options) -> bouncelab::Result<HeightCurve> {
     /// Points of the whole curve for each bounce.
     const POINTS: usize = 40;
     let law = Restitution::power(
@@ -388,7 +384,7 @@ fn most_probable(probabilities: &[f64]) -> usize {
         .map_or(0, |(number, _)| number)
 }
 
-fn energies(drop: &Analysis, settings: &Settings) -> Vec<Energy> {
+fn energies(drop: &Drop, settings: &Options) -> Vec<Energy> {
     let energies = illustration::energies(drop, settings).into_iter();
     energies
         .map(|energy| Energy {

@@ -1,9 +1,9 @@
 //! What is there to choose from?
 
 use bouncelab::air::{Air, Conditions};
-use bouncelab::analysis::SURE;
+use bouncelab::analysis::CONFIDENT_PROBABILITY;
 use bouncelab::drag::DragLaw;
-use bouncelab::estimate::LawKind;
+use bouncelab::inference::LawKind;
 use bouncelab::synth::Voice;
 use bouncelab::{ball, gravity};
 
@@ -46,7 +46,7 @@ pub fn catalogue() -> bouncelab::Result<Catalogue> {
             relative_humidity: air.relative_humidity,
         },
         standard_gravity_m_s2: gravity::STANDARD_M_S2,
-        sure: SURE,
+        sure: CONFIDENT_PROBABILITY,
     })
 }
 

@@ -5,7 +5,7 @@
 // JavaScript gets the same refusals as the rooms that are asked, whose documentation names them.
 #![allow(clippy::missing_errors_doc)]
 
-use bouncelab::listen::Envelope;
+use bouncelab::detection::Envelope;
 use bouncelab_audio::{SampleFormat, encode_wav, times};
 use bouncelab_report::language::Say;
 use bouncelab_report::paper;

@@ -1,10 +1,8 @@
 //! What does the page state, in the words of the science?
 
 use bouncelab::analysis::Impact;
-use bouncelab::estimate;
-use bouncelab::stated::{
-    self, Stated, StatedAir, StatedBall, StatedDrop, StatedGravity, Understood,
-};
+use bouncelab::inference;
+use bouncelab::setup::{self, AirInput, BallInput, DropInput, GravityInput, Setup, SetupInput};
 
 use crate::refusal::{Refusal, RefusalKind, Result};
 use crate::wire::{Effort, Inferred, Mark, Settings};
@@ -15,28 +13,28 @@ impl Settings {
     /// # Errors
     ///
     /// If something in them makes no sense, or does not go together.
-    pub fn understand(&self, effort: Effort) -> Result<Understood> {
-        let mut understood = self.stated()?.understand()?;
-        let settings = &mut understood.settings;
+    pub fn resolve(&self, effort: Effort) -> Result<Setup> {
+        let mut setup = self.stated()?.resolve()?;
+        let settings = &mut setup.settings;
         settings.flights = self
             .flights
             .map(|(first, last)| first as usize..=last as usize);
-        settings.knowledge = self.stated_drop()?.add_to(&settings.knowledge)?;
-        settings.question = (effort == Effort::Full).then(|| self.question());
-        Ok(understood)
+        settings.priors = self.stated_drop()?.add_to(&settings.priors)?;
+        settings.inference = (effort == Effort::Full).then(|| self.inference());
+        Ok(setup)
     }
 
-    fn stated(&self) -> Result<Stated> {
-        Ok(Stated {
+    fn stated(&self) -> Result<SetupInput> {
+        Ok(SetupInput {
             ball: self.stated_ball()?,
             contact_time_s: self.contact_time_s,
             drag: self.drag.as_deref().map(str::parse).transpose()?,
             air: match self.air_density_kg_m3 {
-                Some(density_kg_m3) => StatedAir::Density {
+                Some(density_kg_m3) => AirInput::Density {
                     density_kg_m3,
                     viscosity_pa_s: self.air_viscosity_pa_s,
                 },
-                None => StatedAir::Weather {
+                None => AirInput::Weather {
                     temperature_k: self.temperature_k,
                     pressure_pa: self.pressure_pa,
                     relative_humidity: self.relative_humidity,
@@ -45,14 +43,14 @@ impl Settings {
             no_buoyancy: self.buoyancy == Some(false),
             no_added_mass: self.added_mass == Some(false),
             gravity: self.stated_gravity(),
-            ..Stated::default()
+            ..SetupInput::default()
         })
     }
 
-    fn stated_ball(&self) -> Result<Option<StatedBall>> {
+    fn stated_ball(&self) -> Result<Option<BallInput>> {
         match (self.mass_kg, self.diameter_m) {
             (Some(mass_kg), Some(diameter_m)) => {
-                return Ok(Some(StatedBall::Measured {
+                return Ok(Some(BallInput::Measured {
                     mass_kg,
                     diameter_m,
                 }));
@@ -68,26 +66,26 @@ impl Settings {
             metres.map_err(|_| setting(&format!("\"{text}\" is no diameter in metres")))
         };
         Ok(Some(match name.split_once(':') {
-            Some(("steel", diameter)) => StatedBall::Steel(diameter_m(diameter)?),
-            Some(("glass", diameter)) => StatedBall::Glass(diameter_m(diameter)?),
-            _ => StatedBall::Named(name.to_owned()),
+            Some(("steel", diameter)) => BallInput::Steel(diameter_m(diameter)?),
+            Some(("glass", diameter)) => BallInput::Glass(diameter_m(diameter)?),
+            _ => BallInput::Named(name.to_owned()),
         }))
     }
 
-    fn stated_gravity(&self) -> Option<StatedGravity> {
-        let place = |latitude_deg| StatedGravity::Place {
+    fn stated_gravity(&self) -> Option<GravityInput> {
+        let place = |latitude_deg| GravityInput::Place {
             latitude_deg,
             altitude_m: self.altitude_m.unwrap_or(0.0),
         };
         self.gravity_m_s2
-            .map(StatedGravity::Measured)
+            .map(GravityInput::Measured)
             .or(self.latitude_deg.map(place))
     }
 
-    fn stated_drop(&self) -> Result<StatedDrop> {
+    fn stated_drop(&self) -> Result<DropInput> {
         let laws = self.restitution_laws.iter().flatten();
         let inferred = self.infer.iter().flatten();
-        Ok(StatedDrop {
+        Ok(DropInput {
             height_m: self.height_m,
             height_sd_m: self.height_sd_m,
             release_s: self.release_s,
@@ -100,22 +98,22 @@ impl Settings {
         })
     }
 
-    fn question(&self) -> estimate::Question {
+    fn inference(&self) -> inference::InferenceOptions {
         let reach = self.reach.iter().flatten();
-        estimate::Question {
+        inference::InferenceOptions {
             at_speed_m_s: self.at_speed_m_s,
             reach: reach
-                .map(|reach| estimate::Reach {
+                .map(|reach| inference::ApexTarget {
                     bounce: reach.bounce as usize,
                     apex_m: reach.apex_m,
                 })
                 .collect(),
-            effort: estimate::Effort::default(),
+            sampler: inference::SamplerConfig::default(),
         }
     }
 }
 
-impl From<Inferred> for stated::Inferred {
+impl From<Inferred> for setup::Inferred {
     fn from(inferred: Inferred) -> Self {
         match inferred {
             Inferred::Gravity => Self::Gravity,

@@ -1,6 +1,6 @@
 //! What would a drop do, and how would it sound?
 
-use bouncelab::analysis::Settings;
+use bouncelab::analysis::Options;
 use bouncelab::demo;
 use bouncelab::drag::DragLaw;
 use bouncelab::drop::{self, History, Start, Stop};
@@ -26,8 +26,8 @@ const POINTS: usize = 4000;
 ///
 /// If something in the request makes no sense.
 pub fn simulate(request: &SimulationRequest) -> Result<Simulated> {
-    let understood = request.settings.understand(Effort::Quick)?;
-    let settings = &understood.settings;
+    let setup = request.settings.resolve(Effort::Quick)?;
+    let settings = &setup.settings;
     let compared = request.compare.iter().flatten();
     let compared: Vec<DragLaw> = compared
         .map(|law| law.parse())
@@ -37,17 +37,17 @@ pub fn simulate(request: &SimulationRequest) -> Result<Simulated> {
         .map(|law| run(law, settings, request))
         .collect::<Result<Vec<Run>>>()?;
     Ok(Simulated {
-        document: Document::new(&runs, settings, understood.assumptions.clone()),
+        document: Document::new(&runs, settings, setup.assumptions.clone()),
         curves: runs.iter().map(|run| curve(&run.history)).collect(),
     })
 }
 
-fn run(law: DragLaw, settings: &Settings, request: &SimulationRequest) -> Result<Run> {
+fn run(law: DragLaw, settings: &Options, request: &SimulationRequest) -> Result<Run> {
     let environment = Environment {
         drag: law,
         ..settings.environment
     };
-    let settings = Settings {
+    let settings = Options {
         environment,
         ..settings.clone()
     };
@@ -60,7 +60,7 @@ fn run(law: DragLaw, settings: &Settings, request: &SimulationRequest) -> Result
     })
 }
 
-fn history(settings: &Settings, request: &SimulationRequest) -> Result<History> {
+fn history(settings: &Options, request: &SimulationRequest) -> Result<History> {
     let contact = Contact::new(request.restitution.law()?, settings.contact_time_s)?;
     let bounces = request.bounces.map(|bounces| bounces as usize);
     let stop = match (request.until_m, bounces) {
@@ -111,8 +111,8 @@ impl RestitutionLaw {
 ///
 /// If something in the request or the scene makes no sense.
 pub fn synthesise(request: &SimulationRequest, scene: &SceneRequest) -> Result<Rendered> {
-    let understood = request.settings.understand(Effort::Quick)?;
-    let history = history(&understood.settings, request)?;
+    let setup = request.settings.resolve(Effort::Quick)?;
+    let history = history(&setup.settings, request)?;
     let voice = Voice::named(&scene.voice).ok_or_else(|| {
         let known = Voice::NAMES.join(", ");
         setting(&format!(

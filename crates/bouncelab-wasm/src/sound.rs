@@ -1,8 +1,8 @@
 //! What is heard in sound, and what does it look like?
 
 use bouncelab::analysis::{self, Impact};
-use bouncelab::listen::{Heard, Listener};
-use bouncelab::onset::Detector;
+use bouncelab::detection::{Detection, Detector};
+use bouncelab::onset::OnsetDetector;
 use bouncelab::regression::{self, NumberedFlight};
 use bouncelab::train::{self, Train};
 use bouncelab_audio::times;
@@ -15,7 +15,7 @@ use crate::wire::{self, HeardDrop, Mark, OnsetFound, SoFar};
 
 /// Hears sound as it comes.
 pub struct Ear {
-    listener: Listener,
+    listener: Detector,
     /// One for each channel of the recording.
     pyramids: Vec<Pyramid>,
     /// The only channel that is listened to.
@@ -52,7 +52,7 @@ impl Ear {
         let channel = channel.map(|number| number - 1);
         let heard = if channel.is_some() { 1 } else { channels };
         Ok(Self {
-            listener: Listener::new(sample_rate_hz, heard),
+            listener: Detector::new(sample_rate_hz, heard),
             pyramids: vec![Pyramid::default(); channels],
             channel,
             sample_rate_hz,
@@ -114,7 +114,7 @@ impl Ear {
     }
 }
 
-fn told(name: String, source: Origin, heard: &Heard, mut warnings: Vec<String>) -> wire::Heard {
+fn told(name: String, source: Origin, heard: &Detection, mut warnings: Vec<String>) -> wire::Heard {
     warnings.extend(heard.remarks());
     wire::Heard {
         name,
@@ -185,7 +185,7 @@ pub fn onset_near(
     time_s: f64,
 ) -> Option<OnsetFound> {
     let mut onsets = Vec::new();
-    let mut detector = Detector::new(sample_rate_hz);
+    let mut detector = OnsetDetector::new(sample_rate_hz);
     detector.push(samples, &mut onsets);
     detector.finish(&mut onsets);
     let distance = |onset: &OnsetFound| (onset.time_s - time_s).abs();

@@ -15,8 +15,8 @@ use std::path::Path;
 
 use bouncelab::analysis;
 use bouncelab::ball;
-use bouncelab::estimate::{LawKind, Remark, Unknown};
-use bouncelab::listen::Envelope;
+use bouncelab::detection::Envelope;
+use bouncelab::inference::{LawKind, Remark, Unknown};
 use bouncelab::train::{NoDrop, Regular};
 use bouncelab_audio::Warning;
 use bouncelab_report::document::Origin;

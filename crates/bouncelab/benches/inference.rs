@@ -1,9 +1,9 @@
 //! What the inference costs: `cargo bench -p bouncelab --bench inference`.
 
-use bouncelab::analysis::Settings;
+use bouncelab::analysis::Options;
 use bouncelab::drag::DragLaw;
-use bouncelab::estimate::{self, Effort, Knowledge, LawKind, Question};
 use bouncelab::flight::{Environment, FlightModel};
+use bouncelab::inference::{self, InferenceOptions, LawKind, Priors, SamplerConfig};
 use bouncelab::restitution::TimedImpact;
 use divan::Bencher;
 use rand::{RngExt, SeedableRng};
@@ -19,7 +19,7 @@ const LAWS: [DragLaw; 2] = [DragLaw::Constant(0.4), DragLaw::CliftGraceWeber];
 fn environment(drag: DragLaw) -> Environment {
     Environment {
         drag,
-        ..Settings::default().environment
+        ..Options::default().environment
     }
 }
 
@@ -28,7 +28,7 @@ fn impacts() -> Vec<TimedImpact> {
     const SIGMA_S: f64 = 5e-5;
     let mut rng = ChaCha8Rng::seed_from_u64(1);
     let mut normal = || rng.sample::<f64, _>(StandardNormal);
-    let settings = Settings::default();
+    let settings = Options::default();
     let model = FlightModel::new(&settings.ball, &environment(LAWS[0])).unwrap();
     let mut speed = model.fall(0.5).unwrap().impact_speed_m_s;
     let mut time_s = 0.0;
@@ -48,25 +48,25 @@ fn impacts() -> Vec<TimedImpact> {
         .collect()
 }
 
-fn one_law() -> Knowledge {
-    Knowledge {
+fn one_law() -> Priors {
+    Priors {
         restitution_laws: vec![LawKind::Constant],
         constant_drag_too: false,
-        ..Settings::default().knowledge
+        ..Options::default().priors
     }
 }
 
 #[divan::bench(args = LAWS)]
 fn best_fit(bencher: Bencher, drag: DragLaw) {
-    let (impacts, settings) = (impacts(), Settings::default());
-    let (environment, knowledge) = (environment(drag), one_law());
+    let (impacts, settings) = (impacts(), Options::default());
+    let (environment, priors) = (environment(drag), one_law());
     bencher.bench_local(|| {
         estimate::best_fit(
             &impacts,
             &settings.ball,
             &environment,
             settings.contact_time_s,
-            &knowledge,
+            &priors,
         )
     });
 }
@@ -74,16 +74,16 @@ fn best_fit(bencher: Bencher, drag: DragLaw) {
 /// One law, 4000 independent draws, and every answer.
 #[divan::bench(args = LAWS, sample_count = 10)]
 fn posterior(bencher: Bencher, drag: DragLaw) {
-    let (impacts, settings) = (impacts(), Settings::default());
-    let (environment, knowledge) = (environment(drag), one_law());
+    let (impacts, settings) = (impacts(), Options::default());
+    let (environment, priors) = (environment(drag), one_law());
     bencher.bench_local(|| {
         estimate::infer(
             &impacts,
             &settings.ball,
             &environment,
             settings.contact_time_s,
-            &knowledge,
-            &Question::default(),
+            &priors,
+            &InferenceOptions::default(),
         )
     });
 }
@@ -91,11 +91,11 @@ fn posterior(bencher: Bencher, drag: DragLaw) {
 /// As `analyze` does it: all laws, with the law of drag and a constant coefficient.
 #[divan::bench(args = [1000, 4000], sample_count = 10)]
 fn all_models(bencher: Bencher, draws: usize) {
-    let (impacts, settings) = (impacts(), Settings::default());
+    let (impacts, settings) = (impacts(), Options::default());
     let environment = environment(DragLaw::CliftGraceWeber);
-    let question = Question {
-        effort: Effort { draws, seed: 1 },
-        ..Question::default()
+    let inference = InferenceOptions {
+        sampler: SamplerConfig { draws, seed: 1 },
+        ..InferenceOptions::default()
     };
     bencher.bench_local(|| {
         estimate::infer(
@@ -103,8 +103,8 @@ fn all_models(bencher: Bencher, draws: usize) {
             &settings.ball,
             &environment,
             settings.contact_time_s,
-            &settings.knowledge,
-            &question,
+            &settings.priors,
+            &inference,
         )
     });
 }

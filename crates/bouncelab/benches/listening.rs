@@ -2,9 +2,9 @@
 //!
 //! Items are samples: 44.1 million a second are 1000 times real time.
 
+use bouncelab::detection::Detector;
 use bouncelab::impact::Strike;
-use bouncelab::listen::Listener;
-use bouncelab::onset::{Detector, Onset};
+use bouncelab::onset::{Onset, OnsetDetector};
 use bouncelab::synth::{self, Noise, Scene};
 use bouncelab::train;
 use divan::counter::ItemsCount;
@@ -36,7 +36,7 @@ fn drop_in(duration_s: f64, noise: Noise) -> Vec<f32> {
 
 fn onsets(samples: &[f32]) -> Vec<Onset> {
     let mut onsets = Vec::new();
-    let mut detector = Detector::new(RATE_HZ);
+    let mut detector = OnsetDetector::new(RATE_HZ);
     detector.push(samples, &mut onsets);
     detector.finish(&mut onsets);
     onsets
@@ -82,7 +82,7 @@ fn hear(bencher: Bencher, samples: &[f32]) {
     bencher
         .counter(ItemsCount::new(samples.len()))
         .bench_local(|| {
-            let mut listener = Listener::new(RATE_HZ, 1);
+            let mut listener = Detector::new(RATE_HZ, 1);
             for block in black_box(samples).chunks(4096) {
                 listener.push(&[block]);
             }

@@ -6,11 +6,11 @@
 //! is odd about them.
 //!
 //! ```
-//! use bouncelab::analysis::{self, Impact, Settings};
+//! use bouncelab::analysis::{self, Impact, Options};
 //!
 //! let times_s = [0.0, 0.4605, 0.8877, 1.2854, 1.6568, 2.0045];
 //! let impacts: Vec<Impact> = analysis::impacts_of_times(&times_s);
-//! let drop = analysis::analyze(impacts, &Settings::default());
+//! let drop = analysis::analyze(impacts, &Options::default());
 //! let line = drop.line.as_ref().unwrap();
 //! assert!((line.restitution().value - 0.932).abs() < 0.001);
 //! // Without the bias of drag the ball is livelier.
@@ -23,19 +23,19 @@ use std::ops::RangeInclusive;
 use crate::air::{Air, Conditions};
 use crate::ball::{self, Ball};
 use crate::drag::DragLaw;
-use crate::estimate::{self, Inference, Knowledge, Question};
 use crate::flight::{Environment, FlightModel};
 use crate::gravity;
-use crate::order::{median, robust_sd};
+use crate::inference::{self, InferenceOptions, Posterior, Priors};
 use crate::regression::{self, Estimate, NumberedFlight, Regression};
 use crate::restitution::{self, Corrected, ImpactRestitution, TimedFlight, TimedImpact};
+use crate::stats::{median, robust_sd};
+use crate::text::list;
 use crate::train::{self, HeardImpact};
-use crate::words::list;
 use crate::{Error, Result};
 
 /// What is known, or assumed, of the ball and what it flies through.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Settings {
+pub struct Options {
     /// The ball.
     pub ball: Ball,
     /// Air, drag, gravity, buoyancy.
@@ -43,15 +43,15 @@ pub struct Settings {
     /// How long the ball touches the surface, in seconds.
     pub contact_time_s: f64,
     /// The flights that go into the straight line, by number; if `None`, all between impacts that
-    /// are sure ([`SURE`]).
+    /// are sure ([`CONFIDENT_PROBABILITY`]).
     pub flights: Option<RangeInclusive<usize>>,
     /// What is known besides the sounds.
-    pub knowledge: Knowledge,
+    pub priors: Priors,
     /// What to ask of the inference; `None` leaves it out.
-    pub question: Option<Question>,
+    pub inference: Option<InferenceOptions>,
 }
 
-impl Default for Settings {
+impl Default for Options {
     /// A 40 mm table-tennis ball in air of 20 °C with the standard drag curve and gravity, and
     /// with buoyancy and added mass.
     fn default() -> Self {
@@ -68,15 +68,15 @@ impl Default for Settings {
             },
             contact_time_s: preset.contact_time_s,
             flights: None,
-            knowledge: Knowledge::of_preset(preset),
-            question: Some(Question::default()),
+            priors: Priors::of_preset(preset),
+            inference: Some(InferenceOptions::default()),
         }
     }
 }
 
 /// An impact below this probability is marked as uncertain, and no flight from or to it goes into
 /// the straight line unless it is asked for.
-pub const SURE: f64 = 0.9;
+pub const CONFIDENT_PROBABILITY: f64 = 0.9;
 
 /// Why a list of times can hold no drop.
 pub const TOO_FEW_TIMES: &str = "a flight needs two impact times, and there are fewer";
@@ -180,7 +180,7 @@ pub struct FlightFound {
 
 /// What the impact times of one drop say.
 #[derive(Clone, Debug)]
-pub struct Analysis {
+pub struct Drop {
     /// The impacts, in order of time.
     pub impacts: Vec<Impact>,
     /// The flights between successive impacts.
@@ -190,7 +190,7 @@ pub struct Analysis {
     /// Restitution of each impact, corrected for drag, or why there is none.
     pub corrected: Result<Corrected>,
     /// The full inference, or why there is none.
-    pub estimate: Result<Inference>,
+    pub estimate: Result<Posterior>,
     /// What is odd.
     pub warnings: Vec<Warning>,
 }
@@ -250,7 +250,7 @@ impl fmt::Display for Warning {
 ///
 /// What cannot be told is an error in its own place, so that the rest remains: two impacts have a
 /// flight and a height, but no straight line.
-pub fn analyze(impacts: Vec<Impact>, settings: &Settings) -> Analysis {
+pub fn analyze(impacts: Vec<Impact>, settings: &Options) -> Drop {
     let gravity_m_s2 = settings.environment.gravity_m_s2;
     let flights = flights(&impacts, settings);
     let in_line: Vec<NumberedFlight> = flights
@@ -265,7 +265,7 @@ pub fn analyze(impacts: Vec<Impact>, settings: &Settings) -> Analysis {
     let corrected = corrected(&impacts, settings);
     let estimate = estimate(&impacts, settings);
     let warnings = warnings(&impacts, &flights, corrected.as_ref().ok());
-    Analysis {
+    Drop {
         impacts,
         flights,
         line,
@@ -275,8 +275,11 @@ pub fn analyze(impacts: Vec<Impact>, settings: &Settings) -> Analysis {
     }
 }
 
-fn flights(impacts: &[Impact], settings: &Settings) -> Vec<FlightFound> {
-    let sure = |pair: &[Impact]| pair.iter().all(|impact| impact.probability >= SURE);
+fn flights(impacts: &[Impact], settings: &Options) -> Vec<FlightFound> {
+    let sure = |pair: &[Impact]| {
+        pair.iter()
+            .all(|impact| impact.probability >= CONFIDENT_PROBABILITY)
+    };
     let successive = impacts
         .windows(2)
         .filter(|pair| pair[1].number == pair[0].number + 1);
@@ -300,15 +303,15 @@ fn flights(impacts: &[Impact], settings: &Settings) -> Vec<FlightFound> {
         .collect()
 }
 
-fn corrected(impacts: &[Impact], settings: &Settings) -> Result<Corrected> {
+fn corrected(impacts: &[Impact], settings: &Options) -> Result<Corrected> {
     let model = FlightModel::new(&settings.ball, &settings.environment)?;
     let timed: Vec<TimedImpact> = impacts.iter().map(TimedImpact::from).collect();
     restitution::of_impacts(&timed, settings.contact_time_s, &model)
 }
 
 /// The inference from all impacts that are more likely than not; the others count as missed.
-fn estimate(impacts: &[Impact], settings: &Settings) -> Result<Inference> {
-    let Some(question) = &settings.question else {
+fn estimate(impacts: &[Impact], settings: &Options) -> Result<Posterior> {
+    let Some(inference) = &settings.inference else {
         return Err(Error::CannotInfer("it was not asked for".to_owned()));
     };
     let timed: Vec<TimedImpact> = impacts
@@ -316,13 +319,13 @@ fn estimate(impacts: &[Impact], settings: &Settings) -> Result<Inference> {
         .filter(|impact| impact.probability >= 0.5)
         .map(TimedImpact::from)
         .collect();
-    estimate::infer(
+    inference::infer(
         &timed,
         &settings.ball,
         &settings.environment,
         settings.contact_time_s,
-        &settings.knowledge,
-        question,
+        &settings.priors,
+        inference,
     )
 }
 
@@ -375,7 +378,7 @@ fn warnings(
     warnings
 }
 
-impl Analysis {
+impl Drop {
     /// The flight after the impact of this number, if it and the next were heard.
     pub fn flight(&self, number: usize) -> Option<&FlightFound> {
         self.flights.iter().find(|flight| flight.number == number)
@@ -397,7 +400,7 @@ impl Analysis {
     /// from their scatter. `None` with fewer than three impacts that have one.
     ///
     /// It is the restitution at the typical speed of the drop; see
-    /// [`Self::corrected`](Analysis::corrected) for how it depends on speed.
+    /// [`Self::corrected`](Drop::corrected) for how it depends on speed.
     pub fn corrected_restitution(&self) -> Option<Estimate> {
         let corrected = self.corrected.as_ref().ok()?;
         let values = || corrected.impacts.iter().map(|i| i.restitution.value);
@@ -424,7 +427,7 @@ impl Analysis {
     }
 }
 
-impl Settings {
+impl Options {
     /// The flight model of these settings.
     ///
     /// # Errors

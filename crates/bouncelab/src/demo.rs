@@ -10,11 +10,11 @@
 //! ```
 
 use crate::Result;
-use crate::analysis::Settings;
+use crate::analysis::Options;
 use crate::ball;
 use crate::drop::{self, History, Start, Stop};
-use crate::estimate::{Knowledge, Question};
 use crate::impact::{Contact, Restitution, Strike};
+use crate::inference::{InferenceOptions, Priors};
 use crate::synth::{self, Noise, Rendered, Scene};
 
 /// The ball: 38 mm, 2.5 g.
@@ -33,15 +33,15 @@ const SNR_DB: f64 = 40.0;
 /// # Errors
 ///
 /// None: the ball is a preset.
-pub fn settings() -> Result<Settings> {
+pub fn settings() -> Result<Options> {
     let preset = ball::preset(BALL)?;
-    Ok(Settings {
+    Ok(Options {
         ball: preset.ball,
         contact_time_s: preset.contact_time_s,
         flights: Some(FLIGHTS.0 as usize..=FLIGHTS.1 as usize),
-        knowledge: Knowledge::of_preset(preset),
-        question: Some(Question::default()),
-        ..Settings::default()
+        priors: Priors::of_preset(preset),
+        inference: Some(InferenceOptions::default()),
+        ..Options::default()
     })
 }
 

@@ -65,14 +65,14 @@ impl Stop {
 
 /// The way to the first impact.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Opening {
+pub enum InitialFall {
     /// A fall from rest.
     Fall(Fall),
     /// A flight off the surface.
     Flight(Flight),
 }
 
-impl Opening {
+impl InitialFall {
     fn time_s(&self) -> f64 {
         match self {
             Self::Fall(fall) => fall.time_s,
@@ -122,7 +122,7 @@ pub struct Bounce {
 pub struct History {
     model: FlightModel,
     contact_time_s: f64,
-    opening: Opening,
+    opening: InitialFall,
     bounces: Vec<Bounce>,
     landing: Strike,
 }
@@ -142,10 +142,10 @@ pub fn simulate(
     not_negative("height in m at which to stop", stop.apex_m)?;
     let opening = match start {
         Start::Height(height_m) => {
-            Opening::Fall(model.fall(of_a_size("release height in m", height_m)?)?)
+            InitialFall::Fall(model.fall(of_a_size("release height in m", height_m)?)?)
         }
         Start::Launch(speed_m_s) => {
-            Opening::Flight(model.launch(of_a_size("launch speed in m/s", speed_m_s)?)?)
+            InitialFall::Flight(model.launch(of_a_size("launch speed in m/s", speed_m_s)?)?)
         }
     };
     let mut landing = Strike {
@@ -200,7 +200,7 @@ fn kinetic_j_kg(speed_m_s: f64) -> f64 {
 
 impl History {
     /// The way to the first impact.
-    pub fn opening(&self) -> Opening {
+    pub fn opening(&self) -> InitialFall {
         self.opening
     }
 
@@ -243,8 +243,8 @@ impl History {
     /// Energy at the start, J/kg.
     pub fn initial_energy_j_kg(&self) -> f64 {
         match self.opening {
-            Opening::Fall(fall) => self.model.gravity_m_s2() * fall.height_m,
-            Opening::Flight(flight) => kinetic_j_kg(flight.launch_speed_m_s),
+            InitialFall::Fall(fall) => self.model.gravity_m_s2() * fall.height_m,
+            InitialFall::Flight(flight) => kinetic_j_kg(flight.launch_speed_m_s),
         }
     }
 
@@ -282,8 +282,8 @@ impl History {
             .partition_point(|bounce| bounce.time_s <= time_s);
         let Some(bounce) = begun.checked_sub(1).map(|last| &self.bounces[last]) else {
             return match &self.opening {
-                Opening::Fall(fall) => self.model.fall_state(fall, time_s),
-                Opening::Flight(flight) => self.model.state(flight, time_s),
+                InitialFall::Fall(fall) => self.model.fall_state(fall, time_s),
+                InitialFall::Flight(flight) => self.model.state(flight, time_s),
             };
         };
         let since_launch = time_s - bounce.time_s - self.contact_time_s;

@@ -42,7 +42,7 @@
 //! whole history, a **train** the impacts of one drop as heard, an **onset** a candidate for an
 //! impact. Data passes through the modules in this order, and a module uses only those above it:
 //!
-//! | module | question it answers |
+//! | module | inference it answers |
 //! |---|---|
 //! | [`ball`] | what falls: mass, diameter, presets with their source |
 //! | [`air`], [`gravity`] | what it falls through and how hard it is pulled |
@@ -53,14 +53,14 @@
 //! | [`synth`] | a history as sound, with noise of known strength |
 //! | [`onset`] | samples to onset candidates |
 //! | [`train`] | which candidates are the impacts of one drop |
-//! | [`listen`] | samples in, trains out |
+//! | [`detection`] | samples in, trains out |
 //! | [`regression`] | the paper's straight line, Eqs. 4 to 8 |
 //! | [`restitution`] | the restitution of each impact, corrected for drag |
-//! | [`estimate`] | everything that the impacts say together |
+//! | [`inference`] | everything that the impacts say together |
 //! | [`analysis`] | what the impacts of one drop say |
 //! | [`groups`] | what many drops say together |
 //! | [`rulebook`] | whether a ball or a floor obeys a rule |
-//! | [`stated`] | what a person states, and what is assumed |
+//! | [`setup`] | what a person states, and what is assumed |
 //! | [`demo`] | a drop whose truth is known |
 //!
 //! # Conventions
@@ -74,27 +74,25 @@ pub mod air;
 pub mod analysis;
 pub mod ball;
 pub mod demo;
+pub mod detection;
 pub mod drag;
 pub mod drop;
 mod error;
-pub mod estimate;
 pub mod flight;
 pub mod gravity;
 pub mod groups;
 pub mod impact;
-pub mod listen;
-mod logistic;
-mod moments;
+pub mod inference;
 pub mod onset;
-mod order;
 pub mod regression;
 pub mod restitution;
 pub mod rulebook;
-pub mod stated;
+pub mod setup;
+mod simd;
+mod stats;
 pub mod synth;
+mod text;
 pub mod train;
 mod whiten;
-mod wide;
-mod words;
 
 pub use error::{Error, Result};

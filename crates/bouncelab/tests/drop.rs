@@ -169,13 +169,16 @@ fn a_drop_opens_with_a_fall_or_a_flight() {
     let model = model(DragLaw::Constant(0.45));
     let history = |start| drop::simulate(&model, &bouncing(0.9), start, Stop::after(3)).unwrap();
     let dropped = history(Start::Height(0.3));
-    assert_eq!(dropped.opening(), Opening::Fall(model.fall(0.3).unwrap()));
+    assert_eq!(
+        dropped.opening(),
+        InitialFall::Fall(model.fall(0.3).unwrap())
+    );
     assert!((dropped.height_at(0.0) - 0.3).abs() < 1e-15);
     assert!((dropped.height_at(-1.0) - 0.3).abs() < 1e-15);
     let launched = history(Start::Launch(2.0));
     assert_eq!(
         launched.opening(),
-        Opening::Flight(model.launch(2.0).unwrap())
+        InitialFall::Flight(model.launch(2.0).unwrap())
     );
     assert!(launched.height_at(0.0).abs() < 1e-15);
     assert!((launched.state_at(0.0).velocity_m_s - 2.0).abs() < 1e-12);

@@ -1,7 +1,7 @@
 //! The statistics of many drops, by simulation: intervals hold what they promise.
 
-use bouncelab::estimate::Measured;
 use bouncelab::groups::{Drop, Factor, Mean, compare, compare_means, drops_needed, outliers};
+use bouncelab::inference::Measured;
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use rand_distr::StandardNormal;

@@ -3,14 +3,15 @@
 //! Calibration over thousands of drops is a command of its own (`cargo xtask calibrate`); here are
 //! the properties that a single drop can show.
 
-use bouncelab::analysis::Settings;
+use bouncelab::analysis::Options;
 use bouncelab::drag::DragLaw;
 use bouncelab::drop::{self, Start, Stop};
-use bouncelab::estimate::{
-    Effort, Inference, Knowledge, LawKind, Measured, Question, Reach, Remark, UNKNOWN, infer,
-};
 use bouncelab::flight::{Environment, FlightModel};
 use bouncelab::impact::{Contact, Restitution};
+use bouncelab::inference::{
+    ApexTarget, InferenceOptions, LawKind, Measured, Posterior, Priors, Remark, SamplerConfig,
+    UNKNOWN, infer,
+};
 use bouncelab::regression::{self, NumberedFlight};
 use bouncelab::restitution::TimedImpact;
 use bouncelab::{Error, Result};
@@ -33,7 +34,7 @@ impl Truth {
         Self {
             environment: Environment {
                 drag: DragLaw::Constant(0.4),
-                ..Settings::default().environment
+                ..Options::default().environment
             },
             law: Restitution::constant(0.945).unwrap(),
             height_m: 0.5,
@@ -44,7 +45,7 @@ impl Truth {
     }
 
     fn model(&self) -> FlightModel {
-        FlightModel::new(&Settings::default().ball, &self.environment).unwrap()
+        FlightModel::new(&Options::default().ball, &self.environment).unwrap()
     }
 
     /// The impacts, numbered from 1, with noise from a seed.
@@ -52,7 +53,7 @@ impl Truth {
         let mut rng = ChaCha8Rng::seed_from_u64(seed);
         let mut normal = || rng.sample::<f64, _>(StandardNormal);
         let model = self.model();
-        let contact_s = Settings::default().contact_time_s;
+        let contact_s = Options::default().contact_time_s;
         let fall = model.fall(self.height_m).unwrap();
         let (mut time_s, mut speed) = (fall.time_s, fall.impact_speed_m_s);
         (1..=self.impacts)
@@ -71,33 +72,33 @@ impl Truth {
             .collect()
     }
 
-    fn infer(&self, impacts: &[TimedImpact], knowledge: &Knowledge) -> Result<Inference> {
-        let settings = Settings::default();
-        let question = Question {
-            effort: Effort {
+    fn infer(&self, impacts: &[TimedImpact], priors: &Priors) -> Result<Posterior> {
+        let settings = Options::default();
+        let inference = InferenceOptions {
+            sampler: SamplerConfig {
                 draws: 1000,
                 seed: 1,
             },
-            reach: vec![Reach {
+            reach: vec![ApexTarget {
                 bounce: 2,
                 apex_m: 0.28,
             }],
-            ..Question::default()
+            ..InferenceOptions::default()
         };
         infer(
             impacts,
             &settings.ball,
             &self.environment,
             settings.contact_time_s,
-            knowledge,
-            &question,
+            priors,
+            &inference,
         )
     }
 }
 
 /// Nothing is known to be uncertain but the drop itself.
-fn exact_inputs() -> Knowledge {
-    Knowledge {
+fn exact_inputs() -> Priors {
+    Priors {
         gravity: 0.0,
         air_density: 0.0,
         mass: 0.0,
@@ -105,14 +106,14 @@ fn exact_inputs() -> Knowledge {
         added_mass: 0.0,
         contact_time: 0.0,
         timing: 0.0,
-        ..Knowledge::default()
+        ..Priors::default()
     }
 }
 
-fn constant_law() -> Knowledge {
-    Knowledge {
+fn constant_law() -> Priors {
+    Priors {
         restitution_laws: vec![LawKind::Constant],
-        ..Knowledge::default()
+        ..Priors::default()
     }
 }
 
@@ -140,7 +141,7 @@ fn without_air_and_scatter_it_is_the_straight_line() {
     truth.environment.buoyancy = false;
     truth.environment.added_mass = false;
     let impacts = truth.impacts(1);
-    let contact_s = Settings::default().contact_time_s;
+    let contact_s = Options::default().contact_time_s;
     let flights: Vec<NumberedFlight> = impacts
         .windows(2)
         .map(|pair| NumberedFlight {
@@ -149,11 +150,11 @@ fn without_air_and_scatter_it_is_the_straight_line() {
         })
         .collect();
     let line = regression::fit(&flights, truth.environment.gravity_m_s2).unwrap();
-    let knowledge = Knowledge {
+    let priors = Priors {
         restitution_laws: vec![LawKind::Constant],
         ..exact_inputs()
     };
-    let found = truth.infer(&impacts, &knowledge).unwrap();
+    let found = truth.infer(&impacts, &priors).unwrap();
     assert!((found.restitution.value - line.restitution().value).abs() < 1e-4);
     assert!((found.drop_height_m.value / line.drop_height_m().value - 1.0).abs() < 1e-3);
     assert!(found.drag.is_none());
@@ -163,14 +164,14 @@ fn without_air_and_scatter_it_is_the_straight_line() {
 #[test]
 fn a_known_height_stays_as_given() {
     let truth = Truth::new();
-    let knowledge = Knowledge {
+    let priors = Priors {
         drop_height_m: Some(Measured {
             value: 0.5,
             sd: 1e-4,
         }),
         ..constant_law()
     };
-    let found = truth.infer(&truth.impacts(2), &knowledge).unwrap();
+    let found = truth.infer(&truth.impacts(2), &priors).unwrap();
     assert!((found.drop_height_m.value - 0.5).abs() < 1e-4);
     assert!((found.drop_height_m.sd / 1e-4 - 1.0).abs() < 0.15);
     assert!(found.sampling.converged);
@@ -217,14 +218,14 @@ fn missed_first_impacts_are_counted() {
     for impact in &mut impacts {
         impact.number -= 2;
     }
-    let knowledge = Knowledge {
+    let priors = Priors {
         drop_height_m: Some(Measured {
             value: 0.5,
             sd: 0.002,
         }),
         ..constant_law()
     };
-    let found = truth.infer(&impacts, &knowledge).unwrap();
+    let found = truth.infer(&impacts, &priors).unwrap();
     assert!(found.missed_first.unwrap()[2] > 0.95);
     // Without the height it is that of the fall before the first impact heard.
     let found = truth.infer(&impacts, &constant_law()).unwrap();
@@ -242,14 +243,14 @@ fn a_release_time_tells_too() {
     for impact in &mut impacts {
         impact.number -= 1;
     }
-    let knowledge = Knowledge {
+    let priors = Priors {
         release_s: Some(Measured {
             value: 0.0,
             sd: 0.003,
         }),
         ..constant_law()
     };
-    let found = truth.infer(&impacts, &knowledge).unwrap();
+    let found = truth.infer(&impacts, &priors).unwrap();
     assert!(found.missed_first.unwrap()[1] > 0.95);
     assert!(
         found
@@ -267,14 +268,14 @@ fn a_release_time_tells_too() {
 fn a_release_after_the_first_impact_is_refused() {
     let truth = Truth::new();
     let impacts = truth.impacts(5);
-    let knowledge = Knowledge {
+    let priors = Priors {
         release_s: Some(Measured {
             value: impacts[1].time_s,
             sd: 0.003,
         }),
         ..constant_law()
     };
-    let refusal = truth.infer(&impacts, &knowledge).unwrap_err().to_string();
+    let refusal = truth.infer(&impacts, &priors).unwrap_err().to_string();
     assert!(refusal.contains("before the first impact"), "{refusal}");
 }
 
@@ -324,7 +325,7 @@ fn a_falling_restitution_is_recognised() {
         ..Truth::new()
     };
     let impacts = truth.impacts(8);
-    let found = truth.infer(&impacts, &Knowledge::default()).unwrap();
+    let found = truth.infer(&impacts, &Priors::default()).unwrap();
     let constant: f64 = found
         .models
         .iter()
@@ -350,20 +351,20 @@ fn gravity_from_three_times_and_a_height() {
         drag: DragLaw::None,
         buoyancy: false,
         added_mass: false,
-        ..Settings::default().environment
+        ..Options::default().environment
     };
-    let knowledge = Knowledge {
+    let priors = Priors {
         drop_height_m: Some(Measured {
             value: 0.7,
             sd: 0.001,
         }),
         gravity: UNKNOWN,
-        ..Knowledge::default()
+        ..Priors::default()
     };
-    let question = Question::default();
-    let ball = Settings::default().ball;
+    let inference = InferenceOptions::default();
+    let ball = Options::default().ball;
     let impacts = times(&[0.248, 0.955, 1.617]);
-    let found = infer(&impacts, &ball, &environment, 0.0, &knowledge, &question).unwrap();
+    let found = infer(&impacts, &ball, &environment, 0.0, &priors, &inference).unwrap();
     let g = found.gravity_m_s2;
     assert!((g.value / 9.82 - 1.0).abs() < 1e-3, "{g:?}");
     // One restitution was seen, so its scatter is anyone's guess: the uncertainty must say so.
@@ -379,13 +380,13 @@ fn predictions_are_those_of_a_simulated_drop() {
         sigma_s: 1e-6,
         ..Truth::new()
     };
-    let knowledge = Knowledge {
+    let priors = Priors {
         restitution_laws: vec![LawKind::Constant],
         drag: 0.0,
         ..exact_inputs()
     };
-    let found = truth.infer(&truth.impacts(9), &knowledge).unwrap();
-    let contact = Contact::new(truth.law, Settings::default().contact_time_s).unwrap();
+    let found = truth.infer(&truth.impacts(9), &priors).unwrap();
+    let contact = Contact::new(truth.law, Options::default().contact_time_s).unwrap();
     let model = truth.model();
     let simulate = |height_m: f64| {
         drop::simulate(&model, &contact, Start::Height(height_m), Stop::below(1e-9)).unwrap()
@@ -424,8 +425,8 @@ fn the_same_seed_gives_the_same_answer() {
     let truth = Truth::new();
     let impacts = truth.impacts(11);
     let (one, two) = (
-        truth.infer(&impacts, &Knowledge::default()).unwrap(),
-        truth.infer(&impacts, &Knowledge::default()).unwrap(),
+        truth.infer(&impacts, &Priors::default()).unwrap(),
+        truth.infer(&impacts, &Priors::default()).unwrap(),
     );
     assert_eq!(one.draws, two.draws);
 }
@@ -434,9 +435,7 @@ fn the_same_seed_gives_the_same_answer() {
 #[test]
 fn a_budget_adds_up() {
     let truth = Truth::new();
-    let found = truth
-        .infer(&truth.impacts(12), &Knowledge::default())
-        .unwrap();
+    let found = truth.infer(&truth.impacts(12), &Priors::default()).unwrap();
     for shares in [&found.budget.restitution, &found.budget.drop_height_m] {
         let sum: f64 = shares.iter().map(|share| share.share).sum();
         assert!((sum - 1.0).abs() < 1e-9);
@@ -462,14 +461,14 @@ fn a_contradicting_height_is_named() {
             ..*impact
         })
         .collect();
-    let knowledge = Knowledge {
+    let priors = Priors {
         drop_height_m: Some(Measured {
             value: 0.5,
             sd: 0.002,
         }),
         ..constant_law()
     };
-    let found = truth.infer(&impacts, &knowledge).unwrap();
+    let found = truth.infer(&impacts, &priors).unwrap();
     let gravity = found.remarks.iter().find_map(|remark| match remark {
         Remark::HeightContradicts { gravity_m_s2, .. } => Some(*gravity_m_s2),
         _ => None,
@@ -486,21 +485,19 @@ fn few_impacts_say_little_and_say_so() {
     let truth = Truth::new();
     let impacts = truth.impacts(14);
     for count in [0, 1] {
-        let refusal = truth.infer(&impacts[..count], &Knowledge::default());
+        let refusal = truth.infer(&impacts[..count], &Priors::default());
         assert!(matches!(refusal, Err(Error::CannotInfer(_))), "{count}");
     }
     for count in [2, 3] {
-        let found = truth
-            .infer(&impacts[..count], &Knowledge::default())
-            .unwrap();
+        let found = truth.infer(&impacts[..count], &Priors::default()).unwrap();
         assert!(found.remarks.contains(&Remark::FewImpacts(count)));
     }
-    let two = truth.infer(&impacts[..2], &Knowledge::default()).unwrap();
+    let two = truth.infer(&impacts[..2], &Priors::default()).unwrap();
     // Nothing was seen of e: it is what it was before, flat from 0 to 1.
     assert!(two.restitution.sd > 0.15, "{:?}", two.restitution);
-    let knee = Knowledge {
+    let knee = Priors {
         restitution_laws: vec![LawKind::Knee],
-        ..Knowledge::default()
+        ..Priors::default()
     };
     let found = truth.infer(&impacts[..4], &knee).unwrap();
     let asked = Remark::TooFewFor {
@@ -515,7 +512,7 @@ fn times_that_make_no_sense_are_refused() {
     let truth = Truth::new();
     let refuse = |times_s: &[f64]| {
         truth
-            .infer(&times(times_s), &Knowledge::default())
+            .infer(&times(times_s), &Priors::default())
             .unwrap_err()
     };
     // Equal, unsorted, not numbers.
@@ -540,13 +537,13 @@ fn times_that_make_no_sense_are_refused() {
     let growing = refuse(&[0.0, 0.2, 0.45, 0.78, 1.2]);
     assert!(growing.to_string().contains("gain speed"), "{growing}");
     // A height below zero.
-    let knowledge = Knowledge {
+    let priors = Priors {
         drop_height_m: Some(Measured {
             value: -0.3,
             sd: 0.001,
         }),
-        ..Knowledge::default()
+        ..Priors::default()
     };
-    let refusal = truth.infer(&truth.impacts(15), &knowledge).unwrap_err();
+    let refusal = truth.infer(&truth.impacts(15), &priors).unwrap_err();
     assert!(refusal.to_string().contains("drop height"), "{refusal}");
 }

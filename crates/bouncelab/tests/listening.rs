@@ -1,10 +1,10 @@
 //! The inverse undoes the forward: drops are rendered as sound and must come back.
 
 use bouncelab::air::Air;
-use bouncelab::analysis::{self, Impact, SURE, Settings};
+use bouncelab::analysis::{self, CONFIDENT_PROBABILITY, Impact, Options};
+use bouncelab::detection::{Detection, Detector};
 use bouncelab::flight::Environment;
 use bouncelab::impact::Strike;
-use bouncelab::listen::{Heard, Listener};
 use bouncelab::onset::Onset;
 use bouncelab::synth::{
     self, BitDepth, Clicks, Hum, Lost, Noise, Rendered, Reverb, Scene, SynthImpact, Voice,
@@ -42,12 +42,12 @@ fn scene(snr_db: f64) -> Scene {
     }
 }
 
-fn hear(sound: &Rendered) -> Heard {
+fn hear(sound: &Rendered) -> Detection {
     hear_samples(&sound.samples, sound.sample_rate_hz)
 }
 
-fn hear_samples(samples: &[f32], sample_rate_hz: u32) -> Heard {
-    let mut listener = Listener::new(sample_rate_hz, 1);
+fn hear_samples(samples: &[f32], sample_rate_hz: u32) -> Detection {
+    let mut listener = Detector::new(sample_rate_hz, 1);
     listener.push(&[samples]);
     listener.finish()
 }
@@ -60,7 +60,7 @@ fn times(train: &Train) -> Vec<f64> {
         .collect()
 }
 
-/// Heard less true times of the impacts, their median taken out: only differences have a meaning.
+/// Detection less true times of the impacts, their median taken out: only differences have a meaning.
 /// With each its stated standard error.
 fn errors(train: &Train, sound: &Rendered) -> Vec<(f64, f64)> {
     let mut errors: Vec<(f64, f64)> = train
@@ -93,7 +93,7 @@ fn audible(sound: &Rendered) -> Vec<f64> {
     impacts.map(|impact| impact.time_s).collect()
 }
 
-fn is_heard(heard: &Heard, time_s: f64) -> bool {
+fn is_heard(heard: &Detection, time_s: f64) -> bool {
     heard
         .found
         .trains
@@ -103,7 +103,7 @@ fn is_heard(heard: &Heard, time_s: f64) -> bool {
 }
 
 #[track_caller]
-fn the_only_train(heard: &Heard) -> &Train {
+fn the_only_train(heard: &Detection) -> &Train {
     assert_eq!(heard.found.trains.len(), 1, "{:?}", heard.no_drop());
     &heard.found.trains[0]
 }
@@ -135,7 +135,7 @@ proptest! {
         let errors = errors(train, &sound);
         let made_up = train.impacts().iter().filter(|heard| {
             let is_it = |impact: &SynthImpact| (heard.onset.time_s - impact.time_s).abs() < SAME_S;
-            heard.probability > SURE && !sound.impacts.iter().any(is_it)
+            heard.probability > CONFIDENT_PROBABILITY && !sound.impacts.iter().any(is_it)
         });
         prop_assert_eq!(made_up.count(), 0, "an impact is made up");
         for (error, _) in &errors {
@@ -143,8 +143,8 @@ proptest! {
         }
         let impacts = train.impacts().iter().map(Impact::from).collect();
         let air = Air::vacuum();
-        let environment = Environment { gravity_m_s2: GRAVITY, air, ..Settings::default().environment };
-        let drop = analysis::analyze(impacts, &Settings { environment, ..Settings::default() });
+        let environment = Environment { gravity_m_s2: GRAVITY, air, ..Options::default().environment };
+        let drop = analysis::analyze(impacts, &Options { environment, ..Options::default() });
         let found = drop.line.unwrap().restitution().value;
         prop_assert!((found / restitution - 1.0).abs() < 1e-3, "e = {}", found);
     }
@@ -165,7 +165,7 @@ proptest! {
     #[test]
     fn blocks_make_no_difference(sizes in prop::collection::vec(1_usize..5000, 1..40)) {
         let sound = synth::render(&usual_strikes(), &scene(30.0), 4).unwrap();
-        let mut listener = Listener::new(sound.sample_rate_hz, 1);
+        let mut listener = Detector::new(sound.sample_rate_hz, 1);
         let mut rest = sound.samples.as_slice();
         for size in sizes.iter().cycle() {
             let (block, after) = rest.split_at((*size).min(rest.len()));
@@ -412,7 +412,7 @@ fn the_better_channel_is_believed() {
         .unwrap()
         .samples;
     let hear_both = |left: &[f32], right: &[f32]| {
-        let mut listener = Listener::new(44_100, 2);
+        let mut listener = Detector::new(44_100, 2);
         for (left, right) in left.chunks(1000).zip(right.chunks(1000)) {
             listener.push(&[left, right]);
         }
@@ -482,7 +482,10 @@ fn sounds_that_are_no_drop_have_a_reason() {
         })
         .collect();
     let clock = synth::render(&clock, &scene(40.0), 1).unwrap();
-    assert!(matches!(reason(&clock.samples), Some(NoDrop::Regular(_))));
+    assert!(matches!(
+        reason(&clock.samples),
+        Some(NoDrop::PeriodicSequence(_))
+    ));
     let few = synth::render(&usual_strikes()[..3], &scene(40.0), 1).unwrap();
     assert!(matches!(reason(&few.samples), Some(NoDrop::TooFew(_))));
     let noise = synth::render(

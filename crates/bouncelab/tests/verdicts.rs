@@ -5,10 +5,10 @@
 mod ball;
 
 use ball::Trial;
-use bouncelab::analysis::{self, Analysis, Settings};
+use bouncelab::analysis::{self, Drop, Options};
 use bouncelab::drop::{self, Start, Stop};
-use bouncelab::estimate::{Effort, Measured, Question};
 use bouncelab::impact::{Contact, Restitution};
+use bouncelab::inference::{InferenceOptions, Measured, SamplerConfig};
 use bouncelab::rulebook::{
     self, Averaging, Conditions, Decision, Doubt, Evenness, Formula, Limits, Outcome, Point,
     Remark, Requirement, Rule, Status, Verdict,
@@ -48,24 +48,24 @@ fn a_ball_outside_fails_and_one_inside_passes() {
     assert!(passed >= 10 && failed == 0, "{passed} {failed}");
 }
 
-fn settings(height_m: f64) -> Settings {
-    let mut settings = Settings::default();
-    settings.knowledge.drop_height_m = Some(Measured {
+fn settings(height_m: f64) -> Options {
+    let mut settings = Options::default();
+    settings.priors.drop_height_m = Some(Measured {
         value: height_m,
         sd: 0.001,
     });
-    settings.question = Some(Question {
-        effort: Effort {
+    settings.inference = Some(InferenceOptions {
+        sampler: SamplerConfig {
             draws: FEW_DRAWS,
             seed: 1,
         },
-        ..Question::default()
+        ..InferenceOptions::default()
     });
     settings
 }
 
 /// Eleven impacts of a drop with constant restitution from a height, in a room as it is assumed.
-fn drop(restitution: f64, height_m: f64, settings: &Settings) -> Analysis {
+fn drop(restitution: f64, height_m: f64, settings: &Options) -> Drop {
     let law = Restitution::constant(restitution).unwrap();
     let contact = Contact::new(law, settings.contact_time_s).unwrap();
     let model = settings.model().unwrap();
@@ -88,11 +88,11 @@ fn rule() -> Rule {
 }
 
 /// Each drop in a place of its own.
-fn places<'a>(drops: &[&'a Analysis]) -> Vec<Vec<&'a Analysis>> {
+fn places<'a>(drops: &[&'a Drop]) -> Vec<Vec<&'a Drop>> {
     drops.iter().map(|&drop| vec![drop]).collect()
 }
 
-fn judged(rule: &Rule, surface: &[&Analysis], reference: &[&Analysis]) -> Verdict {
+fn judged(rule: &Rule, surface: &[&Drop], reference: &[&Drop]) -> Verdict {
     let settings = settings(0.305);
     let conditions = Conditions::default();
     let (surface, reference) = (places(surface), places(reference));

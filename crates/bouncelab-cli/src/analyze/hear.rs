@@ -4,8 +4,8 @@ use std::ops::Range;
 use std::path::Path;
 use std::time::Duration;
 
-use bouncelab::analysis::{self, Analysis, Settings};
-use bouncelab::listen::{Envelope, Heard, Listener};
+use bouncelab::analysis::{self, Drop, Options};
+use bouncelab::detection::{Detection, Detector, Envelope};
 use bouncelab::onset;
 use bouncelab_audio::{Input, Source};
 use bouncelab_report::document::{Document, Origin};
@@ -39,7 +39,7 @@ pub(crate) struct Hearing {
     /// Where the times come from.
     pub(crate) origin: Origin,
     /// The drops, in order of time.
-    pub(crate) drops: Vec<Analysis>,
+    pub(crate) drops: Vec<Drop>,
     /// How sure it is that each is a drop.
     pub(crate) probabilities: Vec<f64>,
     /// Why there is none.
@@ -79,7 +79,7 @@ impl Hearing {
 }
 
 /// Reads a file and analyses every drop in it.
-pub(crate) fn hear(file: &Path, heeded: &Heeded, settings: &Settings) -> Result<Hearing, Failure> {
+pub(crate) fn hear(file: &Path, heeded: &Heeded, settings: &Options) -> Result<Hearing, Failure> {
     let name = file.display().to_string();
     match Input::open(file)? {
         Input::Times(times_s) => Ok(hear_times(name, &times_s, heeded, settings)),
@@ -88,7 +88,7 @@ pub(crate) fn hear(file: &Path, heeded: &Heeded, settings: &Settings) -> Result<
 }
 
 /// A list of times is one drop: whoever made it has chosen.
-fn hear_times(name: String, times_s: &[f64], heeded: &Heeded, settings: &Settings) -> Hearing {
+fn hear_times(name: String, times_s: &[f64], heeded: &Heeded, settings: &Options) -> Hearing {
     let mut drops = vec![Unanalysed::by_hand(times_s)];
     let mut warnings = edit(&mut drops, &heeded.exclude_s, &heeded.include_s);
     drops.retain(Unanalysed::has_a_flight);
@@ -109,7 +109,7 @@ fn hear_sound(
     name: String,
     source: Source,
     heeded: &Heeded,
-    settings: &Settings,
+    settings: &Options,
 ) -> Result<Hearing, Failure> {
     let recording = Recording {
         name,
@@ -143,10 +143,10 @@ impl Recording {
     /// returns what it has to say.
     pub(crate) fn hearing(
         &self,
-        heard: Heard,
+        heard: Detection,
         mut warnings: Vec<String>,
         edit: impl FnOnce(&mut Vec<Unanalysed>) -> Vec<String>,
-        settings: &Settings,
+        settings: &Options,
     ) -> Hearing {
         warnings.extend(heard.remarks());
         let trains = heard.found.trains.iter();
@@ -176,7 +176,7 @@ impl Recording {
         }
     }
 
-    fn clearest(&self, heard: &Heard) -> Option<Clearest> {
+    fn clearest(&self, heard: &Detection) -> Option<Clearest> {
         let (band, above_db) = heard.clearest_band()?;
         let band_hz = onset::bands_hz(self.sample_rate_hz).get(band)?.clone();
         Some(Clearest { band_hz, above_db })
@@ -188,17 +188,13 @@ const NOTHING_LEFT: &str = "so many impacts of what was heard were left out that
 
 /// Analyses drops, side by side unless somebody hears recordings side by side already; doubts about
 /// what was stated go to the warnings.
-fn analyze(
-    drops: Vec<Unanalysed>,
-    settings: &Settings,
-    warnings: &mut Vec<String>,
-) -> Vec<Analysis> {
+fn analyze(drops: Vec<Unanalysed>, settings: &Options, warnings: &mut Vec<String>) -> Vec<Drop> {
     let starts_s: Vec<f64> = drops.iter().map(Unanalysed::start_s).collect();
     let one = |drop: Unanalysed| {
         let settings = settings_of_drop(settings, drop.start_s(), &starts_s);
         analysis::analyze(drop.impacts, &settings)
     };
-    let drops: Vec<Analysis> = if rayon::current_thread_index().is_some() {
+    let drops: Vec<Drop> = if rayon::current_thread_index().is_some() {
         drops.into_iter().map(one).collect()
     } else {
         let waiting = inferring(&drops, settings);
@@ -213,35 +209,35 @@ fn analyze(
 
 /// What is stated of the drop that begins at a time, given when all begin: a release is of the drop
 /// that begins next after it.
-pub(crate) fn settings_of_drop(settings: &Settings, start_s: f64, starts_s: &[f64]) -> Settings {
+pub(crate) fn settings_of_drop(settings: &Options, start_s: f64, starts_s: &[f64]) -> Options {
     let mut settings = settings.clone();
     let is_its_own = |released_s: f64| {
         let is_between = |&start: &f64| released_s < start && start < start_s;
         released_s < start_s && !starts_s.iter().any(is_between)
     };
-    let release = settings.knowledge.release_s;
-    settings.knowledge.release_s = release.filter(|it| is_its_own(it.value));
+    let release = settings.priors.release_s;
+    settings.priors.release_s = release.filter(|it| is_its_own(it.value));
     settings
 }
 
 /// What to say if a release was stated and no drop begins after it.
-pub(crate) fn nothing_released(settings: &Settings, starts_s: &[f64]) -> Option<String> {
-    let released_s = settings.knowledge.release_s?.value;
+pub(crate) fn nothing_released(settings: &Options, starts_s: &[f64]) -> Option<String> {
+    let released_s = settings.priors.release_s?.value;
     let is_told = starts_s.iter().any(|&start_s| released_s < start_s);
     (!is_told && !starts_s.is_empty())
         .then(|| format!("the release at {released_s} s is left out: no drop begins after it"))
 }
 
 /// What was stated that does not go with what was heard, once for each.
-fn doubts(drops: &[Analysis], settings: &Settings) -> Option<String> {
-    let stated_m = settings.knowledge.drop_height_m?.value;
+fn doubts(drops: &[Drop], settings: &Options) -> Option<String> {
+    let stated_m = settings.priors.drop_height_m?.value;
     drops
         .iter()
         .find_map(|drop| doubt::of_height(stated_m, drop))
 }
 
 /// Listens to the whole recording; returns also what was wrong with the file.
-fn listen(mut source: Source, heeded: &Heeded) -> Result<(Heard, Vec<String>), Failure> {
+fn listen(mut source: Source, heeded: &Heeded) -> Result<(Detection, Vec<String>), Failure> {
     let channel = heeded.channel;
     if let Some(channel) = channel.filter(|&channel| channel > source.channels()) {
         return Err(Failure::Usage(format!(
@@ -254,8 +250,8 @@ fn listen(mut source: Source, heeded: &Heeded) -> Result<(Heard, Vec<String>), F
     let ears = channel.map_or(0..source.channels(), |channel| channel - 1..channel);
     let rate = f64::from(source.sample_rate_hz());
     let mut listener = match &heeded.band_hz {
-        None => Listener::new(source.sample_rate_hz(), ears.len()),
-        Some(band_hz) => Listener::within(source.sample_rate_hz(), ears.len(), band_hz)
+        None => Detector::new(source.sample_rate_hz(), ears.len()),
+        Some(band_hz) => Detector::within(source.sample_rate_hz(), ears.len(), band_hz)
             .map_err(|reason| Failure::Usage(format!("{}: {reason}", source.name())))?,
     };
     let progress = progress(source.duration_s().filter(|_| !heeded.quiet));
@@ -289,11 +285,11 @@ fn progress(duration_s: Option<f64>) -> ProgressBar {
 
 /// A sign of life while so many impacts are inferred from that it takes seconds; it hides itself as
 /// the bar does.
-fn inferring(drops: &[Unanalysed], settings: &Settings) -> ProgressBar {
+fn inferring(drops: &[Unanalysed], settings: &Options) -> ProgressBar {
     /// About two milliseconds each.
     const MANY: usize = 1000;
     let impacts: usize = drops.iter().map(|drop| drop.impacts.len()).sum();
-    if settings.question.is_none() || impacts < MANY {
+    if settings.inference.is_none() || impacts < MANY {
         return ProgressBar::hidden();
     }
     let spinner = ProgressBar::new_spinner();
@@ -309,7 +305,7 @@ const TICK: Duration = Duration::from_millis(200);
 
 #[cfg(test)]
 mod tests {
-    use bouncelab::estimate::{Effort, Measured, Question};
+    use bouncelab::inference::{InferenceOptions, Measured, SamplerConfig};
 
     use super::*;
 
@@ -320,18 +316,18 @@ mod tests {
             let times = [0.0, 0.45, 0.86, 1.23, 1.57].map(|time_s| start_s + time_s);
             Unanalysed::by_hand(&times)
         };
-        let mut settings = Settings::default();
-        settings.knowledge.release_s = Some(Measured {
+        let mut settings = Options::default();
+        settings.priors.release_s = Some(Measured {
             value: release_s,
             sd: 0.005,
         });
-        let effort = Effort {
+        let sampler = SamplerConfig {
             draws: 100,
             seed: 1,
         };
-        settings.question = Some(Question {
-            effort,
-            ..Question::default()
+        settings.inference = Some(InferenceOptions {
+            sampler,
+            ..InferenceOptions::default()
         });
         let mut warnings = Vec::new();
         let drops = analyze(vec![drop(0.0), drop(10.0)], &settings, &mut warnings);

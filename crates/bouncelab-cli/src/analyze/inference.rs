@@ -1,24 +1,24 @@
 //! The inference for people.
 
-use bouncelab::analysis::Analysis;
-use bouncelab::estimate::{Inference, Prediction, Reach, Summary, UNKNOWN};
+use bouncelab::analysis::Drop;
+use bouncelab::inference::{ApexTarget, Posterior, Prediction, Summary, UNKNOWN};
 use bouncelab_report::report::ended;
 use bouncelab_report::{CANNOT_TELL, Quantity, Unit, tables};
 
 use crate::physics::Physics;
 
 /// The answers, one line for each; `None` if there is no inference to show.
-pub(super) fn lines(drop: &Analysis, physics: &Physics) -> Option<Vec<String>> {
-    physics.settings.question.as_ref()?;
+pub(super) fn lines(drop: &Drop, physics: &Physics) -> Option<Vec<String>> {
+    physics.settings.inference.as_ref()?;
     let found = match &drop.estimate {
         Ok(found) => found,
         Err(reason) => {
-            return Some(vec![format!("Inference: {CANNOT_TELL}: {}", ended(reason))]);
+            return Some(vec![format!("Posterior: {CANNOT_TELL}: {}", ended(reason))]);
         }
     };
     let ball_label = &physics.ball_label;
-    let infers_gravity = physics.settings.knowledge.gravity >= UNKNOWN;
-    let mut lines = vec![format!("Inference, with air ({ball_label}):")];
+    let infers_gravity = physics.settings.priors.gravity_rel_sd >= UNKNOWN;
+    let mut lines = vec![format!("Posterior, with air ({ball_label}):")];
     let speed = Quantity::rounded(found.at_speed_m_s, 3, Unit::Speed);
     lines.push(entry(
         "restitution        e  = ",
@@ -70,14 +70,14 @@ pub(super) fn lines(drop: &Analysis, physics: &Physics) -> Option<Vec<String>> {
 }
 
 /// What to know before believing it.
-pub(super) fn remarks(drop: &Analysis) -> Vec<String> {
+pub(super) fn remarks(drop: &Drop) -> Vec<String> {
     drop.estimate.as_ref().map_or_else(
         |_| Vec::new(),
         |found| found.remarks.iter().map(ToString::to_string).collect(),
     )
 }
 
-fn height_note(found: &Inference) -> String {
+fn height_note(found: &Posterior) -> String {
     match &found.missed_first {
         None if found.first_was_heard() => String::new(),
         None => "before the first impact heard".to_owned(),
@@ -94,12 +94,12 @@ fn height_note(found: &Inference) -> String {
 }
 
 fn predicted(prediction: &Prediction) -> String {
-    let Reach { bounce, apex_m } = prediction.reach;
+    let ApexTarget { bounce, apex_m } = prediction.reach;
     let apex = Quantity::rounded(apex_m, 4, Unit::Length);
-    let question = format!("bounce {bounce} reaches {apex} from");
+    let inference = format!("bounce {bounce} reaches {apex} from");
     match &prediction.drop_height_m {
-        Some(height) => entry(&format!("{question} "), height, Unit::Length, ""),
-        None => format!("  {question}: {CANNOT_TELL}"),
+        Some(height) => entry(&format!("{inference} "), height, Unit::Length, ""),
+        None => format!("  {inference}: {CANNOT_TELL}"),
     }
 }
 
@@ -120,7 +120,7 @@ fn entry(name: &str, summary: &Summary, unit: Unit, note: &str) -> String {
 }
 
 /// The tables behind the answers.
-pub(super) fn details(drop: &Analysis) -> Vec<String> {
+pub(super) fn details(drop: &Drop) -> Vec<String> {
     let Ok(found) = &drop.estimate else {
         return Vec::new();
     };
@@ -138,8 +138,8 @@ pub(super) fn details(drop: &Analysis) -> Vec<String> {
             tables::budget(&found.budget.drop_height_m, Unit::Length)
         ),
         format!(
-            "How much the data narrowed what was known:\n{}",
-            tables::narrowed(found)
+            "How much the data prior_contraction what was known:\n{}",
+            tables::prior_contraction(found)
         ),
         format!(
             "Correlations of the answers:\n{}",

@@ -21,8 +21,8 @@ use bouncelab_report::document::{Document, rows};
 use clap::{Args, ValueEnum};
 
 use crate::failure::Failure;
-use crate::knowledge::KnowledgeArguments;
 use crate::physics::{Physics, PhysicsArguments};
+use crate::priors::PriorArguments;
 use crate::report::ReportFile;
 use crate::units;
 
@@ -70,7 +70,7 @@ pub(crate) struct Arguments {
     #[command(flatten)]
     physics: PhysicsArguments,
     #[command(flatten)]
-    knowledge: KnowledgeArguments,
+    priors: PriorArguments,
 }
 
 const EXAMPLES: &str = "\
@@ -98,7 +98,7 @@ enum Format {
 }
 
 pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
-    let physics = physics(&arguments.physics, &arguments.knowledge, arguments.flights)?;
+    let physics = physics(&arguments.physics, &arguments.priors, arguments.flights)?;
     let heeded = Heeded {
         channel: arguments.channel.map(usize::from),
         band_hz: arguments.band.clone(),
@@ -151,12 +151,12 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
 /// The physics of a run, with what is known and asked, and the flights for the straight line.
 pub(crate) fn physics(
     physics: &PhysicsArguments,
-    knowledge: &KnowledgeArguments,
+    priors: &PriorArguments,
     flights: Option<(usize, usize)>,
 ) -> Result<Physics, Failure> {
-    let mut physics = physics.questioned(knowledge.doubts())?;
+    let mut physics = physics.questioned(priors.doubts())?;
     physics.settings.flights = flights.map(|(first, last)| RangeInclusive::new(first, last));
-    knowledge.add_to(&mut physics.settings)?;
+    priors.add_to(&mut physics.settings)?;
     Ok(physics)
 }
 

@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use bouncelab::analysis::{Analysis, SURE};
+use bouncelab::analysis::{CONFIDENT_PROBABILITY, Drop};
 use bouncelab::regression::Estimate;
 use bouncelab_report::document::Origin;
 use bouncelab_report::report::ended;
@@ -114,7 +114,7 @@ fn drop_headline(hearing: &Hearing, index: usize) -> String {
     let (first, last) = (&impacts[0], &impacts[impacts.len() - 1]);
     let doubtful = impacts
         .iter()
-        .filter(|impact| impact.probability < SURE)
+        .filter(|impact| impact.probability < CONFIDENT_PROBABILITY)
         .count();
     let doubt = match doubtful {
         0 => String::new(),
@@ -135,7 +135,7 @@ fn drop_headline(hearing: &Hearing, index: usize) -> String {
 }
 
 /// The results, one line for each.
-fn findings(drop: &Analysis, physics: &Physics) -> Vec<String> {
+fn findings(drop: &Drop, physics: &Physics) -> Vec<String> {
     let mut lines = Vec::new();
     match &drop.line {
         Ok(fit) => {
@@ -178,7 +178,7 @@ fn findings(drop: &Analysis, physics: &Physics) -> Vec<String> {
     lines
 }
 
-fn corrected_lines(drop: &Analysis, physics: &Physics) -> Vec<String> {
+fn corrected_lines(drop: &Drop, physics: &Physics) -> Vec<String> {
     let found = match &drop.corrected {
         Ok(found) => found,
         Err(reason) => {

@@ -20,8 +20,8 @@ use clap::{Args, ValueEnum};
 
 use crate::analyze;
 use crate::failure::Failure;
-use crate::knowledge::KnowledgeArguments;
 use crate::physics::PhysicsArguments;
+use crate::priors::PriorArguments;
 use crate::synth::wav;
 use crate::units;
 
@@ -75,7 +75,7 @@ pub(crate) struct Arguments {
     #[command(flatten)]
     physics: PhysicsArguments,
     #[command(flatten)]
-    knowledge: KnowledgeArguments,
+    priors: PriorArguments,
 }
 
 const EXAMPLES: &str = "\

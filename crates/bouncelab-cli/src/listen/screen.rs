@@ -3,7 +3,7 @@
 use std::io::{self, Write};
 use std::time::{Duration, Instant};
 
-use bouncelab::analysis::{self, Impact, Settings};
+use bouncelab::analysis::{self, Impact, Options};
 use bouncelab_report::Unit;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
@@ -17,7 +17,7 @@ pub(super) struct Screen {
     drawn: Option<Instant>,
     level: Level,
     /// What is known of ball and air, without the inference, which takes too long.
-    settings: Settings,
+    settings: Options,
 }
 
 /// How loud it is.
@@ -46,7 +46,7 @@ impl Screen {
     /// How often it is drawn.
     const EVERY: Duration = Duration::from_millis(100);
 
-    pub(super) fn new(settings: &Settings) -> Self {
+    pub(super) fn new(settings: &Options) -> Self {
         let bar = ProgressBar::with_draw_target(None, ProgressDrawTarget::stderr());
         if let Ok(style) = ProgressStyle::with_template("{msg}") {
             bar.set_style(style);
@@ -55,8 +55,8 @@ impl Screen {
             bar,
             drawn: None,
             level: Level::default(),
-            settings: Settings {
-                question: None,
+            settings: Options {
+                inference: None,
                 ..settings.clone()
             },
         }

@@ -3,9 +3,9 @@
 use std::thread;
 use std::time::Duration;
 
-use bouncelab::analysis::{Analysis, Settings};
-use bouncelab::listen::Heard;
-use bouncelab::train::{Found, Train};
+use bouncelab::analysis::{Drop, Options};
+use bouncelab::detection::Detection;
+use bouncelab::train::{Train, TrainSearch};
 
 use super::gaps::Gaps;
 use super::save::Saver;
@@ -23,8 +23,8 @@ use crate::report::quoted;
 const PAUSE: Duration = Duration::from_millis(20);
 
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
-    let knowledge = &arguments.knowledge;
-    let physics = analyze::physics(&arguments.physics, knowledge, arguments.flights)?;
+    let priors = &arguments.priors;
+    let physics = analyze::physics(&arguments.physics, priors, arguments.flights)?;
     let mut sound = Sound::open(arguments)?;
     let recording = sound.recording(arguments.channel.map(usize::from));
     check_channel(&recording)?;
@@ -67,7 +67,7 @@ struct Session<'a> {
 /// A drop that was told of.
 struct Told {
     train: Train,
-    analysis: Analysis,
+    analysis: Drop,
 }
 
 impl<'a> Session<'a> {
@@ -213,7 +213,7 @@ impl<'a> Session<'a> {
     }
 
     /// Analyses a drop that is over, and tells of it.
-    fn tell(&mut self, heard: Heard, warnings: Vec<String>) -> Result<(), Failure> {
+    fn tell(&mut self, heard: Detection, warnings: Vec<String>) -> Result<(), Failure> {
         let train = heard.found.trains[0].clone();
         let gaps = &self.gaps;
         let cut = |drops: &mut Vec<Unanalysed>| {
@@ -246,7 +246,7 @@ impl<'a> Session<'a> {
     }
 
     /// What is stated of a drop among those that were told of.
-    fn settings_for(&self, train: &Train) -> Settings {
+    fn settings_for(&self, train: &Train) -> Options {
         let others = self.drops.iter().map(|told| &told.train);
         let others = others.filter(|other| !watch::overlap(other, train));
         let starts_s: Vec<f64> = others.map(Train::start_s).collect();
@@ -292,7 +292,7 @@ impl<'a> Session<'a> {
             return self.tell_nothing(whole, warnings);
         }
         if self.drops.len() > 1 && self.arguments.format == Format::Text {
-            let analyses: Vec<&Analysis> = self.drops.iter().map(|told| &told.analysis).collect();
+            let analyses: Vec<&Drop> = self.drops.iter().map(|told| &told.analysis).collect();
             let table = summary::table(&analyses);
             self.screen.print(&format!("\nAll drops:\n\n{table}"))?;
         }
@@ -312,16 +312,16 @@ impl<'a> Session<'a> {
         }
     }
 
-    fn judge_again(&mut self, whole: &Heard, warnings: &[String]) -> Result<(), Failure> {
+    fn judge_again(&mut self, whole: &Detection, warnings: &[String]) -> Result<(), Failure> {
         let most = self.arguments.drops.map_or(usize::MAX, |n| n as usize);
         for train in whole.found.trains.iter().take(most) {
             let is_told = self.drops.iter().any(|told| same(&told.train, train));
             if !is_told {
-                let only = Found {
+                let only = TrainSearch {
                     trains: vec![train.clone()],
                     ..whole.found.clone()
                 };
-                let heard = Heard {
+                let heard = Detection {
                     found: only,
                     ..whole.clone()
                 };
@@ -369,7 +369,7 @@ impl<'a> Session<'a> {
     }
 
     /// There was no drop: says why.
-    fn tell_nothing(&self, whole: Heard, warnings: Vec<String>) -> Result<(), Failure> {
+    fn tell_nothing(&self, whole: Detection, warnings: Vec<String>) -> Result<(), Failure> {
         let settings = &self.physics.settings;
         let hearing = self
             .recording
@@ -442,10 +442,10 @@ mod tests {
 
     /// What a session says of a sound of which the frames in `lost` never came, though the
     /// microphone reports, if anything, that so many are missing.
-    fn session_of(samples: &[f32], lost: Range<usize>, reported: Option<u64>) -> Analysis {
+    fn session_of(samples: &[f32], lost: Range<usize>, reported: Option<u64>) -> Drop {
         let words = ["listen", "--no-save", "--no-inference", "--drag", "none"];
         let Only { arguments } = Only::parse_from(words);
-        let physics = analyze::physics(&arguments.physics, &arguments.knowledge, None).unwrap();
+        let physics = analyze::physics(&arguments.physics, &arguments.priors, None).unwrap();
         let recording = Recording {
             name: "test".to_owned(),
             format: "test".to_owned(),
@@ -482,7 +482,7 @@ mod tests {
         synth::render(&strikes, &scene, 3).unwrap().samples
     }
 
-    fn restitution(drop: &Analysis) -> f64 {
+    fn restitution(drop: &Drop) -> f64 {
         drop.line.as_ref().unwrap().restitution().value
     }
 

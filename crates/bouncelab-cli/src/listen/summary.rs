@@ -1,6 +1,6 @@
 //! All drops of a session in one table.
 
-use bouncelab::analysis::Analysis;
+use bouncelab::analysis::Drop;
 use bouncelab::regression::Estimate;
 use bouncelab_report::{Align, Quantity, Table, Unit};
 
@@ -31,11 +31,11 @@ const COLUMNS: [Column; 4] = [
 struct Column {
     heading: &'static str,
     unit: Unit,
-    of: fn(&Analysis) -> Option<Estimate>,
+    of: fn(&Drop) -> Option<Estimate>,
 }
 
 /// The restitution with air: that of the inference, else the median over the impacts.
-fn restitution(drop: &Analysis) -> Option<Estimate> {
+fn restitution(drop: &Drop) -> Option<Estimate> {
     match &drop.estimate {
         Ok(found) => Some(Estimate {
             value: found.restitution.value,
@@ -45,7 +45,7 @@ fn restitution(drop: &Analysis) -> Option<Estimate> {
     }
 }
 
-fn height(drop: &Analysis) -> Option<Estimate> {
+fn height(drop: &Drop) -> Option<Estimate> {
     let found = drop.estimate.as_ref().ok()?;
     Some(Estimate {
         value: found.drop_height_m.value,
@@ -54,7 +54,7 @@ fn height(drop: &Analysis) -> Option<Estimate> {
 }
 
 /// One row for each drop, then mean and scatter (standard deviation).
-pub(super) fn table(drops: &[&Analysis]) -> Table {
+pub(super) fn table(drops: &[&Drop]) -> Table {
     let mut headings = vec![
         ("drop", Align::Right),
         ("at s", Align::Right),

@@ -2,8 +2,8 @@
 
 use std::time::Instant;
 
-use bouncelab::listen::{Heard, Listener};
-use bouncelab::train::{Found, HeardImpact, Train, latest_next_s};
+use bouncelab::detection::{Detection, Detector};
+use bouncelab::train::{HeardImpact, Train, TrainSearch, latest_next_s};
 
 /// How often is looked whether something is to be told, in seconds of sound.
 const LOOK_S: f64 = 0.1;
@@ -17,13 +17,13 @@ const SETTLED_S: f64 = 3.6;
 
 /// Listens, and tells of each drop once, when it is over.
 pub(super) struct Watch {
-    listener: Listener,
+    listener: Detector,
     sample_rate_hz: f64,
     /// How many frames were heard, and how many will have been at the next look.
     frames: u64,
     next_look: u64,
     /// What was heard when all was last judged, when that was, and how many sounds there were.
-    heard: Option<Heard>,
+    heard: Option<Detection>,
     judged_s: f64,
     judged_onsets: usize,
     glimpse: Glimpse,
@@ -59,7 +59,7 @@ pub(super) struct Going<'a> {
 impl Watch {
     pub(super) fn new(sample_rate_hz: u32, channels: usize) -> Self {
         let mut watch = Self {
-            listener: Listener::new(sample_rate_hz, channels),
+            listener: Detector::new(sample_rate_hz, channels),
             sample_rate_hz: f64::from(sample_rate_hz),
             frames: 0,
             next_look: 0,
@@ -90,7 +90,7 @@ impl Watch {
 
     /// Hears the next samples, at most those until the next look, and returns the drops that are
     /// over since: each as a recording of its own.
-    pub(super) fn push(&mut self, channels: &[&[f32]]) -> Vec<Heard> {
+    pub(super) fn push(&mut self, channels: &[&[f32]]) -> Vec<Detection> {
         self.listener.push(channels);
         self.frames += channels.first().map_or(0, |samples| samples.len()) as u64;
         if self.frames < self.next_look {
@@ -111,7 +111,7 @@ impl Watch {
     }
 
     /// All that was heard, judged as a whole, as if the sound ended here.
-    pub(super) fn whole(&self) -> Heard {
+    pub(super) fn whole(&self) -> Detection {
         self.listener.so_far()
     }
 
@@ -123,7 +123,7 @@ impl Watch {
         self.next_look = frame.max(self.frames + 1);
     }
 
-    fn look(&mut self) -> Vec<Heard> {
+    fn look(&mut self) -> Vec<Detection> {
         let now_s = self.now_s();
         let onsets = self.listener.onsets();
         let is_new = onsets != self.judged_onsets && now_s >= self.judged_s + JUDGE_S;
@@ -139,7 +139,7 @@ impl Watch {
     }
 
     /// The drops that are over and were not told of, each as a recording of its own.
-    fn tell(&mut self) -> Vec<Heard> {
+    fn tell(&mut self) -> Vec<Detection> {
         let over: Vec<Train> = self
             .untold(self.trains())
             .filter(|train| self.is_settled(train))
@@ -149,8 +149,8 @@ impl Watch {
             return Vec::new();
         };
         let (before, now_s) = (self.last, self.now_s());
-        let as_recording = |train: &Train| Heard {
-            found: Found {
+        let as_recording = |train: &Train| Detection {
+            found: TrainSearch {
                 trains: vec![train.clone()],
                 distant: heard
                     .found
@@ -159,13 +159,13 @@ impl Watch {
                     .filter(|distant| distant.end_s() > before.time_s)
                     .cloned()
                     .collect(),
-                regular: Vec::new(),
+                periodic: Vec::new(),
             },
             duration_s: now_s,
             clipped_samples: heard.clipped_samples.saturating_sub(before.clipped_samples),
             ..heard.clone()
         };
-        let recordings: Vec<Heard> = over.iter().map(as_recording).collect();
+        let recordings: Vec<Detection> = over.iter().map(as_recording).collect();
         if !over.is_empty() {
             self.last = Told {
                 time_s: now_s,
@@ -193,7 +193,7 @@ impl Watch {
 
 impl Glimpse {
     /// Judges all sounds if there are new ones, unless that was done a moment ago.
-    fn renew(&mut self, listener: &Listener) {
+    fn renew(&mut self, listener: &Detector) {
         let start = Instant::now();
         if listener.onsets() == self.onsets || self.next.is_some_and(|next| start < next) {
             return;
@@ -255,7 +255,7 @@ mod tests {
     fn each_drop_is_told_of_once_and_as_the_whole_recording_has_it() {
         let samples = two_drops();
         let told = told(&samples, 1024);
-        let mut listener = Listener::new(44_100, 1);
+        let mut listener = Detector::new(44_100, 1);
         listener.push(&[&samples]);
         let whole = listener.finish().found.trains;
         assert_eq!(whole.len(), 2);

@@ -6,7 +6,7 @@ use bouncelab_session::journal::Key;
 use bouncelab_session::table::{Cell, Column, Kind, Schema};
 
 use super::gather::{Drop, left_out};
-use super::notes::Understood;
+use super::notes::Setup;
 use super::outcome::Outcome;
 use super::record::{DropRecord, ImpactRecord, Value};
 
@@ -228,10 +228,10 @@ pub(super) struct Tables {
 }
 
 impl Tables {
-    pub(super) fn new(recordings: &[Understood]) -> Self {
+    pub(super) fn new(recordings: &[Setup]) -> Self {
         let fields: BTreeSet<&String> = recordings
             .iter()
-            .flat_map(|understood| understood.set_up.factors.keys())
+            .flat_map(|setup| setup.set_up.factors.keys())
             .collect();
         let fields: Vec<String> = fields.into_iter().cloned().collect();
         let fixed = |rows: &[Row]| -> Vec<Column> {
@@ -282,14 +282,11 @@ impl Tables {
         }
     }
 
-    fn head(&self, drop: &Drop, understood: &Understood) -> Vec<Cell> {
-        let mut cells = vec![
-            Cell::Text(understood.recording.name.clone()),
-            count(drop.number),
-        ];
+    fn head(&self, drop: &Drop, setup: &Setup) -> Vec<Cell> {
+        let mut cells = vec![Cell::Text(setup.recording.name.clone()), count(drop.number)];
         let noted = self.fields.iter();
         cells.extend(
-            noted.map(|field| Cell::text(understood.set_up.factors.get(field).map(String::as_str))),
+            noted.map(|field| Cell::text(setup.set_up.factors.get(field).map(String::as_str))),
         );
         cells
     }
@@ -299,16 +296,16 @@ impl Tables {
         &self,
         outcome: &Outcome<'_>,
         place: usize,
-        understood: &Understood,
+        setup: &Setup,
         key: &Key,
         (record, warnings): (&DropRecord, &[String]),
     ) -> Vec<Cell> {
         let drop = &outcome.drops[place];
-        let physics = &understood.set_up.physics.settings;
-        let mut cells = self.head(drop, understood);
+        let physics = &setup.set_up.physics.settings;
+        let mut cells = self.head(drop, setup);
         cells.extend([
-            Cell::number(understood.set_up.height_m),
-            Cell::number(understood.set_up.temperature_k),
+            Cell::number(setup.set_up.height_m),
+            Cell::number(setup.set_up.temperature_k),
             Cell::Number(physics.ball.mass_kg()),
             Cell::Number(physics.ball.diameter_m()),
             Cell::Number(physics.environment.air.density_kg_m3()),
@@ -353,13 +350,8 @@ impl Tables {
     }
 
     /// The row of an impact.
-    pub(super) fn impact(
-        &self,
-        drop: &Drop,
-        understood: &Understood,
-        impact: &ImpactRecord,
-    ) -> Vec<Cell> {
-        let mut cells = self.head(drop, understood);
+    pub(super) fn impact(&self, drop: &Drop, setup: &Setup, impact: &ImpactRecord) -> Vec<Cell> {
+        let mut cells = self.head(drop, setup);
         cells.push(count(impact.number));
         cells.push(Cell::Number(impact.time_s));
         cells.push(Cell::number(impact.sigma_s));

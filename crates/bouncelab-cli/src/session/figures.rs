@@ -2,8 +2,8 @@
 
 use std::path::Path;
 
-use bouncelab::estimate::Summary;
 use bouncelab::groups::{Group, Study, run_limit};
+use bouncelab::inference::Summary;
 use bouncelab_report::Figure;
 use bouncelab_report::figure::{self, GroupInterval, GroupLaw, GroupPoint, RunPoint};
 

@@ -3,7 +3,7 @@
 use bouncelab::groups::StudyDrop;
 use bouncelab_report::document::{AboutSession, Reason};
 
-use super::notes::Understood;
+use super::notes::Setup;
 use super::record::{DropRecord, EstimateRecord, Record};
 use super::results::Results;
 use crate::failure::Failure;
@@ -82,11 +82,11 @@ impl Gathered {
     fn take(
         &mut self,
         recording: usize,
-        understood: &Understood,
+        setup: &Setup,
         record: Record,
         exclude: &mut Excluded<'_>,
     ) {
-        let name = &understood.recording.name;
+        let name = &setup.recording.name;
         if let Some(why) = record.failure {
             // It may begin with the path of the recording, which is named already.
             let why = match why.split_once(": ") {
@@ -101,7 +101,7 @@ impl Gathered {
             self.about.without_drop.push(reason(name, &why));
         }
         let has_company = record.drops.len() > 1;
-        let asked = understood.asks();
+        let asked = setup.asks();
         for (number, of_drop) in (1..).zip(record.drops) {
             let drop = Drop {
                 recording,
@@ -139,7 +139,7 @@ impl Gathered {
 }
 
 /// What to say if the same sound was noted differently: only one of the notes counts.
-fn noted_otherwise(other: &Understood, first: &Understood) -> Option<String> {
+fn noted_otherwise(other: &Setup, first: &Setup) -> Option<String> {
     let (of_other, of_first) = (&other.set_up.factors, &first.set_up.factors);
     let differs = |field: &&String| of_other.get(*field) != of_first.get(*field);
     let fields = of_other.keys().chain(of_first.keys());

@@ -22,8 +22,8 @@ use bouncelab_session::{Session, Sources};
 use clap::{Args, ValueEnum};
 
 use crate::failure::Failure;
-use crate::knowledge::{KnowledgeArguments, impact_speed};
 use crate::physics::PhysicsArguments;
+use crate::priors::{PriorArguments, impact_speed};
 use crate::report::ReportFile;
 use columns::Tables;
 use notes::Reading;
@@ -102,7 +102,7 @@ pub(crate) struct Arguments {
     #[command(flatten)]
     physics: PhysicsArguments,
     #[command(flatten)]
-    knowledge: KnowledgeArguments,
+    priors: PriorArguments,
 }
 
 const EXAMPLES: &str = "\
@@ -154,7 +154,7 @@ impl From<TableForm> for Form {
 }
 
 pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
-    arguments.physics.questioned(arguments.knowledge.doubts())?;
+    arguments.physics.questioned(arguments.priors.doubts())?;
     let mut session = Session::gather(&Sources {
         inputs: arguments.inputs.clone(),
         pattern: arguments.pattern.clone(),
@@ -162,12 +162,12 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
     })?;
     let reading = Reading {
         physics: &arguments.physics,
-        knowledge: &arguments.knowledge,
+        priors: &arguments.priors,
         allow_missing: arguments.allow_missing,
     };
     let title = session.title.take();
     let remarks = std::mem::take(&mut session.remarks);
-    let recordings = reading.understand(session)?;
+    let recordings = reading.resolve(session)?;
     let journal = Journal::open(&arguments.output)?;
     let folder = &arguments.output;
     remove_drafts(folder).map_err(|reason| Failure::unwritable(folder, &reason))?;
@@ -261,13 +261,13 @@ fn write_tables(
     let mut impacts = TableWriter::new(folder, &tables.impacts, &forms)?;
     let mut next = 0;
     while let Some(first) = outcome.drops.get(next) {
-        let understood = &results.recordings[first.recording];
+        let setup = &results.recordings[first.recording];
         let (key, record) = results.read(first.recording)?;
         for of_drop in &record.drops {
             let told = (of_drop, record.warnings.as_slice());
-            drops.row(&tables.drop(outcome, next, understood, &key, told))?;
+            drops.row(&tables.drop(outcome, next, setup, &key, told))?;
             for impact in &of_drop.impacts {
-                impacts.row(&tables.impact(&outcome.drops[next], understood, impact))?;
+                impacts.row(&tables.impact(&outcome.drops[next], setup, impact))?;
             }
             next += 1;
         }

@@ -8,8 +8,8 @@ use bouncelab_session::{Note, Notes, Recording, Session};
 
 use crate::doubt;
 use crate::failure::Failure;
-use crate::knowledge::KnowledgeArguments;
 use crate::physics::{Noted, Physics, PhysicsArguments};
+use crate::priors::PriorArguments;
 use crate::units;
 
 /// Fields that describe the set-up; by all others, and by ball, height and temperature, drops are
@@ -29,16 +29,16 @@ const KNOWN: [&str; 5] = ["ball", "surface", "operator", "height", "temperature"
 /// Fields that a ball in a session file may have.
 const OF_A_BALL: [&str; 4] = ["kind", "mass", "diameter", "contact_time"];
 
-/// A recording whose notes are understood.
-pub(super) struct Understood {
+/// A recording whose notes are setup.
+pub(super) struct Setup {
     pub(super) recording: Recording,
     pub(super) set_up: Arc<SetUp>,
 }
 
-impl Understood {
+impl Setup {
     /// Whether there is to be an inference.
     pub(super) fn asks(&self) -> bool {
-        self.set_up.physics.settings.question.is_some()
+        self.set_up.physics.settings.inference.is_some()
     }
 }
 
@@ -72,14 +72,14 @@ type Reader = fn(&str) -> Result<f64, String>;
 /// How notes are read.
 pub(super) struct Reading<'a> {
     pub(super) physics: &'a PhysicsArguments,
-    pub(super) knowledge: &'a KnowledgeArguments,
+    pub(super) priors: &'a PriorArguments,
     /// Whether recordings may lack what others say.
     pub(super) allow_missing: bool,
 }
 
 impl Reading<'_> {
     /// Understands every recording, or says all that stands against it.
-    pub(super) fn understand(&self, session: Session) -> Result<Vec<Understood>, Failure> {
+    pub(super) fn resolve(&self, session: Session) -> Result<Vec<Setup>, Failure> {
         let mut problems = Problems::default();
         let mut known = SetUps::default();
         let set_ups: Vec<Option<Arc<SetUp>>> = (0..session.recordings.len())
@@ -94,11 +94,11 @@ impl Reading<'_> {
         if let Some(message) = problems.message() {
             return Err(Failure::Usage(message));
         }
-        let understood = session.recordings.into_iter().zip(set_ups);
-        Ok(understood
+        let setup = session.recordings.into_iter().zip(set_ups);
+        Ok(setup
             .filter_map(|(recording, set_up)| {
                 let set_up = set_up?;
-                Some(Understood { recording, set_up })
+                Some(Setup { recording, set_up })
             })
             .collect())
     }
@@ -106,7 +106,7 @@ impl Reading<'_> {
     fn one(&self, session: &Session, place: usize, problems: &mut Problems) -> Option<SetUp> {
         let mut one = One {
             name: &session.recordings[place].name,
-            as_stated: self.physics.as_stated(),
+            allow_implausible: self.physics.allow_implausible(),
             said: BTreeMap::new(),
             problems,
         };
@@ -169,8 +169,8 @@ impl Reading<'_> {
         height_sd_m: Option<f64>,
     ) -> Result<Physics, Failure> {
         let mut physics = self.physics.with(noted).physics()?;
-        let knowledge = self.knowledge.with_height(height_m, height_sd_m);
-        knowledge.add_to(&mut physics.settings)?;
+        let priors = self.priors.with_height(height_m, height_sd_m);
+        priors.add_to(&mut physics.settings)?;
         Ok(physics)
     }
 }
@@ -183,7 +183,7 @@ fn rounded(value: f64) -> f64 {
 /// One recording while its notes are read.
 struct One<'a> {
     name: &'a str,
-    as_stated: bool,
+    allow_implausible: bool,
     /// The statement that counts, by field.
     said: BTreeMap<String, Note>,
     problems: &'a mut Problems,
@@ -216,7 +216,7 @@ impl One<'_> {
 
     /// Any field may be noted, but one that looks like a slip would be lost.
     fn doubt_fields(&mut self) {
-        if self.as_stated {
+        if self.allow_implausible {
             return;
         }
         let known = || CONDITIONS.into_iter().chain(KNOWN);
@@ -228,7 +228,7 @@ impl One<'_> {
             .filter_map(|field| {
                 let meant = near(field, known())?;
                 Some(format!(
-                    "a {field}? Did you mean {meant}? Correct it, or insist by --as-stated"
+                    "a {field}? Did you mean {meant}? Correct it, or insist by --allow-implausible"
                 ))
             })
             .collect();
@@ -246,7 +246,9 @@ impl One<'_> {
     fn value(&mut self, field: &'static str, note: &Note, read: Reader) -> Option<f64> {
         match read(&note.text) {
             Ok(value) => {
-                if let Some(doubt) = doubt::of_quantity(field, value).filter(|_| !self.as_stated) {
+                if let Some(doubt) =
+                    doubt::of_quantity(field, value).filter(|_| !self.allow_implausible)
+                {
                     self.problem(format!("{doubt} (\"{}\" by {})", note.text, note.said_by));
                 }
                 Some(value)
@@ -305,7 +307,7 @@ impl One<'_> {
 
     fn doubt_ball(&mut self, physics: &Physics) {
         let ball = &physics.settings.ball;
-        if let Some(doubt) = doubt::of_ball(ball).filter(|_| !self.as_stated) {
+        if let Some(doubt) = doubt::of_ball(ball).filter(|_| !self.allow_implausible) {
             self.problem(doubt.to_string());
         }
     }

@@ -3,12 +3,12 @@
 use std::cmp::Ordering;
 use std::collections::BTreeMap;
 
-use bouncelab::estimate::Measured;
-use bouncelab::groups::{Amounts, Factor, Study, StudyDrop};
+use bouncelab::groups::{Covariate, Factor, Study, StudyDrop};
+use bouncelab::inference::Measured;
 use bouncelab_report::document::{AboutSession, Reason, SessionDocument};
 
 use super::gather::{Drop, Gathered, reason};
-use super::notes::{SetUp, Understood};
+use super::notes::{SetUp, Setup};
 use super::results::Results;
 use crate::failure::Failure;
 
@@ -23,7 +23,7 @@ const NOT_GROUPED: [&str; 3] = ["operator", "height", "temperature"];
 /// Of each drop it keeps what the statistics need; all else is read from the journal again where it
 /// is wanted.
 pub(super) struct Outcome<'a> {
-    pub(super) recordings: &'a [Understood],
+    pub(super) recordings: &'a [Setup],
     pub(super) about: AboutSession,
     /// Drops whose estimate can hardly be believed, by their place in `about.odd`.
     pub(super) doubtful: Vec<usize>,
@@ -77,15 +77,15 @@ impl<'a> Outcome<'a> {
     }
 
     fn study(&mut self, wish: &Wish) -> Result<(), Failure> {
-        let used: Vec<&Understood> = self
+        let used: Vec<&Setup> = self
             .studied
             .iter()
             .map(|&place| &self.recordings[self.drops[place].recording])
             .collect();
         self.factors = factors(&used);
         self.by = by(&self.factors, &wish.by)?;
-        for (drop, understood) in std::iter::zip(&mut self.laws, &used) {
-            drop.levels = levels(&self.factors, understood);
+        for (drop, setup) in std::iter::zip(&mut self.laws, &used) {
+            drop.levels = levels(&self.factors, setup);
         }
         let study = Study::of(
             &self.laws,
@@ -96,7 +96,7 @@ impl<'a> Outcome<'a> {
             wish.wanted,
         );
         self.study = study.map_err(|refusal| match wish.at_speed_m_s {
-            _ if !self.recordings.iter().any(Understood::asks) => {
+            _ if !self.recordings.iter().any(Setup::asks) => {
                 "drops are compared by the inference, which was left out (--no-inference)"
                     .to_owned()
             }
@@ -164,7 +164,7 @@ impl<'a> Outcome<'a> {
 }
 
 /// What was assumed of all recordings alike.
-fn assumptions(recordings: &[Understood]) -> Vec<String> {
+fn assumptions(recordings: &[Setup]) -> Vec<String> {
     let mut counts: BTreeMap<&str, usize> = BTreeMap::new();
     for assumption in recordings
         .iter()
@@ -183,12 +183,9 @@ fn assumptions(recordings: &[Understood]) -> Vec<String> {
 }
 
 /// Everything by which drops can be compared, with its levels in order.
-fn factors(used: &[&Understood]) -> Vec<Factor> {
+fn factors(used: &[&Setup]) -> Vec<Factor> {
     let mut levels: BTreeMap<&str, Vec<&str>> = BTreeMap::new();
-    for (field, level) in used
-        .iter()
-        .flat_map(|understood| &understood.set_up.factors)
-    {
+    for (field, level) in used.iter().flat_map(|setup| &setup.set_up.factors) {
         levels.entry(field).or_default().push(level);
     }
     let mut factors: Vec<Factor> = levels
@@ -211,7 +208,7 @@ fn factors(used: &[&Understood]) -> Vec<Factor> {
 }
 
 /// The factors that are noted in numbers, in SI.
-fn amounts(factors: &[Factor], used: &[&Understood]) -> Vec<Amounts> {
+fn amounts(factors: &[Factor], used: &[&Setup]) -> Vec<Covariate> {
     type Amount = fn(&SetUp) -> Option<f64>;
     let height: Amount = |set_up| set_up.height_m;
     let temperature: Amount = |set_up| set_up.temperature_k;
@@ -219,14 +216,14 @@ fn amounts(factors: &[Factor], used: &[&Understood]) -> Vec<Amounts> {
         let factor = factors.iter().position(|factor| factor.name == name)?;
         let by_level: BTreeMap<&str, f64> = used
             .iter()
-            .filter_map(|understood| {
-                let level = understood.set_up.factors.get(name)?;
-                Some((level.as_str(), amount(&understood.set_up)?))
+            .filter_map(|setup| {
+                let level = setup.set_up.factors.get(name)?;
+                Some((level.as_str(), amount(&setup.set_up)?))
             })
             .collect();
         let levels = factors[factor].levels.iter();
         let of_levels = levels.map(|level| by_level.get(level.as_str()).copied());
-        Some(Amounts {
+        Some(Covariate {
             factor,
             of_levels: of_levels.collect::<Option<_>>()?,
         })
@@ -279,11 +276,11 @@ fn by(factors: &[Factor], wished: &[String]) -> Result<Vec<usize>, Failure> {
         .collect()
 }
 
-fn levels(factors: &[Factor], understood: &Understood) -> Vec<Option<usize>> {
+fn levels(factors: &[Factor], setup: &Setup) -> Vec<Option<usize>> {
     factors
         .iter()
         .map(|factor| {
-            let level = understood.set_up.factors.get(&factor.name)?;
+            let level = setup.set_up.factors.get(&factor.name)?;
             factor.levels.iter().position(|known| known == level)
         })
         .collect()

@@ -1,15 +1,15 @@
 //! What the journal keeps of a recording.
 
-use bouncelab::analysis::Analysis;
-use bouncelab::estimate::{Inference, Measured, Remark, Summary};
-use bouncelab::groups::{Law, LawPoint};
+use bouncelab::analysis::Drop;
+use bouncelab::groups::{CurvePoint, RestitutionCurve};
+use bouncelab::inference::{Measured, Posterior, Remark, Summary};
 use bouncelab::regression::Estimate;
 use bouncelab_report::document::Origin;
 use serde::{Deserialize, Serialize};
 
 use crate::analyze::Hearing;
 
-/// Changes whenever a record of before would not be understood, or would say something else.
+/// Changes whenever a record of before would not be setup, or would say something else.
 pub(super) const RECORD: &str = "bouncelab.record/1";
 
 /// What one recording says.
@@ -148,7 +148,7 @@ impl Record {
 }
 
 impl DropRecord {
-    fn of(drop: &Analysis, probability: f64) -> Self {
+    fn of(drop: &Drop, probability: f64) -> Self {
         let inferred = drop.estimate.as_ref().ok();
         let remarks = inferred.map_or(&[][..], |found| &found.remarks);
         Self {
@@ -187,7 +187,7 @@ fn is_odd(remark: &Remark) -> bool {
     )
 }
 
-fn impacts(drop: &Analysis) -> Vec<ImpactRecord> {
+fn impacts(drop: &Drop) -> Vec<ImpactRecord> {
     let inferred = drop.estimate.as_ref().ok();
     drop.impacts
         .iter()
@@ -217,7 +217,7 @@ fn impacts(drop: &Analysis) -> Vec<ImpactRecord> {
 }
 
 impl EstimateRecord {
-    fn of(found: &Inference) -> Self {
+    fn of(found: &Posterior) -> Self {
         let likeliest = |probabilities: &Vec<f64>| {
             let numbered = probabilities.iter().enumerate();
             numbered
@@ -246,22 +246,22 @@ impl EstimateRecord {
     }
 
     /// Restitution at speeds that all drops share.
-    pub(super) fn law(&self) -> Law {
+    pub(super) fn law(&self) -> RestitutionCurve {
         let points = self
             .law
             .iter()
-            .map(|&[speed_m_s, value, own_sd, shared_sd]| LawPoint {
+            .map(|&[speed_m_s, value, own_sd, shared_sd]| CurvePoint {
                 speed_m_s,
                 value,
                 own_sd,
                 shared_sd,
             });
-        Law(points.collect())
+        RestitutionCurve(points.collect())
     }
 }
 
-/// Restitution at the speeds of [`Law::speeds`] within those of the impacts heard.
-fn law(found: &Inference) -> Law {
+/// Restitution at the speeds of [`RestitutionCurve::speeds`] within those of the impacts heard.
+fn law(found: &Posterior) -> RestitutionCurve {
     let speeds = found
         .impacts
         .iter()
@@ -270,23 +270,25 @@ fn law(found: &Inference) -> Law {
     let (slowest, fastest) = speeds.fold((f64::INFINITY, 0.0), |(slowest, fastest), speed| {
         (speed.min(slowest), speed.max(fastest))
     });
-    let speeds = Law::speeds(slowest, fastest);
+    let speeds = RestitutionCurve::speeds(slowest, fastest);
     let shared = found.shared_sd(&speeds).unwrap_or_default();
     let points = found.restitution_at_each(&speeds).into_iter().zip(&speeds);
-    Law(points
-        .enumerate()
-        .filter_map(|(place, (summary, &speed_m_s))| {
-            let summary = summary.filter(|summary| summary.sd.is_finite())?;
-            let shared_sd = shared.get(place).copied().filter(|sd| sd.is_finite());
-            // What is not shared is this drop's own: the whole of it where the fit is too odd to be
-            // taken apart.
-            let shared_sd = shared_sd.unwrap_or(0.0).min(summary.sd);
-            Some(LawPoint {
-                speed_m_s,
-                value: summary.value,
-                own_sd: (summary.sd.powi(2) - shared_sd.powi(2)).sqrt(),
-                shared_sd,
+    RestitutionCurve(
+        points
+            .enumerate()
+            .filter_map(|(place, (summary, &speed_m_s))| {
+                let summary = summary.filter(|summary| summary.sd.is_finite())?;
+                let shared_sd = shared.get(place).copied().filter(|sd| sd.is_finite());
+                // What is not shared is this drop's own: the whole of it where the fit is too odd to be
+                // taken apart.
+                let shared_sd = shared_sd.unwrap_or(0.0).min(summary.sd);
+                Some(CurvePoint {
+                    speed_m_s,
+                    value: summary.value,
+                    own_sd: (summary.sd.powi(2) - shared_sd.powi(2)).sqrt(),
+                    shared_sd,
+                })
             })
-        })
-        .collect())
+            .collect(),
+    )
 }

@@ -223,9 +223,9 @@ fn files(results: &Results<'_>) -> Vec<(String, String)> {
     }
     let contents = results.recordings.iter().zip(&results.done.contents);
     contents
-        .filter_map(|(understood, content)| {
+        .filter_map(|(setup, content)| {
             let content = content.as_ref().ok()?;
-            Some((understood.recording.name.clone(), content.to_string()))
+            Some((setup.recording.name.clone(), content.to_string()))
         })
         .collect()
 }

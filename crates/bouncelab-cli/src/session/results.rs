@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use bouncelab_session::hash::Hash;
 use bouncelab_session::journal::{Journal, Key};
 
-use super::notes::Understood;
+use super::notes::Setup;
 use super::record::Record;
 use super::work::Done;
 use crate::failure::Failure;
@@ -13,7 +13,7 @@ use crate::failure::Failure;
 /// Where the results of a session are.
 #[derive(Clone, Copy)]
 pub(super) struct Results<'a> {
-    pub(super) recordings: &'a [Understood],
+    pub(super) recordings: &'a [Setup],
     pub(super) done: &'a Done,
     pub(super) journal: &'a Journal,
 }
@@ -21,10 +21,10 @@ pub(super) struct Results<'a> {
 impl Results<'_> {
     /// The result of a recording, and what it is of.
     pub(super) fn read(&self, place: usize) -> Result<(Key, Record), Failure> {
-        let understood = &self.recordings[place];
-        let name = &understood.recording.name;
+        let setup = &self.recordings[place];
+        let name = &setup.recording.name;
         let content = self.done.contents[place].as_ref();
-        let key = understood.key(*content.map_err(|reason| Failure::Input(reason.clone()))?);
+        let key = setup.key(*content.map_err(|reason| Failure::Input(reason.clone()))?);
         let record = self.journal.read(name, &key)?;
         let lost = || Failure::Input(format!("{name}: its result is lost; run again"));
         Ok((key, record.ok_or_else(lost)?))

@@ -10,7 +10,7 @@ use indicatif::{ProgressBar, ProgressStyle};
 use rayon::ThreadPoolBuilder;
 use rayon::prelude::*;
 
-use super::notes::Understood;
+use super::notes::Setup;
 use super::record::{RECORD, Record};
 use crate::analyze::{Heeded, hear};
 use crate::failure::Failure;
@@ -31,7 +31,7 @@ pub(super) struct Done {
 /// Each result depends on the content of its recording and the settings alone, never on the order of
 /// work, so it does not matter which thread comes when, or how often a run was interrupted.
 pub(super) fn hear_all(
-    recordings: &[Understood],
+    recordings: &[Setup],
     journal: &Journal,
     jobs: Option<usize>,
 ) -> Result<Done, Failure> {
@@ -42,8 +42,8 @@ pub(super) fn hear_all(
     let bar = progress(recordings.len());
     let (kept, failed) = (AtomicUsize::new(0), AtomicUsize::new(0));
     let appended = AtomicUsize::new(0);
-    let one = |understood: &Understood| -> Result<Result<Hash, String>, Failure> {
-        let content = match hash::hash_of_file(&understood.recording.path) {
+    let one = |setup: &Setup| -> Result<Result<Hash, String>, Failure> {
+        let content = match hash::hash_of_file(&setup.recording.path) {
             Ok(content) => content,
             Err(reason) => {
                 failed.fetch_add(1, Ordering::Relaxed);
@@ -51,12 +51,12 @@ pub(super) fn hear_all(
                 return Ok(Err(reason.to_string()));
             }
         };
-        let key = understood.key(content);
-        let name = &understood.recording.name;
+        let key = setup.key(content);
+        let name = &setup.recording.name;
         if journal.has(name, &key) {
             kept.fetch_add(1, Ordering::Relaxed);
         } else {
-            let record = record(understood, &key);
+            let record = record(setup, &key);
             if record.failure.is_some() || record.no_drop.is_some() {
                 failed.fetch_add(1, Ordering::Relaxed);
             }
@@ -99,7 +99,7 @@ fn progress(recordings: usize) -> ProgressBar {
     bar
 }
 
-impl Understood {
+impl Setup {
     /// What its result depends on: the sound, and the settings of this version.
     pub(super) fn key(&self, content: Hash) -> Key {
         let settings = &self.set_up.physics.settings;
@@ -111,17 +111,17 @@ impl Understood {
     }
 }
 
-fn record(understood: &Understood, key: &Key) -> Record {
+fn record(setup: &Setup, key: &Key) -> Record {
     let heeded = Heeded {
         quiet: true,
         ..Heeded::default()
     };
-    let mut settings = understood.set_up.physics.settings.clone();
-    if let Some(question) = &mut settings.question {
+    let mut settings = setup.set_up.physics.settings.clone();
+    if let Some(inference) = &mut settings.inference {
         // Equal seeds would give the errors of sampling of all drops the same sign.
-        question.effort.seed ^= key.content.number();
+        inference.sampler.seed ^= key.content.number();
     }
-    let path = &understood.recording.path;
+    let path = &setup.recording.path;
     // Whatever goes wrong with one recording, the others go on.
     let heard = catch_unwind(AssertUnwindSafe(|| hear(path, &heeded, &settings)));
     match heard {
@@ -129,7 +129,7 @@ fn record(understood: &Understood, key: &Key) -> Record {
         Ok(Err(failure)) => Record::failed(failure.to_string()),
         Err(_) => Record::failed(format!(
             "{}: the program stumbled over it, which is a fault of the program; please report it",
-            understood.recording.name
+            setup.recording.name
         )),
     }
 }

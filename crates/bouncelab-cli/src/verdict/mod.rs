@@ -8,7 +8,7 @@ use std::collections::BTreeMap;
 use std::io::{self, Write};
 use std::path::PathBuf;
 
-use bouncelab::estimate::Measured;
+use bouncelab::inference::Measured;
 use bouncelab::rulebook::{self, Decision, Outcome, Place, Rule, Verdict};
 use bouncelab_report::document::verdict::VerdictDocument;
 use bouncelab_session::hash::hash_of_file;
@@ -16,8 +16,8 @@ use clap::{Args, ValueEnum};
 
 use crate::analyze::{self, Hearing, Heeded, hear};
 use crate::failure::Failure;
-use crate::knowledge::KnowledgeArguments;
 use crate::physics::{Physics, PhysicsArguments};
+use crate::priors::PriorArguments;
 use crate::report::ReportFile;
 use crate::rules::Files;
 use crate::units;
@@ -56,7 +56,7 @@ pub(crate) struct Arguments {
     #[command(flatten)]
     physics: PhysicsArguments,
     #[command(flatten)]
-    knowledge: KnowledgeArguments,
+    priors: PriorArguments,
 }
 
 const EXAMPLES: &str = "\
@@ -242,21 +242,21 @@ fn physics(arguments: &Arguments, rule: &Rule) -> Result<Physics, Failure> {
             rule.name
         )));
     }
-    let mut physics = analyze::physics(&of_ball, &arguments.knowledge, None)?;
+    let mut physics = analyze::physics(&of_ball, &arguments.priors, None)?;
     if unstated {
         let ball = format!("the ball is {}, as in the rule", physics.ball_label);
         physics.assumptions.insert(0, ball);
     }
-    if physics.settings.question.is_none() {
+    if physics.settings.inference.is_none() {
         return Err(Failure::Usage(
             "a verdict rests on the inference; leave out --no-inference".to_owned(),
         ));
     }
     let diameter_m = physics.settings.ball.diameter_m();
     let of_rule = rule.fall_m(diameter_m, None);
-    match (physics.settings.knowledge.drop_height_m, of_rule) {
-        (Some(stated), Some(of_rule)) if !arguments.physics.as_stated() => {
-            question(stated.value, of_rule)?;
+    match (physics.settings.priors.drop_height_m, of_rule) {
+        (Some(stated), Some(of_rule)) if !arguments.physics.allow_implausible() => {
+            inference(stated.value, of_rule)?;
         }
         (None, Some(of_rule)) => {
             let height = of_the_rule(rule, of_rule);
@@ -264,7 +264,7 @@ fn physics(arguments: &Arguments, rule: &Rule) -> Result<Physics, Failure> {
                 "its lowest point fell {:.4} ± {:.4} m, as in the rule",
                 height.value, height.sd
             ));
-            physics.settings.knowledge.drop_height_m = Some(height);
+            physics.settings.priors.drop_height_m = Some(height);
         }
         _ => {}
     }
@@ -283,15 +283,15 @@ fn of_the_rule(rule: &Rule, fall_m: f64) -> Measured {
 }
 
 /// A height far from that of the rule is probably in another unit.
-fn question(stated_m: f64, of_rule_m: f64) -> Result<(), Failure> {
-    const FAR: f64 = 8.0;
+fn inference(stated_m: f64, of_rule_m: f64) -> Result<(), Failure> {
+    const OUTLIER_THRESHOLD: f64 = 8.0;
     let factor = stated_m / of_rule_m;
-    if (1.0 / FAR..FAR).contains(&factor) {
+    if (1.0 / OUTLIER_THRESHOLD..OUTLIER_THRESHOLD).contains(&factor) {
         return Ok(());
     }
     Err(Failure::Usage(format!(
         "--height {stated_m} m is {} times the rule's {of_rule_m:.3} m: is the unit right? Correct it, or \
-         insist by --as-stated",
+         insist by --allow-implausible",
         (factor * 1000.0).round() / 1000.0
     )))
 }

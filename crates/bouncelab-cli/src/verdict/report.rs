@@ -1,6 +1,6 @@
 //! The report of a verdict, as a page.
 
-use bouncelab::estimate::Summary;
+use bouncelab::inference::Summary;
 use bouncelab::rulebook::{Limits, Rebound, Requirement, Status};
 use bouncelab_report::Figure;
 use bouncelab_report::figure::{self, Judged};

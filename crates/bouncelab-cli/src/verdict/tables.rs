@@ -1,6 +1,6 @@
 //! What the drops say of the rebound, as tables for the screen and for reports.
 
-use bouncelab::estimate::Summary;
+use bouncelab::inference::Summary;
 use bouncelab::rulebook::{Rebound, Step, Verdict};
 use bouncelab_report::{Align, CANNOT_TELL, Quantity, Table, Unit};
 

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use bouncelab::analysis::Settings;
+use bouncelab::analysis::Options;
 use bouncelab::flight::FlightModel;
 use bouncelab::impact::Strike;
 use bouncelab::synth::{self, Noise, Scene};
@@ -49,7 +49,7 @@ impl Truth {
     fn strikes(&self, height_m: f64, seed: u64) -> Vec<Strike> {
         /// Slower than this the ball is at rest, m/s.
         const REST_M_S: f64 = 0.25;
-        let settings = Settings::default();
+        let settings = Options::default();
         let model = FlightModel::new(&settings.ball, &settings.environment).unwrap();
         let mut chance = Chance(seed);
         let offset = self.between_drops * chance.normal();

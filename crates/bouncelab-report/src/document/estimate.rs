@@ -1,6 +1,6 @@
 //! The inference as data: `drops[].estimate`.
 
-use bouncelab::estimate::{self as inference, Inference};
+use bouncelab::inference::{self as inference, Posterior};
 use serde::Serialize;
 
 /// The posterior of one quantity.
@@ -40,7 +40,7 @@ pub(super) fn shown(summary: Option<inference::Summary>) -> Option<Summary> {
 /// What the times of a drop say, all priors and models considered.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
-#[cfg_attr(feature = "typescript", ts(rename = "Inference"))]
+#[cfg_attr(feature = "typescript", ts(rename = "Posterior"))]
 pub(super) struct Estimate {
     restitution: Summary,
     /// The impact speed of `restitution`.
@@ -66,7 +66,7 @@ pub(super) struct Estimate {
     /// The restitution law over the impact speed.
     band: Vec<BandPoint>,
     models: Vec<Model>,
-    narrowed: Vec<Narrowed>,
+    prior_contraction: Vec<PriorContraction>,
     correlations: Correlations,
     budget: Budget,
     sampling: Sampling,
@@ -128,7 +128,7 @@ struct Model {
 
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
-struct Narrowed {
+struct PriorContraction {
     unknown: String,
     /// Width after the data over width before.
     remaining: f64,
@@ -171,8 +171,8 @@ struct Sampling {
 /// Points of the band: enough for a smooth line.
 const BAND_POINTS: usize = 40;
 
-impl From<&Inference> for Estimate {
-    fn from(found: &Inference) -> Self {
+impl From<&Posterior> for Estimate {
+    fn from(found: &Posterior) -> Self {
         let drag = found.drag.as_ref();
         Self {
             restitution: found.restitution.into(),
@@ -204,12 +204,12 @@ impl From<&Inference> for Estimate {
                 })
                 .collect(),
             models: found.models.iter().map(Model::from).collect(),
-            narrowed: found
-                .narrowed
+            prior_contraction: found
+                .prior_contraction
                 .iter()
-                .map(|narrowed| Narrowed {
-                    unknown: narrowed.unknown.to_string(),
-                    remaining: narrowed.remaining,
+                .map(|prior_contraction| PriorContraction {
+                    unknown: prior_contraction.unknown.to_string(),
+                    remaining: prior_contraction.remaining,
                 })
                 .collect(),
             correlations: Correlations {

@@ -4,10 +4,10 @@
 //! version 1 fields are only ever added, so that a program may ignore what it does not know.
 //!
 //! ```
-//! use bouncelab::analysis::{self, Settings};
+//! use bouncelab::analysis::{self, Options};
 //! use bouncelab_report::document::{Document, Origin};
 //!
-//! let settings = Settings::default();
+//! let settings = Options::default();
 //! let impacts = analysis::impacts_of_times(&[0.0, 0.4605, 0.8877, 1.2854, 1.6568]);
 //! let drop = analysis::analyze(impacts, &settings);
 //! let document = Document::new("drop.txt", Origin::Times, &settings, vec![], &[drop], vec![]);
@@ -22,7 +22,7 @@ mod session;
 pub mod simulation;
 pub mod verdict;
 
-use bouncelab::analysis::{Analysis, Settings};
+use bouncelab::analysis::{Drop as Analysis, Options};
 use bouncelab::regression::{Estimate, Regression};
 use serde::{Deserialize, Serialize};
 
@@ -179,7 +179,7 @@ impl Document {
     pub fn new(
         file: &str,
         source: Origin,
-        settings: &Settings,
+        settings: &Options,
         assumptions: Vec<String>,
         drops: &[Analysis],
         warnings: Vec<String>,
@@ -221,7 +221,7 @@ impl Document {
 }
 
 impl SettingsUsed {
-    fn new(settings: &Settings, assumptions: Vec<String>) -> Self {
+    fn new(settings: &Options, assumptions: Vec<String>) -> Self {
         let environment = &settings.environment;
         Self {
             ball_mass_kg: settings.ball.mass_kg(),

@@ -63,7 +63,7 @@ struct StudyFound {
     by: Vec<String>,
     all: Group,
     groups: Vec<Group>,
-    varies: Vec<Varies>,
+    varies: Vec<VarianceComponent>,
     differences: Vec<Difference>,
     trends: Vec<Trend>,
     outliers: Vec<Outlier>,
@@ -117,7 +117,7 @@ struct LawPoint {
 }
 
 #[derive(Clone, Debug, PartialEq, Serialize)]
-struct Varies {
+struct VarianceComponent {
     /// Empty for the drops themselves.
     factors: Vec<String>,
     levels: usize,
@@ -207,7 +207,7 @@ impl StudyFound {
             varies: study
                 .varies
                 .iter()
-                .map(|varies| Varies {
+                .map(|varies| VarianceComponent {
                     factors: varies.factors.iter().map(name).collect(),
                     levels: varies.levels,
                     sd: varies.component.sd,

@@ -1,6 +1,6 @@
 //! Simulated drops as data for other programs: the schema `bouncelab.simulation/1`.
 
-use bouncelab::analysis::Settings;
+use bouncelab::analysis::Options;
 use bouncelab::drag::DragLaw;
 use bouncelab::drop::History;
 use serde::Serialize;
@@ -109,7 +109,7 @@ pub struct Bounce {
 
 impl Document {
     /// The document of these runs.
-    pub fn new(runs: &[Run], settings: &Settings, assumptions: Vec<String>) -> Self {
+    pub fn new(runs: &[Run], settings: &Options, assumptions: Vec<String>) -> Self {
         Self {
             schema: SCHEMA,
             bouncelab: env!("CARGO_PKG_VERSION"),

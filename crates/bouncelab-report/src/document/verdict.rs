@@ -1,6 +1,6 @@
 //! A verdict as data: the schema `bouncelab.verdict/1`.
 
-use bouncelab::analysis::Settings;
+use bouncelab::analysis::Options;
 use bouncelab::rulebook::{self, Decision, Limits, Outcome, Requirement, Rule};
 use serde::Serialize;
 
@@ -88,7 +88,7 @@ impl VerdictDocument {
     /// The document of a verdict. `files` and `reference_files` name the places in order.
     pub fn new(
         rule: &Rule,
-        settings: &Settings,
+        settings: &Options,
         assumptions: Vec<String>,
         decision: Decision,
         verdict: &rulebook::Verdict,

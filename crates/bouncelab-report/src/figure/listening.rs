@@ -14,7 +14,7 @@ pub enum Hearing {
     /// Median error of the times over that of the Cramér-Rao bound.
     Timing,
     /// Percentage of errors within the stated standard error.
-    Stated,
+    SetupInput,
     /// How much later than the loudest impact of a drop others are found, in microseconds, against
     /// how loud they are.
     Late,
@@ -25,7 +25,7 @@ impl Hearing {
         match self {
             Self::Found => "Impacts found in noise",
             Self::Timing => "Errors of flight times and the physical limit",
-            Self::Stated => "Errors of flight times and what is stated of them",
+            Self::SetupInput => "Errors of flight times and what is stated of them",
             Self::Late => "Faint impacts are found no later than loud ones",
         }
     }
@@ -33,7 +33,7 @@ impl Hearing {
     fn loudness(self) -> &'static str {
         match self {
             Self::Late => "impact above the noise (dB)",
-            Self::Found | Self::Timing | Self::Stated => "loudest impact above the noise (dB)",
+            Self::Found | Self::Timing | Self::SetupInput => "loudest impact above the noise (dB)",
         }
     }
 
@@ -44,7 +44,7 @@ impl Hearing {
                 Scale::linear([0.0, 2.2]),
                 "median error over that of the bound",
             ),
-            Self::Stated => Axis::new(
+            Self::SetupInput => Axis::new(
                 Scale::linear([40.0, 100.0]),
                 "within one standard error (%)",
             ),
@@ -64,7 +64,7 @@ impl Hearing {
                 "The Cramér-Rao bound is the least error with which a known sound in white noise \
                  can be timed."
             }
-            Self::Stated => "Of normal errors 68 % lie within one standard error.",
+            Self::SetupInput => "Of normal errors 68 % lie within one standard error.",
             Self::Late => {
                 "The first sample above a fixed level comes the later, the fainter the impact; where \
                  the whole sound fits best does not depend on loudness."

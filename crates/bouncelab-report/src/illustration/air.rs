@@ -1,7 +1,7 @@
 //! The figures of the air: drag over weight at the speeds of a drop.
 
 use bouncelab::Result;
-use bouncelab::analysis::Settings;
+use bouncelab::analysis::Options;
 use bouncelab::drag::DragLaw;
 use bouncelab::flight::{Environment, FlightModel};
 
@@ -9,16 +9,16 @@ use crate::figure::{self, Curve, DragAxes, Figure};
 use crate::theme::Meaning;
 
 /// Drag over weight against speed; `None` without drag, or beyond what the law knows.
-pub fn drag(settings: &Settings, fastest_m_s: f64) -> Option<Figure> {
+pub fn drag(settings: &Options, fastest_m_s: f64) -> Option<Figure> {
     drawn(settings, fastest_m_s, DragAxes::Linear)
 }
 
 /// The same on logarithmic axes, where a constant coefficient is a straight line.
-pub fn drag_log(settings: &Settings, fastest_m_s: f64) -> Option<Figure> {
+pub fn drag_log(settings: &Options, fastest_m_s: f64) -> Option<Figure> {
     drawn(settings, fastest_m_s, DragAxes::Logarithmic)
 }
 
-fn drawn(settings: &Settings, fastest_m_s: f64, axes: DragAxes) -> Option<Figure> {
+fn drawn(settings: &Options, fastest_m_s: f64, axes: DragAxes) -> Option<Figure> {
     let curves = drag_curves(settings, fastest_m_s).ok()?;
     let shown = !curves.is_empty();
     shown.then(|| figure::drag(&curves, axes, Some(fastest_m_s)))
@@ -30,7 +30,7 @@ fn drawn(settings: &Settings, fastest_m_s: f64, axes: DragAxes) -> Option<Figure
 /// # Errors
 ///
 /// If the law does not reach the fastest impact, and the errors of [`FlightModel::new`].
-pub fn drag_curves(settings: &Settings, fastest_m_s: f64) -> Result<Vec<Curve>> {
+pub fn drag_curves(settings: &Options, fastest_m_s: f64) -> Result<Vec<Curve>> {
     let model = settings.model()?;
     let share = model.drag_over_weight(fastest_m_s)?;
     let unit = Environment {

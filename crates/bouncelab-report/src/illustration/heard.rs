@@ -1,8 +1,8 @@
 //! The figures of what was heard.
 
-use bouncelab::analysis::{Analysis, SURE, Settings};
-use bouncelab::estimate::Impact;
-use bouncelab::listen;
+use bouncelab::analysis::{CONFIDENT_PROBABILITY, Drop, Options};
+use bouncelab::detection;
+use bouncelab::inference::Impact;
 use bouncelab::regression::Regression;
 
 use super::inferred;
@@ -20,7 +20,7 @@ const POINTS: usize = 24;
 /// # Errors
 ///
 /// [`Error::Envelope`](crate::Error::Envelope) if the sound is longer than thirty years.
-pub fn waveform(sound: &listen::Envelope, drops: &[Analysis]) -> Result<Figure> {
+pub fn waveform(sound: &detection::Envelope, drops: &[Drop]) -> Result<Figure> {
     let envelope = envelope(sound)?;
     let marks: Vec<Mark> = drops
         .iter()
@@ -28,7 +28,7 @@ pub fn waveform(sound: &listen::Envelope, drops: &[Analysis]) -> Result<Figure> 
         .flat_map(|(found, drop)| {
             found.impacts.iter().map(move |impact| Mark {
                 time_s: impact.time_s,
-                sure: impact.probability >= SURE,
+                sure: impact.probability >= CONFIDENT_PROBABILITY,
                 drop,
             })
         })
@@ -37,7 +37,7 @@ pub fn waveform(sound: &listen::Envelope, drops: &[Analysis]) -> Result<Figure> 
 }
 
 /// The loudness of a sound, to be drawn.
-pub(crate) fn envelope(sound: &listen::Envelope) -> Result<Envelope> {
+pub(crate) fn envelope(sound: &detection::Envelope) -> Result<Envelope> {
     let (least, greatest) = (sound.least().to_vec(), sound.greatest().to_vec());
     Envelope::new(0.0, sound.step_s(), least, greatest)
 }
@@ -51,7 +51,7 @@ pub(crate) fn line(fit: &Regression) -> Line {
 }
 
 /// The flight times and the straight line through their logarithms.
-pub fn flight_times(drop: &Analysis) -> Figure {
+pub fn flight_times(drop: &Drop) -> Figure {
     let flights: Vec<TimedFlight> = drop
         .flights
         .iter()
@@ -67,7 +67,7 @@ pub fn flight_times(drop: &Analysis) -> Figure {
 }
 
 /// The restitution of each impact, with the fitted law if there is an inference.
-pub fn restitution(drop: &Analysis) -> Figure {
+pub fn restitution(drop: &Drop) -> Figure {
     let is_odd = |number: usize| {
         let found = drop.estimate.as_ref().ok();
         let impact = found.and_then(|found| found.impact(number));
@@ -114,7 +114,7 @@ pub struct Flown {
 }
 
 /// The height of each flight by the flight model; nothing if the impacts allow none.
-pub fn flown(drop: &Analysis, settings: &Settings) -> Flown {
+pub fn flown(drop: &Drop, settings: &Options) -> Flown {
     let mut flown = Flown::default();
     let (Ok(found), Ok(model)) = (&drop.corrected, settings.model()) else {
         return flown;
@@ -142,17 +142,13 @@ pub fn flown(drop: &Analysis, settings: &Settings) -> Flown {
 }
 
 /// The height of each flight by the flight model, from impact to impact.
-pub fn height(drop: &Analysis, settings: &Settings) -> Figure {
+pub fn height(drop: &Drop, settings: &Options) -> Figure {
     height_with(drop, settings, None)
 }
 
 /// The same with a simulation of the reader laid over it: time in s, in that of the recording, and
 /// height in m.
-pub fn height_with(
-    drop: &Analysis,
-    settings: &Settings,
-    simulation: Option<Vec<(f64, f64)>>,
-) -> Figure {
+pub fn height_with(drop: &Drop, settings: &Options, simulation: Option<Vec<(f64, f64)>>) -> Figure {
     let Flown { points, apexes } = flown(drop, settings);
     let curve = |name: String, points| Curve {
         name,
@@ -169,7 +165,7 @@ pub fn height_with(
 
 /// The height of each bounce: with the air taken into account where that can be done, else as if there
 /// were none.
-pub fn bounce_heights(drop: &Analysis) -> Figure {
+pub fn bounce_heights(drop: &Drop) -> Figure {
     let bounces: Vec<BounceHeight> = drop
         .flights
         .iter()
@@ -199,7 +195,7 @@ pub struct BounceEnergy {
 }
 
 /// The energies of each impact with a flight on both sides; none if the impacts allow none.
-pub fn energies(drop: &Analysis, settings: &Settings) -> Vec<BounceEnergy> {
+pub fn energies(drop: &Drop, settings: &Options) -> Vec<BounceEnergy> {
     let (Ok(found), Ok(model)) = (&drop.corrected, settings.model()) else {
         return Vec::new();
     };
@@ -223,7 +219,7 @@ pub fn energies(drop: &Analysis, settings: &Settings) -> Vec<BounceEnergy> {
 }
 
 /// What each bounce loses to the surface and to the air.
-pub fn bounce_energies(drop: &Analysis, settings: &Settings) -> Figure {
+pub fn bounce_energies(drop: &Drop, settings: &Options) -> Figure {
     let losses: Vec<BounceLoss> = energies(drop, settings)
         .into_iter()
         .map(|energy| BounceLoss {

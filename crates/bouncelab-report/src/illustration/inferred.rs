@@ -1,7 +1,7 @@
 //! The figures of the inference.
 
-use bouncelab::analysis::{self, Analysis, Settings};
-use bouncelab::estimate::{Effort, Inference, Question, Share};
+use bouncelab::analysis::{self, Drop, Options};
+use bouncelab::inference::{InferenceOptions, Posterior, SamplerConfig, Share};
 
 use crate::figure::{
     self, BandPoint, Budget, CornerParameter, CutPoint, CutSeries, Figure, ModelWeight, Residual,
@@ -14,7 +14,7 @@ use crate::theme::Meaning;
 const BAND_POINTS: usize = 60;
 
 /// The fitted law.
-pub(super) fn band(found: &Inference) -> Vec<BandPoint> {
+pub(super) fn band(found: &Posterior) -> Vec<BandPoint> {
     found
         .band(BAND_POINTS)
         .into_iter()
@@ -28,7 +28,7 @@ pub(super) fn band(found: &Inference) -> Vec<BandPoint> {
 }
 
 /// The posterior of restitution, drag coefficient and drop height, each alone and in pairs.
-pub fn corner(found: &Inference) -> Figure {
+pub fn corner(found: &Posterior) -> Figure {
     let mut parameters = vec![CornerParameter {
         name: "restitution".to_owned(),
         values: found.draws.restitution.clone(),
@@ -55,7 +55,7 @@ pub fn corner(found: &Inference) -> Figure {
 }
 
 /// How far each impact lies from what the ones before foretold.
-pub fn residuals(found: &Inference) -> Figure {
+pub fn residuals(found: &Posterior) -> Figure {
     let residuals: Vec<Residual> = found
         .impacts
         .iter()
@@ -71,7 +71,7 @@ pub fn residuals(found: &Inference) -> Figure {
 }
 
 /// Where the uncertainty of restitution and drop height comes from.
-pub fn budget(found: &Inference) -> Figure {
+pub fn budget(found: &Posterior) -> Figure {
     let sources = |shares: &[Share]| {
         shares
             .iter()
@@ -101,7 +101,7 @@ pub fn budget(found: &Inference) -> Figure {
 }
 
 /// The laws that were weighed; `None` if there was only one.
-pub fn models(found: &Inference) -> Option<Figure> {
+pub fn models(found: &Posterior) -> Option<Figure> {
     if found.models.len() < 2 {
         return None;
     }
@@ -121,7 +121,7 @@ pub fn models(found: &Inference) -> Option<Figure> {
 
 /// The drop height from the first flights only: by the straight line, and by the inference, which runs
 /// anew for each cut. `None` for a drop too short to cut.
-pub fn cut(drop: &Analysis, settings: &Settings) -> Option<Figure> {
+pub fn cut(drop: &Drop, settings: &Options) -> Option<Figure> {
     const CUTS: [usize; 4] = [6, 10, 20, 40];
     /// A figure needs fewer draws than an answer.
     const DRAWS: usize = 600;
@@ -137,20 +137,20 @@ pub fn cut(drop: &Analysis, settings: &Settings) -> Option<Figure> {
     let mut line = Vec::new();
     let mut inferred = Vec::new();
     for cut in cuts {
-        let mut cut_settings = Settings {
+        let mut cut_settings = Options {
             flights: Some(1..=drop.impacts[cut].number),
-            question: Some(Question {
-                effort: Effort {
+            inference: Some(InferenceOptions {
+                sampler: SamplerConfig {
                     draws: DRAWS,
                     seed: 1,
                 },
-                ..Question::default()
+                ..InferenceOptions::default()
             }),
             ..settings.clone()
         };
         // Not to lean on a height that the person stated.
-        cut_settings.knowledge.drop_height_m = None;
-        cut_settings.knowledge.release_s = None;
+        cut_settings.priors.drop_height_m = None;
+        cut_settings.priors.release_s = None;
         let found = analysis::analyze(drop.impacts[..=cut].to_vec(), &cut_settings);
         let point = |value: f64, sd: f64| CutPoint {
             flights: cut as u32,
@@ -180,6 +180,6 @@ pub fn cut(drop: &Analysis, settings: &Settings) -> Option<Figure> {
             points: inferred,
         },
     ];
-    let truth = settings.knowledge.drop_height_m.map(|h| h.value * 100.0);
+    let truth = settings.priors.drop_height_m.map(|h| h.value * 100.0);
     Some(figure::cut(&series, "drop height (cm)", truth))
 }

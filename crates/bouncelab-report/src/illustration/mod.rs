@@ -4,10 +4,10 @@
 //! figure by itself or all of a drop.
 //!
 //! ```
-//! use bouncelab::analysis::{self, Settings};
+//! use bouncelab::analysis::{self, Options};
 //! use bouncelab_report::illustration;
 //!
-//! let settings = Settings { question: None, ..Settings::default() };
+//! let settings = Options { inference: None, ..Options::default() };
 //! let impacts = analysis::impacts_of_times(&[0.0, 0.4605, 0.8877, 1.2854, 1.6568, 2.0045]);
 //! let drop = analysis::analyze(impacts, &settings);
 //! let names: Vec<_> = illustration::of_drop(&drop, &settings).iter().map(|i| i.name).collect();
@@ -19,7 +19,7 @@ mod air;
 mod heard;
 mod inferred;
 
-use bouncelab::analysis::{Analysis, Settings};
+use bouncelab::analysis::{Drop, Options};
 
 pub use air::{drag, drag_curves, drag_log};
 pub use heard::{
@@ -47,7 +47,7 @@ impl Illustration {
 }
 
 /// Every figure of one drop: of what was heard, and of the inference if there is one.
-pub fn of_drop(drop: &Analysis, settings: &Settings) -> Vec<Illustration> {
+pub fn of_drop(drop: &Drop, settings: &Options) -> Vec<Illustration> {
     let mut figures = vec![
         Illustration::new("flight-times", flight_times(drop)),
         Illustration::new("restitution", restitution(drop)),
@@ -66,10 +66,10 @@ pub fn of_drop(drop: &Analysis, settings: &Settings) -> Vec<Illustration> {
 }
 
 /// The figures of the air, up to the fastest impact of the drops; none if no speed is known.
-pub fn of_air(drops: &[Analysis], settings: &Settings) -> Vec<Illustration> {
+pub fn of_air(drops: &[Drop], settings: &Options) -> Vec<Illustration> {
     let fastest_m_s = drops
         .iter()
-        .filter_map(Analysis::speed_range_m_s)
+        .filter_map(Drop::speed_range_m_s)
         .map(|(_, fastest)| fastest)
         .reduce(f64::max);
     let Some(fastest_m_s) = fastest_m_s else {

@@ -7,11 +7,11 @@ use crate::error::Result;
 use crate::figure::{self, Curve, DragAxes, Figure, Mark, TimedFlight};
 use crate::illustration;
 use crate::theme::Meaning;
-use bouncelab::analysis::SURE;
+use bouncelab::analysis::CONFIDENT_PROBABILITY;
+use bouncelab::detection::Detector;
 use bouncelab::drag::DragLaw;
 use bouncelab::drop::{History, Stop};
 use bouncelab::impact::Strike;
-use bouncelab::listen::Listener;
 use bouncelab::regression;
 use bouncelab::synth::{self, Noise, Scene};
 use bouncelab::train::Train;
@@ -70,7 +70,7 @@ fn sound() -> Result<Figure> {
         ..Scene::default()
     };
     let recording = synth::render(&strikes, &scene, 1)?;
-    let mut listener = Listener::new(recording.sample_rate_hz, 1);
+    let mut listener = Detector::new(recording.sample_rate_hz, 1);
     listener.push(&[&recording.samples]);
     let heard = listener.finish();
     let envelope = illustration::envelope(&heard.envelope)?;
@@ -81,7 +81,7 @@ fn sound() -> Result<Figure> {
         .flat_map(Train::impacts)
         .map(|impact| Mark {
             time_s: impact.onset.time_s,
-            sure: impact.probability >= SURE,
+            sure: impact.probability >= CONFIDENT_PROBABILITY,
             drop: 1,
         })
         .collect();

@@ -1,7 +1,7 @@
 //! What was known, what was assumed, and what it was heard with.
 
-use bouncelab::analysis::Settings;
-use bouncelab::estimate::Measured;
+use bouncelab::analysis::Options;
+use bouncelab::inference::Measured;
 
 use super::page::{Block, Section, sentence};
 use super::subject::Recording;
@@ -21,13 +21,13 @@ pub fn conditions(recording: &Recording) -> Section {
 }
 
 /// Ball, air and gravity of several recordings, what of it nobody stated, and the priors.
-pub fn shared_conditions(settings: &Settings, ball_label: &str, assumptions: &[String]) -> Section {
+pub fn shared_conditions(settings: &Options, ball_label: &str, assumptions: &[String]) -> Section {
     of_all(Vec::new(), settings, ball_label, assumptions)
 }
 
 fn of_all(
     mut facts: Vec<(&'static str, String)>,
-    settings: &Settings,
+    settings: &Options,
     ball_label: &str,
     assumptions: &[String],
 ) -> Section {
@@ -41,11 +41,11 @@ fn of_all(
         blocks.push(Block::text("Nobody stated these, so they were assumed:"));
         blocks.push(Block::List(sentences(assumptions)));
     }
-    if settings.question.is_some() {
+    if settings.inference.is_some() {
         blocks.push(Block::text(
             "Before it saw the data, the inference knew this:",
         ));
-        blocks.push(Block::List(sentences(&settings.knowledge.statements())));
+        blocks.push(Block::List(sentences(&settings.priors.statements())));
     }
     Section::new("Conditions and assumptions", blocks)
 }
@@ -76,9 +76,9 @@ fn heard_with(origin: &Origin) -> Vec<(&'static str, String)> {
     }
 }
 
-fn known(settings: &Settings, ball_label: &str) -> Vec<(&'static str, String)> {
+fn known(settings: &Options, ball_label: &str) -> Vec<(&'static str, String)> {
     let (ball, environment) = (&settings.ball, &settings.environment);
-    let knowledge = &settings.knowledge;
+    let priors = &settings.priors;
     let with_share =
         |value: f64, share: f64, unit| Quantity::measured(value, share * value, unit).to_string();
     let air = &environment.air;
@@ -86,27 +86,35 @@ fn known(settings: &Settings, ball_label: &str) -> Vec<(&'static str, String)> {
         ("Ball", ball_label.to_owned()),
         (
             "Mass",
-            with_share(ball.mass_kg(), knowledge.mass, Unit::Mass),
+            with_share(ball.mass_kg(), priors.mass_rel_sd, Unit::Mass),
         ),
         (
             "Diameter",
-            with_share(ball.diameter_m(), knowledge.diameter, Unit::Length),
+            with_share(ball.diameter_m(), priors.diameter_rel_sd, Unit::Length),
         ),
         (
             "Contact time",
-            with_share(settings.contact_time_s, knowledge.contact_time, Unit::Time),
+            with_share(
+                settings.contact_time_s,
+                priors.contact_time_rel_sd,
+                Unit::Time,
+            ),
         ),
         (
             "Gravity",
             with_share(
                 environment.gravity_m_s2,
-                knowledge.gravity,
+                priors.gravity_rel_sd,
                 Unit::Acceleration,
             ),
         ),
         (
             "Density of the air",
-            with_share(air.density_kg_m3(), knowledge.air_density, Unit::Density),
+            with_share(
+                air.density_kg_m3(),
+                priors.air_density_rel_sd,
+                Unit::Density,
+            ),
         ),
         ("Drag law", environment.drag.to_string()),
         (
@@ -120,19 +128,19 @@ fn known(settings: &Settings, ball_label: &str) -> Vec<(&'static str, String)> {
             .to_owned(),
         ),
     ];
-    if let Some(Measured { value, sd }) = knowledge.drop_height_m {
+    if let Some(Measured { value, sd }) = priors.drop_height_m {
         let height = Quantity::measured(value, sd, Unit::Length);
         facts.push(("Measured drop height", height.to_string()));
     }
-    if let Some(Measured { value, sd }) = knowledge.release_s {
+    if let Some(Measured { value, sd }) = priors.release_s {
         let release = Quantity::measured(value, sd, Unit::Time);
         facts.push(("Release, in the recording", release.to_string()));
     }
-    if let Some(question) = &settings.question {
-        let effort = &question.effort;
+    if let Some(inference) = &settings.inference {
+        let sampler = &inference.sampler;
         facts.push((
             "Sampling",
-            format!("{} draws, seed {}", effort.draws, effort.seed),
+            format!("{} draws, seed {}", sampler.draws, sampler.seed),
         ));
     }
     facts

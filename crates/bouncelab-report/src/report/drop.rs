@@ -1,7 +1,9 @@
 //! One drop in words, numbers and figures.
 
-use bouncelab::analysis::{Analysis, SURE, Settings};
-use bouncelab::estimate::{Inference, Narrowed, Reach, Summary, TOLD_NOTHING, UNKNOWN};
+use bouncelab::analysis::{CONFIDENT_PROBABILITY, Drop, Options};
+use bouncelab::inference::{
+    ApexTarget, Posterior, PriorContraction, Summary, UNINFORMATIVE, UNKNOWN,
+};
 use bouncelab::regression::{Estimate, Regression};
 
 use super::page::{Block, Section, ended, sentence};
@@ -10,7 +12,7 @@ use crate::table::{Align, Table};
 use crate::{illustration, tables};
 
 /// The answer of a drop in plain words: one sentence to remember, and what it rests on.
-pub fn in_words(drop: &Analysis) -> Vec<Block> {
+pub fn in_words(drop: &Drop) -> Vec<Block> {
     let mut words = vec![Block::Lead(kept(drop)), Block::text(heard(drop))];
     if let (Ok(found), Ok(line)) = (&drop.estimate, &drop.line) {
         words.push(Block::text(against_the_line(found, line)));
@@ -19,7 +21,7 @@ pub fn in_words(drop: &Analysis) -> Vec<Block> {
 }
 
 /// "The ball kept 94.6 ± 0.2 % of its speed at each bounce and fell from 30.4 ± 0.6 cm."
-fn kept(drop: &Analysis) -> String {
+fn kept(drop: &Drop) -> String {
     match (&drop.estimate, drop.corrected_restitution(), &drop.line) {
         (Ok(found), ..) => {
             let e = unbroken(&measured(&found.restitution, Unit::Percent));
@@ -44,7 +46,7 @@ fn kept(drop: &Analysis) -> String {
     }
 }
 
-fn heard(drop: &Analysis) -> String {
+fn heard(drop: &Drop) -> String {
     let impacts = &drop.impacts;
     let span = match (impacts.first(), impacts.last()) {
         (Some(first), Some(last)) => {
@@ -52,7 +54,10 @@ fn heard(drop: &Analysis) -> String {
         }
         _ => String::new(),
     };
-    let unsure = impacts.iter().filter(|i| i.probability < SURE).count();
+    let unsure = impacts
+        .iter()
+        .filter(|i| i.probability < CONFIDENT_PROBABILITY)
+        .count();
     let unsure = match unsure {
         0 => "none of them uncertain".to_owned(),
         1 => "one of them uncertain".to_owned(),
@@ -73,7 +78,7 @@ fn heard(drop: &Analysis) -> String {
 }
 
 /// What drag does to the straight line of the paper.
-fn against_the_line(found: &Inference, line: &Regression) -> String {
+fn against_the_line(found: &Posterior, line: &Regression) -> String {
     let points = 100.0 * (found.restitution.value - line.restitution().value);
     let verdict = if points.abs() < 0.05 {
         "the same".to_owned()
@@ -90,7 +95,7 @@ fn against_the_line(found: &Inference, line: &Regression) -> String {
 }
 
 /// Everything about one drop; `with_words` puts the answer in words first.
-pub fn drop(heading: &str, drop: &Analysis, settings: &Settings, with_words: bool) -> Section {
+pub fn drop(heading: &str, drop: &Drop, settings: &Options, with_words: bool) -> Section {
     let mut blocks = if with_words {
         in_words(drop)
     } else {
@@ -119,7 +124,7 @@ pub fn drop(heading: &str, drop: &Analysis, settings: &Settings, with_words: boo
             parts.push(told(found));
             parts.push(fit(drop, found, settings));
         }
-        Err(reason) if settings.question.is_some() => {
+        Err(reason) if settings.inference.is_some() => {
             let words = format!("there is no inference: {reason}");
             blocks.push(Block::Note(sentence(&words)));
         }
@@ -132,8 +137,8 @@ pub fn drop(heading: &str, drop: &Analysis, settings: &Settings, with_words: boo
     }
 }
 
-/// Inference and straight line side by side.
-fn answers(drop: &Analysis, settings: &Settings) -> Table {
+/// Posterior and straight line side by side.
+fn answers(drop: &Drop, settings: &Options) -> Table {
     let mut table = Table::new([
         ("", Align::Left),
         ("inference, with air", Align::Right),
@@ -178,7 +183,7 @@ fn answers(drop: &Analysis, settings: &Settings) -> Table {
     );
     let terminal = drag.and_then(|d| d.terminal_speed_m_s.as_ref());
     row("terminal speed", terminal.map(|t| (t, Unit::Speed)), None);
-    if settings.knowledge.gravity >= UNKNOWN {
+    if settings.priors.gravity_rel_sd >= UNKNOWN {
         row(
             "gravity",
             found.map(|f| (&f.gravity_m_s2, Unit::Acceleration)),
@@ -205,7 +210,7 @@ fn answers(drop: &Analysis, settings: &Settings) -> Table {
         of_line(Regression::total_path_m, Unit::Length),
     );
     for prediction in found.iter().flat_map(|f| &f.predictions) {
-        let Reach { bounce, apex_m } = prediction.reach;
+        let ApexTarget { bounce, apex_m } = prediction.reach;
         let apex = Quantity::rounded(apex_m, 4, Unit::Length);
         let cannot_tell = || Some(CANNOT_TELL.to_owned());
         row(
@@ -217,7 +222,7 @@ fn answers(drop: &Analysis, settings: &Settings) -> Table {
     table
 }
 
-fn impacts(drop: &Analysis, settings: &Settings) -> Section {
+fn impacts(drop: &Drop, settings: &Options) -> Section {
     Section::new(
         "The impacts",
         vec![
@@ -237,7 +242,7 @@ fn impacts(drop: &Analysis, settings: &Settings) -> Section {
     )
 }
 
-fn straight_line(drop: &Analysis) -> Section {
+fn straight_line(drop: &Drop) -> Section {
     let mut blocks = Vec::new();
     match &drop.line {
         Ok(line) => {
@@ -258,7 +263,7 @@ fn straight_line(drop: &Analysis) -> Section {
     Section::new("The straight line", blocks)
 }
 
-fn uncertainty(found: &Inference) -> Section {
+fn uncertainty(found: &Posterior) -> Section {
     Section::new(
         "Where the uncertainty comes from",
         vec![
@@ -275,7 +280,7 @@ fn uncertainty(found: &Inference) -> Section {
     )
 }
 
-fn laws(found: &Inference) -> Section {
+fn laws(found: &Posterior) -> Section {
     let mut blocks = vec![Block::table(
         "Laws of equal probability before the data",
         tables::models(found),
@@ -285,8 +290,12 @@ fn laws(found: &Inference) -> Section {
 }
 
 /// What the data told, and what only the priors did.
-fn told(found: &Inference) -> Section {
-    let sentences = found.narrowed.iter().map(narrowed).collect();
+fn told(found: &Posterior) -> Section {
+    let sentences = found
+        .prior_contraction
+        .iter()
+        .map(prior_contraction)
+        .collect();
     Section::new(
         "What this recording can tell",
         vec![
@@ -297,20 +306,20 @@ fn told(found: &Inference) -> Section {
     )
 }
 
-fn narrowed(narrowed: &Narrowed) -> String {
-    let unknown = sentence(&narrowed.unknown.to_string());
+fn prior_contraction(prior_contraction: &PriorContraction) -> String {
+    let unknown = sentence(&prior_contraction.unknown.to_string());
     let unknown = unknown.trim_end_matches('.');
-    let left = 100.0 * narrowed.remaining;
-    if narrowed.remaining > TOLD_NOTHING {
+    let left = 100.0 * prior_contraction.remaining;
+    if prior_contraction.remaining > UNINFORMATIVE {
         format!("{unknown}: these data say next to nothing; it is what was known before.")
-    } else if narrowed.remaining > 0.5 {
+    } else if prior_contraction.remaining > 0.5 {
         format!("{unknown}: the data help a little; {left:.0} % of the prior uncertainty is left.")
     } else {
         format!("{unknown}: told by the data; {left:.0} % of the prior uncertainty is left.")
     }
 }
 
-fn fit(drop: &Analysis, found: &Inference, settings: &Settings) -> Section {
+fn fit(drop: &Drop, found: &Posterior, settings: &Options) -> Section {
     let sampling = &found.sampling;
     let mut blocks = vec![
         Block::figure("residuals", illustration::residuals(found)),

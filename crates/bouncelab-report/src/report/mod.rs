@@ -5,11 +5,11 @@
 //! a recording; the sections it is made of stand here one by one, for pages of other things.
 //!
 //! ```
-//! use bouncelab::analysis::{self, Settings};
+//! use bouncelab::analysis::{self, Options};
 //! use bouncelab_report::document::Origin;
 //! use bouncelab_report::report::{self, Provenance, Recording};
 //!
-//! let settings = Settings { question: None, ..Settings::default() };
+//! let settings = Options { inference: None, ..Options::default() };
 //! let impacts = analysis::impacts_of_times(&[0.0, 0.4605, 0.8877, 1.2854, 1.6568]);
 //! let drops = [analysis::analyze(impacts, &settings)];
 //! let page = report::of_recording(

@@ -187,7 +187,7 @@ pub(super) fn sentence(remark: &str) -> String {
     ended(format_args!("{first}{}", letters.as_str()))
 }
 
-/// With a full stop, unless it has an end already: it may be a question.
+/// With a full stop, unless it has an end already: it may be a inference.
 pub fn ended(words: impl fmt::Display) -> String {
     let words = words.to_string();
     let end = if words.ends_with(['.', '?', '!']) {

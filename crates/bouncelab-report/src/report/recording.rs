@@ -1,7 +1,7 @@
 //! The page of one recording.
 
-use bouncelab::analysis::Analysis;
-use bouncelab::estimate::Summary;
+use bouncelab::analysis::Drop;
+use bouncelab::inference::Summary;
 
 use super::conditions::conditions;
 use super::drop::{drop, in_words, measured};
@@ -85,7 +85,7 @@ fn lead(recording: &Recording) -> Vec<Block> {
 }
 
 /// One line for each drop.
-fn overview(drops: &[Analysis]) -> Table {
+fn overview(drops: &[Drop]) -> Table {
     let mut table = Table::new([
         ("drop", Align::Right),
         ("from s", Align::Right),

@@ -1,7 +1,7 @@
 //! What a page is about, and where it comes from.
 
-use bouncelab::analysis::{Analysis, Settings};
-use bouncelab::listen::Envelope;
+use bouncelab::analysis::{Drop, Options};
+use bouncelab::detection::Envelope;
 
 use crate::document::Origin;
 
@@ -13,13 +13,13 @@ pub struct Recording<'a> {
     /// Where the times come from.
     pub origin: &'a Origin,
     /// What was known or assumed.
-    pub settings: &'a Settings,
+    pub settings: &'a Options,
     /// The ball in words.
     pub ball_label: &'a str,
     /// What of it nobody stated, one phrase for each.
     pub assumptions: &'a [String],
     /// The drops in it, in order of time.
-    pub drops: &'a [Analysis],
+    pub drops: &'a [Drop],
     /// Why there is none.
     pub no_drop: Option<&'a str>,
     /// What is odd about the recording.

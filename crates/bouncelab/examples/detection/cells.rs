@@ -1,7 +1,7 @@
 //! What is found and what is made up, cell by cell.
 
 use crate::drops::{Cell, Recording, cells};
-use bouncelab::listen::Heard;
+use bouncelab::detection::Detection;
 
 /// An impact is found if the times agree within this, in seconds, after the middle of the errors
 /// of the drop is taken out: a soft ball is heard a while after first contact.
@@ -80,7 +80,7 @@ pub(crate) fn median(values: &mut [f64]) -> Option<f64> {
 }
 
 impl Tally {
-    fn add(&mut self, recording: &Recording, heard: &Heard) {
+    fn add(&mut self, recording: &Recording, heard: &Detection) {
         let truth: Vec<f64> = recording.sound.impacts.iter().map(|i| i.time_s).collect();
         let audible = recording.audible();
         self.audible += audible.len();

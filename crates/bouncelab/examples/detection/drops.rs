@@ -1,8 +1,8 @@
 //! Drops of all heights and balls, as sound.
 
 use crate::backgrounds::Kind;
+use bouncelab::detection::{Detection, Detector};
 use bouncelab::impact::Strike;
-use bouncelab::listen::{Heard, Listener};
 use bouncelab::synth::{self, Noise, Rendered, Scene, Voice};
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
@@ -209,14 +209,14 @@ impl Recording {
     }
 
     /// What the listener says.
-    pub(crate) fn hear(&self) -> Heard {
+    pub(crate) fn hear(&self) -> Detection {
         hear(&self.sound.samples, self.sound.sample_rate_hz)
     }
 }
 
 /// What the listener says of these samples.
-pub(crate) fn hear(samples: &[f32], sample_rate_hz: u32) -> Heard {
-    let mut listener = Listener::new(sample_rate_hz, 1);
+pub(crate) fn hear(samples: &[f32], sample_rate_hz: u32) -> Detection {
+    let mut listener = Detector::new(sample_rate_hz, 1);
     listener.push(&[samples]);
     listener.finish()
 }

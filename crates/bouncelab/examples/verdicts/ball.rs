@@ -1,11 +1,11 @@
 //! Balls whose rebound is known, dropped and heard.
 
-use bouncelab::analysis::{self, Analysis, Settings};
+use bouncelab::analysis::{self, Drop, Options};
 use bouncelab::ball::Ball;
 use bouncelab::drag::DragLaw;
-use bouncelab::estimate::{Effort, Measured, Question};
 use bouncelab::flight::{Environment, FlightModel};
 use bouncelab::impact::Restitution;
+use bouncelab::inference::{InferenceOptions, Measured, SamplerConfig};
 use bouncelab::rulebook::{self, Conditions, Decision, Limits, Outcome, Requirement, Rule};
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
@@ -44,7 +44,7 @@ impl Trial {
         let mut chance = ChaCha8Rng::seed_from_u64(seed);
         let settings = self.settings(seed);
         let real = RealBall::new(self.rebound_m, &settings, &mut chance);
-        let drops: Vec<Analysis> = (0..self.drops)
+        let drops: Vec<Drop> = (0..self.drops)
             .map(|_| real.dropped(self.between, &settings, &mut chance))
             .collect();
         let rule = Rule {
@@ -64,18 +64,18 @@ impl Trial {
         verdict.map_or(Outcome::CannotDecide, |verdict| verdict.outcome)
     }
 
-    fn settings(&self, seed: u64) -> Settings {
-        let mut settings = Settings::default();
-        settings.knowledge.drop_height_m = Some(Measured {
+    fn settings(&self, seed: u64) -> Options {
+        let mut settings = Options::default();
+        settings.priors.drop_height_m = Some(Measured {
             value: DROP_M,
             sd: HEIGHT_SD_M,
         });
-        settings.question = Some(Question {
-            effort: Effort {
+        settings.inference = Some(InferenceOptions {
+            sampler: SamplerConfig {
                 draws: self.draws,
                 seed,
             },
-            ..Question::default()
+            ..InferenceOptions::default()
         });
         settings
     }
@@ -91,8 +91,8 @@ struct RealBall {
 impl RealBall {
     /// A ball, air and gravity drawn from what is known of them, with the restitution that makes it
     /// rebound so high from the height of the rule.
-    fn new(rebound_m: f64, settings: &Settings, chance: &mut ChaCha8Rng) -> Self {
-        let known = &settings.knowledge;
+    fn new(rebound_m: f64, settings: &Options, chance: &mut ChaCha8Rng) -> Self {
+        let known = &settings.priors;
         let mut off = |sd: f64| (sd * normal(chance)).exp();
         let nominal = &settings.environment;
         let ball = Ball::new(
@@ -119,7 +119,7 @@ impl RealBall {
     }
 
     /// A drop of it, heard and analysed.
-    fn dropped(&self, between: f64, settings: &Settings, chance: &mut ChaCha8Rng) -> Analysis {
+    fn dropped(&self, between: f64, settings: &Options, chance: &mut ChaCha8Rng) -> Drop {
         let height_m = DROP_M + HEIGHT_SD_M * normal(chance);
         let livelier = (between * normal(chance)).exp();
         let mut impact_m_s = self.model.fall(height_m).unwrap().impact_speed_m_s;

@@ -4,7 +4,7 @@ use super::mean::Mean;
 use super::mixed::{Drop, Factor, Mixed};
 use super::quantile::{interval95, student_beyond};
 use crate::error::Result;
-use crate::estimate::Measured;
+use crate::inference::Measured;
 
 /// The difference of two groups.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -2,7 +2,7 @@
 
 use super::quantile::{chi_squared, student};
 use crate::error::{Error, Result, finite, not_negative};
-use crate::estimate::Measured;
+use crate::inference::Measured;
 
 /// The mean of a group under a random-effects model.
 ///

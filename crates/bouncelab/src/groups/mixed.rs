@@ -5,8 +5,8 @@ use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
 use super::mean::{check, climb};
 use super::quantile::{chi_squared, interval95};
 use crate::error::{Error, Result};
-use crate::estimate::Measured;
-use crate::moments::{mean, sd};
+use crate::inference::Measured;
+use crate::stats::{mean, sd};
 
 /// Something noted of each drop that takes a few values: the ball, the surface, the operator.
 #[derive(Debug, Clone, PartialEq, Eq)]

@@ -6,19 +6,19 @@
 //! known error r of each. What all drops share, such as the drag law, does not average out and is
 //! kept apart by those who call.
 //!
-//! | room | question it answers |
+//! | room | inference it answers |
 //! |---|---|
 //! | [`mean`](Mean) | what is the mean of a group, and how do its drops scatter? |
 //! | [`mixed`](Mixed) | who varies: ball, surface, operator or drop? |
 //! | [`compare`](compare()) | by how much do two groups differ? |
 //! | [`outlier`](outliers()) | which drops do not belong to their group? |
 //! | [`plan`](drops_needed()) | how many drops does a wanted uncertainty take? |
-//! | [`law`](Law) | what does a drop know of its restitution, at speeds that all drops share? |
-//! | [`apart`](Varies) | which factors can be told apart, and what does each of them do? |
+//! | [`law`](RestitutionCurve) | what does a drop know of its restitution, at speeds that all drops share? |
+//! | [`apart`](VarianceComponent) | which factors can be told apart, and what does each of them do? |
 //! | [`study`](Study) | all of it at once |
 //!
 //! ```
-//! use bouncelab::estimate::Measured;
+//! use bouncelab::inference::Measured;
 //! use bouncelab::groups::Mean;
 //!
 //! let drops = [0.921, 0.924, 0.919, 0.926].map(|value| Measured { value, sd: 0.001 });
@@ -31,9 +31,9 @@
 //! # Ok::<(), bouncelab::Error>(())
 //! ```
 
-mod apart;
 mod compare;
-mod law;
+mod components;
+mod curve;
 mod mean;
 mod mixed;
 mod outlier;
@@ -41,11 +41,11 @@ mod plan;
 mod quantile;
 mod study;
 
-pub use apart::{Amounts, Trend, Varies};
 pub use compare::{Difference, compare, compare_means};
-pub use law::{Law, LawPoint};
+pub use components::{Covariate, Trend, VarianceComponent};
+pub use curve::{CurvePoint, RestitutionCurve};
 pub use mean::Mean;
 pub use mixed::{Component, Drop, Factor, Mixed};
-pub use outlier::{FAR, Outlier, outliers};
+pub use outlier::{OUTLIER_THRESHOLD, Outlier, outliers};
 pub use plan::{MOST_DROPS, drops_needed, run_limit};
 pub use study::{Group, Study, StudyDrop};

@@ -2,12 +2,12 @@
 
 use std::collections::BTreeMap;
 
-use crate::estimate::Measured;
-use crate::order::{median, robust_sd};
+use crate::inference::Measured;
+use crate::stats::{median, robust_sd};
 
 /// A modified z-score beyond this names an outlier (Iglewicz and Hoaglin, *How to Detect and Handle
 /// Outliers*, 1993).
-pub const FAR: f64 = 3.5;
+pub const OUTLIER_THRESHOLD: f64 = 3.5;
 
 /// In a group of two both are equally odd.
 const FEWEST: usize = 3;
@@ -23,7 +23,7 @@ pub struct Outlier {
     pub score: f64,
 }
 
-/// Drops farther than [`FAR`] robust standard deviations from the median of their group, the
+/// Drops farther than [`OUTLIER_THRESHOLD`] robust standard deviations from the median of their group, the
 /// farthest first.
 ///
 /// The scatter is the median absolute deviation of all drops from the medians of their groups; a
@@ -63,7 +63,7 @@ pub fn outliers(drops: &[Measured], group: &[usize]) -> Vec<Outlier> {
             let off = off[drop]?;
             let worse = (drops[drop].sd.powi(2) - typical * typical).max(0.0);
             let score = off / (scatter * scatter + worse).sqrt();
-            (score.abs() > FAR).then_some(Outlier { drop, off, score })
+            (score.abs() > OUTLIER_THRESHOLD).then_some(Outlier { drop, off, score })
         })
         .collect();
     found.sort_by(|a, b| b.score.abs().total_cmp(&a.score.abs()));

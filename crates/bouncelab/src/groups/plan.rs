@@ -14,7 +14,7 @@ pub const MOST_DROPS: usize = 100_000;
 /// scatter, if the half width is not above zero, or if it takes more than [`MOST_DROPS`].
 ///
 /// ```
-/// use bouncelab::estimate::Measured;
+/// use bouncelab::inference::Measured;
 /// use bouncelab::groups::{Mean, drops_needed};
 ///
 /// let drops = [1.0, 3.0, 2.0, 4.0, 0.0].map(|value| Measured { value, sd: 0.0 });
@@ -72,7 +72,7 @@ pub fn run_limit(values: &[f64]) -> Option<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::estimate::Measured;
+    use crate::inference::Measured;
 
     #[test]
     fn a_smaller_uncertainty_takes_more_drops_and_some_take_too_many() {

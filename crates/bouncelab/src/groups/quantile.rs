@@ -2,7 +2,7 @@
 
 use statrs::distribution::{ChiSquared, ContinuousCDF, StudentsT};
 
-use crate::estimate::Measured;
+use crate::inference::Measured;
 
 /// So many degrees of freedom make a t distribution a normal one, to six digits.
 const NORMAL: f64 = 1e6;

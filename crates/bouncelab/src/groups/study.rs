@@ -2,22 +2,22 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::apart::{Amounts, Apart, Trend, Varies};
 use super::compare::Difference;
-use super::law::{Law, LawPoint};
+use super::components::{Apart, Covariate, Trend, VarianceComponent};
+use super::curve::{CurvePoint, RestitutionCurve};
 use super::mean::Mean;
 use super::mixed::{Drop, Factor};
 use super::outlier::{Outlier, outliers};
 use super::plan::drops_needed;
 use crate::error::{Error, Result, positive};
-use crate::estimate::Measured;
-use crate::order::median;
+use crate::inference::Measured;
+use crate::stats::median;
 
 /// What one drop adds to a study.
 #[derive(Debug, Clone, PartialEq)]
 pub struct StudyDrop {
-    /// Its restitution at [`Law::speeds`].
-    pub law: Law,
+    /// Its restitution at [`RestitutionCurve::speeds`].
+    pub law: RestitutionCurve,
     /// Scatter of ln e from impact to impact, above zero.
     pub scatter: Option<Measured>,
     /// Level of each factor; `None` where it was not noted.
@@ -58,7 +58,7 @@ pub struct Study {
     /// The groups, in the order of their levels; a single one repeats `all`.
     pub groups: Vec<Group>,
     /// Who varies: each factor of two levels or more, then the drops.
-    pub varies: Vec<Varies>,
+    pub varies: Vec<VarianceComponent>,
     /// For each factor of two levels or more its place and the differences of its levels. A factor
     /// with amounts that has a level for nearly every drop is not compared by levels.
     pub differences: Vec<(usize, Vec<Difference>)>,
@@ -80,7 +80,7 @@ impl Study {
     pub fn of(
         drops: &[StudyDrop],
         factors: &[Factor],
-        amounts: &[Amounts],
+        amounts: &[Covariate],
         by: &[usize],
         at_speed_m_s: Option<f64>,
         wanted: Option<f64>,
@@ -92,7 +92,7 @@ impl Study {
                 drops: 0,
             })?,
         };
-        let known: Vec<Option<LawPoint>> =
+        let known: Vec<Option<CurvePoint>> =
             drops.iter().map(|drop| drop.law.at(speed_m_s)).collect();
         let used: Vec<usize> = (0..drops.len()).filter(|&i| known[i].is_some()).collect();
         let values: Vec<Measured> = known.iter().flatten().map(own).collect();
@@ -157,7 +157,7 @@ fn outliers_of(cells: &Cells, used: &[usize], values: &[Measured]) -> Vec<Outlie
 }
 
 /// The value of a drop with what of its uncertainty is its own.
-fn own(point: &LawPoint) -> Measured {
+fn own(point: &CurvePoint) -> Measured {
     Measured {
         value: point.value,
         sd: point.own_sd,
@@ -185,13 +185,13 @@ fn common_speed_m_s(drops: &[StudyDrop]) -> Option<f64> {
 
 fn group(
     drops: &[StudyDrop],
-    known: &[Option<LawPoint>],
+    known: &[Option<CurvePoint>],
     places: &[usize],
     odd: &BTreeSet<usize>,
     levels: Vec<Option<usize>>,
     wanted: Option<f64>,
 ) -> Result<Group> {
-    let points: Vec<LawPoint> = places.iter().filter_map(|&place| known[place]).collect();
+    let points: Vec<CurvePoint> = places.iter().filter_map(|&place| known[place]).collect();
     let values: Vec<Measured> = points.iter().map(own).collect();
     let mean = Mean::of(&values)?;
     let ordinary = std::iter::zip(places, &values).filter(|(place, _)| !odd.contains(place));
@@ -240,16 +240,18 @@ fn pooled_law(drops: &[StudyDrop], places: &[usize]) -> Vec<(f64, Mean)> {
 mod tests {
     use super::*;
 
-    fn law(slowest: f64, fastest: f64, value: impl Fn(f64) -> f64) -> Law {
-        let points = Law::speeds(slowest, fastest).into_iter();
-        Law(points
-            .map(|speed_m_s| LawPoint {
-                speed_m_s,
-                value: value(speed_m_s),
-                own_sd: 0.001,
-                shared_sd: 0.0005,
-            })
-            .collect())
+    fn law(slowest: f64, fastest: f64, value: impl Fn(f64) -> f64) -> RestitutionCurve {
+        let points = RestitutionCurve::speeds(slowest, fastest).into_iter();
+        RestitutionCurve(
+            points
+                .map(|speed_m_s| CurvePoint {
+                    speed_m_s,
+                    value: value(speed_m_s),
+                    own_sd: 0.001,
+                    shared_sd: 0.0005,
+                })
+                .collect(),
+        )
     }
 
     fn factor(name: &str, levels: &[&str]) -> Factor {
@@ -352,7 +354,7 @@ mod tests {
                 levels: vec![Some(drop % 2), Some(drop)],
             })
             .collect();
-        let amounts = Amounts {
+        let amounts = Covariate {
             factor: 1,
             of_levels: (0..16).map(|kelvin| 290.0 + f64::from(kelvin)).collect(),
         };

@@ -1,7 +1,7 @@
 //! Restitution laws: how much of its speed a ball keeps, by how fast it hits.
 
 use crate::error::{Result, finite, not_negative, positive, require};
-use crate::logistic::{logistic, softplus};
+use crate::stats::{logistic, softplus};
 
 /// The coefficient of restitution e as a function of the impact speed.
 ///

@@ -12,7 +12,7 @@
 //! The bar is low on purpose: which candidates are impacts is for [`crate::train`] to judge.
 //!
 //! ```
-//! use bouncelab::onset::Detector;
+//! use bouncelab::onset::OnsetDetector;
 //!
 //! // A decaying 3 kHz click at 0.25 s in faint noise.
 //! let mut noise = 1u32;
@@ -25,7 +25,7 @@
 //!     })
 //!     .collect();
 //! let mut onsets = Vec::new();
-//! let mut detector = Detector::new(44_100);
+//! let mut detector = OnsetDetector::new(44_100);
 //! detector.push(&samples, &mut onsets);
 //! detector.finish(&mut onsets);
 //! let loudest = onsets.iter().max_by(|a, b| a.level_db.total_cmp(&b.level_db)).unwrap();
@@ -43,7 +43,7 @@ pub use bands::BANDS;
 pub(crate) use history::History;
 
 use crate::error::{Error, Result};
-use crate::wide::widely;
+use crate::simd::dispatch;
 use bands::{FRAME_HOPS, FilterBank};
 use floor::QuantisationStep;
 use novelty::{HopEnergies, Novelty};
@@ -114,7 +114,7 @@ const STEP_SHARE: usize = 8;
 /// The samples are worked on in frames of some 30 ms, so a candidate comes up to a tenth of a
 /// second late, and does not depend on the blocks in which the samples come.
 #[derive(Clone)]
-pub struct Detector {
+pub struct OnsetDetector {
     sample_rate_hz: f64,
     spacing: u64,
     bank: FilterBank,
@@ -135,7 +135,7 @@ pub struct Detector {
     last_onset_s: f64,
 }
 
-impl Detector {
+impl OnsetDetector {
     /// A detector for samples at this rate.
     pub fn new(sample_rate_hz: u32) -> Self {
         let sample_rate_hz = f64::from(sample_rate_hz.max(1));
@@ -240,7 +240,7 @@ impl Detector {
     fn hear_frame(&mut self) {
         let frame = self.history.frame(self.frame);
         self.frame += 1;
-        widely(
+        dispatch(
             #[inline(always)]
             || {
                 // A part of each frame shows the steps well enough.
@@ -297,7 +297,7 @@ impl Detector {
         let to = rough + self.picker.look_ahead() as u64;
         let first = self.history.read(from..to, &mut self.around);
         let at = (rough - first) as usize;
-        let pick = widely(
+        let pick = dispatch(
             #[inline(always)]
             || self.picker.pick(&self.around, at, self.step.power()),
         );

@@ -2,7 +2,7 @@
 //!
 //! A rule says from which height a ball is dropped and how high it must rebound, or how high compared
 //! with a reference surface. What counts is the **rebound**: the apex after the first impact of a drop
-//! from the rule's height. It is predicted from everything that the drops said ([`crate::estimate`]),
+//! from the rule's height. It is predicted from everything that the drops said ([`crate::inference`]),
 //! so that drops from other heights tell too, and with its uncertainty.
 //!
 //! A verdict is pass, fail or *cannot decide*, by a stated decision rule in the sense of JCGM 106:2012:
@@ -10,17 +10,17 @@
 //! limits all the same is at most the accepted risk.
 //!
 //! ```
-//! use bouncelab::analysis::{self, Settings};
-//! use bouncelab::estimate::{Effort, Measured, Question};
+//! use bouncelab::analysis::{self, Options};
+//! use bouncelab::inference::{SamplerConfig, Measured, InferenceOptions};
 //! use bouncelab::rulebook::{self, Conditions, Decision, Limits, Outcome, Requirement, Rule};
 //!
 //! let rule = Rule {
 //!     requirement: Requirement::Height(Limits::between(0.24, 0.26)),
 //!     ..Rule::new("ittf-ball", "Table-tennis ball", 0.305)
 //! };
-//! let mut settings = Settings::default();
-//! settings.question = Some(Question { effort: Effort { draws: 500, seed: 1 }, ..Question::default() });
-//! settings.knowledge.drop_height_m = Some(Measured { value: 0.305, sd: 0.001 });
+//! let mut settings = Options::default();
+//! settings.inference = Some(InferenceOptions { sampler: SamplerConfig { draws: 500, seed: 1 }, ..InferenceOptions::default() });
+//! settings.priors.drop_height_m = Some(Measured { value: 0.305, sd: 0.001 });
 //! let times_s = [0.0, 0.4605, 0.8877, 1.2854, 1.6568, 2.0045, 2.3308, 2.6375, 2.9262, 3.1984];
 //! let drop = analysis::analyze(analysis::impacts_of_times(&times_s), &settings);
 //! let place = vec![&drop];
@@ -32,14 +32,14 @@
 //! # Ok::<(), bouncelab::Error>(())
 //! ```
 
-mod doubt;
+mod inconclusive;
 mod pool;
 mod rebound;
 mod rule;
 mod verdict;
 
-pub use doubt::{Doubt, Remark};
-pub use rebound::{Rebound, Step, Why};
+pub use inconclusive::{InconclusiveReason, Remark};
+pub use rebound::{Correction, Rebound, Step};
 pub use rule::{
     Averaging, Conditions, Evenness, Formula, Limits, Point, Requirement, Rule, Status, find,
 };

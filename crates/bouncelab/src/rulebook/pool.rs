@@ -9,8 +9,8 @@ use rand::seq::SliceRandom;
 use rand_chacha::ChaCha8Rng;
 use rand_distr::{Distribution, StudentT};
 
-use crate::estimate::Summary;
-use crate::order::sorted;
+use crate::inference::Summary;
+use crate::stats::sorted;
 
 /// Equally likely values of the mean over drops, in random order.
 ///

@@ -3,8 +3,8 @@
 use std::fmt;
 
 use super::rule::Rule;
-use crate::analysis::{Analysis, Settings};
-use crate::estimate::Summary;
+use crate::analysis::{Drop, Options};
+use crate::inference::Summary;
 use crate::regression::height_of_flight_m;
 
 /// The rebound that one drop foretells. Heights are those of the point at which the rule measures.
@@ -29,7 +29,7 @@ pub struct Rebound {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Step {
     /// The reason.
-    pub why: Why,
+    pub why: Correction,
     /// What it adds, m.
     pub height_m: f64,
 }
@@ -37,7 +37,7 @@ pub struct Step {
 /// Why g T²/8 is not the rebound of the rule.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[non_exhaustive]
-pub enum Why {
+pub enum Correction {
     /// The time between impacts includes a contact.
     Contact,
     /// The air carries the ball and moves with it: effective gravity is weaker.
@@ -48,7 +48,7 @@ pub enum Why {
     ThisDrop,
 }
 
-impl fmt::Display for Why {
+impl fmt::Display for Correction {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
             Self::Contact => "contact time, which is no flight",
@@ -62,10 +62,10 @@ impl fmt::Display for Why {
 impl Rebound {
     pub(super) fn new(
         place: usize,
-        drop: &Analysis,
+        drop: &Drop,
         rule: &Rule,
         fall_m: Option<f64>,
-        settings: &Settings,
+        settings: &Options,
     ) -> Self {
         let above_m = rule.point().above_bottom_m(settings.ball.diameter_m());
         let draws = match (&drop.estimate, fall_m) {
@@ -97,7 +97,7 @@ impl Rebound {
 }
 
 /// The first flight, if the impacts at both ends were heard and nothing says that others came before.
-fn first_flight_s(drop: &Analysis) -> Option<f64> {
+fn first_flight_s(drop: &Drop) -> Option<f64> {
     let found = drop.estimate.as_ref().ok();
     let missed = found.and_then(|found| found.missed_first.as_ref());
     if missed.is_some_and(|probabilities| probabilities[0] < 0.5) {
@@ -108,7 +108,7 @@ fn first_flight_s(drop: &Analysis) -> Option<f64> {
 }
 
 /// From g T²/8 to the predicted rebound of the lowest point, in steps that add up.
-fn steps(time_s: f64, predicted_m: f64, settings: &Settings) -> Option<Vec<Step>> {
+fn steps(time_s: f64, predicted_m: f64, settings: &Options) -> Option<Vec<Step>> {
     let model = settings.model().ok()?;
     let air_s = time_s - settings.contact_time_s;
     let gravity_m_s2 = settings.environment.gravity_m_s2;
@@ -119,7 +119,12 @@ fn steps(time_s: f64, predicted_m: f64, settings: &Settings) -> Option<Vec<Step>
         model.from_flight_time(air_s).ok()?.apex_m,
         predicted_m,
     ];
-    let reasons = [Why::Contact, Why::Buoyancy, Why::Drag, Why::ThisDrop];
+    let reasons = [
+        Correction::Contact,
+        Correction::Buoyancy,
+        Correction::Drag,
+        Correction::ThisDrop,
+    ];
     let steps = stations.windows(2).zip(reasons);
     Some(
         steps

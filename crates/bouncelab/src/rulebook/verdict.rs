@@ -5,19 +5,19 @@ use std::fmt;
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 
-use super::doubt::{self, Doubt, Remark};
+use super::inconclusive::{self, InconclusiveReason, Remark};
 use super::pool;
 use super::rebound::Rebound;
 use super::rule::{Averaging, Conditions, Evenness, Limits, Requirement, Rule};
-use crate::analysis::{Analysis, Settings};
+use crate::analysis::{Drop, Options};
 use crate::ball::{self, Ball};
 use crate::error::{Result, require};
-use crate::estimate::{self, Summary};
-use crate::moments;
-use crate::order::{quantile, sorted};
+use crate::inference::{self, Summary};
+use crate::stats;
+use crate::stats::{quantile, sorted};
 
 /// The drops that were heard in one place: those of one recording.
-pub type Place<'a> = Vec<&'a Analysis>;
+pub type Place<'a> = Vec<&'a Drop>;
 
 /// How a decision follows from a probability (JCGM 106:2012, clause 8).
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -103,7 +103,7 @@ pub struct Verdict {
     /// Every drop on the reference.
     pub reference_drops: Vec<Rebound>,
     /// Why nothing can be decided.
-    pub doubts: Vec<Doubt>,
+    pub doubts: Vec<InconclusiveReason>,
     /// What to know.
     pub remarks: Vec<Remark>,
 }
@@ -127,7 +127,7 @@ impl Verdict {
 
 fn mean_of(drops: &[Rebound], value: impl Fn(&Rebound) -> Option<f64>) -> Option<f64> {
     let values = drops.iter().map(value).collect::<Option<Vec<f64>>>()?;
-    (!values.is_empty()).then(|| moments::mean(&values))
+    (!values.is_empty()).then(|| stats::mean(&values))
 }
 
 /// The seed of what little chance there is: the order in which draws meet.
@@ -143,7 +143,7 @@ const SEED: u64 = 1;
 /// drops do not suffice is no error but a verdict.
 pub fn judge(
     rule: &Rule,
-    settings: &Settings,
+    settings: &Options,
     conditions: &Conditions,
     surface: &[Place],
     reference: &[Place],
@@ -151,13 +151,13 @@ pub fn judge(
 ) -> Result<Verdict> {
     rule.check()?;
     decision.check()?;
-    let dropped_m = settings.knowledge.drop_height_m.map(|height| height.value);
+    let dropped_m = settings.priors.drop_height_m.map(|height| height.value);
     let fall_m = rule.fall_m(settings.ball.diameter_m(), dropped_m);
     let drops = rebounds(surface, rule, fall_m, settings);
     let reference_drops = rebounds(reference, rule, fall_m, settings);
     let mut doubts = of_conditions(rule, conditions);
     if fall_m.is_none() {
-        doubts.push(Doubt::NoHeight);
+        doubts.push(InconclusiveReason::NoHeight);
     }
     doubts.extend(of_numbers(rule, surface, reference));
     if fall_m.is_some() {
@@ -173,9 +173,9 @@ pub fn judge(
         _ => Outcome::CannotDecide,
     };
     if outcome == Outcome::CannotDecide && doubts.is_empty() {
-        doubts.push(Doubt::TooUncertain);
+        doubts.push(InconclusiveReason::TooUncertain);
     }
-    let mut remarks = doubt::of_rule(rule);
+    let mut remarks = inconclusive::of_rule(rule);
     remarks.extend(of_circumstances(
         rule, fall_m, settings, conditions, surface,
     ));
@@ -198,7 +198,7 @@ fn rebounds(
     places: &[Place],
     rule: &Rule,
     fall_m: Option<f64>,
-    settings: &Settings,
+    settings: &Options,
 ) -> Vec<Rebound> {
     places
         .iter()
@@ -324,7 +324,7 @@ fn mean<'a>(drops: impl Iterator<Item = &'a Rebound>, rng: &mut ChaCha8Rng) -> V
 }
 
 fn farthest_from_mean(places: &[f64]) -> f64 {
-    let mean = moments::mean(places);
+    let mean = stats::mean(places);
     places
         .iter()
         .map(|place| (place / mean - 1.0).abs())
@@ -340,69 +340,69 @@ fn range(places: &[f64]) -> f64 {
     ends.1 - ends.0
 }
 
-fn of_conditions(rule: &Rule, conditions: &Conditions) -> Vec<Doubt> {
+fn of_conditions(rule: &Rule, conditions: &Conditions) -> Vec<InconclusiveReason> {
     let temperature = conditions
         .temperature_k
         .filter(|&kelvin| !rule.temperature_k.contain(kelvin))
-        .map(Doubt::Temperature);
+        .map(InconclusiveReason::Temperature);
     let altitude = conditions
         .altitude_m
         .filter(|&metres| !rule.altitude_m.contain(metres))
-        .map(Doubt::Altitude);
+        .map(InconclusiveReason::Altitude);
     temperature.into_iter().chain(altitude).collect()
 }
 
-fn of_numbers(rule: &Rule, surface: &[Place], reference: &[Place]) -> Vec<Doubt> {
+fn of_numbers(rule: &Rule, surface: &[Place], reference: &[Place]) -> Vec<InconclusiveReason> {
     let count = |places: &[Place]| places.iter().map(Vec::len).sum::<usize>();
     let too_few = |given: usize, of_reference| {
-        (given < rule.fewest_drops).then_some(Doubt::TooFewDrops {
+        (given < rule.fewest_drops).then_some(InconclusiveReason::TooFewDrops {
             needed: rule.fewest_drops,
             given,
             of_reference,
         })
     };
-    let mut doubts: Vec<Doubt> = too_few(count(surface), false).into_iter().collect();
+    let mut doubts: Vec<InconclusiveReason> = too_few(count(surface), false).into_iter().collect();
     let open = match &rule.requirement {
         Requirement::Height(limits) | Requirement::Share { limits, .. } => limits.is_open(),
         Requirement::About(_) => true,
     };
     if open {
-        doubts.push(Doubt::NoLimits);
+        doubts.push(InconclusiveReason::NoLimits);
     }
     if rule.needs_reference() {
         match count(reference) {
-            0 => doubts.push(Doubt::NoReference),
+            0 => doubts.push(InconclusiveReason::NoReference),
             given => doubts.extend(too_few(given, true)),
         }
     }
     if rule.evenness.is_some() && surface.len() < 2 {
-        doubts.push(Doubt::OnePlace);
+        doubts.push(InconclusiveReason::OnePlace);
     }
     doubts
 }
 
 /// What keeps single drops from telling.
-fn of_drops(places: &[Place], rebounds: &[Rebound]) -> Vec<Doubt> {
+fn of_drops(places: &[Place], rebounds: &[Rebound]) -> Vec<InconclusiveReason> {
     let drops = places.iter().flatten();
     let mut doubts = Vec::new();
     for ((drop, rebound), number) in drops.zip(rebounds).zip(1..) {
         match &drop.estimate {
-            Err(reason) => doubts.push(Doubt::Untold(number, reason.to_string())),
+            Err(reason) => doubts.push(InconclusiveReason::Untold(number, reason.to_string())),
             Ok(found) => {
                 for remark in &found.remarks {
                     match remark {
-                        estimate::Remark::NotConverged(_) => {
-                            doubts.push(Doubt::Untold(number, remark.to_string()));
+                        inference::Remark::NotConverged(_) => {
+                            doubts.push(InconclusiveReason::Untold(number, remark.to_string()));
                         }
-                        estimate::Remark::HeightContradicts { .. } => {
-                            doubts.push(Doubt::Height(remark.to_string()));
+                        inference::Remark::HeightContradicts { .. } => {
+                            doubts.push(InconclusiveReason::Height(remark.to_string()));
                         }
                         _ => {}
                     }
                 }
                 if rebound.draws.is_empty() {
                     let reason = "the rule's height is far beyond what was heard".to_owned();
-                    doubts.push(Doubt::Untold(number, reason));
+                    doubts.push(InconclusiveReason::Untold(number, reason));
                 }
             }
         }
@@ -425,7 +425,7 @@ fn other_ball(rule: &Rule, ball: &Ball) -> Option<Remark> {
 fn of_circumstances(
     rule: &Rule,
     fall_m: Option<f64>,
-    settings: &Settings,
+    settings: &Options,
     conditions: &Conditions,
     surface: &[Place],
 ) -> Vec<Remark> {
@@ -433,7 +433,7 @@ fn of_circumstances(
     const SAME: f64 = 0.02;
     /// An impact this much faster is another impact.
     const FASTER: f64 = 1.1;
-    let dropped_m = settings.knowledge.drop_height_m.map(|height| height.value);
+    let dropped_m = settings.priors.drop_height_m.map(|height| height.value);
     let mut remarks = Vec::new();
     remarks.extend(other_ball(rule, &settings.ball));
     if conditions.temperature_k.is_none() && !rule.temperature_k.is_open() {

@@ -42,7 +42,7 @@ const SAME_RATIO: f64 = 0.04;
 const SAME_SCATTER: f64 = 3.0;
 /// Ways with less evidence than this are not pursued. Drops begin at -9 or so, and in a crowd of like
 /// sounds the third impact takes away more than it adds.
-const HOPELESS: f64 = -13.0;
+const PRUNE_BELOW: f64 = -13.0;
 
 /// An onset that fits as badly as this is better taken for a missed impact.
 const HOPELESS_STEP: f64 = -4.0;
@@ -110,7 +110,7 @@ impl Step {
 
 impl State {
     /// The first two impacts of a train, on a smooth and on a rough surface.
-    fn births(step: &Step, around_first: &Surroundings) -> impl Iterator<Item = Self> {
+    fn initial_states(step: &Step, around_first: &Surroundings) -> impl Iterator<Item = Self> {
         let by_chance = around_first.by_chance(step.interval_s).ln();
         let first_flight = evidence::ln_first_flight(step.interval_s);
         let evidence = around_first.ln_birth() + first_flight + step.common + by_chance;
@@ -261,8 +261,8 @@ pub(super) fn best(onsets: &[Onset], span: Span) -> Option<Chain> {
             let mut survivors = survivors(&nodes, before, earlier, &step);
             // A drop begins with its loudest impacts; only later ones may be faint.
             if onsets[earlier].stands_out() && onsets[later].stands_out() {
-                let births = State::births(&step, &around[earlier]);
-                survivors.extend(births.map(|state| Node {
+                let initial_states = State::initial_states(&step, &around[earlier]);
+                survivors.extend(initial_states.map(|state| Node {
                     state,
                     from: earlier as u32,
                     missed: 0,
@@ -292,7 +292,7 @@ fn survivors(nodes: &[Node], before: Range<usize>, from: usize, step: &Step) -> 
     for back in before {
         let state = &nodes[back].state;
         let least = if kept.len() < KEPT {
-            HOPELESS
+            PRUNE_BELOW
         } else {
             kept[KEPT - 1].state.evidence
         };
@@ -367,7 +367,7 @@ pub(super) fn numbers(onsets: &[Onset]) -> Option<Vec<u32>> {
     for later in 1..onsets.len() {
         let step = Step::new(onsets, &around, (later - 1, later));
         if later == 1 {
-            ways.extend(State::births(&step, &around[0]).map(|birth| (birth, vec![0, 1])));
+            ways.extend(State::initial_states(&step, &around[0]).map(|birth| (birth, vec![0, 1])));
             continue;
         }
         let mut longer: Vec<(State, Vec<u32>)> = Vec::new();
@@ -421,8 +421,10 @@ impl Chain {
             let over = (0 < position && position < strides.len())
                 .then(|| bridge(position - 1, position + 1));
             let ways: Vec<Option<State>> = match (position, &over) {
-                (0, _) => after.first().map_or_else(Vec::new, |s| self.births(s)),
-                (1, Some(over)) => self.births(over),
+                (0, _) => after
+                    .first()
+                    .map_or_else(Vec::new, |s| self.initial_states(s)),
+                (1, Some(over)) => self.initial_states(over),
                 (_, Some(over)) => before
                     .iter()
                     .map(|state| state.and_then(|s| s.by(over)))
@@ -433,7 +435,7 @@ impl Chain {
             let rest = after.get(begun..).unwrap_or_default();
             before = match position {
                 0 => Vec::new(),
-                1 => self.births(&strides[0]),
+                1 => self.initial_states(&strides[0]),
                 _ => before
                     .iter()
                     .map(|state| state.and_then(|s| s.by(&strides[position - 1])))
@@ -451,7 +453,7 @@ impl Chain {
         let pairs = self.links.windows(2);
         let strides: Vec<Stride> = pairs.map(|p| self.stride(onsets, p[0], p[1])).collect();
         let (first, rest) = strides.split_first()?;
-        let ways = self.births(first).into_iter();
+        let ways = self.initial_states(first).into_iter();
         ways.filter_map(|state| follow(state?, rest))
             .max_by(|a, b| a.evidence.total_cmp(&b.evidence))
     }
@@ -463,7 +465,7 @@ impl Chain {
         let Some((first, rest)) = strides.split_first() else {
             return f64::NEG_INFINITY;
         };
-        let ways = self.births(first).into_iter().flatten();
+        let ways = self.initial_states(first).into_iter().flatten();
         ways.zip(&evidence::SURFACES)
             .filter_map(|(birth, surface)| {
                 let start = (birth, surface.ln_prior);
@@ -484,9 +486,9 @@ impl Chain {
     }
 
     /// A train that begins so, on each surface.
-    fn births(&self, first: &Stride) -> Vec<Option<State>> {
-        let births = State::births(&first.step, &self.around[first.from]);
-        births.map(Some).collect()
+    fn initial_states(&self, first: &Stride) -> Vec<Option<State>> {
+        let initial_states = State::initial_states(&first.step, &self.around[first.from]);
+        initial_states.map(Some).collect()
     }
 
     /// Goes on after the last impact, down to the faintest: what is known of the drop by now says

@@ -2,7 +2,7 @@
 //!
 //! The flight times of a drop shrink by a ratio that changes slowly, and the impacts of one ball
 //! on one spot sound alike. Clicks, voices, claps, clocks and rallies do none of this for long.
-//! So the question is put as a choice between two explanations of the same onsets: *a drop*, whose
+//! So the inference is put as a choice between two explanations of the same onsets: *a drop*, whose
 //! next impact is predicted by the ones before, or *other sounds*, which come when they like. The
 //! logarithm of their probability ratio is the evidence, in nats. It adds up over the impacts
 //! (the room `evidence`), so that the best train of all is found by dynamic programming (`chain`).
@@ -32,9 +32,9 @@ mod chain;
 mod evidence;
 mod rhythm;
 
-use crate::logistic::{logistic, softplus};
 use crate::onset::Onset;
-use crate::order::median;
+use crate::stats::median;
+use crate::stats::{logistic, softplus};
 use chain::Chain;
 pub(crate) use evidence::Span;
 use rhythm::Beat;
@@ -68,7 +68,7 @@ pub struct HeardImpact {
 pub struct Train {
     impacts: Vec<HeardImpact>,
     evidence: f64,
-    against_chance: f64,
+    log_bayes_factor: f64,
 }
 
 impl Train {
@@ -84,8 +84,8 @@ impl Train {
 
     /// Evidence that this is no chance, in nats: it grows with every impact that is heard well, where
     /// a rhythm is ruled out by a few.
-    pub fn against_chance(&self) -> f64 {
-        self.against_chance
+    pub fn log_bayes_factor(&self) -> f64 {
+        self.log_bayes_factor
     }
 
     /// Probability that this is a drop and neither chance nor a rhythm.
@@ -152,18 +152,18 @@ impl Train {
 
 /// What was found among the onsets.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Found {
+pub struct TrainSearch {
     /// The trains, in order of time; they do not overlap.
     pub trains: Vec<Train>,
     /// Trains left out because they are far fainter than the rest: other balls, farther away.
     pub distant: Vec<Train>,
     /// Sequences that look like a train but keep time: a clock, a machine, steps, applause.
-    pub regular: Vec<Regular>,
+    pub periodic: Vec<PeriodicSequence>,
 }
 
 /// Sounds that keep time, though perhaps a little faster as they go on.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Regular {
+pub struct PeriodicSequence {
     /// Time of the first sound in seconds.
     pub start_s: f64,
     /// Mean interval in seconds.
@@ -172,18 +172,18 @@ pub struct Regular {
     pub count: usize,
 }
 
-impl Found {
+impl TrainSearch {
     /// Moves the trains that are far fainter than another, surer one from `trains` to `distant`.
     pub(crate) fn set_distant_apart(&mut self) {
         let heard: Vec<(f64, f64)> = self
             .trains
             .iter()
-            .map(|train| (train.level_at_unit_speed_db(), train.against_chance()))
+            .map(|train| (train.level_at_unit_speed_db(), train.log_bayes_factor()))
             .collect();
-        let is_distant = |&(level_db, against_chance): &(f64, f64)| {
+        let is_distant = |&(level_db, log_bayes_factor): &(f64, f64)| {
             heard
                 .iter()
-                .any(|other| other.0 > level_db + DISTANT_DB && other.1 > against_chance)
+                .any(|other| other.0 > level_db + DISTANT_DB && other.1 > log_bayes_factor)
         };
         let mut distant = heard.iter().map(is_distant);
         self.distant
@@ -191,14 +191,14 @@ impl Found {
     }
 
     /// How well all trains together are heard: their evidence against chance, in nats.
-    pub fn against_chance(&self) -> f64 {
-        self.trains.iter().map(Train::against_chance).sum()
+    pub fn log_bayes_factor(&self) -> f64 {
+        self.trains.iter().map(Train::log_bayes_factor).sum()
     }
 
     /// Why there is no drop, in words; `onsets` is how many candidates there were.
     pub fn reason(&self, onsets: usize) -> NoDrop {
-        match (onsets, self.regular.first()) {
-            (_, Some(&regular)) => NoDrop::Regular(regular),
+        match (onsets, self.periodic.first()) {
+            (_, Some(&periodic)) => NoDrop::PeriodicSequence(periodic),
             (0, None) => NoDrop::NoSound,
             (n, None) if n < FEWEST_IMPACTS => NoDrop::TooFew(n),
             (n, None) => NoDrop::NoPattern(n),
@@ -217,7 +217,7 @@ pub enum NoDrop {
     /// So many sounds stand out, too few for a drop.
     TooFew(usize),
     /// The sounds keep time.
-    Regular(Regular),
+    PeriodicSequence(PeriodicSequence),
     /// So many sounds stand out, but their intervals do not shrink as those of a bouncing ball.
     NoPattern(usize),
 }
@@ -236,7 +236,7 @@ impl fmt::Display for NoDrop {
                  least {FEWEST_IMPACTS} impacts",
                 if *count == 1 { " stands" } else { "s stand" }
             ),
-            Self::Regular(r) => write!(
+            Self::PeriodicSequence(r) => write!(
                 f,
                 "{} sounds keep time, about every {:.3} s, as of a clock, of steps or a drum; the \
                  flights of a ball shrink",
@@ -252,8 +252,8 @@ impl fmt::Display for NoDrop {
 }
 
 /// Finds the drops among onset candidates, which must be in order of time.
-pub fn find(onsets: &[Onset]) -> Found {
-    let mut found = Found::default();
+pub fn find(onsets: &[Onset]) -> TrainSearch {
+    let mut found = TrainSearch::default();
     search(onsets, Span::EVER, &mut found);
     found.set_distant_apart();
     found
@@ -354,7 +354,7 @@ fn ratio_near(impacts: &[HeardImpact], index: usize) -> f64 {
 }
 
 /// Finds the trains among the onsets, which are all that was heard in this span.
-pub(crate) fn search(onsets: &[Onset], span: Span, found: &mut Found) {
+pub(crate) fn search(onsets: &[Onset], span: Span, found: &mut TrainSearch) {
     search_among(&telling(onsets), span, found);
 }
 
@@ -382,7 +382,7 @@ fn telling(onsets: &[Onset]) -> Vec<Onset> {
 }
 
 /// Takes the best train and searches again before and after it.
-fn search_among(onsets: &[Onset], span: Span, found: &mut Found) {
+fn search_among(onsets: &[Onset], span: Span, found: &mut TrainSearch) {
     if onsets.len() < FEWEST_IMPACTS {
         return;
     }
@@ -400,7 +400,7 @@ fn search_among(onsets: &[Onset], span: Span, found: &mut Found) {
     let evidence = against_both(chain.evidence, against_rhythm);
     if evidence < BELIEVED {
         let ln_interval = beats.iter().map(|b| b.ln_interval).sum::<f64>() / beats.len() as f64;
-        found.regular.push(Regular {
+        found.periodic.push(PeriodicSequence {
             start_s: onsets[chain.links[0].onset].time_s,
             interval_s: ln_interval.exp(),
             count: chain.links.len(),
@@ -414,7 +414,7 @@ fn search_among(onsets: &[Onset], span: Span, found: &mut Found) {
     }
     let best = Train {
         evidence,
-        against_chance: chain.evidence,
+        log_bayes_factor: chain.evidence,
         impacts: impacts(onsets, &chain),
     };
     let before = Span {

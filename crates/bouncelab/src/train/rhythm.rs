@@ -12,7 +12,7 @@ use std::f64::consts::TAU;
 pub(super) const LN_USUAL: f64 = 1.1;
 
 /// How somebody, or something, keeps time.
-struct Keeper {
+struct TempoModel {
     /// Scatter of an interval, as a share of it.
     jitter: f64,
     /// By how much the tempo changes from one interval to the next, as a share of it.
@@ -21,24 +21,24 @@ struct Keeper {
 
 /// Machines keep time within a percent and do not speed up; people do within some percent (Repp 2005)
 /// and speed up by as much. All are equally usual.
-const KEEPERS: [Keeper; 5] = [
-    Keeper {
+const KEEPERS: [TempoModel; 5] = [
+    TempoModel {
         jitter: 0.001,
         drift: 0.0,
     },
-    Keeper {
+    TempoModel {
         jitter: 0.005,
         drift: 0.0,
     },
-    Keeper {
+    TempoModel {
         jitter: 0.02,
         drift: 0.03,
     },
-    Keeper {
+    TempoModel {
         jitter: 0.04,
         drift: 0.03,
     },
-    Keeper {
+    TempoModel {
         jitter: 0.08,
         drift: 0.03,
     },
@@ -66,7 +66,7 @@ pub(super) fn ln_likelihood(beats: &[Beat]) -> f64 {
     best + (sum / KEEPERS.len() as f64).ln()
 }
 
-impl Keeper {
+impl TempoModel {
     /// The beats that are better explained as odd ones are left out, the worst first.
     fn ln_likelihood(&self, mut beats: Vec<Beat>) -> f64 {
         let mut line = Line::through(&beats, self);
@@ -94,7 +94,7 @@ struct Line {
 impl Line {
     /// The line that a keeper of time most likely meant. It may begin anywhere; its slope is 0, give
     /// or take the drift; the beats are distributed normally about it.
-    fn through(beats: &[Beat], keeper: &Keeper) -> Self {
+    fn through(beats: &[Beat], keeper: &TempoModel) -> Self {
         let count = beats.len() as f64;
         let middle = Beat {
             number: beats.iter().map(|b| b.number).sum::<f64>() / count,

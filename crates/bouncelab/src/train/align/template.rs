@@ -1,7 +1,7 @@
 //! What impacts have in common, and how far one of them is from it.
 
 use super::wave::{KERNEL, convolve, derivative, dot, norm};
-use crate::order::median;
+use crate::stats::median;
 
 /// Impacts of one drop differ a little, and not as noise does: what they leave unexplained is like so
 /// many numbers drawn at random, one or two for each mode that rings. (With modes of random phases,

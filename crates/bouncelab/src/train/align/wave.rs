@@ -1,6 +1,6 @@
 //! Arithmetic on waves: products, smoothing, values and slopes between samples.
 
-use crate::wide::widely;
+use crate::simd::dispatch;
 use std::f64::consts::PI;
 
 /// Half the length of the interpolation kernel in samples.
@@ -48,7 +48,7 @@ pub(super) fn derivative(samples: &[f32]) -> Vec<f32> {
 }
 
 pub(super) fn dot(a: &[f32], b: &[f32]) -> f32 {
-    widely(
+    dispatch(
         #[inline(always)]
         || sum_of_products(a, b),
     )

@@ -63,11 +63,11 @@ impl Proposal {
     fn draw(&self, rng: &mut ChaCha8Rng) -> (DVector<f64>, f64) {
         let normal = DVector::<f64>::from_fn(self.centre.len(), |_, _| rng.sample(StandardNormal));
         let chi_squared = chi_squared().sample(rng);
-        let stretch = (FREEDOM / chi_squared).sqrt();
-        let square = normal.norm_squared() * stretch * stretch;
+        let interval = (FREEDOM / chi_squared).sqrt();
+        let square = normal.norm_squared() * interval * interval;
         let dimensions = self.centre.len() as f64;
         let density = -0.5 * (FREEDOM + dimensions) * (square / FREEDOM).ln_1p();
-        let offset = &self.root * normal * stretch;
+        let offset = &self.root * normal * interval;
         (&self.centre + offset, density)
     }
 

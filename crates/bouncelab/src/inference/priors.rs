@@ -18,7 +18,7 @@ pub struct Measured {
 /// [`UNKNOWN`] leaves it to the data. They are the priors of the inference; the defaults say what
 /// one knows of a ball and a room that nobody has measured.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Knowledge {
+pub struct Priors {
     /// Height of the lowest point of the ball above the surface at release, m.
     pub drop_height_m: Option<Measured>,
     /// When the ball was released, s, in the time of the impacts.
@@ -33,33 +33,33 @@ pub struct Knowledge {
     pub constant_drag_too: bool,
     /// Drag coefficient: how far a real ball may lie from the law. The laws of smooth spheres
     /// scatter by about 3 % at Reynolds numbers of 1,000 to 10,000; 4 % leaves room for a ball.
-    pub drag: f64,
+    pub drag_rel_sd: f64,
     /// Gravity.
-    pub gravity: f64,
+    pub gravity_rel_sd: f64,
     /// Density of the air: temperature, pressure, humidity.
-    pub air_density: f64,
+    pub air_density_rel_sd: f64,
     /// Mass of the ball.
-    pub mass: f64,
+    pub mass_rel_sd: f64,
     /// Diameter of the ball.
-    pub diameter: f64,
+    pub diameter_rel_sd: f64,
     /// Added mass of the air: potential flow says half the volume, a bouncing ball is no potential
     /// flow.
-    pub added_mass: f64,
+    pub added_mass_rel_sd: f64,
     /// Contact time.
-    pub contact_time: f64,
+    pub contact_time_rel_sd: f64,
     /// The stated standard errors of the impact times, as a common factor.
-    pub timing: f64,
+    pub timing_rel_sd: f64,
     /// Typical scatter of restitution from impact to impact: 0.2 to 0.5 % is published for good
     /// surfaces; the inference takes it to be right within a factor of two (a normal prior of the
     /// logarithm with standard deviation 0.7).
-    pub scatter: f64,
+    pub restitution_scatter: f64,
 }
 
 /// So little known that the data decide: a normal prior of the logarithm with standard deviation
 /// one, which is a factor of 2.7 either way.
 pub const UNKNOWN: f64 = 1.0;
 
-impl Default for Knowledge {
+impl Default for Priors {
     fn default() -> Self {
         Self {
             drop_height_m: None,
@@ -67,28 +67,28 @@ impl Default for Knowledge {
             first_was_heard: false,
             restitution_laws: Vec::new(),
             constant_drag_too: true,
-            drag: 0.04,
+            drag_rel_sd: 0.04,
             // Half the range over the surface of the Earth, as a rectangle.
-            gravity: 0.0015,
+            gravity_rel_sd: 0.0015,
             // 5 K, 15 hPa and 25 % of humidity.
-            air_density: 0.023,
-            mass: 0.01,
-            diameter: 0.006,
-            added_mass: 0.3,
-            contact_time: 0.5,
-            timing: 0.3,
-            scatter: 0.004,
+            air_density_rel_sd: 0.023,
+            mass_rel_sd: 0.01,
+            diameter_rel_sd: 0.006,
+            added_mass_rel_sd: 0.3,
+            contact_time_rel_sd: 0.5,
+            timing_rel_sd: 0.3,
+            restitution_scatter: 0.004,
         }
     }
 }
 
-impl Knowledge {
+impl Priors {
     /// What the rules of its sport say of a ball, and what is known of rooms.
     pub fn of_preset(preset: &Preset) -> Self {
         Self {
-            mass: preset.mass_sd,
-            diameter: preset.diameter_sd,
-            drag: preset.drag_sd,
+            mass_rel_sd: preset.mass_sd,
+            diameter_rel_sd: preset.diameter_sd,
+            drag_rel_sd: preset.drag_sd,
             ..Self::default()
         }
     }
@@ -104,16 +104,16 @@ impl Knowledge {
             "restitution: anything from 0 to 1".to_owned(),
             format!(
                 "scatter of restitution: about {} %, within a factor of two",
-                percent(self.scatter)
+                percent(self.restitution_scatter)
             ),
-            share("drag coefficient, around the law", self.drag),
-            share("gravity", self.gravity),
-            share("air density", self.air_density),
-            share("ball mass", self.mass),
-            share("ball diameter", self.diameter),
-            share("added mass", self.added_mass),
-            share("contact time", self.contact_time),
-            share("stated errors of the times", self.timing),
+            share("drag coefficient, around the law", self.drag_rel_sd),
+            share("gravity", self.gravity_rel_sd),
+            share("air density", self.air_density_rel_sd),
+            share("ball mass", self.mass_rel_sd),
+            share("ball diameter", self.diameter_rel_sd),
+            share("added mass", self.added_mass_rel_sd),
+            share("contact time", self.contact_time_rel_sd),
+            share("stated errors of the times", self.timing_rel_sd),
         ];
         statements.push(match self.drop_height_m {
             Some(Measured { value, sd }) => {
@@ -149,8 +149,8 @@ impl Knowledge {
 
     /// Whether something would show impacts missed before the first one heard.
     pub(super) fn tells_missed(&self) -> bool {
-        let told = self.drop_height_m.is_some() || self.release_s.is_some();
-        told && !self.first_was_heard && self.gravity < UNKNOWN
+        let state = self.drop_height_m.is_some() || self.release_s.is_some();
+        state && !self.first_was_heard && self.gravity_rel_sd < UNKNOWN
     }
 
     /// Whether all of it makes sense.
@@ -168,18 +168,18 @@ impl Knowledge {
             positive("standard uncertainty of the release time in s", release.sd)?;
         }
         for share in [
-            self.drag,
-            self.gravity,
-            self.air_density,
-            self.mass,
-            self.diameter,
-            self.added_mass,
-            self.contact_time,
-            self.timing,
+            self.drag_rel_sd,
+            self.gravity_rel_sd,
+            self.air_density_rel_sd,
+            self.mass_rel_sd,
+            self.diameter_rel_sd,
+            self.added_mass_rel_sd,
+            self.contact_time_rel_sd,
+            self.timing_rel_sd,
         ] {
             not_negative("relative standard uncertainty of an input", share)?;
         }
-        positive("typical scatter of restitution", self.scatter)?;
+        positive("typical scatter of restitution", self.restitution_scatter)?;
         Ok(())
     }
 }
@@ -276,16 +276,16 @@ mod tests {
 
     #[test]
     fn a_law_asked_for_twice_is_considered_once() {
-        let knowledge = Knowledge {
+        let priors = Priors {
             restitution_laws: vec![LawKind::Knee, LawKind::Constant, LawKind::Knee],
-            ..Knowledge::default()
+            ..Priors::default()
         };
-        assert_eq!(knowledge.laws(1), [LawKind::Constant, LawKind::Knee]);
+        assert_eq!(priors.laws(1), [LawKind::Constant, LawKind::Knee]);
     }
 
     #[test]
     fn few_restitutions_leave_few_laws() {
-        let laws = |restitutions| Knowledge::default().laws(restitutions);
+        let laws = |restitutions| Priors::default().laws(restitutions);
         assert_eq!(laws(0), [LawKind::Constant]);
         assert_eq!(laws(3).len(), 4);
         assert_eq!(laws(4), LawKind::ALL);

@@ -4,11 +4,11 @@ use super::compare::{Difference, compare, compare_means};
 use super::mean::Mean;
 use super::mixed::{Component, Drop, Factor, Mixed};
 use super::quantile::{interval95, student_beyond};
-use crate::estimate::Measured;
+use crate::inference::Measured;
 
 /// What the levels of a factor amount to: heights in metres, temperatures in kelvin.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Amounts {
+pub struct Covariate {
     /// The factor, by its place.
     pub factor: usize,
     /// The amount of each level.
@@ -34,7 +34,7 @@ pub struct Trend {
 
 /// How much something varies.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Varies {
+pub struct VarianceComponent {
     /// The factors, by their place: several if they always go together and cannot be told apart;
     /// none for the drops themselves.
     pub factors: Vec<usize>,
@@ -56,7 +56,7 @@ pub(super) struct Apart {
 }
 
 impl Apart {
-    pub(super) fn new(mut drops: Vec<Drop>, factors: &[Factor], amounts: &[Amounts]) -> Self {
+    pub(super) fn new(mut drops: Vec<Drop>, factors: &[Factor], amounts: &[Covariate]) -> Self {
         let mut own = Vec::new();
         let mut outside = Vec::new();
         for (place, factor) in factors.iter().enumerate() {
@@ -99,22 +99,22 @@ impl Apart {
         }
     }
 
-    pub(super) fn varies(&self) -> Vec<Varies> {
+    pub(super) fn varies(&self) -> Vec<VarianceComponent> {
         let random: Vec<usize> = self.distinct.iter().map(|together| together[0]).collect();
         let Ok(fit) = Mixed::fit(&self.drops, &self.factors, None, &random) else {
             return Vec::new();
         };
-        let mut varies: Vec<Varies> = self
+        let mut varies: Vec<VarianceComponent> = self
             .distinct
             .iter()
             .enumerate()
-            .map(|(place, together)| Varies {
+            .map(|(place, together)| VarianceComponent {
                 factors: together.clone(),
                 levels: self.factors[together[0]].levels.len(),
                 component: fit.between_levels(place),
             })
             .collect();
-        varies.push(Varies {
+        varies.push(VarianceComponent {
             factors: Vec::new(),
             levels: fit.drops(),
             component: fit.between_drops(),
@@ -123,7 +123,7 @@ impl Apart {
     }
 
     /// The slope against an amount; what the other factors do is taken out.
-    pub(super) fn trend(&self, amounts: &Amounts) -> Option<Trend> {
+    pub(super) fn trend(&self, amounts: &Covariate) -> Option<Trend> {
         /// Two levels are a difference.
         const FEWEST: usize = 3;
         let factor = amounts.factor;

@@ -7,7 +7,7 @@ use super::rule::{Limits, Rule, Status};
 /// Why nothing can be decided.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
-pub enum Doubt {
+pub enum InconclusiveReason {
     /// The rule takes more drops than there are.
     TooFewDrops {
         /// How many it takes.
@@ -37,7 +37,7 @@ pub enum Doubt {
     TooUncertain,
 }
 
-impl fmt::Display for Doubt {
+impl fmt::Display for InconclusiveReason {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::TooFewDrops {

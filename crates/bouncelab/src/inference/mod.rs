@@ -5,13 +5,13 @@
 //! neither that the errors of neighbouring flights are linked nor that the impacts themselves
 //! scatter. Here a physical model of the whole drop explains the times: a fall from a height, air
 //! that drags, impacts that obey a restitution law but for scatter, and times with errors. The
-//! unknowns have priors that say what is known of balls and rooms ([`Knowledge`]), and the answer is
+//! unknowns have priors that say what is known of balls and rooms ([`Priors`]), and the answer is
 //! the posterior over all of them and over all laws that may be true.
 //!
 //! ```
 //! use bouncelab::ball;
-//! use bouncelab::analysis::Settings;
-//! use bouncelab::estimate::{self, Effort, Knowledge, Measured, Question};
+//! use bouncelab::analysis::Options;
+//! use bouncelab::inference::{self, SamplerConfig, Priors, Measured, InferenceOptions};
 //! use bouncelab::restitution::TimedImpact;
 //!
 //! // Nine flights of a ball that was dropped from 30.5 cm.
@@ -20,14 +20,14 @@
 //!     .zip(times_s)
 //!     .map(|(number, time_s)| TimedImpact { number, time_s, standard_error_s: Some(5e-5) })
 //!     .collect();
-//! let knowledge = Knowledge {
+//! let priors = Priors {
 //!     drop_height_m: Some(Measured { value: 0.305, sd: 0.002 }),
-//!     ..Knowledge::default()
+//!     ..Priors::default()
 //! };
-//! let Settings { ball, environment, contact_time_s, .. } = Settings::default();
-//! let question = Question { effort: Effort { draws: 500, seed: 1 }, ..Question::default() };
+//! let Options { ball, environment, contact_time_s, .. } = Options::default();
+//! let inference = InferenceOptions { sampler: SamplerConfig { draws: 500, seed: 1 }, ..InferenceOptions::default() };
 //! let found =
-//!     estimate::infer(&impacts, &ball, &environment, contact_time_s, &knowledge, &question)?;
+//!     estimate::infer(&impacts, &ball, &environment, contact_time_s, &priors, &inference)?;
 //! assert!((found.restitution.value - 0.95).abs() < 0.01);
 //! assert!(found.missed_first.unwrap()[0] > 0.99);
 //! # Ok::<(), bouncelab::Error>(())
@@ -45,28 +45,28 @@
 mod answers;
 mod banded;
 mod budget;
+mod findings;
 mod fit;
 mod identify;
-mod inference;
-mod knowledge;
 mod likelihood;
 mod model;
 mod observed;
 mod posterior;
 mod predict;
-mod remark;
+mod priors;
 mod residual;
 mod sample;
+mod sampled;
 mod summary;
 mod tail;
 
 pub use budget::{Budget, Share};
-pub use identify::{Correlations, Narrowed, TOLD_NOTHING, Unknown};
-pub use inference::{BandPoint, Drag, Draws, Impact, Inference, Model, Sampling};
-pub use knowledge::{Knowledge, LawKind, Measured, UNKNOWN};
-pub use posterior::Effort;
-pub use remark::Remark;
+pub use findings::Remark;
+pub use identify::{Correlations, PriorContraction, UNINFORMATIVE, Unknown};
+pub use posterior::{BandPoint, Drag, Draws, Impact, Model, Posterior, Sampling};
+pub use priors::{LawKind, Measured, Priors, UNKNOWN};
 pub use sample::GREATEST_PARETO_SHAPE;
+pub use sampled::SamplerConfig;
 pub use summary::Summary;
 
 use crate::ball::Ball;
@@ -76,34 +76,34 @@ use crate::impact::Restitution;
 use crate::restitution::TimedImpact;
 use answers::Answers;
 use likelihood::Evaluator;
-use posterior::Posterior;
+use sampled::SampledPosterior;
 
 /// What to ask of the posterior.
 #[derive(Debug, Clone, PartialEq, Default)]
-pub struct Question {
+pub struct InferenceOptions {
     /// The impact speed at which to state the restitution, m/s; if `None`, the middle of those
     /// heard, where it is known best.
     pub at_speed_m_s: Option<f64>,
     /// From which height does the flight after a bounce (1 for the first) rise to an apex, in m?
-    pub reach: Vec<Reach>,
+    pub reach: Vec<ApexTarget>,
     /// How much to compute.
-    pub effort: Effort,
+    pub sampler: SamplerConfig,
 }
 
 /// A bounce and the apex that it is to reach.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Reach {
+pub struct ApexTarget {
     /// Number of the bounce, 1 for the first.
     pub bounce: usize,
     /// Apex of the flight after it, m.
     pub apex_m: f64,
 }
 
-/// The answer to a [`Reach`].
+/// The answer to a [`ApexTarget`].
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Prediction {
     /// What was asked.
-    pub reach: Reach,
+    pub reach: ApexTarget,
     /// The drop height, m, with the restitution that the law expects; `None` if no height does.
     pub drop_height_m: Option<Summary>,
 }
@@ -113,36 +113,36 @@ pub struct Prediction {
 /// # Errors
 ///
 /// [`Error::CannotInfer`] with fewer than two impacts or if no physical model explains them,
-/// [`Error::OutOfRange`] and [`Error::NotInOrder`] for times and knowledge that make no sense, and
+/// [`Error::OutOfRange`] and [`Error::NotInOrder`] for times and priors that make no sense, and
 /// the errors of [`FlightModel::new`](crate::flight::FlightModel::new).
 pub fn infer(
     impacts: &[TimedImpact],
     ball: &Ball,
     environment: &Environment,
     contact_time_s: f64,
-    knowledge: &Knowledge,
-    question: &Question,
-) -> Result<Inference> {
-    if let Some(speed_m_s) = question.at_speed_m_s {
+    priors: &Priors,
+    inference: &InferenceOptions,
+) -> Result<Posterior> {
+    if let Some(speed_m_s) = inference.at_speed_m_s {
         positive(
             "impact speed at which to state the restitution in m/s",
             speed_m_s,
         )?;
     }
-    for reach in &question.reach {
+    for reach in &inference.reach {
         positive("apex to reach in m", reach.apex_m)?;
     }
-    let posterior = Posterior::new(
+    let posterior = SampledPosterior::new(
         impacts,
         ball,
         environment,
         contact_time_s,
-        knowledge,
-        &question.effort,
+        priors,
+        &inference.sampler,
     )?;
-    let at_speed_m_s = question.at_speed_m_s.unwrap_or(posterior.middle.speed_m_s);
+    let at_speed_m_s = inference.at_speed_m_s.unwrap_or(posterior.middle.speed_m_s);
     Answers::new(&posterior, at_speed_m_s)
-        .and_then(|answers| answers.inference(posterior, question))
+        .and_then(|answers| answers.inference(posterior, inference))
         .ok_or_else(|| {
             Error::CannotInfer(
                 "the posterior could not be sampled: no draw explains the times; are they of one \
@@ -165,7 +165,7 @@ pub struct BestFit {
 
 /// The best fit alone: a hundred times faster than [`infer`], for those who watch while it bounces.
 ///
-/// It takes the first restitution law of the knowledge (constant if it names none) and the drag law
+/// It takes the first restitution law of the priors (constant if it names none) and the drag law
 /// of the environment, and every impact from the first one heard.
 ///
 /// # Errors
@@ -176,16 +176,17 @@ pub fn best_fit(
     ball: &Ball,
     environment: &Environment,
     contact_time_s: f64,
-    knowledge: &Knowledge,
+    priors: &Priors,
 ) -> Result<BestFit> {
-    let law = knowledge.restitution_laws.first();
-    let knowledge = Knowledge {
+    let law = priors.restitution_laws.first();
+    let priors = Priors {
         restitution_laws: vec![law.copied().unwrap_or(LawKind::Constant)],
         constant_drag_too: false,
         first_was_heard: true,
-        ..knowledge.clone()
+        ..priors.clone()
     };
-    let posterior = Posterior::fitted_only(impacts, ball, environment, contact_time_s, &knowledge)?;
+    let posterior =
+        SampledPosterior::fitted_only(impacts, ball, environment, contact_time_s, &priors)?;
     let candidate = &posterior.candidates[0];
     let model = posterior.model(candidate);
     let mut evaluator = Evaluator::new(&model);
@@ -194,7 +195,7 @@ pub fn best_fit(
         .and_then(|point| {
             Some(BestFit {
                 law: point.law,
-                drop_height_m: evaluator.told(&point)?.drop_height_m,
+                drop_height_m: evaluator.state(&point)?.drop_height_m,
                 drag_scale: point.drag_scale,
             })
         })

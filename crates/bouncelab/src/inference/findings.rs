@@ -4,11 +4,11 @@ use std::fmt;
 
 use super::LawKind;
 use super::fit;
-use super::identify::{Narrowed, TOLD_NOTHING, Unknown};
-use super::knowledge::{Knowledge, Measured};
+use super::identify::{PriorContraction, UNINFORMATIVE, Unknown};
 use super::likelihood::{Evaluator, Innovation};
-use super::posterior::{MATTERS, Posterior};
-use crate::words::list;
+use super::priors::{Measured, Priors};
+use super::sampled::{MATTERS, SampledPosterior};
+use crate::text::list;
 
 /// Something to know about an inference.
 #[derive(Debug, Clone, PartialEq)]
@@ -73,7 +73,7 @@ impl fmt::Display for Remark {
             ),
             Self::TooFewFor { law, seen } => write!(
                 f,
-                "the {law} restitution law takes {} impacts between two flights to be told from a \
+                "the {law} restitution law takes {} impacts between two flights to be state from a \
                  constant, and there {} {seen}: how restitution changes is what was assumed",
                 law.needs(),
                 if *seen == 1 { "is" } else { "are" },
@@ -113,7 +113,7 @@ impl fmt::Display for Remark {
             ),
             Self::DragOrSlope => write!(
                 f,
-                "drag and falling restitution cannot be told apart from this recording; a measured \
+                "drag and falling restitution cannot be state apart from this recording; a measured \
                  drop height or a denser ball would"
             ),
             Self::NoLawWins => write!(
@@ -139,9 +139,9 @@ const CONTRADICTION: f64 = 3.5;
 
 /// Every remark that applies.
 pub(super) fn remarks(
-    posterior: &Posterior,
+    posterior: &SampledPosterior,
     innovations: &[Innovation],
-    narrowed: &[Narrowed],
+    prior_contraction: &[PriorContraction],
     rests: bool,
 ) -> Vec<Remark> {
     let mut remarks = Vec::new();
@@ -153,7 +153,7 @@ pub(super) fn remarks(
         remarks.push(Remark::FewImpacts(impacts.len()));
     }
     let seen = posterior.observed.restitutions();
-    let considered = posterior.knowledge.laws(seen).into_iter();
+    let considered = posterior.priors.laws(seen).into_iter();
     remarks.extend(
         considered
             .filter(|law| law.needs() > seen.max(1))
@@ -170,10 +170,10 @@ pub(super) fn remarks(
     }
     remarks.extend(about_the_height(posterior, innovations));
     let remaining = |unknown: Unknown| {
-        let found = narrowed.iter().find(|n| n.unknown == unknown);
+        let found = prior_contraction.iter().find(|n| n.unknown == unknown);
         found.map(|n| n.remaining)
     };
-    let drag_unknown = remaining(Unknown::Drag).is_some_and(|share| share > TOLD_NOTHING);
+    let drag_unknown = remaining(Unknown::Drag).is_some_and(|share| share > UNINFORMATIVE);
     if drag_unknown {
         remarks.push(Remark::DragFromPrior);
     }
@@ -194,7 +194,7 @@ pub(super) fn remarks(
 }
 
 /// Probability of the most probable restitution law.
-fn law_weight(posterior: &Posterior) -> f64 {
+fn law_weight(posterior: &SampledPosterior) -> f64 {
     LawKind::ALL
         .into_iter()
         .map(|law| {
@@ -204,12 +204,12 @@ fn law_weight(posterior: &Posterior) -> f64 {
         .fold(0.0, f64::max)
 }
 
-fn about_the_height(posterior: &Posterior, innovations: &[Innovation]) -> Option<Remark> {
-    let Knowledge {
+fn about_the_height(posterior: &SampledPosterior, innovations: &[Innovation]) -> Option<Remark> {
+    let Priors {
         drop_height_m,
         release_s,
         ..
-    } = posterior.knowledge;
+    } = posterior.priors;
     if drop_height_m.is_none() && release_s.is_none() {
         return Some(Remark::HeightIsOfFirstHeard);
     }
@@ -229,7 +229,7 @@ fn about_the_height(posterior: &Posterior, innovations: &[Innovation]) -> Option
 /// Whether even the best number of missed impacts leaves a gap between the measured height and the
 /// first flight. The gap shows in the first innovation, or as a height far from the measured one.
 fn contradiction(
-    posterior: &Posterior,
+    posterior: &SampledPosterior,
     innovations: &[Innovation],
     measured: Measured,
 ) -> Option<Remark> {
@@ -237,7 +237,7 @@ fn contradiction(
     let model = posterior.model(candidate);
     let mut evaluator = Evaluator::new(&model);
     let point = evaluator.point(candidate.fit.vector.as_slice())?;
-    let fitted_m = evaluator.told(&point)?.drop_height_m;
+    let fitted_m = evaluator.state(&point)?.drop_height_m;
     let off = ((fitted_m - measured.value) / measured.sd).abs();
     let first = innovations
         .iter()
@@ -247,7 +247,7 @@ fn contradiction(
     if off.max(first) < CONTRADICTION {
         return None;
     }
-    let heard_m = heard_height_m(posterior, candidate.law, candidate.surroundings)?;
+    let heard_m = heard_height_m(posterior, candidate.law, candidate.media)?;
     Some(Remark::HeightContradicts {
         measured_m: measured.value,
         heard_m,
@@ -257,22 +257,22 @@ fn contradiction(
 }
 
 /// The height of the fall before the first impact heard, as the times alone have it.
-fn heard_height_m(posterior: &Posterior, law: LawKind, surroundings: usize) -> Option<f64> {
-    let without = Posterior {
-        knowledge: Knowledge {
+fn heard_height_m(posterior: &SampledPosterior, law: LawKind, media: usize) -> Option<f64> {
+    let without = SampledPosterior {
+        priors: Priors {
             drop_height_m: None,
             release_s: None,
-            ..posterior.knowledge.clone()
+            ..posterior.priors.clone()
         },
         observed: posterior.observed.clone(),
-        surroundings: posterior.surroundings.clone(),
+        media: posterior.media.clone(),
         candidates: Vec::new(),
         draws: Vec::new(),
         ..*posterior
     };
-    let model = without.model_of(law, surroundings, 0);
+    let model = without.model_of(law, media, 0);
     let mut evaluator = Evaluator::new(&model);
     let fit = fit::best_fit(&mut evaluator)?;
     let point = evaluator.point(fit.vector.as_slice())?;
-    Some(evaluator.told(&point)?.drop_height_m)
+    Some(evaluator.state(&point)?.drop_height_m)
 }

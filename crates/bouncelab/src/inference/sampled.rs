@@ -5,10 +5,10 @@ use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
 use super::fit::{self, Fit};
-use super::knowledge::{Knowledge, LawKind};
 use super::likelihood::{Evaluator, Innovation};
-use super::model::{Middle, Model, Point, Surroundings};
+use super::model::{Medium, Model, Point, ReferenceSpeed};
 use super::observed::Observed;
+use super::priors::{LawKind, Priors};
 use super::sample::{self, GREATEST_PARETO_SHAPE, Sample};
 use crate::ball::Ball;
 use crate::drag::DragLaw;
@@ -21,14 +21,14 @@ pub(super) const THINNED: usize = 4;
 
 /// How much to compute.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Effort {
+pub struct SamplerConfig {
     /// Draws of the posterior that count as independent.
     pub draws: usize,
     /// Seed of the random numbers: the same seed gives the same answer to the last digit.
     pub seed: u64,
 }
 
-impl Default for Effort {
+impl Default for SamplerConfig {
     fn default() -> Self {
         Self {
             draws: 4000,
@@ -37,7 +37,7 @@ impl Default for Effort {
     }
 }
 
-impl Effort {
+impl SamplerConfig {
     /// Random numbers for each candidate, so that none depends on how many another took. The first
     /// stream of the seed is left for their pool.
     fn streams(&self) -> impl Iterator<Item = ChaCha8Rng> + use<> {
@@ -54,8 +54,8 @@ impl Effort {
 #[derive(Debug, Clone)]
 pub(super) struct Candidate {
     pub(super) law: LawKind,
-    /// Which of the surroundings.
-    pub(super) surroundings: usize,
+    /// Which of the media.
+    pub(super) media: usize,
     pub(super) missed_first: usize,
     pub(super) fit: Fit,
     /// Logarithm of prior probability times evidence.
@@ -73,13 +73,13 @@ pub(super) struct Draw {
 
 /// Everything that the data and the priors say together.
 #[derive(Debug, Clone)]
-pub(super) struct Posterior {
+pub(super) struct SampledPosterior {
     pub(super) observed: Observed,
-    pub(super) surroundings: Vec<Surroundings>,
-    pub(super) middle: Middle,
-    pub(super) knowledge: Knowledge,
+    pub(super) media: Vec<Medium>,
+    pub(super) middle: ReferenceSpeed,
+    pub(super) priors: Priors,
     pub(super) ball: Ball,
-    /// As stated, with the drag law of the first of the surroundings.
+    /// As stated, with the drag law of the first of the media.
     pub(super) environment: Environment,
     pub(super) contact_time_s: f64,
     /// Most probable first.
@@ -93,7 +93,7 @@ pub(super) const MATTERS: f64 = 0.05;
 
 /// A candidate whose logarithm of the evidence is so far below the best is not sampled: at most one
 /// draw in a thousand would come from it.
-const HOPELESS: f64 = 7.0;
+const PRUNE_BELOW: f64 = 7.0;
 
 /// A prior for impacts before the first one heard: each more is half as likely.
 const LOG_PRIOR_OF_MISSED: f64 = -std::f64::consts::LN_2;
@@ -101,8 +101,8 @@ const LOG_PRIOR_OF_MISSED: f64 = -std::f64::consts::LN_2;
 /// Nobody misses more of the loudest impacts than this.
 const MOST_MISSED_FIRST: usize = 12;
 
-impl Posterior {
-    /// Fits, samples and weighs every model that the knowledge admits.
+impl SampledPosterior {
+    /// Fits, samples and weighs every model that the priors admits.
     ///
     /// # Errors
     /// [`Error::CannotInfer`] if no model can explain the times at all, [`Error::OutOfRange`] if the
@@ -113,29 +113,28 @@ impl Posterior {
         ball: &Ball,
         environment: &Environment,
         contact_time_s: f64,
-        knowledge: &Knowledge,
-        effort: &Effort,
+        priors: &Priors,
+        sampler: &SamplerConfig,
     ) -> Result<Self> {
-        let mut posterior =
-            Self::fitted_only(impacts, ball, environment, contact_time_s, knowledge)?;
-        posterior.sample(effort);
+        let mut posterior = Self::fitted_only(impacts, ball, environment, contact_time_s, priors)?;
+        posterior.sample(sampler);
         Ok(posterior)
     }
 
     /// Fits every model, most probable first, and draws nothing.
     ///
     /// # Errors
-    /// Those of [`Posterior::new`].
+    /// Those of [`SampledPosterior::new`].
     pub(super) fn fitted_only(
         impacts: &[TimedImpact],
         ball: &Ball,
         environment: &Environment,
         contact_time_s: f64,
-        knowledge: &Knowledge,
+        priors: &Priors,
     ) -> Result<Self> {
-        knowledge.check()?;
+        priors.check()?;
         let observed = Observed::new(impacts, contact_time_s)?;
-        if let Some(release) = knowledge.release_s {
+        if let Some(release) = priors.release_s {
             require(
                 release.value < observed.impacts[0].time_s,
                 "release time in s",
@@ -143,21 +142,21 @@ impl Posterior {
                 "before the first impact",
             )?;
         }
-        let under = |law: DragLaw| Surroundings::new(ball, environment, law, &observed, knowledge);
-        let mut surroundings = vec![under(environment.drag)?];
-        let middle = Middle::new(&observed, &surroundings[0], contact_time_s)?;
-        if knowledge.constant_drag_too && follows_reynolds(environment) {
+        let under = |law: DragLaw| Medium::new(ball, environment, law, &observed, priors);
+        let mut media = vec![under(environment.drag)?];
+        let middle = ReferenceSpeed::new(&observed, &media[0], contact_time_s)?;
+        if priors.constant_drag_too && follows_reynolds(environment) {
             // Drag shows most at the fastest impact; four digits are more than anyone knows.
             let reynolds = environment.air.reynolds(ball, middle.fastest_m_s);
             let coefficient = environment.drag.coefficient(reynolds)?;
             let rounded = (coefficient * 1e4).round() / 1e4;
-            surroundings.push(under(DragLaw::Constant(rounded))?);
+            media.push(under(DragLaw::Constant(rounded))?);
         }
         let mut posterior = Self {
             observed,
-            surroundings,
+            media,
             middle,
-            knowledge: knowledge.clone(),
+            priors: priors.clone(),
             ball: *ball,
             environment: *environment,
             contact_time_s,
@@ -178,27 +177,18 @@ impl Posterior {
 
     /// The model of a candidate.
     pub(super) fn model(&self, candidate: &Candidate) -> Model<'_> {
-        self.model_of(
-            candidate.law,
-            candidate.surroundings,
-            candidate.missed_first,
-        )
+        self.model_of(candidate.law, candidate.media, candidate.missed_first)
     }
 
     /// A model of these data.
-    pub(super) fn model_of(
-        &self,
-        law: LawKind,
-        surroundings: usize,
-        missed_first: usize,
-    ) -> Model<'_> {
+    pub(super) fn model_of(&self, law: LawKind, media: usize, missed_first: usize) -> Model<'_> {
         Model::new(
             &self.observed,
-            &self.surroundings[surroundings],
+            &self.media[media],
             &self.middle,
             law,
             missed_first,
-            &self.knowledge,
+            &self.priors,
             self.contact_time_s,
         )
     }
@@ -206,24 +196,24 @@ impl Posterior {
     /// The best fit of every model, with the evidence that its curvature suggests (Laplace).
     fn fitted(&self) -> Vec<Candidate> {
         let mut candidates = Vec::new();
-        for law in self.knowledge.laws(self.observed.restitutions()) {
-            for surroundings in 0..self.surroundings.len() {
-                self.fit_missed(law, surroundings, &mut candidates);
+        for law in self.priors.laws(self.observed.restitutions()) {
+            for media in 0..self.media.len() {
+                self.fit_missed(law, media, &mut candidates);
             }
         }
         candidates
     }
 
     /// Fits a model with 0, 1, 2, ... impacts before the first one heard, until more do not help.
-    fn fit_missed(&self, law: LawKind, surroundings: usize, candidates: &mut Vec<Candidate>) {
-        let most = if self.knowledge.tells_missed() {
+    fn fit_missed(&self, law: LawKind, media: usize, candidates: &mut Vec<Candidate>) {
+        let most = if self.priors.tells_missed() {
             MOST_MISSED_FIRST
         } else {
             0
         };
         let mut best = f64::NEG_INFINITY;
         for missed_first in 0..=most {
-            let model = self.model_of(law, surroundings, missed_first);
+            let model = self.model_of(law, media, missed_first);
             let Some(fit) = fit::best_fit(&mut Evaluator::new(&model)) else {
                 continue;
             };
@@ -234,14 +224,14 @@ impl Posterior {
             }
             candidates.push(Candidate {
                 law,
-                surroundings,
+                media,
                 missed_first,
                 fit,
                 log_evidence,
                 weight: 0.0,
                 sample: None,
             });
-            if log_evidence < best - 2.0 * HOPELESS {
+            if log_evidence < best - 2.0 * PRUNE_BELOW {
                 break;
             }
             best = best.max(log_evidence);
@@ -249,21 +239,21 @@ impl Posterior {
     }
 
     /// Samples the candidates that matter, weighs them by their evidence and pools their draws.
-    fn sample(&mut self, effort: &Effort) {
+    fn sample(&mut self, sampler: &SamplerConfig) {
         let best = best_evidence(&self.candidates);
         let mut candidates = std::mem::take(&mut self.candidates);
-        candidates.retain(|candidate| candidate.log_evidence > best - 2.0 * HOPELESS);
+        candidates.retain(|candidate| candidate.log_evidence > best - 2.0 * PRUNE_BELOW);
         weigh(&mut candidates);
-        for (candidate, mut rng) in candidates.iter_mut().zip(effort.streams()) {
-            if candidate.log_evidence < best - HOPELESS {
+        for (candidate, mut rng) in candidates.iter_mut().zip(sampler.streams()) {
+            if candidate.log_evidence < best - PRUNE_BELOW {
                 continue;
             }
             let model = self.model(candidate);
-            let draws = (effort.draws as f64 * candidate.weight) as usize;
+            let draws = (sampler.draws as f64 * candidate.weight) as usize;
             let sample = sample::sample(
                 &mut Evaluator::new(&model),
                 &candidate.fit,
-                draws.max(effort.draws / 16),
+                draws.max(sampler.draws / 16),
                 &mut rng,
             );
             if let Some(sample) = sample {
@@ -274,7 +264,7 @@ impl Posterior {
         }
         weigh(&mut candidates);
         self.candidates = candidates;
-        self.draws = self.pooled(effort);
+        self.draws = self.pooled(sampler);
         for sample in self.candidates.iter_mut().filter_map(|c| c.sample.as_mut()) {
             sample.forget_draws();
         }
@@ -282,15 +272,15 @@ impl Posterior {
 
     /// Equally likely draws from all samples, by systematic resampling: one random number places a
     /// comb over the weights.
-    fn pooled(&self, effort: &Effort) -> Vec<Draw> {
-        let draws = effort.draws;
+    fn pooled(&self, sampler: &SamplerConfig) -> Vec<Draw> {
+        let draws = sampler.draws;
         let sampled: f64 = self
             .candidates
             .iter()
             .filter(|candidate| candidate.sample.is_some())
             .map(|candidate| candidate.weight)
             .sum();
-        let offset: f64 = ChaCha8Rng::seed_from_u64(effort.seed).random();
+        let offset: f64 = ChaCha8Rng::seed_from_u64(sampler.seed).random();
         let tooth = sampled / draws as f64;
         let mut next = offset * tooth;
         let mut sum = 0.0;

@@ -18,9 +18,9 @@
 use nalgebra::DMatrix;
 
 use super::banded::{BEFORE_THE_FIRST, next_factor};
-use super::knowledge::Measured;
 use super::model::{Height, LOG_SCATTER_SD, Model, Point, Slot};
-use super::residual::{End, Opening, Residual, covariance_by_time, variance_by_time};
+use super::priors::Measured;
+use super::residual::{End, InitialFall, Residual, covariance_by_time, variance_by_time};
 use super::tail::{FREEDOM, Tail};
 use crate::flight::table::FlightTable;
 
@@ -62,7 +62,7 @@ struct Factor {
 
 /// A drop as the times tell it.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct Told {
+pub(super) struct DropState {
     pub(super) drop_height_m: f64,
     /// From the release to the first impact heard, s.
     pub(super) release_to_first_s: f64,
@@ -104,7 +104,7 @@ impl<'a> Evaluator<'a> {
 
     /// The launch that would rise to the drop height, by the first flight and the law.
     fn suggested_launch(&self, point: &Point) -> Option<f64> {
-        let first = self.model.observed.stretches[0];
+        let first = self.model.observed.intervals[0];
         let flight_s = first.duration_s / first.flights as f64 - point.contact_time_s;
         let table = self.table(point)?;
         let launch = table.lasting(point.gravity_m_s2 * flight_s)?.launch;
@@ -117,7 +117,7 @@ impl<'a> Evaluator<'a> {
         let sigma_s = observed.sigma_s[0].hypot(observed.sigma_s[1]);
         point
             .scatter
-            .hypot(point.timing * sigma_s / observed.stretches[0].duration_s)
+            .hypot(point.timing * sigma_s / observed.intervals[0].duration_s)
     }
 
     /// Logarithm of prior times likelihood, but for a constant that all models of the same data
@@ -138,11 +138,11 @@ impl<'a> Evaluator<'a> {
     }
 
     /// The drop that the times tell, if the unknowns have these values.
-    pub(super) fn told(&mut self, point: &Point) -> Option<Told> {
+    pub(super) fn state(&mut self, point: &Point) -> Option<DropState> {
         let (opening, _) = self.residuals_at(point)?;
         let mut impact_speeds = vec![opening.impact];
         impact_speeds.extend(self.ends.iter().map(|end| end.impact));
-        Some(Told {
+        Some(DropState {
             drop_height_m: opening.gravity_height / point.gravity_m_s2,
             release_to_first_s: opening.time_s,
             impact_speeds,
@@ -152,18 +152,18 @@ impl<'a> Evaluator<'a> {
 
     /// The flights under the drag of a point; `None` if it is absurd.
     pub(super) fn table(&self, point: &Point) -> Option<FlightTable<'a>> {
-        self.model.surroundings.flights.at(point.drag_strength)
+        self.model.media.flights.at(point.drag_strength)
     }
 
     /// Fills the residuals; the opening and the logarithm of the Jacobian.
-    fn residuals_at(&mut self, point: &Point) -> Option<(Opening, f64)> {
+    fn residuals_at(&mut self, point: &Point) -> Option<(InitialFall, f64)> {
         let table = self.table(point)?;
-        let opening = Opening::new(&table, point, self.model.missed_first)?;
+        let opening = InitialFall::new(&table, point, self.model.missed_first)?;
         self.ends.clear();
-        for stretch in &self.model.observed.stretches {
-            let contact_s = stretch.flights as f64 * point.contact_time_s;
-            let gravity_time = point.gravity_m_s2 * (stretch.duration_s - contact_s);
-            let end = match stretch.flights {
+        for interval in &self.model.observed.intervals {
+            let contact_s = interval.flights as f64 * point.contact_time_s;
+            let gravity_time = point.gravity_m_s2 * (interval.duration_s - contact_s);
+            let end = match interval.flights {
                 1 => End::of_flight(&table.lasting(gravity_time)?, point.gravity_m_s2),
                 flights => End::of_gap(&table, gravity_time, flights, point)?,
             };
@@ -320,19 +320,19 @@ impl<'a> Evaluator<'a> {
 
     /// How many residuals the data make.
     fn rows_of_data(&self) -> usize {
-        self.model.observed.stretches.len() + usize::from(self.model.release_s.is_some())
+        self.model.observed.intervals.len() + usize::from(self.model.release_s.is_some())
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::analysis::Settings;
+    use crate::analysis::Options;
     use crate::drag::DragLaw;
-    use crate::estimate::knowledge::{Knowledge, LawKind, Measured};
-    use crate::estimate::model::{Middle, Surroundings};
-    use crate::estimate::observed::Observed;
     use crate::flight::Environment;
+    use crate::inference::model::{Medium, ReferenceSpeed};
+    use crate::inference::observed::Observed;
+    use crate::inference::priors::{LawKind, Measured, Priors};
     use crate::restitution::TimedImpact;
 
     /// Times of a drop with two gaps, one of them two impacts wide, and a release.
@@ -360,35 +360,35 @@ mod tests {
         impacts: &[TimedImpact],
         work: impl FnOnce(&mut Evaluator, &[f64]) -> T,
     ) -> T {
-        let settings = Settings::default();
+        let settings = Options::default();
         let environment = Environment {
             drag: DragLaw::Constant(0.4),
             ..settings.environment
         };
-        let knowledge = Knowledge {
+        let priors = Priors {
             release_s: Some(Measured {
                 value: -0.02,
                 sd: 0.003,
             }),
-            ..Knowledge::default()
+            ..Priors::default()
         };
         let observed = Observed::new(impacts, settings.contact_time_s).unwrap();
-        let surroundings = Surroundings::new(
+        let media = Medium::new(
             &settings.ball,
             &environment,
             environment.drag,
             &observed,
-            &knowledge,
+            &priors,
         )
         .unwrap();
-        let middle = Middle::new(&observed, &surroundings, settings.contact_time_s).unwrap();
+        let middle = ReferenceSpeed::new(&observed, &media, settings.contact_time_s).unwrap();
         let model = Model::new(
             &observed,
-            &surroundings,
+            &media,
             &middle,
             LawKind::Linear,
             1,
-            &knowledge,
+            &priors,
             settings.contact_time_s,
         );
         let mut vector = model.start();

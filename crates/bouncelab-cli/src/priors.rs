@@ -1,9 +1,9 @@
 //! The arguments that say what is known besides the sounds, and what to ask of the inference.
 
-use bouncelab::analysis::Settings;
+use bouncelab::analysis::Options;
 use bouncelab::drag::DragLaw;
-use bouncelab::estimate::{Effort, Knowledge, LawKind, Question, Reach};
-use bouncelab::stated::{self, StatedDrop};
+use bouncelab::inference::{ApexTarget, InferenceOptions, LawKind, Priors, SamplerConfig};
+use bouncelab::setup::{self, DropInput};
 use clap::{Args, ValueEnum};
 
 use crate::doubt::{self, Doubt};
@@ -12,8 +12,8 @@ use crate::units;
 
 /// Measurements, priors and questions.
 #[derive(Args, Clone, Debug)]
-#[command(next_help_heading = "Inference")]
-pub(crate) struct KnowledgeArguments {
+#[command(next_help_heading = "Posterior")]
+pub(crate) struct PriorArguments {
     /// Measured drop height, floor to lowest point of the ball, as in 30.5cm
     #[arg(long, value_name = "LENGTH", allow_hyphen_values = true, value_parser = units::length)]
     height: Option<f64>,
@@ -43,7 +43,7 @@ pub(crate) struct KnowledgeArguments {
     at_speed: Option<f64>,
     /// Predict the drop height from which a bounce reaches an apex, as in 2:28cm
     #[arg(long, value_name = "BOUNCE:APEX", value_parser = reach)]
-    reach: Vec<Reach>,
+    reach: Vec<ApexTarget>,
     /// The first impact heard is the first there was
     #[arg(long)]
     first_heard: bool,
@@ -80,7 +80,7 @@ impl Inferred {
     }
 }
 
-impl From<Inferred> for stated::Inferred {
+impl From<Inferred> for setup::Inferred {
     fn from(inferred: Inferred) -> Self {
         match inferred {
             Inferred::Gravity => Self::Gravity,
@@ -111,23 +111,23 @@ impl Input {
         value.map_or_else(String::new, |value| value.get_name().to_owned())
     }
 
-    /// Where the knowledge has it.
-    fn of(self, knowledge: &mut Knowledge) -> &mut f64 {
+    /// Where the priors has it.
+    fn of(self, priors: &mut Priors) -> &mut f64 {
         match self {
-            Self::Mass => &mut knowledge.mass,
-            Self::Diameter => &mut knowledge.diameter,
-            Self::AirDensity => &mut knowledge.air_density,
-            Self::Gravity => &mut knowledge.gravity,
-            Self::AddedMass => &mut knowledge.added_mass,
-            Self::Drag => &mut knowledge.drag,
-            Self::ContactTime => &mut knowledge.contact_time,
-            Self::Timing => &mut knowledge.timing,
-            Self::Scatter => &mut knowledge.scatter,
+            Self::Mass => &mut priors.mass_rel_sd,
+            Self::Diameter => &mut priors.diameter_rel_sd,
+            Self::AirDensity => &mut priors.air_density_rel_sd,
+            Self::Gravity => &mut priors.gravity_rel_sd,
+            Self::AddedMass => &mut priors.added_mass_rel_sd,
+            Self::Drag => &mut priors.drag_rel_sd,
+            Self::ContactTime => &mut priors.contact_time_rel_sd,
+            Self::Timing => &mut priors.timing_rel_sd,
+            Self::Scatter => &mut priors.restitution_scatter,
         }
     }
 }
 
-impl KnowledgeArguments {
+impl PriorArguments {
     /// The same with what was noted of a drop height, which goes before what these say.
     pub(crate) fn with_height(&self, height: Option<f64>, height_sd: Option<f64>) -> Self {
         Self {
@@ -144,16 +144,16 @@ impl KnowledgeArguments {
     }
 
     /// Adds what these arguments say, and what they ask, to what the physics says.
-    pub(crate) fn add_to(&self, settings: &mut Settings) -> Result<(), Failure> {
+    pub(crate) fn add_to(&self, settings: &mut Options) -> Result<(), Failure> {
         self.check_against(settings).map_err(Failure::Usage)?;
-        let of_inputs = std::mem::take(&mut settings.knowledge);
-        settings.knowledge = self.knowledge(of_inputs)?;
-        settings.question = (!self.no_inference).then(|| self.question());
+        let of_inputs = std::mem::take(&mut settings.priors);
+        settings.priors = self.priors(of_inputs)?;
+        settings.inference = (!self.no_inference).then(|| self.inference());
         Ok(())
     }
 
     /// Whether no two arguments contradict each other; if some do, which.
-    fn check_against(&self, settings: &Settings) -> Result<(), String> {
+    fn check_against(&self, settings: &Options) -> Result<(), String> {
         let known: Vec<Input> = self.known.iter().map(|&(input, _)| input).collect();
         for (place, input) in known.iter().enumerate() {
             if known[..place].contains(input) {
@@ -188,8 +188,8 @@ impl KnowledgeArguments {
         Ok(())
     }
 
-    fn knowledge(&self, physics: Knowledge) -> Result<Knowledge, Failure> {
-        let stated = StatedDrop {
+    fn priors(&self, physics: Priors) -> Result<Priors, Failure> {
+        let stated = DropInput {
             height_m: self.height,
             height_sd_m: self.height_sd,
             release_s: self.release,
@@ -205,11 +205,11 @@ impl KnowledgeArguments {
         Ok(stated.add_to(&known)?)
     }
 
-    fn question(&self) -> Question {
-        Question {
+    fn inference(&self) -> InferenceOptions {
+        InferenceOptions {
             at_speed_m_s: self.at_speed,
             reach: self.reach.clone(),
-            effort: Effort {
+            sampler: SamplerConfig {
                 draws: self.draws as usize,
                 seed: self.seed,
             },
@@ -246,7 +246,7 @@ pub(crate) fn impact_speed(text: &str) -> Result<f64, String> {
 }
 
 /// Reads `2:28cm`.
-fn reach(text: &str) -> Result<Reach, String> {
+fn reach(text: &str) -> Result<ApexTarget, String> {
     let wrong = || format!("\"{text}\" is no bounce with an apex; write it as in 2:28cm");
     let (bounce, apex) = text.split_once(':').ok_or_else(wrong)?;
     let bounce: usize = bounce.trim().parse().map_err(|_| wrong())?;
@@ -257,7 +257,7 @@ fn reach(text: &str) -> Result<Reach, String> {
     if !(apex_m > 0.0 && apex_m.is_finite()) {
         return Err(format!("{}; an apex is above 0", wrong()));
     }
-    Ok(Reach { bounce, apex_m })
+    Ok(ApexTarget { bounce, apex_m })
 }
 
 #[cfg(test)]
@@ -274,7 +274,7 @@ mod tests {
 
     #[test]
     fn a_bounce_and_its_apex() {
-        let asked = Reach {
+        let asked = ApexTarget {
             bounce: 2,
             apex_m: 0.28,
         };

@@ -1,15 +1,15 @@
 //! The unknowns of a drop, their priors, and the place of each in a vector.
 
-use super::knowledge::{Knowledge, LawKind, Measured};
 use super::observed::Observed;
+use super::priors::{LawKind, Measured, Priors};
 use crate::ball::Ball;
 use crate::drag::DragLaw;
 use crate::error::{Error, Result};
 use crate::flight::table::{DragProfile, FlightTables, Row};
 use crate::flight::{Environment, FlightModel};
 use crate::impact::Restitution;
-use crate::logistic::{logistic, softplus};
-use crate::order::{median, robust_sd};
+use crate::stats::{logistic, softplus};
+use crate::stats::{median, robust_sd};
 
 /// How far the typical scatter of restitution may be off, as a factor.
 pub(super) const LOG_SCATTER_SD: f64 = 0.7;
@@ -35,8 +35,8 @@ pub(super) struct Model<'a> {
     pub(super) observed: &'a Observed,
     pub(super) law: LawKind,
     pub(super) missed_first: usize,
-    pub(super) surroundings: &'a Surroundings,
-    pub(super) middle: &'a Middle,
+    pub(super) media: &'a Medium,
+    pub(super) middle: &'a ReferenceSpeed,
     pub(super) height_m: Option<Measured>,
     pub(super) release_s: Option<Measured>,
     pub(super) timing_sd: f64,
@@ -47,7 +47,7 @@ pub(super) struct Model<'a> {
 
 /// Ball, air and gravity under one drag law, with what is not known of them.
 #[derive(Debug, Clone)]
-pub(super) struct Surroundings {
+pub(super) struct Medium {
     pub(super) drag_law: DragLaw,
     pub(super) flights: FlightTables,
     /// Effective gravity, m/s².
@@ -70,7 +70,7 @@ pub(super) struct Inputs {
 
 /// The middle of what was heard, at which laws are pinned.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Middle {
+pub(super) struct ReferenceSpeed {
     /// v*, the geometric mean of the impact speeds, m/s.
     pub(super) speed_m_s: f64,
     /// Slowest and fastest impact, m/s.
@@ -168,13 +168,13 @@ impl Point {
     }
 }
 
-impl Surroundings {
+impl Medium {
     pub(super) fn new(
         ball: &Ball,
         environment: &Environment,
         drag_law: DragLaw,
         observed: &Observed,
-        knowledge: &Knowledge,
+        priors: &Priors,
     ) -> Result<Self> {
         let environment = Environment {
             drag: drag_law,
@@ -183,7 +183,7 @@ impl Surroundings {
         let model = FlightModel::new(ball, &environment)?;
         let gravity_m_s2 = model.gravity_m_s2();
         let mut fastest = 0.5 * gravity_m_s2 * observed.longest_flight_s();
-        if let Some(height) = knowledge.drop_height_m {
+        if let Some(height) = priors.drop_height_m {
             fastest = fastest.max((2.0 * gravity_m_s2 * height.value).sqrt());
         }
         let dragless = drag_law == DragLaw::None || environment.air.is_vacuum();
@@ -194,9 +194,9 @@ impl Surroundings {
             drag_law,
             flights: FlightTables::new(DragProfile::new(&model, reach * fastest, steps)?),
             gravity_m_s2,
-            drag_sd: if dragless { 0.0 } else { knowledge.drag },
-            contact_sd: knowledge.contact_time,
-            inputs: Inputs::new(ball, &environment, knowledge, dragless),
+            drag_sd: if dragless { 0.0 } else { priors.drag_rel_sd },
+            contact_sd: priors.contact_time_rel_sd,
+            inputs: Inputs::new(ball, &environment, priors, dragless),
         })
     }
 }
@@ -204,7 +204,7 @@ impl Surroundings {
 impl Inputs {
     /// With r the mass of the displaced air over that of the ball and c the added mass as a share
     /// of it, effective gravity is g (1 - r)/(1 + c r), and drag over weight goes as D² rho/((1 - r) m g).
-    fn new(ball: &Ball, environment: &Environment, knowledge: &Knowledge, dragless: bool) -> Self {
+    fn new(ball: &Ball, environment: &Environment, priors: &Priors, dragless: bool) -> Self {
         let displaced = environment.air.density_kg_m3() * ball.volume_m3() / ball.mass_kg();
         let r = if environment.buoyancy { displaced } else { 0.0 };
         let cr = if environment.added_mass {
@@ -216,23 +216,31 @@ impl Inputs {
         let on_gravity = lift + cr / (1.0 + cr);
         let drag = if dragless { 0.0 } else { 1.0 };
         let mut sources = vec![
-            ("gravity", knowledge.gravity, -drag * knowledge.gravity),
+            (
+                "gravity",
+                priors.gravity_rel_sd,
+                -drag * priors.gravity_rel_sd,
+            ),
             (
                 "air density",
-                -on_gravity * knowledge.air_density,
-                drag * (1.0 + lift) * knowledge.air_density,
+                -on_gravity * priors.air_density_rel_sd,
+                drag * (1.0 + lift) * priors.air_density_rel_sd,
             ),
             (
                 "ball mass",
-                on_gravity * knowledge.mass,
-                -drag * (1.0 + lift) * knowledge.mass,
+                on_gravity * priors.mass_rel_sd,
+                -drag * (1.0 + lift) * priors.mass_rel_sd,
             ),
             (
                 "ball diameter",
-                -3.0 * on_gravity * knowledge.diameter,
-                drag * (2.0 + 3.0 * lift) * knowledge.diameter,
+                -3.0 * on_gravity * priors.diameter_rel_sd,
+                drag * (2.0 + 3.0 * lift) * priors.diameter_rel_sd,
             ),
-            ("added mass", -cr / (1.0 + cr) * knowledge.added_mass, 0.0),
+            (
+                "added mass",
+                -cr / (1.0 + cr) * priors.added_mass_rel_sd,
+                0.0,
+            ),
         ];
         sources.retain(|&(_, g, d)| g != 0.0 || d != 0.0);
         let sum = |f: fn(f64, f64) -> f64| sources.iter().map(|&(_, g, d)| f(g, d)).sum::<f64>();
@@ -275,21 +283,21 @@ impl Inputs {
 impl<'a> Model<'a> {
     pub(super) fn new(
         observed: &'a Observed,
-        surroundings: &'a Surroundings,
-        middle: &'a Middle,
+        media: &'a Medium,
+        middle: &'a ReferenceSpeed,
         law: LawKind,
         missed_first: usize,
-        knowledge: &Knowledge,
+        priors: &Priors,
         contact_time_s: f64,
     ) -> Self {
         let timing_sd = if observed.sigma_stated {
-            knowledge.timing
+            priors.timing_rel_sd
         } else {
             UNSTATED_TIMING_SD
         };
-        let inputs = &surroundings.inputs;
+        let inputs = &media.inputs;
         let wanted = [
-            (Slot::Drag, surroundings.drag_sd > 0.0),
+            (Slot::Drag, media.drag_sd > 0.0),
             (Slot::Gravity, inputs.gravity_sd > 0.0),
             (Slot::Inputs, inputs.drag_sd > 0.0),
             (Slot::Restitution, true),
@@ -298,10 +306,7 @@ impl<'a> Model<'a> {
             (Slot::Height, true),
             (Slot::Scatter, true),
             (Slot::Timing, timing_sd > 0.0),
-            (
-                Slot::Contact,
-                contact_time_s * surroundings.contact_sd > 0.0,
-            ),
+            (Slot::Contact, contact_time_s * media.contact_sd > 0.0),
         ];
         let slots = wanted
             .into_iter()
@@ -311,13 +316,13 @@ impl<'a> Model<'a> {
             observed,
             law,
             missed_first,
-            surroundings,
+            media,
             middle,
-            height_m: knowledge.drop_height_m,
-            release_s: knowledge.release_s,
+            height_m: priors.drop_height_m,
+            release_s: priors.release_s,
             timing_sd,
             contact_time_s,
-            typical_scatter: knowledge.scatter,
+            typical_scatter: priors.restitution_scatter,
             slots,
         }
     }
@@ -358,9 +363,9 @@ impl<'a> Model<'a> {
             values[index(*slot)] = value;
         }
         let at = |slot: Slot| values[index(slot)];
-        let inputs = &self.surroundings.inputs;
+        let inputs = &self.media.inputs;
         let restitution = logistic(at(Slot::Restitution));
-        let drag_scale = (self.surroundings.drag_sd * at(Slot::Drag)).exp();
+        let drag_scale = (self.media.drag_sd * at(Slot::Drag)).exp();
         let log_inputs =
             inputs.drag_on_gravity * at(Slot::Gravity) + inputs.drag_sd * at(Slot::Inputs);
         let shapes = [at(Slot::Shape(0)), at(Slot::Shape(1))];
@@ -368,14 +373,12 @@ impl<'a> Model<'a> {
             law: self.restitution(restitution, shapes).ok()?,
             drag_scale,
             drag_strength: drag_scale * log_inputs.exp(),
-            gravity_m_s2: self.surroundings.gravity_m_s2
-                * (inputs.gravity_sd * at(Slot::Gravity)).exp(),
+            gravity_m_s2: self.media.gravity_m_s2 * (inputs.gravity_sd * at(Slot::Gravity)).exp(),
             fall_launch_m_s: f64::NAN,
             log_height_unit: 0.0,
             scatter: self.typical_scatter * (LOG_SCATTER_SD * at(Slot::Scatter)).exp(),
             timing: (self.timing_sd * at(Slot::Timing)).exp(),
-            contact_time_s: self.contact_time_s
-                * (self.surroundings.contact_sd * at(Slot::Contact)).exp(),
+            contact_time_s: self.contact_time_s * (self.media.contact_sd * at(Slot::Contact)).exp(),
         })
     }
 
@@ -441,24 +444,20 @@ impl<'a> Model<'a> {
     }
 }
 
-impl Middle {
+impl ReferenceSpeed {
     /// From the restitution of each impact at the nominal drag; a guess where there is none.
     ///
     /// # Errors
     /// [`Error::CannotInfer`] if the ball gains speed in most impacts, or a flight is too long for
     /// a ball with so much drag.
-    pub(super) fn new(
-        observed: &Observed,
-        surroundings: &Surroundings,
-        contact_time_s: f64,
-    ) -> Result<Self> {
-        let nominal = surroundings.flights.at(1.0);
+    pub(super) fn new(observed: &Observed, media: &Medium, contact_time_s: f64) -> Result<Self> {
+        let nominal = media.flights.at(1.0);
         let rows = observed
-            .stretches
+            .intervals
             .iter()
-            .map(|stretch| {
-                let time_s = stretch.duration_s / stretch.flights as f64 - contact_time_s;
-                nominal?.lasting(surroundings.gravity_m_s2 * time_s)
+            .map(|interval| {
+                let time_s = interval.duration_s / interval.flights as f64 - contact_time_s;
+                nominal?.lasting(media.gravity_m_s2 * time_s)
             })
             .collect::<Option<Vec<Row>>>()
             .ok_or_else(|| {
@@ -468,7 +467,7 @@ impl Middle {
                         .to_owned(),
                 )
             })?;
-        let single = |place: usize| observed.stretches[place].flights == 1;
+        let single = |place: usize| observed.intervals[place].flights == 1;
         let logs: Vec<f64> = (1..rows.len())
             .filter(|&place| single(place) && single(place - 1))
             .map(|place| (rows[place].launch / rows[place - 1].impact).ln())

@@ -1,11 +1,11 @@
 //! From the draws of the posterior to the answers.
 
-use super::inference::{Drag, Draws, Impact, Inference, Model, Sampling};
-use super::knowledge::Measured;
 use super::likelihood::{Evaluator, Innovation};
-use super::posterior::{Posterior, THINNED};
+use super::posterior::{Drag, Draws, Impact, Model, Posterior, Sampling};
+use super::priors::Measured;
+use super::sampled::{SampledPosterior, THINNED};
 use super::summary::Summary;
-use super::{Prediction, Question, Reach, budget, identify, predict, remark};
+use super::{ApexTarget, InferenceOptions, Prediction, budget, findings, identify, predict};
 use crate::drag::DragLaw;
 use crate::error::Result;
 use crate::flight::{Environment, FlightModel};
@@ -25,7 +25,7 @@ pub(super) struct Answers {
 }
 
 impl Answers {
-    pub(super) fn new(posterior: &Posterior, at_speed_m_s: f64) -> Option<Self> {
+    pub(super) fn new(posterior: &SampledPosterior, at_speed_m_s: f64) -> Option<Self> {
         let sigma_s = &posterior.observed.sigma_s;
         let squares: f64 = sigma_s.iter().map(|s| s * s).sum();
         let rms_s = (squares / sigma_s.len() as f64).sqrt();
@@ -62,10 +62,14 @@ impl Answers {
         })
     }
 
-    pub(super) fn inference(self, posterior: Posterior, question: &Question) -> Option<Inference> {
+    pub(super) fn inference(
+        self,
+        posterior: SampledPosterior,
+        inference: &InferenceOptions,
+    ) -> Option<Posterior> {
         let of = |values: &[f64]| Summary::of(values.iter().copied());
         let innovations = posterior.innovations();
-        let narrowed = identify::narrowed(&posterior);
+        let prior_contraction = identify::prior_contraction(&posterior);
         let rest = posterior.each(THINNED, |evaluator, point| {
             Some(predict::until_rest(evaluator, point))
         });
@@ -74,8 +78,8 @@ impl Answers {
         let drag_coefficient = self.drag_coefficients(&posterior);
         let drag = self.drag(&posterior, &drag_coefficient);
         let gravity_m_s2 = of(&self.environment_gravity(&posterior))?;
-        let remarks = remark::remarks(&posterior, &innovations, &narrowed, rests);
-        Some(Inference {
+        let remarks = findings::remarks(&posterior, &innovations, &prior_contraction, rests);
+        Some(Posterior {
             at_speed_m_s: self.at_speed_m_s,
             restitution: of(&self.restitution)?,
             slope: of(&self.slope)?,
@@ -88,10 +92,10 @@ impl Answers {
             total_time_s: Summary::of(rest.iter().map(|rest| rest.time_s)),
             total_path_m: Summary::of(rest.iter().map(|rest| rest.path_m)),
             missed_first: missed_first(&posterior),
-            predictions: predictions(&posterior, &question.reach),
+            predictions: predictions(&posterior, &inference.reach),
             impacts: heard(&posterior, &innovations),
             models: self.models(&posterior),
-            narrowed,
+            prior_contraction,
             correlations: identify::correlations(vec![
                 ("restitution", self.restitution.clone()),
                 ("slope of restitution", self.slope.clone()),
@@ -117,34 +121,34 @@ impl Answers {
     }
 
     /// The drag coefficient of each draw: that of its law at the fastest impact, times the scale.
-    fn drag_coefficients(&self, posterior: &Posterior) -> Vec<f64> {
+    fn drag_coefficients(&self, posterior: &SampledPosterior) -> Vec<f64> {
         let environment = &posterior.environment;
         if environment.air.is_vacuum() || environment.drag == DragLaw::None {
             return Vec::new();
         }
         let reynolds = fastest_reynolds(posterior);
         let nominal: Vec<f64> = posterior
-            .surroundings
+            .media
             .iter()
             .map(|s| s.drag_law.coefficient(reynolds).unwrap_or(f64::NAN))
             .collect();
         let of_draw = posterior.draws.iter().zip(&self.drag_scale);
         of_draw
-            .map(|(draw, scale)| scale * nominal[posterior.candidates[draw.candidate].surroundings])
+            .map(|(draw, scale)| scale * nominal[posterior.candidates[draw.candidate].media])
             .collect()
     }
 
-    fn drag(&self, posterior: &Posterior, coefficients: &[f64]) -> Option<Drag> {
+    fn drag(&self, posterior: &SampledPosterior, coefficients: &[f64]) -> Option<Drag> {
         let environment = &posterior.environment;
         let coefficient = Summary::of(coefficients.iter().copied())?;
         let reynolds = fastest_reynolds(posterior);
         let nominal = environment.drag.coefficient(reynolds).ok()?;
         let models: Vec<FlightModel> = posterior
-            .surroundings
+            .media
             .iter()
-            .map(|surroundings| {
+            .map(|media| {
                 let environment = Environment {
-                    drag: surroundings.drag_law,
+                    drag: media.drag_law,
                     ..*environment
                 };
                 FlightModel::new(&posterior.ball, &environment)
@@ -153,15 +157,15 @@ impl Answers {
             .ok()?;
         let of_draw = posterior.draws.iter().zip(&self.drag_strength);
         let terminal = of_draw.step_by(THINNED).filter_map(|(draw, &strength)| {
-            let surroundings = posterior.candidates[draw.candidate].surroundings;
-            terminal_speed(&models[surroundings], strength)
+            let media = posterior.candidates[draw.candidate].media;
+            terminal_speed(&models[media], strength)
         });
         Some(Drag {
             coefficient,
             reynolds,
             prior: Measured {
                 value: nominal,
-                sd: nominal * posterior.knowledge.drag,
+                sd: nominal * posterior.priors.drag_rel_sd,
             },
             terminal_speed_m_s: Summary::of(terminal),
         })
@@ -169,23 +173,22 @@ impl Answers {
 
     /// Gravity itself, of which the effective gravity is only a part: the rest of what moved that
     /// belongs to buoyancy and added mass.
-    fn environment_gravity(&self, posterior: &Posterior) -> Vec<f64> {
-        let surroundings = &posterior.surroundings[posterior.candidates[0].surroundings];
-        let share = surroundings.inputs.gravity_share();
+    fn environment_gravity(&self, posterior: &SampledPosterior) -> Vec<f64> {
+        let media = &posterior.media[posterior.candidates[0].media];
+        let share = media.inputs.gravity_share();
         self.gravity_m_s2
             .iter()
             .map(|gravity| {
-                posterior.environment.gravity_m_s2
-                    * (gravity / surroundings.gravity_m_s2).powf(share)
+                posterior.environment.gravity_m_s2 * (gravity / media.gravity_m_s2).powf(share)
             })
             .collect()
     }
 
     /// The table of models, with the numbers of missed impacts added up.
-    fn models(&self, posterior: &Posterior) -> Vec<Model> {
+    fn models(&self, posterior: &SampledPosterior) -> Vec<Model> {
         let mut models: Vec<Model> = Vec::new();
         for candidate in &posterior.candidates {
-            let drag = posterior.surroundings[candidate.surroundings].drag_law;
+            let drag = posterior.media[candidate.media].drag_law;
             let known = models
                 .iter_mut()
                 .find(|model| model.law == candidate.law && model.drag == drag);
@@ -197,8 +200,7 @@ impl Answers {
                 let of_draw = posterior.draws.iter().zip(values);
                 Summary::of(of_draw.filter_map(|(draw, &value)| {
                     let drawn = &posterior.candidates[draw.candidate];
-                    let same =
-                        drawn.law == candidate.law && drawn.surroundings == candidate.surroundings;
+                    let same = drawn.law == candidate.law && drawn.media == candidate.media;
                     same.then_some(value)
                 }))
             };
@@ -221,13 +223,13 @@ impl Answers {
 }
 
 /// The Reynolds number of the fastest impact heard, where drag shows most.
-fn fastest_reynolds(posterior: &Posterior) -> f64 {
+fn fastest_reynolds(posterior: &SampledPosterior) -> f64 {
     let air = &posterior.environment.air;
     air.reynolds(&posterior.ball, posterior.middle.fastest_m_s)
 }
 
-fn predictions(posterior: &Posterior, reach: &[Reach]) -> Vec<Prediction> {
-    let height = |reach: Reach| {
+fn predictions(posterior: &SampledPosterior, reach: &[ApexTarget]) -> Vec<Prediction> {
+    let height = |reach: ApexTarget| {
         posterior.each(THINNED, |evaluator, point| {
             predict::drop_height_for(evaluator, point, reach.bounce, reach.apex_m)
         })
@@ -242,8 +244,8 @@ fn predictions(posterior: &Posterior, reach: &[Reach]) -> Vec<Prediction> {
 }
 
 /// Probabilities of numbers of missed impacts, if something tells.
-fn missed_first(posterior: &Posterior) -> Option<Vec<f64>> {
-    if !posterior.knowledge.tells_missed() {
+fn missed_first(posterior: &SampledPosterior) -> Option<Vec<f64>> {
+    if !posterior.priors.tells_missed() {
         return None;
     }
     let most = posterior.candidates.iter().map(|c| c.missed_first).max()?;
@@ -271,47 +273,47 @@ fn terminal_speed(model: &FlightModel, drag_strength: f64) -> Option<f64> {
 }
 
 /// The impacts heard, with what each did to the speed and the energy of the ball.
-fn heard(posterior: &Posterior, innovations: &[Innovation]) -> Vec<Impact> {
-    let told = posterior.each(THINNED, |evaluator: &mut Evaluator, point| {
-        let told = evaluator.told(point)?;
+fn heard(posterior: &SampledPosterior, innovations: &[Innovation]) -> Vec<Impact> {
+    let state = posterior.each(THINNED, |evaluator: &mut Evaluator, point| {
+        let state = evaluator.state(point)?;
         let table = evaluator.table(point)?;
-        let apexes = told
+        let apexes = state
             .launch_speeds
             .iter()
             .map(|&launch| Some(table.fall(launch)?.0 / point.gravity_m_s2))
             .collect::<Option<Vec<f64>>>()?;
-        Some((told, apexes))
+        Some((state, apexes))
     });
     let mass_kg = FlightModel::new(&posterior.ball, &posterior.environment)
         .ok()
         .and_then(|model| model.moving_mass_kg())
         .unwrap_or(posterior.ball.mass_kg());
-    let stretches = &posterior.observed.stretches;
+    let intervals = &posterior.observed.intervals;
     let impacts = posterior.observed.impacts.iter().enumerate();
     impacts
         .filter_map(|(place, impact)| {
-            let launches = stretches.get(place).is_some();
-            let single = stretches.get(place).is_some_and(|s| s.flights == 1);
+            let launches = intervals.get(place).is_some();
+            let single = intervals.get(place).is_some_and(|s| s.flights == 1);
             let innovation = innovations.iter().rfind(|i| i.impact == place && launches);
             let energy =
                 |faster: f64, slower: f64| 0.5 * mass_kg * (faster * faster - slower * slower);
             let when = |possible: bool, value: &dyn Fn(usize) -> f64| {
                 if possible {
-                    Summary::of((0..told.len()).map(value))
+                    Summary::of((0..state.len()).map(value))
                 } else {
                     None
                 }
             };
-            let before = |draw: usize| told[draw].0.impact_speeds[place];
-            let after = |draw: usize| told[draw].0.launch_speeds[place];
+            let before = |draw: usize| state[draw].0.impact_speeds[place];
+            let after = |draw: usize| state[draw].0.launch_speeds[place];
             Some(Impact {
                 number: impact.number,
-                impact_speed_m_s: Summary::of((0..told.len()).map(before))?,
+                impact_speed_m_s: Summary::of((0..state.len()).map(before))?,
                 restitution: when(launches, &|draw| after(draw) / before(draw)),
-                apex_m: when(launches, &|draw| told[draw].1[place]),
+                apex_m: when(launches, &|draw| state[draw].1[place]),
                 lost_to_surface_j: when(launches, &|draw| energy(before(draw), after(draw))),
                 lost_to_air_j: when(single, &|draw| {
-                    energy(after(draw), told[draw].0.impact_speeds[place + 1])
+                    energy(after(draw), state[draw].0.impact_speeds[place + 1])
                 }),
                 standardised_residual: innovation.map(|i| i.standardised),
                 weight: innovation.map_or(1.0, |i| i.weight),

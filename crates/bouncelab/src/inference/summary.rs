@@ -1,7 +1,7 @@
 //! What a posterior says of one quantity.
 
-use crate::moments::sd;
-use crate::order::{quantile, sorted};
+use crate::stats::sd;
+use crate::stats::{quantile, sorted};
 
 /// The posterior of one quantity.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -1,11 +1,11 @@
-//! The impact times as the inference sees them: stretches between impacts that were heard.
+//! The impact times as the inference sees them: intervals between impacts that were heard.
 
 use crate::error::{Error, Result, in_order, not_negative, require};
 use crate::restitution::TimedImpact;
 
 /// The time from one heard impact to the next; more than one flight if impacts were missed.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Stretch {
+pub(super) struct Interval {
     /// Time between the two, contact included, s.
     pub(super) duration_s: f64,
     /// Flights in it.
@@ -16,7 +16,7 @@ pub(super) struct Stretch {
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Observed {
     pub(super) impacts: Vec<TimedImpact>,
-    pub(super) stretches: Vec<Stretch>,
+    pub(super) intervals: Vec<Interval>,
     /// Standard errors of the times, s.
     pub(super) sigma_s: Vec<f64>,
     /// Whether somebody stated the standard errors.
@@ -30,7 +30,7 @@ const READ_OFF_S: f64 = 1e-4;
 const MOST_MISSED: usize = 8;
 
 impl Observed {
-    /// Checks the impacts and cuts the drop into stretches.
+    /// Checks the impacts and cuts the drop into intervals.
     ///
     /// # Errors
     /// [`Error::CannotInfer`] with fewer than two impacts, or if they are not in order of time.
@@ -41,9 +41,9 @@ impl Observed {
             ));
         }
         in_order("impact", impacts.iter().map(|impact| impact.number))?;
-        let mut stretches = Vec::with_capacity(impacts.len() - 1);
+        let mut intervals = Vec::with_capacity(impacts.len() - 1);
         for pair in impacts.windows(2) {
-            stretches.push(stretch(&pair[0], &pair[1], contact_time_s)?);
+            intervals.push(interval(&pair[0], &pair[1], contact_time_s)?);
         }
         let stated: Option<Vec<f64>> = impacts.iter().map(|i| i.standard_error_s).collect();
         for &sigma_s in stated.iter().flatten() {
@@ -53,7 +53,7 @@ impl Observed {
         let sigma_s = stated.unwrap_or_else(|| vec![read_off_s(impacts); impacts.len()]);
         Ok(Self {
             impacts: impacts.to_vec(),
-            stretches,
+            intervals,
             // A time without any error would make the covariance singular where there is no
             // scatter; a nanosecond is nothing.
             sigma_s: sigma_s.into_iter().map(|s| s.max(1e-9)).collect(),
@@ -64,8 +64,8 @@ impl Observed {
     /// Ratio of the second flight to the first, a rough idea of the restitution; 0 if there is only
     /// one.
     pub(super) fn first_ratio(&self) -> f64 {
-        let flight_s = |stretch: &Stretch| stretch.duration_s / stretch.flights as f64;
-        match self.stretches.as_slice() {
+        let flight_s = |interval: &Interval| interval.duration_s / interval.flights as f64;
+        match self.intervals.as_slice() {
             [first, second, ..] => flight_s(second) / flight_s(first),
             _ => 0.0,
         }
@@ -73,20 +73,20 @@ impl Observed {
 
     /// How many impacts lie between two single flights, and so show their restitution.
     pub(super) fn restitutions(&self) -> usize {
-        let pairs = self.stretches.windows(2);
+        let pairs = self.intervals.windows(2);
         pairs
-            .filter(|pair| pair.iter().all(|stretch| stretch.flights == 1))
+            .filter(|pair| pair.iter().all(|interval| interval.flights == 1))
             .count()
     }
 
     /// The longest time of a single flight that there may be, s.
     pub(super) fn longest_flight_s(&self) -> f64 {
-        let longest = |stretch: &Stretch| stretch.duration_s;
-        self.stretches.iter().map(longest).fold(0.0, f64::max)
+        let longest = |interval: &Interval| interval.duration_s;
+        self.intervals.iter().map(longest).fold(0.0, f64::max)
     }
 }
 
-fn stretch(from: &TimedImpact, to: &TimedImpact, contact_time_s: f64) -> Result<Stretch> {
+fn interval(from: &TimedImpact, to: &TimedImpact, contact_time_s: f64) -> Result<Interval> {
     let (duration_s, flights) = (to.time_s - from.time_s, to.number - from.number);
     require(
         duration_s > contact_time_s * flights as f64 && duration_s.is_finite(),
@@ -101,7 +101,7 @@ fn stretch(from: &TimedImpact, to: &TimedImpact, contact_time_s: f64) -> Result<
             from.number
         )));
     }
-    Ok(Stretch {
+    Ok(Interval {
         duration_s,
         flights,
     })

@@ -5,23 +5,23 @@
 //! with ordinary care.
 //!
 //! ```
-//! use bouncelab::stated::{Stated, StatedBall};
+//! use bouncelab::setup::{SetupInput, BallInput};
 //!
-//! let stated = Stated { ball: Some(StatedBall::Named("tennis".to_owned())), ..Stated::default() };
-//! let understood = stated.understand()?;
-//! assert_eq!(understood.ball_label, "tennis");
-//! assert!(understood.assumptions.iter().any(|words| words.starts_with("gravity")));
+//! let stated = SetupInput { ball: Some(BallInput::Named("tennis".to_owned())), ..SetupInput::default() };
+//! let setup = stated.resolve()?;
+//! assert_eq!(setup.ball_label, "tennis");
+//! assert!(setup.assumptions.iter().any(|words| words.starts_with("gravity")));
 //! # Ok::<(), bouncelab::Error>(())
 //! ```
 
 use crate::Result;
 use crate::air::{Air, Conditions};
-use crate::analysis::Settings;
+use crate::analysis::Options;
 use crate::ball::{self, Ball};
 use crate::drag::DragLaw;
-use crate::estimate::{Knowledge, LawKind, Measured, UNKNOWN};
 use crate::flight::Environment;
 use crate::gravity;
+use crate::inference::{LawKind, Measured, Priors, UNKNOWN};
 
 /// Heights are measured with a ruler: standard uncertainty in metres.
 const HEIGHT_SD_M: f64 = 0.002;
@@ -30,9 +30,9 @@ const RELEASE_SD_S: f64 = 0.005;
 
 /// What is stated of ball, air, drag and gravity.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Stated {
+pub struct SetupInput {
     /// The ball; if left out, the first of [`ball::presets`].
-    pub ball: Option<StatedBall>,
+    pub ball: Option<BallInput>,
     /// Mass in kilograms, where a ball of a known kind was weighed besides.
     pub weighed_kg: Option<f64>,
     /// Diameter in metres, where a ball of a known kind was measured besides.
@@ -42,18 +42,18 @@ pub struct Stated {
     /// The drag law; if left out, the standard drag curve.
     pub drag: Option<DragLaw>,
     /// The air.
-    pub air: StatedAir,
+    pub air: AirInput,
     /// Leaves out the buoyancy of the ball in air.
     pub no_buoyancy: bool,
     /// Leaves out the mass of the air that moves with the ball.
     pub no_added_mass: bool,
     /// Gravity; if left out, the standard.
-    pub gravity: Option<StatedGravity>,
+    pub gravity: Option<GravityInput>,
 }
 
 /// What is stated of the ball.
 #[derive(Clone, Debug, PartialEq)]
-pub enum StatedBall {
+pub enum BallInput {
     /// The name of a preset.
     Named(String),
     /// A steel ball of this diameter in metres.
@@ -71,7 +71,7 @@ pub enum StatedBall {
 
 /// What is stated of the air.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum StatedAir {
+pub enum AirInput {
     /// By a thermometer, a barometer and a hygrometer, or some of them.
     Weather {
         /// Temperature in kelvin.
@@ -90,7 +90,7 @@ pub enum StatedAir {
     },
 }
 
-impl Default for StatedAir {
+impl Default for AirInput {
     fn default() -> Self {
         Self::Weather {
             temperature_k: None,
@@ -102,7 +102,7 @@ impl Default for StatedAir {
 
 /// What is stated of gravity.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum StatedGravity {
+pub enum GravityInput {
     /// As measured, in m/s².
     Measured(f64),
     /// By the place on earth.
@@ -114,11 +114,11 @@ pub enum StatedGravity {
     },
 }
 
-/// What was understood.
+/// What was setup.
 #[derive(Clone, Debug)]
-pub struct Understood {
-    /// The settings for the science, without a question.
-    pub settings: Settings,
+pub struct Setup {
+    /// The settings for the science, without a inference.
+    pub settings: Options,
     /// The ball in words.
     pub ball_label: String,
     /// What was assumed, one phrase for each.
@@ -130,10 +130,10 @@ struct KnownBall {
     ball: Ball,
     label: String,
     contact_time_s: f64,
-    knowledge: Knowledge,
+    priors: Priors,
 }
 
-impl Stated {
+impl SetupInput {
     /// The settings that follow, and what was assumed.
     ///
     /// # Errors
@@ -142,7 +142,7 @@ impl Stated {
     /// [`Error::OutOfRange`](crate::Error::OutOfRange) for a number that makes no sense, and the
     /// errors of [`FlightModel::new`](crate::flight::FlightModel::new) where things do not go
     /// together.
-    pub fn understand(&self) -> Result<Understood> {
+    pub fn resolve(&self) -> Result<Setup> {
         let mut assumptions = Vec::new();
         let known = self.ball(&mut assumptions)?;
         let drag = self.drag.unwrap_or(DragLaw::CliftGraceWeber);
@@ -154,17 +154,17 @@ impl Stated {
             buoyancy: !self.no_buoyancy && drag != DragLaw::None,
             added_mass: !self.no_added_mass && drag != DragLaw::None,
         };
-        let settings = Settings {
+        let settings = Options {
             ball: known.ball,
             environment,
             contact_time_s: known.contact_time_s,
             flights: None,
-            knowledge: self.knowledge(known.knowledge),
-            question: None,
+            priors: self.priors(known.priors),
+            inference: None,
         };
         // Whatever does not go together is found here, before anything is heard.
         settings.model()?;
-        Ok(Understood {
+        Ok(Setup {
             settings,
             ball_label: known.label,
             assumptions,
@@ -172,27 +172,27 @@ impl Stated {
     }
 
     /// How well the inputs are known that were stated.
-    fn knowledge(&self, usual: Knowledge) -> Knowledge {
+    fn priors(&self, usual: Priors) -> Priors {
         /// What is stated is taken to be measured with ordinary care.
         const STATED_AIR: f64 = 0.003;
         const STATED_GRAVITY: f64 = 1e-4;
         const STATED_CONTACT: f64 = 0.1;
         let air_stated = match self.air {
-            StatedAir::Weather {
+            AirInput::Weather {
                 temperature_k,
                 pressure_pa,
                 ..
             } => temperature_k.is_some() && pressure_pa.is_some(),
-            StatedAir::Density { .. } => true,
+            AirInput::Density { .. } => true,
         };
         let or = |stated: bool, known: f64, usual: f64| if stated { known } else { usual };
-        Knowledge {
-            air_density: or(air_stated, STATED_AIR, usual.air_density),
-            gravity: or(self.gravity.is_some(), STATED_GRAVITY, usual.gravity),
-            contact_time: or(
+        Priors {
+            air_density_rel_sd: or(air_stated, STATED_AIR, usual.air_density_rel_sd),
+            gravity_rel_sd: or(self.gravity.is_some(), STATED_GRAVITY, usual.gravity_rel_sd),
+            contact_time_rel_sd: or(
                 self.contact_time_s.is_some(),
                 STATED_CONTACT,
-                usual.contact_time,
+                usual.contact_time_rel_sd,
             ),
             ..usual
         }
@@ -200,16 +200,16 @@ impl Stated {
 
     fn ball(&self, assumptions: &mut Vec<String>) -> Result<KnownBall> {
         let mut known = match &self.ball {
-            Some(StatedBall::Named(name)) => KnownBall::of_preset(ball::preset(name)?),
-            &Some(StatedBall::Steel(diameter_m)) => {
+            Some(BallInput::Named(name)) => KnownBall::of_preset(ball::preset(name)?),
+            &Some(BallInput::Steel(diameter_m)) => {
                 let ball = Ball::steel(diameter_m)?;
                 KnownBall::measured(ball, "steel", KnownBall::HARD_CONTACT_S)
             }
-            &Some(StatedBall::Glass(diameter_m)) => {
+            &Some(BallInput::Glass(diameter_m)) => {
                 let ball = Ball::glass(diameter_m)?;
                 KnownBall::measured(ball, "glass", KnownBall::HARD_CONTACT_S)
             }
-            &Some(StatedBall::Measured {
+            &Some(BallInput::Measured {
                 mass_kg,
                 diameter_m,
             }) => {
@@ -225,11 +225,11 @@ impl Stated {
         };
         if let Some(mass_kg) = self.weighed_kg {
             known.ball = Ball::new(mass_kg, known.ball.diameter_m())?;
-            known.knowledge.mass = KnownBall::WEIGHED;
+            known.priors.mass_rel_sd = KnownBall::WEIGHED;
         }
         if let Some(diameter_m) = self.measured_m {
             known.ball = Ball::new(known.ball.mass_kg(), diameter_m)?;
-            known.knowledge.diameter = KnownBall::CALLIPERED;
+            known.priors.diameter_rel_sd = KnownBall::CALLIPERED;
         }
         match self.contact_time_s {
             Some(contact_time_s) => known.contact_time_s = contact_time_s,
@@ -244,17 +244,17 @@ impl Stated {
     fn air(&self, assumptions: &mut Vec<String>) -> Result<Air> {
         let usual = Conditions::default();
         match self.air {
-            StatedAir::Density {
+            AirInput::Density {
                 density_kg_m3,
                 viscosity_pa_s: Some(viscosity_pa_s),
             } => Air::new(density_kg_m3, viscosity_pa_s),
-            StatedAir::Density {
+            AirInput::Density {
                 density_kg_m3: 0.0, ..
             } => Ok(Air::vacuum()),
-            StatedAir::Density { density_kg_m3, .. } => {
+            AirInput::Density { density_kg_m3, .. } => {
                 Air::new(density_kg_m3, Air::moist(&usual)?.viscosity_pa_s())
             }
-            StatedAir::Weather {
+            AirInput::Weather {
                 temperature_k,
                 pressure_pa,
                 relative_humidity,
@@ -279,8 +279,8 @@ impl Stated {
 
     fn gravity(&self, assumptions: &mut Vec<String>) -> Result<f64> {
         match self.gravity {
-            Some(StatedGravity::Measured(gravity_m_s2)) => Ok(gravity_m_s2),
-            Some(StatedGravity::Place {
+            Some(GravityInput::Measured(gravity_m_s2)) => Ok(gravity_m_s2),
+            Some(GravityInput::Place {
                 latitude_deg,
                 altitude_m,
             }) => gravity::at(latitude_deg, altitude_m),
@@ -307,7 +307,7 @@ impl KnownBall {
             ball: preset.ball,
             label: preset.label.to_owned(),
             contact_time_s: preset.contact_time_s,
-            knowledge: Knowledge::of_preset(preset),
+            priors: Priors::of_preset(preset),
         }
     }
 
@@ -318,10 +318,10 @@ impl KnownBall {
             ball,
             label: format!("{weight_or_material}, {diameter_mm} mm"),
             contact_time_s,
-            knowledge: Knowledge {
-                mass: Self::WEIGHED,
-                diameter: Self::CALLIPERED,
-                ..Knowledge::default()
+            priors: Priors {
+                mass_rel_sd: Self::WEIGHED,
+                diameter_rel_sd: Self::CALLIPERED,
+                ..Priors::default()
             },
         }
     }
@@ -329,7 +329,7 @@ impl KnownBall {
 
 /// What is stated of the drop itself.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct StatedDrop {
+pub struct DropInput {
     /// Measured drop height in metres, surface to lowest point of the ball.
     pub height_m: Option<f64>,
     /// Its standard uncertainty in metres; if left out, that of a ruler: 2 mm.
@@ -357,27 +357,27 @@ pub enum Inferred {
     ContactTime,
 }
 
-impl StatedDrop {
+impl DropInput {
     /// What is known of ball, air and gravity, with this added.
     ///
     /// # Errors
     ///
-    /// Those of [`Knowledge::check`].
-    pub fn add_to(&self, knowledge: &Knowledge) -> Result<Knowledge> {
+    /// Those of [`Priors::check`].
+    pub fn add_to(&self, priors: &Priors) -> Result<Priors> {
         let measured = |value: Option<f64>, sd: f64| value.map(|value| Measured { value, sd });
         let unless_inferred = |input: Inferred, known: f64| {
             let is_inferred = self.infer.contains(&input);
             if is_inferred { UNKNOWN } else { known }
         };
-        let all = Knowledge {
+        let all = Priors {
             drop_height_m: measured(self.height_m, self.height_sd_m.unwrap_or(HEIGHT_SD_M)),
             first_was_heard: self.first_heard,
             release_s: measured(self.release_s, self.release_sd_s.unwrap_or(RELEASE_SD_S)),
             restitution_laws: self.laws.clone(),
-            gravity: unless_inferred(Inferred::Gravity, knowledge.gravity),
-            drag: unless_inferred(Inferred::Drag, knowledge.drag),
-            contact_time: unless_inferred(Inferred::ContactTime, knowledge.contact_time),
-            ..knowledge.clone()
+            gravity_rel_sd: unless_inferred(Inferred::Gravity, priors.gravity_rel_sd),
+            drag_rel_sd: unless_inferred(Inferred::Drag, priors.drag_rel_sd),
+            contact_time_rel_sd: unless_inferred(Inferred::ContactTime, priors.contact_time_rel_sd),
+            ..priors.clone()
         };
         all.check()?;
         Ok(all)

@@ -6,7 +6,7 @@
 //!
 //! ```
 //! use bouncelab::impact::Strike;
-//! use bouncelab::listen::Listener;
+//! use bouncelab::detection::Detector;
 //! use bouncelab::synth::{self, Scene};
 //!
 //! let mut time_s = 0.0;
@@ -20,7 +20,7 @@
 //!     .collect();
 //! let recording = synth::render(&strikes, &Scene::default(), 7)?;
 //!
-//! let mut listener = Listener::new(recording.sample_rate_hz, 1);
+//! let mut listener = Detector::new(recording.sample_rate_hz, 1);
 //! for block in recording.samples.chunks(1024) {
 //!     listener.push(&[block]);
 //! }
@@ -31,10 +31,10 @@
 //! ```
 
 use crate::error::Result;
-use crate::onset::{self, Detector, Onset};
-use crate::order::median;
-use crate::train::{self, Found, NoDrop, Span};
-use crate::wide::widely;
+use crate::onset::{self, Onset, OnsetDetector};
+use crate::simd::dispatch;
+use crate::stats::median;
+use crate::train::{self, NoDrop, Span, TrainSearch};
 use std::ops::Range;
 
 /// No drop lasts longer than this many seconds: what is older is forgotten.
@@ -53,20 +53,20 @@ const OPEN_S: f64 = 10.0;
 
 /// Listens to one or more channels.
 #[derive(Clone)]
-pub struct Listener {
-    /// Channels that were equal to the first so far are `None`: they share its ear.
-    ears: Vec<Option<Ear>>,
+pub struct Detector {
+    /// Channels that were equal to the first so far are `None`: they share its channel.
+    channels: Vec<Option<ChannelDetector>>,
 }
 
 /// What was heard in a recording.
 #[derive(Clone, Debug)]
-pub struct Heard {
+pub struct Detection {
     /// The channel that is believed, counted from 0.
     pub channel: usize,
     /// How many channels there were that differ from each other.
     pub distinct_channels: usize,
     /// The drops in it.
-    pub found: Found,
+    pub found: TrainSearch,
     /// How many sounds stand out of its background.
     pub onsets: usize,
     /// Its loudness over time, for a picture.
@@ -77,7 +77,7 @@ pub struct Heard {
     pub clipped_samples: u64,
 }
 
-impl Heard {
+impl Detection {
     /// Why there is no drop; `None` if there is one.
     pub fn no_drop(&self) -> Option<NoDrop> {
         if !self.found.trains.is_empty() {
@@ -124,10 +124,10 @@ impl Heard {
     }
 }
 
-impl Listener {
+impl Detector {
     /// A listener for this many channels (at least one) at this rate.
     pub fn new(sample_rate_hz: u32, channels: usize) -> Self {
-        Self::with(Detector::new(sample_rate_hz), sample_rate_hz, channels)
+        Self::with(OnsetDetector::new(sample_rate_hz), sample_rate_hz, channels)
     }
 
     /// A listener that hears sounds only in the bands ([`onset::bands_hz`]) of which at least half
@@ -136,14 +136,16 @@ impl Listener {
     /// # Errors
     /// [`Error::NoBand`](crate::Error::NoBand) if there is none.
     pub fn within(sample_rate_hz: u32, channels: usize, range_hz: &Range<f64>) -> Result<Self> {
-        let detector = Detector::within(sample_rate_hz, range_hz)?;
+        let detector = OnsetDetector::within(sample_rate_hz, range_hz)?;
         Ok(Self::with(detector, sample_rate_hz, channels))
     }
 
-    fn with(detector: Detector, sample_rate_hz: u32, channels: usize) -> Self {
-        let mut ears: Vec<Option<Ear>> = vec![Some(Ear::new(detector, sample_rate_hz))];
-        ears.resize_with(channels.max(1), || None);
-        Self { ears }
+    fn with(detector: OnsetDetector, sample_rate_hz: u32, channels: usize) -> Self {
+        let mut detectors = vec![Some(ChannelDetector::new(detector, sample_rate_hz))];
+        detectors.resize_with(channels.max(1), || None);
+        Self {
+            channels: detectors,
+        }
     }
 
     /// Takes the next samples of every channel.
@@ -154,7 +156,7 @@ impl Listener {
     pub fn push(&mut self, channels: &[&[f32]]) {
         assert_eq!(
             channels.len(),
-            self.ears.len(),
+            self.channels.len(),
             "one slice for each channel"
         );
         assert!(
@@ -162,77 +164,78 @@ impl Listener {
             "channels of equal length"
         );
         for (index, samples) in channels.iter().enumerate().skip(1) {
-            if self.ears[index].is_none() && *samples != channels[0] {
-                self.ears[index] = self.ears[0].clone();
+            if self.channels[index].is_none() && *samples != channels[0] {
+                self.channels[index] = self.channels[0].clone();
             }
         }
-        for (ear, samples) in self.ears.iter_mut().zip(channels) {
-            if let Some(ear) = ear {
-                ear.push(samples);
+        for (channel, samples) in self.channels.iter_mut().zip(channels) {
+            if let Some(channel) = channel {
+                channel.push(samples);
             }
         }
     }
 
     /// How many sounds have stood out of the background so far, in all channels that differ.
     pub fn onsets(&self) -> usize {
-        let ears = self.ears.iter().flatten();
-        ears.map(|ear| ear.onsets_judged + standing_out(&ear.onsets))
+        let channels = self.channels.iter().flatten();
+        channels
+            .map(|channel| channel.onsets_judged + standing_out(&channel.onsets))
             .sum()
     }
 
     /// What was heard so far, as if the recording ended here. It takes as long as the judgement of
     /// the sounds that are not yet judged: some milliseconds.
-    pub fn so_far(&self) -> Heard {
+    pub fn so_far(&self) -> Detection {
         self.clone().finish()
     }
 
     /// Ends the recording and believes the channel with the most evidence against chance.
-    pub fn finish(self) -> Heard {
-        let distinct_channels = self.ears.iter().flatten().count();
+    pub fn finish(self) -> Detection {
+        let distinct_channels = self.channels.iter().flatten().count();
         let heard = self
-            .ears
+            .channels
             .into_iter()
             .enumerate()
-            .filter_map(|(channel, ear)| Some((channel, ear?)))
-            .map(|(channel, ear)| ear.finish(channel, distinct_channels));
+            .filter_map(|(number, channel)| Some((number, channel?)))
+            .map(|(number, channel)| channel.finish(number, distinct_channels));
         // Of equals, the first.
         heard
             .reduce(|best, other| {
-                if other.found.against_chance() > best.found.against_chance() {
+                if other.found.log_bayes_factor() > best.found.log_bayes_factor() {
                     other
                 } else {
                     best
                 }
             })
-            .unwrap_or_else(|| unreachable!("the first channel always has an ear"))
+            .unwrap_or_else(|| unreachable!("the first channel always has an channel"))
     }
 }
 
 /// Hears one channel.
 #[derive(Clone)]
-struct Ear {
+struct ChannelDetector {
     sample_rate_hz: f64,
     /// Remembers the samples from the first onset not yet judged on.
-    detector: Detector,
+    detector: OnsetDetector,
     /// Onsets not yet judged.
     onsets: Vec<Onset>,
     onsets_judged: usize,
     /// The time up to which all is judged, in seconds, as far as it matters to what comes.
     judged_s: f64,
-    found: Found,
+    found: TrainSearch,
     envelope: Envelope,
     clipping: Clipping,
 }
 
-impl Ear {
-    fn new(detector: Detector, sample_rate_hz: u32) -> Self {
+impl ChannelDetector {
+    fn new(detector: OnsetDetector, sample_rate_hz: u32) -> Self {
         Self {
             sample_rate_hz: f64::from(sample_rate_hz),
             detector: detector.remembering(),
             onsets: Vec::new(),
             onsets_judged: 0,
             judged_s: 0.0,
-            found: Found::default(),
+            found: TrainSearch::default(),
             envelope: Envelope::new(sample_rate_hz),
             clipping: Clipping::default(),
         }
@@ -243,7 +246,7 @@ impl Ear {
     }
 
     fn push(&mut self, samples: &[f32]) {
-        let samples = &*widely(
+        let samples = &*dispatch(
             #[inline(always)]
             || {
                 let samples = onset::finite(samples);
@@ -285,7 +288,7 @@ impl Ear {
 
     /// Judges all onsets; what comes next comes at this time.
     fn judge_all(&mut self, end_s: f64) {
-        let mut found = Found::default();
+        let mut found = TrainSearch::default();
         train::search(&self.onsets, self.span(end_s), &mut found);
         self.take(found);
         self.onsets_judged += standing_out(&self.onsets);
@@ -302,7 +305,7 @@ impl Ear {
 
     /// Judges the onsets that no sound later than `now_s` can change, and forgets them.
     fn judge_the_past(&mut self, now_s: f64) {
-        let mut found = Found::default();
+        let mut found = TrainSearch::default();
         train::search(&self.onsets, self.span(now_s), &mut found);
         let open = found.trains.iter().position(|t| t.end_s() > now_s - OPEN_S);
         let open_from_s = open.map_or(f64::INFINITY, |index| found.trains[index].start_s());
@@ -310,7 +313,7 @@ impl Ear {
         // A train that has yet to show itself may have begun at any time since the last one.
         let last_end_s = found.trains.last().map_or(0.0, train::Train::end_s);
         let past_s = last_end_s.max(now_s - MEMORY_S).min(open_from_s - 1e-3);
-        found.regular.retain(|r| r.start_s <= past_s);
+        found.periodic.retain(|r| r.start_s <= past_s);
         self.take(found);
         let judged = self.onsets.partition_point(|o| o.time_s <= past_s);
         self.onsets_judged += standing_out(&self.onsets[..judged]);
@@ -319,7 +322,7 @@ impl Ear {
     }
 
     /// Sharpens the times of these trains while their samples are at hand, and keeps them.
-    fn take(&mut self, mut found: Found) {
+    fn take(&mut self, mut found: TrainSearch) {
         let mut samples = Vec::new();
         for train in &mut found.trains {
             let number = |time_s: f64| (time_s * self.sample_rate_hz).max(0.0) as u64;
@@ -329,17 +332,17 @@ impl Ear {
             train.align(&samples, start_s, self.sample_rate_hz as u32);
         }
         self.found.trains.append(&mut found.trains);
-        self.found.regular.append(&mut found.regular);
+        self.found.periodic.append(&mut found.periodic);
     }
 
-    fn finish(mut self, channel: usize, distinct_channels: usize) -> Heard {
+    fn finish(mut self, channel: usize, distinct_channels: usize) -> Detection {
         let duration_s = self.now_s();
         let heard = self.onsets.len();
         self.detector.flush(&mut self.onsets);
         self.judge_onsets_from(heard);
         self.judge_all(duration_s);
         self.found.set_distant_apart();
-        Heard {
+        Detection {
             channel,
             distinct_channels,
             found: self.found,

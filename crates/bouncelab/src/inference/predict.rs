@@ -20,15 +20,15 @@ pub(super) struct Rest {
 ///
 /// `None` if it does not come to rest.
 pub(super) fn until_rest(evaluator: &mut Evaluator, point: &Point) -> Option<Rest> {
-    let told = evaluator.told(point)?;
+    let state = evaluator.state(point)?;
     let observed = evaluator.model.observed;
     let missed_first = evaluator.model.missed_first;
     let heard_s = observed.impacts[observed.impacts.len() - 1].time_s - observed.impacts[0].time_s;
     let gravity = point.gravity_m_s2;
     let table = evaluator.table(point)?;
     let mut rest = Rest {
-        time_s: told.release_to_first_s + heard_s,
-        path_m: told.drop_height_m,
+        time_s: state.release_to_first_s + heard_s,
+        path_m: state.drop_height_m,
     };
     // The flights before the first impact heard obey the law too.
     let mut impact = table.launch(point.fall_launch_m_s)?.impact;
@@ -37,15 +37,15 @@ pub(super) fn until_rest(evaluator: &mut Evaluator, point: &Point) -> Option<Res
         rest.path_m += 2.0 * table.fall(launch)?.0 / gravity;
         impact = table.launch(launch)?.impact;
     }
-    for (launch, stretch) in told.launch_speeds.iter().zip(&observed.stretches) {
+    for (launch, interval) in state.launch_speeds.iter().zip(&observed.intervals) {
         let mut launch = *launch;
-        for _ in 0..stretch.flights {
+        for _ in 0..interval.flights {
             rest.path_m += 2.0 * table.fall(launch)?.0 / gravity;
             let impact = table.launch(launch)?.impact;
             launch = impact * point.law.at(impact);
         }
     }
-    let mut impact = told.impact_speeds[told.impact_speeds.len() - 1];
+    let mut impact = state.impact_speeds[state.impact_speeds.len() - 1];
     for _ in 0..MOST_BOUNCES {
         let launch = impact * point.law.at(impact);
         if launch < REST_M_S {

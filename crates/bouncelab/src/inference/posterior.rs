@@ -2,17 +2,17 @@
 
 use super::Prediction;
 use super::budget::{self, Budget};
-use super::identify::{Correlations, Narrowed};
-use super::knowledge::{LawKind, Measured};
-use super::posterior::{Posterior, THINNED};
+use super::findings::{ODD_WEIGHT, Remark};
+use super::identify::{Correlations, PriorContraction};
 use super::predict;
-use super::remark::{ODD_WEIGHT, Remark};
+use super::priors::{LawKind, Measured};
+use super::sampled::{SampledPosterior, THINNED};
 use super::summary::Summary;
 use crate::drag::DragLaw;
 
 /// What the times of one drop say, all priors and models considered.
 #[derive(Debug, Clone)]
-pub struct Inference {
+pub struct Posterior {
     /// The impact speed of [`Self::restitution`], m/s.
     pub at_speed_m_s: f64,
     /// The restitution law at that speed.
@@ -39,14 +39,14 @@ pub struct Inference {
     /// Probabilities of 0, 1, 2, ... impacts before the first one heard, if a height or a release
     /// time tells.
     pub missed_first: Option<Vec<f64>>,
-    /// The answers to [`Question::reach`](super::Question::reach).
+    /// The answers to [`InferenceOptions::reach`](super::InferenceOptions::reach).
     pub predictions: Vec<Prediction>,
     /// The impacts heard.
     pub impacts: Vec<Impact>,
     /// The models that were weighed, most probable first.
     pub models: Vec<Model>,
-    /// How much the data narrowed what was known.
-    pub narrowed: Vec<Narrowed>,
+    /// How much the data prior_contraction what was known.
+    pub prior_contraction: Vec<PriorContraction>,
     /// Correlations between the answers.
     pub correlations: Correlations,
     /// Where the uncertainty comes from.
@@ -57,7 +57,7 @@ pub struct Inference {
     pub sampling: Sampling,
     /// What to know before believing it.
     pub remarks: Vec<Remark>,
-    pub(super) posterior: Posterior,
+    pub(super) posterior: SampledPosterior,
 }
 
 /// The drag of the ball.
@@ -151,7 +151,7 @@ impl Impact {
     }
 }
 
-impl Inference {
+impl Posterior {
     /// The impact of this number, if it was heard.
     pub fn impact(&self, number: usize) -> Option<&Impact> {
         self.impacts.iter().find(|impact| impact.number == number)
@@ -225,12 +225,12 @@ impl Inference {
 
     /// Whether the first impact heard was taken to be the first.
     pub fn first_was_heard(&self) -> bool {
-        let knowledge = &self.posterior.knowledge;
-        knowledge.drop_height_m.is_some() && self.missed_first.is_none()
+        let priors = &self.posterior.priors;
+        priors.drop_height_m.is_some() && self.missed_first.is_none()
     }
 
     /// The priors, one line for each: what was assumed of balls and rooms before the data.
     pub fn priors(&self) -> Vec<String> {
-        self.posterior.knowledge.statements()
+        self.posterior.priors.statements()
     }
 }

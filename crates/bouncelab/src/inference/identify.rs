@@ -1,11 +1,11 @@
-//! What the data told, and what only the priors did.
+//! What the data state, and what only the priors did.
 
 use std::fmt;
 
-use super::knowledge::LawKind;
 use super::model::{Model, Slot};
-use super::posterior::Posterior;
-use crate::moments::{mean, sd};
+use super::priors::LawKind;
+use super::sampled::SampledPosterior;
+use crate::stats::{mean, sd};
 
 /// Something that was not known before the data.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -38,20 +38,20 @@ impl fmt::Display for Unknown {
     }
 }
 
-/// How much the data narrowed what was known of something.
+/// How much the data prior_contraction what was known of something.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Narrowed {
+pub struct PriorContraction {
     /// Of what.
     pub unknown: Unknown,
-    /// Standard deviation after the data over the one before: 1 if they told nothing, 0 if all.
+    /// Standard deviation after the data over the one before: 1 if they state nothing, 0 if all.
     pub remaining: f64,
 }
 
-/// Above this, the data told next to nothing.
-pub const TOLD_NOTHING: f64 = 0.9;
+/// Above this, the data state next to nothing.
+pub const UNINFORMATIVE: f64 = 0.9;
 
-/// How much the data narrowed each unknown, over the models that have it.
-pub(super) fn narrowed(posterior: &Posterior) -> Vec<Narrowed> {
+/// How much the data prior_contraction each unknown, over the models that have it.
+pub(super) fn prior_contraction(posterior: &SampledPosterior) -> Vec<PriorContraction> {
     let unknowns = [
         (Unknown::Drag, Slot::Drag),
         (Unknown::Slope, Slot::Shape(0)),
@@ -81,7 +81,7 @@ pub(super) fn narrowed(posterior: &Posterior) -> Vec<Narrowed> {
                 })
                 .collect();
             // Too few draws have it: it says nothing of the average.
-            (10 * values.len() > posterior.draws.len()).then(|| Narrowed {
+            (10 * values.len() > posterior.draws.len()).then(|| PriorContraction {
                 unknown,
                 // Before the data all of these are standard normals.
                 remaining: sd(&values),

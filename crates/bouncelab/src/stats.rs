@@ -1,4 +1,4 @@
-//! Order statistics: what sorted values say, which a few wild ones hardly move.
+//! Order statistics, moments and the logistic function.
 
 /// The values from the least to the greatest.
 pub(crate) fn sorted(values: impl IntoIterator<Item = f64>) -> Vec<f64> {
@@ -28,6 +28,28 @@ pub(crate) fn robust_sd(off: impl IntoIterator<Item = f64>) -> Option<f64> {
     /// The median absolute deviation of the standard normal distribution.
     const MEDIAN_DEVIATION: f64 = 0.674_489_75;
     Some(median(off.into_iter().map(f64::abs))? / MEDIAN_DEVIATION)
+}
+
+/// The mean; not a number without values.
+pub(crate) fn mean(values: &[f64]) -> f64 {
+    values.iter().sum::<f64>() / values.len() as f64
+}
+
+/// The standard deviation of values that are all there are; not a number without any.
+pub(crate) fn sd(values: &[f64]) -> f64 {
+    let mean = mean(values);
+    let squares: f64 = values.iter().map(|value| (value - mean).powi(2)).sum();
+    (squares / values.len() as f64).sqrt()
+}
+
+/// 1/(1 + exp -x): from 0 to 1.
+pub(crate) fn logistic(x: f64) -> f64 {
+    1.0 / (1.0 + (-x).exp())
+}
+
+/// ln(1 + exp x) without overflow: 0 far below zero, x far above.
+pub(crate) fn softplus(x: f64) -> f64 {
+    x.max(0.0) + (-x.abs()).exp().ln_1p()
 }
 
 #[cfg(test)]
@@ -64,5 +86,23 @@ mod tests {
         assert!((robust_sd(values.iter().copied()).unwrap() - 2.0).abs() < 0.005);
         values.push(1e9);
         assert!((robust_sd(values).unwrap() - 2.0).abs() < 0.01);
+    }
+
+    /// Small enough to work by hand: about a mean of 5 the squares are 9, 1, 1, 1, 0, 0, 4 and 16.
+    #[test]
+    fn a_spread_worked_by_hand() {
+        let values = [2.0, 4.0, 4.0, 4.0, 5.0, 5.0, 7.0, 9.0];
+        assert!((mean(&values) - 5.0).abs() < 1e-15);
+        assert!((sd(&values) - 2.0).abs() < 1e-15);
+        assert!(mean(&[]).is_nan() && sd(&[]).is_nan());
+    }
+
+    #[test]
+    fn far_from_zero_they_are_what_they_soften() {
+        for x in [50.0, 1e3, f64::MAX] {
+            assert!((logistic(x) - 1.0).abs() < 1e-15 && logistic(-x) < 1e-15);
+            assert!((softplus(x) / x - 1.0).abs() < 1e-15 && softplus(-x) < 1e-15);
+        }
+        assert!((softplus(0.0) - std::f64::consts::LN_2).abs() < 1e-15);
     }
 }

@@ -9,8 +9,8 @@ use nalgebra::{Cholesky, DMatrix, DVector};
 use super::banded::Banded;
 use super::likelihood::Evaluator;
 use super::model::{Model, Slot};
-use super::posterior::{Posterior, THINNED};
 use super::residual::{covariance_by_time, variance_by_time};
+use super::sampled::{SampledPosterior, THINNED};
 
 /// What one source adds to the uncertainty of a quantity.
 #[derive(Debug, Clone, PartialEq)]
@@ -34,7 +34,7 @@ pub struct Budget {
 
 /// The budget at the best fit of the best model; what differs between models and between numbers of
 /// missed impacts comes from all of them. `None` if the fit is too odd to be taken apart.
-pub(super) fn budget(posterior: &Posterior, at_speed_m_s: f64) -> Option<Budget> {
+pub(super) fn budget(posterior: &SampledPosterior, at_speed_m_s: f64) -> Option<Budget> {
     let candidate = posterior.candidates.first()?;
     let model = posterior.model(candidate);
     let mut evaluator = Evaluator::new(&model);
@@ -150,8 +150,8 @@ impl Linear {
             ("drag law", of_slot(Slot::Drag).powi(2)),
             ("contact time", of_slot(Slot::Contact).powi(2)),
         ];
-        for (index, (name, ..)) in model.surroundings.inputs.sources.iter().enumerate() {
-            let [on_gravity, on_drag] = model.surroundings.inputs.whitened(index);
+        for (index, (name, ..)) in model.media.inputs.sources.iter().enumerate() {
+            let [on_gravity, on_drag] = model.media.inputs.whitened(index);
             let moved = of_slot(Slot::Gravity) * on_gravity + of_slot(Slot::Inputs) * on_drag;
             inputs.push((name, moved * moved));
         }
@@ -161,7 +161,7 @@ impl Linear {
 
 /// Standard uncertainty of the restitution at each speed by the inputs that other drops of the ball
 /// share. `None` as for [`budget`].
-pub(super) fn shared_sd(posterior: &Posterior, speeds_m_s: &[f64]) -> Option<Vec<f64>> {
+pub(super) fn shared_sd(posterior: &SampledPosterior, speeds_m_s: &[f64]) -> Option<Vec<f64>> {
     let candidate = posterior.candidates.first()?;
     let model = posterior.model(candidate);
     let mut evaluator = Evaluator::new(&model);
@@ -207,19 +207,18 @@ fn gradient(
 
 /// Variance of the means of restitution and height between laws, and between numbers of missed
 /// impacts.
-fn between(posterior: &Posterior, at_speed_m_s: f64) -> [[f64; 2]; 2] {
+fn between(posterior: &SampledPosterior, at_speed_m_s: f64) -> [[f64; 2]; 2] {
     let keys: Vec<(usize, usize)> = posterior
         .candidates
         .iter()
         .map(|candidate| {
-            let law =
-                candidate.law as usize * posterior.surroundings.len() + candidate.surroundings;
+            let law = candidate.law as usize * posterior.media.len() + candidate.media;
             (law, candidate.missed_first)
         })
         .collect();
     let values = posterior.each(THINNED, |evaluator, point| {
-        let told = evaluator.told(point)?;
-        Some([point.law.at(at_speed_m_s), told.drop_height_m])
+        let state = evaluator.state(point)?;
+        Some([point.law.at(at_speed_m_s), state.drop_height_m])
     });
     let of_draw: Vec<(usize, usize)> = posterior
         .draws

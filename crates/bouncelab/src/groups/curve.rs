@@ -2,7 +2,7 @@
 
 /// Restitution at one impact speed.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct LawPoint {
+pub struct CurvePoint {
     /// Impact speed, m/s.
     pub speed_m_s: f64,
     /// Restitution there.
@@ -16,9 +16,9 @@ pub struct LawPoint {
 
 /// Restitution against impact speed, at increasing speeds.
 #[derive(Debug, Clone, PartialEq, Default)]
-pub struct Law(pub Vec<LawPoint>);
+pub struct RestitutionCurve(pub Vec<CurvePoint>);
 
-impl Law {
+impl RestitutionCurve {
     /// The speeds at which laws of different drops can be compared, m/s: four to an octave, among
     /// them 1 m/s, from `slowest` to `fastest`.
     pub fn speeds(slowest_m_s: f64, fastest_m_s: f64) -> Vec<f64> {
@@ -38,7 +38,7 @@ impl Law {
 
     /// The law at a speed, between neighbours in proportion to the logarithm of the speed; `None`
     /// outside the speeds it is known at.
-    pub fn at(&self, speed_m_s: f64) -> Option<LawPoint> {
+    pub fn at(&self, speed_m_s: f64) -> Option<CurvePoint> {
         /// Speeds that differ by less are the same.
         const SAME: f64 = 1e-9;
         let after = self
@@ -52,7 +52,7 @@ impl Law {
         let low = self.0.get(after.checked_sub(1)?)?;
         let share = (speed_m_s / low.speed_m_s).ln() / (high.speed_m_s / low.speed_m_s).ln();
         let between = |low: f64, high: f64| low + share * (high - low);
-        Some(LawPoint {
+        Some(CurvePoint {
             speed_m_s,
             value: between(low.value, high.value),
             own_sd: between(low.own_sd, high.own_sd),
@@ -67,29 +67,34 @@ mod tests {
 
     #[test]
     fn speeds_are_the_same_for_all_drops() {
-        assert_eq!(Law::speeds(0.9, 2.1).len(), 5);
-        assert_eq!(Law::speeds(0.9, 2.1)[0].to_bits(), 1.0_f64.to_bits());
-        let wide = Law::speeds(0.3, 5.0);
+        assert_eq!(RestitutionCurve::speeds(0.9, 2.1).len(), 5);
+        assert_eq!(
+            RestitutionCurve::speeds(0.9, 2.1)[0].to_bits(),
+            1.0_f64.to_bits()
+        );
+        let wide = RestitutionCurve::speeds(0.3, 5.0);
         assert!(
-            Law::speeds(0.9, 2.1)
+            RestitutionCurve::speeds(0.9, 2.1)
                 .iter()
                 .all(|speed| wide.contains(speed))
         );
-        assert_eq!(Law::speeds(0.0, 2.0), Vec::<f64>::new());
-        assert_eq!(Law::speeds(1.05, 1.1), Vec::<f64>::new());
+        assert_eq!(RestitutionCurve::speeds(0.0, 2.0), Vec::<f64>::new());
+        assert_eq!(RestitutionCurve::speeds(1.05, 1.1), Vec::<f64>::new());
     }
 
     #[test]
     fn a_law_is_read_between_its_speeds_and_not_beyond() {
-        let points = Law::speeds(1.0, 4.0).into_iter();
-        let law = Law(points
-            .map(|speed_m_s| LawPoint {
-                speed_m_s,
-                value: 0.9 - 0.01 * speed_m_s.ln(),
-                own_sd: 0.001,
-                shared_sd: 0.0005,
-            })
-            .collect());
+        let points = RestitutionCurve::speeds(1.0, 4.0).into_iter();
+        let law = RestitutionCurve(
+            points
+                .map(|speed_m_s| CurvePoint {
+                    speed_m_s,
+                    value: 0.9 - 0.01 * speed_m_s.ln(),
+                    own_sd: 0.001,
+                    shared_sd: 0.0005,
+                })
+                .collect(),
+        );
         let point = law.at(1.5).unwrap();
         assert!((point.value - (0.9 - 0.01 * 1.5_f64.ln())).abs() < 1e-12);
         assert_eq!(law.at(2.0).unwrap().speed_m_s.to_bits(), 2.0_f64.to_bits());

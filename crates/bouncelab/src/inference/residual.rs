@@ -4,11 +4,11 @@
 //! Neighbours share times, and the scatter of the impacts that were missed between them; here is
 //! what each depends on, and how strongly.
 
-use super::knowledge::Measured;
 use super::model::Point;
+use super::priors::Measured;
 use crate::flight::table::{FlightTable, Row};
 
-/// A stretch as its ends see it.
+/// A interval as its ends see it.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct End {
     /// Launch speed at its start and impact speed at its end.
@@ -39,7 +39,7 @@ pub(super) struct Residual {
 }
 
 /// The fall from the drop height, and the impacts before the first one heard.
-pub(super) struct Opening {
+pub(super) struct InitialFall {
     pub(super) gravity_height: f64,
     pub(super) height_slope: f64,
     pub(super) impact: f64,
@@ -64,7 +64,7 @@ impl End {
         }
     }
 
-    /// A stretch with missed impacts, which are taken to obey the law; how far they may not is
+    /// A interval with missed impacts, which are taken to obey the law; how far they may not is
     /// scatter.
     pub(super) fn of_gap(
         table: &FlightTable,
@@ -108,7 +108,7 @@ impl End {
     }
 }
 
-impl Opening {
+impl InitialFall {
     /// What the unknowns say of it, if so many impacts were missed.
     pub(super) fn new(table: &FlightTable, point: &Point, missed_first: usize) -> Option<Self> {
         let (gravity_height, gravity_fall, height_slope) = table.fall(point.fall_launch_m_s)?;
@@ -148,7 +148,11 @@ impl Opening {
 
 impl Residual {
     /// How far the first impact heard is from where a measured release puts it, s.
-    pub(super) fn of_release(first_impact_s: f64, release_s: Measured, opening: &Opening) -> Self {
+    pub(super) fn of_release(
+        first_impact_s: f64,
+        release_s: Measured,
+        opening: &InitialFall,
+    ) -> Self {
         Self {
             value: first_impact_s - release_s.value - opening.time_s,
             timing: [0.0, 1.0, 0.0],
@@ -158,7 +162,7 @@ impl Residual {
         }
     }
 
-    /// The residual of the impact between two stretches.
+    /// The residual of the impact between two intervals.
     pub(super) fn between(before: &End, after: &End, impact: usize, point: &Point) -> Self {
         let keeps = 1.0 + point.law.log_slope(before.impact);
         let by_before = -keeps * before.impact_per_s;
