@@ -3,10 +3,12 @@ import { copyFileSync, existsSync, mkdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import { HtmlValidate } from 'html-validate';
-import type { Browser, Page } from 'playwright-core';
+import type { Browser, BrowserContextOptions, Page } from 'playwright-core';
 import { afterAll, beforeAll, describe, expect, test } from 'vitest';
-import { launch } from './harness/browser.ts';
+import { launch, newContext } from './harness/browser.ts';
+import { FONT_SETS, nameOf } from './harness/fonts.ts';
 import { bouncelab, folder, synth } from './harness/program.ts';
+import { overflow, violations } from './support/layout.ts';
 
 /** Whatever a file system allows in a name and a browser might obey. */
 const HOSTILE = `a"><img src=x onerror="alert(1)"> & 'b' \`c\` | $x$.wav`;
@@ -23,7 +25,6 @@ const REPORTS = ['analyze', 'session', 'verdict'] as const;
 /** What each says to the letter, however it reads to a browser. */
 const WRITTEN = { analyze: HOSTILE, session: WOOD, verdict: HOSTILE };
 
-let browser: Browser;
 let place: string;
 
 const reportOf = (command: string): string => join(place, `${command}.html`);
@@ -35,7 +36,6 @@ beforeAll(async () => {
   copyFileSync(path, hostile);
   bouncelab('analyze', hostile, '--height', '40cm', '--report', reportOf('analyze'));
   many();
-  browser = await launch('missing');
 });
 
 /** Two balls on two floors, two drops each, as a session; a drop that passes a rule. */
@@ -56,53 +56,63 @@ function many(): void {
   bouncelab('verdict', '--rule', 'ittf-ball', passes, '--report', reportOf('verdict'));
 }
 
-afterAll(() => browser.close());
-
 /** Opens a report; everything it says or asks for that nobody sees. */
-async function open(report: string, options = {}): Promise<{ page: Page; troubles: string[] }> {
-  const page = await (await browser.newContext(options)).newPage();
+async function open(
+  browser: Browser,
+  report: string,
+  options: BrowserContextOptions = {},
+): Promise<{ page: Page; troubles: string[] }> {
+  const page = await (await newContext(browser, options)).newPage();
   const troubles: string[] = [];
   page.on('console', (message) => troubles.push(message.text()));
   page.on('pageerror', (error) => troubles.push(String(error)));
-  page.on('dialog', (dialog) => troubles.push(`a dialog: ${dialog.message()}`));
+  page.on('dialog', (dialog) => {
+    troubles.push(`a dialog: ${dialog.message()}`);
+    void dialog.dismiss();
+  });
   page.on('request', (request) => troubles.push(`a request: ${request.url().slice(0, 80)}`));
-  await page.goto(pathToFileURL(report).href);
+  await page.goto(pathToFileURL(report).href, { waitUntil: 'networkidle' });
   return { page, troubles };
 }
 
-/** How far the page reaches beyond its window, in pixels. */
-function beyond(page: Page): Promise<number> {
-  return page.evaluate(() => document.documentElement.scrollWidth - window.innerWidth);
-}
+test.each(REPORTS)('the report of %s is valid HTML', async (command) => {
+  const validator = new HtmlValidate({ extends: ['html-validate:standard'] });
+  const { results } = await validator.validateFile(reportOf(command));
+  expect(results.flatMap(({ messages }) => messages.map(({ message }) => message))).toEqual([]);
+});
 
-describe.each(REPORTS)('the report of %s', (command) => {
-  test('is valid HTML', async () => {
-    const validator = new HtmlValidate({ extends: ['html-validate:standard'] });
-    const { results } = await validator.validateFile(reportOf(command));
-    expect(results.flatMap(({ messages }) => messages.map(({ message }) => message))).toEqual([]);
+describe.each(
+  FONT_SETS.flatMap((fonts) => REPORTS.map((command) => [command, nameOf(fonts), fonts] as const)),
+)('the report of %s with %s', (command, _, fonts) => {
+  let browser: Browser;
+  beforeAll(async () => {
+    browser = await launch({ microphone: 'missing', fonts });
   });
+  afterAll(() => browser.close());
 
   test('asks for nothing but itself and says nothing', async () => {
-    const { page, troubles } = await open(reportOf(command));
-    await page.waitForTimeout(300);
+    const { page, troubles } = await open(browser, reportOf(command));
     expect(troubles.filter((trouble) => !trouble.startsWith('a request: file:'))).toEqual([]);
     expect(troubles.length).toBe(1);
     expect(await page.locator('figure svg').count()).toBeGreaterThan(0);
     expect(await page.locator('body').textContent()).toContain(WRITTEN[command]);
   });
 
-  test('fits a phone, light and dark', async () => {
+  test('fits a phone, light and dark, and can be used by everyone', async () => {
     for (const colorScheme of ['light', 'dark'] as const) {
       const viewport = { width: 360, height: 740 };
-      const { page } = await open(reportOf(command), { viewport, colorScheme });
-      expect(await beyond(page)).toBeLessThanOrEqual(0);
+      const { page } = await open(browser, reportOf(command), { viewport, colorScheme });
+      expect(await overflow(page)).toBeLessThanOrEqual(0);
+      expect(await violations(page)).toEqual([]);
     }
   });
 
   test('loses nothing on paper', async () => {
-    const { page } = await open(reportOf(command), { viewport: { width: PAPER_PX, height: 1000 } });
+    const { page } = await open(browser, reportOf(command), {
+      viewport: { width: PAPER_PX, height: 1000 },
+    });
     await page.emulateMedia({ media: 'print' });
-    expect(await beyond(page)).toBeLessThanOrEqual(0);
+    expect(await overflow(page)).toBeLessThanOrEqual(0);
     const wide = await page
       .locator('table')
       .evaluateAll(

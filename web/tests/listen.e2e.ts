@@ -4,7 +4,7 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import type { Browser, Page } from 'playwright-core';
 import { afterAll, afterEach, beforeAll, expect, test } from 'vitest';
-import { launch, type Microphone } from './harness/browser.ts';
+import { launch, type Microphone, newContext } from './harness/browser.ts';
 import { Site } from './harness/site.ts';
 import { follow, open, said, settled } from './support/page.ts';
 import { drop, samplesOf, TRUTH } from './support/sounds.ts';
@@ -23,7 +23,7 @@ afterEach(async () => {
 });
 
 async function opened(microphone: Microphone) {
-  browser = await launch(microphone);
+  browser = await launch({ microphone });
   return open(browser, site.url);
 }
 
@@ -52,7 +52,7 @@ async function savedWav(page: Page) {
   return samplesOf(file);
 }
 
-test('a drop is heard, ends by itself, and is told within its uncertainty', async () => {
+test('a drop is heard, ends by itself, and its result is true within its uncertainty', async () => {
   const { page, troubles } = await opened({ file: heard });
   await listen(page);
   await page.getByText(/impacts so far/).waitFor();
@@ -128,8 +128,8 @@ test('a computer without a microphone says so', async () => {
 });
 
 test('a browser whose sound never starts is not waited for', async () => {
-  browser = await launch({ file: heard });
-  const context = await browser.newContext({ locale: 'en-GB' });
+  browser = await launch({ microphone: { file: heard } });
+  const context = await newContext(browser, { locale: 'en-GB' });
   await context.addInitScript(() => {
     AudioContext.prototype.resume = () => new Promise(() => undefined);
   });
@@ -142,8 +142,8 @@ test('a browser whose sound never starts is not waited for', async () => {
 });
 
 test('a call ends the listening with what was heard; until then nothing comes between', async () => {
-  browser = await launch({ file: heard });
-  const context = await browser.newContext({ locale: 'en-GB' });
+  browser = await launch({ microphone: { file: heard } });
+  const context = await newContext(browser, { locale: 'en-GB' });
   await context.addInitScript(() => {
     const begin = AudioContext.prototype.createMediaStreamSource;
     AudioContext.prototype.createMediaStreamSource = function (stream) {
@@ -182,9 +182,9 @@ test('a page that is closed while it listens loses nothing', async () => {
   expect(await page.getByText(/\d+ impacts/).count()).toBeGreaterThan(0);
 });
 
-test('a full storage is told, and the recording can still be saved whole', async () => {
-  browser = await launch({ file: heard });
-  const context = await browser.newContext({ locale: 'en-GB' });
+test('a full storage is reported, and the recording can still be saved whole', async () => {
+  browser = await launch({ microphone: { file: heard } });
+  const context = await newContext(browser, { locale: 'en-GB' });
   await context.addInitScript(() => {
     const put = IDBObjectStore.prototype.put;
     IDBObjectStore.prototype.put = function (this: IDBObjectStore, ...words) {

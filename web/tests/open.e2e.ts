@@ -3,7 +3,7 @@ import { existsSync, readdirSync, readFileSync } from 'node:fs';
 import { basename, join } from 'node:path';
 import type { Browser, Page } from 'playwright-core';
 import { afterAll, beforeAll, expect, test } from 'vitest';
-import { launch } from './harness/browser.ts';
+import { launch, newContext } from './harness/browser.ts';
 import { Site } from './harness/site.ts';
 import { dropFile, open, said } from './support/page.ts';
 import { drop, TRUTH } from './support/sounds.ts';
@@ -57,7 +57,7 @@ test('times that are pasted', async () => {
 });
 
 test('a browser that may keep nothing opens the page too', async () => {
-  const context = await browser.newContext({ locale: 'en-GB' });
+  const context = await newContext(browser, { locale: 'en-GB' });
   await context.addInitScript(() => {
     const denied = () => {
       throw new DOMException('denied', 'SecurityError');
@@ -126,5 +126,5 @@ test.each(recordings)('the recording %s', async (name) => {
   const on = await page();
   await on.locator('input[type=file]').setInputFiles(join(folder, name));
   const found = /^(not-|few-hits)/.test(name) ? 'No drop found.' : /The ball kept/;
-  await on.getByText(found).waitFor({ timeout: 50_000 });
+  await on.getByText(found).waitFor();
 });

@@ -1,4 +1,4 @@
-//! `cargo xtask grid`: how well the listener hears.
+//! `cargo xtask detection`: how well the listener hears.
 
 use crate::Result;
 use crate::cargo::run_example;
@@ -7,5 +7,5 @@ pub(crate) const ABOUT: &str =
     "Measure the listener on synthetic recordings: cells, timing, silence";
 
 pub(crate) fn run(words: &[String]) -> Result {
-    run_example("bouncelab", "grid", words)
+    run_example("bouncelab", "detection", words)
 }

@@ -4,10 +4,12 @@ import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import { HtmlValidate } from 'html-validate';
 import type { Browser, Page } from 'playwright-core';
-import { afterAll, beforeAll, expect, test } from 'vitest';
-import { launch } from './harness/browser.ts';
+import { afterAll, beforeAll, describe, expect, test } from 'vitest';
+import { launch, newContext } from './harness/browser.ts';
+import { FONT_SETS, nameOf } from './harness/fonts.ts';
 import { folder } from './harness/program.ts';
 import { Site } from './harness/site.ts';
+import { overflow } from './support/layout.ts';
 import { open, settled } from './support/page.ts';
 
 const SHOTS = join(import.meta.dirname, 'screenshots');
@@ -40,6 +42,13 @@ async function saved(button: string): Promise<string> {
   return readFileSync(await (await coming).path(), 'utf8');
 }
 
+/** The report as a reader opens it. */
+async function read(by: Browser): Promise<Page> {
+  const shown = await (await newContext(by)).newPage();
+  await shown.goto(pathToFileURL(report).href);
+  return shown;
+}
+
 /** English words that no German text here has. */
 const ENGLISH = /\b(the|and|of|which|with|from|impacts?|flights?|drag|speed|height|law|drop)\b/i;
 
@@ -65,14 +74,12 @@ const overlap = (a: Box, b: Box): boolean =>
   Math.min(a.x + a.width, b.x + b.width) - Math.max(a.x, b.x) > 1 &&
   Math.min(a.y + a.height, b.y + b.height) - Math.max(a.y, b.y) > 5;
 
-test('the report is German, valid, and fits a phone and its paper', async () => {
+test('the report is German and valid', async () => {
   const validator = new HtmlValidate({ extends: ['html-validate:standard'] });
   const { results } = await validator.validateFile(report);
   expect(results.flatMap(({ messages }) => messages.map(({ message }) => message))).toEqual([]);
-  const shown = await (await browser.newContext()).newPage();
-  await shown.goto(pathToFileURL(report).href);
+  const shown = await read(browser);
   expect(await shown.locator('html').getAttribute('lang')).toBe('de');
-  await shown.screenshot({ path: join(SHOTS, 'report-german.png'), fullPage: true });
   const said = await shown
     .locator(
       'main p, main li, main dt, main dd, main th, main td, main h2, main h3, caption, figcaption, text',
@@ -82,42 +89,59 @@ test('the report is German, valid, and fits a phone and its paper', async () => 
   const english = said.filter((text) => ENGLISH.test(text) && !/\(\d{4}\)|^JCGM/.test(text));
   expect(english).toEqual([]);
   expect(said.filter((text) => /\d\.\d/.test(text) && !/bouncelab/.test(text))).toEqual([]);
-  await shown.setViewportSize({ width: 360, height: 740 });
-  const beyond = await shown.evaluate(() => document.documentElement.scrollWidth - innerWidth);
-  expect(beyond).toBeLessThanOrEqual(0);
-  await shown.setViewportSize({ width: PAPER_PX, height: 1000 });
-  await shown.emulateMedia({ media: 'print' });
-  await shown.screenshot({ path: join(SHOTS, 'report-german-paper.png'), fullPage: true });
-  const wide = await shown.evaluate(
-    (width) =>
-      [...document.querySelectorAll('table')]
-        .filter((table) => table.scrollWidth > width)
-        .map((table) => `${table.caption?.textContent}: ${table.scrollWidth} px`),
-    PAPER_PX,
-  );
-  expect(wide).toEqual([]);
 });
 
-test('no words of its figures leave the sheet or lie over each other', async () => {
-  const shown = await (await browser.newContext()).newPage();
-  await shown.goto(pathToFileURL(report).href);
-  const drawings = await textsOf(shown);
-  expect(drawings.length).toBeGreaterThan(10);
-  for (const { title, width, height, texts } of drawings) {
-    const outside = texts.filter(
-      (t) => t.x < 0 || t.y < 0 || t.x + t.width > width || t.y + t.height > height,
-    );
-    expect(outside, title).toEqual([]);
-    const over = texts.flatMap((a, i) =>
-      texts
-        .slice(i + 1)
-        .filter((b) => overlap(a, b))
-        .map((b) => `${a.words} / ${b.words}`),
-    );
-    expect(over, title).toEqual([]);
-    expect(texts.map(({ words }) => words).filter((words) => words.includes('…'))).toEqual([]);
-  }
-});
+describe.each(FONT_SETS.map((fonts) => [nameOf(fonts), fonts] as const))(
+  'with %s',
+  (set, fonts) => {
+    let reader: Browser;
+    beforeAll(async () => {
+      reader = await launch({ fonts });
+    });
+    afterAll(() => reader.close());
+
+    test('the report fits a phone and its paper', async () => {
+      const shown = await read(reader);
+      await shown.screenshot({ path: join(SHOTS, `report-german-${set}.png`), fullPage: true });
+      await shown.setViewportSize({ width: 360, height: 740 });
+      expect(await overflow(shown)).toBeLessThanOrEqual(0);
+      await shown.setViewportSize({ width: PAPER_PX, height: 1000 });
+      await shown.emulateMedia({ media: 'print' });
+      await shown.screenshot({
+        path: join(SHOTS, `report-german-${set}-paper.png`),
+        fullPage: true,
+      });
+      const wide = await shown.evaluate(
+        (width) =>
+          [...document.querySelectorAll('table')]
+            .filter((table) => table.scrollWidth > width)
+            .map((table) => `${table.caption?.textContent}: ${table.scrollWidth} px`),
+        PAPER_PX,
+      );
+      expect(wide).toEqual([]);
+    });
+
+    test('no words of its figures leave the sheet or lie over each other', async () => {
+      const shown = await read(reader);
+      const drawings = await textsOf(shown);
+      expect(drawings.length).toBeGreaterThan(10);
+      for (const { title, width, height, texts } of drawings) {
+        const outside = texts.filter(
+          (t) => t.x < 0 || t.y < 0 || t.x + t.width > width || t.y + t.height > height,
+        );
+        expect(outside, title).toEqual([]);
+        const over = texts.flatMap((a, i) =>
+          texts
+            .slice(i + 1)
+            .filter((b) => overlap(a, b))
+            .map((b) => `${a.words} / ${b.words}`),
+        );
+        expect(over, title).toEqual([]);
+        expect(texts.map(({ words }) => words).filter((words) => words.includes('…'))).toEqual([]);
+      }
+    });
+  },
+);
 
 test('a figure is saved in German, data stay as they are', async () => {
   const tabs = await page.getByRole('tab').all();
