@@ -120,7 +120,7 @@ pub enum GravityInput {
 #[derive(Clone, Debug)]
 pub struct Setup {
     /// The settings for the science, without a inference.
-    pub settings: Options,
+    pub options: Options,
     /// The ball in words.
     pub ball_label: String,
     /// What was assumed, one diagnostic for each.
@@ -156,7 +156,7 @@ impl SetupInput {
             buoyancy: !self.no_buoyancy && drag != DragLaw::None,
             added_mass: !self.no_added_mass && drag != DragLaw::None,
         };
-        let settings = Options {
+        let options = Options {
             ball: known.ball,
             environment,
             contact_time_s: known.contact_time_s,
@@ -165,9 +165,9 @@ impl SetupInput {
             ..Options::default()
         };
         // Whatever does not go together is found here, before anything is heard.
-        settings.model()?;
+        options.model()?;
         Ok(Setup {
-            settings,
+            options,
             ball_label: known.label,
             assumptions,
         })

@@ -60,7 +60,13 @@ impl Truth {
         let strikes: Vec<Strike> = bouncing(model, contact_s, fall.impact_speed_m_s, restitution)
             .take(self.impacts)
             .collect();
-        let heard = strikes.iter().zip(1..).map(|(strike, number)| Impact::new(number, fall.time_s + strike.time_s + self.sigma_s * normal()).with_time_sd_s(self.sigma_s.max(1e-9)));
+        let heard = strikes.iter().zip(1..).map(|(strike, number)| {
+            Impact::new(
+                number,
+                fall.time_s + strike.time_s + self.sigma_s * normal(),
+            )
+            .with_time_sd_s(self.sigma_s.max(1e-9))
+        });
         heard.collect()
     }
 

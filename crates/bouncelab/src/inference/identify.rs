@@ -26,6 +26,20 @@ pub enum Unknown {
     Gravity,
 }
 
+impl Unknown {
+    /// Its stable name, in kebab case.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Drag => "drag",
+            Self::Slope => "slope",
+            Self::Scatter => "scatter",
+            Self::Timing => "timing",
+            Self::ContactTime => "contact-time",
+            Self::Gravity => "gravity",
+        }
+    }
+}
+
 /// How much the data prior_contraction what was known of something.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
