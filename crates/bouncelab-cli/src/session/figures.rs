@@ -10,6 +10,7 @@ use bouncelab_report::messages::Translator;
 use bouncelab_session::{Outcome, Results};
 
 use crate::failure::Failure;
+use crate::language::translator;
 
 /// Draws them into a folder.
 pub(super) fn save(
@@ -32,7 +33,7 @@ pub(super) fn figures(
     let Ok(study) = &outcome.study else {
         return Ok(Vec::new());
     };
-    let translator = &Translator::default();
+    let translator = translator();
     Ok(vec![
         ("groups", laws(outcome, study, results, translator)?),
         ("intervals", intervals(outcome, study, translator)),
