@@ -64,7 +64,11 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
         .map(|law| simulate(law, &physics.settings, &arguments.history))
         .collect::<Result<Vec<Run>, Failure>>()?;
     if let Some(folder) = &arguments.figures {
-        let saved = save(&height_chart(&runs, &Translator::default()), folder, "height")?;
+        let saved = save(
+            &height_chart(&runs, &Translator::default()),
+            folder,
+            "height",
+        )?;
         eprintln!("wrote {} and .png", saved.svg.display());
     }
     let mut out = io::stdout().lock();

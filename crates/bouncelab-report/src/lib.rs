@@ -70,10 +70,10 @@ pub mod tables;
 pub mod theme;
 pub mod units;
 
-pub use error::{Error, Result};
 pub use chart::Chart;
-pub use render::{MAX_WIDTH_PX, MIN_WIDTH_PX};
+pub use error::{Error, Result};
 pub use quantity::{CANNOT_TELL, Quantity, Unit};
+pub use render::{MAX_WIDTH_PX, MIN_WIDTH_PX};
 #[cfg(all(feature = "png", not(target_family = "wasm")))]
 pub use save::{Saved, save};
 pub use table::{Align, Table};

@@ -73,7 +73,8 @@ impl Scale {
 
     /// A linear scale over whole numbers, with ticks at whole numbers only.
     pub(crate) fn counting(values: impl IntoIterator<Item = f64>) -> Self {
-        let (low, high) = extent(values.into_iter().filter(|v| v.abs() <= LARGEST)).unwrap_or((0.0, 1.0));
+        let (low, high) =
+            extent(values.into_iter().filter(|v| v.abs() <= LARGEST)).unwrap_or((0.0, 1.0));
         let room = if low < high { 0.0 } else { 0.5 };
         Self {
             kind: Kind::Counting,

@@ -61,7 +61,11 @@ fn figures(hearing: &Hearing, physics: &Physics, translator: &Translator) -> Vec
         }));
     }
     let of_air = figure::of_air(&hearing.drops, settings, translator);
-    figures.extend(of_air.into_iter().map(|(name, chart)| (name.to_owned(), chart)));
+    figures.extend(
+        of_air
+            .into_iter()
+            .map(|(name, chart)| (name.to_owned(), chart)),
+    );
     figures
 }
 

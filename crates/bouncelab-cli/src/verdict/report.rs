@@ -48,7 +48,10 @@ fn lead(told: &Told<'_>) -> Vec<Block> {
         let unverified = "This rule is unverified: nobody has read it in its source.";
         lead.push(Block::Note(unverified.to_owned()));
     }
-    lead.push(Block::figure("verdict", chart(told, &Translator::default())));
+    lead.push(Block::figure(
+        "verdict",
+        chart(told, &Translator::default()),
+    ));
     lead
 }
 
@@ -123,7 +126,9 @@ fn chart(told: &Told<'_>, translator: &Translator) -> Chart {
     let (limits, decides, (quantity, unit)) = match &told.rule.requirement {
         Requirement::Height(limits) => (*limits, verdict.rebound, ("axis-rebound", "cm")),
         Requirement::About(_) => (Limits::default(), verdict.rebound, ("axis-rebound", "cm")),
-        Requirement::Share { limits, .. } => (*limits, verdict.share, ("axis-share-of-reference", "%")),
+        Requirement::Share { limits, .. } => {
+            (*limits, verdict.share, ("axis-share-of-reference", "%"))
+        }
     };
     let scaled = |limits: Limits| [limits.least, limits.greatest].map(|end| Some(end? * SHOWN));
     let judged = |name: String, found: &Summary, decides: bool| Judged {

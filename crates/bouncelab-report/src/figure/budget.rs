@@ -70,7 +70,9 @@ fn bars(title: String, shares: &[Share], translator: &Translator) -> Option<Pane
 
 /// Names and shares, the largest first, with the small ones added up.
 fn sources(shares: &[Share], translator: &Translator) -> Vec<(String, f64)> {
-    let usable = shares.iter().filter(|s| s.share.is_finite() && s.share > 0.0);
+    let usable = shares
+        .iter()
+        .filter(|s| s.share.is_finite() && s.share > 0.0);
     let (mut large, small): (Vec<&Share>, Vec<&Share>) =
         usable.partition(|share| share.share >= SMALL);
     large.sort_by(|a, b| b.share.total_cmp(&a.share));

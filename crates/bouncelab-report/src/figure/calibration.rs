@@ -51,10 +51,13 @@ pub fn calibration(histograms: &[RankHistogram], translator: &Translator) -> Cha
 
 /// The place of a name in a list, to which it is added if it is new.
 fn place<'a>(names: &mut Vec<&'a str>, name: &'a str) -> usize {
-    names.iter().position(|known| *known == name).unwrap_or_else(|| {
-        names.push(name);
-        names.len() - 1
-    })
+    names
+        .iter()
+        .position(|known| *known == name)
+        .unwrap_or_else(|| {
+            names.push(name);
+            names.len() - 1
+        })
 }
 
 fn panel(histogram: &RankHistogram, translator: &Translator) -> Panel {
@@ -72,8 +75,12 @@ fn panel(histogram: &RankHistogram, translator: &Translator) -> Panel {
     });
     let band = vec![[0.0, 1.0, expected - spread, expected + spread]];
     let layers = vec![
-        Layer::boxes(Meaning::Expected, band).pale(0.45).named(text("expected")),
-        Layer::boxes(Meaning::Measured, bars.collect()).pale(0.8).named(text("drops")),
+        Layer::boxes(Meaning::Expected, band)
+            .pale(0.45)
+            .named(text("expected")),
+        Layer::boxes(Meaning::Measured, bars.collect())
+            .pale(0.8)
+            .named(text("drops")),
     ];
     let x = Axis::new(text("rank"), "", Scale::linear([0.0, 1.0])).with_ticks(Ticks::Grid);
     let y = Axis::new(String::new(), "", Scale::linear([0.0, 1.15 * highest]));

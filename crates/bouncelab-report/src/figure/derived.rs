@@ -4,9 +4,9 @@ use bouncelab::Result;
 use bouncelab::analysis::{self, Drop, Options};
 use bouncelab::drag::DragLaw;
 use bouncelab::drop::{self, Start, Stop};
-use bouncelab::inference::{InferenceOptions, SamplerConfig};
 use bouncelab::flight::{Environment, FlightModel};
 use bouncelab::impact::{Contact, Restitution};
+use bouncelab::inference::{InferenceOptions, SamplerConfig};
 
 use super::Curve;
 use crate::chart::Point;

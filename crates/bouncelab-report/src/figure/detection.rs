@@ -40,7 +40,10 @@ pub fn detection(what: Detection, curves: &[Curve], translator: &Translator) -> 
         Detection::Found => ("", Scale::linear([0.0, 1.0]).padded(0.0, 0.03)),
         Detection::Timing => ("", Scale::linear([0.0, 2.2])),
         Detection::Stated => ("%", Scale::linear([40.0, 100.0])),
-        Detection::Late => ("µs", Scale::linear(ys(&layers).chain([0.0])).padded(0.05, 0.05)),
+        Detection::Late => (
+            "µs",
+            Scale::linear(ys(&layers).chain([0.0])).padded(0.05, 0.05),
+        ),
     };
     let text = |id: &str| translator.text(&format!("figure-{}-{id}", what.id()));
     let x = Axis::new(text("loudness"), "dB", Scale::linear(xs(&layers)));

@@ -82,9 +82,18 @@ pub fn drag(
         let name = translator.text_with("figure-drag-fastest", &arguments);
         layers.insert(0, Layer::upright(Meaning::Measured, fastest, name));
     }
-    let reached = if fastest.is_some() { "reached" } else { "caption" };
+    let reached = if fastest.is_some() {
+        "reached"
+    } else {
+        "caption"
+    };
     let caption = translator.text_with(&format!("figure-{id}-{reached}"), &arguments);
     let x = Axis::new(translator.text("axis-speed"), "m/s", x);
     let y = Axis::new(translator.text("axis-drag"), "", y);
-    Chart::new(translator, id, caption, vec![Panel::new(255.0, x, y, layers)])
+    Chart::new(
+        translator,
+        id,
+        caption,
+        vec![Panel::new(255.0, x, y, layers)],
+    )
 }

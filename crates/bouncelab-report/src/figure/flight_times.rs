@@ -57,11 +57,7 @@ pub(super) fn of_drop(subject: &Subject<'_>, translator: &Translator) -> Chart {
 /// below how far each flight lies from the line, in per cent. Flights that the line was not
 /// fitted to are open circles; those far off the line are arrow heads at the edge of the
 /// lower panel.
-pub fn flight_times(
-    flights: &[TimedFlight],
-    line: Option<Line>,
-    translator: &Translator,
-) -> Chart {
+pub fn flight_times(flights: &[TimedFlight], line: Option<Line>, translator: &Translator) -> Chart {
     let text = |id: &str| translator.text(&format!("figure-{ID}-{id}"));
     let flights: Vec<TimedFlight> = flights
         .iter()
@@ -95,15 +91,18 @@ pub fn flight_times(
     let scale = Scale::log(ys(&times)).padded(0.06, 0.06);
     let y = Axis::new(translator.text("axis-flight-time"), "s", scale);
     let Some(line) = line else {
-        let caption =
-            translator.text_with("figure-flight-times-no-line", &[("count", flights.len().into())]);
+        let caption = translator.text_with(
+            "figure-flight-times-no-line",
+            &[("count", flights.len().into())],
+        );
         let panel = Panel::new(330.0, x, y, times);
         return Chart::new(translator, ID, caption, vec![panel]);
     };
     let ratio = Quantity::rounded(10_f64.powf(line.slope), 4, Unit::Number);
     let name = translator.text_with("figure-flight-times-line", &[("ratio", ratio.into())]);
     times.splice(0..0, curves(line, &flights, &x.scale, &name));
-    let off_line = points(&|flight| 100.0 * flight.time_s / line.time_s(flight.number as f64) - 100.0);
+    let off_line =
+        points(&|flight| 100.0 * flight.time_s / line.time_s(flight.number as f64) - 100.0);
     let scale = off_line_scale(&off_line, &flights);
     let zero = std::iter::once(Layer::level(Meaning::Plain, 0.0));
     let below = Panel::new(
@@ -113,7 +112,13 @@ pub fn flight_times(
         zero.chain(off_line).collect(),
     );
     let caption = translator.text_with("figure-flight-times-caption", &[("ratio", ratio.into())]);
-    Chart::new(translator, ID, caption, vec![Panel::new(190.0, x, y, times)]).with_below(below)
+    Chart::new(
+        translator,
+        ID,
+        caption,
+        vec![Panel::new(190.0, x, y, times)],
+    )
+    .with_below(below)
 }
 
 /// Solid over the flights it was fitted to, dashed beyond.

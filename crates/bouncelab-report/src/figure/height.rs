@@ -74,7 +74,11 @@ pub fn height(id: &str, curves: &[Curve], apexes: &[Point], translator: &Transla
         let apexes = Layer::points(Meaning::Measured, Marker::Dot, scaled(apexes));
         layers.push(apexes.named(name));
     }
-    let x = Axis::new(translator.text("axis-time"), "s", Scale::linear(xs(&layers)));
+    let x = Axis::new(
+        translator.text("axis-time"),
+        "s",
+        Scale::linear(xs(&layers)),
+    );
     let heights = Scale::linear(ys(&layers).chain([0.0])).padded(0.0, 0.04);
     let y = Axis::new(translator.text("axis-height"), unit, heights);
     let caption = translator.text(match (id, apexes.is_empty(), curves.len()) {
@@ -83,5 +87,10 @@ pub fn height(id: &str, curves: &[Curve], apexes: &[Point], translator: &Transla
         ("height", ..) => "figure-height-caption",
         _ => "figure-comparison-caption",
     });
-    Chart::new(translator, id, caption, vec![Panel::new(235.0, x, y, layers)])
+    Chart::new(
+        translator,
+        id,
+        caption,
+        vec![Panel::new(235.0, x, y, layers)],
+    )
 }

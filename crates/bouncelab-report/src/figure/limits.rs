@@ -44,10 +44,7 @@ pub fn limits(
         let line = vec![[limit, 0.0], [limit, rows as f64]];
         layers.push(Layer::line(Meaning::Accepted, line).with_width(1.5));
     }
-    for (decides, meaning, width) in [
-        (true, Meaning::Measured, 8.0),
-        (false, Meaning::Soft, 4.0),
-    ] {
+    for (decides, meaning, width) in [(true, Meaning::Measured, 8.0), (false, Meaning::Soft, 4.0)] {
         let (mut intervals, mut values) = (Vec::new(), Vec::new());
         for (row, judged) in usable.iter().enumerate() {
             if judged.decides == decides {
@@ -58,7 +55,11 @@ pub fn limits(
                 values.push([judged.value, middle]);
             }
         }
-        let name = if intervals.is_empty() { String::new() } else { text("interval") };
+        let name = if intervals.is_empty() {
+            String::new()
+        } else {
+            text("interval")
+        };
         let intervals = Layer::line(meaning, intervals).with_width(width).pale(0.45);
         layers.push(intervals.named(name));
         layers.push(Layer::points(meaning, Marker::Dot, values));
@@ -68,9 +69,16 @@ pub fn limits(
         let ends = [least.unwrap_or(-ENDLESS), greatest.unwrap_or(ENDLESS)];
         let some = least.is_some() || greatest.is_some();
         let boxes = vec![[ends[0], ends[1], 0.0, rows as f64]];
-        some.then(|| Layer::boxes(Meaning::Accepted, boxes).pale(strength).named(text(name)))
+        some.then(|| {
+            Layer::boxes(Meaning::Accepted, boxes)
+                .pale(strength)
+                .named(text(name))
+        })
     };
-    let shades = [shade(limits, "within", 0.12), shade(accepted, "accepted", 0.25)];
+    let shades = [
+        shade(limits, "within", 0.12),
+        shade(accepted, "accepted", 0.25),
+    ];
     let names = usable.iter().map(|judged| judged.name.replace('\n', " "));
     let x = Axis::new(quantity, unit, scale);
     let y = Axis::of_names(names.collect());

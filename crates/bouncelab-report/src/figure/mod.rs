@@ -120,12 +120,22 @@ const OF_DROP: [Figure; 11] = [
         applies: |subject| subject.inference().is_some() || subject.simulation.is_some(),
         draw: height::comparison,
     },
-    inferred("posterior", |s, translator| of_inference(s, "posterior", translator, posterior::posterior)),
-    inferred("residuals", |s, translator| of_inference(s, "residuals", translator, residuals::residuals)),
-    inferred("budget", |s, translator| of_inference(s, "budget", translator, budget::budget)),
+    inferred("posterior", |s, translator| {
+        of_inference(s, "posterior", translator, posterior::posterior)
+    }),
+    inferred("residuals", |s, translator| {
+        of_inference(s, "residuals", translator, residuals::residuals)
+    }),
+    inferred("budget", |s, translator| {
+        of_inference(s, "budget", translator, budget::budget)
+    }),
     Figure {
         name: "models",
-        applies: |subject| subject.inference().is_some_and(|found| found.models.len() > 1),
+        applies: |subject| {
+            subject
+                .inference()
+                .is_some_and(|found| found.models.len() > 1)
+        },
         draw: |s, translator| of_inference(s, "models", translator, models::models),
     },
     Figure {
@@ -137,10 +147,7 @@ const OF_DROP: [Figure; 11] = [
     },
 ];
 
-const fn always(
-    name: &'static str,
-    draw: fn(&Subject<'_>, &Translator) -> Chart,
-) -> Figure {
+const fn always(name: &'static str, draw: fn(&Subject<'_>, &Translator) -> Chart) -> Figure {
     Figure {
         name,
         applies: |_| true,
@@ -148,10 +155,7 @@ const fn always(
     }
 }
 
-const fn inferred(
-    name: &'static str,
-    draw: fn(&Subject<'_>, &Translator) -> Chart,
-) -> Figure {
+const fn inferred(name: &'static str, draw: fn(&Subject<'_>, &Translator) -> Chart) -> Figure {
     Figure {
         name,
         applies: |subject| subject.inference().is_some(),
@@ -173,7 +177,9 @@ fn of_inference(
 
 /// The figures that there are of a drop: of what was heard, and of the inference if there is one.
 pub fn of_drop(subject: &Subject<'_>) -> impl Iterator<Item = Figure> {
-    OF_DROP.into_iter().filter(|figure| (figure.applies)(subject))
+    OF_DROP
+        .into_iter()
+        .filter(|figure| (figure.applies)(subject))
 }
 
 /// The chart of a drop by its name; `None` if there is no such figure of this drop.
@@ -218,12 +224,7 @@ pub struct Curve {
 /// The curves as layers: the colour by its meaning, dashes by how many of the same meaning came
 /// before.
 fn curve_layers(curves: &[Curve]) -> Vec<Layer> {
-    const DASHES: [Dashes; 4] = [
-        Dashes::Solid,
-        Dashes::Dashed,
-        Dashes::Dotted,
-        Dashes::Long,
-    ];
+    const DASHES: [Dashes; 4] = [Dashes::Solid, Dashes::Dashed, Dashes::Dotted, Dashes::Long];
     let numbered = curves.iter().enumerate();
     let layers = numbered.map(|(i, curve)| {
         let before = &curves[..i];

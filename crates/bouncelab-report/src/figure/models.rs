@@ -1,6 +1,6 @@
 //! Which law may be true, and what each says.
 
-use bouncelab::inference::{Posterior, Model};
+use bouncelab::inference::{Model, Posterior};
 
 use crate::chart::{Axis, Chart, Layer, Marker, Panel, Scale, Ticks, row_middle, ys};
 use crate::messages::Translator;

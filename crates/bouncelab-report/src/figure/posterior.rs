@@ -40,7 +40,12 @@ pub(super) fn posterior(found: &Posterior, translator: &Translator) -> Chart {
     let draws = &found.draws;
     let height = draws.drop_height_m.iter().map(|height| height * 100.0);
     let mut parameters = vec![
-        parameter("axis-restitution-short", "", draws.restitution.clone().into(), None),
+        parameter(
+            "axis-restitution-short",
+            "",
+            draws.restitution.clone().into(),
+            None,
+        ),
         parameter("axis-height", "cm", height.collect(), None),
     ];
     if let Some(drag) = &found.drag {
@@ -56,18 +61,30 @@ pub(super) fn posterior(found: &Posterior, translator: &Translator) -> Chart {
             let (y, layers) = if row == column {
                 histogram(of_x, translator)
             } else {
-                let ticks = if column == 0 { Ticks::Labelled } else { Ticks::Grid };
+                let ticks = if column == 0 {
+                    Ticks::Labelled
+                } else {
+                    Ticks::Grid
+                };
                 let mut y = of_y.axis.clone().with_ticks(ticks);
                 if column > 0 {
                     y.quantity.clear();
                 }
                 (y, pair(of_x, of_y))
             };
-            let ticks = if row + 1 == count { Ticks::Labelled } else { Ticks::Grid };
+            let ticks = if row + 1 == count {
+                Ticks::Labelled
+            } else {
+                Ticks::Grid
+            };
             let x = of_x.axis.clone().with_ticks(ticks);
             let height = SIDE / count as f64 - 40.0;
             let panel = Panel::new(height, x, y, layers);
-            panels.push(Panel { row, column, ..panel });
+            panels.push(Panel {
+                row,
+                column,
+                ..panel
+            });
         }
     }
     if panels.is_empty() {
@@ -117,14 +134,22 @@ fn histogram(parameter: &Parameter, translator: &Translator) -> (Axis, Vec<Layer
     let area: f64 = counts.iter().sum::<f64>() * width;
     let bars = counts.iter().enumerate().filter(|(_, count)| **count > 0.0);
     let bars = bars.map(|(place, count)| {
-        [edge(scale, place), edge(scale, place + 1), 0.0, count / area]
+        [
+            edge(scale, place),
+            edge(scale, place + 1),
+            0.0,
+            count / area,
+        ]
     });
     let bars: Vec<[f64; 4]> = bars.collect();
     let prior = parameter.prior.map(|(mean, sd)| -> Vec<Point> {
         let steps = (0..=4 * CELLS).map(|step| scale.low() + width * step as f64 / 4.0);
         let density = |x: f64| {
             let off = (x - mean) / sd;
-            [x, (-0.5 * off * off).exp() / (sd * (2.0 * std::f64::consts::PI).sqrt())]
+            [
+                x,
+                (-0.5 * off * off).exp() / (sd * (2.0 * std::f64::consts::PI).sqrt()),
+            ]
         };
         steps.map(density).collect()
     });
@@ -139,7 +164,10 @@ fn histogram(parameter: &Parameter, translator: &Translator) -> (Axis, Vec<Layer
     });
     let name = translator.text("figure-posterior-posterior");
     let layers = std::iter::once(bars.named(name)).chain(prior).collect();
-    (Axis::new(String::new(), "", heights).with_ticks(Ticks::Grid), layers)
+    (
+        Axis::new(String::new(), "", heights).with_ticks(Ticks::Grid),
+        layers,
+    )
 }
 
 /// The regions that hold 95 and 68 % of two quantities.
@@ -162,7 +190,12 @@ fn pair(of_x: &Parameter, of_y: &Parameter) -> Vec<Layer> {
             for run in cells.chunk_by(|a, b| (*a >= level) == (*b >= level)) {
                 let end = column + run.len();
                 if run[0] >= level {
-                    boxes.push([edge(x, column), edge(x, end), edge(y, row), edge(y, row + 1)]);
+                    boxes.push([
+                        edge(x, column),
+                        edge(x, end),
+                        edge(y, row),
+                        edge(y, row + 1),
+                    ]);
                 }
                 column = end;
             }

@@ -15,13 +15,11 @@ pub(super) fn residuals(found: &Posterior, translator: &Translator) -> Chart {
     let text = |id: &str| translator.text(&format!("figure-residuals-{id}"));
     let points = |odd: bool| -> Vec<Point> {
         let impacts = found.impacts.iter().filter(|impact| impact.is_odd() == odd);
-        let residuals =
-            impacts.filter_map(|i| Some([i.number as f64, i.standardised_residual?]));
+        let residuals = impacts.filter_map(|i| Some([i.number as f64, i.standardised_residual?]));
         residuals.collect()
     };
-    let mut layers = vec![
-        Layer::points(Meaning::Measured, Marker::Dot, points(false)).named(text("impact")),
-    ];
+    let mut layers =
+        vec![Layer::points(Meaning::Measured, Marker::Dot, points(false)).named(text("impact"))];
     let odd = points(true);
     if !odd.is_empty() {
         layers.push(Layer::points(Meaning::Drag, Marker::Triangle, odd).named(text("odd")));

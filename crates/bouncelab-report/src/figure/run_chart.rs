@@ -46,13 +46,21 @@ pub fn run_chart(
         let shown = || numbered.iter().filter(|(_, point)| shown(point));
         let places = shown().map(|(order, point)| [*order, point.off]).collect();
         let errors = shown().map(|(_, point)| point.standard_error.unwrap_or(f64::NAN));
-        let errors = if crowded { Vec::new() } else { errors.collect() };
+        let errors = if crowded {
+            Vec::new()
+        } else {
+            errors.collect()
+        };
         Layer::points(meaning, marker, places).with_errors(errors)
     };
     let places = numbered.iter().map(|(_, point)| point.group + 1).max();
     let mut layers: Vec<Layer> = (0..places.unwrap_or(0).min(numbered.len().max(groups.len())))
         .map(|place| {
-            let marker = if crowded { Marker::Speck } else { Marker::of_group(place) };
+            let marker = if crowded {
+                Marker::Speck
+            } else {
+                Marker::of_group(place)
+            };
             let is_of = |point: &RunPoint| point.group == place && !point.outlier;
             let name = groups.get(place).filter(|_| named);
             let layer = layer(Meaning::Group(place), marker, &is_of);
@@ -62,7 +70,11 @@ pub fn run_chart(
     let bulk = Scale::bulk(ys(&layers));
     let level = |value: f64| Layer::level(Meaning::Plain, value);
     let mut levels = vec![level(0.0)];
-    for limit in limit.filter(|limit| limit.is_finite()).into_iter().flat_map(|l| [-l, l]) {
+    for limit in limit
+        .filter(|limit| limit.is_finite())
+        .into_iter()
+        .flat_map(|l| [-l, l])
+    {
         let level = level(limit).with_width(1.5).with_dashes(Dashes::Dashed);
         levels.push(level.named(text("unchanged")));
     }

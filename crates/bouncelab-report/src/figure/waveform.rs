@@ -110,7 +110,10 @@ fn outline(sound: &Envelope, peak: f64, seconds: f64) -> Vec<[f64; 3]> {
 /// The least or greatest number; not a number if there is none.
 fn extreme(values: &[f32], pick: fn(f64, f64) -> f64) -> f64 {
     let finite = values.iter().filter(|value| value.is_finite());
-    finite.map(|value| f64::from(*value)).reduce(pick).unwrap_or(f64::NAN)
+    finite
+        .map(|value| f64::from(*value))
+        .reduce(pick)
+        .unwrap_or(f64::NAN)
 }
 
 /// The numbers of the drops, in the order of their first impacts.
@@ -142,8 +145,9 @@ fn mark_layers(marks: &[Mark], seconds: f64, translator: &Translator) -> Vec<Lay
             (false, Meaning::Warning, "uncertain"),
         ] {
             let shown = of_drop().filter(|(_, mark)| mark.sure == sure);
-            let (numbers, places): (Vec<u32>, Vec<f64>) =
-                shown.map(|(number, mark)| (number, mark.time_s / seconds)).unzip();
+            let (numbers, places): (Vec<u32>, Vec<f64>) = shown
+                .map(|(number, mark)| (number, mark.time_s / seconds))
+                .unzip();
             if places.is_empty() {
                 continue;
             }
@@ -155,7 +159,11 @@ fn mark_layers(marks: &[Mark], seconds: f64, translator: &Translator) -> Vec<Lay
             };
             let layer = Layer::new(meaning, shape);
             let name = translator.text(&format!("figure-waveform-{name}"));
-            layers.push(if any_uncertain { layer.named(name) } else { layer });
+            layers.push(if any_uncertain {
+                layer.named(name)
+            } else {
+                layer
+            });
         }
     }
     layers

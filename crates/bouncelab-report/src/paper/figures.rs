@@ -28,7 +28,10 @@ pub fn figures(translator: &Translator) -> Result<Vec<(&'static str, Chart)>> {
         ("fig4-sound", sound(translator)?),
         ("fig5-flight-times", flight_times(translator)?),
         ("fig6-drag", drag(DragAxes::Linear, 10.0, translator)?),
-        ("fig7-drag-log", drag(DragAxes::Logarithmic, 10.0, translator)?),
+        (
+            "fig7-drag-log",
+            drag(DragAxes::Logarithmic, 10.0, translator)?,
+        ),
         ("fig8-height-with-drag", height_with_drag(translator)?),
     ])
 }

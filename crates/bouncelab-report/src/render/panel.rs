@@ -175,7 +175,12 @@ fn draw_rule_name(canvas: &mut Canvas, layer: &Layer, x: f64, rect: Rect) {
 
 /// A point; one above or below the frame becomes an arrow head at its edge, so that none is lost
 /// unseen.
-fn point_within(canvas: &mut Canvas, rect: Rect, (x, y): Place, (marker, colour): (Marker, Colour)) {
+fn point_within(
+    canvas: &mut Canvas,
+    rect: Rect,
+    (x, y): Place,
+    (marker, colour): (Marker, Colour),
+) {
     let Rect {
         left,
         top,
@@ -371,7 +376,5 @@ fn numbers(marks: &[(u32, f64)]) -> Vec<(String, f64)> {
     }
     let is_worth = |number: u32| number == first || number == last || number.is_multiple_of(5);
     let worth = marks.iter().filter(|(number, _)| is_worth(*number));
-    worth
-        .map(|&(number, x)| (number.to_string(), x))
-        .collect()
+    worth.map(|&(number, x)| (number.to_string(), x)).collect()
 }

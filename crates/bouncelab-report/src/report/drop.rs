@@ -233,7 +233,10 @@ fn drawn(name: &'static str, subject: &Subject<'_>) -> Option<Block> {
 
 fn impacts(drop: &Drop, subject: &Subject<'_>) -> Section {
     let names = ["height", "restitution", "bounce-heights", "bounce-energies"];
-    let mut blocks: Vec<Block> = names.iter().filter_map(|name| drawn(name, subject)).collect();
+    let mut blocks: Vec<Block> = names
+        .iter()
+        .filter_map(|name| drawn(name, subject))
+        .collect();
     blocks.push(Block::table(
         "Impacts, each with the flight after it and its restitution, without and with \
          correction for drag (? marks uncertain ones)",
@@ -290,7 +293,11 @@ fn laws(found: &Posterior, subject: &Subject<'_>) -> Section {
 
 /// What the data told, and what only the priors did.
 fn told(found: &Posterior, subject: &Subject<'_>) -> Section {
-    let sentences = found.prior_contraction.iter().map(prior_contraction).collect();
+    let sentences = found
+        .prior_contraction
+        .iter()
+        .map(prior_contraction)
+        .collect();
     Section::new(
         "What this recording can tell",
         std::iter::once(Block::List(sentences))

@@ -17,19 +17,23 @@ use bouncelab_report::theme::Meaning;
 const RATIO: f64 = 0.94;
 const FIRST_S: f64 = 0.4605;
 
-pub const LINE: Line = Line {
+pub(crate) const LINE: Line = Line {
     slope: -0.026_872,
     intercept: -0.336_770,
 };
 
 /// A chart with its name and texts that it must show.
-pub type Named = (String, Chart, &'static [&'static str]);
+pub(crate) type Named = (String, Chart, &'static [&'static str]);
 
 /// All of them.
-pub fn all(translator: &Translator) -> Vec<Named> {
+pub(crate) fn all(translator: &Translator) -> Vec<Named> {
     let mut all = of_drops(translator);
-    let others: Vec<(&str, Chart, &'static [&'static str])> =
-        [of_sounds(translator), of_curves(translator), of_many_drops(translator)].concat();
+    let others: Vec<(&str, Chart, &'static [&'static str])> = [
+        of_sounds(translator),
+        of_curves(translator),
+        of_many_drops(translator),
+    ]
+    .concat();
     let named = |(name, chart, texts): (&str, _, _)| (name.to_owned(), chart, texts);
     all.extend(others.into_iter().map(named));
     all
@@ -51,14 +55,25 @@ fn drop_of(settings: &Options) -> Drop {
 fn of_drops(translator: &Translator) -> Vec<Named> {
     let texts = |name: &str| -> &'static [&'static str] {
         match name {
-            "restitution" => &["restitution: speed after / before", "speed at the impact (m/s)"],
-            "flight-times" => &["flight time (s)", "number of the flight", "off the line (%)"],
+            "restitution" => &[
+                "restitution: speed after / before",
+                "speed at the impact (m/s)",
+            ],
+            "flight-times" => &[
+                "flight time (s)",
+                "number of the flight",
+                "off the line (%)",
+            ],
             "height" => &["time (s)", "height (cm)", "measured apexes"],
             "bounce-heights" => &["bounce", "height (cm)"],
             "bounce-energies" => &["bounce", "energy lost (µJ)", "the bounce"],
             "comparison" => &["time (s)", "height (cm)", "as heard"],
             "posterior" => &["restitution", "height (cm)", "before the data"],
-            "residuals" => &["impact", "residual (standard deviations)", "odd, counts less"],
+            "residuals" => &[
+                "impact",
+                "residual (standard deviations)",
+                "odd, counts less",
+            ],
             "budget" => &["timing of the impacts"],
             "models" => &["probability", "drop height (cm)"],
             "truncation" => &["flights used", "drop height (cm)", "straight line"],
@@ -94,7 +109,7 @@ fn impact_times(impacts: usize, first_s: f64) -> Vec<f64> {
 }
 
 /// Decaying clicks over a little noise.
-pub fn sound(impacts: &[f64], duration_s: f64) -> Envelope {
+pub(crate) fn sound(impacts: &[f64], duration_s: f64) -> Envelope {
     const RATE_HZ: f64 = 44_100.0;
     const STEP: usize = 32;
     let mut noise = 12_345_u32;
@@ -159,7 +174,11 @@ fn twenty_minutes(translator: &Translator) -> Chart {
         drop: 1,
     });
     let marks: Vec<Mark> = marks.collect();
-    figure::waveform(&Envelope::of_steps(0.5, least, greatest), &marks, translator)
+    figure::waveform(
+        &Envelope::of_steps(0.5, least, greatest),
+        &marks,
+        translator,
+    )
 }
 
 type Unnamed = Vec<(&'static str, Chart, &'static [&'static str])>;
@@ -170,14 +189,18 @@ fn of_sounds(translator: &Translator) -> Unnamed {
         ("waveform", waveform(38, FIRST_S, translator), axes),
         ("waveform-60", waveform(60, FIRST_S, translator), axes),
         ("waveform-2", waveform(2, FIRST_S, translator), axes),
-        ("waveform-short", waveform(12, 0.012, translator), &["time (ms)"]),
+        (
+            "waveform-short",
+            waveform(12, 0.012, translator),
+            &["time (ms)"],
+        ),
         ("waveform-drops", several_drops(translator), &["drop 2"]),
         ("waveform-long", twenty_minutes(translator), &["time (min)"]),
     ]
 }
 
 /// Flights a little shorter than the straight line at first, as air makes them.
-pub fn flights(count: usize, used: usize) -> Vec<TimedFlight> {
+pub(crate) fn flights(count: usize, used: usize) -> Vec<TimedFlight> {
     let flights = (1..=count).map(|number| {
         let n = number as f64;
         let wobble = 0.004 * (2.7 * n).sin() * (1.0 + n / 15.0);
@@ -192,7 +215,7 @@ pub fn flights(count: usize, used: usize) -> Vec<TimedFlight> {
 }
 
 /// Drag over weight of the paper's ball: terminal speed 9.38 m/s with a constant coefficient.
-pub fn drag_curves(fastest_m_s: f64) -> Vec<Curve> {
+pub(crate) fn drag_curves(fastest_m_s: f64) -> Vec<Curve> {
     let curve = |name: &str, exponent: f64| Curve {
         name: name.to_owned(),
         meaning: Meaning::Drag,
@@ -205,7 +228,7 @@ pub fn drag_curves(fastest_m_s: f64) -> Vec<Curve> {
 }
 
 /// Hops without air, from a first height.
-pub fn hops(name: &str, meaning: Meaning, first_m: f64, ratio: f64) -> Curve {
+pub(crate) fn hops(name: &str, meaning: Meaning, first_m: f64, ratio: f64) -> Curve {
     const GRAVITY_M_S2: f64 = 9.806_65;
     let mut points = Vec::new();
     let mut time_s = -(2.0 * first_m / GRAVITY_M_S2).sqrt();
@@ -242,7 +265,12 @@ fn of_curves(translator: &Translator) -> Unnamed {
             name: name.to_owned(),
             meaning,
             points: (0..10_u8)
-                .map(|i| [4.0 * f64::from(i), scale * (1.0 - (-0.3 * f64::from(i)).exp())])
+                .map(|i| {
+                    [
+                        4.0 * f64::from(i),
+                        scale * (1.0 - (-0.3 * f64::from(i)).exp()),
+                    ]
+                })
                 .collect(),
         };
         let curves = [
@@ -254,15 +282,39 @@ fn of_curves(translator: &Translator) -> Unnamed {
     };
     let times = |count, used, line| figure::flight_times(&flights(count, used), line, translator);
     vec![
-        ("height-models", figure::height("height", &heights, &[], translator), &["height (cm)"]),
-        ("height-small", figure::height("height", &small, &[], translator), &["height (mm)"]),
-        ("drag-linear", drag(DragAxes::Linear, 10.0), &["drag / weight"]),
-        ("drag-log-20", drag(DragAxes::Logarithmic, 20.0), &["this drop: up to 2.4 m/s"]),
+        (
+            "height-models",
+            figure::height("height", &heights, &[], translator),
+            &["height (cm)"],
+        ),
+        (
+            "height-small",
+            figure::height("height", &small, &[], translator),
+            &["height (mm)"],
+        ),
+        (
+            "drag-linear",
+            drag(DragAxes::Linear, 10.0),
+            &["drag / weight"],
+        ),
+        (
+            "drag-log-20",
+            drag(DragAxes::Logarithmic, 20.0),
+            &["this drop: up to 2.4 m/s"],
+        ),
         ("flight-times-60", times(60, 30, Some(LINE)), &["not used"]),
         ("flight-times-1", times(1, 1, Some(LINE)), &["flights used"]),
-        ("flight-times-no-line", times(10, 10, None), &["flight time (s)"]),
+        (
+            "flight-times-no-line",
+            times(10, 10, None),
+            &["flight time (s)"],
+        ),
         ("detection-found", detection(Detection::Found), &["F1"]),
-        ("detection-late", detection(Detection::Late), &["later than the loudest (µs)"]),
+        (
+            "detection-late",
+            detection(Detection::Late),
+            &["later than the loudest (µs)"],
+        ),
     ]
 }
 
@@ -275,9 +327,17 @@ fn of_many_drops(translator: &Translator) -> Unnamed {
             figure::groups(&group_curves(14), translator),
             &["speed at the impact (m/s)", "ball 3, steel"],
         ),
-        ("intervals", intervals, &["restitution at 1.41 m/s", "12 drops"]),
+        (
+            "intervals",
+            intervals,
+            &["restitution at 1.41 m/s", "12 drops"],
+        ),
         ("limits", limits(5, translator), &["rebound (cm)", "drop 1"]),
-        ("run", run, &["drop, in order", "restitution less the median of the group"]),
+        (
+            "run",
+            run,
+            &["drop, in order", "restitution less the median of the group"],
+        ),
         (
             "calibration",
             figure::calibration(&histograms(), translator),
@@ -286,7 +346,7 @@ fn of_many_drops(translator: &Translator) -> Unnamed {
     ]
 }
 
-pub fn histograms() -> Vec<RankHistogram> {
+pub(crate) fn histograms() -> Vec<RankHistogram> {
     ["clean", "noisy"]
         .into_iter()
         .flat_map(|scenario| ["e", "h0", "C_D"].map(|quantity| (scenario, quantity)))
@@ -298,7 +358,7 @@ pub fn histograms() -> Vec<RankHistogram> {
         .collect()
 }
 
-pub fn names(groups: u32) -> Vec<String> {
+pub(crate) fn names(groups: u32) -> Vec<String> {
     (0..groups)
         .map(|group| format!("ball {group}, steel"))
         .collect()
@@ -338,7 +398,13 @@ fn limits(drops: u32, translator: &Translator) -> Chart {
     let judged: Vec<Judged> = (0..drops).map(judged).collect();
     let ends = [Some(24.0), Some(26.0)];
     let accepted = [Some(24.2), Some(25.8)];
-    figure::limits(&judged, ends, accepted, ("rebound".to_owned(), "cm"), translator)
+    figure::limits(
+        &judged,
+        ends,
+        accepted,
+        ("rebound".to_owned(), "cm"),
+        translator,
+    )
 }
 
 fn group_intervals(groups: u32) -> Vec<GroupInterval> {
@@ -357,7 +423,7 @@ fn group_intervals(groups: u32) -> Vec<GroupInterval> {
     (0..groups).map(interval).collect()
 }
 
-pub fn run_points(drops: u32) -> Vec<RunPoint> {
+pub(crate) fn run_points(drops: u32) -> Vec<RunPoint> {
     let point = |drop: u32| RunPoint {
         off: if drop == 17 {
             0.1
