@@ -29,7 +29,6 @@
 //! | module | question it answers |
 //! |---|---|
 //! | [`error`](Error) | what can go wrong |
-//! | [`language`] | how the English here becomes another language |
 //! | [`messages`] | what people read, by id and language |
 //! | [`units`] | which quantity somebody wrote down |
 //! | `digits` | how signs and exponents are written |
@@ -55,7 +54,6 @@ mod digits;
 pub mod document;
 mod error;
 pub mod figure;
-pub mod language;
 pub mod messages;
 pub mod paper;
 mod quantity;

@@ -213,6 +213,15 @@ impl Translator {
         text
     }
 
+    /// A number with so many decimals, as this language writes it; nothing if it is not finite.
+    pub fn fixed(&self, value: f64, decimals: usize) -> String {
+        if value.is_finite() {
+            self.number(&format!("{value:.decimals$}"))
+        } else {
+            String::new()
+        }
+    }
+
     /// A text of numbers that are written with a decimal point, as this language writes them; what has
     /// several points, as the number of a version, is none.
     pub fn number(&self, written: &str) -> String {
