@@ -264,13 +264,6 @@ static PRESETS: [Preset; 10] = [
 mod tests {
     use super::*;
 
-    /// The paper: a weight of 2.45e-2 N with m = 2.5 g and g = 9.81 m/s².
-    #[test]
-    fn weight_of_the_papers_ball() {
-        let ball = preset("table-tennis-38").unwrap().ball;
-        assert!((ball.weight_n(9.81) - 2.4525e-2).abs() < 1e-12);
-    }
-
     #[test]
     fn presets_have_unique_names_and_valid_balls() {
         for (i, preset) in presets().iter().enumerate() {
