@@ -7,9 +7,8 @@ use bouncelab::inference::Summary;
 use bouncelab_report::Chart;
 use bouncelab_report::figure::{self, GroupCurve, GroupInterval, GroupPoint, RunPoint};
 use bouncelab_report::messages::Translator;
+use bouncelab_session::{Outcome, Results};
 
-use super::outcome::Outcome;
-use super::results::Results;
 use crate::failure::Failure;
 use crate::language::translator;
 

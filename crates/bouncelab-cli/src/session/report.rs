@@ -4,11 +4,10 @@ use bouncelab::groups::Study;
 use bouncelab_report::Chart;
 use bouncelab_report::document::{AboutSession, Reason};
 use bouncelab_report::report::{Block, Language, Page, Provenance, Section, ended, repeat};
+use bouncelab_session::{Outcome, Results};
 
 use super::figures;
 use super::notes::some_of;
-use super::outcome::Outcome;
-use super::results::Results;
 use super::{tables, text};
 use crate::failure::Failure;
 use crate::language::translator;
@@ -58,7 +57,7 @@ fn lead(outcome: &Outcome<'_>, about: &AboutSession) -> Vec<Block> {
                 study.at_speed_m_s
             )));
             if !study.outliers.is_empty() {
-                let names: Vec<String> = study
+                let names: Vec<&str> = study
                     .outliers
                     .iter()
                     .map(|outlier| outcome.name_of(outlier.drop))
@@ -222,11 +221,10 @@ fn files(results: &Results<'_>) -> Vec<(String, String)> {
     if results.recordings.len() > LISTED {
         return Vec::new();
     }
-    let contents = results.recordings.iter().zip(&results.done.contents);
-    contents
-        .filter_map(|(setup, content)| {
-            let content = content.as_ref().ok()?;
-            Some((setup.recording.name.clone(), content.to_string()))
+    std::iter::zip(results.recordings, results.done)
+        .filter_map(|(recording, done)| {
+            let content = done.content.as_ref().ok()?;
+            Some((recording.name().to_owned(), content.to_string()))
         })
         .collect()
 }

@@ -82,8 +82,9 @@ impl Verdict {
 
     /// In words; empty if there is nothing to compare.
     pub fn text(self, translator: &Translator) -> String {
-        self.code()
-            .map_or_else(String::new, |code| translator.text(&format!("paper-verdict-{code}")))
+        self.code().map_or_else(String::new, |code| {
+            translator.text(&format!("paper-verdict-{code}"))
+        })
     }
 }
 
@@ -245,14 +246,7 @@ fn forces_and_speeds() -> Result<Vec<Fact>> {
             air.reynolds(&ball, plain_speed),
             0,
         ),
-        Fact::printed(
-            "terminal-speed",
-            "9.38",
-            "m/s",
-            terminal(&constant),
-            4,
-        )
-        .of(Kind::ReadOff),
+        Fact::printed("terminal-speed", "9.38", "m/s", terminal(&constant), 4).of(Kind::ReadOff),
         Fact::printed(
             "first-impact-with-drag",
             "2.405",
@@ -268,8 +262,14 @@ fn forces_and_speeds() -> Result<Vec<Fact>> {
             2,
         )
         .of(Kind::ReadOff),
-        Fact::printed("terminal-speed-of-sphere", "8.8", "m/s", terminal(&curve), 3)
-            .of(Kind::ReadOff),
+        Fact::printed(
+            "terminal-speed-of-sphere",
+            "8.8",
+            "m/s",
+            terminal(&curve),
+            3,
+        )
+        .of(Kind::ReadOff),
     ])
 }
 
@@ -278,34 +278,10 @@ fn series() -> Result<Vec<Fact>> {
     let first_s = model(DragLaw::None)?.fall(DROP_HEIGHT_M)?.time_s;
     let of_time = |time_s| drop::restitution_of_total_time(time_s, DROP_HEIGHT_M, GRAVITY_M_S2);
     Ok(vec![
-        Fact::printed(
-            "rule-steel-least",
-            "0.878",
-            "",
-            root(0.235),
-            4,
-        ),
-        Fact::printed(
-            "rule-steel-most",
-            "0.914",
-            "",
-            root(0.255),
-            4,
-        ),
-        Fact::printed(
-            "rule-table-least",
-            "0.849",
-            "",
-            root(0.22),
-            4,
-        ),
-        Fact::printed(
-            "rule-table-most",
-            "0.905",
-            "",
-            root(0.25),
-            4,
-        ),
+        Fact::printed("rule-steel-least", "0.878", "", root(0.235), 4),
+        Fact::printed("rule-steel-most", "0.914", "", root(0.255), 4),
+        Fact::printed("rule-table-least", "0.849", "", root(0.22), 4),
+        Fact::printed("rule-table-most", "0.905", "", root(0.25), 4),
         Fact::printed(
             "height-error",
             "12.3",
@@ -322,12 +298,7 @@ fn series() -> Result<Vec<Fact>> {
             4,
         )
         .of(Kind::Corrected),
-        Fact::new(
-            "restitution-of-total-time",
-            "",
-            of_time(7.5)?,
-            4,
-        ),
+        Fact::new("restitution-of-total-time", "", of_time(7.5)?, 4),
         Fact::printed(
             "total-path",
             "4.94",
@@ -375,46 +346,31 @@ fn unsaid() -> Result<Vec<Fact>> {
     let behind = experiment::behind_the_regression(10)?;
     let seen = regressed(behind, 10)?;
     let longer = regressed(experiment::behind_the_regression(20)?, 20)?;
-    let explained = (DROP_HEIGHT_M - seen.drop_height_m().value) / (DROP_HEIGHT_M - 0.267);
+    let explained = (DROP_HEIGHT_M - seen.drop_height_m.value) / (DROP_HEIGHT_M - 0.267);
     let effective = experiment::model_with_buoyancy(CONSTANT)?.gravity_m_s2() / GRAVITY_M_S2;
     Ok(vec![
-        Fact::new(
-            "drag-twice",
-            "",
-            counted_twice.restitution().value,
-            4,
-        ),
+        Fact::new("drag-twice", "", counted_twice.restitution.value, 4),
         Fact::new(
             "drag-twice-height",
             "cm",
-            100.0 * counted_twice.drop_height_m().value,
+            100.0 * counted_twice.drop_height_m.value,
             2,
         ),
         Fact::new("behind-line", "", behind, 4),
         Fact::new(
             "behind-line-height",
             "cm",
-            100.0 * seen.drop_height_m().value,
+            100.0 * seen.drop_height_m.value,
             2,
         ),
-        Fact::new(
-            "explained",
-            "%",
-            100.0 * explained,
-            0,
-        ),
+        Fact::new("explained", "%", 100.0 * explained, 0),
         Fact::new(
             "twenty-flights-height",
             "cm",
-            100.0 * longer.drop_height_m().value,
+            100.0 * longer.drop_height_m.value,
             2,
         ),
-        Fact::new(
-            "lost-gravity",
-            "%",
-            100.0 * (1.0 - effective),
-            1,
-        ),
+        Fact::new("lost-gravity", "%", 100.0 * (1.0 - effective), 1),
     ])
 }
 
@@ -426,7 +382,7 @@ fn flights() -> Result<Vec<Fact>> {
         let time_s = experiment::flight_time_s(&history, number)?;
         facts.push(Fact::new("flight-time", "s", time_s, 4).numbered(number as f64));
     }
-    debug_assert!((regressed(behind, 10)?.restitution().value - REGRESSED).abs() < 1e-9);
+    debug_assert!((regressed(behind, 10)?.restitution.value - REGRESSED).abs() < 1e-9);
     for restitution in [0.935, 0.94, 0.945, 0.95] {
         let (time_s, path_m) = experiment::totals(restitution)?;
         facts.push(Fact::new("time-until-rest", "s", time_s, 3).numbered(restitution));
@@ -442,10 +398,7 @@ mod tests {
     fn value(code: &str) -> f64 {
         let chapters = chapters().unwrap();
         let mut facts = chapters.iter().flat_map(|chapter| &chapter.facts);
-        facts
-            .find(|fact| fact.code() == code)
-            .unwrap()
-            .computed
+        facts.find(|fact| fact.code() == code).unwrap().computed
     }
 
     /// Every printed number comes out, but for the one misprint.
