@@ -79,6 +79,11 @@ impl Covariance {
 ///
 /// Drag changes it in fourth order only, by less than 3 parts in 10 000 at launches below half the
 /// terminal speed: the height that a flight time gives can be trusted.
+///
+/// ```
+/// let height_m = bouncelab::regression::height_of_flight_m(0.4605, 9.81);
+/// assert_eq!(format!("{:.1} cm", 100.0 * height_m), "26.0 cm");
+/// ```
 pub fn height_of_flight_m(time_s: f64, gravity_m_s2: f64) -> f64 {
     gravity_m_s2 * time_s * time_s / 8.0
 }
@@ -91,6 +96,17 @@ pub fn height_of_flight_m(time_s: f64, gravity_m_s2: f64) -> f64 {
 /// # Errors
 /// [`Error::TooFewFlights`] below two flights, [`Error::OutOfRange`] for a time or gravity that is
 /// not finite and above zero, [`Error::NotInOrder`] if a number does not exceed the one before.
+///
+/// ```
+/// use bouncelab::regression::{self, NumberedFlight};
+///
+/// let flights = [(1, 0.4), (2, 0.36), (3, 0.324)].map(|(number, time_s)| NumberedFlight { number, time_s });
+/// let line = regression::fit(&flights, 9.81)?;
+/// assert!((line.restitution().value - 0.9).abs() < 1e-12);
+/// // One flight is no line.
+/// assert!(regression::fit(&flights[..1], 9.81).is_err());
+/// # Ok::<(), bouncelab::Error>(())
+/// ```
 pub fn fit(flights: &[NumberedFlight], gravity_m_s2: f64) -> Result<Regression> {
     positive("gravity in m/s2", gravity_m_s2)?;
     if flights.len() < 2 {
@@ -176,6 +192,15 @@ impl Regression {
     }
 
     /// The line at bounce number n, as a flight time in s.
+    ///
+    /// ```
+    /// use bouncelab::regression::{self, NumberedFlight};
+    ///
+    /// let flights = [(1, 0.4), (2, 0.36), (3, 0.324)].map(|(number, time_s)| NumberedFlight { number, time_s });
+    /// let line = regression::fit(&flights, 9.81)?;
+    /// assert!((line.flight_time_s(4).value - 0.2916).abs() < 1e-12);
+    /// # Ok::<(), bouncelab::Error>(())
+    /// ```
     pub fn flight_time_s(&self, number: usize) -> Estimate {
         let number = number as f64;
         let time_s = 10_f64.powf(self.slope * number + self.intercept);
@@ -183,6 +208,17 @@ impl Regression {
     }
 
     /// Total time from release to rest in s (Eq. 7); `None` if e is not below 1.
+    ///
+    /// ```
+    /// use bouncelab::regression::{self, NumberedFlight};
+    ///
+    /// let flights = [(1, 0.4), (2, 0.36), (3, 0.324)].map(|(number, time_s)| NumberedFlight { number, time_s });
+    /// let line = regression::fit(&flights, 9.81)?;
+    /// // The sum of all flights, and the fall before the first.
+    /// let total_s = line.total_time_s().unwrap().value;
+    /// assert!((total_s - (0.4 / 0.1 + 0.2 / 0.9)).abs() < 1e-12);
+    /// # Ok::<(), bouncelab::Error>(())
+    /// ```
     pub fn total_time_s(&self) -> Option<Estimate> {
         let e = self.restitution().value;
         let time_s = drop::total_time_s(e, self.drop_height_m().value, self.gravity_m_s2).ok()?;
@@ -204,6 +240,15 @@ impl Regression {
     }
 
     /// What the line leaves of log₁₀ T<sub>n</sub>, in the order of the flights.
+    ///
+    /// ```
+    /// use bouncelab::regression::{self, NumberedFlight};
+    ///
+    /// let flights = [(1, 0.4), (2, 0.36), (3, 0.324)].map(|(number, time_s)| NumberedFlight { number, time_s });
+    /// let line = regression::fit(&flights, 9.81)?;
+    /// assert!(line.residuals().iter().all(|residual| residual.abs() < 1e-12));
+    /// # Ok::<(), bouncelab::Error>(())
+    /// ```
     pub fn residuals(&self) -> &[f64] {
         &self.residuals
     }
