@@ -8,12 +8,14 @@ use bouncelab::drag::DragLaw;
 use bouncelab::flight::Environment;
 use bouncelab_report::document::simulation::{Document, Run};
 use bouncelab_report::figure::{self, Curve};
+use bouncelab_report::messages::Translator;
 use bouncelab_report::theme::Meaning;
-use bouncelab_report::{Align, Quantity, Table, Unit, save};
+use bouncelab_report::{Align, Chart, Quantity, Table, Unit, save};
 use clap::{Args, ValueEnum};
 
 use crate::failure::Failure;
 use crate::history::HistoryArguments;
+use crate::language::translator;
 use crate::physics::{Physics, PhysicsArguments, drag_law};
 
 /// Simulate a drop: a table of bounces, totals, and height against time
@@ -63,7 +65,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
         .map(|law| simulate(law, &physics.settings, &arguments.history))
         .collect::<Result<Vec<Run>, Failure>>()?;
     if let Some(folder) = &arguments.figures {
-        let saved = save(&height_figure(&runs), folder, "height")?;
+        let saved = save(&height_chart(&runs, translator()), folder, "height")?;
         eprintln!("wrote {} and .png", saved.svg.display());
     }
     let mut out = io::stdout().lock();
@@ -191,7 +193,7 @@ fn bounces(run: &Run) -> Table {
 }
 
 /// Height against time of all runs.
-fn height_figure(runs: &[Run]) -> figure::Figure {
+fn height_chart(runs: &[Run], translator: &Translator) -> Chart {
     /// Points along a curve.
     const POINTS: usize = 4000;
     let curves: Vec<Curve> = runs
@@ -202,17 +204,17 @@ fn height_figure(runs: &[Run]) -> figure::Figure {
             Curve {
                 name: format!("drag {}", run.law),
                 meaning: if run.law == DragLaw::None {
-                    Meaning::NoDrag
+                    Meaning::Plain
                 } else {
                     Meaning::Drag
                 },
                 points: times
-                    .map(|time_s| (time_s, run.history.height_at(time_s)))
+                    .map(|time_s| [time_s, run.history.height_at(time_s)])
                     .collect(),
             }
         })
         .collect();
-    figure::height(&curves, &[])
+    figure::height("height", &curves, &[], translator)
 }
 
 fn csv(runs: &[Run], out: impl Write) -> Result<(), Failure> {

@@ -18,7 +18,7 @@ const RATE_HZ: u32 = 48_000;
 
 fn bouncelab(arguments: &[&str]) -> Command {
     let mut command = Command::cargo_bin("bouncelab").unwrap();
-    command.args(arguments).timeout(Duration::from_mins(1));
+    command.args(arguments).timeout(Duration::from_mins(5));
     command
 }
 
@@ -199,6 +199,7 @@ fn in_real_time_it_takes_as_long_as_it_sounded() {
         .arg(&file)
         .assert()
         .code(1);
+    // However fast or busy the machine, it takes no less.
     assert!(start.elapsed() > Duration::from_millis(1400));
 }
 
@@ -318,10 +319,7 @@ mod unix {
     pub(crate) fn wait_for(file: &Path, bytes: u64) {
         let start = Instant::now();
         while fs::metadata(file).map_or(0, |file| file.len()) < bytes {
-            assert!(
-                start.elapsed() < Duration::from_secs(30),
-                "nothing is saved"
-            );
+            assert!(start.elapsed() < Duration::from_mins(5), "nothing is saved");
             thread::sleep(Duration::from_millis(20));
         }
     }

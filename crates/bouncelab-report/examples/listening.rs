@@ -1,5 +1,5 @@
 //! Draws how well the listener hears: from what `benchmarks/compare.py` printed, the comparison of
-//! detectors; from what `cargo xtask grid timing` printed, the errors of the times.
+//! detectors; from what `cargo xtask detection timing` printed, the errors of the times.
 //!
 //! ```sh
 //! cargo run -p bouncelab-report --example listening -- TABLE FOLDER
@@ -8,7 +8,9 @@
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
-use bouncelab_report::figure::{self, Curve, Figure, Hearing};
+use bouncelab_report::Chart;
+use bouncelab_report::figure::{self, Curve, Detection};
+use bouncelab_report::messages::Translator;
 use bouncelab_report::save;
 use bouncelab_report::theme::Meaning;
 
@@ -18,36 +20,37 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         return Err("give a table and a folder".into());
     };
     let table = std::fs::read_to_string(table)?;
+    let translator = Translator::english();
     if let Some((table, lateness)) = table.split_once("| ball | level |") {
         let timing = balls(table, 4, &[("the bound:", 1.0), ("the goal: at most", 2.0)]);
         draw(
-            &figure::listening(Hearing::Timing, &timing),
+            &figure::detection(Detection::Timing, &timing, &translator),
             folder,
             "timing",
         )?;
         let stated = balls(table, 5, &[("the goal: from", 60.0), ("to", 76.0)]);
         draw(
-            &figure::listening(Hearing::SetupInput, &stated),
+            &figure::detection(Detection::Stated, &stated, &translator),
             folder,
             "stated",
         )?;
         return draw(
-            &figure::listening(Hearing::Late, &late(lateness)),
+            &figure::detection(Detection::Late, &late(lateness), &translator),
             folder,
             "late",
         );
     }
     let found = detectors(&table);
     draw(
-        &figure::listening(Hearing::Found, &found),
+        &figure::detection(Detection::Found, &found, &translator),
         folder,
         "listening",
     )
 }
 
-fn draw(figure: &Figure, folder: &Path, name: &str) -> Result<(), Box<dyn std::error::Error>> {
-    let saved = save(figure, folder, name)?;
-    println!("{}\n    {}", saved.svg.display(), figure.caption());
+fn draw(chart: &Chart, folder: &Path, name: &str) -> Result<(), Box<dyn std::error::Error>> {
+    let saved = save(chart, folder, name)?;
+    println!("{}\n    {}", saved.svg.display(), chart.caption);
     Ok(())
 }
 
@@ -62,7 +65,7 @@ fn balls(text: &str, column: usize, limits: &[(&str, f64)]) -> Vec<Curve> {
         let Some((ratio, value)) = point else {
             continue;
         };
-        let point = (f64::from(ratio), value);
+        let point = [f64::from(ratio), value];
         let name = row[0].replace('-', " ");
         match curves.iter_mut().find(|curve| curve.name == name) {
             Some(curve) => curve.points.push(point),
@@ -74,12 +77,12 @@ fn balls(text: &str, column: usize, limits: &[(&str, f64)]) -> Vec<Curve> {
         }
     }
     let ends = curves.first().map_or_else(Vec::new, |curve| {
-        curve.points.iter().map(|point| point.0).collect()
+        curve.points.iter().map(|point| point[0]).collect()
     });
     curves.extend(limits.iter().map(|&(name, level)| Curve {
         name: format!("{name} {level}"),
-        meaning: Meaning::NoDrag,
-        points: ends.iter().map(|&ratio| (ratio, level)).collect(),
+        meaning: Meaning::Plain,
+        points: ends.iter().map(|&ratio| [ratio, level]).collect(),
     }));
     curves
 }
@@ -94,7 +97,7 @@ fn late(text: &str) -> Vec<Curve> {
         let points = rows.filter_map(|row| {
             let count: u32 = row.get(2)?.parse().ok()?;
             let late_us: f64 = row.get(column)?.strip_suffix(" us")?.parse().ok()?;
-            (count >= FEWEST).then_some((f64::from(decibels(row[1])?), late_us))
+            (count >= FEWEST).then_some([f64::from(decibels(row[1])?), late_us])
         });
         Curve {
             name: format!("{}, {by}", ball.replace('-', " ")),
@@ -106,7 +109,7 @@ fn late(text: &str) -> Vec<Curve> {
         |column, by, meaning| ["table-tennis", "tennis"].map(|b| curve(b, column, by, meaning));
     [
         by_both(3, "whole sound", Meaning::Measured),
-        by_both(4, "fixed level", Meaning::NoDrag),
+        by_both(4, "fixed level", Meaning::Plain),
     ]
     .concat()
 }
@@ -137,11 +140,11 @@ fn detectors(text: &str) -> Vec<Curve> {
             meaning: if place == 1 {
                 Meaning::Measured
             } else {
-                Meaning::NoDrag
+                Meaning::Plain
             },
             points: sums
                 .into_iter()
-                .map(|(ratio, (sum, count))| (f64::from(ratio), sum / count))
+                .map(|(ratio, (sum, count))| [f64::from(ratio), sum / count])
                 .collect(),
         })
         .collect()

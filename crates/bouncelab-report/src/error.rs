@@ -8,20 +8,14 @@ use std::path::PathBuf;
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum Error {
-    /// The bins of an envelope do not fit together.
-    #[error("cannot make an envelope of the sound: {problem}")]
-    Envelope {
-        /// What is wrong, and what is expected.
-        problem: String,
-    },
     /// The physics refuses.
     #[error(transparent)]
     Physics(#[from] bouncelab::Error),
     /// The picture asked for is too small to read or too large to hold in memory.
     #[error(
         "a picture cannot be {width_px} pixels wide: give a width from {} to {}",
-        crate::figure::MIN_WIDTH_PX,
-        crate::figure::MAX_WIDTH_PX
+        crate::render::MIN_WIDTH_PX,
+        crate::render::MAX_WIDTH_PX
     )]
     PictureWidth {
         /// The width asked for, in pixels.

@@ -7,6 +7,7 @@
 use std::fmt;
 
 use crate::digits::{superscript, with_minus};
+use crate::messages::{Translator, Value};
 
 /// What is said of a value that is not known.
 pub const CANNOT_TELL: &str = "cannot tell";
@@ -127,7 +128,20 @@ impl Quantity {
     /// let height = Quantity::measured(0.3042, 0.0061, Unit::Length);
     /// assert_eq!(height.interval([0.2981, 0.3103]), "29.8 to 31.0 cm");
     /// ```
-    pub fn interval(&self, [low, high]: [f64; 2]) -> String {
+    pub fn interval(&self, interval: [f64; 2]) -> String {
+        let (low, high, symbol) = self.ends(interval);
+        format!("{low} to {high}{symbol}")
+    }
+
+    /// An interval as a language writes it: `"29,8 bis 31,0 cm"`.
+    pub fn interval_text(&self, interval: [f64; 2], translator: &Translator) -> String {
+        let (low, high, symbol) = self.ends(interval);
+        let ends = [("low", Value::Number(low)), ("high", Value::Number(high))];
+        translator.text_with("interval-ends", &ends) + &symbol
+    }
+
+    /// Both ends of an interval, and the symbol of the unit with a space before it.
+    fn ends(&self, [low, high]: [f64; 2]) -> (String, String, String) {
         let (error, digits) = match self.precision {
             Precision::StandardError(error) => (error, 4),
             Precision::Digits(digits) => (0.0, digits),
@@ -144,7 +158,16 @@ impl Quantity {
             }
         };
         let space = if symbol.is_empty() { "" } else { " " };
-        format!("{} to {}{space}{symbol}", end(low), end(high))
+        (end(low), end(high), format!("{space}{symbol}"))
+    }
+
+    /// The value as a language writes it: `"30,4 ± 0,6 cm"`.
+    pub fn text(&self, translator: &Translator) -> String {
+        match self.parts() {
+            (number, _) if number == CANNOT_TELL => translator.text("unit-cannot-tell"),
+            (number, "") => translator.number(&number),
+            (number, symbol) => format!("{} {symbol}", translator.number(&number)),
+        }
     }
 
     /// The number and the symbol of its unit apart: `("30.4 ± 0.6", "cm")`. The symbol is

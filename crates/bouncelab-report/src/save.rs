@@ -3,8 +3,9 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use crate::chart::Chart;
 use crate::error::{Error, Result};
-use crate::figure::Figure;
+use crate::file::write_whole;
 
 /// Width of a saved picture in pixels: sharp on a page, and small enough to send.
 const PICTURE_WIDTH_PX: u32 = 1600;
@@ -27,25 +28,25 @@ pub struct Saved {
 /// [`Error::Name`] if the name could lead out of the folder or hide the file,
 /// [`Error::Folder`] if the folder cannot be made, [`Error::Write`] if a file cannot be
 /// written, [`Error::Picture`] if there is no picture to write.
-pub fn save(figure: &Figure, folder: &Path, name: &str) -> Result<Saved> {
+pub fn save(chart: &Chart, folder: &Path, name: &str) -> Result<Saved> {
     let allowed = |c: char| c.is_alphanumeric() || matches!(c, '-' | '_' | '.');
     if name.is_empty() || name.starts_with('.') || !name.chars().all(allowed) {
         let name = name.to_owned();
         return Err(Error::Name { name });
     }
-    let picture = figure.png(PICTURE_WIDTH_PX)?;
+    let picture = chart.png(PICTURE_WIDTH_PX)?;
     fs::create_dir_all(folder).map_err(|source| Error::Folder {
         folder: folder.to_owned(),
         source,
     })?;
     Ok(Saved {
-        svg: written(folder.join(format!("{name}.svg")), figure.svg().as_bytes())?,
+        svg: written(folder.join(format!("{name}.svg")), chart.svg().as_bytes())?,
         png: written(folder.join(format!("{name}.png")), &picture)?,
     })
 }
 
 fn written(path: PathBuf, bytes: &[u8]) -> Result<PathBuf> {
-    match bouncelab_files::write_whole(&path, bytes) {
+    match write_whole(&path, bytes) {
         Ok(()) => Ok(path),
         Err(source) => Err(Error::Write { path, source }),
     }

@@ -1,5 +1,7 @@
 //! Where a value lies on an axis, and which values get a tick.
 
+use serde::Serialize;
+
 use crate::digits::{superscript, with_minus};
 
 /// Nothing has more ticks than this, whatever the numbers.
@@ -9,15 +11,18 @@ const MOST_TICKS: usize = 60;
 /// what an axis shows: nothing that bounces has such a size, and sums would overflow.
 const LARGEST: f64 = 1e100;
 
-/// Maps values to the share of an axis's length, from 0 to 1.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Scale {
+/// Which values an axis shows, and how they lie on it.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
+pub struct Scale {
     kind: Kind,
     low: f64,
     high: f64,
 }
 
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
+#[serde(rename_all = "kebab-case")]
 enum Kind {
     Linear,
     /// Linear with ticks at whole numbers only.
@@ -34,7 +39,7 @@ pub(crate) struct Tick {
 
 /// The ticks of an axis: labelled ones, and small ones between.
 #[derive(Debug, Clone, PartialEq, Default)]
-pub(crate) struct Ticks {
+pub(crate) struct TickMarks {
     pub(crate) major: Vec<Tick>,
     pub(crate) minor: Vec<f64>,
 }
@@ -51,10 +56,25 @@ impl Scale {
         }
     }
 
+    /// A linear scale over the bulk of the values, without those further from the quartiles than three
+    /// times the distance between the quartiles (Tukey's "far out").
+    pub(crate) fn bulk(values: impl IntoIterator<Item = f64>) -> Self {
+        let mut sorted: Vec<f64> = values.into_iter().filter(|v| v.is_finite()).collect();
+        sorted.sort_unstable_by(f64::total_cmp);
+        let Some(last) = sorted.len().checked_sub(1) else {
+            return Self::linear([]);
+        };
+        let quartile = |share: f64| sorted[(share * last as f64).round() as usize];
+        let (lower, upper) = (quartile(0.25), quartile(0.75));
+        let far = 3.0 * (upper - lower);
+        let near = |value: &f64| (lower - far..=upper + far).contains(value);
+        Self::linear(sorted.iter().copied().filter(near))
+    }
+
     /// A linear scale over whole numbers, with ticks at whole numbers only.
-    pub(crate) fn counting(values: impl IntoIterator<Item = u32>) -> Self {
-        let values = values.into_iter().map(f64::from);
-        let (low, high) = extent(values).unwrap_or((0.0, 1.0));
+    pub(crate) fn counting(values: impl IntoIterator<Item = f64>) -> Self {
+        let (low, high) =
+            extent(values.into_iter().filter(|v| v.abs() <= LARGEST)).unwrap_or((0.0, 1.0));
         let room = if low < high { 0.0 } else { 0.5 };
         Self {
             kind: Kind::Counting,
@@ -122,12 +142,12 @@ impl Scale {
     }
 
     /// At most about `most` labelled ticks at round values.
-    pub(crate) fn ticks(&self, most: usize) -> Ticks {
+    pub(crate) fn ticks(&self, most: usize) -> TickMarks {
         let most = most.clamp(2, MOST_TICKS);
         if self.kind == Kind::Log {
             self.log_ticks(most)
         } else {
-            Ticks {
+            TickMarks {
                 major: self.linear_ticks(most),
                 minor: Vec::new(),
             }
@@ -166,7 +186,7 @@ impl Scale {
 
     /// Powers of ten if there are enough of them; else 1, 2, 5; else all digits; else, on a
     /// short stretch, the round steps of a linear axis. One style of label on one axis.
-    fn log_ticks(&self, most: usize) -> Ticks {
+    fn log_ticks(&self, most: usize) -> TickMarks {
         let minor = self.digits(&[1, 2, 3, 4, 5, 6, 7, 8, 9], 1);
         let decades = (self.high / self.low).log10();
         let skip = (decades / most as f64).ceil().max(1.0) as i32;
@@ -184,14 +204,14 @@ impl Scale {
             Some(values) => values,
             None if decades > 1.0 => powers,
             None => {
-                return Ticks {
+                return TickMarks {
                     major: self.linear_ticks(most),
                     minor: Vec::new(),
                 };
             }
         };
         let plain = values.iter().all(|v| (9.9e-4..=1.01e4).contains(v));
-        Ticks {
+        TickMarks {
             major: values
                 .into_iter()
                 .map(|value| Tick {
@@ -320,9 +340,9 @@ mod tests {
 
     #[test]
     fn what_is_counted_has_ticks_at_whole_numbers() {
-        let scale = Scale::counting([1, 2]).padded(0.1, 0.1);
+        let scale = Scale::counting([1.0, 2.0]).padded(0.1, 0.1);
         assert_eq!(labels(scale, 8), ["1", "2"]);
-        assert_eq!(labels(Scale::counting([7]).padded(0.1, 0.1), 8), ["7"]);
+        assert_eq!(labels(Scale::counting([7.0]).padded(0.1, 0.1), 8), ["7"]);
     }
 
     #[test]

@@ -7,7 +7,7 @@ use std::fmt;
 
 use unicode_width::UnicodeWidthStr;
 
-use crate::language::Say;
+use crate::messages::Translator;
 
 /// On which side of its column a text stands.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -55,20 +55,21 @@ impl Table {
         }
     }
 
+    /// An empty table whose headings are messages, by their ids; an empty id is an empty heading.
+    pub fn with_headings<'a>(
+        translator: &Translator,
+        columns: impl IntoIterator<Item = (&'a str, Align)>,
+    ) -> Self {
+        let columns = columns.into_iter();
+        Self::new(columns.map(|(id, align)| (translator.text(id), align)))
+    }
+
     /// Adds a row. Missing cells at its end stay empty, cells beyond the last column are
     /// left out, and a line break in a cell becomes a space.
     pub fn row<C: Into<String>>(&mut self, cells: impl IntoIterator<Item = C>) {
         let mut row: Vec<String> = cells.into_iter().map(one_line).collect();
         row.resize(self.header.len(), String::new());
         self.rows.push(row);
-    }
-
-    /// Says headings and cells in another language.
-    pub(crate) fn translate(&mut self, say: &mut Say<'_>) {
-        let cells = self.rows.iter_mut().flatten();
-        for text in self.header.iter_mut().chain(cells) {
-            *text = one_line(say(text));
-        }
     }
 
     /// The headings, and on which side of its column each stands.

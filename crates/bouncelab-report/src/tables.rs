@@ -1,63 +1,69 @@
 //! Which tables an analysis has: the same numbers in the terminal, in reports and in the browser.
 
+use bouncelab::Estimate;
 use bouncelab::analysis::{CONFIDENT_PROBABILITY, Drop};
-use bouncelab::inference::{Posterior, Share, Summary};
+use bouncelab::drag::DragLaw;
+use bouncelab::inference::{LawKind, Posterior, Share, Unknown};
 
+use crate::messages::Translator;
 use crate::quantity::{Quantity, Unit};
 use crate::table::{Align, Table};
 
 /// The impacts of a drop with the flight after each and its restitution; with `details`, how surely each is
 /// known. The last column marks uncertain impacts.
-pub fn impacts(drop: &Drop, details: bool) -> Table {
+pub fn impacts(drop: &Drop, details: bool, words: &Translator) -> Table {
     let mut columns = vec![
-        ("impact", Align::Right),
-        ("time s", Align::Right),
-        ("flight s", Align::Right),
-        ("apex cm", Align::Right),
-        ("speed m/s", Align::Right),
-        ("e no drag", Align::Right),
-        ("e", Align::Right),
+        ("column-impact", Align::Right),
+        ("column-time", Align::Right),
+        ("column-flight", Align::Right),
+        ("column-apex", Align::Right),
+        ("column-speed", Align::Right),
+        ("column-ratio", Align::Right),
+        ("column-e", Align::Right),
     ];
     if details {
         columns.extend([
-            ("\u{b1} e", Align::Right),
-            ("\u{b1} time \u{b5}s", Align::Right),
-            ("level dB", Align::Right),
-            ("probability", Align::Right),
-            ("line %", Align::Right),
+            ("column-e-error", Align::Right),
+            ("column-time-error", Align::Right),
+            ("column-level", Align::Right),
+            ("column-probability", Align::Right),
+            ("column-line", Align::Right),
         ]);
     }
     columns.push(("", Align::Left));
-    let mut table = Table::new(columns);
+    let mut table = Table::with_headings(words, columns);
     for index in 0..drop.impacts.len() {
-        table.row(impact_row(drop, index, details));
+        table.row(impact_row(drop, index, details, words));
     }
     table
 }
 
-fn impact_row(drop: &Drop, index: usize, details: bool) -> Vec<String> {
+fn impact_row(drop: &Drop, index: usize, details: bool, words: &Translator) -> Vec<String> {
     let impact = &drop.impacts[index];
     let flight = drop.flight(impact.number);
-    let corrected = drop.corrected_impact(impact.number);
+    let corrected = drop.impact_restitution(impact.number);
     let modelled = drop.modelled_flight(impact.number);
     let apex_m = modelled
         .map(|m| m.flight.apex_m)
-        .or(flight.map(|f| f.plain_height_m));
+        .or(flight.map(|f| f.drag_free_height_m));
+    let fixed = |value: Option<f64>, decimals| {
+        value.map_or_else(String::new, |value| words.fixed(value, decimals))
+    };
     let mut row = vec![
         impact.number.to_string(),
-        format!("{:.4}", impact.time_s),
+        words.fixed(impact.time_s, 4),
         fixed(flight.map(|f| f.time_s), 4),
         fixed(apex_m.map(|apex_m| apex_m * 100.0), 2),
         fixed(corrected.map(|c| c.impact_speed_m_s), 3),
-        fixed(corrected.map(|c| c.raw_ratio), 4),
+        fixed(corrected.map(|c| c.flight_time_ratio), 4),
         fixed(corrected.map(|c| c.restitution.value), 4),
     ];
     if details {
         row.extend([
-            fixed(corrected.and_then(|c| c.restitution.standard_error), 4),
-            fixed(impact.sigma_s.map(|sigma_s| sigma_s * 1e6), 1),
+            fixed(corrected.and_then(|c| c.restitution.known_sd()), 4),
+            fixed(impact.time_sd_s.map(|sigma_s| sigma_s * 1e6), 1),
             fixed(impact.level_db, 1),
-            format!("{:.3}", impact.probability),
+            words.fixed(impact.probability, 3),
             fixed(residual_percent(drop, impact.number), 2),
         ]);
     }
@@ -74,38 +80,59 @@ fn impact_row(drop: &Drop, index: usize, details: bool) -> Vec<String> {
 
 /// How far the flight after an impact lies from the straight line, in per cent of its time.
 fn residual_percent(drop: &Drop, number: usize) -> Option<f64> {
-    let fit = drop.line.as_ref().ok()?;
+    let fit = drop.log_linear_fit.as_ref().ok()?;
     let flight = drop.flight(number)?;
     Some((flight.time_s / fit.flight_time_s(number).value - 1.0) * 100.0)
 }
 
-fn fixed(value: Option<f64>, digits: usize) -> String {
-    value
-        .filter(|v| v.is_finite())
-        .map_or_else(String::new, |value| format!("{value:.digits$}"))
+/// The name of a restitution law.
+pub fn restitution_law(law: LawKind, words: &Translator) -> String {
+    words.text(&format!("restitution-law-{}", law.name()))
+}
+
+/// The name of a drag law; laws that are named after people keep theirs in every language.
+pub fn drag_law(law: DragLaw, words: &Translator) -> String {
+    match law {
+        DragLaw::None => words.text("drag-none"),
+        DragLaw::Constant(c) => words.text_with("drag-constant", &[("coefficient", c.into())]),
+        _ => law.to_string(),
+    }
+}
+
+/// The name of something that the data may determine.
+pub fn unknown(unknown: Unknown, words: &Translator) -> String {
+    words.text(&format!("unknown-{}", unknown.name()))
+}
+
+/// The name of a source of uncertainty.
+pub fn source(share: &Share, words: &Translator) -> String {
+    words.text(&format!("source-{}", share.source))
 }
 
 /// The laws that were weighed.
-pub fn models(found: &Posterior) -> Table {
-    let mut table = Table::new(vec![
-        ("restitution law", Align::Left),
-        ("drag", Align::Left),
-        ("probability", Align::Right),
-        ("ln evidence", Align::Right),
-        ("e", Align::Right),
-        ("h0", Align::Right),
-    ]);
+pub fn models(found: &Posterior, words: &Translator) -> Table {
+    let mut table = Table::with_headings(
+        words,
+        [
+            ("column-law", Align::Left),
+            ("column-drag", Align::Left),
+            ("column-probability", Align::Right),
+            ("column-evidence", Align::Right),
+            ("column-e", Align::Right),
+            ("column-h0", Align::Right),
+        ],
+    );
     for model in &found.models {
-        let shown = |summary: &Option<Summary>, unit| {
+        let shown = |summary: &Option<Estimate>, unit| {
             summary.map_or_else(String::new, |s| {
-                Quantity::measured(s.value, s.sd, unit).to_string()
+                Quantity::measured(s.value, s.sd, unit).text(words)
             })
         };
         table.row(vec![
-            model.law.to_string(),
-            model.drag.to_string(),
-            format!("{:.3}", model.weight),
-            format!("{:.1}", model.log_evidence),
+            restitution_law(model.restitution_law, words),
+            drag_law(model.drag_law, words),
+            words.fixed(model.probability, 3),
+            words.fixed(model.log_evidence, 1),
             shown(&model.restitution, Unit::Number),
             shown(&model.drop_height_m, Unit::Length),
         ]);
@@ -115,78 +142,93 @@ pub fn models(found: &Posterior) -> Table {
 
 /// Where the uncertainty of a quantity with this unit comes from; what is below a twentieth of a per cent
 /// is left out.
-pub fn budget(shares: &[Share], unit: Unit) -> Table {
-    let mut table = Table::new(vec![
-        ("source", Align::Left),
-        ("alone", Align::Right),
-        ("% of variance", Align::Right),
-    ]);
+pub fn budget(shares: &[Share], unit: Unit, words: &Translator) -> Table {
+    let mut table = Table::with_headings(
+        words,
+        [
+            ("column-source", Align::Left),
+            ("column-alone", Align::Right),
+            ("column-variance", Align::Right),
+        ],
+    );
     for share in shares.iter().filter(|share| share.share >= 0.0005) {
         table.row(vec![
-            share.source.to_owned(),
-            format!("\u{b1} {}", Quantity::rounded(share.sd, 2, unit)),
-            format!("{:.1}", share.share * 100.0),
+            source(share, words),
+            format!(
+                "\u{b1} {}",
+                Quantity::rounded(share.sd, 2, unit).text(words)
+            ),
+            words.fixed(share.share * 100.0, 1),
         ]);
     }
     table
 }
 
 /// How much the data prior_contraction each unknown.
-pub fn prior_contraction(found: &Posterior) -> Table {
-    let mut table = Table::new(vec![
-        ("unknown", Align::Left),
-        ("% of prior width left", Align::Right),
-    ]);
+pub fn prior_contraction(found: &Posterior, words: &Translator) -> Table {
+    let mut table = Table::with_headings(
+        words,
+        [
+            ("column-unknown", Align::Left),
+            ("column-width-left", Align::Right),
+        ],
+    );
     for prior_contraction in &found.prior_contraction {
         table.row(vec![
-            prior_contraction.unknown.to_string(),
-            format!("{:.0}", prior_contraction.remaining * 100.0),
+            unknown(prior_contraction.unknown, words),
+            words.fixed(prior_contraction.remaining * 100.0, 0),
         ]);
     }
     table
 }
 
 /// Correlations between the answers.
-pub fn correlations(found: &Posterior) -> Table {
-    let names = &found.correlations.quantities;
-    let mut columns = vec![("", Align::Left)];
-    columns.extend(names.iter().map(|&name| (name, Align::Right)));
+pub fn correlations(found: &Posterior, words: &Translator) -> Table {
+    let names = found.correlations.quantities.iter();
+    let names: Vec<String> = names
+        .map(|name| words.text(&format!("unknown-{name}")))
+        .collect();
+    let mut columns = vec![(String::new(), Align::Left)];
+    columns.extend(names.iter().map(|name| (name.clone(), Align::Right)));
     let mut table = Table::new(columns);
-    for (name, row) in names.iter().zip(&found.correlations.matrix) {
-        let mut cells = vec![(*name).to_owned()];
-        cells.extend(row.iter().map(|value| format!("{value:.2}")));
+    for (name, row) in names.into_iter().zip(&found.correlations.matrix) {
+        let mut cells = vec![name];
+        cells.extend(row.iter().map(|value| words.fixed(*value, 2)));
         table.row(cells);
     }
     table
 }
 
 /// The impacts as the inference has them, with energies and weights.
-pub fn fitted_impacts(found: &Posterior) -> Table {
-    let mut table = Table::new(vec![
-        ("impact", Align::Right),
-        ("speed m/s", Align::Right),
-        ("e", Align::Right),
-        ("apex cm", Align::Right),
-        ("to surface mJ", Align::Right),
-        ("to air mJ", Align::Right),
-        ("residual", Align::Right),
-        ("weight", Align::Right),
-    ]);
-    let value = |summary: &Option<Summary>, scale: f64, digits: usize| {
-        summary.map_or_else(String::new, |s| format!("{:.digits$}", s.value * scale))
+pub fn fitted_impacts(found: &Posterior, words: &Translator) -> Table {
+    let mut table = Table::with_headings(
+        words,
+        [
+            ("column-impact", Align::Right),
+            ("column-speed", Align::Right),
+            ("column-e", Align::Right),
+            ("column-apex", Align::Right),
+            ("column-to-surface", Align::Right),
+            ("column-to-air", Align::Right),
+            ("column-residual", Align::Right),
+            ("column-weight", Align::Right),
+        ],
+    );
+    let value = |summary: &Option<Estimate>, scale: f64, decimals: usize| {
+        summary.map_or_else(String::new, |s| words.fixed(s.value * scale, decimals))
     };
     for impact in &found.impacts {
         table.row(vec![
             impact.number.to_string(),
-            format!("{:.3}", impact.impact_speed_m_s.value),
+            words.fixed(impact.impact_speed_m_s.value, 3),
             value(&impact.restitution, 1.0, 4),
             value(&impact.apex_m, 100.0, 2),
             value(&impact.lost_to_surface_j, 1e3, 3),
             value(&impact.lost_to_air_j, 1e3, 3),
             impact
                 .standardised_residual
-                .map_or_else(String::new, |z| format!("{z:.2}")),
-            format!("{:.2}", impact.weight),
+                .map_or_else(String::new, |z| words.fixed(z, 2)),
+            words.fixed(impact.weight, 2),
         ]);
     }
     table

@@ -2,10 +2,12 @@
 //!
 //! The colours are those of Okabe and Ito (2008), which people with any kind of colour
 //! vision can tell apart. Each has one meaning, the same in every figure, on the command
-//! line and in the browser. Colour is never the only sign: the key also shows the shape or
+//! line and in the browser. Colour is never the only sign: the legend also shows the shape or
 //! the dashes.
 
 use std::fmt;
+
+use serde::{Serialize, Serializer};
 
 /// An opaque colour.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -49,7 +51,8 @@ impl fmt::Display for Colour {
     }
 }
 
-/// What is shown, which decides its colour.
+/// What is shown, which decides its colour. In JSON it is the name of a colour of the page:
+/// `measured`, `drag`, ..., `group-0`, `group-1`, ...
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Meaning {
     /// Measured, or found from measurements with everything taken into account.
@@ -57,9 +60,19 @@ pub enum Meaning {
     /// A model with air drag.
     Drag,
     /// The straight line, or anything that leaves drag out.
-    NoDrag,
+    Plain,
     /// Something to be careful with.
     Warning,
+    /// What a rule accepts.
+    Accepted,
+    /// A given value to compare with.
+    Ink,
+    /// Something less important.
+    Soft,
+    /// Where values are expected.
+    Expected,
+    /// A group by its place, which means nothing but "this group".
+    Group(usize),
 }
 
 impl Meaning {
@@ -73,9 +86,37 @@ impl Meaning {
         match self {
             Self::Measured => Colour::new(0x00, 0x72, 0xb2),
             Self::Drag => Colour::new(0xd5, 0x5e, 0x00),
-            Self::NoDrag => Colour::new(0x76, 0x76, 0x76),
+            Self::Plain => Colour::new(0x76, 0x76, 0x76),
             Self::Warning => Colour::new(0xe6, 0x9f, 0x00),
+            Self::Accepted => GROUPS[2],
+            Self::Ink => INK,
+            Self::Soft => SOFT_INK,
+            Self::Expected => BASE_LINE,
+            Self::Group(place) => GROUPS[place % GROUPS.len()],
         }
+    }
+}
+
+impl fmt::Display for Meaning {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let name = match self {
+            Self::Measured => "measured",
+            Self::Drag => "drag",
+            Self::Plain => "plain",
+            Self::Warning => "warning",
+            Self::Accepted => "accepted",
+            Self::Ink => "ink",
+            Self::Soft => "soft",
+            Self::Expected => "expected",
+            Self::Group(place) => return write!(f, "group-{}", place % GROUPS.len()),
+        };
+        f.write_str(name)
+    }
+}
+
+impl Serialize for Meaning {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_str(self)
     }
 }
 
@@ -90,11 +131,6 @@ const GROUPS: [Colour; 7] = [
     Colour::new(0x56, 0xb4, 0xe9),
     Colour::new(0x40, 0x40, 0x40),
 ];
-
-/// The colour of a group by its place; after seven they begin anew.
-pub const fn group(place: usize) -> Colour {
-    GROUPS[place % GROUPS.len()]
-}
 
 /// Titles and labels.
 pub const INK: Colour = Colour::new(0x22, 0x22, 0x22);

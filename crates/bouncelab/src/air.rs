@@ -13,6 +13,7 @@ use crate::error::{Result, of_a_size, require};
 
 /// A still gas (or liquid) of uniform density and viscosity, or nothing at all.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Air {
     density_kg_m3: f64,
     viscosity_pa_s: f64,

@@ -23,6 +23,7 @@ const GLASS_KG_M3: f64 = 2500.0;
 ///
 /// Both are from 1e-20 to 1e20: nothing outside bounces, and numbers end not far beyond.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Ball {
     mass_kg: f64,
     diameter_m: f64,

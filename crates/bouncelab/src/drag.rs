@@ -256,6 +256,16 @@ fn clift_grace_weber(re: f64) -> f64 {
     re / 24.0 * coefficient
 }
 
+#[cfg(feature = "serde")]
+impl serde::Serialize for DragLaw {
+    fn serialize<S: serde::Serializer>(
+        &self,
+        serializer: S,
+    ) -> std::result::Result<S::Ok, S::Error> {
+        serializer.collect_str(self)
+    }
+}
+
 impl fmt::Display for DragLaw {
     /// What [`FromStr`] reads: the name, and the coefficient as in "constant:0.4".
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {

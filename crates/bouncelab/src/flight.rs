@@ -50,6 +50,7 @@ use reynolds::ReynoldsDrag;
 ///
 /// Plain numbers; they are checked when a [`FlightModel`] is made of them.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Environment {
     /// Gravity in m/s², above zero.
     pub gravity_m_s2: f64,

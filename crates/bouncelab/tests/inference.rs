@@ -3,6 +3,7 @@
 //! Calibration over thousands of drops is a command of its own (`cargo xtask calibrate`); here are
 //! the properties that a single drop can show.
 
+use bouncelab::Impact;
 use bouncelab::analysis::Options;
 use bouncelab::drag::DragLaw;
 use bouncelab::drop::{self, Start, Stop};
@@ -13,7 +14,6 @@ use bouncelab::inference::{
     UNKNOWN, infer,
 };
 use bouncelab::regression::{self, NumberedFlight};
-use bouncelab::restitution::TimedImpact;
 use bouncelab::{Error, Result};
 use bouncelab_testkit::bouncing;
 use rand::{RngExt, SeedableRng};
@@ -50,7 +50,7 @@ impl Truth {
     }
 
     /// The impacts, numbered from 1, with noise from a seed.
-    fn impacts(&self, seed: u64) -> Vec<TimedImpact> {
+    fn impacts(&self, seed: u64) -> Vec<Impact> {
         let mut rng = ChaCha8Rng::seed_from_u64(seed);
         let mut normal = || rng.sample::<f64, _>(StandardNormal);
         let model = self.model();
@@ -60,15 +60,17 @@ impl Truth {
         let strikes: Vec<Strike> = bouncing(model, contact_s, fall.impact_speed_m_s, restitution)
             .take(self.impacts)
             .collect();
-        let heard = strikes.iter().zip(1..).map(|(strike, number)| TimedImpact {
-            number,
-            time_s: fall.time_s + strike.time_s + self.sigma_s * normal(),
-            standard_error_s: Some(self.sigma_s.max(1e-9)),
+        let heard = strikes.iter().zip(1..).map(|(strike, number)| {
+            Impact::new(
+                number,
+                fall.time_s + strike.time_s + self.sigma_s * normal(),
+            )
+            .with_time_sd_s(self.sigma_s.max(1e-9))
         });
         heard.collect()
     }
 
-    fn infer(&self, impacts: &[TimedImpact], priors: &Priors) -> Result<Posterior> {
+    fn infer(&self, impacts: &[Impact], priors: &Priors) -> Result<Posterior> {
         let settings = Options::default();
         let inference = InferenceOptions {
             sampler: SamplerConfig {
@@ -113,13 +115,13 @@ fn constant_law() -> Priors {
     }
 }
 
-fn times(times_s: &[f64]) -> Vec<TimedImpact> {
+fn times(times_s: &[f64]) -> Vec<Impact> {
     (1..)
         .zip(times_s)
-        .map(|(number, &time_s)| TimedImpact {
+        .map(|(number, &time_s)| Impact {
             number,
             time_s,
-            standard_error_s: None,
+            time_sd_s: None,
         })
         .collect()
 }
@@ -171,7 +173,7 @@ fn a_known_height_stays_as_given() {
     assert!((found.drop_height_m.value - 0.5).abs() < 1e-4);
     assert!((found.drop_height_m.sd / 1e-4 - 1.0).abs() < 0.15);
     assert!(found.sampling.converged);
-    assert!(found.missed_first.unwrap()[0] > 0.99);
+    assert!(found.missed_first_impacts.unwrap()[0] > 0.99);
 }
 
 /// The answer must not depend on how many flights are used. The straight line's does, by many of
@@ -222,10 +224,10 @@ fn missed_first_impacts_are_counted() {
         ..constant_law()
     };
     let found = truth.infer(&impacts, &priors).unwrap();
-    assert!(found.missed_first.unwrap()[2] > 0.95);
+    assert!(found.missed_first_impacts.unwrap()[2] > 0.95);
     // Without the height it is that of the fall before the first impact heard.
     let found = truth.infer(&impacts, &constant_law()).unwrap();
-    assert_eq!(found.missed_first, None);
+    assert_eq!(found.missed_first_impacts, None);
     assert!(found.remarks.contains(&Remark::HeightIsOfFirstHeard));
     assert!(found.drop_height_m.value < 0.45);
 }
@@ -247,7 +249,7 @@ fn a_release_time_tells_too() {
         ..constant_law()
     };
     let found = truth.infer(&impacts, &priors).unwrap();
-    assert!(found.missed_first.unwrap()[1] > 0.95);
+    assert!(found.missed_first_impacts.unwrap()[1] > 0.95);
     assert!(
         found
             .remarks
@@ -447,10 +449,10 @@ fn a_contradicting_height_is_named() {
     let truth = Truth::new();
     // A file of 48 kHz read as 44.1 kHz. (The other way round the flights are too short, which
     // missed impacts explain as well.)
-    let impacts: Vec<TimedImpact> = truth
+    let impacts: Vec<Impact> = truth
         .impacts(13)
         .iter()
-        .map(|impact| TimedImpact {
+        .map(|impact| Impact {
             time_s: impact.time_s * 48.0 / 44.1,
             ..*impact
         })

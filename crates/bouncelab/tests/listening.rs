@@ -10,7 +10,7 @@ use bouncelab::onset::Onset;
 use bouncelab::synth::{
     self, BitDepth, Clicks, Hum, Lost, Noise, Rendered, Reverb, Scene, SynthImpact, Voice,
 };
-use bouncelab::train::{self, HeardImpact, NoDrop, Train, latest_next_s};
+use bouncelab::train::{self, Train, TrainImpact, latest_next_s};
 use bouncelab_testkit::strikes;
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
@@ -539,10 +539,10 @@ fn number_impacts_bridges_a_gap() {
     assert_eq!(train::number_impacts(&[0.0, 1.0, 5.0]), [0, 1, 2]);
 }
 
-fn clicks(times_s: &[f64]) -> Vec<HeardImpact> {
+fn clicks(times_s: &[f64]) -> Vec<TrainImpact> {
     let numbered = times_s.iter().zip(0..);
     numbered
-        .map(|(&time_s, number)| HeardImpact {
+        .map(|(&time_s, number)| TrainImpact {
             onset: Onset::click(time_s),
             number,
             probability: 1.0,

@@ -3,11 +3,13 @@
 use std::collections::HashSet;
 use std::path::Path;
 
-use bouncelab_report::illustration::{self, Illustration};
-use bouncelab_report::{Figure, save};
+use bouncelab_report::figure::{self, Mark, Subject};
+use bouncelab_report::messages::Translator;
+use bouncelab_report::{Chart, save};
 
 use super::hear::Hearing;
 use crate::failure::Failure;
+use crate::language::translator;
 use crate::physics::Physics;
 
 /// Names for figures, another for each recording: those of different folders may have the same name.
@@ -34,35 +36,38 @@ pub(crate) fn save_figures(
     stems: &mut Stems,
 ) -> Result<(), Failure> {
     let stem = stems.take(&hearing.name);
-    for (name, drawn) in figures(hearing, physics)? {
-        let saved = save(&drawn, folder, &format!("{stem}-{name}"))?;
+    for (name, chart) in figures(hearing, physics, translator()) {
+        let saved = save(&chart, folder, &format!("{stem}-{name}"))?;
         eprintln!("wrote {} and .png", saved.svg.display());
     }
     Ok(())
 }
 
-/// Name and drawing of every figure.
-fn figures(hearing: &Hearing, physics: &Physics) -> Result<Vec<(String, Figure)>, Failure> {
+/// Name and chart of every figure.
+fn figures(hearing: &Hearing, physics: &Physics, translator: &Translator) -> Vec<(String, Chart)> {
     let settings = &physics.settings;
     let mut figures = Vec::new();
     if let Some(sound) = &hearing.envelope {
-        let drawn = illustration::waveform(sound, &hearing.drops)?;
-        figures.push(("waveform".to_owned(), drawn));
+        let chart = figure::waveform(sound, &Mark::of_drops(&hearing.drops), translator);
+        figures.push(("waveform".to_owned(), chart));
     }
     for (index, drop) in hearing.drops.iter().enumerate() {
-        let named = |Illustration { name, figure }: Illustration| match hearing.drops.len() {
-            1 => (name.to_owned(), figure),
-            _ => (format!("drop{}-{name}", index + 1), figure),
-        };
-        figures.extend(illustration::of_drop(drop, settings).into_iter().map(named));
+        let subject = Subject::new(drop, settings);
+        figures.extend(figure::of_drop(&subject).map(|figure| {
+            let name = match hearing.drops.len() {
+                1 => figure.name.to_owned(),
+                _ => format!("drop{}-{}", index + 1, figure.name),
+            };
+            (name, figure.chart(&subject, translator))
+        }));
     }
-    let of_air = illustration::of_air(&hearing.drops, settings);
+    let of_air = figure::of_air(&hearing.drops, settings, translator);
     figures.extend(
         of_air
             .into_iter()
-            .map(|drawn| (drawn.name.to_owned(), drawn.figure)),
+            .map(|(name, chart)| (name.to_owned(), chart)),
     );
-    Ok(figures)
+    figures
 }
 
 /// The name of a file without folder and ending, fit for the name of another file.

@@ -4,12 +4,13 @@ use std::path::Path;
 
 use bouncelab::groups::{Group, Study, run_limit};
 use bouncelab::inference::Summary;
-use bouncelab_report::Figure;
-use bouncelab_report::figure::{self, GroupInterval, GroupLaw, GroupPoint, RunPoint};
+use bouncelab_report::Chart;
+use bouncelab_report::figure::{self, GroupCurve, GroupInterval, GroupPoint, RunPoint};
+use bouncelab_report::messages::Translator;
+use bouncelab_session::{Outcome, Results};
 
-use super::outcome::Outcome;
-use super::results::Results;
 use crate::failure::Failure;
+use crate::language::translator;
 
 /// Draws them into a folder.
 pub(super) fn save(
@@ -28,32 +29,38 @@ pub(super) fn save(
 pub(super) fn figures(
     outcome: &Outcome<'_>,
     results: &Results<'_>,
-) -> Result<Vec<(&'static str, Figure)>, Failure> {
+) -> Result<Vec<(&'static str, Chart)>, Failure> {
     let Ok(study) = &outcome.study else {
         return Ok(Vec::new());
     };
+    let translator = translator();
     Ok(vec![
-        ("groups", laws(outcome, study, results)?),
-        ("intervals", intervals(outcome, study)),
-        ("run", run(outcome, study)),
+        ("groups", laws(outcome, study, results, translator)?),
+        ("intervals", intervals(outcome, study, translator)),
+        ("run", run(outcome, study, translator)),
     ])
 }
 
-fn laws(outcome: &Outcome<'_>, study: &Study, results: &Results<'_>) -> Result<Figure, Failure> {
-    let group = |group: &Group| -> Result<GroupLaw, Failure> {
-        let law = group.law.iter().map(|(speed_m_s, mean)| GroupPoint {
+fn laws(
+    outcome: &Outcome<'_>,
+    study: &Study,
+    results: &Results<'_>,
+    translator: &Translator,
+) -> Result<Chart, Failure> {
+    let group = |group: &Group| -> Result<GroupCurve, Failure> {
+        let means = group.law.iter().map(|(speed_m_s, mean)| GroupPoint {
             speed_m_s: *speed_m_s,
             value: mean.value,
             interval95: mean.interval95,
         });
-        Ok(GroupLaw {
+        Ok(GroupCurve {
             name: outcome.group_name(&group.levels),
             impacts: impacts(outcome, group, results)?,
-            law: law.collect(),
+            means: means.collect(),
         })
     };
-    let groups: Vec<GroupLaw> = study.groups.iter().map(group).collect::<Result<_, _>>()?;
-    Ok(figure::groups(&groups))
+    let groups: Vec<GroupCurve> = study.groups.iter().map(group).collect::<Result<_, _>>()?;
+    Ok(figure::groups(&groups, translator))
 }
 
 /// Impact speed and restitution of some impacts of a group, as many of each drop.
@@ -61,7 +68,7 @@ fn impacts(
     outcome: &Outcome<'_>,
     group: &Group,
     results: &Results<'_>,
-) -> Result<Vec<(f64, f64)>, Failure> {
+) -> Result<Vec<[f64; 2]>, Failure> {
     /// Of a group.
     const SHOWN: usize = 600;
     let of_each = SHOWN.div_ceil(group.drops.len());
@@ -71,11 +78,11 @@ fn impacts(
     for &studied in group.drops.iter().step_by(every) {
         let drop = &outcome.drops[outcome.studied[studied]];
         let (_, record) = results.read(drop.recording)?;
-        let known: Vec<(f64, f64)> = record.drops[drop.number - 1]
+        let known: Vec<[f64; 2]> = record.drops[drop.number - 1]
             .impacts
             .iter()
             .filter(|impact| impact.weight.unwrap_or(1.0) > 0.0)
-            .filter_map(|impact| Some((impact.impact_speed_m_s?, impact.restitution?)))
+            .filter_map(|impact| Some([impact.impact_speed_m_s?, impact.restitution?]))
             .collect();
         let step = known.len().div_ceil(of_each).max(1);
         shown.extend(known.into_iter().step_by(step));
@@ -83,7 +90,7 @@ fn impacts(
     Ok(shown)
 }
 
-fn intervals(outcome: &Outcome<'_>, study: &Study) -> Figure {
+fn intervals(outcome: &Outcome<'_>, study: &Study, translator: &Translator) -> Chart {
     let value = |drop: usize| outcome.at(drop, study.at_speed_m_s);
     let groups: Vec<GroupInterval> = study
         .groups
@@ -100,11 +107,10 @@ fn intervals(outcome: &Outcome<'_>, study: &Study) -> Figure {
                 .collect(),
         })
         .collect();
-    let quantity = format!("restitution at {:.2} m/s", study.at_speed_m_s);
-    figure::intervals("Restitution of each group", &groups, &quantity)
+    figure::intervals(&groups, study.at_speed_m_s, translator)
 }
 
-fn run(outcome: &Outcome<'_>, study: &Study) -> Figure {
+fn run(outcome: &Outcome<'_>, study: &Study, translator: &Translator) -> Chart {
     let mut points: Vec<(usize, RunPoint)> = Vec::new();
     let value = |drop: usize| outcome.at(drop, study.at_speed_m_s);
     for (place, group) in study.groups.iter().enumerate() {
@@ -135,7 +141,7 @@ fn run(outcome: &Outcome<'_>, study: &Study) -> Figure {
         .iter()
         .map(|group| outcome.group_name(&group.levels))
         .collect();
-    figure::run_chart(&points, &names, limit)
+    figure::run_chart(&points, &names, limit, translator)
 }
 
 fn is_outlier(study: &Study, drop: usize) -> bool {

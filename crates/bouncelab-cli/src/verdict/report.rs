@@ -2,13 +2,15 @@
 
 use bouncelab::inference::Summary;
 use bouncelab::rulebook::{Limits, Rebound, Requirement, Status};
-use bouncelab_report::Figure;
+use bouncelab_report::Chart;
 use bouncelab_report::figure::{self, Judged};
+use bouncelab_report::messages::Translator;
 use bouncelab_report::report::{
     Block, Language, Page, Provenance, Section, ended, method, repeat, shared_conditions,
 };
 
 use super::{Told, tables, text};
+use crate::language::translator;
 use crate::report::provenance;
 use crate::rules;
 
@@ -28,12 +30,17 @@ pub(super) fn page(told: &Told<'_>, hashes: Vec<(String, String)>) -> Page {
             the_rule(told),
             rebound(told),
             drops(told),
-            shared_conditions(&physics.settings, &physics.ball_label, &physics.assumptions),
+            shared_conditions(
+                &physics.settings,
+                &physics.ball_label,
+                &physics.assumptions,
+                translator(),
+            ),
             decision(),
-            method(),
-            repeat(&provenance),
+            method(translator()),
+            repeat(&provenance, translator()),
         ],
-        language: Language::default(),
+        language: Language::new(translator()),
     }
 }
 
@@ -47,7 +54,7 @@ fn lead(told: &Told<'_>) -> Vec<Block> {
         let unverified = "This rule is unverified: nobody has read it in its source.";
         lead.push(Block::Note(unverified.to_owned()));
     }
-    lead.push(Block::figure("verdict", figure(told)));
+    lead.push(Block::figure("verdict", chart(told, translator())));
     lead
 }
 
@@ -115,14 +122,16 @@ fn decision() -> Section {
 }
 
 /// What the decision is about, and every drop that led to it, against the limits.
-fn figure(told: &Told<'_>) -> Figure {
+fn chart(told: &Told<'_>, translator: &Translator) -> Chart {
     /// Metres to centimetres, shares to percent.
     const SHOWN: f64 = 100.0;
     let verdict = told.verdict;
-    let (limits, decides, quantity) = match &told.rule.requirement {
-        Requirement::Height(limits) => (*limits, verdict.rebound, "rebound (cm)"),
-        Requirement::About(_) => (Limits::default(), verdict.rebound, "rebound (cm)"),
-        Requirement::Share { limits, .. } => (*limits, verdict.share, "share of the reference (%)"),
+    let (limits, decides, (quantity, unit)) = match &told.rule.requirement {
+        Requirement::Height(limits) => (*limits, verdict.rebound, ("axis-rebound", "cm")),
+        Requirement::About(_) => (Limits::default(), verdict.rebound, ("axis-rebound", "cm")),
+        Requirement::Share { limits, .. } => {
+            (*limits, verdict.share, ("axis-share-of-reference", "%"))
+        }
     };
     let scaled = |limits: Limits| [limits.least, limits.greatest].map(|end| Some(end? * SHOWN));
     let judged = |name: String, found: &Summary, decides: bool| Judged {
@@ -144,10 +153,10 @@ fn figure(told: &Told<'_>) -> Figure {
     }
     let accepted = verdict.accepted.map_or([None; 2], scaled);
     figure::limits(
-        "The rebound and the limits",
         &rows,
         scaled(limits),
         accepted,
-        quantity,
+        (translator.text(quantity), unit),
+        translator,
     )
 }

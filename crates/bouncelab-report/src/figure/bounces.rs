@@ -1,117 +1,73 @@
 //! What each bounce reaches, and what it loses.
 
-use super::Figure;
+use super::Subject;
+use crate::chart::{Axis, Chart, Layer, Marker, Panel, Point, Scale, xs, ys};
+use crate::messages::Translator;
 use crate::quantity::Unit;
-use crate::scale::Scale;
-use crate::sheet::{Axis, KeyEntry, Measured, Panel, Sheet, Swatch};
 use crate::theme::Meaning;
 
-const HEIGHTS: &str = "How high is each bounce?";
-const ENERGIES: &str = "Where does the energy go?";
-const HEIGHT: f64 = 360.0;
-
-/// The height of one bounce.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct BounceHeight {
-    /// Number of the impact before it.
-    pub number: u32,
-    /// Height of its top in metres.
-    pub height_m: f64,
-    /// Its standard error in metres, if known.
-    pub standard_error_m: Option<f64>,
-}
-
-/// The height of each bounce against its number. The heights are logarithmic: whoever keeps the same
-/// share of its speed at each impact makes a straight line.
-pub fn bounce_heights(bounces: &[BounceHeight]) -> Figure {
-    let usable: Vec<&BounceHeight> = bounces
-        .iter()
-        .filter(|bounce| bounce.height_m.is_finite() && bounce.height_m > 0.0)
-        .collect();
-    if usable.is_empty() {
-        return Figure::empty(HEIGHT, HEIGHTS, "There are no heights to show.");
+/// The height of each bounce against its number: with the air taken into account where that can be
+/// done, else as if there were none. The heights are logarithmic: whoever keeps the same share of its
+/// speed at each impact makes a straight line.
+pub(super) fn heights(subject: &Subject<'_>, translator: &Translator) -> Chart {
+    let id = "bounce-heights";
+    let (mut points, mut errors): (Vec<Point>, Vec<f64>) = (Vec::new(), Vec::new());
+    for flight in &subject.drop.flights {
+        let found = subject.drop.modelled_flight(flight.number);
+        let height_m = found.map_or(flight.drag_free_height_m, |found| found.flight.apex_m);
+        let error_m = found.and_then(|found| found.apex_sd_m);
+        points.push([flight.number as f64, 100.0 * height_m]);
+        errors.push(100.0 * error_m.unwrap_or(f64::NAN));
     }
-    let centimetres = usable.iter().map(|bounce| 100.0 * bounce.height_m);
-    let y = Scale::log(centimetres).padded(0.05, 0.05);
-    let mut sheet = Sheet::new(HEIGHT, HEIGHTS);
-    let panel = Panel::fill(
-        &mut sheet,
-        &bounce_axis(usable.iter().map(|bounce| bounce.number)),
-        &Axis::new(y, "height (cm)"),
-        0.0,
-    );
-    let blue = Meaning::Measured.colour();
-    let points = usable.iter().map(|bounce| Measured {
-        place: (f64::from(bounce.number), 100.0 * bounce.height_m),
-        standard_error: bounce.standard_error_m.map(|error_m| 100.0 * error_m),
-    });
-    for point in points {
-        panel.uncertainty(&mut sheet.canvas, point, blue);
-        panel.point(&mut sheet.canvas, point.place, Swatch::Dot(blue));
+    let layers = vec![Layer::points(Meaning::Measured, Marker::Dot, points).with_errors(errors)];
+    if ys(&layers).next().is_none() {
+        return Chart::empty(translator, id);
     }
-    Figure::new(
-        sheet,
-        "Every bounce keeps about the same share of the height before it, so that the points lie near a \
-         straight line.",
-    )
-}
-
-/// What one bounce loses, in joules.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct BounceLoss {
-    /// Number of the impact.
-    pub number: u32,
-    /// Taken by the surface and the ball itself.
-    pub to_surface_j: f64,
-    /// Taken by the air in the flight after it.
-    pub to_air_j: f64,
+    let scale = Scale::log(ys(&layers)).padded(0.05, 0.05);
+    let y = Axis::new(translator.text("axis-height"), "cm", scale);
+    let panel = Panel::new(245.0, axis(&layers, translator), y, layers);
+    let caption = translator.text("figure-bounce-heights-caption");
+    Chart::new(translator, id, caption, vec![panel])
 }
 
 /// The energy that each impact takes, and the flight after it, one on top of the other. A loss below
 /// zero, which noise may make, shows as none.
-pub fn bounce_energies(losses: &[BounceLoss]) -> Figure {
-    let usable: Vec<&BounceLoss> = losses
+pub(super) fn energies(subject: &Subject<'_>, translator: &Translator) -> Chart {
+    let id = "bounce-energies";
+    let losses = subject.drop.energies(subject.settings);
+    let tops = losses
         .iter()
-        .filter(|loss| loss.to_surface_j.is_finite() && loss.to_air_j.is_finite())
-        .collect();
-    let most = usable
-        .iter()
-        .map(|loss| loss.to_surface_j.max(0.0) + loss.to_air_j.max(0.0))
-        .fold(0.0, f64::max);
+        .map(|loss| loss.lost_to_surface_j.max(0.0) + loss.lost_to_air_j.max(0.0));
+    let most = tops.fold(0.0, f64::max);
     if most <= 0.0 {
-        return Figure::empty(HEIGHT, ENERGIES, "There are no energies to show.");
+        return Chart::empty(translator, id);
     }
     let (joules, unit) = Unit::Energy.step_for(most);
-    let (surface, air) = (Meaning::Measured.colour(), Meaning::Drag.colour());
-    let mut sheet = Sheet::new(HEIGHT, ENERGIES);
-    sheet.key(&[
-        KeyEntry::new(Swatch::Dot(air), "the air, in the flight after it"),
-        KeyEntry::new(Swatch::Dot(surface), "the bounce"),
-    ]);
-    let panel = Panel::fill(
-        &mut sheet,
-        &bounce_axis(usable.iter().map(|loss| loss.number)),
-        &Axis::new(
-            Scale::linear([0.0, most / joules]).padded(0.0, 0.04),
-            format!("energy lost ({unit})"),
-        ),
-        0.0,
-    );
-    for loss in usable {
-        let middle = f64::from(loss.number);
-        let across = [middle - 0.36, middle + 0.36];
-        let below = loss.to_surface_j.max(0.0) / joules;
-        let above = below + loss.to_air_j.max(0.0) / joules;
-        panel.block(&mut sheet.canvas, across, [0.0, below], surface);
-        panel.block(&mut sheet.canvas, across, [below, above], air);
+    let mut surface = Vec::new();
+    let mut air = Vec::new();
+    for loss in &losses {
+        let (left, right) = (loss.number as f64 - 0.36, loss.number as f64 + 0.36);
+        let below = loss.lost_to_surface_j.max(0.0) / joules;
+        surface.push([left, right, 0.0, below]);
+        air.push([
+            left,
+            right,
+            below,
+            below + loss.lost_to_air_j.max(0.0) / joules,
+        ]);
     }
-    Figure::new(
-        sheet,
-        "What each impact takes, and on top of it what the air takes in the flight after it: the faster \
-         the ball, the larger the share of the air.",
-    )
+    let text = |name: &str| translator.text(&format!("figure-bounce-energies-{name}"));
+    let layers = vec![
+        Layer::boxes(Meaning::Drag, air).named(text("air")),
+        Layer::boxes(Meaning::Measured, surface).named(text("surface")),
+    ];
+    let scale = Scale::linear(ys(&layers)).padded(0.0, 0.04);
+    let y = Axis::new(translator.text("axis-energy-lost"), unit, scale);
+    let panel = Panel::new(220.0, axis(&layers, translator), y, layers);
+    Chart::new(translator, id, text("caption"), vec![panel])
 }
 
-fn bounce_axis(numbers: impl Iterator<Item = u32>) -> Axis {
-    Axis::new(Scale::counting(numbers).padded(0.04, 0.04), "bounce")
+fn axis(layers: &[Layer], translator: &Translator) -> Axis {
+    let scale = Scale::counting(xs(layers)).padded(0.03, 0.03);
+    Axis::new(translator.text("axis-bounce"), "", scale)
 }

@@ -1,106 +1,84 @@
 //! Where an uncertainty comes from.
 
-use super::Figure;
-use crate::canvas::{Anchor, Style};
-use crate::shape::Rect;
-use crate::sheet::Sheet;
-use crate::theme::{self, Meaning};
+use bouncelab::inference::{Posterior, Share};
 
-const TITLE: &str = "Where the uncertainty comes from";
-/// Two lines of a name have room.
+use crate::chart::{Axis, Chart, Layer, Panel, Scale, Ticks, row_middle};
+use crate::messages::Translator;
+use crate::quantity::{Quantity, Unit};
+use crate::theme::Meaning;
+
+/// Height of a row.
 const ROW: f64 = 30.0;
-const HEADING: f64 = 30.0;
 /// Sources below this share are added up.
 const SMALL: f64 = 0.005;
+/// What is too small to be written is left out.
+const LEAST: f64 = 0.0005;
 
-/// One source of uncertainty.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Source {
-    /// What it is, in a few words.
-    pub name: String,
-    /// Share of the variance, 0 to 1.
-    pub share: f64,
-}
-
-/// The budget of one quantity.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Budget {
-    /// The quantity with its uncertainty, as in "drop height: 30.4 ± 0.6 cm".
-    pub quantity: String,
-    /// The sources, in any order.
-    pub sources: Vec<Source>,
-}
-
-/// Bars for the share of each source in the variance of each quantity, largest first.
-pub fn budget(budgets: &[Budget]) -> Figure {
-    let groups: Vec<(&str, Vec<Source>)> = budgets
-        .iter()
-        .map(|budget| (budget.quantity.as_str(), shown(&budget.sources)))
-        .filter(|(_, sources)| !sources.is_empty())
-        .collect();
-    if groups.is_empty() {
-        return Figure::empty(200.0, TITLE, "There is no uncertainty to take apart.");
-    }
-    let rows: usize = groups.iter().map(|(_, sources)| sources.len()).sum();
-    let height = 58.0 + HEADING * groups.len() as f64 + ROW * rows as f64;
-    let mut sheet = Sheet::new(height, TITLE);
-    let mut y = 50.0;
-    for (quantity, sources) in &groups {
-        let mut style = Style::new(theme::LABEL_SIZE, theme::INK, Anchor::Start);
-        style.bold = true;
-        sheet.canvas.text((16.0, y + 18.0), *quantity, style);
-        y += HEADING;
-        for source in sources {
-            bar(&mut sheet, y, source);
-            y += ROW;
+/// Bars for the share of each source in the variance of restitution and drop height, largest first.
+pub(super) fn budget(found: &Posterior, translator: &Translator) -> Chart {
+    let (restitution, height) = (&found.restitution, &found.drop_height_m);
+    let restitution = Quantity::measured(restitution.value, restitution.sd, Unit::Number);
+    let height = Quantity::measured(height.value, height.sd, Unit::Length);
+    let title = |id: &str, value: Quantity| {
+        translator.text_with(&format!("figure-budget-{id}"), &[("value", value.into())])
+    };
+    let shares = [
+        (title("restitution", restitution), &found.budget.restitution),
+        (title("drop-height", height), &found.budget.drop_height_m),
+    ];
+    let mut panels = Vec::new();
+    for (title, shares) in shares {
+        if let Some(panel) = bars(title, shares, translator) {
+            let row = panels.len();
+            panels.push(Panel { row, ..panel });
         }
     }
-    Figure::new(
-        sheet,
-        "Each bar is a source's share of the variance: to know the ball better, improve what is on \
-         top.",
-    )
+    if panels.is_empty() {
+        return Chart::empty(translator, "budget");
+    }
+    let caption = translator.text("figure-budget-caption");
+    Chart::new(translator, "budget", caption, panels)
 }
 
-/// Sorted, with the small ones added up.
-fn shown(sources: &[Source]) -> Vec<Source> {
-    let usable = sources
+fn bars(title: String, shares: &[Share], translator: &Translator) -> Option<Panel> {
+    let sources = sources(shares, translator);
+    let rows = sources.len();
+    if rows == 0 {
+        return None;
+    }
+    let (mut bars, mut ends, mut texts) = (Vec::new(), Vec::new(), Vec::new());
+    for (row, (_, share)) in sources.iter().enumerate() {
+        let middle = row_middle(rows, row);
+        let percent = 100.0 * share;
+        bars.push([0.0, percent, middle - 0.33, middle + 0.33]);
+        ends.push([percent, middle]);
+        let decimals = usize::from(percent < 9.95);
+        texts.push(translator.number(&format!("{percent:.decimals$}\u{a0}%")));
+    }
+    let names = sources.into_iter().map(|(name, _)| name);
+    // Room for the share beside the longest bar.
+    let scale = Scale::linear([0.0, 100.0]).padded(0.0, 0.15);
+    let x = Axis::new(translator.text("figure-budget-axis"), "%", scale);
+    let layers = vec![
+        Layer::boxes(Meaning::Measured, bars),
+        Layer::labels(ends, texts),
+    ];
+    let y = Axis::of_names(names.collect());
+    let panel = Panel::new(ROW * rows as f64, x.with_ticks(Ticks::Hidden), y, layers);
+    Some(Panel { title, ..panel })
+}
+
+/// Names and shares, the largest first, with the small ones added up.
+fn sources(shares: &[Share], translator: &Translator) -> Vec<(String, f64)> {
+    let usable = shares
         .iter()
         .filter(|s| s.share.is_finite() && s.share > 0.0);
-    let (mut large, small): (Vec<Source>, Vec<Source>) =
-        usable.cloned().partition(|source| source.share >= SMALL);
+    let (mut large, small): (Vec<&Share>, Vec<&Share>) =
+        usable.partition(|share| share.share >= SMALL);
     large.sort_by(|a, b| b.share.total_cmp(&a.share));
-    let rest: f64 = small.iter().map(|source| source.share).sum();
-    if rest >= 0.0005 && !large.is_empty() {
-        large.push(Source {
-            name: "all others".to_owned(),
-            share: rest,
-        });
-    }
-    large
-}
-
-fn bar(sheet: &mut Sheet, y: f64, source: &Source) {
-    const LEFT: f64 = 200.0;
-    const RIGHT: f64 = 560.0;
-    let name = Style::new(theme::TICK_SIZE, theme::SOFT_INK, Anchor::End);
-    let place = (LEFT - 10.0, y + 19.0);
-    sheet
-        .canvas
-        .text_wrapped(LEFT - 30.0, place, source.name.as_str(), name);
-    let bar = Rect {
-        left: LEFT,
-        top: y + 5.0,
-        right: LEFT + (RIGHT - LEFT) * source.share.min(1.0),
-        bottom: y + ROW - 5.0,
-    };
-    sheet.canvas.block(bar, Meaning::Measured.colour());
-    let number = Style::new(theme::TICK_SIZE, theme::INK, Anchor::Start);
-    let percent = source.share * 100.0;
-    let text = if percent < 9.95 {
-        format!("{percent:.1} %")
-    } else {
-        format!("{percent:.0} %")
-    };
-    sheet.canvas.text((bar.right + 8.0, y + 19.0), text, number);
+    let rest: f64 = small.iter().map(|share| share.share).sum();
+    let rest = (rest >= LEAST && !large.is_empty())
+        .then(|| (translator.text("figure-budget-others"), rest));
+    let named = |share: &Share| (share.source.to_owned(), share.share);
+    large.into_iter().map(named).chain(rest).collect()
 }

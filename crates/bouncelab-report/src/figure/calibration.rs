@@ -1,13 +1,8 @@
 //! Whether stated uncertainties hold: ranks of the truth among the draws.
 
-use super::Figure;
-use crate::canvas::{Anchor, Style};
-use crate::scale::Scale;
-use crate::shape::Rect;
-use crate::sheet::{KeyEntry, Panel, Sheet, Swatch};
-use crate::theme::{self, Meaning};
-
-const TITLE: &str = "Where the truth lies among the draws";
+use crate::chart::{Axis, Chart, Layer, Panel, Scale, Ticks};
+use crate::messages::Translator;
+use crate::theme::Meaning;
 
 /// Counts of ranks of one quantity in one scenario.
 #[derive(Debug, Clone, PartialEq)]
@@ -22,91 +17,72 @@ pub struct RankHistogram {
 
 /// Small histograms, one row for each scenario, with the band in which 99 % of the bars should end
 /// if the inference is calibrated.
-pub fn calibration(histograms: &[RankHistogram]) -> Figure {
-    const LEFT: f64 = 70.0;
-    const TOP: f64 = 110.0;
-    const ROW: f64 = 104.0;
+pub fn calibration(histograms: &[RankHistogram], translator: &Translator) -> Chart {
     let mut scenarios: Vec<&str> = Vec::new();
     let mut quantities: Vec<&str> = Vec::new();
+    let mut panels = Vec::new();
     for histogram in histograms.iter().filter(|h| !h.bins.is_empty()) {
-        if !scenarios.contains(&histogram.scenario.as_str()) {
-            scenarios.push(&histogram.scenario);
+        let panel = panel(histogram, translator);
+        panels.push(Panel {
+            row: place(&mut scenarios, &histogram.scenario),
+            column: place(&mut quantities, &histogram.quantity),
+            ..panel
+        });
+    }
+    if panels.is_empty() {
+        return Chart::empty(translator, "calibration");
+    }
+    for panel in &mut panels {
+        if panel.row == 0 {
+            quantities[panel.column].clone_into(&mut panel.title);
         }
-        if !quantities.contains(&histogram.quantity.as_str()) {
-            quantities.push(&histogram.quantity);
+        if panel.column == 0 {
+            scenarios[panel.row].clone_into(&mut panel.y.quantity);
+        }
+        if panel.row + 1 == scenarios.len() {
+            panel.x.ticks = Ticks::Labelled;
         }
     }
-    if scenarios.is_empty() {
-        return Figure::empty(200.0, TITLE, "There are no ranks to show.");
-    }
-    let mut sheet = Sheet::new(TOP + ROW * scenarios.len() as f64 + 40.0, TITLE);
-    sheet.key(&[
-        KeyEntry::new(Swatch::Dot(Meaning::Measured.colour()), "simulated drops"),
-        KeyEntry::new(
-            Swatch::Dot(theme::BASE_LINE.mixed(0.45)),
-            "99 % of bars end here if calibrated",
-        ),
-    ]);
-    let width = (theme::WIDTH - LEFT - 20.0) / quantities.len() as f64;
-    for histogram in histograms.iter().filter(|h| !h.bins.is_empty()) {
-        let row = scenarios.iter().position(|s| *s == histogram.scenario);
-        let column = quantities.iter().position(|q| *q == histogram.quantity);
-        let (Some(row), Some(column)) = (row, column) else {
-            continue;
-        };
-        let left = LEFT + width * column as f64;
-        let top = TOP + ROW * row as f64;
-        let frame = Rect {
-            left,
-            top: top + 20.0,
-            right: left + width - 16.0,
-            bottom: top + ROW - 12.0,
-        };
-        draw(&mut sheet, frame, histogram, row + 1 == scenarios.len());
-        if column == 0 {
-            let style = Style::new(theme::LABEL_SIZE, theme::INK, Anchor::Start);
-            sheet
-                .canvas
-                .text((16.0, top + 10.0), &histogram.scenario, style);
-        }
-        if row == 0 {
-            let style = Style::new(theme::LABEL_SIZE, theme::SOFT_INK, Anchor::Middle);
-            let middle = f64::midpoint(frame.left, frame.right);
-            sheet
-                .canvas
-                .text((middle, TOP - 12.0), &histogram.quantity, style);
-        }
-    }
-    Figure::new(
-        sheet,
-        "Flat bars: intervals hold as often as they say. A hill would mean intervals too wide, a \
-         valley too narrow, a slope a bias.",
-    )
+    let caption = translator.text("figure-calibration-caption");
+    let mut chart = Chart::new(translator, "calibration", caption, panels);
+    chart.columns = vec![1.0; quantities.len()];
+    chart
 }
 
-fn draw(sheet: &mut Sheet, frame: Rect, histogram: &RankHistogram, last_row: bool) {
+/// The place of a name in a list, to which it is added if it is new.
+fn place<'a>(names: &mut Vec<&'a str>, name: &'a str) -> usize {
+    names
+        .iter()
+        .position(|known| *known == name)
+        .unwrap_or_else(|| {
+            names.push(name);
+            names.len() - 1
+        })
+}
+
+fn panel(histogram: &RankHistogram, translator: &Translator) -> Panel {
+    let text = |id: &str| translator.text(&format!("figure-calibration-{id}"));
     let count: u32 = histogram.bins.iter().sum();
     let expected = f64::from(count) / histogram.bins.len() as f64;
     // A bin is nearly normal, with the variance of its mean.
     let spread = 2.576 * expected.sqrt();
     let highest = histogram.bins.iter().copied().max().unwrap_or(0);
     let highest = f64::from(highest).max(expected + spread);
-    let x = Scale::linear([0.0, 1.0]);
-    let y = Scale::linear([0.0, 1.15 * highest]);
-    let name = last_row.then_some("rank of the truth");
-    let panel = Panel::inset(&mut sheet.canvas, frame, [x, y], [name, None]);
-    let band = [expected - spread, expected + spread];
-    panel.block(
-        &mut sheet.canvas,
-        [0.0, 1.0],
-        band,
-        theme::BASE_LINE.mixed(0.45),
-    );
     let step = 1.0 / histogram.bins.len() as f64;
-    for (bin, &bars) in histogram.bins.iter().enumerate() {
+    let bars = histogram.bins.iter().enumerate().map(|(bin, &bars)| {
         let from = step * bin as f64;
-        let across = [from + 0.15 * step, from + 0.85 * step];
-        let colour = Meaning::Measured.colour().mixed(0.8);
-        panel.block(&mut sheet.canvas, across, [0.0, f64::from(bars)], colour);
-    }
+        [from + 0.15 * step, from + 0.85 * step, 0.0, f64::from(bars)]
+    });
+    let band = vec![[0.0, 1.0, expected - spread, expected + spread]];
+    let layers = vec![
+        Layer::boxes(Meaning::Expected, band)
+            .pale(0.45)
+            .named(text("expected")),
+        Layer::boxes(Meaning::Measured, bars.collect())
+            .pale(0.8)
+            .named(text("drops")),
+    ];
+    let x = Axis::new(text("rank"), "", Scale::linear([0.0, 1.0])).with_ticks(Ticks::Grid);
+    let y = Axis::new(String::new(), "", Scale::linear([0.0, 1.15 * highest]));
+    Panel::new(72.0, x, y.with_ticks(Ticks::Grid), layers)
 }

@@ -1,15 +1,12 @@
 //! Air drag relative to weight against speed (paper, Figs. 6 and 7).
 
-use super::{Curve, Figure, curve_key, is_finite, pens};
-use crate::canvas::{Anchor, Pen, Style, text_width};
-use crate::quantity::{Quantity, Unit};
-use crate::scale::Scale;
-use crate::shape::Rect;
-use crate::sheet::{Axis, Panel, Sheet};
-use crate::theme::{self, Meaning};
+use bouncelab::analysis::Options;
 
-const TITLE: &str = "Air drag relative to weight";
-const HEIGHT: f64 = 400.0;
+use super::{Curve, curve_layers, derived};
+use crate::chart::{Axis, Chart, Layer, Panel, Point, Scale, xs, ys};
+use crate::messages::Translator;
+use crate::quantity::{Quantity, Unit};
+use crate::theme::Meaning;
 
 /// The axes of a [`drag`] figure.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -21,79 +18,82 @@ pub enum DragAxes {
     Logarithmic,
 }
 
+impl DragAxes {
+    /// The name of the figure.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Linear => "drag",
+            Self::Logarithmic => "drag-log",
+        }
+    }
+}
+
+/// Drag over weight by the law of the settings up to beyond the fastest impact; `None` without drag,
+/// or beyond what the law knows.
+pub fn drag_of_settings(
+    settings: &Options,
+    fastest_m_s: f64,
+    axes: DragAxes,
+    translator: &Translator,
+) -> Option<Chart> {
+    let curves = derived::drag_curves(settings, fastest_m_s).ok()?;
+    let some = !curves.is_empty();
+    some.then(|| drag(&curves, axes, Some(fastest_m_s), translator))
+}
+
 /// Curves of drag divided by weight against speed in m/s, with a line at the fastest speed
 /// that the drop reached, if it lies on the axis.
-pub fn drag(curves: &[Curve], axes: DragAxes, fastest_m_s: Option<f64>) -> Figure {
-    let usable = |&(speed, drag): &(f64, f64)| {
-        is_finite((speed, drag)) && (axes == DragAxes::Linear || (speed > 0.0 && drag > 0.0))
+pub fn drag(
+    curves: &[Curve],
+    axes: DragAxes,
+    fastest_m_s: Option<f64>,
+    translator: &Translator,
+) -> Chart {
+    let id = axes.name();
+    let is_usable = |&[speed, drag]: &Point| {
+        axes == DragAxes::Linear || (speed > 0.0 && drag > 0.0) || !drag.is_finite()
     };
-    let points: Vec<(f64, f64)> = curves
+    let curves: Vec<Curve> = curves
         .iter()
-        .flat_map(|curve| curve.points.iter().copied().filter(usable))
+        .map(|curve| Curve {
+            points: curve.points.iter().copied().filter(is_usable).collect(),
+            ..curve.clone()
+        })
         .collect();
-    if points.is_empty() {
-        return Figure::empty(HEIGHT, TITLE, "There are no drag curves to show.");
+    let mut layers = curve_layers(&curves);
+    if ys(&layers).next().is_none() {
+        return Chart::empty(translator, id);
     }
-    let (speeds, drags) = (points.iter().map(|p| p.0), points.iter().map(|p| p.1));
     let (x, y) = match axes {
         DragAxes::Linear => (
-            Scale::linear(speeds.chain([0.0])),
-            Scale::linear(drags.chain([0.0])).padded(0.0, 0.03),
+            Scale::linear(xs(&layers).chain([0.0])),
+            Scale::linear(ys(&layers).chain([0.0])).padded(0.0, 0.03),
         ),
-        DragAxes::Logarithmic => (Scale::log(speeds), Scale::log(drags).padded(0.03, 0.03)),
+        DragAxes::Logarithmic => (
+            Scale::log(xs(&layers)),
+            Scale::log(ys(&layers)).padded(0.03, 0.03),
+        ),
     };
     let fastest = fastest_m_s.filter(|v| *v > 0.0 && (x.low()..=x.high()).contains(v));
-    let x = Axis::new(x, "speed (m/s)");
-    let y = Axis::new(y, "drag / weight");
-
-    let pens = pens(curves);
-    let mut sheet = Sheet::new(HEIGHT, TITLE);
-    sheet.key(&curve_key(curves, &pens));
-    let panel = Panel::fill(&mut sheet, &x, &y, 0.0);
+    let mut arguments = Vec::new();
     if let Some(fastest) = fastest {
-        draw_fastest(&mut sheet, &panel, fastest);
+        let speed = Quantity::rounded(fastest, 2, Unit::Speed);
+        arguments.push(("speed", speed.into()));
+        let name = translator.text_with("figure-drag-fastest", &arguments);
+        layers.insert(0, Layer::upright(Meaning::Measured, fastest, name));
     }
-    for (curve, pen) in curves.iter().zip(pens) {
-        panel.curve(&mut sheet.canvas, &curve.points, pen);
-    }
-    Figure::new(sheet, caption(axes, fastest))
-}
-
-/// A vertical line at the fastest speed, with its name beside it at the top, where the curves
-/// have not yet come to.
-fn draw_fastest(sheet: &mut Sheet, panel: &Panel, fastest_m_s: f64) {
-    let Rect {
-        left, top, bottom, ..
-    } = panel.frame;
-    let (x, _) = panel.at((fastest_m_s, 0.0));
-    let pen = Pen::solid(Meaning::Measured.colour(), 1.5);
-    sheet.canvas.line((x, top), (x, bottom), pen);
-    let name = format!("this drop: up to {}", speed(fastest_m_s));
-    let fits_before = x - left > text_width(&name, theme::LABEL_SIZE) + 8.0;
-    let (place, anchor) = if fits_before {
-        (x - 8.0, Anchor::End)
+    let reached = if fastest.is_some() {
+        "reached"
     } else {
-        (x + 8.0, Anchor::Start)
+        "caption"
     };
-    let style = Style::new(theme::LABEL_SIZE, Meaning::Measured.colour(), anchor);
-    sheet.canvas.text((place, top + 15.0), name, style);
-}
-
-fn speed(speed_m_s: f64) -> Quantity {
-    Quantity::rounded(speed_m_s, 2, Unit::Speed)
-}
-
-fn caption(axes: DragAxes, fastest_m_s: Option<f64>) -> String {
-    let what = match axes {
-        DragAxes::Linear => {
-            "Drag grows nearly with the square of the speed and balances the weight at the terminal speed, where the curve reaches 1"
-        }
-        DragAxes::Logarithmic => {
-            "A constant drag coefficient is a straight line here; the laws part at low speed, where drag is too weak to matter"
-        }
-    };
-    let reached = fastest_m_s.map_or(String::new(), |fastest| {
-        format!("; this drop reached {}", speed(fastest))
-    });
-    format!("{what}{reached}.")
+    let caption = translator.text_with(&format!("figure-{id}-{reached}"), &arguments);
+    let x = Axis::new(translator.text("axis-speed"), "m/s", x);
+    let y = Axis::new(translator.text("axis-drag"), "", y);
+    Chart::new(
+        translator,
+        id,
+        caption,
+        vec![Panel::new(255.0, x, y, layers)],
+    )
 }

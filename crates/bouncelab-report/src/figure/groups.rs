@@ -1,13 +1,9 @@
 //! Restitution against impact speed, coloured by group.
 
-use super::{Figure, LINE, is_finite, robust_scale};
-use crate::canvas::Pen;
-use crate::scale::Scale;
-use crate::sheet::{Axis, KeyEntry, Panel, Sheet, Swatch};
-use crate::theme;
+use crate::chart::{Axis, Chart, Layer, Marker, Panel, Point, Scale, xs, ys};
+use crate::messages::Translator;
+use crate::theme::Meaning;
 
-const TITLE: &str = "Bounciness of each group";
-const HEIGHT: f64 = 440.0;
 /// More groups than this cannot be told apart by eye.
 const MOST: usize = 12;
 
@@ -24,115 +20,69 @@ pub struct GroupPoint {
 
 /// A group of drops: its impacts, and its mean against speed.
 #[derive(Debug, Clone, PartialEq)]
-pub struct GroupLaw {
-    /// Name, as in the key.
+pub struct GroupCurve {
+    /// Name, as in the legend.
     pub name: String,
     /// Impact speed in m/s and restitution of single impacts.
-    pub impacts: Vec<(f64, f64)>,
+    pub impacts: Vec<Point>,
     /// The mean at increasing speeds.
-    pub law: Vec<GroupPoint>,
+    pub means: Vec<GroupPoint>,
 }
 
 /// Restitution against impact speed for several groups: single impacts as specks, the mean over the
 /// drops of a group as a line with its marks, and the 95 % interval of the mean around it.
 ///
 /// The first twelve groups are drawn.
-pub fn groups(groups: &[GroupLaw]) -> Figure {
+pub fn groups(groups: &[GroupCurve], translator: &Translator) -> Chart {
     let shown = &groups[..groups.len().min(MOST)];
-    let impacts = || {
-        shown
-            .iter()
-            .flat_map(|group| &group.impacts)
-            .filter(|p| is_finite(**p))
-    };
-    let means = || shown.iter().flat_map(|group| &group.law);
-    if impacts().next().is_none() && means().next().is_none() {
-        return Figure::empty(
-            HEIGHT,
-            TITLE,
-            "There are no impacts with a known restitution.",
-        );
-    }
-    let values: Vec<_> = impacts().map(|(_, value)| (*value, None)).collect();
-    let bulk = robust_scale(&values);
-    let of_bulk = if values.is_empty() {
-        Vec::new()
-    } else {
-        vec![bulk.low(), bulk.high()]
-    };
-    let ends = of_bulk.into_iter().chain(means().map(|point| point.value));
-    let y = Axis::new(
-        Scale::linear(ends).padded(0.06, 0.06),
-        "restitution: speed after / before",
-    );
-    let speeds = impacts().map(|(speed, _)| *speed);
-    let speeds = speeds.chain(means().map(|point| point.speed_m_s));
-    let x = Axis::new(
-        Scale::linear(speeds.chain([0.0])).padded(0.0, 0.04),
-        "speed at the impact (m/s)",
-    );
-    let mut sheet = Sheet::new(HEIGHT, TITLE);
-    let key: Vec<KeyEntry> = shown
-        .iter()
-        .enumerate()
-        .map(|(place, group)| KeyEntry::new(Swatch::of_group(place), group.name.clone()))
-        .collect();
-    sheet.key(&key);
-    let panel = Panel::fill(&mut sheet, &x, &y, 0.0);
+    let specks = specks(shown);
+    let mut bands = Vec::new();
+    let mut means = Vec::new();
     for (place, group) in shown.iter().enumerate() {
-        band(&panel, &mut sheet, place, group);
+        let meaning = Meaning::Group(place);
+        let band = group.means.iter().filter_map(|point| {
+            let [low, high] = point.interval95?;
+            Some([point.speed_m_s, low, high])
+        });
+        bands.push(Layer::band(meaning, band.collect()).pale(0.2));
+        let mean = group.means.iter().map(|p| [p.speed_m_s, p.value]);
+        let mean: Vec<Point> = mean.collect();
+        let marker = Marker::of_group(place);
+        means.push(Layer::line(meaning, mean.clone()));
+        means.push(Layer::points(meaning, marker, mean).named(&*group.name));
     }
-    specks(&panel, &mut sheet, shown);
-    for (place, group) in shown.iter().enumerate() {
-        mean(&panel, &mut sheet, place, group);
+    if ys(&specks).chain(ys(&means)).next().is_none() {
+        return Chart::empty(translator, "groups");
     }
-    Figure::new(sheet, caption(groups.len()))
+    let bulk = ys(&specks).next().map(|_| Scale::bulk(ys(&specks)));
+    let bulk = bulk.into_iter().flat_map(|bulk| [bulk.low(), bulk.high()]);
+    let y = Scale::linear(ys(&means).chain(bulk)).padded(0.06, 0.06);
+    let speeds = xs(&specks).chain(xs(&means)).chain([0.0]);
+    let x = Scale::linear(speeds).padded(0.0, 0.04);
+    let mut caption = translator.text("figure-groups-caption");
+    if groups.len() > MOST {
+        caption.push(' ');
+        let counts = [("shown", MOST.into()), ("all", groups.len().into())];
+        caption.push_str(&translator.text_with("figure-groups-more", &counts));
+    }
+    let panel = Panel::new(
+        270.0,
+        Axis::new(translator.text("axis-impact-speed"), "m/s", x),
+        Axis::new(translator.text("axis-restitution"), "", y),
+        bands.into_iter().chain(specks).chain(means).collect(),
+    );
+    Chart::new(translator, "groups", caption, vec![panel])
 }
 
-fn band(panel: &Panel, sheet: &mut Sheet, place: usize, group: &GroupLaw) {
-    let known = group
-        .law
-        .iter()
-        .filter_map(|point| Some((point.speed_m_s, point.interval95?)));
-    let (lower, upper): (Vec<_>, Vec<_>) = known
-        .map(|(speed, [low, high])| ((speed, low), (speed, high)))
-        .unzip();
-    let colour = theme::group(place).tint();
-    panel.band(&mut sheet.canvas, &lower, &upper, colour);
-}
-
-/// The impacts of all groups in turn, so that none hides another.
-fn specks(panel: &Panel, sheet: &mut Sheet, groups: &[GroupLaw]) {
-    let longest = groups
-        .iter()
-        .map(|group| group.impacts.len())
-        .max()
-        .unwrap_or(0);
-    for impact in 0..longest {
-        for (place, group) in groups.iter().enumerate() {
-            if let Some(&point) = group.impacts.get(impact) {
-                let colour = theme::group(place).mixed(0.5);
-                panel.speck(&mut sheet.canvas, point, colour);
-            }
-        }
-    }
-}
-
-fn mean(panel: &Panel, sheet: &mut Sheet, place: usize, group: &GroupLaw) {
-    let points: Vec<(f64, f64)> = group.law.iter().map(|p| (p.speed_m_s, p.value)).collect();
-    let pen = Pen::solid(theme::group(place), LINE);
-    panel.curve(&mut sheet.canvas, &points, pen);
-    for point in points {
-        panel.point(&mut sheet.canvas, point, Swatch::of_group(place));
-    }
-}
-
-fn caption(groups: usize) -> String {
-    let all = "Every speck is an impact; the lines are the means over the drops of each group, with \
-               their 95 % intervals.";
-    if groups > MOST {
-        format!("{all} The first {MOST} of {groups} groups are shown.")
-    } else {
-        all.to_owned()
-    }
+/// The impacts of all groups in turns, so that none hides another.
+fn specks(groups: &[GroupCurve]) -> Vec<Layer> {
+    const TURNS: usize = 8;
+    let turns = (0..TURNS).flat_map(|turn| {
+        groups.iter().enumerate().map(move |(place, group)| {
+            let impacts = group.impacts.iter().skip(turn).step_by(TURNS);
+            let impacts = impacts.copied().collect();
+            Layer::points(Meaning::Group(place), Marker::Speck, impacts).pale(0.5)
+        })
+    });
+    turns.collect()
 }

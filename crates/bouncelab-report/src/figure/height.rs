@@ -1,61 +1,96 @@
 //! Height against time (paper, Figs. 2 and 8).
 
-use super::{Curve, Figure, curve_key, is_finite, pens};
+use super::derived::{self, History};
+use super::{Curve, Subject, curve_layers};
+use crate::chart::{Axis, Chart, Layer, Marker, Panel, Point, Scale, xs, ys};
+use crate::messages::Translator;
 use crate::quantity::Unit;
-use crate::scale::Scale;
-use crate::sheet::{Axis, KeyEntry, Panel, Sheet, Swatch};
 use crate::theme::Meaning;
 
-const TITLE: &str = "Height of the ball";
-const HEIGHT: f64 = 380.0;
-
-/// Curves of height in metres against time in seconds, and measured apexes as dots (time in
-/// seconds, height in metres). The axis is in micrometres to metres, whichever suits.
-pub fn height(curves: &[Curve], apexes: &[(f64, f64)]) -> Figure {
-    let points: Vec<(f64, f64)> = curves
-        .iter()
-        .flat_map(|curve| &curve.points)
-        .chain(apexes)
-        .copied()
-        .filter(|&point| is_finite(point))
-        .collect();
-    if points.is_empty() {
-        return Figure::empty(HEIGHT, TITLE, "There are no heights to show.");
-    }
-    let highest = points.iter().map(|p| p.1).fold(0.0, f64::max);
-    let (metres, unit) = Unit::Length.step_for(highest);
-    let x = Axis::new(Scale::linear(points.iter().map(|p| p.0)), "time (s)");
-    let heights = points.iter().map(|p| p.1 / metres).chain([0.0]);
-    let y = Axis::new(
-        Scale::linear(heights).padded(0.0, 0.04),
-        format!("height ({unit})"),
-    );
-
-    let pens = pens(curves);
-    let mut key = curve_key(curves, &pens);
-    let colour = Meaning::Measured.colour();
-    if !apexes.is_empty() {
-        key.push(KeyEntry::new(Swatch::Dot(colour), "measured apexes"));
-    }
-    let mut sheet = Sheet::new(HEIGHT, TITLE);
-    sheet.key(&key);
-    let panel = Panel::fill(&mut sheet, &x, &y, 0.0);
-    let shown = |&(time, height): &(f64, f64)| (time, height / metres);
-    for (curve, pen) in curves.iter().zip(pens) {
-        let points: Vec<_> = curve.points.iter().map(shown).collect();
-        panel.curve(&mut sheet.canvas, &points, pen);
-    }
-    for apex in apexes {
-        panel.point(&mut sheet.canvas, shown(apex), Swatch::Dot(colour));
-    }
-    Figure::new(sheet, caption(curves.len(), !apexes.is_empty()))
+/// Height against time by the flight model, from impact to impact, with the measured apexes.
+pub(super) fn of_drop(subject: &Subject<'_>, translator: &Translator) -> Chart {
+    let History { points, apexes } = derived::history(subject.drop, subject.settings);
+    let drag = subject.settings.environment.drag.to_string();
+    let name = translator.text_with("figure-height-model", &[("drag", drag.into())]);
+    let meaning = Meaning::Drag;
+    let curve = Curve {
+        name,
+        meaning,
+        points,
+    };
+    height("height", &[curve], &apexes, translator)
 }
 
-fn caption(curves: usize, apexes: bool) -> String {
-    match (curves, apexes) {
-        (_, true) => "Each hop is lower and shorter than the one before; dots are the measured tops of the hops.",
-        (2.., false) => "The models start alike and part with time, because what a hop loses shortens all that follow.",
-        _ => "Each hop is lower and shorter than the one before, so that infinitely many fit into a finite time.",
+/// Height against time as measured, over the drop that the answers describe or a simulation of the
+/// reader.
+pub(super) fn comparison(subject: &Subject<'_>, translator: &Translator) -> Chart {
+    let text = |id: &str| translator.text(&format!("figure-comparison-{id}"));
+    let (name, simulated) = match subject.simulation {
+        Some(points) => (text("simulation"), points.to_vec()),
+        None => (
+            text("best-fit"),
+            derived::best_fit(subject.drop, subject.settings).unwrap_or_default(),
+        ),
+    };
+    let measured = derived::history(subject.drop, subject.settings).points;
+    let simulated = Curve {
+        name,
+        meaning: Meaning::Drag,
+        points: simulated,
+    };
+    let measured = Curve {
+        name: text("measured"),
+        meaning: Meaning::Measured,
+        points: measured,
+    };
+    let mut chart = height("comparison", &[simulated, measured], &[], translator);
+    if let Some(measured) = chart.panels.first_mut().and_then(|p| p.layers.pop()) {
+        chart.panels[0].layers.push(measured.with_width(1.25));
     }
-    .to_owned()
+    chart
+}
+
+/// Curves of height in metres against time in seconds, and measured apexes as dots. The axis is in
+/// micrometres to metres, whichever suits.
+pub fn height(id: &str, curves: &[Curve], apexes: &[Point], translator: &Translator) -> Chart {
+    let layers = curve_layers(curves);
+    let highest = ys(&layers).chain(apexes.iter().map(|p| p[1]));
+    let highest = highest.fold(0.0, f64::max);
+    if xs(&layers).next().is_none() && apexes.is_empty() {
+        return Chart::empty(translator, id);
+    }
+    let (metres, unit) = Unit::Length.step_for(highest);
+    let scaled = |points: &[Point]| points.iter().map(|[t, h]| [*t, h / metres]).collect();
+    let curves: Vec<Curve> = curves
+        .iter()
+        .map(|curve| Curve {
+            points: scaled(&curve.points),
+            ..curve.clone()
+        })
+        .collect();
+    let mut layers = curve_layers(&curves);
+    if !apexes.is_empty() {
+        let name = translator.text("figure-height-apexes");
+        let apexes = Layer::points(Meaning::Measured, Marker::Dot, scaled(apexes));
+        layers.push(apexes.named(name));
+    }
+    let x = Axis::new(
+        translator.text("axis-time"),
+        "s",
+        Scale::linear(xs(&layers)),
+    );
+    let heights = Scale::linear(ys(&layers).chain([0.0])).padded(0.0, 0.04);
+    let y = Axis::new(translator.text("axis-height"), unit, heights);
+    let caption = translator.text(match (id, apexes.is_empty(), curves.len()) {
+        ("height", false, _) => "figure-height-caption-apexes",
+        ("height", true, 2..) => "figure-height-caption-models",
+        ("height", ..) => "figure-height-caption",
+        _ => "figure-comparison-caption",
+    });
+    Chart::new(
+        translator,
+        id,
+        caption,
+        vec![Panel::new(235.0, x, y, layers)],
+    )
 }

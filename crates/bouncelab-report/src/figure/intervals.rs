@@ -1,11 +1,8 @@
 //! The mean of each group with its interval, over its drops.
 
-use super::rows::{Name, Rows};
-use super::{Figure, count};
-use crate::canvas::Pen;
-use crate::scale::Scale;
-use crate::sheet::{Panel, Sheet, Swatch};
-use crate::theme::{self, Meaning};
+use crate::chart::{Axis, Chart, Layer, Marker, Panel, Point, Scale, row_middle, xs};
+use crate::messages::Translator;
+use crate::theme::Meaning;
 
 const ROW: f64 = 34.0;
 
@@ -24,62 +21,63 @@ pub struct GroupInterval {
     pub drops: Vec<(f64, bool)>,
 }
 
-/// One row for each group: its drops as specks, the range in which the next drop is expected as a
-/// pale bar, the interval of the mean as a strong one, the mean as a dot.
-pub fn intervals(title: &str, groups: &[GroupInterval], quantity: &str) -> Figure {
+/// One row for each group, for restitution at a speed in m/s: its drops as specks, the range in which
+/// the next drop is expected as a pale bar, the interval of the mean as a strong one, the mean as a dot.
+pub fn intervals(groups: &[GroupInterval], at_speed_m_s: f64, translator: &Translator) -> Chart {
+    let text = |id: &str| translator.text(&format!("figure-intervals-{id}"));
     let usable: Vec<&GroupInterval> = groups.iter().filter(|g| g.mean.is_finite()).collect();
-    if usable.is_empty() {
-        return Figure::empty(200.0, title, "There are no groups to compare.");
+    let rows = usable.len();
+    if rows == 0 {
+        return Chart::empty(translator, "intervals");
     }
-    let ends = usable.iter().flat_map(|group| {
-        let intervals = group.interval95.into_iter().flatten();
-        let drops = group.drops.iter().map(|(value, _)| *value);
-        intervals.chain(drops).chain([group.mean])
-    });
-    let x = Scale::linear(ends.filter(|end| end.is_finite())).padded(0.05, 0.05);
-    let legend = "specks: drops \u{b7} pale bar: next drop, 95 % \u{b7} strong bar: mean, 95 %";
-    let names = usable.iter().map(|group| Name {
-        name: &group.name,
-        below: Some(count(group.drops.len(), "drop")),
-    });
-    let names: Vec<Name> = names.collect();
-    let mut rows = Rows::new(title, legend, (&names, ROW), x, quantity);
+    let (mut next, mut interval, mut means) = (Vec::new(), Vec::new(), Vec::new());
+    let (mut drops, mut outliers) = (Vec::new(), Vec::new());
     for (row, group) in usable.iter().enumerate() {
-        let middle = rows.middle(row);
-        draw_row(&rows.panel, &mut rows.sheet, middle, group);
-    }
-    Figure::new(
-        rows.sheet,
-        "Where the strong bars of two groups are far apart, the groups differ; where one lies within \
-         the other's pale bar, single drops cannot tell them apart.",
-    )
-}
-
-fn draw_row(panel: &Panel, sheet: &mut Sheet, middle: f64, group: &GroupInterval) {
-    let blue = Meaning::Measured.colour();
-    if let Some([low, high]) = group.next95 {
-        let span = [middle - 0.3, middle + 0.3];
-        panel.block(&mut sheet.canvas, [low, high], span, blue.mixed(0.12));
-    }
-    if let Some([low, high]) = group.interval95 {
-        let bar = [(low, middle), (high, middle)];
-        panel.curve(&mut sheet.canvas, &bar, Pen::solid(blue.mixed(0.45), 7.0));
-    }
-    for (place, &(value, outlier)) in group.drops.iter().enumerate() {
-        // Spread over the row, so that equal values are seen.
-        let height = middle + 0.26 * spread(place);
-        let colour = if outlier {
-            Meaning::Warning.colour()
-        } else {
-            theme::SOFT_INK
-        };
-        if outlier {
-            panel.point(&mut sheet.canvas, (value, height), Swatch::Ring(colour));
-        } else {
-            panel.speck(&mut sheet.canvas, (value, height), colour);
+        let middle = row_middle(rows, row);
+        if let Some([low, high]) = group.next95 {
+            next.push([low, high, middle - 0.3, middle + 0.3]);
         }
+        if let Some([low, high]) = group.interval95 {
+            interval.extend([[low, middle], [high, middle], [f64::NAN; 2]]);
+        }
+        for (place, &(value, is_outlier)) in group.drops.iter().enumerate() {
+            // Spread over the row, so that equal values are seen.
+            let point: Point = [value, middle + 0.26 * spread(place)];
+            if is_outlier {
+                outliers.push(point);
+            } else {
+                drops.push(point);
+            }
+        }
+        means.push([group.mean, middle]);
     }
-    panel.point(&mut sheet.canvas, (group.mean, middle), Swatch::Dot(blue));
+    let interval = Layer::line(Meaning::Measured, interval).with_width(7.0);
+    let mut layers = vec![
+        interval.pale(0.45).named(text("mean")),
+        Layer::points(Meaning::Soft, Marker::Speck, drops).named(text("drops")),
+        Layer::points(Meaning::Measured, Marker::Dot, means),
+    ];
+    if !outliers.is_empty() {
+        let outliers = Layer::points(Meaning::Warning, Marker::Ring, outliers);
+        layers.push(outliers.named(text("outliers")));
+    }
+    let scale = Scale::linear(xs(&layers)).padded(0.05, 0.05);
+    let next = Layer::boxes(Meaning::Measured, next).pale(0.12);
+    layers.insert(0, next.named(text("next")));
+    let names = usable.iter().map(|group| {
+        let count = [("count", group.drops.len().into())];
+        let below = translator.text_with("figure-intervals-count", &count);
+        format!("{}\n{below}", group.name.replace('\n', " "))
+    });
+    let speed = format!("{at_speed_m_s:.2}");
+    let quantity = translator.text_with(
+        "axis-restitution-at",
+        &[("speed", translator.number(&speed).into())],
+    );
+    let x = Axis::new(quantity, "", scale);
+    let y = Axis::of_names(names.collect());
+    let panel = Panel::new(ROW * rows as f64, x, y, layers);
+    Chart::new(translator, "intervals", text("caption"), vec![panel])
 }
 
 /// From -1 to 1, evenly for any number of places: multiples of the golden section.

@@ -1,219 +1,237 @@
-//! The figures, one file each.
+//! The figures, one file each: data in, a [`Chart`] out.
 //!
-//! Each takes plain data and gives a [`Figure`]. Points that are not numbers are left out;
-//! a figure without any usable point says so instead of showing empty axes.
+//! Points that are not numbers are left out; a figure without any usable point says so instead of
+//! showing empty axes. A new figure of a drop is a file here and a line in [`OF_DROP`]: then the program
+//! saves it, and the page shows it.
+//!
+//! ```
+//! use bouncelab::analysis::{self, Options};
+//! use bouncelab_report::figure::{self, Subject};
+//!
+//! let settings = Options { inference: None, ..Options::default() };
+//! let impacts = analysis::impacts_of_times(&[0.0, 0.4605, 0.8877, 1.2854, 1.6568, 2.0045]);
+//! let drop = analysis::analyze(impacts, &settings);
+//! let subject = Subject::new(&drop, &settings);
+//! let names: Vec<_> = figure::of_drop(&subject).map(|figure| figure.name).collect();
+//! let plain = ["restitution", "flight-times", "height", "bounce-heights", "bounce-energies"];
+//! assert_eq!(names, plain);
+//! ```
 
 mod bounces;
 mod budget;
 mod calibration;
-mod corner;
-mod cut;
+mod derived;
+mod detection;
 mod drag;
 mod flight_times;
 mod groups;
 mod height;
 mod intervals;
 mod limits;
-mod listening;
 mod models;
+mod posterior;
 mod residuals;
 mod restitution;
-mod rows;
 mod run_chart;
+mod truncation;
 mod waveform;
 
-pub use bounces::{BounceHeight, BounceLoss, bounce_energies, bounce_heights};
-pub use budget::{Budget, Source, budget};
+use std::fmt;
+
+use bouncelab::analysis::{Drop, Options};
+use bouncelab::inference::Posterior;
+
 pub use calibration::{RankHistogram, calibration};
-pub use corner::{CornerParameter, corner};
-pub use cut::{CutPoint, CutSeries, cut};
-pub use drag::{DragAxes, drag};
+pub use detection::{Detection, detection};
+pub use drag::{DragAxes, drag, drag_of_settings};
 pub use flight_times::{Line, TimedFlight, flight_times};
-pub use groups::{GroupLaw, GroupPoint, groups};
+pub use groups::{GroupCurve, GroupPoint, groups};
 pub use height::height;
 pub use intervals::{GroupInterval, intervals};
 pub use limits::{Judged, limits};
-pub use listening::{Hearing, listening};
-pub use models::{ModelWeight, models};
-pub use residuals::{Residual, residuals};
-pub use restitution::{BandPoint, Restitution, restitution};
 pub use run_chart::{RunPoint, run_chart};
-pub use waveform::{Envelope, Mark, waveform};
+pub use waveform::{Mark, waveform};
 
-use crate::canvas::Pen;
-use crate::language::{Say, said};
-use crate::scale::Scale;
-use crate::shape::{Dash, is_finite};
-use crate::sheet::{KeyEntry, Sheet, Swatch};
+use crate::chart::{Chart, Dashes, Layer, Point};
+use crate::messages::Translator;
 use crate::theme::Meaning;
 
-/// The narrowest picture, in pixels: below it nothing can be read.
-pub const MIN_WIDTH_PX: u32 = 120;
-/// The widest picture, in pixels.
-pub const MAX_WIDTH_PX: u32 = 8000;
+/// One drop and what figures show besides.
+#[derive(Debug, Clone, Copy)]
+pub struct Subject<'a> {
+    drop: &'a Drop,
+    settings: &'a Options,
+    simulation: Option<&'a [Point]>,
+}
 
-/// A drawn figure.
-#[derive(Debug)]
+impl<'a> Subject<'a> {
+    /// A drop and the settings with which it was analysed.
+    pub const fn new(drop: &'a Drop, settings: &'a Options) -> Self {
+        Self {
+            drop,
+            settings,
+            simulation: None,
+        }
+    }
+
+    /// With a simulation of the reader to compare with: time in s, in that of the recording, and
+    /// height in m.
+    #[must_use]
+    pub const fn with_simulation(self, simulation: Option<&'a [Point]>) -> Self {
+        Self { simulation, ..self }
+    }
+
+    fn inference(&self) -> Option<&'a Posterior> {
+        self.drop.posterior.as_ref().ok()
+    }
+}
+
+/// A figure of a drop.
+#[derive(Clone, Copy)]
 pub struct Figure {
-    sheet: Sheet,
-    caption: String,
+    /// Lower-case letters and hyphens: its name in files, links and messages.
+    pub name: &'static str,
+    applies: fn(&Subject<'_>) -> bool,
+    draw: fn(&Subject<'_>, &Translator) -> Chart,
 }
 
 impl Figure {
-    fn new(sheet: Sheet, caption: impl Into<String>) -> Self {
-        Self {
-            sheet,
-            caption: caption.into(),
-        }
+    /// The chart of a drop.
+    pub fn chart(&self, subject: &Subject<'_>, translator: &Translator) -> Chart {
+        (self.draw)(subject, translator)
     }
+}
 
-    /// A figure that says why it shows nothing.
-    fn empty(height: f64, title: &str, reason: &str) -> Self {
-        let mut sheet = Sheet::new(height, title);
-        sheet.message(reason);
-        Self::new(sheet, reason)
+impl fmt::Debug for Figure {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_tuple("Figure").field(&self.name).finish()
     }
+}
 
-    /// The title, which also stands on the figure.
-    pub fn title(&self) -> &str {
-        self.sheet.title()
+/// Every figure of a drop, in the order in which they are shown.
+const OF_DROP: [Figure; 11] = [
+    always("restitution", restitution::restitution),
+    always("flight-times", flight_times::of_drop),
+    always("height", height::of_drop),
+    always("bounce-heights", bounces::heights),
+    always("bounce-energies", bounces::energies),
+    Figure {
+        name: "comparison",
+        applies: |subject| subject.inference().is_some() || subject.simulation.is_some(),
+        draw: height::comparison,
+    },
+    inferred("posterior", |s, translator| {
+        of_inference(s, "posterior", translator, posterior::posterior)
+    }),
+    inferred("residuals", |s, translator| {
+        of_inference(s, "residuals", translator, residuals::residuals)
+    }),
+    inferred("budget", |s, translator| {
+        of_inference(s, "budget", translator, budget::budget)
+    }),
+    Figure {
+        name: "models",
+        applies: |subject| {
+            subject
+                .inference()
+                .is_some_and(|found| found.models.len() > 1)
+        },
+        draw: |s, translator| of_inference(s, "models", translator, models::models),
+    },
+    Figure {
+        name: "truncation",
+        applies: |subject| {
+            subject.inference().is_some() && derived::truncations(subject.drop).len() > 2
+        },
+        draw: truncation::truncation,
+    },
+];
+
+const fn always(name: &'static str, draw: fn(&Subject<'_>, &Translator) -> Chart) -> Figure {
+    Figure {
+        name,
+        applies: |_| true,
+        draw,
     }
+}
 
-    /// One sentence that says what to see in it.
-    pub fn caption(&self) -> &str {
-        &self.caption
+const fn inferred(name: &'static str, draw: fn(&Subject<'_>, &Translator) -> Chart) -> Figure {
+    Figure {
+        name,
+        applies: |subject| subject.inference().is_some(),
+        draw,
     }
+}
 
-    /// Says every word of it in another language. Where the words need more room, the figure grows.
-    pub fn translate(&mut self, say: &mut Say<'_>) {
-        said(&mut self.caption, say);
-        self.sheet.translate(say);
+fn of_inference(
+    subject: &Subject<'_>,
+    name: &str,
+    translator: &Translator,
+    draw: fn(&Posterior, &Translator) -> Chart,
+) -> Chart {
+    match subject.inference() {
+        Some(found) => draw(found, translator),
+        None => Chart::empty(translator, name),
     }
+}
 
-    /// Width and height of the drawing in figure pixels: its natural size on a page.
-    pub fn size(&self) -> (f64, f64) {
-        self.sheet.size()
-    }
+/// The figures that there are of a drop: of what was heard, and of the inference if there is one.
+pub fn of_drop(subject: &Subject<'_>) -> impl Iterator<Item = Figure> {
+    OF_DROP
+        .into_iter()
+        .filter(|figure| (figure.applies)(subject))
+}
 
-    /// The figure as SVG, which scales to any size; the caption is its description for those
-    /// who cannot see it.
-    pub fn svg(&self) -> String {
-        self.sheet.drawn().svg(self.title(), &self.caption)
-    }
+/// The chart of a drop by its name; `None` if there is no such figure of this drop.
+pub fn chart(name: &str, subject: &Subject<'_>, translator: &Translator) -> Option<Chart> {
+    let figure = of_drop(subject).find(|figure| figure.name == name)?;
+    Some(figure.chart(subject, translator))
+}
 
-    /// The figure as a PNG picture of the given width in pixels.
-    ///
-    /// # Errors
-    ///
-    /// [`Error::PictureWidth`](crate::Error::PictureWidth) if the width is not from
-    /// [`MIN_WIDTH_PX`] to [`MAX_WIDTH_PX`], [`Error::Picture`](crate::Error::Picture) if the
-    /// drawing library fails.
-    #[cfg(feature = "png")]
-    pub fn png(&self, width_px: u32) -> crate::Result<Vec<u8>> {
-        if !(MIN_WIDTH_PX..=MAX_WIDTH_PX).contains(&width_px) {
-            return Err(crate::Error::PictureWidth { width_px });
-        }
-        let drawn = self.sheet.drawn().png(width_px);
-        drawn.map_err(|problem| crate::Error::Picture {
-            title: self.title().to_owned(),
-            problem,
+/// The figures of the air with their names, up to the fastest impact of the drops; none without drag,
+/// or if no speed is known.
+pub fn of_air(
+    drops: &[Drop],
+    settings: &Options,
+    translator: &Translator,
+) -> Vec<(&'static str, Chart)> {
+    let speeds = drops.iter().filter_map(Drop::speed_range_m_s);
+    let Some(fastest) = speeds.map(|(_, fastest)| fastest).reduce(f64::max) else {
+        return Vec::new();
+    };
+    let charts = [DragAxes::Linear, DragAxes::Logarithmic].into_iter();
+    charts
+        .filter_map(|axes| {
+            let chart = drag_of_settings(settings, fastest, axes, translator)?;
+            Some((axes.name(), chart))
         })
-    }
+        .collect()
 }
 
 /// A named curve.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Curve {
-    /// Name, as in the key: short, plain text.
+    /// Name, as in the legend: short, plain text.
     pub name: String,
     /// What it shows, which decides its colour. Curves with the same meaning differ by their
     /// dashes.
     pub meaning: Meaning,
     /// The points in the order of drawing; the figure says in which units. A point that is
     /// not a number interrupts the curve.
-    pub points: Vec<(f64, f64)>,
+    pub points: Vec<Point>,
 }
 
-/// Width of a line that shows data, in figure pixels.
-const LINE: f64 = 2.25;
-
-/// A pen for each curve: the colour by its meaning, dashes by how many of the same meaning
-/// came before.
-fn pens(curves: &[Curve]) -> Vec<Pen> {
-    const DASHES: [Option<Dash>; 4] = [
-        None,
-        Some(Dash {
-            stroke: 9.0,
-            gap: 5.0,
-        }),
-        Some(Dash {
-            stroke: 2.5,
-            gap: 4.0,
-        }),
-        Some(Dash {
-            stroke: 18.0,
-            gap: 5.0,
-        }),
-    ];
-    curves
-        .iter()
-        .enumerate()
-        .map(|(i, curve)| {
-            let before = &curves[..i];
-            let same = before.iter().filter(|c| c.meaning == curve.meaning).count();
-            Pen {
-                colour: curve.meaning.colour(),
-                width: LINE,
-                dash: DASHES[same % DASHES.len()],
-            }
-        })
-        .collect()
-}
-
-/// The curves' entries in the key.
-fn curve_key(curves: &[Curve], pens: &[Pen]) -> Vec<KeyEntry> {
-    curves
-        .iter()
-        .zip(pens)
-        .map(|(curve, &pen)| KeyEntry::new(Swatch::Line(pen), curve.name.clone()))
-        .collect()
-}
-
-/// A scale that shows the bulk of the values and leaves outliers out: those further from the
-/// quartiles than three times the distance between the quartiles (Tukey's "far out").
-///
-/// Each value comes with its standard error, which is given room up to the same bound.
-fn robust_scale(values: &[(f64, Option<f64>)]) -> Scale {
-    let mut sorted: Vec<f64> = values
-        .iter()
-        .map(|(value, _)| *value)
-        .filter(|value| value.is_finite())
-        .collect();
-    if sorted.is_empty() {
-        return Scale::linear([]);
-    }
-    sorted.sort_unstable_by(f64::total_cmp);
-    let quartile = |share: f64| sorted[(share * (sorted.len() - 1) as f64).round() as usize];
-    let (lower, upper) = (quartile(0.25), quartile(0.75));
-    let far = 3.0 * (upper - lower);
-    let near = |value: &f64| (lower - far..=upper + far).contains(value);
-    let ends = values
-        .iter()
-        .filter(|(value, _)| near(value))
-        .flat_map(|(value, error)| {
-            let error = error.filter(|e| e.is_finite()).unwrap_or(0.0);
-            [value - error, value + error]
-        })
-        .map(|end| end.clamp(lower - far.max(f64::MIN_POSITIVE), upper + far))
-        .chain(sorted.iter().copied().filter(near));
-    Scale::linear(ends)
-}
-
-/// "1 impact", "2 impacts".
-fn count(n: usize, thing: &str) -> String {
-    if n == 1 {
-        format!("1 {thing}")
-    } else {
-        format!("{n} {thing}s")
-    }
+/// The curves as layers: the colour by its meaning, dashes by how many of the same meaning came
+/// before.
+fn curve_layers(curves: &[Curve]) -> Vec<Layer> {
+    const DASHES: [Dashes; 4] = [Dashes::Solid, Dashes::Dashed, Dashes::Dotted, Dashes::Long];
+    let numbered = curves.iter().enumerate();
+    let layers = numbered.map(|(i, curve)| {
+        let before = &curves[..i];
+        let same = before.iter().filter(|c| c.meaning == curve.meaning).count();
+        let dashes = DASHES[same % DASHES.len()];
+        let layer = Layer::line(curve.meaning, curve.points.clone()).with_dashes(dashes);
+        layer.named(&*curve.name)
+    });
+    layers.collect()
 }

@@ -1,13 +1,14 @@
 //! The drops in the order in which they were made.
 
-use super::{Figure, LINE, robust_scale};
-use crate::canvas::Pen;
-use crate::scale::Scale;
-use crate::sheet::{Axis, KeyEntry, Measured, Panel, Sheet, Swatch};
-use crate::theme::{self, Meaning};
+use crate::chart::{Axis, Chart, Dashes, Layer, Marker, Panel, Scale, xs, ys};
+use crate::messages::Translator;
+use crate::theme::Meaning;
 
-const TITLE: &str = "Does anything drift?";
-const HEIGHT: f64 = 360.0;
+const ID: &str = "run";
+/// With more groups than this a legend would hide the drops.
+const MOST_NAMED: usize = 8;
+/// With more drops than this they are specks without errors.
+const CROWDED: usize = 400;
 
 /// A drop in a run chart.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -24,81 +25,68 @@ pub struct RunPoint {
 
 /// Each drop less the median of its group, in the order of the list, with the limits within which
 /// drops lie as long as nothing changes. `groups` are the names of the groups, by their place.
-pub fn run_chart(points: &[RunPoint], groups: &[String], limit: Option<f64>) -> Figure {
-    /// With more groups than this a key would hide the drops.
-    const MOST_NAMED: usize = 8;
+pub fn run_chart(
+    points: &[RunPoint],
+    groups: &[String],
+    limit: Option<f64>,
+    translator: &Translator,
+) -> Chart {
+    let text = |id: &str| translator.text(&format!("figure-{ID}-{id}"));
     let numbered: Vec<(f64, &RunPoint)> = (1..)
         .map(f64::from)
         .zip(points)
         .filter(|(_, point)| point.off.is_finite())
         .collect();
     if numbered.is_empty() {
-        return Figure::empty(HEIGHT, TITLE, "There are no drops to show.");
+        return Chart::empty(translator, ID);
     }
-    let limit = limit.filter(|limit| limit.is_finite());
-    let limits = limit.map(|limit| [-limit, limit]);
-    let offs: Vec<_> = numbered
-        .iter()
-        .map(|(_, point)| (point.off, point.standard_error))
-        .collect();
-    let bulk = robust_scale(&offs);
-    let ends = [bulk.low(), bulk.high(), 0.0].into_iter();
-    let y = Axis::new(
-        Scale::linear(ends.chain(limits.into_iter().flatten())).padded(0.08, 0.08),
-        "restitution less the median of the group",
-    );
-    let orders = numbered.iter().map(|(order, _)| *order).chain([0.0]);
-    let x = Axis::new(Scale::linear(orders).padded(0.0, 0.02), "drop, in order");
-    let mut sheet = Sheet::new(HEIGHT, TITLE);
-    let pen = Pen::solid(Meaning::NoDrag.colour(), 1.5).dashed(7.0, 5.0);
-    let mut key = Vec::new();
-    if groups.len() > 1 && groups.len() <= MOST_NAMED {
-        let named = groups.iter().enumerate();
-        key.extend(named.map(|(place, name)| KeyEntry::new(Swatch::of_group(place), name.clone())));
-    }
-    if limit.is_some() {
-        key.push(KeyEntry::new(Swatch::Line(pen), "if nothing changes"));
-    }
-    if numbered.iter().any(|(_, point)| point.outlier) {
-        key.push(KeyEntry::new(odd(), "does not belong"));
-    }
-    sheet.key(&key);
-    let panel = Panel::fill(&mut sheet, &x, &y, 0.0);
-    panel.level(
-        &mut sheet.canvas,
-        0.0,
-        Pen::solid(Meaning::NoDrag.colour(), LINE),
-    );
-    for level in limits.into_iter().flatten() {
-        panel.level(&mut sheet.canvas, level, pen);
-    }
-    let crowded = numbered.len() > 400;
-    for &(order, point) in &numbered {
-        let measured = Measured {
-            place: (order, point.off),
-            standard_error: point.standard_error,
-        };
-        let colour = theme::group(point.group);
-        if point.outlier {
-            panel.point(&mut sheet.canvas, measured.place, odd());
-        } else if crowded {
-            panel.speck(&mut sheet.canvas, measured.place, colour);
+    let crowded = numbered.len() > CROWDED;
+    let named = (2..=MOST_NAMED).contains(&groups.len());
+    let layer = |meaning, marker, shown: &dyn Fn(&RunPoint) -> bool| {
+        let shown = || numbered.iter().filter(|(_, point)| shown(point));
+        let places = shown().map(|(order, point)| [*order, point.off]).collect();
+        let errors = shown().map(|(_, point)| point.standard_error.unwrap_or(f64::NAN));
+        let errors = if crowded {
+            Vec::new()
         } else {
-            panel.uncertainty(&mut sheet.canvas, measured, colour);
-            panel.point(
-                &mut sheet.canvas,
-                measured.place,
-                Swatch::of_group(point.group),
-            );
-        }
+            errors.collect()
+        };
+        Layer::points(meaning, marker, places).with_errors(errors)
+    };
+    let places = numbered.iter().map(|(_, point)| point.group + 1).max();
+    let mut layers: Vec<Layer> = (0..places.unwrap_or(0).min(numbered.len().max(groups.len())))
+        .map(|place| {
+            let marker = if crowded {
+                Marker::Speck
+            } else {
+                Marker::of_group(place)
+            };
+            let is_of = |point: &RunPoint| point.group == place && !point.outlier;
+            let name = groups.get(place).filter(|_| named);
+            let layer = layer(Meaning::Group(place), marker, &is_of);
+            layer.named(name.cloned().unwrap_or_default())
+        })
+        .collect();
+    let bulk = Scale::bulk(ys(&layers));
+    let level = |value: f64| Layer::level(Meaning::Plain, value);
+    let mut levels = vec![level(0.0)];
+    for limit in limit
+        .filter(|limit| limit.is_finite())
+        .into_iter()
+        .flat_map(|l| [-l, l])
+    {
+        let level = level(limit).with_width(1.5).with_dashes(Dashes::Dashed);
+        levels.push(level.named(text("unchanged")));
     }
-    Figure::new(
-        sheet,
-        "Each drop less the median of its group, in order: a slope or a step means that ball, surface \
-         or air have changed on the way.",
-    )
-}
-
-fn odd() -> Swatch {
-    Swatch::Ring(Meaning::Warning.colour())
+    let ends = ys(&levels).chain([bulk.low(), bulk.high()]);
+    let y = Scale::linear(ends).padded(0.08, 0.08);
+    let outliers = layer(Meaning::Warning, Marker::Ring, &|point| point.outlier);
+    if xs(std::slice::from_ref(&outliers)).next().is_some() {
+        layers.push(outliers.named(text("outlier")));
+    }
+    let x = Scale::linear(xs(&layers).chain([0.0])).padded(0.0, 0.02);
+    let x = Axis::new(text("order"), "", x);
+    let y = Axis::new(text("off"), "", y);
+    let panel = Panel::new(225.0, x, y, levels.into_iter().chain(layers).collect());
+    Chart::new(translator, ID, text("caption"), vec![panel])
 }

@@ -345,27 +345,27 @@ fn unsaid() -> Result<Vec<Fact>> {
     let behind = experiment::behind_the_regression(10)?;
     let seen = regressed(behind, 10)?;
     let longer = regressed(experiment::behind_the_regression(20)?, 20)?;
-    let explained = (DROP_HEIGHT_M - seen.drop_height_m().value) / (DROP_HEIGHT_M - 0.267);
+    let explained = (DROP_HEIGHT_M - seen.drop_height_m.value) / (DROP_HEIGHT_M - 0.267);
     let effective = experiment::model_with_buoyancy(CONSTANT)?.gravity_m_s2() / GRAVITY_M_S2;
     Ok(vec![
         Fact::new(
             "e = 0.935 with drag (Fig. 8) regresses to",
             "",
-            counted_twice.restitution().value,
+            counted_twice.restitution.value,
             4,
         )
         .noted("Fig. 8 takes the drag into account twice"),
         Fact::new(
             "drop height of that straight line",
             "cm",
-            100.0 * counted_twice.drop_height_m().value,
+            100.0 * counted_twice.drop_height_m.value,
             2,
         ),
         Fact::new("e that regresses to 0.9375 with drag", "", behind, 4).noted("over ten flights"),
         Fact::new(
             "drop height of its straight line",
             "cm",
-            100.0 * seen.drop_height_m().value,
+            100.0 * seen.drop_height_m.value,
             2,
         ),
         Fact::new(
@@ -378,7 +378,7 @@ fn unsaid() -> Result<Vec<Fact>> {
         Fact::new(
             "drop height, same e, twenty flights",
             "cm",
-            100.0 * longer.drop_height_m().value,
+            100.0 * longer.drop_height_m.value,
             2,
         )
         .noted("the straight line depends on how many flights it is drawn through"),
@@ -430,7 +430,7 @@ fn flights() -> Result<Vec<Fact>> {
             ))
         })
         .collect::<Result<Vec<Fact>>>()?;
-    debug_assert!((regressed(behind, 10)?.restitution().value - REGRESSED).abs() < 1e-9);
+    debug_assert!((regressed(behind, 10)?.restitution.value - REGRESSED).abs() < 1e-9);
     for (restitution, time, path) in TOTALS {
         let (time_s, path_m) = experiment::totals(restitution)?;
         facts.push(Fact::new(time, "s", time_s, 3));

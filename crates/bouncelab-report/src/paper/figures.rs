@@ -3,9 +3,10 @@
 use super::experiment::{
     self, CONSTANT, GRAVITY_M_S2, REGRESSED, SIMULATED, behind_the_regression, dropped, model,
 };
+use crate::chart::Chart;
 use crate::error::Result;
-use crate::figure::{self, Curve, DragAxes, Figure, Mark, TimedFlight};
-use crate::illustration;
+use crate::figure::{self, Curve, DragAxes, Line, Mark, TimedFlight};
+use crate::messages::Translator;
 use crate::theme::Meaning;
 use bouncelab::analysis::CONFIDENT_PROBABILITY;
 use bouncelab::detection::Detector;
@@ -21,14 +22,17 @@ use bouncelab::train::Train;
 /// # Errors
 ///
 /// Those of the physics; none with the numbers of the paper.
-pub fn figures() -> Result<Vec<(&'static str, Figure)>> {
+pub fn figures(translator: &Translator) -> Result<Vec<(&'static str, Chart)>> {
     Ok(vec![
-        ("fig2-height-without-drag", height_without_drag()?),
-        ("fig4-sound", sound()?),
-        ("fig5-flight-times", flight_times()?),
-        ("fig6-drag", drag(DragAxes::Linear, 10.0)?),
-        ("fig7-drag-log", drag(DragAxes::Logarithmic, 10.0)?),
-        ("fig8-height-with-drag", height_with_drag()?),
+        ("fig2-height-without-drag", height_without_drag(translator)?),
+        ("fig4-sound", sound(translator)?),
+        ("fig5-flight-times", flight_times(translator)?),
+        ("fig6-drag", drag(DragAxes::Linear, 10.0, translator)?),
+        (
+            "fig7-drag-log",
+            drag(DragAxes::Logarithmic, 10.0, translator)?,
+        ),
+        ("fig8-height-with-drag", height_with_drag(translator)?),
     ])
 }
 
@@ -39,7 +43,7 @@ fn curve(name: &str, meaning: Meaning, history: &History) -> Curve {
     let end_s = history.total_time_s();
     let times = (0..=POINTS).map(|point| end_s * f64::from(point) / f64::from(POINTS));
     let points = times
-        .map(|time_s| (time_s, history.height_at(time_s)))
+        .map(|time_s| [time_s, history.height_at(time_s)])
         .collect();
     Curve {
         name: name.to_owned(),
@@ -49,16 +53,18 @@ fn curve(name: &str, meaning: Meaning, history: &History) -> Curve {
 }
 
 /// Fig. 2: the first few bounces.
-fn height_without_drag() -> Result<Figure> {
+fn height_without_drag(translator: &Translator) -> Result<Chart> {
     let history = dropped(&model(DragLaw::None)?, REGRESSED, Stop::after(3))?;
     Ok(figure::height(
-        &[curve("no drag, e = 0.9375", Meaning::NoDrag, &history)],
+        "height",
+        &[curve("no drag, e = 0.9375", Meaning::Plain, &history)],
         &[],
+        translator,
     ))
 }
 
 /// Fig. 4: the sound of the drop, synthesised, with the impacts that are heard in it.
-fn sound() -> Result<Figure> {
+fn sound(translator: &Translator) -> Result<Chart> {
     let history = dropped(
         &model(CONSTANT)?,
         behind_the_regression(10)?,
@@ -73,7 +79,6 @@ fn sound() -> Result<Figure> {
     let mut listener = Detector::new(recording.sample_rate_hz, 1);
     listener.push(&[&recording.samples]);
     let heard = listener.finish();
-    let envelope = illustration::envelope(&heard.envelope)?;
     let marks: Vec<Mark> = heard
         .found
         .trains
@@ -85,11 +90,11 @@ fn sound() -> Result<Figure> {
             drop: 1,
         })
         .collect();
-    Ok(figure::waveform(&envelope, &marks))
+    Ok(figure::waveform(&heard.envelope, &marks, translator))
 }
 
 /// Fig. 5: ten flights of the drop that regresses to the paper's e.
-fn flight_times() -> Result<Figure> {
+fn flight_times(translator: &Translator) -> Result<Chart> {
     let history = dropped(
         &model(CONSTANT)?,
         behind_the_regression(10)?,
@@ -100,32 +105,31 @@ fn flight_times() -> Result<Figure> {
     let drawn: Vec<TimedFlight> = flights
         .iter()
         .map(|flight| TimedFlight {
-            number: flight.number as u32,
+            number: flight.number,
             time_s: flight.time_s,
-            standard_error_s: None,
             used: flight.number <= 10,
         })
         .collect();
-    let line = illustration::line(&fit);
-    Ok(figure::flight_times(&drawn, Some(line)))
+    let line = Line::from(&fit);
+    Ok(figure::flight_times(&drawn, Some(line), translator))
 }
 
 /// Figs. 6 and 7: drag over weight, of both models.
-fn drag(axes: DragAxes, fastest_m_s: f64) -> Result<Figure> {
+fn drag(axes: DragAxes, fastest_m_s: f64, translator: &Translator) -> Result<Chart> {
     let curves = [
         (
             "C_D(Re): clift-grace-weber",
             DragLaw::CliftGraceWeber,
             Meaning::Drag,
         ),
-        ("C_D = 0.4", CONSTANT, Meaning::NoDrag),
+        ("C_D = 0.4", CONSTANT, Meaning::Plain),
     ]
     .into_iter()
     .map(|(name, law, meaning)| {
         let model = model(law)?;
         let points = (0..=300)
             .map(|step| 0.1 * (fastest_m_s / 0.1).powf(f64::from(step) / 300.0))
-            .map(|speed| Ok((speed, model.drag_over_weight(speed)?)))
+            .map(|speed| Ok([speed, model.drag_over_weight(speed)?]))
             .collect::<bouncelab::Result<Vec<_>>>()?;
         Ok(Curve {
             name: name.to_owned(),
@@ -137,15 +141,16 @@ fn drag(axes: DragAxes, fastest_m_s: f64) -> Result<Figure> {
     let fastest = model(CONSTANT)?
         .fall(experiment::DROP_HEIGHT_M)?
         .impact_speed_m_s;
-    Ok(figure::drag(&curves, axes, Some(fastest)))
+    Ok(figure::drag(&curves, axes, Some(fastest), translator))
 }
 
 /// Fig. 8: the whole history with both models: they agree to the eye.
-fn height_with_drag() -> Result<Figure> {
+fn height_with_drag(translator: &Translator) -> Result<Chart> {
     let history = |law| dropped(&model(law)?, SIMULATED, Stop::below(1e-5));
     Ok(figure::height(
+        "height",
         &[
-            curve("C_D = 0.4", Meaning::NoDrag, &history(CONSTANT)?),
+            curve("C_D = 0.4", Meaning::Plain, &history(CONSTANT)?),
             curve(
                 "C_D(Re)",
                 Meaning::Drag,
@@ -153,5 +158,6 @@ fn height_with_drag() -> Result<Figure> {
             ),
         ],
         &[],
+        translator,
     ))
 }

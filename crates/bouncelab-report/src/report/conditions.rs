@@ -1,63 +1,58 @@
-//! What was known, what was assumed, and what it was heard with.
+//! What was known, what was assumed, and what it was detected with.
 
-use bouncelab::analysis::Options;
+use bouncelab::analysis::Source;
 use bouncelab::inference::Measured;
+use bouncelab::setup::Setup;
+use bouncelab::{Diagnostic, Options};
 
 use super::page::{Block, Section, sentence};
 use super::subject::Recording;
-use crate::document::Origin;
+use crate::messages::{Translator, Value};
 use crate::quantity::{Quantity, Unit};
+use crate::tables::drag_law;
+
+/// A name and a value.
+type Fact = (String, String);
 
 /// Recording, ball, air and gravity, what of it nobody stated, and the priors.
-pub fn conditions(recording: &Recording) -> Section {
-    let heard_with = heard_with(recording.origin);
-    let Recording {
-        settings,
-        ball_label,
-        assumptions,
-        ..
-    } = recording;
-    of_all(heard_with, settings, ball_label, assumptions)
+pub fn conditions(recording: &Recording, words: &Translator) -> Section {
+    let source = source(&recording.result.source, words);
+    of_all(source, recording.setup, words)
 }
 
 /// Ball, air and gravity of several recordings, what of it nobody stated, and the priors.
-pub fn shared_conditions(settings: &Options, ball_label: &str, assumptions: &[String]) -> Section {
-    of_all(Vec::new(), settings, ball_label, assumptions)
+pub fn shared_conditions(setup: &Setup, words: &Translator) -> Section {
+    of_all(Vec::new(), setup, words)
 }
 
-fn of_all(
-    mut facts: Vec<(&'static str, String)>,
-    settings: &Options,
-    ball_label: &str,
-    assumptions: &[String],
-) -> Section {
-    facts.extend(known(settings, ball_label));
-    let facts = facts
-        .into_iter()
-        .map(|(name, value)| (name.to_owned(), value))
-        .collect();
+fn of_all(mut facts: Vec<Fact>, setup: &Setup, words: &Translator) -> Section {
+    let (settings, assumptions) = (&setup.options, &setup.assumptions);
+    facts.extend(known(settings, &setup.ball_label, words));
     let mut blocks = vec![Block::Facts(facts)];
     if !assumptions.is_empty() {
-        blocks.push(Block::text("Nobody stated these, so they were assumed:"));
-        blocks.push(Block::List(sentences(assumptions)));
+        blocks.push(Block::text(words.text("report-assumed")));
+        blocks.push(Block::List(sentences(assumptions, words)));
     }
     if settings.inference.is_some() {
-        blocks.push(Block::text(
-            "Before it saw the data, the inference knew this:",
-        ));
-        blocks.push(Block::List(sentences(&settings.priors.statements())));
+        blocks.push(Block::text(words.text("report-priors")));
+        blocks.push(Block::List(sentences(
+            &settings.priors.diagnostics(),
+            words,
+        )));
     }
-    Section::new("Conditions and assumptions", blocks)
+    Section::new(words.text("report-conditions"), blocks)
 }
 
-fn sentences(phrases: &[String]) -> Vec<String> {
-    phrases.iter().map(|phrase| sentence(phrase)).collect()
+fn sentences(diagnostics: &[Diagnostic], words: &Translator) -> Vec<String> {
+    let sentences = diagnostics.iter().map(|known| words.diagnostic(known));
+    sentences.map(|known| sentence(&known)).collect()
 }
 
-fn heard_with(origin: &Origin) -> Vec<(&'static str, String)> {
+fn source(origin: &Source, words: &Translator) -> Vec<Fact> {
+    let source = words.text("report-source");
     match origin {
-        Origin::Times => vec![("Source", "a list of impact times".to_owned())],
-        Origin::Sound {
+        Source::Times => vec![(source, words.text("report-source-times"))],
+        Source::Sound {
             format,
             sample_rate_hz,
             channels,
@@ -65,83 +60,104 @@ fn heard_with(origin: &Origin) -> Vec<(&'static str, String)> {
             duration_s,
             onsets,
         } => {
-            let rate = f64::from(*sample_rate_hz) / 1000.0;
-            let mut facts = vec![("Source", format!("{format}, {rate} kHz, {duration_s:.2} s"))];
+            let format = match format.as_deref() {
+                Some("microphone") => words.text("report-microphone"),
+                Some(format) => format.to_owned(),
+                None => words.text("report-samples"),
+            };
+            let sound = [
+                ("format", format.into()),
+                ("rate", (f64::from(*sample_rate_hz) / 1000.0).into()),
+                ("duration", Value::fixed(*duration_s, 2)),
+            ];
+            let mut facts = vec![(source, words.text_with("report-source-sound", &sound))];
             if *channels > 1 {
-                facts.push(("Channel", format!("{channel} of {channels}")));
+                let of = [
+                    ("channel", (*channel).into()),
+                    ("count", (*channels).into()),
+                ];
+                let channel = words.text_with("report-channel-of", &of);
+                facts.push((words.text("report-channel"), channel));
             }
-            facts.push(("Sounds above the noise", onsets.to_string()));
+            facts.push((words.text("report-onsets"), onsets.to_string()));
             facts
         }
     }
 }
 
-fn known(settings: &Options, ball_label: &str) -> Vec<(&'static str, String)> {
+fn known(settings: &Options, ball_label: &str, words: &Translator) -> Vec<Fact> {
     let (ball, environment) = (&settings.ball, &settings.environment);
-    let priors = &settings.priors;
-    let with_share =
-        |value: f64, share: f64, unit| Quantity::measured(value, share * value, unit).to_string();
-    let air = &environment.air;
+    let (air, priors) = (&environment.air, &settings.priors);
+    let measured = |id: &str, value: f64, sd: f64, unit| {
+        (
+            words.text(id),
+            Quantity::measured(value, sd, unit).text(words),
+        )
+    };
+    let known = |id: &str, value: f64, rel_sd: f64, unit| measured(id, value, rel_sd * value, unit);
+    let displaced_air = match (environment.buoyancy, environment.added_mass) {
+        (true, true) => "report-displaced-air-both",
+        (true, false) => "report-displaced-air-buoyancy",
+        (false, true) => "report-displaced-air-added-mass",
+        (false, false) => "report-displaced-air-none",
+    };
+    let (contact_s, gravity_m_s2) = (settings.contact_time_s, environment.gravity_m_s2);
+    let density_kg_m3 = air.density_kg_m3();
     let mut facts = vec![
-        ("Ball", ball_label.to_owned()),
-        (
-            "Mass",
-            with_share(ball.mass_kg(), priors.mass_rel_sd, Unit::Mass),
+        (words.text("report-ball"), ball_label.to_owned()),
+        known(
+            "report-mass",
+            ball.mass_kg(),
+            priors.mass_rel_sd,
+            Unit::Mass,
+        ),
+        known(
+            "report-diameter",
+            ball.diameter_m(),
+            priors.diameter_rel_sd,
+            Unit::Length,
+        ),
+        known(
+            "report-contact-time",
+            contact_s,
+            priors.contact_time_rel_sd,
+            Unit::Time,
+        ),
+        known(
+            "report-gravity",
+            gravity_m_s2,
+            priors.gravity_rel_sd,
+            Unit::Acceleration,
+        ),
+        known(
+            "report-air-density",
+            density_kg_m3,
+            priors.air_density_rel_sd,
+            Unit::Density,
         ),
         (
-            "Diameter",
-            with_share(ball.diameter_m(), priors.diameter_rel_sd, Unit::Length),
+            words.text("report-drag-law"),
+            drag_law(environment.drag, words),
         ),
         (
-            "Contact time",
-            with_share(
-                settings.contact_time_s,
-                priors.contact_time_rel_sd,
-                Unit::Time,
-            ),
-        ),
-        (
-            "Gravity",
-            with_share(
-                environment.gravity_m_s2,
-                priors.gravity_rel_sd,
-                Unit::Acceleration,
-            ),
-        ),
-        (
-            "Density of the air",
-            with_share(
-                air.density_kg_m3(),
-                priors.air_density_rel_sd,
-                Unit::Density,
-            ),
-        ),
-        ("Drag law", environment.drag.to_string()),
-        (
-            "Buoyancy and added mass",
-            match (environment.buoyancy, environment.added_mass) {
-                (true, true) => "both taken into account",
-                (true, false) => "buoyancy only",
-                (false, true) => "added mass only",
-                (false, false) => "left out",
-            }
-            .to_owned(),
+            words.text("report-displaced-air"),
+            words.text(displaced_air),
         ),
     ];
     if let Some(Measured { value, sd }) = priors.drop_height_m {
-        let height = Quantity::measured(value, sd, Unit::Length);
-        facts.push(("Measured drop height", height.to_string()));
+        facts.push(measured("report-measured-height", value, sd, Unit::Length));
     }
     if let Some(Measured { value, sd }) = priors.release_s {
-        let release = Quantity::measured(value, sd, Unit::Time);
-        facts.push(("Release, in the recording", release.to_string()));
+        facts.push(measured("report-release", value, sd, Unit::Time));
     }
     if let Some(inference) = &settings.inference {
         let sampler = &inference.sampler;
-        facts.push((
-            "Sampling",
-            format!("{} draws, seed {}", sampler.draws, sampler.seed),
-        ));
+        let draws = [
+            ("draws", sampler.draws.into()),
+            ("seed", sampler.seed.into()),
+        ];
+        let sampler = words.text_with("report-sampler-draws", &draws);
+        facts.push((words.text("report-sampler"), sampler));
     }
     facts
 }

@@ -1,132 +1,149 @@
 //! One drop in words, numbers and figures.
 
+use bouncelab::Estimate;
 use bouncelab::analysis::{CONFIDENT_PROBABILITY, Drop, Options};
-use bouncelab::inference::{
-    ApexTarget, Posterior, PriorContraction, Summary, UNINFORMATIVE, UNKNOWN,
-};
-use bouncelab::regression::{Estimate, Regression};
+use bouncelab::inference::{ApexTarget, Posterior, PriorContraction, UNINFORMATIVE, UNKNOWN};
+use bouncelab::regression::LogLinearFit;
 
-use super::page::{Block, Section, ended, sentence};
-use crate::quantity::{CANNOT_TELL, Quantity, Unit};
+use super::page::{Block, Section, capital, ended, sentence};
+use crate::figure::{self, Subject};
+use crate::messages::{Translator, Value};
+use crate::quantity::{Quantity, Unit};
 use crate::table::{Align, Table};
-use crate::{illustration, tables};
+use crate::tables;
 
 /// The answer of a drop in plain words: one sentence to remember, and what it rests on.
-pub fn in_words(drop: &Drop) -> Vec<Block> {
-    let mut words = vec![Block::Lead(kept(drop)), Block::text(heard(drop))];
-    if let (Ok(found), Ok(line)) = (&drop.estimate, &drop.line) {
-        words.push(Block::text(against_the_line(found, line)));
+pub fn in_words(drop: &Drop, words: &Translator) -> Vec<Block> {
+    let mut blocks = vec![
+        Block::Lead(kept(drop, words)),
+        Block::text(detected(drop, words)),
+    ];
+    if let (Ok(found), Ok(line)) = (&drop.posterior, &drop.log_linear_fit) {
+        blocks.push(Block::text(against_the_line(found, line, words)));
     }
-    words
+    blocks
 }
 
 /// "The ball kept 94.6 ± 0.2 % of its speed at each bounce and fell from 30.4 ± 0.6 cm."
-fn kept(drop: &Drop) -> String {
-    match (&drop.estimate, drop.corrected_restitution(), &drop.line) {
+fn kept(drop: &Drop, words: &Translator) -> String {
+    let inline = |quantity: Quantity| Value::from(unbroken(quantity, words));
+    match (
+        &drop.posterior,
+        drop.per_impact_restitution(),
+        &drop.log_linear_fit,
+    ) {
         (Ok(found), ..) => {
-            let e = unbroken(&measured(&found.restitution, Unit::Percent));
-            let height = unbroken(&measured(&found.drop_height_m, Unit::Length));
-            let which = if found.first_was_heard() || found.missed_first.is_some() {
-                ""
+            let is_release = found.first_was_heard() || found.missed_first_impacts.is_some();
+            let id = if is_release {
+                "report-kept-and-fell"
             } else {
-                " before the first impact heard"
+                "report-kept-and-fell-first"
             };
-            format!("The ball kept {e} of its speed at each bounce and fell from {height}{which}.")
+            let share = inline(measured(&found.restitution, Unit::Percent));
+            let height = inline(measured(&found.drop_height_m, Unit::Length));
+            words.text_with(id, &[("share", share), ("height", height)])
         }
-        (_, Some(corrected), _) => format!(
-            "The ball kept {} of its speed at each bounce.",
-            unbroken(&estimated(corrected, Unit::Percent))
+        (_, Some(corrected), _) => {
+            let share = inline(estimated(corrected, Unit::Percent));
+            words.text_with("report-kept", &[("share", share)])
+        }
+        (.., Ok(line)) => {
+            let share = inline(estimated(line.restitution, Unit::Percent));
+            let height = inline(estimated(line.drop_height_m, Unit::Length));
+            words.text_with(
+                "report-kept-without-air",
+                &[("share", share), ("height", height)],
+            )
+        }
+        (.., Err(reason)) => words.text_with(
+            "report-kept-unknown",
+            &[(
+                "reason",
+                ended(words.diagnostic(&reason.diagnostic())).into(),
+            )],
         ),
-        (.., Ok(line)) => format!(
-            "If there were no air, the ball kept {} of its speed at each bounce and fell from {}.",
-            unbroken(&estimated(line.restitution(), Unit::Percent)),
-            unbroken(&estimated(line.drop_height_m(), Unit::Length))
-        ),
-        (.., Err(reason)) => format!("How much the ball kept {CANNOT_TELL}: {}", ended(reason)),
     }
 }
 
-fn heard(drop: &Drop) -> String {
+fn detected(drop: &Drop, words: &Translator) -> String {
     let impacts = &drop.impacts;
-    let span = match (impacts.first(), impacts.last()) {
-        (Some(first), Some(last)) => {
-            format!(" from {:.2} s to {:.2} s", first.time_s, last.time_s)
-        }
-        _ => String::new(),
+    let seconds = |impact: Option<&bouncelab::Impact>| {
+        Value::fixed(impact.map_or(f64::NAN, |impact| impact.time_s), 2)
     };
-    let unsure = impacts
+    let uncertain = impacts
         .iter()
         .filter(|i| i.probability < CONFIDENT_PROBABILITY)
         .count();
-    let unsure = match unsure {
-        0 => "none of them uncertain".to_owned(),
-        1 => "one of them uncertain".to_owned(),
-        count => format!("{count} of them uncertain"),
+    let impacts = words.text_with(
+        "report-impacts",
+        &[
+            ("count", impacts.len().into()),
+            ("first", seconds(impacts.first())),
+            ("last", seconds(impacts.last())),
+            ("uncertain", uncertain.into()),
+        ],
+    );
+    let Ok(found) = &drop.posterior else {
+        return impacts;
     };
-    let words = format!("{} impacts were heard{span}, {unsure}.", impacts.len());
-    if let Ok(found) = &drop.estimate {
-        let speed = unbroken(&Quantity::rounded(found.at_speed_m_s, 3, Unit::Speed));
-        let e = unbroken(&measured(&found.restitution, Unit::Number));
-        words
-            + &format!(
-                " The restitution, speed after an impact over speed before it, is {e} at {speed}, \
-                 with the air accounted for."
-            )
-    } else {
-        words
-    }
-}
-
-/// What drag does to the straight line of the paper.
-fn against_the_line(found: &Posterior, line: &Regression) -> String {
-    let points = 100.0 * (found.restitution.value - line.restitution().value);
-    let verdict = if points.abs() < 0.05 {
-        "the same".to_owned()
-    } else {
-        let side = if points > 0.0 { "less" } else { "more" };
-        format!("{:.1} points {side}", points.abs())
-    };
+    let value = unbroken(measured(&found.restitution, Unit::Number), words);
+    let speed = unbroken(Quantity::rounded(found.at_speed_m_s, 3, Unit::Speed), words);
+    let restitution = [("value", value.into()), ("speed", speed.into())];
     format!(
-        "A straight line through the logarithms of the flight times, which knows no air, says {} \
-         ({verdict}) and {}.",
-        unbroken(&estimated(line.restitution(), Unit::Percent)),
-        unbroken(&estimated(line.drop_height_m(), Unit::Length))
+        "{impacts} {}",
+        words.text_with("report-restitution", &restitution)
     )
 }
 
-/// Everything about one drop; `with_words` puts the answer in words first.
-pub fn drop(heading: &str, drop: &Drop, settings: &Options, with_words: bool) -> Section {
-    let mut blocks = if with_words {
-        in_words(drop)
+/// What drag does to the straight line of the paper.
+fn against_the_line(found: &Posterior, line: &LogLinearFit, words: &Translator) -> String {
+    let points = 100.0 * (found.restitution.value - line.restitution.value);
+    let difference = match points {
+        _ if points.abs() < 0.05 => "none",
+        _ if points > 0.0 => "less",
+        _ => "more",
+    };
+    let share = unbroken(estimated(line.restitution, Unit::Percent), words);
+    let height = unbroken(estimated(line.drop_height_m, Unit::Length), words);
+    words.text_with(
+        "report-line-says",
+        &[
+            ("share", share.into()),
+            ("difference", difference.into()),
+            ("points", Value::fixed(points.abs(), 1)),
+            ("height", height.into()),
+        ],
+    )
+}
+
+/// Everything about one drop; `in_words_too` puts the answer in words first.
+pub fn drop(
+    heading: &str,
+    drop: &Drop,
+    settings: &Options,
+    in_words_too: bool,
+    words: &Translator,
+) -> Section {
+    let mut blocks = if in_words_too {
+        in_words(drop, words)
     } else {
         Vec::new()
     };
-    blocks.extend(
-        drop.warnings
-            .iter()
-            .map(|warning| Block::Note(sentence(&warning.to_string()))),
-    );
-    blocks.push(Block::table(
-        "What the silences say, and what a straight line makes of them",
-        answers(drop, settings),
-    ));
-    let mut parts = vec![impacts(drop, settings), straight_line(drop)];
-    match &drop.estimate {
+    let notes = drop.diagnostics.iter();
+    blocks.extend(notes.map(|known| Block::Note(sentence(&words.diagnostic(known)))));
+    let answers = answers(drop, settings, words);
+    blocks.push(Block::table(words.text("report-answers"), answers));
+    let part = Part {
+        subject: &Subject::new(drop, settings),
+        words,
+    };
+    let mut parts = vec![part.impacts(drop), part.straight_line(drop)];
+    match &drop.posterior {
         Ok(found) => {
-            blocks.extend(
-                found
-                    .remarks
-                    .iter()
-                    .map(|remark| Block::Note(sentence(&remark.to_string()))),
-            );
-            parts.push(uncertainty(found));
-            parts.push(laws(found));
-            parts.push(told(found));
-            parts.push(fit(drop, found, settings));
-        }
-        Err(reason) if settings.inference.is_some() => {
-            let words = format!("there is no inference: {reason}");
-            blocks.push(Block::Note(sentence(&words)));
+            parts.push(part.uncertainty(found));
+            parts.push(part.laws(found));
+            parts.push(part.contraction(found));
+            parts.push(part.fit(found));
         }
         Err(_) => {}
     }
@@ -137,225 +154,246 @@ pub fn drop(heading: &str, drop: &Drop, settings: &Options, with_words: bool) ->
     }
 }
 
-/// Posterior and straight line side by side.
-fn answers(drop: &Drop, settings: &Options) -> Table {
-    let mut table = Table::new([
-        ("", Align::Left),
-        ("inference, with air", Align::Right),
-        ("95 %", Align::Right),
-        ("straight line, no air", Align::Right),
-    ]);
-    let line = drop.line.as_ref().ok();
-    let found = drop.estimate.as_ref().ok();
-    let mut row = |name: &str, inferred: Option<(&Summary, Unit)>, lined: Option<String>| {
+/// Inference and straight line side by side.
+fn answers(drop: &Drop, settings: &Options, words: &Translator) -> Table {
+    let mut table = Table::with_headings(
+        words,
+        [
+            ("", Align::Left),
+            ("column-inference", Align::Right),
+            ("column-95", Align::Right),
+            ("column-straight-line", Align::Right),
+        ],
+    );
+    let line = drop.log_linear_fit.as_ref().ok();
+    let found = drop.posterior.as_ref().ok();
+    let mut row = |name: String, inferred: Option<(&Estimate, Unit)>, lined: Option<String>| {
         if inferred.is_none() && lined.is_none() {
             return;
         }
         let (value, interval) = inferred.map_or_else(Default::default, |(summary, unit)| {
             let value = Quantity::measured(summary.value, summary.sd, unit);
-            (value.to_string(), value.interval(summary.interval95))
+            (
+                value.text(words),
+                value.interval_text(summary.interval95, words),
+            )
         });
-        table.row([name.to_owned(), value, interval, lined.unwrap_or_default()]);
+        table.row([name, value, interval, lined.unwrap_or_default()]);
     };
-    let of_line = |value: fn(&Regression) -> Option<Estimate>, unit: Unit| {
-        line.and_then(value).map(|value| estimated(value, unit))
+    let of_line = |value: fn(&LogLinearFit) -> Option<Estimate>, unit: Unit| {
+        let value = line.and_then(value)?;
+        Some(estimated(value, unit).text(words))
     };
     row(
-        "restitution e",
+        words.text("quantity-restitution-e"),
         found.map(|f| (&f.restitution, Unit::Number)),
-        of_line(|line| Some(line.restitution()), Unit::Number),
+        of_line(|line| Some(line.restitution), Unit::Number),
     );
     row(
-        "drop height",
+        words.text("quantity-drop-height"),
         found.map(|f| (&f.drop_height_m, Unit::Length)),
-        of_line(|line| Some(line.drop_height_m()), Unit::Length),
+        of_line(|line| Some(line.drop_height_m), Unit::Length),
     );
     row(
-        "energy kept",
+        words.text("quantity-energy-kept"),
         None,
-        of_line(|line| Some(line.energy_kept()), Unit::Percent),
+        of_line(|line| Some(line.energy_kept), Unit::Percent),
     );
-    let drag = found.and_then(|f| f.drag.as_ref());
+    let drag = found.and_then(|f| f.drag_coefficient.as_ref());
     row(
-        "drag coefficient",
-        drag.map(|d| (&d.coefficient, Unit::Number)),
+        words.text("quantity-drag-coefficient"),
+        drag.map(|d| (d, Unit::Number)),
         None,
     );
-    let terminal = drag.and_then(|d| d.terminal_speed_m_s.as_ref());
-    row("terminal speed", terminal.map(|t| (t, Unit::Speed)), None);
+    let terminal = found.and_then(|f| f.terminal_speed_m_s.as_ref());
+    row(
+        words.text("quantity-terminal-speed"),
+        terminal.map(|t| (t, Unit::Speed)),
+        None,
+    );
     if settings.priors.gravity_rel_sd >= UNKNOWN {
         row(
-            "gravity",
+            words.text("quantity-gravity"),
             found.map(|f| (&f.gravity_m_s2, Unit::Acceleration)),
             None,
         );
     }
     row(
-        "scatter from impact to impact",
-        found.map(|f| (&f.scatter, Unit::Percent)),
+        words.text("quantity-scatter"),
+        found.map(|f| (&f.restitution_scatter, Unit::Percent)),
         None,
     );
+    let total_time_s = found.and_then(|f| f.total_time_s.as_ref());
     row(
-        "release until rest",
-        found
-            .and_then(|f| f.total_time_s.as_ref())
-            .map(|t| (t, Unit::Time)),
-        of_line(Regression::total_time_s, Unit::Time),
+        words.text("quantity-release-until-rest"),
+        total_time_s.map(|t| (t, Unit::Time)),
+        of_line(|line| line.total_time_s, Unit::Time),
     );
+    let total_path_m = found.and_then(|f| f.total_path_m.as_ref());
     row(
-        "path until rest",
-        found
-            .and_then(|f| f.total_path_m.as_ref())
-            .map(|p| (p, Unit::Length)),
-        of_line(Regression::total_path_m, Unit::Length),
+        words.text("quantity-path-until-rest"),
+        total_path_m.map(|p| (p, Unit::Length)),
+        of_line(|line| line.total_path_m, Unit::Length),
     );
     for prediction in found.iter().flat_map(|f| &f.predictions) {
-        let ApexTarget { bounce, apex_m } = prediction.reach;
+        let ApexTarget { bounce, apex_m } = prediction.target;
         let apex = Quantity::rounded(apex_m, 4, Unit::Length);
-        let cannot_tell = || Some(CANNOT_TELL.to_owned());
+        let target = [("bounce", bounce.into()), ("apex", apex.into())];
+        let height = prediction.drop_height_m.as_ref();
         row(
-            &format!("height from which bounce {bounce} reaches {apex}"),
-            prediction.drop_height_m.as_ref().map(|h| (h, Unit::Length)),
-            prediction.drop_height_m.map_or_else(cannot_tell, |_| None),
+            words.text_with("quantity-height-to-reach", &target),
+            height.map(|h| (h, Unit::Length)),
+            height.is_none().then(|| words.text("unit-cannot-tell")),
         );
     }
     table
 }
 
-fn impacts(drop: &Drop, settings: &Options) -> Section {
-    Section::new(
-        "The impacts",
-        vec![
-            Block::figure("height", illustration::height(drop, settings)),
-            Block::figure("restitution", illustration::restitution(drop)),
-            Block::figure("bounce-heights", illustration::bounce_heights(drop)),
-            Block::figure(
-                "bounce-energies",
-                illustration::bounce_energies(drop, settings),
-            ),
-            Block::table(
-                "Impacts, each with the flight after it and its restitution, without and with \
-                 correction for drag (? marks uncertain ones)",
-                tables::impacts(drop, true),
-            ),
-        ],
-    )
+/// What the parts of a section have in common.
+#[derive(Clone, Copy)]
+struct Part<'a> {
+    subject: &'a Subject<'a>,
+    words: &'a Translator,
 }
 
-fn straight_line(drop: &Drop) -> Section {
-    let mut blocks = Vec::new();
-    match &drop.line {
-        Ok(line) => {
-            let flights = drop.flights.iter().filter(|flight| flight.in_line).count();
-            let fits = line.r_squared().map_or_else(String::new, |r| {
-                format!(", with a coefficient of determination of {r:.5}")
-            });
-            blocks.push(Block::text(format!(
-                "It goes through {flights} flights{fits}."
-            )));
-            blocks.push(Block::figure(
-                "flight-times",
-                illustration::flight_times(drop),
-            ));
+impl Part<'_> {
+    /// A figure of the drop, if there is one of this name.
+    fn figure(self, name: &'static str) -> Option<Block> {
+        let chart = figure::chart(name, self.subject, self.words)?;
+        Some(Block::figure(name, chart))
+    }
+
+    fn impacts(self, drop: &Drop) -> Section {
+        let names = ["height", "restitution", "bounce-heights", "bounce-energies"];
+        let mut blocks: Vec<Block> = names
+            .into_iter()
+            .filter_map(|name| self.figure(name))
+            .collect();
+        let table = tables::impacts(drop, true, self.words);
+        blocks.push(Block::table(self.words.text("report-impacts-table"), table));
+        Section::new(self.words.text("report-impacts-heading"), blocks)
+    }
+
+    fn straight_line(self, drop: &Drop) -> Section {
+        let words = self.words;
+        let mut blocks = Vec::new();
+        match &drop.log_linear_fit {
+            Ok(line) => {
+                let count = drop.flights.iter().filter(|flight| flight.in_fit).count();
+                blocks.push(Block::text(match line.r_squared {
+                    Some(determination) => words.text_with(
+                        "report-line-fits",
+                        &[
+                            ("count", count.into()),
+                            ("determination", Value::fixed(determination, 5)),
+                        ],
+                    ),
+                    None => words.text_with("report-line-flights", &[("count", count.into())]),
+                }));
+                blocks.extend(self.figure("flight-times"));
+            }
+            Err(reason) => {
+                let reason = [(
+                    "reason",
+                    ended(words.diagnostic(&reason.diagnostic())).into(),
+                )];
+                blocks.push(Block::text(words.text_with("report-no-line", &reason)));
+            }
         }
-        Err(reason) => blocks.push(Block::text(format!("There is none: {}", ended(reason)))),
+        Section::new(words.text("report-line-heading"), blocks)
     }
-    Section::new("The straight line", blocks)
-}
 
-fn uncertainty(found: &Posterior) -> Section {
-    Section::new(
-        "Where the uncertainty comes from",
-        vec![
+    fn uncertainty(self, found: &Posterior) -> Section {
+        let words = self.words;
+        let (budget, length) = (&found.budget, Unit::Length);
+        let mut blocks = vec![
             Block::table(
-                "Budget of the restitution",
-                tables::budget(&found.budget.restitution, Unit::Number),
+                words.text("report-budget-restitution"),
+                tables::budget(&budget.restitution, Unit::Number, words),
             ),
             Block::table(
-                "Budget of the drop height",
-                tables::budget(&found.budget.drop_height_m, Unit::Length),
+                words.text("report-budget-drop-height"),
+                tables::budget(&budget.drop_height_m, length, words),
             ),
-            Block::figure("budget", illustration::budget(found)),
-        ],
-    )
+        ];
+        blocks.extend(self.figure("budget"));
+        Section::new(words.text("report-uncertainty"), blocks)
+    }
+
+    fn laws(self, found: &Posterior) -> Section {
+        let words = self.words;
+        let table = tables::models(found, words);
+        let mut blocks = vec![Block::table(words.text("report-laws-table"), table)];
+        blocks.extend(self.figure("models"));
+        Section::new(words.text("report-laws"), blocks)
+    }
+
+    /// What the data determined, and what only the priors did.
+    fn contraction(self, found: &Posterior) -> Section {
+        let words = self.words;
+        let unknowns = found.prior_contraction.iter();
+        let sentences = unknowns
+            .map(|unknown| contraction(unknown, words))
+            .collect();
+        let mut blocks = vec![Block::List(sentences)];
+        blocks.extend(self.figure("posterior"));
+        let table = tables::correlations(found, words);
+        blocks.push(Block::table(words.text("report-correlations"), table));
+        Section::new(words.text("report-contraction"), blocks)
+    }
+
+    fn fit(self, found: &Posterior) -> Section {
+        let words = self.words;
+        let sampling = &found.sampling;
+        let mut blocks: Vec<Block> = self.figure("residuals").into_iter().collect();
+        let table = tables::fitted_impacts(found, words);
+        blocks.push(Block::table(words.text("report-fit-table"), table));
+        blocks.push(Block::text(words.text_with(
+            "report-sampling",
+            &[
+                ("draws", Value::fixed(sampling.effective_draws, 0)),
+                ("shape", Value::fixed(sampling.pareto_shape, 2)),
+            ],
+        )));
+        if let Some(truncation) = self.figure("truncation") {
+            blocks.push(Block::text(words.text("report-truncation")));
+            blocks.push(truncation);
+        }
+        Section::new(words.text("report-fit"), blocks)
+    }
 }
 
-fn laws(found: &Posterior) -> Section {
-    let mut blocks = vec![Block::table(
-        "Laws of equal probability before the data",
-        tables::models(found),
-    )];
-    blocks.extend(illustration::models(found).map(|drawn| Block::figure("models", drawn)));
-    Section::new("Which laws may be true", blocks)
-}
-
-/// What the data told, and what only the priors did.
-fn told(found: &Posterior) -> Section {
-    let sentences = found
-        .prior_contraction
-        .iter()
-        .map(prior_contraction)
-        .collect();
-    Section::new(
-        "What this recording can tell",
-        vec![
-            Block::List(sentences),
-            Block::figure("posterior", illustration::corner(found)),
-            Block::table("Correlations of the answers", tables::correlations(found)),
-        ],
-    )
-}
-
-fn prior_contraction(prior_contraction: &PriorContraction) -> String {
-    let unknown = sentence(&prior_contraction.unknown.to_string());
-    let unknown = unknown.trim_end_matches('.');
-    let left = 100.0 * prior_contraction.remaining;
-    if prior_contraction.remaining > UNINFORMATIVE {
-        format!("{unknown}: these data say next to nothing; it is what was known before.")
-    } else if prior_contraction.remaining > 0.5 {
-        format!("{unknown}: the data help a little; {left:.0} % of the prior uncertainty is left.")
+fn contraction(found: &PriorContraction, words: &Translator) -> String {
+    let unknown = capital(&tables::unknown(found.unknown, words)).into();
+    let left = Value::fixed(100.0 * found.remaining, 0);
+    if found.remaining > UNINFORMATIVE {
+        words.text_with("report-uninformative", &[("unknown", unknown)])
+    } else if found.remaining > 0.5 {
+        words.text_with(
+            "report-little-informative",
+            &[("unknown", unknown), ("left", left)],
+        )
     } else {
-        format!("{unknown}: told by the data; {left:.0} % of the prior uncertainty is left.")
+        words.text_with(
+            "report-informative",
+            &[("unknown", unknown), ("left", left)],
+        )
     }
-}
-
-fn fit(drop: &Drop, found: &Posterior, settings: &Options) -> Section {
-    let sampling = &found.sampling;
-    let mut blocks = vec![
-        Block::figure("residuals", illustration::residuals(found)),
-        Block::table(
-            "The impacts as the inference has them, with the energy each took and its weight in \
-             the fit",
-            tables::fitted_impacts(found),
-        ),
-        Block::text(format!(
-            "The sampling is worth {:.0} independent draws; its Pareto shape is {:.2} (good below \
-             0.7).",
-            sampling.effective_draws, sampling.pareto_shape
-        )),
-    ];
-    if let Some(drawn) = illustration::cut(drop, settings) {
-        blocks.push(Block::text(
-            "A method that is right does not change its answer with the number of flights it uses:",
-        ));
-        blocks.push(Block::figure("cut", drawn));
-    }
-    Section::new("How well it fits", blocks)
 }
 
 /// A quantity in a sentence: no line ends within it.
-fn unbroken(quantity: &impl ToString) -> String {
-    quantity.to_string().replace(' ', "\u{a0}")
+fn unbroken(quantity: Quantity, words: &Translator) -> String {
+    quantity.text(words).replace(' ', "\u{a0}")
 }
 
-pub(super) fn measured(summary: &Summary, unit: Unit) -> Quantity {
+pub(super) fn measured(summary: &Estimate, unit: Unit) -> Quantity {
     Quantity::measured(summary.value, summary.sd, unit)
 }
 
 /// A value with its standard error, or with four digits where there is none.
-fn estimated(estimate: Estimate, unit: Unit) -> String {
-    match estimate.standard_error {
-        Some(error) => Quantity::measured(estimate.value, error, unit).to_string(),
-        None => Quantity::rounded(estimate.value, 4, unit).to_string(),
+fn estimated(estimate: Estimate, unit: Unit) -> Quantity {
+    match estimate.known_sd() {
+        Some(error) => Quantity::measured(estimate.value, error, unit),
+        None => Quantity::rounded(estimate.value, 4, unit),
     }
 }

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::fmt::Write;
 
 use super::page::{Block, Language, Page, Section};
-use crate::figure::Figure;
+use crate::chart::Chart;
 use crate::table::{Align, Table};
 
 /// A page as Markdown, and the drawings it shows.
@@ -98,13 +98,13 @@ impl Form<'_> {
                 self.block(&format!("{}:", escaped(caption)));
                 self.block(&of_table(table));
             }
-            Block::Figure { name, figure } => self.figure(name, figure),
+            Block::Figure { name, chart } => self.figure(name, chart),
             Block::Equation(equation) => self.block(&format!("$$\n{}\n$$", equation.latex())),
             Block::Code(text) => self.block(&fenced(text)),
         }
     }
 
-    fn figure(&mut self, name: &str, figure: &Figure) {
+    fn figure(&mut self, name: &str, chart: &Chart) {
         let uses = self.names.entry(name.to_owned()).or_default();
         *uses += 1;
         let file = match uses {
@@ -116,14 +116,14 @@ impl Form<'_> {
             folder => format!("{folder}/{file}"),
         };
         let number = self.figures.len() + 1;
-        let caption = escaped(figure.caption());
+        let caption = escaped(&chart.caption);
         let word = escaped(&self.language.figure);
         self.block(&format!(
             "![{}](<{}>)\n\n*{word} {number}. {caption}*",
-            escaped(figure.title()),
+            escaped(&chart.title),
             path.replace(['<', '>', '\n'], "-")
         ));
-        self.figures.push((file, figure.svg()));
+        self.figures.push((file, chart.svg()));
     }
 }
 

@@ -7,6 +7,7 @@
 //! ```
 //! use bouncelab::analysis::{self, Options};
 //! use bouncelab_report::document::Origin;
+//! use bouncelab_report::messages::Translator;
 //! use bouncelab_report::report::{self, Provenance, Recording};
 //!
 //! let settings = Options { inference: None, ..Options::default() };
@@ -25,6 +26,7 @@
 //!         sound: None,
 //!     },
 //!     &Provenance::default(),
+//!     &Translator::english(),
 //! );
 //! assert!(page.html().starts_with("<!DOCTYPE html>"));
 //! assert!(page.markdown("figures").text.starts_with("# drop.txt"));
@@ -46,5 +48,5 @@ pub use equation::Equation;
 pub use markdown::Markdown;
 pub use method::method;
 pub use page::{Block, Language, Page, Section, ended};
-pub use recording::{of_recording, repeat};
+pub use recording::{made_by, of_recording, repeat};
 pub use subject::{Provenance, Recording};

@@ -3,8 +3,8 @@
 use std::fmt;
 
 use super::equation::Equation;
-use crate::figure::Figure;
-use crate::language::{Say, said};
+use crate::chart::Chart;
+use crate::messages::Translator;
 use crate::table::Table;
 
 /// A document to read: what it says, not how it looks.
@@ -36,30 +36,13 @@ pub struct Language {
     pub figure: String,
 }
 
-/// English.
-impl Default for Language {
-    fn default() -> Self {
+impl Language {
+    /// That of the translator.
+    pub fn new(translator: &Translator) -> Self {
         Self {
-            code: "en".to_owned(),
-            note: "Note".to_owned(),
-            figure: "Figure".to_owned(),
-        }
-    }
-}
-
-impl Page {
-    /// Says everything in another language, whose code is given, but for the title, which is a name,
-    /// and code.
-    pub fn translate(&mut self, code: &str, say: &mut Say<'_>) {
-        code.clone_into(&mut self.language.code);
-        said(&mut self.language.note, say);
-        said(&mut self.language.figure, say);
-        said(&mut self.subtitle, say);
-        for block in &mut self.lead {
-            block.translate(say);
-        }
-        for section in &mut self.sections {
-            section.translate(say);
+            code: translator.language().to_owned(),
+            note: translator.text("report-note"),
+            figure: translator.text("report-figure"),
         }
     }
 }
@@ -82,16 +65,6 @@ impl Section {
             heading: heading.into(),
             blocks,
             parts: Vec::new(),
-        }
-    }
-
-    fn translate(&mut self, say: &mut Say<'_>) {
-        said(&mut self.heading, say);
-        for block in &mut self.blocks {
-            block.translate(say);
-        }
-        for part in &mut self.parts {
-            part.translate(say);
         }
     }
 
@@ -126,8 +99,8 @@ pub enum Block {
     Figure {
         /// Lower-case letters, digits and hyphens; made unique where the same name comes again.
         name: String,
-        /// The drawing, whose caption stands under it.
-        figure: Box<Figure>,
+        /// The chart, whose caption stands under it.
+        chart: Box<Chart>,
     },
     /// A formula on a line of its own.
     Equation(Equation),
@@ -149,42 +122,28 @@ impl Block {
         }
     }
 
-    fn translate(&mut self, say: &mut Say<'_>) {
-        match self {
-            Self::Lead(words) | Self::Text(words) | Self::Note(words) => said(words, say),
-            Self::List(items) => items.iter_mut().for_each(|item| said(item, say)),
-            Self::Facts(facts) => {
-                for (name, value) in facts {
-                    said(name, say);
-                    said(value, say);
-                }
-            }
-            Self::Table { caption, table } => {
-                said(caption, say);
-                table.translate(say);
-            }
-            Self::Figure { figure, .. } => figure.translate(say),
-            Self::Equation(_) | Self::Code(_) => {}
-        }
-    }
-
     /// A figure with its name.
-    pub fn figure(name: impl Into<String>, figure: Figure) -> Self {
+    pub fn figure(name: impl Into<String>, chart: Chart) -> Self {
         Self::Figure {
             name: name.into(),
-            figure: Box::new(figure),
+            chart: Box::new(chart),
         }
     }
 }
 
 /// A remark as a sentence: with a capital letter and a full stop.
 pub(super) fn sentence(remark: &str) -> String {
-    let mut letters = remark.chars();
+    ended(capital(remark))
+}
+
+/// With a capital letter.
+pub(super) fn capital(text: &str) -> String {
+    let mut letters = text.chars();
     let first: String = letters
         .next()
         .map(|letter| letter.to_uppercase().collect())
         .unwrap_or_default();
-    ended(format_args!("{first}{}", letters.as_str()))
+    first + letters.as_str()
 }
 
 /// With a full stop, unless it has an end already: it may be a inference.

@@ -1,41 +1,52 @@
 //! The page of one recording.
 
+use bouncelab::Estimate;
 use bouncelab::analysis::Drop;
-use bouncelab::inference::Summary;
 
 use super::conditions::conditions;
 use super::drop::{drop, in_words, measured};
 use super::method::method;
 use super::page::{Block, Language, Page, Section, ended, sentence};
 use super::subject::{Provenance, Recording};
-use crate::illustration;
-use crate::quantity::{CANNOT_TELL, Unit};
+use crate::figure::{self, Mark};
+use crate::messages::Translator;
+use crate::quantity::Unit;
 use crate::table::{Align, Table};
 
 /// The page of a recording: each drop in words and numbers, what was assumed, the method, and how to
 /// repeat it.
-pub fn of_recording(recording: &Recording, provenance: &Provenance) -> Page {
-    let drops = recording.drops;
+pub fn of_recording(recording: &Recording, provenance: &Provenance, words: &Translator) -> Page {
+    let drops = &recording.result.drops;
     let mut sections = Vec::new();
-    for (index, found) in drops.iter().enumerate() {
+    for (found, number) in drops.iter().zip(1_usize..) {
         let heading = match drops.len() {
-            1 => "The drop".to_owned(),
-            count => format!("Drop {} of {count}", index + 1),
+            1 => words.text("report-drop"),
+            count => {
+                let of = [("number", number.into()), ("count", count.into())];
+                words.text_with("report-drop-of", &of)
+            }
         };
         // With a single drop the page begins with the words already.
-        sections.push(drop(&heading, found, recording.settings, drops.len() > 1));
+        let in_words_too = drops.len() > 1;
+        sections.push(drop(
+            &heading,
+            found,
+            &recording.setup.options,
+            in_words_too,
+            words,
+        ));
     }
-    sections.push(conditions(recording));
-    sections.push(air(recording));
-    sections.push(method());
-    sections.push(repeat(provenance));
+    sections.push(conditions(recording, words));
+    sections.push(air(recording, words));
+    sections.push(method(words));
+    sections.push(repeat(provenance, words));
     sections.retain(|section| !section.is_empty());
     Page {
         title: file_name(recording.name),
-        subtitle: subtitle(provenance),
-        lead: lead(recording),
+        subtitle: made_by(provenance, words),
+        lead: lead(recording, words),
         sections,
-        language: Language::default(),
+        language: Language::new(words),
     }
 }
 
@@ -45,63 +56,71 @@ fn file_name(name: &str) -> String {
     own.unwrap_or(name).to_owned()
 }
 
-fn subtitle(provenance: &Provenance) -> String {
-    let by = format!("Report of bouncelab {}", env!("CARGO_PKG_VERSION"));
+/// Which program made a page, and when.
+pub fn made_by(provenance: &Provenance, words: &Translator) -> String {
+    let version = ("version", env!("CARGO_PKG_VERSION").into());
     match &provenance.made {
-        Some(made) => format!("{by}, {made}"),
-        None => by,
+        Some(made) => words.text_with("report-made-on", &[version, ("date", made.as_str().into())]),
+        None => words.text_with("report-made-by", &[version]),
     }
 }
 
-fn lead(recording: &Recording) -> Vec<Block> {
+fn lead(recording: &Recording, words: &Translator) -> Vec<Block> {
     let mut lead = Vec::new();
-    match recording.drops {
+    match recording.result.drops.as_slice() {
         [] => {
-            let reason = recording.no_drop.unwrap_or("nothing in it bounces");
-            lead.push(Block::Lead(format!("No drop was found: {}", ended(reason))));
+            let reason = recording.result.no_drop.as_ref().map_or_else(
+                || words.text("report-no-reason"),
+                |known| ended(words.diagnostic(known)),
+            );
+            let reason = [("reason", reason.into())];
+            lead.push(Block::Lead(words.text_with("report-no-drop", &reason)));
         }
-        [only] => lead.extend(in_words(only)),
+        [only] => lead.extend(in_words(only, words)),
         several => {
             let impacts: usize = several.iter().map(|drop| drop.impacts.len()).sum();
-            lead.push(Block::Lead(format!(
-                "{} drops with {impacts} impacts were heard.",
-                several.len()
-            )));
-            lead.push(Block::table("The drops", overview(several)));
+            let counts = [("drops", several.len().into()), ("impacts", impacts.into())];
+            lead.push(Block::Lead(words.text_with("report-drops-found", &counts)));
+            lead.push(Block::table(
+                words.text("report-drops"),
+                overview(several, words),
+            ));
         }
     }
-    lead.extend(
-        recording
-            .warnings
-            .iter()
-            .map(|warning| Block::Note(sentence(warning))),
-    );
-    if let Some(sound) = recording.sound
-        && let Ok(drawn) = illustration::waveform(sound, recording.drops)
-    {
-        lead.push(Block::figure("waveform", drawn));
+    let notes = recording.result.diagnostics.iter();
+    lead.extend(notes.map(|known| Block::Note(sentence(&words.diagnostic(known)))));
+    if let Some(sound) = &recording.result.envelope {
+        let marks = Mark::of_drops(&recording.result.drops);
+        lead.push(Block::figure(
+            "waveform",
+            figure::waveform(sound, &marks, words),
+        ));
     }
     lead
 }
 
 /// One line for each drop.
-fn overview(drops: &[Drop]) -> Table {
-    let mut table = Table::new([
-        ("drop", Align::Right),
-        ("from s", Align::Right),
-        ("impacts", Align::Right),
-        ("restitution", Align::Right),
-        ("drop height", Align::Right),
-    ]);
+fn overview(drops: &[Drop], words: &Translator) -> Table {
+    let mut table = Table::with_headings(
+        words,
+        [
+            ("column-drop", Align::Right),
+            ("column-start", Align::Right),
+            ("column-impacts", Align::Right),
+            ("quantity-restitution", Align::Right),
+            ("quantity-drop-height", Align::Right),
+        ],
+    );
     for (drop, number) in drops.iter().zip(1..) {
-        let found = drop.estimate.as_ref().ok();
-        let shown = |summary: Option<&Summary>, unit| {
-            summary.map_or_else(|| CANNOT_TELL.to_owned(), |s| measured(s, unit).to_string())
+        let found = drop.posterior.as_ref().ok();
+        let shown = |summary: Option<&Estimate>, unit| match summary {
+            Some(summary) => measured(summary, unit).text(words),
+            None => words.text("unit-cannot-tell"),
         };
         let start = drop.impacts.first();
         table.row([
             number.to_string(),
-            start.map_or_else(String::new, |first| format!("{:.2}", first.time_s)),
+            start.map_or_else(String::new, |first| words.fixed(first.time_s, 2)),
             drop.impacts.len().to_string(),
             shown(found.map(|f| &f.restitution), Unit::Number),
             shown(found.map(|f| &f.drop_height_m), Unit::Length),
@@ -110,29 +129,26 @@ fn overview(drops: &[Drop]) -> Table {
     table
 }
 
-fn air(recording: &Recording) -> Section {
-    let figures = illustration::of_air(recording.drops, recording.settings);
+fn air(recording: &Recording, words: &Translator) -> Section {
+    let figures = figure::of_air(&recording.result.drops, &recording.setup.options, words);
     let blocks = figures
         .into_iter()
-        .map(|drawn| Block::figure(drawn.name, drawn.figure))
+        .map(|(name, chart)| Block::figure(name, chart))
         .collect();
-    Section::new("The air at these speeds", blocks)
+    Section::new(words.text("report-air"), blocks)
 }
 
 /// How to get the same page again: version, command, and the hash of each file.
-pub fn repeat(provenance: &Provenance) -> Section {
-    let mut blocks = vec![Block::text(format!(
-        "Version {} of bouncelab gives the same numbers from the same file and settings; the random \
-         numbers of the inference have a seed.",
-        env!("CARGO_PKG_VERSION")
-    ))];
+pub fn repeat(provenance: &Provenance, words: &Translator) -> Section {
+    let version = [("version", env!("CARGO_PKG_VERSION").into())];
+    let mut blocks = vec![Block::text(
+        words.text_with("report-repeat-version", &version),
+    )];
     if let Some(command) = &provenance.command {
         blocks.push(Block::Code(command.clone()));
     }
     if !provenance.files.is_empty() {
-        blocks.push(Block::text(
-            "The files that were read, by their SHA-256 (sha256sum shows it):",
-        ));
+        blocks.push(Block::text(words.text("report-repeat-files")));
         let lines: Vec<String> = provenance
             .files
             .iter()
@@ -140,5 +156,5 @@ pub fn repeat(provenance: &Provenance) -> Section {
             .collect();
         blocks.push(Block::Code(lines.join("\n")));
     }
-    Section::new("To repeat this", blocks)
+    Section::new(words.text("report-repeat"), blocks)
 }

@@ -123,7 +123,7 @@ const STEP_SHARE: usize = 8;
 ///
 /// The samples are worked on in frames of some 30 ms, so a candidate comes up to a tenth of a
 /// second late, and does not depend on the blocks in which the samples come.
-#[derive(Clone)]
+#[derive(Clone, Debug)]
 pub struct OnsetDetector {
     sample_rate_hz: f64,
     spacing: u64,

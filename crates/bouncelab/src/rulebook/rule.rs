@@ -328,9 +328,7 @@ impl Rule {
         }
         self.check_requirement()?;
         if self.averaging == Averaging::Each && self.needs_reference() {
-            return Err(Error::CannotInfer(
-                "a share of a reference is one of means: single drops have none".to_owned(),
-            ));
+            return Err(Error::EachOfReference);
         }
         self.temperature_k.check("temperature of the rule in K")?;
         self.altitude_m.check("altitude of the rule in m")?;

@@ -1,0 +1,101 @@
+report-made-by = Bericht von bouncelab { $version }
+report-made-on = Bericht von bouncelab { $version }, { $date }
+report-note = Hinweis
+report-figure = Abbildung
+
+report-drop = Der Versuch
+report-drop-of = Versuch { $number } von { $count }
+report-drops = Die Versuche
+report-no-drop = Kein springender Ball gefunden: { $reason }
+report-no-reason = Nichts darin springt.
+report-drops-found = { $drops } Versuche mit { $impacts } Aufprallen wurden gefunden.
+
+report-kept = Der Ball behielt bei jedem Aufprall { $share } seines Tempos.
+report-kept-and-fell = Der Ball behielt bei jedem Aufprall { $share } seines Tempos und fiel aus { $height } Höhe.
+report-kept-and-fell-first = Der Ball behielt bei jedem Aufprall { $share } seines Tempos und fiel vor dem ersten erkannten Aufprall aus { $height } Höhe.
+report-kept-without-air = Gäbe es keine Luft, hätte der Ball bei jedem Aufprall { $share } seines Tempos behalten und wäre aus { $height } Höhe gefallen.
+report-kept-unknown = Wie viel der Ball behielt, lässt sich nicht sagen: { $reason }
+report-impacts = { $count ->
+    [one] Ein Aufprall wurde erkannt, bei { $first } s
+   *[other] { $count } Aufpralle wurden erkannt, von { $first } s bis { $last } s
+  }, { $uncertain ->
+    [0] keiner davon unsicher.
+    [one] einer davon unsicher.
+   *[other] { $uncertain } davon unsicher.
+  }
+report-restitution = Die Stoßzahl, Tempo nach dem Aufprall durch Tempo davor, ist { $value } bei { $speed }, die Luft herausgerechnet.
+report-line-says = Eine Gerade durch die Logarithmen der Flugzeiten, die keine Luft kennt, ergibt { $share } ({ $difference ->
+    [less] { $points } Prozentpunkte weniger
+    [more] { $points } Prozentpunkte mehr
+   *[none] dasselbe
+  }) und { $height }.
+
+report-answers = Schätzung mit Luft, und Gerade ohne
+report-no-inference = Es gibt keine Schätzung: { $reason }
+report-impacts-heading = Die Aufpralle
+report-impacts-table = Aufpralle, jeder mit dem Flug danach und seiner Stoßzahl, ohne Luft gerechnet und mit ihr (? heißt unsicher)
+report-line-heading = Die Gerade
+report-line-flights = Sie geht durch { $count ->
+    [one] einen Flug.
+   *[other] { $count } Flüge.
+  }
+report-line-fits = Sie geht durch { $count } Flüge, mit einem Bestimmtheitsmaß von { $determination }.
+report-no-line = Es gibt keine: { $reason }
+
+report-uncertainty = Woher die Unsicherheit kommt
+report-budget-restitution = Beiträge zur Unsicherheit der Stoßzahl
+report-budget-drop-height = Beiträge zur Unsicherheit der Fallhöhe
+report-laws = Welche Gesetze wahr sein können
+report-laws-table = Gesetze, vor den Daten gleich wahrscheinlich
+report-contraction = Was diese Aufnahme festlegt
+report-correlations = Korrelationen der Antworten
+report-uninformative = { $unknown }: Diese Daten sagen fast nichts darüber; es bleibt bei dem, was man vorher wusste.
+report-little-informative = { $unknown }: Die Daten helfen ein wenig; { $left } % der vorigen Unsicherheit bleiben.
+report-informative = { $unknown }: Das legen die Daten fest; { $left } % der vorigen Unsicherheit bleiben.
+report-fit = Wie gut es passt
+report-fit-table = Die Aufpralle, wie die Schätzung sie sieht, mit der Energie, die jeder nahm, und seinem Gewicht darin
+report-sampling = Die Stichprobe ist { $draws } unabhängige Ziehungen wert; ihre Pareto-Form ist { $shape } (gut unter 0,7).
+report-truncation = Ein richtiges Verfahren sagt dasselbe, wie viele Flüge es auch benutzt:
+
+report-air = Die Luft bei diesem Tempo
+report-conditions = Bedingungen und Annahmen
+report-assumed = Das hat niemand angegeben, darum ist es angenommen:
+report-priors = Ehe sie die Daten sah, wusste die Schätzung dies:
+report-source = Quelle
+report-source-times = eine Liste von Aufprallzeiten
+report-source-sound = { $format }, { $rate } kHz, { $duration } s
+report-microphone = Mikrofon
+report-channel = Kanal
+report-channel-of = { $channel } von { $count }
+report-onsets = Laute über dem Rauschen
+report-ball = Ball
+report-mass = Masse
+report-diameter = Durchmesser
+report-contact-time = Kontaktzeit
+report-gravity = Fallbeschleunigung
+report-air-density = Dichte der Luft
+report-drag-law = Widerstandsgesetz
+report-displaced-air = Auftrieb und mitbewegte Luft
+report-displaced-air-both = beide berücksichtigt
+report-displaced-air-buoyancy = nur der Auftrieb
+report-displaced-air-added-mass = nur mitbewegte Luft
+report-displaced-air-none = weggelassen
+report-measured-height = Gemessene Fallhöhe
+report-release = Loslassen, in der Aufnahme
+report-sampler = Stichprobe
+report-sampler-draws = { $draws } Ziehungen, Startwert { $seed }
+
+report-repeat = Um das zu wiederholen
+report-repeat-version = Version { $version } von bouncelab gibt aus derselben Datei und denselben Einstellungen dieselben Zahlen; die Zufallszahlen der Schätzung haben einen festen Startwert.
+report-repeat-files = Die gelesenen Dateien mit ihrer SHA-256-Summe (sha256sum zeigt sie):
+
+report-method = Verfahren
+report-method-flight = Einen Ball hört man nur, wenn er aufprallt. Die Stille zwischen zwei Aufprallen ist ein Flug, und ihre Dauer T ergibt die Höhe h des Flugs, fast unabhängig von der Luft:
+report-method-line = Behielte jeder Aufprall denselben Anteil e des Tempos und gäbe es keine Luft, so lägen die Logarithmen der Flugzeiten über der Nummer n des Aufpralls auf einer Geraden. Ihre Steigung gibt die Stoßzahl e, ihr Achsenabschnitt b die Fallhöhe (Nagurka, Gl. 4 und 6):
+report-method-motion = Auch die Luft nimmt Tempo, und sie trägt den Ball ein wenig und bewegt sich mit ihm. Mit Masse m, Volumen V und Querschnitt A des Balls, Dichte ρ der Luft und einem Widerstandsbeiwert, der der Reynolds-Zahl folgt, ändert sich die Geschwindigkeit v so:
+report-method-restitution = Aus jeder Flugzeit folgt, mit welchem Tempo v der Ball den Untergrund verließ und mit welchem Tempo v′ er wiederkam, und aus zwei benachbarten Flügen die Stoßzahl des Aufpralls zwischen ihnen:
+report-method-noise = Zweierlei Rauschen wird getrennt: Aufpralle streuen um einen Anteil σₑ ihrer Stoßzahl, und Zeiten haben Fehler σₜ, die benachbarte Aufpralle über die Ableitungen J teilen. Aufpralle, die aus der Reihe fallen, zählen weniger (Student-t).
+report-method-posterior = Die Schätzung wägt alle Werte θ dessen, was unbekannt ist, unter jedem Gesetz M von Stoßzahl und Luftwiderstand: danach, wie gut sie die Zeiten t erklären, und nach dem, was man vorher wusste. Von jeder Größe steht der Median da, ± ihre Standardabweichung; ein Bereich von 95 % enthält die Wahrheit mit dieser Wahrscheinlichkeit, wenn die Annahmen stimmen.
+report-references = Literatur:
+report-reference-drag = { $work }: die übliche Kurve des Luftwiderstands.
+report-reference-scatter = { $work }: die Streuung der Aufpralle.

@@ -1,0 +1,196 @@
+# The words of the figures.
+
+axis-amplitude = amplitude, relative to full scale
+axis-bounce = bounce
+axis-drag = drag / weight
+axis-drag-coefficient = drag coefficient
+axis-drop-height = drop height
+axis-energy-lost = energy lost
+axis-flight = number of the flight
+axis-flight-time = flight time
+axis-height = height
+axis-impact = impact
+axis-impact-speed = speed at the impact
+axis-off-line = off the line
+axis-rebound = rebound
+axis-restitution = restitution: speed after / before
+axis-restitution-at = restitution at { $speed } m/s
+axis-restitution-short = restitution
+axis-share-of-reference = share of the reference
+axis-speed = speed
+axis-time = time
+
+figure-bounce-energies-title = Where does the energy go?
+figure-bounce-energies-caption = What each impact takes, and on top of it what the air takes in the flight after it: the faster the ball, the larger the share of the air.
+figure-bounce-energies-empty = There are no energies to show.
+figure-bounce-energies-air = the air, in the flight after it
+figure-bounce-energies-surface = the bounce
+
+figure-bounce-heights-title = How high is each bounce?
+figure-bounce-heights-caption = Every bounce keeps about the same share of the height before it, so that the points lie near a straight line.
+figure-bounce-heights-empty = There are no heights to show.
+
+figure-budget-title = Where the uncertainty comes from
+figure-budget-caption = Each bar is a source's share of the variance: to know the ball better, improve what is on top.
+figure-budget-empty = There is no uncertainty to take apart.
+figure-budget-axis = share of the variance
+figure-budget-drop-height = drop height: { $value }
+figure-budget-others = all others
+figure-budget-restitution = restitution: { $value }
+
+figure-calibration-title = Where the truth lies among the draws
+figure-calibration-caption = Flat bars: intervals hold as often as they say. A hill would mean intervals too wide, a valley too narrow, a slope a bias.
+figure-calibration-empty = There are no ranks to show.
+figure-calibration-drops = simulated drops
+figure-calibration-expected = 99 % of bars end here if calibrated
+figure-calibration-rank = rank of the truth
+
+figure-comparison-title = The drop and a simulation of it
+figure-comparison-caption = Where the curves part, the model lacks something, or an impact is none.
+figure-comparison-empty = There are no heights to show.
+figure-comparison-best-fit = the drop that fits best
+figure-comparison-measured = as heard
+figure-comparison-simulation = your simulation
+
+figure-detection-found-title = Impacts found in noise
+figure-detection-found-caption = F1 is 1 where every impact as loud as the noise is found and nothing else is.
+figure-detection-found-empty = There is nothing to compare: no curve has a point.
+figure-detection-found-axis = F1
+figure-detection-found-loudness = loudest impact above the noise
+
+figure-detection-late-title = Faint impacts are found no later than loud ones
+figure-detection-late-caption = The first sample above a fixed level comes the later, the fainter the impact; where the whole sound fits best does not depend on loudness.
+figure-detection-late-empty = There is nothing to compare: no curve has a point.
+figure-detection-late-axis = later than the loudest
+figure-detection-late-loudness = impact above the noise
+
+figure-detection-stated-title = Errors of flight times and what is stated of them
+figure-detection-stated-caption = Of normal errors 68 % lie within one standard error.
+figure-detection-stated-empty = There is nothing to compare: no curve has a point.
+figure-detection-stated-axis = within one standard error
+figure-detection-stated-loudness = loudest impact above the noise
+
+figure-detection-timing-title = Errors of flight times and the physical limit
+figure-detection-timing-caption = The Cramér-Rao bound is the least error with which a known sound in white noise can be timed.
+figure-detection-timing-empty = There is nothing to compare: no curve has a point.
+figure-detection-timing-axis = median error over that of the bound
+figure-detection-timing-loudness = loudest impact above the noise
+
+figure-drag-title = Air drag relative to weight
+figure-drag-caption = Drag grows nearly with the square of the speed and balances the weight at the terminal speed, where the curve reaches 1.
+figure-drag-reached = Drag grows nearly with the square of the speed and balances the weight at the terminal speed, where the curve reaches 1; this drop reached { $speed }.
+figure-drag-empty = There are no drag curves to show.
+figure-drag-fastest = this drop: up to { $speed }
+
+figure-drag-log-title = Air drag relative to weight
+figure-drag-log-caption = A constant drag coefficient is a straight line here; the laws part at low speed, where drag is too weak to matter.
+figure-drag-log-reached = A constant drag coefficient is a straight line here; the laws part at low speed, where drag is too weak to matter; this drop reached { $speed }.
+figure-drag-log-empty = There are no drag curves to show.
+
+figure-flight-times-title = Flight times and the straight line
+figure-flight-times-caption = Without air each flight would last the same share of the one before, { $ratio } by the line; a bend in the lower panel shows air drag, or a restitution that changes with speed.
+figure-flight-times-no-line = { $count ->
+    [one] 1 flight
+   *[other] { $count } flights
+}, without a line through them.
+figure-flight-times-empty = There are no flights to show.
+figure-flight-times-line = straight line: × { $ratio } each time
+figure-flight-times-all = measured flights
+figure-flight-times-unused = not used
+figure-flight-times-used = flights used
+
+figure-groups-title = Restitution of each group against speed
+figure-groups-caption = Every speck is an impact; the lines are the means over the drops of each group, with their 95 % intervals.
+figure-groups-more = The first { $shown } of { $all } groups are shown.
+figure-groups-empty = There are no impacts with a known restitution.
+
+figure-height-title = Height of the ball
+figure-height-caption = Each hop is lower and shorter than the one before, so that infinitely many fit into a finite time.
+figure-height-caption-apexes = Each hop is lower and shorter than the one before; dots are the measured tops of the hops.
+figure-height-caption-models = The models start alike and part with time, because what a hop loses shortens all that follow.
+figure-height-empty = There are no heights to show.
+figure-height-apexes = measured apexes
+figure-height-model = flight model, drag { $drag }
+
+figure-intervals-title = Restitution of each group
+figure-intervals-caption = Where the strong bars of two groups are far apart, the groups differ; where one lies within the other's pale bar, single drops cannot tell them apart.
+figure-intervals-empty = There are no groups to compare.
+figure-intervals-count = { $count ->
+    [one] 1 drop
+   *[other] { $count } drops
+}
+figure-intervals-drops = drops
+figure-intervals-mean = mean, 95 %
+figure-intervals-next = next drop, 95 %
+figure-intervals-outliers = does not belong
+
+figure-limits-title = The rebound and the limits
+figure-limits-caption = A value whose bar lies between the limits is within them with a probability of 95 % or more.
+figure-limits-empty = There is no value to hold against the limits.
+figure-limits-accepted = accepted at this uncertainty
+figure-limits-interval = 95 %
+figure-limits-within = within the limits
+
+figure-models-title = Which law is it?
+figure-models-caption = The longer the bar, the more probable the law; where no bar wins, the answer is an average over all of them.
+figure-models-empty = There are no models to compare.
+figure-models-interval = drop height, 68 %
+figure-models-probability = probability
+
+figure-posterior-title = What is known of them together
+figure-posterior-caption = A round cloud: the data tell the two quantities apart. A tilted one: what is added to one can be taken from the other. A histogram as wide as the grey curve: the data say nothing new.
+figure-posterior-empty = There are no quantities to show.
+figure-posterior-posterior = after the data: 68 % dark, 95 % light
+figure-posterior-prior = before the data
+
+figure-residuals-title = How odd is each impact?
+figure-residuals-caption = Two of three impacts should lie in the dark band, 19 of 20 in the light one; one far outside hit an edge, or is no impact.
+figure-residuals-empty = There are no residuals to show.
+figure-residuals-axis = residual (standard deviations)
+figure-residuals-impact = impact
+figure-residuals-odd = odd, counts less
+
+figure-restitution-title = Restitution of each impact
+figure-restitution-caption = What the ball keeps of its speed at each impact; the gap between grey and blue is what the air takes, which a straight line counts as lost in the bounce.
+figure-restitution-empty = There are no impacts with a known restitution.
+figure-restitution-corrected = corrected for drag
+figure-restitution-law = fitted law, 68 and 95 %
+figure-restitution-line = straight line: { $value }
+figure-restitution-odd = odd, counts less
+figure-restitution-raw = as if there were no air
+
+figure-run-title = Does anything drift?
+figure-run-caption = Each drop less the median of its group, in order: a slope or a step means that ball, surface or air have changed on the way.
+figure-run-empty = There are no drops to show.
+figure-run-off = restitution less the median of the group
+figure-run-order = drop, in order
+figure-run-outlier = does not belong
+figure-run-unchanged = if nothing changes
+
+figure-truncation-title = Does the answer depend on how many flights are used?
+figure-truncation-caption = A model that is right gives the same answer however many flights it uses; the answer of a straight line moves, because it knows no air.
+figure-truncation-empty = There are no answers to compare.
+figure-truncation-flights = flights used
+figure-truncation-inference = inference, with air
+figure-truncation-line = straight line
+figure-truncation-stated = stated
+
+figure-waveform-title = The sound and its impacts
+figure-waveform-caption = { $impacts ->
+    [one] 1 impact
+   *[other] { $impacts } impacts
+} of { $drops ->
+    [one] one drop
+   *[other] { $drops } drops
+}{ $uncertain ->
+    [0] {""}
+   *[other] {" "}({ $uncertain } uncertain, open and orange)
+}{ $pattern ->
+    [yes] : their spacing shrinks by nearly the same ratio each time
+   *[no] {""}
+}.
+figure-waveform-no-impacts = The sound, in which no impacts were found.
+figure-waveform-empty = There is no sound to show.
+figure-waveform-drop = drop { $number }
+figure-waveform-impact = impact
+figure-waveform-uncertain = uncertain impact

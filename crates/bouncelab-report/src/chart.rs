@@ -1,0 +1,467 @@
+//! What a chart shows, as data: panels with axes, and layers of lines, points, bands and boxes in the
+//! values of those axes.
+//!
+//! A figure makes a [`Chart`] and draws nothing. [`Chart::svg`] and `Chart::png` draw it; the page
+//! draws the same description so that it can be zoomed.
+
+use serde::Serialize;
+
+use crate::messages::Translator;
+pub use crate::scale::Scale;
+use crate::theme::{Colour, Meaning};
+
+/// A horizontal and a vertical value. One that is not a number, `null` in JSON, interrupts a line and
+/// leaves a point out.
+pub type Point = [f64; 2];
+
+/// A chart. Without panels there is nothing to show, and the caption says why.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
+pub struct Chart {
+    /// The title.
+    pub title: String,
+    /// One sentence that says what to see in it.
+    pub caption: String,
+    /// Relative widths of the columns in which the panels stand.
+    pub columns: Vec<f64>,
+    /// The panels.
+    pub panels: Vec<Panel>,
+    /// What stands between whole numbers and decimals in its language.
+    pub decimal_separator: char,
+}
+
+/// A region with two axes.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
+pub struct Panel {
+    /// What stands above it; empty for nothing.
+    pub title: String,
+    /// Its row, from 0 at the top.
+    pub row: usize,
+    /// Its column, from 0 at the left.
+    pub column: usize,
+    /// Height of the region that holds the data, in figure pixels; rows of names take more if they
+    /// must.
+    pub height: f64,
+    /// The horizontal axis.
+    pub x: Axis,
+    /// The vertical axis.
+    pub y: Axis,
+    /// What it shows, the first layer below all others.
+    pub layers: Vec<Layer>,
+}
+
+/// An axis.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
+pub struct Axis {
+    /// The quantity.
+    pub quantity: String,
+    /// Its unit; empty for none.
+    pub unit: String,
+    /// Which values it shows.
+    pub scale: Scale,
+    /// What of it is drawn.
+    pub ticks: Ticks,
+    /// Names in place of numbers, one for each row of the height 1, the first on top. What follows a
+    /// line break is said below the name.
+    pub names: Vec<String>,
+}
+
+/// What is drawn of an axis.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
+#[serde(rename_all = "kebab-case")]
+pub enum Ticks {
+    /// Grid lines and numbers or names.
+    Labelled,
+    /// Grid lines only.
+    Grid,
+    /// Nothing.
+    Hidden,
+}
+
+/// Something shown in a panel.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
+pub struct Layer {
+    /// Its name in the legend; empty if it has none. Layers of the same name share an entry.
+    pub name: String,
+    /// What it shows, which decides its colour.
+    #[cfg_attr(feature = "typescript", ts(type = "string"))]
+    pub meaning: Meaning,
+    /// How much of the colour is mixed with that of the paper, 0 to 1.
+    pub strength: f64,
+    /// What is drawn.
+    #[serde(flatten)]
+    pub shape: Shape,
+}
+
+/// What a layer draws.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
+#[serde(tag = "kind", rename_all = "kebab-case")]
+pub enum Shape {
+    /// A curve.
+    Line {
+        /// Its points in the order of drawing.
+        #[cfg_attr(feature = "typescript", ts(type = "[number | null, number | null][]"))]
+        points: Vec<Point>,
+        /// Width in figure pixels.
+        width: f64,
+        /// Its dashes.
+        dashes: Dashes,
+    },
+    /// Single points. One above or below the panel is an arrow head at its edge.
+    Points {
+        /// Where they lie.
+        #[cfg_attr(feature = "typescript", ts(type = "[number | null, number | null][]"))]
+        points: Vec<Point>,
+        /// Standard error of each vertical value; empty if none is known.
+        #[cfg_attr(feature = "typescript", ts(type = "(number | null)[]"))]
+        errors: Vec<f64>,
+        /// How they look.
+        marker: Marker,
+    },
+    /// The region between two curves.
+    Band {
+        /// Horizontal value, lower and upper vertical one.
+        #[cfg_attr(
+            feature = "typescript",
+            ts(type = "[number | null, number | null, number | null][]")
+        )]
+        points: Vec<[f64; 3]>,
+    },
+    /// Rectangles: bars, cells and ranges.
+    Boxes {
+        /// Left, right, bottom and top.
+        #[cfg_attr(
+            feature = "typescript",
+            ts(type = "[number | null, number | null, number | null, number | null][]")
+        )]
+        boxes: Vec<[f64; 4]>,
+    },
+    /// A line across the panel. An upright one has its name beside it.
+    Rule {
+        /// Its value.
+        #[cfg_attr(feature = "typescript", ts(type = "number | null"))]
+        at: f64,
+        /// Whether it is upright, at a horizontal value.
+        upright: bool,
+        /// Width in figure pixels.
+        width: f64,
+        /// Its dashes.
+        dashes: Dashes,
+    },
+    /// Texts, which begin a little to the right of their points.
+    Labels {
+        /// The points.
+        #[cfg_attr(feature = "typescript", ts(type = "[number | null, number | null][]"))]
+        points: Vec<Point>,
+        /// A text for each.
+        texts: Vec<String>,
+    },
+    /// Triangles above the panel that mark places along it, numbered where there is room.
+    Marks {
+        /// The horizontal values, in ascending order.
+        #[cfg_attr(feature = "typescript", ts(type = "(number | null)[]"))]
+        places: Vec<f64>,
+        /// The number of each that may be written above it.
+        numbers: Vec<u32>,
+        /// What may be written above all of them.
+        group: String,
+        /// Whether they are filled.
+        filled: bool,
+    },
+}
+
+/// How a point looks.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
+#[serde(rename_all = "kebab-case")]
+pub enum Marker {
+    /// A filled circle.
+    Dot,
+    /// An open circle.
+    Ring,
+    /// A filled triangle that points down.
+    Triangle,
+    /// An open triangle that points down.
+    OpenTriangle,
+    /// A small dot, one of many; left out where it lies outside.
+    Speck,
+}
+
+impl Marker {
+    /// The marker of a group by its place: with four shapes and seven colours, 28 differ.
+    pub(crate) const fn of_group(place: usize) -> Self {
+        match place % 4 {
+            0 => Self::Dot,
+            1 => Self::Triangle,
+            2 => Self::Ring,
+            _ => Self::OpenTriangle,
+        }
+    }
+}
+
+/// The dashes of a line.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
+#[serde(rename_all = "kebab-case")]
+pub enum Dashes {
+    /// None.
+    Solid,
+    /// Short strokes.
+    Dashed,
+    /// Dots.
+    Dotted,
+    /// Long strokes.
+    Long,
+}
+
+impl Chart {
+    /// The chart `figure-ID`, with this caption, of panels in one column.
+    pub(crate) fn new(
+        translator: &Translator,
+        id: &str,
+        caption: String,
+        panels: Vec<Panel>,
+    ) -> Self {
+        Self {
+            title: translator.text(&format!("figure-{id}-title")),
+            caption,
+            columns: vec![1.0],
+            panels,
+            decimal_separator: translator.number("0.0").chars().nth(1).unwrap_or('.'),
+        }
+    }
+
+    /// The same with a panel of the same horizontal axis below; the axis is labelled there only.
+    pub(crate) fn with_below(mut self, mut below: Panel) -> Self {
+        below.row = self.panels.len();
+        if let Some(above) = self.panels.last_mut() {
+            above.x.ticks = Ticks::Grid;
+        }
+        self.panels.push(below);
+        self
+    }
+
+    /// One without data: its caption says so.
+    pub(crate) fn empty(translator: &Translator, id: &str) -> Self {
+        let caption = translator.text(&format!("figure-{id}-empty"));
+        Self::new(translator, id, caption, Vec::new())
+    }
+}
+
+impl Panel {
+    pub(crate) const fn new(height: f64, x: Axis, y: Axis, layers: Vec<Layer>) -> Self {
+        Self {
+            title: String::new(),
+            row: 0,
+            column: 0,
+            height,
+            x,
+            y,
+            layers,
+        }
+    }
+}
+
+impl Axis {
+    pub(crate) fn new(quantity: String, unit: &str, scale: Scale) -> Self {
+        Self {
+            quantity,
+            unit: unit.to_owned(),
+            scale,
+            ticks: Ticks::Labelled,
+            names: Vec::new(),
+        }
+    }
+
+    /// A vertical axis of named rows; the middle of the first is [`row_middle`] of 0.
+    pub(crate) fn of_names(names: Vec<String>) -> Self {
+        let scale = Scale::linear([0.0, names.len() as f64]);
+        Self {
+            names,
+            ..Self::new(String::new(), "", scale)
+        }
+    }
+
+    pub(crate) fn with_ticks(self, ticks: Ticks) -> Self {
+        Self { ticks, ..self }
+    }
+
+    /// The quantity with its unit, as in "height (cm)".
+    pub fn label(&self) -> String {
+        if self.unit.is_empty() {
+            self.quantity.clone()
+        } else {
+            format!("{} ({})", self.quantity, self.unit)
+        }
+    }
+}
+
+/// The middle of one of so many rows on an axis of names.
+pub(crate) fn row_middle(rows: usize, row: usize) -> f64 {
+    rows as f64 - row as f64 - 0.5
+}
+
+/// Width of a line that shows data, in figure pixels.
+const LINE: f64 = 2.25;
+
+impl Layer {
+    pub(crate) fn new(meaning: Meaning, shape: Shape) -> Self {
+        Self {
+            name: String::new(),
+            meaning,
+            strength: 1.0,
+            shape,
+        }
+    }
+
+    pub(crate) fn line(meaning: Meaning, points: Vec<Point>) -> Self {
+        let (width, dashes) = (LINE, Dashes::Solid);
+        Self::new(
+            meaning,
+            Shape::Line {
+                points,
+                width,
+                dashes,
+            },
+        )
+    }
+
+    pub(crate) fn points(meaning: Meaning, marker: Marker, points: Vec<Point>) -> Self {
+        let errors = Vec::new();
+        Self::new(
+            meaning,
+            Shape::Points {
+                points,
+                errors,
+                marker,
+            },
+        )
+    }
+
+    pub(crate) fn band(meaning: Meaning, points: Vec<[f64; 3]>) -> Self {
+        Self::new(meaning, Shape::Band { points })
+    }
+
+    pub(crate) fn boxes(meaning: Meaning, boxes: Vec<[f64; 4]>) -> Self {
+        Self::new(meaning, Shape::Boxes { boxes })
+    }
+
+    /// A horizontal line.
+    pub(crate) fn level(meaning: Meaning, at: f64) -> Self {
+        let (width, dashes) = (LINE, Dashes::Solid);
+        Self::new(
+            meaning,
+            Shape::Rule {
+                at,
+                upright: false,
+                width,
+                dashes,
+            },
+        )
+    }
+
+    /// A vertical line with its name beside it.
+    pub(crate) fn upright(meaning: Meaning, at: f64, name: String) -> Self {
+        let (width, dashes) = (1.5, Dashes::Solid);
+        let shape = Shape::Rule {
+            at,
+            upright: true,
+            width,
+            dashes,
+        };
+        Self::new(meaning, shape).named(name)
+    }
+
+    pub(crate) fn labels(points: Vec<Point>, texts: Vec<String>) -> Self {
+        Self::new(Meaning::Ink, Shape::Labels { points, texts })
+    }
+
+    pub(crate) fn named(self, name: impl Into<String>) -> Self {
+        Self {
+            name: name.into(),
+            ..self
+        }
+    }
+
+    /// Paler than the colour of its meaning.
+    pub(crate) fn pale(self, strength: f64) -> Self {
+        Self { strength, ..self }
+    }
+
+    pub(crate) fn with_width(mut self, new: f64) -> Self {
+        if let Shape::Line { width, .. } | Shape::Rule { width, .. } = &mut self.shape {
+            *width = new;
+        }
+        self
+    }
+
+    pub(crate) fn with_dashes(mut self, new: Dashes) -> Self {
+        if let Shape::Line { dashes, .. } | Shape::Rule { dashes, .. } = &mut self.shape {
+            *dashes = new;
+        }
+        self
+    }
+
+    pub(crate) fn with_errors(mut self, new: Vec<f64>) -> Self {
+        if let Shape::Points { errors, .. } = &mut self.shape {
+            *errors = new;
+        }
+        self
+    }
+
+    pub(crate) fn colour(&self) -> Colour {
+        self.meaning.colour().mixed(self.strength)
+    }
+
+    /// Its horizontal values.
+    fn xs(&self) -> Vec<f64> {
+        match &self.shape {
+            Shape::Line { points, .. }
+            | Shape::Points { points, .. }
+            | Shape::Labels { points, .. } => points.iter().map(|p| p[0]).collect(),
+            Shape::Band { points } => points.iter().map(|p| p[0]).collect(),
+            Shape::Boxes { boxes } => boxes.iter().flat_map(|b| [b[0], b[1]]).collect(),
+            Shape::Rule { at, upright, .. } => upright.then_some(*at).into_iter().collect(),
+            Shape::Marks { places, .. } => places.clone(),
+        }
+    }
+
+    /// Its vertical values with their standard errors.
+    fn ys(&self) -> Vec<f64> {
+        match &self.shape {
+            Shape::Line { points, .. } | Shape::Labels { points, .. } => {
+                points.iter().map(|p| p[1]).collect()
+            }
+            Shape::Points { points, errors, .. } => {
+                let errors = errors.iter().copied().chain(std::iter::repeat(0.0));
+                let ends = |([_, y], error): (&Point, f64)| [*y, y - error, y + error];
+                points.iter().zip(errors).flat_map(ends).collect()
+            }
+            Shape::Band { points } => points.iter().flat_map(|p| [p[1], p[2]]).collect(),
+            Shape::Boxes { boxes } => boxes.iter().flat_map(|b| [b[2], b[3]]).collect(),
+            Shape::Rule { at, upright, .. } => (!upright).then_some(*at).into_iter().collect(),
+            Shape::Marks { .. } => Vec::new(),
+        }
+    }
+}
+
+/// The horizontal values of layers that are numbers.
+pub(crate) fn xs(layers: &[Layer]) -> impl Iterator<Item = f64> {
+    layers
+        .iter()
+        .flat_map(Layer::xs)
+        .filter(|value| value.is_finite())
+}
+
+/// The vertical values of layers that are numbers, with their standard errors.
+pub(crate) fn ys(layers: &[Layer]) -> impl Iterator<Item = f64> {
+    layers
+        .iter()
+        .flat_map(Layer::ys)
+        .filter(|value| value.is_finite())
+}

@@ -1,0 +1,247 @@
+//! Messages: every language has all of them, and the code asks for none that is not there.
+//!
+//! The languages are compared with English. The code is read as text: an id is a string literal, and a
+//! message is used if its id, or the beginning that a group of ids shares, is one.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use bouncelab_report::messages::{Translator, languages};
+use fluent_syntax::ast::{Entry, Expression, InlineExpression, Pattern, PatternElement, Resource};
+use fluent_syntax::parser;
+
+fn root() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
+}
+
+/// The arguments of each message of a language, by file and id.
+type Messages = BTreeMap<(String, String), BTreeSet<String>>;
+
+fn messages(language: &str) -> Messages {
+    let folder = root()
+        .join("crates/bouncelab-report/messages")
+        .join(language);
+    let mut messages = Messages::new();
+    for file in fs::read_dir(&folder).unwrap() {
+        let path = file.unwrap().path();
+        let name = path.file_name().unwrap().to_str().unwrap().to_owned();
+        let parsed: Resource<String> = parser::parse(fs::read_to_string(&path).unwrap())
+            .unwrap_or_else(|(_, errors)| panic!("{}: {errors:?}", path.display()));
+        for entry in parsed.body {
+            let Entry::Message(message) = entry else {
+                continue;
+            };
+            let mut arguments = BTreeSet::new();
+            collect(&message.value.unwrap(), &mut arguments);
+            messages.insert((name.clone(), message.id.name), arguments);
+        }
+    }
+    messages
+}
+
+/// The names of the arguments, and in brackets the messages that are part of this one.
+fn collect(pattern: &Pattern<String>, arguments: &mut BTreeSet<String>) {
+    for element in &pattern.elements {
+        if let PatternElement::Placeable { expression } = element {
+            collect_from(expression, arguments);
+        }
+    }
+}
+
+fn collect_from(expression: &Expression<String>, arguments: &mut BTreeSet<String>) {
+    let mut inline = |expression: &InlineExpression<String>| match expression {
+        InlineExpression::VariableReference { id } => {
+            arguments.insert(id.name.clone());
+        }
+        InlineExpression::MessageReference { id, .. } => {
+            arguments.insert(format!("({})", id.name));
+        }
+        InlineExpression::StringLiteral { .. } => {}
+        other => panic!("not supported: {other:?}"),
+    };
+    match expression {
+        Expression::Inline(one) => inline(one),
+        Expression::Select { selector, variants } => {
+            inline(selector);
+            for variant in variants {
+                collect(&variant.value, arguments);
+            }
+        }
+    }
+}
+
+#[test]
+fn every_language_has_every_message_with_the_same_arguments_and_no_more() {
+    let english = messages("en");
+    assert!(languages().count() > 1, "there is nothing to compare");
+    for language in languages() {
+        assert_eq!(messages(language), english, "{language}");
+        let translator = Translator::new(language).unwrap();
+        assert!(english.keys().all(|(_, id)| translator.has(id)));
+    }
+}
+
+/// All source files that may ask for a message.
+fn sources() -> Vec<PathBuf> {
+    let mut found = Vec::new();
+    let mut folders = vec![root().join("web/src")];
+    for crate_folder in fs::read_dir(root().join("crates")).unwrap() {
+        folders.push(crate_folder.unwrap().path().join("src"));
+    }
+    while let Some(folder) = folders.pop() {
+        for entry in fs::read_dir(folder).into_iter().flatten() {
+            let path = entry.unwrap().path();
+            let ending = path.extension().and_then(|ending| ending.to_str());
+            if path.is_dir() {
+                folders.push(path);
+            } else if matches!(ending, Some("rs" | "ts" | "tsx")) {
+                found.push(path);
+            }
+        }
+    }
+    found
+}
+
+/// The string literals of a file: what stands before a gap (`{name}`, `${name}`) if there is one, and
+/// where the literal ends.
+fn literals(source: &str) -> Vec<(&str, bool, usize)> {
+    let mut found = Vec::new();
+    let mut at = 0;
+    while let Some(start) = source[at..].find(['"', '\'', '`']) {
+        let start = at + start;
+        let is_id = |c: char| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '-';
+        let rest = &source[start + 1..];
+        let length = rest.find(|c| !is_id(c)).unwrap_or(rest.len());
+        let after = &rest[length..];
+        let gap = after.starts_with('{') || after.starts_with("${");
+        if length > 0 && (gap || after.starts_with(&source[start..=start])) {
+            found.push((&rest[..length], gap, start + 1 + length));
+        }
+        at = start + 1 + length;
+    }
+    found
+}
+
+/// What looks like an id and is the name of a figure, a class or a colour.
+const OTHER_NAMES: [&str; 5] = [
+    "drag-log",
+    "drag-text",
+    "drag-tint",
+    "figure-",
+    "figure-box",
+];
+
+/// The part of an id that says what group it belongs to.
+fn group(id: &str) -> &str {
+    id.split_once('-').map_or(id, |(group, _)| group)
+}
+
+#[test]
+fn the_code_asks_for_every_message_and_for_no_other() {
+    let english = messages("en");
+    let ids: BTreeSet<&str> = english.keys().map(|(_, id)| id.as_str()).collect();
+    let groups: BTreeSet<&str> = ids.iter().map(|id| group(id)).collect();
+    let sources: Vec<(PathBuf, String)> = sources()
+        .into_iter()
+        .map(|path| (path.clone(), fs::read_to_string(path).unwrap()))
+        .collect();
+    assert!(sources.len() > 100, "the sources are elsewhere");
+    let mut used: BTreeSet<String> = english
+        .values()
+        .flatten()
+        .filter_map(|argument| argument.strip_prefix('(')?.strip_suffix(')'))
+        .map(str::to_owned)
+        .collect();
+    let mut missing = Vec::new();
+    for (path, source) in &sources {
+        for (literal, gap, _) in literals(source) {
+            let is_it = |id: &&&str| match gap {
+                true => literal.contains('-') && id.starts_with(literal),
+                false => **id == literal,
+            };
+            let asked: Vec<_> = ids.iter().filter(is_it).map(ToString::to_string).collect();
+            let belongs = literal.contains('-') && groups.contains(group(literal));
+            if asked.is_empty() && belongs && !OTHER_NAMES.contains(&literal) {
+                missing.push(format!("{}: {literal}", path.display()));
+            }
+            used.extend(asked);
+        }
+    }
+    let unused: Vec<_> = ids.iter().filter(|id| !used.contains(**id)).collect();
+    assert!(missing.is_empty(), "no message has these ids: {missing:#?}");
+    assert!(
+        unused.is_empty(),
+        "nothing asks for these messages: {unused:#?}"
+    );
+}
+
+/// The names in `&[("name", value), ...]`, which follows the id of a message; `None` if some are elsewhere.
+fn arguments_after(source: &str) -> Option<BTreeSet<String>> {
+    let list = source
+        .strip_prefix("\",")?
+        .trim_start()
+        .strip_prefix("&[")?;
+    let mut depth = 0;
+    let mut names = BTreeSet::new();
+    let mut begins = true;
+    for (at, letter) in list.char_indices() {
+        if depth == 0 && begins && letter == '(' {
+            let name = list[at + 1..].trim_start().strip_prefix('"')?;
+            names.insert(name.split('"').next()?.to_owned());
+        } else if depth == 0 && begins && !letter.is_whitespace() && letter != ']' {
+            return None;
+        }
+        match letter {
+            '(' | '[' | '{' => depth += 1,
+            ']' if depth == 0 => return Some(names),
+            ')' | ']' | '}' => depth -= 1,
+            _ => {}
+        }
+        begins = depth == 0 && (letter == ',' || begins && letter.is_whitespace());
+    }
+    None
+}
+
+#[test]
+fn the_code_gives_every_message_its_arguments() {
+    let english = messages("en");
+    let wanted = |id: &str| {
+        let (_, arguments) = english.iter().find(|((_, name), _)| name == id)?;
+        Some(arguments)
+    };
+    let mut wrong = Vec::new();
+    let mut checked = 0;
+    for path in sources() {
+        let source = fs::read_to_string(&path).unwrap();
+        for (literal, gap, end) in literals(&source) {
+            let Some(wanted) = wanted(literal).filter(|_| !gap) else {
+                continue;
+            };
+            // What a message takes over from another is checked where that is used by itself.
+            let direct: BTreeSet<String> = wanted
+                .iter()
+                .filter(|name| !name.starts_with('('))
+                .cloned()
+                .collect();
+            let given = match arguments_after(&source[end..]) {
+                Some(given) => given,
+                None if source[..end].ends_with(&format!(".text(\"{literal}"))
+                    && source[end..].starts_with("\")") =>
+                {
+                    BTreeSet::new()
+                }
+                None => continue,
+            };
+            checked += 1;
+            if given != direct {
+                wrong.push(format!(
+                    "{}: {literal} takes {direct:?}, not {given:?}",
+                    path.display()
+                ));
+            }
+        }
+    }
+    assert!(checked > 0, "no message is asked for");
+    assert!(wrong.is_empty(), "{wrong:#?}");
+}
