@@ -91,10 +91,15 @@ fn errors(train: &Train, sound: &Rendered) -> Vec<(f64, f64)> {
 
 /// The true impacts louder than the noise.
 fn audible(sound: &Rendered) -> Vec<f64> {
+    louder_than(sound, 0.0)
+}
+
+/// The true impacts that are this much louder than the noise.
+fn louder_than(sound: &Rendered, snr_db: f64) -> Vec<f64> {
     let impacts = sound
         .impacts
         .iter()
-        .filter(|impact| impact.snr_db > 0.0 && !impact.lost);
+        .filter(|impact| impact.snr_db > snr_db && !impact.lost);
     impacts.map(|impact| impact.time_s).collect()
 }
 
@@ -453,7 +458,8 @@ fn a_long_recording_is_forgotten_but_its_drops_are_not() {
     .unwrap();
     let heard = hear(&sound);
     assert_eq!(heard.found.trains.len(), 2);
-    for time_s in audible(&sound) {
+    // At 16 kHz the bright part of the click is missing, and the last impacts drown.
+    for time_s in louder_than(&sound, 6.0) {
         assert!(is_heard(&heard, time_s), "lost the impact at {time_s} s");
     }
     let second = &heard.found.trains[1];
