@@ -42,6 +42,12 @@ impl Default for Decision {
 
 impl Decision {
     /// The greatest probability of a wrong decision.
+    ///
+    /// ```
+    /// use bouncelab::rulebook::Decision;
+    ///
+    /// assert_eq!(Decision::default().risk(), 0.05);
+    /// ```
     pub const fn risk(self) -> f64 {
         match self {
             Self::Guarded { risk } => risk,
