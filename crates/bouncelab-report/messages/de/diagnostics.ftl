@@ -15,9 +15,11 @@ diagnostic-clipped = { $samples ->
   }: Die Aufnahme war zu laut; Zeiten leiden kaum, Pegel schon.
 diagnostic-nothing-to-exclude = Bei { $time_s } s liegt kein Aufprall, darum wurde dort keiner weggelassen.
 diagnostic-too-far-to-include = { $time_s } s liegt mehr als { $reach_s } von jedem Versuch entfernt und wurde darum nicht hinzugefügt.
+diagnostic-sound-lost = Bei { $at_s } s ging Ton verloren: Kein Flug über eine Lücke zählt, und von { $impacts } Aufprallen nur die { $kept } des längsten Stücks ohne Lücke.
 diagnostic-release-without-drop = Nach dem angegebenen Loslassen bei { $time_s } s beginnt kein Versuch.
 diagnostic-height-of-another-unit = Als Höhe sind { $stated_m } angegeben, aber der Ball fiel nach seinen Flügen aus etwa { $detected_m }, als wären { $meant_m } gemeint.
 
+diagnostic-file-unreadable = Die Datei lässt sich nicht lesen.
 diagnostic-file-truncated = { $expected_s ->
     [none] Die Datei ist abgeschnitten oder beschädigt: Sie wurde bis { $read_s } s gelesen.
    *[other] Die Datei ist abgeschnitten: { $read_s } s von { $expected_s } s waren lesbar.
@@ -122,6 +124,8 @@ diagnostic-implausible-ball = Ein Ball von { $mass_kg } und { $diameter_m } Durc
 
 diagnostic-assumed-ball = Der Ball: { $ball }.
 diagnostic-assumed-contact-time = Er berührt den Untergrund { $contact_time_s } lang.
+diagnostic-assumed-rule-ball = Der Ball: { $ball }, wie in der Regel.
+diagnostic-assumed-rule-height = Sein tiefster Punkt fiel { $height_m } ± { $sd_m }, wie in der Regel.
 diagnostic-assumed-air = Luft von { $temperature_k } °C, { $pressure_pa } hPa, { $relative_humidity } % Feuchte.
 diagnostic-assumed-gravity = Fallbeschleunigung { $gravity_m_s2 }.
 

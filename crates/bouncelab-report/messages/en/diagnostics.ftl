@@ -18,9 +18,11 @@ diagnostic-clipped = { $samples ->
   }: the recorder was too loud; times suffer little, levels do.
 diagnostic-nothing-to-exclude = No impact lies near { $time_s } s, so none was left out there.
 diagnostic-too-far-to-include = { $time_s } s lies more than { $reach_s } away from every drop, so it was not added.
+diagnostic-sound-lost = Sound was lost at { $at_s } s: no flight across a gap is used, and of { $impacts } impacts the { $kept } of the longest part without one.
 diagnostic-release-without-drop = No drop begins after the stated release at { $time_s } s.
 diagnostic-height-of-another-unit = The height is stated as { $stated_m }, but the ball was detected to fall from about { $detected_m }, as if { $meant_m } was meant.
 
+diagnostic-file-unreadable = The file cannot be read.
 diagnostic-file-truncated = { $expected_s ->
     [none] The file is cut short or damaged: it was read up to { $read_s } s.
    *[other] The file is cut short: { $read_s } s of { $expected_s } s could be read.
@@ -125,6 +127,8 @@ diagnostic-implausible-ball = A ball of { $mass_kg } and { $diameter_m } in diam
 
 diagnostic-assumed-ball = The ball is { $ball }.
 diagnostic-assumed-contact-time = It touches the surface for { $contact_time_s }.
+diagnostic-assumed-rule-ball = The ball is { $ball }, as in the rule.
+diagnostic-assumed-rule-height = Its lowest point fell { $height_m } ± { $sd_m }, as in the rule.
 diagnostic-assumed-air = Air of { $temperature_k } °C, { $pressure_pa } hPa, { $relative_humidity } % humidity.
 diagnostic-assumed-gravity = Gravity { $gravity_m_s2 }.
 
