@@ -3,47 +3,82 @@
 //! Drop a ball on a table and listen. The ball is heard only when it hits, yet the pauses between
 //! the hits tell how high it rose, how much of its speed each impact kept, from what height it was
 //! dropped and how much the air held it back (M. Nagurka, "Aerodynamic Effects in a Dropped
-//! Ping-Pong Ball Experiment"). This crate computes both ways: forward from the physics to the
-//! sound, and back from the sound to the physics.
+//! Ping-Pong Ball Experiment"). This crate computes both ways: from samples to the physics, and from
+//! the physics to samples.
 //!
-//! # Forward: a drop
+//! # Samples to a result
 //!
 //! ```
-//! use bouncelab::air::{Air, Conditions};
-//! use bouncelab::drag::DragLaw;
-//! use bouncelab::drop::{self, Start, Stop};
-//! use bouncelab::flight::{Environment, FlightModel};
-//! use bouncelab::impact::{Contact, Restitution};
-//! use bouncelab::{ball, gravity};
+//! use bouncelab::{Options, analyze, ball, demo};
 //!
-//! let preset = ball::preset("table-tennis-40")?;
-//! let surroundings = Environment {
-//!     gravity_m_s2: gravity::STANDARD_M_S2,
-//!     air: Air::moist(&Conditions::default())?,
-//!     drag: DragLaw::CliftGraceWeber,
-//!     buoyancy: true,
-//!     added_mass: true,
-//! };
-//! let model = FlightModel::new(&preset.ball, &surroundings)?;
-//! let contact = Contact::new(Restitution::constant(0.93)?, preset.contact_time_s)?;
-//! let history = drop::simulate(&model, &contact, Start::Height(0.305), Stop::below(0.001))?;
+//! // A recording: samples with full scale 1, and their rate. Here one is made.
+//! let recording = demo::sound(&demo::history()?, 1)?;
 //!
-//! for bounce in history.bounces() {
-//!     let silence_s = bounce.flight.time_s();
-//!     println!("{:.4} s: rises {:.3} m, silent for {silence_s:.4} s", bounce.time_s, bounce.flight.apex_m);
+//! let options = Options::new(ball::preset("table-tennis-38")?);
+//! let result = analyze(&recording.samples, recording.sample_rate_hz, &options)?;
+//! for drop in &result.drops {
+//!     println!("{} impacts, probability {:.2}", drop.impacts.len(), drop.probability);
+//!     if let Ok(posterior) = &drop.posterior {
+//!         let (e, h) = (posterior.restitution, posterior.drop_height_m);
+//!         println!("e = {:.4} ± {:.4}, dropped from {:.3} ± {:.3} m", e.value, e.sd, h.value, h.sd);
+//!     }
+//!     for known in &drop.diagnostics {
+//!         println!("{}", known.code);
+//!     }
 //! }
-//! assert_eq!(history.bounces().len(), 36);
+//! assert_eq!(result.drops.len(), 1);
 //! # Ok::<(), bouncelab::Error>(())
 //! ```
 //!
-//! # The rooms
+//! [`analyze_times`] does the same for a list of impact times. A stream goes block by block through a
+//! [`Detector`], and its result is made by a [`Plan`](analysis::Plan), whose drops are analysed by
+//! whoever has the threads:
+//!
+//! ```
+//! use bouncelab::analysis::{DropTask, Plan};
+//! use bouncelab::{Detector, Options, demo};
+//!
+//! let recording = demo::sound(&demo::history()?, 1)?;
+//! let mut detector = Detector::new(recording.sample_rate_hz, 1);
+//! for block in recording.samples.chunks(4096) {
+//!     detector.push(&[block]);
+//! }
+//! let plan = Plan::of_detection(detector.finish(), &Options::default().without_inference());
+//! let drops = plan.tasks().iter().map(DropTask::run).collect(); // or in parallel
+//! let result = plan.finish(drops);
+//! assert_eq!(result.drops[0].impacts.len(), 61);
+//! # Ok::<(), bouncelab::Error>(())
+//! ```
+//!
+//! # Physics to samples
+//!
+//! ```
+//! use bouncelab::drop::{self, Start, Stop};
+//! use bouncelab::impact::{Contact, Restitution};
+//! use bouncelab::synth::{self, Scene};
+//! use bouncelab::{Options, ball};
+//!
+//! let preset = ball::preset("table-tennis-40")?;
+//! let model = Options::new(preset).model()?;
+//! let contact = Contact::new(Restitution::constant(0.93)?, preset.contact_time_s)?;
+//! let history = drop::simulate(&model, &contact, Start::Height(0.305), Stop::below(0.001))?;
+//! assert_eq!(history.bounces().len(), 36);
+//!
+//! let strikes: Vec<_> = history.strikes().collect();
+//! let sound = synth::render(&strikes, &Scene::default(), 7)?;
+//! assert!(sound.samples.len() > sound.sample_rate_hz as usize);
+//! # Ok::<(), bouncelab::Error>(())
+//! ```
+//!
+//! # The modules
 //!
 //! An **impact** is a contact with the surface, a **flight** the time between two, a **drop** the
-//! whole history, a **train** the impacts of one drop as heard, an **onset** a candidate for an
+//! whole history, a **train** the impacts of one drop as detected, an **onset** a candidate for an
 //! impact. Data passes through the modules in this order, and a module uses only those above it:
 //!
-//! | module | inference it answers |
+//! | module | question it answers |
 //! |---|---|
+//! | [`diagnostic`], [`Estimate`] | what there is to know about a result; a number with its uncertainty |
 //! | [`ball`] | what falls: mass, diameter, presets with their source |
 //! | [`air`], [`gravity`] | what it falls through and how hard it is pulled |
 //! | [`drag`] | C<sub>D</sub> at a Reynolds number |
@@ -53,15 +88,21 @@
 //! | [`synth`] | a history as sound, with noise of known strength |
 //! | [`onset`] | samples to onset candidates |
 //! | [`train`] | which candidates are the impacts of one drop |
-//! | [`detection`] | samples in, trains out |
-//! | [`regression`] | the paper's straight line, Eqs. 4 to 8 |
+//! | [`detection`] | a stream of samples to trains |
+//! | [`regression`] | the paper's log-linear fit, Eqs. 4 to 8 |
 //! | [`restitution`] | the restitution of each impact, corrected for drag |
-//! | [`inference`] | everything that the impacts say together |
-//! | [`analysis`] | what the impacts of one drop say |
+//! | [`inference`] | the posterior of everything that the impacts determine |
+//! | [`analysis`] | the pipeline: samples or times to a [`Recording`] |
+//! | [`plausibility`] | which stated values look like mistakes of units |
 //! | [`groups`] | what many drops say together |
 //! | [`rulebook`] | whether a ball or a floor obeys a rule |
 //! | [`setup`] | what a person states, and what is assumed |
 //! | [`demo`] | a drop whose truth is known |
+//!
+//! # Features
+//!
+//! - `serde`: [`Recording`] and all types in it serialise as the JSON schema `bouncelab.analysis/2`.
+//! - `typescript`: the same types for TypeScript, for the page.
 //!
 //! # Conventions
 //!
@@ -69,6 +110,8 @@
 //! [`Error`] that says what to do, never a panic. There are no files, clocks, threads or prints in
 //! here: the same crate runs in a browser. Spin, sideways motion and uneven surfaces are out of
 //! scope: the ball goes straight up and down.
+
+#![warn(missing_docs)]
 
 pub mod air;
 pub mod analysis;
