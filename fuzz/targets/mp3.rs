@@ -2,7 +2,7 @@
 
 #![no_main]
 
-use bouncelab_fuzz::{decode, let_decoders_panic};
+use bouncelab_testkit::fuzz::{decode_all, let_decoders_panic};
 use libfuzzer_sys::fuzz_target;
 
-fuzz_target!(init: let_decoders_panic(), |bytes: &[u8]| decode::exhaust(bytes));
+fuzz_target!(init: let_decoders_panic(), |bytes: &[u8]| decode_all(bytes));

@@ -2,7 +2,7 @@
 
 #![no_main]
 
-use bouncelab_fuzz::decode;
+use bouncelab_testkit::fuzz::read_times;
 use libfuzzer_sys::fuzz_target;
 
-fuzz_target!(|bytes: &[u8]| decode::read_times(bytes));
+fuzz_target!(|bytes: &[u8]| read_times(bytes));

@@ -1,15 +1,15 @@
 import { defineConfig } from 'vitest/config';
 
-/** Stories: what a person does, played in a real browser, one file each. */
+/** End-to-end tests: what a person does, in a real browser. */
 export default defineConfig({
   test: {
     dir: import.meta.dirname,
-    include: ['*.story.ts'],
-    // One browser at a time: times are measured, and two cores are soon busy.
+    include: ['*.e2e.ts'],
+    // One browser at a time: two cores are soon busy.
     fileParallelism: false,
-    testTimeout: 60_000,
-    // A busy machine makes a browser miss a moment; what is wrong is wrong twice.
-    retry: 1,
+    // Tests wait for states, so this is only for what hangs: busy machines take long.
+    testTimeout: 300_000,
+    expect: { poll: { timeout: 240_000 } },
     // The program may have to be compiled first.
     hookTimeout: 900_000,
   },

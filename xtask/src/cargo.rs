@@ -1,9 +1,10 @@
-//! Running cargo in the root of the workspace.
+//! Running cargo, and other commands, in the root of the workspace.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
 use crate::Result;
+use crate::steps;
 
 /// The cargo that runs this chore, in the root of the workspace.
 pub(crate) fn cargo<'a>(words: impl IntoIterator<Item = &'a str>) -> Command {
@@ -13,18 +14,31 @@ pub(crate) fn cargo<'a>(words: impl IntoIterator<Item = &'a str>) -> Command {
     command
 }
 
-/// Runs a command to its end, its output going where ours goes.
+/// The same work on everything that the checks build. All of them name the same packages and features,
+/// so that nothing is compiled once for each.
+pub(crate) fn cargo_all(work: &[&str]) -> Command {
+    let mut command = cargo(work.iter().copied());
+    command.args(["--workspace", "--features", "bouncelab-cli/serve"]);
+    if has_sound_headers() {
+        command.args(["--features", "bouncelab-cli/microphone"]);
+    }
+    command
+}
+
+/// Whether the microphone can be built in: Linux needs the headers of ALSA.
+pub(crate) fn has_sound_headers() -> bool {
+    !cfg!(target_os = "linux") || succeeds(&["pkg-config", "--exists", "alsa"])
+}
+
+/// Runs a command to its end, its output going where ours goes; how long it takes is noted.
 pub(crate) fn run(command: &mut Command) -> Result {
-    let status = command
-        .status()
-        .map_err(|error| format!("cannot start {}: {error}", command.get_program().display()))?;
+    let name = command.get_program().display().to_string();
+    let status = steps::timed(command, Command::status)
+        .map_err(|error| format!("cannot start {name}: {error}"))?;
     if status.success() {
         Ok(())
     } else {
-        Err(format!(
-            "{} ended with {status}",
-            command.get_program().display()
-        ))
+        Err(format!("{name} ended with {status}"))
     }
 }
 
@@ -45,8 +59,7 @@ pub(crate) fn run_example(package: &str, example: &str, words: &[String]) -> Res
 /// Whether cargo knows this subcommand.
 pub(crate) fn has(subcommand: &str) -> bool {
     let mut command = cargo([subcommand, "--version"]);
-    command.stdout(Stdio::null()).stderr(Stdio::null());
-    run(&mut command).is_ok()
+    is_silent_success(&mut command)
 }
 
 /// The root of the workspace.
@@ -55,16 +68,37 @@ pub(crate) fn root() -> &'static Path {
     here.parent().expect("xtask is a folder of the workspace")
 }
 
+/// Where cargo builds.
+pub(crate) fn target() -> PathBuf {
+    std::env::var_os("CARGO_TARGET_DIR").map_or_else(|| root().join("target"), PathBuf::from)
+}
+
 /// Whether this runs as the administrator, who may install packages.
-pub(crate) fn is_root() -> bool {
+fn is_root() -> bool {
     let id = Command::new("id").arg("-u").output();
     id.is_ok_and(|id| id.stdout.trim_ascii() == b"0")
+}
+
+/// Installs packages of Debian where that is allowed; else says how to. Whether they are there then.
+pub(crate) fn install(packages: &[&str], purpose: &str) -> bool {
+    let mut words = vec!["apt-get", "install", "--yes", "--no-install-recommends"];
+    words.extend(packages);
+    let command = words.join(" ");
+    println!("missing, for {purpose}: {command}");
+    let installed = is_root() && succeeds(&["apt-get", "update"]) && succeeds(&words);
+    if !installed {
+        println!("they could not be installed. By hand, on Debian and Ubuntu: sudo {command}");
+    }
+    installed
 }
 
 /// Runs a command of the system without a word of it.
 pub(crate) fn succeeds(words: &[&str]) -> bool {
     let mut command = Command::new(words[0]);
-    command.args(&words[1..]);
+    is_silent_success(command.args(&words[1..]))
+}
+
+fn is_silent_success(command: &mut Command) -> bool {
     command.stdout(Stdio::null()).stderr(Stdio::null());
     command.status().is_ok_and(|status| status.success())
 }

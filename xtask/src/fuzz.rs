@@ -1,11 +1,11 @@
-//! `cargo xtask fuzz`: arbitrary bytes for the decoders, arbitrary sound for the listener.
+//! `cargo xtask fuzz`: arbitrary bytes for the decoders, arbitrary sound for the detector.
 
 use crate::Result;
 use crate::cargo::{has, root, run as run_command};
 use std::fs;
 use std::process::Command;
 
-pub(crate) const ABOUT: &str = "Fuzz the decoders and the listener (nightly, cargo-fuzz)";
+pub(crate) const ABOUT: &str = "Fuzz the decoders and the detector (nightly, cargo-fuzz)";
 
 /// The targets, and the ends of the names of the recordings they begin with.
 const TARGETS: [(&str, &[&str]); 10] = [
@@ -18,7 +18,7 @@ const TARGETS: [(&str, &[&str]); 10] = [
     ("mp4", &["m4a", "mp4", "mov"]),
     ("mkv", &["webm"]),
     ("times", &[]),
-    ("listener", &[]),
+    ("detection", &[]),
 ];
 const FIXTURES: &str = "crates/bouncelab-audio/tests/fixtures";
 
@@ -39,12 +39,20 @@ pub(crate) fn run(words: &[String]) -> Result {
         let names = TARGETS.map(|target| target.0).join(", ");
         return Err(format!("'{unknown}' is none of: {names}"));
     }
+    unpack_corpus()?;
     for (target, ends) in TARGETS {
         if targets.is_empty() || targets.contains(&target) {
             fuzz(target, ends, seconds)?;
         }
     }
     Ok(())
+}
+
+/// The inputs worth keeping are one archive in the repository, which the tests read as it is; here
+/// they are files in `fuzz/corpus`, where cargo-fuzz looks for them.
+fn unpack_corpus() -> Result {
+    let words = ["-xzf", "fuzz/corpus.tar.gz", "-C", "fuzz"];
+    run_command(Command::new("tar").current_dir(root()).args(words))
 }
 
 /// What is new goes to `target/fuzz`; a finding, to `fuzz/artifacts`.

@@ -6,9 +6,11 @@
 mod bench;
 mod calibrate;
 mod cargo;
+mod detection;
+mod fresh;
 mod fuzz;
-mod grid;
 mod laboratory;
+mod steps;
 mod tables;
 mod test;
 mod verdicts;
@@ -58,10 +60,10 @@ const CHORES: [Chore; 8] = [
         run: verdicts::run,
     },
     Chore {
-        name: "grid",
+        name: "detection",
         arguments: "[PART...] [drops=20] [hours=1] [only=SOUND] [wav=FOLDER]",
-        about: grid::ABOUT,
-        run: grid::run,
+        about: detection::ABOUT,
+        run: detection::run,
     },
     Chore {
         name: "fuzz",
@@ -71,7 +73,7 @@ const CHORES: [Chore; 8] = [
     },
     Chore {
         name: "web",
-        arguments: "[PART]",
+        arguments: "[engine | check | e2e [FILE...] [--repeat N] [--load]]",
         about: web::ABOUT,
         run: web::run,
     },
@@ -102,10 +104,9 @@ fn help() -> String {
         let usage = format!("{} {}", chore.name, chore.arguments);
         format!("  cargo xtask {usage}\n      {}\n", chore.about)
     });
-    let checks = test::CHECKS.iter().map(|check| {
-        let command = check.words.join(" ");
-        format!("  {:<10} cargo {command}\n", check.name)
-    });
+    let checks = test::CHECKS
+        .iter()
+        .map(|check| format!("  {:<10} {}\n", check.name, check.about));
     format!(
         "The project's chores:\n{}\nThe checks of `cargo xtask test`, in order:\n{}",
         chores.collect::<String>(),

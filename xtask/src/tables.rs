@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 use std::process::Command;
 
-use crate::cargo::{root, run as run_command};
+use crate::cargo::{root, run as run_command, target};
 
 /// Versions are pinned here.
 const REQUIREMENTS: &str = "benchmarks/requirements-tables.txt";
@@ -19,7 +19,7 @@ pub(crate) fn python() -> PathBuf {
 }
 
 fn environment() -> PathBuf {
-    root().join("target").join("tables-venv")
+    target().join("tables-venv")
 }
 
 /// Whether [`python`] has them, now that they were installed if that was possible.

@@ -1,21 +1,20 @@
 //! `cargo xtask test`: every check that a change must pass.
 
 use std::process::Command;
-use std::time::{Duration, Instant};
 
-use crate::Result;
-use crate::cargo::{cargo, has, is_root, run as run_command, succeeds};
-use crate::tables;
-use crate::web;
+use crate::cargo::{cargo, cargo_all, has, has_sound_headers, install, run as run_command};
+use crate::steps::{self, Step, Time, Watch};
+use crate::{Result, fresh, tables, web};
 
 pub(crate) const ABOUT: &str = "Run every check, or only the named ones";
 
-/// One check: a name, and the words after `cargo`.
+/// One check.
 pub(crate) struct Check {
     pub(crate) name: &'static str,
-    pub(crate) words: &'static [&'static str],
+    pub(crate) about: &'static str,
     /// What it takes besides Rust.
     needs: Needs,
+    run: fn() -> Result,
 }
 
 /// What the machine must have for a check; without it the check is skipped, and that is said.
@@ -23,14 +22,14 @@ pub(crate) struct Check {
 enum Needs {
     /// Nothing but Rust.
     Nothing,
-    /// The headers of the sound system, for the microphone.
-    Sound,
     /// Python with the programs that open the tables of a session.
     Python,
     /// Node.js, for the page.
     Node,
-    /// Node.js and a browser, for the stories of the page.
+    /// Node.js and a browser, for the end-to-end tests of the page.
     Browser,
+    /// The history of the repository.
+    Git,
 }
 
 impl Needs {
@@ -38,145 +37,119 @@ impl Needs {
     fn are_met(self) -> bool {
         match self {
             Self::Nothing => true,
-            Self::Sound => has_sound_headers(),
             Self::Python => tables::have_readers(),
             Self::Node => web::has_node(),
-            Self::Browser => web::has_node() && web::has_chromium(),
+            Self::Browser => web::has_node() && web::has_browser(),
+            Self::Git => fresh::has_repository(),
         }
     }
 }
 
-/// All checks, in the order in which they run. They share one target folder and one profile:
-/// clippy and the documentation use the same metadata of the dependencies, tests and doc tests
-/// the same code, so that a dependency is compiled at most twice.
-pub(crate) const CHECKS: [Check; 11] = [
+/// All checks, in the order in which they run. They share one target folder, one profile and one set of
+/// features: clippy and the documentation use the same metadata of the dependencies, the tests and the
+/// program under the end-to-end tests the same code, so that a dependency is compiled at most twice;
+/// and once more for the browser.
+pub(crate) const CHECKS: [Check; 9] = [
     Check {
         name: "format",
-        words: &["fmt", "--all", "--check"],
+        about: "rustfmt has nothing to change",
         needs: Needs::Nothing,
+        run: || run_command(&mut cargo(["fmt", "--all", "--check"])),
     },
     Check {
         name: "clippy",
-        words: &[
-            "clippy",
-            "--workspace",
-            "--features",
-            "bouncelab-cli/serve",
-            "--all-targets",
-            "--",
-            "-D",
-            "warnings",
-        ],
+        about: "clippy has nothing to say",
         needs: Needs::Nothing,
+        run: || {
+            let mut command = cargo_all(&["clippy"]);
+            run_command(command.args(["--all-targets", "--", "-D", "warnings"]))
+        },
     },
     Check {
         name: "tests",
-        words: &NEXTEST,
+        about: "unit and integration tests; the microphone's with the headers of ALSA",
         needs: Needs::Nothing,
+        run: tests,
     },
     Check {
         name: "doctests",
-        words: &["test", "--workspace", "--doc"],
+        about: "the examples in the documentation",
         needs: Needs::Nothing,
+        run: || {
+            let mut command = cargo_all(&["test"]);
+            run_command(command.arg("--doc").env("RUSTDOCFLAGS", "-D warnings"))
+        },
     },
     Check {
         name: "docs",
-        words: &["doc", "--workspace", "--no-deps"],
+        about: "the documentation and its links",
         needs: Needs::Nothing,
+        run: || {
+            let mut command = cargo_all(&["doc"]);
+            run_command(command.arg("--no-deps").env("RUSTDOCFLAGS", "-D warnings"))
+        },
     },
     Check {
         name: "tables",
-        words: &["test", "--package", "bouncelab-cli", "--test", "tables"],
+        about: "other programs read the tables of a session",
         needs: Needs::Python,
-    },
-    Check {
-        name: "live",
-        words: &[
-            "clippy",
-            "--package",
-            "bouncelab-audio",
-            "--package",
-            "bouncelab-cli",
-            "--features",
-            "bouncelab-cli/microphone",
-            "--all-targets",
-            "--",
-            "-D",
-            "warnings",
-        ],
-        needs: Needs::Sound,
-    },
-    Check {
-        name: "microphone",
-        words: &NEXTEST_LIVE,
-        needs: Needs::Sound,
-    },
-    Check {
-        name: "page",
-        words: &["xtask", "web", "check"],
-        needs: Needs::Node,
+        run: || {
+            let mut command = cargo_all(&["test"]);
+            command.args(["--test", "tables"]);
+            run_command(command.env("BOUNCELAB_PYTHON", tables::python()))
+        },
     },
     Check {
         name: "web",
-        words: &["xtask", "web"],
+        about: "the page: types, lints, unit tests, build, size",
         needs: Needs::Node,
+        run: || web::check().and_then(|()| web::build()),
     },
     Check {
-        name: "stories",
-        words: &["xtask", "web", "stories"],
+        name: "e2e",
+        about: "end-to-end tests of the page and of the reports in a browser",
         needs: Needs::Browser,
+        run: || web::e2e(&[]),
+    },
+    Check {
+        name: "fresh",
+        about: "a clean clone works in an empty environment",
+        needs: Needs::Git,
+        run: fresh::run,
     },
 ];
 
-const NEXTEST: [&str; 5] = [
-    "nextest",
-    "run",
-    "--workspace",
-    "--features",
-    "bouncelab-cli/serve",
-];
+/// Compiles them first, so that it is seen what takes how long. Benchmarks are left to
+/// `cargo xtask bench`.
+fn tests() -> Result {
+    let all = |compile: &[&str]| {
+        if has("nextest") {
+            cargo_all(&[&["nextest", "run"], compile].concat())
+        } else {
+            println!("cargo-nextest is not installed: `cargo test` runs the same tests");
+            let mut command = cargo_all(&[&["test"], compile].concat());
+            command.args(["--lib", "--bins", "--tests", "--examples"]);
+            command
+        }
+    };
+    run_command(&mut all(&["--no-run"]))?;
+    run_command(&mut all(&[]))
+}
 
-/// The same tests where nextest is not installed. Benchmarks are left to `cargo xtask bench`.
-const LIBTEST: [&str; 8] = [
-    "test",
-    "--workspace",
-    "--features",
-    "bouncelab-cli/serve",
-    "--lib",
-    "--bins",
-    "--tests",
-    "--examples",
-];
-
-/// The tests that need a microphone, or rather a sound system: those in rooms of that name.
-const NEXTEST_LIVE: [&str; 9] = [
-    "nextest",
-    "run",
-    "--package",
-    "bouncelab-audio",
-    "--package",
-    "bouncelab-cli",
-    "--features",
-    "bouncelab-cli/microphone",
-    "microphone::",
-];
-
-const LIBTEST_LIVE: [&str; 8] = [
-    "test",
-    "--package",
-    "bouncelab-audio",
-    "--package",
-    "bouncelab-cli",
-    "--features",
-    "bouncelab-cli/microphone",
-    "microphone::",
-];
+/// What became of a check.
+struct Outcome {
+    name: &'static str,
+    result: Result,
+    time: Time,
+    steps: Vec<Step>,
+}
 
 /// Runs the named checks, or all. A failure does not keep the later ones from running.
 pub(crate) fn run(names: &[String]) -> Result {
     let mut checks = chosen(names)?;
     ensure_components()?;
-    for needs in [Needs::Python, Needs::Sound, Needs::Node, Needs::Browser] {
+    ensure_sound_headers();
+    for needs in [Needs::Python, Needs::Node, Needs::Browser, Needs::Git] {
         if checks.iter().any(|check| check.needs == needs) && !needs.are_met() {
             let (skipped, rest) = checks
                 .into_iter()
@@ -186,26 +159,25 @@ pub(crate) fn run(names: &[String]) -> Result {
             checks = rest;
         }
     }
-    let start = Instant::now();
+    let whole = Watch::start();
     let mut outcomes = Vec::new();
     for (index, check) in checks.iter().enumerate() {
-        let words = words(check);
-        println!(
-            "\n== {}/{} {}: cargo {}",
-            index + 1,
-            checks.len(),
-            check.name,
-            words.join(" ")
-        );
-        let begun = Instant::now();
-        let mut command = command(words);
-        if check.needs == Needs::Python {
-            command.env("BOUNCELAB_PYTHON", tables::python());
+        let (name, about) = (check.name, check.about);
+        println!("\n== {}/{} {name}: {about}", index + 1, checks.len());
+        steps::take();
+        let watch = Watch::start();
+        let result = (check.run)();
+        if let Err(reason) = &result {
+            println!("{name}: {reason}");
         }
-        let outcome = run_command(&mut command);
-        outcomes.push((check.name, outcome, begun.elapsed()));
+        outcomes.push(Outcome {
+            name,
+            result,
+            time: watch.time(),
+            steps: steps::take(),
+        });
     }
-    conclude(&outcomes, start.elapsed())
+    conclude(&outcomes, whole.time())
 }
 
 fn chosen(names: &[String]) -> Result<Vec<&'static Check>> {
@@ -243,69 +215,36 @@ fn ensure_components() -> Result {
     Ok(())
 }
 
-/// Whether the microphone can be built in: Linux needs the headers of ALSA. They are installed
-/// where that is allowed; else it is said how to, and those checks are left out.
-fn has_sound_headers() -> bool {
-    const INSTALL: [&str; 5] = [
-        "apt-get",
-        "install",
-        "--yes",
-        "libasound2-dev",
-        "pkg-config",
-    ];
-    if !cfg!(target_os = "linux") || succeeds(&["pkg-config", "--exists", "alsa"]) {
-        return true;
+/// Without them, everything is checked but the microphone.
+fn ensure_sound_headers() {
+    let packages = ["libasound2-dev", "pkg-config"];
+    if !has_sound_headers() && !install(&packages, "the microphone") {
+        println!("SKIPPED for want of the headers of ALSA: clippy and tests of the microphone");
     }
-    let words = INSTALL.join(" ");
-    println!("the headers of ALSA are missing, for the microphone: {words}");
-    let installed = is_root()
-        && succeeds(&["apt-get", "update"])
-        && succeeds(&INSTALL)
-        && succeeds(&["pkg-config", "--exists", "alsa"]);
-    if !installed {
-        println!(
-            "they could not be installed. Install them by hand (Debian, Ubuntu: sudo {words}; \
-             Fedora: alsa-lib-devel, pkgconf)"
-        );
-    }
-    installed
 }
 
-/// The words after `cargo`, allowing for a machine without nextest.
-fn words(check: &Check) -> &'static [&'static str] {
-    let without_nextest: &[&str] = match check.words {
-        words if words == NEXTEST => &LIBTEST,
-        words if words == NEXTEST_LIVE => &LIBTEST_LIVE,
-        words => return words,
-    };
-    if has("nextest") {
-        return check.words;
+/// Prints what became of each check, and what took how long; an error if any failed.
+fn conclude(outcomes: &[Outcome], total: Time) -> Result {
+    println!("\n== summary: time, and that of the processors");
+    for outcome in outcomes {
+        let word = if outcome.result.is_ok() {
+            "ok"
+        } else {
+            "FAILED"
+        };
+        println!("   {:<10} {word:<7} {}", outcome.name, outcome.time);
+        for step in outcome.steps.iter().filter(|step| step.is_long()) {
+            println!("      {} {}", step.time, step.name);
+        }
     }
-    println!("\ncargo-nextest is not installed: `cargo test` runs the same tests");
-    without_nextest
-}
-
-fn command(words: &[&str]) -> Command {
-    let mut command = cargo(words.iter().copied());
-    // Only rustdoc reads this: it compiles nothing again.
-    command.env("RUSTDOCFLAGS", "-D warnings");
-    command
-}
-
-/// Prints what became of each check; an error if any failed.
-fn conclude(outcomes: &[(&str, Result, Duration)], total: Duration) -> Result {
-    println!("\n== summary");
-    for (name, outcome, time) in outcomes {
-        let word = if outcome.is_ok() { "ok" } else { "FAILED" };
-        println!("   {name:<10} {word:<7} {:>6.1} s", time.as_secs_f64());
-    }
+    println!("   {:<18} {total}", "all");
     let failed: Vec<_> = outcomes
         .iter()
-        .filter(|(_, outcome, _)| outcome.is_err())
-        .map(|(name, ..)| *name)
+        .filter(|outcome| outcome.result.is_err())
+        .map(|outcome| outcome.name)
         .collect();
     if failed.is_empty() {
-        println!("All checks passed in {:.1} s.", total.as_secs_f64());
+        println!("All checks passed.");
         return Ok(());
     }
     Err(format!(

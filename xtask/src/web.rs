@@ -1,46 +1,51 @@
 //! `cargo xtask web`: the browser laboratory, from the sources to `web/dist`.
 
 mod debian;
+mod e2e;
 mod system;
 
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
+use std::sync::OnceLock;
 
 use crate::Result;
 use crate::cargo::{cargo, root, run as run_command};
 
-pub(crate) use system::{has_chromium, has_node};
+pub(crate) use e2e::run as e2e;
+pub(crate) use system::{has_browser, has_node};
 
 pub(crate) const ABOUT: &str =
-    "Build the page into web/dist; or only its engine; or check it; or play its stories";
+    "Build the page into web/dist; or only its engine; or check it; or run its end-to-end tests";
 
 const TARGET: &str = "wasm32-unknown-unknown";
 
 /// Builds `engine` (the WebAssembly), the whole page (no word), runs `check` (types, lints, unit
-/// tests) or `stories` (the page in a real browser).
+/// tests) or `e2e` (the end-to-end tests, in a real browser).
 pub(crate) fn run(words: &[String]) -> Result {
     system::need_node()?;
-    match words {
+    let words: Vec<&str> = words.iter().map(String::as_str).collect();
+    match words[..] {
         [] => build(),
-        [word] if word == "engine" => engine(),
-        [word] if word == "check" => check(),
-        [word] if word == "stories" => stories(&[]),
-        [word, names @ ..] if word == "stories" => stories(names),
+        ["engine"] => engine(),
+        ["check"] => check(),
+        ["e2e", ref words @ ..] => e2e(words),
         _ => Err(format!(
-            "\"{}\" is none of engine, check, stories",
+            "\"{}\" is none of engine, check, e2e",
             words.join(" ")
         )),
     }
 }
 
-fn build() -> Result {
+/// The whole page, and how large it is.
+pub(crate) fn build() -> Result {
     engine()?;
     npm(&["run", "build"])?;
     npm(&["run", "size"])
 }
 
-fn check() -> Result {
+/// All that can be said of the page without a browser.
+pub(crate) fn check() -> Result {
     engine()?;
     lint()?;
     npm(&["run", "check"])?;
@@ -48,27 +53,26 @@ fn check() -> Result {
     npm(&["run", "test"])
 }
 
-/// Plays the stories, or those whose file has one of these names in it.
-fn stories(names: &[String]) -> Result {
-    system::need_chromium()?;
-    if !web().join("dist/index.html").is_file() {
-        build()?;
-    }
-    let mut command = npm_command(&["run", "stories", "--"]);
-    run_command(command.args(names))
-}
-
 /// What the page loads: the science at once, the decoders when a file is opened.
 const PARTS: [&str; 2] = ["engine", "decoders"];
 
-/// Compiles the science for the browser and puts it where the page looks for it. Nothing is done
-/// twice: cargo knows whether the science has changed, and what follows depends on its result.
+/// Where the page looks for the science.
+pub(crate) const ENGINE: &str = "src/lab/engine";
+
+/// Compiles the science for the browser and puts it where the page looks for it: once, however many
+/// checks want it. Cargo knows whether the science has changed since the last run, and what follows
+/// depends on its result.
 ///
 /// Binaryen's `wasm-opt` is left out: `-Oz` makes these bytes a tenth fewer, but orders functions and
 /// locals so that they compress worse, by 5 % in the end; without that it gains 1 %.
 fn engine() -> Result {
+    static MADE: OnceLock<Result> = OnceLock::new();
+    MADE.get_or_init(make_engine).clone()
+}
+
+fn make_engine() -> Result {
     modules()?;
-    let folder = web().join("src/lab/engine");
+    let folder = web().join(ENGINE);
     fs::create_dir_all(&folder).map_err(|reason| said(&folder, &reason))?;
     for part in PARTS {
         let compiled = compile(part)?;
@@ -154,12 +158,12 @@ fn npm_command(words: &[&str]) -> Command {
     command
 }
 
-fn web() -> PathBuf {
+pub(crate) fn web() -> PathBuf {
     root().join("web")
 }
 
 fn target() -> PathBuf {
-    root().join("target/web")
+    crate::cargo::target().join("web")
 }
 
 fn same_content(a: &Path, b: &Path) -> bool {

@@ -140,11 +140,8 @@ impl<W: Write + Seek> Recorder<W> {
         for frame in 0..frames {
             for channel in channels {
                 let sample = Some(channel[frame]).filter(|sample| sample.is_finite());
-                let encoded = self
-                    .layout
-                    .format
-                    .encode(sample.unwrap_or(0.0), &mut self.waiting);
-                encoded.map_err(|reason| Error::io(&self.name, reason))?;
+                let format = self.layout.format;
+                format.encode(sample.unwrap_or(0.0), &mut self.waiting);
             }
         }
         let second = self.layout.sample_rate_hz as usize * usize::from(self.layout.frame_len());

@@ -1,9 +1,7 @@
 //! Samples to WAV files.
 
-use std::io::{self, BufWriter, Write};
+use std::fs;
 use std::path::Path;
-
-use bouncelab_files::Draft;
 
 use crate::error::{Error, Result};
 
@@ -33,7 +31,7 @@ impl SampleFormat {
         }
     }
 
-    pub(crate) fn encode(self, sample: f32, target: &mut impl Write) -> io::Result<()> {
+    pub(crate) fn encode(self, sample: f32, target: &mut Vec<u8>) {
         let full_scale = f64::from(self.bits() - 1).exp2();
         let level = (f64::from(sample) * full_scale)
             .round()
@@ -41,11 +39,11 @@ impl SampleFormat {
         let level = level as i32;
         match self {
             // By the rules of the format these, and only these, have no sign.
-            Self::Int8 => target.write_all(&[(level + 128) as u8]),
+            Self::Int8 => target.push((level + 128) as u8),
             Self::Int16 | Self::Int24 | Self::Int32 => {
-                target.write_all(&level.to_le_bytes()[..usize::from(self.bits() / 8)])
+                target.extend_from_slice(&level.to_le_bytes()[..usize::from(self.bits() / 8)]);
             }
-            Self::Float32 => target.write_all(&sample.to_le_bytes()),
+            Self::Float32 => target.extend_from_slice(&sample.to_le_bytes()),
         }
     }
 }
@@ -53,8 +51,8 @@ impl SampleFormat {
 /// Writes a WAV file: one slice of samples for each channel, all of the same length.
 ///
 /// Samples are in `-1.0..1.0`; in the integer formats what lies outside is clipped, as a sound
-/// card would. The file gets its name only once it is complete, so that a program that is
-/// interrupted leaves nothing that looks like a whole recording.
+/// card would. A write that is interrupted may leave part of a file: programs for which that matters
+/// write what [`encode_wav`] returns under another name and rename it.
 ///
 /// ```no_run
 /// use bouncelab_audio::{SampleFormat, write_wav};
@@ -78,15 +76,10 @@ pub fn write_wav(
     let path = path.as_ref();
     let name = path.display().to_string();
     let sound = Sound::new(&name, sample_rate_hz, format, channels)?;
-    let write = || {
-        let draft = Draft::new(path)?;
-        sound.encode(BufWriter::new(draft.file()))?;
-        draft.finish()
-    };
-    write().map_err(|reason| Error::io(&name, reason))
+    fs::write(path, sound.encode()).map_err(|reason| Error::io(&name, reason))
 }
 
-/// The bytes that [`write_wav`] would write, for programs without a file system.
+/// The bytes that [`write_wav`] writes.
 ///
 /// # Errors
 ///
@@ -96,13 +89,7 @@ pub fn encode_wav(
     format: SampleFormat,
     channels: &[&[f32]],
 ) -> Result<Vec<u8>> {
-    const NAME: &str = "WAV in memory";
-    let sound = Sound::new(NAME, sample_rate_hz, format, channels)?;
-    let mut bytes = Vec::new();
-    sound
-        .encode(&mut bytes)
-        .map_err(|reason| Error::io(NAME, reason))?;
-    Ok(bytes)
+    Ok(Sound::new("WAV in memory", sample_rate_hz, format, channels)?.encode())
 }
 
 /// A sound that fits into a WAV file.
@@ -143,16 +130,18 @@ impl<'a> Sound<'a> {
         }
     }
 
-    /// Writes the whole file.
-    fn encode(&self, mut target: impl Write) -> io::Result<()> {
-        target.write_all(&self.layout.header(self.data_len))?;
+    /// The whole file.
+    fn encode(&self) -> Vec<u8> {
+        let size = HEADER_LEN as usize + self.data_len as usize + 1;
+        let mut bytes = Vec::with_capacity(size);
+        bytes.extend_from_slice(&self.layout.header(self.data_len));
         for frame in 0..self.channels[0].len() {
             for channel in self.channels {
-                self.layout.format.encode(channel[frame], &mut target)?;
+                self.layout.format.encode(channel[frame], &mut bytes);
             }
         }
-        target.write_all(&[0][..(self.data_len % 2) as usize])?;
-        target.flush()
+        bytes.extend_from_slice(&[0][..(self.data_len % 2) as usize]);
+        bytes
     }
 }
 

@@ -1,8 +1,7 @@
 //! Recordings from the wild, kept outside the project. `BOUNCELAB_RECORDINGS` names their folder.
 
-use std::path::Path;
-
 use bouncelab_audio::Source;
+use bouncelab_testkit::recordings;
 
 /// File, what it is, rate, channels, and frames as ffmpeg 5.1 decodes them. ffmpeg does not cut
 /// the padding that the edit list of the MOV file takes off its end (502 frames).
@@ -22,13 +21,10 @@ const RECORDINGS: [(&str, &str, u32, usize, u64); 6] = [
 ];
 
 #[test]
+#[ignore = "reads the recordings in BOUNCELAB_RECORDINGS"]
 fn recordings_have_the_length_that_other_players_give() {
-    let Some(folder) = std::env::var_os("BOUNCELAB_RECORDINGS") else {
-        println!("skipped: BOUNCELAB_RECORDINGS is not set");
-        return;
-    };
     for (name, format, rate, channels, frames) in RECORDINGS {
-        let mut source = Source::open(Path::new(&folder).join(name)).unwrap();
+        let mut source = Source::open(recordings().join(name)).unwrap();
         let mut count = 0;
         while let Some(block) = source.next_block().unwrap() {
             count += block.frames() as u64;

@@ -8,7 +8,8 @@ use bouncelab::inference::Summary;
 use bouncelab::regression::{Estimate, Regression};
 use bouncelab::synth::Rendered;
 use bouncelab::{ball, demo};
-use bouncelab_audio::{SampleFormat, write_wav};
+use bouncelab_audio::{SampleFormat, encode_wav};
+use bouncelab_report::file::write_whole;
 use bouncelab_report::{Align, CANNOT_TELL, Quantity, Table, Unit};
 use clap::Args;
 
@@ -58,12 +59,9 @@ fn write_recording(sound: &Rendered, folder: &Path) -> Result<PathBuf, Failure> 
         ))
     })?;
     let path = folder.join("demo.wav");
-    write_wav(
-        &path,
-        sound.sample_rate_hz,
-        SampleFormat::Int16,
-        &[&sound.samples],
-    )?;
+    let format = SampleFormat::Int16;
+    let wav = encode_wav(sound.sample_rate_hz, format, &[&sound.samples])?;
+    write_whole(&path, &wav).map_err(|reason| Failure::unwritable(&path, &reason))?;
     eprintln!("wrote {}", path.display());
     Ok(path)
 }

@@ -56,10 +56,11 @@ impl From<bouncelab::Error> for Failure {
 
 impl From<csv::Error> for Failure {
     fn from(fault: csv::Error) -> Self {
+        let message = fault.to_string();
         Self::Output(match fault.into_kind() {
             // As it came, so that a closed pipe is known for one.
             csv::ErrorKind::Io(reason) => reason,
-            other => io::Error::other(format!("{other:?}")),
+            _ => io::Error::other(message),
         })
     }
 }
@@ -82,6 +83,19 @@ impl From<bouncelab_session::Error> for Failure {
         match fault {
             Error::Notes { .. } | Error::Pattern { .. } | Error::NoRecordings { .. } => {
                 Self::Usage(fault.to_string())
+            }
+            Error::UnknownDrop { name } => Self::Usage(format!(
+                "--exclude {name}: there is no such drop; write the recording as in the tables, \
+                 with #2 for its second drop, and --exclude before each of several"
+            )),
+            Error::UnknownField { name, known } => {
+                let known = match known.as_slice() {
+                    [] => "nothing noted at all".to_owned(),
+                    _ => known.join(", "),
+                };
+                Self::Usage(format!(
+                    "--by {name}: nothing is noted of that; there is {known}"
+                ))
             }
             _ => Self::Input(fault.to_string()),
         }

@@ -5,12 +5,12 @@
 use std::io::{self, Write};
 use std::path::PathBuf;
 
-use bouncelab_report::messages::Translator;
 use bouncelab_report::paper::{self, Chapter, Document, Explanation, Fact};
 use bouncelab_report::{Align, Table, save};
 use clap::{Args, ValueEnum};
 
 use crate::failure::Failure;
+use crate::language::translator;
 
 /// Compute every number and figure of the paper, and what it did not say
 ///
@@ -61,7 +61,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
     if arguments.no_figures {
         return Ok(());
     }
-    for (name, figure) in paper::figures(&Translator::default())? {
+    for (name, figure) in paper::figures(translator())? {
         let saved = save(&figure, &arguments.figures, name)?;
         eprintln!("wrote {} and .png", saved.svg.display());
     }

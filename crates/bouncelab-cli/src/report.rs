@@ -4,7 +4,7 @@ use std::ffi::OsStr;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use bouncelab_files::{Draft, write_whole};
+use bouncelab_report::file::{Draft, write_whole};
 use bouncelab_report::report::{Markdown, Page, Provenance};
 use jiff::Zoned;
 

@@ -15,6 +15,7 @@ use clap::{Args, ValueEnum};
 
 use crate::failure::Failure;
 use crate::history::HistoryArguments;
+use crate::language::translator;
 use crate::physics::{Physics, PhysicsArguments, drag_law};
 
 /// Simulate a drop: a table of bounces, totals, and height against time
@@ -64,11 +65,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
         .map(|law| simulate(law, &physics.settings, &arguments.history))
         .collect::<Result<Vec<Run>, Failure>>()?;
     if let Some(folder) = &arguments.figures {
-        let saved = save(
-            &height_chart(&runs, &Translator::default()),
-            folder,
-            "height",
-        )?;
+        let saved = save(&height_chart(&runs, translator()), folder, "height")?;
         eprintln!("wrote {} and .png", saved.svg.display());
     }
     let mut out = io::stdout().lock();

@@ -6,8 +6,8 @@ use std::path::{Path, PathBuf};
 
 use bouncelab::impact::Strike;
 use bouncelab::synth::{self, BitDepth, Clicks, Hum, Lost, Noise, Rendered, Reverb, Scene, Voice};
-use bouncelab_audio::{SampleFormat, write_wav};
-use bouncelab_files::write_whole;
+use bouncelab_audio::{SampleFormat, encode_wav};
+use bouncelab_report::file::write_whole;
 use clap::builder::{PathBufValueParser, TypedValueParser};
 use clap::{Args, ValueEnum};
 
@@ -202,15 +202,10 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let strikes: Vec<Strike> = history.strikes().collect();
     let sound = synth::render(&strikes, &arguments.scene(), arguments.seed)?;
     let format = arguments.bits.format();
-    write_wav(
-        &arguments.output,
-        sound.sample_rate_hz,
-        format,
-        &[&sound.samples],
-    )?;
+    let wav = encode_wav(sound.sample_rate_hz, format, &[&sound.samples])?;
+    write(&arguments.output, &wav)?;
     if let (Some(file), Some(format)) = (&arguments.truth, truth) {
-        write_whole(file, format.text(&sound).as_bytes())
-            .map_err(|reason| Failure::unwritable(file, &reason))?;
+        write(file, format.text(&sound).as_bytes())?;
     }
     let seconds = sound.samples.len() as f64 / f64::from(sound.sample_rate_hz);
     let heard = sound.impacts.iter().filter(|impact| !impact.lost).count();
@@ -223,6 +218,10 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
         sound.sample_rate_hz,
         arguments.seed
     )?)
+}
+
+fn write(file: &Path, bytes: &[u8]) -> Result<(), Failure> {
+    write_whole(file, bytes).map_err(|reason| Failure::unwritable(file, &reason))
 }
 
 impl Arguments {

@@ -257,30 +257,3 @@ fn contradictions_are_refused() {
             .stderr(predicate::str::contains(words));
     }
 }
-
-/// A recorder that started late: the drop from 1.50 m is missing its first impacts. The students
-/// who recorded it took the first sound for the first bounce and found 57 cm.
-#[test]
-fn a_late_start_is_noticed() {
-    let Some(folder) = std::env::var_os("BOUNCELAB_RECORDINGS").map(PathBuf::from) else {
-        eprintln!("SKIPPED: set BOUNCELAB_RECORDINGS to a folder of recordings to run this test");
-        return;
-    };
-    let output = bouncelab()
-        .arg("analyze")
-        .arg(folder.join("tennis-late-start.wav"))
-        .args([
-            "--ball",
-            "tennis",
-            "--height",
-            "1.50m",
-            "--height-sd",
-            "1cm",
-        ])
-        .args(["--format", "json"])
-        .output()
-        .unwrap();
-    let result: Value = serde_json::from_slice(&output.stdout).unwrap();
-    let missed = &result["drops"][0]["estimate"]["missed_first_impacts"];
-    assert!(number(&missed[2]) > 0.8, "{missed}");
-}

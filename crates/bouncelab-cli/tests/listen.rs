@@ -9,6 +9,7 @@ use assert_cmd::Command;
 use bouncelab::impact::Strike;
 use bouncelab::synth::{self, Scene};
 use bouncelab_audio::{SampleFormat, Source, write_wav};
+use bouncelab_testkit::strikes;
 use predicates::prelude::*;
 use serde_json::Value;
 use tempfile::TempDir;
@@ -17,7 +18,7 @@ const RATE_HZ: u32 = 48_000;
 
 fn bouncelab(arguments: &[&str]) -> Command {
     let mut command = Command::cargo_bin("bouncelab").unwrap();
-    command.args(arguments).timeout(Duration::from_mins(1));
+    command.args(arguments).timeout(Duration::from_mins(5));
     command
 }
 
@@ -49,15 +50,14 @@ fn drops(documents: &[Value]) -> Vec<Value> {
 
 /// The sound of drag-free drops that begin at these times: fifteen impacts, 2.4 m/s at first.
 fn sound(starts_s: &[f64], restitution: f64, tail_s: f64) -> Vec<f32> {
-    let mut strikes = Vec::new();
-    for &start_s in starts_s {
-        let mut time_s = start_s;
-        for n in 0..15 {
-            let speed_m_s = 2.4 * restitution.powi(n);
-            strikes.push(Strike { time_s, speed_m_s });
-            time_s += 2.0 * restitution * speed_m_s / 9.806_65;
-        }
-    }
+    let drop = |&start_s: &f64| {
+        let later = move |strike: Strike| Strike {
+            time_s: start_s + strike.time_s,
+            ..strike
+        };
+        strikes(2.4, restitution).take(15).map(later)
+    };
+    let strikes: Vec<Strike> = starts_s.iter().flat_map(drop).collect();
     let scene = Scene {
         sample_rate_hz: RATE_HZ,
         tail_s,
@@ -199,6 +199,7 @@ fn in_real_time_it_takes_as_long_as_it_sounded() {
         .arg(&file)
         .assert()
         .code(1);
+    // However fast or busy the machine, it takes no less.
     assert!(start.elapsed() > Duration::from_millis(1400));
 }
 
@@ -318,10 +319,7 @@ mod unix {
     pub(crate) fn wait_for(file: &Path, bytes: u64) {
         let start = Instant::now();
         while fs::metadata(file).map_or(0, |file| file.len()) < bytes {
-            assert!(
-                start.elapsed() < Duration::from_secs(30),
-                "nothing is saved"
-            );
+            assert!(start.elapsed() < Duration::from_mins(5), "nothing is saved");
             thread::sleep(Duration::from_millis(20));
         }
     }

@@ -1,7 +1,7 @@
 //! The tables of a session, opened by the programs that people use.
 //!
-//! `BOUNCELAB_PYTHON` names a Python that has Polars, `DuckDB`, pandas and `PyArrow`; without it this
-//! does nothing. `cargo xtask test tables` makes one.
+//! `BOUNCELAB_PYTHON` names a Python that has Polars, `DuckDB`, pandas and `PyArrow`, which
+//! `cargo xtask test tables` makes.
 
 use std::fs;
 use std::path::Path;
@@ -11,11 +11,9 @@ use assert_cmd::Command;
 use tempfile::TempDir;
 
 #[test]
+#[ignore = "runs the Python in BOUNCELAB_PYTHON"]
 fn polars_duckdb_and_pandas_see_the_same() {
-    let Some(python) = std::env::var_os("BOUNCELAB_PYTHON") else {
-        println!("BOUNCELAB_PYTHON is not set: skipped");
-        return;
-    };
+    let python = std::env::var_os("BOUNCELAB_PYTHON").expect("BOUNCELAB_PYTHON names a Python");
     let folder = TempDir::new().unwrap();
     let times = folder.path().join("red steel.txt");
     // Flight times of the paper's ball with drag, s,.

@@ -1,5 +1,5 @@
 //! Draws how well the listener hears: from what `benchmarks/compare.py` printed, the comparison of
-//! detectors; from what `cargo xtask grid timing` printed, the errors of the times.
+//! detectors; from what `cargo xtask detection timing` printed, the errors of the times.
 //!
 //! ```sh
 //! cargo run -p bouncelab-report --example listening -- TABLE FOLDER

@@ -31,6 +31,8 @@ use std::borrow::Cow;
 use std::collections::HashMap;
 use std::fmt;
 
+use bouncelab::diagnostic::Argument;
+use bouncelab::{Diagnostic, Recording};
 use fluent_syntax::ast::{
     Entry, Expression, InlineExpression, Pattern, PatternElement, VariantKey,
 };
@@ -103,6 +105,18 @@ impl From<String> for Value<'_> {
 impl From<Quantity> for Value<'_> {
     fn from(quantity: Quantity) -> Self {
         Self::Quantity(quantity)
+    }
+}
+
+impl<'a> From<&'a Argument> for Value<'a> {
+    fn from(argument: &'a Argument) -> Self {
+        match argument {
+            Argument::Number(number) => Self::from(*number),
+            Argument::Numbers(numbers) => {
+                Self::List(numbers.iter().map(|&number| number as usize).collect())
+            }
+            Argument::Text(text) => Self::from(text.as_str()),
+        }
     }
 }
 
@@ -211,6 +225,36 @@ impl Translator {
         let mut text = String::new();
         self.write_message(id, arguments, &mut text);
         text
+    }
+
+    /// The sentence of a diagnostic.
+    pub fn diagnostic(&self, diagnostic: &Diagnostic) -> String {
+        let arguments: Vec<(&str, Value<'_>)> = diagnostic
+            .arguments
+            .iter()
+            .map(|(name, value)| (name.as_str(), Value::from(value)))
+            .collect();
+        self.text_with(&format!("diagnostic-{}", diagnostic.code), &arguments)
+    }
+
+    /// Adds the sentences of this language to all diagnostics of a result.
+    pub fn complete(&self, result: &mut Recording) {
+        let of_posteriors = |drop: &mut bouncelab::analysis::Drop| {
+            self.complete_each(&mut drop.diagnostics);
+            if let Ok(posterior) = &mut drop.posterior {
+                self.complete_each(&mut posterior.priors);
+            }
+        };
+        result.drops.iter_mut().for_each(of_posteriors);
+        self.complete_each(&mut result.diagnostics);
+        self.complete_each(result.no_drop.as_mut_slice());
+    }
+
+    /// Adds the sentences of this language to diagnostics.
+    pub fn complete_each(&self, diagnostics: &mut [Diagnostic]) {
+        for diagnostic in diagnostics {
+            diagnostic.message = Some(self.diagnostic(diagnostic));
+        }
     }
 
     /// A number with so many decimals, as this language writes it; nothing if it is not finite.

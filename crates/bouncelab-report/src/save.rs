@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 
 use crate::chart::Chart;
 use crate::error::{Error, Result};
+use crate::file::write_whole;
 
 /// Width of a saved picture in pixels: sharp on a page, and small enough to send.
 const PICTURE_WIDTH_PX: u32 = 1600;
@@ -45,7 +46,7 @@ pub fn save(chart: &Chart, folder: &Path, name: &str) -> Result<Saved> {
 }
 
 fn written(path: PathBuf, bytes: &[u8]) -> Result<PathBuf> {
-    match bouncelab_files::write_whole(&path, bytes) {
+    match write_whole(&path, bytes) {
         Ok(()) => Ok(path),
         Err(source) => Err(Error::Write { path, source }),
     }

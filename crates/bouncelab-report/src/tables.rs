@@ -1,8 +1,9 @@
 //! Which tables an analysis has: the same numbers in the terminal, in reports and in the browser.
 
+use bouncelab::Estimate;
 use bouncelab::analysis::{CONFIDENT_PROBABILITY, Drop};
 use bouncelab::drag::DragLaw;
-use bouncelab::inference::{LawKind, Posterior, Share, Summary, Unknown};
+use bouncelab::inference::{LawKind, Posterior, Share, Unknown};
 
 use crate::messages::Translator;
 use crate::quantity::{Quantity, Unit};
@@ -40,11 +41,11 @@ pub fn impacts(drop: &Drop, details: bool, words: &Translator) -> Table {
 fn impact_row(drop: &Drop, index: usize, details: bool, words: &Translator) -> Vec<String> {
     let impact = &drop.impacts[index];
     let flight = drop.flight(impact.number);
-    let corrected = drop.corrected_impact(impact.number);
+    let corrected = drop.impact_restitution(impact.number);
     let modelled = drop.modelled_flight(impact.number);
     let apex_m = modelled
         .map(|m| m.flight.apex_m)
-        .or(flight.map(|f| f.plain_height_m));
+        .or(flight.map(|f| f.drag_free_height_m));
     let fixed = |value: Option<f64>, decimals| {
         value.map_or_else(String::new, |value| words.fixed(value, decimals))
     };
@@ -54,13 +55,13 @@ fn impact_row(drop: &Drop, index: usize, details: bool, words: &Translator) -> V
         fixed(flight.map(|f| f.time_s), 4),
         fixed(apex_m.map(|apex_m| apex_m * 100.0), 2),
         fixed(corrected.map(|c| c.impact_speed_m_s), 3),
-        fixed(corrected.map(|c| c.raw_ratio), 4),
+        fixed(corrected.map(|c| c.flight_time_ratio), 4),
         fixed(corrected.map(|c| c.restitution.value), 4),
     ];
     if details {
         row.extend([
-            fixed(corrected.and_then(|c| c.restitution.standard_error), 4),
-            fixed(impact.sigma_s.map(|sigma_s| sigma_s * 1e6), 1),
+            fixed(corrected.and_then(|c| c.restitution.known_sd()), 4),
+            fixed(impact.time_sd_s.map(|sigma_s| sigma_s * 1e6), 1),
             fixed(impact.level_db, 1),
             words.fixed(impact.probability, 3),
             fixed(residual_percent(drop, impact.number), 2),
@@ -79,7 +80,7 @@ fn impact_row(drop: &Drop, index: usize, details: bool, words: &Translator) -> V
 
 /// How far the flight after an impact lies from the straight line, in per cent of its time.
 fn residual_percent(drop: &Drop, number: usize) -> Option<f64> {
-    let fit = drop.line.as_ref().ok()?;
+    let fit = drop.log_linear_fit.as_ref().ok()?;
     let flight = drop.flight(number)?;
     Some((flight.time_s / fit.flight_time_s(number).value - 1.0) * 100.0)
 }
@@ -100,16 +101,12 @@ pub fn drag_law(law: DragLaw, words: &Translator) -> String {
 
 /// The name of something that the data may determine.
 pub fn unknown(unknown: Unknown, words: &Translator) -> String {
-    words.text(&format!("unknown-{}", kebab(&unknown.to_string())))
+    words.text(&format!("unknown-{}", unknown.name()))
 }
 
 /// The name of a source of uncertainty.
 pub fn source(share: &Share, words: &Translator) -> String {
-    words.text(&format!("source-{}", kebab(share.source)))
-}
-
-fn kebab(name: &str) -> String {
-    name.replace(' ', "-")
+    words.text(&format!("source-{}", share.source))
 }
 
 /// The laws that were weighed.
@@ -126,15 +123,15 @@ pub fn models(found: &Posterior, words: &Translator) -> Table {
         ],
     );
     for model in &found.models {
-        let shown = |summary: &Option<Summary>, unit| {
+        let shown = |summary: &Option<Estimate>, unit| {
             summary.map_or_else(String::new, |s| {
                 Quantity::measured(s.value, s.sd, unit).text(words)
             })
         };
         table.row(vec![
-            restitution_law(model.law, words),
-            drag_law(model.drag, words),
-            words.fixed(model.weight, 3),
+            restitution_law(model.restitution_law, words),
+            drag_law(model.drag_law, words),
+            words.fixed(model.probability, 3),
             words.fixed(model.log_evidence, 1),
             shown(&model.restitution, Unit::Number),
             shown(&model.drop_height_m, Unit::Length),
@@ -189,7 +186,7 @@ pub fn prior_contraction(found: &Posterior, words: &Translator) -> Table {
 pub fn correlations(found: &Posterior, words: &Translator) -> Table {
     let names = found.correlations.quantities.iter();
     let names: Vec<String> = names
-        .map(|name| words.text(&format!("unknown-{}", kebab(name))))
+        .map(|name| words.text(&format!("unknown-{name}")))
         .collect();
     let mut columns = vec![(String::new(), Align::Left)];
     columns.extend(names.iter().map(|name| (name.clone(), Align::Right)));
@@ -217,7 +214,7 @@ pub fn fitted_impacts(found: &Posterior, words: &Translator) -> Table {
             ("column-weight", Align::Right),
         ],
     );
-    let value = |summary: &Option<Summary>, scale: f64, decimals: usize| {
+    let value = |summary: &Option<Estimate>, scale: f64, decimals: usize| {
         summary.map_or_else(String::new, |s| words.fixed(s.value * scale, decimals))
     };
     for impact in &found.impacts {

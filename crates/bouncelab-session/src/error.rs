@@ -67,6 +67,26 @@ pub enum Error {
         /// The folder.
         path: PathBuf,
     },
+    /// The result of a recording is not in the journal.
+    #[error("{name}: its result is lost; run again")]
+    NoResult {
+        /// The name of the recording.
+        name: String,
+    },
+    /// A drop to be left out is not there.
+    #[error("there is no drop \"{name}\"")]
+    UnknownDrop {
+        /// What was named.
+        name: String,
+    },
+    /// Nothing is noted of a field by which drops were to be grouped.
+    #[error("nothing is noted of \"{name}\"")]
+    UnknownField {
+        /// The field.
+        name: String,
+        /// The fields of which something is noted.
+        known: Vec<String>,
+    },
     /// A table cannot be written.
     #[error("cannot write the table {}: {problem}", shown(path))]
     Table {

@@ -19,6 +19,9 @@ use crate::hash::{Hash, hash};
 /// Name of the journal in the folder of the results.
 pub const JOURNAL: &str = "journal.jsonl";
 
+/// So many results are at most lost when the power fails.
+const SYNC_EVERY: usize = 50;
+
 /// So many characters of a checksum stand before each line.
 const CHECK: usize = 16;
 
@@ -45,6 +48,8 @@ pub struct Journal {
 struct End {
     file: File,
     length: u64,
+    /// Results that may not be on the disk yet.
+    unsynced: usize,
     /// Where the newest line of each recording and key begins.
     index: HashMap<Id, u64>,
 }
@@ -121,6 +126,7 @@ impl Journal {
             end: Mutex::new(End {
                 file,
                 length: scan.whole,
+                unsynced: 0,
                 index: scan.index,
             }),
         })
@@ -136,7 +142,8 @@ impl Journal {
         self.lock().index.contains_key(&Id::of(name, key))
     }
 
-    /// Appends a result. It is in the file, though perhaps not yet on the disk, when this returns.
+    /// Appends a result. It is in the file when this returns, and on the disk after 50 others or
+    /// [`Journal::sync`].
     ///
     /// # Errors
     /// [`Error::Output`] if it cannot be written; what was written in part is taken back.
@@ -157,7 +164,11 @@ impl Journal {
         let start = end.length;
         end.length += line.len() as u64;
         end.index.insert(Id::of(name, key), start);
-        Ok(())
+        end.unsynced += 1;
+        if end.unsynced < SYNC_EVERY {
+            return Ok(());
+        }
+        self.synced(&mut end)
     }
 
     /// Makes sure that all is on the disk.
@@ -165,7 +176,11 @@ impl Journal {
     /// # Errors
     /// [`Error::Output`] if the system says that it is not.
     pub fn sync(&self) -> Result<()> {
-        let end = self.lock();
+        self.synced(&mut self.lock())
+    }
+
+    fn synced(&self, end: &mut End) -> Result<()> {
+        end.unsynced = 0;
         end.file.sync_data().map_err(Error::output(&self.path))
     }
 

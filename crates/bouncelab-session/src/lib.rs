@@ -1,30 +1,43 @@
 //! Many recordings with what was noted of each, and their results as tables.
 //!
-//! This crate knows files and formats, and no physics: what a note means and what a recording says
-//! is the business of those who call.
-//!
-//! | room | inference it answers |
+//! | module | question it answers |
 //! |---|---|
-//! | `error` | what can go wrong |
+//! | [`Error`] | what can go wrong? |
 //! | [`name`](name()) | what is a file called, whatever bytes its name is made of? |
-//! | [`pattern`](Pattern) | what does a file name say? |
+//! | [`Pattern`] | what does a file name say? |
 //! | `notes` | what does a TOML file or a CSV say? |
-//! | [`gather`](Session) | which recordings are there, and what was said of each? |
+//! | [`Session`] | which recordings are there, and what was said of each? |
+//! | [`Metadata`] | what do the notes mean? |
 //! | [`hash`] | what tells contents and settings apart? |
+//! | [`record`] | what is kept of one recording? |
 //! | [`journal`] | which results are there already? |
-//! | [`table`] | results as Parquet, CSV and JSON lines |
+//! | [`complete`] | what is left to do for one recording? |
+//! | [`Outcome`] | what do the drops say together? |
+//! | [`table`] | how is a table written as Parquet, CSV and JSON lines? |
+//! | [`write_tables`] | what stands in the tables of a session? |
 
+mod columns;
 mod error;
-mod gather;
 pub mod hash;
 pub mod journal;
+mod metadata;
 mod name;
 mod notes;
 mod pattern;
+pub mod record;
+mod recordings;
+mod results;
+mod study;
 pub mod table;
+mod work;
 
+pub use columns::write_tables;
 pub use error::{Error, Result};
-pub use gather::{ENDINGS, Recording, SESSION_FILE, Session, Sources};
+pub use metadata::{KnownRecording, Metadata};
 pub use name::name;
 pub use notes::{Note, Notes};
 pub use pattern::Pattern;
+pub use recordings::{ENDINGS, Recording, SESSION_FILE, Session, Sources};
+pub use results::Results;
+pub use study::{Outcome, SessionDrop, StudyOptions};
+pub use work::{Done, complete};

@@ -1,10 +1,10 @@
 //! What the inference costs: `cargo bench -p bouncelab --bench inference`.
 
+use bouncelab::Impact;
 use bouncelab::analysis::Options;
 use bouncelab::drag::DragLaw;
 use bouncelab::flight::{Environment, FlightModel};
 use bouncelab::inference::{self, InferenceOptions, LawKind, Priors, SamplerConfig};
-use bouncelab::restitution::TimedImpact;
 use divan::Bencher;
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
@@ -24,7 +24,7 @@ fn environment(drag: DragLaw) -> Environment {
 }
 
 /// Forty impacts of a table-tennis ball from half a metre, with scatter and errors.
-fn impacts() -> Vec<TimedImpact> {
+fn impacts() -> Vec<Impact> {
     const SIGMA_S: f64 = 5e-5;
     let mut rng = ChaCha8Rng::seed_from_u64(1);
     let mut normal = || rng.sample::<f64, _>(StandardNormal);
@@ -34,10 +34,10 @@ fn impacts() -> Vec<TimedImpact> {
     let mut time_s = 0.0;
     (1..=40)
         .map(|number| {
-            let heard = TimedImpact {
+            let heard = Impact {
                 number,
                 time_s: time_s + SIGMA_S * normal(),
-                standard_error_s: Some(SIGMA_S),
+                time_sd_s: Some(SIGMA_S),
             };
             let launch = speed * 0.945 * (0.003 * normal()).exp();
             let flight = model.launch(launch).unwrap();

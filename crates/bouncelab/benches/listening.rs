@@ -7,6 +7,7 @@ use bouncelab::impact::Strike;
 use bouncelab::onset::{Onset, OnsetDetector};
 use bouncelab::synth::{self, Noise, Scene};
 use bouncelab::train;
+use bouncelab_testkit::strikes;
 use divan::counter::ItemsCount;
 use divan::{Bencher, black_box};
 
@@ -18,17 +19,14 @@ fn main() {
 
 /// A drop of seventy-odd impacts in this much background.
 fn drop_in(duration_s: f64, noise: Noise) -> Vec<f32> {
-    let mut strikes = Vec::new();
-    let (mut time_s, mut speed_m_s) = (5.0, 2.4_f64);
-    while speed_m_s > 0.1 {
-        strikes.push(Strike { time_s, speed_m_s });
-        speed_m_s *= 0.955;
-        time_s += 2.0 * speed_m_s / 9.81;
-    }
-    let tail_s = duration_s - time_s;
+    let strikes: Vec<Strike> = strikes(2.4, 0.955)
+        .take_while(|strike| strike.speed_m_s > 0.1)
+        .collect();
+    let lead_in_s = 5.0;
     let scene = Scene {
         noise: Some(noise),
-        tail_s,
+        lead_in_s,
+        tail_s: duration_s - lead_in_s - strikes[strikes.len() - 1].time_s,
         ..Scene::default()
     };
     synth::render(&strikes, &scene, 1).unwrap().samples

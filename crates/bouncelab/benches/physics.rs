@@ -7,7 +7,7 @@ use bouncelab::drop::{self, Start, Stop};
 use bouncelab::flight::{Environment, FlightModel};
 use bouncelab::impact::{Contact, Restitution};
 use bouncelab::regression::{self, NumberedFlight};
-use bouncelab::restitution::{self, TimedImpact};
+use bouncelab::restitution::{self, Impact};
 use divan::counter::ItemsCount;
 use divan::{Bencher, black_box};
 
@@ -123,10 +123,10 @@ fn drag_corrected_restitution(bencher: Bencher, law: DragLaw) {
     let impacts: Vec<_> = history
         .strikes()
         .zip(1..)
-        .map(|(strike, number)| TimedImpact {
+        .map(|(strike, number)| Impact {
             number,
             time_s: strike.time_s,
-            standard_error_s: Some(5e-5),
+            time_sd_s: Some(5e-5),
         })
         .collect();
     bencher

@@ -4,6 +4,7 @@ use std::hint::black_box;
 
 use bouncelab::impact::Strike;
 use bouncelab::synth::{self, Clicks, Colour, Hum, Noise, Reverb, Scene};
+use bouncelab_testkit::strikes;
 use divan::Bencher;
 use divan::counter::ItemsCount;
 
@@ -11,21 +12,9 @@ fn main() {
     divan::main();
 }
 
-/// Sixty impacts whose flight times shrink by 2 % each, spread over a minute.
+/// Sixty impacts, spread over a minute.
 fn minute() -> Vec<Strike> {
-    let flights = (0..59).map(|n| 0.98_f64.powi(n));
-    let total: f64 = flights.clone().sum();
-    let mut strike = Strike {
-        time_s: 0.0,
-        speed_m_s: 3.0,
-    };
-    let mut strikes = vec![strike];
-    for flight in flights {
-        strike.time_s += 59.0 * flight / total;
-        strike.speed_m_s *= 0.98;
-        strikes.push(strike);
-    }
-    strikes
+    strikes(8.5, 0.98).take(60).collect()
 }
 
 fn bench_scene(bencher: Bencher, scene: &Scene) {

@@ -30,12 +30,13 @@
 //! # Ok::<(), bouncelab::Error>(())
 //! ```
 
+use crate::analysis::{DetectionOptions, check_channel};
+use crate::diagnostic::{Code, Diagnostic};
 use crate::error::Result;
 use crate::onset::{self, Onset, OnsetDetector};
 use crate::simd::dispatch;
 use crate::stats::median;
-use crate::train::{self, NoDrop, Span, TrainSearch};
-use std::ops::Range;
+use crate::train::{self, Span, TrainSearch};
 
 /// No drop lasts longer than this many seconds: what is older is forgotten.
 const MEMORY_S: f64 = 120.0;
@@ -51,17 +52,24 @@ const AROUND_S: f64 = 2.5;
 /// A train goes on if its last impact was heard less than this many seconds ago.
 const OPEN_S: f64 = 10.0;
 
-/// Listens to one or more channels.
-#[derive(Clone)]
+/// Detects the drops in a stream of samples, of one or more channels.
+#[derive(Clone, Debug)]
 pub struct Detector {
-    /// Channels that were equal to the first so far are `None`: they share its channel.
+    /// Channels that were equal to the first so far are `None`: they share its detector.
     channels: Vec<Option<ChannelDetector>>,
+    /// The only channel that is used, counted from 0, of so many.
+    only: Option<usize>,
+    of_channels: usize,
 }
 
 /// What was heard in a recording.
 #[derive(Clone, Debug)]
 pub struct Detection {
-    /// The channel that is believed, counted from 0.
+    /// Samples a second.
+    pub sample_rate_hz: u32,
+    /// How many channels there are.
+    pub channels: usize,
+    /// The channel with the most evidence, counted from 0.
     pub channel: usize,
     /// How many channels there were that differ from each other.
     pub distinct_channels: usize,
@@ -79,20 +87,20 @@ pub struct Detection {
 
 impl Detection {
     /// Why there is no drop; `None` if there is one.
-    pub fn no_drop(&self) -> Option<NoDrop> {
+    pub fn no_drop(&self) -> Option<Diagnostic> {
         if !self.found.trains.is_empty() {
             return None;
         }
         Some(if self.envelope.is_constant() {
-            NoDrop::Silence
+            Diagnostic::new(Code::RecordingSilent)
         } else {
-            self.found.reason(self.onsets)
+            self.found.no_drop(self.onsets)
         })
     }
 
     /// The band in which the impacts of all drops stand out most, by its number in
     /// [`onset::bands_hz`], and by how many dB they do so in the middle; `None` without a drop.
-    pub fn clearest_band(&self) -> Option<(usize, f64)> {
+    pub fn strongest_band(&self) -> Option<(usize, f64)> {
         let impacts = || self.found.trains.iter().flat_map(train::Train::impacts);
         (0..onset::BANDS)
             .filter_map(|band| {
@@ -103,48 +111,61 @@ impl Detection {
             .max_by(|a, b| a.1.total_cmp(&b.1))
     }
 
-    /// What is odd about the recording as a whole, in words.
-    pub fn remarks(&self) -> Vec<String> {
-        let far = self.found.distant.iter().map(|train| {
-            format!(
-                "a far fainter ball was heard from {:.2} s to {:.2} s ({} impacts) and left out",
-                train.start_s(),
-                train.end_s(),
-                train.impacts().len()
-            )
+    /// What is odd about the recording as a whole.
+    pub fn diagnostics(&self) -> Vec<Diagnostic> {
+        let distant = self.found.distant.iter().map(|train| {
+            Diagnostic::new(Code::DistantBall)
+                .with("start_s", train.start_s())
+                .with("end_s", train.end_s())
+                .with("impacts", train.impacts().len())
         });
-        let mut remarks: Vec<String> = far.collect();
+        let mut diagnostics: Vec<Diagnostic> = distant.collect();
         if self.clipped_samples > 0 && !self.found.trains.is_empty() {
-            remarks.push(format!(
-                "{} samples are clipped: the recorder was too loud; times suffer little, levels do",
-                self.clipped_samples
-            ));
+            let clipped = Diagnostic::new(Code::Clipped);
+            diagnostics.push(clipped.with("samples", self.clipped_samples));
         }
-        remarks
+        diagnostics
     }
 }
 
 impl Detector {
-    /// A listener for this many channels (at least one) at this rate.
+    /// A detector for this many channels (at least one) at this rate.
     pub fn new(sample_rate_hz: u32, channels: usize) -> Self {
         Self::with(OnsetDetector::new(sample_rate_hz), sample_rate_hz, channels)
     }
 
-    /// A listener that hears sounds only in the bands ([`onset::bands_hz`]) of which at least half
-    /// lies between these frequencies. It times them by their whole spectrum.
+    /// A detector that looks where the options say: in one channel, or in the bands
+    /// ([`onset::bands_hz`]) of which at least half lies in a range of frequencies.
     ///
     /// # Errors
-    /// [`Error::NoBand`](crate::Error::NoBand) if there is none.
-    pub fn within(sample_rate_hz: u32, channels: usize, range_hz: &Range<f64>) -> Result<Self> {
-        let detector = OnsetDetector::within(sample_rate_hz, range_hz)?;
-        Ok(Self::with(detector, sample_rate_hz, channels))
+    ///
+    /// [`Error::NoChannel`](crate::Error::NoChannel) and [`Error::NoBand`](crate::Error::NoBand) if
+    /// there is none.
+    pub fn with_options(
+        sample_rate_hz: u32,
+        channels: usize,
+        options: &DetectionOptions,
+    ) -> Result<Self> {
+        let only = check_channel(options.channel, channels)?;
+        let onsets = match &options.band_hz {
+            None => OnsetDetector::new(sample_rate_hz),
+            Some(band_hz) => OnsetDetector::within(sample_rate_hz, band_hz)?,
+        };
+        let used = if only.is_some() { 1 } else { channels };
+        Ok(Self {
+            only,
+            of_channels: channels,
+            ..Self::with(onsets, sample_rate_hz, used)
+        })
     }
 
-    fn with(detector: OnsetDetector, sample_rate_hz: u32, channels: usize) -> Self {
-        let mut detectors = vec![Some(ChannelDetector::new(detector, sample_rate_hz))];
+    fn with(onsets: OnsetDetector, sample_rate_hz: u32, channels: usize) -> Self {
+        let mut detectors = vec![Some(ChannelDetector::new(onsets, sample_rate_hz))];
         detectors.resize_with(channels.max(1), || None);
         Self {
             channels: detectors,
+            only: None,
+            of_channels: channels.max(1),
         }
     }
 
@@ -156,13 +177,17 @@ impl Detector {
     pub fn push(&mut self, channels: &[&[f32]]) {
         assert_eq!(
             channels.len(),
-            self.channels.len(),
+            self.of_channels,
             "one slice for each channel"
         );
         assert!(
             channels.iter().all(|c| c.len() == channels[0].len()),
             "channels of equal length"
         );
+        let channels = match self.only {
+            Some(only) => &channels[only..=only],
+            None => channels,
+        };
         for (index, samples) in channels.iter().enumerate().skip(1) {
             if self.channels[index].is_none() && *samples != channels[0] {
                 self.channels[index] = self.channels[0].clone();
@@ -197,7 +222,12 @@ impl Detector {
             .into_iter()
             .enumerate()
             .filter_map(|(number, channel)| Some((number, channel?)))
-            .map(|(number, channel)| channel.finish(number, distinct_channels));
+            .map(|(number, channel)| channel.finish(number, distinct_channels))
+            .map(|detection| Detection {
+                channels: self.of_channels,
+                channel: self.only.unwrap_or(detection.channel),
+                ..detection
+            });
         // Of equals, the first.
         heard
             .reduce(|best, other| {
@@ -212,7 +242,7 @@ impl Detector {
 }
 
 /// Hears one channel.
-#[derive(Clone)]
+#[derive(Clone, Debug)]
 struct ChannelDetector {
     sample_rate_hz: f64,
     /// Remembers the samples from the first onset not yet judged on.
@@ -343,6 +373,8 @@ impl ChannelDetector {
         self.judge_all(duration_s);
         self.found.set_distant_apart();
         Detection {
+            sample_rate_hz: self.sample_rate_hz as u32,
+            channels: distinct_channels,
             channel,
             distinct_channels,
             found: self.found,
@@ -525,7 +557,7 @@ fn greater(a: f32, b: f32) -> f32 {
 }
 
 /// Counts samples cut off at the limit of the recorder: runs of the same extreme value.
-#[derive(Clone, Default)]
+#[derive(Clone, Debug, Default)]
 struct Clipping {
     extreme: f32,
     last: f32,

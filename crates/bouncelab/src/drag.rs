@@ -69,6 +69,14 @@ impl DragLaw {
     ];
 
     /// The name by which it is looked up, as in "clift-grace-weber".
+    ///
+    /// ```
+    /// use bouncelab::drag::DragLaw;
+    ///
+    /// let law: DragLaw = DragLaw::Morrison.name().parse()?;
+    /// assert_eq!(law, DragLaw::Morrison);
+    /// # Ok::<(), bouncelab::Error>(())
+    /// ```
     pub const fn name(&self) -> &'static str {
         match self {
             Self::None => "none",
@@ -87,6 +95,13 @@ impl DragLaw {
     }
 
     /// The upper end of its range of Reynolds numbers; infinite if it has none.
+    ///
+    /// ```
+    /// use bouncelab::drag::DragLaw;
+    ///
+    /// let slowest_to_end = DragLaw::NAMED.into_iter().min_by(|a, b| a.max_reynolds().total_cmp(&b.max_reynolds()));
+    /// assert_eq!(slowest_to_end, Some(DragLaw::Stokes));
+    /// ```
     pub const fn max_reynolds(&self) -> f64 {
         match self {
             Self::Stokes => 0.3,
@@ -106,6 +121,14 @@ impl DragLaw {
     /// # Errors
     /// [`Error::ReynoldsTooHigh`] above [`DragLaw::max_reynolds`], [`Error::OutOfRange`] for a
     /// negative number, NaN, or a constant that is negative or not finite.
+    ///
+    /// ```
+    /// use bouncelab::drag::DragLaw;
+    ///
+    /// assert_eq!(DragLaw::Stokes.coefficient(0.1)?, 240.0);
+    /// assert!(DragLaw::Stokes.coefficient(10.0).is_err()); // beyond its range
+    /// # Ok::<(), bouncelab::Error>(())
+    /// ```
     pub fn coefficient(&self, reynolds: f64) -> Result<f64> {
         self.check()?;
         not_negative("Reynolds number", reynolds)?;
@@ -231,6 +254,16 @@ fn clift_grace_weber(re: f64) -> f64 {
         0.19 - 8e4 / re
     };
     re / 24.0 * coefficient
+}
+
+#[cfg(feature = "serde")]
+impl serde::Serialize for DragLaw {
+    fn serialize<S: serde::Serializer>(
+        &self,
+        serializer: S,
+    ) -> std::result::Result<S::Ok, S::Error> {
+        serializer.collect_str(self)
+    }
 }
 
 impl fmt::Display for DragLaw {

@@ -2,13 +2,15 @@
 
 use std::ops::Range;
 
+use crate::diagnostic::{Argument, Code, Diagnostic};
+
 /// The result of a calculation that can refuse its input.
 pub type Result<T> = std::result::Result<T, Error>;
 
 /// Why a calculation was refused.
 ///
 /// Every message says what was wrong and what to do about it, so it can be shown to a person as it
-/// is. The enum grows with the rooms of the crate.
+/// is. The enum grows with the modules of the crate.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum Error {
@@ -105,9 +107,22 @@ pub enum Error {
         bands: String,
     },
 
-    /// The data do not suffice for an inference, or it did not come to an end.
-    #[error("{0}")]
-    CannotInfer(String),
+    /// The data do not suffice for an inference, or it failed.
+    #[error(transparent)]
+    CannotInfer(InferenceFailure),
+
+    /// The recording has no channel of this number.
+    #[error("there is no channel {channel}: the recording has {channels}, the first being 1")]
+    NoChannel {
+        /// The channel that was asked for, the first being 1.
+        channel: usize,
+        /// How many there are.
+        channels: usize,
+    },
+
+    /// A rule that judges each drop cannot compare with a reference.
+    #[error("a share of a reference is one of means: single drops have none")]
+    EachOfReference,
 
     /// Two flights carry the same number, or impacts are not in order.
     #[error(
@@ -121,7 +136,123 @@ pub enum Error {
     },
 }
 
+/// Why nothing can be inferred.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum InferenceFailure {
+    /// No inference was asked for.
+    #[error("no inference was asked for")]
+    NotRequested,
+    /// There is no flight.
+    #[error("an inference takes a flight, and a flight takes two impacts; there are {impacts}")]
+    TooFewImpacts {
+        /// How many impacts there are.
+        impacts: usize,
+    },
+    /// Too many impacts in a row were missed.
+    #[error("{missed} impacts in a row were missed after impact {after}")]
+    MissedInARow {
+        /// How many.
+        missed: usize,
+        /// The number of the impact before them.
+        after: usize,
+    },
+    /// No ball with so much drag flies so long.
+    #[error(
+        "air drag makes so long a flight impossible for this ball; check mass, diameter and the unit \
+         of the times"
+    )]
+    FlightTooLong,
+    /// The ball would gain speed in most impacts.
+    #[error(
+        "the ball would gain speed at each impact, which no surface at rest gives; are the times in \
+         order, in seconds, and of one drop?"
+    )]
+    GainsSpeed,
+    /// No physical model explains the times.
+    #[error(
+        "no physical model explains these times; are they of one drop, in seconds, and is the ball \
+         the right one?"
+    )]
+    NoModelFits,
+    /// No draw of the posterior explains the times.
+    #[error(
+        "the posterior could not be sampled: no draw explains the times; are they of one drop?"
+    )]
+    SamplingFailed,
+    /// All drops stand in one group, or the groups cannot be separated.
+    #[error("the variances of these groups cannot be told apart")]
+    Confounded,
+}
+
 impl Error {
+    /// The same as data, for those who show it in another language.
+    ///
+    /// ```
+    /// use bouncelab::ball::Ball;
+    ///
+    /// let refused = Ball::new(-1.0, 0.04).unwrap_err().diagnostic();
+    /// assert_eq!(refused.code.name(), "out-of-range");
+    /// assert_eq!(refused.number("value"), Some(-1.0));
+    /// ```
+    pub fn diagnostic(&self) -> Diagnostic {
+        use Argument::Text;
+        match self {
+            Self::OutOfRange {
+                quantity,
+                value,
+                allowed,
+            } => Diagnostic::new(Code::OutOfRange)
+                .with("quantity", *quantity)
+                .with("value", *value)
+                .with("allowed", *allowed),
+            Self::UnknownName {
+                kind,
+                name,
+                nearest,
+                known,
+            } => Diagnostic::new(Code::UnknownName)
+                .with("kind", *kind)
+                .with("name", Text(name.clone()))
+                .with("nearest", Text(nearest.clone()))
+                .with("known", Text(known.clone())),
+            Self::ReynoldsTooHigh {
+                law,
+                reynolds,
+                max_reynolds,
+            } => Diagnostic::new(Code::ReynoldsTooHigh)
+                .with("law", *law)
+                .with("reynolds", *reynolds)
+                .with("max_reynolds", *max_reynolds),
+            Self::Floats {
+                mass_kg,
+                displaced_kg,
+            } => Diagnostic::new(Code::BallFloats)
+                .with("mass_kg", *mass_kg)
+                .with("displaced_kg", *displaced_kg),
+            Self::EndlessDrop { bounces, apex_m } => Diagnostic::new(Code::EndlessDrop)
+                .with("bounces", *bounces)
+                .with("apex_m", *apex_m),
+            Self::TooFewFlights { flights } => {
+                Diagnostic::new(Code::TooFewFlights).with("flights", *flights)
+            }
+            Self::TooFewDrops { needed, drops } => Diagnostic::new(Code::TooFewDrops)
+                .with("needed", *needed)
+                .with("drops", *drops),
+            Self::NoBand { range, bands } => Diagnostic::new(Code::NoBand)
+                .with("range", Text(range.clone()))
+                .with("bands", Text(bands.clone())),
+            Self::NoChannel { channel, channels } => Diagnostic::new(Code::NoChannel)
+                .with("channel", *channel)
+                .with("channels", *channels),
+            Self::EachOfReference => Diagnostic::new(Code::EachOfReference),
+            Self::CannotInfer(reason) => reason.diagnostic(),
+            Self::NotInOrder { what, number } => Diagnostic::new(Code::NotInOrder)
+                .with("what", *what)
+                .with("number", *number),
+        }
+    }
+
     /// An [`Error::NoBand`] that lists the bands there are.
     pub(crate) fn no_band(range_hz: &Range<f64>, bands_hz: &[Range<f64>]) -> Self {
         let bands = bands_hz
@@ -148,6 +279,25 @@ impl Error {
             name: name.to_owned(),
             nearest: nearest.map_or_else(String::new, ToString::to_string),
             known: known.join(", "),
+        }
+    }
+}
+
+impl InferenceFailure {
+    fn diagnostic(&self) -> Diagnostic {
+        match self {
+            Self::NotRequested => Diagnostic::new(Code::InferenceOff),
+            Self::TooFewImpacts { impacts } => {
+                Diagnostic::new(Code::InferenceNeedsImpacts).with("count", *impacts)
+            }
+            Self::MissedInARow { missed, after } => Diagnostic::new(Code::MissedInARow)
+                .with("missed", *missed)
+                .with("after", *after),
+            Self::FlightTooLong => Diagnostic::new(Code::FlightTooLong),
+            Self::GainsSpeed => Diagnostic::new(Code::GainsSpeed),
+            Self::NoModelFits => Diagnostic::new(Code::NoModelFits),
+            Self::SamplingFailed => Diagnostic::new(Code::SamplingFailed),
+            Self::Confounded => Diagnostic::new(Code::VariancesConfounded),
         }
     }
 }

@@ -16,8 +16,8 @@
 //!     .map(|(&time_s, number)| NumberedFlight { number, time_s })
 //!     .collect();
 //! let line = regression::fit(&flights, 9.81)?;
-//! assert_eq!(format!("{:.4}", line.restitution().value), "0.9375");
-//! assert_eq!(format!("{:.3}", line.drop_height_m().value), "0.288"); // dropped from 0.305
+//! assert_eq!(format!("{:.4}", line.restitution.value), "0.9375");
+//! assert_eq!(format!("{:.3}", line.drop_height_m.value), "0.288"); // dropped from 0.305
 //! # Ok::<(), bouncelab::Error>(())
 //! ```
 
@@ -25,15 +25,7 @@ use std::f64::consts::LN_10;
 
 use crate::drop;
 use crate::error::{Error, Result, in_order, positive};
-
-/// A number found from data, and how well it is known.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Estimate {
-    /// The number.
-    pub value: f64,
-    /// Its standard error; `None` if the data leave nothing to judge it by.
-    pub standard_error: Option<f64>,
-}
+use crate::estimate::Estimate;
 
 /// A flight time with the number of the bounce that it follows.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -45,15 +37,50 @@ pub struct NumberedFlight {
     pub time_s: f64,
 }
 
-/// The straight line through log flight time against bounce number.
+/// The straight line through log flight time against bounce number, and what follows from it.
+///
+/// Intervals are those of Student's t with as many degrees of freedom as there are flights beyond two;
+/// with two flights the line is exact and nothing says how certain it is.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Regression {
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
+#[non_exhaustive]
+pub struct LogLinearFit {
+    /// How many flights went into it.
+    pub flights: usize,
+    /// Slope a of log₁₀ T<sub>n</sub> against n.
+    pub slope: Estimate,
+    /// Intercept b of log₁₀ T<sub>n</sub> (T in s) at n = 0.
+    pub intercept: Estimate,
+    /// Share of the variance of log₁₀ T<sub>n</sub> that the line explains; `None` if all flights
+    /// last equally long.
+    pub r_squared: Option<f64>,
+    /// Coefficient of restitution e = 10^a (Eq. 6).
+    ///
+    /// Noise can put it above 1, where it says that the flights do not shrink.
+    pub restitution: Estimate,
+    /// Drop height h₀ = g (10^b)²/8 in m (Eq. 6; printed in the paper without the square).
+    pub drop_height_m: Estimate,
+    /// Share of the energy that a bounce keeps, e².
+    pub energy_kept: Estimate,
+    /// Total time from release to rest in s (Eq. 7); `None` if e is not below 1.
+    pub total_time_s: Option<Estimate>,
+    /// Total length of the path from release to rest in m (Eq. 8); `None` if e is not below 1.
+    pub total_path_m: Option<Estimate>,
+    /// What the line leaves of log₁₀ T<sub>n</sub>, in the order of the flights.
+    pub residuals: Vec<f64>,
+    #[cfg_attr(feature = "serde", serde(skip))]
+    line: Line,
+}
+
+/// A straight line with the covariance of its two numbers.
+#[derive(Debug, Clone, PartialEq)]
+struct Line {
     gravity_m_s2: f64,
     slope: f64,
     intercept: f64,
     covariance: Option<Covariance>,
-    residuals: Vec<f64>,
-    r_squared: Option<f64>,
+    degrees_of_freedom: f64,
 }
 
 /// Variances and covariance of slope and intercept.
@@ -91,7 +118,7 @@ pub fn height_of_flight_m(time_s: f64, gravity_m_s2: f64) -> f64 {
 /// # Errors
 /// [`Error::TooFewFlights`] below two flights, [`Error::OutOfRange`] for a time or gravity that is
 /// not finite and above zero, [`Error::NotInOrder`] if a number does not exceed the one before.
-pub fn fit(flights: &[NumberedFlight], gravity_m_s2: f64) -> Result<Regression> {
+pub fn fit(flights: &[NumberedFlight], gravity_m_s2: f64) -> Result<LogLinearFit> {
     positive("gravity in m/s2", gravity_m_s2)?;
     if flights.len() < 2 {
         return Err(Error::TooFewFlights {
@@ -106,7 +133,7 @@ pub fn fit(flights: &[NumberedFlight], gravity_m_s2: f64) -> Result<Regression> 
 }
 
 /// Least squares about the means, so that nothing cancels for late flights.
-fn least_squares(flights: &[NumberedFlight], gravity_m_s2: f64) -> Regression {
+fn least_squares(flights: &[NumberedFlight], gravity_m_s2: f64) -> LogLinearFit {
     let count = flights.len() as f64;
     let points = || {
         flights
@@ -134,56 +161,58 @@ fn least_squares(flights: &[NumberedFlight], gravity_m_s2: f64) -> Regression {
         }
     });
     let r_squared = (spread_y > 0.0).then(|| 1.0 - unexplained / spread_y);
-    Regression {
+    let line = Line {
         gravity_m_s2,
         slope,
         intercept,
         covariance,
-        residuals,
+        degrees_of_freedom: count - 2.0,
+    };
+    LogLinearFit {
+        flights: flights.len(),
+        slope: line.estimate(slope, 1.0, 0.0),
+        intercept: line.estimate(intercept, 0.0, 1.0),
         r_squared,
+        restitution: line.restitution(),
+        drop_height_m: line.drop_height_m(),
+        energy_kept: line.energy_kept(),
+        total_time_s: line.total_time_s(),
+        total_path_m: line.total_path_m(),
+        residuals,
+        line,
     }
 }
 
-impl Regression {
-    /// Slope a of log₁₀ T<sub>n</sub> against n.
-    pub fn slope(&self) -> Estimate {
-        self.estimate(self.slope, 1.0, 0.0)
+impl LogLinearFit {
+    /// The line at bounce number n, as a flight time in s.
+    pub fn flight_time_s(&self, number: usize) -> Estimate {
+        self.line.flight_time_s(number)
     }
+}
 
-    /// Intercept b of log₁₀ T<sub>n</sub> (T in s) at n = 0.
-    pub fn intercept(&self) -> Estimate {
-        self.estimate(self.intercept, 0.0, 1.0)
-    }
-
-    /// Coefficient of restitution e = 10^a (Eq. 6).
-    ///
-    /// Noise can put it above 1, where it says that the flights do not shrink.
-    pub fn restitution(&self) -> Estimate {
+impl Line {
+    fn restitution(&self) -> Estimate {
         let restitution = 10_f64.powf(self.slope);
         self.estimate(restitution, LN_10 * restitution, 0.0)
     }
 
-    /// Drop height h₀ = g (10^b)²/8 in m (Eq. 6; printed in the paper without the square).
-    pub fn drop_height_m(&self) -> Estimate {
+    fn drop_height_m(&self) -> Estimate {
         let height_m = height_of_flight_m(10_f64.powf(self.intercept), self.gravity_m_s2);
         self.estimate(height_m, 0.0, 2.0 * LN_10 * height_m)
     }
 
-    /// Share of the energy that a bounce keeps, e².
-    pub fn energy_kept(&self) -> Estimate {
+    fn energy_kept(&self) -> Estimate {
         let kept = 10_f64.powf(2.0 * self.slope);
         self.estimate(kept, 2.0 * LN_10 * kept, 0.0)
     }
 
-    /// The line at bounce number n, as a flight time in s.
-    pub fn flight_time_s(&self, number: usize) -> Estimate {
+    fn flight_time_s(&self, number: usize) -> Estimate {
         let number = number as f64;
         let time_s = 10_f64.powf(self.slope * number + self.intercept);
         self.estimate(time_s, LN_10 * time_s * number, LN_10 * time_s)
     }
 
-    /// Total time from release to rest in s (Eq. 7); `None` if e is not below 1.
-    pub fn total_time_s(&self) -> Option<Estimate> {
+    fn total_time_s(&self) -> Option<Estimate> {
         let e = self.restitution().value;
         let time_s = drop::total_time_s(e, self.drop_height_m().value, self.gravity_m_s2).ok()?;
         // d ln(total)/de = 2/(1 - e²); the total goes with the root of h₀, so with 10^b.
@@ -194,8 +223,7 @@ impl Regression {
         ))
     }
 
-    /// Total length of the way from release to rest in m (Eq. 8); `None` if e is not below 1.
-    pub fn total_path_m(&self) -> Option<Estimate> {
+    fn total_path_m(&self) -> Option<Estimate> {
         let e = self.restitution().value;
         let path_m = drop::total_path_m(e, self.drop_height_m().value).ok()?;
         // d ln(total)/de = 4 e/(1 - e⁴); the total goes with h₀, so with the square of 10^b.
@@ -203,25 +231,13 @@ impl Regression {
         Some(self.estimate(path_m, by_slope, path_m * 2.0 * LN_10))
     }
 
-    /// What the line leaves of log₁₀ T<sub>n</sub>, in the order of the flights.
-    pub fn residuals(&self) -> &[f64] {
-        &self.residuals
-    }
-
-    /// Share of the variance of log₁₀ T<sub>n</sub> that the line explains; `None` if all flights
-    /// last equally long.
-    pub fn r_squared(&self) -> Option<f64> {
-        self.r_squared
-    }
-
+    /// A quantity with these derivatives by slope and intercept.
     fn estimate(&self, value: f64, by_slope: f64, by_intercept: f64) -> Estimate {
-        let standard_error = self
-            .covariance
-            .map(|covariance| covariance.standard_error(by_slope, by_intercept));
-        Estimate {
-            value,
-            standard_error,
-        }
+        let Some(covariance) = &self.covariance else {
+            return Estimate::unbounded(value);
+        };
+        let sd = covariance.standard_error(by_slope, by_intercept);
+        Estimate::student(value, sd, self.degrees_of_freedom)
     }
 }
 
@@ -252,15 +268,15 @@ mod tests {
             })
             .to_vec();
         let line = fit(&flights, g).unwrap();
-        assert!(close(line.restitution().value, e, 1e-14));
-        assert!(close(line.drop_height_m().value, h0, 1e-14));
-        assert!(close(line.energy_kept().value, e * e, 1e-14));
+        assert!(close(line.restitution.value, e, 1e-14));
+        assert!(close(line.drop_height_m.value, h0, 1e-14));
+        assert!(close(line.energy_kept.value, e * e, 1e-14));
         assert!(close(line.flight_time_s(5).value, flights[2].time_s, 1e-14));
-        assert!(close(line.r_squared().unwrap(), 1.0, 1e-14));
+        assert!(close(line.r_squared.unwrap(), 1.0, 1e-14));
         let total = drop::total_time_s(e, h0, g).unwrap();
-        assert!(close(line.total_time_s().unwrap().value, total, 1e-13));
+        assert!(close(line.total_time_s.unwrap().value, total, 1e-13));
         let path = drop::total_path_m(e, h0).unwrap();
-        assert!(close(line.total_path_m().unwrap().value, path, 1e-13));
+        assert!(close(line.total_path_m.unwrap().value, path, 1e-13));
     }
 
     /// Small enough to work by hand: y = 1, 3, 2, 5 at n = 1 to 4 has slope 1.1, intercept 0 and
@@ -269,24 +285,15 @@ mod tests {
     fn standard_errors_follow_the_textbook() {
         let flights = numbered(&[1.0, 3.0, 2.0, 5.0].map(|y: f64| 10_f64.powf(y)));
         let line = fit(&flights, 9.81).unwrap();
-        assert!(close(line.slope().value, 1.1, 1e-12));
-        assert!(line.intercept().value.abs() < 1e-12);
-        assert!(close(
-            line.slope().standard_error.unwrap(),
-            (1.35_f64 / 5.0).sqrt(),
-            1e-12
-        ));
+        assert!(close(line.slope.value, 1.1, 1e-12));
+        assert!(line.intercept.value.abs() < 1e-12);
+        assert!(close(line.slope.sd, (1.35_f64 / 5.0).sqrt(), 1e-12));
         let of_intercept = (1.35_f64 * (0.25 + 6.25 / 5.0)).sqrt();
-        assert!(close(
-            line.intercept().standard_error.unwrap(),
-            of_intercept,
-            1e-12
-        ));
+        assert!(close(line.intercept.sd, of_intercept, 1e-12));
         // At the mean of n the line is known best: to the standard error of the mean.
-        let at_mean =
-            |n| line.flight_time_s(n).standard_error.unwrap() / line.flight_time_s(n).value;
+        let at_mean = |n| line.flight_time_s(n).sd / line.flight_time_s(n).value;
         assert!(at_mean(2) < at_mean(1) && at_mean(3) < at_mean(4));
-        assert!(close(line.r_squared().unwrap(), 6.05 / 8.75, 1e-12));
+        assert!(close(line.r_squared.unwrap(), 6.05 / 8.75, 1e-12));
     }
 
     /// The delta method against a finite difference through the fit's own covariance.
@@ -294,17 +301,18 @@ mod tests {
     fn derived_errors_are_slopes_times_errors() {
         let flights = numbered(&[0.46, 0.43, 0.395, 0.372, 0.347]);
         let line = fit(&flights, 9.81).unwrap();
+        let line = line.line;
         let covariance = line.covariance.unwrap();
-        let nudged = |slope: f64, intercept: f64| Regression {
+        let nudged = |slope: f64, intercept: f64| Line {
             slope: line.slope + slope,
             intercept: line.intercept + intercept,
             ..line.clone()
         };
         let step = 1e-6;
-        let quantities: [fn(&Regression) -> Estimate; 6] = [
-            Regression::restitution,
-            Regression::drop_height_m,
-            Regression::energy_kept,
+        let quantities: [fn(&Line) -> Estimate; 6] = [
+            Line::restitution,
+            Line::drop_height_m,
+            Line::energy_kept,
             |line| line.flight_time_s(3),
             |line| line.total_time_s().unwrap(),
             |line| line.total_path_m().unwrap(),
@@ -314,29 +322,25 @@ mod tests {
             let by_slope = (value(step, 0.0) - value(-step, 0.0)) / (2.0 * step);
             let by_intercept = (value(0.0, step) - value(0.0, -step)) / (2.0 * step);
             let expected = covariance.standard_error(by_slope, by_intercept);
-            assert!(close(
-                quantity(&line).standard_error.unwrap(),
-                expected,
-                1e-5
-            ));
+            assert!(close(quantity(&line).sd, expected, 1e-5));
         }
     }
 
     #[test]
     fn two_flights_have_a_line_but_no_error() {
         let line = fit(&numbered(&[0.4, 0.36]), 9.81).unwrap();
-        assert!(close(line.restitution().value, 0.9, 1e-14));
-        assert_eq!(line.restitution().standard_error, None);
-        assert_eq!(line.total_time_s().unwrap().standard_error, None);
+        assert!(close(line.restitution.value, 0.9, 1e-14));
+        assert_eq!(line.restitution.known_sd(), None);
+        assert_eq!(line.total_time_s.unwrap().known_sd(), None);
     }
 
     #[test]
     fn growing_flights_have_a_restitution_but_no_total() {
         let line = fit(&numbered(&[0.3, 0.33, 0.36]), 9.81).unwrap();
-        assert!(line.restitution().value > 1.0);
-        assert_eq!(line.total_time_s(), None);
-        assert_eq!(line.total_path_m(), None);
-        assert_eq!(fit(&numbered(&[0.3, 0.3]), 9.81).unwrap().r_squared(), None);
+        assert!(line.restitution.value > 1.0);
+        assert_eq!(line.total_time_s, None);
+        assert_eq!(line.total_path_m, None);
+        assert_eq!(fit(&numbered(&[0.3, 0.3]), 9.81).unwrap().r_squared, None);
     }
 
     #[test]

@@ -1,4 +1,4 @@
-//! Drag-corrected restitution of each impact.
+//! Drag-per_impact restitution of each impact.
 //!
 //! A flight time gives the launch speed and the impact speed of its flight exactly, once ball and
 //! air are known. Every impact between two heard flights so has its own coefficient of restitution,
@@ -8,35 +8,26 @@
 //!
 //! ```
 //! use bouncelab::flight::FlightModel;
-//! use bouncelab::restitution::{self, TimedImpact};
+//! use bouncelab::{Impact, restitution};
 //!
 //! let model = FlightModel::with_terminal_speed(9.81, 9.385)?;
 //! let impacts: Vec<_> = [0.0, 0.4605, 0.8877, 1.2854]
 //!     .iter()
 //!     .zip(1..)
-//!     .map(|(&time_s, number)| TimedImpact { number, time_s, standard_error_s: Some(5e-5) })
+//!     .map(|(&time_s, number)| Impact::new(number, time_s).with_time_sd_s(5e-5))
 //!     .collect();
-//! let corrected = restitution::of_impacts(&impacts, 0.0, &model)?;
-//! let second = &corrected.impacts[0];
-//! assert_eq!(format!("{:.3}", second.raw_ratio), "0.928");
+//! let per_impact = restitution::of_impacts(&impacts, 0.0, &model)?;
+//! let second = &per_impact.impacts[0];
+//! assert_eq!(format!("{:.3}", second.flight_time_ratio), "0.928");
 //! assert_eq!(format!("{:.3}", second.restitution.value), "0.953");
 //! # Ok::<(), bouncelab::Error>(())
 //! ```
 
 use crate::error::{Result, finite, in_order, not_negative, positive};
+use crate::estimate::Estimate;
 use crate::flight::{Flight, FlightModel};
-use crate::regression::Estimate;
-
-/// When an impact was heard.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct TimedImpact {
-    /// Number of the impact in its drop. Missed impacts leave gaps.
-    pub number: usize,
-    /// When the ball touched the surface, s.
-    pub time_s: f64,
-    /// Standard error of the time, s, if known; errors of different impacts are independent.
-    pub standard_error_s: Option<f64>,
-}
+use crate::impact::Impact;
+use crate::stats::{median, robust_sd};
 
 /// A flight between two impacts that follow each other, found from its time.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -46,11 +37,14 @@ pub struct TimedFlight {
     /// The flight: its time is the time between the impacts less the contact time.
     pub flight: Flight,
     /// Standard error of the apex, m, if both times have one.
-    pub apex_standard_error_m: Option<f64>,
+    pub apex_sd_m: Option<f64>,
 }
 
 /// What an impact between two timed flights kept of the speed of the ball.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
+#[non_exhaustive]
 pub struct ImpactRestitution {
     /// Number of the impact.
     pub number: usize,
@@ -60,21 +54,33 @@ pub struct ImpactRestitution {
     pub restitution: Estimate,
     /// Ratio of the flight time after the impact to the one before it: the restitution if there
     /// were no air.
-    pub raw_ratio: f64,
+    pub flight_time_ratio: f64,
     /// Derivatives of ln e by the times of the impact before, this one and the one after, 1/s.
     ///
     /// Neighbouring impacts share times, so their errors are correlated; with these rows the whole
     /// covariance can be put together.
+    #[cfg_attr(feature = "serde", serde(skip))]
     pub log_gradient_per_s: [f64; 3],
 }
 
 /// Every flight and restitution that a list of impact times contains.
 #[derive(Debug, Clone, PartialEq, Default)]
-pub struct Corrected {
-    /// Flights between impacts that follow each other.
-    pub flights: Vec<TimedFlight>,
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
+#[non_exhaustive]
+pub struct PerImpact {
+    /// The median over the impacts, with its standard error from their scatter: the restitution at the
+    /// typical speed of the drop. `None` with fewer than three impacts.
+    pub restitution: Option<Estimate>,
+    /// The slowest impact with a restitution, m/s.
+    pub slowest_m_s: Option<f64>,
+    /// The fastest impact with a restitution, m/s.
+    pub fastest_m_s: Option<f64>,
     /// Restitutions of impacts with a flight on both sides.
     pub impacts: Vec<ImpactRestitution>,
+    /// Flights between impacts that follow each other.
+    #[cfg_attr(feature = "serde", serde(skip))]
+    pub flights: Vec<TimedFlight>,
 }
 
 /// The restitution of every impact whose neighbours on both sides were heard too.
@@ -87,35 +93,69 @@ pub struct Corrected {
 /// [`Error::OutOfRange`](crate::Error::OutOfRange) if two impacts are no farther apart than the
 /// contact time or a standard error is negative, and the errors of
 /// [`FlightModel::from_flight_time`].
+///
+/// ```
+/// use bouncelab::flight::FlightModel;
+/// use bouncelab::restitution::{TimedImpact, of_impacts};
+///
+/// // Impact 3 was missed: no flight touches it, and no restitution is known beside it.
+/// let impacts = [(1, 0.0), (2, 0.5), (4, 1.4), (5, 1.8)]
+///     .map(|(number, time_s)| TimedImpact { number, time_s, standard_error_s: None });
+/// let found = of_impacts(&impacts, 0.0, &FlightModel::drag_free(9.81)?)?;
+/// assert_eq!((found.flights.len(), found.impacts.len()), (2, 0));
+/// # Ok::<(), bouncelab::Error>(())
+/// ```
 pub fn of_impacts(
-    impacts: &[TimedImpact],
+    impacts: &[Impact],
     contact_time_s: f64,
     model: &FlightModel,
-) -> Result<Corrected> {
+) -> Result<PerImpact> {
     not_negative("contact time in s", contact_time_s)?;
     check(impacts)?;
-    let mut corrected = Corrected::default();
+    let mut per_impact = PerImpact::default();
     let mut before = None;
     for pair in impacts.windows(2) {
         let next = Interval::between(&pair[0], &pair[1], contact_time_s, model)?;
         if let Some(interval) = &next {
-            corrected.flights.push(interval.timed_flight());
+            per_impact.flights.push(interval.timed_flight());
             if let Some(before) = &before {
-                corrected
+                per_impact
                     .impacts
                     .push(restitution_between(before, interval));
             }
         }
         before = next;
     }
-    Ok(corrected)
+    let speeds = || {
+        per_impact
+            .impacts
+            .iter()
+            .map(|impact| impact.impact_speed_m_s)
+    };
+    per_impact.slowest_m_s = speeds().reduce(f64::min);
+    per_impact.fastest_m_s = speeds().reduce(f64::max);
+    per_impact.restitution = median_restitution(&per_impact.impacts);
+    Ok(per_impact)
 }
 
-fn check(impacts: &[TimedImpact]) -> Result<()> {
+/// The median over the impacts, with its standard error from their scatter.
+fn median_restitution(impacts: &[ImpactRestitution]) -> Option<Estimate> {
+    if impacts.len() < 3 {
+        return None;
+    }
+    let values = || impacts.iter().map(|impact| impact.restitution.value);
+    let middle = median(values())?;
+    let sd = robust_sd(values().map(|value| value - middle))?;
+    // Of the median of so many values with a normal scatter.
+    let error = sd * (std::f64::consts::FRAC_PI_2 / impacts.len() as f64).sqrt();
+    Some(Estimate::normal(middle, error))
+}
+
+fn check(impacts: &[Impact]) -> Result<()> {
     in_order("impact", impacts.iter().map(|impact| impact.number))?;
     for impact in impacts {
         finite("impact time in s", impact.time_s)?;
-        if let Some(error) = impact.standard_error_s {
+        if let Some(error) = impact.time_sd_s {
             not_negative("standard error of an impact time in s", error)?;
         }
     }
@@ -124,8 +164,8 @@ fn check(impacts: &[TimedImpact]) -> Result<()> {
 
 /// A flight with the impacts at its ends and how it answers to its time.
 struct Interval {
-    start: TimedImpact,
-    end: TimedImpact,
+    start: Impact,
+    end: Impact,
     flight: Flight,
     /// d ln(launch speed)/dT and d ln(impact speed)/dT, 1/s.
     log_launch_per_s: f64,
@@ -137,8 +177,8 @@ struct Interval {
 impl Interval {
     /// `None` if impacts are missing in between.
     fn between(
-        start: &TimedImpact,
-        end: &TimedImpact,
+        start: &Impact,
+        end: &Impact,
         contact_time_s: f64,
         model: &FlightModel,
     ) -> Result<Option<Self>> {
@@ -163,14 +203,14 @@ impl Interval {
     }
 
     fn timed_flight(&self) -> TimedFlight {
-        let apex_standard_error_m = standard_error(
+        let apex_sd_m = standard_error(
             [&self.start, &self.end],
             [-self.apex_per_s, self.apex_per_s],
         );
         TimedFlight {
             number: self.start.number,
             flight: self.flight,
-            apex_standard_error_m,
+            apex_sd_m,
         }
     }
 }
@@ -187,24 +227,20 @@ fn restitution_between(before: &Interval, after: &Interval) -> ImpactRestitution
     ImpactRestitution {
         number: after.start.number,
         impact_speed_m_s: before.flight.impact_speed_m_s,
-        restitution: Estimate {
-            value,
-            standard_error: of_log.map(|error| error * value),
-        },
-        raw_ratio: after.flight.time_s() / before.flight.time_s(),
+        restitution: of_log.map_or(Estimate::unbounded(value), |error| {
+            Estimate::normal(value, error * value)
+        }),
+        flight_time_ratio: after.flight.time_s() / before.flight.time_s(),
         log_gradient_per_s,
     }
 }
 
 /// Standard error of a quantity with these derivatives by independent times; `None` if the error
 /// of any of them is unknown.
-fn standard_error<const N: usize>(
-    impacts: [&TimedImpact; N],
-    derivatives: [f64; N],
-) -> Option<f64> {
+fn standard_error<const N: usize>(impacts: [&Impact; N], derivatives: [f64; N]) -> Option<f64> {
     let mut variance = 0.0;
     for (impact, derivative) in impacts.iter().zip(derivatives) {
-        variance += (derivative * impact.standard_error_s?).powi(2);
+        variance += (derivative * impact.time_sd_s?).powi(2);
     }
     Some(variance.sqrt())
 }

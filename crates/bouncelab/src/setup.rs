@@ -10,7 +10,8 @@
 //! let stated = SetupInput { ball: Some(BallInput::Named("tennis".to_owned())), ..SetupInput::default() };
 //! let setup = stated.resolve()?;
 //! assert_eq!(setup.ball_label, "tennis");
-//! assert!(setup.assumptions.iter().any(|words| words.starts_with("gravity")));
+//! let codes: Vec<_> = setup.assumptions.iter().map(|assumed| assumed.code.name()).collect();
+//! assert!(codes.contains(&"assumed-gravity"));
 //! # Ok::<(), bouncelab::Error>(())
 //! ```
 
@@ -18,6 +19,7 @@ use crate::Result;
 use crate::air::{Air, Conditions};
 use crate::analysis::Options;
 use crate::ball::{self, Ball};
+use crate::diagnostic::{Code, Diagnostic};
 use crate::drag::DragLaw;
 use crate::flight::Environment;
 use crate::gravity;
@@ -118,11 +120,11 @@ pub enum GravityInput {
 #[derive(Clone, Debug)]
 pub struct Setup {
     /// The settings for the science, without a inference.
-    pub settings: Options,
+    pub options: Options,
     /// The ball in words.
     pub ball_label: String,
-    /// What was assumed, one phrase for each.
-    pub assumptions: Vec<String>,
+    /// What was assumed, one diagnostic for each.
+    pub assumptions: Vec<Diagnostic>,
 }
 
 /// A ball and what goes with it.
@@ -154,18 +156,18 @@ impl SetupInput {
             buoyancy: !self.no_buoyancy && drag != DragLaw::None,
             added_mass: !self.no_added_mass && drag != DragLaw::None,
         };
-        let settings = Options {
+        let options = Options {
             ball: known.ball,
             environment,
             contact_time_s: known.contact_time_s,
-            flights: None,
             priors: self.priors(known.priors),
             inference: None,
+            ..Options::default()
         };
         // Whatever does not go together is found here, before anything is heard.
-        settings.model()?;
+        options.model()?;
         Ok(Setup {
-            settings,
+            options,
             ball_label: known.label,
             assumptions,
         })
@@ -198,7 +200,7 @@ impl SetupInput {
         }
     }
 
-    fn ball(&self, assumptions: &mut Vec<String>) -> Result<KnownBall> {
+    fn ball(&self, assumptions: &mut Vec<Diagnostic>) -> Result<KnownBall> {
         let mut known = match &self.ball {
             Some(BallInput::Named(name)) => KnownBall::of_preset(ball::preset(name)?),
             &Some(BallInput::Steel(diameter_m)) => {
@@ -219,7 +221,8 @@ impl SetupInput {
             }
             None => {
                 let preset = ball::usual();
-                assumptions.push(format!("the ball is {}", preset.label));
+                let assumed = Diagnostic::new(Code::AssumedBall);
+                assumptions.push(assumed.with("ball", preset.name));
                 KnownBall::of_preset(preset)
             }
         };
@@ -233,15 +236,15 @@ impl SetupInput {
         }
         match self.contact_time_s {
             Some(contact_time_s) => known.contact_time_s = contact_time_s,
-            None => assumptions.push(format!(
-                "it touches for {} ms",
-                rounded(known.contact_time_s * 1e3)
-            )),
+            None => {
+                let assumed = Diagnostic::new(Code::AssumedContactTime);
+                assumptions.push(assumed.with("contact_time_s", known.contact_time_s));
+            }
         }
         Ok(known)
     }
 
-    fn air(&self, assumptions: &mut Vec<String>) -> Result<Air> {
+    fn air(&self, assumptions: &mut Vec<Diagnostic>) -> Result<Air> {
         let usual = Conditions::default();
         match self.air {
             AirInput::Density {
@@ -265,19 +268,19 @@ impl SetupInput {
                     relative_humidity: relative_humidity.unwrap_or(usual.relative_humidity),
                 };
                 if temperature_k.is_none() || pressure_pa.is_none() || relative_humidity.is_none() {
-                    assumptions.push(format!(
-                        "air of {} C, {} hPa, {} % humidity",
-                        rounded(conditions.temperature_k - 273.15),
-                        rounded(conditions.pressure_pa / 100.0),
-                        rounded(conditions.relative_humidity * 100.0),
-                    ));
+                    assumptions.push(
+                        Diagnostic::new(Code::AssumedAir)
+                            .with("temperature_k", conditions.temperature_k)
+                            .with("pressure_pa", conditions.pressure_pa)
+                            .with("relative_humidity", conditions.relative_humidity),
+                    );
                 }
                 Air::moist(&conditions)
             }
         }
     }
 
-    fn gravity(&self, assumptions: &mut Vec<String>) -> Result<f64> {
+    fn gravity(&self, assumptions: &mut Vec<Diagnostic>) -> Result<f64> {
         match self.gravity {
             Some(GravityInput::Measured(gravity_m_s2)) => Ok(gravity_m_s2),
             Some(GravityInput::Place {
@@ -285,7 +288,8 @@ impl SetupInput {
                 altitude_m,
             }) => gravity::at(latitude_deg, altitude_m),
             None => {
-                assumptions.push(format!("gravity {} m/s2", gravity::STANDARD_M_S2));
+                let assumed = Diagnostic::new(Code::AssumedGravity);
+                assumptions.push(assumed.with("gravity_m_s2", gravity::STANDARD_M_S2));
                 Ok(gravity::STANDARD_M_S2)
             }
         }

@@ -3,18 +3,19 @@
 //! Calibration over thousands of drops is a command of its own (`cargo xtask calibrate`); here are
 //! the properties that a single drop can show.
 
+use bouncelab::Impact;
 use bouncelab::analysis::Options;
 use bouncelab::drag::DragLaw;
 use bouncelab::drop::{self, Start, Stop};
 use bouncelab::flight::{Environment, FlightModel};
-use bouncelab::impact::{Contact, Restitution};
+use bouncelab::impact::{Contact, Restitution, Strike};
 use bouncelab::inference::{
     ApexTarget, InferenceOptions, LawKind, Measured, Posterior, Priors, Remark, SamplerConfig,
     UNKNOWN, infer,
 };
 use bouncelab::regression::{self, NumberedFlight};
-use bouncelab::restitution::TimedImpact;
 use bouncelab::{Error, Result};
+use bouncelab_testkit::bouncing;
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use rand_distr::StandardNormal;
@@ -49,30 +50,27 @@ impl Truth {
     }
 
     /// The impacts, numbered from 1, with noise from a seed.
-    fn impacts(&self, seed: u64) -> Vec<TimedImpact> {
+    fn impacts(&self, seed: u64) -> Vec<Impact> {
         let mut rng = ChaCha8Rng::seed_from_u64(seed);
         let mut normal = || rng.sample::<f64, _>(StandardNormal);
         let model = self.model();
         let contact_s = Options::default().contact_time_s;
         let fall = model.fall(self.height_m).unwrap();
-        let (mut time_s, mut speed) = (fall.time_s, fall.impact_speed_m_s);
-        (1..=self.impacts)
-            .map(|number| {
-                let heard = TimedImpact {
-                    number,
-                    time_s: time_s + self.sigma_s * normal(),
-                    standard_error_s: Some(self.sigma_s.max(1e-9)),
-                };
-                let launch = speed * self.law.at(speed) * (self.scatter * normal()).exp();
-                let flight = model.launch(launch).unwrap();
-                time_s += flight.time_s() + contact_s;
-                speed = flight.impact_speed_m_s;
-                heard
-            })
-            .collect()
+        let restitution = |speed: f64| self.law.at(speed) * (self.scatter * normal()).exp();
+        let strikes: Vec<Strike> = bouncing(model, contact_s, fall.impact_speed_m_s, restitution)
+            .take(self.impacts)
+            .collect();
+        let heard = strikes.iter().zip(1..).map(|(strike, number)| {
+            Impact::new(
+                number,
+                fall.time_s + strike.time_s + self.sigma_s * normal(),
+            )
+            .with_time_sd_s(self.sigma_s.max(1e-9))
+        });
+        heard.collect()
     }
 
-    fn infer(&self, impacts: &[TimedImpact], priors: &Priors) -> Result<Posterior> {
+    fn infer(&self, impacts: &[Impact], priors: &Priors) -> Result<Posterior> {
         let settings = Options::default();
         let inference = InferenceOptions {
             sampler: SamplerConfig {
@@ -99,13 +97,13 @@ impl Truth {
 /// Nothing is known to be uncertain but the drop itself.
 fn exact_inputs() -> Priors {
     Priors {
-        gravity: 0.0,
-        air_density: 0.0,
-        mass: 0.0,
-        diameter: 0.0,
-        added_mass: 0.0,
-        contact_time: 0.0,
-        timing: 0.0,
+        gravity_rel_sd: 0.0,
+        air_density_rel_sd: 0.0,
+        mass_rel_sd: 0.0,
+        diameter_rel_sd: 0.0,
+        added_mass_rel_sd: 0.0,
+        contact_time_rel_sd: 0.0,
+        timing_rel_sd: 0.0,
         ..Priors::default()
     }
 }
@@ -117,13 +115,13 @@ fn constant_law() -> Priors {
     }
 }
 
-fn times(times_s: &[f64]) -> Vec<TimedImpact> {
+fn times(times_s: &[f64]) -> Vec<Impact> {
     (1..)
         .zip(times_s)
-        .map(|(number, &time_s)| TimedImpact {
+        .map(|(number, &time_s)| Impact {
             number,
             time_s,
-            standard_error_s: None,
+            time_sd_s: None,
         })
         .collect()
 }
@@ -175,7 +173,7 @@ fn a_known_height_stays_as_given() {
     assert!((found.drop_height_m.value - 0.5).abs() < 1e-4);
     assert!((found.drop_height_m.sd / 1e-4 - 1.0).abs() < 0.15);
     assert!(found.sampling.converged);
-    assert!(found.missed_first.unwrap()[0] > 0.99);
+    assert!(found.missed_first_impacts.unwrap()[0] > 0.99);
 }
 
 /// The answer must not depend on how many flights are used. The straight line's does, by many of
@@ -226,10 +224,10 @@ fn missed_first_impacts_are_counted() {
         ..constant_law()
     };
     let found = truth.infer(&impacts, &priors).unwrap();
-    assert!(found.missed_first.unwrap()[2] > 0.95);
+    assert!(found.missed_first_impacts.unwrap()[2] > 0.95);
     // Without the height it is that of the fall before the first impact heard.
     let found = truth.infer(&impacts, &constant_law()).unwrap();
-    assert_eq!(found.missed_first, None);
+    assert_eq!(found.missed_first_impacts, None);
     assert!(found.remarks.contains(&Remark::HeightIsOfFirstHeard));
     assert!(found.drop_height_m.value < 0.45);
 }
@@ -251,7 +249,7 @@ fn a_release_time_tells_too() {
         ..constant_law()
     };
     let found = truth.infer(&impacts, &priors).unwrap();
-    assert!(found.missed_first.unwrap()[1] > 0.95);
+    assert!(found.missed_first_impacts.unwrap()[1] > 0.95);
     assert!(
         found
             .remarks
@@ -299,13 +297,11 @@ fn an_odd_impact_is_named_and_counts_less() {
     let mut impacts = truth.impacts(7);
     let clean = truth.infer(&impacts, &constant_law()).unwrap();
     // The twelfth impact keeps 5 % less: all later times come earlier.
-    let lost_s = 0.05 * (impacts[12].time_s - impacts[11].time_s);
     let factor = 0.95;
     let start_s = impacts[11].time_s;
     for impact in impacts.iter_mut().skip(12) {
         impact.time_s = start_s + (impact.time_s - start_s) * factor;
     }
-    assert!(lost_s > 0.0);
     let found = truth.infer(&impacts, &constant_law()).unwrap();
     assert!(
         found.remarks.contains(&Remark::Odd(vec![12])),
@@ -358,7 +354,7 @@ fn gravity_from_three_times_and_a_height() {
             value: 0.7,
             sd: 0.001,
         }),
-        gravity: UNKNOWN,
+        gravity_rel_sd: UNKNOWN,
         ..Priors::default()
     };
     let inference = InferenceOptions::default();
@@ -382,7 +378,7 @@ fn predictions_are_those_of_a_simulated_drop() {
     };
     let priors = Priors {
         restitution_laws: vec![LawKind::Constant],
-        drag: 0.0,
+        drag_rel_sd: 0.0,
         ..exact_inputs()
     };
     let found = truth.infer(&truth.impacts(9), &priors).unwrap();
@@ -453,10 +449,10 @@ fn a_contradicting_height_is_named() {
     let truth = Truth::new();
     // A file of 48 kHz read as 44.1 kHz. (The other way round the flights are too short, which
     // missed impacts explain as well.)
-    let impacts: Vec<TimedImpact> = truth
+    let impacts: Vec<Impact> = truth
         .impacts(13)
         .iter()
-        .map(|impact| TimedImpact {
+        .map(|impact| Impact {
             time_s: impact.time_s * 48.0 / 44.1,
             ..*impact
         })

@@ -7,7 +7,7 @@ use bouncelab::drag::DragLaw;
 use bouncelab::drop::{self, History, Start, Stop};
 use bouncelab::flight::{Environment, FlightModel};
 use bouncelab::impact::{Contact, Restitution};
-use bouncelab::restitution::{Corrected, TimedImpact, of_impacts};
+use bouncelab::restitution::{Corrected, Impact, of_impacts};
 use proptest::prelude::*;
 
 fn table_tennis(drag: DragLaw) -> FlightModel {
@@ -26,13 +26,13 @@ fn history(model: &FlightModel, restitution: Restitution, contact_time_s: f64) -
     drop::simulate(model, &contact, Start::Height(0.5), Stop::after(12)).unwrap()
 }
 
-fn heard(history: &History, standard_error_s: Option<f64>) -> Vec<TimedImpact> {
+fn heard(history: &History, time_sd_s: Option<f64>) -> Vec<Impact> {
     let strikes = history.strikes().zip(1..);
     strikes
-        .map(|(strike, number)| TimedImpact {
+        .map(|(strike, number)| Impact {
             number,
             time_s: strike.time_s,
-            standard_error_s,
+            time_sd_s,
         })
         .collect()
 }
@@ -147,7 +147,7 @@ fn an_unknown_time_error_gives_no_standard_error() {
     let model = FlightModel::drag_free(9.81).unwrap();
     let made = history(&model, Restitution::constant(0.9).unwrap(), 0.0);
     let mut impacts = heard(&made, Some(1e-4));
-    impacts[2].standard_error_s = None;
+    impacts[2].time_sd_s = None;
     let found = of_impacts(&impacts, 0.0, &model).unwrap();
     let known: Vec<_> = found
         .impacts
@@ -160,10 +160,10 @@ fn an_unknown_time_error_gives_no_standard_error() {
 #[test]
 fn absurd_times_are_refused() {
     let model = FlightModel::drag_free(9.81).unwrap();
-    let at = |number, time_s| TimedImpact {
+    let at = |number, time_s| Impact {
         number,
         time_s,
-        standard_error_s: None,
+        time_sd_s: None,
     };
     assert_eq!(of_impacts(&[], 0.0, &model), Ok(Corrected::default()));
     assert_eq!(
@@ -184,8 +184,8 @@ fn absurd_times_are_refused() {
             Err(Error::OutOfRange { .. })
         ));
     }
-    let negative = TimedImpact {
-        standard_error_s: Some(-1.0),
+    let negative = Impact {
+        time_sd_s: Some(-1.0),
         ..at(2, 0.4)
     };
     assert!(of_impacts(&[at(1, 0.0), negative], 0.0, &model).is_err());

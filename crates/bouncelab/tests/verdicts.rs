@@ -10,8 +10,8 @@ use bouncelab::drop::{self, Start, Stop};
 use bouncelab::impact::{Contact, Restitution};
 use bouncelab::inference::{InferenceOptions, Measured, SamplerConfig};
 use bouncelab::rulebook::{
-    self, Averaging, Conditions, Decision, Doubt, Evenness, Formula, Limits, Outcome, Point,
-    Remark, Requirement, Rule, Status, Verdict,
+    self, Averaging, Conditions, Decision, Evenness, Formula, InconclusiveReason, Limits, Outcome,
+    Point, Remark, Requirement, Rule, Status, Verdict,
 };
 
 const FEW_DRAWS: usize = 400;
@@ -172,7 +172,7 @@ fn a_floor_is_compared_with_a_reference() {
     assert!((same.share.unwrap().value - 1.0).abs() < 0.002);
     assert_eq!(same.outcome, Outcome::Pass);
     let missing = judged(&floor(0.9), &[&good], &[]);
-    assert_eq!(missing.doubts, [Doubt::NoReference]);
+    assert_eq!(missing.doubts, [InconclusiveReason::NoReference]);
     assert_eq!(missing.outcome, Outcome::CannotDecide);
     let lower = judged(&floor(0.9), &[&dull], &[&good]);
     assert!((lower.share.unwrap().value - 0.85).abs() < 0.01);
@@ -190,7 +190,7 @@ fn places_must_be_alike_where_a_rule_says_so() {
         ..rule()
     };
     let alone = judged(&even(0.03), &[&good], &[]);
-    assert_eq!(alone.doubts, [Doubt::OnePlace]);
+    assert_eq!(alone.doubts, [InconclusiveReason::OnePlace]);
     let alike = judged(&even(0.03), &[&good, &good], &[]);
     assert_eq!(alike.outcome, Outcome::Pass, "{:?}", alike.doubts);
     // 4 % lower, so each is 2 % from the mean.
@@ -218,7 +218,10 @@ fn what_a_rule_wants_of_the_input_is_checked() {
         requirement: Requirement::About(0.23),
         ..rule()
     };
-    assert_eq!(judged(&about, &[&drop], &[]).doubts, [Doubt::NoLimits]);
+    assert_eq!(
+        judged(&about, &[&drop], &[]).doubts,
+        [InconclusiveReason::NoLimits]
+    );
     let warm = Rule {
         temperature_k: Limits::between(294.0, 297.0),
         ..rule()
@@ -240,7 +243,10 @@ fn what_a_rule_wants_of_the_input_is_checked() {
         &[],
         Decision::default(),
     );
-    assert_eq!(verdict.unwrap().doubts, [Doubt::Temperature(283.15)]);
+    assert_eq!(
+        verdict.unwrap().doubts,
+        [InconclusiveReason::Temperature(283.15)]
+    );
 }
 
 /// A drop from far higher than stated is no test by the rule: no missed impact explains it.
@@ -250,7 +256,7 @@ fn another_height_than_stated_is_noticed() {
     let verdict = judged(&rule(), &[&drop(LIVELY, 0.5, &settings)], &[]);
     assert_eq!(verdict.outcome, Outcome::CannotDecide);
     assert!(
-        matches!(verdict.doubts[0], Doubt::Height(_)),
+        matches!(verdict.doubts[0], InconclusiveReason::Height(_)),
         "{:?}",
         verdict.doubts
     );

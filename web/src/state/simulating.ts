@@ -33,6 +33,11 @@ export const outcome = signal<Outcome | null>(null);
 /** What the engine said if it cannot be simulated. */
 export const impossible = signal<string | null>(null);
 
+/** Whether what is shown is of where the sliders stood before. */
+export const simulating = computed(
+  () => impossible.value === null && outcome.value?.setup !== setup.value,
+);
+
 export const runs = signal<readonly Run[]>([]);
 const MOST_RUNS = 3;
 

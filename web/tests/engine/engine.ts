@@ -1,4 +1,4 @@
-/** The engine without the page, for the stories of the engine. */
+/** The engine without the page, for its end-to-end tests. */
 import * as lab from '../../src/lab/index.ts';
 
 declare global {

@@ -1,5 +1,12 @@
 import { existsSync } from 'node:fs';
-import { type Browser, type BrowserContextOptions, chromium, type Page } from 'playwright-core';
+import {
+  type Browser,
+  type BrowserContext,
+  type BrowserContextOptions,
+  chromium,
+  type Page,
+} from 'playwright-core';
+import { environment, type FontSet } from './fonts.ts';
 
 const PLACES = [
   '/usr/bin/chromium',
@@ -22,15 +29,38 @@ const QUIET = [
   '--mute-audio',
 ];
 
-/** A Chromium with this microphone. */
-export async function launch(microphone: Microphone = 'silence'): Promise<Browser> {
+/**
+ * How long a state of the page is waited for, in milliseconds: as a test that hangs should end, not as
+ * long as it takes. Busy machines take long.
+ */
+const PATIENCE_MS = 240_000;
+
+interface Options {
+  readonly microphone?: Microphone;
+  /** Those of the system, unless a set is named. */
+  readonly fonts?: FontSet | undefined;
+}
+
+/** A Chromium with this microphone and these fonts. */
+export async function launch({ microphone = 'silence', fonts }: Options = {}): Promise<Browser> {
   const executablePath =
     process.env['BOUNCELAB_CHROMIUM'] ?? PLACES.find((place) => existsSync(place));
   if (executablePath === undefined) {
     throw new Error('there is no Chromium here; install it, or name it in BOUNCELAB_CHROMIUM');
   }
   const args = ['--no-sandbox', ...QUIET, ...sound(microphone)];
-  return chromium.launch({ executablePath, args });
+  const env = { ...process.env, ...(fonts && environment(fonts)) } as Record<string, string>;
+  return chromium.launch({ executablePath, args, env, timeout: PATIENCE_MS });
+}
+
+/** A context that waits patiently. */
+export async function newContext(
+  browser: Browser,
+  options: BrowserContextOptions = {},
+): Promise<BrowserContext> {
+  const context = await browser.newContext(options);
+  context.setDefaultTimeout(PATIENCE_MS);
+  return context;
 }
 
 function sound(microphone: Microphone): string[] {
@@ -47,13 +77,13 @@ function sound(microphone: Microphone): string[] {
     : [...granted, `--use-file-for-fake-audio-capture=${microphone.file}%noloop`];
 }
 
-/** A page that fails the story if anything goes wrong in it that nobody sees. */
+/** A page that fails the test if anything goes wrong in it that nobody sees. */
 export async function openPage(
   browser: Browser,
   url: string,
   options: BrowserContextOptions = {},
 ): Promise<{ page: Page; troubles: string[] }> {
-  const context = await browser.newContext(options);
+  const context = await newContext(browser, options);
   const page = await context.newPage();
   const troubles: string[] = [];
   page.on('console', (message) => {

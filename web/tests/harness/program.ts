@@ -5,11 +5,10 @@ import { join } from 'node:path';
 
 const ROOT = join(import.meta.dirname, '../../..');
 
-/** Runs the command line; it is built with the profile that the other checks have built. */
+/** Runs the command line, which `cargo xtask web e2e` builds and names. */
 export function bouncelab(...words: string[]): string {
-  const cargo = process.env['CARGO'] ?? 'cargo';
-  const options = ['run', '--quiet', '--package', 'bouncelab-cli', '--'];
-  return execFileSync(cargo, [...options, ...words], {
+  const program = process.env['BOUNCELAB_PROGRAM'] ?? join(ROOT, 'target/debug/bouncelab');
+  return execFileSync(program, words, {
     cwd: ROOT,
     encoding: 'utf8',
     stdio: ['ignore', 'pipe', 'ignore'],
@@ -26,9 +25,9 @@ export function analysed(file: string, ...words: string[]): unknown {
   }
 }
 
-/** A folder for the recordings of a story. */
+/** A folder for the recordings of a test. */
 export function folder(): string {
-  return mkdtempSync(join(tmpdir(), 'bouncelab-story-'));
+  return mkdtempSync(join(tmpdir(), 'bouncelab-e2e-'));
 }
 
 /** A made-up recording, and its true impact times. */

@@ -1,4 +1,4 @@
-/** What stories do with the page, and read from it. */
+/** What tests do with the page, and read from it. */
 import type { Browser, BrowserContextOptions, Page } from 'playwright-core';
 import { openPage } from '../harness/browser.ts';
 
@@ -41,7 +41,30 @@ export async function said(page: Page): Promise<{ kept: Said; fell: Said }> {
 
 /** Waits until the inference is done. */
 export async function settled(page: Page): Promise<void> {
-  await page.locator('.said[aria-busy="false"] .first').waitFor({ timeout: 30_000 });
+  await page.locator('.said[aria-busy="false"] .first').waitFor();
+}
+
+/**
+ * Waits until the page stands still: nothing is computed for it, nothing moves, and two frames in a
+ * row leave it as it is.
+ */
+export async function still(page: Page): Promise<void> {
+  await page.waitForFunction(() => !document.querySelector('[aria-busy="true"], .waiting'));
+  await page.evaluate(async () => {
+    await document.fonts.ready;
+    const frame = () => new Promise((next) => requestAnimationFrame(next));
+    let changed = true;
+    const watcher = new MutationObserver(() => {
+      changed = true;
+    });
+    watcher.observe(document, { subtree: true, childList: true, attributes: true });
+    while (changed || document.getAnimations().some(({ playState }) => playState === 'running')) {
+      changed = false;
+      await frame();
+      await frame();
+    }
+    watcher.disconnect();
+  });
 }
 
 /** Drops a file onto the page, as a hand would. */

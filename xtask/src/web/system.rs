@@ -1,9 +1,11 @@
 //! What the machine must have for the page: a compiler for WebAssembly, Node.js, a browser.
 
+use std::fs;
+use std::path::Path;
 use std::process::Command;
 
 use crate::Result;
-use crate::cargo::{is_root, succeeds};
+use crate::cargo::{install, succeeds};
 
 /// The oldest Node.js on which the tools of the page run.
 const OLDEST_NODE: (u32, u32) = (20, 19);
@@ -47,7 +49,7 @@ pub(super) fn need_node() -> Result {
     }
 }
 
-/// Where browsers lie that the stories can be played in.
+/// How browsers are called that the end-to-end tests can use.
 const BROWSERS: [&str; 4] = [
     "chromium",
     "chromium-browser",
@@ -55,38 +57,38 @@ const BROWSERS: [&str; 4] = [
     "google-chrome-stable",
 ];
 
-const INSTALL: [&str; 5] = [
-    "apt-get",
-    "install",
-    "--yes",
-    "--no-install-recommends",
-    "chromium",
+/// The fonts with which the layout is tested, as Debian calls their packages: those that a Chromium
+/// brings along, and those that it recommends. `web/tests/harness/fonts.ts` says what is in them.
+const FONTS: [(&str, &str); 2] = [
+    ("fonts-dejavu-core", "DejaVuSans.ttf"),
+    ("fonts-liberation", "LiberationSans-Regular.ttf"),
 ];
 
-/// Whether there is a Chromium: it is installed where that is allowed, else it is said how to.
-pub(crate) fn has_chromium() -> bool {
-    match need_chromium() {
-        Ok(()) => true,
-        Err(reason) => {
-            println!("{reason}");
-            false
+/// Whether there is a Chromium: it is installed where that is allowed, else it is said how to. So are the
+/// fonts; without them the tests skip what takes them.
+pub(crate) fn has_browser() -> bool {
+    let is_there = || BROWSERS.iter().any(|name| succeeds(&[name, "--version"]));
+    if std::env::var_os("BOUNCELAB_CHROMIUM").is_none() && !is_there() {
+        let installed = install(&["chromium"], "the end-to-end tests of the page") && is_there();
+        if !installed {
+            println!("there is no Chromium; one can be named in BOUNCELAB_CHROMIUM");
+            return false;
         }
     }
+    let missing: Vec<&str> = FONTS
+        .iter()
+        .filter(|(_, file)| !has_font(Path::new("/usr/share/fonts"), file))
+        .map(|(package, _)| *package)
+        .collect();
+    if cfg!(target_os = "linux") && !missing.is_empty() {
+        install(&missing, "the layout of the page with several fonts");
+    }
+    true
 }
 
-pub(super) fn need_chromium() -> Result {
-    let is_there = || BROWSERS.iter().any(|name| succeeds(&[name, "--version"]));
-    if std::env::var_os("BOUNCELAB_CHROMIUM").is_some() || is_there() {
-        return Ok(());
-    }
-    let words = INSTALL.join(" ");
-    println!("there is no Chromium, for the stories of the page: {words}");
-    let installed = is_root() && succeeds(&["apt-get", "update"]) && succeeds(&INSTALL);
-    if installed && is_there() {
-        return Ok(());
-    }
-    Err(format!(
-        "Chromium could not be installed: install it by hand (Debian: sudo {words}), or name one in \
-         BOUNCELAB_CHROMIUM"
-    ))
+fn has_font(folder: &Path, file: &str) -> bool {
+    let entries = fs::read_dir(folder).into_iter().flatten().flatten();
+    entries.map(|entry| entry.path()).any(|path| {
+        path.file_name().is_some_and(|name| name == file) || path.is_dir() && has_font(&path, file)
+    })
 }

@@ -9,6 +9,7 @@ use bouncelab_report::{Chart, save};
 
 use super::hear::Hearing;
 use crate::failure::Failure;
+use crate::language::translator;
 use crate::physics::Physics;
 
 /// Names for figures, another for each recording: those of different folders may have the same name.
@@ -35,7 +36,7 @@ pub(crate) fn save_figures(
     stems: &mut Stems,
 ) -> Result<(), Failure> {
     let stem = stems.take(&hearing.name);
-    for (name, chart) in figures(hearing, physics, &Translator::default()) {
+    for (name, chart) in figures(hearing, physics, translator()) {
         let saved = save(&chart, folder, &format!("{stem}-{name}"))?;
         eprintln!("wrote {} and .png", saved.svg.display());
     }

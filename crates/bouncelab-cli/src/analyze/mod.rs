@@ -1,16 +1,16 @@
 //! `bouncelab analyze`: what recordings, or lists of impact times, say.
 
+mod answers;
 mod edit;
 mod figures;
 mod hear;
-mod inference;
 mod report;
 mod text;
 
 pub(crate) use edit::Unanalysed;
 pub(crate) use figures::{Stems, save_figures};
 pub(crate) use hear::{Hearing, Heeded, Recording, hear, nothing_released, settings_of_drop};
-pub(crate) use text::{report, shown};
+pub(crate) use text::{assumed, note, report, shown};
 
 use std::io::{self, Write};
 use std::ops::{Range, RangeInclusive};
@@ -21,6 +21,7 @@ use bouncelab_report::document::{Document, rows};
 use clap::{Args, ValueEnum};
 
 use crate::failure::Failure;
+use crate::language::{text, text_with};
 use crate::physics::{Physics, PhysicsArguments};
 use crate::priors::PriorArguments;
 use crate::report::ReportFile;
@@ -109,7 +110,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let mut report_file = match (&arguments.report, arguments.files.as_slice()) {
         (None, _) => None,
         (Some(path), [_]) => Some(ReportFile::new(path)?),
-        (Some(_), _) => return Err(Failure::Usage(report::OF_ONE.to_owned())),
+        (Some(_), _) => return Err(Failure::Usage(text("analyze-one-report"))),
     };
     let mut printer = Printer::new(arguments)?;
     let mut stems = Stems::default();
@@ -120,7 +121,11 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
             Ok(hearing) => {
                 empty_handed |= hearing.drops.is_empty();
                 if let Some(reason) = &hearing.no_drop {
-                    eprintln!("bouncelab: {name}: no drop found: {reason}");
+                    let why = [
+                        ("name", name.as_str().into()),
+                        ("reason", reason.as_str().into()),
+                    ];
+                    eprintln!("bouncelab: {}", text_with("analyze-no-drop", &why));
                 }
                 if let Some(folder) = &arguments.figures {
                     save_figures(&hearing, &physics, folder, &mut stems)?;
@@ -188,7 +193,7 @@ impl Printer {
         match self.format {
             Format::Text if hearing.drops.is_empty() => Ok(()),
             Format::Text => {
-                let text = text::report(hearing, physics, self.details);
+                let text = report(hearing, physics, self.details);
                 Ok(io::stdout().lock().write_all(text.as_bytes())?)
             }
             Format::Json => self.print_document(&hearing.document(physics)),

@@ -7,12 +7,9 @@ use bouncelab_session::hash::hash_of_file;
 
 use super::hear::Hearing;
 use crate::failure::Failure;
+use crate::language::translator;
 use crate::physics::Physics;
 use crate::report::provenance;
-
-/// What is said to several files.
-pub(super) const OF_ONE: &str =
-    "a report is of one recording, and there are several: bouncelab session makes one of many";
 
 /// The page of what was heard in a file.
 pub(super) fn page(heard: &Path, hearing: &Hearing, physics: &Physics) -> Result<Page, Failure> {
@@ -31,5 +28,5 @@ pub(super) fn page(heard: &Path, hearing: &Hearing, physics: &Physics) -> Result
         files: vec![(hearing.name.clone(), hash_of_file(heard)?.to_string())],
         ..provenance()
     };
-    Ok(report::of_recording(&recording, &provenance))
+    Ok(report::of_recording(&recording, &provenance, translator()))
 }

@@ -1,65 +1,81 @@
 //! The result for people.
 
-use std::fmt::Write;
+use std::fmt::{Display, Write};
 
 use bouncelab::analysis::{CONFIDENT_PROBABILITY, Drop};
 use bouncelab::regression::Estimate;
 use bouncelab_report::document::Origin;
+use bouncelab_report::messages::Value;
 use bouncelab_report::report::ended;
-use bouncelab_report::{CANNOT_TELL, Quantity, Unit, tables};
+use bouncelab_report::tables::{self, drag_law};
+use bouncelab_report::{Quantity, Unit};
 
+use super::answers::{self, Answer};
 use super::hear::{Clearest, Hearing};
-use super::inference;
+use crate::language::{text, text_with, translator};
 use crate::physics::Physics;
 
 /// What a file says, in words and a table for each drop.
 pub(crate) fn report(hearing: &Hearing, physics: &Physics, details: bool) -> String {
-    let mut text = String::new();
-    line(&mut text, &headline(hearing));
+    let mut page = String::new();
+    line(&mut page, &headline(hearing));
     if details && let Some(choice) = listening(hearing) {
-        line(&mut text, &format!("  {choice}"));
+        line(&mut page, &format!("  {choice}"));
     }
     for (index, drop) in hearing.drops.iter().enumerate() {
-        line(&mut text, "");
-        line(&mut text, &drop_headline(hearing, index));
-        line(&mut text, "");
+        line(&mut page, "");
+        line(&mut page, &drop_headline(hearing, index));
+        line(&mut page, "");
         for finding in findings(drop, physics) {
-            line(&mut text, &format!("  {finding}"));
+            line(&mut page, &format!("  {finding}"));
         }
-        line(&mut text, "");
-        line(
-            &mut text,
-            &indented(&tables::impacts(drop, details).to_string()),
-        );
+        line(&mut page, "");
+        let impacts = tables::impacts(drop, details, translator());
+        line(&mut page, &indented(&impacts.to_string()));
         if details {
-            for block in inference::details(drop) {
-                line(&mut text, "");
-                line(&mut text, &indented(&block));
+            for block in answers::details(drop) {
+                line(&mut page, "");
+                line(&mut page, &indented(&block));
             }
-            line(&mut text, "");
+            line(&mut page, "");
         }
         for warning in &drop.warnings {
-            line(&mut text, &format!("  Note: {}", ended(warning)));
+            line(&mut page, &note(warning));
         }
-        for remark in inference::remarks(drop) {
-            line(&mut text, &format!("  Note: {}", ended(remark)));
+        for remark in drop.estimate.iter().flat_map(|found| &found.remarks) {
+            line(&mut page, &note(remark));
         }
     }
     for warning in &hearing.warnings {
-        line(&mut text, &format!("  Note: {}", ended(warning)));
+        line(&mut page, &note(warning));
     }
     if !physics.assumptions.is_empty() {
-        line(
-            &mut text,
-            &format!("  Assumed: {}.", physics.assumptions.join("; ")),
-        );
+        line(&mut page, &assumed(&physics.assumptions));
     }
-    text
+    page
 }
 
-fn line(text: &mut String, words: &str) {
+/// Something to be careful with, as a line.
+pub(crate) fn note(remark: impl Display) -> String {
+    let note = text_with("terminal-note", &[("text", ended(remark).into())]);
+    format!("  {note}")
+}
+
+/// What was assumed, as a line.
+pub(crate) fn assumed(assumptions: &[String]) -> String {
+    let list = [("list", assumptions.join("; ").into())];
+    format!("  {}", text_with("terminal-assumed", &list))
+}
+
+/// What cannot be told, and why.
+pub(crate) fn cannot_tell(id: &str, reason: impl Display) -> String {
+    let why = [("what", text(id).into()), ("reason", ended(reason).into())];
+    text_with("terminal-cannot-tell", &why)
+}
+
+fn line(page: &mut String, words: &str) {
     // Writing to a String cannot fail.
-    let _ = writeln!(text, "{}", words.trim_end());
+    let _ = writeln!(page, "{}", words.trim_end());
 }
 
 fn indented(block: &str) -> String {
@@ -68,8 +84,9 @@ fn indented(block: &str) -> String {
 }
 
 fn headline(hearing: &Hearing) -> String {
+    let name = ("name", hearing.name.as_str().into());
     match &hearing.origin {
-        Origin::Times => format!("{}: impact times", hearing.name),
+        Origin::Times => text_with("analyze-times", &[name]),
         Origin::Sound {
             format,
             sample_rate_hz,
@@ -78,15 +95,16 @@ fn headline(hearing: &Hearing) -> String {
             duration_s,
             ..
         } => {
-            let heard = match channels {
-                1 => String::new(),
-                _ => format!(", channel {channel} of {channels}"),
-            };
-            let rate = f64::from(*sample_rate_hz) / 1000.0;
-            format!(
-                "{}: {format}, {rate} kHz{heard}, {duration_s:.1} s",
-                hearing.name
-            )
+            let rate_khz = f64::from(*sample_rate_hz) / 1000.0;
+            let sound = [
+                name,
+                ("format", format.as_str().into()),
+                ("rate", rate_khz.into()),
+                ("channel", (*channel).into()),
+                ("channels", (*channels).into()),
+                ("duration", Value::fixed(*duration_s, 1)),
+            ];
+            text_with("analyze-sound", &sound)
         }
     }
 }
@@ -98,122 +116,120 @@ fn listening(hearing: &Hearing) -> Option<String> {
     };
     let Clearest { band_hz, above_db } = hearing.clearest.as_ref()?;
     let impacts: usize = hearing.drops.iter().map(|drop| drop.impacts.len()).sum();
-    Some(format!(
-        "{onsets} sounds stand out of the background and {impacts} impacts were heard, clearest from \
-         {:.0} to {:.0} Hz, {above_db:.0} dB above the sound before them (--channel, --band).",
-        band_hz.start, band_hz.end,
+    Some(text_with(
+        "analyze-listening",
+        &[
+            ("onsets", (*onsets).into()),
+            ("impacts", impacts.into()),
+            ("low", Value::fixed(band_hz.start, 0)),
+            ("high", Value::fixed(band_hz.end, 0)),
+            ("above", Value::fixed(*above_db, 0)),
+        ],
     ))
 }
 
 fn drop_headline(hearing: &Hearing, index: usize) -> String {
     let impacts = &hearing.drops[index].impacts;
-    let which = match hearing.drops.len() {
-        1 => "Drop".to_owned(),
-        count => format!("Drop {} of {count}", index + 1),
-    };
-    let (first, last) = (&impacts[0], &impacts[impacts.len() - 1]);
-    let doubtful = impacts
+    let uncertain = impacts
         .iter()
         .filter(|impact| impact.probability < CONFIDENT_PROBABILITY)
         .count();
-    let doubt = match doubtful {
-        0 => String::new(),
-        _ => format!(", {doubtful} uncertain (?)"),
-    };
-    let sure = match hearing.probabilities.get(index) {
+    let probability = match hearing.probabilities.get(index) {
         // Not where it would read 1.00.
-        Some(probability) if *probability < 0.995 => {
-            format!(" (a drop with probability {probability:.2})")
-        }
-        _ => String::new(),
+        Some(probability) if *probability < 0.995 => Value::fixed(*probability, 2),
+        _ => "none".into(),
     };
-    let count = impacts.len();
-    format!(
-        "{which}: {count} impacts from {:.3} s to {:.3} s{doubt}{sure}",
-        first.time_s, last.time_s
+    let (first, last) = (&impacts[0], &impacts[impacts.len() - 1]);
+    text_with(
+        "analyze-drop",
+        &[
+            ("drops", hearing.drops.len().into()),
+            ("number", (index + 1).into()),
+            ("count", impacts.len().into()),
+            ("first", Value::fixed(first.time_s, 3)),
+            ("last", Value::fixed(last.time_s, 3)),
+            ("uncertain", uncertain.into()),
+            ("probability", probability),
+        ],
     )
 }
 
 /// The results, one line for each.
 fn findings(drop: &Drop, physics: &Physics) -> Vec<String> {
-    let mut lines = Vec::new();
-    match &drop.line {
-        Ok(fit) => {
-            let flights = drop.flights.iter().filter(|flight| flight.in_line).count();
-            lines
-                .push("Straight line through log flight time, as if there were no air:".to_owned());
-            lines.push(format!(
-                "  restitution        e  = {}",
-                shown(fit.restitution(), Unit::Number)
-            ));
-            lines.push(format!(
-                "  drop height        h0 = {}   (before the first impact heard; {flights} flights)",
-                shown(fit.drop_height_m(), Unit::Length)
-            ));
-            lines.push(format!(
-                "  energy kept             {}",
-                shown(fit.energy_kept(), Unit::Percent)
-            ));
-            if let (Some(time), Some(path)) = (fit.total_time_s(), fit.total_path_m()) {
-                lines.push(format!(
-                    "  until rest              {}",
-                    shown(time, Unit::Time)
-                ));
-                lines.push(format!(
-                    "  path until rest         {}",
-                    shown(path, Unit::Length)
-                ));
-            }
-        }
-        Err(reason) => lines.push(format!("Straight line: {CANNOT_TELL}: {}", ended(reason))),
+    let mut lines = line_lines(drop);
+    let inferred = answers::lines(drop, physics);
+    if drop.estimate.is_err() {
+        lines.extend(corrected_lines(drop, physics));
     }
-    match inference::lines(drop, physics) {
-        Some(inferred) if drop.estimate.is_ok() => lines.extend(inferred),
-        Some(inferred) => {
-            lines.extend(corrected_lines(drop, physics));
-            lines.extend(inferred);
-        }
-        None => lines.extend(corrected_lines(drop, physics)),
-    }
+    lines.extend(inferred);
     lines
+}
+
+fn line_lines(drop: &Drop) -> Vec<String> {
+    let fit = match &drop.line {
+        Ok(fit) => fit,
+        Err(reason) => return vec![cannot_tell("analyze-line", reason)],
+    };
+    let count = drop.flights.iter().filter(|flight| flight.in_line).count();
+    let flights = text_with("analyze-line-flights", &[("count", count.into())]);
+    let found =
+        |name, symbol, value: Estimate, unit| Answer::new(text(name), symbol, shown(value, unit));
+    let mut answers = vec![
+        found(
+            "quantity-restitution",
+            "e ",
+            fit.restitution(),
+            Unit::Number,
+        ),
+        found(
+            "quantity-drop-height",
+            "h0",
+            fit.drop_height_m(),
+            Unit::Length,
+        )
+        .noted(flights),
+        found("quantity-energy-kept", "", fit.energy_kept(), Unit::Percent),
+    ];
+    if let (Some(time), Some(path)) = (fit.total_time_s(), fit.total_path_m()) {
+        answers.push(found("analyze-until-rest", "", time, Unit::Time));
+        answers.push(found("quantity-path-until-rest", "", path, Unit::Length));
+    }
+    answers::listed(text("analyze-line-heading"), &answers)
 }
 
 fn corrected_lines(drop: &Drop, physics: &Physics) -> Vec<String> {
     let found = match &drop.corrected {
         Ok(found) => found,
-        Err(reason) => {
-            return vec![format!(
-                "Corrected for drag: {CANNOT_TELL}: {}",
-                ended(reason)
-            )];
-        }
+        Err(reason) => return vec![cannot_tell("analyze-corrected", reason)],
     };
     let count = found.impacts.len();
     let (Some(restitution), Some((slowest, fastest))) =
         (drop.corrected_restitution(), drop.speed_range_m_s())
     else {
-        return vec![format!(
-            "Corrected for drag: {CANNOT_TELL} a mean: {count} of the impacts lie between two \
-             flights, and it takes 3."
+        return vec![text_with(
+            "analyze-corrected-too-few",
+            &[("count", count.into())],
         )];
     };
-    vec![
-        format!(
-            "Corrected for drag ({}, {}):",
-            physics.ball_label, physics.settings.environment.drag
-        ),
-        format!(
-            "  restitution        e  = {}   (median of {count} impacts at {slowest:.2} to \
-             {fastest:.2} m/s)",
-            shown(restitution, Unit::Number)
-        ),
-    ]
+    let law = drag_law(physics.settings.environment.drag, translator());
+    let ball = physics.ball_label.as_str();
+    let heading = [("ball", ball.into()), ("law", law.into())];
+    let impacts = [
+        ("count", count.into()),
+        ("slowest", Value::fixed(slowest, 2)),
+        ("fastest", Value::fixed(fastest, 2)),
+    ];
+    let restitution = shown(restitution, Unit::Number);
+    let answer = Answer::new(text("quantity-restitution"), "e ", restitution)
+        .noted(text_with("analyze-corrected-impacts", &impacts));
+    answers::listed(text_with("analyze-corrected-heading", &heading), &[answer])
 }
 
 /// A value with its standard error, or with four digits where there is none.
 pub(crate) fn shown(estimate: Estimate, unit: Unit) -> String {
-    match estimate.standard_error {
-        Some(error) => Quantity::measured(estimate.value, error, unit).to_string(),
-        None => Quantity::rounded(estimate.value, 4, unit).to_string(),
-    }
+    let quantity = match estimate.standard_error {
+        Some(error) => Quantity::measured(estimate.value, error, unit),
+        None => Quantity::rounded(estimate.value, 4, unit),
+    };
+    quantity.text(translator())
 }

@@ -7,10 +7,10 @@ use bouncelab::inference::Summary;
 use bouncelab_report::Chart;
 use bouncelab_report::figure::{self, GroupCurve, GroupInterval, GroupPoint, RunPoint};
 use bouncelab_report::messages::Translator;
+use bouncelab_session::{Outcome, Results};
 
-use super::outcome::Outcome;
-use super::results::Results;
 use crate::failure::Failure;
+use crate::language::translator;
 
 /// Draws them into a folder.
 pub(super) fn save(
@@ -33,7 +33,7 @@ pub(super) fn figures(
     let Ok(study) = &outcome.study else {
         return Ok(Vec::new());
     };
-    let translator = &Translator::default();
+    let translator = translator();
     Ok(vec![
         ("groups", laws(outcome, study, results, translator)?),
         ("intervals", intervals(outcome, study, translator)),

@@ -1,34 +1,26 @@
 //! `bouncelab session`: what many drops say together.
 
-mod columns;
 mod figures;
-mod gather;
 mod notes;
-mod outcome;
-mod record;
 mod report;
-mod results;
 mod tables;
 mod text;
 mod work;
 
 use std::io::{self, Write};
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
-use bouncelab_files::{remove_drafts, write_whole};
+use bouncelab_report::file::{remove_drafts, write_whole};
 use bouncelab_session::journal::Journal;
-use bouncelab_session::table::{Form, TableWriter};
-use bouncelab_session::{Session, Sources};
+use bouncelab_session::table::Form;
+use bouncelab_session::{Outcome, Results, Session, Sources, StudyOptions, write_tables};
 use clap::{Args, ValueEnum};
 
 use crate::failure::Failure;
 use crate::physics::PhysicsArguments;
 use crate::priors::{PriorArguments, impact_speed};
 use crate::report::ReportFile;
-use columns::Tables;
 use notes::Reading;
-use outcome::{Outcome, Wish};
-use results::Results;
 
 /// Hear many recordings and say what their drops say together
 ///
@@ -184,10 +176,10 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
         );
     }
     let done = work::hear_all(&recordings, &journal, arguments.jobs.map(usize::from))?;
-    if done.kept > 0 {
+    let kept = done.iter().filter(|done| done.kept).count();
+    if kept > 0 {
         eprintln!(
-            "bouncelab: {} of {} recordings were heard in an earlier run",
-            done.kept,
+            "bouncelab: {kept} of {} recordings were heard in an earlier run",
             recordings.len()
         );
     }
@@ -196,10 +188,11 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
         done: &done,
         journal: &journal,
     };
-    let mut outcome = Outcome::of(&results, &arguments.wish())?;
+    let mut outcome = Outcome::of(&results, &arguments.study())?;
     outcome.about.title = title;
     outcome.about.remarks.extend(remarks);
-    let written = write_tables(&results, &outcome, arguments)?;
+    let forms: Vec<Form> = arguments.tables.iter().map(|&form| form.into()).collect();
+    let written = write_tables(&outcome, &results, folder, &forms)?;
     let json = serde_json::to_string_pretty(&outcome.document()).map_err(io::Error::from)? + "\n";
     let place = folder.join("session.json");
     write_whole(&place, json.as_bytes()).map_err(|reason| Failure::unwritable(&place, &reason))?;
@@ -238,39 +231,12 @@ fn shown(files: &[PathBuf]) -> String {
 }
 
 impl Arguments {
-    fn wish(&self) -> Wish {
-        Wish {
+    fn study(&self) -> StudyOptions {
+        StudyOptions {
             by: self.by.clone(),
             at_speed_m_s: self.compare_at,
             wanted: self.want,
             exclude: self.exclude.clone(),
         }
     }
-}
-
-/// Writes the tables of drops and impacts, one recording after the other.
-fn write_tables(
-    results: &Results<'_>,
-    outcome: &Outcome<'_>,
-    arguments: &Arguments,
-) -> Result<Vec<PathBuf>, Failure> {
-    let forms: Vec<Form> = arguments.tables.iter().map(|&form| form.into()).collect();
-    let folder: &Path = &arguments.output;
-    let tables = Tables::new(results.recordings);
-    let mut drops = TableWriter::new(folder, &tables.drops, &forms)?;
-    let mut impacts = TableWriter::new(folder, &tables.impacts, &forms)?;
-    let mut next = 0;
-    while let Some(first) = outcome.drops.get(next) {
-        let setup = &results.recordings[first.recording];
-        let (key, record) = results.read(first.recording)?;
-        for of_drop in &record.drops {
-            let told = (of_drop, record.warnings.as_slice());
-            drops.row(&tables.drop(outcome, next, setup, &key, told))?;
-            for impact in &of_drop.impacts {
-                impacts.row(&tables.impact(&outcome.drops[next], setup, impact))?;
-            }
-            next += 1;
-        }
-    }
-    Ok([drops.finish()?, impacts.finish()?].concat())
 }

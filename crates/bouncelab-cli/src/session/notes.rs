@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet, HashMap};
 use std::sync::Arc;
 
 use bouncelab::ball;
-use bouncelab_session::{Note, Notes, Recording, Session};
+use bouncelab_session::{KnownRecording, Metadata, Note, Notes, Session};
 
 use crate::doubt;
 use crate::failure::Failure;
@@ -29,43 +29,6 @@ const KNOWN: [&str; 5] = ["ball", "surface", "operator", "height", "temperature"
 /// Fields that a ball in a session file may have.
 const OF_A_BALL: [&str; 4] = ["kind", "mass", "diameter", "contact_time"];
 
-/// A recording whose notes are setup.
-pub(super) struct Setup {
-    pub(super) recording: Recording,
-    pub(super) set_up: Arc<SetUp>,
-}
-
-impl Setup {
-    /// Whether there is to be an inference.
-    pub(super) fn asks(&self) -> bool {
-        self.set_up.physics.settings.inference.is_some()
-    }
-}
-
-/// What the notes of a recording say; recordings of which the same was noted share it.
-#[derive(Debug)]
-pub(super) struct SetUp {
-    pub(super) physics: Physics,
-    /// What it is compared by: "surface", "steel".
-    pub(super) factors: BTreeMap<String, String>,
-    /// The drop height noted, m.
-    pub(super) height_m: Option<f64>,
-    /// The temperature noted, K.
-    pub(super) temperature_k: Option<f64>,
-}
-
-/// The set-ups of a session, by all that they say.
-#[derive(Default)]
-struct SetUps(HashMap<String, Arc<SetUp>>);
-
-impl SetUps {
-    fn shared(&mut self, set_up: SetUp) -> Arc<SetUp> {
-        let all_it_says = format!("{set_up:?}");
-        let known = self.0.entry(all_it_says);
-        Arc::clone(known.or_insert_with(|| Arc::new(set_up)))
-    }
-}
-
 /// Reads a quantity with its unit.
 type Reader = fn(&str) -> Result<f64, String>;
 
@@ -79,13 +42,15 @@ pub(super) struct Reading<'a> {
 
 impl Reading<'_> {
     /// Understands every recording, or says all that stands against it.
-    pub(super) fn resolve(&self, session: Session) -> Result<Vec<Setup>, Failure> {
+    pub(super) fn resolve(&self, session: Session) -> Result<Vec<KnownRecording>, Failure> {
         let mut problems = Problems::default();
-        let mut known = SetUps::default();
-        let set_ups: Vec<Option<Arc<SetUp>>> = (0..session.recordings.len())
+        // Recordings of which the same was noted share what it means.
+        let mut known: HashMap<BTreeMap<String, String>, Arc<Metadata>> = HashMap::new();
+        let all: Vec<Option<Arc<Metadata>>> = (0..session.recordings.len())
             .map(|place| {
-                let set_up = self.one(&session, place, &mut problems)?;
-                Some(known.shared(set_up))
+                let (noted, metadata) = self.one(&session, place, &mut problems)?;
+                let known = known.entry(noted).or_insert_with(|| Arc::new(metadata));
+                Some(Arc::clone(known))
             })
             .collect();
         if !self.allow_missing {
@@ -94,16 +59,25 @@ impl Reading<'_> {
         if let Some(message) = problems.message() {
             return Err(Failure::Usage(message));
         }
-        let setup = session.recordings.into_iter().zip(set_ups);
-        Ok(setup
-            .filter_map(|(recording, set_up)| {
-                let set_up = set_up?;
-                Some(Setup { recording, set_up })
+        let known = session.recordings.into_iter().zip(all);
+        Ok(known
+            .filter_map(|(recording, metadata)| {
+                let metadata = metadata?;
+                Some(KnownRecording {
+                    recording,
+                    metadata,
+                })
             })
             .collect())
     }
 
-    fn one(&self, session: &Session, place: usize, problems: &mut Problems) -> Option<SetUp> {
+    /// What was noted of a recording, and what it means.
+    fn one(
+        &self,
+        session: &Session,
+        place: usize,
+        problems: &mut Problems,
+    ) -> Option<(BTreeMap<String, String>, Metadata)> {
         let mut one = One {
             name: &session.recordings[place].name,
             allow_implausible: self.physics.allow_implausible(),
@@ -123,12 +97,12 @@ impl Reading<'_> {
         noted.temperature = temperature_k;
         noted.pressure = one.quantity("pressure", units::pressure);
         noted.humidity = one.quantity("humidity", units::share);
-        let mut factors: BTreeMap<String, String> = one
-            .said
-            .iter()
-            .filter(|(field, _)| !CONDITIONS.contains(&field.as_str()))
+        let said = one.said.iter();
+        let said: BTreeMap<String, String> = said
             .map(|(field, note)| (field.clone(), note.text.clone()))
             .collect();
+        let mut factors = said.clone();
+        factors.retain(|field, _| !CONDITIONS.contains(&field.as_str()));
         // The same height in other words is the same level.
         let mut as_level = |field: &str, text: Option<String>| {
             if let Some(text) = text {
@@ -144,16 +118,16 @@ impl Reading<'_> {
             "temperature",
             celsius.map(|celsius| format!("{} \u{b0}C", rounded(celsius))),
         );
-        let physics = self.physics_of(&noted, height_m, height_sd_m);
-        match physics {
-            Ok(physics) => {
-                one.doubt_ball(&physics);
-                Some(SetUp {
-                    physics,
+        match self.physics_of(&noted, height_m, height_sd_m) {
+            Ok(setup) => {
+                one.doubt_ball(&setup);
+                let metadata = Metadata {
+                    setup,
                     factors,
                     height_m,
                     temperature_k,
-                })
+                };
+                Some((said, metadata))
             }
             Err(failure) => {
                 one.problem(failure.to_string());

@@ -4,13 +4,13 @@ use bouncelab::groups::Study;
 use bouncelab_report::Chart;
 use bouncelab_report::document::{AboutSession, Reason};
 use bouncelab_report::report::{Block, Language, Page, Provenance, Section, ended, repeat};
+use bouncelab_session::{Outcome, Results};
 
 use super::figures;
 use super::notes::some_of;
-use super::outcome::Outcome;
-use super::results::Results;
 use super::{tables, text};
 use crate::failure::Failure;
+use crate::language::translator;
 use crate::report::provenance;
 
 /// With more recordings than this a list of their hashes is no use on paper.
@@ -43,7 +43,7 @@ pub(super) fn page(outcome: &Outcome<'_>, results: &Results<'_>) -> Result<Page,
         subtitle: format!("Report of bouncelab {}, {made}", env!("CARGO_PKG_VERSION")),
         lead: lead(outcome, about),
         sections,
-        language: Language::default(),
+        language: Language::new(translator()),
     })
 }
 
@@ -57,7 +57,7 @@ fn lead(outcome: &Outcome<'_>, about: &AboutSession) -> Vec<Block> {
                 study.at_speed_m_s
             )));
             if !study.outliers.is_empty() {
-                let names: Vec<String> = study
+                let names: Vec<&str> = study
                     .outliers
                     .iter()
                     .map(|outlier| outcome.name_of(outlier.drop))
@@ -208,7 +208,7 @@ fn method() -> Section {
 }
 
 fn to_repeat(provenance: &Provenance) -> Section {
-    let mut section = repeat(provenance);
+    let mut section = repeat(provenance, translator());
     if provenance.files.is_empty() {
         section.blocks.push(Block::text(
             "The SHA-256 of every recording stands in the table of drops (content_sha256).",
@@ -221,11 +221,10 @@ fn files(results: &Results<'_>) -> Vec<(String, String)> {
     if results.recordings.len() > LISTED {
         return Vec::new();
     }
-    let contents = results.recordings.iter().zip(&results.done.contents);
-    contents
-        .filter_map(|(setup, content)| {
-            let content = content.as_ref().ok()?;
-            Some((setup.recording.name.clone(), content.to_string()))
+    std::iter::zip(results.recordings, results.done)
+        .filter_map(|(recording, done)| {
+            let content = done.content.as_ref().ok()?;
+            Some((recording.name().to_owned(), content.to_string()))
         })
         .collect()
 }

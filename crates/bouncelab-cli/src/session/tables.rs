@@ -2,8 +2,7 @@
 
 use bouncelab::groups::{Difference, Group, Mean, Study};
 use bouncelab_report::{Align, Quantity, Table, Unit};
-
-use super::outcome::Outcome;
+use bouncelab_session::Outcome;
 
 /// Differences of the levels of a factor.
 pub(super) fn difference_table(

@@ -6,8 +6,8 @@ use bouncelab::groups::{Difference, Study};
 use bouncelab_report::document::{AboutSession, Reason};
 use bouncelab_report::report::ended;
 use bouncelab_report::{CANNOT_TELL, Table};
+use bouncelab_session::Outcome;
 
-use super::outcome::Outcome;
 use super::tables;
 
 /// Lines of a list that may go on for long.

@@ -10,6 +10,7 @@ use bouncelab_report::report::{
 };
 
 use super::{Told, tables, text};
+use crate::language::translator;
 use crate::report::provenance;
 use crate::rules;
 
@@ -29,12 +30,17 @@ pub(super) fn page(told: &Told<'_>, hashes: Vec<(String, String)>) -> Page {
             the_rule(told),
             rebound(told),
             drops(told),
-            shared_conditions(&physics.settings, &physics.ball_label, &physics.assumptions),
+            shared_conditions(
+                &physics.settings,
+                &physics.ball_label,
+                &physics.assumptions,
+                translator(),
+            ),
             decision(),
-            method(),
-            repeat(&provenance),
+            method(translator()),
+            repeat(&provenance, translator()),
         ],
-        language: Language::default(),
+        language: Language::new(translator()),
     }
 }
 
@@ -48,10 +54,7 @@ fn lead(told: &Told<'_>) -> Vec<Block> {
         let unverified = "This rule is unverified: nobody has read it in its source.";
         lead.push(Block::Note(unverified.to_owned()));
     }
-    lead.push(Block::figure(
-        "verdict",
-        chart(told, &Translator::default()),
-    ));
+    lead.push(Block::figure("verdict", chart(told, translator())));
     lead
 }
 

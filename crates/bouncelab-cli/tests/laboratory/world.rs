@@ -7,6 +7,7 @@ use bouncelab::flight::FlightModel;
 use bouncelab::impact::Strike;
 use bouncelab::synth::{self, Noise, Scene};
 use bouncelab_audio::{SampleFormat, write_wav};
+use bouncelab_testkit::bouncing;
 
 /// How a ball bounces from a surface: e = at 1 m/s times v^-p, with scatter.
 #[derive(Debug, Clone, Copy)]
@@ -53,18 +54,13 @@ impl Truth {
         let model = FlightModel::new(&settings.ball, &settings.environment).unwrap();
         let mut chance = Chance(seed);
         let offset = self.between_drops * chance.normal();
-        let mut speed_m_s = model.fall(height_m).unwrap().impact_speed_m_s;
-        let mut time_s = 0.0;
-        let mut strikes = Vec::new();
-        while speed_m_s > REST_M_S {
-            strikes.push(Strike { time_s, speed_m_s });
-            let kept =
-                (self.at(speed_m_s) + offset) * (self.between_impacts * chance.normal()).exp();
-            let flight = model.launch(speed_m_s * kept).unwrap();
-            time_s += flight.time_s() + settings.contact_time_s;
-            speed_m_s = flight.impact_speed_m_s;
-        }
-        strikes
+        let first_speed_m_s = model.fall(height_m).unwrap().impact_speed_m_s;
+        let restitution = |speed_m_s: f64| {
+            (self.at(speed_m_s) + offset) * (self.between_impacts * chance.normal()).exp()
+        };
+        bouncing(model, settings.contact_time_s, first_speed_m_s, restitution)
+            .take_while(|strike| strike.speed_m_s > REST_M_S)
+            .collect()
     }
 }
 

@@ -46,17 +46,17 @@ quantity-height-to-reach = Höhe, aus der Sprung { $bounce } bis { $apex } reich
 
 unknown-restitution = Stoßzahl
 unknown-drop-height = Fallhöhe
-unknown-drag-coefficient = Widerstandsbeiwert
-unknown-slope-of-restitution = Gefälle der Stoßzahl
-unknown-scatter-of-restitution = Streuung der Stoßzahl
-unknown-errors-of-the-times = Fehler der Zeiten
+unknown-drag = Widerstandsbeiwert
+unknown-slope = Gefälle der Stoßzahl
+unknown-scatter = Streuung der Stoßzahl
+unknown-timing = Fehler der Zeiten
 unknown-contact-time = Kontaktzeit
 unknown-gravity = Fallbeschleunigung
 
-source-timing-of-the-impacts = Zeiten der Aufpralle
-source-scatter-of-restitution = Streuung der Stoßzahl
+source-impact-timing = Zeiten der Aufpralle
+source-restitution-scatter = Streuung der Stoßzahl
 source-release-time = Zeitpunkt des Loslassens
-source-slope-of-restitution = Gefälle der Stoßzahl
+source-restitution-slope = Gefälle der Stoßzahl
 source-measured-height = gemessene Höhe
 source-drag-law = Widerstandsgesetz
 source-contact-time = Kontaktzeit

@@ -46,17 +46,17 @@ quantity-height-to-reach = height from which bounce { $bounce } reaches { $apex 
 
 unknown-restitution = restitution
 unknown-drop-height = drop height
-unknown-drag-coefficient = drag coefficient
-unknown-slope-of-restitution = slope of restitution
-unknown-scatter-of-restitution = scatter of restitution
-unknown-errors-of-the-times = errors of the times
+unknown-drag = drag coefficient
+unknown-slope = slope of restitution
+unknown-scatter = scatter of restitution
+unknown-timing = errors of the times
 unknown-contact-time = contact time
 unknown-gravity = gravity
 
-source-timing-of-the-impacts = timing of the impacts
-source-scatter-of-restitution = scatter of restitution
+source-impact-timing = timing of the impacts
+source-restitution-scatter = scatter of restitution
 source-release-time = release time
-source-slope-of-restitution = slope of restitution
+source-restitution-slope = slope of restitution
 source-measured-height = measured height
 source-drag-law = drag law
 source-contact-time = contact time

@@ -1,55 +1,51 @@
-//! An analysis as rows of a table: one for each impact, from the JSON document.
+//! A result as rows of a table: one for each impact.
 
-use serde_json::Value;
+use bouncelab::Recording;
 
-use super::Document;
-
-/// The columns: `file` and `drop`, then the fields of an impact in `bouncelab.analysis/1`, then
-/// those of the flight after it.
+/// The columns: `file` and `drop`, the impact as in `bouncelab.analysis/2`, and the flight after it.
 pub const HEADER: [&str; 14] = [
     "file",
     "drop",
     "number",
     "time_s",
-    "sigma_s",
+    "time_sd_s",
     "probability",
     "level_db",
     "impact_speed_m_s",
     "restitution",
     "restitution_sd",
-    "plain_restitution",
+    "flight_time_ratio",
     "flight_time_s",
-    "plain_height_m",
+    "drag_free_height_m",
     "apex_m",
 ];
 
-/// The rows of a document, each with a cell for each column of [`HEADER`]; what cannot be told is
+/// The rows of a result, each with a cell for each column of [`HEADER`]; what cannot be told is
 /// empty.
-pub fn of(document: &Document) -> Vec<Vec<String>> {
-    let document = serde_json::to_value(document).unwrap_or(Value::Null);
-    let list = |value: &Value| value.as_array().cloned().unwrap_or_default();
+pub fn of(file: &str, recording: &Recording) -> Vec<[String; 14]> {
+    let cell = |value: Option<f64>| value.map_or_else(String::new, |value| value.to_string());
     let mut rows = Vec::new();
-    for (drop, number) in list(&document["drops"]).iter().zip(1..) {
-        let flights = list(&drop["flights"]);
-        for impact in list(&drop["impacts"]) {
-            let none = Value::Null;
-            let flight = flights
-                .iter()
-                .find(|flight| flight["number"] == impact["number"]);
-            let flight = flight.unwrap_or(&none);
-            let mut row = vec![cell(&document["file"]), number.to_string()];
-            row.extend(HEADER[2..11].iter().map(|column| cell(&impact[*column])));
-            row.extend(["time_s", "plain_height_m", "apex_m"].map(|column| cell(&flight[column])));
-            rows.push(row);
+    for (drop, number) in recording.drops.iter().zip(1..) {
+        for impact in &drop.impacts {
+            let restitution = drop.impact_restitution(impact.number);
+            let flight = drop.flight(impact.number);
+            rows.push([
+                file.to_owned(),
+                number.to_string(),
+                impact.number.to_string(),
+                impact.time_s.to_string(),
+                cell(impact.time_sd_s),
+                impact.probability.to_string(),
+                cell(impact.level_db),
+                cell(restitution.map(|known| known.impact_speed_m_s)),
+                cell(restitution.map(|known| known.restitution.value)),
+                cell(restitution.and_then(|known| known.restitution.known_sd())),
+                cell(restitution.map(|known| known.flight_time_ratio)),
+                cell(flight.map(|flight| flight.time_s)),
+                cell(flight.map(|flight| flight.drag_free_height_m)),
+                cell(flight.and_then(|flight| flight.apex_m)),
+            ]);
         }
     }
     rows
-}
-
-fn cell(value: &Value) -> String {
-    match value {
-        Value::Null => String::new(),
-        Value::String(text) => text.clone(),
-        other => other.to_string(),
-    }
 }

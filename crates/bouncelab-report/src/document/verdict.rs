@@ -1,14 +1,16 @@
-//! A verdict as data: the schema `bouncelab.verdict/1`.
+//! A verdict as data: the schema `bouncelab.verdict/2`.
 
-use bouncelab::analysis::Options;
-use bouncelab::rulebook::{self, Decision, Limits, Outcome, Requirement, Rule};
+use bouncelab::rulebook::{
+    self, Decision, InconclusiveReason, Limits, Outcome, Remark, Requirement, Rule,
+};
+use bouncelab::{Diagnostic, Estimate, Options};
 use serde::Serialize;
 
-use super::SettingsUsed;
-use super::estimate::{Summary, shown};
+use super::Settings;
+use crate::messages::Translator;
 
 /// Name and version of the schema.
-pub const SCHEMA: &str = "bouncelab.verdict/1";
+pub const SCHEMA: &str = "bouncelab.verdict/2";
 
 /// What drops say of a rule.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -17,25 +19,25 @@ pub struct VerdictDocument {
     /// Version of the program that made it.
     bouncelab: &'static str,
     rule: RuleUsed,
-    settings: SettingsUsed,
+    settings: Settings,
     decision: DecisionUsed,
     outcome: &'static str,
     /// That everything is within the limits.
     probability_within: Option<f64>,
     /// That a pass is wrong.
     probability_wrong_accept: Option<f64>,
-    rebound_m: Option<Summary>,
-    reference_rebound_m: Option<Summary>,
-    share_of_reference: Option<Summary>,
-    unevenness: Option<Summary>,
+    rebound_m: Option<Estimate>,
+    reference_rebound_m: Option<Estimate>,
+    share_of_reference: Option<Estimate>,
+    unevenness: Option<Estimate>,
     accepted: Option<Ends>,
     /// Means over the drops, by simpler formulas.
     plain_m: Option<f64>,
     formula_m: Option<f64>,
     drops: Vec<Drop>,
     reference_drops: Vec<Drop>,
-    doubts: Vec<String>,
-    remarks: Vec<String>,
+    reasons: Vec<Diagnostic>,
+    remarks: Vec<Diagnostic>,
 }
 
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -71,7 +73,7 @@ struct DecisionUsed {
 #[derive(Clone, Debug, PartialEq, Serialize)]
 struct Drop {
     file: String,
-    predicted_m: Option<Summary>,
+    predicted_m: Option<Estimate>,
     first_flight_s: Option<f64>,
     plain_m: Option<f64>,
     formula_m: Option<f64>,
@@ -85,21 +87,22 @@ struct Step {
 }
 
 impl VerdictDocument {
-    /// The document of a verdict. `files` and `reference_files` name the places in order.
+    /// The document of a verdict, its diagnostics in words too. `files` and `reference_files` name the places in order.
     pub fn new(
         rule: &Rule,
         settings: &Options,
-        assumptions: Vec<String>,
+        assumptions: &[Diagnostic],
         decision: Decision,
         verdict: &rulebook::Verdict,
         files: &[String],
         reference_files: &[String],
+        words: &Translator,
     ) -> Self {
-        Self {
+        let mut document = Self {
             schema: SCHEMA,
             bouncelab: env!("CARGO_PKG_VERSION"),
             rule: RuleUsed::from(rule),
-            settings: SettingsUsed::new(settings, assumptions),
+            settings: Settings::new(settings, assumptions),
             decision: DecisionUsed {
                 rule: match decision {
                     Decision::Guarded { .. } => "guarded",
@@ -114,18 +117,25 @@ impl VerdictDocument {
             },
             probability_within: verdict.within,
             probability_wrong_accept: verdict.wrong_accept(),
-            rebound_m: shown(verdict.rebound),
-            reference_rebound_m: shown(verdict.reference),
-            share_of_reference: shown(verdict.share),
-            unevenness: shown(verdict.unevenness),
+            rebound_m: verdict.rebound,
+            reference_rebound_m: verdict.reference,
+            share_of_reference: verdict.share,
+            unevenness: verdict.unevenness,
             accepted: verdict.accepted.map(Ends::from),
             plain_m: verdict.plain_m(),
             formula_m: verdict.formula_m(),
             drops: drops(&verdict.drops, files),
             reference_drops: drops(&verdict.reference_drops, reference_files),
-            doubts: verdict.doubts.iter().map(ToString::to_string).collect(),
-            remarks: verdict.remarks.iter().map(ToString::to_string).collect(),
-        }
+            reasons: verdict
+                .doubts
+                .iter()
+                .map(InconclusiveReason::diagnostic)
+                .collect(),
+            remarks: verdict.remarks.iter().map(Remark::diagnostic).collect(),
+        };
+        words.complete_each(&mut document.reasons);
+        words.complete_each(&mut document.remarks);
+        document
     }
 }
 
@@ -134,7 +144,7 @@ fn drops(rebounds: &[rulebook::Rebound], files: &[String]) -> Vec<Drop> {
         .iter()
         .map(|rebound| Drop {
             file: files.get(rebound.place).cloned().unwrap_or_default(),
-            predicted_m: shown(rebound.predicted_m),
+            predicted_m: rebound.predicted_m,
             first_flight_s: rebound.first_flight_s,
             plain_m: rebound.plain_m,
             formula_m: rebound.formula_m,

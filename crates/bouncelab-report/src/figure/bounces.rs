@@ -1,6 +1,6 @@
 //! What each bounce reaches, and what it loses.
 
-use super::{Subject, derived};
+use super::Subject;
 use crate::chart::{Axis, Chart, Layer, Marker, Panel, Point, Scale, xs, ys};
 use crate::messages::Translator;
 use crate::quantity::Unit;
@@ -14,8 +14,8 @@ pub(super) fn heights(subject: &Subject<'_>, translator: &Translator) -> Chart {
     let (mut points, mut errors): (Vec<Point>, Vec<f64>) = (Vec::new(), Vec::new());
     for flight in &subject.drop.flights {
         let found = subject.drop.modelled_flight(flight.number);
-        let height_m = found.map_or(flight.plain_height_m, |found| found.flight.apex_m);
-        let error_m = found.and_then(|found| found.apex_standard_error_m);
+        let height_m = found.map_or(flight.drag_free_height_m, |found| found.flight.apex_m);
+        let error_m = found.and_then(|found| found.apex_sd_m);
         points.push([flight.number as f64, 100.0 * height_m]);
         errors.push(100.0 * error_m.unwrap_or(f64::NAN));
     }
@@ -34,10 +34,10 @@ pub(super) fn heights(subject: &Subject<'_>, translator: &Translator) -> Chart {
 /// zero, which noise may make, shows as none.
 pub(super) fn energies(subject: &Subject<'_>, translator: &Translator) -> Chart {
     let id = "bounce-energies";
-    let losses = derived::losses(subject.drop, subject.settings);
+    let losses = subject.drop.energies(subject.settings);
     let tops = losses
         .iter()
-        .map(|loss| loss.to_surface_j.max(0.0) + loss.to_air_j.max(0.0));
+        .map(|loss| loss.lost_to_surface_j.max(0.0) + loss.lost_to_air_j.max(0.0));
     let most = tops.fold(0.0, f64::max);
     if most <= 0.0 {
         return Chart::empty(translator, id);
@@ -47,9 +47,14 @@ pub(super) fn energies(subject: &Subject<'_>, translator: &Translator) -> Chart 
     let mut air = Vec::new();
     for loss in &losses {
         let (left, right) = (loss.number as f64 - 0.36, loss.number as f64 + 0.36);
-        let below = loss.to_surface_j.max(0.0) / joules;
+        let below = loss.lost_to_surface_j.max(0.0) / joules;
         surface.push([left, right, 0.0, below]);
-        air.push([left, right, below, below + loss.to_air_j.max(0.0) / joules]);
+        air.push([
+            left,
+            right,
+            below,
+            below + loss.lost_to_air_j.max(0.0) / joules,
+        ]);
     }
     let text = |name: &str| translator.text(&format!("figure-bounce-energies-{name}"));
     let layers = vec![

@@ -27,7 +27,7 @@ pub(super) fn history(drop: &Drop, settings: &Options) -> History {
     /// Points along each flight.
     const POINTS: usize = 24;
     let mut history = History::default();
-    let (Ok(found), Ok(model)) = (&drop.corrected, settings.model()) else {
+    let (Ok(found), Ok(model)) = (&drop.per_impact, settings.model()) else {
         return history;
     };
     let mut last = None;
@@ -57,18 +57,21 @@ pub(super) fn history(drop: &Drop, settings: &Options) -> History {
 pub(super) fn best_fit(drop: &Drop, settings: &Options) -> Result<Vec<Point>> {
     /// Points of the whole curve for each bounce.
     const POINTS: usize = 40;
-    let Ok(found) = &drop.estimate else {
+    let Ok(found) = &drop.posterior else {
         return Ok(Vec::new());
     };
     let law = Restitution::power(
         found.restitution.value,
         found.at_speed_m_s,
-        found.slope.value,
+        found.restitution_slope.value,
     )?;
     let contact = Contact::new(law, settings.contact_time_s)?;
     let bounces = drop.impacts.last().map_or(1, |last| last.number);
     let start = Start::Height(found.drop_height_m.value);
-    let missed = found.missed_first.as_deref().map_or(0, most_probable);
+    let missed = found
+        .missed_first_impacts
+        .as_deref()
+        .map_or(0, most_probable);
     let stop = Stop::after(bounces + missed);
     let history = drop::simulate(&settings.model()?, &contact, start, stop)?;
     // The first impact that was heard is at the time at which it was heard.
@@ -88,35 +91,6 @@ fn most_probable(probabilities: &[f64]) -> usize {
     numbered
         .max_by(|a, b| a.1.total_cmp(b.1))
         .map_or(0, |(number, _)| number)
-}
-
-/// What one impact and the flight after it take from the energy of the ball.
-pub(super) struct Loss {
-    /// Number of the impact.
-    pub(super) number: usize,
-    /// Taken by the surface and the ball itself.
-    pub(super) to_surface_j: f64,
-    /// Taken by the air in the flight after it.
-    pub(super) to_air_j: f64,
-}
-
-/// The losses of each impact with a flight on both sides; none if the impacts allow none.
-pub(super) fn losses(drop: &Drop, settings: &Options) -> Vec<Loss> {
-    let (Ok(found), Ok(model)) = (&drop.corrected, settings.model()) else {
-        return Vec::new();
-    };
-    let mass_kg = model.moving_mass_kg().unwrap_or(settings.ball.mass_kg());
-    let kinetic_j = |speed_m_s: f64| 0.5 * mass_kg * speed_m_s * speed_m_s;
-    let losses = found.impacts.iter().filter_map(|impact| {
-        let after = drop.modelled_flight(impact.number)?.flight;
-        let launched_j = kinetic_j(after.launch_speed_m_s);
-        Some(Loss {
-            number: impact.number,
-            to_surface_j: kinetic_j(impact.impact_speed_m_s) - launched_j,
-            to_air_j: launched_j - kinetic_j(after.impact_speed_m_s),
-        })
-    });
-    losses.collect()
 }
 
 /// Drag over weight of the chosen law, and of a constant coefficient that agrees with it at the
@@ -203,13 +177,13 @@ pub(super) fn truncated(drop: &Drop, settings: &Options) -> Truncated {
         // Not to lean on a height that the person stated.
         settings.priors.drop_height_m = None;
         settings.priors.release_s = None;
-        let found = analysis::analyze(drop.impacts[..=flights].to_vec(), &settings);
-        if let Ok(fit) = &found.line {
-            let height = fit.drop_height_m();
-            let error = height.standard_error.unwrap_or(f64::NAN);
+        let found = analysis::analyze_impacts(drop.impacts[..=flights].to_vec(), &settings);
+        if let Ok(fit) = &found.log_linear_fit {
+            let height = fit.drop_height_m;
+            let error = height.known_sd().unwrap_or(f64::NAN);
             truncated.line.push([flights as f64, height.value, error]);
         }
-        if let Ok(found) = &found.estimate {
+        if let Ok(found) = &found.posterior {
             let height = &found.drop_height_m;
             truncated
                 .inference

@@ -34,11 +34,11 @@ impl Line {
     }
 }
 
-impl From<&bouncelab::regression::Regression> for Line {
-    fn from(fit: &bouncelab::regression::Regression) -> Self {
+impl From<&bouncelab::regression::LogLinearFit> for Line {
+    fn from(fit: &bouncelab::regression::LogLinearFit) -> Self {
         Self {
-            slope: fit.slope().value,
-            intercept: fit.intercept().value,
+            slope: fit.slope.value,
+            intercept: fit.intercept.value,
         }
     }
 }
@@ -47,9 +47,9 @@ pub(super) fn of_drop(subject: &Subject<'_>, translator: &Translator) -> Chart {
     let flights = subject.drop.flights.iter().map(|flight| TimedFlight {
         number: flight.number,
         time_s: flight.time_s,
-        used: flight.in_line,
+        used: flight.in_fit,
     });
-    let line = subject.drop.line.as_ref().ok().map(Line::from);
+    let line = subject.drop.log_linear_fit.as_ref().ok().map(Line::from);
     flight_times(&flights.collect::<Vec<_>>(), line, translator)
 }
 

@@ -87,7 +87,7 @@ impl<'a> Subject<'a> {
     }
 
     fn inference(&self) -> Option<&'a Posterior> {
-        self.drop.estimate.as_ref().ok()
+        self.drop.posterior.as_ref().ok()
     }
 }
 

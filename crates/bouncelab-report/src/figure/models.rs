@@ -13,13 +13,13 @@ const ROW: f64 = 32.0;
 pub(super) fn models(found: &Posterior, translator: &Translator) -> Chart {
     let text = |id: &str| translator.text(&format!("figure-models-{id}"));
     let mut models: Vec<&Model> = found.models.iter().collect();
-    models.sort_by(|a, b| b.weight.total_cmp(&a.weight));
+    models.sort_by(|a, b| b.probability.total_cmp(&a.probability));
     let (rows, height) = (models.len(), ROW * models.len() as f64);
     let (mut bars, mut ends, mut shares) = (Vec::new(), Vec::new(), Vec::new());
     let (mut intervals, mut values) = (Vec::new(), Vec::new());
     for (row, model) in models.iter().enumerate() {
         let middle = row_middle(rows, row);
-        let percent = 100.0 * model.weight;
+        let percent = 100.0 * model.probability;
         bars.push([0.0, percent, middle - 0.25, middle + 0.25]);
         ends.push([percent, middle]);
         shares.push(translator.number(&format!("{percent:.1}\u{a0}%")));
@@ -31,7 +31,7 @@ pub(super) fn models(found: &Posterior, translator: &Translator) -> Chart {
     }
     let names = models
         .iter()
-        .map(|model| format!("{}, {}", model.law, model.drag));
+        .map(|model| format!("{}, {}", model.restitution_law, model.drag_law));
     let names = Axis::of_names(names.collect());
     // Room for the share beside the longest bar.
     let probability = Axis::new(text("probability"), "%", Scale::linear([0.0, 160.0]));

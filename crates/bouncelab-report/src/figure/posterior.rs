@@ -48,8 +48,10 @@ pub(super) fn posterior(found: &Posterior, translator: &Translator) -> Chart {
         ),
         parameter("axis-height", "cm", height.collect(), None),
     ];
-    if let Some(drag) = &found.drag {
-        let prior = Some((drag.prior.value, drag.prior.sd));
+    if found.drag_coefficient.is_some() {
+        let prior = found
+            .drag_coefficient_prior
+            .map(|prior| (prior.value, prior.sd));
         let values = draws.drag_coefficient.clone().into();
         parameters.insert(1, parameter("axis-drag-coefficient", "", values, prior));
     }

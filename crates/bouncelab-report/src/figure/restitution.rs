@@ -1,16 +1,13 @@
 //! Restitution against impact speed.
 
 use bouncelab::analysis::Drop;
-use bouncelab::inference::Impact;
+use bouncelab::inference::ImpactPosterior;
 
 use super::Subject;
 use crate::chart::{Axis, Chart, Layer, Marker, Panel, Point, Scale, xs, ys};
 use crate::messages::Translator;
 use crate::quantity::{Quantity, Unit};
 use crate::theme::Meaning;
-
-/// Points along the fitted law.
-const LAW_POINTS: usize = 60;
 
 /// Restitution of each impact against its speed: as if there were no air (the ratio of neighbouring
 /// flight times), corrected for air drag, the fitted law with its intervals, and the one value of the
@@ -20,7 +17,7 @@ pub(super) fn restitution(subject: &Subject<'_>, translator: &Translator) -> Cha
     let drop = subject.drop;
     let text = |id: &str| translator.text(&format!("figure-restitution-{id}"));
     let impacts = drop
-        .corrected
+        .per_impact
         .as_ref()
         .map_or(&[][..], |found| &found.impacts);
     if impacts.is_empty() {
@@ -35,12 +32,12 @@ pub(super) fn restitution(subject: &Subject<'_>, translator: &Translator) -> Cha
     let corrected = points(|impact| impact.restitution.value);
     let errors = impacts
         .iter()
-        .map(|impact| impact.restitution.standard_error.unwrap_or(f64::NAN));
+        .map(|impact| impact.restitution.known_sd().unwrap_or(f64::NAN));
     let layers = vec![
         Layer::points(
             Meaning::Plain,
             Marker::Ring,
-            points(|impact| impact.raw_ratio),
+            points(|impact| impact.flight_time_ratio),
         )
         .named(text("raw")),
         Layer::points(Meaning::Measured, Marker::Dot, corrected.clone())
@@ -48,8 +45,8 @@ pub(super) fn restitution(subject: &Subject<'_>, translator: &Translator) -> Cha
             .with_errors(errors.collect()),
     ];
     let law = law(drop, &text("law"));
-    let line = drop.line.as_ref().ok().map(|fit| {
-        let value = fit.restitution().value;
+    let line = drop.log_linear_fit.as_ref().ok().map(|fit| {
+        let value = fit.restitution.value;
         let written = Quantity::rounded(value, 4, Unit::Number);
         let name = translator.text_with("figure-restitution-line", &[("value", written.into())]);
         Layer::level(Meaning::Plain, value).named(name)
@@ -84,13 +81,13 @@ pub(super) fn restitution(subject: &Subject<'_>, translator: &Translator) -> Cha
 
 /// The fitted law with the 95 and the 68 % interval below it; nothing without inference.
 fn law(drop: &Drop, name: &str) -> Vec<Layer> {
-    let Ok(found) = &drop.estimate else {
+    let Ok(found) = &drop.posterior else {
         return Vec::new();
     };
-    let band = found.band(LAW_POINTS);
+    let band = &found.band;
     let points = band.iter().map(|p| [p.speed_m_s, p.restitution.value]);
     let points: Vec<Point> = points.collect();
-    let interval = |of: fn(&bouncelab::inference::Summary) -> [f64; 2]| {
+    let interval = |of: fn(&bouncelab::Estimate) -> [f64; 2]| {
         let points = band.iter().map(|p| {
             let [low, high] = of(&p.restitution);
             [p.speed_m_s, low, high]
@@ -106,11 +103,11 @@ fn law(drop: &Drop, name: &str) -> Vec<Layer> {
 
 /// The points of the impacts that the inference finds odd.
 fn odd(drop: &Drop, corrected: &[Point]) -> Vec<Point> {
-    let (Ok(found), Ok(estimate)) = (&drop.corrected, &drop.estimate) else {
+    let (Ok(found), Ok(estimate)) = (&drop.per_impact, &drop.posterior) else {
         return Vec::new();
     };
     let numbered = found.impacts.iter().zip(corrected);
-    let is_odd = |number| estimate.impact(number).is_some_and(Impact::is_odd);
+    let is_odd = |number| estimate.impact(number).is_some_and(ImpactPosterior::is_odd);
     numbered
         .filter(|(impact, _)| is_odd(impact.number))
         .map(|(_, &point)| point)

@@ -6,7 +6,7 @@ use bouncelab::drag::DragLaw;
 use bouncelab::drop::{self, History, Start, Stop};
 use bouncelab::flight::{Environment, FlightModel};
 use bouncelab::impact::{Contact, Restitution};
-use bouncelab::regression::{self, NumberedFlight, Regression};
+use bouncelab::regression::{self, LogLinearFit, NumberedFlight};
 use bouncelab::{Error, Result};
 
 pub(super) const GRAVITY_M_S2: f64 = 9.81;
@@ -75,7 +75,7 @@ pub(super) fn flights(history: &History) -> Vec<NumberedFlight> {
 }
 
 /// What the paper's straight line makes of the first flights of a drop with drag.
-pub(super) fn regressed(restitution: f64, count: usize) -> Result<Regression> {
+pub(super) fn regressed(restitution: f64, count: usize) -> Result<LogLinearFit> {
     regressed_by(
         Restitution::constant(restitution)?,
         &model(CONSTANT)?,
@@ -88,7 +88,7 @@ pub(super) fn regressed_by(
     law: Restitution,
     model: &FlightModel,
     count: usize,
-) -> Result<Regression> {
+) -> Result<LogLinearFit> {
     let history = dropped_by(model, law, Stop::after(count))?;
     regression::fit(&flights(&history), GRAVITY_M_S2)
 }
@@ -97,7 +97,7 @@ pub(super) fn regressed_by(
 pub(super) fn behind_the_regression(count: usize) -> Result<f64> {
     // The regressed value grows with the true one.
     let [low, high] = bisected([REGRESSED, 1.0], 1e-12, |restitution| {
-        Ok(regressed(restitution, count)?.restitution().value < REGRESSED)
+        Ok(regressed(restitution, count)?.restitution.value < REGRESSED)
     })?;
     Ok(f64::midpoint(low, high))
 }

@@ -115,7 +115,7 @@ pub fn explanations() -> Result<Vec<Explanation>> {
 fn pinned(family: Family, slope: f64, model: &FlightModel, flights: usize) -> Result<Restitution> {
     let [level, _] = bisected([0.85, 1.0], 1e-10, |level| {
         let line = regressed_by(family(level, slope)?, model, flights)?;
-        Ok(line.restitution().value < REGRESSED)
+        Ok(line.restitution.value < REGRESSED)
     })?;
     family(level, slope)
 }
@@ -143,7 +143,7 @@ fn solve(
 ) -> Result<Option<Explanation>> {
     let height_m = |slope: f64| -> Result<f64> {
         let law = pinned(family, slope, model, flights)?;
-        Ok(regressed_by(law, model, flights)?.drop_height_m().value)
+        Ok(regressed_by(law, model, flights)?.drop_height_m.value)
     };
     let slopes = [0.0, STEEPEST];
     let [flat, steep] = slopes.map(height_m);
@@ -165,7 +165,7 @@ fn described(
     flights: usize,
 ) -> Result<Explanation> {
     let first_m_s = model.fall(DROP_HEIGHT_M)?.impact_speed_m_s;
-    let drop_height_m = regressed_by(law, model, flights)?.drop_height_m().value;
+    let drop_height_m = regressed_by(law, model, flights)?.drop_height_m.value;
     Ok(Explanation {
         restitution_law: name.to_owned(),
         drag: drag.to_owned(),

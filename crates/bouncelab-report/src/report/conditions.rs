@@ -1,11 +1,12 @@
 //! What was known, what was assumed, and what it was detected with.
 
-use bouncelab::analysis::Options;
+use bouncelab::analysis::Source;
 use bouncelab::inference::Measured;
+use bouncelab::setup::Setup;
+use bouncelab::{Diagnostic, Options};
 
 use super::page::{Block, Section, sentence};
 use super::subject::Recording;
-use crate::document::Origin;
 use crate::messages::{Translator, Value};
 use crate::quantity::{Quantity, Unit};
 use crate::tables::drag_law;
@@ -15,55 +16,43 @@ type Fact = (String, String);
 
 /// Recording, ball, air and gravity, what of it nobody stated, and the priors.
 pub fn conditions(recording: &Recording, words: &Translator) -> Section {
-    let source = source(recording.origin, words);
-    let Recording {
-        settings,
-        ball_label,
-        assumptions,
-        ..
-    } = recording;
-    of_all(source, settings, ball_label, assumptions, words)
+    let source = source(&recording.result.source, words);
+    of_all(source, recording.setup, words)
 }
 
 /// Ball, air and gravity of several recordings, what of it nobody stated, and the priors.
-pub fn shared_conditions(
-    settings: &Options,
-    ball_label: &str,
-    assumptions: &[String],
-    words: &Translator,
-) -> Section {
-    of_all(Vec::new(), settings, ball_label, assumptions, words)
+pub fn shared_conditions(setup: &Setup, words: &Translator) -> Section {
+    of_all(Vec::new(), setup, words)
 }
 
-fn of_all(
-    mut facts: Vec<Fact>,
-    settings: &Options,
-    ball_label: &str,
-    assumptions: &[String],
-    words: &Translator,
-) -> Section {
-    facts.extend(known(settings, ball_label, words));
+fn of_all(mut facts: Vec<Fact>, setup: &Setup, words: &Translator) -> Section {
+    let (settings, assumptions) = (&setup.options, &setup.assumptions);
+    facts.extend(known(settings, &setup.ball_label, words));
     let mut blocks = vec![Block::Facts(facts)];
     if !assumptions.is_empty() {
         blocks.push(Block::text(words.text("report-assumed")));
-        blocks.push(Block::List(sentences(assumptions)));
+        blocks.push(Block::List(sentences(assumptions, words)));
     }
     if settings.inference.is_some() {
         blocks.push(Block::text(words.text("report-priors")));
-        blocks.push(Block::List(sentences(&settings.priors.statements())));
+        blocks.push(Block::List(sentences(
+            &settings.priors.diagnostics(),
+            words,
+        )));
     }
     Section::new(words.text("report-conditions"), blocks)
 }
 
-fn sentences(phrases: &[String]) -> Vec<String> {
-    phrases.iter().map(|phrase| sentence(phrase)).collect()
+fn sentences(diagnostics: &[Diagnostic], words: &Translator) -> Vec<String> {
+    let sentences = diagnostics.iter().map(|known| words.diagnostic(known));
+    sentences.map(|known| sentence(&known)).collect()
 }
 
-fn source(origin: &Origin, words: &Translator) -> Vec<Fact> {
+fn source(origin: &Source, words: &Translator) -> Vec<Fact> {
     let source = words.text("report-source");
     match origin {
-        Origin::Times => vec![(source, words.text("report-source-times"))],
-        Origin::Sound {
+        Source::Times => vec![(source, words.text("report-source-times"))],
+        Source::Sound {
             format,
             sample_rate_hz,
             channels,
@@ -71,9 +60,10 @@ fn source(origin: &Origin, words: &Translator) -> Vec<Fact> {
             duration_s,
             onsets,
         } => {
-            let format = match format.as_str() {
-                "microphone" => words.text("report-microphone"),
-                _ => format.clone(),
+            let format = match format.as_deref() {
+                Some("microphone") => words.text("report-microphone"),
+                Some(format) => format.to_owned(),
+                None => words.text("report-samples"),
             };
             let sound = [
                 ("format", format.into()),

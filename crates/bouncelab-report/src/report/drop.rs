@@ -1,10 +1,9 @@
 //! One drop in words, numbers and figures.
 
+use bouncelab::Estimate;
 use bouncelab::analysis::{CONFIDENT_PROBABILITY, Drop, Options};
-use bouncelab::inference::{
-    ApexTarget, Posterior, PriorContraction, Summary, UNINFORMATIVE, UNKNOWN,
-};
-use bouncelab::regression::{Estimate, Regression};
+use bouncelab::inference::{ApexTarget, Posterior, PriorContraction, UNINFORMATIVE, UNKNOWN};
+use bouncelab::regression::LogLinearFit;
 
 use super::page::{Block, Section, capital, ended, sentence};
 use crate::figure::{self, Subject};
@@ -19,7 +18,7 @@ pub fn in_words(drop: &Drop, words: &Translator) -> Vec<Block> {
         Block::Lead(kept(drop, words)),
         Block::text(detected(drop, words)),
     ];
-    if let (Ok(found), Ok(line)) = (&drop.estimate, &drop.line) {
+    if let (Ok(found), Ok(line)) = (&drop.posterior, &drop.log_linear_fit) {
         blocks.push(Block::text(against_the_line(found, line, words)));
     }
     blocks
@@ -28,9 +27,13 @@ pub fn in_words(drop: &Drop, words: &Translator) -> Vec<Block> {
 /// "The ball kept 94.6 ± 0.2 % of its speed at each bounce and fell from 30.4 ± 0.6 cm."
 fn kept(drop: &Drop, words: &Translator) -> String {
     let inline = |quantity: Quantity| Value::from(unbroken(quantity, words));
-    match (&drop.estimate, drop.corrected_restitution(), &drop.line) {
+    match (
+        &drop.posterior,
+        drop.per_impact_restitution(),
+        &drop.log_linear_fit,
+    ) {
         (Ok(found), ..) => {
-            let is_release = found.first_was_heard() || found.missed_first.is_some();
+            let is_release = found.first_was_heard() || found.missed_first_impacts.is_some();
             let id = if is_release {
                 "report-kept-and-fell"
             } else {
@@ -45,22 +48,26 @@ fn kept(drop: &Drop, words: &Translator) -> String {
             words.text_with("report-kept", &[("share", share)])
         }
         (.., Ok(line)) => {
-            let share = inline(estimated(line.restitution(), Unit::Percent));
-            let height = inline(estimated(line.drop_height_m(), Unit::Length));
+            let share = inline(estimated(line.restitution, Unit::Percent));
+            let height = inline(estimated(line.drop_height_m, Unit::Length));
             words.text_with(
                 "report-kept-without-air",
                 &[("share", share), ("height", height)],
             )
         }
-        (.., Err(reason)) => {
-            words.text_with("report-kept-unknown", &[("reason", ended(reason).into())])
-        }
+        (.., Err(reason)) => words.text_with(
+            "report-kept-unknown",
+            &[(
+                "reason",
+                ended(words.diagnostic(&reason.diagnostic())).into(),
+            )],
+        ),
     }
 }
 
 fn detected(drop: &Drop, words: &Translator) -> String {
     let impacts = &drop.impacts;
-    let seconds = |impact: Option<&bouncelab::analysis::Impact>| {
+    let seconds = |impact: Option<&bouncelab::Impact>| {
         Value::fixed(impact.map_or(f64::NAN, |impact| impact.time_s), 2)
     };
     let uncertain = impacts
@@ -76,7 +83,7 @@ fn detected(drop: &Drop, words: &Translator) -> String {
             ("uncertain", uncertain.into()),
         ],
     );
-    let Ok(found) = &drop.estimate else {
+    let Ok(found) = &drop.posterior else {
         return impacts;
     };
     let value = unbroken(measured(&found.restitution, Unit::Number), words);
@@ -89,15 +96,15 @@ fn detected(drop: &Drop, words: &Translator) -> String {
 }
 
 /// What drag does to the straight line of the paper.
-fn against_the_line(found: &Posterior, line: &Regression, words: &Translator) -> String {
-    let points = 100.0 * (found.restitution.value - line.restitution().value);
+fn against_the_line(found: &Posterior, line: &LogLinearFit, words: &Translator) -> String {
+    let points = 100.0 * (found.restitution.value - line.restitution.value);
     let difference = match points {
         _ if points.abs() < 0.05 => "none",
         _ if points > 0.0 => "less",
         _ => "more",
     };
-    let share = unbroken(estimated(line.restitution(), Unit::Percent), words);
-    let height = unbroken(estimated(line.drop_height_m(), Unit::Length), words);
+    let share = unbroken(estimated(line.restitution, Unit::Percent), words);
+    let height = unbroken(estimated(line.drop_height_m, Unit::Length), words);
     words.text_with(
         "report-line-says",
         &[
@@ -122,11 +129,8 @@ pub fn drop(
     } else {
         Vec::new()
     };
-    blocks.extend(
-        drop.warnings
-            .iter()
-            .map(|warning| Block::Note(sentence(&warning.to_string()))),
-    );
+    let notes = drop.diagnostics.iter();
+    blocks.extend(notes.map(|known| Block::Note(sentence(&words.diagnostic(known)))));
     let answers = answers(drop, settings, words);
     blocks.push(Block::table(words.text("report-answers"), answers));
     let part = Part {
@@ -134,24 +138,12 @@ pub fn drop(
         words,
     };
     let mut parts = vec![part.impacts(drop), part.straight_line(drop)];
-    match &drop.estimate {
+    match &drop.posterior {
         Ok(found) => {
-            blocks.extend(
-                found
-                    .remarks
-                    .iter()
-                    .map(|remark| Block::Note(sentence(&remark.to_string()))),
-            );
             parts.push(part.uncertainty(found));
             parts.push(part.laws(found));
             parts.push(part.contraction(found));
             parts.push(part.fit(found));
-        }
-        Err(reason) if settings.inference.is_some() => {
-            let reason = ended(reason).into();
-            blocks.push(Block::Note(
-                words.text_with("report-no-inference", &[("reason", reason)]),
-            ));
         }
         Err(_) => {}
     }
@@ -173,9 +165,9 @@ fn answers(drop: &Drop, settings: &Options, words: &Translator) -> Table {
             ("column-straight-line", Align::Right),
         ],
     );
-    let line = drop.line.as_ref().ok();
-    let found = drop.estimate.as_ref().ok();
-    let mut row = |name: String, inferred: Option<(&Summary, Unit)>, lined: Option<String>| {
+    let line = drop.log_linear_fit.as_ref().ok();
+    let found = drop.posterior.as_ref().ok();
+    let mut row = |name: String, inferred: Option<(&Estimate, Unit)>, lined: Option<String>| {
         if inferred.is_none() && lined.is_none() {
             return;
         }
@@ -188,32 +180,32 @@ fn answers(drop: &Drop, settings: &Options, words: &Translator) -> Table {
         });
         table.row([name, value, interval, lined.unwrap_or_default()]);
     };
-    let of_line = |value: fn(&Regression) -> Option<Estimate>, unit: Unit| {
+    let of_line = |value: fn(&LogLinearFit) -> Option<Estimate>, unit: Unit| {
         let value = line.and_then(value)?;
         Some(estimated(value, unit).text(words))
     };
     row(
         words.text("quantity-restitution-e"),
         found.map(|f| (&f.restitution, Unit::Number)),
-        of_line(|line| Some(line.restitution()), Unit::Number),
+        of_line(|line| Some(line.restitution), Unit::Number),
     );
     row(
         words.text("quantity-drop-height"),
         found.map(|f| (&f.drop_height_m, Unit::Length)),
-        of_line(|line| Some(line.drop_height_m()), Unit::Length),
+        of_line(|line| Some(line.drop_height_m), Unit::Length),
     );
     row(
         words.text("quantity-energy-kept"),
         None,
-        of_line(|line| Some(line.energy_kept()), Unit::Percent),
+        of_line(|line| Some(line.energy_kept), Unit::Percent),
     );
-    let drag = found.and_then(|f| f.drag.as_ref());
+    let drag = found.and_then(|f| f.drag_coefficient.as_ref());
     row(
         words.text("quantity-drag-coefficient"),
-        drag.map(|d| (&d.coefficient, Unit::Number)),
+        drag.map(|d| (d, Unit::Number)),
         None,
     );
-    let terminal = drag.and_then(|d| d.terminal_speed_m_s.as_ref());
+    let terminal = found.and_then(|f| f.terminal_speed_m_s.as_ref());
     row(
         words.text("quantity-terminal-speed"),
         terminal.map(|t| (t, Unit::Speed)),
@@ -228,23 +220,23 @@ fn answers(drop: &Drop, settings: &Options, words: &Translator) -> Table {
     }
     row(
         words.text("quantity-scatter"),
-        found.map(|f| (&f.scatter, Unit::Percent)),
+        found.map(|f| (&f.restitution_scatter, Unit::Percent)),
         None,
     );
     let total_time_s = found.and_then(|f| f.total_time_s.as_ref());
     row(
         words.text("quantity-release-until-rest"),
         total_time_s.map(|t| (t, Unit::Time)),
-        of_line(Regression::total_time_s, Unit::Time),
+        of_line(|line| line.total_time_s, Unit::Time),
     );
     let total_path_m = found.and_then(|f| f.total_path_m.as_ref());
     row(
         words.text("quantity-path-until-rest"),
         total_path_m.map(|p| (p, Unit::Length)),
-        of_line(Regression::total_path_m, Unit::Length),
+        of_line(|line| line.total_path_m, Unit::Length),
     );
     for prediction in found.iter().flat_map(|f| &f.predictions) {
-        let ApexTarget { bounce, apex_m } = prediction.reach;
+        let ApexTarget { bounce, apex_m } = prediction.target;
         let apex = Quantity::rounded(apex_m, 4, Unit::Length);
         let target = [("bounce", bounce.into()), ("apex", apex.into())];
         let height = prediction.drop_height_m.as_ref();
@@ -285,10 +277,10 @@ impl Part<'_> {
     fn straight_line(self, drop: &Drop) -> Section {
         let words = self.words;
         let mut blocks = Vec::new();
-        match &drop.line {
+        match &drop.log_linear_fit {
             Ok(line) => {
-                let count = drop.flights.iter().filter(|flight| flight.in_line).count();
-                blocks.push(Block::text(match line.r_squared() {
+                let count = drop.flights.iter().filter(|flight| flight.in_fit).count();
+                blocks.push(Block::text(match line.r_squared {
                     Some(determination) => words.text_with(
                         "report-line-fits",
                         &[
@@ -301,7 +293,10 @@ impl Part<'_> {
                 blocks.extend(self.figure("flight-times"));
             }
             Err(reason) => {
-                let reason = [("reason", ended(reason).into())];
+                let reason = [(
+                    "reason",
+                    ended(words.diagnostic(&reason.diagnostic())).into(),
+                )];
                 blocks.push(Block::text(words.text_with("report-no-line", &reason)));
             }
         }
@@ -391,13 +386,13 @@ fn unbroken(quantity: Quantity, words: &Translator) -> String {
     quantity.text(words).replace(' ', "\u{a0}")
 }
 
-pub(super) fn measured(summary: &Summary, unit: Unit) -> Quantity {
+pub(super) fn measured(summary: &Estimate, unit: Unit) -> Quantity {
     Quantity::measured(summary.value, summary.sd, unit)
 }
 
 /// A value with its standard error, or with four digits where there is none.
 fn estimated(estimate: Estimate, unit: Unit) -> Quantity {
-    match estimate.standard_error {
+    match estimate.known_sd() {
         Some(error) => Quantity::measured(estimate.value, error, unit),
         None => Quantity::rounded(estimate.value, 4, unit),
     }

@@ -66,7 +66,7 @@ struct Form<'a> {
 impl Form<'_> {
     fn section(&mut self, section: &Section, level: usize) -> Markup {
         self.sections += 1;
-        let id = format!("section-{}", self.sections);
+        let id = id(self.sections);
         html! {
             section aria-labelledby=(id) {
                 (heading(&section.heading, level, &id))
@@ -90,7 +90,10 @@ impl Form<'_> {
             Block::Table { caption, table } => of_table(caption, table),
             Block::Figure { chart, .. } => self.figure(chart),
             Block::Equation(equation) => html! {
-                div .equation { math display="block" { mrow { (equation.mathml()) } } }
+                // What is wider than the screen moves sideways, also by the keyboard; its section names it.
+                div .equation role="group" aria-labelledby=(id(self.sections)) tabindex="0" {
+                    math display="block" { mrow { (equation.mathml()) } }
+                }
             },
             Block::Code(text) => html! { pre { code { (text) } } },
         }
@@ -105,6 +108,11 @@ impl Form<'_> {
             }
         }
     }
+}
+
+/// Of the heading of the section with this number.
+fn id(section: usize) -> String {
+    format!("section-{section}")
 }
 
 fn heading(text: &str, level: usize, id: &str) -> Markup {
@@ -127,7 +135,11 @@ fn of_table(caption: &str, table: &Table) -> Markup {
                 caption { (caption) }
                 thead {
                     tr {
-                        @for (name, align) in table.columns() { th class=[side(align)] scope="col" { (name) } }
+                        @for (name, align) in table.columns() {
+                            // A column without a name has no heading.
+                            @if name.is_empty() { td {} }
+                            @else { th class=[side(align)] scope="col" { (name) } }
+                        }
                     }
                 }
                 tbody {

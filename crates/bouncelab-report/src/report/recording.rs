@@ -1,7 +1,7 @@
 //! The page of one recording.
 
+use bouncelab::Estimate;
 use bouncelab::analysis::Drop;
-use bouncelab::inference::Summary;
 
 use super::conditions::conditions;
 use super::drop::{drop, in_words, measured};
@@ -16,7 +16,7 @@ use crate::table::{Align, Table};
 /// The page of a recording: each drop in words and numbers, what was assumed, the method, and how to
 /// repeat it.
 pub fn of_recording(recording: &Recording, provenance: &Provenance, words: &Translator) -> Page {
-    let drops = recording.drops;
+    let drops = &recording.result.drops;
     let mut sections = Vec::new();
     for (found, number) in drops.iter().zip(1_usize..) {
         let heading = match drops.len() {
@@ -31,7 +31,7 @@ pub fn of_recording(recording: &Recording, provenance: &Provenance, words: &Tran
         sections.push(drop(
             &heading,
             found,
-            recording.settings,
+            &recording.setup.options,
             in_words_too,
             words,
         ));
@@ -67,11 +67,12 @@ pub fn made_by(provenance: &Provenance, words: &Translator) -> String {
 
 fn lead(recording: &Recording, words: &Translator) -> Vec<Block> {
     let mut lead = Vec::new();
-    match recording.drops {
+    match recording.result.drops.as_slice() {
         [] => {
-            let reason = recording
-                .no_drop
-                .map_or_else(|| words.text("report-no-reason"), ended);
+            let reason = recording.result.no_drop.as_ref().map_or_else(
+                || words.text("report-no-reason"),
+                |known| ended(words.diagnostic(known)),
+            );
             let reason = [("reason", reason.into())];
             lead.push(Block::Lead(words.text_with("report-no-drop", &reason)));
         }
@@ -86,14 +87,10 @@ fn lead(recording: &Recording, words: &Translator) -> Vec<Block> {
             ));
         }
     }
-    lead.extend(
-        recording
-            .warnings
-            .iter()
-            .map(|warning| Block::Note(sentence(warning))),
-    );
-    if let Some(sound) = recording.sound {
-        let marks = Mark::of_drops(recording.drops);
+    let notes = recording.result.diagnostics.iter();
+    lead.extend(notes.map(|known| Block::Note(sentence(&words.diagnostic(known)))));
+    if let Some(sound) = &recording.result.envelope {
+        let marks = Mark::of_drops(&recording.result.drops);
         lead.push(Block::figure(
             "waveform",
             figure::waveform(sound, &marks, words),
@@ -115,8 +112,8 @@ fn overview(drops: &[Drop], words: &Translator) -> Table {
         ],
     );
     for (drop, number) in drops.iter().zip(1..) {
-        let found = drop.estimate.as_ref().ok();
-        let shown = |summary: Option<&Summary>, unit| match summary {
+        let found = drop.posterior.as_ref().ok();
+        let shown = |summary: Option<&Estimate>, unit| match summary {
             Some(summary) => measured(summary, unit).text(words),
             None => words.text("unit-cannot-tell"),
         };
@@ -133,7 +130,7 @@ fn overview(drops: &[Drop], words: &Translator) -> Table {
 }
 
 fn air(recording: &Recording, words: &Translator) -> Section {
-    let figures = figure::of_air(recording.drops, recording.settings, words);
+    let figures = figure::of_air(&recording.result.drops, &recording.setup.options, words);
     let blocks = figures
         .into_iter()
         .map(|(name, chart)| Block::figure(name, chart))

@@ -1,31 +1,16 @@
 //! What a page is about, and where it comes from.
 
-use bouncelab::analysis::{Drop, Options};
-use bouncelab::detection::Envelope;
+use bouncelab::setup::Setup;
 
-use crate::document::Origin;
-
-/// A recording, or a list of times, and what it said.
+/// A recording, or a list of times, and what it says.
 #[derive(Debug, Clone, Copy)]
 pub struct Recording<'a> {
     /// Its name, as the person gave it.
     pub name: &'a str,
-    /// Where the times come from.
-    pub origin: &'a Origin,
     /// What was known or assumed.
-    pub settings: &'a Options,
-    /// The ball in words.
-    pub ball_label: &'a str,
-    /// What of it nobody stated, one phrase for each.
-    pub assumptions: &'a [String],
-    /// The drops in it, in order of time.
-    pub drops: &'a [Drop],
-    /// Why there is none.
-    pub no_drop: Option<&'a str>,
-    /// What is odd about the recording.
-    pub warnings: &'a [String],
-    /// Loudness over time, if it is a sound.
-    pub sound: Option<&'a Envelope>,
+    pub setup: &'a Setup,
+    /// What it says.
+    pub result: &'a bouncelab::Recording,
 }
 
 /// How to get the same page again.

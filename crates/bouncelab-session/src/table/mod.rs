@@ -9,7 +9,7 @@ mod text;
 
 use std::path::{Path, PathBuf};
 
-use bouncelab_files::Draft;
+use bouncelab_report::file::Draft;
 
 use crate::error::{Error, Result};
 use parquet::ParquetTable;
@@ -41,31 +41,17 @@ pub struct Column {
     pub about: String,
 }
 
-/// A cell.
+/// A cell; `None` is not known.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Cell {
-    /// Not known.
-    Empty,
     /// Text.
-    Text(String),
+    Text(Option<String>),
     /// A number; one that is not finite counts as not known.
-    Number(f64),
+    Number(Option<f64>),
     /// A whole number.
-    Count(i64),
+    Count(Option<usize>),
     /// Yes or no.
-    Flag(bool),
-}
-
-impl Cell {
-    /// A number, or nothing.
-    pub fn number(value: Option<f64>) -> Self {
-        value.map_or(Self::Empty, Self::Number)
-    }
-
-    /// Text, or nothing.
-    pub fn text(value: Option<&str>) -> Self {
-        value.map_or(Self::Empty, |text| Self::Text(text.to_owned()))
-    }
+    Flag(Option<bool>),
 }
 
 /// What a table is: its name, schema and columns.

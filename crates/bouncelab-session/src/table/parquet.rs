@@ -143,7 +143,7 @@ fn write_column(
     match kind {
         Kind::Text => {
             let (values, known) = split(cells, |cell| match cell {
-                Cell::Text(text) => Some(ByteArray::from(text.as_str())),
+                Cell::Text(text) => text.as_deref().map(ByteArray::from),
                 _ => None,
             });
             let column = writer.typed::<ByteArrayType>();
@@ -151,7 +151,7 @@ fn write_column(
         }
         Kind::Number => {
             let (values, known) = split(cells, |cell| match cell {
-                Cell::Number(number) => Some(*number).filter(|number| number.is_finite()),
+                Cell::Number(number) => number.filter(|number| number.is_finite()),
                 _ => None,
             });
             let column = writer.typed::<DoubleType>();
@@ -159,7 +159,7 @@ fn write_column(
         }
         Kind::Count => {
             let (values, known) = split(cells, |cell| match cell {
-                Cell::Count(count) => Some(*count),
+                Cell::Count(count) => count.and_then(|count| i64::try_from(count).ok()),
                 _ => None,
             });
             let column = writer.typed::<Int64Type>();
@@ -167,7 +167,7 @@ fn write_column(
         }
         Kind::Flag => {
             let (values, known) = split(cells, |cell| match cell {
-                Cell::Flag(flag) => Some(*flag),
+                Cell::Flag(flag) => *flag,
                 _ => None,
             });
             let column = writer.typed::<BoolType>();

@@ -24,13 +24,15 @@ impl CsvTable {
 
 impl Rows for CsvTable {
     fn row(&mut self, row: &[Cell]) -> Result<(), String> {
-        let cells = row.iter().map(|cell| match cell {
+        let known = |cell: &Cell| match cell {
             Cell::Text(text) => text.clone(),
-            Cell::Number(number) if number.is_finite() => number.to_string(),
-            Cell::Empty | Cell::Number(_) => String::new(),
-            Cell::Count(count) => count.to_string(),
-            Cell::Flag(flag) => flag.to_string(),
-        });
+            Cell::Number(number) => number
+                .filter(|number| number.is_finite())
+                .map(|number| number.to_string()),
+            Cell::Count(count) => count.map(|count| count.to_string()),
+            Cell::Flag(flag) => flag.map(|flag| flag.to_string()),
+        };
+        let cells = row.iter().map(|cell| known(cell).unwrap_or_default());
         self.0
             .write_record(cells)
             .map_err(|fault| fault.to_string())
@@ -60,8 +62,7 @@ impl Rows for JsonTable {
     fn row(&mut self, row: &[Cell]) -> Result<(), String> {
         let cells = std::iter::zip(&self.names, row).map(|(name, cell)| {
             let value = match cell {
-                Cell::Empty => Value::Null,
-                Cell::Text(text) => Value::from(text.as_str()),
+                Cell::Text(text) => Value::from(text.as_deref()),
                 // What is not finite becomes null.
                 Cell::Number(number) => Value::from(*number),
                 Cell::Count(count) => Value::from(*count),

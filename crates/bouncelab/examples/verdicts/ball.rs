@@ -4,9 +4,10 @@ use bouncelab::analysis::{self, Drop, Options};
 use bouncelab::ball::Ball;
 use bouncelab::drag::DragLaw;
 use bouncelab::flight::{Environment, FlightModel};
-use bouncelab::impact::Restitution;
+use bouncelab::impact::{Restitution, Strike};
 use bouncelab::inference::{InferenceOptions, Measured, SamplerConfig};
 use bouncelab::rulebook::{self, Conditions, Decision, Limits, Outcome, Requirement, Rule};
+use bouncelab_testkit::bouncing;
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 use rand_distr::{Distribution, StandardNormal};
@@ -122,23 +123,24 @@ impl RealBall {
     fn dropped(&self, between: f64, settings: &Options, chance: &mut ChaCha8Rng) -> Drop {
         let height_m = DROP_M + HEIGHT_SD_M * normal(chance);
         let livelier = (between * normal(chance)).exp();
-        let mut impact_m_s = self.model.fall(height_m).unwrap().impact_speed_m_s;
-        let mut time_s = 0.0;
-        let mut impacts = Vec::new();
-        for number in 1..=MOST_IMPACTS {
-            impacts.push(analysis::Impact {
+        let first_m_s = self.model.fall(height_m).unwrap().impact_speed_m_s;
+        let restitution =
+            |speed_m_s| self.law.at(speed_m_s) * livelier * (SCATTER * normal(chance)).exp();
+        let strikes: Vec<Strike> =
+            bouncing(self.model, self.contact_time_s, first_m_s, restitution)
+                .take(MOST_IMPACTS)
+                .collect();
+        let heard = strikes
+            .iter()
+            .zip(1..)
+            .map(|(strike, number)| analysis::Impact {
                 number,
-                time_s: time_s + TIMING_S * normal(chance),
+                time_s: strike.time_s + TIMING_S * normal(chance),
                 sigma_s: Some(TIMING_S),
                 probability: 1.0,
                 level_db: None,
             });
-            let kept = self.law.at(impact_m_s) * livelier * (SCATTER * normal(chance)).exp();
-            let flight = self.model.launch(kept * impact_m_s).unwrap();
-            time_s += self.contact_time_s + flight.time_s();
-            impact_m_s = flight.impact_speed_m_s;
-        }
-        analysis::analyze(impacts, settings)
+        analysis::analyze(heard.collect(), settings)
     }
 }
 

@@ -4,7 +4,7 @@ use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
 
 use super::mean::{check, climb};
 use super::quantile::{chi_squared, interval95};
-use crate::error::{Error, Result};
+use crate::error::{Error, InferenceFailure, Result};
 use crate::inference::Measured;
 use crate::stats::{mean, sd};
 
@@ -125,9 +125,9 @@ impl Mixed {
     fn climbed(design: Design) -> Result<Self> {
         let mut sds = vec![design.scale / 4.0; 1 + design.random_factors];
         design.climb_all(&mut sds, None, 40);
-        let fit = design.fit(&sds).ok_or_else(|| {
-            Error::CannotInfer("the variances of these groups cannot be told apart".to_owned())
-        })?;
+        let fit = design
+            .fit(&sds)
+            .ok_or_else(|| Error::CannotInfer(InferenceFailure::Confounded))?;
         Ok(Self { design, sds, fit })
     }
 

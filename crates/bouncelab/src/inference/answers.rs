@@ -1,14 +1,22 @@
 //! From the draws of the posterior to the answers.
 
 use super::likelihood::{Evaluator, Innovation};
-use super::posterior::{Drag, Draws, Impact, Model, Posterior, Sampling};
+use super::posterior::{Draws, ImpactPosterior, Model, Posterior, Sampling};
 use super::priors::Measured;
 use super::sampled::{SampledPosterior, THINNED};
-use super::summary::Summary;
 use super::{ApexTarget, InferenceOptions, Prediction, budget, findings, identify, predict};
 use crate::drag::DragLaw;
 use crate::error::Result;
+use crate::estimate::Estimate;
 use crate::flight::{Environment, FlightModel};
+
+/// The drag of the ball.
+struct Drag {
+    coefficient: Estimate,
+    reynolds: f64,
+    prior: Measured,
+    terminal_speed_m_s: Option<Estimate>,
+}
 
 /// The answers of each draw.
 pub(super) struct Answers {
@@ -67,7 +75,7 @@ impl Answers {
         posterior: SampledPosterior,
         inference: &InferenceOptions,
     ) -> Option<Posterior> {
-        let of = |values: &[f64]| Summary::of(values.iter().copied());
+        let of = |values: &[f64]| Estimate::of_draws(values.iter().copied());
         let innovations = posterior.innovations();
         let prior_contraction = identify::prior_contraction(&posterior);
         let rest = posterior.each(THINNED, |evaluator, point| {
@@ -78,31 +86,35 @@ impl Answers {
         let drag_coefficient = self.drag_coefficients(&posterior);
         let drag = self.drag(&posterior, &drag_coefficient);
         let gravity_m_s2 = of(&self.environment_gravity(&posterior))?;
-        let remarks = findings::remarks(&posterior, &innovations, &prior_contraction, rests);
-        Some(Posterior {
+        let diagnostics =
+            findings::diagnostics(&posterior, &innovations, &prior_contraction, rests);
+        let mut inferred = Posterior {
             at_speed_m_s: self.at_speed_m_s,
             restitution: of(&self.restitution)?,
-            slope: of(&self.slope)?,
+            restitution_slope: of(&self.slope)?,
             drop_height_m: of(&self.drop_height_m)?,
-            drag,
+            drag_coefficient: drag.as_ref().map(|drag| drag.coefficient),
+            drag_reynolds: drag.as_ref().map(|drag| drag.reynolds),
+            drag_coefficient_prior: drag.as_ref().map(|drag| drag.prior),
+            terminal_speed_m_s: drag.and_then(|drag| drag.terminal_speed_m_s),
             gravity_m_s2,
-            scatter: of(&self.scatter)?,
+            restitution_scatter: of(&self.scatter)?,
             timing_s: of(&self.timing_s)?,
             contact_time_s: of(&self.contact_time_s)?,
-            total_time_s: Summary::of(rest.iter().map(|rest| rest.time_s)),
-            total_path_m: Summary::of(rest.iter().map(|rest| rest.path_m)),
-            missed_first: missed_first(&posterior),
+            total_time_s: Estimate::of_draws(rest.iter().map(|rest| rest.time_s)),
+            total_path_m: Estimate::of_draws(rest.iter().map(|rest| rest.path_m)),
+            missed_first_impacts: missed_first(&posterior),
             predictions: predictions(&posterior, &inference.reach),
             impacts: heard(&posterior, &innovations),
             models: self.models(&posterior),
             prior_contraction,
             correlations: identify::correlations(vec![
                 ("restitution", self.restitution.clone()),
-                ("slope of restitution", self.slope.clone()),
-                ("drag coefficient", self.drag_scale.clone()),
-                ("drop height", self.drop_height_m.clone()),
+                ("slope", self.slope.clone()),
+                ("drag", self.drag_scale.clone()),
+                ("drop-height", self.drop_height_m.clone()),
                 ("gravity", self.gravity_m_s2.clone()),
-                ("contact time", self.contact_time_s.clone()),
+                ("contact-time", self.contact_time_s.clone()),
             ]),
             budget: budget::budget(&posterior, self.at_speed_m_s).unwrap_or_default(),
             sampling: Sampling {
@@ -110,14 +122,18 @@ impl Answers {
                 pareto_shape: posterior.pareto_shape(),
                 converged: posterior.converged(),
             },
-            remarks,
+            priors: posterior.priors.diagnostics(),
+            band: Vec::new(),
+            diagnostics,
             draws: Draws {
                 restitution: self.restitution,
                 drag_coefficient,
                 drop_height_m: self.drop_height_m,
             },
             posterior,
-        })
+        };
+        inferred.band = inferred.compute_band();
+        Some(inferred)
     }
 
     /// The drag coefficient of each draw: that of its law at the fastest impact, times the scale.
@@ -140,7 +156,7 @@ impl Answers {
 
     fn drag(&self, posterior: &SampledPosterior, coefficients: &[f64]) -> Option<Drag> {
         let environment = &posterior.environment;
-        let coefficient = Summary::of(coefficients.iter().copied())?;
+        let coefficient = Estimate::of_draws(coefficients.iter().copied())?;
         let reynolds = fastest_reynolds(posterior);
         let nominal = environment.drag.coefficient(reynolds).ok()?;
         let models: Vec<FlightModel> = posterior
@@ -167,7 +183,7 @@ impl Answers {
                 value: nominal,
                 sd: nominal * posterior.priors.drag_rel_sd,
             },
-            terminal_speed_m_s: Summary::of(terminal),
+            terminal_speed_m_s: Estimate::of_draws(terminal),
         })
     }
 
@@ -191,32 +207,32 @@ impl Answers {
             let drag = posterior.media[candidate.media].drag_law;
             let known = models
                 .iter_mut()
-                .find(|model| model.law == candidate.law && model.drag == drag);
+                .find(|model| model.restitution_law == candidate.law && model.drag_law == drag);
             if let Some(model) = known {
-                model.weight += candidate.weight;
+                model.probability += candidate.weight;
                 continue;
             }
             let of_model = |values: &[f64]| {
                 let of_draw = posterior.draws.iter().zip(values);
-                Summary::of(of_draw.filter_map(|(draw, &value)| {
+                Estimate::of_draws(of_draw.filter_map(|(draw, &value)| {
                     let drawn = &posterior.candidates[draw.candidate];
                     let same = drawn.law == candidate.law && drawn.media == candidate.media;
                     same.then_some(value)
                 }))
             };
             models.push(Model {
-                law: candidate.law,
-                drag,
-                weight: candidate.weight,
+                restitution_law: candidate.law,
+                drag_law: drag,
+                probability: candidate.weight,
                 log_evidence: 0.0,
                 restitution: of_model(&self.restitution),
                 drop_height_m: of_model(&self.drop_height_m),
             });
         }
-        models.sort_by(|a, b| b.weight.total_cmp(&a.weight));
-        let best = models.first().map_or(1.0, |model| model.weight);
+        models.sort_by(|a, b| b.probability.total_cmp(&a.probability));
+        let best = models.first().map_or(1.0, |model| model.probability);
         for model in &mut models {
-            model.log_evidence = (model.weight / best).ln();
+            model.log_evidence = (model.probability / best).ln();
         }
         models
     }
@@ -236,9 +252,9 @@ fn predictions(posterior: &SampledPosterior, reach: &[ApexTarget]) -> Vec<Predic
     };
     reach
         .iter()
-        .map(|&reach| Prediction {
-            reach,
-            drop_height_m: Summary::of(height(reach)),
+        .map(|&target| Prediction {
+            target,
+            drop_height_m: Estimate::of_draws(height(target)),
         })
         .collect()
 }
@@ -273,7 +289,7 @@ fn terminal_speed(model: &FlightModel, drag_strength: f64) -> Option<f64> {
 }
 
 /// The impacts heard, with what each did to the speed and the energy of the ball.
-fn heard(posterior: &SampledPosterior, innovations: &[Innovation]) -> Vec<Impact> {
+fn heard(posterior: &SampledPosterior, innovations: &[Innovation]) -> Vec<ImpactPosterior> {
     let state = posterior.each(THINNED, |evaluator: &mut Evaluator, point| {
         let state = evaluator.state(point)?;
         let table = evaluator.table(point)?;
@@ -299,16 +315,16 @@ fn heard(posterior: &SampledPosterior, innovations: &[Innovation]) -> Vec<Impact
                 |faster: f64, slower: f64| 0.5 * mass_kg * (faster * faster - slower * slower);
             let when = |possible: bool, value: &dyn Fn(usize) -> f64| {
                 if possible {
-                    Summary::of((0..state.len()).map(value))
+                    Estimate::of_draws((0..state.len()).map(value))
                 } else {
                     None
                 }
             };
             let before = |draw: usize| state[draw].0.impact_speeds[place];
             let after = |draw: usize| state[draw].0.launch_speeds[place];
-            Some(Impact {
+            Some(ImpactPosterior {
                 number: impact.number,
-                impact_speed_m_s: Summary::of((0..state.len()).map(before))?,
+                impact_speed_m_s: Estimate::of_draws((0..state.len()).map(before))?,
                 restitution: when(launches, &|draw| after(draw) / before(draw)),
                 apex_m: when(launches, &|draw| state[draw].1[place]),
                 lost_to_surface_j: when(launches, &|draw| energy(before(draw), after(draw))),

@@ -14,8 +14,10 @@ use super::sampled::{SampledPosterior, THINNED};
 
 /// What one source adds to the uncertainty of a quantity.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 pub struct Share {
-    /// The source, in words.
+    /// The source: a stable name in kebab case, such as `impact-timing` or `drag-law`.
     pub source: &'static str,
     /// The standard uncertainty that it alone would leave, in the unit of the quantity.
     pub sd: f64,
@@ -25,6 +27,8 @@ pub struct Share {
 
 /// The budget of the restitution and of the drop height, largest share first.
 #[derive(Debug, Clone, PartialEq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 pub struct Budget {
     /// Of the restitution at the stated speed.
     pub restitution: Vec<Share>,
@@ -51,11 +55,11 @@ pub(super) fn budget(posterior: &SampledPosterior, at_speed_m_s: f64) -> Option<
     let [between_laws, between_missed] = between(posterior, at_speed_m_s);
     let mut of_restitution =
         linear.sources(&gradient(&mut evaluator, vector, restitution)?, &model);
-    of_restitution.push(("choice of law", between_laws[0]));
-    of_restitution.push(("number of impacts", between_missed[0]));
+    of_restitution.push(("choice-of-law", between_laws[0]));
+    of_restitution.push(("number-of-impacts", between_missed[0]));
     let mut of_height = linear.sources(&gradient(&mut evaluator, vector, height)?, &model);
-    of_height.push(("choice of law", between_laws[1]));
-    of_height.push(("number of impacts", between_missed[1]));
+    of_height.push(("choice-of-law", between_laws[1]));
+    of_height.push(("number-of-impacts", between_missed[1]));
     Some(Budget {
         restitution: shares(of_restitution),
         drop_height_m: shares(of_height),
@@ -124,18 +128,18 @@ impl Linear {
         let pull = self.gain.transpose() * gradient;
         let of_noise = |noise: &Banded| noise.quadratic(&pull);
         let mut sources = vec![
-            ("timing of the impacts", of_noise(&self.by_time)),
-            ("scatter of restitution", of_noise(&self.by_scatter)),
-            ("release time", of_noise(&self.by_release)),
+            ("impact-timing", of_noise(&self.by_time)),
+            ("restitution-scatter", of_noise(&self.by_scatter)),
+            ("release-time", of_noise(&self.by_release)),
         ];
         let response = &self.covariance * gradient;
         let of_slot = |slot: Slot| model.place(slot).map_or(0.0, |place| response[place]);
         sources.push((
-            "slope of restitution",
+            "restitution-slope",
             of_slot(Slot::Shape(0)).powi(2) + of_slot(Slot::Shape(1)).powi(2),
         ));
         if model.height_m.is_some() {
-            sources.push(("measured height", of_slot(Slot::Height).powi(2)));
+            sources.push(("measured-height", of_slot(Slot::Height).powi(2)));
         }
         sources.extend(self.inputs(gradient, model));
         sources
@@ -147,8 +151,8 @@ impl Linear {
         let response = &self.covariance * gradient;
         let of_slot = |slot: Slot| model.place(slot).map_or(0.0, |place| response[place]);
         let mut inputs = vec![
-            ("drag law", of_slot(Slot::Drag).powi(2)),
-            ("contact time", of_slot(Slot::Contact).powi(2)),
+            ("drag-law", of_slot(Slot::Drag).powi(2)),
+            ("contact-time", of_slot(Slot::Contact).powi(2)),
         ];
         for (index, (name, ..)) in model.media.inputs.sources.iter().enumerate() {
             let [on_gravity, on_drag] = model.media.inputs.whitened(index);

@@ -1,7 +1,5 @@
 //! What the data state, and what only the priors did.
 
-use std::fmt;
-
 use super::model::{Model, Slot};
 use super::priors::LawKind;
 use super::sampled::SampledPosterior;
@@ -9,6 +7,9 @@ use crate::stats::{mean, sd};
 
 /// Something that was not known before the data.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
+#[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
 #[non_exhaustive]
 pub enum Unknown {
     /// The drag coefficient, as a factor on that of the law.
@@ -25,21 +26,24 @@ pub enum Unknown {
     Gravity,
 }
 
-impl fmt::Display for Unknown {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::Drag => "drag coefficient",
-            Self::Slope => "slope of restitution",
-            Self::Scatter => "scatter of restitution",
-            Self::Timing => "errors of the times",
-            Self::ContactTime => "contact time",
+impl Unknown {
+    /// Its stable name, in kebab case.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Drag => "drag",
+            Self::Slope => "slope",
+            Self::Scatter => "scatter",
+            Self::Timing => "timing",
+            Self::ContactTime => "contact-time",
             Self::Gravity => "gravity",
-        })
+        }
     }
 }
 
 /// How much the data prior_contraction what was known of something.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 pub struct PriorContraction {
     /// Of what.
     pub unknown: Unknown,
@@ -92,8 +96,10 @@ pub(super) fn prior_contraction(posterior: &SampledPosterior) -> Vec<PriorContra
 
 /// Correlations between the quantities of interest.
 #[derive(Debug, Clone, PartialEq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 pub struct Correlations {
-    /// What they are, in order.
+    /// What they are, in order: names as in [`Unknown`], and `restitution` and `drop-height`.
     pub quantities: Vec<&'static str>,
     /// From -1 to 1, one row for each quantity.
     pub matrix: Vec<Vec<f64>>,

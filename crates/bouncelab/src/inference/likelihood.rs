@@ -330,13 +330,13 @@ mod tests {
     use crate::analysis::Options;
     use crate::drag::DragLaw;
     use crate::flight::Environment;
+    use crate::impact::Impact;
     use crate::inference::model::{Medium, ReferenceSpeed};
     use crate::inference::observed::Observed;
     use crate::inference::priors::{LawKind, Measured, Priors};
-    use crate::restitution::TimedImpact;
 
     /// Times of a drop with two gaps, one of them two impacts wide, and a release.
-    fn impacts() -> Vec<TimedImpact> {
+    fn impacts() -> Vec<Impact> {
         let times = [
             (1, 0.3),
             (2, 0.8605),
@@ -347,19 +347,12 @@ mod tests {
             (10, 4.3544),
         ];
         times
-            .map(|(number, time_s)| TimedImpact {
-                number,
-                time_s,
-                standard_error_s: Some(2e-4),
-            })
+            .map(|(number, time_s)| Impact::new(number, time_s).with_time_sd_s(2e-4))
             .to_vec()
     }
 
     /// Works with the likelihood of the times above, for a law that changes with speed.
-    fn with_evaluator<T>(
-        impacts: &[TimedImpact],
-        work: impl FnOnce(&mut Evaluator, &[f64]) -> T,
-    ) -> T {
+    fn with_evaluator<T>(impacts: &[Impact], work: impl FnOnce(&mut Evaluator, &[f64]) -> T) -> T {
         let settings = Options::default();
         let environment = Environment {
             drag: DragLaw::Constant(0.4),
@@ -396,7 +389,7 @@ mod tests {
         work(&mut Evaluator::new(&model), &vector)
     }
 
-    fn values(impacts: &[TimedImpact]) -> Vec<f64> {
+    fn values(impacts: &[Impact]) -> Vec<f64> {
         with_evaluator(impacts, |evaluator, vector| {
             evaluator.residual_values(vector).unwrap()
         })

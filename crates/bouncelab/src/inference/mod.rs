@@ -12,13 +12,13 @@
 //! use bouncelab::ball;
 //! use bouncelab::analysis::Options;
 //! use bouncelab::inference::{self, SamplerConfig, Priors, Measured, InferenceOptions};
-//! use bouncelab::restitution::TimedImpact;
+//! use bouncelab::Impact;
 //!
 //! // Nine flights of a ball that was dropped from 30.5 cm.
 //! let times_s = [0.0, 0.4605, 0.8877, 1.2854, 1.6568, 2.0045, 2.3308, 2.6375, 2.9262, 3.1984];
-//! let impacts: Vec<TimedImpact> = (1..)
+//! let impacts: Vec<Impact> = (1..)
 //!     .zip(times_s)
-//!     .map(|(number, time_s)| TimedImpact { number, time_s, standard_error_s: Some(5e-5) })
+//!     .map(|(number, time_s)| Impact::new(number, time_s).with_time_sd_s(5e-5))
 //!     .collect();
 //! let priors = Priors {
 //!     drop_height_m: Some(Measured { value: 0.305, sd: 0.002 }),
@@ -29,7 +29,7 @@
 //! let found =
 //!     estimate::infer(&impacts, &ball, &environment, contact_time_s, &priors, &inference)?;
 //! assert!((found.restitution.value - 0.95).abs() < 0.01);
-//! assert!(found.missed_first.unwrap()[0] > 0.99);
+//! assert!(found.missed_first_impacts.unwrap()[0] > 0.99);
 //! # Ok::<(), bouncelab::Error>(())
 //! ```
 //!
@@ -57,29 +57,29 @@ mod priors;
 mod residual;
 mod sample;
 mod sampled;
-mod summary;
 mod tail;
 
 pub use budget::{Budget, Share};
-pub use findings::Remark;
 pub use identify::{Correlations, PriorContraction, UNINFORMATIVE, Unknown};
-pub use posterior::{BandPoint, Drag, Draws, Impact, Model, Posterior, Sampling};
+pub use posterior::{BandPoint, Draws, ImpactPosterior, Model, Posterior, Sampling};
 pub use priors::{LawKind, Measured, Priors, UNKNOWN};
 pub use sample::GREATEST_PARETO_SHAPE;
 pub use sampled::SamplerConfig;
-pub use summary::Summary;
 
 use crate::ball::Ball;
-use crate::error::{Error, Result, positive};
+use crate::error::{Error, InferenceFailure, Result, positive};
+use crate::estimate::Estimate;
 use crate::flight::Environment;
+use crate::impact::Impact;
 use crate::impact::Restitution;
-use crate::restitution::TimedImpact;
 use answers::Answers;
 use likelihood::Evaluator;
 use sampled::SampledPosterior;
 
 /// What to ask of the posterior.
 #[derive(Debug, Clone, PartialEq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 pub struct InferenceOptions {
     /// The impact speed at which to state the restitution, m/s; if `None`, the middle of those
     /// heard, where it is known best.
@@ -92,6 +92,8 @@ pub struct InferenceOptions {
 
 /// A bounce and the apex that it is to reach.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 pub struct ApexTarget {
     /// Number of the bounce, 1 for the first.
     pub bounce: usize,
@@ -101,11 +103,14 @@ pub struct ApexTarget {
 
 /// The answer to a [`ApexTarget`].
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 pub struct Prediction {
     /// What was asked.
-    pub reach: ApexTarget,
+    #[cfg_attr(feature = "serde", serde(flatten))]
+    pub target: ApexTarget,
     /// The drop height, m, with the restitution that the law expects; `None` if no height does.
-    pub drop_height_m: Option<Summary>,
+    pub drop_height_m: Option<Estimate>,
 }
 
 /// Infers everything that the times of one drop can tell.
@@ -116,7 +121,7 @@ pub struct Prediction {
 /// [`Error::OutOfRange`] and [`Error::NotInOrder`] for times and priors that make no sense, and
 /// the errors of [`FlightModel::new`](crate::flight::FlightModel::new).
 pub fn infer(
-    impacts: &[TimedImpact],
+    impacts: &[Impact],
     ball: &Ball,
     environment: &Environment,
     contact_time_s: f64,
@@ -143,13 +148,7 @@ pub fn infer(
     let at_speed_m_s = inference.at_speed_m_s.unwrap_or(posterior.middle.speed_m_s);
     Answers::new(&posterior, at_speed_m_s)
         .and_then(|answers| answers.inference(posterior, inference))
-        .ok_or_else(|| {
-            Error::CannotInfer(
-                "the posterior could not be sampled: no draw explains the times; are they of one \
-                 drop?"
-                    .to_owned(),
-            )
-        })
+        .ok_or_else(|| Error::CannotInfer(InferenceFailure::SamplingFailed))
 }
 
 /// The most probable drop under one law, without uncertainties.
@@ -172,7 +171,7 @@ pub struct BestFit {
 ///
 /// Those of [`infer`].
 pub fn best_fit(
-    impacts: &[TimedImpact],
+    impacts: &[Impact],
     ball: &Ball,
     environment: &Environment,
     contact_time_s: f64,
@@ -199,5 +198,5 @@ pub fn best_fit(
                 drag_scale: point.drag_scale,
             })
         })
-        .ok_or_else(|| Error::CannotInfer("the best fit makes no sense".to_owned()))
+        .ok_or_else(|| Error::CannotInfer(InferenceFailure::SamplingFailed))
 }

@@ -4,7 +4,7 @@ use super::observed::Observed;
 use super::priors::{LawKind, Measured, Priors};
 use crate::ball::Ball;
 use crate::drag::DragLaw;
-use crate::error::{Error, Result};
+use crate::error::{Error, InferenceFailure, Result};
 use crate::flight::table::{DragProfile, FlightTables, Row};
 use crate::flight::{Environment, FlightModel};
 use crate::impact::Restitution;
@@ -222,22 +222,22 @@ impl Inputs {
                 -drag * priors.gravity_rel_sd,
             ),
             (
-                "air density",
+                "air-density",
                 -on_gravity * priors.air_density_rel_sd,
                 drag * (1.0 + lift) * priors.air_density_rel_sd,
             ),
             (
-                "ball mass",
+                "ball-mass",
                 on_gravity * priors.mass_rel_sd,
                 -drag * (1.0 + lift) * priors.mass_rel_sd,
             ),
             (
-                "ball diameter",
+                "ball-diameter",
                 -3.0 * on_gravity * priors.diameter_rel_sd,
                 drag * (2.0 + 3.0 * lift) * priors.diameter_rel_sd,
             ),
             (
-                "added mass",
+                "added-mass",
                 -cr / (1.0 + cr) * priors.added_mass_rel_sd,
                 0.0,
             ),
@@ -460,13 +460,7 @@ impl ReferenceSpeed {
                 nominal?.lasting(media.gravity_m_s2 * time_s)
             })
             .collect::<Option<Vec<Row>>>()
-            .ok_or_else(|| {
-                Error::CannotInfer(
-                    "air drag makes so long a flight impossible for this ball; check mass, \
-                     diameter and the unit of the times"
-                        .to_owned(),
-                )
-            })?;
+            .ok_or_else(|| Error::CannotInfer(InferenceFailure::FlightTooLong))?;
         let single = |place: usize| observed.intervals[place].flights == 1;
         let logs: Vec<f64> = (1..rows.len())
             .filter(|&place| single(place) && single(place - 1))
@@ -475,11 +469,7 @@ impl ReferenceSpeed {
         let middle = median(logs.iter().copied());
         let scatter = robust_sd(logs.iter().map(|log| log - middle.unwrap_or(0.0)));
         if middle.is_some_and(|log_e| log_e > 0.1) {
-            return Err(Error::CannotInfer(
-                "the ball would gain speed at each impact, which no surface at rest gives; are the \
-                 times in order, in seconds, and of one drop?"
-                    .to_owned(),
-            ));
+            return Err(Error::CannotInfer(InferenceFailure::GainsSpeed));
         }
         let speeds = rows.iter().map(|row| row.impact).chain([rows[0].launch]);
         let slowest_m_s = speeds.clone().fold(f64::INFINITY, f64::min);

@@ -1,7 +1,7 @@
 //! The impact times as the inference sees them: intervals between impacts that were heard.
 
-use crate::error::{Error, Result, in_order, not_negative, require};
-use crate::restitution::TimedImpact;
+use crate::error::{Error, InferenceFailure, Result, in_order, not_negative, require};
+use crate::impact::Impact;
 
 /// The time from one heard impact to the next; more than one flight if impacts were missed.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -15,7 +15,7 @@ pub(super) struct Interval {
 /// The impacts of one drop, checked.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Observed {
-    pub(super) impacts: Vec<TimedImpact>,
+    pub(super) impacts: Vec<Impact>,
     pub(super) intervals: Vec<Interval>,
     /// Standard errors of the times, s.
     pub(super) sigma_s: Vec<f64>,
@@ -34,18 +34,18 @@ impl Observed {
     ///
     /// # Errors
     /// [`Error::CannotInfer`] with fewer than two impacts, or if they are not in order of time.
-    pub(super) fn new(impacts: &[TimedImpact], contact_time_s: f64) -> Result<Self> {
+    pub(super) fn new(impacts: &[Impact], contact_time_s: f64) -> Result<Self> {
         if impacts.len() < 2 {
-            return Err(Error::CannotInfer(
-                "an inference needs a flight, and a flight needs two impacts".to_owned(),
-            ));
+            return Err(Error::CannotInfer(InferenceFailure::TooFewImpacts {
+                impacts: impacts.len(),
+            }));
         }
         in_order("impact", impacts.iter().map(|impact| impact.number))?;
         let mut intervals = Vec::with_capacity(impacts.len() - 1);
         for pair in impacts.windows(2) {
             intervals.push(interval(&pair[0], &pair[1], contact_time_s)?);
         }
-        let stated: Option<Vec<f64>> = impacts.iter().map(|i| i.standard_error_s).collect();
+        let stated: Option<Vec<f64>> = impacts.iter().map(|i| i.time_sd_s).collect();
         for &sigma_s in stated.iter().flatten() {
             not_negative("standard error of an impact time in s", sigma_s)?;
         }
@@ -86,7 +86,7 @@ impl Observed {
     }
 }
 
-fn interval(from: &TimedImpact, to: &TimedImpact, contact_time_s: f64) -> Result<Interval> {
+fn interval(from: &Impact, to: &Impact, contact_time_s: f64) -> Result<Interval> {
     let (duration_s, flights) = (to.time_s - from.time_s, to.number - from.number);
     require(
         duration_s > contact_time_s * flights as f64 && duration_s.is_finite(),
@@ -95,11 +95,10 @@ fn interval(from: &TimedImpact, to: &TimedImpact, contact_time_s: f64) -> Result
         "finite, in order, and longer than the contact time",
     )?;
     if flights > MOST_MISSED + 1 {
-        return Err(Error::CannotInfer(format!(
-            "{} impacts in a row were missed after impact {}",
-            flights - 1,
-            from.number
-        )));
+        return Err(Error::CannotInfer(InferenceFailure::MissedInARow {
+            missed: flights - 1,
+            after: from.number,
+        }));
     }
     Ok(Interval {
         duration_s,
@@ -108,7 +107,7 @@ fn interval(from: &TimedImpact, to: &TimedImpact, contact_time_s: f64) -> Result
 }
 
 /// Times of a list are as fine as their last digit, and no finer than a person reads them off.
-fn read_off_s(impacts: &[TimedImpact]) -> f64 {
+fn read_off_s(impacts: &[Impact]) -> f64 {
     let steps = [1e-2, 1e-3];
     let on_grid = |step: f64| {
         impacts.iter().all(|impact| {

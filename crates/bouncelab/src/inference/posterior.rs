@@ -2,47 +2,57 @@
 
 use super::Prediction;
 use super::budget::{self, Budget};
-use super::findings::{ODD_WEIGHT, Remark};
+use super::findings::ODD_WEIGHT;
 use super::identify::{Correlations, PriorContraction};
 use super::predict;
 use super::priors::{LawKind, Measured};
 use super::sampled::{SampledPosterior, THINNED};
-use super::summary::Summary;
+use crate::diagnostic::Diagnostic;
 use crate::drag::DragLaw;
+use crate::estimate::Estimate;
 
 /// What the times of one drop say, all priors and models considered.
 #[derive(Debug, Clone)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
+#[non_exhaustive]
 pub struct Posterior {
     /// The impact speed of [`Self::restitution`], m/s.
     pub at_speed_m_s: f64,
     /// The restitution law at that speed.
-    pub restitution: Summary,
+    pub restitution: Estimate,
     /// -d ln e/d ln v at that speed: by how many per cent restitution falls when speed grows by one.
-    pub slope: Summary,
+    pub restitution_slope: Estimate,
     /// Height of the fall: before the first impact if a height or release was given, else before
     /// the first impact heard, m.
-    pub drop_height_m: Summary,
-    /// The drag coefficient, if there is drag.
-    pub drag: Option<Drag>,
+    pub drop_height_m: Estimate,
+    /// The drag coefficient at [`Self::drag_reynolds`], if there is drag.
+    pub drag_coefficient: Option<Estimate>,
+    /// The Reynolds number of the drag coefficient: of the fastest impact, where drag shows most.
+    pub drag_reynolds: Option<f64>,
+    /// The drag coefficient before the data.
+    pub drag_coefficient_prior: Option<Measured>,
+    /// The terminal speed, m/s, if there is drag and its law reaches it.
+    pub terminal_speed_m_s: Option<Estimate>,
     /// Gravity, m/s².
-    pub gravity_m_s2: Summary,
+    pub gravity_m_s2: Estimate,
     /// Standard deviation of ln e from impact to impact.
-    pub scatter: Summary,
+    pub restitution_scatter: Estimate,
     /// Root mean square standard error of the times, s.
-    pub timing_s: Summary,
+    pub timing_s: Estimate,
     /// Contact time, s.
-    pub contact_time_s: Summary,
+    pub contact_time_s: Estimate,
     /// From the release until the ball rests, s.
-    pub total_time_s: Option<Summary>,
+    pub total_time_s: Option<Estimate>,
     /// Path from the release until the ball rests, m.
-    pub total_path_m: Option<Summary>,
+    pub total_path_m: Option<Estimate>,
     /// Probabilities of 0, 1, 2, ... impacts before the first one heard, if a height or a release
     /// time tells.
-    pub missed_first: Option<Vec<f64>>,
+    pub missed_first_impacts: Option<Vec<f64>>,
     /// The answers to [`InferenceOptions::reach`](super::InferenceOptions::reach).
     pub predictions: Vec<Prediction>,
     /// The impacts heard.
-    pub impacts: Vec<Impact>,
+    pub impacts: Vec<ImpactPosterior>,
     /// The models that were weighed, most probable first.
     pub models: Vec<Model>,
     /// How much the data prior_contraction what was known.
@@ -52,42 +62,40 @@ pub struct Posterior {
     /// Where the uncertainty comes from.
     pub budget: Budget,
     /// Equally likely values of the answers together.
+    #[cfg_attr(feature = "serde", serde(skip))]
     pub draws: Draws,
     /// Whether and how well the sampling worked.
     pub sampling: Sampling,
-    /// What to know before believing it.
-    pub remarks: Vec<Remark>,
+    /// What was assumed before the data.
+    pub priors: Vec<Diagnostic>,
+    /// The restitution law over the impact speeds, from a little below the slowest to a little above
+    /// the fastest.
+    pub band: Vec<BandPoint>,
+    /// What to know before believing it; among the diagnostics of the drop too.
+    #[cfg_attr(feature = "serde", serde(skip))]
+    pub diagnostics: Vec<Diagnostic>,
+    #[cfg_attr(feature = "serde", serde(skip))]
     pub(super) posterior: SampledPosterior,
-}
-
-/// The drag of the ball.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Drag {
-    /// The drag coefficient at a Reynolds number.
-    pub coefficient: Summary,
-    /// That Reynolds number: of the fastest impact heard, where drag shows most.
-    pub reynolds: f64,
-    /// The coefficient before the data, with its standard deviation.
-    pub prior: Measured,
-    /// The terminal speed, m/s, if the drag law reaches it.
-    pub terminal_speed_m_s: Option<Summary>,
 }
 
 /// An impact heard, and the flight after it.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Impact {
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
+#[non_exhaustive]
+pub struct ImpactPosterior {
     /// Its number.
     pub number: usize,
     /// Speed just before it, m/s.
-    pub impact_speed_m_s: Summary,
+    pub impact_speed_m_s: Estimate,
     /// What it kept of the speed; unknown for the last, and where the next was missed.
-    pub restitution: Option<Summary>,
+    pub restitution: Option<Estimate>,
     /// Apex of the flight after it, m.
-    pub apex_m: Option<Summary>,
+    pub apex_m: Option<Estimate>,
     /// Energy it took, J.
-    pub lost_to_surface_j: Option<Summary>,
+    pub lost_to_surface_j: Option<Estimate>,
     /// Energy the air took in the flight after it, J.
-    pub lost_to_air_j: Option<Summary>,
+    pub lost_to_air_j: Option<Estimate>,
     /// How far it lies from what the impacts before it foretold, in standard deviations; unknown
     /// for the last.
     pub standardised_residual: Option<f64>,
@@ -97,23 +105,31 @@ pub struct Impact {
 
 /// A model and how it fared.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
+#[non_exhaustive]
 pub struct Model {
     /// Restitution law.
-    pub law: LawKind,
+    #[cfg_attr(feature = "typescript", ts(type = "string"))]
+    pub restitution_law: LawKind,
     /// Drag law, which has a scale.
-    pub drag: DragLaw,
+    #[cfg_attr(feature = "typescript", ts(type = "string"))]
+    pub drag_law: DragLaw,
     /// Its posterior probability, over all numbers of missed impacts.
-    pub weight: f64,
+    pub probability: f64,
     /// Logarithm of its evidence above that of the best.
     pub log_evidence: f64,
     /// The restitution if it is true; `None` if it is too improbable to have been sampled.
-    pub restitution: Option<Summary>,
+    pub restitution: Option<Estimate>,
     /// The drop height if it is true, m.
-    pub drop_height_m: Option<Summary>,
+    pub drop_height_m: Option<Estimate>,
 }
 
 /// Equally likely values of the answers; those with the same index belong together.
 #[derive(Debug, Clone, PartialEq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
+#[non_exhaustive]
 pub struct Draws {
     /// Restitution at the stated speed.
     pub restitution: Vec<f64>,
@@ -125,11 +141,16 @@ pub struct Draws {
 
 /// How the sampling went.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
+#[non_exhaustive]
 pub struct Sampling {
     /// Draws that count as independent.
     pub effective_draws: f64,
     /// Shape of the tail of the weights; the answer stands if it is below
     /// [`GREATEST_PARETO_SHAPE`](super::GREATEST_PARETO_SHAPE).
+    #[cfg_attr(feature = "serde", serde(with = "crate::estimate::number"))]
+    #[cfg_attr(feature = "typescript", ts(type = "number | null"))]
     pub pareto_shape: f64,
     /// Whether it can be trusted.
     pub converged: bool,
@@ -137,14 +158,17 @@ pub struct Sampling {
 
 /// The restitution law at one speed.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
+#[non_exhaustive]
 pub struct BandPoint {
-    /// Impact speed, m/s.
+    /// ImpactPosterior speed, m/s.
     pub speed_m_s: f64,
     /// Restitution there.
-    pub restitution: Summary,
+    pub restitution: Estimate,
 }
 
-impl Impact {
+impl ImpactPosterior {
     /// Whether it is so odd that it counts little in the fit.
     pub fn is_odd(&self) -> bool {
         self.weight < ODD_WEIGHT
@@ -153,13 +177,13 @@ impl Impact {
 
 impl Posterior {
     /// The impact of this number, if it was heard.
-    pub fn impact(&self, number: usize) -> Option<&Impact> {
+    pub fn impact(&self, number: usize) -> Option<&ImpactPosterior> {
         self.impacts.iter().find(|impact| impact.number == number)
     }
 
     /// The restitution law at a speed, m/s.
-    pub fn restitution_at(&self, speed_m_s: f64) -> Option<Summary> {
-        Summary::of(
+    pub fn restitution_at(&self, speed_m_s: f64) -> Option<Estimate> {
+        Estimate::of_draws(
             self.posterior
                 .each(1, |_, point| Some(point.law.at(speed_m_s))),
         )
@@ -181,9 +205,11 @@ impl Posterior {
         }
     }
 
-    /// The restitution law over a range of impact speeds, from a little below the slowest heard to
-    /// the fastest, the first impact.
-    pub fn band(&self, points: usize) -> Vec<BandPoint> {
+    /// The restitution law over the impact speeds: what [`Self::band`] holds.
+    pub(super) fn compute_band(&self) -> Vec<BandPoint> {
+        /// As many as a smooth curve takes.
+        const POINTS: usize = 40;
+        let points = POINTS;
         let middle = &self.posterior.middle;
         let fastest = self
             .impacts
@@ -206,13 +232,13 @@ impl Posterior {
     }
 
     /// The restitution law at several speeds, m/s, from a fourth of the draws.
-    pub fn restitution_at_each(&self, speeds_m_s: &[f64]) -> Vec<Option<Summary>> {
+    pub fn restitution_at_each(&self, speeds_m_s: &[f64]) -> Vec<Option<Estimate>> {
         let draws = self.posterior.each(THINNED, |_, point| {
             let law = speeds_m_s.iter().map(|&v| point.law.at(v));
             Some(law.collect::<Vec<f64>>())
         });
         (0..speeds_m_s.len())
-            .map(|place| Summary::of(draws.iter().map(|draw| draw[place])))
+            .map(|place| Estimate::of_draws(draws.iter().map(|draw| draw[place])))
             .collect()
     }
 
@@ -226,11 +252,6 @@ impl Posterior {
     /// Whether the first impact heard was taken to be the first.
     pub fn first_was_heard(&self) -> bool {
         let priors = &self.posterior.priors;
-        priors.drop_height_m.is_some() && self.missed_first.is_none()
-    }
-
-    /// The priors, one line for each: what was assumed of balls and rooms before the data.
-    pub fn priors(&self) -> Vec<String> {
-        self.posterior.priors.statements()
+        priors.drop_height_m.is_some() && self.missed_first_impacts.is_none()
     }
 }

@@ -1,10 +1,13 @@
 //! What is known besides the sounds: measurements, and how well each input is known.
 
 use crate::ball::Preset;
+use crate::diagnostic::{Code, Diagnostic};
 use crate::error::{Result, finite, not_negative, positive};
 
 /// A measured quantity.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 pub struct Measured {
     /// The value.
     pub value: f64,
@@ -18,6 +21,8 @@ pub struct Measured {
 /// [`UNKNOWN`] leaves it to the data. They are the priors of the inference; the defaults say what
 /// one knows of a ball and a room that nobody has measured.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 pub struct Priors {
     /// Height of the lowest point of the ball above the surface at release, m.
     pub drop_height_m: Option<Measured>,
@@ -93,44 +98,45 @@ impl Priors {
         }
     }
 
-    /// The priors in words, one line for each.
-    pub fn statements(&self) -> Vec<String> {
-        let share = |name: &str, sd: f64| match sd {
-            0.0 => format!("{name}: exact"),
-            sd if sd >= UNKNOWN => format!("{name}: unknown (a factor e either way)"),
-            sd => format!("{name}: known to {} %", percent(sd)),
+    /// What is assumed before the data, one diagnostic for each.
+    pub fn diagnostics(&self) -> Vec<Diagnostic> {
+        let input = |name: &str, relative_sd: f64| match relative_sd {
+            0.0 => Diagnostic::new(Code::PriorExact).with("input", name),
+            sd if sd >= UNKNOWN => Diagnostic::new(Code::PriorUnknown).with("input", name),
+            sd => Diagnostic::new(Code::PriorInput)
+                .with("input", name)
+                .with("relative_sd", sd),
         };
-        let mut statements = vec![
-            "restitution: anything from 0 to 1".to_owned(),
-            format!(
-                "scatter of restitution: about {} %, within a factor of two",
-                percent(self.restitution_scatter)
-            ),
-            share("drag coefficient, around the law", self.drag_rel_sd),
-            share("gravity", self.gravity_rel_sd),
-            share("air density", self.air_density_rel_sd),
-            share("ball mass", self.mass_rel_sd),
-            share("ball diameter", self.diameter_rel_sd),
-            share("added mass", self.added_mass_rel_sd),
-            share("contact time", self.contact_time_rel_sd),
-            share("stated errors of the times", self.timing_rel_sd),
+        let scatter = Diagnostic::new(Code::PriorScatter);
+        let mut diagnostics = vec![
+            Diagnostic::new(Code::PriorRestitution),
+            scatter.with("relative_sd", self.restitution_scatter),
+            input("drag", self.drag_rel_sd),
+            input("gravity", self.gravity_rel_sd),
+            input("air-density", self.air_density_rel_sd),
+            input("ball-mass", self.mass_rel_sd),
+            input("ball-diameter", self.diameter_rel_sd),
+            input("added-mass", self.added_mass_rel_sd),
+            input("contact-time", self.contact_time_rel_sd),
+            input("timing", self.timing_rel_sd),
         ];
-        statements.push(match self.drop_height_m {
-            Some(Measured { value, sd }) => {
-                format!("drop height: measured, {value} +- {sd} m")
-            }
-            None => "drop height: anything (flat in its logarithm)".to_owned(),
+        diagnostics.push(match self.drop_height_m {
+            Some(Measured { value, sd }) => Diagnostic::new(Code::PriorHeight)
+                .with("height_m", value)
+                .with("sd_m", sd),
+            None => Diagnostic::new(Code::PriorHeightFlat),
         });
         if let Some(Measured { value, sd }) = self.release_s {
-            statements.push(format!("release: measured, {value} +- {sd} s"));
+            let release = Diagnostic::new(Code::PriorRelease);
+            diagnostics.push(release.with("release_s", value).with("sd_s", sd));
         }
         if self.constant_drag_too {
-            statements.push("a constant drag coefficient: as probable as the law".to_owned());
+            diagnostics.push(Diagnostic::new(Code::PriorConstantDrag));
         }
         if self.tells_missed() {
-            statements.push("each further impact missed at the start: half as likely".to_owned());
+            diagnostics.push(Diagnostic::new(Code::PriorMissed));
         }
-        statements
+        diagnostics
     }
 
     /// The laws to consider when so many restitutions were seen, each once: a law asked for twice is
@@ -184,17 +190,15 @@ impl Priors {
     }
 }
 
-/// A share in per cent, to two decimals.
-fn percent(share: f64) -> f64 {
-    (share * 1e4).round() / 100.0
-}
-
 /// A family of restitution laws whose numbers the inference finds; see
 /// [`Restitution`](crate::impact::Restitution) for each of them.
 ///
 /// v* is a speed in the middle of those heard. Every law has e* = e(v*), flat from 0 to 1 before
 /// the data, and the rest as said here.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
+#[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
 #[non_exhaustive]
 pub enum LawKind {
     /// The same at every speed.

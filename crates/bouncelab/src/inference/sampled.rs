@@ -12,15 +12,17 @@ use super::priors::{LawKind, Priors};
 use super::sample::{self, GREATEST_PARETO_SHAPE, Sample};
 use crate::ball::Ball;
 use crate::drag::DragLaw;
-use crate::error::{Error, Result, require};
+use crate::error::{Error, InferenceFailure, Result, require};
 use crate::flight::Environment;
-use crate::restitution::TimedImpact;
+use crate::impact::Impact;
 
 /// Every so many draws go into answers that take long.
 pub(super) const THINNED: usize = 4;
 
 /// How much to compute.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 pub struct SamplerConfig {
     /// Draws of the posterior that count as independent.
     pub draws: usize,
@@ -109,7 +111,7 @@ impl SampledPosterior {
     /// release is not before the first impact, and the errors of
     /// [`FlightModel::new`](crate::flight::FlightModel::new) and [`Observed::new`].
     pub(super) fn new(
-        impacts: &[TimedImpact],
+        impacts: &[Impact],
         ball: &Ball,
         environment: &Environment,
         contact_time_s: f64,
@@ -126,7 +128,7 @@ impl SampledPosterior {
     /// # Errors
     /// Those of [`SampledPosterior::new`].
     pub(super) fn fitted_only(
-        impacts: &[TimedImpact],
+        impacts: &[Impact],
         ball: &Ball,
         environment: &Environment,
         contact_time_s: f64,
@@ -165,11 +167,7 @@ impl SampledPosterior {
         };
         posterior.candidates = posterior.fitted();
         if posterior.candidates.is_empty() {
-            return Err(Error::CannotInfer(
-                "no physical model explains these times; are they of one drop, in seconds, and is \
-                 the ball the right one?"
-                    .to_owned(),
-            ));
+            return Err(Error::CannotInfer(InferenceFailure::NoModelFits));
         }
         weigh(&mut posterior.candidates);
         Ok(posterior)

@@ -33,7 +33,7 @@ const STEADINESS: f64 = 0.65;
 pub(super) type FrameEnergies = [[f32; FRAME_HOPS]; BANDS];
 
 /// The filters of all bands, and what they say of noise.
-#[derive(Clone)]
+#[derive(Clone, Debug)]
 pub(super) struct FilterBank {
     /// How many bands lie below the Nyquist frequency; the rest have no energy.
     pub(super) bands: usize,
@@ -167,7 +167,7 @@ const LANES: usize = 8;
 
 /// The filters of the lower bands, in direct form I. The sections of a band work on successive
 /// samples at a time, so that all of them can run side by side.
-#[derive(Clone)]
+#[derive(Clone, Debug)]
 struct LowBands {
     offset: f32,
     gain: [f32; LOW],
@@ -245,7 +245,7 @@ impl LowBands {
 }
 
 /// A Butterworth section of second order: numerator `gain` (1, `middle`, 1).
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug)]
 struct Section {
     gain: f64,
     middle: f64,

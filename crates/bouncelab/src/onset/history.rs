@@ -7,7 +7,7 @@ use std::ops::Range;
 const PIECE_FRAMES: usize = 32;
 
 /// Remembers samples by their number in the stream. A frame lies in one piece.
-#[derive(Clone)]
+#[derive(Clone, Debug)]
 pub(crate) struct History {
     frame: usize,
     pieces: VecDeque<Vec<f32>>,

@@ -39,7 +39,7 @@ pub(super) struct Novelty {
 }
 
 /// The latest energies of one band, and what is expected of them.
-#[derive(Clone)]
+#[derive(Clone, Debug)]
 struct Band {
     /// Hops after and before a moment that are compared.
     after: usize,
@@ -55,7 +55,7 @@ struct Band {
 }
 
 /// The band energies of the latest hops.
-#[derive(Clone)]
+#[derive(Clone, Debug)]
 pub(super) struct HopEnergies {
     bands: Vec<Band>,
     /// Of each band the sums of the energies before each hop.

@@ -17,14 +17,14 @@ const REACH: usize = 5;
 pub(super) const WHITE_SHARE: f64 = 0.4265;
 
 /// Splits a sound into octaves, one frame of samples after the other.
-#[derive(Clone)]
+#[derive(Clone, Debug)]
 pub(super) struct Octaves {
     levels: Vec<Level>,
     last: LastLevel,
 }
 
 /// One level but the last: even and odd samples apart, the latest of the past in front.
-#[derive(Clone)]
+#[derive(Clone, Debug)]
 struct Level {
     even: Vec<f32>,
     odd: Vec<f32>,
@@ -36,7 +36,7 @@ struct Level {
 }
 
 /// The last level has an upper half only.
-#[derive(Clone)]
+#[derive(Clone, Debug)]
 struct LastLevel {
     samples: Vec<f32>,
     squares: Vec<f32>,

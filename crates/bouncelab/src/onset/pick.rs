@@ -29,7 +29,7 @@ pub(super) struct Pick {
 }
 
 /// Picks onsets; holds the sizes for one sample rate and scratch space.
-#[derive(Clone)]
+#[derive(Clone, Debug)]
 pub(super) struct Picker {
     learn: usize,
     before: usize,

@@ -1,6 +1,6 @@
 //! Why a verdict cannot be given, and what to know of one that can.
 
-use std::fmt;
+use crate::diagnostic::{Code, Diagnostic};
 
 use super::rule::{Limits, Rule, Status};
 
@@ -29,60 +29,45 @@ pub enum InconclusiveReason {
     Temperature(f64),
     /// The height above the sea (m) is outside the rule's.
     Altitude(f64),
-    /// The flight times contradict the height from which the ball is said to have fallen; in words.
-    Height(String),
-    /// Drop so and so does not tell its rebound: why.
-    Untold(usize, String),
+    /// The flight times contradict the height from which the ball is said to have fallen.
+    Height(Diagnostic),
+    /// The rebound of the drop of this number is unknown: why.
+    Unknown(usize, Diagnostic),
     /// The limits lie within the uncertainty.
     TooUncertain,
 }
 
-impl fmt::Display for InconclusiveReason {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+impl InconclusiveReason {
+    /// The same as data.
+    pub fn diagnostic(&self) -> Diagnostic {
+        let new = Diagnostic::new;
         match self {
             Self::TooFewDrops {
                 needed,
                 given,
                 of_reference,
-            } => write!(
-                f,
-                "the rule takes {needed} drops{}, and there {} {given}",
-                if *of_reference {
-                    " on the reference"
-                } else {
-                    ""
-                },
-                if *given == 1 { "is" } else { "are" },
-            ),
-            Self::NoReference => write!(
-                f,
-                "the rule compares with a reference surface: give recordings of the same ball on it \
-                 (--reference)"
-            ),
-            Self::OnePlace => write!(
-                f,
-                "the rule wants places to be alike, and there is one: give one recording for each \
-                 place"
-            ),
-            Self::NoLimits => write!(f, "the rule names no limits"),
-            Self::NoHeight => write!(
-                f,
-                "the rule names no height: say from which the ball fell (--height)"
-            ),
-            Self::Temperature(kelvin) => write!(
-                f,
-                "{:.1} C is not a temperature at which the rule holds",
-                kelvin - 273.15
-            ),
-            Self::Altitude(metres) => {
-                write!(f, "{metres} m above the sea is not where the rule holds")
+            } => new(if *of_reference {
+                Code::RuleNeedsReferenceDrops
+            } else {
+                Code::RuleNeedsDrops
+            })
+            .with("needed", *needed)
+            .with("given", *given),
+            Self::NoReference => new(Code::RuleNeedsReference),
+            Self::OnePlace => new(Code::RuleNeedsPlaces),
+            Self::NoLimits => new(Code::RuleWithoutLimits),
+            Self::NoHeight => new(Code::RuleNeedsHeight),
+            Self::Temperature(kelvin) => new(Code::RuleTemperature).with("temperature_k", *kelvin),
+            Self::Altitude(metres) => new(Code::RuleAltitude).with("altitude_m", *metres),
+            Self::Height(reason) => reason.clone(),
+            Self::Unknown(drop, reason) => {
+                let mut diagnostic = reason.clone();
+                diagnostic
+                    .arguments
+                    .insert("drop".to_owned(), (*drop).into());
+                diagnostic
             }
-            Self::Height(reason) => f.write_str(reason),
-            Self::Untold(drop, reason) => write!(f, "drop {drop} does not tell: {reason}"),
-            Self::TooUncertain => write!(
-                f,
-                "a limit lies within the uncertainty; more or better drops would help"
-            ),
+            Self::TooUncertain => new(Code::LimitWithinUncertainty),
         }
     }
 }
@@ -118,73 +103,41 @@ pub enum Remark {
     FewDrops(usize),
 }
 
-impl fmt::Display for Remark {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+impl Remark {
+    /// The same as data.
+    pub fn diagnostic(&self) -> Diagnostic {
+        let new = Diagnostic::new;
         match self {
-            Self::Unverified => write!(
-                f,
-                "this rule is unverified: nobody has read it in its source; do not rely on it"
+            Self::Unverified => new(Code::RuleUnverified),
+            Self::UnverifiedFormula => new(Code::FormulaUnverified),
+            Self::OtherBall(ball) => new(Code::RuleOtherBall).with("ball", *ball),
+            Self::PointNotStated => new(Code::RuleWithoutPoint),
+            Self::TemperatureNotStated(limits) => of_limits(
+                new(Code::TemperatureNotStated),
+                limits,
+                ["least_k", "greatest_k"],
             ),
-            Self::UnverifiedFormula => write!(
-                f,
-                "the formula of this rule is unverified: nobody has read it in its source"
+            Self::AltitudeNotStated(limits) => of_limits(
+                new(Code::AltitudeNotStated),
+                limits,
+                ["least_m", "greatest_m"],
             ),
-            Self::OtherBall(label) => write!(
-                f,
-                "the rule is for a ball of the kind {label}, and that stated is another by mass or \
-                 diameter: is it the right rule?"
-            ),
-            Self::PointNotStated => write!(
-                f,
-                "it is not noted where on the ball this rule measures; the lowest point is taken"
-            ),
-            Self::TemperatureNotStated(limits) => {
-                let celsius = limits.raised(-273.15);
-                write!(
-                    f,
-                    "the rule holds at {} C, and nobody stated the temperature (--temperature)",
-                    span(&celsius, 1)
-                )
-            }
-            Self::AltitudeNotStated(limits) => write!(
-                f,
-                "the rule holds at {} m above the sea, and nobody stated the altitude (--altitude)",
-                span(limits, 0)
-            ),
-            Self::OtherHeight { dropped_m, rule_m } => write!(
-                f,
-                "the ball fell {:.1} cm, the rule drops it {:.1} cm: the rebound is predicted for \
-                 the rule's",
-                dropped_m * 100.0,
-                rule_m * 100.0
-            ),
-            Self::Extrapolated(factor) => write!(
-                f,
-                "the rule's impact is {:.0} % faster than any that was heard: its rebound rests on \
-                 how restitution depends on speed",
-                (factor - 1.0) * 100.0
-            ),
-            Self::FewDrops(1) => write!(
-                f,
-                "the verdict is of this one drop: how much drops differ it does not show; three or \
-                 more would"
-            ),
-            Self::FewDrops(_) => write!(
-                f,
-                "two drops hardly show how much drops differ, which makes their mean uncertain; a \
-                 third would help much"
-            ),
+            Self::OtherHeight { dropped_m, rule_m } => new(Code::RuleOtherHeight)
+                .with("dropped_m", *dropped_m)
+                .with("rule_m", *rule_m),
+            Self::Extrapolated(factor) => new(Code::RuleExtrapolated).with("factor", *factor),
+            Self::FewDrops(drops) => new(Code::VerdictOfFewDrops).with("drops", *drops),
         }
     }
 }
 
-fn span(limits: &Limits, digits: usize) -> String {
-    match (limits.least, limits.greatest) {
-        (Some(least), Some(greatest)) => format!("{least:.digits$} to {greatest:.digits$}"),
-        (Some(least), None) => format!("{least:.digits$} and more"),
-        (None, Some(greatest)) => format!("{greatest:.digits$} and less"),
-        (None, None) => "any".to_owned(),
+fn of_limits(mut diagnostic: Diagnostic, limits: &Limits, names: [&str; 2]) -> Diagnostic {
+    for (name, end) in names.into_iter().zip([limits.least, limits.greatest]) {
+        if let Some(end) = end {
+            diagnostic = diagnostic.with(name, end);
+        }
     }
+    diagnostic
 }
 
 /// What to know of a rule by itself.

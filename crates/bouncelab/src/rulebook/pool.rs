@@ -9,7 +9,7 @@ use rand::seq::SliceRandom;
 use rand_chacha::ChaCha8Rng;
 use rand_distr::{Distribution, StudentT};
 
-use crate::inference::Summary;
+use crate::estimate::Estimate;
 use crate::stats::sorted;
 
 /// Equally likely values of the mean over drops, in random order.
@@ -74,10 +74,10 @@ pub(super) fn across(columns: &[Vec<f64>], value: impl Fn(&[f64]) -> f64) -> Vec
 
 /// The summary of values. Its standard deviation is half the middle 68 %: a Student's t of few drops
 /// has none.
-pub(super) fn summary(values: &[f64]) -> Option<Summary> {
-    let summary = Summary::of(values.iter().copied())?;
+pub(super) fn summary(values: &[f64]) -> Option<Estimate> {
+    let summary = Estimate::of_draws(values.iter().copied())?;
     let [low, high] = summary.interval68;
-    Some(Summary {
+    Some(Estimate {
         sd: (high - low) / 2.0,
         ..summary
     })

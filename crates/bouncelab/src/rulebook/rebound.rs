@@ -4,7 +4,7 @@ use std::fmt;
 
 use super::rule::Rule;
 use crate::analysis::{Drop, Options};
-use crate::inference::Summary;
+use crate::estimate::Estimate;
 use crate::regression::height_of_flight_m;
 
 /// The rebound that one drop foretells. Heights are those of the point at which the rule measures.
@@ -13,7 +13,7 @@ pub struct Rebound {
     /// Which place it is of, counted from 0.
     pub place: usize,
     /// Predicted at the rule's height, with drag; `None` if the drop does not tell.
-    pub predicted_m: Option<Summary>,
+    pub predicted_m: Option<Estimate>,
     /// Time between its first and second impact, s, if both were heard.
     pub first_flight_s: Option<f64>,
     /// That flight as g T²/8.
@@ -68,12 +68,12 @@ impl Rebound {
         settings: &Options,
     ) -> Self {
         let above_m = rule.point().above_bottom_m(settings.ball.diameter_m());
-        let draws = match (&drop.estimate, fall_m) {
+        let draws = match (&drop.posterior, fall_m) {
             (Ok(found), Some(fall_m)) => found.rebounds_m(fall_m),
             _ => Vec::new(),
         };
         let draws: Vec<f64> = draws.into_iter().map(|height| height + above_m).collect();
-        let predicted_m = Summary::of(draws.iter().copied());
+        let predicted_m = Estimate::of_draws(draws.iter().copied());
         let first_flight_s = first_flight_s(drop);
         let gravity_m_s2 = settings.environment.gravity_m_s2;
         let plain = |time_s| height_of_flight_m(time_s, gravity_m_s2) + above_m;
@@ -98,8 +98,8 @@ impl Rebound {
 
 /// The first flight, if the impacts at both ends were heard and nothing says that others came before.
 fn first_flight_s(drop: &Drop) -> Option<f64> {
-    let found = drop.estimate.as_ref().ok();
-    let missed = found.and_then(|found| found.missed_first.as_ref());
+    let found = drop.posterior.as_ref().ok();
+    let missed = found.and_then(|found| found.missed_first_impacts.as_ref());
     if missed.is_some_and(|probabilities| probabilities[0] < 0.5) {
         return None;
     }

@@ -11,8 +11,9 @@ use super::rebound::Rebound;
 use super::rule::{Averaging, Conditions, Evenness, Limits, Requirement, Rule};
 use crate::analysis::{Drop, Options};
 use crate::ball::{self, Ball};
+use crate::diagnostic::{Code, Diagnostic};
 use crate::error::{Result, require};
-use crate::inference::{self, Summary};
+use crate::estimate::Estimate;
 use crate::stats;
 use crate::stats::{quantile, sorted};
 
@@ -41,6 +42,12 @@ impl Default for Decision {
 
 impl Decision {
     /// The greatest probability of a wrong decision.
+    ///
+    /// ```
+    /// use bouncelab::rulebook::Decision;
+    ///
+    /// assert_eq!(Decision::default().risk(), 0.05);
+    /// ```
     pub const fn risk(self) -> f64 {
         match self {
             Self::Guarded { risk } => risk,
@@ -88,13 +95,13 @@ pub struct Verdict {
     /// Probability that everything is within the limits, if there are limits and enough drops.
     pub within: Option<f64>,
     /// The rebound, mean over the drops, m.
-    pub rebound: Option<Summary>,
+    pub rebound: Option<Estimate>,
     /// The rebound on the reference, m.
-    pub reference: Option<Summary>,
+    pub reference: Option<Estimate>,
     /// The one over the other.
-    pub share: Option<Summary>,
+    pub share: Option<Estimate>,
     /// How unlike the places are, in the way of the rule.
-    pub unevenness: Option<Summary>,
+    pub unevenness: Option<Estimate>,
     /// The values (m, or shares for a rule that compares) that would pass at this uncertainty: the
     /// limits less a guard band. `None` without limits, or if no value would.
     pub accepted: Option<Limits>,
@@ -164,8 +171,8 @@ pub fn judge(
         doubts.extend(of_drops(surface, &drops));
         doubts.extend(of_drops(reference, &reference_drops));
     }
-    let told = Told::new(rule, &drops, &reference_drops);
-    let within = told.within(rule, &drops);
+    let pooled = Pooled::new(rule, &drops, &reference_drops);
+    let within = pooled.within(rule, &drops);
     let outcome = match within {
         _ if !doubts.is_empty() => Outcome::CannotDecide,
         Some(within) if 1.0 - within <= decision.risk() => Outcome::Pass,
@@ -182,11 +189,11 @@ pub fn judge(
     Ok(Verdict {
         outcome,
         within,
-        rebound: pool::summary(&told.rebound),
-        reference: pool::summary(&told.reference),
-        share: pool::summary(&told.share),
-        unevenness: pool::summary(&told.unevenness),
-        accepted: told.accepted(rule, decision),
+        rebound: pool::summary(&pooled.rebound),
+        reference: pool::summary(&pooled.reference),
+        share: pool::summary(&pooled.share),
+        unevenness: pool::summary(&pooled.unevenness),
+        accepted: pooled.accepted(rule, decision),
         drops,
         reference_drops,
         doubts,
@@ -213,14 +220,14 @@ fn rebounds(
 
 /// Draws of what the drops say together; empty where they do not tell.
 #[derive(Default)]
-struct Told {
+struct Pooled {
     rebound: Vec<f64>,
     reference: Vec<f64>,
     share: Vec<f64>,
     unevenness: Vec<f64>,
 }
 
-impl Told {
+impl Pooled {
     fn new(rule: &Rule, drops: &[Rebound], reference: &[Rebound]) -> Self {
         let mut rng = ChaCha8Rng::seed_from_u64(SEED);
         let rebound = mean(drops.iter(), &mut rng);
@@ -386,23 +393,24 @@ fn of_drops(places: &[Place], rebounds: &[Rebound]) -> Vec<InconclusiveReason> {
     let drops = places.iter().flatten();
     let mut doubts = Vec::new();
     for ((drop, rebound), number) in drops.zip(rebounds).zip(1..) {
-        match &drop.estimate {
-            Err(reason) => doubts.push(InconclusiveReason::Untold(number, reason.to_string())),
+        let unknown = |reason| InconclusiveReason::Unknown(number, reason);
+        match &drop.posterior {
+            Err(reason) => doubts.push(unknown(reason.diagnostic())),
             Ok(found) => {
-                for remark in &found.remarks {
-                    match remark {
-                        inference::Remark::NotConverged(_) => {
-                            doubts.push(InconclusiveReason::Untold(number, remark.to_string()));
-                        }
-                        inference::Remark::HeightContradicts { .. } => {
-                            doubts.push(InconclusiveReason::Height(remark.to_string()));
-                        }
-                        _ => {}
-                    }
-                }
+                doubts.extend(
+                    found
+                        .diagnostics
+                        .iter()
+                        .filter_map(|known| match known.code {
+                            Code::SamplingNotConverged => Some(unknown(known.clone())),
+                            Code::HeightContradictsTimes => {
+                                Some(InconclusiveReason::Height(known.clone()))
+                            }
+                            _ => None,
+                        }),
+                );
                 if rebound.draws.is_empty() {
-                    let reason = "the rule's height is far beyond what was heard".to_owned();
-                    doubts.push(InconclusiveReason::Untold(number, reason));
+                    doubts.push(unknown(Diagnostic::new(Code::HeightOutOfReach)));
                 }
             }
         }
@@ -450,7 +458,7 @@ fn of_circumstances(
     let fastest = surface
         .iter()
         .flatten()
-        .filter_map(|drop| drop.estimate.as_ref().ok())
+        .filter_map(|drop| drop.posterior.as_ref().ok())
         .flat_map(|found| &found.impacts)
         .map(|impact| impact.impact_speed_m_s.value)
         .fold(0.0, f64::max);

@@ -32,13 +32,13 @@ mod chain;
 mod evidence;
 mod rhythm;
 
+use crate::diagnostic::{Code, Diagnostic};
 use crate::onset::Onset;
 use crate::stats::median;
 use crate::stats::{logistic, softplus};
 use chain::Chain;
 pub(crate) use evidence::Span;
 use rhythm::Beat;
-use std::fmt;
 
 /// The fewest impacts that can be told from chance: three set the ratio of the flights, two more
 /// confirm it.
@@ -53,7 +53,7 @@ const DISTANT_DB: f64 = 12.0;
 
 /// An impact as heard.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct HeardImpact {
+pub struct TrainImpact {
     /// Where and how it was heard.
     pub onset: Onset,
     /// Number in the train, counted from 0 at the first impact heard; a missed impact takes a
@@ -66,14 +66,14 @@ pub struct HeardImpact {
 /// The impacts of one drop, in order of time.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Train {
-    impacts: Vec<HeardImpact>,
+    impacts: Vec<TrainImpact>,
     evidence: f64,
     log_bayes_factor: f64,
 }
 
 impl Train {
     /// The impacts heard, at least [`FEWEST_IMPACTS`], in order of time.
-    pub fn impacts(&self) -> &[HeardImpact] {
+    pub fn impacts(&self) -> &[TrainImpact] {
         &self.impacts
     }
 
@@ -195,58 +195,19 @@ impl TrainSearch {
         self.trains.iter().map(Train::log_bayes_factor).sum()
     }
 
-    /// Why there is no drop, in words; `onsets` is how many candidates there were.
-    pub fn reason(&self, onsets: usize) -> NoDrop {
+    /// Why there is no drop; `onsets` is how many candidates there were.
+    pub fn no_drop(&self, onsets: usize) -> Diagnostic {
+        let of_count = |code: Code| {
+            let diagnostic = Diagnostic::new(code).with("count", onsets);
+            diagnostic.with("needed", FEWEST_IMPACTS)
+        };
         match (onsets, self.periodic.first()) {
-            (_, Some(&periodic)) => NoDrop::PeriodicSequence(periodic),
-            (0, None) => NoDrop::NoSound,
-            (n, None) if n < FEWEST_IMPACTS => NoDrop::TooFew(n),
-            (n, None) => NoDrop::NoPattern(n),
-        }
-    }
-}
-
-/// Why no drop was found.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[non_exhaustive]
-pub enum NoDrop {
-    /// All samples have the same value.
-    Silence,
-    /// Nothing stands out of the background.
-    NoSound,
-    /// So many sounds stand out, too few for a drop.
-    TooFew(usize),
-    /// The sounds keep time.
-    PeriodicSequence(PeriodicSequence),
-    /// So many sounds stand out, but their intervals do not shrink as those of a bouncing ball.
-    NoPattern(usize),
-}
-
-impl fmt::Display for NoDrop {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Silence => write!(
-                f,
-                "the recording is silent: all samples have the same value"
-            ),
-            Self::NoSound => write!(f, "no sound stands out of the background"),
-            Self::TooFew(count) => write!(
-                f,
-                "only {count} sound{} out of the background; a drop is told from chance by at \
-                 least {FEWEST_IMPACTS} impacts",
-                if *count == 1 { " stands" } else { "s stand" }
-            ),
-            Self::PeriodicSequence(r) => write!(
-                f,
-                "{} sounds keep time, about every {:.3} s, as of a clock, of steps or a drum; the \
-                 flights of a ball shrink",
-                r.count, r.interval_s
-            ),
-            Self::NoPattern(count) => write!(
-                f,
-                "{count} sounds stand out of the background, but no {FEWEST_IMPACTS} of them come \
-                 at shrinking intervals as the impacts of a ball do"
-            ),
+            (_, Some(periodic)) => Diagnostic::new(Code::PeriodicSounds)
+                .with("count", periodic.count)
+                .with("interval_s", periodic.interval_s),
+            (0, None) => Diagnostic::new(Code::NoSound),
+            (n, None) if n < FEWEST_IMPACTS => of_count(Code::TooFewSounds),
+            _ => of_count(Code::NoPattern),
         }
     }
 }
@@ -262,7 +223,7 @@ pub fn find(onsets: &[Onset]) -> TrainSearch {
 /// The latest time at which another impact of this drop could be heard, in seconds: no flight is
 /// longer than the one before it, and no more than two impacts in a row escape notice. After it the
 /// ball rests, or was stopped.
-pub fn latest_next_s(impacts: &[HeardImpact]) -> f64 {
+pub fn latest_next_s(impacts: &[TrainImpact]) -> f64 {
     /// Two impacts that were missed, and the one that was heard.
     const FLIGHTS: f64 = 3.0;
     /// No two impacts heard are farther apart, in seconds: the flight would be 5 m high.
@@ -292,7 +253,7 @@ pub fn number_impacts(times_s: &[f64]) -> Vec<u32> {
 }
 
 /// Where missing impacts should be: those between others, and the next after the last.
-fn expected(impacts: &[HeardImpact]) -> Vec<HeardImpact> {
+fn expected(impacts: &[TrainImpact]) -> Vec<TrainImpact> {
     /// With shorter flights, in seconds, an impact cannot be told from the ringing of another.
     const SHORTEST_S: f64 = 0.012;
     let mut expected = Vec::new();
@@ -322,10 +283,10 @@ fn expected(impacts: &[HeardImpact]) -> Vec<HeardImpact> {
 }
 
 /// An impact so many after another, as if it sounded like it and were a little less sure.
-fn unheard(before: &HeardImpact, steps: u32, time_s: f64, flight_s: f64) -> HeardImpact {
+fn unheard(before: &TrainImpact, steps: u32, time_s: f64, flight_s: f64) -> TrainImpact {
     /// Scatter of a predicted flight time.
     const SCATTER: f64 = 0.02;
-    HeardImpact {
+    TrainImpact {
         onset: Onset {
             time_s,
             sigma_s: SCATTER * flight_s,
@@ -340,7 +301,7 @@ fn unheard(before: &HeardImpact, steps: u32, time_s: f64, flight_s: f64) -> Hear
 const UNHEARD: f64 = 0.95;
 
 /// The median ratio of successive flights among the impacts around this one.
-fn ratio_near(impacts: &[HeardImpact], index: usize) -> f64 {
+fn ratio_near(impacts: &[TrainImpact], index: usize) -> f64 {
     const AROUND: usize = 6;
     let around = &impacts[index.saturating_sub(AROUND)..(index + AROUND).min(impacts.len())];
     let ratios = around
@@ -477,9 +438,9 @@ fn against_both(one: f64, other: f64) -> f64 {
     one - softplus(one - other)
 }
 
-fn impacts(onsets: &[Onset], chain: &Chain) -> Vec<HeardImpact> {
+fn impacts(onsets: &[Onset], chain: &Chain) -> Vec<TrainImpact> {
     std::iter::zip(&chain.links, chain.evidence_without_each(onsets))
-        .map(|(link, without)| HeardImpact {
+        .map(|(link, without)| TrainImpact {
             onset: onsets[link.onset],
             number: link.number,
             probability: logistic(chain.evidence - without),

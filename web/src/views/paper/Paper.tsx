@@ -23,7 +23,7 @@ export function Paper() {
         <div class="words">
           <h2>{words.one.title}</h2>
           <Paragraphs of={words.one.text} />
-          <p class="equation">{words.one.equation}</p>
+          <Equation of={words.one.title}>{words.one.equation}</Equation>
         </div>
         <RulerFigure />
       </section>
@@ -35,7 +35,7 @@ export function Paper() {
         <div class="words">
           <h2>{words.three.title}</h2>
           <Paragraphs of={words.three.text} />
-          <p class="equation">{words.three.equation}</p>
+          <Equation of={words.three.title}>{words.three.equation}</Equation>
         </div>
         <div class="stack wide">
           <DragFigure />
@@ -59,5 +59,20 @@ export function Paper() {
         </a>
       </p>
     </article>
+  );
+}
+
+interface EquationProps {
+  /** The heading above it, which names it. */
+  readonly of: string;
+  readonly children: string;
+}
+
+/** One that is wider than the screen moves sideways, also by the keyboard. */
+function Equation({ of, children }: EquationProps) {
+  return (
+    <section class="equation scroll" tabIndex={0} aria-label={of}>
+      {children}
+    </section>
   );
 }

@@ -5,7 +5,7 @@ import { Key } from '../../chart/Key.tsx';
 import { NumbersOf } from '../../chart/NumbersOf.tsx';
 import { fixed, METRE, METRE_PER_SECOND, PERCENT, plain, SECOND } from '../../format/quantity.ts';
 import type { Simulation } from '../../lab/index.ts';
-import { impossible, outcome, runs } from '../../state/simulating.ts';
+import { impossible, outcome, runs, simulating } from '../../state/simulating.ts';
 import { language, texts } from '../../text/language.ts';
 import { sentence } from '../../text/remarks.ts';
 import { flightsOfRuns, heightsOfRuns } from './charts.ts';
@@ -66,7 +66,7 @@ function Outcome({ simulation }: { readonly simulation: Simulation }) {
   const share = (joules: number): string => plain(joules / energy, PERCENT, 2, spoken);
   const lost = simulation.lost_to_surface_j + simulation.lost_to_air_j;
   return (
-    <div class="words" role="status">
+    <div class="words" role="status" aria-busy={simulating.value}>
       <p class="lead">
         <Rich
           parts={words.says(

@@ -13,7 +13,7 @@ mod sound;
 mod template;
 mod wave;
 
-use super::HeardImpact;
+use super::TrainImpact;
 use sound::{Sound, Span, cut_out, noise_power, whitened};
 use template::{Doubt, Left, Template, middle_size, stack, usual_difference, weight};
 use wave::{convolve, running_energy, smoothing};
@@ -33,7 +33,7 @@ const TRIED: usize = 6;
 /// and begin there.
 /// `samples` begin at `start_s` of the recording; impacts too near their ends keep their times.
 pub(super) fn align(
-    impacts: &mut [HeardImpact],
+    impacts: &mut [TrainImpact],
     samples: &[f32],
     start_s: f64,
     rate_hz: f64,

@@ -2,7 +2,7 @@
 
 use super::template::{Doubt, Left, Noise, Template};
 use super::wave::{KERNEL, dot, norm, resample, running_energy};
-use crate::train::HeardImpact;
+use crate::train::TrainImpact;
 use crate::whiten::{self, Autoregression};
 
 /// What is compared of each impact, in seconds before and after its time: as long as it sounds,
@@ -125,7 +125,7 @@ pub(super) fn cut_out(positions: &[f64], fits: &[bool], samples: &[f32], span: &
 /// The cuts without what the noise before them foretells.
 pub(super) fn whitened(
     cuts: &[Cut],
-    impacts: &[HeardImpact],
+    impacts: &[TrainImpact],
     rate_hz: f64,
     span: &Span,
 ) -> Vec<Sound> {

@@ -1,0 +1,52 @@
+//! Bytes as recordings and as lists of times.
+
+use bouncelab_audio::{MAX_BLOCK_FRAMES, Source, times};
+
+/// Enough of one recording, in frames: a few bytes can stand for hours of silence.
+const ENOUGH: u64 = 1 << 20;
+
+/// Decodes all of it and checks what every recording must keep to.
+///
+/// # Panics
+///
+/// If it does not.
+pub fn decode_all(bytes: &[u8]) {
+    let mut source = match Source::from_bytes(bytes.to_vec(), "fuzz") {
+        Ok(source) => source,
+        Err(error) => {
+            assert!(!error.to_string().is_empty(), "an error says what is wrong");
+            return;
+        }
+    };
+    let mut at = 0;
+    while let Ok(Some(block)) = source.next_block() {
+        assert_eq!(block.start_frame(), at, "blocks follow each other");
+        assert!((1..=MAX_BLOCK_FRAMES).contains(&block.frames()));
+        for channel in 0..block.channels() {
+            let samples = block.channel(channel);
+            assert_eq!(samples.len(), block.frames());
+            assert!(samples.iter().all(|sample| sample.is_finite()));
+        }
+        at += block.frames() as u64;
+        if at > ENOUGH {
+            break;
+        }
+    }
+    for warning in source.warnings() {
+        assert!(!warning.to_string().is_empty());
+    }
+}
+
+/// Reads a list of times in each of the formats.
+///
+/// # Panics
+///
+/// If the times are not finite or do not increase.
+pub fn read_times(bytes: &[u8]) {
+    for name in ["fuzz.txt", "fuzz.csv", "fuzz.json"] {
+        if let Ok(times) = times::parse(bytes, name) {
+            assert!(times.iter().all(|time| time.is_finite()));
+            assert!(times.windows(2).all(|pair| pair[0] < pair[1]));
+        }
+    }
+}

@@ -1,0 +1,58 @@
+//! What the tests, benchmarks and fuzz targets of the workspace share.
+//!
+//! Only dev-dependencies point here, so no user of the other crates builds it. It panics where a
+//! library would return an error: only tests call it.
+
+pub mod fuzz;
+
+use std::iter::successors;
+use std::path::PathBuf;
+
+use bouncelab::flight::FlightModel;
+use bouncelab::gravity;
+use bouncelab::impact::Strike;
+
+/// The impacts of a drop without end, the first at time zero. `restitution` is asked at each impact
+/// speed in m/s, so it may scatter, which the laws of the library do not.
+pub fn bouncing(
+    model: FlightModel,
+    contact_time_s: f64,
+    first_speed_m_s: f64,
+    mut restitution: impl FnMut(f64) -> f64,
+) -> impl Iterator<Item = Strike> {
+    let first = Strike {
+        time_s: 0.0,
+        speed_m_s: first_speed_m_s,
+    };
+    successors(Some(first), move |impact| {
+        let launch_m_s = restitution(impact.speed_m_s) * impact.speed_m_s;
+        let flight = model.launch(launch_m_s).ok()?;
+        Some(Strike {
+            time_s: impact.time_s + contact_time_s + flight.time_s(),
+            speed_m_s: flight.impact_speed_m_s,
+        })
+    })
+}
+
+/// The same without drag and contact time, and with a constant restitution.
+///
+/// # Panics
+///
+/// Never: gravity is above zero.
+pub fn strikes(first_speed_m_s: f64, restitution: f64) -> impl Iterator<Item = Strike> {
+    let model = FlightModel::drag_free(gravity::STANDARD_M_S2).expect("gravity is above zero");
+    bouncing(model, 0.0, first_speed_m_s, move |_| restitution)
+}
+
+/// The folder of real recordings that the environment names. They are not part of the project: the
+/// tests that read them are ignored unless asked for, which `cargo xtask test` does where there are some.
+///
+/// # Panics
+///
+/// If `BOUNCELAB_RECORDINGS` is not set.
+pub fn recordings() -> PathBuf {
+    let folder = std::env::var_os("BOUNCELAB_RECORDINGS");
+    folder
+        .expect("BOUNCELAB_RECORDINGS names the folder of recordings")
+        .into()
+}

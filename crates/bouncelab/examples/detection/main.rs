@@ -1,0 +1,86 @@
+//! How well the listener hears, on sounds whose truth is known: `cargo xtask detection [PART...]`.
+//!
+//! Parts: `cells` (impacts found, false drops, by what disturbs), `timing` (errors of the times
+//! against the Cramer-Rao bound and against the stated standard errors), `silence` (false drops in
+//! sound without a drop). None means all. `drops=N` drops in each cell, `hours=H` of sound without
+//! a drop of each kind, `only=WORDS` the rows of silence with these words in their names.
+//! `wav=FOLDER` writes the sounds of the cells and their truth instead.
+//!
+//! Every sound comes from a seed: the same command prints the same numbers.
+
+mod backgrounds;
+mod cells;
+mod drops;
+mod export;
+mod recorder;
+mod silence;
+mod timing;
+
+use std::process::ExitCode;
+
+/// What was asked for.
+struct Request {
+    parts: Vec<String>,
+    drops: u64,
+    hours: f64,
+    only: String,
+    wav: Option<String>,
+}
+
+fn main() -> ExitCode {
+    match parse(std::env::args().skip(1)) {
+        Ok(request) => run(&request),
+        Err(word) => {
+            eprintln!(
+                "'{word}' is none of: cells, timing, silence, drops=N, hours=H, only=WORDS, wav=FOLDER"
+            );
+            ExitCode::from(2)
+        }
+    }
+}
+
+fn parse(words: impl Iterator<Item = String>) -> Result<Request, String> {
+    let mut request = Request {
+        parts: Vec::new(),
+        drops: 20,
+        hours: 1.0,
+        only: String::new(),
+        wav: None,
+    };
+    for word in words {
+        match word.split_once('=') {
+            None if ["cells", "timing", "silence"].contains(&word.as_str()) => {
+                request.parts.push(word);
+            }
+            Some(("drops", n)) => request.drops = n.parse().map_err(|_| word.clone())?,
+            Some(("hours", h)) => request.hours = h.parse().map_err(|_| word.clone())?,
+            Some(("only", words)) => request.only = words.into(),
+            Some(("wav", folder)) => request.wav = Some(folder.into()),
+            _ => return Err(word),
+        }
+    }
+    Ok(request)
+}
+
+fn run(request: &Request) -> ExitCode {
+    if let Some(folder) = &request.wav {
+        return match export::write(folder, request.drops) {
+            Ok(()) => ExitCode::SUCCESS,
+            Err(reason) => {
+                eprintln!("{reason}");
+                ExitCode::FAILURE
+            }
+        };
+    }
+    let asked = |part: &str| request.parts.is_empty() || request.parts.iter().any(|p| p == part);
+    if asked("cells") {
+        cells::print(request.drops);
+    }
+    if asked("timing") {
+        timing::print(request.drops);
+    }
+    if asked("silence") {
+        silence::print(request.hours, &request.only);
+    }
+    ExitCode::SUCCESS
+}

@@ -1,0 +1,438 @@
+//! The pipeline: from samples, or impact times, to what they say.
+//!
+//! [`analyze`] and [`analyze_times`] do all of it. A stream goes through a
+//! [`Detector`](crate::Detector) first and then, as a [`Plan`], to its result; drops are then analysed
+//! by whoever has the threads. What is known of ball, air and surface, and what is asked, are the
+//! [`Options`].
+//!
+//! ```
+//! use bouncelab::{Options, ball};
+//! use bouncelab::analysis::{analyze_impacts, impacts_of_times};
+//!
+//! let times_s = [0.0, 0.4605, 0.8877, 1.2854, 1.6568, 2.0045];
+//! let options = Options::new(ball::preset("table-tennis-40")?);
+//! let drop = analyze_impacts(impacts_of_times(&times_s), &options);
+//! let fit = drop.log_linear_fit.as_ref()?;
+//! assert!((fit.restitution.value - 0.932).abs() < 0.001);
+//! // Without the bias of drag the ball is livelier.
+//! assert!(drop.per_impact_restitution().unwrap().value > fit.restitution.value);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+
+mod gap;
+mod pipeline;
+mod result;
+
+use std::ops::{Range, RangeInclusive};
+
+use crate::air::{Air, Conditions};
+use crate::ball::{self, Ball, Preset};
+use crate::diagnostic::{Code, Diagnostic};
+use crate::drag::DragLaw;
+use crate::error::InferenceFailure;
+use crate::flight::{Environment, FlightModel};
+use crate::gravity;
+use crate::impact::Impact;
+use crate::inference::{self, InferenceOptions, Posterior, Priors, SamplerConfig};
+use crate::regression::{self, NumberedFlight};
+use crate::restitution::{self, PerImpact};
+use crate::train::{self, TrainImpact};
+use crate::{Error, Result};
+
+pub use gap::Gap;
+pub(crate) use pipeline::check_channel;
+pub use pipeline::{DropTask, Plan, analyze, analyze_channels, analyze_times};
+pub use result::{BounceEnergy, Drop, MeasuredFlight, Recording, Source, StrongestBand};
+
+/// What is known, or assumed, of the ball and what it flies through, and what is asked.
+///
+/// ```
+/// use bouncelab::inference::SamplerConfig;
+/// use bouncelab::{Options, ball};
+///
+/// let options = Options::new(ball::preset("tennis")?)
+///     .with_gravity_m_s2(9.78)
+///     .with_sampler(SamplerConfig { draws: 1000, seed: 7 });
+/// assert!((options.ball.mass_kg() - 0.0577).abs() < 1e-3);
+/// # Ok::<(), bouncelab::Error>(())
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct Options {
+    /// The ball.
+    pub ball: Ball,
+    /// Air, drag, gravity, buoyancy.
+    pub environment: Environment,
+    /// How long the ball touches the surface, in seconds.
+    pub contact_time_s: f64,
+    /// The flights that go into the log-linear fit, by number; if `None`, all between impacts that
+    /// are certain ([`CONFIDENT_PROBABILITY`]).
+    pub flights: Option<RangeInclusive<usize>>,
+    /// What is known besides the impact times.
+    pub priors: Priors,
+    /// What to ask of the inference; `None` leaves it out.
+    pub inference: Option<InferenceOptions>,
+    /// Where in a recording to look for impacts.
+    pub detection: DetectionOptions,
+    /// Impacts excluded and included by hand.
+    pub edits: Edits,
+}
+
+/// Where in a recording to look for impacts.
+#[derive(Clone, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct DetectionOptions {
+    /// The only channel to use, the first being 1; if `None`, the one with the most evidence.
+    pub channel: Option<usize>,
+    /// The only frequencies to use, in Hz; if `None`, all bands, each against its own background.
+    pub band_hz: Option<Range<f64>>,
+}
+
+/// Impacts excluded and included by hand, and gaps.
+#[derive(Clone, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct Edits {
+    /// Times of impacts to leave out, in seconds: of each, the nearest impact within 20 ms.
+    pub exclude_s: Vec<f64>,
+    /// Times of impacts to add, in seconds.
+    pub include_s: Vec<f64>,
+    /// Where sound was lost: no flight across a gap is used.
+    pub gaps: Vec<Gap>,
+}
+
+impl Default for Options {
+    /// A 40 mm table-tennis ball in air of 20 °C with the standard drag curve and gravity, and
+    /// with buoyancy and added mass.
+    fn default() -> Self {
+        Self::new(ball::usual())
+    }
+}
+
+impl Options {
+    /// A ball of which mass, size and contact time are known, in ordinary air, with the full
+    /// inference.
+    pub fn new(preset: &Preset) -> Self {
+        let air = Air::moist(&Conditions::default());
+        Self {
+            ball: preset.ball,
+            environment: Environment {
+                gravity_m_s2: gravity::STANDARD_M_S2,
+                air: air.unwrap_or(Air::vacuum()),
+                drag: DragLaw::CliftGraceWeber,
+                buoyancy: true,
+                added_mass: true,
+            },
+            contact_time_s: preset.contact_time_s,
+            flights: None,
+            priors: Priors::of_preset(preset),
+            inference: Some(InferenceOptions::default()),
+            detection: DetectionOptions::default(),
+            edits: Edits::default(),
+        }
+    }
+
+    /// The same with another ball.
+    #[must_use]
+    pub fn with_ball(mut self, ball: Ball) -> Self {
+        self.ball = ball;
+        self
+    }
+
+    /// The same in other air.
+    #[must_use]
+    pub fn with_air(mut self, air: Air) -> Self {
+        self.environment.air = air;
+        self
+    }
+
+    /// The same with another gravity, m/s².
+    #[must_use]
+    pub fn with_gravity_m_s2(mut self, gravity_m_s2: f64) -> Self {
+        self.environment.gravity_m_s2 = gravity_m_s2;
+        self
+    }
+
+    /// The same with another drag law.
+    #[must_use]
+    pub fn with_drag(mut self, drag: DragLaw) -> Self {
+        self.environment.drag = drag;
+        self
+    }
+
+    /// The same with other priors.
+    #[must_use]
+    pub fn with_priors(mut self, priors: Priors) -> Self {
+        self.priors = priors;
+        self
+    }
+
+    /// The same with another number of draws or seed.
+    #[must_use]
+    pub fn with_sampler(mut self, sampler: SamplerConfig) -> Self {
+        let inference = self.inference.unwrap_or_default();
+        self.inference = Some(InferenceOptions {
+            sampler,
+            ..inference
+        });
+        self
+    }
+
+    /// The same, looking for impacts elsewhere.
+    #[must_use]
+    pub fn with_detection(mut self, detection: DetectionOptions) -> Self {
+        self.detection = detection;
+        self
+    }
+
+    /// The same with impacts excluded and included by hand.
+    #[must_use]
+    pub fn with_edits(mut self, edits: Edits) -> Self {
+        self.edits = edits;
+        self
+    }
+
+    /// The same without the inference: log-linear fit and restitution of each impact alone.
+    #[must_use]
+    pub fn without_inference(mut self) -> Self {
+        self.inference = None;
+        self
+    }
+
+    /// The same for the drop that begins at a time, given when the others begin: a release is of the
+    /// drop that begins next after it.
+    #[must_use]
+    pub fn for_drop(&self, start_s: f64, other_starts_s: &[f64]) -> Self {
+        let is_its_own = |released_s: f64| {
+            let is_between = |&start: &f64| released_s < start && start < start_s;
+            released_s < start_s && !other_starts_s.iter().any(is_between)
+        };
+        let mut options = self.clone();
+        let release = options.priors.release_s;
+        options.priors.release_s = release.filter(|it| is_its_own(it.value));
+        options
+    }
+
+    /// What to say if a release was stated and no drop begins after it, given when they begin.
+    pub fn release_without_drop(&self, starts_s: &[f64]) -> Option<Diagnostic> {
+        let released_s = self.priors.release_s?.value;
+        let begins = starts_s.iter().any(|&start_s| released_s < start_s);
+        let diagnostic = Diagnostic::new(Code::ReleaseWithoutDrop).with("time_s", released_s);
+        (!begins && !starts_s.is_empty()).then_some(diagnostic)
+    }
+
+    /// The flight model of these options.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`FlightModel::new`].
+    pub fn model(&self) -> Result<FlightModel> {
+        FlightModel::new(&self.ball, &self.environment)
+    }
+}
+
+/// An impact below this probability is marked as uncertain, and no flight from or to it goes into
+/// the log-linear fit unless it is asked for.
+pub const CONFIDENT_PROBABILITY: f64 = 0.9;
+
+impl From<&TrainImpact> for Impact {
+    fn from(detected: &TrainImpact) -> Self {
+        Self {
+            number: detected.number as usize + 1,
+            time_s: detected.onset.time_s,
+            time_sd_s: Some(detected.onset.sigma_s),
+            probability: detected.probability,
+            level_db: Some(detected.onset.level_db),
+        }
+    }
+}
+
+/// Impacts known by their times alone, in increasing order; where the intervals say that one was
+/// missed, the numbers have a gap.
+pub fn impacts_of_times(times_s: &[f64]) -> Vec<Impact> {
+    std::iter::zip(times_s, train::number_impacts(times_s))
+        .map(|(&time_s, number)| Impact::new(number as usize + 1, time_s))
+        .collect()
+}
+
+/// The same impacts with others left out and added by hand, and numbered anew.
+///
+/// A time to leave out means the nearest impact within 20 ms; one that means none is returned in
+/// the second list.
+fn edit(impacts: &[Impact], exclude_s: &[f64], include_s: &[f64]) -> (Vec<Impact>, Vec<f64>) {
+    const NEAR_S: f64 = 0.02;
+    let mut edited = impacts.to_vec();
+    let mut unmatched = Vec::new();
+    for &time_s in exclude_s {
+        let distance = |impact: &Impact| (impact.time_s - time_s).abs();
+        let nearest = (0..edited.len())
+            .filter(|&index| distance(&edited[index]) <= NEAR_S)
+            .min_by(|&a, &b| distance(&edited[a]).total_cmp(&distance(&edited[b])));
+        match nearest {
+            Some(index) => drop(edited.remove(index)),
+            None => unmatched.push(time_s),
+        }
+    }
+    edited.extend(impacts_of_times(include_s));
+    (renumbered(edited), unmatched)
+}
+
+/// Impacts in any order: in order of time, no two at the same, numbered as [`impacts_of_times`] does.
+pub fn renumbered(mut impacts: Vec<Impact>) -> Vec<Impact> {
+    impacts.sort_by(|a, b| a.time_s.total_cmp(&b.time_s));
+    impacts.dedup_by(|a, b| a.time_s <= b.time_s);
+    let times_s: Vec<f64> = impacts.iter().map(|impact| impact.time_s).collect();
+    for (impact, number) in impacts.iter_mut().zip(train::number_impacts(&times_s)) {
+        impact.number = number as usize + 1;
+    }
+    impacts
+}
+
+/// Analyses the impacts of one drop, in order of time.
+///
+/// What cannot be told is an error in its own place, so that the rest remains.
+pub fn analyze_impacts(impacts: Vec<Impact>, options: &Options) -> Drop {
+    let per_impact = per_impact(&impacts, options);
+    let flights = flights(&impacts, options, per_impact.as_ref().ok());
+    let in_fit: Vec<NumberedFlight> = flights
+        .iter()
+        .filter(|flight| flight.in_fit)
+        .map(|flight| NumberedFlight {
+            number: flight.number,
+            time_s: flight.time_s,
+        })
+        .collect();
+    let log_linear_fit = regression::fit(&in_fit, options.environment.gravity_m_s2);
+    let posterior = posterior(&impacts, options);
+    let mut diagnostics = diagnostics(&impacts, &flights, per_impact.as_ref().ok());
+    match &posterior {
+        Ok(posterior) => diagnostics.extend(posterior.diagnostics.iter().cloned()),
+        Err(Error::CannotInfer(InferenceFailure::NotRequested)) => {}
+        Err(reason) => diagnostics.push(reason.diagnostic()),
+    }
+    Drop {
+        probability: 1.0,
+        impacts,
+        flights,
+        log_linear_fit,
+        per_impact,
+        posterior,
+        diagnostics,
+    }
+}
+
+fn flights(
+    impacts: &[Impact],
+    options: &Options,
+    per_impact: Option<&PerImpact>,
+) -> Vec<MeasuredFlight> {
+    let certain = |pair: &[Impact]| {
+        let mut impacts = pair.iter();
+        impacts.all(|impact| impact.probability >= CONFIDENT_PROBABILITY)
+    };
+    let successive = impacts
+        .windows(2)
+        .filter(|pair| pair[1].number == pair[0].number + 1);
+    let enough = successive.clone().filter(|pair| certain(pair)).count() >= 2;
+    let modelled = |number: usize| {
+        let mut flights = per_impact?.flights.iter();
+        flights.find(|flight| flight.number == number)
+    };
+    successive
+        .map(|pair| {
+            let number = pair[0].number;
+            let time_s = pair[1].time_s - pair[0].time_s;
+            let gravity_m_s2 = options.environment.gravity_m_s2;
+            let in_fit = match &options.flights {
+                Some(range) => range.contains(&number),
+                None => !enough || certain(pair),
+            };
+            let modelled = modelled(number);
+            MeasuredFlight {
+                number,
+                time_s,
+                in_fit,
+                drag_free_height_m: regression::height_of_flight_m(time_s, gravity_m_s2),
+                apex_m: modelled.map(|modelled| modelled.flight.apex_m),
+                apex_sd_m: modelled.and_then(|modelled| modelled.apex_sd_m),
+                launch_speed_m_s: modelled.map(|modelled| modelled.flight.launch_speed_m_s),
+            }
+        })
+        .collect()
+}
+
+fn per_impact(impacts: &[Impact], options: &Options) -> Result<PerImpact> {
+    restitution::of_impacts(impacts, options.contact_time_s, &options.model()?)
+}
+
+/// The inference from all impacts that are more likely than not; the others count as missed.
+fn posterior(impacts: &[Impact], options: &Options) -> Result<Posterior> {
+    let Some(inference) = &options.inference else {
+        return Err(Error::CannotInfer(InferenceFailure::NotRequested));
+    };
+    let likely: Vec<Impact> = impacts
+        .iter()
+        .filter(|impact| impact.probability >= 0.5)
+        .copied()
+        .collect();
+    inference::infer(
+        &likely,
+        &options.ball,
+        &options.environment,
+        options.contact_time_s,
+        &options.priors,
+        inference,
+    )
+}
+
+fn diagnostics(
+    impacts: &[Impact],
+    flights: &[MeasuredFlight],
+    per_impact: Option<&PerImpact>,
+) -> Vec<Diagnostic> {
+    /// No ball that one drops flies so long, in seconds.
+    const TOO_LONG_S: f64 = 30.0;
+    /// A flight longer than the one before by this factor is no error of the times.
+    const GROWS: f64 = 1.02;
+    let mut diagnostics = Vec::new();
+    if flights.iter().any(|flight| flight.time_s > TOO_LONG_S) {
+        diagnostics.push(Diagnostic::new(Code::TimesInMilliseconds));
+    }
+    let span = impacts
+        .last()
+        .map_or(0, |last| last.number + 1 - impacts[0].number);
+    if span > impacts.len() {
+        let missed = Diagnostic::new(Code::ImpactsMissed);
+        diagnostics.push(missed.with("count", span - impacts.len()));
+    }
+    let gains: Vec<usize> = per_impact
+        .into_iter()
+        .flat_map(|per_impact| &per_impact.impacts)
+        .filter(|impact| {
+            // Timing noise alone may lift a late, short flight above 1.
+            let error = impact.restitution.known_sd().unwrap_or(0.0);
+            impact.restitution.value > 1.0 + 3.0 * error
+        })
+        .map(|impact| impact.number)
+        .collect();
+    if gains.is_empty() {
+        let grows = flights
+            .windows(2)
+            .find(|pair| pair[1].time_s > GROWS * pair[0].time_s);
+        if let (Some(pair), None) = (grows, per_impact) {
+            let grows = Diagnostic::new(Code::FlightGrows);
+            diagnostics.push(grows.with("flight", pair[1].number));
+        }
+    } else {
+        let gaining = Diagnostic::new(Code::ImpactGainsEnergy).with("count", gains.len());
+        diagnostics.push(gaining.with("impacts", gains.as_slice()));
+    }
+    let doubtful = impacts
+        .iter()
+        .filter(|impact| impact.probability < 0.5)
+        .count();
+    if doubtful > 0 {
+        let diagnostic = Diagnostic::new(Code::ImpactsDoubtful);
+        diagnostics.push(diagnostic.with("count", doubtful));
+    }
+    diagnostics
+}

@@ -1,0 +1,401 @@
+//! From samples, or times, to the result.
+
+use super::result::{Recording, Source, StrongestBand};
+use super::{Drop, Edits, Options, analyze_impacts, edit, gap, impacts_of_times};
+use crate::detection::{Detection, Detector};
+use crate::diagnostic::{Code, Diagnostic};
+use crate::impact::Impact;
+use crate::onset;
+use crate::plausibility;
+use crate::train::{FEWEST_IMPACTS, Train};
+use crate::{Error, Result};
+
+/// Analyses a recording of one channel: full scale is 1.
+///
+/// ```
+/// use bouncelab::{Options, analyze, demo};
+///
+/// let recording = demo::sound(&demo::history()?, 1)?;
+/// let result = analyze(&recording.samples, recording.sample_rate_hz, &Options::default())?;
+/// for drop in &result.drops {
+///     let posterior = drop.posterior.as_ref()?;
+///     println!("e = {:.4} ± {:.4}", posterior.restitution.value, posterior.restitution.sd);
+/// }
+/// assert_eq!(result.drops.len(), 1);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
+/// # Errors
+///
+/// [`Error::NoBand`](crate::Error::NoBand) and [`Error::NoChannel`](crate::Error::NoChannel) if the
+/// options ask for a band or channel that there is not. A recording without a drop is no error:
+/// [`Recording::no_drop`] says why.
+pub fn analyze(samples: &[f32], sample_rate_hz: u32, options: &Options) -> Result<Recording> {
+    analyze_channels(&[samples], sample_rate_hz, options)
+}
+
+/// Analyses a recording of several channels of equal length; the one with the most evidence for its
+/// drops is believed.
+///
+/// # Errors
+///
+/// Those of [`analyze`].
+pub fn analyze_channels(
+    channels: &[&[f32]],
+    sample_rate_hz: u32,
+    options: &Options,
+) -> Result<Recording> {
+    let mut detector = Detector::with_options(sample_rate_hz, channels.len(), &options.detection)?;
+    detector.push(channels);
+    Ok(Plan::of_detection(detector.finish(), options).run())
+}
+
+/// Analyses a list of impact times in seconds, in increasing order: it is one drop, whoever made it
+/// has chosen.
+///
+/// ```
+/// use bouncelab::{Options, analyze_times};
+///
+/// let times_s = [0.0, 0.4605, 0.8877, 1.2854, 1.6568, 2.0045];
+/// let result = analyze_times(&times_s, &Options::default());
+/// let fit = result.drops[0].log_linear_fit.as_ref()?;
+/// assert_eq!(format!("{:.3}", fit.restitution.value), "0.932");
+/// # Ok::<(), &bouncelab::Error>(())
+/// ```
+pub fn analyze_times(times_s: &[f64], options: &Options) -> Recording {
+    Plan::of_times(times_s, options).run()
+}
+
+/// A recording whose drops are yet to be analysed, each of them by itself: side by side where there
+/// are threads, one after the other where there are none.
+///
+/// ```
+/// use bouncelab::Options;
+/// use bouncelab::analysis::{DropTask, Plan};
+///
+/// let plan = Plan::of_times(&[0.0, 0.4605, 0.8877, 1.2854], &Options::default());
+/// let drops = plan.tasks().iter().map(DropTask::run).collect();
+/// assert_eq!(plan.finish(drops).drops.len(), 1);
+/// ```
+#[derive(Clone, Debug)]
+pub struct Plan {
+    recording: Recording,
+    options: Options,
+    tasks: Vec<DropTask>,
+}
+
+/// One drop to be analysed.
+#[derive(Clone, Debug)]
+pub struct DropTask {
+    candidate: DropCandidate,
+    options: Options,
+}
+
+/// A drop before it is analysed.
+#[derive(Clone, Debug)]
+struct DropCandidate {
+    impacts: Vec<Impact>,
+    probability: f64,
+}
+
+impl Plan {
+    /// The plan for what was detected in sound.
+    pub fn of_detection(detection: Detection, options: &Options) -> Self {
+        let source = Source::Sound {
+            format: None,
+            sample_rate_hz: detection.sample_rate_hz,
+            channels: detection.channels,
+            channel: detection.channel + 1,
+            duration_s: detection.duration_s,
+            onsets: detection.onsets,
+        };
+        let trains = detection.found.trains.iter();
+        let recording = Recording {
+            source,
+            strongest_band: strongest_band(&detection),
+            drops: Vec::new(),
+            no_drop: detection.no_drop(),
+            diagnostics: detection.diagnostics(),
+            envelope: None,
+        };
+        let candidates = trains.map(DropCandidate::from).collect();
+        let mut plan = Self::new(recording, candidates, options);
+        plan.recording.envelope = Some(detection.envelope);
+        plan
+    }
+
+    /// The plan for a list of impact times in seconds, in increasing order.
+    pub fn of_times(times_s: &[f64], options: &Options) -> Self {
+        let recording = Recording {
+            source: Source::Times,
+            strongest_band: None,
+            drops: Vec::new(),
+            no_drop: (times_s.len() < 2).then(|| Diagnostic::new(Code::TooFewTimes)),
+            diagnostics: Vec::new(),
+            envelope: None,
+        };
+        Self::new(recording, vec![DropCandidate::of_times(times_s)], options)
+    }
+
+    fn new(
+        mut recording: Recording,
+        mut candidates: Vec<DropCandidate>,
+        options: &Options,
+    ) -> Self {
+        recording
+            .diagnostics
+            .extend(apply(&options.edits, &mut candidates));
+        for candidate in &mut candidates {
+            let lost = gap::cut(&mut candidate.impacts, &options.edits.gaps);
+            recording.diagnostics.extend(lost);
+        }
+        candidates.retain(|candidate| candidate.impacts.len() >= 2);
+        recording.no_drop = candidates.is_empty().then(|| {
+            let known = recording.no_drop.take();
+            known.unwrap_or_else(|| Diagnostic::new(Code::NothingLeft))
+        });
+        let starts_s: Vec<f64> = candidates.iter().map(DropCandidate::start_s).collect();
+        let tasks = candidates.into_iter().map(|candidate| DropTask {
+            options: options.for_drop(candidate.start_s(), &starts_s),
+            candidate,
+        });
+        Self {
+            tasks: tasks.collect(),
+            options: options.clone(),
+            recording,
+        }
+    }
+
+    /// The drops to analyse, in order of time.
+    pub fn tasks(&self) -> &[DropTask] {
+        &self.tasks
+    }
+
+    /// The result, with the drops of [`Self::tasks`] in their order.
+    pub fn finish(mut self, drops: Vec<Drop>) -> Recording {
+        let starts_s: Vec<f64> = self
+            .tasks
+            .iter()
+            .map(|task| task.candidate.start_s())
+            .collect();
+        let diagnostics = &mut self.recording.diagnostics;
+        let height_m = self.options.priors.drop_height_m.map(|height| height.value);
+        diagnostics.extend(height_m.and_then(|height_m| {
+            let mut drops = drops.iter();
+            drops.find_map(|drop| plausibility::of_height(height_m, drop))
+        }));
+        diagnostics.extend(self.options.release_without_drop(&starts_s));
+        self.recording.drops = drops;
+        self.recording
+    }
+
+    /// Analyses all drops, one after the other.
+    pub fn run(self) -> Recording {
+        let drops = self.tasks.iter().map(DropTask::run).collect();
+        self.finish(drops)
+    }
+}
+
+impl DropTask {
+    /// The impacts that go into it.
+    pub fn impacts(&self) -> &[Impact] {
+        &self.candidate.impacts
+    }
+
+    /// Analyses the drop.
+    pub fn run(&self) -> Drop {
+        let drop = analyze_impacts(self.candidate.impacts.clone(), &self.options);
+        Drop {
+            probability: self.candidate.probability,
+            ..drop
+        }
+    }
+}
+
+impl DropCandidate {
+    /// As certain as the hand that wrote the times.
+    fn of_times(times_s: &[f64]) -> Self {
+        Self {
+            impacts: impacts_of_times(times_s),
+            probability: 1.0,
+        }
+    }
+
+    fn start_s(&self) -> f64 {
+        let first = self.impacts.first();
+        first.map_or(f64::INFINITY, |impact| impact.time_s)
+    }
+
+    /// How far a time is from it: 0 within it.
+    fn distance_s(&self, time_s: f64) -> f64 {
+        match (self.impacts.first(), self.impacts.last()) {
+            (Some(first), Some(last)) => (first.time_s - time_s).max(time_s - last.time_s).max(0.0),
+            _ => f64::INFINITY,
+        }
+    }
+}
+
+impl From<&Train> for DropCandidate {
+    fn from(train: &Train) -> Self {
+        Self {
+            impacts: train.impacts().iter().map(Impact::from).collect(),
+            probability: train.probability(),
+        }
+    }
+}
+
+fn strongest_band(detection: &Detection) -> Option<StrongestBand> {
+    let (band, above_background_db) = detection.strongest_band()?;
+    let band_hz = onset::bands_hz(detection.sample_rate_hz).get(band)?.clone();
+    Some(StrongestBand {
+        low_hz: band_hz.start,
+        high_hz: band_hz.end,
+        above_background_db,
+    })
+}
+
+/// Excludes and includes impacts at these times: each in the drop in which, or nearest to which, it
+/// lies. Returns what could not be done.
+fn apply(edits: &Edits, drops: &mut Vec<DropCandidate>) -> Vec<Diagnostic> {
+    /// An impact farther than this from a drop, in seconds, does not belong to it.
+    const REACH_S: f64 = 2.0;
+    let mut include_s = edits.include_s.clone();
+    let mut exclude_s = edits.exclude_s.clone();
+    if include_s.is_empty() && exclude_s.is_empty() {
+        return Vec::new();
+    }
+    let mut added_s = vec![Vec::new(); drops.len()];
+    include_s.retain(|&time_s| {
+        let near =
+            nearest(drops, time_s).filter(|&place| drops[place].distance_s(time_s) <= REACH_S);
+        near.map(|place| added_s[place].push(time_s)).is_none()
+    });
+    for (drop, added_s) in drops.iter_mut().zip(added_s) {
+        (drop.impacts, exclude_s) = edit(&drop.impacts, &exclude_s, &added_s);
+    }
+    let nothing = exclude_s
+        .into_iter()
+        .map(|time_s| Diagnostic::new(Code::NothingToExclude).with("time_s", time_s));
+    let mut diagnostics: Vec<Diagnostic> = nothing.collect();
+    if include_s.len() >= FEWEST_IMPACTS - 2 {
+        include_s.sort_unstable_by(f64::total_cmp);
+        drops.push(DropCandidate::of_times(&include_s));
+        drops.sort_by(|a, b| a.start_s().total_cmp(&b.start_s()));
+    } else {
+        diagnostics.extend(include_s.into_iter().map(|time_s| {
+            let too_far = Diagnostic::new(Code::TooFarToInclude);
+            too_far.with("time_s", time_s).with("reach_s", REACH_S)
+        }));
+    }
+    diagnostics
+}
+
+/// The place of the drop that is nearest to a time.
+fn nearest(drops: &[DropCandidate], time_s: f64) -> Option<usize> {
+    let distance_s = |place: usize| drops[place].distance_s(time_s);
+    (0..drops.len()).min_by(|&a, &b| distance_s(a).total_cmp(&distance_s(b)))
+}
+
+/// Checks that there is a channel of this number, the first being 1; returns it counted from 0.
+pub(crate) fn check_channel(channel: Option<usize>, channels: usize) -> Result<Option<usize>> {
+    match channel {
+        Some(channel) if !(1..=channels).contains(&channel) => {
+            Err(Error::NoChannel { channel, channels })
+        }
+        channel => Ok(channel.map(|channel| channel - 1)),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::inference::{InferenceOptions, Measured, SamplerConfig};
+
+    fn candidates(times_s: &[&[f64]]) -> Vec<DropCandidate> {
+        let candidates = times_s.iter().map(|times_s| DropCandidate {
+            probability: 0.8,
+            ..DropCandidate::of_times(times_s)
+        });
+        candidates.collect()
+    }
+
+    fn edits(exclude_s: &[f64], include_s: &[f64]) -> Edits {
+        Edits {
+            exclude_s: exclude_s.to_vec(),
+            include_s: include_s.to_vec(),
+            gaps: Vec::new(),
+        }
+    }
+
+    /// Start and probability of each drop after this edit of one that begins at 5 s, with
+    /// probability 0.8.
+    fn edited(exclude_s: &[f64], include_s: &[f64]) -> Vec<(f64, f64)> {
+        let mut drops = candidates(&[&[5.0, 5.5, 5.9]]);
+        apply(&edits(exclude_s, include_s), &mut drops);
+        drops.iter().map(|d| (d.start_s(), d.probability)).collect()
+    }
+
+    #[test]
+    fn a_drop_added_by_hand_keeps_its_own_probability() {
+        let (detected, added) = ((5.0, 0.8), (1.0, 1.0));
+        assert_eq!(edited(&[], &[1.0, 1.5, 1.9]), [added, detected]);
+        let added = (9.0, 1.0);
+        assert_eq!(edited(&[], &[9.0, 9.5, 9.9]), [detected, added]);
+    }
+
+    #[test]
+    fn an_impact_goes_to_the_nearest_of_two_drops() {
+        let mut drops = candidates(&[&[5.0, 5.5, 5.9], &[7.0, 7.5, 7.9]]);
+        assert!(apply(&edits(&[], &[6.9, 6.0]), &mut drops).is_empty());
+        let starts_s: Vec<f64> = drops.iter().map(DropCandidate::start_s).collect();
+        assert_eq!(starts_s, [5.0, 6.9]);
+    }
+
+    #[test]
+    fn a_drop_without_impacts_is_left_alone() {
+        let nothing = (f64::INFINITY, 0.8);
+        let all = [5.0, 5.5, 5.9];
+        assert_eq!(edited(&all, &[]), [nothing]);
+        assert_eq!(edited(&all, &[9.0, 9.5, 9.9]), [(9.0, 1.0), nothing]);
+    }
+
+    /// Of drops that begin at 0 s and 10 s, whether each uses a release at this time (it shows
+    /// whether impacts were missed before the first one), and the codes of the diagnostics.
+    fn released_at(release_s: f64) -> (Vec<bool>, Vec<Code>) {
+        let first = [0.0, 0.45, 0.86, 1.23, 1.57];
+        let second = first.map(|time_s| 10.0 + time_s);
+        let mut options = Options::default();
+        options.priors.release_s = Some(Measured {
+            value: release_s,
+            sd: 0.005,
+        });
+        options.inference = Some(InferenceOptions {
+            sampler: SamplerConfig {
+                draws: 100,
+                seed: 1,
+            },
+            ..InferenceOptions::default()
+        });
+        let recording = Plan::of_times(&[], &options).recording;
+        let drops = candidates(&[&first, &second]);
+        let result = Plan::new(recording, drops, &options).run();
+        let uses = result.drops.iter().map(|drop| {
+            let posterior = drop.posterior.as_ref().unwrap();
+            posterior.missed_first_impacts.is_some()
+        });
+        let codes = result.diagnostics.iter().map(|known| known.code);
+        (uses.collect(), codes.collect())
+    }
+
+    #[test]
+    fn a_release_is_of_the_drop_that_begins_next() {
+        assert_eq!(released_at(9.75), (vec![false, true], Vec::new()));
+        assert_eq!(released_at(-0.25), (vec![true, false], Vec::new()));
+    }
+
+    #[test]
+    fn a_release_after_every_drop_is_of_none_and_is_reported() {
+        let expected = (vec![false, false], vec![Code::ReleaseWithoutDrop]);
+        assert_eq!(released_at(20.0), expected);
+    }
+}

@@ -1,0 +1,405 @@
+//! What there is to know about a result, as data.
+//!
+//! Every warning, note, reason and question of the science is a [`Diagnostic`]: a stable [`Code`], a
+//! [`Severity`] and named arguments. Programs filter by the code; the words for people, in any
+//! language, are made elsewhere from the code and its arguments.
+//!
+//! ```
+//! use bouncelab::diagnostic::{Code, Diagnostic, Severity};
+//!
+//! let missed = Diagnostic::new(Code::ImpactsMissed).with("count", 2);
+//! assert_eq!(missed.code.name(), "impacts-missed");
+//! assert_eq!(missed.severity, Severity::Info);
+//! assert_eq!(missed.number("count"), Some(2.0));
+//! ```
+
+use std::collections::BTreeMap;
+use std::fmt;
+
+/// How much a diagnostic matters.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "lowercase"))]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
+pub enum Severity {
+    /// Good to know: an assumption, or what was done.
+    Info,
+    /// Something is odd: the result may be wrong, or less certain than it looks.
+    Warning,
+    /// Something could not be done.
+    Error,
+}
+
+/// An argument of a diagnostic.
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(untagged))]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
+#[cfg_attr(feature = "typescript", ts(untagged))]
+pub enum Argument {
+    /// A number; its unit, if it has one, is in the name of the argument.
+    Number(f64),
+    /// Several numbers, such as those of impacts.
+    Numbers(Vec<f64>),
+    /// A name.
+    Text(String),
+}
+
+impl From<f64> for Argument {
+    fn from(value: f64) -> Self {
+        Self::Number(value)
+    }
+}
+
+impl From<usize> for Argument {
+    fn from(value: usize) -> Self {
+        Self::Number(value as f64)
+    }
+}
+
+impl From<u64> for Argument {
+    fn from(value: u64) -> Self {
+        Self::Number(value as f64)
+    }
+}
+
+impl From<i32> for Argument {
+    fn from(value: i32) -> Self {
+        Self::Number(f64::from(value))
+    }
+}
+
+impl From<&str> for Argument {
+    fn from(value: &str) -> Self {
+        Self::Text(value.to_owned())
+    }
+}
+
+impl From<String> for Argument {
+    fn from(value: String) -> Self {
+        Self::Text(value)
+    }
+}
+
+impl From<&[usize]> for Argument {
+    fn from(values: &[usize]) -> Self {
+        Self::Numbers(values.iter().map(|&value| value as f64).collect())
+    }
+}
+
+/// Something to know about a result.
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
+#[non_exhaustive]
+pub struct Diagnostic {
+    /// What it is about.
+    #[cfg_attr(feature = "typescript", ts(type = "string"))]
+    pub code: Code,
+    /// How much it matters.
+    pub severity: Severity,
+    /// The values that belong to it, by name.
+    #[cfg_attr(
+        feature = "typescript",
+        ts(type = "{ readonly [name: string]: Argument }")
+    )]
+    pub arguments: BTreeMap<String, Argument>,
+    /// The sentence for people. The science leaves it out; whoever shows the result adds it, in the
+    /// language of the reader.
+    #[cfg_attr(
+        feature = "serde",
+        serde(default, skip_serializing_if = "Option::is_none")
+    )]
+    #[cfg_attr(feature = "typescript", ts(optional))]
+    pub message: Option<String>,
+}
+
+impl Diagnostic {
+    /// A diagnostic of this code, without arguments, with the severity of its code.
+    pub fn new(code: Code) -> Self {
+        Self {
+            code,
+            severity: code.severity(),
+            arguments: BTreeMap::new(),
+            message: None,
+        }
+    }
+
+    /// The same with an argument more.
+    #[must_use]
+    pub fn with(mut self, name: &str, value: impl Into<Argument>) -> Self {
+        self.arguments.insert(name.to_owned(), value.into());
+        self
+    }
+
+    /// The number of this name, if there is one.
+    pub fn number(&self, name: &str) -> Option<f64> {
+        match self.arguments.get(name)? {
+            Argument::Number(value) => Some(*value),
+            Argument::Numbers(_) | Argument::Text(_) => None,
+        }
+    }
+}
+
+macro_rules! codes {
+    ($($(#[$doc:meta])+ $variant:ident = $name:literal, $severity:ident, [$($argument:literal),*];)+) => {
+        /// What a diagnostic is about.
+        ///
+        /// The names are stable: within a version of the schema none is removed or changes its meaning.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+        #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+        #[non_exhaustive]
+        pub enum Code {
+            $($(#[$doc])+ #[cfg_attr(feature = "serde", serde(rename = $name))] $variant,)+
+        }
+
+        impl Code {
+            /// Every code.
+            pub const ALL: &[Self] = &[$(Self::$variant),+];
+
+            /// Its stable name, in kebab case.
+            pub const fn name(self) -> &'static str {
+                match self { $(Self::$variant => $name,)+ }
+            }
+
+            /// How much it matters.
+            pub const fn severity(self) -> Severity {
+                match self { $(Self::$variant => Severity::$severity,)+ }
+            }
+
+            /// The names of its arguments; one that ends in a question mark may be left out.
+            pub const fn arguments(self) -> &'static [&'static str] {
+                match self { $(Self::$variant => &[$($argument),*],)+ }
+            }
+        }
+    };
+}
+
+codes! {
+    // Of a recording.
+    /// The recording holds no sound: all samples have the same value.
+    RecordingSilent = "recording-silent", Error, [];
+    /// No sound stands out of the background.
+    NoSound = "no-sound", Error, [];
+    /// Fewer sounds stand out than it takes to distinguish a drop from chance.
+    TooFewSounds = "too-few-sounds", Error, ["count", "needed"];
+    /// The sounds keep time, as of a clock, steps or a drum.
+    PeriodicSounds = "periodic-sounds", Error, ["count", "interval_s"];
+    /// Sounds stand out, but not at shrinking intervals.
+    NoPattern = "no-pattern", Error, ["count", "needed"];
+    /// A list has fewer than two times.
+    TooFewTimes = "too-few-times", Error, [];
+    /// So many impacts were excluded that no flight is left.
+    NothingLeft = "nothing-left", Error, [];
+    /// A far fainter ball was detected and left out.
+    DistantBall = "distant-ball", Info, ["start_s", "end_s", "impacts"];
+    /// Samples are clipped.
+    Clipped = "clipped", Warning, ["samples"];
+    /// No impact lies within 20 ms of a time to exclude.
+    NothingToExclude = "nothing-to-exclude", Warning, ["time_s"];
+    /// A time to include lies too far from every drop.
+    TooFarToInclude = "too-far-to-include", Warning, ["time_s", "reach_s"];
+    /// Sound was lost within a drop: only the longest part without a gap is used.
+    SoundLost = "sound-lost", Warning, ["at_s", "impacts", "kept"];
+    /// No drop begins after the stated release.
+    ReleaseWithoutDrop = "release-without-drop", Warning, ["time_s"];
+    /// The stated height is far from the detected one, but would fit in another unit.
+    HeightOfAnotherUnit = "height-of-another-unit", Warning, ["stated_m", "detected_m", "meant_m"];
+
+    // Of the file that holds the recording.
+    /// The file cannot be read.
+    FileUnreadable = "file-unreadable", Error, [];
+    /// The file ends before its header says, or in the middle of something.
+    FileTruncated = "file-truncated", Warning, ["read_s", "expected_s?"];
+    /// Packets could not be decoded and were replaced by silence.
+    PacketsDamaged = "packets-damaged", Warning, ["packets", "first_s"];
+    /// Samples are not numbers and were replaced by zero.
+    SamplesNotFinite = "samples-not-finite", Warning, ["samples", "first_s"];
+    /// Sound is missing: later times are too early.
+    SoundMissing = "sound-missing", Warning, ["at_s", "missing_s"];
+    /// The rate or number of channels changes; the recording was read up to there.
+    FormatChanges = "format-changes", Warning, ["at_s"];
+    /// The edit list of the file was ignored.
+    EditListIgnored = "edit-list-ignored", Info, [];
+
+    // Of a drop.
+    /// Impacts between the first and the last were not detected; they are counted.
+    ImpactsMissed = "impacts-missed", Info, ["count"];
+    /// Impacts seem to give energy: restitution above 1.
+    ImpactGainsEnergy = "impact-gains-energy", Warning, ["count", "impacts"];
+    /// Impacts are more likely something else.
+    ImpactsDoubtful = "impacts-doubtful", Warning, ["count"];
+    /// A flight lasts longer than the one before.
+    FlightGrows = "flight-grows", Warning, ["flight"];
+    /// The flights are so long that the times are probably in milliseconds.
+    TimesInMilliseconds = "times-in-milliseconds", Warning, [];
+
+    // Of the posterior.
+    /// The sampling did not converge: the intervals cannot be trusted.
+    SamplingNotConverged = "sampling-not-converged", Warning, ["pareto_shape", "greatest"];
+    /// So few impacts leave most to the priors.
+    FewImpacts = "few-impacts", Warning, ["count"];
+    /// A restitution law takes more impacts to be distinguished from a constant.
+    LawNeedsImpacts = "law-needs-impacts", Info, ["law", "needed", "seen"];
+    /// Impacts are odd and count less.
+    ImpactsOdd = "impacts-odd", Warning, ["count", "impacts"];
+    /// The measured height contradicts the flight times.
+    HeightContradictsTimes = "height-contradicts-times", Warning, ["measured_m", "detected_m", "gravity_m_s2"];
+    /// Impacts before the first one detected were missed.
+    FirstImpactsMissed = "first-impacts-missed", Warning, ["probability"];
+    /// The drop height is that of the fall before the first impact detected.
+    HeightOfFirstDetected = "height-of-first-detected", Info, [];
+    /// The data hardly constrain drag: the drag coefficient is that of the prior.
+    DragFromPrior = "drag-from-prior", Info, [];
+    /// Drag and falling restitution cannot be told apart.
+    DragOrSlope = "drag-or-slope", Info, [];
+    /// No restitution law wins: the answer is an average.
+    NoLawWins = "no-law-wins", Info, [];
+    /// With so little loss the ball does not come to rest.
+    NeverRests = "never-rests", Info, [];
+    /// No inference was asked for.
+    InferenceOff = "inference-off", Info, [];
+    /// An inference takes two impacts.
+    InferenceNeedsImpacts = "inference-needs-impacts", Error, ["count"];
+    /// No physical model explains the times.
+    NoModelFits = "no-model-fits", Error, [];
+    /// No draw of the posterior explains the times.
+    SamplingFailed = "sampling-failed", Error, [];
+    /// Too many impacts in a row were missed.
+    MissedInARow = "missed-in-a-row", Error, ["missed", "after"];
+    /// No ball with so much drag flies so long.
+    FlightTooLong = "flight-too-long", Error, [];
+    /// The ball would gain speed in most impacts.
+    GainsSpeed = "gains-speed", Error, [];
+    /// The variances of groups cannot be told apart.
+    VariancesConfounded = "variances-confounded", Error, [];
+    /// The rule's height is far beyond the detected ones.
+    HeightOutOfReach = "height-out-of-reach", Error, [];
+
+    // Of input.
+    /// A number lies outside the values that make sense.
+    OutOfRange = "out-of-range", Error, ["quantity", "value", "allowed"];
+    /// A name is not in the list.
+    UnknownName = "unknown-name", Error, ["kind", "name", "nearest", "known"];
+    /// The ball is faster than the drag law is valid for.
+    ReynoldsTooHigh = "reynolds-too-high", Error, ["law", "reynolds", "max_reynolds"];
+    /// The ball is lighter than the air it displaces.
+    BallFloats = "ball-floats", Error, ["mass_kg", "displaced_kg"];
+    /// The drop does not end.
+    EndlessDrop = "endless-drop", Error, ["bounces", "apex_m"];
+    /// A log-linear fit takes two flights.
+    TooFewFlights = "too-few-flights", Error, ["flights"];
+    /// A statistic takes more drops.
+    TooFewDrops = "too-few-drops", Error, ["needed", "drops"];
+    /// No frequency band lies in the range.
+    NoBand = "no-band", Error, ["range", "bands"];
+    /// Numbers do not increase.
+    NotInOrder = "not-in-order", Error, ["what", "number"];
+    /// The recording has no channel of this number.
+    NoChannel = "no-channel", Error, ["channel", "channels"];
+    /// A rule that judges each drop cannot compare with a reference.
+    EachOfReference = "each-of-reference", Error, [];
+    /// A quantity is implausible, and another unit may be meant.
+    ImplausibleQuantity = "implausible-quantity", Warning, ["quantity", "value", "unit", "meant?", "meant_unit?"];
+    /// No ball has this mass and diameter, and other units may be meant.
+    ImplausibleBall = "implausible-ball", Warning, ["mass_kg", "diameter_m", "meant_g?", "meant_cm?", "meant_mm?"];
+
+    // What was assumed.
+    /// The ball was not stated.
+    AssumedBall = "assumed-ball", Info, ["ball"];
+    /// The contact time was not stated.
+    AssumedContactTime = "assumed-contact-time", Info, ["contact_time_s"];
+    /// The air was not stated, or not all of it.
+    AssumedAir = "assumed-air", Info, ["temperature_k", "pressure_pa", "relative_humidity"];
+    /// Gravity was not stated.
+    AssumedGravity = "assumed-gravity", Info, ["gravity_m_s2"];
+
+    /// The ball is that of the rule.
+    AssumedRuleBall = "assumed-rule-ball", Info, ["ball"];
+    /// The height of the fall is that of the rule.
+    AssumedRuleHeight = "assumed-rule-height", Info, ["height_m", "sd_m"];
+
+    // What was assumed before the data.
+    /// Restitution: anything from 0 to 1.
+    PriorRestitution = "prior-restitution", Info, [];
+    /// Scatter of restitution: about this, within a factor of two.
+    PriorScatter = "prior-scatter", Info, ["relative_sd"];
+    /// An input is exact.
+    PriorExact = "prior-exact", Info, ["input"];
+    /// An input is unknown, within a factor e.
+    PriorUnknown = "prior-unknown", Info, ["input"];
+    /// An input is known to a relative standard uncertainty.
+    PriorInput = "prior-input", Info, ["input", "relative_sd"];
+    /// The drop height was measured.
+    PriorHeight = "prior-height", Info, ["height_m", "sd_m"];
+    /// The drop height is anything.
+    PriorHeightFlat = "prior-height-flat", Info, [];
+    /// The release was measured.
+    PriorRelease = "prior-release", Info, ["release_s", "sd_s"];
+    /// A constant drag coefficient is as probable as the law.
+    PriorConstantDrag = "prior-constant-drag", Info, [];
+    /// Each further impact missed at the start is half as likely.
+    PriorMissed = "prior-missed", Info, [];
+
+    // Of a verdict.
+    /// The rule takes more drops.
+    RuleNeedsDrops = "rule-needs-drops", Warning, ["needed", "given"];
+    /// The rule takes more drops on the reference surface.
+    RuleNeedsReferenceDrops = "rule-needs-reference-drops", Warning, ["needed", "given"];
+    /// The rule compares with a reference surface.
+    RuleNeedsReference = "rule-needs-reference", Warning, [];
+    /// The rule compares places.
+    RuleNeedsPlaces = "rule-needs-places", Warning, [];
+    /// The rule names no limits.
+    RuleWithoutLimits = "rule-without-limits", Warning, [];
+    /// Nobody stated the drop height.
+    RuleNeedsHeight = "rule-needs-height", Warning, [];
+    /// The temperature is outside the rule's.
+    RuleTemperature = "rule-temperature", Warning, ["temperature_k"];
+    /// The altitude is outside the rule's.
+    RuleAltitude = "rule-altitude", Warning, ["altitude_m"];
+    /// A drop does not tell its rebound.
+    DropWithoutRebound = "drop-without-rebound", Warning, ["drop", "reason"];
+    /// A limit lies within the uncertainty.
+    LimitWithinUncertainty = "limit-within-uncertainty", Warning, [];
+    /// The rule was not read in its source.
+    RuleUnverified = "rule-unverified", Warning, [];
+    /// The formula of the rule was not read in its source.
+    FormulaUnverified = "formula-unverified", Info, [];
+    /// The ball is another than the rule's.
+    RuleOtherBall = "rule-other-ball", Warning, ["ball"];
+    /// The rule does not state where heights are measured.
+    RuleWithoutPoint = "rule-without-point", Info, [];
+    /// The rule holds at some temperatures, and none was stated.
+    TemperatureNotStated = "temperature-not-stated", Info, ["least_k?", "greatest_k?"];
+    /// The rule holds at some altitudes, and none was stated.
+    AltitudeNotStated = "altitude-not-stated", Info, ["least_m?", "greatest_m?"];
+    /// The ball was dropped from another height than the rule's.
+    RuleOtherHeight = "rule-other-height", Info, ["dropped_m", "rule_m"];
+    /// The rule's impact is faster than any detected.
+    RuleExtrapolated = "rule-extrapolated", Warning, ["factor"];
+    /// So few drops hardly show how drops differ.
+    VerdictOfFewDrops = "verdict-of-few-drops", Info, ["drops"];
+}
+
+impl fmt::Display for Code {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.name())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::collections::HashSet;
+
+    #[test]
+    fn names_are_kebab_case_and_unique() {
+        let names: HashSet<_> = Code::ALL.iter().map(|code| code.name()).collect();
+        assert_eq!(names.len(), Code::ALL.len());
+        for name in names {
+            let kebab = |c: char| c.is_ascii_lowercase() || c == '-';
+            assert!(name.chars().all(kebab), "{name}");
+        }
+    }
+}

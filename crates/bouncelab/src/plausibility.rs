@@ -1,0 +1,304 @@
+//! Stated values that look like mistakes of units.
+//!
+//! What is out of the ordinary is questioned by a [`Diagnostic`], before anything is computed from it.
+//!
+//! ```
+//! use bouncelab::diagnostic::Argument;
+//! use bouncelab::plausibility;
+//!
+//! let question = plausibility::of_quantity("height", 30.5).unwrap();
+//! assert_eq!(question.number("meant"), Some(30.5));
+//! assert_eq!(question.arguments["meant_unit"], Argument::from("cm"));
+//! assert!(plausibility::of_quantity("height", 0.305).is_none());
+//! ```
+
+use crate::analysis::Drop;
+use crate::ball::Ball;
+use crate::diagnostic::{Code, Diagnostic};
+
+/// How a value is shown: `factor * value + offset` in this unit.
+struct Shown {
+    factor: f64,
+    offset: f64,
+    unit: &'static str,
+}
+
+/// Another reading of a value: what it would be, as a factor, and how it would be written.
+struct Reading {
+    factor: f64,
+    written: f64,
+    unit: &'static str,
+}
+
+/// The value is the number, written with another unit.
+const fn number(factor: f64, unit: &'static str) -> Reading {
+    Reading {
+        factor,
+        written: 1.0,
+        unit,
+    }
+}
+
+const fn shown(unit: &'static str) -> Shown {
+    Shown {
+        factor: 1.0,
+        offset: 0.0,
+        unit,
+    }
+}
+
+/// What is ordinary of a quantity, and what another unit would make of it.
+struct Ordinary {
+    quantity: &'static str,
+    low: f64,
+    high: f64,
+    shown: Shown,
+    readings: &'static [Reading],
+}
+
+const ORDINARY: [Ordinary; 9] = [
+    Ordinary {
+        quantity: "height",
+        low: 0.01,
+        high: 10.0,
+        shown: shown("m"),
+        readings: &[
+            number(0.01, "cm"),
+            number(0.001, "mm"),
+            number(0.0254, "in"),
+        ],
+    },
+    Ordinary {
+        quantity: "height-sd",
+        low: 1e-5,
+        high: 0.1,
+        shown: shown("m"),
+        readings: &[number(0.01, "cm"), number(0.001, "mm")],
+    },
+    Ordinary {
+        quantity: "temperature",
+        low: 233.15,
+        high: 333.15,
+        shown: Shown {
+            factor: 1.0,
+            offset: -273.15,
+            unit: "°C",
+        },
+        // Handled by themselves: these scales do not begin at zero.
+        readings: &[],
+    },
+    Ordinary {
+        quantity: "pressure",
+        low: 3e4,
+        high: 1.2e5,
+        shown: shown("Pa"),
+        readings: &[
+            number(100.0, "hPa"),
+            number(1000.0, "kPa"),
+            Reading {
+                factor: 0.01,
+                written: 0.01,
+                unit: "Pa",
+            },
+            Reading {
+                factor: 10.0,
+                written: 0.01,
+                unit: "kPa",
+            },
+        ],
+    },
+    Ordinary {
+        quantity: "humidity",
+        low: 0.0,
+        high: 1.0,
+        shown: Shown {
+            factor: 100.0,
+            offset: 0.0,
+            unit: "%",
+        },
+        readings: &[number(0.01, "%")],
+    },
+    Ordinary {
+        quantity: "contact-time",
+        low: 0.0,
+        high: 0.05,
+        shown: shown("s"),
+        readings: &[number(1e-3, "ms"), number(1e-6, "us")],
+    },
+    Ordinary {
+        quantity: "gravity",
+        // From a small moon to the largest planet.
+        low: 0.1,
+        high: 30.0,
+        shown: shown("m/s2"),
+        readings: &[number(0.01, "cm/s2")],
+    },
+    Ordinary {
+        quantity: "altitude",
+        low: -500.0,
+        high: 9000.0,
+        shown: shown("m"),
+        readings: &[number(0.3048, "ft")],
+    },
+    Ordinary {
+        quantity: "air-density",
+        low: 0.0,
+        high: 20.0,
+        shown: shown("kg/m3"),
+        readings: &[number(1e-3, "g/m3")],
+    },
+];
+
+/// A question, if a value in SI units is out of the ordinary. Quantities are `height`, `height-sd`,
+/// `temperature`, `pressure`, `humidity`, `contact-time`, `gravity`, `altitude` and `air-density`; of
+/// any other nothing is asked.
+pub fn of_quantity(quantity: &str, value: f64) -> Option<Diagnostic> {
+    let ordinary = ORDINARY.iter().find(|known| known.quantity == quantity)?;
+    let fits = |value: f64| (ordinary.low..=ordinary.high).contains(&value);
+    if fits(value) {
+        return None;
+    }
+    let Shown {
+        factor,
+        offset,
+        unit,
+    } = ordinary.shown;
+    let question = Diagnostic::new(Code::ImplausibleQuantity)
+        .with("quantity", quantity)
+        .with("value", significant(factor * value + offset))
+        .with("unit", unit);
+    let mut readings = ordinary.readings.iter();
+    let meant = match readings.find(|reading| fits(value * reading.factor)) {
+        Some(reading) => Some((value * reading.written, reading.unit)),
+        None if quantity == "temperature" => other_scale(value, fits),
+        None => None,
+    };
+    Some(match meant {
+        Some((meant, unit)) => question
+            .with("meant", significant(meant))
+            .with("meant_unit", unit),
+        None => question,
+    })
+}
+
+/// The same number of degrees Celsius on another scale, where that would be ordinary.
+fn other_scale(kelvin: f64, fits: impl Fn(f64) -> bool) -> Option<(f64, &'static str)> {
+    let degrees = kelvin - 273.15;
+    let fahrenheit_k = (degrees - 32.0) / 1.8 + 273.15;
+    let scales = [(degrees, "K"), (fahrenheit_k, "F")];
+    let other = scales.into_iter().find(|&(kelvin, _)| fits(kelvin));
+    other.map(|(_, scale)| (degrees, scale))
+}
+
+/// A question, if no ball has this mass and diameter.
+pub fn of_ball(ball: &Ball) -> Option<Diagnostic> {
+    /// From a beach ball to tungsten, kg/m3.
+    const DENSITIES: std::ops::RangeInclusive<f64> = 3.0..=20_000.0;
+    let fits = |mass_kg: f64, diameter_m: f64| {
+        let volume = Ball::new(1.0, diameter_m).map_or(f64::NAN, |ball| ball.volume_m3());
+        DENSITIES.contains(&(mass_kg / volume))
+    };
+    let (mass, diameter) = (ball.mass_kg(), ball.diameter_m());
+    if fits(mass, diameter) {
+        return None;
+    }
+    let question = Diagnostic::new(Code::ImplausibleBall)
+        .with("mass_kg", significant(mass))
+        .with("diameter_m", significant(diameter));
+    let grams = |question: Diagnostic| question.with("meant_g", significant(mass));
+    let other = |question: Diagnostic, name| question.with(name, significant(diameter));
+    Some(if fits(mass * 1e-3, diameter) {
+        grams(question)
+    } else if fits(mass, diameter * 1e-2) {
+        other(question, "meant_cm")
+    } else if fits(mass, diameter * 1e-3) {
+        other(question, "meant_mm")
+    } else if fits(mass * 1e-3, diameter * 1e-3) {
+        other(grams(question), "meant_mm")
+    } else {
+        question
+    })
+}
+
+/// A warning, if the stated height is far from that from which the ball was detected to fall, but
+/// would fit in another unit or with its point elsewhere.
+///
+/// The inference would rather believe that many impacts were missed at the beginning.
+pub(crate) fn of_height(stated_m: f64, drop: &Drop) -> Option<Diagnostic> {
+    /// Slips of a unit or a decimal point.
+    const SLIPS: [f64; 6] = [10.0, 100.0, 1000.0, 0.1, 0.01, 0.001];
+    /// So far a rough height may be off.
+    const ROUGH: f64 = 1.15;
+    let detected_m = detected_fall_m(drop)?;
+    let off = |height_m: f64| (height_m / detected_m).ln().abs();
+    let meant_m = SLIPS
+        .into_iter()
+        .map(|slip| stated_m / slip)
+        .find(|&meant_m| off(meant_m) < ROUGH.ln())?;
+    Some(
+        Diagnostic::new(Code::HeightOfAnotherUnit)
+            .with("stated_m", stated_m)
+            .with("detected_m", detected_m)
+            .with("meant_m", meant_m),
+    )
+}
+
+/// Roughly the height before the first impact: the first apex over what an impact keeps.
+fn detected_fall_m(drop: &Drop) -> Option<f64> {
+    let first = drop.per_impact.as_ref().ok()?.flights.first()?;
+    let kept = drop.per_impact_restitution()?.value.powi(2);
+    Some(first.flight.apex_m / kept)
+}
+
+/// Without the noise of binary fractions.
+fn significant(value: f64) -> f64 {
+    format!("{value:.8e}").parse().unwrap_or(value)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::ball;
+    use crate::diagnostic::Argument;
+
+    #[test]
+    fn ordinary_values_raise_no_question() {
+        for (quantity, value) in [
+            ("height", 0.305),
+            ("height", 2.54),
+            ("temperature", 293.15),
+            ("pressure", 101_325.0),
+            ("humidity", 0.5),
+            ("contact-time", 0.001),
+            ("mass", 1e9),
+        ] {
+            assert_eq!(of_quantity(quantity, value), None, "{quantity} {value}");
+        }
+        for preset in ball::presets() {
+            assert_eq!(of_ball(&preset.ball), None, "{}", preset.name);
+        }
+    }
+
+    #[test]
+    fn mistakes_of_units_are_questioned_with_a_guess() {
+        for (quantity, value, meant, unit) in [
+            ("height", 30.5, 30.5, "cm"),
+            ("height", 305.0, 305.0, "cm"),
+            ("pressure", 1013.0, 1013.0, "hPa"),
+            ("pressure", 10_132_500.0, 101_325.0, "Pa"),
+            ("pressure", 10_130.0, 101.3, "kPa"),
+            ("humidity", 45.0, 45.0, "%"),
+            ("temperature", 566.3, 293.15, "K"),
+            ("temperature", 343.15, 70.0, "F"),
+            ("gravity", 981.0, 981.0, "cm/s2"),
+        ] {
+            let question = of_quantity(quantity, value).unwrap();
+            assert_eq!(question.number("meant"), Some(meant), "{quantity} {value}");
+            let expected = Some(&Argument::from(unit));
+            assert_eq!(question.arguments.get("meant_unit"), expected, "{quantity}");
+        }
+        let ball = |mass, diameter| of_ball(&Ball::new(mass, diameter).unwrap()).unwrap();
+        assert_eq!(ball(2.5, 0.038).number("meant_g"), Some(2.5));
+        assert_eq!(ball(0.0025, 38.0).number("meant_mm"), Some(38.0));
+    }
+}

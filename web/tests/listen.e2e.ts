@@ -1,0 +1,202 @@
+/** Listening: a drop into the microphone, its result, its sound; and all that can go wrong with it. */
+import { mkdtempSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import type { Browser, Page } from 'playwright-core';
+import { afterAll, afterEach, beforeAll, expect, test } from 'vitest';
+import { launch, type Microphone, newContext } from './harness/browser.ts';
+import { Site } from './harness/site.ts';
+import { follow, open, said, settled } from './support/page.ts';
+import { drop, samplesOf, TRUTH } from './support/sounds.ts';
+
+let site: Site;
+let heard: string;
+let browser: Browser | undefined;
+
+beforeAll(async () => {
+  site = await Site.open();
+  heard = drop('microphone');
+});
+afterAll(() => site.close());
+afterEach(async () => {
+  await browser?.close();
+});
+
+async function opened(microphone: Microphone) {
+  browser = await launch({ microphone });
+  return open(browser, site.url);
+}
+
+const listen = (page: Page) => page.getByRole('button', { name: 'Listen' }).click();
+
+/** All blocks that the page wrote to its database, one after the other. */
+const stored = (page: Page): Promise<number[]> =>
+  page.evaluate(
+    () =>
+      new Promise<number[]>((resolve, reject) => {
+        const request = indexedDB.open('bouncelab');
+        request.onerror = () => reject(request.error);
+        request.onsuccess = () => {
+          const all = request.result.transaction('blocks').objectStore('blocks').getAll();
+          all.onsuccess = () =>
+            resolve(all.result.flatMap((block: { samples: Float32Array }) => [...block.samples]));
+        };
+      }),
+  );
+
+async function savedWav(page: Page) {
+  const coming = page.waitForEvent('download');
+  await page.getByRole('button', { name: 'Sound (WAV)' }).first().click();
+  const file = join(mkdtempSync(join(tmpdir(), 'bouncelab-saved-')), 'saved.wav');
+  await (await coming).saveAs(file);
+  return samplesOf(file);
+}
+
+test('a drop is heard, ends by itself, and its result is true within its uncertainty', async () => {
+  const { page, troubles } = await opened({ file: heard });
+  await listen(page);
+  await page.getByText(/impacts so far/).waitFor();
+  const { kept, fell } = await said(page);
+  // Three standard deviations, and half of the last digit that is shown.
+  expect(Math.abs(kept.value - 100 * TRUTH.restitution)).toBeLessThan(3.5 * kept.sd);
+  expect(Math.abs(fell.value - 100 * TRUTH.heightM)).toBeLessThan(3.5 * fell.sd);
+  expect(troubles).toEqual([]);
+
+  const wav = await savedWav(page);
+  const kepts = await stored(page);
+  expect(wav.samples.length).toBe(kepts.length);
+  expect(wav.samples.every((sample, i) => sample === kepts[i])).toBe(true);
+  expect(likeness(wav, samplesOf(heard))).toBeGreaterThan(0.95);
+});
+
+/**
+ * Correlation of the loudness of what was saved with what was played, where they fit best. Loudness,
+ * because a browser resamples its microphone.
+ */
+function likeness(saved: Sound, played: Sound): number {
+  const one = loudness(saved, 0);
+  const others = Array.from({ length: STEPS }, (_, step) => loudness(played, step));
+  return Math.max(...others.map((other) => best(one, other)));
+}
+
+type Sound = ReturnType<typeof samplesOf>;
+
+/** Hundredths of a second, and the parts of one in which the two may be out of step. */
+const BIN_S = 0.01;
+const STEPS = 10;
+
+function loudness({ rateHz, samples }: Sound, step: number): number[] {
+  const size = Math.round(rateHz * BIN_S);
+  const first = Math.round((step / STEPS) * size);
+  return Array.from({ length: Math.floor((samples.length - first) / size) }, (_, bin) =>
+    Math.sqrt(
+      samples
+        .subarray(first + bin * size, first + (bin + 1) * size)
+        .reduce((total, sample) => total + sample * sample, 0),
+    ),
+  );
+}
+
+function best(a: readonly number[], b: readonly number[]): number {
+  const loudest = (bins: readonly number[]): number => bins.indexOf(Math.max(...bins));
+  const correlation = (lag: number): number => {
+    let [both, one, other] = [0, 0, 0];
+    a.forEach((x, i) => {
+      const y = b[i + lag] ?? 0;
+      both += x * y;
+      one += x * x;
+      other += y * y;
+    });
+    return both / Math.sqrt(one * other);
+  };
+  const middle = loudest(b) - loudest(a);
+  return Math.max(...[-1, 0, 1].map((by) => correlation(middle + by)));
+}
+
+test('a refused microphone says what happened and what to do', async () => {
+  const { page } = await opened('refused');
+  await listen(page);
+  await page.getByText('The browser may not use the microphone.').waitFor();
+  await page.getByText(/Allow it in the address bar/).waitFor();
+  expect(await page.getByRole('button', { name: 'open a file' }).isEnabled()).toBe(true);
+});
+
+test('a computer without a microphone says so', async () => {
+  const { page } = await opened('missing');
+  await listen(page);
+  await page.getByText('No microphone was found.').waitFor();
+});
+
+test('a browser whose sound never starts is not waited for', async () => {
+  browser = await launch({ microphone: { file: heard } });
+  const context = await newContext(browser, { locale: 'en-GB' });
+  await context.addInitScript(() => {
+    AudioContext.prototype.resume = () => new Promise(() => undefined);
+  });
+  const page = await context.newPage();
+  await page.goto(site.url);
+  await listen(page);
+  await page.getByText('The microphone could not be opened.').waitFor();
+  await page.getByRole('button', { name: 'try the demo' }).click();
+  await settled(page);
+});
+
+test('a call ends the listening with what was heard; until then nothing comes between', async () => {
+  browser = await launch({ microphone: { file: heard } });
+  const context = await newContext(browser, { locale: 'en-GB' });
+  await context.addInitScript(() => {
+    const begin = AudioContext.prototype.createMediaStreamSource;
+    AudioContext.prototype.createMediaStreamSource = function (stream) {
+      addEventListener('call', () => void this.suspend());
+      return begin.call(this, stream);
+    };
+  });
+  const page = await context.newPage();
+  await page.goto(site.url);
+  await listen(page);
+  await follow(page, 'Simulate');
+  expect(await page.getByRole('button', { name: 'Analyse it as if' }).isDisabled()).toBe(true);
+  const beside = await context.newPage();
+  await beside.goto(site.url);
+  await beside.getByRole('button', { name: 'Listen' }).waitFor();
+  await page.bringToFront();
+  await follow(page, 'Listen');
+  await page.getByText(/(\d\d) impacts so far/).waitFor();
+  await page.getByRole('button', { name: 'Stop' }).focus();
+  await page.evaluate(() => dispatchEvent(new Event('call')));
+  await page.getByText(/was taken away/).waitFor();
+  await settled(page);
+  // The keyboard goes on where the next drop begins.
+  expect(await page.locator(':focus').innerText()).toBe('Listen again');
+  expect(await beside.getByText(/was cut short|not in the table/).count()).toBe(0);
+});
+
+test('a page that is closed while it listens loses nothing', async () => {
+  const { page } = await opened({ file: heard });
+  await listen(page);
+  await page.getByText(/(\d\d) impacts so far/).waitFor();
+  await page.reload();
+  await page.getByText(/was cut short/).waitFor();
+  await page.getByRole('button', { name: 'Open it' }).click();
+  await settled(page);
+  expect(await page.getByText(/\d+ impacts/).count()).toBeGreaterThan(0);
+});
+
+test('a full storage is reported, and the recording can still be saved whole', async () => {
+  browser = await launch({ microphone: { file: heard } });
+  const context = await newContext(browser, { locale: 'en-GB' });
+  await context.addInitScript(() => {
+    const put = IDBObjectStore.prototype.put;
+    IDBObjectStore.prototype.put = function (this: IDBObjectStore, ...words) {
+      if (this.name === 'blocks') throw new DOMException('no room', 'QuotaExceededError');
+      return put.apply(this, words);
+    };
+  });
+  const page = await context.newPage();
+  await page.goto(site.url);
+  await listen(page);
+  await page.getByText('The storage of the browser is full.').waitFor();
+  await settled(page);
+  const { samples, rateHz } = await savedWav(page);
+  expect(samples.length / rateHz).toBeGreaterThan(5);
+});

@@ -1,0 +1,130 @@
+/** Files, dropped and chosen, pasted times, the demo; and files that are none. */
+import { existsSync, readdirSync, readFileSync } from 'node:fs';
+import { basename, join } from 'node:path';
+import type { Browser, Page } from 'playwright-core';
+import { afterAll, beforeAll, expect, test } from 'vitest';
+import { launch, newContext } from './harness/browser.ts';
+import { Site } from './harness/site.ts';
+import { dropFile, open, said } from './support/page.ts';
+import { drop, TRUTH } from './support/sounds.ts';
+
+let site: Site;
+let browser: Browser;
+let recording: string;
+
+beforeAll(async () => {
+  site = await Site.open();
+  browser = await launch();
+  recording = drop('file');
+});
+afterAll(async () => {
+  await browser.close();
+  await site.close();
+});
+
+const page = async (): Promise<Page> => (await open(browser, site.url)).page;
+
+async function isTrue(on: Page): Promise<void> {
+  const { kept, fell } = await said(on);
+  expect(Math.abs(kept.value - 100 * TRUTH.restitution)).toBeLessThan(3.5 * kept.sd);
+  expect(Math.abs(fell.value - 100 * TRUTH.heightM)).toBeLessThan(3.5 * fell.sd);
+}
+
+test('a file that is chosen', async () => {
+  const on = await page();
+  await on.locator('input[type=file]').setInputFiles(recording);
+  await isTrue(on);
+});
+
+test('a file that is dropped anywhere', async () => {
+  const on = await page();
+  await dropFile(on, basename(recording), readFileSync(recording));
+  await isTrue(on);
+});
+
+test('times that are pasted', async () => {
+  const on = await page();
+  await on.getByRole('button', { name: 'paste times' }).click();
+  // Without air: e = 0.9 and flights that begin with 0.5 s.
+  const times = Array.from({ length: 12 }, (_, n) => (0.5 * (1 - 0.9 ** n)) / 0.1);
+  const written = times.map((time) => time.toFixed(6).replace('.', ','));
+  await on.getByRole('textbox').fill(written.join('\n'));
+  await on.getByRole('button', { name: 'Analyse' }).click();
+  const { kept } = await said(on);
+  expect(kept.value).toBeGreaterThan(89);
+  expect(kept.value).toBeLessThan(93);
+  await on.getByText('12 impacts').waitFor();
+});
+
+test('a browser that may keep nothing opens the page too', async () => {
+  const context = await newContext(browser, { locale: 'en-GB' });
+  await context.addInitScript(() => {
+    const denied = () => {
+      throw new DOMException('denied', 'SecurityError');
+    };
+    Object.defineProperty(globalThis, 'localStorage', { get: denied });
+    Object.defineProperty(globalThis, 'indexedDB', { get: denied });
+  });
+  const on = await context.newPage();
+  await on.goto(`${site.url}#drops`);
+  await on.getByText(/keeps nothing|cannot keep/).waitFor();
+  await context.close();
+});
+
+test('the demo', async () => {
+  const on = await page();
+  await on.getByRole('button', { name: 'try the demo' }).click();
+  const { kept } = await said(on);
+  expect(kept.value).toBeCloseTo(95.29, 1);
+});
+
+test.each([
+  ['an empty file', 'drop.wav', Buffer.alloc(0), 'The file is empty.'],
+  [
+    'a text',
+    'letter.wav',
+    Buffer.from('Dear all, this is no sound.'),
+    'This is neither a recording nor a list of times.',
+  ],
+  [
+    'a corrupt file',
+    'broken.flac',
+    Buffer.concat([Buffer.from('fLaC'), Buffer.alloc(4000, 0x5a)]),
+    /damaged|neither a recording/,
+  ],
+])('%s says what happened and what to do', async (_, name, content, words) => {
+  const on = await page();
+  await dropFile(on, name, content);
+  await on.getByRole('alert').getByText(words).first().waitFor();
+});
+
+test('what is wrong with a file is said in the language of the page', async () => {
+  const { page: on } = await open(browser, site.url, { locale: 'de-DE' });
+  const notice = on.getByRole('alert');
+  await dropFile(on, 'brief.wav', Buffer.from('Dear all, this is no sound.'));
+  await notice.getByText('Sie sieht aus wie Text.').waitFor();
+  await dropFile(on, 'zeiten.csv', Buffer.from('time_s\n0.5\nzwei\n'));
+  await notice.getByText('Zeile 3: „zwei“ ist keine Zeit in Sekunden wie 0.125.').waitFor();
+});
+
+test('a huge file is refused, and what lay on the bench stays', async () => {
+  const on = await page();
+  await on.getByRole('button', { name: 'try the demo' }).click();
+  const before = await said(on);
+  await dropFile(on, 'day.wav', Buffer.from('RIFF'), 2e9);
+  await on.getByText('The file is too large for a browser.').waitFor();
+  expect(await said(on)).toEqual(before);
+});
+
+const folder = process.env['BOUNCELAB_RECORDINGS'] ?? '';
+const recordings = existsSync(folder)
+  ? readdirSync(folder).filter((name) => /\.(wav|mp3|mov|webm)$/.test(name))
+  : [];
+
+/** Recordings without a drop: their names begin with `not-`, and one has too few hits. */
+test.each(recordings)('the recording %s', async (name) => {
+  const on = await page();
+  await on.locator('input[type=file]').setInputFiles(join(folder, name));
+  const found = /^(not-|few-hits)/.test(name) ? 'No drop found.' : /The ball kept/;
+  await on.getByText(found).waitFor();
+});

@@ -1,0 +1,140 @@
+/** Reports of the command line: valid, silent, whole on paper and on a phone, whatever a name contains. */
+import { copyFileSync, existsSync, mkdirSync, readFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { pathToFileURL } from 'node:url';
+import { HtmlValidate } from 'html-validate';
+import type { Browser, BrowserContextOptions, Page } from 'playwright-core';
+import { afterAll, beforeAll, describe, expect, test } from 'vitest';
+import { launch, newContext } from './harness/browser.ts';
+import { FONT_SETS, nameOf } from './harness/fonts.ts';
+import { bouncelab, folder, synth } from './harness/program.ts';
+import { overflow, violations } from './support/layout.ts';
+
+/** Whatever a file system allows in a name and a browser might obey. */
+const HOSTILE = `a"><img src=x onerror="alert(1)"> & 'b' \`c\` | $x$.wav`;
+
+/** A floor with such a name. */
+const WOOD = '<b>wood & co';
+
+/** The width that A4 leaves between the margins of the report, in CSS pixels. */
+const PAPER_PX = Math.floor(((210 - 2 * 17) / 25.4) * 96);
+
+/** The reports there are, by the command that writes them. */
+const REPORTS = ['analyze', 'session', 'verdict'] as const;
+
+/** What each says to the letter, however it reads to a browser. */
+const WRITTEN = { analyze: HOSTILE, session: WOOD, verdict: HOSTILE };
+
+let place: string;
+
+const reportOf = (command: string): string => join(place, `${command}.html`);
+
+beforeAll(async () => {
+  place = folder();
+  const { path } = synth(join(place, 'drop.wav'), '--height', '40cm', '--snr', '30');
+  const hostile = join(place, HOSTILE);
+  copyFileSync(path, hostile);
+  bouncelab('analyze', hostile, '--height', '40cm', '--report', reportOf('analyze'));
+  many();
+});
+
+/** Two balls on two floors, two drops each, as a session; a drop that passes a rule. */
+function many(): void {
+  const recordings = join(place, 'recordings');
+  mkdirSync(recordings);
+  const kinds = ['old', 'new'].flatMap((ball) => ['steel', WOOD].map((floor) => [ball, floor]));
+  for (const [at, [ball, floor]] of [...kinds, ...kinds].entries()) {
+    const path = join(recordings, `${ball}_${floor}_${at}.wav`);
+    synth(path, '--restitution', String(0.93 - 0.002 * at), '--seed', String(at));
+  }
+  const pattern = ['--pattern', '{ball}_{surface}_{}', '--ball', 'table-tennis-40'];
+  const output = ['--output', join(place, 'session'), '--report', reportOf('session')];
+  bouncelab('session', recordings, ...pattern, ...output);
+  const passes = join(place, `passes ${HOSTILE}`);
+  synth(join(place, 'passes.wav'), '--restitution', '0.93');
+  copyFileSync(join(place, 'passes.wav'), passes);
+  bouncelab('verdict', '--rule', 'ittf-ball', passes, '--report', reportOf('verdict'));
+}
+
+/** Opens a report; everything it says or asks for that nobody sees. */
+async function open(
+  browser: Browser,
+  report: string,
+  options: BrowserContextOptions = {},
+): Promise<{ page: Page; troubles: string[] }> {
+  const page = await (await newContext(browser, options)).newPage();
+  const troubles: string[] = [];
+  page.on('console', (message) => troubles.push(message.text()));
+  page.on('pageerror', (error) => troubles.push(String(error)));
+  page.on('dialog', (dialog) => {
+    troubles.push(`a dialog: ${dialog.message()}`);
+    void dialog.dismiss();
+  });
+  page.on('request', (request) => troubles.push(`a request: ${request.url().slice(0, 80)}`));
+  await page.goto(pathToFileURL(report).href, { waitUntil: 'networkidle' });
+  return { page, troubles };
+}
+
+test.each(REPORTS)('the report of %s is valid HTML', async (command) => {
+  const validator = new HtmlValidate({ extends: ['html-validate:standard'] });
+  const { results } = await validator.validateFile(reportOf(command));
+  expect(results.flatMap(({ messages }) => messages.map(({ message }) => message))).toEqual([]);
+});
+
+describe.each(
+  FONT_SETS.flatMap((fonts) => REPORTS.map((command) => [command, nameOf(fonts), fonts] as const)),
+)('the report of %s with %s', (command, _, fonts) => {
+  let browser: Browser;
+  beforeAll(async () => {
+    browser = await launch({ microphone: 'missing', fonts });
+  });
+  afterAll(() => browser.close());
+
+  test('asks for nothing but itself and says nothing', async () => {
+    const { page, troubles } = await open(browser, reportOf(command));
+    expect(troubles.filter((trouble) => !trouble.startsWith('a request: file:'))).toEqual([]);
+    expect(troubles.length).toBe(1);
+    expect(await page.locator('figure svg').count()).toBeGreaterThan(0);
+    expect(await page.locator('body').textContent()).toContain(WRITTEN[command]);
+  });
+
+  test('fits a phone, light and dark, and can be used by everyone', async () => {
+    for (const colorScheme of ['light', 'dark'] as const) {
+      const viewport = { width: 360, height: 740 };
+      const { page } = await open(browser, reportOf(command), { viewport, colorScheme });
+      expect(await overflow(page)).toBeLessThanOrEqual(0);
+      expect(await violations(page)).toEqual([]);
+    }
+  });
+
+  test('loses nothing on paper', async () => {
+    const { page } = await open(browser, reportOf(command), {
+      viewport: { width: PAPER_PX, height: 1000 },
+    });
+    await page.emulateMedia({ media: 'print' });
+    expect(await overflow(page)).toBeLessThanOrEqual(0);
+    const wide = await page
+      .locator('table')
+      .evaluateAll(
+        (tables, width) => tables.filter((table) => table.scrollWidth > width).length,
+        PAPER_PX,
+      );
+    expect(wide).toBe(0);
+    for (const format of ['A4', 'Letter']) {
+      const pdf = await page.pdf({ format, preferCSSPageSize: false });
+      expect(pdf.subarray(0, 5).toString()).toBe('%PDF-');
+    }
+  });
+});
+
+test('a notebook finds its figures', () => {
+  const notebook = join(place, 'drop.md');
+  bouncelab('analyze', join(place, 'drop.wav'), '--report', notebook);
+  const names = [...readFileSync(notebook, 'utf8').matchAll(/\]\(<(.+?)>\)/g)].map(
+    ([, name]) => name,
+  );
+  expect(names.length).toBeGreaterThan(8);
+  for (const name of names) {
+    expect(existsSync(join(place, name ?? '')), name).toBe(true);
+  }
+});

@@ -1,0 +1,172 @@
+/** Every view: reachable, readable by everyone, in both languages, on any screen; and what is kept. */
+import { mkdirSync, readFileSync } from 'node:fs';
+import { join } from 'node:path';
+import type { Browser, Page } from 'playwright-core';
+import { afterAll, beforeAll, describe, expect, test } from 'vitest';
+import { launch } from './harness/browser.ts';
+import { FONT_SETS, type FontSet, nameOf } from './harness/fonts.ts';
+import { Site } from './harness/site.ts';
+import { overflow, violations } from './support/layout.ts';
+import { open, said, settled, still } from './support/page.ts';
+
+const SHOTS = join(import.meta.dirname, 'screenshots');
+
+let site: Site;
+let browser: Browser;
+
+beforeAll(async () => {
+  site = await Site.open();
+  mkdirSync(SHOTS, { recursive: true });
+});
+afterAll(() => site.close());
+
+/** The tests of a block have a browser of their own. */
+function browse(fonts?: FontSet): void {
+  beforeAll(async () => {
+    browser = await launch({ fonts });
+  });
+  afterAll(() => browser.close());
+}
+
+async function demo(page: Page): Promise<void> {
+  await page.goto(`${site.url}#lab`);
+  await page.locator('.links button').nth(2).click();
+  await settled(page);
+}
+
+async function look(page: Page, name: string): Promise<void> {
+  await still(page);
+  await page.screenshot({ path: join(SHOTS, `${name}.png`), fullPage: true });
+  expect(await overflow(page), `${name} is wider than the screen`).toBeLessThanOrEqual(0);
+  // On a 4K screen the page is what it is on a desktop, only larger.
+  if (!name.startsWith('4k')) expect(await violations(page), name).toEqual([]);
+}
+
+const SCREENS = [
+  ['phone', { width: 360, height: 740 }],
+  ['desktop', { width: 1440, height: 900 }],
+  ['4k', { width: 3840, height: 2160 }],
+] as const;
+const READERS = [
+  ['light', 'en-GB'],
+  ['dark', 'de-DE'],
+] as const;
+
+describe.each(FONT_SETS.map((fonts) => [nameOf(fonts), fonts] as const))(
+  'with %s',
+  (set, fonts) => {
+    browse(fonts);
+    test.each(
+      SCREENS.flatMap(([screen, viewport]) =>
+        READERS.map(([colorScheme, locale]) => ({ screen, viewport, colorScheme, locale })),
+      ),
+    )('on a $screen, $colorScheme, $locale', async ({ screen, ...options }) => {
+      const { page, troubles } = await open(browser, site.url, {
+        ...options,
+        reducedMotion: 'reduce',
+      });
+      const name = (view: string): string => `${screen}-${options.colorScheme}-${set}-${view}`;
+      await look(page, name('welcome'));
+      await page.goto(`${site.url}#simulate`);
+      await page.locator('.uplot').first().waitFor();
+      await page.locator('.button.primary').click();
+      await page.getByRole('slider').nth(1).fill('0.9');
+      await look(page, name('simulate'));
+      await page.goto(`${site.url}#paper`);
+      await page.locator('.article caption').waitFor();
+      for (const chapter of await page.locator('.article summary').all()) await chapter.click();
+      await look(page, name('paper'));
+      await demo(page);
+      await look(page, name('lab'));
+      for (const fold of await page.locator('main summary').all()) await fold.click();
+      await look(page, name('lab-unfolded'));
+      // The figures differ less from screen to screen than they take to look at.
+      for (const tab of screen === 'desktop' ? await page.getByRole('tab').all() : []) {
+        await tab.click();
+        await look(page, name(`figure-${await tab.getAttribute('id')}`));
+      }
+      for (const drop of ['Anna', 'Ben', 'Chris']) {
+        await page.locator('.keep form input').fill(drop);
+        await page.locator('.keep form button').click();
+        await page.locator('.keep [role=status] a').waitFor();
+      }
+      await page.goto(`${site.url}#drops`);
+      await page.locator('tbody tr').nth(2).waitFor();
+      await look(page, name('drops'));
+      expect(troubles).toEqual([]);
+      await page.context().close();
+    });
+  },
+);
+
+describe('whatever the fonts', () => {
+  browse();
+
+  test('drops are kept, deleted and brought back with their set-up, and outlive the page', async () => {
+    const { page } = await open(browser, `${site.url}#lab?height_cm=30.5`);
+    await page.getByRole('button', { name: 'try the demo' }).click();
+    await settled(page);
+    for (const name of ['Anna', 'Ben']) {
+      await page.getByLabel('Name').fill(name);
+      await page.getByRole('button', { name: 'Keep this drop' }).click();
+      await page.getByText(`Kept as “${name}”.`).waitFor();
+    }
+    await page.goto(`${site.url}#drops`);
+    await page.reload();
+    const rows = page.locator('tbody tr');
+    await rows.nth(1).waitFor();
+    await page.getByRole('button', { name: 'Delete Ben' }).click();
+    await page.getByText('“Ben” was deleted.').waitFor();
+    await expect.poll(() => rows.count()).toBe(1);
+    await page.getByRole('button', { name: 'Undo' }).click();
+    await rows.nth(1).waitFor();
+    await page.getByRole('button', { name: 'Open Ben' }).click();
+    expect((await said(page)).kept.value).toBeCloseTo(95.29, 1);
+    expect(page.url()).toContain('height_cm=30.5');
+    await page.context().close();
+  });
+
+  test('a shared set-up arrives: the address says what the form says', async () => {
+    const { page } = await open(
+      browser,
+      `${site.url}#lab?ball=tennis&height_cm=100&temperature_c=25`,
+    );
+    await demo(page);
+    await page.goto(`${site.url}#lab?ball=tennis&temperature_c=25`);
+    await settled(page);
+    await page.getByText(/Ball: tennis · Air: 25 °C/).waitFor();
+    await page.locator('.settings summary').click();
+    await page.getByLabel('Temperature').fill('10,5');
+    await page.getByLabel('Temperature').press('Enter');
+    await page.waitForURL(/temperature_c=10.5/);
+    await settled(page);
+    await page.context().close();
+  });
+
+  test('a part of the address that makes no sense is named', async () => {
+    const { page } = await open(browser, `${site.url}#lab?height_cm=tall`);
+    await page.getByText(/not understood and is left out: height_cm/).waitFor();
+    await page.context().close();
+  });
+
+  test('exports: table, document and figures', async () => {
+    const { page } = await open(browser, site.url);
+    await demo(page);
+    const saved = async (button: string): Promise<string> => {
+      const coming = page.waitForEvent('download');
+      await page.getByRole('button', { name: button, exact: true }).click();
+      return readFileSync(await (await coming).path(), 'utf8');
+    };
+    expect(await saved('Table (CSV)')).toMatch(/^file,drop,/);
+    const document = JSON.parse(await saved('All data (JSON)'));
+    expect(document.schema).toBe('bouncelab.analysis/1');
+    expect(document.drops[0].estimate.restitution.value).toBeCloseTo(0.9529, 3);
+    expect(await saved('Report (HTML)')).toMatch(/^<!DOCTYPE html>/i);
+    for (const tab of await page.getByRole('tab').all()) {
+      await tab.click();
+      expect(await saved('SVG'), await tab.innerText()).toContain('<svg');
+    }
+    expect((await saved('PNG')).slice(1, 4)).toBe('PNG');
+    await page.context().close();
+  });
+});

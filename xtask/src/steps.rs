@@ -1,0 +1,104 @@
+//! How long the commands of a chore take, so that it can say in the end which of them take longest.
+
+use std::fs;
+use std::process::Command;
+use std::sync::Mutex;
+use std::time::{Duration, Instant};
+
+/// What ran, and how long.
+#[derive(Clone)]
+pub(crate) struct Step {
+    pub(crate) name: String,
+    pub(crate) time: Time,
+}
+
+impl Step {
+    /// Whether it is worth a line.
+    pub(crate) fn is_long(&self) -> bool {
+        self.time.clock > Duration::from_secs(5)
+    }
+}
+
+/// A time on the clock, and that of the processors together, where the system tells it: beside other
+/// work the first says little.
+#[derive(Clone, Copy)]
+pub(crate) struct Time {
+    pub(crate) clock: Duration,
+    pub(crate) processors: Option<Duration>,
+}
+
+static STEPS: Mutex<Vec<Step>> = Mutex::new(Vec::new());
+
+/// Runs a command, and notes how long it takes.
+pub(crate) fn timed<T>(command: &mut Command, run: impl FnOnce(&mut Command) -> T) -> T {
+    let watch = Watch::start();
+    let outcome = run(command);
+    let name = name(command);
+    let mut steps = STEPS.lock().expect("nothing panics while it holds this");
+    let time = watch.time();
+    steps.push(Step { name, time });
+    outcome
+}
+
+/// The steps since the last call.
+pub(crate) fn take() -> Vec<Step> {
+    std::mem::take(&mut STEPS.lock().expect("nothing panics while it holds this"))
+}
+
+/// The program and its words, as far as they fit a line.
+fn name(command: &Command) -> String {
+    const LONGEST: usize = 70;
+    let program = command.get_program().to_string_lossy();
+    let program = program.rsplit('/').next().unwrap_or_default().to_owned();
+    let words = command.get_args().map(|word| word.to_string_lossy());
+    let mut name = words.fold(program, |name, word| name + " " + &word);
+    if let Some((end, _)) = name.char_indices().nth(LONGEST) {
+        name.truncate(end);
+        name.push_str("...");
+    }
+    name
+}
+
+/// Runs from its start.
+pub(crate) struct Watch {
+    start: Instant,
+    processors: Option<Duration>,
+}
+
+impl Watch {
+    pub(crate) fn start() -> Self {
+        Self {
+            start: Instant::now(),
+            processors: of_children(),
+        }
+    }
+
+    pub(crate) fn time(&self) -> Time {
+        let processors = of_children().zip(self.processors);
+        Time {
+            clock: self.start.elapsed(),
+            processors: processors.map(|(now, before)| now.saturating_sub(before)),
+        }
+    }
+}
+
+impl std::fmt::Display for Time {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "{:7.1} s", self.clock.as_secs_f64())?;
+        match self.processors {
+            Some(time) => write!(f, " {:7.1} s", time.as_secs_f64()),
+            None => Ok(()),
+        }
+    }
+}
+
+/// Processor time of all commands that have ended, as Linux counts it, in hundredths of a second.
+fn of_children() -> Option<Duration> {
+    let numbers = fs::read_to_string("/proc/self/stat").ok()?;
+    // The second field, a name in parentheses, may contain anything.
+    let (_, after_name) = numbers.rsplit_once(')')?;
+    let mut times = after_name.split_whitespace().skip(13);
+    let mut next = || times.next()?.parse::<u64>().ok();
+    let (user, system) = (next()?, next()?);
+    Some(Duration::from_millis(10 * (user + system)))
+}

@@ -1,0 +1,104 @@
+//! The end-to-end tests of the page: once, or many times in a row, beside other work if asked.
+
+use std::hint::black_box;
+use std::path::PathBuf;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::thread;
+
+use super::{build, npm_command, system};
+use crate::Result;
+use crate::cargo::{cargo_all, run as run_command, target};
+use crate::steps::{Time, Watch};
+
+/// Runs the tests, or those whose file has one of the names in it; `--repeat N` times in a row, and with
+/// `--load` while other work keeps every processor busy.
+pub(crate) fn run(words: &[&str]) -> Result {
+    let mut names = Vec::new();
+    let (mut repeat, mut load) = (1, false);
+    let mut words = words.iter();
+    while let Some(word) = words.next() {
+        match *word {
+            "--repeat" => {
+                let count = words.next().and_then(|count| count.parse().ok());
+                repeat = count
+                    .filter(|count| *count > 0)
+                    .ok_or("--repeat takes a number")?;
+            }
+            "--load" => load = true,
+            option if option.starts_with('-') => return Err(format!("'{option}' is no option")),
+            name => names.push(name),
+        }
+    }
+    if !system::has_browser() {
+        return Err("the end-to-end tests take a Chromium".into());
+    }
+    build()?;
+    let program = program()?;
+    let busy = load.then(Load::start);
+    let runs: Vec<(Result, Time)> = (1..=repeat)
+        .map(|number| {
+            if repeat > 1 {
+                println!("\n== run {number} of {repeat}");
+            }
+            let watch = Watch::start();
+            let mut command = npm_command(&["run", "e2e", "--"]);
+            command.args(&names).env("BOUNCELAB_PROGRAM", &program);
+            (run_command(&mut command), watch.time())
+        })
+        .collect();
+    drop(busy);
+    conclude(&runs)
+}
+
+/// The program, built as the tests of the workspace build it.
+fn program() -> Result<PathBuf> {
+    // With a test, the features of all dependencies are those of the tests: nothing is compiled anew.
+    run_command(cargo_all(&["build"]).args(["--bin", "bouncelab", "--test", "tables"]))?;
+    let name = format!("bouncelab{}", std::env::consts::EXE_SUFFIX);
+    Ok(target().join("debug").join(name))
+}
+
+fn conclude(runs: &[(Result, Time)]) -> Result {
+    let failed = runs.iter().filter(|(result, _)| result.is_err()).count();
+    if runs.len() > 1 {
+        println!("\n== {} runs, {failed} failed", runs.len());
+        for (number, (result, time)) in runs.iter().enumerate() {
+            let word = if result.is_ok() { "ok" } else { "FAILED" };
+            println!("   {:>3} {word:<7} {time}", number + 1);
+        }
+    }
+    match failed {
+        0 => Ok(()),
+        _ => Err(format!("{failed} of {} runs failed", runs.len())),
+    }
+}
+
+/// Other work on every processor, until it is dropped.
+struct Load {
+    is_over: Arc<AtomicBool>,
+}
+
+impl Load {
+    fn start() -> Self {
+        let count = thread::available_parallelism().map_or(1, usize::from);
+        println!("{count} processors are kept busy meanwhile");
+        let is_over = Arc::new(AtomicBool::new(false));
+        for _ in 0..count {
+            let is_over = Arc::clone(&is_over);
+            thread::spawn(move || {
+                let mut number = 1_u32;
+                while !is_over.load(Ordering::Relaxed) {
+                    number = black_box(number.wrapping_mul(1_664_525).wrapping_add(1));
+                }
+            });
+        }
+        Self { is_over }
+    }
+}
+
+impl Drop for Load {
+    fn drop(&mut self) {
+        self.is_over.store(true, Ordering::Relaxed);
+    }
+}
