@@ -6,7 +6,7 @@ use bouncelab::drag::DragLaw;
 use bouncelab::drop::Stop;
 use bouncelab::flight::FlightModel;
 use bouncelab::impact::Restitution;
-use bouncelab::regression::{self, NumberedFlight, Regression};
+use bouncelab::regression::{self, NumberedFlight, LogLinearFit};
 use serde::{Deserialize, Serialize};
 
 use super::experiment::{
@@ -128,7 +128,7 @@ impl PuzzleChoice {
         let vacuum = self.times(&model(DragLaw::None)?)?;
         let flights = self.flights.clamp(FEWEST, drag.len().max(FEWEST));
         let line = fitted(&drag, flights)?;
-        let (restitution, height_m) = (line.restitution().value, line.drop_height_m().value);
+        let (restitution, height_m) = (line.restitution.value, line.drop_height_m.value);
         let is_near = |a: f64, b: f64, digit: f64| (a - b).abs() < digit;
         Ok(PuzzleAnswer {
             restitution,
@@ -153,7 +153,7 @@ impl PuzzleChoice {
             let counts = FEWEST..=times.len();
             counts
                 .map(|count| {
-                    let height_m = fitted(times, count)?.drop_height_m().value;
+                    let height_m = fitted(times, count)?.drop_height_m.value;
                     Ok([count as f64, 100.0 * height_m])
                 })
                 .collect()
@@ -199,7 +199,7 @@ impl PuzzleChoice {
                 ..self
             };
             let line = fitted(&choice.times(&model)?, self.flights)?;
-            Ok(line.restitution().value < REGRESSED)
+            Ok(line.restitution.value < REGRESSED)
         })?;
         Ok(Self {
             restitution,
@@ -209,7 +209,7 @@ impl PuzzleChoice {
 }
 
 /// The straight line through the first flights.
-fn fitted(flights: &[NumberedFlight], count: usize) -> Result<Regression> {
+fn fitted(flights: &[NumberedFlight], count: usize) -> Result<LogLinearFit> {
     regression::fit(&flights[..count.min(flights.len())], GRAVITY_M_S2)
 }
 
