@@ -19,6 +19,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+mod gap;
 mod pipeline;
 mod result;
 
@@ -38,6 +39,7 @@ use crate::restitution::{self, PerImpact};
 use crate::train::{self, TrainImpact};
 use crate::{Error, Result};
 
+pub use gap::Gap;
 pub(crate) use pipeline::check_channel;
 pub use pipeline::{DropTask, Plan, analyze, analyze_channels, analyze_times};
 pub use result::{BounceEnergy, Drop, MeasuredFlight, Recording, Source, StrongestBand};
@@ -86,7 +88,7 @@ pub struct DetectionOptions {
     pub band_hz: Option<Range<f64>>,
 }
 
-/// Impacts excluded and included by hand.
+/// Impacts excluded and included by hand, and gaps.
 #[derive(Clone, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Edits {
@@ -94,6 +96,8 @@ pub struct Edits {
     pub exclude_s: Vec<f64>,
     /// Times of impacts to add, in seconds.
     pub include_s: Vec<f64>,
+    /// Where sound was lost: no flight across a gap is used.
+    pub gaps: Vec<Gap>,
 }
 
 impl Default for Options {
@@ -192,6 +196,28 @@ impl Options {
     pub fn without_inference(mut self) -> Self {
         self.inference = None;
         self
+    }
+
+    /// The same for the drop that begins at a time, given when the others begin: a release is of the
+    /// drop that begins next after it.
+    #[must_use]
+    pub fn for_drop(&self, start_s: f64, other_starts_s: &[f64]) -> Self {
+        let is_its_own = |released_s: f64| {
+            let is_between = |&start: &f64| released_s < start && start < start_s;
+            released_s < start_s && !other_starts_s.iter().any(is_between)
+        };
+        let mut options = self.clone();
+        let release = options.priors.release_s;
+        options.priors.release_s = release.filter(|it| is_its_own(it.value));
+        options
+    }
+
+    /// What to say if a release was stated and no drop begins after it, given when they begin.
+    pub fn release_without_drop(&self, starts_s: &[f64]) -> Option<Diagnostic> {
+        let released_s = self.priors.release_s?.value;
+        let begins = starts_s.iter().any(|&start_s| released_s < start_s);
+        let diagnostic = Diagnostic::new(Code::ReleaseWithoutDrop).with("time_s", released_s);
+        (!begins && !starts_s.is_empty()).then_some(diagnostic)
     }
 
     /// The flight model of these options.

@@ -1,7 +1,7 @@
 //! From samples, or times, to the result.
 
 use super::result::{Recording, Source, StrongestBand};
-use super::{Drop, Edits, Options, analyze_impacts, edit, impacts_of_times};
+use super::{Drop, Edits, Options, analyze_impacts, edit, gap, impacts_of_times};
 use crate::detection::{Detection, Detector};
 use crate::diagnostic::{Code, Diagnostic};
 use crate::impact::Impact;
@@ -145,6 +145,10 @@ impl Plan {
         recording
             .diagnostics
             .extend(apply(&options.edits, &mut candidates));
+        for candidate in &mut candidates {
+            let lost = gap::cut(&mut candidate.impacts, &options.edits.gaps);
+            recording.diagnostics.extend(lost);
+        }
         candidates.retain(|candidate| candidate.impacts.len() >= 2);
         recording.no_drop = candidates.is_empty().then(|| {
             let known = recording.no_drop.take();
@@ -152,7 +156,7 @@ impl Plan {
         });
         let starts_s: Vec<f64> = candidates.iter().map(DropCandidate::start_s).collect();
         let tasks = candidates.into_iter().map(|candidate| DropTask {
-            options: options_of_drop(options, candidate.start_s(), &starts_s),
+            options: options.for_drop(candidate.start_s(), &starts_s),
             candidate,
         });
         Self {
@@ -180,7 +184,7 @@ impl Plan {
             let mut drops = drops.iter();
             drops.find_map(|drop| plausibility::of_height(height_m, drop))
         }));
-        diagnostics.extend(release_without_drop(&self.options, &starts_s));
+        diagnostics.extend(self.options.release_without_drop(&starts_s));
         self.recording.drops = drops;
         self.recording
     }
@@ -292,27 +296,6 @@ fn nearest(drops: &[DropCandidate], time_s: f64) -> Option<usize> {
     (0..drops.len()).min_by(|&a, &b| distance_s(a).total_cmp(&distance_s(b)))
 }
 
-/// What is stated of the drop that begins at a time, given when all begin: a release is of the drop
-/// that begins next after it.
-fn options_of_drop(options: &Options, start_s: f64, starts_s: &[f64]) -> Options {
-    let mut options = options.clone();
-    let is_its_own = |released_s: f64| {
-        let is_between = |&start: &f64| released_s < start && start < start_s;
-        released_s < start_s && !starts_s.iter().any(is_between)
-    };
-    let release = options.priors.release_s;
-    options.priors.release_s = release.filter(|it| is_its_own(it.value));
-    options
-}
-
-/// What to say if a release was stated and no drop begins after it.
-fn release_without_drop(options: &Options, starts_s: &[f64]) -> Option<Diagnostic> {
-    let released_s = options.priors.release_s?.value;
-    let begins = starts_s.iter().any(|&start_s| released_s < start_s);
-    let diagnostic = Diagnostic::new(Code::ReleaseWithoutDrop).with("time_s", released_s);
-    (!begins && !starts_s.is_empty()).then_some(diagnostic)
-}
-
 /// Checks that there is a channel of this number, the first being 1; returns it counted from 0.
 pub(crate) fn check_channel(channel: Option<usize>, channels: usize) -> Result<Option<usize>> {
     match channel {
@@ -340,6 +323,7 @@ mod tests {
         Edits {
             exclude_s: exclude_s.to_vec(),
             include_s: include_s.to_vec(),
+            gaps: Vec::new(),
         }
     }
 
