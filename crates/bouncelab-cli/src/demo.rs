@@ -3,8 +3,8 @@
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
-use bouncelab::drop::History;
 use bouncelab::Estimate;
+use bouncelab::drop::History;
 use bouncelab::synth::Rendered;
 use bouncelab::{ball, demo};
 use bouncelab_audio::{SampleFormat, encode_wav};
@@ -47,7 +47,12 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let recording = write_recording(&sound, &arguments.output)?;
     let analysed = read(&recording, &physics.options, false)?;
     print(&analysed, &history, &sound, &recording)?;
-    save_figures(&analysed, &physics, &arguments.output, &mut Stems::default())
+    save_figures(
+        &analysed,
+        &physics,
+        &arguments.output,
+        &mut Stems::default(),
+    )
 }
 
 fn write_recording(sound: &Rendered, folder: &Path) -> Result<PathBuf, Failure> {

@@ -1,10 +1,10 @@
 //! The arguments that say what falls, through what, and how hard it is pulled.
 
 use bouncelab::ball::Ball;
-use bouncelab::{Diagnostic, plausibility};
 use bouncelab::drag::DragLaw;
 use bouncelab::rulebook;
 use bouncelab::setup::{AirInput, BallInput, GravityInput, Setup, SetupInput};
+use bouncelab::{Diagnostic, plausibility};
 use clap::Args;
 
 use crate::failure::Failure;

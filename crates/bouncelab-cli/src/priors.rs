@@ -1,8 +1,8 @@
 //! The arguments that say what is known besides the sounds, and what to ask of the inference.
 
+use bouncelab::Diagnostic;
 use bouncelab::analysis::Options;
 use bouncelab::drag::DragLaw;
-use bouncelab::Diagnostic;
 use bouncelab::inference::{ApexTarget, InferenceOptions, LawKind, Priors, SamplerConfig};
 use bouncelab::setup::{self, DropInput};
 use clap::{Args, ValueEnum};

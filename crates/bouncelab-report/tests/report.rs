@@ -35,7 +35,7 @@ fn drop(settings: &Options) -> Drop {
         time_s += flight;
         times_s.push(time_s);
     }
-    analysis::analyze(analysis::impacts_of_times(&times_s), settings)
+    analysis::analyze_impacts(analysis::impacts_of_times(&times_s), settings)
 }
 
 fn page(name: &str, drops: &[Drop], settings: &Options) -> Page {

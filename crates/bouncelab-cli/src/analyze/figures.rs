@@ -44,7 +44,11 @@ pub(crate) fn save_figures(
 }
 
 /// Name and chart of every figure.
-fn figures(analysed: &Analysed, physics: &Physics, translator: &Translator) -> Vec<(String, Chart)> {
+fn figures(
+    analysed: &Analysed,
+    physics: &Physics,
+    translator: &Translator,
+) -> Vec<(String, Chart)> {
     let settings = &physics.options;
     let mut figures = Vec::new();
     if let Some(sound) = &analysed.result.envelope {

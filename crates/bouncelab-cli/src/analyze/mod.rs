@@ -169,7 +169,12 @@ pub(crate) fn physics(
 pub(crate) fn document<'a>(analysed: &'a Analysed, physics: &Physics) -> Document<'a> {
     let mut assumptions = physics.assumptions.clone();
     translator().complete_each(&mut assumptions);
-    Document::new(&analysed.name, &analysed.result, &physics.options, &assumptions)
+    Document::new(
+        &analysed.name,
+        &analysed.result,
+        &physics.options,
+        &assumptions,
+    )
 }
 
 /// Prints results in the chosen format, as they come.

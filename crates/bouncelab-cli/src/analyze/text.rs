@@ -2,9 +2,9 @@
 
 use std::fmt::{Display, Write};
 
+use bouncelab::Estimate;
 use bouncelab::analysis::{CONFIDENT_PROBABILITY, Drop, Source, StrongestBand};
 use bouncelab::{Diagnostic, Error};
-use bouncelab::Estimate;
 use bouncelab_report::messages::Value;
 use bouncelab_report::report::ended;
 use bouncelab_report::tables::{self, drag_law};
@@ -60,7 +60,9 @@ pub(crate) fn note(remark: impl Display) -> String {
 
 /// What was assumed, as a line.
 pub(crate) fn assumed(assumptions: &[Diagnostic]) -> String {
-    let assumptions = assumptions.iter().map(|known| translator().diagnostic(known));
+    let assumptions = assumptions
+        .iter()
+        .map(|known| translator().diagnostic(known));
     let list = [("list", assumptions.collect::<Vec<_>>().join("; ").into())];
     format!("  {}", text_with("terminal-assumed", &list))
 }
@@ -119,7 +121,12 @@ fn listening(analysed: &Analysed) -> Option<String> {
         above_background_db,
         ..
     } = analysed.result.strongest_band?;
-    let impacts: usize = analysed.result.drops.iter().map(|drop| drop.impacts.len()).sum();
+    let impacts: usize = analysed
+        .result
+        .drops
+        .iter()
+        .map(|drop| drop.impacts.len())
+        .sum();
     Some(text_with(
         "analyze-listening",
         &[
@@ -179,12 +186,7 @@ fn line_lines(drop: &Drop) -> Vec<String> {
     let found =
         |name, symbol, value: Estimate, unit| Answer::new(text(name), symbol, shown(value, unit));
     let mut answers = vec![
-        found(
-            "quantity-restitution",
-            "e ",
-            fit.restitution,
-            Unit::Number,
-        ),
+        found("quantity-restitution", "e ", fit.restitution, Unit::Number),
         found(
             "quantity-drop-height",
             "h0",

@@ -4,9 +4,9 @@ use std::thread;
 use std::time::Duration;
 
 use bouncelab::analysis::{Drop, Gap, Plan};
-use bouncelab::{Diagnostic, Options};
 use bouncelab::detection::Detection;
 use bouncelab::train::{Train, TrainSearch};
+use bouncelab::{Diagnostic, Options};
 
 use super::save::Saver;
 use super::screen::{Screen, Status};
@@ -300,7 +300,11 @@ impl<'a> Session<'a> {
             return self.report_nothing(whole, warnings);
         }
         if self.drops.len() > 1 && self.arguments.format == Format::Text {
-            let analyses: Vec<&Drop> = self.drops.iter().map(|reported| &reported.analysis).collect();
+            let analyses: Vec<&Drop> = self
+                .drops
+                .iter()
+                .map(|reported| &reported.analysis)
+                .collect();
             let table = summary::table(&analyses);
             self.screen.print(&format!("\nAll drops:\n\n{table}"))?;
         }
@@ -323,7 +327,10 @@ impl<'a> Session<'a> {
     fn judge_again(&mut self, whole: &Detection, warnings: &[Diagnostic]) -> Result<(), Failure> {
         let most = self.arguments.drops.map_or(usize::MAX, |n| n as usize);
         for train in whole.found.trains.iter().take(most) {
-            let is_reported = self.drops.iter().any(|reported| same(&reported.train, train));
+            let is_reported = self
+                .drops
+                .iter()
+                .any(|reported| same(&reported.train, train));
             if !is_reported {
                 let only = TrainSearch {
                     trains: vec![train.clone()],
@@ -338,7 +345,8 @@ impl<'a> Session<'a> {
         }
         let (drops, screen) = (&mut self.drops, &self.screen);
         drops.retain(|reported| {
-            let is_in = |trains: &[Train]| trains.iter().any(|it| watch::overlap(it, &reported.train));
+            let is_in =
+                |trains: &[Train]| trains.iter().any(|it| watch::overlap(it, &reported.train));
             let remains = is_in(&whole.found.trains);
             let reason = if is_in(&whole.found.distant) {
                 "is a ball far fainter than the others"

@@ -4,9 +4,9 @@ use std::path::Path;
 use std::thread;
 use std::time::{Duration, Instant};
 
+use bouncelab::Diagnostic;
 #[cfg(feature = "microphone")]
 use bouncelab_audio::microphone::{self, Microphone};
-use bouncelab::Diagnostic;
 use bouncelab_audio::{Input, SampleFormat, Source, Warning};
 
 use super::Arguments;

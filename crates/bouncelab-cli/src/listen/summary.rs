@@ -1,7 +1,7 @@
 //! All drops of a session in one table.
 
-use bouncelab::analysis::Drop;
 use bouncelab::Estimate;
+use bouncelab::analysis::Drop;
 use bouncelab_report::{Align, Quantity, Table, Unit};
 
 /// The columns of numbers: heading, unit, and what of a drop stands in it.

@@ -5,7 +5,7 @@ use std::time::Instant;
 use bouncelab::Result;
 use bouncelab::analysis::DetectionOptions;
 use bouncelab::detection::{Detection, Detector};
-use bouncelab::train::{TrainImpact, Train, TrainSearch, latest_next_s};
+use bouncelab::train::{Train, TrainImpact, TrainSearch, latest_next_s};
 
 /// How often is looked whether something is to be told, in seconds of sound.
 const LOOK_S: f64 = 0.1;

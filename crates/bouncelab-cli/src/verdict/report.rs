@@ -44,7 +44,12 @@ fn lead(told: &Told<'_>) -> Vec<Block> {
     let mut lead = vec![Block::Lead(text::outcome(verdict))];
     lead.push(Block::text(text::by_rule(verdict, told.decision).join(" ")));
     let because = verdict.doubts.iter();
-    lead.extend(because.map(|doubt| Block::Note(format!("Because {}", ended(translator().diagnostic(&doubt.diagnostic()))))));
+    lead.extend(because.map(|doubt| {
+        Block::Note(format!(
+            "Because {}",
+            ended(translator().diagnostic(&doubt.diagnostic()))
+        ))
+    }));
     if told.rule.status == Status::Unverified {
         let unverified = "This rule is unverified: nobody has read it in its source.";
         lead.push(Block::Note(unverified.to_owned()));

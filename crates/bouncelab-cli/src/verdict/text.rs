@@ -30,7 +30,13 @@ pub(super) fn report(told: &Told<'_>) -> String {
         add(&mut text, &line);
     }
     for doubt in &verdict.doubts {
-        add(&mut text, &format!("  Because {}", ended(translator().diagnostic(&doubt.diagnostic()))));
+        add(
+            &mut text,
+            &format!(
+                "  Because {}",
+                ended(translator().diagnostic(&doubt.diagnostic()))
+            ),
+        );
     }
     add(&mut text, "");
     add(&mut text, &indented(&tables::ways(verdict)));
