@@ -12,11 +12,11 @@
 //! let times_s = [0.0, 0.4605, 0.8877, 1.2854, 1.6568, 2.0045];
 //! let options = Options::new(ball::preset("table-tennis-40")?);
 //! let drop = analyze_impacts(impacts_of_times(&times_s), &options);
-//! let fit = drop.log_linear_fit.as_ref()?;
+//! let fit = drop.log_linear_fit.clone()?;
 //! assert!((fit.restitution.value - 0.932).abs() < 0.001);
 //! // Without the bias of drag the ball is livelier.
 //! assert!(drop.per_impact_restitution().unwrap().value > fit.restitution.value);
-//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! # Ok::<(), bouncelab::Error>(())
 //! ```
 
 mod gap;

@@ -17,11 +17,11 @@ use crate::train::{FEWEST_IMPACTS, Train};
 /// let recording = demo::sound(&demo::history()?, 1)?;
 /// let result = analyze(&recording.samples, recording.sample_rate_hz, &Options::default())?;
 /// for drop in &result.drops {
-///     let posterior = drop.posterior.as_ref()?;
-///     println!("e = {:.4} ± {:.4}", posterior.restitution.value, posterior.restitution.sd);
+///     let restitution = drop.posterior.clone()?.restitution;
+///     println!("e = {:.4} ± {:.4}", restitution.value, restitution.sd);
 /// }
 /// assert_eq!(result.drops.len(), 1);
-/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// # Ok::<(), bouncelab::Error>(())
 /// ```
 ///
 /// # Errors
@@ -57,9 +57,9 @@ pub fn analyze_channels(
 ///
 /// let times_s = [0.0, 0.4605, 0.8877, 1.2854, 1.6568, 2.0045];
 /// let result = analyze_times(&times_s, &Options::default());
-/// let fit = result.drops[0].log_linear_fit.as_ref()?;
+/// let fit = result.drops[0].log_linear_fit.clone()?;
 /// assert_eq!(format!("{:.3}", fit.restitution.value), "0.932");
-/// # Ok::<(), &bouncelab::Error>(())
+/// # Ok::<(), bouncelab::Error>(())
 /// ```
 pub fn analyze_times(times_s: &[f64], options: &Options) -> Recording {
     Plan::of_times(times_s, options).run()
