@@ -7,8 +7,11 @@
 
 use bouncelab::detection::Envelope;
 use bouncelab_audio::{SampleFormat, encode_wav, times};
-use bouncelab_report::language::Say;
+use bouncelab_report::Chart;
+use bouncelab_report::figure::{self, DropSummary};
+use bouncelab_report::messages::Translator;
 use bouncelab_report::paper;
+use bouncelab_report::paper::lesson::{self, PuzzleChoice};
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 use wasm_bindgen::prelude::*;
@@ -17,10 +20,11 @@ use crate::analyst::{self, Analyst};
 use crate::catalogue::catalogue;
 use crate::pyramid::Level;
 use crate::refusal::Result;
+use crate::settings::setting;
 use crate::simulator;
 use crate::sound::{self, Ear, Label};
 use crate::spectrogram::{self, FLOOR_DB};
-use crate::wire::{Drawn, HeightCurve};
+use crate::wire::{KeptDrop, SimulationRequest};
 
 fn json<T: Serialize>(value: &T) -> Result<String> {
     Ok(serde_json::to_string(value)?)
@@ -135,16 +139,22 @@ impl Hearer {
     }
 }
 
-#[wasm_bindgen]
-extern "C" {
-    /// The language of the page, which knows the words for those of the science.
-    pub type Tongue;
+/// The messages of a language.
+#[wasm_bindgen(js_name = Translator)]
+pub struct JsTranslator(Translator);
 
-    #[wasm_bindgen(method, getter)]
-    fn code(this: &Tongue) -> String;
-
-    #[wasm_bindgen(method)]
-    fn say(this: &Tongue, text: &str) -> String;
+#[wasm_bindgen(js_class = Translator)]
+impl JsTranslator {
+    /// Of a language by its code and its files; English without any.
+    #[wasm_bindgen(constructor)]
+    pub fn new(code: &str, sources: Vec<String>) -> Result<Self> {
+        if sources.is_empty() {
+            return Ok(Self(Translator::english()));
+        }
+        let sources: Vec<&str> = sources.iter().map(String::as_str).collect();
+        let translator = Translator::of_sources(code, &sources);
+        Ok(Self(translator.map_err(|problem| setting(&problem))?))
+    }
 }
 
 /// Analyses drops.
@@ -165,18 +175,29 @@ impl JsAnalyst {
         json(&self.0.analyse(&read(request)?)?)
     }
 
-    /// Draws a figure; over that of the height, also a curve of height.
+    /// A figure of the drop of this index as a chart, compared with a simulation if one is given.
+    pub fn chart(
+        &mut self,
+        request: &str,
+        drop: usize,
+        name: &str,
+        simulation: Option<String>,
+        translator: &JsTranslator,
+    ) -> Result<String> {
+        json(&self.find(request, (drop, name), simulation, translator)?)
+    }
+
+    /// The same as a picture.
     pub fn figure(
         &mut self,
         request: &str,
+        drop: usize,
         name: &str,
-        over: Option<String>,
-        tongue: &Tongue,
+        simulation: Option<String>,
+        translator: &JsTranslator,
     ) -> Result<String> {
-        let over: Option<HeightCurve> = over.map(|over| read(&over)).transpose()?;
-        let mut say = |text: &str| tongue.say(text);
-        let request = read(request)?;
-        json(&self.0.figure(&request, name, over.as_ref(), &mut say)?)
+        let chart = self.find(request, (drop, name), simulation, translator)?;
+        json(&analyst::drawn(name, &chart))
     }
 
     /// Draws the waveform from least and greatest sample of each step, one after the other.
@@ -185,11 +206,11 @@ impl JsAnalyst {
         request: &str,
         extremes: &[f32],
         step_s: f64,
-        tongue: &Tongue,
+        translator: &JsTranslator,
     ) -> Result<String> {
         let envelope = envelope(extremes, step_s);
-        let mut say = |text: &str| tongue.say(text);
-        json(&self.0.waveform(&read(request)?, &envelope, &mut say)?)
+        let chart = self.0.waveform(&read(request)?, &envelope, &translator.0)?;
+        json(&analyst::drawn("waveform", &chart))
     }
 
     /// The report as HTML; without extremes there is no sound.
@@ -199,19 +220,32 @@ impl JsAnalyst {
         extremes: &[f32],
         step_s: f64,
         made: Option<String>,
-        tongue: &Tongue,
+        translator: &JsTranslator,
     ) -> Result<String> {
         let sound = (!extremes.is_empty()).then(|| envelope(extremes, step_s));
-        let mut say = |text: &str| tongue.say(text);
-        let language = (&*tongue.code(), &mut say as &mut Say<'_>);
         self.0
-            .report(&read(request)?, sound.as_ref(), made, language)
+            .report(&read(request)?, sound.as_ref(), made, &translator.0)
     }
 
     /// The impacts as CSV.
     pub fn rows(&mut self, request: &str) -> Result<String> {
         let rows = self.0.rows(&read(request)?)?;
         Ok(rows.iter().map(|row| csv_line(row)).collect())
+    }
+}
+
+impl JsAnalyst {
+    fn find(
+        &mut self,
+        request: &str,
+        figure: (usize, &str),
+        simulation: Option<String>,
+        translator: &JsTranslator,
+    ) -> Result<Chart> {
+        let simulation: Option<SimulationRequest> =
+            simulation.map(|simulation| read(&simulation)).transpose()?;
+        self.0
+            .chart(&read(request)?, figure, simulation.as_ref(), &translator.0)
     }
 }
 
@@ -354,12 +388,39 @@ pub fn paper_document() -> Result<String> {
     ))
 }
 
-/// The paper's figures, in English as it is.
-#[wasm_bindgen(js_name = paperFigures)]
-pub fn paper_figures() -> Result<String> {
-    let drawn: Vec<Drawn> = paper::figures()?
-        .into_iter()
-        .map(|(name, figure)| analyst::drawn(name, figure, &mut str::to_owned))
-        .collect();
-    json(&drawn)
+/// Charts that compare simulated drops, the last of which is the present one: height against time,
+/// and flight times.
+#[wasm_bindgen(js_name = simulationCharts)]
+pub fn simulation_charts(runs: &str, translator: &JsTranslator) -> Result<String> {
+    json(&simulator::charts(&read::<Vec<_>>(runs)?, &translator.0)?)
+}
+
+/// Charts that compare drops: the restitution of each, and that of their impacts against speed.
+#[wasm_bindgen(js_name = dropCharts)]
+pub fn drop_charts(drops: &str, translator: &JsTranslator) -> Result<String> {
+    let drops: Vec<KeptDrop> = read(drops)?;
+    let drops: Vec<DropSummary> = drops.into_iter().map(DropSummary::from).collect();
+    let translator = &translator.0;
+    json(&[
+        figure::drops(&drops, translator),
+        figure::drop_impacts(&drops, translator),
+    ])
+}
+
+/// The charts of the lesson about the paper: the straight line, drag, and heights.
+#[wasm_bindgen(js_name = lessonCharts)]
+pub fn lesson_charts(translator: &JsTranslator) -> Result<String> {
+    json(&lesson::charts(&translator.0)?)
+}
+
+/// What the straight line of the paper makes of a choice of the reader.
+#[wasm_bindgen(js_name = puzzleAnswer)]
+pub fn puzzle_answer(choice: &str, translator: &JsTranslator) -> Result<String> {
+    json(&read::<PuzzleChoice>(choice)?.answer(&translator.0)?)
+}
+
+/// The choice with the restitution with which the line says what the paper's says.
+#[wasm_bindgen(js_name = puzzleSolution)]
+pub fn puzzle_solution(choice: &str) -> Result<String> {
+    json(&read::<PuzzleChoice>(choice)?.solved()?)
 }

@@ -7,7 +7,8 @@ use serde::{Deserialize, Serialize};
 #[cfg(not(target_family = "wasm"))]
 use ts_rs::TS;
 
-use bouncelab_report::document::{Document, Origin, simulation};
+use bouncelab_report::document::{Document, Origin};
+use bouncelab_report::figure::DropSummary;
 
 /// The choices that a page can offer.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -281,91 +282,16 @@ pub struct Analysed {
     pub effort: Effort,
     /// The ball in words.
     pub ball: String,
-    /// For the charts, one for each drop of the document.
-    pub series: Vec<Series>,
-    /// Drag against speed; empty if there is none.
-    pub drag: Vec<DragCurve>,
-    /// Names of the figures that can be drawn of it.
-    pub figures: Vec<String>,
+    /// Names of the figures that there are of each drop.
+    pub figures: Vec<Vec<String>>,
 }
 
-/// Points of one drop for the charts, besides those in the document.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-#[cfg_attr(not(target_family = "wasm"), derive(TS))]
-pub struct Series {
-    /// Height against time by the flight model, from impact to impact; `null` parts flights with
-    /// a missed impact between them.
-    pub measured: HeightCurve,
-    /// The drop that the best fit would make, from its release; empty without inference.
-    pub simulated: HeightCurve,
-    /// Time and height of each apex, in the same way.
-    pub apexes: HeightCurve,
-    /// Energies at each impact with a flight on both sides.
-    pub energies: Vec<Energy>,
-    /// The posterior; empty without inference.
-    pub draws: Draws,
-}
-
-/// Height against time.
-#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(not(target_family = "wasm"), derive(TS))]
-pub struct HeightCurve {
-    /// Times.
-    pub time_s: Vec<f64>,
-    /// Height of the lowest point of the ball at each.
-    pub height_m: Vec<Option<f64>>,
-}
-
-/// What became of the energy at an impact and in the flight before it.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-#[cfg_attr(not(target_family = "wasm"), derive(TS))]
-pub struct Energy {
-    /// Number of the impact.
-    pub number: u32,
-    /// Kinetic energy just before it.
-    pub before_j: f64,
-    /// What the surface took.
-    pub lost_to_surface_j: f64,
-    /// What the air took in the flight after it.
-    pub lost_to_air_j: f64,
-}
-
-/// Equally likely values of the answers; those with the same index belong together.
-#[derive(Clone, Debug, Default, PartialEq, Serialize)]
-#[cfg_attr(not(target_family = "wasm"), derive(TS))]
-pub struct Draws {
-    /// Restitution at the stated speed.
-    pub restitution: Vec<f64>,
-    /// Drag coefficient; empty if there is no drag.
-    pub drag_coefficient: Vec<f64>,
-    /// Drop height.
-    pub drop_height_m: Vec<f64>,
-}
-
-/// Drag over weight against speed.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-#[cfg_attr(not(target_family = "wasm"), derive(TS))]
-pub struct DragCurve {
-    /// The drag law.
-    pub law: String,
-    /// Whether it is the law of the settings; else it is a constant coefficient to compare with.
-    pub chosen: bool,
-    /// Speeds.
-    pub speed_m_s: Vec<f64>,
-    /// Drag over weight at each.
-    pub drag_over_weight: Vec<f64>,
-}
-
-/// A figure.
+/// A figure as a picture.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(not(target_family = "wasm"), derive(TS))]
 pub struct Drawn {
     /// Name, also of its file.
     pub name: String,
-    /// Title.
-    pub title: String,
-    /// One sentence on what to see in it.
-    pub caption: String,
     /// The picture.
     pub svg: String,
     /// Its natural width.
@@ -440,14 +366,39 @@ pub enum RestitutionLaw {
     },
 }
 
-/// Simulated drops.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+/// A simulated drop to be compared with others.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(not(target_family = "wasm"), derive(TS))]
-pub struct Simulated {
-    /// The command line's document, `bouncelab.simulation/1`.
-    pub document: simulation::Document,
-    /// Height against time of each simulation in the document.
-    pub curves: Vec<HeightCurve>,
+pub struct SimulationRun {
+    /// Its name in the legend.
+    pub name: String,
+    /// What is simulated.
+    pub request: SimulationRequest,
+}
+
+/// A drop that was kept, to be compared with others.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(not(target_family = "wasm"), derive(TS))]
+pub struct KeptDrop {
+    /// Its name in the legend.
+    pub name: String,
+    /// Its restitution, if it is known.
+    pub restitution: Option<f64>,
+    /// Standard deviation of that.
+    pub restitution_sd: Option<f64>,
+    /// Speed in m/s and restitution of each impact.
+    pub impacts: Vec<[f64; 2]>,
+}
+
+impl From<KeptDrop> for DropSummary {
+    fn from(kept: KeptDrop) -> Self {
+        let sd = kept.restitution_sd.unwrap_or(f64::NAN);
+        Self {
+            name: kept.name,
+            restitution: kept.restitution.map(|value| (value, sd)),
+            impacts: kept.impacts,
+        }
+    }
 }
 
 /// How a simulated drop sounds.

@@ -9,7 +9,10 @@ use std::collections::{BTreeMap, HashSet};
 use std::fs;
 use std::path::Path;
 
+use bouncelab_report::Chart;
+use bouncelab_report::document::simulation;
 use bouncelab_report::paper;
+use bouncelab_report::paper::lesson::{PuzzleAnswer, PuzzleChoice};
 use bouncelab_wasm::refusal::Refusal;
 use bouncelab_wasm::wire;
 use ts_rs::{Config, TS, TypeVisitor};
@@ -68,7 +71,12 @@ fn declarations() -> String {
     all.declare::<wire::Drawn>();
     all.declare::<wire::SimulationRequest>();
     all.declare::<wire::SceneRequest>();
-    all.declare::<wire::Simulated>();
+    all.declare::<wire::SimulationRun>();
+    all.declare::<wire::KeptDrop>();
+    all.declare::<simulation::Document>();
+    all.declare::<Chart>();
+    all.declare::<PuzzleChoice>();
+    all.declare::<PuzzleAnswer>();
     all.declare::<paper::Document>();
     let declarations: String = all.found.into_values().collect();
     [HEAD, &declarations]

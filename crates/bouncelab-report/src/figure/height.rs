@@ -81,12 +81,12 @@ pub fn height(id: &str, curves: &[Curve], apexes: &[Point], translator: &Transla
     );
     let heights = Scale::linear(ys(&layers).chain([0.0])).padded(0.0, 0.04);
     let y = Axis::new(translator.text("axis-height"), unit, heights);
-    let caption = translator.text(match (id, apexes.is_empty(), curves.len()) {
-        ("height", false, _) => "figure-height-caption-apexes",
-        ("height", true, 2..) => "figure-height-caption-models",
-        ("height", ..) => "figure-height-caption",
-        _ => "figure-comparison-caption",
-    });
+    let kind = match (id, apexes.is_empty(), curves.len()) {
+        ("height", false, _) => "-apexes",
+        ("height", true, 2..) => "-models",
+        _ => "",
+    };
+    let caption = translator.text(&format!("figure-{id}-caption{kind}"));
     Chart::new(
         translator,
         id,
