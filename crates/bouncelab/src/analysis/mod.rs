@@ -41,7 +41,7 @@ use crate::{Error, Result};
 
 pub use crate::detection::DetectionOptions;
 pub use gap::Gap;
-pub use pipeline::{DropTask, Plan, analyze, analyze_channels, analyze_times};
+pub use pipeline::{DropCandidate, DropTask, Plan, analyze, analyze_channels, analyze_times};
 pub use result::{BounceEnergy, Drop, MeasuredFlight, Recording, Source, StrongestBand};
 
 /// What is known, or assumed, of the ball and what it flies through, and what is asked.

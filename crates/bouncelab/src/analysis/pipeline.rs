@@ -83,18 +83,22 @@ pub struct Plan {
     tasks: Vec<DropTask>,
 }
 
-/// One drop to be analysed.
-#[derive(Clone, Debug)]
+/// One drop to be analysed: two that are equal have equal results.
+#[derive(Clone, Debug, PartialEq)]
 pub struct DropTask {
     candidate: DropCandidate,
     options: Options,
 }
 
 /// A drop before it is analysed.
-#[derive(Clone, Debug)]
-struct DropCandidate {
-    impacts: Vec<Impact>,
-    probability: f64,
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
+pub struct DropCandidate {
+    /// Its impacts, in order of time.
+    pub impacts: Vec<Impact>,
+    /// Probability that it is a drop; 1 if a person says so.
+    pub probability: f64,
 }
 
 impl Plan {
@@ -110,12 +114,10 @@ impl Plan {
         };
         let trains = detection.found.trains.iter();
         let recording = Recording {
-            source,
             strongest_band: strongest_band(&detection),
-            drops: Vec::new(),
             no_drop: detection.no_drop(),
             diagnostics: detection.diagnostics(),
-            envelope: None,
+            ..Recording::of(source)
         };
         let candidates = trains.map(DropCandidate::from).collect();
         let mut plan = Self::new(recording, candidates, options);
@@ -126,14 +128,19 @@ impl Plan {
     /// The plan for a list of impact times in seconds, in increasing order.
     pub fn of_times(times_s: &[f64], options: &Options) -> Self {
         let recording = Recording {
-            source: Source::Times,
-            strongest_band: None,
-            drops: Vec::new(),
             no_drop: (times_s.len() < 2).then(|| Diagnostic::new(Code::TooFewTimes)),
-            diagnostics: Vec::new(),
-            envelope: None,
+            ..Recording::of(Source::Times)
         };
         Self::new(recording, vec![DropCandidate::of_times(times_s)], options)
+    }
+
+    /// The plan for drops that are known already: detected before, or edited by hand.
+    pub fn of_candidates(
+        source: Source,
+        candidates: Vec<DropCandidate>,
+        options: &Options,
+    ) -> Self {
+        Self::new(Recording::of(source), candidates, options)
     }
 
     fn new(
