@@ -28,6 +28,7 @@ pub struct Drop {
 
 /// A variance component.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Component {
     /// Standard deviation.
     pub sd: f64,
