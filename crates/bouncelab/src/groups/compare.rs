@@ -8,6 +8,7 @@ use crate::inference::Measured;
 
 /// The difference of two groups.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub struct Difference {
     /// The group from which it is counted, by its place.
     pub of: usize,

@@ -17,6 +17,7 @@ pub struct Covariate {
 
 /// How restitution changes with an amount, all else equal.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub struct Trend {
     /// The factor, by its place.
     pub factor: usize,
@@ -34,6 +35,7 @@ pub struct Trend {
 
 /// How much something varies.
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub struct VarianceComponent {
     /// The factors, by their place: several if they always go together and cannot be told apart;
     /// none for the drops themselves.

@@ -28,6 +28,7 @@ pub struct Drop {
 
 /// A variance component.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub struct Component {
     /// Standard deviation.
     pub sd: f64,

@@ -14,6 +14,7 @@ const FEWEST: usize = 3;
 
 /// A drop that lies far from its group.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub struct Outlier {
     /// Its place in the list.
     pub drop: usize,

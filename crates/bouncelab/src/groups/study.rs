@@ -26,6 +26,7 @@ pub struct StudyDrop {
 
 /// Drops that have the same levels of the factors by which they are grouped.
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub struct Group {
     /// Level of each of those factors.
     pub levels: Vec<Option<usize>>,
@@ -48,6 +49,7 @@ pub struct Group {
 
 /// What the drops of a session say together.
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub struct Study {
     /// The impact speed at which all drops are compared, m/s.
     pub at_speed_m_s: f64,
