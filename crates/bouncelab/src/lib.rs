@@ -39,6 +39,7 @@
 //!
 //! | module | question that it answers |
 //! |---|---|
+//! | [`diagnostic`], [`Estimate`] | what there is to know about a result; a number with its uncertainty |
 //! | [`ball`] | what falls: mass, diameter, presets with their source |
 //! | [`air`], [`gravity`] | what it falls through and how hard it is pulled |
 //! | [`drag`] | C<sub>D</sub> at a Reynolds number |
@@ -48,11 +49,12 @@
 //! | [`synth`] | a history as sound, with noise of known strength |
 //! | [`onset`] | samples to onset candidates |
 //! | [`train`] | which candidates are the impacts of one drop |
-//! | [`detection`] | samples in, trains out |
-//! | [`regression`] | the paper's straight line, Eqs. 4 to 8 |
+//! | [`detection`] | a stream of samples to trains |
+//! | [`regression`] | the paper's log-linear fit, Eqs. 4 to 8 |
 //! | [`restitution`] | the restitution of each impact, corrected for drag |
-//! | [`inference`] | everything that the impacts say together |
-//! | [`analysis`] | what the impacts of one drop say |
+//! | [`inference`] | the posterior of everything that the impacts determine |
+//! | [`analysis`] | the pipeline: samples or times to a [`Recording`] |
+//! | [`plausibility`] | which stated values look like mistakes of units |
 //! | [`groups`] | what many drops say together |
 //! | [`rulebook`] | whether a ball or a floor obeys a rule |
 //! | [`plausibility`] | whether what was stated looks like a mistake of units |

@@ -58,7 +58,7 @@ pub(super) fn dropped(model: &FlightModel, restitution: f64, stop: Stop) -> Resu
 }
 
 /// A drop from the paper's height by a restitution law.
-fn dropped_by(model: &FlightModel, law: Restitution, stop: Stop) -> Result<History> {
+pub(super) fn dropped_by(model: &FlightModel, law: Restitution, stop: Stop) -> Result<History> {
     let contact = Contact::instantaneous(law);
     drop::simulate(model, &contact, Start::Height(DROP_HEIGHT_M), stop)
 }
