@@ -31,6 +31,7 @@ use crate::stats::{median, robust_sd};
 
 /// A flight between two impacts that follow each other, found from its time.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub struct TimedFlight {
     /// Number of the impact before it.
     pub number: usize,

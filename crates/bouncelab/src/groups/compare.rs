@@ -9,6 +9,7 @@ use crate::inference::Measured;
 /// The difference of two groups.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[non_exhaustive]
 pub struct Difference {
     /// The group from which it is counted, by its place.
     #[cfg_attr(feature = "serde", serde(skip))]

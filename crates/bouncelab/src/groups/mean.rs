@@ -13,6 +13,7 @@ use crate::inference::Measured;
 /// holds what it promises also for few drops.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[non_exhaustive]
 pub struct Mean {
     /// How many drops.
     pub drops: usize,
