@@ -53,7 +53,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
             write!(out, "\n{}", puzzle(&explanations))?;
         }
         Format::Json => {
-            let document = Document::new(&chapters, explanations);
+            let document = Document::new(&chapters, explanations, translator());
             serde_json::to_writer_pretty(&mut out, &document).map_err(io::Error::from)?;
             writeln!(out)?;
         }
@@ -71,7 +71,13 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
 fn text(chapters: &[Chapter]) -> String {
     let parts: Vec<String> = chapters
         .iter()
-        .map(|chapter| format!("{}\n\n{}", chapter.title, table(&chapter.facts)))
+        .map(|chapter| {
+            format!(
+                "{}\n\n{}",
+                chapter.title(translator()),
+                table(&chapter.facts)
+            )
+        })
         .collect();
     parts.join("\n")
 }
@@ -87,12 +93,12 @@ fn table(facts: &[Fact]) -> Table {
     ]);
     for fact in facts {
         table.row([
-            fact.quantity.to_owned(),
+            fact.quantity(translator()),
             fact.printed.unwrap_or("-").to_owned(),
             fact.shown(),
             fact.unit.to_owned(),
-            fact.verdict().to_string(),
-            fact.note.to_owned(),
+            fact.verdict().text(translator()),
+            fact.note(translator()).unwrap_or_default(),
         ]);
     }
     table

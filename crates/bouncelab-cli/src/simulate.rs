@@ -13,6 +13,7 @@ use bouncelab_report::theme::Meaning;
 use bouncelab_report::{Align, Chart, Quantity, Table, Unit, save};
 use clap::{Args, ValueEnum};
 
+use crate::analyze::assumed;
 use crate::failure::Failure;
 use crate::history::HistoryArguments;
 use crate::language::translator;
@@ -59,7 +60,9 @@ enum Format {
 const MOST_ROWS: usize = 100;
 
 pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
-    let physics = arguments.physics.questioned(arguments.history.doubts())?;
+    let physics = arguments
+        .physics
+        .questioned(arguments.history.questions())?;
     let laws = std::iter::once(physics.options.environment.drag).chain(arguments.compare.clone());
     let runs = laws
         .map(|law| simulate(law, &physics.options, &arguments.history))
@@ -72,7 +75,9 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
     match arguments.format {
         Format::Text => Ok(out.write_all(text(&runs, &physics).as_bytes())?),
         Format::Json => {
-            let document = Document::new(&runs, &physics.options, physics.assumptions.clone());
+            let mut assumptions = physics.assumptions.clone();
+            translator().complete_each(&mut assumptions);
+            let document = Document::new(&runs, &physics.options, assumptions);
             serde_json::to_writer_pretty(&mut out, &document).map_err(io::Error::from)?;
             Ok(writeln!(out)?)
         }
@@ -117,7 +122,7 @@ fn text(runs: &[Run], physics: &Physics) -> String {
         }
     }
     if !physics.assumptions.is_empty() {
-        parts.push(format!("Assumed: {}.", physics.assumptions.join("; ")));
+        parts.push(assumed(&physics.assumptions).trim_start().to_owned());
     }
     parts.join("\n") + "\n"
 }

@@ -1,5 +1,6 @@
 //! What the drops say of the rebound, as tables for the screen and for reports.
 
+use bouncelab::Estimate;
 use bouncelab::rulebook::{Rebound, Step, Verdict};
 use bouncelab_report::{Align, CANNOT_TELL, Quantity, Table, Unit};
 

@@ -100,6 +100,7 @@ trait Rows {
 }
 
 /// A table being written, in one form or several at once.
+#[derive(Debug)]
 pub struct TableWriter {
     columns: usize,
     files: Vec<InForm>,
