@@ -31,6 +31,7 @@ use crate::stats::{median, robust_sd};
 
 /// A flight between two impacts that follow each other, found from its time.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub struct TimedFlight {
     /// Number of the impact before it.
     pub number: usize,
@@ -42,7 +43,7 @@ pub struct TimedFlight {
 
 /// What an impact between two timed flights kept of the speed of the ball.
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 #[non_exhaustive]
 pub struct ImpactRestitution {

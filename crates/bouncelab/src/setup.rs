@@ -118,6 +118,7 @@ pub enum GravityInput {
 
 /// What was setup.
 #[derive(Clone, Debug)]
+#[non_exhaustive]
 pub struct Setup {
     /// The settings for the science, without a inference.
     pub options: Options,

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use bouncelab::groups::{Group, Study, run_limit};
+use bouncelab::groups::{Group, MeanAtSpeed, Study, run_limit};
 use bouncelab::inference::Summary;
 use bouncelab_report::Chart;
 use bouncelab_report::figure::{self, GroupCurve, GroupInterval, GroupPoint, RunPoint};
@@ -48,7 +48,7 @@ fn laws(
     translator: &Translator,
 ) -> Result<Chart, Failure> {
     let group = |group: &Group| -> Result<GroupCurve, Failure> {
-        let means = group.law.iter().map(|(speed_m_s, mean)| GroupPoint {
+        let means = group.curve.iter().map(|MeanAtSpeed { speed_m_s, mean }| GroupPoint {
             speed_m_s: *speed_m_s,
             value: mean.value,
             interval95: mean.interval95,

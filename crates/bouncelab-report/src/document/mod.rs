@@ -21,14 +21,11 @@
 //! ```
 
 pub mod rows;
-mod session;
 pub mod simulation;
 pub mod verdict;
 
 use bouncelab::{Diagnostic, Options, Recording};
 use serde::Serialize;
-
-pub use session::{AboutSession, Reason, SessionDocument};
 
 /// Name and version of the schema.
 pub const SCHEMA: &str = "bouncelab.analysis/2";

@@ -105,6 +105,7 @@ pub struct ApexTarget {
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
+#[non_exhaustive]
 pub struct Prediction {
     /// What was asked.
     #[cfg_attr(feature = "serde", serde(flatten))]
@@ -153,6 +154,7 @@ pub fn infer(
 
 /// The most probable drop under one law, without uncertainties.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub struct BestFit {
     /// The restitution law.
     pub law: Restitution,
