@@ -1,18 +1,18 @@
 //! What do the impacts say?
 
-use bouncelab::analysis::{self, Drop, Impact, Options};
+use bouncelab::Recording;
+use bouncelab::analysis::{Drop, DropTask, Plan};
 use bouncelab::detection::Envelope;
 use bouncelab::setup::Setup;
 use bouncelab_report::Chart;
 use bouncelab_report::document::{Document, rows};
 use bouncelab_report::figure::{self, Mark, Subject};
 use bouncelab_report::messages::Translator;
-use bouncelab_report::report::{self, Provenance, Recording};
+use bouncelab_report::report::{self, Provenance};
 
-use crate::refusal::Result;
-use crate::settings::setting;
+use crate::refusal::{Result, unknown};
 use crate::simulator;
-use crate::wire::{Analysed, AnalysisRequest, Drawn, DropMarks, SimulationRequest};
+use crate::wire::{Analysed, AnalysisRequest, Drawn, SimulationRequest};
 
 /// So many analyses of single drops are remembered: those of a recording with many drops, and of
 /// the last few edits.
@@ -23,20 +23,15 @@ const REMEMBERED: usize = 64;
 #[derive(Default)]
 pub struct Analyst {
     /// The latest last.
-    known: Vec<Known>,
+    known: Vec<(DropTask, Drop)>,
 }
 
-struct Known {
-    impacts: Vec<Impact>,
-    settings: Options,
-    analysis: Drop,
-}
-
-/// A request with its answer.
-struct Answered<'a> {
+/// A request with its result, in a language.
+pub struct Analysis<'a> {
     request: &'a AnalysisRequest,
+    translator: &'a Translator,
     setup: Setup,
-    drops: Vec<Drop>,
+    result: Recording,
 }
 
 impl Analyst {
@@ -45,194 +40,152 @@ impl Analyst {
     /// # Errors
     ///
     /// If a setting makes no sense. A drop of which something cannot be told is no error.
-    pub fn analyse(&mut self, request: &AnalysisRequest) -> Result<Analysed> {
-        Ok(self.answer(request)?.analysed())
+    pub fn analyse<'a>(
+        &mut self,
+        request: &'a AnalysisRequest,
+        translator: &'a Translator,
+    ) -> Result<Analysis<'a>> {
+        let mut setup = request.settings.resolve(request.inference)?;
+        let candidates = request.drops.iter().map(|drop| drop.candidate()).collect();
+        let plan = Plan::of_candidates(request.source.clone(), candidates, &setup.options);
+        let drops = plan.tasks().iter().map(|task| self.drop(task)).collect();
+        let mut result = plan.finish(drops);
+        let of_recording = request.diagnostics.iter().cloned();
+        result.diagnostics.splice(0..0, of_recording);
+        if result.no_drop.is_some() && request.no_drop.is_some() {
+            result.no_drop.clone_from(&request.no_drop);
+        }
+        translator.complete(&mut result);
+        translator.complete_each(&mut setup.assumptions);
+        Ok(Analysis {
+            request,
+            translator,
+            setup,
+            result,
+        })
+    }
+
+    /// The analysis of one drop, from memory if it is there.
+    fn drop(&mut self, task: &DropTask) -> Drop {
+        let known = match self.known.iter().position(|(known, _)| known == task) {
+            Some(index) => self.known.remove(index),
+            None => (task.clone(), task.run()),
+        };
+        let drop = known.1.clone();
+        if self.known.len() == REMEMBERED {
+            self.known.remove(0);
+        }
+        self.known.push(known);
+        drop
+    }
+}
+
+impl Analysis<'_> {
+    /// The numbers.
+    pub fn numbers(&self) -> Analysed<'_> {
+        let mut questions = self.request.settings.questions();
+        self.translator.complete_each(&mut questions);
+        Analysed {
+            document: Document::new(
+                &self.request.name,
+                &self.result,
+                &self.setup.options,
+                &self.setup.assumptions,
+            ),
+            ball: &self.setup.ball_label,
+            questions,
+            figures: self.figures(),
+        }
+    }
+
+    fn figures(&self) -> Vec<Vec<&'static str>> {
+        let of_air: Vec<_> = self.of_air().into_iter().map(|(name, _)| name).collect();
+        let of_drop = |drop| {
+            let subject = Subject::new(drop, &self.setup.options);
+            let names = figure::of_drop(&subject).map(|figure| figure.name);
+            names.chain(of_air.iter().copied()).collect()
+        };
+        self.result.drops.iter().map(of_drop).collect()
+    }
+
+    fn of_air(&self) -> Vec<(&'static str, Chart)> {
+        figure::of_air(&self.result.drops, &self.setup.options, self.translator)
     }
 
     /// One of the figures that [`Analysed::figures`] names, of the drop of this index; `simulation` is
-    /// what the drop is compared with, its first impact at the time of the first one heard.
+    /// what the drop is compared with, its first impact at the time of the first one detected.
     ///
     /// # Errors
     ///
-    /// Those of [`Self::analyse`], and if there is no figure of this name.
+    /// If there is no figure of this name, or the simulation makes no sense.
     pub fn chart(
-        &mut self,
-        request: &AnalysisRequest,
-        (drop, name): (usize, &str),
+        &self,
+        drop: usize,
+        name: &str,
         simulation: Option<&SimulationRequest>,
-        translator: &Translator,
     ) -> Result<Chart> {
-        let answered = self.answer(request)?;
-        let found = answered.drops.get(drop);
+        let found = self.result.drops.get(drop);
         let first = found.and_then(|found| found.impacts.first());
         let simulation = simulation.zip(first);
         let simulation = simulation
             .map(|(request, first)| simulator::moved_curve(request, first.time_s))
             .transpose()?;
         let subject = found.map(|found| {
-            Subject::new(found, answered.settings()).with_simulation(simulation.as_deref())
+            Subject::new(found, &self.setup.options).with_simulation(simulation.as_deref())
         });
-        let of_drop = subject.and_then(|subject| figure::chart(name, &subject, translator));
+        let of_drop = subject.and_then(|subject| figure::chart(name, &subject, self.translator));
         let of_air = || {
-            let charts = figure::of_air(&answered.drops, answered.settings(), translator);
-            let named = charts.into_iter().find(|(known, _)| *known == name);
-            named.map(|(_, chart)| chart)
+            let mut charts = self.of_air().into_iter();
+            charts.find_map(|(known, chart)| (known == name).then_some(chart))
         };
         of_drop
             .or_else(of_air)
-            .ok_or_else(|| setting(&format!("there is no figure \"{name}\" of this drop")))
+            .ok_or_else(|| unknown("figure", name, &self.figures().concat()))
     }
 
     /// The sound with its impacts.
-    ///
-    /// # Errors
-    ///
-    /// Those of [`Self::analyse`].
-    pub fn waveform(
-        &mut self,
-        request: &AnalysisRequest,
-        sound: &Envelope,
-        translator: &Translator,
-    ) -> Result<Chart> {
-        let marks = Mark::of_drops(&self.answer(request)?.drops);
-        Ok(figure::waveform(sound, &marks, translator))
+    pub fn waveform(&self, sound: &Envelope) -> Chart {
+        figure::waveform(sound, &Mark::of_drops(&self.result.drops), self.translator)
     }
 
     /// The report as one HTML file.
-    ///
-    /// # Errors
-    ///
-    /// Those of [`Self::analyse`].
-    pub fn report(
-        &mut self,
-        request: &AnalysisRequest,
-        sound: Option<&Envelope>,
-        made: Option<String>,
-        translator: &Translator,
-    ) -> Result<String> {
-        let answered = self.answer(request)?;
-        let page = report::of_recording(
-            &Recording {
-                name: &request.name,
-                origin: &request.source,
-                settings: &answered.setup.settings,
-                ball_label: &answered.setup.ball_label,
-                assumptions: &answered.setup.assumptions,
-                drops: &answered.drops,
-                no_drop: request.no_drop.as_deref(),
-                warnings: &request.warnings,
-                sound,
-            },
-            &Provenance {
-                made,
-                ..Provenance::default()
-            },
-            translator,
-        );
-        Ok(page.html())
-    }
-
-    /// The impacts as rows, the first of them the names of the columns.
-    ///
-    /// # Errors
-    ///
-    /// Those of [`Self::analyse`].
-    pub fn rows(&mut self, request: &AnalysisRequest) -> Result<Vec<Vec<String>>> {
-        let header = rows::HEADER.map(str::to_owned).to_vec();
-        let rows = rows::of(&self.answer(request)?.document());
-        Ok(std::iter::once(header).chain(rows).collect())
-    }
-
-    fn answer<'a>(&mut self, request: &'a AnalysisRequest) -> Result<Answered<'a>> {
-        let setup = request.settings.resolve(request.effort)?;
-        let drops = request.drops.iter();
-        let drops = drops
-            .map(|marks| self.know(impacts(marks), &setup.settings))
-            .collect();
-        Ok(Answered {
-            request,
-            setup,
-            drops,
-        })
-    }
-
-    /// The analysis of one drop, from memory if it is there.
-    fn know(&mut self, impacts: Vec<Impact>, settings: &Options) -> Drop {
-        let is_it = |known: &Known| known.impacts == impacts && known.settings == *settings;
-        let known = match self.known.iter().position(is_it) {
-            Some(index) => self.known.remove(index),
-            None => Known {
-                analysis: analysis::analyze(impacts.clone(), settings),
-                impacts,
-                settings: settings.clone(),
-            },
+    pub fn report(mut self, sound: Option<Envelope>, made: Option<String>) -> String {
+        self.result.envelope = sound;
+        let recording = report::Recording {
+            name: &self.request.name,
+            setup: &self.setup,
+            result: &self.result,
         };
-        let analysis = known.analysis.clone();
-        if self.known.len() == REMEMBERED {
-            self.known.remove(0);
-        }
-        self.known.push(known);
-        analysis
+        let provenance = Provenance {
+            made,
+            ..Provenance::default()
+        };
+        report::of_recording(&recording, &provenance, self.translator).html()
+    }
+
+    /// The impacts as CSV, its first line the names of the columns.
+    pub fn csv(&self) -> String {
+        let rows = rows::of(&self.request.name, &self.result);
+        let header = csv_line(&rows::HEADER);
+        header + &rows.iter().map(|row| csv_line(row)).collect::<String>()
     }
 }
 
-/// The impacts of marks: in order of time, no two at the same, numbered anew if edited.
-fn impacts(marks: &DropMarks) -> Vec<Impact> {
-    let impacts: Vec<Impact> = marks.impacts.iter().copied().map(Impact::from).collect();
-    if marks.edited {
-        analysis::renumbered(impacts)
-    } else {
-        impacts
-    }
-}
-
-impl Answered<'_> {
-    fn settings(&self) -> &Options {
-        &self.setup.settings
-    }
-
-    fn document(&self) -> Document {
-        let request = self.request;
-        let document = Document::new(
-            &request.name,
-            request.source.clone(),
-            self.settings(),
-            self.setup.assumptions.clone(),
-            &self.drops,
-            request.warnings.clone(),
-        );
-        match &request.no_drop {
-            Some(reason) if self.drops.is_empty() => document.without_drop(reason),
-            _ => document,
+/// A row of a table, quoted where it must be.
+fn csv_line<T: AsRef<str>>(cells: &[T]) -> String {
+    let quoted = cells.iter().map(|cell| {
+        let cell = cell.as_ref();
+        if cell.contains([',', '"', '\n', '\r']) {
+            format!("\"{}\"", cell.replace('"', "\"\""))
+        } else {
+            cell.to_owned()
         }
-    }
-
-    fn analysed(&self) -> Analysed {
-        Analysed {
-            document: self.document(),
-            effort: self.request.effort,
-            ball: self.setup.ball_label.clone(),
-            figures: self.figures(),
-        }
-    }
-
-    fn figures(&self) -> Vec<Vec<String>> {
-        let of_air = figure::of_air(&self.drops, self.settings(), &Translator::english());
-        let of_air: Vec<&str> = of_air.iter().map(|(name, _)| *name).collect();
-        let of_drop = |drop| {
-            let subject = Subject::new(drop, self.settings());
-            let names = figure::of_drop(&subject).map(|figure| figure.name);
-            names
-                .chain(of_air.iter().copied())
-                .map(str::to_owned)
-                .collect()
-        };
-        self.drops.iter().map(of_drop).collect()
-    }
+    });
+    quoted.collect::<Vec<_>>().join(",") + "\n"
 }
 
 /// A figure as a picture.
-pub(crate) fn drawn(name: &str, chart: &Chart) -> Drawn {
+pub fn drawn(name: &str, chart: &Chart) -> Drawn {
     let (width_px, height_px) = chart.size();
     Drawn {
         name: name.to_owned(),

@@ -2,7 +2,7 @@
 //!
 //! What is thrown is a [`Refusal`](crate::refusal::Refusal) as JSON.
 
-// JavaScript gets the same refusals as the rooms that are asked, whose documentation names them.
+// JavaScript gets the same refusals as the modules that are asked, whose documentation names them.
 #![allow(clippy::missing_errors_doc)]
 
 use bouncelab::detection::Envelope;
@@ -18,11 +18,10 @@ use wasm_bindgen::prelude::*;
 
 use crate::analyst::{self, Analyst};
 use crate::catalogue::catalogue;
+use crate::detector::{self, RecordingDetector};
 use crate::pyramid::Level;
-use crate::refusal::Result;
-use crate::settings::setting;
+use crate::refusal::{Refusal, Result};
 use crate::simulator;
-use crate::sound::{self, Ear, Label};
 use crate::spectrogram::{self, FLOOR_DB};
 use crate::wire::{ComparedDrop, SimulationRequest};
 
@@ -46,10 +45,10 @@ pub fn is_list(name: &str) -> bool {
     times::is_list(name)
 }
 
-/// What a list of times says.
-#[wasm_bindgen(js_name = hearTimes)]
-pub fn hear_times(content: &[u8], name: &str) -> Result<String> {
-    json(&sound::times(content, name)?)
+/// A list of times as a recording.
+#[wasm_bindgen(js_name = readTimes)]
+pub fn read_times(content: &[u8], name: &str) -> Result<String> {
+    json(&detector::of_times(content, name)?)
 }
 
 fn samples_per_bin(levels: &[Level]) -> Vec<u32> {
@@ -63,67 +62,59 @@ fn take_level(levels: &mut [Level], level: usize) -> Vec<f32> {
         .map_or_else(Vec::new, |level| std::mem::take(&mut level.extremes))
 }
 
-/// Hears samples as they come.
-#[wasm_bindgen]
-pub struct Hearer {
-    ear: Option<Ear>,
-    /// What was brought of each channel and is not yet heard.
-    brought: Vec<Vec<f32>>,
+/// Detects drops in samples as they come.
+#[wasm_bindgen(js_name = Detector)]
+pub struct JsDetector {
+    detector: Option<RecordingDetector>,
+    /// What came of each channel and is not yet processed.
+    waiting: Vec<Vec<f32>>,
     levels: Vec<Level>,
 }
 
-#[wasm_bindgen]
-impl Hearer {
-    /// For so many channels; `channel`, counted from 1, is the only one that is listened to.
+#[wasm_bindgen(js_class = Detector)]
+impl JsDetector {
+    /// For so many channels; `channel`, counted from 1, is the only one that is used.
     #[wasm_bindgen(constructor)]
-    pub fn new(sample_rate_hz: u32, channels: usize, channel: Option<u32>) -> Result<Self> {
-        let channel = channel.map(|number| number as usize);
+    pub fn new(sample_rate_hz: u32, channels: usize, channel: Option<usize>) -> Result<Self> {
         Ok(Self {
-            ear: Some(Ear::new(sample_rate_hz, channels, channel)?),
-            brought: vec![Vec::new(); channels],
+            detector: Some(RecordingDetector::new(sample_rate_hz, channels, channel)?),
+            waiting: vec![Vec::new(); channels],
             levels: Vec::new(),
         })
     }
 
-    /// Brings the next samples of one channel, counted from 0.
-    pub fn bring(&mut self, channel: usize, samples: Vec<f32>) {
-        if let Some(brought) = self.brought.get_mut(channel) {
-            *brought = samples;
+    /// Takes the next samples of one channel, counted from 0; with those of the last channel all are
+    /// processed.
+    pub fn push(&mut self, channel: usize, samples: Vec<f32>) {
+        let last = self.waiting.len() - 1;
+        if let Some(waiting) = self.waiting.get_mut(channel) {
+            *waiting = samples;
+        }
+        if channel == last {
+            let frames = self.waiting.iter().map(Vec::len).min().unwrap_or(0);
+            let slices: Vec<&[f32]> = self.waiting.iter().map(|all| &all[..frames]).collect();
+            if let Some(detector) = &mut self.detector {
+                detector.push(&slices);
+            }
         }
     }
 
-    /// Hears what was brought of all channels.
-    pub fn hear(&mut self) {
-        let frames = self.brought.iter().map(Vec::len).min().unwrap_or(0);
-        let slices: Vec<&[f32]> = self.brought.iter().map(|all| &all[..frames]).collect();
-        if let Some(ear) = &mut self.ear {
-            ear.push(&slices);
-        }
-    }
-
-    /// What has been heard so far.
+    /// What was detected so far.
     #[wasm_bindgen(js_name = soFar)]
     pub fn so_far(&mut self) -> Result<String> {
-        json(&self.ear.as_mut().map(Ear::so_far))
+        json(&self.detector.as_mut().map(RecordingDetector::so_far))
     }
 
-    /// What was heard, all told.
-    pub fn finish(
-        &mut self,
-        name: String,
-        format: String,
-        warnings: Vec<String>,
-    ) -> Result<String> {
-        let heard = self.ear.take().map(|ear| {
-            let (heard, levels) = ear.finish(Label {
-                name,
-                format,
-                warnings,
-            });
+    /// Ends the recording: what was detected. The format and the warnings, a list of diagnostics, are
+    /// those of its file.
+    pub fn finish(&mut self, format: &str, warnings: &str) -> Result<String> {
+        let warnings = read(warnings)?;
+        let found = self.detector.take().map(|detector| {
+            let (recording, levels) = detector.finish(format, warnings);
             self.levels = levels;
-            heard
+            recording
         });
-        json(&heard)
+        json(&found)
     }
 
     /// Samples in a bin of each level, fine to coarse, once it is finished.
@@ -153,7 +144,12 @@ impl JsTranslator {
         }
         let sources: Vec<&str> = sources.iter().map(String::as_str).collect();
         let translator = Translator::of_sources(code, &sources);
-        Ok(Self(translator.map_err(|problem| setting(&problem))?))
+        Ok(Self(translator.map_err(Refusal::fault)?))
+    }
+
+    /// The sentence of a diagnostic.
+    pub fn diagnostic(&self, diagnostic: &str) -> Result<String> {
+        Ok(self.0.diagnostic(&read(diagnostic)?))
     }
 }
 
@@ -171,8 +167,10 @@ impl JsAnalyst {
     }
 
     /// Analyses every drop of a request.
-    pub fn analyse(&mut self, request: &str) -> Result<String> {
-        json(&self.0.analyse(&read(request)?)?)
+    pub fn analyse(&mut self, request: &str, translator: &JsTranslator) -> Result<String> {
+        let request = read(request)?;
+        let analysis = self.0.analyse(&request, &translator.0)?;
+        json(&analysis.numbers())
     }
 
     /// A figure of the drop of this index as a chart, compared with a simulation if one is given.
@@ -208,8 +206,9 @@ impl JsAnalyst {
         step_s: f64,
         translator: &JsTranslator,
     ) -> Result<String> {
-        let envelope = envelope(extremes, step_s);
-        let chart = self.0.waveform(&read(request)?, &envelope, &translator.0)?;
+        let request = read(request)?;
+        let analysis = self.0.analyse(&request, &translator.0)?;
+        let chart = analysis.waveform(&envelope(extremes, step_s));
         json(&analyst::drawn("waveform", &chart))
     }
 
@@ -223,14 +222,15 @@ impl JsAnalyst {
         translator: &JsTranslator,
     ) -> Result<String> {
         let sound = (!extremes.is_empty()).then(|| envelope(extremes, step_s));
-        self.0
-            .report(&read(request)?, sound.as_ref(), made, &translator.0)
+        let request = read(request)?;
+        let analysis = self.0.analyse(&request, &translator.0)?;
+        Ok(analysis.report(sound, made))
     }
 
     /// The impacts as CSV.
-    pub fn rows(&mut self, request: &str) -> Result<String> {
-        let rows = self.0.rows(&read(request)?)?;
-        Ok(rows.iter().map(|row| csv_line(row)).collect())
+    pub fn csv(&mut self, request: &str, translator: &JsTranslator) -> Result<String> {
+        let request = read(request)?;
+        Ok(self.0.analyse(&request, &translator.0)?.csv())
     }
 }
 
@@ -238,14 +238,15 @@ impl JsAnalyst {
     fn find(
         &mut self,
         request: &str,
-        figure: (usize, &str),
+        (drop, name): (usize, &str),
         simulation: Option<String>,
         translator: &JsTranslator,
     ) -> Result<Chart> {
         let simulation: Option<SimulationRequest> =
             simulation.map(|simulation| read(&simulation)).transpose()?;
-        self.0
-            .chart(&read(request)?, figure, simulation.as_ref(), &translator.0)
+        let request = read(request)?;
+        let analysis = self.0.analyse(&request, &translator.0)?;
+        analysis.chart(drop, name, simulation.as_ref())
     }
 }
 
@@ -257,18 +258,6 @@ fn envelope(extremes: &[f32], step_s: f64) -> Envelope {
     Envelope::of_steps(step_s, least, greatest)
 }
 
-/// A row of a table, quoted where it must be.
-fn csv_line(cells: &[String]) -> String {
-    let quoted = cells.iter().map(|cell| {
-        if cell.contains([',', '"', '\n', '\r']) {
-            format!("\"{}\"", cell.replace('"', "\"\""))
-        } else {
-            cell.clone()
-        }
-    });
-    quoted.collect::<Vec<_>>().join(",") + "\n"
-}
-
 /// The onset nearest to a time.
 #[wasm_bindgen(js_name = onsetNear)]
 pub fn onset_near(
@@ -277,7 +266,12 @@ pub fn onset_near(
     start_s: f64,
     time_s: f64,
 ) -> Result<String> {
-    json(&sound::onset_near(samples, sample_rate_hz, start_s, time_s))
+    json(&detector::onset_near(
+        samples,
+        sample_rate_hz,
+        start_s,
+        time_s,
+    ))
 }
 
 /// A spectrogram as cells, column after column.
@@ -327,8 +321,8 @@ pub fn wav(left: &[f32], right: &[f32], sample_rate_hz: u32) -> Result<Vec<u8>> 
 
 /// Simulates a drop.
 #[wasm_bindgen]
-pub fn simulate(request: &str) -> Result<String> {
-    json(&simulator::simulate(&read(request)?)?)
+pub fn simulate(request: &str, translator: &JsTranslator) -> Result<String> {
+    json(&simulator::simulate(&read(request)?, &translator.0)?)
 }
 
 /// A made-up recording.
@@ -381,10 +375,11 @@ impl Rendering {
 
 /// The paper's numbers, `bouncelab.paper/1`.
 #[wasm_bindgen(js_name = paperDocument)]
-pub fn paper_document() -> Result<String> {
+pub fn paper_document(translator: &JsTranslator) -> Result<String> {
     json(&paper::Document::new(
         &paper::chapters()?,
         paper::explanations()?,
+        &translator.0,
     ))
 }
 

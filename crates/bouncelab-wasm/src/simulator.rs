@@ -14,11 +14,8 @@ use bouncelab_report::figure;
 use bouncelab_report::messages::Translator;
 use bouncelab_report::theme::Meaning;
 
-use crate::refusal::Result;
-use crate::settings::setting;
-use crate::wire::{
-    self, Demo, Effort, RestitutionLaw, SceneRequest, SimulationRequest, SimulationRun,
-};
+use crate::refusal::{Result, unknown};
+use crate::wire::{self, Demo, RestitutionLaw, SceneRequest, SimulationRequest, SimulationRun};
 
 /// The height of bounce at which a drop counts as over, in metres.
 const REST_M: f64 = 1e-3;
@@ -30,9 +27,9 @@ const POINTS: usize = 4000;
 /// # Errors
 ///
 /// If something in the request makes no sense.
-pub fn simulate(request: &SimulationRequest) -> Result<Document> {
-    let setup = request.settings.resolve(Effort::Quick)?;
-    let settings = &setup.settings;
+pub fn simulate(request: &SimulationRequest, translator: &Translator) -> Result<Document> {
+    let setup = request.settings.resolve(false)?;
+    let settings = &setup.options;
     let compared = request.compare.iter().flatten();
     let compared: Vec<DragLaw> = compared
         .map(|law| law.parse())
@@ -41,7 +38,9 @@ pub fn simulate(request: &SimulationRequest) -> Result<Document> {
     let runs = laws
         .map(|law| run(law, settings, request))
         .collect::<Result<Vec<Run>>>()?;
-    Ok(Document::new(&runs, settings, setup.assumptions.clone()))
+    let assumptions = setup.assumptions.iter();
+    let assumptions = assumptions.map(|assumed| translator.diagnostic(assumed));
+    Ok(Document::new(&runs, settings, assumptions.collect()))
 }
 
 /// Time and height of the drop of a request, moved so that its first impact is at a given time.
@@ -50,7 +49,7 @@ pub fn simulate(request: &SimulationRequest) -> Result<Document> {
 ///
 /// If something in the request makes no sense.
 pub fn moved_curve(request: &SimulationRequest, first_s: f64) -> Result<Vec<Point>> {
-    let history = history(&request.settings.resolve(Effort::Quick)?.settings, request)?;
+    let history = history(&request.settings.resolve(false)?.options, request)?;
     let first_bounce = history.bounces().first();
     let shift_s = first_s - first_bounce.map_or(0.0, |bounce| bounce.time_s);
     let points = figure::curve_of(&history, POINTS).into_iter();
@@ -66,7 +65,7 @@ pub fn moved_curve(request: &SimulationRequest, first_s: f64) -> Result<Vec<Poin
 /// If something in a request makes no sense.
 pub fn charts(runs: &[SimulationRun], translator: &Translator) -> Result<[Chart; 2]> {
     let histories = runs.iter().map(|run| {
-        let settings = run.request.settings.resolve(Effort::Quick)?.settings;
+        let settings = run.request.settings.resolve(false)?.options;
         let present = if settings.environment.drag == DragLaw::None {
             Meaning::Plain
         } else {
@@ -151,15 +150,10 @@ impl RestitutionLaw {
 ///
 /// If something in the request or the scene makes no sense.
 pub fn synthesise(request: &SimulationRequest, scene: &SceneRequest) -> Result<Rendered> {
-    let setup = request.settings.resolve(Effort::Quick)?;
-    let history = history(&setup.settings, request)?;
-    let voice = Voice::named(&scene.voice).ok_or_else(|| {
-        let known = Voice::NAMES.join(", ");
-        setting(&format!(
-            "no voice is called \"{}\"; known: {known}",
-            scene.voice
-        ))
-    })?;
+    let setup = request.settings.resolve(false)?;
+    let history = history(&setup.options, request)?;
+    let voice =
+        Voice::named(&scene.voice).ok_or_else(|| unknown("voice", &scene.voice, &Voice::NAMES))?;
     let strikes: Vec<Strike> = history.strikes().collect();
     let scene_of_it = Scene {
         sample_rate_hz: scene.sample_rate_hz,

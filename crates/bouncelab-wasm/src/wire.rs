@@ -7,7 +7,12 @@ use serde::{Deserialize, Serialize};
 #[cfg(not(target_family = "wasm"))]
 use ts_rs::TS;
 
-use bouncelab_report::document::{Document, Origin};
+use bouncelab::air::Conditions;
+use bouncelab::analysis::{Drop, DropCandidate, Source, renumbered};
+use bouncelab::inference::ApexTarget;
+use bouncelab::setup::Inferred;
+use bouncelab::{Diagnostic, Impact};
+use bouncelab_report::document::Document;
 use bouncelab_report::figure::DropSummary;
 
 /// The choices that a page can offer.
@@ -29,7 +34,7 @@ pub struct Catalogue {
     /// Where one may drop a ball.
     pub worlds: Vec<World>,
     /// The air that is assumed.
-    pub usual_air: MoistAir,
+    pub usual_air: Conditions,
     /// Standard gravity.
     pub standard_gravity_m_s2: f64,
     /// An impact below this probability counts as uncertain.
@@ -78,18 +83,6 @@ pub struct World {
     pub air_viscosity_pa_s: Option<f64>,
 }
 
-/// Air by temperature, pressure and humidity.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(not(target_family = "wasm"), derive(TS))]
-pub struct MoistAir {
-    /// Temperature.
-    pub temperature_k: f64,
-    /// Pressure.
-    pub pressure_pa: f64,
-    /// Relative humidity, 0 to 1.
-    pub relative_humidity: f64,
-}
-
 /// What a person says of ball, air, gravity and drop; what is left out is assumed.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(not(target_family = "wasm"), derive(TS))]
@@ -134,7 +127,7 @@ pub struct Settings {
     pub release_s: Option<f64>,
     /// Its standard uncertainty; 5 ms if left out.
     pub release_sd_s: Option<f64>,
-    /// Whether the first impact heard is the first there was.
+    /// Whether the first impact detected is the first there was.
     pub first_heard: Option<bool>,
     /// Families of restitution laws to consider; all that the impacts can tell apart if left out.
     pub restitution_laws: Option<Vec<String>>,
@@ -145,89 +138,23 @@ pub struct Settings {
     /// Impact speed at which to state the restitution.
     pub at_speed_m_s: Option<f64>,
     /// From which height does a bounce reach an apex?
-    pub reach: Option<Vec<Reach>>,
+    pub reach: Option<Vec<ApexTarget>>,
 }
 
-/// What may be left to the data.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[cfg_attr(not(target_family = "wasm"), derive(TS))]
-#[serde(rename_all = "kebab-case")]
-pub enum Inferred {
-    /// The acceleration of gravity.
-    Gravity,
-    /// The drag coefficient.
-    Drag,
-    /// The contact time.
-    ContactTime,
-}
-
-/// A bounce and the apex that it is to reach.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(not(target_family = "wasm"), derive(TS))]
-pub struct Reach {
-    /// Number of the bounce, 1 for the first.
-    pub bounce: u32,
-    /// Apex of the flight after it.
-    pub apex_m: f64,
-}
-
-/// What was heard in a recording, or read from a list of times.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-#[cfg_attr(not(target_family = "wasm"), derive(TS))]
-pub struct Heard {
-    /// Name, as it goes into the document.
-    pub name: String,
-    /// Where the times come from.
-    pub source: Origin,
-    /// The drops, in order of time.
-    pub drops: Vec<HeardDrop>,
-    /// Why there is none.
-    pub no_drop: Option<String>,
-    /// What is odd about the recording.
-    pub warnings: Vec<String>,
-}
-
-/// The impacts of one drop.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-#[cfg_attr(not(target_family = "wasm"), derive(TS))]
-pub struct HeardDrop {
-    /// How sure it is that this is a drop.
-    pub probability: f64,
-    /// Its impacts, in order of time.
-    pub impacts: Vec<Mark>,
-}
-
-/// An impact as heard, or as set by hand.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(not(target_family = "wasm"), derive(TS))]
-pub struct Mark {
-    /// Number, 1 for the first impact known; a missed one leaves a gap.
-    pub number: u32,
-    /// Time.
-    pub time_s: f64,
-    /// Standard error of the time; `null` if set by hand.
-    pub sigma_s: Option<f64>,
-    /// Probability that it is an impact of this drop; 1 if set by hand.
-    pub probability: f64,
-    /// Level relative to full scale; `null` if it was not heard.
-    pub level_db: Option<f64>,
-}
-
-/// What has been heard so far in a recording that is still going on.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+/// What was detected so far in a recording that is still going on.
+#[derive(Clone, Debug, Default, Serialize)]
 #[cfg_attr(not(target_family = "wasm"), derive(TS))]
 pub struct SoFar {
     /// How long it has been recording.
     pub duration_s: f64,
-    /// The drop that goes on or was the last to end; `null` if there is none yet.
-    pub drop: Option<HeardDrop>,
-    /// How many drops have been heard.
-    pub drops: u32,
-    /// Best restitution so far, by the straight line.
-    pub restitution: Option<f64>,
+    /// The drop that goes on or was the last to end, without the inference; `null` if there is none
+    /// yet.
+    pub drop: Option<Drop>,
+    /// How many drops were detected.
+    pub drops: usize,
     /// When the ball will rest, or did, judging by the last impacts.
     pub rests_at_s: Option<f64>,
-    /// Whether the ball rests: nothing more will be heard of this drop.
+    /// Whether the ball rests: no more impacts of this drop will come.
     pub at_rest: bool,
 }
 
@@ -236,54 +163,59 @@ pub struct SoFar {
 #[cfg_attr(not(target_family = "wasm"), derive(TS))]
 pub struct DropMarks {
     /// Its impacts, in order of time.
-    pub impacts: Vec<Mark>,
-    /// Whether a hand has changed them: then they are numbered anew.
+    pub impacts: Vec<Impact>,
+    /// Probability that it is a drop.
+    pub probability: f64,
+    /// Whether the reader has changed the impacts: then they are numbered anew.
     pub edited: bool,
+}
+
+impl DropMarks {
+    pub(crate) fn candidate(&self) -> DropCandidate {
+        let impacts = self.impacts.clone();
+        DropCandidate {
+            impacts: if self.edited {
+                renumbered(impacts)
+            } else {
+                impacts
+            },
+            probability: self.probability,
+        }
+    }
 }
 
 /// What to analyse.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(not(target_family = "wasm"), derive(TS))]
 pub struct AnalysisRequest {
-    /// Name of the recording, as in [`Heard`].
+    /// Name of the recording, as it goes into the document.
     pub name: String,
     /// Where its times come from.
-    pub source: Origin,
+    pub source: Source,
     /// What is odd about it.
-    pub warnings: Vec<String>,
+    pub diagnostics: Vec<Diagnostic>,
     /// Why there was no drop in it.
-    pub no_drop: Option<String>,
+    pub no_drop: Option<Diagnostic>,
     /// The drops.
     pub drops: Vec<DropMarks>,
     /// Ball, air, gravity and what else is known.
     pub settings: Settings,
-    /// How far to go.
-    pub effort: Effort,
-}
-
-/// How far to go.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[cfg_attr(not(target_family = "wasm"), derive(TS))]
-#[serde(rename_all = "kebab-case")]
-pub enum Effort {
-    /// Straight line and drag-corrected restitution of each impact: some milliseconds.
-    Quick,
-    /// With the inference.
-    Full,
+    /// With the inference, or only what takes some milliseconds.
+    pub inference: bool,
 }
 
 /// What the impacts say.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, Serialize)]
 #[cfg_attr(not(target_family = "wasm"), derive(TS))]
-pub struct Analysed {
-    /// The command line's document, `bouncelab.analysis/1`.
-    pub document: Document,
-    /// How far it went.
-    pub effort: Effort,
+pub struct Analysed<'a> {
+    /// The document of the program, `bouncelab.analysis/2`.
+    pub document: Document<'a>,
     /// The ball in words.
-    pub ball: String,
+    pub ball: &'a str,
+    /// Settings that look like mistakes of units.
+    pub questions: Vec<Diagnostic>,
     /// Names of the figures that there are of each drop.
-    pub figures: Vec<Vec<String>>,
+    pub figures: Vec<Vec<&'static str>>,
 }
 
 /// A figure as a picture.
@@ -432,18 +364,6 @@ impl Default for SceneRequest {
             tail_s: 0.5,
         }
     }
-}
-
-/// An onset near a time.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-#[cfg_attr(not(target_family = "wasm"), derive(TS))]
-pub struct OnsetFound {
-    /// Time.
-    pub time_s: f64,
-    /// Its standard error.
-    pub sigma_s: f64,
-    /// Level relative to full scale.
-    pub level_db: f64,
 }
 
 /// A made-up drop to try things with.

@@ -9,6 +9,7 @@ use std::collections::{BTreeMap, HashSet};
 use std::fs;
 use std::path::Path;
 
+use bouncelab::Recording;
 use bouncelab_report::Chart;
 use bouncelab_report::document::simulation;
 use bouncelab_report::paper;
@@ -19,7 +20,7 @@ use ts_rs::{Config, TS, TypeVisitor};
 
 const HEAD: &str = "\
 // The types that the laboratory's engine takes and gives, made from those in
-// crates/bouncelab-wasm/src (wire.rs, refusal.rs) by `cargo xtask web`. Do not edit.
+// Rust (crates/bouncelab and bouncelab-wasm) by `cargo xtask web`. Do not edit.
 ";
 
 /// Declares types and all that they are made of.
@@ -62,12 +63,11 @@ fn declarations() -> String {
     };
     all.declare::<Refusal>();
     all.declare::<wire::Catalogue>();
-    all.declare::<wire::Heard>();
+    all.declare::<Recording>();
     all.declare::<wire::SoFar>();
     all.declare::<wire::Demo>();
-    all.declare::<wire::OnsetFound>();
     all.declare::<wire::AnalysisRequest>();
-    all.declare::<wire::Analysed>();
+    all.declare::<wire::Analysed<'static>>();
     all.declare::<wire::Drawn>();
     all.declare::<wire::SimulationRequest>();
     all.declare::<wire::SceneRequest>();

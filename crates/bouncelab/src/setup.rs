@@ -352,6 +352,9 @@ pub struct DropInput {
 
 /// An input that may be left to the data, as if nothing were known of it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 pub enum Inferred {
     /// The acceleration of gravity.
     Gravity,

@@ -32,6 +32,20 @@ pub struct Recording {
     pub envelope: Option<Envelope>,
 }
 
+impl Recording {
+    /// A recording of which nothing but its source is known.
+    pub(super) const fn of(source: Source) -> Self {
+        Self {
+            source,
+            strongest_band: None,
+            drops: Vec::new(),
+            no_drop: None,
+            diagnostics: Vec::new(),
+            envelope: None,
+        }
+    }
+}
+
 /// Where impact times come from.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
