@@ -1,7 +1,7 @@
 /** Draws the layers of a panel over the axes of uPlot. */
 import type uPlot from 'uplot';
 import type { Dashes, Layer, Marker, Panel } from '../lab/index.ts';
-import { colourOf, fontOf, tinted } from '../style/colours.ts';
+import { colour, fontOf, tinted } from '../style/colours.ts';
 
 type Context = CanvasRenderingContext2D;
 type Value = number | null;
@@ -127,7 +127,7 @@ function drawPoint({ ctx, bbox }: uPlot, x: number, y: number, marker: Marker): 
   else ctx.arc(x, y, r, 0, 2 * Math.PI);
   if (marker === 'ring' || marker === 'open-triangle') {
     const ink = ctx.fillStyle;
-    ctx.fillStyle = colourOf('paper');
+    ctx.fillStyle = colour('paper');
     ctx.fill();
     ctx.fillStyle = ink;
     ctx.lineWidth = 1.5 * devicePixelRatio;
@@ -150,7 +150,7 @@ function write(plot: uPlot, words: string, x: number, foot: number, right: boole
   ctx.textAlign = 'left';
   ctx.textBaseline = 'alphabetic';
   // A rim of paper keeps words legible over lines.
-  ctx.strokeStyle = colourOf('paper');
+  ctx.strokeStyle = colour('paper');
   ctx.lineWidth = 4 * devicePixelRatio;
   ctx.lineJoin = 'round';
   const { width } = ctx.measureText(words);
