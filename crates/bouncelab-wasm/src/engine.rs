@@ -23,7 +23,7 @@ use crate::pyramid::Level;
 use crate::refusal::{Refusal, Result};
 use crate::simulator;
 use crate::spectrogram::{self, FLOOR_DB};
-use crate::wire::{KeptDrop, SimulationRequest};
+use crate::wire::{ComparedDrop, SimulationRequest};
 
 fn json<T: Serialize>(value: &T) -> Result<String> {
     Ok(serde_json::to_string(value)?)
@@ -393,7 +393,7 @@ pub fn simulation_charts(runs: &str, translator: &JsTranslator) -> Result<String
 /// Charts that compare drops: the restitution of each, and that of their impacts against speed.
 #[wasm_bindgen(js_name = dropCharts)]
 pub fn drop_charts(drops: &str, translator: &JsTranslator) -> Result<String> {
-    let drops: Vec<KeptDrop> = read(drops)?;
+    let drops: Vec<ComparedDrop> = read(drops)?;
     let drops: Vec<DropSummary> = drops.into_iter().map(DropSummary::from).collect();
     let translator = &translator.0;
     json(&[

@@ -311,7 +311,7 @@ pub struct SimulationRun {
 /// A drop that was kept, to be compared with others.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(not(target_family = "wasm"), derive(TS))]
-pub struct KeptDrop {
+pub struct ComparedDrop {
     /// Its name in the legend.
     pub name: String,
     /// Its restitution, if it is known.
@@ -322,8 +322,8 @@ pub struct KeptDrop {
     pub impacts: Vec<[f64; 2]>,
 }
 
-impl From<KeptDrop> for DropSummary {
-    fn from(kept: KeptDrop) -> Self {
+impl From<ComparedDrop> for DropSummary {
+    fn from(kept: ComparedDrop) -> Self {
         let sd = kept.restitution_sd.unwrap_or(f64::NAN);
         Self {
             name: kept.name,

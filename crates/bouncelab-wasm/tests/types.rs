@@ -72,7 +72,7 @@ fn declarations() -> String {
     all.declare::<wire::SimulationRequest>();
     all.declare::<wire::SceneRequest>();
     all.declare::<wire::SimulationRun>();
-    all.declare::<wire::KeptDrop>();
+    all.declare::<wire::ComparedDrop>();
     all.declare::<simulation::Document>();
     all.declare::<Chart>();
     all.declare::<PuzzleChoice>();

@@ -1,22 +1,25 @@
-import { ENGLISH } from '../format/tongue.ts';
 import { Connection, type Modules, type Port } from './connection.ts';
 import { LabError } from './error.ts';
 import { listOf } from './pasted.ts';
-import type { Level, Spectrogram } from './protocol.ts';
+import { ENGLISH, type FigureRequest, type Level, type Spectrogram } from './protocol.ts';
 import { Recording } from './recording.ts';
 import type {
   Analysed,
   AnalysisRequest,
   Catalogue,
+  Chart,
+  ComparedDrop,
   Demo,
   Drawn,
   DropMarks,
-  HeightCurve,
   PaperDocument,
+  PuzzleAnswer,
+  PuzzleChoice,
   SceneRequest,
   Settings,
-  Simulated,
+  SimulationDocument,
   SimulationRequest,
+  SimulationRun,
   SoFar,
 } from './types.ts';
 
@@ -172,30 +175,31 @@ export class Lab {
   }
 
   /**
-   * Draws a figure of an analysis, as the program does, by a name from `Analysed.figures`; over that of
-   * the height lies a curve, if one is given.
+   * A figure of a drop as a chart, by a name from `Analysed.figures`. The worker that made the analysis
+   * remembers it.
    */
-  figure(
-    request: AnalysisRequest,
-    name: string,
-    language = ENGLISH,
-    over: HeightCurve | null = null,
-  ): Promise<Drawn> {
-    return this.#back.call('figure', { request, name, over, language });
+  chart(asked: FigureRequest): Promise<Chart> {
+    const worker = asked.request.effort === 'quick' ? this.#front : this.#back;
+    return worker.call('chart', asked);
+  }
+
+  /** The same as a picture, as the program draws it. */
+  figure(asked: FigureRequest): Promise<Drawn> {
+    return this.#back.call('figure', asked);
   }
 
   /** Draws the waveform with its impacts, as the program does. */
   async waveform(
     recording: Recording,
     request: AnalysisRequest,
-    language = ENGLISH,
+    messages = ENGLISH,
   ): Promise<Drawn> {
     const level = pictured(recording);
     if (level === null || recording.sound === null) {
       throw new LabError('empty', 'a list of times has no waveform');
     }
     const { sampleRateHz } = recording.sound;
-    return this.#back.call('waveform', { request, level, sampleRateHz, language });
+    return this.#back.call('waveform', { request, level, sampleRateHz, messages });
   }
 
   /** The report of an analysis as one HTML file, as the program writes it but for the language. */
@@ -203,14 +207,14 @@ export class Lab {
     recording: Recording,
     request: AnalysisRequest,
     made: Date,
-    language = ENGLISH,
+    messages = ENGLISH,
   ): Promise<string> {
     return this.#back.call('report', {
       request,
       level: pictured(recording),
       sampleRateHz: recording.sound?.sampleRateHz ?? 1,
       made: made.toISOString().slice(0, 10),
-      language,
+      messages,
     });
   }
 
@@ -220,8 +224,18 @@ export class Lab {
   }
 
   /** Simulates a drop under one or more drag laws. */
-  simulate(request: SimulationRequest): Promise<Simulated> {
+  simulate(request: SimulationRequest): Promise<SimulationDocument> {
     return this.#front.call('simulate', { request });
+  }
+
+  /** Height against time and flight times of simulated drops, the last of which is the present one. */
+  simulationCharts(runs: SimulationRun[], messages = ENGLISH): Promise<Chart[]> {
+    return this.#front.call('simulationCharts', { runs, messages });
+  }
+
+  /** The restitution of each of several drops, and that of their impacts. */
+  dropCharts(drops: ComparedDrop[], messages = ENGLISH): Promise<Chart[]> {
+    return this.#front.call('dropCharts', { drops, messages });
   }
 
   /** What a simulated drop sounds like. */
@@ -232,9 +246,24 @@ export class Lab {
     return this.#front.call('synthesise', { request, scene });
   }
 
-  /** The paper's numbers and figures, computed again. */
-  paper(): Promise<{ document: PaperDocument; figures: Drawn[] }> {
+  /** The paper's numbers, computed again. */
+  paper(): Promise<PaperDocument> {
     return this.#back.call('paper', {});
+  }
+
+  /** The charts of the lesson about the paper. */
+  lessonCharts(messages = ENGLISH): Promise<Chart[]> {
+    return this.#front.call('lessonCharts', { messages });
+  }
+
+  /** What the paper's straight line makes of a choice. */
+  puzzleAnswer(choice: PuzzleChoice, messages = ENGLISH): Promise<PuzzleAnswer> {
+    return this.#front.call('puzzleAnswer', { choice, messages });
+  }
+
+  /** The choice with the restitution with which the line says what the paper's says. */
+  puzzleSolution(choice: PuzzleChoice): Promise<PuzzleChoice> {
+    return this.#front.call('puzzleSolution', { choice });
   }
 
   /** Ends all workers. */

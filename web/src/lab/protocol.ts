@@ -1,20 +1,41 @@
-import type { Phrasebook } from '../format/tongue.ts';
 import type { LabRefusal } from './error.ts';
 import type {
   Analysed,
   AnalysisRequest,
   Catalogue,
+  Chart,
+  ComparedDrop,
   Demo,
   Drawn,
   Heard,
-  HeightCurve,
   OnsetFound,
   PaperDocument,
+  PuzzleAnswer,
+  PuzzleChoice,
   SceneRequest,
-  Simulated,
+  SimulationDocument,
   SimulationRequest,
+  SimulationRun,
   SoFar,
 } from './types.ts';
+
+/** The messages of a language: its code, and its files as they are. English is part of the engine. */
+export interface Messages {
+  readonly code: string;
+  readonly sources: readonly string[];
+}
+
+export const ENGLISH: Messages = { code: 'en', sources: [] };
+
+/** A figure of a drop: its index and the name of the figure. */
+export interface FigureRequest {
+  readonly request: AnalysisRequest;
+  readonly drop: number;
+  readonly name: string;
+  /** What the drop is compared with. */
+  readonly simulation: SimulationRequest | null;
+  readonly messages: Messages;
+}
 
 /** Least and greatest sample of bins of equal length, fine to coarse. */
 export interface Level {
@@ -66,21 +87,14 @@ export interface Calls {
   };
   deafen: { take: { ear: number }; give: null };
   analyse: { take: { request: AnalysisRequest }; give: Analysed };
-  figure: {
-    take: {
-      request: AnalysisRequest;
-      name: string;
-      over: HeightCurve | null;
-      language: Phrasebook;
-    };
-    give: Drawn;
-  };
+  chart: { take: FigureRequest; give: Chart };
+  figure: { take: FigureRequest; give: Drawn };
   waveform: {
     take: {
       request: AnalysisRequest;
       level: Level;
       sampleRateHz: number;
-      language: Phrasebook;
+      messages: Messages;
     };
     give: Drawn;
   };
@@ -90,7 +104,7 @@ export interface Calls {
       level: Level | null;
       sampleRateHz: number;
       made: string;
-      language: Phrasebook;
+      messages: Messages;
     };
     give: string;
   };
@@ -104,12 +118,17 @@ export interface Calls {
     give: Spectrogram;
   };
   wav: { take: { channels: Float32Array[]; sampleRateHz: number }; give: Uint8Array<ArrayBuffer> };
-  simulate: { take: { request: SimulationRequest }; give: Simulated };
+  simulate: { take: { request: SimulationRequest }; give: SimulationDocument };
   synthesise: {
     take: { request: SimulationRequest; scene: SceneRequest };
     give: { samples: Float32Array; sampleRateHz: number };
   };
-  paper: { take: Record<never, never>; give: { document: PaperDocument; figures: Drawn[] } };
+  simulationCharts: { take: { runs: SimulationRun[]; messages: Messages }; give: Chart[] };
+  dropCharts: { take: { drops: ComparedDrop[]; messages: Messages }; give: Chart[] };
+  lessonCharts: { take: { messages: Messages }; give: Chart[] };
+  puzzleAnswer: { take: { choice: PuzzleChoice; messages: Messages }; give: PuzzleAnswer };
+  puzzleSolution: { take: { choice: PuzzleChoice }; give: PuzzleChoice };
+  paper: { take: Record<never, never>; give: PaperDocument };
 }
 
 export type Call = keyof Calls;

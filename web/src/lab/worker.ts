@@ -5,12 +5,21 @@
  * decoder), it must not be used again: the answer says so, and the page starts another worker.
  */
 
-import { Tongue } from '../format/tongue.ts';
 import * as decoding from './engine/decoders.js';
 import * as science from './engine/engine.js';
 import type { LabReason, LabRefusal } from './error.ts';
-import type { Call, FromWorker, Give, Level, Sound, Take, ToWorker } from './protocol.ts';
-import type { Demo, Drawn, Heard, PaperDocument } from './types.ts';
+import type {
+  Call,
+  FigureRequest,
+  FromWorker,
+  Give,
+  Level,
+  Messages,
+  Sound,
+  Take,
+  ToWorker,
+} from './protocol.ts';
+import type { Demo, Heard } from './types.ts';
 
 /** Samples that do not fit into this memory cannot be kept, in bytes. */
 const MOST_SAMPLE_BYTES = 480e6;
@@ -114,26 +123,19 @@ const handlers: Handlers = {
   },
 
   analyse: ({ request }) => ({ give: JSON.parse(analyst().analyse(JSON.stringify(request))) }),
-  figure: ({ request, name, over, language }) => {
-    const laid = over && JSON.stringify(over);
-    const drawn = analyst().figure(JSON.stringify(request), name, laid, new Tongue(language));
-    return { give: JSON.parse(drawn) };
-  },
-  waveform: ({ request, level, sampleRateHz, language }) => {
+  chart: (asked) => ({ give: JSON.parse(figure(asked, (...of) => analyst().chart(...of))) }),
+  figure: (asked) => ({ give: JSON.parse(figure(asked, (...of) => analyst().figure(...of))) }),
+  waveform: ({ request, level, sampleRateHz, messages }) => {
     const stepS = level.samplesPerBin / sampleRateHz;
-    const drawn = analyst().waveform(
-      JSON.stringify(request),
-      level.extremes,
-      stepS,
-      new Tongue(language),
-    );
+    const asked = JSON.stringify(request);
+    const drawn = analyst().waveform(asked, level.extremes, stepS, translator(messages));
     return { give: JSON.parse(drawn) };
   },
-  report: ({ request, level, sampleRateHz, made, language }) => {
+  report: ({ request, level, sampleRateHz, made, messages }) => {
     const stepS = (level?.samplesPerBin ?? 1) / sampleRateHz;
     const extremes = level?.extremes ?? new Float32Array();
-    const tongue = new Tongue(language);
-    return { give: analyst().report(JSON.stringify(request), extremes, stepS, made, tongue) };
+    const words = translator(messages);
+    return { give: analyst().report(JSON.stringify(request), extremes, stepS, made, words) };
   },
   rows: ({ request }) => ({ give: analyst().rows(JSON.stringify(request)) }),
 
@@ -163,12 +165,48 @@ const handlers: Handlers = {
       transfer: buffers([samples]),
     };
   },
-  paper: () => {
-    const document: PaperDocument = JSON.parse(science.paperDocument());
-    const figures: Drawn[] = JSON.parse(science.paperFigures());
-    return { give: { document, figures } };
-  },
+  simulationCharts: ({ runs, messages }) => ({
+    give: JSON.parse(science.simulationCharts(JSON.stringify(runs), translator(messages))),
+  }),
+  dropCharts: ({ drops, messages }) => ({
+    give: JSON.parse(science.dropCharts(JSON.stringify(drops), translator(messages))),
+  }),
+  lessonCharts: ({ messages }) => ({
+    give: JSON.parse(science.lessonCharts(translator(messages))),
+  }),
+  puzzleAnswer: ({ choice, messages }) => ({
+    give: JSON.parse(science.puzzleAnswer(JSON.stringify(choice), translator(messages))),
+  }),
+  puzzleSolution: ({ choice }) => ({
+    give: JSON.parse(science.puzzleSolution(JSON.stringify(choice))),
+  }),
+  paper: () => ({ give: JSON.parse(science.paperDocument()) }),
 };
+
+/** Languages that were asked for, by their codes. */
+const translators = new Map<string, science.Translator>();
+
+function translator({ code, sources }: Messages): science.Translator {
+  const known = translators.get(code);
+  if (known) return known;
+  const made = new science.Translator(code, [...sources]);
+  translators.set(code, made);
+  return made;
+}
+
+function figure(
+  { request, drop, name, simulation, messages }: FigureRequest,
+  ask: (
+    request: string,
+    drop: number,
+    name: string,
+    simulation: string | undefined,
+    translator: science.Translator,
+  ) => string,
+): string {
+  const compared = simulation ? JSON.stringify(simulation) : undefined;
+  return ask(JSON.stringify(request), drop, name, compared, translator(messages));
+}
 
 /** Samples that come bit by bit, for a length that is known more or less. */
 class Samples {

@@ -56,7 +56,6 @@ export const cursorS = signal<number | null>(null);
 
 /** The chosen drop, as analysed. */
 export const drop = computed(() => analysed.value?.document.drops[chosenDrop.value]);
-export const series = computed(() => analysed.value?.series[chosenDrop.value]);
 export const edited = computed(() => present.value !== undefined && isEdited(present.value));
 
 /** Puts something on the bench; what lay there is gone from the page, not from the database. */

@@ -7,7 +7,7 @@ import {
   simulationToParameters,
   USUAL,
 } from '../address/simulation.ts';
-import type { HeightCurve, SceneRequest, Simulated, SimulationRequest } from '../lab/index.ts';
+import type { SceneRequest, SimulationDocument, SimulationRequest } from '../lab/index.ts';
 import { play } from '../sound/player.ts';
 import { texts } from '../text/language.ts';
 import { chosenDrop, drop, type OnBench, onBench } from './bench.ts';
@@ -19,7 +19,7 @@ import { goToLab, settings } from './settings.ts';
 /** Where the sliders stood, and what follows. */
 export interface Outcome {
   readonly setup: SimulationSetup;
-  readonly simulated: Simulated;
+  readonly simulated: SimulationDocument;
 }
 
 /** A run that was kept to be compared. */
@@ -41,24 +41,24 @@ export const simulating = computed(
 export const runs = signal<readonly Run[]>([]);
 const MOST_RUNS = 3;
 
-/** A run, moved so that its first impact coincides with that of a measured drop. */
+/** A run that a measured drop is compared with. */
 interface Laid {
   readonly over: OnBench;
   readonly dropIndex: number;
-  readonly curve: HeightCurve;
+  readonly request: SimulationRequest;
 }
 
 const laid = signal<Laid | null>(null);
 /** The run laid over the measurement that is looked at; over another it would tell nothing. */
 export const overlay = computed(() => {
   const isHere = laid.value?.over === onBench.value && laid.value?.dropIndex === chosenDrop.value;
-  return isHere ? (laid.value?.curve ?? null) : null;
+  return isHere ? (laid.value?.request ?? null) : null;
 });
 
 /** The restitution of the slider is that at 1 m/s. */
 const AT_SPEED_M_S = 1;
 
-function requestOf(asked: SimulationSetup): SimulationRequest {
+export function requestOf(asked: SimulationSetup): SimulationRequest {
   const { heightM, restitution, slope, ball, drag, world, air } = asked;
   const where = catalogue.peek()?.worlds.find(({ name }) => name === world);
   const density = (where?.air_density_kg_m3 ?? 0) * air;
@@ -143,17 +143,10 @@ export async function analyseRun(): Promise<void> {
 
 /** Lays the run over the measurement on the bench. */
 export function layOver(): void {
-  const done = outcome.peek()?.simulated;
-  const curve = done?.curves[0];
-  const first = done?.document.simulations[0]?.bounces[0]?.time_s;
-  const heard = drop.peek()?.impacts[0]?.time_s;
+  const done = outcome.peek();
   const over = onBench.peek();
-  if (!over || !curve || first === undefined || heard === undefined) return;
-  laid.value = {
-    over,
-    dropIndex: chosenDrop.peek(),
-    curve: { ...curve, time_s: curve.time_s.map((time) => time - first + heard) },
-  };
+  if (!over || !done || !drop.peek()) return;
+  laid.value = { over, dropIndex: chosenDrop.peek(), request: requestOf(done.setup) };
 }
 
 /** Takes it off again. */

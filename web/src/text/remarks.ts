@@ -3,8 +3,7 @@ import { computed } from '@preact/signals';
 import { capital, type Phrasebook, Tongue } from '../format/tongue.ts';
 import { language, texts } from './language.ts';
 
-/** For what the engine writes: reports and figures. */
-export const phrasebook = computed<Phrasebook>(() => ({
+const phrasebook = computed<Phrasebook>(() => ({
   code: language.value,
   phrases: texts.value.engine,
 }));

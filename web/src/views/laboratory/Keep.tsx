@@ -9,8 +9,7 @@ import { analysed, chosenDrop, drop, edits, onBench } from '../../state/bench.ts
 import { engine } from '../../state/engine.ts';
 import { keepDrop } from '../../state/keeping.ts';
 import { settings } from '../../state/settings.ts';
-import { texts } from '../../text/language.ts';
-import { phrasebook } from '../../text/remarks.ts';
+import { messages, texts } from '../../text/language.ts';
 import { SaveSound } from './SaveSound.tsx';
 
 /** Keep the drop here, save its numbers, share the set-up, print a report. */
@@ -52,7 +51,7 @@ async function saveCsv(stem: string): Promise<void> {
 async function saveReport(stem: string): Promise<void> {
   const [asked, bench] = [request(), onBench.peek()];
   if (!asked || !bench) return;
-  const html = await engine().report(bench.recording, asked, new Date(), phrasebook.peek());
+  const html = await engine().report(bench.recording, asked, new Date(), messages.peek());
   saveText(html, 'text/html', `${stem}.html`);
 }
 

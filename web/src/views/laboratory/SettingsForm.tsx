@@ -1,10 +1,9 @@
 import { Choice } from '../../app/Choice.tsx';
 import { NumberField } from '../../app/NumberField.tsx';
-import { lawName } from '../../figures/drag.ts';
 import { catalogue } from '../../state/engine.ts';
 import { change, forgetSettings, settings } from '../../state/settings.ts';
 import { texts } from '../../text/language.ts';
-import { ballName, nameIn } from '../../text/names.ts';
+import { ballName, lawName, nameIn } from '../../text/names.ts';
 
 const OWN = 'own';
 const ABSOLUTE_ZERO_C = -273.15;
@@ -100,7 +99,7 @@ function Air() {
         label={words.dragLaw}
         value={drag ?? catalogue.value?.usual_drag_law ?? ''}
         options={[
-          ...laws.map(({ name }) => [name, lawName(name, texts.value)] as const),
+          ...laws.map(({ name }) => [name, lawName(name)] as const),
           ['constant:0.4', words.dragConstant],
           ['none', words.dragNone],
         ]}

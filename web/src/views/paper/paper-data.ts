@@ -14,7 +14,7 @@ export function Facts({ children }: { readonly children: (document: PaperDocumen
       .paper()
       .then(
         (paper) => {
-          document.value = paper.document;
+          document.value = paper;
         },
         // The engine's own notice is on the page already.
         () => undefined,
