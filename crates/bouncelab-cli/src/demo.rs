@@ -3,9 +3,8 @@
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
+use bouncelab::Estimate;
 use bouncelab::drop::History;
-use bouncelab::inference::Summary;
-use bouncelab::regression::{Estimate, Regression};
 use bouncelab::synth::Rendered;
 use bouncelab::{ball, demo};
 use bouncelab_audio::{SampleFormat, encode_wav};
@@ -13,7 +12,7 @@ use bouncelab_report::file::write_whole;
 use bouncelab_report::{Align, CANNOT_TELL, Quantity, Table, Unit};
 use clap::Args;
 
-use crate::analyze::{Hearing, Heeded, Stems, hear, save_figures};
+use crate::analyze::{Analysed, Stems, read, save_figures};
 use crate::failure::Failure;
 use crate::physics::Physics;
 
@@ -39,16 +38,21 @@ Examples:
 
 pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let physics = Physics {
-        settings: demo::settings()?,
+        options: demo::settings()?,
         ball_label: ball::preset(demo::BALL)?.label.to_owned(),
         assumptions: Vec::new(),
     };
     let history = demo::history()?;
     let sound = demo::sound(&history, arguments.seed)?;
     let recording = write_recording(&sound, &arguments.output)?;
-    let hearing = hear(&recording, &Heeded::default(), &physics.settings)?;
-    print(&hearing, &history, &sound, &recording)?;
-    save_figures(&hearing, &physics, &arguments.output, &mut Stems::default())
+    let analysed = read(&recording, &physics.options, false)?;
+    print(&analysed, &history, &sound, &recording)?;
+    save_figures(
+        &analysed,
+        &physics,
+        &arguments.output,
+        &mut Stems::default(),
+    )
 }
 
 fn write_recording(sound: &Rendered, folder: &Path) -> Result<PathBuf, Failure> {
@@ -67,7 +71,7 @@ fn write_recording(sound: &Rendered, folder: &Path) -> Result<PathBuf, Failure> 
 }
 
 fn print(
-    hearing: &Hearing,
+    analysed: &Analysed,
     history: &History,
     sound: &Rendered,
     recording: &Path,
@@ -79,7 +83,7 @@ fn print(
         recording.display()
     )?;
     writeln!(out)?;
-    writeln!(out, "{}", comparison(hearing, history, sound))?;
+    writeln!(out, "{}", comparison(analysed, history, sound))?;
     writeln!(
         out,
         "The straight line takes the drag for lost bounciness and falls short in height;"
@@ -92,13 +96,13 @@ fn print(
 }
 
 /// Truth and result side by side.
-fn comparison(hearing: &Hearing, history: &History, sound: &Rendered) -> Table {
+fn comparison(analysed: &Analysed, history: &History, sound: &Rendered) -> Table {
     let mut table = Table::new([
         ("", Align::Left),
         ("truth", Align::Right),
         ("heard", Align::Right),
     ]);
-    let Some(drop) = hearing.drops.first() else {
+    let Some(drop) = analysed.result.drops.first() else {
         table.row(["drop", "1", CANNOT_TELL]);
         return table;
     };
@@ -111,22 +115,22 @@ fn comparison(hearing: &Hearing, history: &History, sound: &Rendered) -> Table {
     table.row([
         "largest error of a flight time".to_owned(),
         "0 \u{b5}s".to_owned(),
-        largest_error(hearing, sound),
+        largest_error(analysed, sound),
     ]);
     let estimate = |found: Option<Estimate>, unit: Unit| {
         found.map_or_else(
             || CANNOT_TELL.to_owned(),
-            |e| Quantity::measured(e.value, e.standard_error.unwrap_or(0.0), unit).to_string(),
+            |e| Quantity::measured(e.value, e.known_sd().unwrap_or(0.0), unit).to_string(),
         )
     };
-    let line = drop.line.as_ref().ok();
+    let line = drop.log_linear_fit.as_ref().ok();
     table.row([
         "e, straight line of ten flights".to_owned(),
         number(demo::RESTITUTION),
-        estimate(line.map(Regression::restitution), Unit::Number),
+        estimate(line.map(|line| line.restitution), Unit::Number),
     ]);
-    let inferred = drop.estimate.as_ref().ok();
-    let answer = |found: Option<Summary>, unit: Unit| {
+    let inferred = drop.posterior.as_ref().ok();
+    let answer = |found: Option<Estimate>, unit: Unit| {
         found.map_or_else(
             || CANNOT_TELL.to_owned(),
             |s| Quantity::measured(s.value, s.sd, unit).to_string(),
@@ -140,7 +144,7 @@ fn comparison(hearing: &Hearing, history: &History, sound: &Rendered) -> Table {
     table.row([
         "drop height, straight line".to_owned(),
         Quantity::rounded(demo::DROP_HEIGHT_M, 3, Unit::Length).to_string(),
-        estimate(line.map(Regression::drop_height_m), Unit::Length),
+        estimate(line.map(|line| line.drop_height_m), Unit::Length),
     ]);
     table.row([
         "drop height, inference".to_owned(),
@@ -168,12 +172,12 @@ fn comparison(hearing: &Hearing, history: &History, sound: &Rendered) -> Table {
 }
 
 /// The largest difference between a flight time heard and the true one.
-fn largest_error(hearing: &Hearing, sound: &Rendered) -> String {
+fn largest_error(analysed: &Analysed, sound: &Rendered) -> String {
     let truth = sound
         .impacts
         .windows(2)
         .map(|pair| pair[1].time_s - pair[0].time_s);
-    let heard = &hearing.drops[0].flights;
+    let heard = &analysed.result.drops[0].flights;
     let errors = heard.iter().map(|flight| {
         let true_s = truth.clone().nth(flight.number - 1).unwrap_or(f64::NAN);
         (flight.time_s - true_s).abs()

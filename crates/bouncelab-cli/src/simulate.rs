@@ -60,9 +60,9 @@ const MOST_ROWS: usize = 100;
 
 pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let physics = arguments.physics.questioned(arguments.history.doubts())?;
-    let laws = std::iter::once(physics.settings.environment.drag).chain(arguments.compare.clone());
+    let laws = std::iter::once(physics.options.environment.drag).chain(arguments.compare.clone());
     let runs = laws
-        .map(|law| simulate(law, &physics.settings, &arguments.history))
+        .map(|law| simulate(law, &physics.options, &arguments.history))
         .collect::<Result<Vec<Run>, Failure>>()?;
     if let Some(folder) = &arguments.figures {
         let saved = save(&height_chart(&runs, translator()), folder, "height")?;
@@ -72,7 +72,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
     match arguments.format {
         Format::Text => Ok(out.write_all(text(&runs, &physics).as_bytes())?),
         Format::Json => {
-            let document = Document::new(&runs, &physics.settings, physics.assumptions.clone());
+            let document = Document::new(&runs, &physics.options, physics.assumptions.clone());
             serde_json::to_writer_pretty(&mut out, &document).map_err(io::Error::from)?;
             Ok(writeln!(out)?)
         }

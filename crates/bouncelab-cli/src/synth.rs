@@ -198,7 +198,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
     }
     let history = arguments
         .history
-        .simulate(&physics.settings.model()?, physics.settings.contact_time_s)?;
+        .simulate(&physics.options.model()?, physics.options.contact_time_s)?;
     let strikes: Vec<Strike> = history.strikes().collect();
     let sound = synth::render(&strikes, &arguments.scene(), arguments.seed)?;
     let format = arguments.bits.format();

@@ -104,14 +104,14 @@ impl Screen {
                 flight.time_s * 1e3
             ));
         }
-        if let Ok(line) = &drop.line {
+        if let Ok(line) = &drop.log_linear_fit {
             lines.push(format!(
                 "  e = {}, h0 = {} without air",
-                analyze::shown(line.restitution(), Unit::Number),
-                analyze::shown(line.drop_height_m(), Unit::Length)
+                analyze::shown(line.restitution, Unit::Number),
+                analyze::shown(line.drop_height_m, Unit::Length)
             ));
         }
-        if let Some(restitution) = drop.corrected_restitution() {
+        if let Some(restitution) = drop.per_impact_restitution() {
             let shown = analyze::shown(restitution, Unit::Number);
             lines.push(format!("  e = {shown} corrected for drag"));
         }

@@ -1,6 +1,6 @@
 //! The report of a verdict, as a page.
 
-use bouncelab::inference::Summary;
+use bouncelab::Estimate;
 use bouncelab::rulebook::{Limits, Rebound, Requirement, Status};
 use bouncelab_report::Chart;
 use bouncelab_report::figure::{self, Judged};
@@ -30,12 +30,7 @@ pub(super) fn page(told: &Told<'_>, hashes: Vec<(String, String)>) -> Page {
             the_rule(told),
             rebound(told),
             drops(told),
-            shared_conditions(
-                &physics.settings,
-                &physics.ball_label,
-                &physics.assumptions,
-                translator(),
-            ),
+            shared_conditions(physics, translator()),
             decision(),
             method(translator()),
             repeat(&provenance, translator()),
@@ -49,7 +44,12 @@ fn lead(told: &Told<'_>) -> Vec<Block> {
     let mut lead = vec![Block::Lead(text::outcome(verdict))];
     lead.push(Block::text(text::by_rule(verdict, told.decision).join(" ")));
     let because = verdict.doubts.iter();
-    lead.extend(because.map(|doubt| Block::Note(format!("Because {}", ended(doubt)))));
+    lead.extend(because.map(|doubt| {
+        Block::Note(format!(
+            "Because {}",
+            ended(translator().diagnostic(&doubt.diagnostic()))
+        ))
+    }));
     if told.rule.status == Status::Unverified {
         let unverified = "This rule is unverified: nobody has read it in its source.";
         lead.push(Block::Note(unverified.to_owned()));
@@ -87,7 +87,8 @@ fn rebound(told: &Told<'_>) -> Section {
              flight a little; and this drop fell from its own height, with an impact of its own.",
         ));
     }
-    let remarks = told.verdict.remarks.iter().map(ToString::to_string);
+    let remarks = told.verdict.remarks.iter();
+    let remarks = remarks.map(|remark| translator().diagnostic(&remark.diagnostic()));
     let notes = remarks.chain(told.rule.note.clone());
     blocks.extend(notes.map(|note| Block::Note(ended(note))));
     Section::new("The rebound", blocks)
@@ -134,7 +135,7 @@ fn chart(told: &Told<'_>, translator: &Translator) -> Chart {
         }
     };
     let scaled = |limits: Limits| [limits.least, limits.greatest].map(|end| Some(end? * SHOWN));
-    let judged = |name: String, found: &Summary, decides: bool| Judged {
+    let judged = |name: String, found: &Estimate, decides: bool| Judged {
         name,
         value: found.value * SHOWN,
         interval95: Some(found.interval95.map(|end| end * SHOWN)),

@@ -1,6 +1,5 @@
 //! What the drops say of the rebound, as tables for the screen and for reports.
 
-use bouncelab::inference::Summary;
 use bouncelab::rulebook::{Rebound, Step, Verdict};
 use bouncelab_report::{Align, CANNOT_TELL, Quantity, Table, Unit};
 
@@ -11,7 +10,7 @@ pub(super) fn ways(verdict: &Verdict) -> Table {
         ("value", Align::Right),
         ("95 %", Align::Right),
     ]);
-    let mut row = |name: &str, summary: &Option<Summary>, unit: Unit| {
+    let mut row = |name: &str, summary: &Option<Estimate>, unit: Unit| {
         if let Some(summary) = summary {
             let value = Quantity::measured(summary.value, summary.sd, unit);
             table.row([

@@ -7,6 +7,8 @@ use bouncelab_report::report::ended;
 use bouncelab_report::{Quantity, Table, Unit};
 
 use super::{Told, tables};
+use crate::analyze::assumed;
+use crate::language::translator;
 use crate::rules;
 
 /// The verdict, the rebound in several ways and why they differ, and what to know.
@@ -28,7 +30,13 @@ pub(super) fn report(told: &Told<'_>) -> String {
         add(&mut text, &line);
     }
     for doubt in &verdict.doubts {
-        add(&mut text, &format!("  Because {}", ended(doubt)));
+        add(
+            &mut text,
+            &format!(
+                "  Because {}",
+                ended(translator().diagnostic(&doubt.diagnostic()))
+            ),
+        );
     }
     add(&mut text, "");
     add(&mut text, &indented(&tables::ways(verdict)));
@@ -51,15 +59,13 @@ pub(super) fn report(told: &Told<'_>) -> String {
         );
     }
     add(&mut text, "");
-    let remarks = verdict.remarks.iter().map(ended);
+    let remarks = verdict.remarks.iter();
+    let remarks = remarks.map(|remark| ended(translator().diagnostic(&remark.diagnostic())));
     for note in remarks.chain(rule.note.as_ref().map(ended)) {
         add(&mut text, &format!("  Note: {note}"));
     }
     if !physics.assumptions.is_empty() {
-        add(
-            &mut text,
-            &format!("  Assumed: {}.", physics.assumptions.join("; ")),
-        );
+        add(&mut text, &assumed(&physics.assumptions));
     }
     text
 }

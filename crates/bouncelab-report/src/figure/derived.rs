@@ -10,6 +10,8 @@ use bouncelab::inference::{InferenceOptions, SamplerConfig};
 
 use super::Curve;
 use crate::chart::Point;
+use crate::messages::Translator;
+use crate::tables::drag_law;
 use crate::theme::Meaning;
 
 /// The height of the ball by the flight model, from impact to impact.
@@ -99,7 +101,11 @@ fn most_probable(probabilities: &[f64]) -> usize {
 /// # Errors
 ///
 /// If the law does not reach the fastest impact, and the errors of [`FlightModel::new`].
-pub(super) fn drag_curves(settings: &Options, fastest_m_s: f64) -> Result<Vec<Curve>> {
+pub(super) fn drag_curves(
+    settings: &Options,
+    fastest_m_s: f64,
+    translator: &Translator,
+) -> Result<Vec<Curve>> {
     let model = settings.model()?;
     let share = model.drag_over_weight(fastest_m_s)?;
     let unit = Environment {
@@ -111,7 +117,10 @@ pub(super) fn drag_curves(settings: &Options, fastest_m_s: f64) -> Result<Vec<Cu
         return Ok(Vec::new());
     }
     let law = settings.environment.drag;
-    let mut curves = vec![drag_curve(&model, law, Meaning::Drag, fastest_m_s)];
+    let curve = |model: &FlightModel, law, meaning| {
+        drag_curve(model, drag_law(law, translator), meaning, fastest_m_s)
+    };
+    let mut curves = vec![curve(&model, law, Meaning::Drag)];
     if matches!(law, DragLaw::Constant(_) | DragLaw::None) {
         return Ok(curves);
     }
@@ -121,11 +130,11 @@ pub(super) fn drag_curves(settings: &Options, fastest_m_s: f64) -> Result<Vec<Cu
         ..settings.environment
     };
     let model = FlightModel::new(&settings.ball, &environment)?;
-    curves.push(drag_curve(&model, constant, Meaning::Plain, fastest_m_s));
+    curves.push(curve(&model, constant, Meaning::Plain));
     Ok(curves)
 }
 
-fn drag_curve(model: &FlightModel, law: DragLaw, meaning: Meaning, fastest_m_s: f64) -> Curve {
+fn drag_curve(model: &FlightModel, name: String, meaning: Meaning, fastest_m_s: f64) -> Curve {
     // From a fiftieth of the fastest impact to half above it, in equal ratios.
     let (from, to) = (0.02 * fastest_m_s, 1.5 * fastest_m_s);
     let points = (0..=200)
@@ -134,7 +143,7 @@ fn drag_curve(model: &FlightModel, law: DragLaw, meaning: Meaning, fastest_m_s: 
         .map_while(|speed| Some([speed, model.drag_over_weight(speed).ok()?]))
         .collect();
     Curve {
-        name: law.to_string(),
+        name,
         meaning,
         points,
     }

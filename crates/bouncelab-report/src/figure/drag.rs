@@ -36,7 +36,7 @@ pub fn drag_of_settings(
     axes: DragAxes,
     translator: &Translator,
 ) -> Option<Chart> {
-    let curves = derived::drag_curves(settings, fastest_m_s).ok()?;
+    let curves = derived::drag_curves(settings, fastest_m_s, translator).ok()?;
     let some = !curves.is_empty();
     some.then(|| drag(&curves, axes, Some(fastest_m_s), translator))
 }

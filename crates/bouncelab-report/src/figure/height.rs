@@ -5,12 +5,13 @@ use super::{Curve, Subject, curve_layers};
 use crate::chart::{Axis, Chart, Layer, Marker, Panel, Point, Scale, xs, ys};
 use crate::messages::Translator;
 use crate::quantity::Unit;
+use crate::tables::drag_law;
 use crate::theme::Meaning;
 
 /// Height against time by the flight model, from impact to impact, with the measured apexes.
 pub(super) fn of_drop(subject: &Subject<'_>, translator: &Translator) -> Chart {
     let History { points, apexes } = derived::history(subject.drop, subject.settings);
-    let drag = subject.settings.environment.drag.to_string();
+    let drag = drag_law(subject.settings.environment.drag, translator);
     let name = translator.text_with("figure-height-model", &[("drag", drag.into())]);
     let meaning = Meaning::Drag;
     let curve = Curve {

@@ -25,9 +25,9 @@
 //!     ..Priors::default()
 //! };
 //! let Options { ball, environment, contact_time_s, .. } = Options::default();
-//! let inference = InferenceOptions { sampler: SamplerConfig { draws: 500, seed: 1 }, ..InferenceOptions::default() };
+//! let asked = InferenceOptions { sampler: SamplerConfig { draws: 500, seed: 1 }, ..InferenceOptions::default() };
 //! let found =
-//!     estimate::infer(&impacts, &ball, &environment, contact_time_s, &priors, &inference)?;
+//!     inference::infer(&impacts, &ball, &environment, contact_time_s, &priors, &asked)?;
 //! assert!((found.restitution.value - 0.95).abs() < 0.01);
 //! assert!(found.missed_first_impacts.unwrap()[0] > 0.99);
 //! # Ok::<(), bouncelab::Error>(())
