@@ -1,22 +1,22 @@
 /** Keeps the analysis in step with the impacts and the settings: at once roughly, soon exactly. */
 import { batch, effect } from '@preact/signals';
 import { type AnalysisRequest, LabError } from '../lab/index.ts';
-import { analysed, edits, onBench, refining, refusedSettings } from './bench.ts';
+import { analysed, edits, workspace, refining, refusedSettings } from './workspace.ts';
 import { engine, messageOf } from './engine.ts';
-import { Latest } from './latest.ts';
+import { CoalescingQueue } from './coalescing-queue.ts';
 import { forEngine } from './marks.ts';
 import { settings } from './settings.ts';
 
 /** What is asked of the engine now, also for exports. */
 export function request(): AnalysisRequest | undefined {
-  const bench = onBench.peek();
-  return bench
-    ? engine().request(bench.recording, settings.peek(), edits.peek().map(forEngine))
+  const loaded = workspace.peek();
+  return loaded
+    ? engine().request(loaded.recording, settings.peek(), edits.peek().map(forEngine))
     : undefined;
 }
 
 /** Asks again as soon as the last rough answer is there, so that a dragged marker never queues up. */
-const analyser = new Latest<AnalysisRequest>(
+const analyser = new CoalescingQueue<AnalysisRequest>(
   (job) =>
     new Promise<void>((next) => {
       engine()
@@ -60,7 +60,7 @@ export function keepAnalysed(): void {
     const drops = edits.value;
     // A change of settings is a change too.
     void settings.value;
-    if (!onBench.peek()) return;
+    if (!workspace.peek()) return;
     if (drops.every((drop) => drop.present.length < 2)) {
       wanted = undefined;
       analysed.value = null;

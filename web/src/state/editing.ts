@@ -5,7 +5,7 @@ import type { DropMarks } from '../lab/index.ts';
 import { language, texts } from '../text/language.ts';
 import { type Mark, nearest } from '../wave/mark.ts';
 import { revealing, widthS } from '../wave/viewport.ts';
-import { chosenDrop, cursorS, edits, onBench, present, selected, view } from './bench.ts';
+import { chosenDrop, cursorS, edits, workspace, present, selected, view } from './workspace.ts';
 import { advance, redo as redone, replace, undo as undone } from './history.ts';
 import { added, asHeard, type Edits, markAt, marksOf, removed, withChange } from './marks.ts';
 
@@ -32,7 +32,7 @@ const say = (timeS: number): string => fixed(timeS, 4, language.peek());
 /** What the sound says of a moment that a hand chose: its exact time, if a sound begins there. */
 async function snapped(timeS: number): Promise<Partial<Mark>> {
   const reach = Math.min(SNAP_MOST_S, SNAP_SHARE * widthS(view.peek()));
-  const found = await onBench
+  const found = await workspace
     .peek()
     ?.recording.onsetNear(timeS, reach)
     .catch(() => null);
@@ -117,7 +117,7 @@ function follow(id: number): void {
 
 function bringIntoSight({ timeS }: Mark): void {
   cursorS.value = timeS;
-  view.value = revealing(view.peek(), timeS, onBench.peek()?.durationS ?? 0);
+  view.value = revealing(view.peek(), timeS, workspace.peek()?.durationS ?? 0);
 }
 
 export function undo(): void {

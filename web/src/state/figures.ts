@@ -3,9 +3,9 @@ import { computed, effect, signal } from '@preact/signals';
 import type { Chart } from '../lab/index.ts';
 import { messages } from '../text/language.ts';
 import { request } from './analysing.ts';
-import { analysed, chosenDrop } from './bench.ts';
+import { analysed, chosenDrop } from './workspace.ts';
 import { engine } from './engine.ts';
-import { Latest } from './latest.ts';
+import { CoalescingQueue } from './coalescing-queue.ts';
 import { overlay } from './simulating.ts';
 
 /** Names of the figures that there are of the chosen drop. */
@@ -41,7 +41,7 @@ export function figureRequest(name: string, effort: 'quick' | 'full') {
 
 type Job = NonNullable<ReturnType<typeof figureRequest>>;
 
-const drawer = new Latest<Job>(async (job) => {
+const drawer = new CoalescingQueue<Job>(async (job) => {
   try {
     figure.value = await engine().chart(job);
   } catch {

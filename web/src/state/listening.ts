@@ -6,11 +6,11 @@ import { LiveEnvelope } from '../sound/live-envelope.ts';
 import { type Microphone, MicrophoneError, openMicrophone } from '../sound/microphone.ts';
 import { stop } from '../sound/player.ts';
 import { joined } from '../store/blocks.ts';
-import { claim } from '../store/claims.ts';
+import { lock } from '../store/locks.ts';
 import { newId } from '../store/id.ts';
-import { Safekeeper } from '../store/safekeeper.ts';
+import { RecordingWriter } from '../store/recording-writer.ts';
 import { region, texts } from '../text/language.ts';
-import { busy, fail, fault, phase, put } from './bench.ts';
+import { busy, fail, fault, phase, put } from './workspace.ts';
 import { engine, faultOf } from './engine.ts';
 
 /** What runs by while listening. */
@@ -32,7 +32,7 @@ const SOFTEST_DB = -60;
 interface Take {
   readonly microphone: Microphone;
   readonly ear: Listening;
-  readonly keeper: Safekeeper;
+  readonly keeper: RecordingWriter;
   /** Lets the screen go dark again. */
   readonly rest: () => void;
   /** What the engine has not been given yet, because it still thinks about what came before. */
@@ -91,8 +91,8 @@ async function begin(microphone: Microphone): Promise<Take> {
   const ear = await engine().listen(rateHz);
   soFar.value = null;
   live.value = new LiveEnvelope(rateHz, SHOWN_S, BINS_PER_SECOND);
-  claim(recording.id);
-  const keeper = new Safekeeper(recording, (problem) => {
+  lock(recording.id);
+  const keeper = new RecordingWriter(recording, (problem) => {
     fault.value = { key: problem };
   });
   return {

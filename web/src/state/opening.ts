@@ -1,10 +1,10 @@
-/** Ways onto the bench other than the microphone: a file, a list of times, the demo, the database. */
+/** Ways into the workspace other than the microphone: a file, a list of times, the demo, the database. */
 import { LabError, type Recording } from '../lab/index.ts';
 import { joined } from '../store/blocks.ts';
-import { claim } from '../store/claims.ts';
+import { lock } from '../store/locks.ts';
 import { getRecording, samplesOf } from '../store/recordings.ts';
 import { texts } from '../text/language.ts';
-import { busy, fail, fault, phase, put } from './bench.ts';
+import { busy, fail, fault, phase, put } from './workspace.ts';
 import { engine, faultOf } from './engine.ts';
 
 /** While something else is heard or read, nothing is brought: the page offers it then nowhere. */
@@ -60,7 +60,7 @@ export function openSamples(
 
 /** A recording of the database. */
 export async function openStored(id: string): Promise<void> {
-  claim(id);
+  lock(id);
   const stored = await getRecording(id);
   if (!stored) return fail({ key: 'damaged' });
   return openSamples(joined(await samplesOf(id)), stored.rateHz, stored.name, id);

@@ -15,6 +15,7 @@ use crate::{Error, Result};
 #[derive(Clone, Debug)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
+#[cfg_attr(feature = "typescript", ts(rename = "RecordingResult"))]
 #[non_exhaustive]
 pub struct Recording {
     /// Where the impact times come from.

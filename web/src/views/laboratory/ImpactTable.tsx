@@ -1,7 +1,7 @@
 import { signal } from '@preact/signals';
 import { handFocusOn } from '../../app/focus.ts';
 import { fixed, MILLISECOND, PLAIN, plain, uncertain } from '../../format/quantity.ts';
-import { drop, marks, onBench, selected } from '../../state/bench.ts';
+import { drop, marks, workspace, selected } from '../../state/workspace.ts';
 import { choose, remove } from '../../state/editing.ts';
 import { language, texts } from '../../text/language.ts';
 import { CERTAIN, type Mark } from '../../wave/mark.ts';
@@ -22,7 +22,7 @@ export function ImpactTable() {
       <summary>{words.list}</summary>
       {listed.value && (
         <>
-          {onBench.value?.pyramid && (
+          {workspace.value?.pyramid && (
             <div class="small soft">
               <p>{words.pointer}</p>
               <p>{words.keys}</p>

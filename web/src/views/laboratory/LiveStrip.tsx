@@ -1,6 +1,6 @@
 import { useEffect, useRef } from 'preact/hooks';
 import { PERCENT, plain } from '../../format/quantity.ts';
-import { phase } from '../../state/bench.ts';
+import { phase } from '../../state/workspace.ts';
 import { live, soFar } from '../../state/listening.ts';
 import { language, texts } from '../../text/language.ts';
 import { paintLive } from '../../wave/live-painter.ts';

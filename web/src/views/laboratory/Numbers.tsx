@@ -13,7 +13,7 @@ import {
   uncertain,
 } from '../../format/quantity.ts';
 import type { DocumentDrop, Posterior } from '../../lab/index.ts';
-import { drop } from '../../state/bench.ts';
+import { drop } from '../../state/workspace.ts';
 import { language, texts } from '../../text/language.ts';
 
 /** A quantity in the list. */

@@ -1,5 +1,5 @@
 import { perCent } from '../../format/quantity.ts';
-import { analysed, drop, refining } from '../../state/bench.ts';
+import { analysed, drop, refining } from '../../state/workspace.ts';
 import { language, texts } from '../../text/language.ts';
 import { sentence, translated } from '../../text/remarks.ts';
 
@@ -8,7 +8,7 @@ export function Remarks() {
   const said = drop.value;
   if (!said) return null;
   const recording = analysed.value?.document.warnings ?? [];
-  const warnings = [...said.warnings, ...recording];
+  const warnings = [...summary.warnings, ...recording];
   const estimate = said.estimate;
   return (
     <>

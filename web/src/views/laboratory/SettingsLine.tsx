@@ -1,5 +1,5 @@
 import { fixed } from '../../format/quantity.ts';
-import { refusedSettings } from '../../state/bench.ts';
+import { refusedSettings } from '../../state/workspace.ts';
 import { catalogue } from '../../state/engine.ts';
 import { settings } from '../../state/settings.ts';
 import { language, texts } from '../../text/language.ts';

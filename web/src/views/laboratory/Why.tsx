@@ -1,5 +1,5 @@
 import { Figure, useAnswer } from '../../chart/Figure.tsx';
-import { analysed, chosenDrop } from '../../state/bench.ts';
+import { analysed, chosenDrop } from '../../state/workspace.ts';
 import { engine } from '../../state/engine.ts';
 import { figureRequest } from '../../state/figures.ts';
 import { texts } from '../../text/language.ts';

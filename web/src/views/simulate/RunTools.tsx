@@ -2,7 +2,7 @@ import { focusPage, handFocusOn } from '../../app/focus.ts';
 import { Pause, Play } from '../../app/icons.tsx';
 import { fixed } from '../../format/quantity.ts';
 import { playing, stop } from '../../sound/player.ts';
-import { busy, drop } from '../../state/bench.ts';
+import { busy, drop } from '../../state/workspace.ts';
 import { labAddress } from '../../state/settings.ts';
 import {
   analyseRun,

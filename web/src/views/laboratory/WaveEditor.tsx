@@ -1,5 +1,5 @@
 import { playheadS, playing } from '../../sound/player.ts';
-import { cursorS, marks, onBench, selected, view } from '../../state/bench.ts';
+import { cursorS, marks, workspace, selected, view } from '../../state/workspace.ts';
 import * as editing from '../../state/editing.ts';
 import { hearView } from '../../state/sound.ts';
 import { texts } from '../../text/language.ts';
@@ -23,9 +23,9 @@ const edits: WaveformEdits = {
 };
 
 /** The sound with its impacts, to look at and to correct. */
-export function WaveBench() {
+export function WaveEditor() {
   const words = texts.value.wave;
-  const recording = onBench.value;
+  const recording = workspace.value;
   if (!recording) return null;
   const { durationS } = recording;
   const pyramid = recording.pyramid;

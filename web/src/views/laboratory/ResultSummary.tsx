@@ -1,7 +1,7 @@
 import { Rich } from '../../app/Rich.tsx';
 import { fixed, lengthUnit, PERCENT, plain, uncertain } from '../../format/quantity.ts';
 import type { DocumentDrop } from '../../lab/index.ts';
-import { drop, edited, marks, onBench, refining } from '../../state/bench.ts';
+import { drop, edited, marks, workspace, refining } from '../../state/workspace.ts';
 import { language, texts } from '../../text/language.ts';
 import { CERTAIN } from '../../wave/mark.ts';
 import { listed } from './ImpactTable.tsx';
@@ -11,12 +11,12 @@ import { Remarks } from './Remarks.tsx';
 import { Why } from './Why.tsx';
 
 /** What the bounces say, in words first. */
-export function Said() {
+export function ResultSummary() {
   const words = texts.value.lab;
   const said = drop.value;
   return (
-    <section class="said" aria-label={words.result} aria-live="polite" aria-busy={refining.value}>
-      {onBench.value?.recording.heard.drops.length === 0 && marks.value.length < 3 && <NoDrop />}
+    <section class="summary" aria-label={words.result} aria-live="polite" aria-busy={refining.value}>
+      {workspace.value?.recording.heard.drops.length === 0 && marks.value.length < 3 && <NoDrop />}
       {marks.value.length > 0 && !said?.regression && !said?.estimate && (
         <p class="second">{words.cannotTell}</p>
       )}

@@ -1,5 +1,5 @@
 /**
- * What lies on the bench: the recording, its drops with their impacts, and what they say. The views
+ * What lies in the workspace: the recording, its drops with their impacts, and what they say. The views
  * show these signals; the functions of this folder change them.
  */
 import { batch, computed, signal } from '@preact/signals';
@@ -20,8 +20,8 @@ export type Phase =
   | { readonly kind: 'reading'; readonly name: string; readonly share?: number }
   | { readonly kind: 'ready' };
 
-/** A recording, or a list of times, on the bench. */
-export interface OnBench {
+/** A recording, or a list of times, on the loaded. */
+export interface Workspace {
   readonly name: string;
   readonly recording: Recording;
   /** `null` for a list of times. */
@@ -32,10 +32,10 @@ export interface OnBench {
 }
 
 export const phase = signal<Phase>({ kind: 'empty' });
-/** While it listens or reads, nothing else is put on the bench. */
+/** While it listens or reads, nothing else is put on the loaded. */
 export const busy = computed(() => !['empty', 'ready'].includes(phase.value.kind));
 export const fault = signal<Fault | null>(null);
-export const onBench = signal<OnBench | null>(null);
+export const workspace = signal<Workspace | null>(null);
 
 /** One for each drop. */
 export const edits = signal<readonly Edits[]>([]);
@@ -58,12 +58,12 @@ export const cursorS = signal<number | null>(null);
 export const drop = computed(() => analysed.value?.document.drops[chosenDrop.value]);
 export const edited = computed(() => present.value !== undefined && isEdited(present.value));
 
-/** Puts something on the bench; what lay there is gone from the page, not from the database. */
+/** Puts something in the workspace; what lay there is gone from the page, not from the database. */
 export function put(name: string, recording: Recording, storedAs: string | null): void {
   const { sound, believed } = recording;
   stop();
   batch(() => {
-    onBench.value = {
+    workspace.value = {
       name,
       recording,
       pyramid: sound && { rateHz: sound.sampleRateHz, samples: believed, levels: sound.levels },
@@ -84,17 +84,17 @@ export function put(name: string, recording: Recording, storedAs: string | null)
 
 /** Chooses a drop and brings it into sight. */
 export function lookAt(index: number): void {
-  const durationS = onBench.peek()?.durationS ?? 0;
+  const durationS = workspace.peek()?.durationS ?? 0;
   chosenDrop.value = index;
   const impacts = edits.peek()[index]?.present ?? [];
   const [first, last] = [impacts[0], impacts.at(-1)];
   view.value = first && last ? framing(first.timeS, last.timeS, durationS) : whole(durationS);
 }
 
-/** Shows what went wrong; what lies on the bench stays. */
+/** Shows what went wrong; what lies in the workspace stays. */
 export function fail(what: Fault): void {
   batch(() => {
     fault.value = what;
-    phase.value = { kind: onBench.peek() ? 'ready' : 'empty' };
+    phase.value = { kind: workspace.peek() ? 'ready' : 'empty' };
   });
 }
