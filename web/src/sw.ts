@@ -19,7 +19,7 @@ self.addEventListener('install', (event) => {
 });
 
 self.addEventListener('activate', (event) => {
-  event.waitUntil(forgetOld().then(() => self.clients.lock()));
+  event.waitUntil(forgetOld().then(() => self.clients.claim()));
 });
 
 /** Other pages that are open, and may listen, still load from older files; the next version forgets those. */

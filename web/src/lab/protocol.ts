@@ -55,7 +55,7 @@ export interface Sound {
 /** A spectrogram: one byte for each cell, rows from low to high frequency, columns one by one. */
 export interface Spectrogram {
   columns: number;
-  csv: number;
+  rows: number;
   /** Frequency at the top. */
   topHz: number;
   /** Level in half decibels above `floorDb`, column after column. */

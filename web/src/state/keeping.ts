@@ -1,8 +1,8 @@
 /** Keeping drops in the browser, and what is said of all of them together. */
 import { computed, signal } from '@preact/signals';
-import type { DocumentDrop } from '../lab/index.ts';
+import type { Drop, Estimate } from '../lab/index.ts';
 import { lock, locked } from '../store/locks.ts';
-import { allDrops, deleteDrop, type KeptDrop, putDrop } from '../store/drops.ts';
+import { allDrops, deleteDrop, type KeptDrop, type Known, putDrop } from '../store/drops.ts';
 import { newId } from '../store/id.ts';
 import { deleteRecording, putBlock, putRecording } from '../store/recordings.ts';
 import { analysed, drop, edits, lookAt, workspace, present } from './workspace.ts';
@@ -54,7 +54,7 @@ export async function keepDrop(name: string): Promise<boolean> {
       ball: analysed.peek()?.ball ?? '',
       ...summaryOf(said),
       settings: settings.peek(),
-      marks: forEngine(marks),
+      marks: forEngine(marks, said.probability),
       recording: sound,
     };
     await putDrop(keptDrop);
@@ -84,24 +84,20 @@ async function storeSound(name: string): Promise<string | null> {
 }
 
 export function summaryOf(
-  said: DocumentDrop,
+  said: Drop,
 ): Pick<KeptDrop, 'restitution' | 'dropHeightM' | 'restitutions'> {
-  const { estimate, regression } = said;
-  const line = regression;
+  const best = said.posterior ?? said.log_linear_fit;
   return {
-    restitution: estimate
-      ? { value: estimate.restitution.value, sd: estimate.restitution.sd }
-      : line && { value: line.restitution, sd: line.restitution_sd },
-    dropHeightM: estimate
-      ? { value: estimate.drop_height_m.value, sd: estimate.drop_height_m.sd }
-      : line && { value: line.drop_height_m, sd: line.drop_height_sd_m },
-    restitutions: said.impacts.flatMap((impact) =>
-      impact.restitution !== null && impact.impact_speed_m_s !== null
-        ? [{ speedMS: impact.impact_speed_m_s, value: impact.restitution }]
-        : [],
-    ),
+    restitution: best && known(best.restitution),
+    dropHeightM: best && known(best.drop_height_m),
+    restitutions: (said.per_impact?.impacts ?? []).map(({ impact_speed_m_s, restitution }) => ({
+      speedMS: impact_speed_m_s,
+      value: restitution.value,
+    })),
   };
 }
+
+const known = ({ value, sd }: Estimate): Known => ({ value, sd });
 
 export async function rename(id: string, name: string): Promise<void> {
   const found = kept.peek().find((candidate) => candidate.id === id);
@@ -133,9 +129,9 @@ export async function bringBack(): Promise<void> {
 async function forgetDeleted(): Promise<void> {
   const used = new Set((await allDrops()).map(({ recording }) => recording));
   // What lies in a workspace may be kept once more.
-  const inHand = await locked();
+  const inUse = await locked();
   for (const { recording } of deleted.peek()) {
-    if (recording !== null && !used.has(recording) && !inHand.has(recording))
+    if (recording !== null && !used.has(recording) && !inUse.has(recording))
       await deleteRecording(recording);
   }
   deleted.value = [];

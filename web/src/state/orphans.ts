@@ -1,5 +1,5 @@
 /**
- * Sounds in the database that no kept drop uses: cut short by a crash, or heard and not kept. Those cut
+ * Sounds in the database that no kept drop uses: cut short by a crash, or recorded and not kept. Those cut
  * short wait until the reader decides; of the others the newest waits, and older ones make room.
  */
 import { signal } from '@preact/signals';
@@ -18,8 +18,8 @@ export const orphans = signal<readonly StoredRecording[]>([]);
 /** Looks once, at the start. */
 export async function findOrphans(): Promise<void> {
   const used = new Set((await allDrops()).map(({ recording }) => recording));
-  const inHand = await locked();
-  const unused = (await allRecordings()).filter(({ id }) => !used.has(id) && !inHand.has(id));
+  const inUse = await locked();
+  const unused = (await allRecordings()).filter(({ id }) => !used.has(id) && !inUse.has(id));
   const newest = unused.findLast(({ finished }) => finished);
   const isOffered = (recording: StoredRecording): boolean =>
     !recording.finished || recording === newest;

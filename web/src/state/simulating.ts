@@ -126,7 +126,7 @@ const SCENE: SceneRequest = {
   tail_s: 0.5,
 };
 
-export async function hearRun(): Promise<void> {
+export async function playRun(): Promise<void> {
   const { samples, sampleRateHz } = await engine().synthesise(requestOf(setup.peek()), SCENE);
   await play(samples, sampleRateHz, 0, 1);
 }
@@ -141,7 +141,7 @@ export async function analyseRun(): Promise<void> {
   await openSamples(samples, sampleRateHz, texts.peek().simulate.thisRun);
 }
 
-/** Lays the run over the measurement on the loaded. */
+/** Lays the run over the measurement in the workspace. */
 export function layOver(): void {
   const done = outcome.peek();
   const over = workspace.peek();

@@ -6,7 +6,7 @@ import { workspace, view } from './workspace.ts';
 export const speed = signal<Speed>(SPEEDS[0]);
 
 /** Plays what is seen, from its beginning; or stops. */
-export async function hearView(): Promise<void> {
+export async function playView(): Promise<void> {
   const loaded = workspace.peek();
   if (playing.peek() || !loaded?.pyramid) return stop();
   const { startS, endS } = view.peek();

@@ -6,7 +6,7 @@ use bouncelab::drag::DragLaw;
 use bouncelab::drop::Stop;
 use bouncelab::flight::FlightModel;
 use bouncelab::impact::Restitution;
-use bouncelab::regression::{self, NumberedFlight, LogLinearFit};
+use bouncelab::regression::{self, LogLinearFit, NumberedFlight};
 use serde::{Deserialize, Serialize};
 
 use super::experiment::{

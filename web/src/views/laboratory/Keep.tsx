@@ -9,7 +9,7 @@ import { analysed, chosenDrop, drop, edits, workspace } from '../../state/worksp
 import { engine } from '../../state/engine.ts';
 import { keepDrop } from '../../state/keeping.ts';
 import { settings } from '../../state/settings.ts';
-import { messages, texts } from '../../text/language.ts';
+import { texts } from '../../text/language.ts';
 import { SaveSound } from './SaveSound.tsx';
 
 /** Keep the drop here, save its numbers, share the set-up, print a report. */
@@ -23,7 +23,7 @@ export function Keep() {
       {drop.value && <KeepForm />}
       <div class="row">
         <SaveSound />
-        {analysed.value && (
+        {drop.value && (
           <>
             <button type="button" class="quiet" onClick={() => void saveCsv(stem)}>
               {words.csv}
@@ -44,14 +44,14 @@ export function Keep() {
 
 async function saveCsv(stem: string): Promise<void> {
   const asked = request();
-  if (asked) saveText(await engine().rows(asked), 'text/csv', `${stem}.csv`);
+  if (asked) saveText(await engine().csv(asked), 'text/csv', `${stem}.csv`);
 }
 
 /** One file to print, send or hand in: as the command line writes it, in the language of the page. */
 async function saveReport(stem: string): Promise<void> {
   const [asked, loaded] = [request(), workspace.peek()];
   if (!asked || !loaded) return;
-  const html = await engine().report(loaded.recording, asked, new Date(), messages.peek());
+  const html = await engine().report(loaded.recording, asked, new Date());
   saveText(html, 'text/html', `${stem}.html`);
 }
 

@@ -47,9 +47,8 @@ function RunningSentence() {
   if (now.kind === 'reading') return <>{words.opening(now.name)}</>;
   const count = soFar.value?.drop?.impacts.length ?? 0;
   if (count === 0) return <>{words.listening}</>;
-  const keeps = soFar.value?.restitution;
-  const share =
-    keeps === null || keeps === undefined ? undefined : plain(keeps, PERCENT, 3, language.value);
+  const keeps = soFar.value?.drop?.log_linear_fit?.restitution.value;
+  const share = keeps === undefined ? undefined : plain(keeps, PERCENT, 3, language.value);
   return (
     <>
       {words.soFar(count)}

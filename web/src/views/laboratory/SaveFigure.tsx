@@ -21,7 +21,7 @@ export function SaveFigure({ name }: { readonly name: string }) {
 }
 
 async function saveDrawn(name: string, format: 'svg' | 'png'): Promise<void> {
-  const asked = figureRequest(name, 'full');
+  const asked = figureRequest(name, true);
   if (!asked) return;
   const drawn = await engine().figure(asked);
   const file = `${fileName(workspace.peek()?.name ?? '')}-${drawn.name}`;

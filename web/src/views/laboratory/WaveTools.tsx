@@ -15,7 +15,7 @@ import { playing, SPEEDS, type Speed } from '../../sound/player.ts';
 import { cursorS, edited, workspace, present, selected, view } from '../../state/workspace.ts';
 import * as editing from '../../state/editing.ts';
 import { canRedo, canUndo } from '../../state/history.ts';
-import { hearView, speed } from '../../state/sound.ts';
+import { playView, speed } from '../../state/sound.ts';
 import { language, texts } from '../../text/language.ts';
 import { whole, zoomed } from '../../wave/viewport.ts';
 import { showSpectrogram } from './Spectrogram.tsx';
@@ -98,7 +98,7 @@ function Hearing() {
   const sounding = playing.value !== null;
   return (
     <div class="group">
-      <Tool do={() => void hearView()} pressed={sounding}>
+      <Tool do={() => void playView()} pressed={sounding}>
         {sounding ? <Pause /> : <Play />}
         {sounding ? words.stop : words.play}
       </Tool>

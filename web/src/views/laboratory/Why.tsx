@@ -23,7 +23,7 @@ export function Why() {
 function SmallFigure() {
   const said = analysed.value;
   const chart = useAnswer(async () => {
-    const asked = said && figureRequest('restitution', said.effort);
+    const asked = said && figureRequest('restitution', said.inference);
     return asked ? engine().chart(asked) : undefined;
   }, [said, chosenDrop.value]);
   return <Figure chart={chart} see="" />;
