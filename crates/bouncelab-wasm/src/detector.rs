@@ -113,6 +113,6 @@ pub fn onset_near(
         let impact = Impact::new(1, start_s + onset.time_s).with_time_sd_s(onset.sigma_s);
         impact.with_level_db(onset.level_db)
     });
-    let distance = |impact: &Impact| (impact.time_s - start_s - time_s).abs();
+    let distance = |impact: &Impact| (impact.time_s - time_s).abs();
     impacts.min_by(|a, b| distance(a).total_cmp(&distance(b)))
 }

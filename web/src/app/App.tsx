@@ -1,7 +1,7 @@
 import { useEffect, useRef, useState } from 'preact/hooks';
 import { route } from '../address/route.ts';
 import { stop } from '../sound/player.ts';
-import { busy } from '../state/bench.ts';
+import { busy } from '../state/workspace.ts';
 import { broken, catalogue } from '../state/engine.ts';
 import { openFile } from '../state/opening.ts';
 import { goToLab } from '../state/settings.ts';

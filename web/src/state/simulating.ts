@@ -10,9 +10,9 @@ import {
 import type { SceneRequest, SimulationDocument, SimulationRequest } from '../lab/index.ts';
 import { play } from '../sound/player.ts';
 import { texts } from '../text/language.ts';
-import { chosenDrop, drop, type OnBench, onBench } from './bench.ts';
+import { chosenDrop, drop, type Workspace, workspace } from './workspace.ts';
 import { catalogue, engine, messageOf } from './engine.ts';
-import { Latest } from './latest.ts';
+import { CoalescingQueue } from './coalescing-queue.ts';
 import { openSamples } from './opening.ts';
 import { goToLab, settings } from './settings.ts';
 
@@ -43,7 +43,7 @@ const MOST_RUNS = 3;
 
 /** A run that a measured drop is compared with. */
 interface Laid {
-  readonly over: OnBench;
+  readonly over: Workspace;
   readonly dropIndex: number;
   readonly request: SimulationRequest;
 }
@@ -51,7 +51,7 @@ interface Laid {
 const laid = signal<Laid | null>(null);
 /** The run laid over the measurement that is looked at; over another it would tell nothing. */
 export const overlay = computed(() => {
-  const isHere = laid.value?.over === onBench.value && laid.value?.dropIndex === chosenDrop.value;
+  const isHere = laid.value?.over === workspace.value && laid.value?.dropIndex === chosenDrop.value;
   return isHere ? (laid.value?.request ?? null) : null;
 });
 
@@ -79,7 +79,7 @@ export function requestOf(asked: SimulationSetup): SimulationRequest {
   };
 }
 
-const simulator = new Latest<SimulationSetup>(async (asked) => {
+const simulator = new CoalescingQueue<SimulationSetup>(async (asked) => {
   try {
     outcome.value = { setup: asked, simulated: await engine().simulate(requestOf(asked)) };
     impossible.value = null;
@@ -126,12 +126,12 @@ const SCENE: SceneRequest = {
   tail_s: 0.5,
 };
 
-export async function hearRun(): Promise<void> {
+export async function playRun(): Promise<void> {
   const { samples, sampleRateHz } = await engine().synthesise(requestOf(setup.peek()), SCENE);
   await play(samples, sampleRateHz, 0, 1);
 }
 
-/** Onto the bench with it, as if it had been recorded. */
+/** Into the workspace with it, as if it had been recorded. */
 export async function analyseRun(): Promise<void> {
   const asked = requestOf(setup.peek());
   const { samples, sampleRateHz } = await engine().synthesise(asked, SCENE);
@@ -141,10 +141,10 @@ export async function analyseRun(): Promise<void> {
   await openSamples(samples, sampleRateHz, texts.peek().simulate.thisRun);
 }
 
-/** Lays the run over the measurement on the bench. */
+/** Lays the run over the measurement in the workspace. */
 export function layOver(): void {
   const done = outcome.peek();
-  const over = onBench.peek();
+  const over = workspace.peek();
   if (!over || !done || !drop.peek()) return;
   laid.value = { over, dropIndex: chosenDrop.peek(), request: requestOf(done.setup) };
 }

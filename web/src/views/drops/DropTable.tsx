@@ -1,6 +1,6 @@
 import { handFocusOn } from '../../app/focus.ts';
 import { lengthUnit, PLAIN, plain, uncertain } from '../../format/quantity.ts';
-import { busy } from '../../state/bench.ts';
+import { busy } from '../../state/workspace.ts';
 import { catalogue } from '../../state/engine.ts';
 import { kept, openKept, remove, rename, tick, ticked } from '../../state/keeping.ts';
 import { spreadOf } from '../../state/spread.ts';

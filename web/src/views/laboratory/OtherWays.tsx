@@ -1,5 +1,5 @@
 import { useRef } from 'preact/hooks';
-import { busy } from '../../state/bench.ts';
+import { busy } from '../../state/workspace.ts';
 import { openDemo, openFile } from '../../state/opening.ts';
 import { texts } from '../../text/language.ts';
 import { PASTE, pasting } from './pasting.ts';

@@ -1,5 +1,5 @@
 import { Figure, useAnswer } from '../../chart/Figure.tsx';
-import { analysed, chosenDrop } from '../../state/bench.ts';
+import { analysed, chosenDrop } from '../../state/workspace.ts';
 import { engine } from '../../state/engine.ts';
 import { figureRequest } from '../../state/figures.ts';
 import { texts } from '../../text/language.ts';
@@ -23,7 +23,7 @@ export function Why() {
 function SmallFigure() {
   const said = analysed.value;
   const chart = useAnswer(async () => {
-    const asked = said && figureRequest('restitution', said.effort);
+    const asked = said && figureRequest('restitution', said.inference);
     return asked ? engine().chart(asked) : undefined;
   }, [said, chosenDrop.value]);
   return <Figure chart={chart} see="" />;

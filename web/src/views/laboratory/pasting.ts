@@ -1,5 +1,5 @@
 import { signal } from '@preact/signals';
-import { fault } from '../../state/bench.ts';
+import { fault } from '../../state/workspace.ts';
 import { openTimes } from '../../state/opening.ts';
 
 /** Whether the box for times is unfolded. */

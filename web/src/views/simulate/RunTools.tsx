@@ -2,11 +2,11 @@ import { focusPage, handFocusOn } from '../../app/focus.ts';
 import { Pause, Play } from '../../app/icons.tsx';
 import { fixed } from '../../format/quantity.ts';
 import { playing, stop } from '../../sound/player.ts';
-import { busy, drop } from '../../state/bench.ts';
+import { busy, drop } from '../../state/workspace.ts';
 import { labAddress } from '../../state/settings.ts';
 import {
   analyseRun,
-  hearRun,
+  playRun,
   keepRun,
   layOver,
   outcome,
@@ -34,7 +34,7 @@ export function RunTools() {
           class="button"
           disabled={!ready}
           aria-pressed={playing.value !== null}
-          onClick={() => (playing.peek() ? stop() : void hearRun())}
+          onClick={() => (playing.peek() ? stop() : void playRun())}
         >
           <span class="sign">{playing.value ? <Pause /> : <Play />}</span>
           {playing.value ? words.stop : words.hear}

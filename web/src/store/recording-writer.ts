@@ -9,7 +9,7 @@ import { putBlock, putRecording, type StoredRecording } from './recordings.ts';
 /** What can go wrong with keeping. */
 export type KeepFault = 'full' | 'unavailable';
 
-export class Safekeeper {
+export class RecordingWriter {
   #waiting: Float32Array<ArrayBuffer>[] = [];
   #waitingSamples = 0;
   #index = 0;
