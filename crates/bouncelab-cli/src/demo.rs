@@ -15,8 +15,8 @@ use clap::Args;
 use crate::analyze::{Analysed, Stems, read, save_figures};
 use crate::failure::Failure;
 use crate::language::{text, text_with, translator};
-use crate::report::wrote;
 use crate::physics::Physics;
+use crate::report::wrote;
 
 /// Make, hear and analyse a drop, and print the truth beside the result
 ///

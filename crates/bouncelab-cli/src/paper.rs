@@ -72,7 +72,13 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
 fn numbers(chapters: &[Chapter]) -> String {
     let parts: Vec<String> = chapters
         .iter()
-        .map(|chapter| format!("{}\n\n{}", chapter.title(translator()), table(&chapter.facts)))
+        .map(|chapter| {
+            format!(
+                "{}\n\n{}",
+                chapter.title(translator()),
+                table(&chapter.facts)
+            )
+        })
         .collect();
     parts.join("\n")
 }
@@ -119,7 +125,11 @@ fn puzzle(explanations: &[Explanation]) -> String {
         ],
     );
     for explanation in explanations {
-        let solved = if explanation.reproduces { "puzzle-yes" } else { "puzzle-no" };
+        let solved = if explanation.reproduces {
+            "puzzle-yes"
+        } else {
+            "puzzle-no"
+        };
         table.row([
             explanation.restitution_law.clone(),
             explanation.drag.clone(),

@@ -4,8 +4,8 @@ use std::ffi::OsStr;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use bouncelab_report::file::{Draft, write_whole};
 use bouncelab_report::Saved;
+use bouncelab_report::file::{Draft, write_whole};
 use bouncelab_report::report::{Markdown, Page, Provenance};
 use jiff::Zoned;
 
@@ -84,7 +84,10 @@ pub(crate) fn wrote(path: &Path) {
 /// Says on stderr that a figure was written.
 pub(crate) fn wrote_figure(saved: &Saved) {
     let file = saved.svg.display().to_string();
-    eprintln!("{}", text_with("terminal-wrote-figure", &[("file", file.into())]));
+    eprintln!(
+        "{}",
+        text_with("terminal-wrote-figure", &[("file", file.into())])
+    );
 }
 
 /// The command of this run and the day.

@@ -13,10 +13,10 @@ use bouncelab_report::theme::Meaning;
 use bouncelab_report::{Align, Chart, Quantity, Table, Unit, save, tables};
 use clap::{Args, ValueEnum};
 
+use crate::analyze::assumed;
 use crate::failure::Failure;
 use crate::history::HistoryArguments;
 use crate::language::{text, text_with, translator};
-use crate::analyze::assumed;
 use crate::physics::{Physics, PhysicsArguments, drag_law};
 use crate::report::wrote_figure;
 
@@ -126,13 +126,18 @@ fn report(runs: &[Run], physics: &Physics) -> String {
 fn totals(runs: &[Run]) -> Table {
     let words = translator();
     let mut columns = vec![(text("column-drag"), Align::Left)];
-    columns.extend(runs.iter().map(|run| (tables::drag_law(run.law, words), Align::Right)));
+    columns.extend(
+        runs.iter()
+            .map(|run| (tables::drag_law(run.law, words), Align::Right)),
+    );
     let mut table = Table::new(columns);
     let mut row = |id: &str, value: &dyn Fn(&Run) -> String| {
         table.row(std::iter::once(text(id)).chain(runs.iter().map(value)));
     };
     let shown = |value: f64, unit: Unit| Quantity::rounded(value, 4, unit).text(words);
-    row("simulate-bounces", &|run| run.history.bounces().len().to_string());
+    row("simulate-bounces", &|run| {
+        run.history.bounces().len().to_string()
+    });
     row("simulate-first-speed", &|run| {
         let first = run.history.strikes().next();
         shown(first.map_or(f64::NAN, |s| s.speed_m_s), Unit::Speed)

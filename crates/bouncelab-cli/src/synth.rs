@@ -218,7 +218,15 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
         ("rate", sound.sample_rate_hz.into()),
         ("seed", arguments.seed.into()),
     ];
-    Ok(writeln!(io::stdout().lock(), "{}", text_with("synth-made", &made))?)
+    Ok(writeln!(
+        io::stdout().lock(),
+        "{}",
+        text_with("synth-made", &made)
+    )?)
+}
+
+fn write(file: &Path, bytes: &[u8]) -> Result<(), Failure> {
+    write_whole(file, bytes).map_err(|reason| Failure::unwritable(file, &reason))
 }
 
 impl Arguments {

@@ -48,11 +48,14 @@ fn laws(
     translator: &Translator,
 ) -> Result<Chart, Failure> {
     let group = |group: &Group| -> Result<GroupCurve, Failure> {
-        let means = group.curve.iter().map(|MeanAtSpeed { speed_m_s, mean }| GroupPoint {
-            speed_m_s: *speed_m_s,
-            value: mean.value,
-            interval95: mean.interval95,
-        });
+        let means = group
+            .curve
+            .iter()
+            .map(|MeanAtSpeed { speed_m_s, mean }| GroupPoint {
+                speed_m_s: *speed_m_s,
+                value: mean.value,
+                interval95: mean.interval95,
+            });
         Ok(GroupCurve {
             name: outcome.group_name(&group.levels),
             impacts: impacts(outcome, group, results)?,
