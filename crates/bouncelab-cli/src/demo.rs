@@ -4,9 +4,10 @@ use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
 use bouncelab::Estimate;
+use bouncelab::demo;
 use bouncelab::drop::History;
+use bouncelab::setup::{BallInput, SetupInput};
 use bouncelab::synth::Rendered;
-use bouncelab::{ball, demo};
 use bouncelab_audio::{SampleFormat, encode_wav};
 use bouncelab_report::file::write_whole;
 use bouncelab_report::{Align, Quantity, Table, Unit};
@@ -15,7 +16,6 @@ use clap::Args;
 use crate::analyze::{Analysed, Stems, read, save_figures};
 use crate::failure::Failure;
 use crate::language::{text, text_with, translator};
-use crate::physics::Physics;
 use crate::report::wrote;
 
 /// Make, hear and analyse a drop, and print the truth beside the result
@@ -39,11 +39,13 @@ Examples:
   bouncelab demo --output /tmp/demo --seed 7";
 
 pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
-    let physics = Physics {
-        options: demo::settings()?,
-        ball_label: ball::preset(demo::BALL)?.label.to_owned(),
-        assumptions: Vec::new(),
+    let ball = BallInput::Named(demo::BALL.to_owned());
+    let input = SetupInput {
+        ball: Some(ball),
+        ..SetupInput::default()
     };
+    let mut physics = input.resolve()?;
+    physics.options = demo::settings()?;
     let history = demo::history()?;
     let sound = demo::sound(&history, arguments.seed)?;
     let recording = write_recording(&sound, &arguments.output)?;

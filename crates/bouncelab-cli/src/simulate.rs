@@ -61,7 +61,9 @@ enum Format {
 const MOST_ROWS: usize = 100;
 
 pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
-    let physics = arguments.physics.questioned(arguments.history.doubts())?;
+    let physics = arguments
+        .physics
+        .questioned(arguments.history.questions())?;
     let laws = std::iter::once(physics.options.environment.drag).chain(arguments.compare.clone());
     let runs = laws
         .map(|law| simulate(law, &physics.options, &arguments.history))
@@ -74,7 +76,9 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
     match arguments.format {
         Format::Text => Ok(out.write_all(report(&runs, &physics).as_bytes())?),
         Format::Json => {
-            let document = Document::new(&runs, &physics.options, physics.assumptions.clone());
+            let mut assumptions = physics.assumptions.clone();
+            translator().complete_each(&mut assumptions);
+            let document = Document::new(&runs, &physics.options, assumptions);
             serde_json::to_writer_pretty(&mut out, &document).map_err(io::Error::from)?;
             Ok(writeln!(out)?)
         }

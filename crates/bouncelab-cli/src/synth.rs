@@ -179,7 +179,9 @@ const CLICKS_DB: f64 = -6.0;
 const DIRECT_TO_REVERBERANT_DB: f64 = 6.0;
 
 pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
-    let physics = arguments.physics.questioned(arguments.history.doubts())?;
+    let physics = arguments
+        .physics
+        .questioned(arguments.history.questions())?;
     let truth = arguments
         .truth
         .as_deref()

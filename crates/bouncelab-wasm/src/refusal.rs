@@ -145,13 +145,7 @@ impl Refusal {
 
 /// The refusal of a name that is not among the known ones.
 pub(crate) fn unknown(kind: &'static str, name: &str, known: &[&str]) -> Refusal {
-    let error = bouncelab::Error::UnknownName {
-        kind,
-        name: name.to_owned(),
-        nearest: known.first().map_or_else(String::new, ToString::to_string),
-        known: known.join(", "),
-    };
-    error.into()
+    bouncelab::Error::unknown_name(kind, name, known).into()
 }
 
 impl From<bouncelab::Error> for Refusal {

@@ -2,8 +2,8 @@
 
 use std::path::Path;
 
+use bouncelab::Estimate;
 use bouncelab::groups::{Group, MeanAtSpeed, Study, run_limit};
-use bouncelab::inference::Summary;
 use bouncelab_report::Chart;
 use bouncelab_report::figure::{self, GroupCurve, GroupInterval, GroupPoint, RunPoint};
 use bouncelab_report::messages::Translator;
@@ -85,7 +85,10 @@ fn impacts(
             .impacts
             .iter()
             .filter(|impact| impact.weight.unwrap_or(1.0) > 0.0)
-            .filter_map(|impact| Some([impact.impact_speed_m_s?, impact.restitution?]))
+            .filter_map(|impact| {
+                let known = impact.restitution.as_ref()?;
+                Some([known.impact_speed_m_s, known.restitution.value])
+            })
             .collect();
         let step = known.len().div_ceil(of_each).max(1);
         shown.extend(known.into_iter().step_by(step));
@@ -152,5 +155,5 @@ fn is_outlier(study: &Study, drop: usize) -> bool {
 }
 
 fn median(values: impl Iterator<Item = f64>) -> f64 {
-    Summary::of(values).map_or(f64::NAN, |summary| summary.value)
+    Estimate::of_draws(values).map_or(f64::NAN, |summary| summary.value)
 }
