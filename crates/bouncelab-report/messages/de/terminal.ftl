@@ -157,7 +157,8 @@ verdict-method-predicted = Beurteilt wird der Scheitel nach dem ersten Aufprall 
 verdict-method-decided = Bestanden ist nur, wenn die Wahrscheinlichkeit, außerhalb der Grenzen zu liegen, höchstens das angegebene Risiko ist, und nicht bestanden nur, wenn es die ist, innerhalb zu liegen (abgesicherte Annahme, JCGM 106:2012, The role of measurement uncertainty in conformity assessment). Dazwischen lassen die Versuche keine Entscheidung zu. Was man von Ball, Luft und Luftwiderstand nicht weiß, ist für alle Versuche gleich und mittelt sich nicht heraus.
 
 rule-name = Name
-rule-sport = Sport
+rule-title = Regel
+rule-sport = von
 rule-source = Quelle
 rule-edition = Ausgabe
 rule-status = Stand

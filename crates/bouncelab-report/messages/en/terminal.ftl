@@ -159,7 +159,8 @@ verdict-method-predicted = What is judged is the apex after the first impact of 
 verdict-method-decided = A pass is given only if the probability of being outside the limits is at most the stated risk, and a fail only if that of being within is (guarded acceptance, JCGM 106:2012, The role of measurement uncertainty in conformity assessment). In between the drops cannot decide. What is not known of ball, air and drag is the same for all drops and does not average out.
 
 rule-name = name
-rule-sport = sport
+rule-title = rule
+rule-sport = of
 rule-source = source
 rule-edition = edition
 rule-status = status
