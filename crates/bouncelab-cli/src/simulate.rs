@@ -14,7 +14,6 @@ use bouncelab_report::{Align, Chart, Quantity, Table, Unit, save, tables};
 use clap::{Args, ValueEnum};
 
 use crate::analyze::assumed;
-use crate::analyze::assumed;
 use crate::failure::Failure;
 use crate::history::HistoryArguments;
 use crate::language::{text, text_with, translator};

@@ -300,3 +300,6 @@ impl TruthFormat {
         }
     }
 }
+fn write(file: &Path, bytes: &[u8]) -> Result<(), Failure> {
+    write_whole(file, bytes).map_err(|reason| Failure::unwritable(file, &reason))
+}
