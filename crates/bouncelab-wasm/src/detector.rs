@@ -13,6 +13,7 @@ use crate::wire::SoFar;
 ///
 /// Drops are analysed without the inference, as those of an ordinary ball in ordinary air: what a page
 /// shows until its settings are applied.
+#[derive(Debug)]
 pub struct RecordingDetector {
     detector: Detector,
     /// One for each channel of the recording.

@@ -30,16 +30,20 @@ export function drawLayers(plot: uPlot, { layers }: Panel): void {
   ctx.restore();
 }
 
-const px = (plot: uPlot, x: Value): number => (x === null ? Number.NaN : plot.valToPos(x, 'x', true));
-const py = (plot: uPlot, y: Value): number => (y === null ? Number.NaN : plot.valToPos(y, 'y', true));
+const px = (plot: uPlot, x: Value): number =>
+  x === null ? Number.NaN : plot.valToPos(x, 'x', true);
+const py = (plot: uPlot, y: Value): number =>
+  y === null ? Number.NaN : plot.valToPos(y, 'y', true);
 
 function drawBelow(plot: uPlot, layer: Layer): void {
   const { ctx } = plot;
   ctx.fillStyle = tinted(layer.meaning, layer.strength);
   if (layer.kind === 'band') {
     ctx.beginPath();
-    layer.points.forEach(([x, low], i) => to(ctx, i === 0, px(plot, x), py(plot, low)));
-    for (const [x, , high] of layer.points.toReversed()) to(ctx, false, px(plot, x), py(plot, high));
+    for (const [i, [x, low]] of layer.points.entries())
+      to(ctx, i === 0, px(plot, x), py(plot, low));
+    for (const [x, , high] of layer.points.toReversed())
+      to(ctx, false, px(plot, x), py(plot, high));
     ctx.fill();
   } else if (layer.kind === 'boxes') {
     for (const [left, right, bottom, top] of layer.boxes) {

@@ -1,8 +1,14 @@
 import { Connection, type Modules, type Port } from './connection.ts';
 import { LabError } from './error.ts';
 import { listOf } from './pasted.ts';
-import { ENGLISH, type FigureRequest, type Level, type Messages, type Spectrogram } from './protocol.ts';
-import { Recording } from './recording.ts';
+import {
+  ENGLISH,
+  type FigureRequest,
+  type Level,
+  type Messages,
+  type Spectrogram,
+} from './protocol.ts';
+import { Recording, type Services } from './recording.ts';
 import type {
   Analysed,
   AnalysisRequest,
@@ -25,7 +31,7 @@ import type {
 
 /** How a recording is opened. */
 export interface OpenOptions {
-  /** The only channel to listen to, the first being 1; the one that tells most if left out. */
+  /** The only channel to listen to, the first being 1; the one with the most evidence if left out. */
   channel?: number;
   /** Calls it off. */
   signal?: AbortSignal;
@@ -146,7 +152,7 @@ export class Lab {
 
   /** The drops of a recording as they were detected, or edited, ready to be analysed. */
   request(recording: Recording, settings: Settings, drops?: DropMarks[]): AnalysisRequest {
-    const { source, diagnostics, no_drop, drops: detected } = recording.result;
+    const { source, strongest_band, diagnostics, no_drop, drops: detected } = recording.result;
     const asDetected = detected.map(({ impacts, probability }) => ({
       impacts,
       probability,
@@ -155,6 +161,7 @@ export class Lab {
     return {
       name: recording.name,
       source,
+      strongest_band,
       diagnostics,
       no_drop,
       drops: drops ?? asDetected,
@@ -210,10 +217,7 @@ export class Lab {
   }
 
   /** Draws the waveform with its impacts, as the program does. */
-  async waveform(
-    recording: Recording,
-    request: AnalysisRequest,
-  ): Promise<Drawn> {
+  async waveform(recording: Recording, request: AnalysisRequest): Promise<Drawn> {
     const level = pictured(recording);
     if (level === null || recording.sound === null) {
       throw new LabError('empty', 'a list of times has no waveform');
@@ -223,11 +227,7 @@ export class Lab {
   }
 
   /** The report of an analysis as one HTML file, as the program writes it but for the language. */
-  report(
-    recording: Recording,
-    request: AnalysisRequest,
-    made: Date,
-  ): Promise<string> {
+  report(recording: Recording, request: AnalysisRequest, made: Date): Promise<string> {
     return this.#back.call('report', {
       request,
       level: pictured(recording),
@@ -366,16 +366,11 @@ export class Listening {
   readonly sampleRateHz: number;
   readonly #connection: Connection;
   readonly #session: number;
-  readonly #services: ConstructorParameters<typeof Recording>[2];
+  readonly #services: Services;
   readonly #blocks: Float32Array[] = [];
   #frames = 0;
 
-  constructor(
-    connection: Connection,
-    session: number,
-    sampleRateHz: number,
-    services: ConstructorParameters<typeof Recording>[2],
-  ) {
+  constructor(connection: Connection, session: number, sampleRateHz: number, services: Services) {
     this.#connection = connection;
     this.#session = session;
     this.sampleRateHz = sampleRateHz;
@@ -409,11 +404,7 @@ export class Listening {
   async finish(name: string, format = 'microphone'): Promise<Recording> {
     const request = { session: this.#session, format };
     const { result, levels } = await this.#connection.call('finish', request);
-    const sound: { sampleRateHz: number; channels: Float32Array[]; levels: Level[] } = {
-      sampleRateHz: this.sampleRateHz,
-      channels: [this.samples()],
-      levels,
-    };
+    const sound = { sampleRateHz: this.sampleRateHz, channels: [this.samples()], levels };
     return new Recording(name, result, sound, this.#services);
   }
 

@@ -114,7 +114,10 @@ export interface Calls {
     request: { samples: Float32Array; sampleRateHz: number; columns: number; rows: number };
     response: Spectrogram;
   };
-  wav: { request: { channels: Float32Array[]; sampleRateHz: number }; response: Uint8Array<ArrayBuffer> };
+  wav: {
+    request: { channels: Float32Array[]; sampleRateHz: number };
+    response: Uint8Array<ArrayBuffer>;
+  };
   simulate: { request: { request: SimulationRequest }; response: SimulationDocument };
   synthesise: {
     request: { request: SimulationRequest; scene: SceneRequest };

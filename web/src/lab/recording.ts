@@ -35,12 +35,7 @@ export class Recording {
   readonly sound: Sound | null;
   readonly #services: Services;
 
-  constructor(
-    name: string,
-    result: RecordingResult,
-    sound: Sound | null,
-    services: Services,
-  ) {
+  constructor(name: string, result: RecordingResult, sound: Sound | null, services: Services) {
     this.name = name;
     this.result = result;
     this.sound = sound;

@@ -15,7 +15,7 @@ figures: Array<Array<string>>, };
 /** What one file says. */
 export type AnalysisDocument = { schema: string,
 /** Version of the program that made it. */
-bouncelab: string, file: string, settings: Settings,
+bouncelab: string, file: string, settings: SettingsUsed,
 /** Where the impact times come from. */
 source: Source,
 /** The band in which the impacts stand out most, if it is sound with a drop. */
@@ -51,6 +51,9 @@ bounce: number,
 /** Apex of the flight after it, m. */
 apex_m: number, };
 
+/** An argument of a diagnostic. */
+export type Argument = number | Array<number> | string;
+
 /** An axis. */
 export type Axis = {
 /** The quantity. */
@@ -80,8 +83,22 @@ contact_time_s: number,
 /** Where mass and diameter come from. */
 source: string, };
 
+/** The restitution law at one speed. */
+export type BandPoint = {
+/** ImpactPosterior speed, m/s. */
+speed_m_s: number,
+/** Restitution there. */
+restitution: Estimate, };
+
 /** One bounce: an impact and the flight after it. */
 export type Bounce = { drag: string, number: number, time_s: number, impact_speed_m_s: number, restitution: number, launch_speed_m_s: number, flight_time_s: number, apex_m: number, lost_to_surface_j: number, lost_to_air_j: number, };
+
+/** The budget of the restitution and of the drop height, largest share first. */
+export type Budget = {
+/** Of the restitution at the stated speed. */
+restitution: Array<Share>,
+/** Of the drop height, m. */
+drop_height_m: Array<Share>, };
 
 /** The choices that a page can offer. */
 export type Catalogue = {
@@ -138,6 +155,13 @@ temperature_k: number,
 pressure_pa: number,
 /** Relative humidity from 0 (dry) to 1 (saturated). */
 relative_humidity: number, };
+
+/** Correlations between the quantities of interest. */
+export type Correlations = {
+/** What they are, in order: names as in [`Unknown`], and `restitution` and `drop-height`. */
+quantities: Array<string>,
+/** From -1 to 1, one row for each quantity. */
+matrix: Array<Array<number>>, };
 
 /** The dashes of a line. */
 export type Dashes = "solid" | "dashed" | "dotted" | "long";
@@ -212,6 +236,26 @@ probability: number,
 /** Whether the reader has changed the impacts: then they are numbered anew. */
 edited: boolean, };
 
+/** A number found from data, with its uncertainty.
+ *
+ * ```
+ * use bouncelab::Estimate;
+ *
+ * let height_m = Estimate::normal(0.305, 0.002);
+ * assert!((height_m.interval95[1] - 0.3089).abs() < 1e-4);
+ * assert_eq!(Estimate::unbounded(0.9).known_sd(), None);
+ * ``` */
+export type Estimate = {
+/** The number: of a posterior, the median. */
+value: number,
+/** Standard uncertainty, in the same unit; infinite if the data leave nothing to judge it by
+ * (`null` in JSON). */
+sd: number | null,
+/** The middle 68.27 %: what one standard deviation either way holds of a normal distribution. */
+interval68: [number, number] | null,
+/** The middle 95 %. */
+interval95: [number, number] | null, };
+
 /** An explanation whose restitution was chosen so that the straight line says e = 0.9375. */
 export type Explanation = {
 /** The restitution law. */
@@ -250,6 +294,38 @@ time_sd_s: number | null,
 probability: number,
 /** Level in dB relative to full scale, if it was detected in sound. */
 level_db: number | null, };
+
+/** An impact heard, and the flight after it. */
+export type ImpactPosterior = {
+/** Its number. */
+number: number,
+/** Speed just before it, m/s. */
+impact_speed_m_s: Estimate,
+/** What it kept of the speed; unknown for the last, and where the next was missed. */
+restitution: Estimate | null,
+/** Apex of the flight after it, m. */
+apex_m: Estimate | null,
+/** Energy it took, J. */
+lost_to_surface_j: Estimate | null,
+/** Energy the air took in the flight after it, J. */
+lost_to_air_j: Estimate | null,
+/** How far it lies from what the impacts before it foretold, in standard deviations; unknown
+ * for the last. */
+standardised_residual: number | null,
+/** Its weight in the fit: 1 for an impact as good as any, near 0 for an odd one. */
+weight: number, };
+
+/** What an impact between two timed flights kept of the speed of the ball. */
+export type ImpactRestitution = {
+/** Number of the impact. */
+number: number,
+/** Speed just before the impact, m/s. */
+impact_speed_m_s: number,
+/** Coefficient of restitution, with the standard error that the three times leave it. */
+restitution: Estimate,
+/** Ratio of the flight time after the impact to the one before it: the restitution if there
+ * were no air. */
+flight_time_ratio: number, };
 
 /** An input that may be left to the data, as if nothing were known of it. */
 export type Inferred = "gravity" | "drag" | "contact-time";
@@ -319,11 +395,47 @@ channels: number,
 /** The most that are read. */
 most: number, };
 
+/** The straight line through log flight time against bounce number, and what follows from it.
+ *
+ * Intervals are those of Student's t with as many degrees of freedom as there are flights beyond two;
+ * with two flights the line is exact and nothing says how certain it is. */
+export type LogLinearFit = {
+/** How many flights went into it. */
+flights: number,
+/** Slope a of log₁₀ T<sub>n</sub> against n. */
+slope: Estimate,
+/** Intercept b of log₁₀ T<sub>n</sub> (T in s) at n = 0. */
+intercept: Estimate,
+/** Share of the variance of log₁₀ T<sub>n</sub> that the line explains; `None` if all flights
+ * last equally long. */
+r_squared: number | null,
+/** Coefficient of restitution e = 10^a (Eq. 6).
+ *
+ * Noise can put it above 1, where it says that the flights do not shrink. */
+restitution: Estimate,
+/** Drop height h₀ = g (10^b)²/8 in m (Eq. 6; printed in the paper without the square). */
+drop_height_m: Estimate,
+/** Share of the energy that a bounce keeps, e². */
+energy_kept: Estimate,
+/** Total time from release to rest in s (Eq. 7); `None` if e is not below 1. */
+total_time_s: Estimate | null,
+/** Total length of the path from release to rest in m (Eq. 8); `None` if e is not below 1. */
+total_path_m: Estimate | null,
+/** What the line leaves of log₁₀ T<sub>n</sub>, in the order of the flights. */
+residuals: Array<number>, };
+
 /** What a file looks like that is not sound. */
 export type LooksLike = "png" | "jpeg" | "gif" | "pdf" | "zip" | "gzip" | "riff" | "caf" | "zeros" | "text" | "unknown";
 
 /** How a point looks. */
 export type Marker = "dot" | "ring" | "triangle" | "open-triangle" | "speck";
+
+/** A measured quantity. */
+export type Measured = {
+/** The value. */
+value: number,
+/** Its standard uncertainty, in the same unit. */
+sd: number, };
 
 /** The time between two impacts that follow each other. */
 export type MeasuredFlight = {
@@ -341,6 +453,21 @@ apex_m: number | null,
 apex_sd_m: number | null,
 /** Launch speed by the flight model, m/s. */
 launch_speed_m_s: number | null, };
+
+/** A model and how it fared. */
+export type Model = {
+/** Restitution law. */
+restitution_law: string,
+/** Drag law, which has a scale. */
+drag_law: string,
+/** Its posterior probability, over all numbers of missed impacts. */
+probability: number,
+/** Logarithm of its evidence above that of the best. */
+log_evidence: number,
+/** The restitution if it is true; `None` if it is too improbable to have been sampled. */
+restitution: Estimate | null,
+/** The drop height if it is true, m. */
+drop_height_m: Estimate | null, };
 
 /** A region with two axes. */
 export type Panel = {
@@ -380,6 +507,88 @@ printed: string | null, computed: number, unit: string,
 verdict: string | null,
 /** What to know about it. */
 note: string | null, };
+
+/** Every flight and restitution that a list of impact times contains. */
+export type PerImpact = {
+/** The median over the impacts, with its standard error from their scatter: the restitution at the
+ * typical speed of the drop. `None` with fewer than three impacts. */
+restitution: Estimate | null,
+/** The slowest impact with a restitution, m/s. */
+slowest_m_s: number | null,
+/** The fastest impact with a restitution, m/s. */
+fastest_m_s: number | null,
+/** Restitutions of impacts with a flight on both sides. */
+impacts: Array<ImpactRestitution>, };
+
+/** What the times of one drop say, all priors and models considered. */
+export type Posterior = {
+/** The impact speed of [`Self::restitution`], m/s. */
+at_speed_m_s: number,
+/** The restitution law at that speed. */
+restitution: Estimate,
+/** -d ln e/d ln v at that speed: by how many per cent restitution falls when speed grows by one. */
+restitution_slope: Estimate,
+/** Height of the fall: before the first impact if a height or release was given, else before
+ * the first impact heard, m. */
+drop_height_m: Estimate,
+/** The drag coefficient at [`Self::drag_reynolds`], if there is drag. */
+drag_coefficient: Estimate | null,
+/** The Reynolds number of the drag coefficient: of the fastest impact, where drag shows most. */
+drag_reynolds: number | null,
+/** The drag coefficient before the data. */
+drag_coefficient_prior: Measured | null,
+/** The terminal speed, m/s, if there is drag and its law reaches it. */
+terminal_speed_m_s: Estimate | null,
+/** Gravity, m/s². */
+gravity_m_s2: Estimate,
+/** Standard deviation of ln e from impact to impact. */
+restitution_scatter: Estimate,
+/** Root mean square standard error of the times, s. */
+timing_s: Estimate,
+/** Contact time, s. */
+contact_time_s: Estimate,
+/** From the release until the ball rests, s. */
+total_time_s: Estimate | null,
+/** Path from the release until the ball rests, m. */
+total_path_m: Estimate | null,
+/** Probabilities of 0, 1, 2, ... impacts before the first one heard, if a height or a release
+ * time tells. */
+missed_first_impacts: Array<number> | null,
+/** The answers to [`InferenceOptions::reach`](super::InferenceOptions::reach). */
+predictions: Array<Prediction>,
+/** The impacts heard. */
+impacts: Array<ImpactPosterior>,
+/** The models that were weighed, most probable first. */
+models: Array<Model>,
+/** How much the data prior_contraction what was known. */
+prior_contraction: Array<PriorContraction>,
+/** Correlations between the answers. */
+correlations: Correlations,
+/** Where the uncertainty comes from. */
+budget: Budget,
+/** Whether and how well the sampling worked. */
+sampling: Sampling,
+/** What was assumed before the data. */
+priors: Array<Diagnostic>,
+/** The restitution law over the impact speeds, from a little below the slowest to a little above
+ * the fastest. */
+band: Array<BandPoint>, };
+
+/** The answer to a [`ApexTarget`]. */
+export type Prediction = {
+/** The drop height, m, with the restitution that the law expects; `None` if no height does. */
+drop_height_m: Estimate | null,
+/** Number of the bounce, 1 for the first. */
+bounce: number,
+/** Apex of the flight after it, m. */
+apex_m: number, };
+
+/** How much the data prior_contraction what was known of something. */
+export type PriorContraction = {
+/** Of what. */
+unknown: Unknown,
+/** Standard deviation after the data over the one before: 1 if they state nothing, 0 if all. */
+remaining: number, };
 
 /** What the straight line makes of a choice. */
 export type PuzzleAnswer = {
@@ -427,7 +636,7 @@ line: number | null,
 problem: TimesProblem, };
 
 /** What a recording, or a list of times, says. */
-export type Recording = {
+export type RecordingResult = {
 /** Where the impact times come from. */
 source: Source,
 /** The band in which the impacts stand out most, if it is sound with a drop. */
@@ -478,6 +687,16 @@ knee_speed_m_s: number,
 /** What it loses for each m/s above. */
 loss_per_speed_s_m: number, };
 
+/** How the sampling went. */
+export type Sampling = {
+/** Draws that count as independent. */
+effective_draws: number,
+/** Shape of the tail of the weights; the answer stands if it is below
+ * [`GREATEST_PARETO_SHAPE`](super::GREATEST_PARETO_SHAPE). */
+pareto_shape: number | null,
+/** Whether it can be trusted. */
+converged: boolean, };
+
 /** Which values an axis shows, and how they lie on it. */
 export type Scale = { kind: Kind, low: number, high: number, };
 
@@ -496,13 +715,75 @@ lead_in_s: number,
 /** Time after the last impact. */
 tail_s: number, };
 
+/** What a person says of ball, air, gravity and drop; what is left out is assumed. */
+export type Settings = {
+/** Name of a preset, or `steel:0.01` or `glass:0.016` with the diameter in metres. */
+ball?: string,
+/** Mass of the ball; goes with the diameter, in place of a name. */
+mass_kg?: number,
+/** Diameter of the ball. */
+diameter_m?: number,
+/** How long the ball touches the surface. */
+contact_time_s?: number,
+/** `none`, `constant:0.4` or the name of a drag law. */
+drag?: string,
+/** Temperature of the air. */
+temperature_k?: number,
+/** Pressure of the air. */
+pressure_pa?: number,
+/** Relative humidity of the air, 0 to 1. */
+relative_humidity?: number,
+/** Density of the air, in place of temperature, pressure and humidity; 0 is vacuum. */
+air_density_kg_m3?: number,
+/** Viscosity of the air; goes with the density. */
+air_viscosity_pa_s?: number,
+/** Whether the ball floats in air, if only a little. Usually it does. */
+buoyancy?: boolean,
+/** Whether air moves with the ball. Usually it does. */
+added_mass?: boolean,
+/** Gravity. */
+gravity_m_s2?: number,
+/** Latitude in degrees, north positive, from which gravity follows. */
+latitude_deg?: number,
+/** Height above the sea; goes with the latitude. */
+altitude_m?: number,
+/** Measured drop height, surface to lowest point of the ball. */
+height_m?: number,
+/** Its standard uncertainty; 2 mm if left out. */
+height_sd_m?: number,
+/** When the ball was released, in the time of the recording. */
+release_s?: number,
+/** Its standard uncertainty; 5 ms if left out. */
+release_sd_s?: number,
+/** Whether the first impact detected is the first there was. */
+first_heard?: boolean,
+/** Families of restitution laws to consider; all that the impacts can tell apart if left out. */
+restitution_laws?: Array<string>,
+/** What to leave to the data, as if nothing were known of it. */
+infer?: Array<Inferred>,
+/** First and last flight for the straight line. */
+flights?: [number, number],
+/** Impact speed at which to state the restitution. */
+at_speed_m_s?: number,
+/** From which height does a bounce reach an apex? */
+reach?: Array<ApexTarget>, };
+
 /** What was known or assumed. */
-export type Settings = { ball_mass_kg: number, ball_diameter_m: number, contact_time_s: number, air_density_kg_m3: number, air_viscosity_pa_s: number, drag: string, buoyancy: boolean, added_mass: boolean, gravity_m_s2: number,
+export type SettingsUsed = { ball_mass_kg: number, ball_diameter_m: number, contact_time_s: number, air_density_kg_m3: number, air_viscosity_pa_s: number, drag: string, buoyancy: boolean, added_mass: boolean, gravity_m_s2: number,
 /** What of this nobody stated. */
 assumptions: Array<Diagnostic>, };
 
 /** How much a diagnostic matters. */
 export type Severity = "info" | "warning" | "error";
+
+/** What one source adds to the uncertainty of a quantity. */
+export type Share = {
+/** The source: a stable name in kebab case, such as `impact-timing` or `drag-law`. */
+source: string,
+/** The standard uncertainty that it alone would leave, in the unit of the quantity. */
+sd: number,
+/** Its share of the variance, from 0 to 1. */
+share: number, };
 
 export type Simulation = { drag: string, terminal_speed_m_s: number | null, total_time_s: number, total_path_m: number, initial_energy_j: number, lost_to_surface_j: number, lost_to_air_j: number, bounces: Array<Bounce>, };
 
@@ -593,6 +874,9 @@ text: string, } | { "code": "not-later",
 time_s: number,
 /** The one before it. */
 before_s: number, };
+
+/** Something that was not known before the data. */
+export type Unknown = "drag" | "slope" | "scatter" | "timing" | "contact-time" | "gravity";
 
 /** Gravity and air of a world. */
 export type World = {

@@ -1,8 +1,8 @@
 /**
- * The worker: the science, and what it takes to talk to it.
+ * The worker: the engine, and what it takes to call it.
  *
- * Calls are answered one by one. If the science traps (a fault in it, or a file that breaks a
- * decoder), it must not be used again: the answer says so, and the page starts another worker.
+ * Calls are answered one by one. If the engine traps (a fault in it, or a file that breaks a
+ * decoder), it must not be used again: the answer contains that, and the page starts another worker.
  */
 
 import * as decoding from './engine/decoders.js';

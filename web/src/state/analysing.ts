@@ -2,11 +2,11 @@
 import { batch, effect } from '@preact/signals';
 import { type Analysed, type AnalysisRequest, type DropMarks, LabError } from '../lab/index.ts';
 import { messages } from '../text/language.ts';
-import { analysed, edits, workspace, refining, refusedSettings } from './workspace.ts';
-import { engine, messageOf } from './engine.ts';
 import { CoalescingQueue } from './coalescing-queue.ts';
+import { engine, messageOf } from './engine.ts';
 import { forEngine } from './marks.ts';
 import { settings } from './settings.ts';
+import { analysed, edits, refining, refusedSettings, workspace } from './workspace.ts';
 
 /** What is asked of the engine now, also for exports: drops without a flight say nothing. */
 export function request(): AnalysisRequest | undefined {

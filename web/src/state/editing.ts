@@ -5,9 +5,9 @@ import type { DropMarks } from '../lab/index.ts';
 import { language, texts } from '../text/language.ts';
 import { type Mark, nearest } from '../wave/mark.ts';
 import { revealing, widthS } from '../wave/viewport.ts';
-import { chosenDrop, cursorS, edits, workspace, present, selected, view } from './workspace.ts';
 import { advance, redo as redone, replace, undo as undone } from './history.ts';
 import { added, asDetected, type Edits, markAt, marksOf, removed, withChange } from './marks.ts';
+import { chosenDrop, cursorS, edits, present, selected, view, workspace } from './workspace.ts';
 
 /** What was done, for screen readers. */
 export const announced = signal('');
@@ -29,7 +29,7 @@ const numberOf = (id: number): number =>
 
 const say = (timeS: number): string => fixed(timeS, 4, language.peek());
 
-/** What the sound says of a moment that a hand chose: its exact time, if a sound begins there. */
+/** The onset at a moment that was chosen by hand, if a sound begins there. */
 async function snapped(timeS: number): Promise<Partial<Mark>> {
   const reach = Math.min(SNAP_MOST_S, SNAP_SHARE * widthS(view.peek()));
   const found = await workspace

@@ -2,23 +2,23 @@
 import { computed, effect, signal } from '@preact/signals';
 import type { Chart } from '../lab/index.ts';
 import { request } from './analysing.ts';
-import { analysed, place } from './workspace.ts';
-import { engine } from './engine.ts';
 import { CoalescingQueue } from './coalescing-queue.ts';
+import { engine } from './engine.ts';
 import { overlay } from './simulating.ts';
+import { analysed, place } from './workspace.ts';
 
 /** Names of the figures that there are of the chosen drop. */
 export const figures = computed<readonly string[]>(
   () => analysed.value?.figures[place.value] ?? [],
 );
-const wished = signal('restitution');
+const chosen = signal('restitution');
 /** The figure that was chosen, or the first while the analysis has none of this name. */
 export const shown = computed(() =>
-  figures.value.includes(wished.value) ? wished.value : (figures.value[0] ?? ''),
+  figures.value.includes(chosen.value) ? chosen.value : (figures.value[0] ?? ''),
 );
 /** Shows another one. */
 export const show = (name: string): void => {
-  wished.value = name;
+  chosen.value = name;
 };
 
 /** `null` until it is there. */

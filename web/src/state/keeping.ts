@@ -1,15 +1,15 @@
-/** Keeping drops in the browser, and what is said of all of them together. */
+/** Keeping drops in the browser, and what they show together. */
 import { computed, signal } from '@preact/signals';
 import type { Drop, Estimate } from '../lab/index.ts';
-import { lock, locked } from '../store/locks.ts';
 import { allDrops, deleteDrop, type KeptDrop, type Known, putDrop } from '../store/drops.ts';
 import { newId } from '../store/id.ts';
+import { lock, locked } from '../store/locks.ts';
 import { deleteRecording, putBlock, putRecording } from '../store/recordings.ts';
-import { analysed, drop, edits, lookAt, workspace, present } from './workspace.ts';
 import { setMarks } from './editing.ts';
 import { dropNear, forEngine } from './marks.ts';
 import { openStored, openTimes } from './opening.ts';
 import { goToLab, settings } from './settings.ts';
+import { analysed, drop, edits, lookAt, present, workspace } from './workspace.ts';
 
 export const kept = signal<readonly KeptDrop[]>([]);
 /** False where the browser keeps nothing. */
@@ -42,9 +42,9 @@ export async function loadKept(): Promise<void> {
 /** Keeps the drop in the workspace; false if the browser has no room for it. */
 export async function keepDrop(name: string): Promise<boolean> {
   const recording = workspace.peek();
-  const said = drop.peek();
+  const result = drop.peek();
   const marks = present.peek();
-  if (!recording || !said || !marks) return false;
+  if (!recording || !result || !marks) return false;
   try {
     const sound = recording.storedAs ?? (await storeSound(name));
     const keptDrop: KeptDrop = {
@@ -52,9 +52,9 @@ export async function keepDrop(name: string): Promise<boolean> {
       name,
       keptAt: Date.now(),
       ball: analysed.peek()?.ball ?? '',
-      ...summaryOf(said),
+      ...summaryOf(result),
       settings: settings.peek(),
-      marks: forEngine(marks, said.probability),
+      marks: forEngine(marks, result.probability),
       recording: sound,
     };
     await putDrop(keptDrop);
@@ -84,13 +84,13 @@ async function storeSound(name: string): Promise<string | null> {
 }
 
 export function summaryOf(
-  said: Drop,
+  result: Drop,
 ): Pick<KeptDrop, 'restitution' | 'dropHeightM' | 'restitutions'> {
-  const best = said.posterior ?? said.log_linear_fit;
+  const best = result.posterior ?? result.log_linear_fit;
   return {
     restitution: best && known(best.restitution),
     dropHeightM: best && known(best.drop_height_m),
-    restitutions: (said.per_impact?.impacts ?? []).map(({ impact_speed_m_s, restitution }) => ({
+    restitutions: (result.per_impact?.impacts ?? []).map(({ impact_speed_m_s, restitution }) => ({
       speedMS: impact_speed_m_s,
       value: restitution.value,
     })),

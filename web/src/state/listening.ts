@@ -6,12 +6,12 @@ import { LiveEnvelope } from '../sound/live-envelope.ts';
 import { type Microphone, MicrophoneError, openMicrophone } from '../sound/microphone.ts';
 import { stop } from '../sound/player.ts';
 import { joined } from '../store/blocks.ts';
-import { lock } from '../store/locks.ts';
 import { newId } from '../store/id.ts';
+import { lock } from '../store/locks.ts';
 import { RecordingWriter } from '../store/recording-writer.ts';
 import { region, texts } from '../text/language.ts';
-import { busy, fail, fault, phase, put } from './workspace.ts';
 import { engine, faultOf } from './engine.ts';
+import { busy, fail, fault, phase, put } from './workspace.ts';
 
 /** What runs by while listening. */
 export const live = signal<LiveEnvelope | null>(null);

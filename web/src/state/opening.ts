@@ -4,8 +4,8 @@ import { joined } from '../store/blocks.ts';
 import { lock } from '../store/locks.ts';
 import { getRecording, samplesOf } from '../store/recordings.ts';
 import { texts } from '../text/language.ts';
-import { busy, fail, fault, phase, put } from './workspace.ts';
 import { engine, faultOf } from './engine.ts';
+import { busy, fail, fault, phase, put } from './workspace.ts';
 
 /** While something else is recorded or read, nothing is opened: the page offers it then nowhere. */
 async function load(

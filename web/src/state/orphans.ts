@@ -3,8 +3,8 @@
  * short wait until the reader decides; of the others the newest waits, and older ones make room.
  */
 import { signal } from '@preact/signals';
-import { locked } from '../store/locks.ts';
 import { allDrops } from '../store/drops.ts';
+import { locked } from '../store/locks.ts';
 import {
   allRecordings,
   deleteRecording,

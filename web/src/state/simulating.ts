@@ -1,4 +1,4 @@
-/** A drop that does not exist: where the sliders stand, what follows, and the runs that were kept. */
+/** A simulated drop: where the sliders stand, what follows, and the runs that were kept. */
 import { computed, effect, signal } from '@preact/signals';
 import { note, parseRoute } from '../address/route.ts';
 import {
@@ -10,11 +10,11 @@ import {
 import type { SceneRequest, SimulationDocument, SimulationRequest } from '../lab/index.ts';
 import { play } from '../sound/player.ts';
 import { texts } from '../text/language.ts';
-import { chosenDrop, drop, type Workspace, workspace } from './workspace.ts';
-import { catalogue, engine, messageOf } from './engine.ts';
 import { CoalescingQueue } from './coalescing-queue.ts';
+import { catalogue, engine, messageOf } from './engine.ts';
 import { openSamples } from './opening.ts';
 import { goToLab, settings } from './settings.ts';
+import { chosenDrop, drop, type Workspace, workspace } from './workspace.ts';
 
 /** Where the sliders stood, and what follows. */
 export interface Outcome {
@@ -30,7 +30,7 @@ export interface Run extends Outcome {
 export const setup = signal<SimulationSetup>(USUAL);
 /** Of the latest set-up that is simulated: the sliders may have moved on. */
 export const outcome = signal<Outcome | null>(null);
-/** What the engine said if it cannot be simulated. */
+/** The message of the engine if it cannot be simulated. */
 export const impossible = signal<string | null>(null);
 
 /** Whether what is shown is of where the sliders stood before. */
@@ -49,7 +49,7 @@ interface Laid {
 }
 
 const laid = signal<Laid | null>(null);
-/** The run laid over the measurement that is looked at; over another it would tell nothing. */
+/** The run laid over the measurement that is looked at; over another it would mean nothing. */
 export const overlay = computed(() => {
   const isHere = laid.value?.over === workspace.value && laid.value?.dropIndex === chosenDrop.value;
   return isHere ? (laid.value?.request ?? null) : null;

@@ -1,7 +1,7 @@
-/** The sound in the workspace: to hear a part of it, and to save all of it. */
+/** The sound in the workspace: to play a part of it, and to save all of it. */
 import { signal } from '@preact/signals';
 import { play, playing, SPEEDS, type Speed, stop } from '../sound/player.ts';
-import { workspace, view } from './workspace.ts';
+import { view, workspace } from './workspace.ts';
 
 export const speed = signal<Speed>(SPEEDS[0]);
 

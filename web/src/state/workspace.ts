@@ -1,5 +1,5 @@
 /**
- * What lies in the workspace: the recording, its drops with their impacts, and what they say. The views
+ * What lies in the workspace: the recording, its drops with their impacts, and the results. The views
  * show these signals; the functions of this folder change them.
  */
 import { batch, computed, signal } from '@preact/signals';
@@ -16,7 +16,7 @@ export type Phase =
   | { readonly kind: 'empty' }
   | { readonly kind: 'starting' }
   | { readonly kind: 'listening' }
-  /** `share` is how far it is, 0 to 1, where that can be told. */
+  /** `share` is how far it is, 0 to 1, where that is known. */
   | { readonly kind: 'reading'; readonly name: string; readonly share?: number }
   | { readonly kind: 'ready' };
 
@@ -53,7 +53,7 @@ export interface Answer extends Analysed {
 export const analysed = signal<Answer | null>(null);
 /** Whether the inference still runs. */
 export const refining = signal(false);
-/** What the engine said of the settings, if it refused them. */
+/** The message of the engine, if it refused the settings. */
 export const refusedSettings = signal<string | null>(null);
 
 export const view = signal<Viewport>(whole(1));

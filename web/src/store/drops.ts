@@ -1,4 +1,4 @@
-/** Drops that were kept: what they said, with what set-up, and where their sound is. */
+/** Drops that were kept: their results, with what set-up, and where their sound is. */
 import type { DropMarks, Impact, Settings } from '../lab/index.ts';
 import { transact } from './database.ts';
 
@@ -38,10 +38,12 @@ export async function allDrops(): Promise<KeptDrop[]> {
 
 /** A drop that an earlier version kept: its impacts had `sigma_s`, and no probability of the drop. */
 export function upToDate(drop: KeptDrop): KeptDrop {
-  const impacts = drop.marks.impacts.map(({ sigma_s, ...impact }: Impact & { sigma_s?: number }) => ({
-    ...impact,
-    time_sd_s: impact.time_sd_s ?? sigma_s ?? null,
-  }));
+  const impacts = drop.marks.impacts.map(
+    ({ sigma_s, ...impact }: Impact & { sigma_s?: number }) => ({
+      ...impact,
+      time_sd_s: impact.time_sd_s ?? sigma_s ?? null,
+    }),
+  );
   return { ...drop, marks: { ...drop.marks, probability: drop.marks.probability ?? 1, impacts } };
 }
 

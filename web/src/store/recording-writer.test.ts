@@ -1,6 +1,6 @@
 import { beforeEach, expect, test, vi } from 'vitest';
-import { putBlock, putRecording } from './recordings.ts';
 import { RecordingWriter } from './recording-writer.ts';
+import { putBlock, putRecording } from './recordings.ts';
 
 vi.mock('./recordings.ts', () => ({ putBlock: vi.fn(), putRecording: vi.fn() }));
 
@@ -22,7 +22,7 @@ test('every sample goes to the disk, in order, about a second at a time', async 
   ]);
 });
 
-test('a recording counts as unfinished until it was heard to its end', async () => {
+test('a recording counts as unfinished until it came to its end', async () => {
   const keeper = new RecordingWriter(recording, () => undefined);
   await keeper.finish();
   expect(vi.mocked(putRecording)).toHaveBeenLastCalledWith(recording);
@@ -30,7 +30,7 @@ test('a recording counts as unfinished until it was heard to its end', async () 
   expect(vi.mocked(putRecording)).toHaveBeenLastCalledWith({ ...recording, finished: true });
 });
 
-test('a full disk is told once and stops nothing', async () => {
+test('a full disk is reported once and stops nothing', async () => {
   vi.mocked(putBlock).mockRejectedValue(new DOMException('no room', 'QuotaExceededError'));
   const faults: string[] = [];
   const keeper = new RecordingWriter(recording, (fault) => faults.push(fault));

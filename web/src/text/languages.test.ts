@@ -12,8 +12,8 @@ const FOREIGN = LANGUAGES.filter(([file]) => !file.endsWith('/en.ts'));
 function shape(tree: object, path = ''): string[] {
   return Object.entries(tree).flatMap(([key, value]) =>
     value !== null && typeof value === 'object'
-        ? shape(value, `${path}.${key}`)
-        : [`${path}.${key}: ${typeof value}`],
+      ? shape(value, `${path}.${key}`)
+      : [`${path}.${key}: ${typeof value}`],
   );
 }
 

@@ -36,7 +36,10 @@ export async function said(page: Page): Promise<{ kept: Said; fell: Said }> {
     if (!found) throw new Error(`no number with its uncertainty in "${words}"`);
     return { value: Number(found[1]), sd: Number(found[2]) };
   };
-  return { kept: await read('.summary .first strong'), fell: await read('.summary .second strong') };
+  return {
+    kept: await read('.summary .first strong'),
+    fell: await read('.summary .second strong'),
+  };
 }
 
 /** Waits until the inference is done. */

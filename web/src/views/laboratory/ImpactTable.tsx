@@ -1,8 +1,8 @@
 import { computed, signal } from '@preact/signals';
 import { handFocusOn } from '../../app/focus.ts';
 import { fixed, MILLISECOND, PLAIN, plain, uncertain } from '../../format/quantity.ts';
-import { drop, marks, workspace, selected } from '../../state/workspace.ts';
 import { choose, remove } from '../../state/editing.ts';
+import { drop, marks, selected, workspace } from '../../state/workspace.ts';
 import { language, texts } from '../../text/language.ts';
 import { CERTAIN, type Mark } from '../../wave/mark.ts';
 

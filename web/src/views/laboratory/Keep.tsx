@@ -5,10 +5,10 @@ import { FaultNotice } from '../../app/FaultNotice.tsx';
 import { fileName, saveText } from '../../app/save.ts';
 import type { Recording } from '../../lab/index.ts';
 import { request } from '../../state/analysing.ts';
-import { analysed, chosenDrop, drop, edits, workspace } from '../../state/workspace.ts';
 import { engine } from '../../state/engine.ts';
 import { keepDrop } from '../../state/keeping.ts';
 import { settings } from '../../state/settings.ts';
+import { analysed, chosenDrop, drop, edits, workspace } from '../../state/workspace.ts';
 import { texts } from '../../text/language.ts';
 import { SaveSound } from './SaveSound.tsx';
 
@@ -61,7 +61,7 @@ function saveJson(stem: string): void {
   saveText(text, 'application/json', `${stem}.json`);
 }
 
-/** What became of the wish to keep a drop. */
+/** Whether a drop could be kept. */
 interface Attempt {
   readonly recording: Recording;
   readonly drop: number;

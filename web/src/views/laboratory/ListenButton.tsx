@@ -1,6 +1,6 @@
 import { useEffect, useRef } from 'preact/hooks';
-import { busy, fault, workspace, phase } from '../../state/workspace.ts';
 import { level, listen, stopListening } from '../../state/listening.ts';
+import { busy, fault, phase, workspace } from '../../state/workspace.ts';
 import { texts } from '../../text/language.ts';
 
 /** The one button that matters. While listening it breathes with the sound. */

@@ -1,7 +1,7 @@
 import { useEffect, useRef } from 'preact/hooks';
 import { PERCENT, plain } from '../../format/quantity.ts';
-import { phase } from '../../state/workspace.ts';
 import { live, soFar } from '../../state/listening.ts';
+import { phase } from '../../state/workspace.ts';
 import { language, texts } from '../../text/language.ts';
 import { paintLive } from '../../wave/live-painter.ts';
 

@@ -25,9 +25,9 @@ interface Entry {
 
 /** Every number with its uncertainty, interval and unit. */
 export function Numbers() {
-  const said = drop.value;
-  if (!said) return null;
-  const entries = entriesOf(said);
+  const result = drop.value;
+  if (!result) return null;
+  const entries = entriesOf(result);
   if (entries.length === 0) return null;
   return (
     <details>
@@ -48,8 +48,8 @@ export function Numbers() {
   );
 }
 
-function entriesOf(said: Drop): Entry[] {
-  return [...inferredEntries(said), ...lineEntries(said)];
+function entriesOf(result: Drop): Entry[] {
+  return [...inferredEntries(result), ...lineEntries(result)];
 }
 
 function inferredEntries({ posterior }: Drop): Entry[] {
@@ -57,8 +57,9 @@ function inferredEntries({ posterior }: Drop): Entry[] {
   const words = texts.value.quantities;
   const spoken = language.value;
   const entry = (name: string, estimate: Estimate | null, unit: Unit): Entry[] => {
-    if (!estimate?.interval95) return [];
+    if (!estimate) return [];
     const { value, sd, interval95: ends } = estimate;
+    if (sd === null || ends === null) return [];
     // As the slope of a restitution that is surely constant: an interval would be of noughts only.
     if (ends[0] === ends[1]) {
       const only = plain(value, unit, 3, spoken);

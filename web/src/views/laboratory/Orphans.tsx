@@ -1,4 +1,4 @@
-import { orphans, openOrphan, throwAway } from '../../state/orphans.ts';
+import { openOrphan, orphans, throwAway } from '../../state/orphans.ts';
 import { region, texts } from '../../text/language.ts';
 
 /** Recordings that were cut short, and the last one if it was not kept: to open or to throw away. */

@@ -4,19 +4,19 @@ import { analysed, drop, refining } from '../../state/workspace.ts';
 import { language, texts } from '../../text/language.ts';
 import type { Texts } from '../../text/texts.ts';
 
-/** What is odd about the drop and its recording, and what the sound can and cannot tell. */
+/** What is odd about the drop and its recording, and what it can and cannot determine. */
 export function Remarks() {
-  const said = drop.value;
-  if (!said) return null;
-  const all = [...said.diagnostics, ...(analysed.value?.document.diagnostics ?? [])];
+  const result = drop.value;
+  if (!result) return null;
+  const all = [...result.diagnostics, ...(analysed.value?.document.diagnostics ?? [])];
   const warnings = all.filter(({ severity }) => severity === 'warning');
   const others = all.filter(({ severity }) => severity !== 'warning');
-  const narrowed = said.posterior?.prior_contraction ?? [];
+  const narrowed = result.posterior?.prior_contraction ?? [];
   return (
     <>
       {warnings.length > 0 && <Messages of={warnings} kind="notice" />}
       {/* It stays while the inference runs, unfolded if it was. */}
-      {(said.posterior || others.length > 0 || refining.value) && (
+      {(result.posterior || others.length > 0 || refining.value) && (
         <details>
           <summary>{texts.value.lab.tells}</summary>
           <Messages of={others} kind="small" />
@@ -63,7 +63,9 @@ function Narrowed({ narrowed }: { readonly narrowed: readonly PriorContraction[]
           const share = Math.min(1, Math.max(0, remaining));
           return (
             <li key={unknown}>
-              <span>{words.narrowed(UNKNOWNS[unknown](texts.value), perCent(share, language.value))}</span>
+              <span>
+                {words.narrowed(UNKNOWNS[unknown](texts.value), perCent(share, language.value))}
+              </span>
               <meter min={0} max={1} value={share} aria-hidden="true" />
             </li>
           );

@@ -1,7 +1,7 @@
 import { Rich } from '../../app/Rich.tsx';
 import { fixed, lengthUnit, PERCENT, plain, uncertain } from '../../format/quantity.ts';
 import type { Drop } from '../../lab/index.ts';
-import { drop, edited, marks, workspace, refining } from '../../state/workspace.ts';
+import { drop, edited, marks, refining, workspace } from '../../state/workspace.ts';
 import { language, texts } from '../../text/language.ts';
 import { CERTAIN } from '../../wave/mark.ts';
 import { listed } from './ImpactTable.tsx';
@@ -13,18 +13,23 @@ import { Why } from './Why.tsx';
 /** What the bounces say, in words first. */
 export function ResultSummary() {
   const words = texts.value.lab;
-  const said = drop.value;
+  const result = drop.value;
   return (
-    <section class="summary" aria-label={words.result} aria-live="polite" aria-busy={refining.value}>
+    <section
+      class="summary"
+      aria-label={words.result}
+      aria-live="polite"
+      aria-busy={refining.value}
+    >
       {workspace.value?.recording.result.drops.length === 0 && marks.value.length < 3 && <NoDrop />}
-      {marks.value.length > 0 && !said?.log_linear_fit && !said?.posterior && (
+      {marks.value.length > 0 && !result?.log_linear_fit && !result?.posterior && (
         <p class="second">{words.cannotTell}</p>
       )}
-      {said && <Sentences said={said} />}
+      {result && <Sentences result={result} />}
       {marks.value.length > 0 && <Count />}
-      {said && (
+      {result && (
         <>
-          <Air said={said} />
+          <Air result={result} />
           <Remarks />
           <Numbers />
         </>
@@ -34,10 +39,10 @@ export function ResultSummary() {
 }
 
 /** Restitution and height with their uncertainties: by the inference once it is there. */
-function Sentences({ said }: { readonly said: Drop }) {
+function Sentences({ result }: { readonly result: Drop }) {
   const words = texts.value.lab;
   const spoken = language.value;
-  const { posterior, per_impact, log_linear_fit } = said;
+  const { posterior, per_impact, log_linear_fit } = result;
   const e = (posterior ?? per_impact)?.restitution ?? log_linear_fit?.restitution;
   const height = (posterior ?? log_linear_fit)?.drop_height_m;
   return (
@@ -82,9 +87,9 @@ function Count() {
 }
 
 /** How much of the straight line's loss is the air's. */
-function Air({ said }: { readonly said: Drop }) {
+function Air({ result }: { readonly result: Drop }) {
   const words = texts.value.lab;
-  const { posterior, per_impact, log_linear_fit } = said;
+  const { posterior, per_impact, log_linear_fit } = result;
   // The quick answer until the inference is there, so that nothing comes and goes.
   const withoutAir = (posterior ?? per_impact)?.restitution;
   if (!withoutAir || !log_linear_fit) return null;

@@ -1,7 +1,7 @@
 import { fileName, rasterised, save, saveText } from '../../app/save.ts';
-import { workspace } from '../../state/workspace.ts';
 import { engine } from '../../state/engine.ts';
 import { figureRequest } from '../../state/figures.ts';
+import { workspace } from '../../state/workspace.ts';
 import { texts } from '../../text/language.ts';
 
 /** Saves a figure as the engine draws it: the picture of the command line, in the language of the page. */

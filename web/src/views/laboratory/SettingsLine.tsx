@@ -1,7 +1,7 @@
 import { fixed } from '../../format/quantity.ts';
-import { refusedSettings } from '../../state/workspace.ts';
 import { catalogue } from '../../state/engine.ts';
 import { settings } from '../../state/settings.ts';
+import { refusedSettings } from '../../state/workspace.ts';
 import { language, texts } from '../../text/language.ts';
 import { ballName } from '../../text/names.ts';
 import { SettingsForm } from './SettingsForm.tsx';

@@ -1,7 +1,7 @@
 import { signal } from '@preact/signals';
 import { useEffect, useRef } from 'preact/hooks';
 import type { Spectrogram as Picture } from '../../lab/index.ts';
-import { workspace, view } from '../../state/workspace.ts';
+import { view, workspace } from '../../state/workspace.ts';
 import { colour, dark } from '../../style/colours.ts';
 import { texts } from '../../text/language.ts';
 

@@ -1,6 +1,6 @@
 import { FaultNotice } from '../../app/FaultNotice.tsx';
-import { busy, fault } from '../../state/workspace.ts';
 import { unreadable } from '../../state/settings.ts';
+import { busy, fault } from '../../state/workspace.ts';
 import { texts } from '../../text/language.ts';
 import { Orphans } from './Orphans.tsx';
 import { SaveSound } from './SaveSound.tsx';

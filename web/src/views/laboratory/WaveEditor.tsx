@@ -1,7 +1,7 @@
 import { playheadS, playing } from '../../sound/player.ts';
-import { cursorS, marks, workspace, selected, view } from '../../state/workspace.ts';
 import * as editing from '../../state/editing.ts';
 import { playView } from '../../state/sound.ts';
+import { cursorS, marks, selected, view, workspace } from '../../state/workspace.ts';
 import { texts } from '../../text/language.ts';
 import { Overview } from '../../wave/Overview.tsx';
 import { Waveform, type WaveformEdits } from '../../wave/Waveform.tsx';

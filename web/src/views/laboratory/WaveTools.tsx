@@ -12,10 +12,10 @@ import {
   Wider,
 } from '../../app/icons.tsx';
 import { playing, SPEEDS, type Speed } from '../../sound/player.ts';
-import { cursorS, edited, workspace, present, selected, view } from '../../state/workspace.ts';
 import * as editing from '../../state/editing.ts';
 import { canRedo, canUndo } from '../../state/history.ts';
 import { playView, speed } from '../../state/sound.ts';
+import { cursorS, edited, present, selected, view, workspace } from '../../state/workspace.ts';
 import { language, texts } from '../../text/language.ts';
 import { whole, zoomed } from '../../wave/viewport.ts';
 import { showSpectrogram } from './Spectrogram.tsx';

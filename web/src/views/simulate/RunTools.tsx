@@ -2,20 +2,20 @@ import { focusPage, handFocusOn } from '../../app/focus.ts';
 import { Pause, Play } from '../../app/icons.tsx';
 import { fixed } from '../../format/quantity.ts';
 import { playing, stop } from '../../sound/player.ts';
-import { busy, drop } from '../../state/workspace.ts';
 import { labAddress } from '../../state/settings.ts';
 import {
   analyseRun,
-  playRun,
   keepRun,
   layOver,
   outcome,
   overlay,
+  playRun,
   type Run,
   removeRun,
   runs,
   takeOff,
 } from '../../state/simulating.ts';
+import { busy, drop } from '../../state/workspace.ts';
 import { language, texts } from '../../text/language.ts';
 import { ballName, nameIn } from '../../text/names.ts';
 

@@ -13,7 +13,10 @@ export function Simulate() {
   const words = texts.value.simulate;
   const done = outcome.value;
   const compared = [
-    ...runs.value.map(({ setup, number }) => ({ name: words.run(number), request: requestOf(setup) })),
+    ...runs.value.map(({ setup, number }) => ({
+      name: words.run(number),
+      request: requestOf(setup),
+    })),
     ...(done ? [{ name: words.thisRun, request: requestOf(done.setup) }] : []),
   ];
   const charts = useAnswer(() => engine().simulationCharts(compared), compared);
