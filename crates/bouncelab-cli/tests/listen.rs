@@ -319,10 +319,7 @@ mod unix {
     pub(crate) fn wait_for(file: &Path, bytes: u64) {
         let start = Instant::now();
         while fs::metadata(file).map_or(0, |file| file.len()) < bytes {
-            assert!(
-                start.elapsed() < Duration::from_mins(5),
-                "nothing is saved"
-            );
+            assert!(start.elapsed() < Duration::from_mins(5), "nothing is saved");
             thread::sleep(Duration::from_millis(20));
         }
     }

@@ -53,7 +53,8 @@ pub(crate) fn run(words: &[&str]) -> Result {
 
 /// The program, built as the tests of the workspace build it.
 fn program() -> Result<PathBuf> {
-    run_command(cargo_all(&["build"]).args(["--bin", "bouncelab"]))?;
+    // With a test, the features of all dependencies are those of the tests: nothing is compiled anew.
+    run_command(cargo_all(&["build"]).args(["--bin", "bouncelab", "--test", "tables"]))?;
     let name = format!("bouncelab{}", std::env::consts::EXE_SUFFIX);
     Ok(target().join("debug").join(name))
 }
