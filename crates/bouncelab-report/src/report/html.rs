@@ -135,7 +135,11 @@ fn of_table(caption: &str, table: &Table) -> Markup {
                 caption { (caption) }
                 thead {
                     tr {
-                        @for (name, align) in table.columns() { th class=[side(align)] scope="col" { (name) } }
+                        @for (name, align) in table.columns() {
+                            // A column without a name has no heading.
+                            @if name.is_empty() { td {} }
+                            @else { th class=[side(align)] scope="col" { (name) } }
+                        }
                     }
                 }
                 tbody {
