@@ -40,7 +40,11 @@ pub(crate) fn run() -> Result {
     check.args(["--all-targets", "--locked"]);
     place.run_sharing_target(&mut check)?;
     // The commands of the README.
-    place.run(Command::new("cargo").args(["run", "--release", "--", "demo"]))?;
+    let mut demo = Command::new("cargo");
+    demo.args(["run", "--release", "--", "demo"]);
+    place.empty(&mut demo);
+    run_command(demo.env("RUSTFLAGS", "-D warnings"))?;
+    place.check_without_microphone()?;
     place.run(Command::new("cargo").args(["xtask", "test", "format"]))?;
     if web::has_node() {
         place.check_page()?;
@@ -97,9 +101,11 @@ impl Place {
         run_command(command)
     }
 
-    /// The same with the target folder of this machine.
+    /// The same with the target folder of this machine; with its downloads, because cargo compiles anew
+    /// what lies elsewhere.
     fn run_sharing_target(&self, command: &mut Command) -> Result {
         self.empty(command);
+        command.env("CARGO_HOME", home_of("CARGO_HOME", ".cargo"));
         run_command(command.env("CARGO_TARGET_DIR", target()))
     }
 
@@ -112,12 +118,26 @@ impl Place {
                 .any(|part| name.contains(part));
             is_network || ["PATH", "LANG", "TERM", "RUSTUP_TOOLCHAIN"].contains(&name.as_str())
         };
-        command.env_clear();
+        command.env_clear().env("CARGO_INCREMENTAL", "0");
         command.envs(env::vars_os().filter(|(name, _)| is_needed(name)));
         command.env("HOME", &self.home);
         command.env("CARGO_HOME", &self.cargo_home);
         command.env("RUSTUP_HOME", home_of("RUSTUP_HOME", ".rustup"));
         command.current_dir(&self.clone);
+    }
+
+    /// The tests are built with the microphone where that is possible; the commands of the README are not.
+    fn check_without_microphone(&self) -> Result {
+        let mut listen = Command::new(self.clone.join("target/release/bouncelab"));
+        self.empty(listen.arg("listen"));
+        let output = listen.output().map_err(|reason| reason.to_string())?;
+        let message = String::from_utf8_lossy(&output.stderr);
+        if output.status.code() == Some(2) && message.contains("--features microphone") {
+            return Ok(());
+        }
+        Err(format!(
+            "`bouncelab listen` without the microphone says: {message}"
+        ))
     }
 
     /// What is needed for the page is named in its lock file, and nothing else is.
