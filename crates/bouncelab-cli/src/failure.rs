@@ -4,6 +4,8 @@ use std::io;
 use std::path::Path;
 use std::process::ExitCode;
 
+use crate::analyze::translated;
+
 /// Why a command did not do what was asked.
 #[derive(Debug, thiserror::Error)]
 pub(crate) enum Failure {
@@ -50,7 +52,7 @@ impl Failure {
 /// An argument that the science refuses.
 impl From<bouncelab::Error> for Failure {
     fn from(refusal: bouncelab::Error) -> Self {
-        Self::Usage(refusal.to_string())
+        Self::Usage(translated(&refusal))
     }
 }
 
@@ -81,9 +83,10 @@ impl From<bouncelab_session::Error> for Failure {
     fn from(fault: bouncelab_session::Error) -> Self {
         use bouncelab_session::Error;
         match fault {
-            Error::Notes { .. } | Error::Pattern { .. } | Error::NoRecordings { .. } => {
-                Self::Usage(fault.to_string())
-            }
+            Error::Notes { .. }
+            | Error::Pattern { .. }
+            | Error::NoRecordings { .. }
+            | Error::Metadata { .. } => Self::Usage(fault.to_string()),
             Error::UnknownDrop { name } => Self::Usage(format!(
                 "--exclude {name}: there is no such drop; write the recording as in the tables, \
                  with #2 for its second drop, and --exclude before each of several"

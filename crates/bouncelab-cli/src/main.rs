@@ -2,7 +2,6 @@
 
 mod analyze;
 mod demo;
-mod doubt;
 mod failure;
 mod history;
 mod language;

@@ -137,11 +137,9 @@ fn drawn(scenario: Scenario, rng: &mut ChaCha8Rng) -> Option<Drop> {
         let unheard = scenario == Scenario::NoisyWithGaps && rng.random::<f64>() < 0.1;
         let off = normal(rng);
         if number == 1 || !unheard {
-            impacts.push(TimedImpact {
-                number,
-                time_s: time_s + sigma_s * off,
-                standard_error_s: Some(scenario.sigma_s()),
-            });
+            impacts.push(
+                TimedImpact::new(number, time_s + sigma_s * off).with_time_sd_s(scenario.sigma_s()),
+            );
         }
         let deviation = match scenario {
             Scenario::HeavyTails => two_exponentials(rng),

@@ -157,6 +157,8 @@ impl Ball {
 
 /// The weather in the room.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 pub struct Conditions {
     /// Temperature in kelvin.
     pub temperature_k: f64,

@@ -122,6 +122,7 @@ fn sphere_volume_m3(diameter_m: f64) -> f64 {
 
 /// A ball one can name.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub struct Preset {
     /// The name by which it is looked up, as in "table-tennis-40".
     pub name: &'static str,

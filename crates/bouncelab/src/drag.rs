@@ -23,6 +23,7 @@ use crate::error::{Error, Result, not_negative, require};
 /// extrapolation. There is no lower end: every named law tends to Stokes' 24/Re, so the coefficient
 /// goes to infinity as the speed goes to zero while the drag *force* goes to zero.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub enum DragLaw {
     /// No drag, as in the paper's first model.
     None,

@@ -124,6 +124,7 @@ impl InitialFall {
 ///
 /// Energies are per kilogram of [`FlightModel::moving_mass_kg`]: multiply to get joules.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub struct Bounce {
     /// When the ball touches the surface, s after the start. It leaves a contact time later.
     pub time_s: f64,

@@ -118,6 +118,7 @@ pub struct State {
 
 /// How a flight changes with its launch speed; exact for every drag law.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub struct LaunchDerivatives {
     /// d(flight time)/d(launch speed), s²/m.
     pub time: f64,

@@ -31,6 +31,7 @@ use crate::stats::{median, robust_sd};
 
 /// A flight between two impacts that follow each other, found from its time.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub struct TimedFlight {
     /// Number of the impact before it.
     pub number: usize,
@@ -42,7 +43,7 @@ pub struct TimedFlight {
 
 /// What an impact between two timed flights kept of the speed of the ball.
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 #[non_exhaustive]
 pub struct ImpactRestitution {
@@ -95,12 +96,13 @@ pub struct PerImpact {
 /// [`FlightModel::from_flight_time`].
 ///
 /// ```
+/// use bouncelab::Impact;
 /// use bouncelab::flight::FlightModel;
-/// use bouncelab::restitution::{TimedImpact, of_impacts};
+/// use bouncelab::restitution::of_impacts;
 ///
 /// // Impact 3 was missed: no flight touches it, and no restitution is known beside it.
 /// let impacts = [(1, 0.0), (2, 0.5), (4, 1.4), (5, 1.8)]
-///     .map(|(number, time_s)| TimedImpact { number, time_s, standard_error_s: None });
+///     .map(|(number, time_s)| Impact::new(number, time_s));
 /// let found = of_impacts(&impacts, 0.0, &FlightModel::drag_free(9.81)?)?;
 /// assert_eq!((found.flights.len(), found.impacts.len()), (2, 0));
 /// # Ok::<(), bouncelab::Error>(())

@@ -1,7 +1,8 @@
 //! Answers, and what the inference says, for people.
 
+use bouncelab::Estimate;
 use bouncelab::analysis::Drop;
-use bouncelab::inference::{ApexTarget, Posterior, Prediction, Summary, UNKNOWN};
+use bouncelab::inference::{ApexTarget, Posterior, Prediction, UNKNOWN};
 use bouncelab_report::messages::Value;
 use bouncelab_report::{Quantity, Unit, tables};
 use unicode_width::UnicodeWidthStr;
@@ -41,7 +42,7 @@ impl Answer {
     fn inferred(
         name: String,
         symbol: &'static str,
-        summary: &Summary,
+        summary: &Estimate,
         unit: Unit,
         more: &[String],
     ) -> Self {
@@ -81,14 +82,14 @@ pub(super) fn listed(heading: String, answers: &[Answer]) -> Vec<String> {
 
 /// What the inference answers, one line for each; nothing if it was not asked for.
 pub(super) fn lines(drop: &Drop, physics: &Physics) -> Vec<String> {
-    if physics.settings.inference.is_none() {
+    if physics.options.inference.is_none() {
         return Vec::new();
     }
-    let found = match &drop.estimate {
+    let found = match &drop.posterior {
         Ok(found) => found,
         Err(reason) => return vec![cannot_tell("analyze-inference", reason)],
     };
-    let answer = |name: &str, symbol, summary: &Summary, unit, more: &[String]| {
+    let answer = |name: &str, symbol, summary: &Estimate, unit, more: &[String]| {
         Answer::inferred(text(name), symbol, summary, unit, more)
     };
     let speed = Quantity::rounded(found.at_speed_m_s, 3, Unit::Speed);
@@ -105,15 +106,16 @@ pub(super) fn lines(drop: &Drop, physics: &Physics) -> Vec<String> {
         ),
         answer("quantity-drop-height", "h0", height, Unit::Length, &missed),
     ];
-    if let Some(drag) = &found.drag {
-        let prior = match drag.prior.sd {
+    if let (Some(coefficient), Some(prior)) =
+        (&found.drag_coefficient, found.drag_coefficient_prior)
+    {
+        let prior = match prior.sd {
             0.0 => text("analyze-known"),
             sd => {
-                let value = Quantity::measured(drag.prior.value, sd, Unit::Number);
+                let value = Quantity::measured(prior.value, sd, Unit::Number);
                 text_with("analyze-before-data", &[("value", value.into())])
             }
         };
-        let coefficient = &drag.coefficient;
         answers.push(answer(
             "quantity-drag-coefficient",
             "C_D",
@@ -121,12 +123,12 @@ pub(super) fn lines(drop: &Drop, physics: &Physics) -> Vec<String> {
             Unit::Number,
             &[prior],
         ));
-        let terminal = drag.terminal_speed_m_s.iter();
+        let terminal = found.terminal_speed_m_s.iter();
         answers.extend(
             terminal.map(|speed| answer("quantity-terminal-speed", "", speed, Unit::Speed, &[])),
         );
     }
-    if physics.settings.priors.gravity_rel_sd >= UNKNOWN {
+    if physics.options.priors.gravity_rel_sd >= UNKNOWN {
         let gravity = &found.gravity_m_s2;
         answers.push(answer(
             "quantity-gravity",
@@ -160,7 +162,7 @@ pub(super) fn lines(drop: &Drop, physics: &Physics) -> Vec<String> {
 }
 
 fn height_note(found: &Posterior) -> Option<String> {
-    match &found.missed_first {
+    match &found.missed_first_impacts {
         None if found.first_was_heard() => None,
         None => Some(text("analyze-first-fall")),
         Some(probabilities) => {
@@ -179,7 +181,7 @@ fn height_note(found: &Posterior) -> Option<String> {
 }
 
 fn predicted(prediction: &Prediction) -> Answer {
-    let ApexTarget { bounce, apex_m } = prediction.reach;
+    let ApexTarget { bounce, apex_m } = prediction.target;
     let apex = Quantity::rounded(apex_m, 4, Unit::Length);
     let target = [("bounce", bounce.into()), ("apex", apex.into())];
     let name = text_with("analyze-reach", &target);
@@ -191,7 +193,7 @@ fn predicted(prediction: &Prediction) -> Answer {
 
 /// The tables behind the answers.
 pub(super) fn details(drop: &Drop) -> Vec<String> {
-    let Ok(found) = &drop.estimate else {
+    let Ok(found) = &drop.posterior else {
         return Vec::new();
     };
     let words = translator();
@@ -223,7 +225,12 @@ pub(super) fn details(drop: &Drop) -> Vec<String> {
     let mut blocks: Vec<String> = tables
         .map(|(heading, table)| format!("{}\n{table}", text(heading)))
         .collect();
-    let priors = found.priors().join("\n  ");
+    let priors = found
+        .priors
+        .iter()
+        .map(|known| words.diagnostic(known))
+        .collect::<Vec<_>>()
+        .join("\n  ");
     blocks.push(format!("{}\n  {priors}", text("analyze-details-priors")));
     let sampling = [
         ("draws", Value::fixed(found.sampling.effective_draws, 0)),

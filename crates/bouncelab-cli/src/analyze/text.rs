@@ -2,29 +2,29 @@
 
 use std::fmt::{Display, Write};
 
-use bouncelab::analysis::{CONFIDENT_PROBABILITY, Drop};
-use bouncelab::regression::Estimate;
-use bouncelab_report::document::Origin;
+use bouncelab::Estimate;
+use bouncelab::analysis::{CONFIDENT_PROBABILITY, Drop, Source, StrongestBand};
+use bouncelab::{Diagnostic, Error};
 use bouncelab_report::messages::Value;
 use bouncelab_report::report::ended;
 use bouncelab_report::tables::{self, drag_law};
 use bouncelab_report::{Quantity, Unit};
 
 use super::answers::{self, Answer};
-use super::hear::{Clearest, Hearing};
+use super::read::{Analysed, translated};
 use crate::language::{text, text_with, translator};
 use crate::physics::Physics;
 
 /// What a file says, in words and a table for each drop.
-pub(crate) fn report(hearing: &Hearing, physics: &Physics, details: bool) -> String {
+pub(crate) fn report(analysed: &Analysed, physics: &Physics, details: bool) -> String {
     let mut page = String::new();
-    line(&mut page, &headline(hearing));
-    if details && let Some(choice) = listening(hearing) {
+    line(&mut page, &headline(analysed));
+    if details && let Some(choice) = listening(analysed) {
         line(&mut page, &format!("  {choice}"));
     }
-    for (index, drop) in hearing.drops.iter().enumerate() {
+    for (index, drop) in analysed.result.drops.iter().enumerate() {
         line(&mut page, "");
-        line(&mut page, &drop_headline(hearing, index));
+        line(&mut page, &drop_headline(analysed, index));
         line(&mut page, "");
         for finding in findings(drop, physics) {
             line(&mut page, &format!("  {finding}"));
@@ -39,15 +39,12 @@ pub(crate) fn report(hearing: &Hearing, physics: &Physics, details: bool) -> Str
             }
             line(&mut page, "");
         }
-        for warning in &drop.warnings {
-            line(&mut page, &note(warning));
-        }
-        for remark in drop.estimate.iter().flat_map(|found| &found.remarks) {
-            line(&mut page, &note(remark));
+        for known in &drop.diagnostics {
+            line(&mut page, &note(translator().diagnostic(known)));
         }
     }
-    for warning in &hearing.warnings {
-        line(&mut page, &note(warning));
+    for known in &analysed.result.diagnostics {
+        line(&mut page, &note(translator().diagnostic(known)));
     }
     if !physics.assumptions.is_empty() {
         line(&mut page, &assumed(&physics.assumptions));
@@ -62,14 +59,18 @@ pub(crate) fn note(remark: impl Display) -> String {
 }
 
 /// What was assumed, as a line.
-pub(crate) fn assumed(assumptions: &[String]) -> String {
-    let list = [("list", assumptions.join("; ").into())];
+pub(crate) fn assumed(assumptions: &[Diagnostic]) -> String {
+    let assumptions = assumptions
+        .iter()
+        .map(|known| translator().diagnostic(known));
+    let list = [("list", assumptions.collect::<Vec<_>>().join("; ").into())];
     format!("  {}", text_with("terminal-assumed", &list))
 }
 
 /// What cannot be told, and why.
-pub(crate) fn cannot_tell(id: &str, reason: impl Display) -> String {
-    let why = [("what", text(id).into()), ("reason", ended(reason).into())];
+pub(crate) fn cannot_tell(id: &str, reason: &Error) -> String {
+    let reason = ended(translated(reason)).into();
+    let why = [("what", text(id).into()), ("reason", reason)];
     text_with("terminal-cannot-tell", &why)
 }
 
@@ -83,11 +84,11 @@ fn indented(block: &str) -> String {
     rows.join("\n")
 }
 
-fn headline(hearing: &Hearing) -> String {
-    let name = ("name", hearing.name.as_str().into());
-    match &hearing.origin {
-        Origin::Times => text_with("analyze-times", &[name]),
-        Origin::Sound {
+fn headline(analysed: &Analysed) -> String {
+    let name = ("name", analysed.name.as_str().into());
+    match &analysed.result.source {
+        Source::Times => text_with("analyze-times", &[name]),
+        Source::Sound {
             format,
             sample_rate_hz,
             channels,
@@ -98,7 +99,7 @@ fn headline(hearing: &Hearing) -> String {
             let rate_khz = f64::from(*sample_rate_hz) / 1000.0;
             let sound = [
                 name,
-                ("format", format.as_str().into()),
+                ("format", format.as_deref().unwrap_or_default().into()),
                 ("rate", rate_khz.into()),
                 ("channel", (*channel).into()),
                 ("channels", (*channels).into()),
@@ -110,40 +111,50 @@ fn headline(hearing: &Hearing) -> String {
 }
 
 /// What was chosen in listening.
-fn listening(hearing: &Hearing) -> Option<String> {
-    let Origin::Sound { onsets, .. } = &hearing.origin else {
+fn listening(analysed: &Analysed) -> Option<String> {
+    let Source::Sound { onsets, .. } = &analysed.result.source else {
         return None;
     };
-    let Clearest { band_hz, above_db } = hearing.clearest.as_ref()?;
-    let impacts: usize = hearing.drops.iter().map(|drop| drop.impacts.len()).sum();
+    let StrongestBand {
+        low_hz,
+        high_hz,
+        above_background_db,
+        ..
+    } = analysed.result.strongest_band?;
+    let impacts: usize = analysed
+        .result
+        .drops
+        .iter()
+        .map(|drop| drop.impacts.len())
+        .sum();
     Some(text_with(
         "analyze-listening",
         &[
             ("onsets", (*onsets).into()),
             ("impacts", impacts.into()),
-            ("low", Value::fixed(band_hz.start, 0)),
-            ("high", Value::fixed(band_hz.end, 0)),
-            ("above", Value::fixed(*above_db, 0)),
+            ("low", Value::fixed(low_hz, 0)),
+            ("high", Value::fixed(high_hz, 0)),
+            ("above", Value::fixed(above_background_db, 0)),
         ],
     ))
 }
 
-fn drop_headline(hearing: &Hearing, index: usize) -> String {
-    let impacts = &hearing.drops[index].impacts;
+fn drop_headline(analysed: &Analysed, index: usize) -> String {
+    let impacts = &analysed.result.drops[index].impacts;
     let uncertain = impacts
         .iter()
         .filter(|impact| impact.probability < CONFIDENT_PROBABILITY)
         .count();
-    let probability = match hearing.probabilities.get(index) {
+    let probability = match analysed.result.drops[index].probability {
         // Not where it would read 1.00.
-        Some(probability) if *probability < 0.995 => Value::fixed(*probability, 2),
+        probability if probability < 0.995 => Value::fixed(probability, 2),
         _ => "none".into(),
     };
     let (first, last) = (&impacts[0], &impacts[impacts.len() - 1]);
     text_with(
         "analyze-drop",
         &[
-            ("drops", hearing.drops.len().into()),
+            ("drops", analysed.result.drops.len().into()),
             ("number", (index + 1).into()),
             ("count", impacts.len().into()),
             ("first", Value::fixed(first.time_s, 3)),
@@ -158,7 +169,7 @@ fn drop_headline(hearing: &Hearing, index: usize) -> String {
 fn findings(drop: &Drop, physics: &Physics) -> Vec<String> {
     let mut lines = line_lines(drop);
     let inferred = answers::lines(drop, physics);
-    if drop.estimate.is_err() {
+    if drop.posterior.is_err() {
         lines.extend(corrected_lines(drop, physics));
     }
     lines.extend(inferred);
@@ -166,31 +177,26 @@ fn findings(drop: &Drop, physics: &Physics) -> Vec<String> {
 }
 
 fn line_lines(drop: &Drop) -> Vec<String> {
-    let fit = match &drop.line {
+    let fit = match &drop.log_linear_fit {
         Ok(fit) => fit,
         Err(reason) => return vec![cannot_tell("analyze-line", reason)],
     };
-    let count = drop.flights.iter().filter(|flight| flight.in_line).count();
+    let count = drop.flights.iter().filter(|flight| flight.in_fit).count();
     let flights = text_with("analyze-line-flights", &[("count", count.into())]);
     let found =
         |name, symbol, value: Estimate, unit| Answer::new(text(name), symbol, shown(value, unit));
     let mut answers = vec![
-        found(
-            "quantity-restitution",
-            "e ",
-            fit.restitution(),
-            Unit::Number,
-        ),
+        found("quantity-restitution", "e ", fit.restitution, Unit::Number),
         found(
             "quantity-drop-height",
             "h0",
-            fit.drop_height_m(),
+            fit.drop_height_m,
             Unit::Length,
         )
         .noted(flights),
-        found("quantity-energy-kept", "", fit.energy_kept(), Unit::Percent),
+        found("quantity-energy-kept", "", fit.energy_kept, Unit::Percent),
     ];
-    if let (Some(time), Some(path)) = (fit.total_time_s(), fit.total_path_m()) {
+    if let (Some(time), Some(path)) = (fit.total_time_s, fit.total_path_m) {
         answers.push(found("analyze-until-rest", "", time, Unit::Time));
         answers.push(found("quantity-path-until-rest", "", path, Unit::Length));
     }
@@ -198,20 +204,20 @@ fn line_lines(drop: &Drop) -> Vec<String> {
 }
 
 fn corrected_lines(drop: &Drop, physics: &Physics) -> Vec<String> {
-    let found = match &drop.corrected {
+    let found = match &drop.per_impact {
         Ok(found) => found,
         Err(reason) => return vec![cannot_tell("analyze-corrected", reason)],
     };
     let count = found.impacts.len();
     let (Some(restitution), Some((slowest, fastest))) =
-        (drop.corrected_restitution(), drop.speed_range_m_s())
+        (drop.per_impact_restitution(), drop.speed_range_m_s())
     else {
         return vec![text_with(
             "analyze-corrected-too-few",
             &[("count", count.into())],
         )];
     };
-    let law = drag_law(physics.settings.environment.drag, translator());
+    let law = drag_law(physics.options.environment.drag, translator());
     let ball = physics.ball_label.as_str();
     let heading = [("ball", ball.into()), ("law", law.into())];
     let impacts = [
@@ -227,7 +233,7 @@ fn corrected_lines(drop: &Drop, physics: &Physics) -> Vec<String> {
 
 /// A value with its standard error, or with four digits where there is none.
 pub(crate) fn shown(estimate: Estimate, unit: Unit) -> String {
-    let quantity = match estimate.standard_error {
+    let quantity = match estimate.known_sd() {
         Some(error) => Quantity::measured(estimate.value, error, unit),
         None => Quantity::rounded(estimate.value, 4, unit),
     };

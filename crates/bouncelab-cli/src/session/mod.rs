@@ -1,7 +1,6 @@
 //! `bouncelab session`: what many drops say together.
 
 mod figures;
-mod notes;
 mod report;
 mod tables;
 mod text;
@@ -13,14 +12,17 @@ use std::path::PathBuf;
 use bouncelab_report::file::{remove_drafts, write_whole};
 use bouncelab_session::journal::Journal;
 use bouncelab_session::table::Form;
-use bouncelab_session::{Outcome, Results, Session, Sources, StudyOptions, write_tables};
+use bouncelab_session::{
+    Advice, MetadataOptions, Noted, Outcome, Results, Session, Sources, StudyOptions, write_tables,
+};
 use clap::{Args, ValueEnum};
 
 use crate::failure::Failure;
+use crate::language::{text, translator};
 use crate::physics::PhysicsArguments;
 use crate::priors::{PriorArguments, impact_speed};
 use crate::report::ReportFile;
-use notes::Reading;
+use bouncelab::setup::Setup;
 
 /// Hear many recordings and say what their drops say together
 ///
@@ -146,20 +148,31 @@ impl From<TableForm> for Form {
 }
 
 pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
-    arguments.physics.questioned(arguments.priors.doubts())?;
+    arguments.physics.questioned(arguments.priors.questions())?;
     let mut session = Session::gather(&Sources {
         inputs: arguments.inputs.clone(),
         pattern: arguments.pattern.clone(),
         table: arguments.table.clone(),
     })?;
-    let reading = Reading {
-        physics: &arguments.physics,
-        priors: &arguments.priors,
-        allow_missing: arguments.allow_missing,
-    };
     let title = session.title.take();
     let remarks = std::mem::take(&mut session.remarks);
-    let recordings = reading.resolve(session)?;
+    let recordings = MetadataOptions {
+        resolve: &|noted| {
+            arguments
+                .setup(noted)
+                .map_err(|failure| failure.to_string())
+        },
+        ball_is_known: arguments.physics.names_ball(),
+        allow_implausible: arguments.physics.allow_implausible(),
+        allow_missing: arguments.allow_missing,
+        translator: translator(),
+        advice: Advice {
+            implausible: &text("advice-allow-implausible"),
+            missing: "or go on without by --allow-missing",
+            ball: "or give the kind of all balls by --ball",
+        },
+    }
+    .read(session)?;
     let journal = Journal::open(&arguments.output)?;
     let folder = &arguments.output;
     remove_drafts(folder).map_err(|reason| Failure::unwritable(folder, &reason))?;
@@ -175,7 +188,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
             journal.damaged()
         );
     }
-    let done = work::hear_all(&recordings, &journal, arguments.jobs.map(usize::from))?;
+    let done = work::analyze_all(&recordings, &journal, arguments.jobs.map(usize::from))?;
     let kept = done.iter().filter(|done| done.kept).count();
     if kept > 0 {
         eprintln!(
@@ -188,7 +201,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
         done: &done,
         journal: &journal,
     };
-    let mut outcome = Outcome::of(&results, &arguments.study())?;
+    let mut outcome = Outcome::of(&results, &arguments.study(), translator())?;
     outcome.about.title = title;
     outcome.about.remarks.extend(remarks);
     let forms: Vec<Form> = arguments.tables.iter().map(|&form| form.into()).collect();
@@ -231,6 +244,14 @@ fn shown(files: &[PathBuf]) -> String {
 }
 
 impl Arguments {
+    /// What was noted of a recording, completed by what the arguments say of all.
+    fn setup(&self, noted: &Noted) -> Result<Setup, Failure> {
+        let mut setup = self.physics.with(noted).physics()?;
+        let priors = self.priors.with_height(noted.height_m, noted.height_sd_m);
+        priors.add_to(&mut setup.options)?;
+        Ok(setup)
+    }
+
     fn study(&self) -> StudyOptions {
         StudyOptions {
             by: self.by.clone(),

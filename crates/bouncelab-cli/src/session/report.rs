@@ -2,12 +2,10 @@
 
 use bouncelab::groups::Study;
 use bouncelab_report::Chart;
-use bouncelab_report::document::{AboutSession, Reason};
 use bouncelab_report::report::{Block, Language, Page, Provenance, Section, ended, repeat};
-use bouncelab_session::{Outcome, Results};
+use bouncelab_session::{AboutSession, Outcome, Reason, Results, some_of};
 
 use super::figures;
-use super::notes::some_of;
 use super::{tables, text};
 use crate::failure::Failure;
 use crate::language::translator;

@@ -1,6 +1,6 @@
 //! What the drops say together, as tables for the screen and for reports.
 
-use bouncelab::groups::{Difference, Group, Mean, Study};
+use bouncelab::groups::{Difference, Group, Mean, MeanAtSpeed, Study};
 use bouncelab_report::{Align, Quantity, Table, Unit};
 use bouncelab_session::Outcome;
 
@@ -127,7 +127,7 @@ pub(super) fn law_table(outcome: &Outcome<'_>, study: &Study) -> Table {
         ("95 % interval", Align::Right),
     ]);
     for group in &study.groups {
-        for (speed_m_s, mean) in &group.law {
+        for MeanAtSpeed { speed_m_s, mean } in &group.curve {
             let shown = restitution(mean);
             let interval = |ends| shown.interval(ends);
             table.row([

@@ -3,10 +3,9 @@
 use std::fmt::Write;
 
 use bouncelab::groups::{Difference, Study};
-use bouncelab_report::document::{AboutSession, Reason};
 use bouncelab_report::report::ended;
 use bouncelab_report::{CANNOT_TELL, Table};
-use bouncelab_session::Outcome;
+use bouncelab_session::{AboutSession, Outcome, Reason};
 
 use super::tables;
 

@@ -378,9 +378,9 @@ fn flights() -> Result<Vec<Fact>> {
     let behind = experiment::behind_the_regression(10)?;
     let history = dropped(&model(CONSTANT)?, behind, Stop::after(10))?;
     let mut facts = Vec::new();
-    for number in 1..=10 {
-        let time_s = experiment::flight_time_s(&history, number)?;
-        facts.push(Fact::new("flight-time", "s", time_s, 4).numbered(number as f64));
+    for (number, bounce) in (1..).zip(history.bounces()) {
+        let time_s = bounce.flight.time_s();
+        facts.push(Fact::new("flight-time", "s", time_s, 4).numbered(f64::from(number)));
     }
     debug_assert!((regressed(behind, 10)?.restitution.value - REGRESSED).abs() < 1e-9);
     for restitution in [0.935, 0.94, 0.945, 0.95] {

@@ -15,6 +15,7 @@
 mod experiment;
 mod facts;
 mod figures;
+pub mod lesson;
 mod puzzle;
 
 pub use facts::{Chapter, Fact, Verdict, chapters};

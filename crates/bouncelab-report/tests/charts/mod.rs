@@ -48,7 +48,7 @@ fn drop_of(settings: &Options) -> Drop {
         bounce.time_s + 5e-6 * (2.7 * n as f64).sin() + wrong_s
     });
     let times: Vec<f64> = times.take(45).collect();
-    analysis::analyze(analysis::impacts_of_times(&times), settings)
+    analysis::analyze_impacts(analysis::impacts_of_times(&times), settings)
 }
 
 /// The figures of a drop with and without inference, and those of the air.

@@ -12,18 +12,19 @@
 //! let times_s = [0.0, 0.4605, 0.8877, 1.2854, 1.6568, 2.0045];
 //! let options = Options::new(ball::preset("table-tennis-40")?);
 //! let drop = analyze_impacts(impacts_of_times(&times_s), &options);
-//! let fit = drop.log_linear_fit.as_ref()?;
+//! let fit = drop.log_linear_fit.clone()?;
 //! assert!((fit.restitution.value - 0.932).abs() < 0.001);
 //! // Without the bias of drag the ball is livelier.
 //! assert!(drop.per_impact_restitution().unwrap().value > fit.restitution.value);
-//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! # Ok::<(), bouncelab::Error>(())
 //! ```
 
+mod derived;
 mod gap;
 mod pipeline;
 mod result;
 
-use std::ops::{Range, RangeInclusive};
+use std::ops::RangeInclusive;
 
 use crate::air::{Air, Conditions};
 use crate::ball::{self, Ball, Preset};
@@ -39,9 +40,10 @@ use crate::restitution::{self, PerImpact};
 use crate::train::{self, TrainImpact};
 use crate::{Error, Result};
 
+pub use crate::detection::DetectionOptions;
+pub use derived::{DragCurve, HeightHistory, Truncation};
 pub use gap::Gap;
-pub(crate) use pipeline::check_channel;
-pub use pipeline::{DropTask, Plan, analyze, analyze_channels, analyze_times};
+pub use pipeline::{DropCandidate, DropTask, Plan, analyze, analyze_channels, analyze_times};
 pub use result::{BounceEnergy, Drop, MeasuredFlight, Recording, Source, StrongestBand};
 
 /// What is known, or assumed, of the ball and what it flies through, and what is asked.
@@ -76,16 +78,6 @@ pub struct Options {
     pub detection: DetectionOptions,
     /// Impacts excluded and included by hand.
     pub edits: Edits,
-}
-
-/// Where in a recording to look for impacts.
-#[derive(Clone, Debug, Default, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
-pub struct DetectionOptions {
-    /// The only channel to use, the first being 1; if `None`, the one with the most evidence.
-    pub channel: Option<usize>,
-    /// The only frequencies to use, in Hz; if `None`, all bands, each against its own background.
-    pub band_hz: Option<Range<f64>>,
 }
 
 /// Impacts excluded and included by hand, and gaps.

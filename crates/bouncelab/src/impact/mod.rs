@@ -109,6 +109,15 @@ impl Impact {
             ..self
         }
     }
+
+    /// The same with its level, in dB relative to full scale.
+    #[must_use]
+    pub const fn with_level_db(self, level_db: f64) -> Self {
+        Self {
+            level_db: Some(level_db),
+            ..self
+        }
+    }
 }
 
 /// One impact as a source of sound.

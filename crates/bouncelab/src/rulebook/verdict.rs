@@ -89,6 +89,7 @@ impl fmt::Display for Outcome {
 
 /// What drops say of a rule. Heights are those of the point at which the rule measures.
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub struct Verdict {
     /// The decision.
     pub outcome: Outcome,
