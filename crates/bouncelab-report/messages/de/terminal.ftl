@@ -196,3 +196,57 @@ rule-within-of-mean = jede Stelle innerhalb von { $share } % des Mittels
 rule-places-apart = Stellen höchstens { $share } Prozentpunkte auseinander
 rule-at-least = mindestens { $least }
 rule-at-most = höchstens { $greatest }
+
+listen-begins = höre { $source }, { $rate } kHz, { $channels ->
+    [one] 1 Kanal
+   *[other] { $channels } Kanäle
+  }; { $file ->
+    [none] nichts wird gespeichert
+   *[other] laufend gespeichert in { $file }
+  }
+listen-saved-in = gespeichert in { $file }
+listen-not-saved = NICHT GESPEICHERT
+listen-silence = vom Mikrofon kommt nur Stille: Ist es stumm, oder das falsche (--devices)?
+listen-lost = Ton ging verloren: Der Rechner war zu langsam, oder das Mikrofon hatte einen Fehler; Flüge über die Lücke zählen nicht
+listen-lost-in-all = { $frames } Abtastwerte jedes Kanals ({ $seconds } s) gingen an { $count ->
+    [one] einer Stelle
+   *[other] { $count } Stellen
+  } verloren
+listen-not-analysed = ein Versuch lässt sich nicht auswerten: { $reason }
+listen-once-more = Versuch { $number } noch einmal, da nun alles bekannt ist
+listen-heading = Versuch { $number }
+listen-all-drops = Alle Versuche:
+listen-saved = der Ton ist in { $file }; um ihn noch einmal auszuwerten: { $command }
+listen-left-out = der Versuch bei { $start } s { $reason ->
+    [distant] ist ein viel leiserer Ball als die anderen
+   *[unlikely] hält der ganzen Aufnahme nicht stand
+  } und ist weggelassen, da nun alles bekannt ist
+listen-impact = Versuch { $drop }: Aufprall { $impact } bei { $time } s nach { $flight } ms{ $rests ->
+    [yes] ; der Ball ruht
+   *[no] {""}
+  }
+listen-line = e = { $restitution }, h0 = { $height } ohne Luft
+listen-corrected = e = { $restitution }, Luftwiderstand herausgerechnet
+listen-too-loud = ZU LAUT: übersteuert
+listen-level = Pegel
+listen-seconds = { $seconds } s
+listen-drops = { $count ->
+    [one] 1 Versuch
+   *[other] { $count } Versuche
+  }
+listen-sounds = { $count ->
+    [one] 1 Laut
+   *[other] { $count } Laute
+  }
+listen-lost-so-far = { $count } Abtastwerte VERLOREN
+listen-ends = Strg-C beendet
+listen-at = bei s
+listen-e-line = e, ohne Luft
+listen-h0-line = h0, ohne Luft
+listen-mean = Mittel
+listen-scatter = Streuung
+listen-save-failed = der Ton wird nicht mehr gespeichert: { $fault }; { $seconds } s sind in der Datei. Das Zuhören geht weiter
+listen-end-not-saved = das Ende des Tons ist vielleicht nicht gespeichert: { $fault }
+listen-device = Name
+listen-device-kind = Art
+listen-device-default = voreingestellt

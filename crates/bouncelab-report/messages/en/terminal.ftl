@@ -198,3 +198,57 @@ rule-within-of-mean = each place within { $share } % of the mean
 rule-places-apart = places at most { $share } points apart
 rule-at-least = at least { $least }
 rule-at-most = at most { $greatest }
+
+listen-begins = listening to { $source }, { $rate } kHz, { $channels ->
+    [one] 1 channel
+   *[other] { $channels } channels
+  }; { $file ->
+    [none] nothing is saved
+   *[other] saved in { $file } as it comes
+  }
+listen-saved-in = saved in { $file }
+listen-not-saved = NOT SAVED
+listen-silence = the microphone gives nothing but silence: is it muted, or the wrong one (--devices)?
+listen-lost = sound was lost: the computer was too slow, or the microphone had a fault; flights across the gap are left out
+listen-lost-in-all = { $frames } samples of each channel ({ $seconds } s) were lost in { $count ->
+    [one] 1 place
+   *[other] { $count } places
+  }
+listen-not-analysed = a drop cannot be analysed: { $reason }
+listen-once-more = drop { $number } once more, now that all is known
+listen-heading = drop { $number }
+listen-all-drops = All drops:
+listen-saved = the sound is in { $file }; to analyse it again: { $command }
+listen-left-out = the drop at { $start } s { $reason ->
+    [distant] is a ball far fainter than the others
+   *[unlikely] does not stand up to the whole recording
+  }, now that all is known, and left out
+listen-impact = drop { $drop }: impact { $impact } at { $time } s after { $flight } ms{ $rests ->
+    [yes] ; the ball rests
+   *[no] {""}
+  }
+listen-line = e = { $restitution }, h0 = { $height } without air
+listen-corrected = e = { $restitution } corrected for drag
+listen-too-loud = TOO LOUD: clipped
+listen-level = level
+listen-seconds = { $seconds } s
+listen-drops = { $count ->
+    [one] 1 drop
+   *[other] { $count } drops
+  }
+listen-sounds = { $count ->
+    [one] 1 sound
+   *[other] { $count } sounds
+  }
+listen-lost-so-far = { $count } samples LOST
+listen-ends = Ctrl-C ends
+listen-at = at s
+listen-e-line = e, no air
+listen-h0-line = h0, no air
+listen-mean = mean
+listen-scatter = scatter
+listen-save-failed = the sound is saved no more: { $fault }; { $seconds } s are in the file. Listening goes on
+listen-end-not-saved = the end of the sound may not be saved: { $fault }
+listen-device = name
+listen-device-kind = what it is
+listen-device-default = default
