@@ -140,11 +140,11 @@ impl JsTranslator {
     #[wasm_bindgen(constructor)]
     pub fn new(code: &str, sources: Vec<String>) -> Result<Self> {
         if sources.is_empty() {
-            return Ok(Self(Translator::english()));
+            return Ok(Self(Translator::english().for_front_end("page")));
         }
         let sources: Vec<&str> = sources.iter().map(String::as_str).collect();
         let translator = Translator::of_sources(code, &sources);
-        Ok(Self(translator.map_err(Refusal::fault)?))
+        Ok(Self(translator.map_err(Refusal::fault)?.for_front_end("page")))
     }
 
     /// The sentence of a diagnostic.
