@@ -20,13 +20,14 @@ const REMEMBERED: usize = 64;
 
 /// Analyses drops, and remembers the last ones: who edits one drop need not wait for the others,
 /// and who wants a figure need not wait for the numbers.
-#[derive(Default)]
+#[derive(Debug, Default)]
 pub struct Analyst {
     /// The latest last.
     known: Vec<(DropTask, Drop)>,
 }
 
 /// A request with its result, in a language.
+#[derive(Debug)]
 pub struct Analysis<'a> {
     request: &'a AnalysisRequest,
     translator: &'a Translator,
@@ -50,6 +51,7 @@ impl Analyst {
         let plan = Plan::of_candidates(request.source.clone(), candidates, &setup.options);
         let drops = plan.tasks().iter().map(|task| self.drop(task)).collect();
         let mut result = plan.finish(drops);
+        result.strongest_band = request.strongest_band;
         let of_recording = request.diagnostics.iter().cloned();
         result.diagnostics.splice(0..0, of_recording);
         if result.no_drop.is_some() && request.no_drop.is_some() {

@@ -13,6 +13,7 @@ use crate::wire::SoFar;
 ///
 /// Drops are analysed without the inference, as those of an ordinary ball in ordinary air: what a page
 /// shows until its settings are applied.
+#[derive(Debug)]
 pub struct RecordingDetector {
     detector: Detector,
     /// One for each channel of the recording.
@@ -113,6 +114,6 @@ pub fn onset_near(
         let impact = Impact::new(1, start_s + onset.time_s).with_time_sd_s(onset.sigma_s);
         impact.with_level_db(onset.level_db)
     });
-    let distance = |impact: &Impact| (impact.time_s - start_s - time_s).abs();
+    let distance = |impact: &Impact| (impact.time_s - time_s).abs();
     impacts.min_by(|a, b| distance(a).total_cmp(&distance(b)))
 }

@@ -101,7 +101,7 @@ trait Rows {
 }
 
 /// A table being written, in one form or several at once.
-#[derive(Debug)]
+#[expect(missing_debug_implementations, reason = "open files show nothing")]
 pub struct TableWriter {
     columns: usize,
     files: Vec<InForm>,
