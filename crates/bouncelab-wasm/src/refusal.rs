@@ -1,6 +1,6 @@
 //! Why was it not done?
 
-use bouncelab_audio::{Error, Lack, LayoutProblem, LooksLike, Stage, TimesProblem};
+use bouncelab_audio::{Error, MissingContent, LayoutProblem, LooksLike, Stage, TimesProblem};
 use serde::Serialize;
 #[cfg(not(target_family = "wasm"))]
 use ts_rs::TS;
@@ -46,7 +46,7 @@ pub enum Reason {
     /// There is nothing in it.
     Empty {
         /// What is missing.
-        what: Lack,
+        what: MissingContent,
     },
     /// It is no sound.
     NotSound {

@@ -243,9 +243,6 @@ export type Inferred = "gravity" | "drag" | "contact-time";
 
 export type InferredImpact = { number: number, impact_speed_m_s: Posterior, restitution: Posterior | null, apex_m: Posterior | null, lost_to_surface_j: Posterior | null, lost_to_air_j: Posterior | null, standardised_residual: number | null, weight: number, };
 
-/** What a file that is empty lacks. */
-export type Lack = "content" | "sound" | "time";
-
 /** Why sound that can be decoded is of no use. */
 export type LayoutProblem = { "code": "too-slow",
 /** Samples a second. */
@@ -276,6 +273,9 @@ sigma_s: number | null,
 probability: number,
 /** Level relative to full scale; `null` if it was not heard. */
 level_db: number | null, };
+
+/** What a file that is empty lacks. */
+export type MissingContent = "content" | "sound" | "time";
 
 export type ModelWeight = { restitution_law: string, drag_law: string, probability: number, log_evidence: number, restitution: Posterior | null, drop_height_m: Posterior | null, };
 
@@ -348,7 +348,7 @@ apex_m: number, };
 /** What exactly is wrong with a file. The page has words for each in every language. */
 export type Reason = { "code": "empty",
 /** What is missing. */
-what: Lack, } | { "code": "not-sound",
+what: MissingContent, } | { "code": "not-sound",
 /** What it looks like. */
 looks_like: LooksLike, } | { "code": "malformed",
 /** The container, for example "MP4". */
