@@ -1,7 +1,7 @@
 //! Why was it not done?
 
 use bouncelab::Diagnostic;
-use bouncelab_audio::{Error, Lack, LayoutProblem, LooksLike, Stage, TimesProblem};
+use bouncelab_audio::{Error, LayoutProblem, LooksLike, MissingContent, Stage, TimesProblem};
 use serde::Serialize;
 #[cfg(not(target_family = "wasm"))]
 use ts_rs::TS;
@@ -49,7 +49,7 @@ pub enum Reason {
     /// There is nothing in it.
     Empty {
         /// What is missing.
-        what: Lack,
+        what: MissingContent,
     },
     /// It is no sound.
     NotSound {

@@ -64,7 +64,7 @@ fn lead(outcome: &Outcome<'_>, about: &AboutSession) -> Vec<Block> {
             }
         }
         Err(reason) => {
-            let reason = ended(translator().diagnostic(&reason.diagnostic()));
+            let reason = ended(reason);
             let reason = [("reason", reason.into())];
             lead.push(Block::Note(text_with("session-incomparable", &reason)));
         }

@@ -20,7 +20,10 @@ pub(super) fn report(outcome: &Outcome<'_>, details: bool, wanted: Option<f64>) 
     page.line(&headline(&outcome.about));
     match &outcome.study {
         Ok(study) => page.study(outcome, study, details, wanted),
-        Err(reason) => page.line(&format!("\n{}", cannot_tell("session-restitution", reason))),
+        Err(reason) => page.line(&format!(
+            "\n{}",
+            cannot_tell("session-restitution", reason.as_str())
+        )),
     }
     page.troubles(outcome, details);
     page.0
