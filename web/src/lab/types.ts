@@ -33,6 +33,8 @@ export type AnalysisRequest = {
 name: string,
 /** Where its times come from. */
 source: Source,
+/** Where its impacts stand out most. */
+strongest_band: StrongestBand | null,
 /** What is odd about it. */
 diagnostics: Array<Diagnostic>,
 /** Why there was no drop in it. */
