@@ -227,6 +227,10 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
     )?)
 }
 
+fn write(file: &Path, bytes: &[u8]) -> Result<(), Failure> {
+    write_whole(file, bytes).map_err(|reason| Failure::unwritable(file, &reason))
+}
+
 impl Arguments {
     fn scene(&self) -> Scene {
         Scene {
@@ -299,7 +303,4 @@ impl TruthFormat {
             }
         }
     }
-}
-fn write(file: &Path, bytes: &[u8]) -> Result<(), Failure> {
-    write_whole(file, bytes).map_err(|reason| Failure::unwritable(file, &reason))
 }

@@ -57,9 +57,7 @@
 //! | [`plausibility`] | which stated values look like mistakes of units |
 //! | [`groups`] | what many drops say together |
 //! | [`rulebook`] | whether a ball or a floor obeys a rule |
-//! | [`plausibility`] | whether what was stated looks like a mistake of units |
 //! | [`setup`] | what a person states, and what is assumed |
-//! | [`diagnostic`] | what is odd about a result, as codes with arguments |
 //! | [`demo`] | a drop whose truth is known |
 //!
 //! # Features

@@ -439,7 +439,7 @@ fn a_budget_adds_up() {
         assert!(shares.is_sorted_by(|a, b| a.share >= b.share));
     }
     // On a clean recording the scatter of the impacts, not the clock, limits e.
-    assert_eq!(found.budget.restitution[0].source, "scatter of restitution");
+    assert_eq!(found.budget.restitution[0].source, "restitution-scatter");
     let variance: f64 = found.budget.restitution.iter().map(|s| s.sd * s.sd).sum();
     assert!((variance.sqrt() / found.restitution.sd - 1.0).abs() < 0.3);
 }

@@ -7,6 +7,7 @@
 mod parquet;
 mod text;
 
+use std::fmt;
 use std::path::{Path, PathBuf};
 
 use bouncelab_report::file::Draft;
@@ -111,6 +112,14 @@ struct InForm {
     path: PathBuf,
     draft: Draft,
     rows: Box<dyn Rows>,
+}
+
+impl fmt::Debug for InForm {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("InForm")
+            .field("path", &self.path)
+            .finish_non_exhaustive()
+    }
 }
 
 impl TableWriter {
