@@ -33,6 +33,8 @@ export type AnalysisRequest = {
 name: string,
 /** Where its times come from. */
 source: Source,
+/** Where its impacts stand out most. */
+strongest_band: StrongestBand | null,
 /** What is odd about it. */
 diagnostics: Array<Diagnostic>,
 /** Why there was no drop in it. */
@@ -790,7 +792,7 @@ export type Simulation = { drag: string, terminal_speed_m_s: number | null, tota
 /** Drops of the same ball under several drag laws. */
 export type SimulationDocument = { schema: string,
 /** Version of the program that made it. */
-bouncelab: string, ball_mass_kg: number, ball_diameter_m: number, contact_time_s: number, air_density_kg_m3: number, gravity_m_s2: number, assumptions: Array<string>, simulations: Array<Simulation>, };
+bouncelab: string, ball_mass_kg: number, ball_diameter_m: number, contact_time_s: number, air_density_kg_m3: number, gravity_m_s2: number, assumptions: Array<Diagnostic>, simulations: Array<Simulation>, };
 
 /** How a simulated drop begins, bounces and ends. */
 export type SimulationRequest = {
