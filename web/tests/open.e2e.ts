@@ -107,7 +107,7 @@ test('what is wrong with a file is said in the language of the page', async () =
   await notice.getByText('Zeile 3: „zwei“ ist keine Zeit in Sekunden wie 0.125.').waitFor();
 });
 
-test('a huge file is refused, and what lay on the bench stays', async () => {
+test('a huge file is refused, and what lay in the workspace stays', async () => {
   const on = await page();
   await on.getByRole('button', { name: 'try the demo' }).click();
   const before = await said(on);

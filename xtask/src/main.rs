@@ -10,6 +10,7 @@ mod detection;
 mod fresh;
 mod fuzz;
 mod laboratory;
+mod package;
 mod steps;
 mod tables;
 mod test;

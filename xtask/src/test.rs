@@ -4,7 +4,7 @@ use std::process::Command;
 
 use crate::cargo::{cargo, cargo_all, has, has_sound_headers, install, run as run_command};
 use crate::steps::{self, Step, Time, Watch};
-use crate::{Result, fresh, tables, web};
+use crate::{Result, fresh, package, tables, web};
 
 pub(crate) const ABOUT: &str = "Run every check, or only the named ones";
 
@@ -30,6 +30,8 @@ enum Needs {
     Browser,
     /// The history of the repository.
     Git,
+    /// The folder of real recordings, which is not part of the repository.
+    Recordings,
 }
 
 impl Needs {
@@ -41,6 +43,7 @@ impl Needs {
             Self::Node => web::has_node(),
             Self::Browser => web::has_node() && web::has_browser(),
             Self::Git => fresh::has_repository(),
+            Self::Recordings => has_recordings(),
         }
     }
 }
@@ -49,7 +52,7 @@ impl Needs {
 /// features: clippy and the documentation use the same metadata of the dependencies, the tests and the
 /// program under the end-to-end tests the same code, so that a dependency is compiled at most twice;
 /// and once more for the browser.
-pub(crate) const CHECKS: [Check; 9] = [
+pub(crate) const CHECKS: [Check; 11] = [
     Check {
         name: "format",
         about: "rustfmt has nothing to change",
@@ -95,9 +98,24 @@ pub(crate) const CHECKS: [Check; 9] = [
         needs: Needs::Python,
         run: || {
             let mut command = cargo_all(&["test"]);
-            command.args(["--test", "tables"]);
+            command.args(["--test", "tables", "--", "--ignored"]);
             run_command(command.env("BOUNCELAB_PYTHON", tables::python()))
         },
+    },
+    Check {
+        name: "recordings",
+        about: "the tests that read real recordings",
+        needs: Needs::Recordings,
+        run: || {
+            let mut command = cargo_all(&["test"]);
+            run_command(command.args(["--test", "recordings", "--", "--ignored"]))
+        },
+    },
+    Check {
+        name: "package",
+        about: "the crates for users can be published",
+        needs: Needs::Nothing,
+        run: package::run,
     },
     Check {
         name: "web",
@@ -136,6 +154,15 @@ fn tests() -> Result {
     run_command(&mut all(&[]))
 }
 
+/// Says how to name their folder if nobody did: the tests that read them are ignored then.
+fn has_recordings() -> bool {
+    let named = std::env::var_os("BOUNCELAB_RECORDINGS").is_some();
+    if !named {
+        println!("BOUNCELAB_RECORDINGS names no folder of recordings");
+    }
+    named
+}
+
 /// What became of a check.
 struct Outcome {
     name: &'static str,
@@ -149,7 +176,13 @@ pub(crate) fn run(names: &[String]) -> Result {
     let mut checks = chosen(names)?;
     ensure_components()?;
     ensure_sound_headers();
-    for needs in [Needs::Python, Needs::Node, Needs::Browser, Needs::Git] {
+    for needs in [
+        Needs::Python,
+        Needs::Recordings,
+        Needs::Node,
+        Needs::Browser,
+        Needs::Git,
+    ] {
         if checks.iter().any(|check| check.needs == needs) && !needs.are_met() {
             let (skipped, rest) = checks
                 .into_iter()

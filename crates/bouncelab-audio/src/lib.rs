@@ -26,6 +26,8 @@
 //! Only the microphone starts a thread; without that feature the crate builds for wasm32, where
 //! [`Source::from_bytes`] and [`Input::from_bytes`] take the place of files.
 
+#![warn(missing_docs)]
+
 mod error;
 mod input;
 #[cfg(feature = "microphone")]

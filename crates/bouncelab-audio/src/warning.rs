@@ -1,4 +1,4 @@
-use std::fmt;
+use bouncelab::diagnostic::{Code, Diagnostic};
 
 /// A fault in a recording that did not stop it from being read.
 ///
@@ -49,54 +49,29 @@ pub enum Warning {
     EditsIgnored,
 }
 
-impl fmt::Display for Warning {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Truncated {
-                read_s,
-                expected_s: Some(expected_s),
-            } => write!(
-                f,
-                "the file is cut short: {read_s:.2} s of {expected_s:.2} s could be read"
-            ),
-            Self::Truncated {
-                read_s,
-                expected_s: None,
-            } => {
-                write!(
-                    f,
-                    "the file is cut short or damaged: it was read up to {read_s:.2} s"
-                )
+impl Warning {
+    /// The same as data, for those who show it.
+    pub fn diagnostic(&self) -> Diagnostic {
+        let new = Diagnostic::new;
+        match *self {
+            Self::Truncated { read_s, expected_s } => {
+                let truncated = new(Code::FileTruncated).with("read_s", read_s);
+                match expected_s {
+                    Some(expected_s) => truncated.with("expected_s", expected_s),
+                    None => truncated,
+                }
             }
-            Self::Damaged { packets, first_s } => write!(
-                f,
-                "{packets} damaged {} replaced by silence, the first at {first_s:.2} s",
-                if *packets == 1 {
-                    "packet was"
-                } else {
-                    "packets were"
-                }
-            ),
-            Self::NonFinite { samples, first_s } => write!(
-                f,
-                "{samples} {} replaced by zero, the first at {first_s:.4} s",
-                if *samples == 1 {
-                    "sample was not a number and"
-                } else {
-                    "samples were not numbers and"
-                }
-            ),
-            Self::Gap { at_s, missing_s } => write!(
-                f,
-                "{missing_s:.2} s of sound are missing at {at_s:.2} s: later times are too early"
-            ),
-            Self::FormatChange { at_s } => write!(
-                f,
-                "the sound changes its rate or channels at {at_s:.2} s; it was read up to there"
-            ),
-            Self::EditsIgnored => f.write_str(
-                "the file's edit list reorders or warps the sound; it was read as recorded",
-            ),
+            Self::Damaged { packets, first_s } => new(Code::PacketsDamaged)
+                .with("packets", packets)
+                .with("first_s", first_s),
+            Self::NonFinite { samples, first_s } => new(Code::SamplesNotFinite)
+                .with("samples", samples)
+                .with("first_s", first_s),
+            Self::Gap { at_s, missing_s } => new(Code::SoundMissing)
+                .with("at_s", at_s)
+                .with("missing_s", missing_s),
+            Self::FormatChange { at_s } => new(Code::FormatChanges).with("at_s", at_s),
+            Self::EditsIgnored => new(Code::EditListIgnored),
         }
     }
 }

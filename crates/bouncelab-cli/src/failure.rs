@@ -4,6 +4,8 @@ use std::io;
 use std::path::Path;
 use std::process::ExitCode;
 
+use crate::analyze::translated;
+
 /// Why a command did not do what was asked.
 #[derive(Debug, thiserror::Error)]
 pub(crate) enum Failure {
@@ -50,7 +52,7 @@ impl Failure {
 /// An argument that the science refuses.
 impl From<bouncelab::Error> for Failure {
     fn from(refusal: bouncelab::Error) -> Self {
-        Self::Usage(refusal.to_string())
+        Self::Usage(translated(&refusal))
     }
 }
 

@@ -2,9 +2,9 @@
 
 mod analyze;
 mod demo;
-mod doubt;
 mod failure;
 mod history;
+mod language;
 mod listen;
 mod paper;
 mod physics;
@@ -35,6 +35,9 @@ use clap::{Parser, Subcommand};
 struct Cli {
     #[command(subcommand)]
     command: Command,
+    /// Language of the results, as in de (default: that of the system, else English)
+    #[arg(long, global = true, value_name = "CODE", value_parser = language::known)]
+    language: Option<String>,
 }
 
 const EXAMPLES: &str = "\
@@ -63,7 +66,11 @@ enum Command {
 }
 
 fn main() -> ExitCode {
-    let result = match Cli::parse().command {
+    let cli = Cli::parse();
+    if let Some(language) = cli.language {
+        language::choose(language);
+    }
+    let result = match cli.command {
         Command::Analyze(arguments) => analyze::run(&arguments),
         Command::Listen(arguments) => listen::run(&arguments),
         Command::Session(arguments) => session::run(&arguments),

@@ -4,11 +4,12 @@ use bouncelab::ball::Ball;
 use bouncelab::drag::DragLaw;
 use bouncelab::rulebook;
 use bouncelab::setup::{AirInput, BallInput, GravityInput, Setup, SetupInput};
+use bouncelab::{Diagnostic, plausibility};
 use bouncelab_session::Noted;
 use clap::Args;
 
-use crate::doubt::{self, Doubt};
 use crate::failure::Failure;
+use crate::language::{text, translator};
 use crate::units;
 
 /// Ball, air, drag and gravity.
@@ -135,30 +136,30 @@ impl PhysicsArguments {
     }
 
     /// What looks like a mistake of units.
-    fn doubts(&self) -> Vec<Doubt> {
+    fn questions(&self) -> Vec<Diagnostic> {
         let of_ball = self.mass.zip(self.diameter).and_then(|(mass, diameter)| {
             // What is no ball at all is refused as such.
-            doubt::of_ball(&Ball::new(mass, diameter).ok()?)
+            plausibility::of_ball(&Ball::new(mass, diameter).ok()?)
         });
-        let mut doubts = doubt::of_quantities(&[
-            ("contact_time", self.contact_time),
+        let mut questions = of_quantities(&[
+            ("contact-time", self.contact_time),
             ("temperature", self.temperature),
             ("pressure", self.pressure),
             ("humidity", self.humidity),
-            ("air density", self.air_density),
+            ("air-density", self.air_density),
             ("gravity", self.gravity),
             ("altitude", self.altitude),
         ]);
-        doubts.extend(of_ball);
-        doubts
+        questions.extend(of_ball);
+        questions
     }
 
     /// Ball, air and gravity of these arguments, unless something looks like a mistake: one of these
     /// or one of the `others` that were stated beside them.
-    pub(crate) fn questioned(&self, others: Vec<Doubt>) -> Result<Physics, Failure> {
-        let mut doubts = self.doubts();
-        doubts.extend(others);
-        doubt::settle(&doubts, self.allow_implausible)?;
+    pub(crate) fn questioned(&self, others: Vec<Diagnostic>) -> Result<Physics, Failure> {
+        let mut questions = self.questions();
+        questions.extend(others);
+        settle(&questions, self.allow_implausible)?;
         self.physics()
     }
 
@@ -220,6 +221,27 @@ impl PhysicsArguments {
             .map(GravityInput::Measured)
             .or(self.latitude.map(place))
     }
+}
+
+/// Questions about what was stated of some quantities.
+pub(crate) fn of_quantities(stated: &[(&str, Option<f64>)]) -> Vec<Diagnostic> {
+    let stated = stated.iter();
+    stated
+        .filter_map(|&(quantity, value)| plausibility::of_quantity(quantity, value?))
+        .collect()
+}
+
+/// Refuses to go on while there are questions, unless the person allows implausible values.
+pub(crate) fn settle(questions: &[Diagnostic], allow_implausible: bool) -> Result<(), Failure> {
+    if allow_implausible || questions.is_empty() {
+        return Ok(());
+    }
+    let questions: Vec<String> = questions
+        .iter()
+        .map(|question| translator().diagnostic(question))
+        .collect();
+    let advice = text("advice-allow-implausible");
+    Err(Failure::Usage(format!("{} {advice}", questions.join(" "))))
 }
 
 /// The drag law that an argument names.

@@ -1,13 +1,14 @@
 //! The arguments that say what is known besides the sounds, and what to ask of the inference.
 
+use bouncelab::Diagnostic;
 use bouncelab::analysis::Options;
 use bouncelab::drag::DragLaw;
 use bouncelab::inference::{ApexTarget, InferenceOptions, LawKind, Priors, SamplerConfig};
 use bouncelab::setup::{self, DropInput};
 use clap::{Args, ValueEnum};
 
-use crate::doubt::{self, Doubt};
 use crate::failure::Failure;
+use crate::physics::of_quantities;
 use crate::units;
 
 /// Measurements, priors and questions.
@@ -139,8 +140,8 @@ impl PriorArguments {
     }
 
     /// What looks like a mistake of units.
-    pub(crate) fn doubts(&self) -> Vec<Doubt> {
-        doubt::of_quantities(&[("height", self.height), ("height_sd", self.height_sd)])
+    pub(crate) fn questions(&self) -> Vec<Diagnostic> {
+        of_quantities(&[("height", self.height), ("height-sd", self.height_sd)])
     }
 
     /// Adds what these arguments say, and what they ask, to what the physics says.

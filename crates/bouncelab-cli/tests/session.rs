@@ -15,17 +15,17 @@ use predicates::str::contains;
 use tempfile::TempDir;
 
 /// A folder for recordings and one for results.
-struct Room(TempDir);
+struct Workspace(TempDir);
 
-impl Room {
-    /// A room with these files of notes.
+impl Workspace {
+    /// A workspace with these files of notes.
     fn new(notes: &[(&str, &str)]) -> Self {
-        let room = Self(TempDir::new().unwrap());
-        fs::create_dir(room.recordings()).unwrap();
+        let workspace = Self(TempDir::new().unwrap());
+        fs::create_dir(workspace.recordings()).unwrap();
         for (name, text) in notes {
-            fs::write(room.recordings().join(name), text).unwrap();
+            fs::write(workspace.recordings().join(name), text).unwrap();
         }
-        room
+        workspace
     }
 
     fn recordings(&self) -> PathBuf {
@@ -96,15 +96,16 @@ impl Room {
 
 #[test]
 fn a_folder_with_names_that_speak() {
-    let room = Room::new(&[]);
+    let workspace = Workspace::new(&[]);
     for (seed, name) in ["red_25cm_1", "red_25cm_2", "blue_25cm_1", "blue_25cm_2"]
         .iter()
         .enumerate()
     {
-        room.record(format!("{name}.wav"), seed as u16);
+        workspace.record(format!("{name}.wav"), seed as u16);
     }
-    let report = room.0.path().join("session.html");
-    room.session()
+    let report = workspace.0.path().join("session.html");
+    workspace
+        .session()
         .args([
             "--pattern",
             "{ball}_{height}_{}",
@@ -121,20 +122,21 @@ fn a_folder_with_names_that_speak() {
         .stdout(contains("Differences by ball"))
         .stdout(contains("drops.parquet"));
     for figure in ["groups.svg", "intervals.png", "run.svg"] {
-        assert!(room.results().join(figure).is_file(), "{figure}");
+        assert!(workspace.results().join(figure).is_file(), "{figure}");
     }
     let page = fs::read_to_string(report).unwrap();
     assert!(page.contains("4 drops in 4 recordings") && page.contains("<svg"));
-    let csv = fs::read_to_string(room.results().join("drops.csv")).unwrap();
+    let csv = fs::read_to_string(workspace.results().join("drops.csv")).unwrap();
     assert!(csv.starts_with("recording,drop,ball,height,noted_height_m,"));
     assert!(csv.contains("blue_25cm_1.wav,1,blue,25 cm,0.25,"));
 }
 
 #[test]
 fn a_broken_session_file_has_a_line_and_a_column() {
-    let room = Room::new(&[("session.toml", "title = \"x\"\n[all]\nheight = 30,5\n")]);
-    room.record("a.wav", 1);
-    room.session()
+    let workspace = Workspace::new(&[("session.toml", "title = \"x\"\n[all]\nheight = 30,5\n")]);
+    workspace.record("a.wav", 1);
+    workspace
+        .session()
         .assert()
         .code(2)
         .stderr(contains("session.toml, line 3, column"));
@@ -143,23 +145,28 @@ fn a_broken_session_file_has_a_line_and_a_column() {
 #[test]
 fn mistakes_of_units_are_questioned_and_can_be_insisted_on() {
     let notes = "[all]\nheight = \"30.5 m\"\nball = \"own\"\n[balls.own]\nmass = \"2.5kg\"\ndiameter = \"38mm\"\n";
-    let room = Room::new(&[("session.toml", notes)]);
-    room.record("a.wav", 1);
-    room.session()
+    let workspace = Workspace::new(&[("session.toml", notes)]);
+    workspace.record("a.wav", 1);
+    workspace
+        .session()
         .assert()
         .code(2)
         .stderr(contains("30.5 m? Did you mean 30.5 cm?").and(contains("session.toml, line 2")))
         .stderr(contains("2.5 kg").and(contains("Did you mean 2.5 g?")));
     assert!(
-        !room.results().exists(),
+        !workspace.results().exists(),
         "nothing is heard before the notes are clear"
     );
-    room.session().arg("--allow-implausible").assert().success();
+    workspace
+        .session()
+        .arg("--allow-implausible")
+        .assert()
+        .success();
 }
 
 #[test]
 fn contradictions_name_both_sides() {
-    let room = Room::new(&[
+    let workspace = Workspace::new(&[
         (
             "session.toml",
             "pattern = \"{ball}_{height}\"\ntable = \"notes.csv\"\n",
@@ -169,8 +176,9 @@ fn contradictions_name_both_sides() {
             "file,ball,height (mm)\nred_25cm.wav,blue,250\n",
         ),
     ]);
-    room.record("red_25cm.wav", 1);
-    room.session()
+    workspace.record("red_25cm.wav", 1);
+    workspace
+        .session()
         .args(["--ball", "tennis"])
         .assert()
         .code(2)
@@ -182,24 +190,30 @@ fn contradictions_name_both_sides() {
 
 #[test]
 fn what_is_missing_is_asked_for() {
-    let room = Room::new(&[(
+    let workspace = Workspace::new(&[(
         "session.toml",
         "[recordings.\"a.wav\"]\nsurface = \"steel\"\n",
     )]);
-    room.record("a.wav", 1).record("b.wav", 2);
-    room.session()
+    workspace.record("a.wav", 1).record("b.wav", 2);
+    workspace
+        .session()
         .assert()
         .code(2)
         .stderr(contains("b.wav: no surface is noted").and(contains("[recordings.\"b.wav\"]")))
         .stderr(contains("--table").and(contains("{surface}")));
-    room.session().arg("--allow-missing").assert().success();
+    workspace
+        .session()
+        .arg("--allow-missing")
+        .assert()
+        .success();
 }
 
 #[test]
 fn an_unknown_ball_is_asked_for() {
-    let room = Room::new(&[]);
-    room.record("red_1.wav", 1);
-    room.session()
+    let workspace = Workspace::new(&[]);
+    workspace.record("red_1.wav", 1);
+    workspace
+        .session()
         .args(["--pattern", "{ball}_{}"])
         .assert()
         .code(2)
@@ -209,9 +223,10 @@ fn an_unknown_ball_is_asked_for() {
 
 #[test]
 fn one_bad_recording_does_not_stop_the_rest() {
-    let room = Room::new(&[("broken.wav", "RIFFnonsense"), ("empty.wav", "")]);
-    room.record("a.wav", 1).record("b.wav", 1);
-    room.session()
+    let workspace = Workspace::new(&[("broken.wav", "RIFFnonsense"), ("empty.wav", "")]);
+    workspace.record("a.wav", 1).record("b.wav", 1);
+    workspace
+        .session()
         .assert()
         .success()
         .stdout(contains(
@@ -223,8 +238,9 @@ fn one_bad_recording_does_not_stop_the_rest() {
 
 #[test]
 fn nothing_but_bad_recordings_is_a_failure() {
-    let room = Room::new(&[("broken.wav", "RIFFnonsense")]);
-    room.session()
+    let workspace = Workspace::new(&[("broken.wav", "RIFFnonsense")]);
+    workspace
+        .session()
         .assert()
         .code(1)
         .stderr(contains("no recording holds a drop"));
@@ -234,19 +250,20 @@ fn nothing_but_bad_recordings_is_a_failure() {
 #[test]
 fn names_that_are_no_text_are_written_out() {
     use std::os::unix::ffi::OsStrExt;
-    let room = Room::new(&[]);
-    room.record(std::ffi::OsStr::from_bytes(b"caf\xe9.wav"), 1);
-    room.session().assert().success();
-    let csv = fs::read_to_string(room.results().join("drops.csv")).unwrap();
+    let workspace = Workspace::new(&[]);
+    workspace.record(std::ffi::OsStr::from_bytes(b"caf\xe9.wav"), 1);
+    workspace.session().assert().success();
+    let csv = fs::read_to_string(workspace.results().join("drops.csv")).unwrap();
     assert!(csv.contains("\ncaf\\xe9.wav,1,"));
 }
 
 #[test]
 fn an_output_that_cannot_be_written_is_said_at_once() {
-    let room = Room::new(&[]);
-    room.record("a.wav", 1);
-    fs::write(room.results(), "a file where the folder should be").unwrap();
-    room.session()
+    let workspace = Workspace::new(&[]);
+    workspace.record("a.wav", 1);
+    fs::write(workspace.results(), "a file where the folder should be").unwrap();
+    workspace
+        .session()
         .assert()
         .code(1)
         .stderr(contains("cannot write into").and(contains("--output DIR")));
@@ -254,24 +271,27 @@ fn an_output_that_cannot_be_written_is_said_at_once() {
 
 #[test]
 fn what_has_changed_is_heard_again() {
-    let room = Room::new(&[]);
-    room.record("a.wav", 1).record("b.wav", 2);
+    let workspace = Workspace::new(&[]);
+    workspace.record("a.wav", 1).record("b.wav", 2);
     let again = |more: &[&str], kept: &str| {
-        room.session()
+        workspace
+            .session()
             .args(more)
             .assert()
             .success()
             .stderr(contains(kept));
     };
-    room.session()
+    workspace
+        .session()
         .assert()
         .success()
         .stderr(contains("earlier").not());
     again(&[], "2 of 2 recordings were heard in an earlier run");
-    room.record("a.wav", 3);
+    workspace.record("a.wav", 3);
     again(&[], "1 of 2 recordings");
     // Another ball, other results; grouping alone changes none.
-    room.session()
+    workspace
+        .session()
         .args(["--ball", "tennis"])
         .assert()
         .success()
@@ -284,10 +304,11 @@ fn what_has_changed_is_heard_again() {
 
 #[test]
 fn questions_that_make_no_sense_are_refused() {
-    let room = Room::new(&[]);
-    room.record("a.wav", 1);
+    let workspace = Workspace::new(&[]);
+    workspace.record("a.wav", 1);
     let refused = |arguments: &[&str], words: &str| {
-        room.session()
+        workspace
+            .session()
             .args(arguments)
             .assert()
             .code(2)
@@ -300,7 +321,8 @@ fn questions_that_make_no_sense_are_refused() {
         "--exclude before each of several",
     );
     refused(&["--pattern", "{ball"], "has a { without a }");
-    room.session()
+    workspace
+        .session()
         .args(["--table", "nowhere.csv"])
         .assert()
         .code(1)
@@ -310,11 +332,12 @@ fn questions_that_make_no_sense_are_refused() {
 /// The name is one argument, whatever stands in it.
 #[test]
 fn a_name_with_a_comma_can_be_excluded() {
-    let room = Room::new(&[]);
+    let workspace = Workspace::new(&[]);
     for (seed, name) in ["one, two.wav", "three.wav", "four.wav"].iter().enumerate() {
-        room.record(name, seed as u16);
+        workspace.record(name, seed as u16);
     }
-    room.session()
+    workspace
+        .session()
         .args(["--exclude", "one, two.wav", "--exclude", "three.wav"])
         .assert()
         .success()
@@ -326,9 +349,9 @@ fn a_name_with_a_comma_can_be_excluded() {
 #[test]
 fn slips_of_the_pen_are_questioned() {
     let asks = |notes: &str, inference: &str| {
-        let room = Room::new(&[("session.toml", notes)]);
-        room.record("a.wav", 1);
-        let refused = room.session().assert().code(2);
+        let workspace = Workspace::new(&[("session.toml", notes)]);
+        workspace.record("a.wav", 1);
+        let refused = workspace.session().assert().code(2);
         refused.stderr(contains(inference.to_owned()));
     };
     asks(
@@ -344,15 +367,15 @@ fn slips_of_the_pen_are_questioned() {
 
 #[test]
 fn the_same_sound_noted_differently_is_remarked_on() {
-    let room = Room::new(&[("session.toml", "pattern = \"{surface}_{}\"\n")]);
-    room.record("glass_1.wav", 1);
-    let recordings = room.recordings();
+    let workspace = Workspace::new(&[("session.toml", "pattern = \"{surface}_{}\"\n")]);
+    workspace.record("glass_1.wav", 1);
+    let recordings = workspace.recordings();
     fs::copy(
         recordings.join("glass_1.wav"),
         recordings.join("wood_1.wav"),
     )
     .unwrap();
-    room.session().assert().success().stdout(contains(
+    workspace.session().assert().success().stdout(contains(
         "the surface of the one is \"glass\" and that of the other \"wood\"",
     ));
 }
@@ -360,15 +383,15 @@ fn the_same_sound_noted_differently_is_remarked_on() {
 /// The order of work is nobody's business.
 #[test]
 fn any_number_of_threads_gives_the_same_tables() {
-    let room = Room::new(&[]);
+    let workspace = Workspace::new(&[]);
     for seed in 0..6 {
-        room.record(format!("{seed}.wav"), seed);
+        workspace.record(format!("{seed}.wav"), seed);
     }
-    room.session().args(["--jobs", "1"]).assert().success();
-    let one = room.tables();
-    fs::remove_dir_all(room.results()).unwrap();
-    room.session().args(["--jobs", "4"]).assert().success();
-    assert!(one == room.tables());
+    workspace.session().args(["--jobs", "1"]).assert().success();
+    let one = workspace.tables();
+    fs::remove_dir_all(workspace.results()).unwrap();
+    workspace.session().args(["--jobs", "4"]).assert().success();
+    assert!(one == workspace.tables());
 }
 
 /// Killed at twenty moments spread over the run in an order that repeats nothing (multiples of the
@@ -376,35 +399,35 @@ fn any_number_of_threads_gives_the_same_tables() {
 #[test]
 fn a_killed_run_goes_on_and_ends_the_same() {
     const KILLS: u32 = 20;
-    let room = Room::new(&[("session.toml", "pattern = \"{operator}_{}\"\n")]);
+    let workspace = Workspace::new(&[("session.toml", "pattern = \"{operator}_{}\"\n")]);
     for seed in 0..10 {
         let operator = if seed % 2 == 0 { "ada" } else { "bob" };
-        room.record(format!("{operator}_{seed}.wav"), seed);
+        workspace.record(format!("{operator}_{seed}.wav"), seed);
     }
     let start = Instant::now();
-    room.session().assert().success();
+    workspace.session().assert().success();
     let whole = start.elapsed();
-    let undisturbed = room.tables();
+    let undisturbed = workspace.tables();
     let mut went_on = 0;
     for kill in 1..=KILLS {
-        fs::remove_dir_all(room.results()).unwrap();
+        fs::remove_dir_all(workspace.results()).unwrap();
         let moment = whole.mul_f64((f64::from(kill) * 0.618_033_988_749_894_9).fract());
-        kill_after(&room, moment);
-        let output = room.session().output().unwrap();
+        kill_after(&workspace, moment);
+        let output = workspace.session().output().unwrap();
         assert!(output.status.success());
         let said = String::from_utf8_lossy(&output.stderr);
         went_on += usize::from(said.contains("heard in an earlier run"));
-        assert!(room.tables() == undisturbed, "killed after {moment:?}");
-        assert_eq!(drafts(&room.results()), [""; 0]);
+        assert!(workspace.tables() == undisturbed, "killed after {moment:?}");
+        assert_eq!(drafts(&workspace.results()), [""; 0]);
     }
     assert!(went_on > 0, "no kill hit a run that had begun");
 }
 
 /// Starts a session and kills it, if it is still there.
-fn kill_after(room: &Room, moment: Duration) {
+fn kill_after(workspace: &Workspace, moment: Duration) {
     let program = Command::cargo_bin("bouncelab").unwrap();
     let mut child = Plain::new(program.get_program())
-        .args(room.arguments())
+        .args(workspace.arguments())
         .stdout(Stdio::null())
         .stderr(Stdio::null())
         .spawn()
@@ -424,12 +447,13 @@ fn drafts(folder: &Path) -> Vec<String> {
 
 #[test]
 fn a_report_may_lie_with_the_tables() {
-    let room = Room::new(&[]);
-    room.record("a.wav", 1);
-    let report = room.results().join("session.html");
+    let workspace = Workspace::new(&[]);
+    workspace.record("a.wav", 1);
+    let report = workspace.results().join("session.html");
     // The folder is made by the first run, and cleared of what killed runs left by the second.
     for _ in 0..2 {
-        room.session()
+        workspace
+            .session()
             .arg("--report")
             .arg(&report)
             .assert()
@@ -440,8 +464,8 @@ fn a_report_may_lie_with_the_tables() {
 
 #[test]
 fn wishes_that_make_no_sense_are_refused() {
-    let room = Room::new(&[]);
-    room.record("a.wav", 1);
+    let workspace = Workspace::new(&[]);
+    workspace.record("a.wav", 1);
     for wish in [
         "--want=nan",
         "--want=0",
@@ -449,12 +473,13 @@ fn wishes_that_make_no_sense_are_refused() {
         "--compare-at=0",
         "--at-speed=-1m/s",
     ] {
-        room.session()
+        workspace
+            .session()
             .arg(wish)
             .assert()
             .code(2)
             .stderr(contains("above 0"));
     }
     // More threads than there is work for are not even made.
-    room.session().arg("--jobs=65535").assert().success();
+    workspace.session().arg("--jobs=65535").assert().success();
 }

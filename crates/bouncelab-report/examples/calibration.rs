@@ -91,7 +91,7 @@ fn priors() -> Priors {
     Priors {
         restitution_laws: vec![LawKind::Constant],
         // The simulation has no ball with half its added mass.
-        added_mass: 0.0,
+        added_mass_rel_sd: 0.0,
         ..Options::default().priors
     }
 }
@@ -109,14 +109,14 @@ fn drawn(scenario: Scenario, rng: &mut ChaCha8Rng) -> Option<Drop> {
     let (known, nominal) = (priors(), environment());
     let normal = |rng: &mut ChaCha8Rng| rng.sample::<f64, _>(StandardNormal);
     let spread = |sd: f64, rng: &mut ChaCha8Rng| (sd * normal(rng)).exp();
-    let drag = DRAG * spread(known.drag, rng);
-    let gravity_m_s2 = nominal.gravity_m_s2 * spread(known.gravity, rng);
-    let density = nominal.air.density_kg_m3() * spread(known.air_density, rng);
-    let mass_kg = settings.ball.mass_kg() * spread(known.mass, rng);
-    let diameter_m = settings.ball.diameter_m() * spread(known.diameter, rng);
-    let contact_s = settings.contact_time_s * spread(known.contact_time, rng);
+    let drag = DRAG * spread(known.drag_rel_sd, rng);
+    let gravity_m_s2 = nominal.gravity_m_s2 * spread(known.gravity_rel_sd, rng);
+    let density = nominal.air.density_kg_m3() * spread(known.air_density_rel_sd, rng);
+    let mass_kg = settings.ball.mass_kg() * spread(known.mass_rel_sd, rng);
+    let diameter_m = settings.ball.diameter_m() * spread(known.diameter_rel_sd, rng);
+    let contact_s = settings.contact_time_s * spread(known.contact_time_rel_sd, rng);
     let scatter = 0.004 * spread(0.7, rng);
-    let sigma_s = scenario.sigma_s() * spread(known.timing, rng);
+    let sigma_s = scenario.sigma_s() * spread(known.timing_rel_sd, rng);
     let restitution = 0.5 + 0.5 * rng.random::<f64>();
     let height_m = 0.15 * 10_f64.powf(rng.random());
     let measured_m = height_m + HEIGHT_SD_M * normal(rng);
@@ -137,11 +137,9 @@ fn drawn(scenario: Scenario, rng: &mut ChaCha8Rng) -> Option<Drop> {
         let unheard = scenario == Scenario::NoisyWithGaps && rng.random::<f64>() < 0.1;
         let off = normal(rng);
         if number == 1 || !unheard {
-            impacts.push(TimedImpact {
-                number,
-                time_s: time_s + sigma_s * off,
-                standard_error_s: Some(scenario.sigma_s()),
-            });
+            impacts.push(
+                TimedImpact::new(number, time_s + sigma_s * off).with_time_sd_s(scenario.sigma_s()),
+            );
         }
         let deviation = match scenario {
             Scenario::HeavyTails => two_exponentials(rng),

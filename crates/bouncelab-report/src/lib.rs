@@ -50,6 +50,8 @@
 //! All but [`file`] and [`save()`] work in a browser. The feature `png` (on by default) adds
 //! [`Chart::png`] and [`save()`].
 
+#![warn(missing_docs)]
+
 pub mod chart;
 mod digits;
 pub mod document;

@@ -41,7 +41,7 @@ use intl_pluralrules::{PluralCategory, PluralRuleType, PluralRules};
 use unic_langid::LanguageIdentifier;
 
 use crate::digits::with_minus;
-use crate::quantity::Quantity;
+use crate::quantity::{Quantity, Unit};
 
 /// The languages that are part of this build, each with its files.
 const SOURCES: &[(&str, &[&str])] = include!(concat!(env!("OUT_DIR"), "/messages.rs"));
@@ -108,18 +108,6 @@ impl From<Quantity> for Value<'_> {
     }
 }
 
-impl<'a> From<&'a Argument> for Value<'a> {
-    fn from(argument: &'a Argument) -> Self {
-        match argument {
-            Argument::Number(number) => Self::from(*number),
-            Argument::Numbers(numbers) => {
-                Self::List(numbers.iter().map(|&number| number as usize).collect())
-            }
-            Argument::Text(text) => Self::from(text.as_str()),
-        }
-    }
-}
-
 impl From<Vec<usize>> for Value<'_> {
     fn from(numbers: Vec<usize>) -> Self {
         Self::List(numbers)
@@ -132,6 +120,8 @@ pub struct Translator {
     messages: HashMap<String, Pattern<String>>,
     plural: Option<PluralRules>,
     decimal_point: String,
+    /// Whose advice is added to diagnostics.
+    front_end: &'static str,
 }
 
 impl fmt::Debug for Translator {
@@ -200,6 +190,7 @@ impl Translator {
             messages,
             plural,
             decimal_point: String::new(),
+            front_end: "",
         };
         translator.decimal_point = translator.text("decimal-point");
         Ok(translator)
@@ -227,14 +218,80 @@ impl Translator {
         text
     }
 
-    /// The sentence of a diagnostic.
+    /// The same, with the advice that belongs to a front end: `terminal` or `page`.
+    #[must_use]
+    pub fn for_front_end(self, name: &'static str) -> Self {
+        Self {
+            front_end: name,
+            ..self
+        }
+    }
+
+    /// The sentence of a diagnostic, and what to do about it in this front end.
     pub fn diagnostic(&self, diagnostic: &Diagnostic) -> String {
-        let arguments: Vec<(&str, Value<'_>)> = diagnostic
-            .arguments
-            .iter()
-            .map(|(name, value)| (name.as_str(), Value::from(value)))
-            .collect();
-        self.text_with(&format!("diagnostic-{}", diagnostic.code), &arguments)
+        let code = diagnostic.code;
+        let arguments = code.arguments().iter().map(|name| {
+            let name = name.trim_end_matches('?');
+            let argument = diagnostic.arguments.get(name);
+            (
+                name,
+                argument.map_or("none".into(), |value| self.shown(name, value)),
+            )
+        });
+        let sentence = self.text_with(
+            &format!("diagnostic-{code}"),
+            &arguments.collect::<Vec<_>>(),
+        );
+        let advice = format!("{}-advice-{code}", self.front_end);
+        let advice = self.has(&advice).then(|| self.text(&advice));
+        [Some(capital(&sentence)), advice]
+            .into_iter()
+            .flatten()
+            .collect::<Vec<_>>()
+            .join(" ")
+    }
+
+    /// An argument of a diagnostic for people: the unit is the last part of its name.
+    fn shown<'a>(&self, name: &str, argument: &'a Argument) -> Value<'a> {
+        let quantity = |value, digits, unit| Quantity::rounded(value, digits, unit).into();
+        match argument {
+            Argument::Text(text) => self.named(name, text).into(),
+            Argument::Numbers(numbers) => {
+                Value::List(numbers.iter().map(|&number| number as usize).collect())
+            }
+            &Argument::Number(value) => match name {
+                "contact_time_s" | "reach_s" | "sd_s" => quantity(value, 3, Unit::Time),
+                "probability" | "pareto_shape" => Value::fixed(value, 2),
+                "factor" => Value::fixed(100.0 * (value - 1.0), 0),
+                "pressure_pa" => plain(value / 100.0),
+                "relative_humidity" | "relative_sd" => plain((value * 1e4).round() / 100.0),
+                "reynolds" | "max_reynolds" => quantity(value, 3, Unit::Number),
+                _ if name.ends_with("_m_s2") => quantity(value, 3, Unit::Acceleration),
+                _ if name.ends_with("_s") => Value::fixed(value, 2),
+                _ if name.ends_with("_m") => quantity(value, 3, Unit::Length),
+                _ if name.ends_with("_kg") => quantity(value, 3, Unit::Mass),
+                _ if name.ends_with("_k") => Value::fixed(value - 273.15, 1),
+                _ => plain(value),
+            },
+        }
+    }
+
+    /// The name of something that the science calls by a key or by English words.
+    fn named(&self, argument: &str, key: &str) -> String {
+        let key_id = kebab(key);
+        let id = match argument {
+            "quantity" | "input" => format!("input-{key_id}"),
+            "allowed" => format!("allowed-{key_id}"),
+            "kind" | "what" => format!("kind-{key_id}"),
+            "ball" => format!("ball-{key_id}"),
+            "law" => format!("restitution-law-{key_id}"),
+            _ => return key.to_owned(),
+        };
+        if self.has(&id) {
+            self.text(&id)
+        } else {
+            key.to_owned()
+        }
     }
 
     /// Adds the sentences of this language to all diagnostics of a result.
@@ -400,6 +457,34 @@ fn argument<'a, 'b>(
     };
     let named = arguments.iter().find(|(name, _)| *name == id.name);
     named.map(|(_, value)| value)
+}
+
+/// A number with all digits that it has.
+fn plain(value: f64) -> Value<'static> {
+    if value.fract() == 0.0 && value.abs() < 1e9 {
+        Value::Number(value.to_string())
+    } else {
+        Quantity::measured(value, 0.0, Unit::Number).into()
+    }
+}
+
+/// Words as the end of an id: letters and digits, with hyphens between them.
+fn kebab(words: &str) -> String {
+    let lower = words.to_ascii_lowercase();
+    let parts = lower.split(|c: char| !c.is_ascii_alphanumeric());
+    let parts: Vec<&str> = parts.filter(|part| !part.is_empty()).collect();
+    parts.join("-")
+}
+
+/// With a capital letter.
+pub fn capital(text: &str) -> String {
+    let mut letters = text.chars();
+    let first: String = letters
+        .next()
+        .into_iter()
+        .flat_map(char::to_uppercase)
+        .collect();
+    first + letters.as_str()
 }
 
 #[cfg(test)]

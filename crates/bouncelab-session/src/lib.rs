@@ -17,6 +17,8 @@
 //! | [`table`] | how is a table written as Parquet, CSV and JSON lines? |
 //! | [`write_tables`] | what stands in the tables of a session? |
 
+#![warn(missing_docs)]
+
 mod columns;
 mod document;
 mod error;

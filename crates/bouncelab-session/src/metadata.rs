@@ -113,6 +113,7 @@ pub struct Noted {
 }
 
 /// How notes are read.
+#[expect(missing_debug_implementations, reason = "a function cannot be shown")]
 pub struct MetadataOptions<'a> {
     /// Completes what was noted by what holds for all recordings; or says what does not go together.
     pub resolve: &'a dyn Fn(&Noted) -> std::result::Result<Setup, String>,

@@ -7,7 +7,7 @@ use bouncelab::inference::LawKind;
 use bouncelab::synth::Voice;
 use bouncelab::{ball, gravity};
 
-use crate::wire::{BallPreset, Catalogue, DragLawEntry, MoistAir, World};
+use crate::wire::{BallPreset, Catalogue, DragLawEntry, World};
 
 /// Everything that a page can offer.
 ///
@@ -40,11 +40,7 @@ pub fn catalogue() -> bouncelab::Result<Catalogue> {
         restitution_laws: LawKind::ALL.map(|law| law.name().to_owned()).to_vec(),
         voices: Voice::NAMES.map(str::to_owned).to_vec(),
         worlds: worlds(&Air::moist(&air)?),
-        usual_air: MoistAir {
-            temperature_k: air.temperature_k,
-            pressure_pa: air.pressure_pa,
-            relative_humidity: air.relative_humidity,
-        },
+        usual_air: air,
         standard_gravity_m_s2: gravity::STANDARD_M_S2,
         sure: CONFIDENT_PROBABILITY,
     })

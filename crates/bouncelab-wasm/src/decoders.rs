@@ -2,10 +2,11 @@
 //!
 //! What is thrown is a [`Refusal`](crate::refusal::Refusal) as JSON.
 
-// JavaScript gets the same refusals as the rooms that are asked, whose documentation names them.
+// JavaScript gets the same refusals as the modules that are asked, whose documentation names them.
 #![allow(clippy::missing_errors_doc)]
 
-use bouncelab_audio::Source;
+use bouncelab::Diagnostic;
+use bouncelab_audio::{Source, Warning};
 use wasm_bindgen::prelude::*;
 
 use crate::refusal::Result;
@@ -73,9 +74,10 @@ impl Decoder {
         samples.map_or_else(Vec::new, std::mem::take)
     }
 
-    /// What was odd about the file so far.
-    pub fn warnings(&self) -> Vec<String> {
-        let warnings = self.source.warnings();
-        warnings.iter().map(ToString::to_string).collect()
+    /// What was odd about the file so far, as a list of diagnostics.
+    pub fn warnings(&self) -> Result<String> {
+        let warnings = self.source.warnings().iter();
+        let warnings: Vec<Diagnostic> = warnings.map(Warning::diagnostic).collect();
+        Ok(serde_json::to_string(&warnings)?)
     }
 }

@@ -2,25 +2,28 @@
 //!
 //! What is thrown is a [`Refusal`](crate::refusal::Refusal) as JSON.
 
-// JavaScript gets the same refusals as the rooms that are asked, whose documentation names them.
+// JavaScript gets the same refusals as the modules that are asked, whose documentation names them.
 #![allow(clippy::missing_errors_doc)]
 
 use bouncelab::detection::Envelope;
 use bouncelab_audio::{SampleFormat, encode_wav, times};
-use bouncelab_report::language::Say;
+use bouncelab_report::Chart;
+use bouncelab_report::figure::{self, DropSummary};
+use bouncelab_report::messages::Translator;
 use bouncelab_report::paper;
+use bouncelab_report::paper::lesson::{self, PuzzleChoice};
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 use wasm_bindgen::prelude::*;
 
 use crate::analyst::{self, Analyst};
 use crate::catalogue::catalogue;
+use crate::detector::{self, RecordingDetector};
 use crate::pyramid::Level;
-use crate::refusal::Result;
+use crate::refusal::{Refusal, Result};
 use crate::simulator;
-use crate::sound::{self, Ear, Label};
 use crate::spectrogram::{self, FLOOR_DB};
-use crate::wire::{Drawn, HeightCurve};
+use crate::wire::{ComparedDrop, SimulationRequest};
 
 fn json<T: Serialize>(value: &T) -> Result<String> {
     Ok(serde_json::to_string(value)?)
@@ -42,10 +45,10 @@ pub fn is_list(name: &str) -> bool {
     times::is_list(name)
 }
 
-/// What a list of times says.
-#[wasm_bindgen(js_name = hearTimes)]
-pub fn hear_times(content: &[u8], name: &str) -> Result<String> {
-    json(&sound::times(content, name)?)
+/// A list of times as a recording.
+#[wasm_bindgen(js_name = readTimes)]
+pub fn read_times(content: &[u8], name: &str) -> Result<String> {
+    json(&detector::of_times(content, name)?)
 }
 
 fn samples_per_bin(levels: &[Level]) -> Vec<u32> {
@@ -59,67 +62,59 @@ fn take_level(levels: &mut [Level], level: usize) -> Vec<f32> {
         .map_or_else(Vec::new, |level| std::mem::take(&mut level.extremes))
 }
 
-/// Hears samples as they come.
-#[wasm_bindgen]
-pub struct Hearer {
-    ear: Option<Ear>,
-    /// What was brought of each channel and is not yet heard.
-    brought: Vec<Vec<f32>>,
+/// Detects drops in samples as they come.
+#[wasm_bindgen(js_name = Detector)]
+pub struct JsDetector {
+    detector: Option<RecordingDetector>,
+    /// What came of each channel and is not yet processed.
+    waiting: Vec<Vec<f32>>,
     levels: Vec<Level>,
 }
 
-#[wasm_bindgen]
-impl Hearer {
-    /// For so many channels; `channel`, counted from 1, is the only one that is listened to.
+#[wasm_bindgen(js_class = Detector)]
+impl JsDetector {
+    /// For so many channels; `channel`, counted from 1, is the only one that is used.
     #[wasm_bindgen(constructor)]
-    pub fn new(sample_rate_hz: u32, channels: usize, channel: Option<u32>) -> Result<Self> {
-        let channel = channel.map(|number| number as usize);
+    pub fn new(sample_rate_hz: u32, channels: usize, channel: Option<usize>) -> Result<Self> {
         Ok(Self {
-            ear: Some(Ear::new(sample_rate_hz, channels, channel)?),
-            brought: vec![Vec::new(); channels],
+            detector: Some(RecordingDetector::new(sample_rate_hz, channels, channel)?),
+            waiting: vec![Vec::new(); channels],
             levels: Vec::new(),
         })
     }
 
-    /// Brings the next samples of one channel, counted from 0.
-    pub fn bring(&mut self, channel: usize, samples: Vec<f32>) {
-        if let Some(brought) = self.brought.get_mut(channel) {
-            *brought = samples;
+    /// Takes the next samples of one channel, counted from 0; with those of the last channel all are
+    /// processed.
+    pub fn push(&mut self, channel: usize, samples: Vec<f32>) {
+        let last = self.waiting.len() - 1;
+        if let Some(waiting) = self.waiting.get_mut(channel) {
+            *waiting = samples;
+        }
+        if channel == last {
+            let frames = self.waiting.iter().map(Vec::len).min().unwrap_or(0);
+            let slices: Vec<&[f32]> = self.waiting.iter().map(|all| &all[..frames]).collect();
+            if let Some(detector) = &mut self.detector {
+                detector.push(&slices);
+            }
         }
     }
 
-    /// Hears what was brought of all channels.
-    pub fn hear(&mut self) {
-        let frames = self.brought.iter().map(Vec::len).min().unwrap_or(0);
-        let slices: Vec<&[f32]> = self.brought.iter().map(|all| &all[..frames]).collect();
-        if let Some(ear) = &mut self.ear {
-            ear.push(&slices);
-        }
-    }
-
-    /// What has been heard so far.
+    /// What was detected so far.
     #[wasm_bindgen(js_name = soFar)]
     pub fn so_far(&mut self) -> Result<String> {
-        json(&self.ear.as_mut().map(Ear::so_far))
+        json(&self.detector.as_mut().map(RecordingDetector::so_far))
     }
 
-    /// What was heard, all told.
-    pub fn finish(
-        &mut self,
-        name: String,
-        format: String,
-        warnings: Vec<String>,
-    ) -> Result<String> {
-        let heard = self.ear.take().map(|ear| {
-            let (heard, levels) = ear.finish(Label {
-                name,
-                format,
-                warnings,
-            });
+    /// Ends the recording: what was detected. The format and the warnings, a list of diagnostics, are
+    /// those of its file.
+    pub fn finish(&mut self, format: &str, warnings: &str) -> Result<String> {
+        let warnings = read(warnings)?;
+        let found = self.detector.take().map(|detector| {
+            let (recording, levels) = detector.finish(format, warnings);
             self.levels = levels;
-            heard
+            recording
         });
-        json(&heard)
+        json(&found)
     }
 
     /// Samples in a bin of each level, fine to coarse, once it is finished.
@@ -135,16 +130,28 @@ impl Hearer {
     }
 }
 
-#[wasm_bindgen]
-extern "C" {
-    /// The language of the page, which knows the words for those of the science.
-    pub type Tongue;
+/// The messages of a language.
+#[wasm_bindgen(js_name = Translator)]
+pub struct JsTranslator(Translator);
 
-    #[wasm_bindgen(method, getter)]
-    fn code(this: &Tongue) -> String;
+#[wasm_bindgen(js_class = Translator)]
+impl JsTranslator {
+    /// Of a language by its code and its files; English without any.
+    #[wasm_bindgen(constructor)]
+    pub fn new(code: &str, sources: Vec<String>) -> Result<Self> {
+        let sources: Vec<&str> = sources.iter().map(String::as_str).collect();
+        let translator = if sources.is_empty() {
+            Translator::english()
+        } else {
+            Translator::of_sources(code, &sources).map_err(Refusal::fault)?
+        };
+        Ok(Self(translator.for_front_end("page")))
+    }
 
-    #[wasm_bindgen(method)]
-    fn say(this: &Tongue, text: &str) -> String;
+    /// The sentence of a diagnostic.
+    pub fn diagnostic(&self, diagnostic: &str) -> Result<String> {
+        Ok(self.0.diagnostic(&read(diagnostic)?))
+    }
 }
 
 /// Analyses drops.
@@ -161,22 +168,35 @@ impl JsAnalyst {
     }
 
     /// Analyses every drop of a request.
-    pub fn analyse(&mut self, request: &str) -> Result<String> {
-        json(&self.0.analyse(&read(request)?)?)
+    pub fn analyse(&mut self, request: &str, translator: &JsTranslator) -> Result<String> {
+        let request = read(request)?;
+        let analysis = self.0.analyse(&request, &translator.0)?;
+        json(&analysis.numbers())
     }
 
-    /// Draws a figure; over that of the height, also a curve of height.
+    /// A figure of the drop of this index as a chart, compared with a simulation if one is given.
+    pub fn chart(
+        &mut self,
+        request: &str,
+        drop: usize,
+        name: &str,
+        simulation: Option<String>,
+        translator: &JsTranslator,
+    ) -> Result<String> {
+        json(&self.find(request, (drop, name), simulation, translator)?)
+    }
+
+    /// The same as a picture.
     pub fn figure(
         &mut self,
         request: &str,
+        drop: usize,
         name: &str,
-        over: Option<String>,
-        tongue: &Tongue,
+        simulation: Option<String>,
+        translator: &JsTranslator,
     ) -> Result<String> {
-        let over: Option<HeightCurve> = over.map(|over| read(&over)).transpose()?;
-        let mut say = |text: &str| tongue.say(text);
-        let request = read(request)?;
-        json(&self.0.figure(&request, name, over.as_ref(), &mut say)?)
+        let chart = self.find(request, (drop, name), simulation, translator)?;
+        json(&analyst::drawn(name, &chart))
     }
 
     /// Draws the waveform from least and greatest sample of each step, one after the other.
@@ -185,11 +205,12 @@ impl JsAnalyst {
         request: &str,
         extremes: &[f32],
         step_s: f64,
-        tongue: &Tongue,
+        translator: &JsTranslator,
     ) -> Result<String> {
-        let envelope = envelope(extremes, step_s);
-        let mut say = |text: &str| tongue.say(text);
-        json(&self.0.waveform(&read(request)?, &envelope, &mut say)?)
+        let request = read(request)?;
+        let analysis = self.0.analyse(&request, &translator.0)?;
+        let chart = analysis.waveform(&envelope(extremes, step_s));
+        json(&analyst::drawn("waveform", &chart))
     }
 
     /// The report as HTML; without extremes there is no sound.
@@ -199,19 +220,34 @@ impl JsAnalyst {
         extremes: &[f32],
         step_s: f64,
         made: Option<String>,
-        tongue: &Tongue,
+        translator: &JsTranslator,
     ) -> Result<String> {
         let sound = (!extremes.is_empty()).then(|| envelope(extremes, step_s));
-        let mut say = |text: &str| tongue.say(text);
-        let language = (&*tongue.code(), &mut say as &mut Say<'_>);
-        self.0
-            .report(&read(request)?, sound.as_ref(), made, language)
+        let request = read(request)?;
+        let analysis = self.0.analyse(&request, &translator.0)?;
+        Ok(analysis.report(sound, made))
     }
 
     /// The impacts as CSV.
-    pub fn rows(&mut self, request: &str) -> Result<String> {
-        let rows = self.0.rows(&read(request)?)?;
-        Ok(rows.iter().map(|row| csv_line(row)).collect())
+    pub fn csv(&mut self, request: &str, translator: &JsTranslator) -> Result<String> {
+        let request = read(request)?;
+        Ok(self.0.analyse(&request, &translator.0)?.csv())
+    }
+}
+
+impl JsAnalyst {
+    fn find(
+        &mut self,
+        request: &str,
+        (drop, name): (usize, &str),
+        simulation: Option<String>,
+        translator: &JsTranslator,
+    ) -> Result<Chart> {
+        let simulation: Option<SimulationRequest> =
+            simulation.map(|simulation| read(&simulation)).transpose()?;
+        let request = read(request)?;
+        let analysis = self.0.analyse(&request, &translator.0)?;
+        analysis.chart(drop, name, simulation.as_ref())
     }
 }
 
@@ -223,18 +259,6 @@ fn envelope(extremes: &[f32], step_s: f64) -> Envelope {
     Envelope::of_steps(step_s, least, greatest)
 }
 
-/// A row of a table, quoted where it must be.
-fn csv_line(cells: &[String]) -> String {
-    let quoted = cells.iter().map(|cell| {
-        if cell.contains([',', '"', '\n', '\r']) {
-            format!("\"{}\"", cell.replace('"', "\"\""))
-        } else {
-            cell.clone()
-        }
-    });
-    quoted.collect::<Vec<_>>().join(",") + "\n"
-}
-
 /// The onset nearest to a time.
 #[wasm_bindgen(js_name = onsetNear)]
 pub fn onset_near(
@@ -243,7 +267,12 @@ pub fn onset_near(
     start_s: f64,
     time_s: f64,
 ) -> Result<String> {
-    json(&sound::onset_near(samples, sample_rate_hz, start_s, time_s))
+    json(&detector::onset_near(
+        samples,
+        sample_rate_hz,
+        start_s,
+        time_s,
+    ))
 }
 
 /// A spectrogram as cells, column after column.
@@ -293,8 +322,8 @@ pub fn wav(left: &[f32], right: &[f32], sample_rate_hz: u32) -> Result<Vec<u8>> 
 
 /// Simulates a drop.
 #[wasm_bindgen]
-pub fn simulate(request: &str) -> Result<String> {
-    json(&simulator::simulate(&read(request)?)?)
+pub fn simulate(request: &str, translator: &JsTranslator) -> Result<String> {
+    json(&simulator::simulate(&read(request)?, &translator.0)?)
 }
 
 /// A made-up recording.
@@ -347,19 +376,47 @@ impl Rendering {
 
 /// The paper's numbers, `bouncelab.paper/1`.
 #[wasm_bindgen(js_name = paperDocument)]
-pub fn paper_document() -> Result<String> {
+pub fn paper_document(translator: &JsTranslator) -> Result<String> {
     json(&paper::Document::new(
         &paper::chapters()?,
         paper::explanations()?,
+        &translator.0,
     ))
 }
 
-/// The paper's figures, in English as it is.
-#[wasm_bindgen(js_name = paperFigures)]
-pub fn paper_figures() -> Result<String> {
-    let drawn: Vec<Drawn> = paper::figures()?
-        .into_iter()
-        .map(|(name, figure)| analyst::drawn(name, figure, &mut str::to_owned))
-        .collect();
-    json(&drawn)
+/// Charts that compare simulated drops, the last of which is the present one: height against time,
+/// and flight times.
+#[wasm_bindgen(js_name = simulationCharts)]
+pub fn simulation_charts(runs: &str, translator: &JsTranslator) -> Result<String> {
+    json(&simulator::charts(&read::<Vec<_>>(runs)?, &translator.0)?)
+}
+
+/// Charts that compare drops: the restitution of each, and that of their impacts against speed.
+#[wasm_bindgen(js_name = dropCharts)]
+pub fn drop_charts(drops: &str, translator: &JsTranslator) -> Result<String> {
+    let drops: Vec<ComparedDrop> = read(drops)?;
+    let drops: Vec<DropSummary> = drops.into_iter().map(DropSummary::from).collect();
+    let translator = &translator.0;
+    json(&[
+        figure::drops(&drops, translator),
+        figure::drop_impacts(&drops, translator),
+    ])
+}
+
+/// The charts of the lesson about the paper: the straight line, drag, and heights.
+#[wasm_bindgen(js_name = lessonCharts)]
+pub fn lesson_charts(translator: &JsTranslator) -> Result<String> {
+    json(&lesson::charts(&translator.0)?)
+}
+
+/// What the straight line of the paper makes of a choice of the reader.
+#[wasm_bindgen(js_name = puzzleAnswer)]
+pub fn puzzle_answer(choice: &str, translator: &JsTranslator) -> Result<String> {
+    json(&read::<PuzzleChoice>(choice)?.answer(&translator.0)?)
+}
+
+/// The choice with the restitution with which the line says what the paper's says.
+#[wasm_bindgen(js_name = puzzleSolution)]
+pub fn puzzle_solution(choice: &str) -> Result<String> {
+    json(&read::<PuzzleChoice>(choice)?.solved()?)
 }

@@ -1,6 +1,7 @@
 //! Why was it not done?
 
-use bouncelab_audio::{Error, MissingContent, LayoutProblem, LooksLike, Stage, TimesProblem};
+use bouncelab::Diagnostic;
+use bouncelab_audio::{Error, LayoutProblem, LooksLike, MissingContent, Stage, TimesProblem};
 use serde::Serialize;
 #[cfg(not(target_family = "wasm"))]
 use ts_rs::TS;
@@ -13,7 +14,9 @@ pub struct Refusal {
     pub kind: RefusalKind,
     /// What was wrong and what to do, in English.
     pub message: String,
-    /// The same for other languages, where it is of a kind that they know.
+    /// The same as data, where the science refused something.
+    pub diagnostic: Option<Diagnostic>,
+    /// The same as data, where a file was refused.
     pub reason: Option<Reason>,
 }
 
@@ -129,25 +132,36 @@ impl Reason {
 pub type Result<T> = std::result::Result<T, Refusal>;
 
 impl Refusal {
-    /// A refusal in English only.
-    pub(crate) fn new(kind: RefusalKind, message: impl Into<String>) -> Self {
+    /// A fault of the program itself.
+    pub(crate) fn fault(message: impl Into<String>) -> Self {
         Self {
-            kind,
+            kind: RefusalKind::Fault,
             message: message.into(),
+            diagnostic: None,
             reason: None,
         }
     }
 }
 
+/// The refusal of a name that is not among the known ones.
+pub(crate) fn unknown(kind: &'static str, name: &str, known: &[&str]) -> Refusal {
+    bouncelab::Error::unknown_name(kind, name, known).into()
+}
+
 impl From<bouncelab::Error> for Refusal {
     fn from(error: bouncelab::Error) -> Self {
-        Self::new(RefusalKind::Setting, error.to_string())
+        Self {
+            kind: RefusalKind::Setting,
+            message: error.to_string(),
+            diagnostic: Some(error.diagnostic()),
+            reason: None,
+        }
     }
 }
 
 impl From<bouncelab_report::Error> for Refusal {
     fn from(error: bouncelab_report::Error) -> Self {
-        Self::new(RefusalKind::Fault, error.to_string())
+        Self::fault(error.to_string())
     }
 }
 
@@ -166,6 +180,7 @@ impl From<Error> for Refusal {
         Self {
             kind,
             message: error.to_string(),
+            diagnostic: None,
             reason: Reason::of(&error),
         }
     }
@@ -173,8 +188,9 @@ impl From<Error> for Refusal {
 
 impl From<serde_json::Error> for Refusal {
     fn from(error: serde_json::Error) -> Self {
-        let message = format!("the page and the science do not understand each other: {error}");
-        Self::new(RefusalKind::Fault, message)
+        Self::fault(format!(
+            "the page and the engine have different versions: {error}"
+        ))
     }
 }
 

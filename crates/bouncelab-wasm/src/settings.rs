@@ -1,32 +1,65 @@
 //! What does the page state, in the words of the science?
 
-use bouncelab::analysis::Impact;
-use bouncelab::inference;
-use bouncelab::setup::{self, AirInput, BallInput, DropInput, GravityInput, Setup, SetupInput};
+use bouncelab::ball::Ball;
+use bouncelab::diagnostic::Diagnostic;
+use bouncelab::inference::InferenceOptions;
+use bouncelab::plausibility;
+use bouncelab::setup::{AirInput, BallInput, DropInput, GravityInput, Setup, SetupInput};
 
-use crate::refusal::{Refusal, RefusalKind, Result};
-use crate::wire::{Effort, Inferred, Mark, Settings};
+use crate::refusal::Result;
+use crate::wire::Settings;
 
 impl Settings {
-    /// What follows from them, with what is to be asked.
+    /// What follows from them, with the inference or without.
     ///
     /// # Errors
     ///
     /// If something in them makes no sense, or does not go together.
-    pub fn resolve(&self, effort: Effort) -> Result<Setup> {
-        let mut setup = self.stated()?.resolve()?;
-        let settings = &mut setup.settings;
-        settings.flights = self
+    pub fn resolve(&self, inference: bool) -> Result<Setup> {
+        let mut setup = self.setup()?.resolve()?;
+        let options = &mut setup.options;
+        options.flights = self
             .flights
             .map(|(first, last)| first as usize..=last as usize);
-        settings.priors = self.stated_drop()?.add_to(&settings.priors)?;
-        settings.inference = (effort == Effort::Full).then(|| self.inference());
+        options.priors = self.drop()?.add_to(&options.priors)?;
+        options.inference = inference.then(|| InferenceOptions {
+            at_speed_m_s: self.at_speed_m_s,
+            reach: self.reach.clone().unwrap_or_default(),
+            ..InferenceOptions::default()
+        });
         Ok(setup)
     }
 
-    fn stated(&self) -> Result<SetupInput> {
+    /// What looks like a mistake of units.
+    pub fn questions(&self) -> Vec<Diagnostic> {
+        let of_ball = self
+            .mass_kg
+            .zip(self.diameter_m)
+            .and_then(|(mass, diameter)| {
+                // What is no ball at all is refused as such.
+                plausibility::of_ball(&Ball::new(mass, diameter).ok()?)
+            });
+        let stated = [
+            ("contact-time", self.contact_time_s),
+            ("temperature", self.temperature_k),
+            ("pressure", self.pressure_pa),
+            ("humidity", self.relative_humidity),
+            ("air-density", self.air_density_kg_m3),
+            ("gravity", self.gravity_m_s2),
+            ("altitude", self.altitude_m),
+            ("height", self.height_m),
+            ("height-sd", self.height_sd_m),
+        ];
+        let of_quantities = stated.into_iter();
+        of_quantities
+            .filter_map(|(quantity, value)| plausibility::of_quantity(quantity, value?))
+            .chain(of_ball)
+            .collect()
+    }
+
+    fn setup(&self) -> Result<SetupInput> {
         Ok(SetupInput {
-            ball: self.stated_ball()?,
+            ball: self.ball(),
             contact_time_s: self.contact_time_s,
             drag: self.drag.as_deref().map(str::parse).transpose()?,
             air: match self.air_density_kg_m3 {
@@ -42,37 +75,29 @@ impl Settings {
             },
             no_buoyancy: self.buoyancy == Some(false),
             no_added_mass: self.added_mass == Some(false),
-            gravity: self.stated_gravity(),
+            gravity: self.gravity(),
             ..SetupInput::default()
         })
     }
 
-    fn stated_ball(&self) -> Result<Option<BallInput>> {
-        match (self.mass_kg, self.diameter_m) {
-            (Some(mass_kg), Some(diameter_m)) => {
-                return Ok(Some(BallInput::Measured {
-                    mass_kg,
-                    diameter_m,
-                }));
-            }
-            (None, None) => {}
-            _ => return Err(setting("the mass of a ball goes with its diameter")),
+    /// What is missing, or is no number, is refused as a quantity that is none.
+    fn ball(&self) -> Option<BallInput> {
+        if self.mass_kg.is_some() || self.diameter_m.is_some() {
+            return Some(BallInput::Measured {
+                mass_kg: self.mass_kg.unwrap_or(f64::NAN),
+                diameter_m: self.diameter_m.unwrap_or(f64::NAN),
+            });
         }
-        let Some(name) = self.ball.as_deref() else {
-            return Ok(None);
-        };
-        let diameter_m = |text: &str| {
-            let metres = text.parse::<f64>();
-            metres.map_err(|_| setting(&format!("\"{text}\" is no diameter in metres")))
-        };
-        Ok(Some(match name.split_once(':') {
-            Some(("steel", diameter)) => BallInput::Steel(diameter_m(diameter)?),
-            Some(("glass", diameter)) => BallInput::Glass(diameter_m(diameter)?),
+        let name = self.ball.as_deref()?;
+        let metres = |text: &str| text.parse().unwrap_or(f64::NAN);
+        Some(match name.split_once(':') {
+            Some(("steel", diameter)) => BallInput::Steel(metres(diameter)),
+            Some(("glass", diameter)) => BallInput::Glass(metres(diameter)),
             _ => BallInput::Named(name.to_owned()),
-        }))
+        })
     }
 
-    fn stated_gravity(&self) -> Option<GravityInput> {
+    fn gravity(&self) -> Option<GravityInput> {
         let place = |latitude_deg| GravityInput::Place {
             latitude_deg,
             altitude_m: self.altitude_m.unwrap_or(0.0),
@@ -82,9 +107,8 @@ impl Settings {
             .or(self.latitude_deg.map(place))
     }
 
-    fn stated_drop(&self) -> Result<DropInput> {
+    fn drop(&self) -> Result<DropInput> {
         let laws = self.restitution_laws.iter().flatten();
-        let inferred = self.infer.iter().flatten();
         Ok(DropInput {
             height_m: self.height_m,
             height_sd_m: self.height_sd_m,
@@ -94,60 +118,7 @@ impl Settings {
             laws: laws
                 .map(|law| law.parse())
                 .collect::<bouncelab::Result<_>>()?,
-            infer: inferred.map(|&inferred| inferred.into()).collect(),
+            infer: self.infer.clone().unwrap_or_default(),
         })
-    }
-
-    fn inference(&self) -> inference::InferenceOptions {
-        let reach = self.reach.iter().flatten();
-        inference::InferenceOptions {
-            at_speed_m_s: self.at_speed_m_s,
-            reach: reach
-                .map(|reach| inference::ApexTarget {
-                    bounce: reach.bounce as usize,
-                    apex_m: reach.apex_m,
-                })
-                .collect(),
-            sampler: inference::SamplerConfig::default(),
-        }
-    }
-}
-
-impl From<Inferred> for setup::Inferred {
-    fn from(inferred: Inferred) -> Self {
-        match inferred {
-            Inferred::Gravity => Self::Gravity,
-            Inferred::Drag => Self::Drag,
-            Inferred::ContactTime => Self::ContactTime,
-        }
-    }
-}
-
-/// A refusal of a setting.
-pub(crate) fn setting(message: &str) -> Refusal {
-    Refusal::new(RefusalKind::Setting, message)
-}
-
-impl From<Impact> for Mark {
-    fn from(impact: Impact) -> Self {
-        Self {
-            number: impact.number as u32,
-            time_s: impact.time_s,
-            sigma_s: impact.sigma_s,
-            probability: impact.probability,
-            level_db: impact.level_db,
-        }
-    }
-}
-
-impl From<Mark> for Impact {
-    fn from(mark: Mark) -> Self {
-        Self {
-            number: mark.number as usize,
-            time_s: mark.time_s,
-            sigma_s: mark.sigma_s,
-            probability: mark.probability,
-            level_db: mark.level_db,
-        }
     }
 }

@@ -7,13 +7,15 @@ use bouncelab::drop::{self, History, Start, Stop};
 use bouncelab::flight::Environment;
 use bouncelab::impact::{Contact, Restitution, Strike};
 use bouncelab::synth::{self, BitDepth, Noise, Rendered, Scene, Voice};
+use bouncelab_report::Chart;
+use bouncelab_report::chart::Point;
 use bouncelab_report::document::simulation::{Document, Run};
+use bouncelab_report::figure;
+use bouncelab_report::messages::Translator;
+use bouncelab_report::theme::Meaning;
 
-use crate::refusal::Result;
-use crate::settings::setting;
-use crate::wire::{
-    self, Demo, Effort, HeightCurve, RestitutionLaw, SceneRequest, Simulated, SimulationRequest,
-};
+use crate::refusal::{Result, unknown};
+use crate::wire::{self, Demo, RestitutionLaw, SceneRequest, SimulationRequest, SimulationRun};
 
 /// The height of bounce at which a drop counts as over, in metres.
 const REST_M: f64 = 1e-3;
@@ -25,9 +27,9 @@ const POINTS: usize = 4000;
 /// # Errors
 ///
 /// If something in the request makes no sense.
-pub fn simulate(request: &SimulationRequest) -> Result<Simulated> {
-    let setup = request.settings.resolve(Effort::Quick)?;
-    let settings = &setup.settings;
+pub fn simulate(request: &SimulationRequest, translator: &Translator) -> Result<Document> {
+    let setup = request.settings.resolve(false)?;
+    let settings = &setup.options;
     let compared = request.compare.iter().flatten();
     let compared: Vec<DragLaw> = compared
         .map(|law| law.parse())
@@ -36,10 +38,53 @@ pub fn simulate(request: &SimulationRequest) -> Result<Simulated> {
     let runs = laws
         .map(|law| run(law, settings, request))
         .collect::<Result<Vec<Run>>>()?;
-    Ok(Simulated {
-        document: Document::new(&runs, settings, setup.assumptions.clone()),
-        curves: runs.iter().map(|run| curve(&run.history)).collect(),
-    })
+    let mut assumptions = setup.assumptions.clone();
+    translator.complete_each(&mut assumptions);
+    Ok(Document::new(&runs, settings, assumptions))
+}
+
+/// Time and height of the drop of a request, moved so that its first impact is at a given time.
+///
+/// # Errors
+///
+/// If something in the request makes no sense.
+pub fn moved_curve(request: &SimulationRequest, first_s: f64) -> Result<Vec<Point>> {
+    let history = history(&request.settings.resolve(false)?.options, request)?;
+    let first_bounce = history.bounces().first();
+    let shift_s = first_s - first_bounce.map_or(0.0, |bounce| bounce.time_s);
+    let points = figure::curve_of(&history, POINTS).into_iter();
+    Ok(points
+        .map(|[time_s, height_m]| [time_s + shift_s, height_m])
+        .collect())
+}
+
+/// Charts that compare simulated drops, the last of which is the present one.
+///
+/// # Errors
+///
+/// If something in a request makes no sense.
+pub fn charts(runs: &[SimulationRun], translator: &Translator) -> Result<[Chart; 2]> {
+    let histories = runs.iter().map(|run| {
+        let settings = run.request.settings.resolve(false)?.options;
+        let present = if settings.environment.drag == DragLaw::None {
+            Meaning::Plain
+        } else {
+            Meaning::Drag
+        };
+        Ok((present, history(&settings, &run.request)?))
+    });
+    let histories = histories.collect::<Result<Vec<(Meaning, History)>>>()?;
+    let drawn = runs.iter().zip(&histories).enumerate();
+    let drawn = drawn.map(|(place, (run, (present, history)))| figure::Run {
+        name: run.name.clone(),
+        meaning: if place + 1 == runs.len() {
+            *present
+        } else {
+            Meaning::Group(place + 2)
+        },
+        history,
+    });
+    Ok(figure::runs(&drawn.collect::<Vec<_>>(), translator))
 }
 
 fn run(law: DragLaw, settings: &Options, request: &SimulationRequest) -> Result<Run> {
@@ -71,12 +116,6 @@ fn history(settings: &Options, request: &SimulationRequest) -> Result<History> {
     };
     let start = Start::Height(request.height_m);
     Ok(drop::simulate(&settings.model()?, &contact, start, stop)?)
-}
-
-fn curve(history: &History) -> HeightCurve {
-    let end_s = history.total_time_s();
-    let times = (0..=POINTS).map(|point| end_s * point as f64 / POINTS as f64);
-    HeightCurve::of(times.map(|time_s| (time_s, history.height_at(time_s))))
 }
 
 impl RestitutionLaw {
@@ -111,15 +150,10 @@ impl RestitutionLaw {
 ///
 /// If something in the request or the scene makes no sense.
 pub fn synthesise(request: &SimulationRequest, scene: &SceneRequest) -> Result<Rendered> {
-    let setup = request.settings.resolve(Effort::Quick)?;
-    let history = history(&setup.settings, request)?;
-    let voice = Voice::named(&scene.voice).ok_or_else(|| {
-        let known = Voice::NAMES.join(", ");
-        setting(&format!(
-            "no voice is called \"{}\"; known: {known}",
-            scene.voice
-        ))
-    })?;
+    let setup = request.settings.resolve(false)?;
+    let history = history(&setup.options, request)?;
+    let voice =
+        Voice::named(&scene.voice).ok_or_else(|| unknown("voice", &scene.voice, &Voice::NAMES))?;
     let strikes: Vec<Strike> = history.strikes().collect();
     let scene_of_it = Scene {
         sample_rate_hz: scene.sample_rate_hz,

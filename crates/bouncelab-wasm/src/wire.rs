@@ -7,7 +7,13 @@ use serde::{Deserialize, Serialize};
 #[cfg(not(target_family = "wasm"))]
 use ts_rs::TS;
 
-use bouncelab_report::document::{Document, Origin, simulation};
+use bouncelab::air::Conditions;
+use bouncelab::analysis::{Drop, DropCandidate, Source, StrongestBand, renumbered};
+use bouncelab::inference::ApexTarget;
+use bouncelab::setup::Inferred;
+use bouncelab::{Diagnostic, Impact};
+use bouncelab_report::document::Document;
+use bouncelab_report::figure::DropSummary;
 
 /// The choices that a page can offer.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -28,7 +34,7 @@ pub struct Catalogue {
     /// Where one may drop a ball.
     pub worlds: Vec<World>,
     /// The air that is assumed.
-    pub usual_air: MoistAir,
+    pub usual_air: Conditions,
     /// Standard gravity.
     pub standard_gravity_m_s2: f64,
     /// An impact below this probability counts as uncertain.
@@ -77,18 +83,6 @@ pub struct World {
     pub air_viscosity_pa_s: Option<f64>,
 }
 
-/// Air by temperature, pressure and humidity.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(not(target_family = "wasm"), derive(TS))]
-pub struct MoistAir {
-    /// Temperature.
-    pub temperature_k: f64,
-    /// Pressure.
-    pub pressure_pa: f64,
-    /// Relative humidity, 0 to 1.
-    pub relative_humidity: f64,
-}
-
 /// What a person says of ball, air, gravity and drop; what is left out is assumed.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(not(target_family = "wasm"), derive(TS))]
@@ -133,7 +127,7 @@ pub struct Settings {
     pub release_s: Option<f64>,
     /// Its standard uncertainty; 5 ms if left out.
     pub release_sd_s: Option<f64>,
-    /// Whether the first impact heard is the first there was.
+    /// Whether the first impact detected is the first there was.
     pub first_heard: Option<bool>,
     /// Families of restitution laws to consider; all that the impacts can tell apart if left out.
     pub restitution_laws: Option<Vec<String>>,
@@ -144,89 +138,23 @@ pub struct Settings {
     /// Impact speed at which to state the restitution.
     pub at_speed_m_s: Option<f64>,
     /// From which height does a bounce reach an apex?
-    pub reach: Option<Vec<Reach>>,
+    pub reach: Option<Vec<ApexTarget>>,
 }
 
-/// What may be left to the data.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[cfg_attr(not(target_family = "wasm"), derive(TS))]
-#[serde(rename_all = "kebab-case")]
-pub enum Inferred {
-    /// The acceleration of gravity.
-    Gravity,
-    /// The drag coefficient.
-    Drag,
-    /// The contact time.
-    ContactTime,
-}
-
-/// A bounce and the apex that it is to reach.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(not(target_family = "wasm"), derive(TS))]
-pub struct Reach {
-    /// Number of the bounce, 1 for the first.
-    pub bounce: u32,
-    /// Apex of the flight after it.
-    pub apex_m: f64,
-}
-
-/// What was heard in a recording, or read from a list of times.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-#[cfg_attr(not(target_family = "wasm"), derive(TS))]
-pub struct Heard {
-    /// Name, as it goes into the document.
-    pub name: String,
-    /// Where the times come from.
-    pub source: Origin,
-    /// The drops, in order of time.
-    pub drops: Vec<HeardDrop>,
-    /// Why there is none.
-    pub no_drop: Option<String>,
-    /// What is odd about the recording.
-    pub warnings: Vec<String>,
-}
-
-/// The impacts of one drop.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-#[cfg_attr(not(target_family = "wasm"), derive(TS))]
-pub struct HeardDrop {
-    /// How sure it is that this is a drop.
-    pub probability: f64,
-    /// Its impacts, in order of time.
-    pub impacts: Vec<Mark>,
-}
-
-/// An impact as heard, or as set by hand.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(not(target_family = "wasm"), derive(TS))]
-pub struct Mark {
-    /// Number, 1 for the first impact known; a missed one leaves a gap.
-    pub number: u32,
-    /// Time.
-    pub time_s: f64,
-    /// Standard error of the time; `null` if set by hand.
-    pub sigma_s: Option<f64>,
-    /// Probability that it is an impact of this drop; 1 if set by hand.
-    pub probability: f64,
-    /// Level relative to full scale; `null` if it was not heard.
-    pub level_db: Option<f64>,
-}
-
-/// What has been heard so far in a recording that is still going on.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+/// What was detected so far in a recording that is still going on.
+#[derive(Clone, Debug, Default, Serialize)]
 #[cfg_attr(not(target_family = "wasm"), derive(TS))]
 pub struct SoFar {
     /// How long it has been recording.
     pub duration_s: f64,
-    /// The drop that goes on or was the last to end; `null` if there is none yet.
-    pub drop: Option<HeardDrop>,
-    /// How many drops have been heard.
-    pub drops: u32,
-    /// Best restitution so far, by the straight line.
-    pub restitution: Option<f64>,
+    /// The drop that goes on or was the last to end, without the inference; `null` if there is none
+    /// yet.
+    pub drop: Option<Drop>,
+    /// How many drops were detected.
+    pub drops: usize,
     /// When the ball will rest, or did, judging by the last impacts.
     pub rests_at_s: Option<f64>,
-    /// Whether the ball rests: nothing more will be heard of this drop.
+    /// Whether the ball rests: no more impacts of this drop will come.
     pub at_rest: bool,
 }
 
@@ -235,137 +163,69 @@ pub struct SoFar {
 #[cfg_attr(not(target_family = "wasm"), derive(TS))]
 pub struct DropMarks {
     /// Its impacts, in order of time.
-    pub impacts: Vec<Mark>,
-    /// Whether a hand has changed them: then they are numbered anew.
+    pub impacts: Vec<Impact>,
+    /// Probability that it is a drop.
+    pub probability: f64,
+    /// Whether the reader has changed the impacts: then they are numbered anew.
     pub edited: bool,
+}
+
+impl DropMarks {
+    pub(crate) fn candidate(&self) -> DropCandidate {
+        let impacts = self.impacts.clone();
+        DropCandidate {
+            impacts: if self.edited {
+                renumbered(impacts)
+            } else {
+                impacts
+            },
+            probability: self.probability,
+        }
+    }
 }
 
 /// What to analyse.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(not(target_family = "wasm"), derive(TS))]
 pub struct AnalysisRequest {
-    /// Name of the recording, as in [`Heard`].
+    /// Name of the recording, as it goes into the document.
     pub name: String,
     /// Where its times come from.
-    pub source: Origin,
+    pub source: Source,
+    /// Where its impacts stand out most.
+    pub strongest_band: Option<StrongestBand>,
     /// What is odd about it.
-    pub warnings: Vec<String>,
+    pub diagnostics: Vec<Diagnostic>,
     /// Why there was no drop in it.
-    pub no_drop: Option<String>,
+    pub no_drop: Option<Diagnostic>,
     /// The drops.
     pub drops: Vec<DropMarks>,
     /// Ball, air, gravity and what else is known.
     pub settings: Settings,
-    /// How far to go.
-    pub effort: Effort,
-}
-
-/// How far to go.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[cfg_attr(not(target_family = "wasm"), derive(TS))]
-#[serde(rename_all = "kebab-case")]
-pub enum Effort {
-    /// Straight line and drag-corrected restitution of each impact: some milliseconds.
-    Quick,
-    /// With the inference.
-    Full,
+    /// With the inference, or only what takes some milliseconds.
+    pub inference: bool,
 }
 
 /// What the impacts say.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, Serialize)]
 #[cfg_attr(not(target_family = "wasm"), derive(TS))]
-pub struct Analysed {
-    /// The command line's document, `bouncelab.analysis/1`.
-    pub document: Document,
-    /// How far it went.
-    pub effort: Effort,
+pub struct Analysed<'a> {
+    /// The document of the program, `bouncelab.analysis/2`.
+    pub document: Document<'a>,
     /// The ball in words.
-    pub ball: String,
-    /// For the charts, one for each drop of the document.
-    pub series: Vec<Series>,
-    /// Drag against speed; empty if there is none.
-    pub drag: Vec<DragCurve>,
-    /// Names of the figures that can be drawn of it.
-    pub figures: Vec<String>,
+    pub ball: &'a str,
+    /// Settings that look like mistakes of units.
+    pub questions: Vec<Diagnostic>,
+    /// Names of the figures that there are of each drop.
+    pub figures: Vec<Vec<&'static str>>,
 }
 
-/// Points of one drop for the charts, besides those in the document.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-#[cfg_attr(not(target_family = "wasm"), derive(TS))]
-pub struct Series {
-    /// Height against time by the flight model, from impact to impact; `null` parts flights with
-    /// a missed impact between them.
-    pub measured: HeightCurve,
-    /// The drop that the best fit would make, from its release; empty without inference.
-    pub simulated: HeightCurve,
-    /// Time and height of each apex, in the same way.
-    pub apexes: HeightCurve,
-    /// Energies at each impact with a flight on both sides.
-    pub energies: Vec<Energy>,
-    /// The posterior; empty without inference.
-    pub draws: Draws,
-}
-
-/// Height against time.
-#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(not(target_family = "wasm"), derive(TS))]
-pub struct HeightCurve {
-    /// Times.
-    pub time_s: Vec<f64>,
-    /// Height of the lowest point of the ball at each.
-    pub height_m: Vec<Option<f64>>,
-}
-
-/// What became of the energy at an impact and in the flight before it.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-#[cfg_attr(not(target_family = "wasm"), derive(TS))]
-pub struct Energy {
-    /// Number of the impact.
-    pub number: u32,
-    /// Kinetic energy just before it.
-    pub before_j: f64,
-    /// What the surface took.
-    pub lost_to_surface_j: f64,
-    /// What the air took in the flight after it.
-    pub lost_to_air_j: f64,
-}
-
-/// Equally likely values of the answers; those with the same index belong together.
-#[derive(Clone, Debug, Default, PartialEq, Serialize)]
-#[cfg_attr(not(target_family = "wasm"), derive(TS))]
-pub struct Draws {
-    /// Restitution at the stated speed.
-    pub restitution: Vec<f64>,
-    /// Drag coefficient; empty if there is no drag.
-    pub drag_coefficient: Vec<f64>,
-    /// Drop height.
-    pub drop_height_m: Vec<f64>,
-}
-
-/// Drag over weight against speed.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-#[cfg_attr(not(target_family = "wasm"), derive(TS))]
-pub struct DragCurve {
-    /// The drag law.
-    pub law: String,
-    /// Whether it is the law of the settings; else it is a constant coefficient to compare with.
-    pub chosen: bool,
-    /// Speeds.
-    pub speed_m_s: Vec<f64>,
-    /// Drag over weight at each.
-    pub drag_over_weight: Vec<f64>,
-}
-
-/// A figure.
+/// A figure as a picture.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(not(target_family = "wasm"), derive(TS))]
 pub struct Drawn {
     /// Name, also of its file.
     pub name: String,
-    /// Title.
-    pub title: String,
-    /// One sentence on what to see in it.
-    pub caption: String,
     /// The picture.
     pub svg: String,
     /// Its natural width.
@@ -440,14 +300,39 @@ pub enum RestitutionLaw {
     },
 }
 
-/// Simulated drops.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+/// A simulated drop to be compared with others.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(not(target_family = "wasm"), derive(TS))]
-pub struct Simulated {
-    /// The command line's document, `bouncelab.simulation/1`.
-    pub document: simulation::Document,
-    /// Height against time of each simulation in the document.
-    pub curves: Vec<HeightCurve>,
+pub struct SimulationRun {
+    /// Its name in the legend.
+    pub name: String,
+    /// What is simulated.
+    pub request: SimulationRequest,
+}
+
+/// A drop that was kept, to be compared with others.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(not(target_family = "wasm"), derive(TS))]
+pub struct ComparedDrop {
+    /// Its name in the legend.
+    pub name: String,
+    /// Its restitution, if it is known.
+    pub restitution: Option<f64>,
+    /// Standard deviation of that.
+    pub restitution_sd: Option<f64>,
+    /// Speed in m/s and restitution of each impact.
+    pub impacts: Vec<[f64; 2]>,
+}
+
+impl From<ComparedDrop> for DropSummary {
+    fn from(kept: ComparedDrop) -> Self {
+        let sd = kept.restitution_sd.unwrap_or(f64::NAN);
+        Self {
+            name: kept.name,
+            restitution: kept.restitution.map(|value| (value, sd)),
+            impacts: kept.impacts,
+        }
+    }
 }
 
 /// How a simulated drop sounds.
@@ -481,18 +366,6 @@ impl Default for SceneRequest {
             tail_s: 0.5,
         }
     }
-}
-
-/// An onset near a time.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-#[cfg_attr(not(target_family = "wasm"), derive(TS))]
-pub struct OnsetFound {
-    /// Time.
-    pub time_s: f64,
-    /// Its standard error.
-    pub sigma_s: f64,
-    /// Level relative to full scale.
-    pub level_db: f64,
 }
 
 /// A made-up drop to try things with.

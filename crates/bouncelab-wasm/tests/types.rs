@@ -9,14 +9,19 @@ use std::collections::{BTreeMap, HashSet};
 use std::fs;
 use std::path::Path;
 
+use bouncelab::Recording;
+use bouncelab::diagnostic::Argument;
+use bouncelab_report::Chart;
+use bouncelab_report::document::simulation;
 use bouncelab_report::paper;
+use bouncelab_report::paper::lesson::{PuzzleAnswer, PuzzleChoice};
 use bouncelab_wasm::refusal::Refusal;
 use bouncelab_wasm::wire;
 use ts_rs::{Config, TS, TypeVisitor};
 
 const HEAD: &str = "\
 // The types that the laboratory's engine takes and gives, made from those in
-// crates/bouncelab-wasm/src (wire.rs, refusal.rs) by `cargo xtask web`. Do not edit.
+// Rust (crates/bouncelab and bouncelab-wasm) by `cargo xtask web`. Do not edit.
 ";
 
 /// Declares types and all that they are made of.
@@ -59,16 +64,21 @@ fn declarations() -> String {
     };
     all.declare::<Refusal>();
     all.declare::<wire::Catalogue>();
-    all.declare::<wire::Heard>();
+    all.declare::<Recording>();
+    all.declare::<Argument>();
     all.declare::<wire::SoFar>();
     all.declare::<wire::Demo>();
-    all.declare::<wire::OnsetFound>();
     all.declare::<wire::AnalysisRequest>();
-    all.declare::<wire::Analysed>();
+    all.declare::<wire::Analysed<'static>>();
     all.declare::<wire::Drawn>();
     all.declare::<wire::SimulationRequest>();
     all.declare::<wire::SceneRequest>();
-    all.declare::<wire::Simulated>();
+    all.declare::<wire::SimulationRun>();
+    all.declare::<wire::ComparedDrop>();
+    all.declare::<simulation::Document>();
+    all.declare::<Chart>();
+    all.declare::<PuzzleChoice>();
+    all.declare::<PuzzleAnswer>();
     all.declare::<paper::Document>();
     let declarations: String = all.found.into_values().collect();
     [HEAD, &declarations]

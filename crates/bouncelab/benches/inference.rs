@@ -34,11 +34,7 @@ fn impacts() -> Vec<Impact> {
     let mut time_s = 0.0;
     (1..=40)
         .map(|number| {
-            let heard = Impact {
-                number,
-                time_s: time_s + SIGMA_S * normal(),
-                time_sd_s: Some(SIGMA_S),
-            };
+            let heard = Impact::new(number, time_s + SIGMA_S * normal()).with_time_sd_s(SIGMA_S);
             let launch = speed * 0.945 * (0.003 * normal()).exp();
             let flight = model.launch(launch).unwrap();
             time_s += flight.time_s() + settings.contact_time_s;

@@ -7,7 +7,7 @@ use bouncelab::drop::{self, Start, Stop};
 use bouncelab::flight::{Environment, FlightModel};
 use bouncelab::impact::{Contact, Restitution};
 use bouncelab::regression::{self, NumberedFlight};
-use bouncelab::restitution::{self, Impact};
+use bouncelab::{Impact, restitution};
 use divan::counter::ItemsCount;
 use divan::{Bencher, black_box};
 
@@ -123,11 +123,7 @@ fn drag_corrected_restitution(bencher: Bencher, law: DragLaw) {
     let impacts: Vec<_> = history
         .strikes()
         .zip(1..)
-        .map(|(strike, number)| Impact {
-            number,
-            time_s: strike.time_s,
-            time_sd_s: Some(5e-5),
-        })
+        .map(|(strike, number)| Impact::new(number, strike.time_s).with_time_sd_s(5e-5))
         .collect();
     bencher
         .counter(ItemsCount::new(impacts.len()))

@@ -25,6 +25,15 @@ impl Air {
     /// # Errors
     /// [`Error::OutOfRange`](crate::Error::OutOfRange) unless both are from 1e-20 to 1e20. For no air
     /// at all use [`Air::vacuum`].
+    ///
+    /// ```
+    /// use bouncelab::air::Air;
+    ///
+    /// let water = Air::new(998.2, 1.002e-3)?;
+    /// assert_eq!(water.density_kg_m3(), 998.2);
+    /// assert!(Air::new(-1.2, 1.8e-5).is_err());
+    /// # Ok::<(), bouncelab::Error>(())
+    /// ```
     pub fn new(density_kg_m3: f64, viscosity_pa_s: f64) -> Result<Self> {
         Ok(Self {
             density_kg_m3: of_a_size("density of the air in kg/m3", density_kg_m3)?,
@@ -33,6 +42,11 @@ impl Air {
     }
 
     /// No air: no drag, no buoyancy, no added mass.
+    ///
+    /// ```
+    /// let nothing = bouncelab::air::Air::vacuum();
+    /// assert!(nothing.is_vacuum());
+    /// ```
     pub const fn vacuum() -> Self {
         Self {
             density_kg_m3: 0.0,
@@ -48,6 +62,15 @@ impl Air {
     /// [`Error::OutOfRange`](crate::Error::OutOfRange) outside 250 to 330 K, 30 to 120 kPa or a
     /// relative humidity of 0 to 1. The equation promises its 22 ppm in a narrower range: see
     /// [`Conditions::within_cipm_range`].
+    ///
+    /// ```
+    /// use bouncelab::air::{Air, Conditions};
+    ///
+    /// let room = Conditions::default();
+    /// let hot = Conditions { temperature_k: 308.15, ..room };
+    /// assert!(Air::moist(&hot)?.density_kg_m3() < Air::moist(&room)?.density_kg_m3());
+    /// # Ok::<(), bouncelab::Error>(())
+    /// ```
     pub fn moist(conditions: &Conditions) -> Result<Self> {
         let Conditions {
             temperature_k,
@@ -94,6 +117,17 @@ impl Air {
     }
 
     /// Reynolds number ρ v D/μ of a ball at a speed; zero in a vacuum.
+    ///
+    /// ```
+    /// use bouncelab::air::Air;
+    /// use bouncelab::ball;
+    ///
+    /// // The paper: 6200 at the first impact.
+    /// let air = Air::new(1.2276, 1.8414e-5)?;
+    /// let ball = ball::preset("table-tennis-38")?.ball;
+    /// assert_eq!(air.reynolds(&ball, 2.446).round(), 6197.0);
+    /// # Ok::<(), bouncelab::Error>(())
+    /// ```
     pub fn reynolds(&self, ball: &Ball, speed_m_s: f64) -> f64 {
         if self.is_vacuum() {
             return 0.0;
@@ -104,6 +138,18 @@ impl Air {
 
 impl Ball {
     /// Buoyancy ρ g V in newtons.
+    ///
+    /// ```
+    /// use bouncelab::air::Air;
+    /// use bouncelab::ball;
+    ///
+    /// // The paper: 1.41 % of the weight.
+    /// let air = Air::new(1.2276, 1.8414e-5)?;
+    /// let ball = ball::preset("table-tennis-38")?.ball;
+    /// let share = ball.buoyancy_n(&air, 9.81) / ball.weight_n(9.81);
+    /// assert_eq!(format!("{:.2} %", 100.0 * share), "1.41 %");
+    /// # Ok::<(), bouncelab::Error>(())
+    /// ```
     pub fn buoyancy_n(&self, air: &Air, gravity_m_s2: f64) -> f64 {
         air.density_kg_m3 * gravity_m_s2 * self.volume_m3()
     }
@@ -111,6 +157,8 @@ impl Ball {
 
 /// The weather in the room.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 pub struct Conditions {
     /// Temperature in kelvin.
     pub temperature_k: f64,
@@ -136,6 +184,14 @@ impl Conditions {
     ///
     /// Outside, over all that [`Air::moist`] accepts, the equation lies within 0.4 % of the law of
     /// ideal gases: far closer than the drag of a ball is known.
+    ///
+    /// ```
+    /// use bouncelab::air::Conditions;
+    ///
+    /// let room = Conditions::default();
+    /// let freezing = Conditions { temperature_k: 273.15, ..room };
+    /// assert!(room.within_cipm_range() && !freezing.within_cipm_range());
+    /// ```
     pub fn within_cipm_range(&self) -> bool {
         (288.15..=300.15).contains(&self.temperature_k)
             && (60e3..=110e3).contains(&self.pressure_pa)
@@ -220,29 +276,6 @@ mod tests {
                 viscosity
             );
         }
-    }
-
-    /// The paper: a buoyancy of 3.46e-4 N, 1.41 % of the weight.
-    #[test]
-    fn buoyancy_of_the_papers_ball() {
-        let ball = Ball::new(2.5e-3, 38e-3).unwrap();
-        let air = Air::new(1.2276, 1.2276 * 1.5e-5).unwrap();
-        let buoyancy = ball.buoyancy_n(&air, 9.81);
-        assert_eq!(format!("{buoyancy:.2e}"), "3.46e-4");
-        assert_eq!(
-            format!("{:.2}", 100.0 * buoyancy / ball.weight_n(9.81)),
-            "1.41"
-        );
-    }
-
-    /// The paper: Re = 6200 at 2.45 m/s; recomputed 6197 at sqrt(2 g h0).
-    #[test]
-    fn reynolds_number_of_the_papers_ball() {
-        let ball = Ball::new(2.5e-3, 38e-3).unwrap();
-        let air = Air::new(1.2276, 1.2276 * 1.5e-5).unwrap();
-        let speed = (2.0_f64 * 9.81 * 0.305).sqrt();
-        assert_eq!(format!("{:.0}", air.reynolds(&ball, speed)), "6197");
-        assert!(Air::vacuum().reynolds(&ball, speed) == 0.0);
     }
 
     /// Beyond its stated range the equation stays near the ideal gas, so it can be trusted there too.

@@ -30,13 +30,13 @@
 //! # Ok::<(), bouncelab::Error>(())
 //! ```
 
-use crate::analysis::{DetectionOptions, check_channel};
 use crate::diagnostic::{Code, Diagnostic};
-use crate::error::Result;
+use crate::error::{Error, Result};
 use crate::onset::{self, Onset, OnsetDetector};
 use crate::simd::dispatch;
 use crate::stats::median;
 use crate::train::{self, Span, TrainSearch};
+use std::ops::Range;
 
 /// No drop lasts longer than this many seconds: what is older is forgotten.
 const MEMORY_S: f64 = 120.0;
@@ -51,6 +51,16 @@ const DELAY_S: f64 = 0.3;
 const AROUND_S: f64 = 2.5;
 /// A train goes on if its last impact was heard less than this many seconds ago.
 const OPEN_S: f64 = 10.0;
+
+/// Where in a recording to look for impacts.
+#[derive(Clone, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct DetectionOptions {
+    /// The only channel to use, the first being 1; if `None`, the one with the most evidence.
+    pub channel: Option<usize>,
+    /// The only frequencies to use, in Hz; if `None`, all bands, each against its own background.
+    pub band_hz: Option<Range<f64>>,
+}
 
 /// Detects the drops in a stream of samples, of one or more channels.
 #[derive(Clone, Debug)]
@@ -383,6 +393,16 @@ impl ChannelDetector {
             duration_s,
             clipped_samples: self.clipping.count(),
         }
+    }
+}
+
+/// Checks that there is a channel of this number, the first being 1; returns it counted from 0.
+fn check_channel(channel: Option<usize>, channels: usize) -> Result<Option<usize>> {
+    match channel {
+        Some(channel) if !(1..=channels).contains(&channel) => {
+            Err(Error::NoChannel { channel, channels })
+        }
+        channel => Ok(channel.map(|channel| channel - 1)),
     }
 }
 

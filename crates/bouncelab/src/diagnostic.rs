@@ -199,12 +199,16 @@ codes! {
     NothingToExclude = "nothing-to-exclude", Warning, ["time_s"];
     /// A time to include lies too far from every drop.
     TooFarToInclude = "too-far-to-include", Warning, ["time_s", "reach_s"];
+    /// Sound was lost within a drop: only the longest part without a gap is used.
+    SoundLost = "sound-lost", Warning, ["at_s", "impacts", "kept"];
     /// No drop begins after the stated release.
     ReleaseWithoutDrop = "release-without-drop", Warning, ["time_s"];
     /// The stated height is far from the detected one, but would fit in another unit.
     HeightOfAnotherUnit = "height-of-another-unit", Warning, ["stated_m", "detected_m", "meant_m"];
 
     // Of the file that holds the recording.
+    /// The file cannot be read.
+    FileUnreadable = "file-unreadable", Error, [];
     /// The file ends before its header says, or in the middle of something.
     FileTruncated = "file-truncated", Warning, ["read_s", "expected_s?"];
     /// Packets could not be decoded and were replaced by silence.
@@ -309,6 +313,11 @@ codes! {
     AssumedAir = "assumed-air", Info, ["temperature_k", "pressure_pa", "relative_humidity"];
     /// Gravity was not stated.
     AssumedGravity = "assumed-gravity", Info, ["gravity_m_s2"];
+
+    /// The ball is that of the rule.
+    AssumedRuleBall = "assumed-rule-ball", Info, ["ball"];
+    /// The height of the fall is that of the rule.
+    AssumedRuleHeight = "assumed-rule-height", Info, ["height_m", "sd_m"];
 
     // What was assumed before the data.
     /// Restitution: anything from 0 to 1.

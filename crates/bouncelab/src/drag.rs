@@ -23,6 +23,7 @@ use crate::error::{Error, Result, not_negative, require};
 /// extrapolation. There is no lower end: every named law tends to Stokes' 24/Re, so the coefficient
 /// goes to infinity as the speed goes to zero while the drag *force* goes to zero.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub enum DragLaw {
     /// No drag, as in the paper's first model.
     None,
@@ -69,6 +70,14 @@ impl DragLaw {
     ];
 
     /// The name by which it is looked up, as in "clift-grace-weber".
+    ///
+    /// ```
+    /// use bouncelab::drag::DragLaw;
+    ///
+    /// let law: DragLaw = DragLaw::Morrison.name().parse()?;
+    /// assert_eq!(law, DragLaw::Morrison);
+    /// # Ok::<(), bouncelab::Error>(())
+    /// ```
     pub const fn name(&self) -> &'static str {
         match self {
             Self::None => "none",
@@ -87,6 +96,13 @@ impl DragLaw {
     }
 
     /// The upper end of its range of Reynolds numbers; infinite if it has none.
+    ///
+    /// ```
+    /// use bouncelab::drag::DragLaw;
+    ///
+    /// let slowest_to_end = DragLaw::NAMED.into_iter().min_by(|a, b| a.max_reynolds().total_cmp(&b.max_reynolds()));
+    /// assert_eq!(slowest_to_end, Some(DragLaw::Stokes));
+    /// ```
     pub const fn max_reynolds(&self) -> f64 {
         match self {
             Self::Stokes => 0.3,
@@ -106,6 +122,14 @@ impl DragLaw {
     /// # Errors
     /// [`Error::ReynoldsTooHigh`] above [`DragLaw::max_reynolds`], [`Error::OutOfRange`] for a
     /// negative number, NaN, or a constant that is negative or not finite.
+    ///
+    /// ```
+    /// use bouncelab::drag::DragLaw;
+    ///
+    /// assert_eq!(DragLaw::Stokes.coefficient(0.1)?, 240.0);
+    /// assert!(DragLaw::Stokes.coefficient(10.0).is_err()); // beyond its range
+    /// # Ok::<(), bouncelab::Error>(())
+    /// ```
     pub fn coefficient(&self, reynolds: f64) -> Result<f64> {
         self.check()?;
         not_negative("Reynolds number", reynolds)?;

@@ -41,6 +41,19 @@ pub struct Stop {
 
 impl Stop {
     /// At the first impact after which the ball would rise no higher than this (m, not below zero).
+    ///
+    /// ```
+    /// use bouncelab::drop::{self, Start, Stop};
+    /// use bouncelab::flight::FlightModel;
+    /// use bouncelab::impact::{Contact, Restitution};
+    ///
+    /// let contact = Contact::instantaneous(Restitution::constant(0.5)?);
+    /// let model = FlightModel::drag_free(10.0)?;
+    /// // Bounces of 20 cm, 5 cm, 1.25 cm ...
+    /// let history = drop::simulate(&model, &contact, Start::Height(0.8), Stop::below(0.02))?;
+    /// assert_eq!(history.bounces().len(), 2);
+    /// # Ok::<(), bouncelab::Error>(())
+    /// ```
     pub const fn below(apex_m: f64) -> Self {
         Self {
             apex_m,
@@ -49,6 +62,18 @@ impl Stop {
     }
 
     /// After a number of bounces: impacts that are followed by a flight.
+    ///
+    /// ```
+    /// use bouncelab::drop::{self, Start, Stop};
+    /// use bouncelab::flight::FlightModel;
+    /// use bouncelab::impact::{Contact, Restitution};
+    ///
+    /// let contact = Contact::instantaneous(Restitution::constant(0.5)?);
+    /// let model = FlightModel::drag_free(10.0)?;
+    /// let history = drop::simulate(&model, &contact, Start::Launch(2.0), Stop::after(3))?;
+    /// assert_eq!(history.bounces().len(), 3);
+    /// # Ok::<(), bouncelab::Error>(())
+    /// ```
     pub const fn after(bounces: usize) -> Self {
         Self {
             apex_m: 0.0,
@@ -99,6 +124,7 @@ impl InitialFall {
 ///
 /// Energies are per kilogram of [`FlightModel::moving_mass_kg`]: multiply to get joules.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub struct Bounce {
     /// When the ball touches the surface, s after the start. It leaves a contact time later.
     pub time_s: f64,
@@ -133,6 +159,19 @@ pub struct History {
 /// [`Error::OutOfRange`] for a start or stop that makes no sense, [`Error::ReynoldsTooHigh`] if the
 /// drag law does not know so fast a ball, [`Error::EndlessDrop`] if the drop is not over after
 /// [`MAX_BOUNCES`].
+///
+/// ```
+/// use bouncelab::drop::{self, Start, Stop};
+/// use bouncelab::flight::FlightModel;
+/// use bouncelab::impact::{Contact, Restitution};
+///
+/// let contact = Contact::instantaneous(Restitution::constant(0.5)?);
+/// let model = FlightModel::drag_free(10.0)?;
+/// let history = drop::simulate(&model, &contact, Start::Height(0.8), Stop::after(2))?;
+/// // Falls for 0.4 s, then flies for 0.4 s and for 0.2 s.
+/// assert!((history.total_time_s() - 1.0).abs() < 1e-12);
+/// # Ok::<(), bouncelab::Error>(())
+/// ```
 pub fn simulate(
     model: &FlightModel,
     contact: &Contact,
@@ -231,6 +270,19 @@ impl History {
     }
 
     /// Length of the way from the start to the landing, m.
+    ///
+    /// ```
+    /// use bouncelab::drop::{self, Start, Stop};
+    /// use bouncelab::flight::FlightModel;
+    /// use bouncelab::impact::{Contact, Restitution};
+    ///
+    /// let contact = Contact::instantaneous(Restitution::constant(0.5)?);
+    /// let model = FlightModel::drag_free(10.0)?;
+    /// let history = drop::simulate(&model, &contact, Start::Height(0.8), Stop::after(2))?;
+    /// // Down 80 cm, up and down 20 cm, up and down 5 cm.
+    /// assert!((history.total_path_m() - 1.3).abs() < 1e-12);
+    /// # Ok::<(), bouncelab::Error>(())
+    /// ```
     pub fn total_path_m(&self) -> f64 {
         let flights: f64 = self
             .bounces
@@ -269,6 +321,19 @@ impl History {
     /// Height and velocity at a time after the start, as [`History::height_at`].
     ///
     /// The velocity counts as zero while the ball touches the surface.
+    ///
+    /// ```
+    /// use bouncelab::drop::{self, Start, Stop};
+    /// use bouncelab::flight::FlightModel;
+    /// use bouncelab::impact::{Contact, Restitution};
+    ///
+    /// let contact = Contact::instantaneous(Restitution::constant(0.5)?);
+    /// let model = FlightModel::drag_free(10.0)?;
+    /// let history = drop::simulate(&model, &contact, Start::Height(0.8), Stop::after(2))?;
+    /// let at_the_top = history.state_at(0.6);
+    /// assert!((at_the_top.height_m - 0.2).abs() < 1e-12 && at_the_top.velocity_m_s.abs() < 1e-12);
+    /// # Ok::<(), bouncelab::Error>(())
+    /// ```
     pub fn state_at(&self, time_s: f64) -> State {
         const AT_REST: State = State {
             height_m: 0.0,
@@ -299,6 +364,12 @@ impl History {
 ///
 /// # Errors
 /// [`Error::OutOfRange`] unless 0 <= e < 1, the height is not negative and gravity above zero.
+///
+/// ```
+/// let time_s = bouncelab::drop::total_time_s(0.938, 0.305, 9.81)?;
+/// assert_eq!(format!("{time_s:.1} s"), "7.8 s");
+/// # Ok::<(), bouncelab::Error>(())
+/// ```
 pub fn total_time_s(restitution: f64, drop_height_m: f64, gravity_m_s2: f64) -> Result<f64> {
     check_series(restitution, drop_height_m)?;
     let fall_time_s = fall_time_s(drop_height_m, gravity_m_s2)?;
@@ -309,6 +380,13 @@ pub fn total_time_s(restitution: f64, drop_height_m: f64, gravity_m_s2: f64) -> 
 ///
 /// # Errors
 /// [`Error::OutOfRange`] unless 0 <= e < 1 and the height is not negative.
+///
+/// ```
+/// // The paper: 4.94 m at e = 0.94.
+/// let path_m = bouncelab::drop::total_path_m(0.94, 0.305)?;
+/// assert_eq!(format!("{path_m:.2} m"), "4.94 m");
+/// # Ok::<(), bouncelab::Error>(())
+/// ```
 pub fn total_path_m(restitution: f64, drop_height_m: f64) -> Result<f64> {
     check_series(restitution, drop_height_m)?;
     let energy_kept = restitution * restitution;
@@ -321,6 +399,14 @@ pub fn total_path_m(restitution: f64, drop_height_m: f64) -> Result<f64> {
 /// # Errors
 /// [`Error::OutOfRange`] unless height and gravity are above zero and the time is no shorter than
 /// the first fall.
+///
+/// ```
+/// use bouncelab::drop;
+///
+/// let e = drop::restitution_of_total_time(7.5, 0.305, 9.81)?;
+/// assert!((drop::total_time_s(e, 0.305, 9.81)? - 7.5).abs() < 1e-12);
+/// # Ok::<(), bouncelab::Error>(())
+/// ```
 pub fn restitution_of_total_time(
     total_time_s: f64,
     drop_height_m: f64,

@@ -10,12 +10,22 @@ pub type Result<T> = std::result::Result<T, Error>;
 /// Why a calculation was refused.
 ///
 /// Every message says what was wrong and what to do about it, so it can be shown to a person as it
-/// is. The enum grows with the modules of the crate.
+/// is. Kinds may be added, and what a kind knows: match with `..`, and with a last arm for the others.
+///
+/// ```
+/// use bouncelab::{Error, ball};
+///
+/// match ball::preset("table-tenis") {
+///     Err(Error::UnknownName { nearest, .. }) => assert!(nearest.starts_with("table-tennis")),
+///     other => panic!("{other:?}"),
+/// }
+/// ```
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum Error {
     /// A number lies outside the values for which the calculation makes sense (this includes NaN).
     #[error("{quantity} is {}; it must be {allowed}", written(*value))]
+    #[non_exhaustive]
     OutOfRange {
         /// The quantity with its unit, as in "mass in kg".
         quantity: &'static str,
@@ -27,6 +37,7 @@ pub enum Error {
 
     /// A name that is not in one of the crate's lists.
     #[error("no {kind} is called \"{name}\"; the nearest is \"{nearest}\" (known: {known})")]
+    #[non_exhaustive]
     UnknownName {
         /// What was looked up: "ball", "drag law".
         kind: &'static str,
@@ -44,6 +55,7 @@ pub enum Error {
          {reynolds:.3e}; choose a law with a wider range (clift-grace-weber has no upper end) or a \
          slower ball"
     )]
+    #[non_exhaustive]
     ReynoldsTooHigh {
         /// Name of the law.
         law: &'static str,
@@ -58,6 +70,7 @@ pub enum Error {
         "the ball weighs {mass_kg} kg and displaces {displaced_kg} kg of air, so it floats; check \
          mass and diameter, or switch buoyancy off"
     )]
+    #[non_exhaustive]
     Floats {
         /// Mass of the ball.
         mass_kg: f64,
@@ -70,6 +83,7 @@ pub enum Error {
         "the ball still rises {apex_m:.3e} m after {bounces} bounces; lower the restitution, stop at \
          a greater height, or ask for at most {bounces} bounces"
     )]
+    #[non_exhaustive]
     EndlessDrop {
         /// How many bounces were simulated before giving up.
         bounces: usize,
@@ -82,6 +96,7 @@ pub enum Error {
         "a straight line through log flight time needs at least 2 flights, but there are {flights}; \
          use a recording with at least 3 impacts, or a wider range of flights"
     )]
+    #[non_exhaustive]
     TooFewFlights {
         /// How many flights were given.
         flights: usize,
@@ -89,6 +104,7 @@ pub enum Error {
 
     /// A mean of no drops, or more means than drops can tell.
     #[error("this takes {needed} drops or more, and there are {drops}")]
+    #[non_exhaustive]
     TooFewDrops {
         /// How many it takes.
         needed: usize,
@@ -100,6 +116,7 @@ pub enum Error {
     #[error(
         "no band lies {range} Hz, at least by half; at this sample rate the bands are {bands} Hz"
     )]
+    #[non_exhaustive]
     NoBand {
         /// The range, as in "between 400 and 500".
         range: String,
@@ -113,6 +130,7 @@ pub enum Error {
 
     /// The recording has no channel of this number.
     #[error("there is no channel {channel}: the recording has {channels}, the first being 1")]
+    #[non_exhaustive]
     NoChannel {
         /// The channel that was asked for, the first being 1.
         channel: usize,
@@ -128,6 +146,7 @@ pub enum Error {
     #[error(
         "{what} number {number} is not above the number before it; number them in order, once each"
     )]
+    #[non_exhaustive]
     NotInOrder {
         /// What is numbered: "flight" or "impact".
         what: &'static str,
@@ -269,7 +288,7 @@ impl Error {
     }
 
     /// An [`Error::UnknownName`] that offers the known name most like `name`.
-    pub(crate) fn unknown_name(kind: &'static str, name: &str, known: &[&str]) -> Self {
+    pub fn unknown_name(kind: &'static str, name: &str, known: &[&str]) -> Self {
         let likeness = |candidate: &&&str| strsim::jaro_winkler(name, candidate);
         let nearest = known
             .iter()

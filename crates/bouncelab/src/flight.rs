@@ -83,6 +83,14 @@ pub struct Flight {
 
 impl Flight {
     /// The flight time, s: from leaving the surface to touching it again.
+    ///
+    /// ```
+    /// use bouncelab::flight::FlightModel;
+    ///
+    /// let flight = FlightModel::drag_free(9.81)?.launch(1.0)?;
+    /// assert_eq!(flight.time_s(), flight.rise_time_s + flight.fall_time_s);
+    /// # Ok::<(), bouncelab::Error>(())
+    /// ```
     pub fn time_s(&self) -> f64 {
         self.rise_time_s + self.fall_time_s
     }
@@ -110,6 +118,7 @@ pub struct State {
 
 /// How a flight changes with its launch speed; exact for every drag law.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub struct LaunchDerivatives {
     /// d(flight time)/d(launch speed), s²/m.
     pub time: f64,
@@ -164,6 +173,26 @@ impl FlightModel {
     /// # Errors
     /// [`Error::OutOfRange`] for a gravity or a constant drag coefficient that makes no sense,
     /// [`Error::Floats`] if buoyancy is on and the ball is lighter than air.
+    ///
+    /// ```
+    /// use bouncelab::air::{Air, Conditions};
+    /// use bouncelab::ball::Ball;
+    /// use bouncelab::drag::DragLaw;
+    /// use bouncelab::flight::{Environment, FlightModel};
+    ///
+    /// let environment = Environment {
+    ///     gravity_m_s2: 9.81,
+    ///     air: Air::moist(&Conditions::default())?,
+    ///     drag: DragLaw::CliftGraceWeber,
+    ///     buoyancy: true,
+    ///     added_mass: true,
+    /// };
+    /// let model = FlightModel::new(&Ball::steel(0.01)?, &environment)?;
+    /// assert!(model.gravity_m_s2() < 9.81);
+    /// // A balloon does not fall.
+    /// assert!(FlightModel::new(&Ball::new(1e-3, 0.3)?, &environment).is_err());
+    /// # Ok::<(), bouncelab::Error>(())
+    /// ```
     pub fn new(ball: &Ball, environment: &Environment) -> Result<Self> {
         let Environment {
             gravity_m_s2,
@@ -212,6 +241,14 @@ impl FlightModel {
     ///
     /// # Errors
     /// [`Error::OutOfRange`] unless gravity is from 1e-20 to 1e20.
+    ///
+    /// ```
+    /// use bouncelab::flight::FlightModel;
+    ///
+    /// let flight = FlightModel::drag_free(10.0)?.launch(2.0)?;
+    /// assert!((flight.time_s() - 0.4).abs() < 1e-12 && (flight.apex_m - 0.2).abs() < 1e-12);
+    /// # Ok::<(), bouncelab::Error>(())
+    /// ```
     pub fn drag_free(gravity_m_s2: f64) -> Result<Self> {
         Self::with_terminal_speed(gravity_m_s2, f64::INFINITY)
     }
@@ -222,6 +259,15 @@ impl FlightModel {
     /// # Errors
     /// [`Error::OutOfRange`] unless gravity is from 1e-20 to 1e20 and the terminal speed above
     /// zero.
+    ///
+    /// ```
+    /// use bouncelab::flight::FlightModel;
+    ///
+    /// // The paper's ball with C_D = 0.4.
+    /// let model = FlightModel::with_terminal_speed(9.81, 9.385)?;
+    /// assert_eq!(format!("{:.4}", model.drag_over_weight(2.4)?), "0.0654");
+    /// # Ok::<(), bouncelab::Error>(())
+    /// ```
     pub fn with_terminal_speed(gravity_m_s2: f64, terminal_speed_m_s: f64) -> Result<Self> {
         of_a_size("gravity in m/s2", gravity_m_s2)?;
         require(
@@ -242,6 +288,15 @@ impl FlightModel {
     /// # Errors
     /// [`Error::OutOfRange`] unless the speed is finite and not below zero,
     /// [`Error::ReynoldsTooHigh`] if the drag law does not know so high a speed.
+    ///
+    /// ```
+    /// use bouncelab::flight::FlightModel;
+    ///
+    /// let flight = FlightModel::with_terminal_speed(9.81, 9.385)?.launch(2.0)?;
+    /// assert!(flight.impact_speed_m_s < flight.launch_speed_m_s);
+    /// assert!(flight.rise_time_s < flight.fall_time_s);
+    /// # Ok::<(), bouncelab::Error>(())
+    /// ```
     pub fn launch(&self, speed_m_s: f64) -> Result<Flight> {
         not_negative("launch speed in m/s", speed_m_s)?;
         match &self.resistance {
@@ -260,6 +315,15 @@ impl FlightModel {
     /// # Errors
     /// [`Error::OutOfRange`] unless the time is finite and not below zero, or if drag makes so long
     /// a flight impossible; [`Error::ReynoldsTooHigh`] as for a launch.
+    ///
+    /// ```
+    /// use bouncelab::flight::FlightModel;
+    ///
+    /// let model = FlightModel::with_terminal_speed(9.81, 9.385)?;
+    /// let flight = model.from_flight_time(0.4605)?;
+    /// assert_eq!(format!("{:.1} cm", 100.0 * flight.apex_m), "26.0 cm");
+    /// # Ok::<(), bouncelab::Error>(())
+    /// ```
     pub fn from_flight_time(&self, time_s: f64) -> Result<Flight> {
         not_negative("flight time in s", time_s)?;
         match &self.resistance {
@@ -281,6 +345,14 @@ impl FlightModel {
     ///
     /// # Errors
     /// As for [`FlightModel::from_flight_time`].
+    ///
+    /// ```
+    /// use bouncelab::flight::FlightModel;
+    ///
+    /// let flight = FlightModel::drag_free(9.81)?.from_apex(0.24)?;
+    /// assert_eq!(format!("{:.3} m/s", flight.launch_speed_m_s), "2.170 m/s");
+    /// # Ok::<(), bouncelab::Error>(())
+    /// ```
     pub fn from_apex(&self, apex_m: f64) -> Result<Flight> {
         not_negative("apex in m", apex_m)?;
         match &self.resistance {
@@ -303,6 +375,16 @@ impl FlightModel {
     /// # Errors
     /// [`Error::OutOfRange`] unless the height is finite and not below zero,
     /// [`Error::ReynoldsTooHigh`] if the ball gets faster than the drag law knows.
+    ///
+    /// ```
+    /// use bouncelab::flight::FlightModel;
+    ///
+    /// // The paper: 2.45 m/s without air, 2.405 m/s with it.
+    /// let impact = |model: FlightModel| model.fall(0.305).map(|fall| fall.impact_speed_m_s);
+    /// assert_eq!(format!("{:.3}", impact(FlightModel::drag_free(9.81)?)?), "2.446");
+    /// assert_eq!(format!("{:.3}", impact(FlightModel::with_terminal_speed(9.81, 9.385)?)?), "2.405");
+    /// # Ok::<(), bouncelab::Error>(())
+    /// ```
     pub fn fall(&self, height_m: f64) -> Result<Fall> {
         not_negative("height in m", height_m)?;
         match &self.resistance {
@@ -324,6 +406,16 @@ impl FlightModel {
     /// the rise, Eqs. 11 and 14 for the fall).
     ///
     /// Times before the launch and after the impact count as launch and impact.
+    ///
+    /// ```
+    /// use bouncelab::flight::FlightModel;
+    ///
+    /// let model = FlightModel::with_terminal_speed(9.81, 9.385)?;
+    /// let flight = model.launch(2.0)?;
+    /// let top = model.state(&flight, flight.rise_time_s);
+    /// assert!((top.height_m - flight.apex_m).abs() < 1e-12 && top.velocity_m_s.abs() < 1e-12);
+    /// # Ok::<(), bouncelab::Error>(())
+    /// ```
     pub fn state(&self, flight: &Flight, time_s: f64) -> State {
         let time_s = time_s.clamp(0.0, flight.time_s());
         if time_s < flight.rise_time_s {
@@ -338,6 +430,16 @@ impl FlightModel {
     /// Height and velocity at a time after the release of a fall of this model (paper Eqs. 11, 14).
     ///
     /// Times before the release and after the impact count as release and impact.
+    ///
+    /// ```
+    /// use bouncelab::flight::FlightModel;
+    ///
+    /// let model = FlightModel::drag_free(10.0)?;
+    /// let fall = model.fall(1.8)?; // takes 0.6 s
+    /// let half_way = model.fall_state(&fall, 0.3);
+    /// assert!((half_way.height_m - 1.35).abs() < 1e-12 && (half_way.velocity_m_s + 3.0).abs() < 1e-12);
+    /// # Ok::<(), bouncelab::Error>(())
+    /// ```
     pub fn fall_state(&self, fall: &Fall, time_s: f64) -> State {
         self.fallen(fall.height_m, time_s.clamp(0.0, fall.time_s))
     }
@@ -358,6 +460,16 @@ impl FlightModel {
     ///
     /// # Errors
     /// [`Error::ReynoldsTooHigh`] if the flight is not one of this model.
+    ///
+    /// ```
+    /// use bouncelab::flight::FlightModel;
+    ///
+    /// let model = FlightModel::drag_free(10.0)?;
+    /// let slopes = model.launch_derivatives(&model.launch(2.0)?)?;
+    /// assert!((slopes.time - 2.0 / 10.0).abs() < 1e-12); // T = 2 v/g
+    /// assert!((slopes.apex - 2.0 / 10.0).abs() < 1e-12); // h = v²/2g
+    /// # Ok::<(), bouncelab::Error>(())
+    /// ```
     pub fn launch_derivatives(&self, flight: &Flight) -> Result<LaunchDerivatives> {
         Ok(LaunchDerivatives::of(
             flight,
@@ -371,6 +483,14 @@ impl FlightModel {
     ///
     /// # Errors
     /// [`Error::ReynoldsTooHigh`] above the range of the drag law.
+    ///
+    /// ```
+    /// use bouncelab::flight::FlightModel;
+    ///
+    /// let model = FlightModel::with_terminal_speed(9.81, 9.385)?;
+    /// assert!((model.drag_over_weight(9.385)? - 1.0).abs() < 1e-12);
+    /// # Ok::<(), bouncelab::Error>(())
+    /// ```
     pub fn drag_over_weight(&self, speed_m_s: f64) -> Result<f64> {
         not_negative("speed in m/s", speed_m_s)?;
         match &self.resistance {
@@ -393,6 +513,14 @@ impl FlightModel {
 
     /// The speed at which drag balances weight, m/s; `None` without drag, or if the drag law ends
     /// before it.
+    ///
+    /// ```
+    /// use bouncelab::flight::FlightModel;
+    ///
+    /// assert_eq!(FlightModel::drag_free(9.81)?.terminal_speed_m_s(), None);
+    /// assert!(FlightModel::with_terminal_speed(9.81, 9.385)?.terminal_speed_m_s().is_some());
+    /// # Ok::<(), bouncelab::Error>(())
+    /// ```
     pub fn terminal_speed_m_s(&self) -> Option<f64> {
         match &self.resistance {
             Resistance::Quadratic(drag) => drag.terminal_speed(),

@@ -1,49 +1,45 @@
-//! The physics of a bouncing ball, from the silence between its bounces.
-//!
-//! Drop a ball on a table and listen. The ball is heard only when it hits, yet the pauses between
-//! the hits tell how high it rose, how much of its speed each impact kept, from what height it was
-//! dropped and how much the air held it back (M. Nagurka, "Aerodynamic Effects in a Dropped
-//! Ping-Pong Ball Experiment"). This crate computes both ways: forward from the physics to the
-//! sound, and back from the sound to the physics.
-//!
-//! # Forward: a drop
+//! The physics of a bouncing ball from its sound: a recording in, and out come the impacts, the
+//! coefficient of restitution, the drop height and the drag of the air, each with its uncertainty.
 //!
 //! ```
-//! use bouncelab::air::{Air, Conditions};
-//! use bouncelab::drag::DragLaw;
-//! use bouncelab::drop::{self, Start, Stop};
-//! use bouncelab::flight::{Environment, FlightModel};
-//! use bouncelab::impact::{Contact, Restitution};
-//! use bouncelab::{ball, gravity};
+//! use bouncelab::{Options, analyze, ball};
 //!
-//! let preset = ball::preset("table-tennis-40")?;
-//! let surroundings = Environment {
-//!     gravity_m_s2: gravity::STANDARD_M_S2,
-//!     air: Air::moist(&Conditions::default())?,
-//!     drag: DragLaw::CliftGraceWeber,
-//!     buoyancy: true,
-//!     added_mass: true,
-//! };
-//! let model = FlightModel::new(&preset.ball, &surroundings)?;
-//! let contact = Contact::new(Restitution::constant(0.93)?, preset.contact_time_s)?;
-//! let history = drop::simulate(&model, &contact, Start::Height(0.305), Stop::below(0.001))?;
-//!
-//! for bounce in history.bounces() {
-//!     let silence_s = bounce.flight.time_s();
-//!     println!("{:.4} s: rises {:.3} m, silent for {silence_s:.4} s", bounce.time_s, bounce.flight.apex_m);
+//! # use bouncelab::demo;
+//! # let recording = demo::sound(&demo::history()?, 1)?;
+//! # let (samples, sample_rate_hz) = (recording.samples, recording.sample_rate_hz);
+//! // Samples of one channel, from a file or a microphone.
+//! let options = Options::new(ball::preset("table-tennis-38")?);
+//! let result = analyze(&samples, sample_rate_hz, &options)?;
+//! for drop in &result.drops {
+//!     let posterior = drop.posterior.clone()?;
+//!     println!("{} impacts, e = {:.4}", drop.impacts.len(), posterior.restitution.value);
 //! }
-//! assert_eq!(history.bounces().len(), 36);
+//! # assert_eq!(result.drops.len(), 1);
 //! # Ok::<(), bouncelab::Error>(())
 //! ```
 //!
-//! # The rooms
+//! | from | to | by |
+//! |---|---|---|
+//! | samples | a [`Recording`] with its drops | [`analyze`], [`analyze_channels`] |
+//! | samples as they come | the same, and what they say so far | [`Detector`], then [`analysis::Plan`] |
+//! | impact times | the same | [`analyze_times`] |
+//! | ball, air and surface | flights, heights and times | [`drop::simulate`](drop::simulate()) |
+//! | impacts | samples | [`synth::render`] |
+//!
+//! It implements the experiment of M. Nagurka ("Aerodynamic Effects in a Dropped Ping-Pong Ball
+//! Experiment", 2003): a ball is heard only when it hits, yet the pauses between the hits tell how high it
+//! rose, how much of its speed each impact kept, from what height it was dropped and how much the air held
+//! it back. This crate computes both ways, from the physics to the sound and back.
+//!
+//! # Modules
 //!
 //! An **impact** is a contact with the surface, a **flight** the time between two, a **drop** the
-//! whole history, a **train** the impacts of one drop as heard, an **onset** a candidate for an
+//! whole history, a **train** the impacts of one drop as detected, an **onset** a candidate for an
 //! impact. Data passes through the modules in this order, and a module uses only those above it:
 //!
-//! | module | inference it answers |
+//! | module | question that it answers |
 //! |---|---|
+//! | [`diagnostic`], [`Estimate`] | what there is to know about a result; a number with its uncertainty |
 //! | [`ball`] | what falls: mass, diameter, presets with their source |
 //! | [`air`], [`gravity`] | what it falls through and how hard it is pulled |
 //! | [`drag`] | C<sub>D</sub> at a Reynolds number |
@@ -53,15 +49,23 @@
 //! | [`synth`] | a history as sound, with noise of known strength |
 //! | [`onset`] | samples to onset candidates |
 //! | [`train`] | which candidates are the impacts of one drop |
-//! | [`detection`] | samples in, trains out |
-//! | [`regression`] | the paper's straight line, Eqs. 4 to 8 |
+//! | [`detection`] | a stream of samples to trains |
+//! | [`regression`] | the paper's log-linear fit, Eqs. 4 to 8 |
 //! | [`restitution`] | the restitution of each impact, corrected for drag |
-//! | [`inference`] | everything that the impacts say together |
-//! | [`analysis`] | what the impacts of one drop say |
+//! | [`inference`] | the posterior of everything that the impacts determine |
+//! | [`analysis`] | the pipeline: samples or times to a [`Recording`] |
+//! | [`plausibility`] | which stated values look like mistakes of units |
 //! | [`groups`] | what many drops say together |
 //! | [`rulebook`] | whether a ball or a floor obeys a rule |
 //! | [`setup`] | what a person states, and what is assumed |
 //! | [`demo`] | a drop whose truth is known |
+//!
+//! # Features
+//!
+//! None is on by default.
+//!
+//! - `serde`: the result types as JSON, which is the schema `bouncelab.analysis/2`.
+//! - `typescript`: the same types for TypeScript.
 //!
 //! # Conventions
 //!
@@ -69,6 +73,8 @@
 //! [`Error`] that says what to do, never a panic. There are no files, clocks, threads or prints in
 //! here: the same crate runs in a browser. Spin, sideways motion and uneven surfaces are out of
 //! scope: the ball goes straight up and down.
+
+#![warn(missing_docs)]
 
 pub mod air;
 pub mod analysis;
@@ -103,3 +109,8 @@ pub use diagnostic::Diagnostic;
 pub use error::{Error, InferenceFailure, Result};
 pub use estimate::Estimate;
 pub use impact::Impact;
+
+/// The examples of the README compile.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

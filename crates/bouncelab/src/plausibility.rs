@@ -12,7 +12,6 @@
 //! assert!(plausibility::of_quantity("height", 0.305).is_none());
 //! ```
 
-use crate::analysis::Drop;
 use crate::ball::Ball;
 use crate::diagnostic::{Code, Diagnostic};
 
@@ -218,36 +217,6 @@ pub fn of_ball(ball: &Ball) -> Option<Diagnostic> {
     } else {
         question
     })
-}
-
-/// A warning, if the stated height is far from that from which the ball was detected to fall, but
-/// would fit in another unit or with its point elsewhere.
-///
-/// The inference would rather believe that many impacts were missed at the beginning.
-pub(crate) fn of_height(stated_m: f64, drop: &Drop) -> Option<Diagnostic> {
-    /// Slips of a unit or a decimal point.
-    const SLIPS: [f64; 6] = [10.0, 100.0, 1000.0, 0.1, 0.01, 0.001];
-    /// So far a rough height may be off.
-    const ROUGH: f64 = 1.15;
-    let detected_m = detected_fall_m(drop)?;
-    let off = |height_m: f64| (height_m / detected_m).ln().abs();
-    let meant_m = SLIPS
-        .into_iter()
-        .map(|slip| stated_m / slip)
-        .find(|&meant_m| off(meant_m) < ROUGH.ln())?;
-    Some(
-        Diagnostic::new(Code::HeightOfAnotherUnit)
-            .with("stated_m", stated_m)
-            .with("detected_m", detected_m)
-            .with("meant_m", meant_m),
-    )
-}
-
-/// Roughly the height before the first impact: the first apex over what an impact keeps.
-fn detected_fall_m(drop: &Drop) -> Option<f64> {
-    let first = drop.per_impact.as_ref().ok()?.flights.first()?;
-    let kept = drop.per_impact_restitution()?.value.powi(2);
-    Some(first.flight.apex_m / kept)
 }
 
 /// Without the noise of binary fractions.

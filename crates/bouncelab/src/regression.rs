@@ -106,6 +106,11 @@ impl Covariance {
 ///
 /// Drag changes it in fourth order only, by less than 3 parts in 10 000 at launches below half the
 /// terminal speed: the height that a flight time gives can be trusted.
+///
+/// ```
+/// let height_m = bouncelab::regression::height_of_flight_m(0.4605, 9.81);
+/// assert_eq!(format!("{:.1} cm", 100.0 * height_m), "26.0 cm");
+/// ```
 pub fn height_of_flight_m(time_s: f64, gravity_m_s2: f64) -> f64 {
     gravity_m_s2 * time_s * time_s / 8.0
 }
@@ -118,6 +123,19 @@ pub fn height_of_flight_m(time_s: f64, gravity_m_s2: f64) -> f64 {
 /// # Errors
 /// [`Error::TooFewFlights`] below two flights, [`Error::OutOfRange`] for a time or gravity that is
 /// not finite and above zero, [`Error::NotInOrder`] if a number does not exceed the one before.
+///
+/// ```
+/// use bouncelab::regression::{self, NumberedFlight};
+///
+/// let flights = [(1, 0.4), (2, 0.36), (3, 0.324)].map(|(number, time_s)| NumberedFlight { number, time_s });
+/// let line = regression::fit(&flights, 9.81)?;
+/// assert!((line.restitution.value - 0.9).abs() < 1e-12);
+/// // The sum of all flights, and the fall before the first.
+/// assert!((line.total_time_s.unwrap().value - (0.4 / 0.1 + 0.2 / 0.9)).abs() < 1e-12);
+/// // One flight is no line.
+/// assert!(regression::fit(&flights[..1], 9.81).is_err());
+/// # Ok::<(), bouncelab::Error>(())
+/// ```
 pub fn fit(flights: &[NumberedFlight], gravity_m_s2: f64) -> Result<LogLinearFit> {
     positive("gravity in m/s2", gravity_m_s2)?;
     if flights.len() < 2 {

@@ -31,6 +31,7 @@ use crate::stats::{median, robust_sd};
 
 /// A flight between two impacts that follow each other, found from its time.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub struct TimedFlight {
     /// Number of the impact before it.
     pub number: usize,
@@ -93,6 +94,19 @@ pub struct PerImpact {
 /// [`Error::OutOfRange`](crate::Error::OutOfRange) if two impacts are no farther apart than the
 /// contact time or a standard error is negative, and the errors of
 /// [`FlightModel::from_flight_time`].
+///
+/// ```
+/// use bouncelab::Impact;
+/// use bouncelab::flight::FlightModel;
+/// use bouncelab::restitution::of_impacts;
+///
+/// // Impact 3 was missed: no flight touches it, and no restitution is known beside it.
+/// let impacts = [(1, 0.0), (2, 0.5), (4, 1.4), (5, 1.8)]
+///     .map(|(number, time_s)| Impact::new(number, time_s));
+/// let found = of_impacts(&impacts, 0.0, &FlightModel::drag_free(9.81)?)?;
+/// assert_eq!((found.flights.len(), found.impacts.len()), (2, 0));
+/// # Ok::<(), bouncelab::Error>(())
+/// ```
 pub fn of_impacts(
     impacts: &[Impact],
     contact_time_s: f64,

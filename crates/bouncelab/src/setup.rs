@@ -118,6 +118,7 @@ pub enum GravityInput {
 
 /// What was setup.
 #[derive(Clone, Debug)]
+#[non_exhaustive]
 pub struct Setup {
     /// The settings for the science, without a inference.
     pub options: Options,
@@ -352,6 +353,9 @@ pub struct DropInput {
 
 /// An input that may be left to the data, as if nothing were known of it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 pub enum Inferred {
     /// The acceleration of gravity.
     Gravity,

@@ -70,6 +70,7 @@ pub struct Rendered {
 
 /// The truth about one impact in a rendered recording.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct SynthImpact {
     /// First contact, and start of the sound, in seconds from the first sample.
     pub time_s: f64,

@@ -1,13 +1,14 @@
 //! The inverse undoes the forward: a simulated drop gives back the restitution it was made with.
 
 use bouncelab::Error;
+use bouncelab::Impact;
 use bouncelab::air::{Air, Conditions};
 use bouncelab::ball;
 use bouncelab::drag::DragLaw;
 use bouncelab::drop::{self, History, Start, Stop};
 use bouncelab::flight::{Environment, FlightModel};
 use bouncelab::impact::{Contact, Restitution};
-use bouncelab::restitution::{Corrected, Impact, of_impacts};
+use bouncelab::restitution::{PerImpact, of_impacts};
 use proptest::prelude::*;
 
 fn table_tennis(drag: DragLaw) -> FlightModel {
@@ -29,10 +30,10 @@ fn history(model: &FlightModel, restitution: Restitution, contact_time_s: f64) -
 fn heard(history: &History, time_sd_s: Option<f64>) -> Vec<Impact> {
     let strikes = history.strikes().zip(1..);
     strikes
-        .map(|(strike, number)| Impact {
-            number,
-            time_s: strike.time_s,
-            time_sd_s,
+        .map(|(strike, number)| {
+            let mut impact = Impact::new(number, strike.time_s);
+            impact.time_sd_s = time_sd_s;
+            impact
         })
         .collect()
 }
@@ -70,7 +71,7 @@ fn without_drag_the_ratio_is_the_restitution() {
         .unwrap()
         .impacts
     {
-        assert!((impact.raw_ratio - impact.restitution.value).abs() < 1e-14);
+        assert!((impact.flight_time_ratio - impact.restitution.value).abs() < 1e-14);
     }
 }
 
@@ -82,7 +83,9 @@ fn the_bare_ratio_is_biased_by_drag() {
     let contact = Contact::instantaneous(Restitution::constant(0.95).unwrap());
     let made = drop::simulate(&model, &contact, Start::Height(0.30), Stop::after(10)).unwrap();
     let found = of_impacts(&heard(&made, None), 0.0, &model).unwrap();
-    let bias = |i: usize| 100.0 * (found.impacts[i].raw_ratio - found.impacts[i].restitution.value);
+    let bias = |i: usize| {
+        100.0 * (found.impacts[i].flight_time_ratio - found.impacts[i].restitution.value)
+    };
     assert!((-2.5..-1.5).contains(&bias(0)), "{}", bias(0));
     let mean = (0..9).map(bias).sum::<f64>() / 9.0;
     assert!((-1.7..-1.4).contains(&mean), "{mean}");
@@ -112,13 +115,13 @@ fn errors_follow_the_times() {
                 assert!((slope / derivative - 1.0).abs() < 1e-4, "{law} {i} {k}");
                 variance += (slope * sigma * impact.restitution.value).powi(2);
             }
-            let error = impact.restitution.standard_error.unwrap();
+            let error = impact.restitution.sd;
             assert!((error / variance.sqrt() - 1.0).abs() < 1e-4);
         }
         // h = g T²/8, so the error of an apex is near g T/4 times that of T.
         let first = &found.flights[0];
         let expected = model.gravity_m_s2() * first.flight.time_s() / 4.0 * sigma * 2_f64.sqrt();
-        assert!((first.apex_standard_error_m.unwrap() / expected - 1.0).abs() < 1e-3);
+        assert!((first.apex_sd_m.unwrap() / expected - 1.0).abs() < 1e-3);
     }
 }
 
@@ -152,7 +155,7 @@ fn an_unknown_time_error_gives_no_standard_error() {
     let known: Vec<_> = found
         .impacts
         .iter()
-        .map(|impact| impact.restitution.standard_error.is_some())
+        .map(|impact| impact.restitution.known_sd().is_some())
         .collect();
     assert_eq!(known[..4], [false, false, false, true]);
 }
@@ -160,15 +163,11 @@ fn an_unknown_time_error_gives_no_standard_error() {
 #[test]
 fn absurd_times_are_refused() {
     let model = FlightModel::drag_free(9.81).unwrap();
-    let at = |number, time_s| Impact {
-        number,
-        time_s,
-        time_sd_s: None,
-    };
-    assert_eq!(of_impacts(&[], 0.0, &model), Ok(Corrected::default()));
+    let at = |number, time_s| Impact::new(number, time_s);
+    assert_eq!(of_impacts(&[], 0.0, &model), Ok(PerImpact::default()));
     assert_eq!(
         of_impacts(&[at(1, 0.0)], 0.0, &model),
-        Ok(Corrected::default())
+        Ok(PerImpact::default())
     );
     assert!(matches!(
         of_impacts(&[at(1, 0.0), at(1, 0.4)], 0.0, &model),
@@ -184,9 +183,6 @@ fn absurd_times_are_refused() {
             Err(Error::OutOfRange { .. })
         ));
     }
-    let negative = Impact {
-        time_sd_s: Some(-1.0),
-        ..at(2, 0.4)
-    };
+    let negative = at(2, 0.4).with_time_sd_s(-1.0);
     assert!(of_impacts(&[at(1, 0.0), negative], 0.0, &model).is_err());
 }

@@ -6,6 +6,7 @@ mod ball;
 
 use ball::Trial;
 use bouncelab::analysis::{self, Drop, Options};
+use bouncelab::diagnostic::Code;
 use bouncelab::drop::{self, Start, Stop};
 use bouncelab::impact::{Contact, Restitution};
 use bouncelab::inference::{InferenceOptions, Measured, SamplerConfig};
@@ -72,7 +73,7 @@ fn drop(restitution: f64, height_m: f64, settings: &Options) -> Drop {
     let history =
         drop::simulate(&model, &contact, Start::Height(height_m), Stop::after(11)).unwrap();
     let times_s: Vec<f64> = history.strikes().map(|strike| strike.time_s).collect();
-    analysis::analyze(analysis::impacts_of_times(&times_s), settings)
+    analysis::analyze_impacts(analysis::impacts_of_times(&times_s), settings)
 }
 
 /// With this restitution the ball rebounds 25 cm from 30.5 cm.
@@ -209,10 +210,11 @@ fn what_a_rule_wants_of_the_input_is_checked() {
     };
     let too_few = judged(&five, &[&drop], &[]);
     assert_eq!(too_few.outcome, Outcome::CannotDecide);
-    assert!(
-        too_few.doubts[0]
-            .to_string()
-            .contains("takes 5 drops, and there is 1")
+    let reason = too_few.doubts[0].diagnostic();
+    assert_eq!(reason.code, Code::RuleNeedsDrops);
+    assert_eq!(
+        (reason.number("needed"), reason.number("given")),
+        (Some(5.0), Some(1.0))
     );
     let about = Rule {
         requirement: Requirement::About(0.23),

@@ -1,15 +1,15 @@
 import { signal } from '@preact/signals';
 import { fixed, PLAIN, plain } from '../format/quantity.ts';
+import type { Axis, Chart, Layer, Panel } from '../lab/index.ts';
 import { language, texts } from '../text/language.ts';
-import type { Axis, ChartSpec, Layer } from './spec.ts';
+import { labelOf, type Point, pointsOf } from './points.ts';
 
 const open = signal(false);
 /** A curve of hundreds of points is better seen than read. */
 const MOST_ROWS = 60;
 
-/** The numbers behind charts, for those who do not see them and those who want digits. */
-export function NumbersOf({ charts }: { readonly charts: readonly ChartSpec[] }) {
-  const words = texts.value.figures;
+/** The numbers behind a chart, for those who do not see it and those who want digits. */
+export function NumbersOf({ chart }: { readonly chart: Chart }) {
   return (
     <details
       class="no-print"
@@ -18,32 +18,35 @@ export function NumbersOf({ charts }: { readonly charts: readonly ChartSpec[] })
         open.value = event.currentTarget.open;
       }}
     >
-      <summary>{words.numbers}</summary>
-      {open.value && charts.map((spec, index) => <Table key={index} spec={spec} />)}
+      <summary>{texts.value.figures.numbers}</summary>
+      {open.value && chart.panels.map((panel, index) => <Table key={index} panel={panel} />)}
     </details>
   );
 }
 
-function Table({ spec }: { readonly spec: ChartSpec }) {
-  const rows = spec.layers.flatMap(rowsOf);
-  const number = (value: number, { counting = false }: Axis): string =>
-    counting ? fixed(value, 0, language.value) : plain(value, PLAIN, 4, language.value);
+function Table({ panel: { x, y, layers } }: { readonly panel: Panel }) {
+  const number = (value: number, axis: Axis): string => {
+    if (axis.names.length > 0) return axis.names.at(-Math.ceil(value)) ?? '';
+    return axis.scale.kind === 'counting'
+      ? fixed(value, 0, language.value)
+      : plain(value, PLAIN, 4, language.value);
+  };
   return (
-    <section class="scroll impacts" tabIndex={0} aria-label={spec.y.label}>
+    <section class="scroll impacts" tabIndex={0} aria-label={labelOf(y) || labelOf(x)}>
       <table>
         <thead>
           <tr>
-            <th class="figure">{spec.x.label}</th>
-            <th class="figure">{spec.y.label}</th>
+            <th class="figure">{labelOf(x)}</th>
+            <th class="figure">{labelOf(y)}</th>
             <td />
           </tr>
         </thead>
         <tbody>
-          {rows.map((row, index) => (
+          {layers.flatMap(rowsOf).map((row, index) => (
             <tr key={index}>
-              <td class="figure">{number(row.x, spec.x)}</td>
-              <td class="figure">{number(row.y, spec.y)}</td>
-              <td>{row.label}</td>
+              <td class="figure">{number(row.x, x)}</td>
+              <td class="figure">{number(row.y, y)}</td>
+              <td>{row.name}</td>
             </tr>
           ))}
         </tbody>
@@ -52,11 +55,8 @@ function Table({ spec }: { readonly spec: ChartSpec }) {
   );
 }
 
-function rowsOf(layer: Layer): { x: number; y: number; label: string }[] {
-  if (layer.kind === 'band') return [];
-  const every = Math.max(1, Math.ceil(layer.x.length / MOST_ROWS));
-  return layer.x.flatMap((x, i) => {
-    const y = layer.y[i];
-    return y === null || y === undefined || i % every !== 0 ? [] : [{ x, y, label: layer.label }];
-  });
+function rowsOf(layer: Layer): readonly Point[] {
+  const points = pointsOf(layer);
+  const every = Math.max(1, Math.ceil(points.length / MOST_ROWS));
+  return points.filter((_, index) => index % every === 0);
 }

@@ -1,88 +1,90 @@
-/** How a chart looks and moves: the one place that knows uPlot's options. */
+/** How a panel of a chart looks and moves: the one place that knows uPlot's options. */
 import type uPlot from 'uplot';
 import { fixed } from '../format/quantity.ts';
+import type { Axis, Panel } from '../lab/index.ts';
 import { colour, fontOf } from '../style/colours.ts';
-import { drawBars, drawErrors, drawLabels, drawLevels } from './painters.ts';
-import { type Axis, type ChartSpec, type Layer, padded, yValues } from './spec.ts';
+import { drawLayers } from './painters.ts';
+import { labelOf } from './points.ts';
 import { tip } from './tip.ts';
 
 /** Size of the text of the page, in CSS pixels. */
-export const rem = (): number =>
-  Number.parseFloat(getComputedStyle(document.documentElement).fontSize);
+const rem = (): number => Number.parseFloat(getComputedStyle(document.documentElement).fontSize);
 
-const HEIGHT_REM = 20;
+/** Of numbers and names of the axes, in units of the width of text. */
+const AXES_REM = 6;
+/** Figure pixels are meant for text of this size. */
+const FIGURE_TEXT = 14;
+/** Like `Scale` in the science, which numbers whole ones only. */
+const COUNTS = [1, 2, 5, 10, 20, 50, 100, 200, 500, 1000];
 
-export function optionsOf(spec: ChartSpec, width: number, language: string): uPlot.Options {
-  const levels = spec.levels ?? [];
-  const upright = levels.filter((level) => level.upright).map((level) => level.at);
-  const across = levels.filter((level) => !level.upright).map((level) => level.at);
-  const xRange = padded([...spec.layers.flatMap((layer) => [...layer.x]), ...upright], spec.x);
-  const yRange = padded([...yValues(spec.layers), ...across], spec.y);
+export function optionsOf(panel: Panel, width: number, language: string): uPlot.Options {
+  const { x, y } = panel;
+  const inner = Math.min((panel.height / FIGURE_TEXT) * rem(), Math.max(0.7 * width, 6 * rem()));
+  const named = y.names.length * 1.9 * rem();
   return {
     width,
-    height: Math.min((spec.heightRem ?? HEIGHT_REM) * rem(), Math.max(0.8 * width, 12 * rem())),
-    padding: [rem() * 1.25, rem() * 0.75, 0, 0],
+    height: Math.max(inner, named) + AXES_REM * rem(),
+    padding: [rem(), rem() * 0.75, 0, 0],
     legend: { show: false },
-    cursor: {
-      points: { show: false },
-      drag: { x: true, y: false, dist: 6 },
-      y: false,
-      x: false,
-    },
+    cursor: { points: { show: false }, drag: { x: true, y: false, dist: 6 }, y: false, x: false },
     scales: {
-      x: { time: false, distr: spec.x.log ? 3 : 1, range: ranger(xRange) },
-      y: { distr: spec.y.log ? 3 : 1, range: () => yRange },
+      // All at first, and again after a double click; between them what was chosen by dragging.
+      x: {
+        time: false,
+        distr: x.scale.kind === 'log' ? 3 : 1,
+        range: (_, low, high) => [low, high],
+      },
+      y: { distr: y.scale.kind === 'log' ? 3 : 1, range: () => [y.scale.low, y.scale.high] },
     },
-    axes: [axis(spec.x, language, false), axis(spec.y, language, true)],
-    series: [{}, ...spec.layers.flatMap(seriesOf)],
-    bands: bandsOf(spec.layers),
-    hooks: {
-      drawSeries: [],
-      draw: [
-        (plot) => drawLevels(plot, spec),
-        (plot) => drawBars(plot, spec),
-        (plot) => drawErrors(plot, spec),
-        (plot) => drawLabels(plot, spec),
-      ],
-    },
-    plugins: [tip(spec, language)],
+    axes: [axis(x, language, false), axis(y, language, true)],
+    series: [{}, { show: true, paths: () => null, points: { show: false } }],
+    hooks: { draw: [(plot) => drawLayers(plot, panel)] },
+    plugins: [tip(panel, language)],
   };
 }
 
-/** All at first, and again after a double click; between them what was chosen by dragging. */
-function ranger(all: [number, number]): uPlot.Scale.Range {
-  return (plot, low, high) => {
-    const data = plot.data[0];
-    const ends = [data[0], data[data.length - 1]];
-    const isAll = low === ends[0] && high === ends[1];
-    return isAll || low === null || high === null ? all : [low, high];
-  };
+/** The ends of the axis: uPlot wants data to know what all of them is. */
+export function dataOf({ x, y }: Panel): uPlot.AlignedData {
+  return [
+    [x.scale.low, x.scale.high],
+    [y.scale.low, y.scale.high],
+  ];
 }
 
 function axis(of: Axis, language: string, upright: boolean): uPlot.Axis {
   const size = rem();
-  const soft = colour('soft');
   const font = fontOf(0.8125);
+  const labelled = of.ticks === 'labelled';
+  const rows = of.names.length;
   return {
-    label: of.label,
+    show: of.ticks !== 'hidden' || rows > 0,
+    ...(labelled && of.quantity !== '' ? { label: labelOf(of) } : {}),
     labelFont: font,
     labelSize: 1.5 * size,
     font,
-    stroke: soft,
-    size: (upright ? 3.25 : 1.9) * size,
+    stroke: colour('soft'),
+    size: upright ? widthOf(of, size) : 1.9 * size,
     space: (upright ? 2.2 : 4) * size,
     gap: 4,
-    grid: { stroke: colour('line'), width: 1 },
+    grid: { show: rows === 0 && of.ticks !== 'hidden', stroke: colour('line'), width: 1 },
     ticks: { show: false },
-    ...(of.counting ? { incrs: [1, 2, 5, 10, 20, 50, 100, 200, 500, 1000] } : {}),
+    ...(of.scale.kind === 'counting' ? { incrs: COUNTS } : {}),
+    ...(rows > 0 ? { splits: () => of.names.map((_, row) => rows - row - 0.5) } : {}),
     filter: (_plot, splits) => splits,
-    values: (_plot, splits) => labels(splits, of, language),
+    values: (_plot, splits) => (labelled ? labels(splits, of, language) : splits.map(() => '')),
   };
 }
 
-/** Numbers along an axis, with as many decimals as they differ by. */
+/** Of names as much as the longest takes, but not all of a phone. */
+function widthOf(of: Axis, size: number): number {
+  const longest = Math.max(0, ...of.names.map((name) => (name.split('\n')[0] ?? '').length));
+  return longest > 0 ? Math.min(0.5 * longest + 1, 11) * size : 3.25 * size;
+}
+
+/** Numbers along an axis, with as many decimals as they differ by, or the names of rows. */
 function labels(splits: readonly (number | null)[], of: Axis, language: string): string[] {
-  if (of.log) return splits.map((split) => logLabel(split, splits, language));
+  if (of.names.length > 0) return of.names.map((name) => name.split('\n')[0] ?? '');
+  if (of.scale.kind === 'log') return splits.map((split) => logLabel(split, splits, language));
   const step = Math.abs((splits[1] ?? 1) - (splits[0] ?? 0)) || 1;
   const decimals = [0, 1, 2, 3, 4, 5, 6].find((places) => isWhole(step * 10 ** places)) ?? 6;
   return splits.map((split) => (split === null ? '' : fixed(split, decimals, language)));
@@ -103,58 +105,4 @@ function logLabel(
   const leading = Math.round(split / 10 ** exponent);
   const written = decades > 2.2 ? [1] : decades > 1.2 ? [1, 2, 5] : [1, 2, 3, 5, 7];
   return written.includes(leading) ? fixed(split, Math.max(0, -exponent), language) : '';
-}
-
-function seriesOf(layer: Layer): uPlot.Series[] {
-  const stroke = colour(layer.meaning);
-  switch (layer.kind) {
-    case 'line':
-      return [
-        {
-          stroke,
-          width: layer.thin ? 1.25 : 2,
-          spanGaps: false,
-          points: { show: false },
-          ...(layer.dashed ? { dash: [6, 4] } : {}),
-        },
-      ];
-    case 'points':
-      return [
-        {
-          stroke,
-          paths: () => null,
-          points: {
-            show: true,
-            size: layer.hollow ? 7 : 7,
-            width: 1.5,
-            stroke,
-            fill: layer.hollow ? colour('paper') : stroke,
-          },
-        },
-      ];
-    case 'band': {
-      const edge: uPlot.Series = { width: 0, points: { show: false }, spanGaps: false };
-      return [edge, { ...edge }];
-    }
-    case 'bars':
-      return [{ stroke, paths: () => null, points: { show: false } }];
-  }
-}
-
-function bandsOf(layers: readonly Layer[]): uPlot.Band[] {
-  const bands: uPlot.Band[] = [];
-  let column = 1;
-  for (const layer of layers) {
-    if (layer.kind === 'band') {
-      const tint =
-        layer.meaning === 'drag'
-          ? 'drag-tint'
-          : layer.meaning === 'plain'
-            ? 'plain-tint'
-            : 'measured-tint';
-      bands.push({ series: [column + 1, column], fill: colour(tint), dir: -1 });
-      column += 2;
-    } else column += 1;
-  }
-  return bands;
 }

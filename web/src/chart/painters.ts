@@ -1,189 +1,165 @@
-/** What uPlot does not draw by itself: error bars, stacked bars, levels and direct labels. */
+/** Draws the layers of a panel over the axes of uPlot. */
 import type uPlot from 'uplot';
-import { colour, fontOf, type Meaning } from '../style/colours.ts';
-import type { ChartSpec, Layer, Line } from './spec.ts';
+import type { Dashes, Layer, Marker, Panel } from '../lab/index.ts';
+import { colour, fontOf, tinted } from '../style/colours.ts';
 
-/** Ink for words in a colour: as dark as reading needs. */
-export function inkOf(meaning: Meaning): string {
-  if (meaning === 'drag') return colour('drag-text');
-  if (meaning === 'plain') return colour('plain-text');
-  if (meaning === 'warning') return colour('ink');
-  return colour(meaning);
-}
+type Context = CanvasRenderingContext2D;
+type Value = number | null;
 
-const px = (plot: uPlot, x: number): number => plot.valToPos(x, 'x', true);
-const py = (plot: uPlot, y: number): number => plot.valToPos(y, 'y', true);
+/** Radius of a point, in CSS pixels. */
+const RADIUS = 3.5;
+/** Lines are meant for pictures of text of 14 px. */
+const STROKE = 0.9;
 
-function clipped(plot: uPlot, draw: (context: CanvasRenderingContext2D) => void): void {
+const DASHES: Record<Dashes, readonly number[]> = {
+  solid: [],
+  dashed: [6, 4],
+  dotted: [2.5, 4],
+  long: [18, 5],
+};
+
+export function drawLayers(plot: uPlot, { layers }: Panel): void {
   const { ctx, bbox } = plot;
   ctx.save();
   ctx.beginPath();
   ctx.rect(bbox.left, bbox.top, bbox.width, bbox.height);
   ctx.clip();
-  draw(ctx);
+  // Areas and standard errors must not hide points.
+  for (const layer of layers) drawBelow(plot, layer);
+  for (const layer of layers) drawAbove(plot, layer);
   ctx.restore();
 }
 
-export function drawErrors(plot: uPlot, spec: ChartSpec): void {
-  clipped(plot, (context) => {
-    for (const layer of spec.layers) {
-      if (layer.kind !== 'points' || !layer.sd) continue;
-      context.strokeStyle = colour(layer.meaning);
-      context.lineWidth = 1.25 * devicePixelRatio;
-      context.beginPath();
-      layer.x.forEach((x, i) => {
-        const y = layer.y[i];
-        const sd = layer.sd?.[i];
-        if (y === null || y === undefined || !sd) return;
-        context.moveTo(px(plot, x), py(plot, y - sd));
-        context.lineTo(px(plot, x), py(plot, y + sd));
-      });
-      context.stroke();
-    }
-  });
-}
+const px = (plot: uPlot, x: Value): number =>
+  x === null ? Number.NaN : plot.valToPos(x, 'x', true);
+const py = (plot: uPlot, y: Value): number =>
+  y === null ? Number.NaN : plot.valToPos(y, 'y', true);
 
-export function drawBars(plot: uPlot, spec: ChartSpec): void {
-  clipped(plot, (context) => {
-    for (const layer of spec.layers) {
-      if (layer.kind !== 'bars') continue;
-      context.fillStyle = colour(layer.meaning);
-      const half = Math.max(1, 0.35 * Math.abs(px(plot, 1) - px(plot, 0)));
-      layer.x.forEach((x, i) => {
-        const top = py(plot, layer.y[i] as number);
-        const foot = py(plot, layer.from?.[i] ?? 0);
-        context.fillRect(px(plot, x) - half, top, 2 * half, foot - top);
-      });
+function drawBelow(plot: uPlot, layer: Layer): void {
+  const { ctx } = plot;
+  ctx.fillStyle = tinted(layer.meaning, layer.strength);
+  if (layer.kind === 'band') {
+    ctx.beginPath();
+    for (const [i, [x, low]] of layer.points.entries())
+      to(ctx, i === 0, px(plot, x), py(plot, low));
+    for (const [x, , high] of layer.points.toReversed())
+      to(ctx, false, px(plot, x), py(plot, high));
+    ctx.fill();
+  } else if (layer.kind === 'boxes') {
+    for (const [left, right, bottom, top] of layer.boxes) {
+      const [x, y] = [px(plot, left), py(plot, top)];
+      // No seam between neighbours, and no bar so thin that it is not seen.
+      ctx.fillRect(x, y, Math.max(1, px(plot, right) - x), py(plot, bottom) - y);
     }
-  });
-}
-
-export function drawLevels(plot: uPlot, spec: ChartSpec): void {
-  const { ctx: context, bbox } = plot;
-  for (const level of spec.levels ?? []) {
-    const at = level.upright ? px(plot, level.at) : py(plot, level.at);
-    const inside = level.upright
-      ? at >= bbox.left && at <= bbox.left + bbox.width
-      : at >= bbox.top && at <= bbox.top + bbox.height;
-    if (!inside) continue;
-    context.save();
-    context.strokeStyle = colour(level.meaning);
-    context.lineWidth = 1.5 * devicePixelRatio;
-    context.setLineDash([5 * devicePixelRatio, 4 * devicePixelRatio]);
-    context.beginPath();
-    context.moveTo(level.upright ? at : bbox.left, level.upright ? bbox.top : at);
-    context.lineTo(
-      level.upright ? at : bbox.left + bbox.width,
-      level.upright ? bbox.top + bbox.height : at,
-    );
-    context.stroke();
-    const pad = 5 * devicePixelRatio;
-    if (level.upright) {
-      const room = at < bbox.left + bbox.width / 2;
-      write(
-        plot,
-        level.label,
-        at + (room ? pad : -pad),
-        bbox.top + 3 * pad,
-        level.meaning,
-        room ? 'left' : 'right',
-      );
-    } else write(plot, level.label, bbox.left + pad, at - pad, level.meaning, 'left');
-    context.restore();
+  } else if (layer.kind === 'points') {
+    ctx.strokeStyle = tinted(layer.meaning, 0.35 * layer.strength);
+    ctx.lineWidth = 4 * devicePixelRatio;
+    ctx.beginPath();
+    layer.points.forEach(([x, y], i) => {
+      const sd = layer.errors[i];
+      if (y === null || !sd) return;
+      ctx.moveTo(px(plot, x), py(plot, y - sd));
+      ctx.lineTo(px(plot, x), py(plot, y + sd));
+    });
+    ctx.stroke();
   }
 }
 
-/**
- * Curves are named beside them: no key to look up. Curves that only rise or fall have their name at
- * their middle, on the side that is free; others at their end. Points are named in the key above.
- */
-export function drawLabels(plot: uPlot, spec: ChartSpec): void {
-  const gap = 8 * devicePixelRatio;
-  const height = 16 * devicePixelRatio;
-  let steady = 0;
-  let wavy = 0;
-  for (const layer of spec.layers) {
-    if (layer.kind !== 'line' || layer.label === '') continue;
-    const seen = inSight(plot, layer);
-    const [first, end] = [seen[0], seen.at(-1)];
-    if (!first || !end) continue;
-    const middleX = first.x + 0.6 * (end.x - first.x);
-    const middle = seen.find(({ x }) => x >= middleX) ?? end;
-    if (isSteady(seen)) {
-      const falls = first.y <= end.y;
-      const above = steady % 2 === 0;
-      const y = above ? middle.y - gap : middle.y + gap + height / 2;
-      const right = falls === above;
-      write(
-        plot,
-        layer.label,
-        middle.x + (right ? gap : -gap),
-        y,
-        layer.meaning,
-        right ? 'left' : 'right',
-      );
-      steady += 1;
-    } else {
-      write(plot, layer.label, end.x, end.y - gap - wavy * height, layer.meaning, 'right');
-      wavy += 1;
+function drawAbove(plot: uPlot, layer: Layer): void {
+  const { ctx, bbox } = plot;
+  ctx.strokeStyle = ctx.fillStyle = tinted(layer.meaning, layer.strength);
+  switch (layer.kind) {
+    case 'line':
+      stroke(ctx, layer.width, layer.dashes, () => {
+        let begins = true;
+        for (const [x, y] of layer.points) {
+          begins = !to(ctx, begins, px(plot, x), py(plot, y));
+        }
+      });
+      break;
+    case 'rule': {
+      const [x, y] = [px(plot, layer.at), py(plot, layer.at)];
+      const { left, top, width, height } = bbox;
+      stroke(ctx, layer.width, layer.dashes, () => {
+        ctx.moveTo(layer.upright ? x : left, layer.upright ? top : y);
+        ctx.lineTo(layer.upright ? x : left + width, layer.upright ? top + height : y);
+      });
+      const right = x < left + width / 2;
+      if (layer.upright) write(plot, layer.name, x, top + 15 * devicePixelRatio, right);
+      break;
     }
+    case 'points':
+      for (const [x, y] of layer.points) drawPoint(plot, px(plot, x), py(plot, y), layer.marker);
+      break;
+    case 'labels':
+      layer.points.forEach(([x, y], i) => {
+        const foot = py(plot, y) + 4.5 * devicePixelRatio;
+        write(plot, layer.texts[i] ?? '', px(plot, x), foot, true);
+      });
   }
 }
 
-interface Place {
-  readonly x: number;
-  readonly y: number;
+function stroke(ctx: Context, width: number, dashes: Dashes, path: () => void): void {
+  ctx.lineWidth = STROKE * width * devicePixelRatio;
+  ctx.setLineDash(DASHES[dashes].map((length) => length * devicePixelRatio));
+  ctx.beginPath();
+  path();
+  ctx.stroke();
+  ctx.setLineDash([]);
 }
 
-function inSight(plot: uPlot, layer: Line): readonly Place[] {
-  const { left, top, width, height } = plot.bbox;
-  return layer.x.flatMap((at, i) => {
-    const value = layer.y[i];
-    if (value === null || value === undefined) return [];
-    const place = { x: px(plot, at), y: py(plot, value) };
-    const inside =
-      place.x >= left - 1 &&
-      place.x <= left + width + 1 &&
-      place.y >= top - 1 &&
-      place.y <= top + height + 1;
-    return inside ? [place] : [];
-  });
+/** Goes on to a place, or begins there; false if there is none. */
+function to(ctx: Context, begins: boolean, x: number, y: number): boolean {
+  if (Number.isNaN(x + y)) return false;
+  if (begins) ctx.moveTo(x, y);
+  else ctx.lineTo(x, y);
+  return true;
 }
 
-/** Whether a curve only rises or only falls. */
-function isSteady(places: readonly Place[]): boolean {
-  const steps = places.slice(1).map((place, i) => place.y - (places[i]?.y ?? place.y));
-  return steps.every((step) => step >= -0.5) || steps.every((step) => step <= 0.5);
+/** A point; one above or below the panel is an arrow head at its edge. */
+function drawPoint({ ctx, bbox }: uPlot, x: number, y: number, marker: Marker): void {
+  const r = (marker === 'speck' ? 0.5 : 1) * RADIUS * devicePixelRatio;
+  const bottom = bbox.top + bbox.height;
+  ctx.beginPath();
+  if (marker !== 'speck' && (y < bbox.top || y > bottom)) {
+    const [tip, base] = y < bbox.top ? [bbox.top, bbox.top + 2 * r] : [bottom, bottom - 2 * r];
+    triangle(ctx, x, tip, base, r);
+    ctx.fill();
+    return;
+  }
+  if (marker === 'triangle' || marker === 'open-triangle') triangle(ctx, x, y + r, y - r, 1.2 * r);
+  else ctx.arc(x, y, r, 0, 2 * Math.PI);
+  if (marker === 'ring' || marker === 'open-triangle') {
+    const ink = ctx.fillStyle;
+    ctx.fillStyle = colour('paper');
+    ctx.fill();
+    ctx.fillStyle = ink;
+    ctx.lineWidth = 1.5 * devicePixelRatio;
+    ctx.stroke();
+  } else ctx.fill();
+}
+
+function triangle(ctx: Context, x: number, tip: number, base: number, half: number): void {
+  ctx.moveTo(x, tip);
+  ctx.lineTo(x - half, base);
+  ctx.lineTo(x + half, base);
+  ctx.closePath();
 }
 
 /** Words beside a place, moved as far as it takes to be whole. */
-function write(
-  plot: uPlot,
-  words: string,
-  x: number,
-  y: number,
-  meaning: Meaning,
-  align: 'left' | 'right',
-): void {
-  const { ctx: context, bbox } = plot;
-  context.save();
-  context.font = fontOf(0.8125 * devicePixelRatio);
-  context.textAlign = 'left';
-  context.textBaseline = 'alphabetic';
-  context.setLineDash([]);
+function write(plot: uPlot, words: string, x: number, foot: number, right: boolean): void {
+  const { ctx, bbox } = plot;
+  const gap = 6 * devicePixelRatio;
+  ctx.font = fontOf(0.8125 * devicePixelRatio);
+  ctx.textAlign = 'left';
+  ctx.textBaseline = 'alphabetic';
   // A rim of paper keeps words legible over lines.
-  context.strokeStyle = colour('paper');
-  context.lineWidth = 4 * devicePixelRatio;
-  context.lineJoin = 'round';
-  const { width } = context.measureText(words);
-  const from = align === 'left' ? x : x - width;
+  ctx.strokeStyle = colour('paper');
+  ctx.lineWidth = 4 * devicePixelRatio;
+  ctx.lineJoin = 'round';
+  const { width } = ctx.measureText(words);
+  const from = right ? x + gap : x - gap - width;
   const left = Math.max(bbox.left, Math.min(from, bbox.left + bbox.width - width));
-  const foot = Math.min(y, bbox.top + bbox.height - 4 * devicePixelRatio);
-  context.strokeText(words, left, foot);
-  context.fillStyle = inkOf(meaning);
-  context.fillText(words, left, foot);
-  context.restore();
+  ctx.strokeText(words, left, foot);
+  ctx.fillText(words, left, foot);
 }
-
-/** The kinds of layer whose names stand in the key. */
-export const inKey = (layer: Layer): boolean => layer.kind !== 'line' && layer.label !== '';

@@ -2,8 +2,9 @@
  * The words of the page. A language is one file in `languages/`, named by its code; nothing else names
  * it. English comes with the page, the others when they are chosen.
  */
-import { computed, signal } from '@preact/signals';
+import { batch, computed, signal } from '@preact/signals';
 import { recall, remember } from '../address/memory.ts';
+import { ENGLISH, type Messages } from '../lab/index.ts';
 import english from './languages/en.ts';
 import type { Texts } from './texts.ts';
 
@@ -13,6 +14,15 @@ const FALLBACK = 'en';
 const others = import.meta.glob<Texts>(['./languages/*.ts', '!./languages/en.ts'], {
   import: 'default',
 });
+
+/** The messages of the engine, file by file; English is part of it. */
+const messageFiles = import.meta.glob<string>(
+  [
+    '../../../crates/bouncelab-report/messages/*/*.ftl',
+    '!../../../crates/bouncelab-report/messages/en/*.ftl',
+  ],
+  { query: '?raw', import: 'default' },
+);
 
 const codeOf = (path: string): string => path.replace(/^.*\/(.+)\.ts$/, '$1');
 
@@ -25,6 +35,8 @@ export const region = computed(
   () => navigator.languages.find((tag) => tag.startsWith(language.value)) ?? language.value,
 );
 export const texts = signal<Texts>(english);
+/** In which language the engine writes reports and figures. */
+export const messages = signal<Messages>(ENGLISH);
 
 /** The name of a language in that language. */
 export function nameOf(code: string): string {
@@ -33,8 +45,12 @@ export function nameOf(code: string): string {
 }
 
 export async function speak(code: string): Promise<void> {
-  texts.value = await wordsOf(code);
-  language.value = code;
+  const [words, sources] = await Promise.all([wordsOf(code), messagesOf(code)]);
+  batch(() => {
+    texts.value = words;
+    messages.value = { code, sources };
+    language.value = code;
+  });
   document.documentElement.lang = code;
   document.title = texts.value.app.title;
 }
@@ -56,4 +72,9 @@ async function wordsOf(code: string): Promise<Texts> {
   const path = Object.keys(others).find((candidate) => codeOf(candidate) === code);
   const load = path === undefined ? undefined : others[path];
   return load ? load() : english;
+}
+
+async function messagesOf(code: string): Promise<string[]> {
+  const files = Object.entries(messageFiles).filter(([path]) => path.includes(`/${code}/`));
+  return Promise.all(files.map(([, load]) => load()));
 }

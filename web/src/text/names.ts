@@ -1,5 +1,6 @@
 /** Names of things that the engine knows by a key. */
-import { texts } from './language.ts';
+import { localised } from '../format/quantity.ts';
+import { language, texts } from './language.ts';
 
 /** The name of a thing; one that has none is called by its key, as one that an address made up. */
 export const nameIn = (names: Readonly<Record<string, string>>, key: string): string =>
@@ -7,3 +8,14 @@ export const nameIn = (names: Readonly<Record<string, string>>, key: string): st
 
 /** A ball in the language of the page. */
 export const ballName = (name: string): string => nameIn(texts.value.settings.balls, name);
+
+/** A drag law for people: the name of its authors, or the constant. */
+export function lawName(law: string): string {
+  if (law === 'none') return texts.value.settings.dragNone;
+  const constant = /^constant[: ]*(.*)$/.exec(law);
+  if (constant) return `C_D = ${localised(constant[1] ?? '', language.value)}`;
+  return law
+    .split('-')
+    .map((part) => part.charAt(0).toUpperCase() + part.slice(1))
+    .join('–');
+}

@@ -36,12 +36,15 @@ export async function said(page: Page): Promise<{ kept: Said; fell: Said }> {
     if (!found) throw new Error(`no number with its uncertainty in "${words}"`);
     return { value: Number(found[1]), sd: Number(found[2]) };
   };
-  return { kept: await read('.said .first strong'), fell: await read('.said .second strong') };
+  return {
+    kept: await read('.summary .first strong'),
+    fell: await read('.summary .second strong'),
+  };
 }
 
 /** Waits until the inference is done. */
 export async function settled(page: Page): Promise<void> {
-  await page.locator('.said[aria-busy="false"] .first').waitFor();
+  await page.locator('.summary[aria-busy="false"] .first').waitFor();
 }
 
 /**

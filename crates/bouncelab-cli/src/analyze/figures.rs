@@ -7,8 +7,9 @@ use bouncelab_report::figure::{self, Mark, Subject};
 use bouncelab_report::messages::Translator;
 use bouncelab_report::{Chart, save};
 
-use super::hear::Hearing;
+use super::read::Analysed;
 use crate::failure::Failure;
+use crate::language::translator;
 use crate::physics::Physics;
 
 /// Names for figures, another for each recording: those of different folders may have the same name.
@@ -27,15 +28,15 @@ impl Stems {
     }
 }
 
-/// Writes the figures of a hearing into a folder and names them on stderr.
+/// Writes the figures of a recording into a folder and names them on stderr.
 pub(crate) fn save_figures(
-    hearing: &Hearing,
+    analysed: &Analysed,
     physics: &Physics,
     folder: &Path,
     stems: &mut Stems,
 ) -> Result<(), Failure> {
-    let stem = stems.take(&hearing.name);
-    for (name, chart) in figures(hearing, physics, &Translator::default()) {
+    let stem = stems.take(&analysed.name);
+    for (name, chart) in figures(analysed, physics, translator()) {
         let saved = save(&chart, folder, &format!("{stem}-{name}"))?;
         eprintln!("wrote {} and .png", saved.svg.display());
     }
@@ -43,24 +44,28 @@ pub(crate) fn save_figures(
 }
 
 /// Name and chart of every figure.
-fn figures(hearing: &Hearing, physics: &Physics, translator: &Translator) -> Vec<(String, Chart)> {
-    let settings = &physics.settings;
+fn figures(
+    analysed: &Analysed,
+    physics: &Physics,
+    translator: &Translator,
+) -> Vec<(String, Chart)> {
+    let settings = &physics.options;
     let mut figures = Vec::new();
-    if let Some(sound) = &hearing.envelope {
-        let chart = figure::waveform(sound, &Mark::of_drops(&hearing.drops), translator);
+    if let Some(sound) = &analysed.result.envelope {
+        let chart = figure::waveform(sound, &Mark::of_drops(&analysed.result.drops), translator);
         figures.push(("waveform".to_owned(), chart));
     }
-    for (index, drop) in hearing.drops.iter().enumerate() {
+    for (index, drop) in analysed.result.drops.iter().enumerate() {
         let subject = Subject::new(drop, settings);
         figures.extend(figure::of_drop(&subject).map(|figure| {
-            let name = match hearing.drops.len() {
+            let name = match analysed.result.drops.len() {
                 1 => figure.name.to_owned(),
                 _ => format!("drop{}-{}", index + 1, figure.name),
             };
             (name, figure.chart(&subject, translator))
         }));
     }
-    let of_air = figure::of_air(&hearing.drops, settings, translator);
+    let of_air = figure::of_air(&analysed.result.drops, settings, translator);
     figures.extend(
         of_air
             .into_iter()

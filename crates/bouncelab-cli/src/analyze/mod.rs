@@ -1,26 +1,29 @@
 //! `bouncelab analyze`: what recordings, or lists of impact times, say.
 
-mod edit;
+mod answers;
 mod figures;
-mod hear;
-mod inference;
+mod read;
 mod report;
 mod text;
 
-pub(crate) use edit::Unanalysed;
 pub(crate) use figures::{Stems, save_figures};
-pub(crate) use hear::{Hearing, Heeded, Recording, hear, nothing_released, settings_of_drop};
-pub(crate) use text::{report, shown};
+pub(crate) use read::{Analysed, read, translated};
+pub(crate) use text::{assumed, note, report, shown};
 
 use std::io::{self, Write};
 use std::ops::{Range, RangeInclusive};
 use std::path::PathBuf;
 use std::str::FromStr;
 
-use bouncelab_report::document::{Document, rows};
+use bouncelab::Diagnostic;
+use bouncelab::analysis::{DetectionOptions, Edits};
+use bouncelab::diagnostic::Code;
+use bouncelab_report::document::{Document, FailedDocument, rows};
 use clap::{Args, ValueEnum};
+use serde::Serialize;
 
 use crate::failure::Failure;
+use crate::language::{text, translator};
 use crate::physics::{Physics, PhysicsArguments};
 use crate::priors::PriorArguments;
 use crate::report::ReportFile;
@@ -98,37 +101,39 @@ enum Format {
 }
 
 pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
-    let physics = physics(&arguments.physics, &arguments.priors, arguments.flights)?;
-    let heeded = Heeded {
+    let mut physics = physics(&arguments.physics, &arguments.priors, arguments.flights)?;
+    physics.options.detection = DetectionOptions {
         channel: arguments.channel.map(usize::from),
         band_hz: arguments.band.clone(),
+    };
+    physics.options.edits = Edits {
         exclude_s: arguments.exclude.clone(),
         include_s: arguments.include.clone(),
-        quiet: false,
+        gaps: Vec::new(),
     };
     let mut report_file = match (&arguments.report, arguments.files.as_slice()) {
         (None, _) => None,
         (Some(path), [_]) => Some(ReportFile::new(path)?),
-        (Some(_), _) => return Err(Failure::Usage(report::OF_ONE.to_owned())),
+        (Some(_), _) => return Err(Failure::Usage(text("analyze-one-report"))),
     };
     let mut printer = Printer::new(arguments)?;
     let mut stems = Stems::default();
     let mut empty_handed = false;
     for file in &arguments.files {
         let name = file.display().to_string();
-        match hear(file, &heeded, &physics.settings) {
-            Ok(hearing) => {
-                empty_handed |= hearing.drops.is_empty();
-                if let Some(reason) = &hearing.no_drop {
-                    eprintln!("bouncelab: {name}: no drop found: {reason}");
+        match read(file, &physics.options, false) {
+            Ok(analysed) => {
+                empty_handed |= analysed.result.drops.is_empty();
+                if let Some(reason) = analysed.no_drop() {
+                    eprintln!("bouncelab: {reason}");
                 }
                 if let Some(folder) = &arguments.figures {
-                    save_figures(&hearing, &physics, folder, &mut stems)?;
+                    save_figures(&analysed, &physics, folder, &mut stems)?;
                 }
                 if let Some(report_file) = report_file.take() {
-                    report_file.write(&report::page(file, &hearing, &physics)?)?;
+                    report_file.write(&report::page(file, &analysed, &physics)?)?;
                 }
-                printer.print(&hearing, &physics)?;
+                printer.print(&analysed, &physics)?;
             }
             Err(failure @ (Failure::Usage(_) | Failure::Output(_) | Failure::NoPass(_))) => {
                 return Err(failure);
@@ -154,10 +159,22 @@ pub(crate) fn physics(
     priors: &PriorArguments,
     flights: Option<(usize, usize)>,
 ) -> Result<Physics, Failure> {
-    let mut physics = physics.questioned(priors.doubts())?;
-    physics.settings.flights = flights.map(|(first, last)| RangeInclusive::new(first, last));
-    priors.add_to(&mut physics.settings)?;
+    let mut physics = physics.questioned(priors.questions())?;
+    physics.options.flights = flights.map(|(first, last)| RangeInclusive::new(first, last));
+    priors.add_to(&mut physics.options)?;
     Ok(physics)
+}
+
+/// The result for other programs.
+pub(crate) fn document<'a>(analysed: &'a Analysed, physics: &Physics) -> Document<'a> {
+    let mut assumptions = physics.assumptions.clone();
+    translator().complete_each(&mut assumptions);
+    Document::new(
+        &analysed.name,
+        &analysed.result,
+        &physics.options,
+        &assumptions,
+    )
 }
 
 /// Prints results in the chosen format, as they come.
@@ -184,17 +201,17 @@ impl Printer {
         Ok(printer)
     }
 
-    fn print(&mut self, hearing: &Hearing, physics: &Physics) -> Result<(), Failure> {
+    fn print(&mut self, analysed: &Analysed, physics: &Physics) -> Result<(), Failure> {
         match self.format {
-            Format::Text if hearing.drops.is_empty() => Ok(()),
+            Format::Text if analysed.result.drops.is_empty() => Ok(()),
             Format::Text => {
-                let text = text::report(hearing, physics, self.details);
+                let text = report(analysed, physics, self.details);
                 Ok(io::stdout().lock().write_all(text.as_bytes())?)
             }
-            Format::Json => self.print_document(&hearing.document(physics)),
+            Format::Json => self.print_document(&document(analysed, physics)),
             Format::Csv => {
                 if let Some(rows) = &mut self.rows {
-                    for row in rows::of(&hearing.document(physics)) {
+                    for row in rows::of(&analysed.name, &analysed.result) {
                         rows.write_record(&row)?;
                     }
                 }
@@ -205,12 +222,16 @@ impl Printer {
 
     fn print_failed(&self, name: &str, reason: &str) -> Result<(), Failure> {
         match self.format {
-            Format::Json => self.print_document(&Document::failed(name, reason)),
+            Format::Json => {
+                let mut unreadable = Diagnostic::new(Code::FileUnreadable);
+                unreadable.message = Some(reason.to_owned());
+                self.print_document(&FailedDocument::new(name, &unreadable))
+            }
             Format::Text | Format::Csv => Ok(()),
         }
     }
 
-    fn print_document(&self, document: &Document) -> Result<(), Failure> {
+    fn print_document(&self, document: &impl Serialize) -> Result<(), Failure> {
         let mut out = io::stdout().lock();
         if self.several {
             serde_json::to_writer(&mut out, document).map_err(io::Error::from)?;

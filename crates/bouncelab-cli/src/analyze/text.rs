@@ -1,65 +1,82 @@
 //! The result for people.
 
-use std::fmt::Write;
+use std::fmt::{Display, Write};
 
-use bouncelab::analysis::{CONFIDENT_PROBABILITY, Drop};
-use bouncelab::regression::Estimate;
-use bouncelab_report::document::Origin;
+use bouncelab::Estimate;
+use bouncelab::analysis::{CONFIDENT_PROBABILITY, Drop, Source, StrongestBand};
+use bouncelab::{Diagnostic, Error};
+use bouncelab_report::messages::Value;
 use bouncelab_report::report::ended;
-use bouncelab_report::{CANNOT_TELL, Quantity, Unit, tables};
+use bouncelab_report::tables::{self, drag_law};
+use bouncelab_report::{Quantity, Unit};
 
-use super::hear::{Clearest, Hearing};
-use super::inference;
+use super::answers::{self, Answer};
+use super::read::{Analysed, translated};
+use crate::language::{text, text_with, translator};
 use crate::physics::Physics;
 
 /// What a file says, in words and a table for each drop.
-pub(crate) fn report(hearing: &Hearing, physics: &Physics, details: bool) -> String {
-    let mut text = String::new();
-    line(&mut text, &headline(hearing));
-    if details && let Some(choice) = listening(hearing) {
-        line(&mut text, &format!("  {choice}"));
+pub(crate) fn report(analysed: &Analysed, physics: &Physics, details: bool) -> String {
+    let mut page = String::new();
+    line(&mut page, &headline(analysed));
+    if details && let Some(choice) = listening(analysed) {
+        line(&mut page, &format!("  {choice}"));
     }
-    for (index, drop) in hearing.drops.iter().enumerate() {
-        line(&mut text, "");
-        line(&mut text, &drop_headline(hearing, index));
-        line(&mut text, "");
+    for (index, drop) in analysed.result.drops.iter().enumerate() {
+        line(&mut page, "");
+        line(&mut page, &drop_headline(analysed, index));
+        line(&mut page, "");
         for finding in findings(drop, physics) {
-            line(&mut text, &format!("  {finding}"));
+            line(&mut page, &format!("  {finding}"));
         }
-        line(&mut text, "");
-        line(
-            &mut text,
-            &indented(&tables::impacts(drop, details).to_string()),
-        );
+        line(&mut page, "");
+        let impacts = tables::impacts(drop, details, translator());
+        line(&mut page, &indented(&impacts.to_string()));
         if details {
-            for block in inference::details(drop) {
-                line(&mut text, "");
-                line(&mut text, &indented(&block));
+            for block in answers::details(drop) {
+                line(&mut page, "");
+                line(&mut page, &indented(&block));
             }
-            line(&mut text, "");
+            line(&mut page, "");
         }
-        for warning in &drop.warnings {
-            line(&mut text, &format!("  Note: {}", ended(warning)));
-        }
-        for remark in inference::remarks(drop) {
-            line(&mut text, &format!("  Note: {}", ended(remark)));
+        for known in &drop.diagnostics {
+            line(&mut page, &note(translator().diagnostic(known)));
         }
     }
-    for warning in &hearing.warnings {
-        line(&mut text, &format!("  Note: {}", ended(warning)));
+    for known in &analysed.result.diagnostics {
+        line(&mut page, &note(translator().diagnostic(known)));
     }
     if !physics.assumptions.is_empty() {
-        line(
-            &mut text,
-            &format!("  Assumed: {}.", physics.assumptions.join("; ")),
-        );
+        line(&mut page, &assumed(&physics.assumptions));
     }
-    text
+    page
 }
 
-fn line(text: &mut String, words: &str) {
+/// Something to be careful with, as a line.
+pub(crate) fn note(remark: impl Display) -> String {
+    let note = text_with("terminal-note", &[("text", ended(remark).into())]);
+    format!("  {note}")
+}
+
+/// What was assumed, as a line.
+pub(crate) fn assumed(assumptions: &[Diagnostic]) -> String {
+    let assumptions = assumptions
+        .iter()
+        .map(|known| translator().diagnostic(known));
+    let list = [("list", assumptions.collect::<Vec<_>>().join("; ").into())];
+    format!("  {}", text_with("terminal-assumed", &list))
+}
+
+/// What cannot be told, and why.
+pub(crate) fn cannot_tell(id: &str, reason: &Error) -> String {
+    let reason = ended(translated(reason)).into();
+    let why = [("what", text(id).into()), ("reason", reason)];
+    text_with("terminal-cannot-tell", &why)
+}
+
+fn line(page: &mut String, words: &str) {
     // Writing to a String cannot fail.
-    let _ = writeln!(text, "{}", words.trim_end());
+    let _ = writeln!(page, "{}", words.trim_end());
 }
 
 fn indented(block: &str) -> String {
@@ -67,10 +84,11 @@ fn indented(block: &str) -> String {
     rows.join("\n")
 }
 
-fn headline(hearing: &Hearing) -> String {
-    match &hearing.origin {
-        Origin::Times => format!("{}: impact times", hearing.name),
-        Origin::Sound {
+fn headline(analysed: &Analysed) -> String {
+    let name = ("name", analysed.name.as_str().into());
+    match &analysed.result.source {
+        Source::Times => text_with("analyze-times", &[name]),
+        Source::Sound {
             format,
             sample_rate_hz,
             channels,
@@ -78,142 +96,146 @@ fn headline(hearing: &Hearing) -> String {
             duration_s,
             ..
         } => {
-            let heard = match channels {
-                1 => String::new(),
-                _ => format!(", channel {channel} of {channels}"),
-            };
-            let rate = f64::from(*sample_rate_hz) / 1000.0;
-            format!(
-                "{}: {format}, {rate} kHz{heard}, {duration_s:.1} s",
-                hearing.name
-            )
+            let rate_khz = f64::from(*sample_rate_hz) / 1000.0;
+            let sound = [
+                name,
+                ("format", format.as_deref().unwrap_or_default().into()),
+                ("rate", rate_khz.into()),
+                ("channel", (*channel).into()),
+                ("channels", (*channels).into()),
+                ("duration", Value::fixed(*duration_s, 1)),
+            ];
+            text_with("analyze-sound", &sound)
         }
     }
 }
 
 /// What was chosen in listening.
-fn listening(hearing: &Hearing) -> Option<String> {
-    let Origin::Sound { onsets, .. } = &hearing.origin else {
+fn listening(analysed: &Analysed) -> Option<String> {
+    let Source::Sound { onsets, .. } = &analysed.result.source else {
         return None;
     };
-    let Clearest { band_hz, above_db } = hearing.clearest.as_ref()?;
-    let impacts: usize = hearing.drops.iter().map(|drop| drop.impacts.len()).sum();
-    Some(format!(
-        "{onsets} sounds stand out of the background and {impacts} impacts were heard, clearest from \
-         {:.0} to {:.0} Hz, {above_db:.0} dB above the sound before them (--channel, --band).",
-        band_hz.start, band_hz.end,
+    let StrongestBand {
+        low_hz,
+        high_hz,
+        above_background_db,
+        ..
+    } = analysed.result.strongest_band?;
+    let impacts: usize = analysed
+        .result
+        .drops
+        .iter()
+        .map(|drop| drop.impacts.len())
+        .sum();
+    Some(text_with(
+        "analyze-listening",
+        &[
+            ("onsets", (*onsets).into()),
+            ("impacts", impacts.into()),
+            ("low", Value::fixed(low_hz, 0)),
+            ("high", Value::fixed(high_hz, 0)),
+            ("above", Value::fixed(above_background_db, 0)),
+        ],
     ))
 }
 
-fn drop_headline(hearing: &Hearing, index: usize) -> String {
-    let impacts = &hearing.drops[index].impacts;
-    let which = match hearing.drops.len() {
-        1 => "Drop".to_owned(),
-        count => format!("Drop {} of {count}", index + 1),
-    };
-    let (first, last) = (&impacts[0], &impacts[impacts.len() - 1]);
-    let doubtful = impacts
+fn drop_headline(analysed: &Analysed, index: usize) -> String {
+    let impacts = &analysed.result.drops[index].impacts;
+    let uncertain = impacts
         .iter()
         .filter(|impact| impact.probability < CONFIDENT_PROBABILITY)
         .count();
-    let doubt = match doubtful {
-        0 => String::new(),
-        _ => format!(", {doubtful} uncertain (?)"),
-    };
-    let sure = match hearing.probabilities.get(index) {
+    let probability = match analysed.result.drops[index].probability {
         // Not where it would read 1.00.
-        Some(probability) if *probability < 0.995 => {
-            format!(" (a drop with probability {probability:.2})")
-        }
-        _ => String::new(),
+        probability if probability < 0.995 => Value::fixed(probability, 2),
+        _ => "none".into(),
     };
-    let count = impacts.len();
-    format!(
-        "{which}: {count} impacts from {:.3} s to {:.3} s{doubt}{sure}",
-        first.time_s, last.time_s
+    let (first, last) = (&impacts[0], &impacts[impacts.len() - 1]);
+    text_with(
+        "analyze-drop",
+        &[
+            ("drops", analysed.result.drops.len().into()),
+            ("number", (index + 1).into()),
+            ("count", impacts.len().into()),
+            ("first", Value::fixed(first.time_s, 3)),
+            ("last", Value::fixed(last.time_s, 3)),
+            ("uncertain", uncertain.into()),
+            ("probability", probability),
+        ],
     )
 }
 
 /// The results, one line for each.
 fn findings(drop: &Drop, physics: &Physics) -> Vec<String> {
-    let mut lines = Vec::new();
-    match &drop.line {
-        Ok(fit) => {
-            let flights = drop.flights.iter().filter(|flight| flight.in_line).count();
-            lines
-                .push("Straight line through log flight time, as if there were no air:".to_owned());
-            lines.push(format!(
-                "  restitution        e  = {}",
-                shown(fit.restitution(), Unit::Number)
-            ));
-            lines.push(format!(
-                "  drop height        h0 = {}   (before the first impact heard; {flights} flights)",
-                shown(fit.drop_height_m(), Unit::Length)
-            ));
-            lines.push(format!(
-                "  energy kept             {}",
-                shown(fit.energy_kept(), Unit::Percent)
-            ));
-            if let (Some(time), Some(path)) = (fit.total_time_s(), fit.total_path_m()) {
-                lines.push(format!(
-                    "  until rest              {}",
-                    shown(time, Unit::Time)
-                ));
-                lines.push(format!(
-                    "  path until rest         {}",
-                    shown(path, Unit::Length)
-                ));
-            }
-        }
-        Err(reason) => lines.push(format!("Straight line: {CANNOT_TELL}: {}", ended(reason))),
+    let mut lines = line_lines(drop);
+    let inferred = answers::lines(drop, physics);
+    if drop.posterior.is_err() {
+        lines.extend(corrected_lines(drop, physics));
     }
-    match inference::lines(drop, physics) {
-        Some(inferred) if drop.estimate.is_ok() => lines.extend(inferred),
-        Some(inferred) => {
-            lines.extend(corrected_lines(drop, physics));
-            lines.extend(inferred);
-        }
-        None => lines.extend(corrected_lines(drop, physics)),
-    }
+    lines.extend(inferred);
     lines
 }
 
+fn line_lines(drop: &Drop) -> Vec<String> {
+    let fit = match &drop.log_linear_fit {
+        Ok(fit) => fit,
+        Err(reason) => return vec![cannot_tell("analyze-line", reason)],
+    };
+    let count = drop.flights.iter().filter(|flight| flight.in_fit).count();
+    let flights = text_with("analyze-line-flights", &[("count", count.into())]);
+    let found =
+        |name, symbol, value: Estimate, unit| Answer::new(text(name), symbol, shown(value, unit));
+    let mut answers = vec![
+        found("quantity-restitution", "e ", fit.restitution, Unit::Number),
+        found(
+            "quantity-drop-height",
+            "h0",
+            fit.drop_height_m,
+            Unit::Length,
+        )
+        .noted(flights),
+        found("quantity-energy-kept", "", fit.energy_kept, Unit::Percent),
+    ];
+    if let (Some(time), Some(path)) = (fit.total_time_s, fit.total_path_m) {
+        answers.push(found("analyze-until-rest", "", time, Unit::Time));
+        answers.push(found("quantity-path-until-rest", "", path, Unit::Length));
+    }
+    answers::listed(text("analyze-line-heading"), &answers)
+}
+
 fn corrected_lines(drop: &Drop, physics: &Physics) -> Vec<String> {
-    let found = match &drop.corrected {
+    let found = match &drop.per_impact {
         Ok(found) => found,
-        Err(reason) => {
-            return vec![format!(
-                "Corrected for drag: {CANNOT_TELL}: {}",
-                ended(reason)
-            )];
-        }
+        Err(reason) => return vec![cannot_tell("analyze-corrected", reason)],
     };
     let count = found.impacts.len();
     let (Some(restitution), Some((slowest, fastest))) =
-        (drop.corrected_restitution(), drop.speed_range_m_s())
+        (drop.per_impact_restitution(), drop.speed_range_m_s())
     else {
-        return vec![format!(
-            "Corrected for drag: {CANNOT_TELL} a mean: {count} of the impacts lie between two \
-             flights, and it takes 3."
+        return vec![text_with(
+            "analyze-corrected-too-few",
+            &[("count", count.into())],
         )];
     };
-    vec![
-        format!(
-            "Corrected for drag ({}, {}):",
-            physics.ball_label, physics.settings.environment.drag
-        ),
-        format!(
-            "  restitution        e  = {}   (median of {count} impacts at {slowest:.2} to \
-             {fastest:.2} m/s)",
-            shown(restitution, Unit::Number)
-        ),
-    ]
+    let law = drag_law(physics.options.environment.drag, translator());
+    let ball = physics.ball_label.as_str();
+    let heading = [("ball", ball.into()), ("law", law.into())];
+    let impacts = [
+        ("count", count.into()),
+        ("slowest", Value::fixed(slowest, 2)),
+        ("fastest", Value::fixed(fastest, 2)),
+    ];
+    let restitution = shown(restitution, Unit::Number);
+    let answer = Answer::new(text("quantity-restitution"), "e ", restitution)
+        .noted(text_with("analyze-corrected-impacts", &impacts));
+    answers::listed(text_with("analyze-corrected-heading", &heading), &[answer])
 }
 
 /// A value with its standard error, or with four digits where there is none.
 pub(crate) fn shown(estimate: Estimate, unit: Unit) -> String {
-    match estimate.standard_error {
-        Some(error) => Quantity::measured(estimate.value, error, unit).to_string(),
-        None => Quantity::rounded(estimate.value, 4, unit).to_string(),
-    }
+    let quantity = match estimate.known_sd() {
+        Some(error) => Quantity::measured(estimate.value, error, unit),
+        None => Quantity::rounded(estimate.value, 4, unit),
+    };
+    quantity.text(translator())
 }

@@ -4,7 +4,6 @@
 //! comes (`save`) and heard (`watch`); what is going on shows on the terminal (`screen`), and each
 //! drop is analysed once it is over (`session`).
 
-mod gaps;
 mod save;
 mod screen;
 mod session;

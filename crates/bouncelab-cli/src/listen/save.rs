@@ -6,7 +6,7 @@ use bouncelab_audio::{Error, Recorder, SampleFormat};
 use jiff::Zoned;
 
 use super::Arguments;
-use crate::analyze::Recording;
+use super::sound::SoundInfo;
 use crate::failure::Failure;
 
 /// Saves the sound in a WAV file, and in further ones when that is full.
@@ -26,7 +26,7 @@ impl Saver {
     /// sound would be lost otherwise.
     pub(super) fn create(
         arguments: &Arguments,
-        recording: &Recording,
+        recording: &SoundInfo,
         format: SampleFormat,
     ) -> Result<Self, Failure> {
         let mut saver = Self {

@@ -3,7 +3,8 @@
 use std::io::{self, Write};
 use std::time::{Duration, Instant};
 
-use bouncelab::analysis::{self, Impact, Options};
+use bouncelab::Impact;
+use bouncelab::analysis::{self, Options};
 use bouncelab_report::Unit;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
@@ -93,7 +94,7 @@ impl Screen {
         /// Narrow enough for any terminal.
         const WIDTH: usize = 60;
         let impacts: Vec<Impact> = going.impacts.iter().map(Impact::from).collect();
-        let drop = analysis::analyze(impacts, &self.settings);
+        let drop = analysis::analyze_impacts(impacts, &self.settings);
         let mut lines = Vec::new();
         if let (Some(impact), Some(flight)) = (drop.impacts.last(), drop.flights.last()) {
             let state = if going.rests { "; the ball rests" } else { "" };
@@ -104,14 +105,14 @@ impl Screen {
                 flight.time_s * 1e3
             ));
         }
-        if let Ok(line) = &drop.line {
+        if let Ok(line) = &drop.log_linear_fit {
             lines.push(format!(
                 "  e = {}, h0 = {} without air",
-                analyze::shown(line.restitution(), Unit::Number),
-                analyze::shown(line.drop_height_m(), Unit::Length)
+                analyze::shown(line.restitution, Unit::Number),
+                analyze::shown(line.drop_height_m, Unit::Length)
             ));
         }
-        if let Some(restitution) = drop.corrected_restitution() {
+        if let Some(restitution) = drop.per_impact_restitution() {
             let shown = analyze::shown(restitution, Unit::Number);
             lines.push(format!("  e = {shown} corrected for drag"));
         }

@@ -3,19 +3,20 @@
 use std::thread;
 use std::time::Duration;
 
-use bouncelab::analysis::{Drop, Options};
+use bouncelab::analysis::{Drop, Gap, Plan};
 use bouncelab::detection::Detection;
 use bouncelab::train::{Train, TrainSearch};
+use bouncelab::{Diagnostic, Options};
 
-use super::gaps::Gaps;
 use super::save::Saver;
 use super::screen::{Screen, Status};
-use super::sound::{Arrival, Sound};
+use super::sound::{Arrival, Sound, SoundInfo};
 use super::stop::Stop;
 use super::watch::{self, Watch};
 use super::{Arguments, Format, summary};
-use crate::analyze::{self, Hearing, Recording, Unanalysed};
+use crate::analyze::{self, Analysed};
 use crate::failure::Failure;
+use crate::language::translator;
 use crate::physics::Physics;
 use crate::report::quoted;
 
@@ -24,48 +25,37 @@ const PAUSE: Duration = Duration::from_millis(20);
 
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let priors = &arguments.priors;
-    let physics = analyze::physics(&arguments.physics, priors, arguments.flights)?;
+    let mut physics = analyze::physics(&arguments.physics, priors, arguments.flights)?;
+    physics.options.detection.channel = arguments.channel.map(usize::from);
     let mut sound = Sound::open(arguments)?;
-    let recording = sound.recording(arguments.channel.map(usize::from));
-    check_channel(&recording)?;
+    let recording = sound.info();
     let saver = Saver::create(arguments, &recording, sound.sample_format())?;
     let stop = Stop::on_request()?;
-    let mut session = Session::new(arguments, physics, recording, saver);
+    let mut session = Session::new(arguments, physics, recording, saver)?;
     session.begin();
     let broken = session.listen(&mut sound, &stop);
     session.conclude(sound.warnings())?;
     broken
 }
 
-fn check_channel(recording: &Recording) -> Result<(), Failure> {
-    let Some(channel) = recording.channel.filter(|&it| it > recording.channels) else {
-        return Ok(());
-    };
-    Err(Failure::Usage(format!(
-        "{} has {} channel{}, so there is no channel {channel}",
-        recording.name,
-        recording.channels,
-        if recording.channels == 1 { "" } else { "s" }
-    )))
-}
-
 struct Session<'a> {
     arguments: &'a Arguments,
     physics: Physics,
-    recording: Recording,
+    recording: SoundInfo,
     saver: Saver,
     watch: Watch,
-    gaps: Gaps,
+    /// How many frames were lost, as far as is known; where is among the edits of the options.
+    lost_frames: u64,
     screen: Screen,
     /// How many frames were heard, and after how many to end.
     frames: u64,
     last_frame: u64,
-    drops: Vec<Told>,
+    drops: Vec<Reported>,
     sameness: Sameness,
 }
 
 /// A drop that was told of.
-struct Told {
+struct Reported {
     train: Train,
     analysis: Drop,
 }
@@ -74,35 +64,36 @@ impl<'a> Session<'a> {
     fn new(
         arguments: &'a Arguments,
         physics: Physics,
-        mut recording: Recording,
+        mut recording: SoundInfo,
         saver: Saver,
-    ) -> Self {
+    ) -> Result<Self, Failure> {
         let rate_hz = recording.sample_rate_hz;
-        let heard_channels = recording.channel.map_or(recording.channels, |_| 1);
+        let detection = &physics.options.detection;
+        let watch = Watch::new(rate_hz, recording.channels, detection)?;
         if let (None, Some(file)) = (&arguments.from, saver.files().first()) {
             recording.name = file.display().to_string();
         }
         let last_frame = arguments.seconds.map_or(u64::MAX, |seconds| {
             (seconds * f64::from(rate_hz)).round() as u64
         });
-        Self {
+        Ok(Self {
             arguments,
             saver,
-            watch: Watch::new(rate_hz, heard_channels),
-            gaps: Gaps::default(),
-            screen: Screen::new(&physics.settings),
+            watch,
+            lost_frames: 0,
+            screen: Screen::new(&physics.options),
             frames: 0,
             last_frame,
             drops: Vec::new(),
             sameness: Sameness::default(),
             physics,
             recording,
-        }
+        })
     }
 
     /// Says what is listened to.
     fn begin(&self) {
-        let Recording {
+        let SoundInfo {
             format,
             sample_rate_hz,
             channels,
@@ -145,7 +136,7 @@ impl<'a> Session<'a> {
             self.screen.draw(&mut Status {
                 drops: self.drops.len(),
                 saving,
-                lost_frames: self.gaps.frames(),
+                lost_frames: self.lost_frames,
                 watch: &mut self.watch,
             });
         }
@@ -175,21 +166,21 @@ impl<'a> Session<'a> {
         if let Some(trouble) = self.saver.push(channels) {
             self.screen.say(&trouble);
         }
-        let heard = match self.recording.channel {
+        let used = match self.physics.options.detection.channel {
             Some(channel) => &channels[channel - 1..channel],
             None => channels,
         };
-        self.screen.hear(heard);
+        self.screen.hear(used);
         let rate_hz = self.recording.sample_rate_hz;
-        if self.arguments.from.is_none() && self.sameness.shows(heard, rate_hz) {
+        if self.arguments.from.is_none() && self.sameness.shows(used, rate_hz) {
             self.screen.say(
                 "the microphone gives nothing but silence: is it muted, or the wrong one \
                  (--devices)?",
             );
         }
         self.frames += channels.first().map_or(0, |samples| samples.len()) as u64;
-        for heard in self.watch.push(heard) {
-            self.tell(heard, Vec::new())?;
+        for heard in self.watch.push(channels) {
+            self.report(heard, Vec::new())?;
         }
         Ok(())
     }
@@ -198,7 +189,7 @@ impl<'a> Session<'a> {
     fn lose(&mut self, frames: u64) -> Result<(), Failure> {
         /// No more than this: no drop goes on after it, in seconds.
         const LONGEST_S: u64 = 10;
-        if self.gaps.count() == 0 {
+        if self.lost_frames == 0 && self.gaps().is_empty() {
             self.screen.say(
                 "sound was lost: the computer was too slow, or the microphone had a fault; \
                  flights across the gap are left out",
@@ -208,98 +199,119 @@ impl<'a> Session<'a> {
         let from_s = self.watch.now_s();
         let silence = vec![0.0; frames.min(LONGEST_S * rate_hz) as usize];
         self.hear(&vec![silence; self.recording.channels])?;
-        self.gaps.note(from_s, self.watch.now_s(), frames);
+        let gap = Gap {
+            start_s: from_s,
+            end_s: self.watch.now_s(),
+        };
+        self.physics.options.edits.gaps.push(gap);
+        self.lost_frames += frames;
         Ok(())
     }
 
-    /// Analyses a drop that is over, and tells of it.
-    fn tell(&mut self, heard: Detection, warnings: Vec<String>) -> Result<(), Failure> {
-        let train = heard.found.trains[0].clone();
-        let gaps = &self.gaps;
-        let cut = |drops: &mut Vec<Unanalysed>| {
-            let cut = drops.iter_mut().map(|drop| gaps.cut(&mut drop.impacts));
-            cut.flatten().collect()
-        };
-        let settings = self.settings_for(&train);
-        let mut hearing = self.recording.hearing(heard, warnings, cut, &settings);
-        let Some(analysis) = hearing.drops.first().cloned() else {
-            for warning in &hearing.warnings {
+    fn gaps(&self) -> &[Gap] {
+        &self.physics.options.edits.gaps
+    }
+
+    /// Analyses a drop that is over, and prints it.
+    fn report(&mut self, detection: Detection, warnings: Vec<Diagnostic>) -> Result<(), Failure> {
+        let train = detection.found.trains[0].clone();
+        let analysed = self.analysed(detection, warnings, &self.options_for(&train));
+        let Some(analysis) = analysed.result.drops.first().cloned() else {
+            for known in &analysed.result.diagnostics {
+                let reason = translator().diagnostic(known);
                 self.screen
-                    .say(&format!("a drop cannot be analysed: {warning}"));
+                    .say(&format!("a drop cannot be analysed: {reason}"));
             }
             return Ok(());
         };
         let known = self
             .drops
             .iter()
-            .position(|told| watch::overlap(&told.train, &train));
-        let told = Told { train, analysis };
+            .position(|reported| watch::overlap(&reported.train, &train));
+        let reported = Reported { train, analysis };
         let index = known.unwrap_or(self.drops.len());
         if known.is_some() {
-            let again = format!("drop {} once more, now that all is heard", index + 1);
-            hearing.warnings.push(again);
-            self.drops[index] = told;
+            let again = format!("drop {} once more, now that all is known", index + 1);
+            self.screen.say(&again);
+            self.drops[index] = reported;
         } else {
-            self.drops.push(told);
+            self.drops.push(reported);
         }
-        self.print(&hearing, index + 1)
+        self.print(&analysed, index + 1)
     }
 
-    /// What is stated of a drop among those that were told of.
-    fn settings_for(&self, train: &Train) -> Options {
-        let others = self.drops.iter().map(|told| &told.train);
+    fn analysed(
+        &self,
+        detection: Detection,
+        warnings: Vec<Diagnostic>,
+        options: &Options,
+    ) -> Analysed {
+        let mut result = Plan::of_detection(detection, options).run();
+        result.source = result.source.with_format(&self.recording.format);
+        Analysed::new(self.recording.name.clone(), result, warnings)
+    }
+
+    /// What is stated of a drop among those that were reported.
+    fn options_for(&self, train: &Train) -> Options {
+        let others = self.drops.iter().map(|reported| &reported.train);
         let others = others.filter(|other| !watch::overlap(other, train));
         let starts_s: Vec<f64> = others.map(Train::start_s).collect();
-        analyze::settings_of_drop(&self.physics.settings, train.start_s(), &starts_s)
+        let options = &self.physics.options;
+        options.for_drop(train.start_s(), &starts_s)
     }
 
-    fn print(&self, hearing: &Hearing, number: usize) -> Result<(), Failure> {
+    fn print(&self, analysed: &Analysed, number: usize) -> Result<(), Failure> {
         let text = match self.arguments.format {
             Format::Text => {
-                let report = analyze::report(hearing, &self.physics, self.arguments.details);
+                let report = analyze::report(analysed, &self.physics, self.arguments.details);
                 let space = if number == 1 { "" } else { "\n" };
                 format!("{space}── drop {number} ──\n{report}")
             }
-            Format::Json => self.json_line(hearing)?,
+            Format::Json => self.json_line(analysed)?,
         };
         Ok(self.screen.print(&text)?)
     }
 
-    fn json_line(&self, hearing: &Hearing) -> Result<String, Failure> {
-        let document = hearing.document(&self.physics);
+    fn json_line(&self, analysed: &Analysed) -> Result<String, Failure> {
+        let document = analyze::document(analysed, &self.physics);
         let line = serde_json::to_string(&document).map_err(std::io::Error::from)?;
         Ok(format!("{line}\n"))
     }
 
     /// Tells of what was not over when the sound ended, judges all of it once more as a whole,
     /// and sums up.
-    fn conclude(mut self, warnings: Vec<String>) -> Result<(), Failure> {
+    fn conclude(mut self, warnings: Vec<Diagnostic>) -> Result<(), Failure> {
         self.screen.clear();
         if let Some(trouble) = self.saver.finish() {
             self.screen.say(&trouble);
         }
         // The drops that were told of before the file ended do not have them.
         for warning in &warnings {
+            let warning = translator().diagnostic(warning);
             self.screen
                 .say(&format!("{}: {warning}", self.recording.name));
         }
         let whole = self.watch.whole();
         self.judge_again(&whole, &warnings)?;
-        self.tell_losses();
-        self.tell_nothing_released();
-        self.tell_saved();
+        self.report_losses();
+        self.report_release();
+        self.report_saved();
         if self.drops.is_empty() {
-            return self.tell_nothing(whole, warnings);
+            return self.report_nothing(whole, warnings);
         }
         if self.drops.len() > 1 && self.arguments.format == Format::Text {
-            let analyses: Vec<&Drop> = self.drops.iter().map(|told| &told.analysis).collect();
+            let analyses: Vec<&Drop> = self
+                .drops
+                .iter()
+                .map(|reported| &reported.analysis)
+                .collect();
             let table = summary::table(&analyses);
             self.screen.print(&format!("\nAll drops:\n\n{table}"))?;
         }
         Ok(())
     }
 
-    fn tell_saved(&self) {
+    fn report_saved(&self) {
         if self.saver.has_failed() {
             return;
         }
@@ -312,11 +324,14 @@ impl<'a> Session<'a> {
         }
     }
 
-    fn judge_again(&mut self, whole: &Detection, warnings: &[String]) -> Result<(), Failure> {
+    fn judge_again(&mut self, whole: &Detection, warnings: &[Diagnostic]) -> Result<(), Failure> {
         let most = self.arguments.drops.map_or(usize::MAX, |n| n as usize);
         for train in whole.found.trains.iter().take(most) {
-            let is_told = self.drops.iter().any(|told| same(&told.train, train));
-            if !is_told {
+            let is_reported = self
+                .drops
+                .iter()
+                .any(|reported| same(&reported.train, train));
+            if !is_reported {
                 let only = TrainSearch {
                     trains: vec![train.clone()],
                     ..whole.found.clone()
@@ -325,22 +340,23 @@ impl<'a> Session<'a> {
                     found: only,
                     ..whole.clone()
                 };
-                self.tell(heard, warnings.to_vec())?;
+                self.report(heard, warnings.to_vec())?;
             }
         }
         let (drops, screen) = (&mut self.drops, &self.screen);
-        drops.retain(|told| {
-            let is_in = |trains: &[Train]| trains.iter().any(|it| watch::overlap(it, &told.train));
+        drops.retain(|reported| {
+            let is_in =
+                |trains: &[Train]| trains.iter().any(|it| watch::overlap(it, &reported.train));
             let remains = is_in(&whole.found.trains);
             let reason = if is_in(&whole.found.distant) {
                 "is a ball far fainter than the others"
             } else {
-                "is not believed any more"
+                "does not stand up to the whole recording"
             };
             if !remains {
-                let start_s = told.train.start_s();
+                let start_s = reported.train.start_s();
                 screen.say(&format!(
-                    "the drop at {start_s:.2} s {reason}, now that all is heard, and left out"
+                    "the drop at {start_s:.2} s {reason}, now that all is known, and left out"
                 ));
             }
             remains
@@ -349,8 +365,8 @@ impl<'a> Session<'a> {
         Ok(())
     }
 
-    fn tell_losses(&self) {
-        let (count, frames) = (self.gaps.count(), self.gaps.frames());
+    fn report_losses(&self) {
+        let (count, frames) = (self.gaps().len(), self.lost_frames);
         if count > 0 {
             let lost_s = frames as f64 / f64::from(self.recording.sample_rate_hz);
             self.screen.say(&format!(
@@ -360,25 +376,20 @@ impl<'a> Session<'a> {
         }
     }
 
-    fn tell_nothing_released(&self) {
-        let starts = self.drops.iter().map(|told| told.train.start_s());
+    fn report_release(&self) {
+        let starts = self.drops.iter().map(|reported| reported.train.start_s());
         let starts_s: Vec<f64> = starts.collect();
-        if let Some(trouble) = analyze::nothing_released(&self.physics.settings, &starts_s) {
-            self.screen.say(&trouble);
+        if let Some(known) = self.physics.options.release_without_drop(&starts_s) {
+            self.screen.say(&translator().diagnostic(&known));
         }
     }
 
     /// There was no drop: says why.
-    fn tell_nothing(&self, whole: Detection, warnings: Vec<String>) -> Result<(), Failure> {
-        let settings = &self.physics.settings;
-        let hearing = self
-            .recording
-            .hearing(whole, warnings, |_| Vec::new(), settings);
-        let reason = hearing.no_drop.as_deref().unwrap_or("too much was lost");
-        self.screen
-            .say(&format!("{}: no drop found: {reason}", hearing.name));
+    fn report_nothing(&self, whole: Detection, warnings: Vec<Diagnostic>) -> Result<(), Failure> {
+        let analysed = self.analysed(whole, warnings, &self.physics.options);
+        self.screen.say(&analysed.no_drop().unwrap_or_default());
         if self.arguments.format == Format::Json {
-            self.screen.print(&self.json_line(&hearing)?)?;
+            self.screen.print(&self.json_line(&analysed)?)?;
         }
         Err(Failure::Input(String::new()))
     }
@@ -446,15 +457,14 @@ mod tests {
         let words = ["listen", "--no-save", "--no-inference", "--drag", "none"];
         let Only { arguments } = Only::parse_from(words);
         let physics = analyze::physics(&arguments.physics, &arguments.priors, None).unwrap();
-        let recording = Recording {
+        let recording = SoundInfo {
             name: "test".to_owned(),
             format: "test".to_owned(),
             sample_rate_hz: RATE_HZ,
             channels: 1,
-            channel: None,
         };
         let saver = Saver::create(&arguments, &recording, SampleFormat::Int16).unwrap();
-        let mut session = Session::new(&arguments, physics, recording, saver);
+        let mut session = Session::new(&arguments, physics, recording, saver).unwrap();
         session.hear(&[samples[..lost.start].to_vec()]).unwrap();
         if let Some(frames) = reported {
             session.lose(frames).unwrap();
@@ -483,7 +493,7 @@ mod tests {
     }
 
     fn restitution(drop: &Drop) -> f64 {
-        drop.line.as_ref().unwrap().restitution().value
+        drop.log_linear_fit.as_ref().unwrap().restitution.value
     }
 
     #[test]

@@ -4,13 +4,25 @@ use std::path::Path;
 use std::thread;
 use std::time::{Duration, Instant};
 
+use bouncelab::Diagnostic;
 #[cfg(feature = "microphone")]
 use bouncelab_audio::microphone::{self, Microphone};
-use bouncelab_audio::{Input, SampleFormat, Source};
+use bouncelab_audio::{Input, SampleFormat, Source, Warning};
 
 use super::Arguments;
-use crate::analyze::Recording;
 use crate::failure::Failure;
+
+/// What is known of a sound before it is analysed.
+pub(super) struct SoundInfo {
+    /// What it is called in results.
+    pub(super) name: String,
+    /// Its format, or the microphone.
+    pub(super) format: String,
+    /// Samples a second.
+    pub(super) sample_rate_hz: u32,
+    /// How many channels it has.
+    pub(super) channels: usize,
+}
 
 /// Samples as they come.
 pub(super) enum Sound {
@@ -65,23 +77,21 @@ impl Sound {
         Err(no_microphone())
     }
 
-    /// What is known of the sound before it is heard.
-    pub(super) fn recording(&self, channel: Option<usize>) -> Recording {
+    /// What is known of the sound before it is analysed.
+    pub(super) fn info(&self) -> SoundInfo {
         match self {
-            Self::File(player) => Recording {
+            Self::File(player) => SoundInfo {
                 name: player.source.name().to_owned(),
                 format: player.source.format(),
                 sample_rate_hz: player.source.sample_rate_hz(),
                 channels: player.source.channels(),
-                channel,
             },
             #[cfg(feature = "microphone")]
-            Self::Microphone(microphone) => Recording {
+            Self::Microphone(microphone) => SoundInfo {
                 name: "microphone".to_owned(),
                 format: microphone.name().to_owned(),
                 sample_rate_hz: microphone.sample_rate_hz(),
                 channels: microphone.channels(),
-                channel,
             },
         }
     }
@@ -110,11 +120,11 @@ impl Sound {
     }
 
     /// What was wrong with a file, once it has ended.
-    pub(super) fn warnings(&self) -> Vec<String> {
+    pub(super) fn warnings(&self) -> Vec<Diagnostic> {
         match self {
             Self::File(player) => {
                 let warnings = player.source.warnings().iter();
-                warnings.map(ToString::to_string).collect()
+                warnings.map(Warning::diagnostic).collect()
             }
             #[cfg(feature = "microphone")]
             Self::Microphone(_) => Vec::new(),

@@ -1,7 +1,7 @@
 //! All drops of a session in one table.
 
+use bouncelab::Estimate;
 use bouncelab::analysis::Drop;
-use bouncelab::regression::Estimate;
 use bouncelab_report::{Align, Quantity, Table, Unit};
 
 /// The columns of numbers: heading, unit, and what of a drop stands in it.
@@ -9,12 +9,12 @@ const COLUMNS: [Column; 4] = [
     Column {
         heading: "e, no air",
         unit: Unit::Number,
-        of: |drop| Some(drop.line.as_ref().ok()?.restitution()),
+        of: |drop| Some(drop.log_linear_fit.as_ref().ok()?.restitution),
     },
     Column {
         heading: "h0, no air",
         unit: Unit::Length,
-        of: |drop| Some(drop.line.as_ref().ok()?.drop_height_m()),
+        of: |drop| Some(drop.log_linear_fit.as_ref().ok()?.drop_height_m),
     },
     Column {
         heading: "e",
@@ -36,21 +36,14 @@ struct Column {
 
 /// The restitution with air: that of the inference, else the median over the impacts.
 fn restitution(drop: &Drop) -> Option<Estimate> {
-    match &drop.estimate {
-        Ok(found) => Some(Estimate {
-            value: found.restitution.value,
-            standard_error: Some(found.restitution.sd),
-        }),
-        Err(_) => drop.corrected_restitution(),
+    match &drop.posterior {
+        Ok(found) => Some(found.restitution),
+        Err(_) => drop.per_impact_restitution(),
     }
 }
 
 fn height(drop: &Drop) -> Option<Estimate> {
-    let found = drop.estimate.as_ref().ok()?;
-    Some(Estimate {
-        value: found.drop_height_m.value,
-        standard_error: Some(found.drop_height_m.sd),
-    })
+    Some(drop.posterior.as_ref().ok()?.drop_height_m)
 }
 
 /// One row for each drop, then mean and scatter (standard deviation).

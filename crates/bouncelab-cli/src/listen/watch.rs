@@ -2,8 +2,10 @@
 
 use std::time::Instant;
 
+use bouncelab::Result;
+use bouncelab::analysis::DetectionOptions;
 use bouncelab::detection::{Detection, Detector};
-use bouncelab::train::{HeardImpact, Train, TrainSearch, latest_next_s};
+use bouncelab::train::{Train, TrainImpact, TrainSearch, latest_next_s};
 
 /// How often is looked whether something is to be told, in seconds of sound.
 const LOOK_S: f64 = 0.1;
@@ -17,7 +19,7 @@ const SETTLED_S: f64 = 3.6;
 
 /// Listens, and tells of each drop once, when it is over.
 pub(super) struct Watch {
-    listener: Detector,
+    detector: Detector,
     sample_rate_hz: f64,
     /// How many frames were heard, and how many will have been at the next look.
     frames: u64,
@@ -29,12 +31,12 @@ pub(super) struct Watch {
     glimpse: Glimpse,
     told: Vec<Train>,
     /// What had been heard when a drop was last told of.
-    last: Told,
+    last: Reported,
 }
 
 /// What is counted from drop to drop.
 #[derive(Clone, Copy, Default)]
-struct Told {
+struct Reported {
     time_s: f64,
     clipped_samples: u64,
 }
@@ -51,15 +53,19 @@ struct Glimpse {
 
 /// A drop that is going on.
 pub(super) struct Going<'a> {
-    pub(super) impacts: &'a [HeardImpact],
+    pub(super) impacts: &'a [TrainImpact],
     /// Whether the ball rests, or was stopped: any further impact would have been heard.
     pub(super) rests: bool,
 }
 
 impl Watch {
-    pub(super) fn new(sample_rate_hz: u32, channels: usize) -> Self {
+    pub(super) fn new(
+        sample_rate_hz: u32,
+        channels: usize,
+        options: &DetectionOptions,
+    ) -> Result<Self> {
         let mut watch = Self {
-            listener: Detector::new(sample_rate_hz, channels),
+            detector: Detector::with_options(sample_rate_hz, channels, options)?,
             sample_rate_hz: f64::from(sample_rate_hz),
             frames: 0,
             next_look: 0,
@@ -68,10 +74,10 @@ impl Watch {
             judged_onsets: 0,
             glimpse: Glimpse::default(),
             told: Vec::new(),
-            last: Told::default(),
+            last: Reported::default(),
         };
         watch.set_next_look();
-        watch
+        Ok(watch)
     }
 
     pub(super) fn now_s(&self) -> f64 {
@@ -80,7 +86,7 @@ impl Watch {
 
     /// How many sounds have stood out of the background.
     pub(super) fn onsets(&self) -> usize {
-        self.listener.onsets()
+        self.detector.onsets()
     }
 
     /// How many frames there are until the next look.
@@ -91,7 +97,7 @@ impl Watch {
     /// Hears the next samples, at most those until the next look, and returns the drops that are
     /// over since: each as a recording of its own.
     pub(super) fn push(&mut self, channels: &[&[f32]]) -> Vec<Detection> {
-        self.listener.push(channels);
+        self.detector.push(channels);
         self.frames += channels.first().map_or(0, |samples| samples.len()) as u64;
         if self.frames < self.next_look {
             return Vec::new();
@@ -102,7 +108,7 @@ impl Watch {
 
     /// The drop that is going on, if there is one.
     pub(super) fn going(&mut self) -> Option<Going<'_>> {
-        self.glimpse.renew(&self.listener);
+        self.glimpse.renew(&self.detector);
         let train = self.untold(&self.glimpse.trains).last()?;
         Some(Going {
             impacts: train.impacts(),
@@ -112,7 +118,7 @@ impl Watch {
 
     /// All that was heard, judged as a whole, as if the sound ended here.
     pub(super) fn whole(&self) -> Detection {
-        self.listener.so_far()
+        self.detector.so_far()
     }
 
     /// Looks are at fixed times, so that the same sound gives the same answers whatever the
@@ -125,7 +131,7 @@ impl Watch {
 
     fn look(&mut self) -> Vec<Detection> {
         let now_s = self.now_s();
-        let onsets = self.listener.onsets();
+        let onsets = self.detector.onsets();
         let is_new = onsets != self.judged_onsets && now_s >= self.judged_s + JUDGE_S;
         let is_over = self
             .untold(self.trains())
@@ -133,7 +139,7 @@ impl Watch {
         if !is_new && !is_over {
             return Vec::new();
         }
-        self.heard = Some(self.listener.so_far());
+        self.heard = Some(self.detector.so_far());
         (self.judged_s, self.judged_onsets) = (now_s, onsets);
         self.tell()
     }
@@ -167,7 +173,7 @@ impl Watch {
         };
         let recordings: Vec<Detection> = over.iter().map(as_recording).collect();
         if !over.is_empty() {
-            self.last = Told {
+            self.last = Reported {
                 time_s: now_s,
                 clipped_samples: heard.clipped_samples,
             };
@@ -193,13 +199,13 @@ impl Watch {
 
 impl Glimpse {
     /// Judges all sounds if there are new ones, unless that was done a moment ago.
-    fn renew(&mut self, listener: &Detector) {
+    fn renew(&mut self, detector: &Detector) {
         let start = Instant::now();
-        if listener.onsets() == self.onsets || self.next.is_some_and(|next| start < next) {
+        if detector.onsets() == self.onsets || self.next.is_some_and(|next| start < next) {
             return;
         }
-        self.onsets = listener.onsets();
-        self.trains = listener.so_far().found.trains;
+        self.onsets = detector.onsets();
+        self.trains = detector.so_far().found.trains;
         self.next = Some(start + start.elapsed().div_f64(SHARE_FOR_EYES));
     }
 }
@@ -236,7 +242,7 @@ mod tests {
 
     /// What is told of, and after how many seconds, if the sound comes in blocks of this size.
     fn told(samples: &[f32], block: usize) -> Vec<(Train, f64)> {
-        let mut watch = Watch::new(44_100, 1);
+        let mut watch = Watch::new(44_100, 1, &DetectionOptions::default()).unwrap();
         let mut told = Vec::new();
         for block in samples.chunks(block) {
             let mut rest = block;
@@ -255,9 +261,9 @@ mod tests {
     fn each_drop_is_told_of_once_and_as_the_whole_recording_has_it() {
         let samples = two_drops();
         let told = told(&samples, 1024);
-        let mut listener = Detector::new(44_100, 1);
-        listener.push(&[&samples]);
-        let whole = listener.finish().found.trains;
+        let mut detector = Detector::new(44_100, 1);
+        detector.push(&[&samples]);
+        let whole = detector.finish().found.trains;
         assert_eq!(whole.len(), 2);
         assert_eq!(told.len(), 2);
         for ((train, time_s), whole) in told.iter().zip(&whole) {
@@ -278,7 +284,7 @@ mod tests {
     #[test]
     fn a_drop_that_goes_on_is_seen_and_its_end_too() {
         let samples = two_drops();
-        let mut watch = Watch::new(44_100, 1);
+        let mut watch = Watch::new(44_100, 1, &DetectionOptions::default()).unwrap();
         let mut counts = Vec::new();
         let mut rested = false;
         for piece in samples[..7 * 44_100].chunks(4410) {

@@ -8,6 +8,7 @@ use bouncelab_session::{AboutSession, Outcome, Reason, Results, some_of};
 use super::figures;
 use super::{tables, text};
 use crate::failure::Failure;
+use crate::language::translator;
 use crate::report::provenance;
 
 /// With more recordings than this a list of their hashes is no use on paper.
@@ -40,7 +41,7 @@ pub(super) fn page(outcome: &Outcome<'_>, results: &Results<'_>) -> Result<Page,
         subtitle: format!("Report of bouncelab {}, {made}", env!("CARGO_PKG_VERSION")),
         lead: lead(outcome, about),
         sections,
-        language: Language::default(),
+        language: Language::new(translator()),
     })
 }
 
@@ -205,7 +206,7 @@ fn method() -> Section {
 }
 
 fn to_repeat(provenance: &Provenance) -> Section {
-    let mut section = repeat(provenance);
+    let mut section = repeat(provenance, translator());
     if provenance.files.is_empty() {
         section.blocks.push(Block::text(
             "The SHA-256 of every recording stands in the table of drops (content_sha256).",

@@ -8,14 +8,17 @@ use std::collections::BTreeMap;
 use std::io::{self, Write};
 use std::path::PathBuf;
 
+use bouncelab::Diagnostic;
+use bouncelab::diagnostic::Code;
 use bouncelab::inference::Measured;
 use bouncelab::rulebook::{self, Decision, Outcome, Place, Rule, Verdict};
 use bouncelab_report::document::verdict::VerdictDocument;
 use bouncelab_session::hash::hash_of_file;
 use clap::{Args, ValueEnum};
 
-use crate::analyze::{self, Hearing, Heeded, hear};
+use crate::analyze::{self, Analysed, read};
 use crate::failure::Failure;
+use crate::language::translator;
 use crate::physics::{Physics, PhysicsArguments};
 use crate::priors::PriorArguments;
 use crate::report::ReportFile;
@@ -84,39 +87,36 @@ enum Format {
 }
 
 /// Drops of the same surface, by file.
-struct Heard {
-    hearings: Vec<Hearing>,
+struct Surface {
+    recordings: Vec<Analysed>,
 }
 
-impl Heard {
+impl Surface {
     fn new(files: &[PathBuf], physics: &Physics) -> Result<Self, Failure> {
-        let hearings = files
+        let recordings = files
             .iter()
             .map(|file| {
-                let hearing = hear(file, &Heeded::default(), &physics.settings)?;
-                match &hearing.no_drop {
-                    Some(reason) => Err(Failure::Input(format!(
-                        "{}: no drop found: {reason}",
-                        hearing.name
-                    ))),
-                    None => Ok(hearing),
+                let analysed = read(file, &physics.options, false)?;
+                match analysed.no_drop() {
+                    Some(reason) => Err(Failure::Input(reason)),
+                    None => Ok(analysed),
                 }
             })
-            .collect::<Result<Vec<Hearing>, Failure>>()?;
-        Ok(Self { hearings })
+            .collect::<Result<Vec<Analysed>, Failure>>()?;
+        Ok(Self { recordings })
     }
 
     fn places(&self) -> Vec<Place<'_>> {
-        self.hearings
+        self.recordings
             .iter()
-            .map(|hearing| hearing.drops.iter().collect())
+            .map(|analysed| analysed.result.drops.iter().collect())
             .collect()
     }
 
     fn names(&self) -> Vec<String> {
-        self.hearings
+        self.recordings
             .iter()
-            .map(|hearing| hearing.name.clone())
+            .map(|analysed| analysed.name.clone())
             .collect()
     }
 }
@@ -151,12 +151,12 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
         .as_deref()
         .map(ReportFile::new)
         .transpose()?;
-    let surface = Heard::new(&arguments.files, &physics)?;
-    let reference = Heard::new(&arguments.reference, &physics)?;
+    let surface = Surface::new(&arguments.files, &physics)?;
+    let reference = Surface::new(&arguments.reference, &physics)?;
     let conditions = arguments.physics.conditions();
     let verdict = rulebook::judge(
         rule,
-        &physics.settings,
+        &physics.options,
         &conditions,
         &surface.places(),
         &reference.places(),
@@ -180,12 +180,13 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
         Format::Json => {
             let document = VerdictDocument::new(
                 rule,
-                &physics.settings,
-                physics.assumptions.clone(),
+                &physics.options,
+                &physics.assumptions,
                 decision,
                 &verdict,
                 &files,
                 &reference_files,
+                translator(),
             );
             serde_json::to_writer_pretty(&mut out, &document).map_err(io::Error::from)?;
             writeln!(out)?;
@@ -244,27 +245,29 @@ fn physics(arguments: &Arguments, rule: &Rule) -> Result<Physics, Failure> {
     }
     let mut physics = analyze::physics(&of_ball, &arguments.priors, None)?;
     if unstated {
-        let ball = format!("the ball is {}, as in the rule", physics.ball_label);
+        let ball = Diagnostic::new(Code::AssumedRuleBall);
+        let ball = ball.with("ball", physics.ball_label.as_str());
         physics.assumptions.insert(0, ball);
     }
-    if physics.settings.inference.is_none() {
+    if physics.options.inference.is_none() {
         return Err(Failure::Usage(
             "a verdict rests on the inference; leave out --no-inference".to_owned(),
         ));
     }
-    let diameter_m = physics.settings.ball.diameter_m();
+    let diameter_m = physics.options.ball.diameter_m();
     let of_rule = rule.fall_m(diameter_m, None);
-    match (physics.settings.priors.drop_height_m, of_rule) {
+    match (physics.options.priors.drop_height_m, of_rule) {
         (Some(stated), Some(of_rule)) if !arguments.physics.allow_implausible() => {
-            inference(stated.value, of_rule)?;
+            check_height(stated.value, of_rule)?;
         }
         (None, Some(of_rule)) => {
             let height = of_the_rule(rule, of_rule);
-            physics.assumptions.push(format!(
-                "its lowest point fell {:.4} ± {:.4} m, as in the rule",
-                height.value, height.sd
-            ));
-            physics.settings.priors.drop_height_m = Some(height);
+            physics.assumptions.push(
+                Diagnostic::new(Code::AssumedRuleHeight)
+                    .with("height_m", height.value)
+                    .with("sd_m", height.sd),
+            );
+            physics.options.priors.drop_height_m = Some(height);
         }
         _ => {}
     }
@@ -283,7 +286,7 @@ fn of_the_rule(rule: &Rule, fall_m: f64) -> Measured {
 }
 
 /// A height far from that of the rule is probably in another unit.
-fn inference(stated_m: f64, of_rule_m: f64) -> Result<(), Failure> {
+fn check_height(stated_m: f64, of_rule_m: f64) -> Result<(), Failure> {
     const OUTLIER_THRESHOLD: f64 = 8.0;
     let factor = stated_m / of_rule_m;
     if (1.0 / OUTLIER_THRESHOLD..OUTLIER_THRESHOLD).contains(&factor) {

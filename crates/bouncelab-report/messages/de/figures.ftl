@@ -2,6 +2,7 @@ axis-amplitude = Ausschlag, bezogen auf Vollausschlag
 axis-bounce = Sprung
 axis-drag = Luftwiderstand / Gewicht
 axis-drag-coefficient = Widerstandsbeiwert
+axis-drop = Versuch
 axis-drop-height = Fallhöhe
 axis-energy-lost = verlorene Energie
 axis-flight = Nummer des Flugs
@@ -192,3 +193,38 @@ figure-waveform-empty = Hier gibt es keinen Ton zu zeigen.
 figure-waveform-drop = { $number }. Versuch
 figure-waveform-impact = Aufprall
 figure-waveform-uncertain = unsicherer Aufprall
+
+figure-drop-impacts-title = Die Stoßzahl jedes Aufpralls, Versuch für Versuch
+figure-drop-impacts-caption = Die Luft ist herausgerechnet. Versuche mit einem Ball auf einem Untergrund sollten auf einer Linie liegen.
+figure-drop-impacts-empty = Hier gibt es keinen Aufprall mit bekannter Stoßzahl.
+
+figure-drops-title = Die Stoßzahl jedes Versuchs
+figure-drops-caption = Wie viel der Ball von seinem Tempo behält, Versuch für Versuch; die Balken sind eine Standardabweichung.
+figure-drops-empty = Hier gibt es keine Versuche zu zeigen.
+
+figure-lesson-title = Die Fallhöhe nach der Geraden
+figure-lesson-caption = Ohne Luft findet die Gerade mit jeder Zahl von Flügen die wahre Höhe; mit Luft sinkt die gefundene Höhe mit jedem weiteren Flug.
+figure-lesson-empty = Hier gibt es keine Flüge zu zeigen.
+figure-lesson-air = mit Luft
+figure-lesson-flights = Flüge in der Geraden
+figure-lesson-height-of-line = Fallhöhe nach der Geraden
+figure-lesson-no-air = ohne Luft
+figure-lesson-paper = wie im Aufsatz
+figure-lesson-truth = wahre Höhe
+
+figure-lesson-height-title = Die Höhe mit und ohne Luft
+figure-lesson-height-caption = Zwei Versuche mit derselben Stoßzahl; die Luft verkürzt den Versuch.
+figure-lesson-height-empty = Hier gibt es keine Höhen zu zeigen.
+
+figure-lesson-line-title = Flugzeiten ohne Luft
+figure-lesson-line-caption = Auf dieser Achse liegen Flüge, von denen jeder denselben Anteil des vorigen dauert, auf einer Geraden.
+figure-lesson-line-empty = Hier gibt es keine Flüge zu zeigen.
+figure-lesson-line-line = Gerade
+
+figure-run-flight-times-title = Flugzeiten
+figure-run-flight-times-caption = Auf dieser Achse ist eine gleichbleibende Stoßzahl ohne Luft eine Gerade; wo die Punkte abbiegen, wirken Luft oder Tempo mit.
+figure-run-flight-times-empty = Hier gibt es keine Flüge zu zeigen.
+
+figure-runs-title = Die Höhe des Balls
+figure-runs-caption = Jeder Sprung ist niedriger und kürzer als der vorige.
+figure-runs-empty = Hier gibt es keine Höhen zu zeigen.

@@ -31,7 +31,6 @@ report-line-says = Eine Gerade durch die Logarithmen der Flugzeiten, die keine L
   }) und { $height }.
 
 report-answers = Schätzung mit Luft, und Gerade ohne
-report-no-inference = Es gibt keine Schätzung: { $reason }
 report-impacts-heading = Die Aufpralle
 report-impacts-table = Aufpralle, jeder mit dem Flug danach und seiner Stoßzahl, ohne Luft gerechnet und mit ihr (? heißt unsicher)
 report-line-heading = Die Gerade
@@ -64,6 +63,7 @@ report-priors = Ehe sie die Daten sah, wusste die Schätzung dies:
 report-source = Quelle
 report-source-times = eine Liste von Aufprallzeiten
 report-source-sound = { $format }, { $rate } kHz, { $duration } s
+report-samples = Abtastwerte
 report-microphone = Mikrofon
 report-channel = Kanal
 report-channel-of = { $channel } von { $count }

@@ -4,6 +4,7 @@ axis-amplitude = amplitude, relative to full scale
 axis-bounce = bounce
 axis-drag = drag / weight
 axis-drag-coefficient = drag coefficient
+axis-drop = drop
 axis-drop-height = drop height
 axis-energy-lost = energy lost
 axis-flight = number of the flight
@@ -194,3 +195,38 @@ figure-waveform-empty = There is no sound to show.
 figure-waveform-drop = drop { $number }
 figure-waveform-impact = impact
 figure-waveform-uncertain = uncertain impact
+
+figure-drop-impacts-title = Restitution of each impact, drop by drop
+figure-drop-impacts-caption = The air is taken out. Drops of one ball on one surface should lie on one line.
+figure-drop-impacts-empty = There are no impacts with a known restitution.
+
+figure-drops-title = Restitution of each drop
+figure-drops-caption = How much a ball keeps of its speed, drop by drop; the bars are one standard deviation.
+figure-drops-empty = There are no drops to show.
+
+figure-lesson-title = The drop height by the straight line
+figure-lesson-caption = Without air, the line finds the true height with any number of flights; with air, the height that it finds sinks with each flight more.
+figure-lesson-empty = There are no flights to show.
+figure-lesson-air = with air
+figure-lesson-flights = flights in the line
+figure-lesson-height-of-line = drop height by the line
+figure-lesson-no-air = without air
+figure-lesson-paper = as in the paper
+figure-lesson-truth = true height
+
+figure-lesson-height-title = The height with and without air
+figure-lesson-height-caption = Two drops with the same restitution; the air shortens the drop.
+figure-lesson-height-empty = There are no heights to show.
+
+figure-lesson-line-title = Flight times without air
+figure-lesson-line-caption = On this axis, flights that each last the same share of the one before lie on a straight line.
+figure-lesson-line-empty = There are no flights to show.
+figure-lesson-line-line = straight line
+
+figure-run-flight-times-title = Flight times
+figure-run-flight-times-caption = On this axis a constant restitution without air is a straight line; where points bend, air or speed have a hand in it.
+figure-run-flight-times-empty = There are no flights to show.
+
+figure-runs-title = Height of the ball
+figure-runs-caption = Each hop is lower and shorter than the one before.
+figure-runs-empty = There are no heights to show.

@@ -33,7 +33,6 @@ report-line-says = A straight line through the logarithms of the flight times, w
   }) and { $height }.
 
 report-answers = Inference with air, and straight line without
-report-no-inference = There is no inference: { $reason }
 report-impacts-heading = The impacts
 report-impacts-table = Impacts, each with the flight after it and its restitution, without and with correction for drag (? marks uncertain ones)
 report-line-heading = The straight line
@@ -66,6 +65,7 @@ report-priors = Before it saw the data, the inference knew this:
 report-source = Source
 report-source-times = a list of impact times
 report-source-sound = { $format }, { $rate } kHz, { $duration } s
+report-samples = samples
 report-microphone = microphone
 report-channel = Channel
 report-channel-of = { $channel } of { $count }

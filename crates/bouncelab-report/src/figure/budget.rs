@@ -5,6 +5,7 @@ use bouncelab::inference::{Posterior, Share};
 use crate::chart::{Axis, Chart, Layer, Panel, Scale, Ticks, row_middle};
 use crate::messages::Translator;
 use crate::quantity::{Quantity, Unit};
+use crate::tables;
 use crate::theme::Meaning;
 
 /// Height of a row.
@@ -79,6 +80,6 @@ fn sources(shares: &[Share], translator: &Translator) -> Vec<(String, f64)> {
     let rest: f64 = small.iter().map(|share| share.share).sum();
     let rest = (rest >= LEAST && !large.is_empty())
         .then(|| (translator.text("figure-budget-others"), rest));
-    let named = |share: &Share| (share.source.to_owned(), share.share);
+    let named = |share: &Share| (tables::source(share, translator), share.share);
     large.into_iter().map(named).chain(rest).collect()
 }

@@ -29,7 +29,7 @@ pub struct Line {
 }
 
 impl Line {
-    fn time_s(self, number: f64) -> f64 {
+    pub(crate) fn time_s(self, number: f64) -> f64 {
         10_f64.powf(self.slope * number + self.intercept)
     }
 }

@@ -1,16 +1,18 @@
 //! Height against time (paper, Figs. 2 and 8).
 
-use super::derived::{self, History};
+use bouncelab::analysis::HeightHistory;
+
 use super::{Curve, Subject, curve_layers};
 use crate::chart::{Axis, Chart, Layer, Marker, Panel, Point, Scale, xs, ys};
 use crate::messages::Translator;
 use crate::quantity::Unit;
+use crate::tables::drag_law;
 use crate::theme::Meaning;
 
 /// Height against time by the flight model, from impact to impact, with the measured apexes.
 pub(super) fn of_drop(subject: &Subject<'_>, translator: &Translator) -> Chart {
-    let History { points, apexes } = derived::history(subject.drop, subject.settings);
-    let drag = subject.settings.environment.drag.to_string();
+    let HeightHistory { points, apexes, .. } = subject.drop.height_history(subject.settings);
+    let drag = drag_law(subject.settings.environment.drag, translator);
     let name = translator.text_with("figure-height-model", &[("drag", drag.into())]);
     let meaning = Meaning::Drag;
     let curve = Curve {
@@ -29,10 +31,13 @@ pub(super) fn comparison(subject: &Subject<'_>, translator: &Translator) -> Char
         Some(points) => (text("simulation"), points.to_vec()),
         None => (
             text("best-fit"),
-            derived::best_fit(subject.drop, subject.settings).unwrap_or_default(),
+            subject
+                .drop
+                .best_fit_history(subject.settings)
+                .unwrap_or_default(),
         ),
     };
-    let measured = derived::history(subject.drop, subject.settings).points;
+    let measured = subject.drop.height_history(subject.settings).points;
     let simulated = Curve {
         name,
         meaning: Meaning::Drag,
@@ -81,12 +86,12 @@ pub fn height(id: &str, curves: &[Curve], apexes: &[Point], translator: &Transla
     );
     let heights = Scale::linear(ys(&layers).chain([0.0])).padded(0.0, 0.04);
     let y = Axis::new(translator.text("axis-height"), unit, heights);
-    let caption = translator.text(match (id, apexes.is_empty(), curves.len()) {
-        ("height", false, _) => "figure-height-caption-apexes",
-        ("height", true, 2..) => "figure-height-caption-models",
-        ("height", ..) => "figure-height-caption",
-        _ => "figure-comparison-caption",
-    });
+    let kind = match (id, apexes.is_empty(), curves.len()) {
+        ("height", false, _) => "-apexes",
+        ("height", true, 2..) => "-models",
+        _ => "",
+    };
+    let caption = translator.text(&format!("figure-{id}-caption{kind}"));
     Chart::new(
         translator,
         id,

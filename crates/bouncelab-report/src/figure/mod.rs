@@ -20,9 +20,9 @@
 mod bounces;
 mod budget;
 mod calibration;
-mod derived;
 mod detection;
 mod drag;
+mod drops;
 mod flight_times;
 mod groups;
 mod height;
@@ -33,6 +33,7 @@ mod posterior;
 mod residuals;
 mod restitution;
 mod run_chart;
+mod runs;
 mod truncation;
 mod waveform;
 
@@ -44,12 +45,15 @@ use bouncelab::inference::Posterior;
 pub use calibration::{RankHistogram, calibration};
 pub use detection::{Detection, detection};
 pub use drag::{DragAxes, drag, drag_of_settings};
+pub use drops::{DropSummary, drop_impacts, drops};
 pub use flight_times::{Line, TimedFlight, flight_times};
 pub use groups::{GroupCurve, GroupPoint, groups};
 pub use height::height;
 pub use intervals::{GroupInterval, intervals};
 pub use limits::{Judged, limits};
 pub use run_chart::{RunPoint, run_chart};
+pub(crate) use runs::flight_times as flight_times_of;
+pub use runs::{Run, curve_of, runs};
 pub use waveform::{Mark, waveform};
 
 use crate::chart::{Chart, Dashes, Layer, Point};
@@ -141,7 +145,7 @@ const OF_DROP: [Figure; 11] = [
     Figure {
         name: "truncation",
         applies: |subject| {
-            subject.inference().is_some() && derived::truncations(subject.drop).len() > 2
+            subject.inference().is_some() && subject.drop.truncation_points().len() > 2
         },
         draw: truncation::truncation,
     },

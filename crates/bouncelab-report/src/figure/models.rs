@@ -4,6 +4,7 @@ use bouncelab::inference::{Model, Posterior};
 
 use crate::chart::{Axis, Chart, Layer, Marker, Panel, Scale, Ticks, row_middle, ys};
 use crate::messages::Translator;
+use crate::tables::{drag_law, restitution_law};
 use crate::theme::Meaning;
 
 /// Height of a row.
@@ -29,9 +30,10 @@ pub(super) fn models(found: &Posterior, translator: &Translator) -> Chart {
             values.push([100.0 * height.value, middle]);
         }
     }
-    let names = models
-        .iter()
-        .map(|model| format!("{}, {}", model.restitution_law, model.drag_law));
+    let names = models.iter().map(|model| {
+        let law = restitution_law(model.restitution_law, translator);
+        format!("{law}, {}", drag_law(model.drag_law, translator))
+    });
     let names = Axis::of_names(names.collect());
     // Room for the share beside the longest bar.
     let probability = Axis::new(text("probability"), "%", Scale::linear([0.0, 160.0]));

@@ -1,5 +1,6 @@
 //! The experiment of the paper: its ball, its air, its drops.
 
+use bouncelab::Result;
 use bouncelab::air::Air;
 use bouncelab::ball::{self, Ball};
 use bouncelab::drag::DragLaw;
@@ -7,7 +8,6 @@ use bouncelab::drop::{self, History, Start, Stop};
 use bouncelab::flight::{Environment, FlightModel};
 use bouncelab::impact::{Contact, Restitution};
 use bouncelab::regression::{self, LogLinearFit, NumberedFlight};
-use bouncelab::{Error, Result};
 
 pub(super) const GRAVITY_M_S2: f64 = 9.81;
 pub(super) const DROP_HEIGHT_M: f64 = 0.305;
@@ -58,7 +58,7 @@ pub(super) fn dropped(model: &FlightModel, restitution: f64, stop: Stop) -> Resu
 }
 
 /// A drop from the paper's height by a restitution law.
-fn dropped_by(model: &FlightModel, law: Restitution, stop: Stop) -> Result<History> {
+pub(super) fn dropped_by(model: &FlightModel, law: Restitution, stop: Stop) -> Result<History> {
     let contact = Contact::instantaneous(law);
     drop::simulate(model, &contact, Start::Height(DROP_HEIGHT_M), stop)
 }
@@ -124,14 +124,4 @@ pub(super) fn totals(restitution: f64) -> Result<(f64, f64)> {
     // A nanometre: what comes after adds less than a tenth of a millisecond.
     let history = dropped(&model(CONSTANT)?, restitution, Stop::below(1e-12))?;
     Ok((history.total_time_s(), history.total_path_m()))
-}
-
-/// The time of one flight of the drop that regresses to the paper's e.
-pub(super) fn flight_time_s(history: &History, number: usize) -> Result<f64> {
-    let bounce = history.bounces().get(number - 1);
-    bounce
-        .map(|bounce| bounce.flight.time_s())
-        .ok_or(Error::TooFewFlights {
-            flights: history.bounces().len(),
-        })
 }

@@ -1,10 +1,10 @@
 //! The numbers of the paper: as printed, and as computed.
 
-use std::fmt;
-
 use bouncelab::Result;
 use bouncelab::drag::DragLaw;
 use bouncelab::drop::{self, Stop};
+
+use crate::messages::Translator;
 
 use super::experiment::{
     self, CONSTANT, DROP_HEIGHT_M, GRAVITY_M_S2, REGRESSED, SIMULATED, dropped, model, regressed,
@@ -13,8 +13,8 @@ use super::experiment::{
 /// Facts that belong together.
 #[derive(Clone, Debug)]
 pub struct Chapter {
-    /// What they are about.
-    pub title: &'static str,
+    /// What they are about, as a code.
+    code: &'static str,
     /// The facts, in the order of the paper.
     pub facts: Vec<Fact>,
 }
@@ -22,8 +22,10 @@ pub struct Chapter {
 /// A number of the paper.
 #[derive(Clone, Debug)]
 pub struct Fact {
-    /// What it is.
-    pub quantity: &'static str,
+    /// What it is, as a code.
+    code: &'static str,
+    /// Of which flight or restitution, where there are several of its kind.
+    of: Option<f64>,
     /// As the paper prints it; `None` if it does not say.
     pub printed: Option<&'static str>,
     /// As computed here.
@@ -33,8 +35,6 @@ pub struct Fact {
     /// Decimals to show of the computed value.
     decimals: usize,
     kind: Kind,
-    /// What to know about it; empty if nothing.
-    pub note: &'static str,
 }
 
 /// On what ground a printed number is compared.
@@ -67,22 +67,37 @@ pub enum Verdict {
     NotInThePaper,
 }
 
-impl fmt::Display for Verdict {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::Agrees => "agrees",
-            Self::AgreesWhenCorrected => "agrees when corrected",
-            Self::AgreesRoughly => "agrees within reading",
-            Self::Misprint => "misprint",
-            Self::Differs => "differs",
-            Self::NotInThePaper => "",
+impl Verdict {
+    /// Its code, as in documents; `None` if there is nothing to compare.
+    pub const fn code(self) -> Option<&'static str> {
+        match self {
+            Self::Agrees => Some("agrees"),
+            Self::AgreesWhenCorrected => Some("agrees-when-corrected"),
+            Self::AgreesRoughly => Some("agrees-within-reading"),
+            Self::Misprint => Some("misprint"),
+            Self::Differs => Some("differs"),
+            Self::NotInThePaper => None,
+        }
+    }
+
+    /// In words; empty if there is nothing to compare.
+    pub fn text(self, translator: &Translator) -> String {
+        self.code().map_or_else(String::new, |code| {
+            translator.text(&format!("paper-verdict-{code}"))
         })
+    }
+}
+
+impl Chapter {
+    /// What its facts are about.
+    pub fn title(&self, translator: &Translator) -> String {
+        translator.text(&format!("paper-chapter-{}", self.code))
     }
 }
 
 impl Fact {
     fn printed(
-        quantity: &'static str,
+        code: &'static str,
         printed: &'static str,
         unit: &'static str,
         computed: f64,
@@ -90,29 +105,52 @@ impl Fact {
     ) -> Self {
         let printed = Some(printed);
         Self {
-            quantity,
+            code,
+            of: None,
             printed,
             computed,
             unit,
             decimals,
             kind: Kind::Plain,
-            note: "",
         }
     }
 
-    fn new(quantity: &'static str, unit: &'static str, computed: f64, decimals: usize) -> Self {
+    fn new(code: &'static str, unit: &'static str, computed: f64, decimals: usize) -> Self {
         Self {
             printed: None,
-            ..Self::printed(quantity, "", unit, computed, decimals)
+            ..Self::printed(code, "", unit, computed, decimals)
         }
     }
 
-    fn of(self, kind: Kind, note: &'static str) -> Self {
-        Self { kind, note, ..self }
+    fn of(self, kind: Kind) -> Self {
+        Self { kind, ..self }
     }
 
-    fn noted(self, note: &'static str) -> Self {
-        Self { note, ..self }
+    fn numbered(self, of: f64) -> Self {
+        Self {
+            of: Some(of),
+            ..self
+        }
+    }
+
+    /// What it is, as a code that no other fact has.
+    pub fn code(&self) -> String {
+        match self.of {
+            Some(of) => format!("{}-{of}", self.code),
+            None => self.code.to_owned(),
+        }
+    }
+
+    /// What it is, in words.
+    pub fn quantity(&self, translator: &Translator) -> String {
+        let of = self.of.map(|of| ("of", of.into()));
+        translator.text_with(&format!("paper-{}", self.code), of.as_slice())
+    }
+
+    /// What to know about it.
+    pub fn note(&self, translator: &Translator) -> Option<String> {
+        let id = format!("paper-{}-note", self.code);
+        translator.has(&id).then(|| translator.text(&id))
     }
 
     /// The computed value in as many decimals as are of use.
@@ -158,23 +196,23 @@ impl Fact {
 pub fn chapters() -> Result<Vec<Chapter>> {
     Ok(vec![
         Chapter {
-            title: "The numbers of the paper",
+            code: "numbers",
             facts: forces_and_speeds()?,
         },
         Chapter {
-            title: "Restitution, time and distance without drag",
+            code: "series",
             facts: series()?,
         },
         Chapter {
-            title: "Equations as printed, and as they must be",
+            code: "equations",
             facts: misprints()?,
         },
         Chapter {
-            title: "What the paper did not say",
+            code: "beyond",
             facts: unsaid()?,
         },
         Chapter {
-            title: "The drop that its straight line sees: e = 0.9529 with drag",
+            code: "flights",
             facts: flights()?,
         },
     ])
@@ -192,49 +230,46 @@ fn forces_and_speeds() -> Result<Vec<Fact>> {
     };
     Ok(vec![
         Fact::printed("weight", "2.45", "10^-2 N", 100.0 * weight_n, 4),
-        Fact::printed("buoyancy", "3.46", "10^-4 N", 1e4 * buoyancy_n, 2)
-            .noted("it fixes the density of air, 1.2276 kg/m3"),
+        Fact::printed("buoyancy", "3.46", "10^-4 N", 1e4 * buoyancy_n, 2),
         Fact::printed(
-            "buoyancy over weight",
+            "buoyancy-over-weight",
             "1.41",
             "%",
             100.0 * buoyancy_n / weight_n,
             2,
         ),
-        Fact::printed("first impact, no drag", "2.45", "m/s", plain_speed, 4),
+        Fact::printed("first-impact", "2.45", "m/s", plain_speed, 4),
         Fact::printed(
-            "Reynolds number there",
+            "reynolds-number",
             "6200",
             "",
             air.reynolds(&ball, plain_speed),
             0,
-        )
-        .noted("not turbulent as printed: below the drag crisis, a laminar boundary layer"),
+        ),
+        Fact::printed("terminal-speed", "9.38", "m/s", terminal(&constant), 4).of(Kind::ReadOff),
         Fact::printed(
-            "terminal speed, C_D = 0.4",
-            "9.38",
-            "m/s",
-            terminal(&constant),
-            4,
-        )
-        .of(Kind::ReadOff, "9.385 lies on the edge of rounding"),
-        Fact::printed(
-            "first impact, C_D = 0.4 (Eq. 15)",
+            "first-impact-with-drag",
             "2.405",
             "m/s",
             constant.fall(DROP_HEIGHT_M)?.impact_speed_m_s,
             4,
         ),
         Fact::printed(
-            "drag over weight at 2.4 m/s, C_D(Re)",
+            "drag-over-weight",
             "6.4",
             "%",
             100.0 * curve.drag_over_weight(2.4)?,
             2,
         )
-        .of(Kind::ReadOff, "the paper read its curve off a figure"),
-        Fact::printed("terminal speed, C_D(Re)", "8.8", "m/s", terminal(&curve), 3)
-            .of(Kind::ReadOff, "the same"),
+        .of(Kind::ReadOff),
+        Fact::printed(
+            "terminal-speed-of-sphere",
+            "8.8",
+            "m/s",
+            terminal(&curve),
+            3,
+        )
+        .of(Kind::ReadOff),
     ])
 }
 
@@ -243,62 +278,29 @@ fn series() -> Result<Vec<Fact>> {
     let first_s = model(DragLaw::None)?.fall(DROP_HEIGHT_M)?.time_s;
     let of_time = |time_s| drop::restitution_of_total_time(time_s, DROP_HEIGHT_M, GRAVITY_M_S2);
     Ok(vec![
+        Fact::printed("rule-steel-least", "0.878", "", root(0.235), 4),
+        Fact::printed("rule-steel-most", "0.914", "", root(0.255), 4),
+        Fact::printed("rule-table-least", "0.849", "", root(0.22), 4),
+        Fact::printed("rule-table-most", "0.905", "", root(0.25), 4),
         Fact::printed(
-            "e by the rule book, steel, least",
-            "0.878",
-            "",
-            root(0.235),
-            4,
-        ),
-        Fact::printed(
-            "e by the rule book, steel, most",
-            "0.914",
-            "",
-            root(0.255),
-            4,
-        ),
-        Fact::printed(
-            "e by the rule book, table, least",
-            "0.849",
-            "",
-            root(0.22),
-            4,
-        ),
-        Fact::printed(
-            "e by the rule book, table, most",
-            "0.905",
-            "",
-            root(0.25),
-            4,
-        ),
-        Fact::printed(
-            "error of h0 = 26.7 cm",
+            "height-error",
             "12.3",
             "%",
             100.0 * (1.0 - 0.267 / 0.305),
             2,
         )
-        .of(
-            Kind::ReadOff,
-            "from the rounded 26.7 cm; the flight times are not printed",
-        ),
+        .of(Kind::ReadOff),
         Fact::printed(
-            "e from 7.50 s after the first impact",
+            "restitution-of-time",
             "0.938",
             "",
             of_time(7.5 + first_s)?,
             4,
         )
-        .of(Kind::Corrected, "if the 7.50 s count from the first impact"),
-        Fact::new(
-            "e from 7.50 s after the release (Eq. 7)",
-            "",
-            of_time(7.5)?,
-            4,
-        )
-        .noted("Eq. 7 counts from the release"),
+        .of(Kind::Corrected),
+        Fact::new("restitution-of-total-time", "", of_time(7.5)?, 4),
         Fact::printed(
-            "path until rest at e = 0.94 (Eq. 8)",
+            "total-path",
             "4.94",
             "m",
             drop::total_path_m(0.94, DROP_HEIGHT_M)?,
@@ -319,24 +321,23 @@ fn misprints() -> Result<Vec<Fact>> {
         terminal * terminal / GRAVITY_M_S2 * (GRAVITY_M_S2 * fall.time_s / terminal).cosh().ln();
     Ok(vec![
         Fact::printed(
-            "h0 by Eq. 6 as printed: g 10^b/8",
+            "equation-6-printed",
             "26.7",
             "cm",
             12.5 * GRAVITY_M_S2 * power_of_b,
             1,
         )
-        .of(Kind::Misprint, "10^b = 2 v0/g must be squared"),
+        .of(Kind::Misprint),
         Fact::printed(
-            "h0 by Eq. 6 corrected: g (10^b)^2/8",
+            "equation-6",
             "26.7",
             "cm",
             12.5 * GRAVITY_M_S2 * power_of_b.powi(2),
             1,
         )
-        .of(Kind::Corrected, ""),
-        Fact::new("Eq. 13 at the first impact", "cm", 100.0 * fallen_13, 2)
-            .noted("the drop height: its left side is the distance y, not v"),
-        Fact::new("Eq. 14 at the first impact", "cm", 100.0 * fallen_14, 2).noted("the same"),
+        .of(Kind::Corrected),
+        Fact::new("equation-13", "cm", 100.0 * fallen_13, 2),
+        Fact::new("equation-14", "cm", 100.0 * fallen_14, 2),
     ])
 }
 
@@ -348,93 +349,44 @@ fn unsaid() -> Result<Vec<Fact>> {
     let explained = (DROP_HEIGHT_M - seen.drop_height_m.value) / (DROP_HEIGHT_M - 0.267);
     let effective = experiment::model_with_buoyancy(CONSTANT)?.gravity_m_s2() / GRAVITY_M_S2;
     Ok(vec![
+        Fact::new("drag-twice", "", counted_twice.restitution.value, 4),
         Fact::new(
-            "e = 0.935 with drag (Fig. 8) regresses to",
-            "",
-            counted_twice.restitution.value,
-            4,
-        )
-        .noted("Fig. 8 takes the drag into account twice"),
-        Fact::new(
-            "drop height of that straight line",
+            "drag-twice-height",
             "cm",
             100.0 * counted_twice.drop_height_m.value,
             2,
         ),
-        Fact::new("e that regresses to 0.9375 with drag", "", behind, 4).noted("over ten flights"),
+        Fact::new("behind-line", "", behind, 4),
         Fact::new(
-            "drop height of its straight line",
+            "behind-line-height",
             "cm",
             100.0 * seen.drop_height_m.value,
             2,
         ),
+        Fact::new("explained", "%", 100.0 * explained, 0),
         Fact::new(
-            "share of the gap to 30.5 cm that drag explains",
-            "%",
-            100.0 * explained,
-            0,
-        )
-        .noted("the rest: restitution that falls with speed, or more flights in the fit"),
-        Fact::new(
-            "drop height, same e, twenty flights",
+            "twenty-flights-height",
             "cm",
             100.0 * longer.drop_height_m.value,
             2,
-        )
-        .noted("the straight line depends on how many flights it is drawn through"),
-        Fact::new(
-            "gravity lost to buoyancy and added mass",
-            "%",
-            100.0 * (1.0 - effective),
-            1,
-        )
-        .noted("buoyancy alone 1.4 %; every height shrinks with it"),
+        ),
+        Fact::new("lost-gravity", "%", 100.0 * (1.0 - effective), 1),
     ])
 }
 
 fn flights() -> Result<Vec<Fact>> {
-    const FLIGHTS: [&str; 10] = ["T1", "T2", "T3", "T4", "T5", "T6", "T7", "T8", "T9", "T10"];
-    const TOTALS: [(f64, &str, &str); 4] = [
-        (
-            0.935,
-            "time until rest with drag, e = 0.935",
-            "path until rest with drag, e = 0.935",
-        ),
-        (
-            0.94,
-            "time until rest with drag, e = 0.94",
-            "path until rest with drag, e = 0.94",
-        ),
-        (
-            0.945,
-            "time until rest with drag, e = 0.945",
-            "path until rest with drag, e = 0.945",
-        ),
-        (
-            0.95,
-            "time until rest with drag, e = 0.95",
-            "path until rest with drag, e = 0.95",
-        ),
-    ];
     let behind = experiment::behind_the_regression(10)?;
     let history = dropped(&model(CONSTANT)?, behind, Stop::after(10))?;
-    let mut facts = FLIGHTS
-        .into_iter()
-        .zip(1..)
-        .map(|(name, number)| {
-            Ok(Fact::new(
-                name,
-                "s",
-                experiment::flight_time_s(&history, number)?,
-                4,
-            ))
-        })
-        .collect::<Result<Vec<Fact>>>()?;
+    let mut facts = Vec::new();
+    for (number, bounce) in (1..).zip(history.bounces()) {
+        let time_s = bounce.flight.time_s();
+        facts.push(Fact::new("flight-time", "s", time_s, 4).numbered(f64::from(number)));
+    }
     debug_assert!((regressed(behind, 10)?.restitution.value - REGRESSED).abs() < 1e-9);
-    for (restitution, time, path) in TOTALS {
+    for restitution in [0.935, 0.94, 0.945, 0.95] {
         let (time_s, path_m) = experiment::totals(restitution)?;
-        facts.push(Fact::new(time, "s", time_s, 3));
-        facts.push(Fact::new(path, "m", path_m, 3));
+        facts.push(Fact::new("time-until-rest", "s", time_s, 3).numbered(restitution));
+        facts.push(Fact::new("path-until-rest", "m", path_m, 3).numbered(restitution));
     }
     Ok(facts)
 }
@@ -443,13 +395,10 @@ fn flights() -> Result<Vec<Fact>> {
 mod tests {
     use super::*;
 
-    fn value(quantity: &str) -> f64 {
+    fn value(code: &str) -> f64 {
         let chapters = chapters().unwrap();
         let mut facts = chapters.iter().flat_map(|chapter| &chapter.facts);
-        facts
-            .find(|fact| fact.quantity == quantity)
-            .unwrap()
-            .computed
+        facts.find(|fact| fact.code() == code).unwrap().computed
     }
 
     /// Every printed number comes out, but for the one misprint.
@@ -464,34 +413,45 @@ mod tests {
                 fact.verdict(),
                 Verdict::Differs,
                 "{}: {}",
-                fact.quantity,
+                fact.code(),
                 fact.computed
             );
+        }
+    }
+
+    #[test]
+    fn every_fact_has_a_name() {
+        let translator = Translator::english();
+        for chapter in chapters().unwrap() {
+            let facts = chapter.facts.iter().map(|fact| fact.quantity(&translator));
+            for name in facts.chain([chapter.title(&translator)]) {
+                assert!(!name.starts_with("paper-"), "{name}");
+            }
         }
     }
 
     /// Independently computed values: of a numerical recomputation of the paper.
     #[test]
     fn what_the_paper_did_not_say() {
-        for (quantity, expected, tolerance) in [
-            ("e = 0.935 with drag (Fig. 8) regresses to", 0.9221, 5e-5),
-            ("e that regresses to 0.9375 with drag", 0.9529, 5e-5),
-            ("share of the gap to 30.5 cm that drag explains", 46.0, 1.0),
-            ("drop height, same e, twenty flights", 26.83, 5e-3),
-            ("gravity lost to buoyancy and added mass", 2.1, 0.05),
-            ("Eq. 13 at the first impact", 30.5, 1e-9),
-            ("Eq. 14 at the first impact", 30.5, 1e-9),
-            ("T1", 0.4605, 5e-5),
-            ("T10", 0.2569, 5e-5),
-            ("time until rest with drag, e = 0.935", 6.454, 5e-4),
-            ("path until rest with drag, e = 0.935", 3.682, 5e-4),
-            ("time until rest with drag, e = 0.95", 8.164, 5e-4),
-            ("path until rest with drag, e = 0.95", 4.570, 5e-4),
+        for (code, expected, tolerance) in [
+            ("drag-twice", 0.9221, 5e-5),
+            ("behind-line", 0.9529, 5e-5),
+            ("explained", 46.0, 1.0),
+            ("twenty-flights-height", 26.83, 5e-3),
+            ("lost-gravity", 2.1, 0.05),
+            ("equation-13", 30.5, 1e-9),
+            ("equation-14", 30.5, 1e-9),
+            ("flight-time-1", 0.4605, 5e-5),
+            ("flight-time-10", 0.2569, 5e-5),
+            ("time-until-rest-0.935", 6.454, 5e-4),
+            ("path-until-rest-0.935", 3.682, 5e-4),
+            ("time-until-rest-0.95", 8.164, 5e-4),
+            ("path-until-rest-0.95", 4.570, 5e-4),
         ] {
-            let computed = value(quantity);
+            let computed = value(code);
             assert!(
                 (computed - expected).abs() <= tolerance,
-                "{quantity}: {computed}"
+                "{code}: {computed}"
             );
         }
     }

@@ -115,7 +115,7 @@ fn flight_times(translator: &Translator) -> Result<Chart> {
 }
 
 /// Figs. 6 and 7: drag over weight, of both models.
-fn drag(axes: DragAxes, fastest_m_s: f64, translator: &Translator) -> Result<Chart> {
+pub(super) fn drag(axes: DragAxes, fastest_m_s: f64, translator: &Translator) -> Result<Chart> {
     let curves = [
         (
             "C_D(Re): clift-grace-weber",

@@ -7,7 +7,7 @@
 //!
 //! let chapters = paper::chapters()?;
 //! let weight = &chapters[0].facts[0];
-//! assert_eq!((weight.quantity, weight.printed), ("weight", Some("2.45")));
+//! assert_eq!((weight.code().as_str(), weight.printed), ("weight", Some("2.45")));
 //! assert_eq!(weight.verdict(), paper::Verdict::Agrees);
 //! # Ok::<(), bouncelab::Error>(())
 //! ```
@@ -15,6 +15,7 @@
 mod experiment;
 mod facts;
 mod figures;
+pub mod lesson;
 mod puzzle;
 
 pub use facts::{Chapter, Fact, Verdict, chapters};
@@ -23,8 +24,10 @@ pub use puzzle::{Explanation, explanations};
 
 use serde::Serialize;
 
+use crate::messages::Translator;
+
 /// Name and version of the schema of [`Document`].
-pub const SCHEMA: &str = "bouncelab.paper/1";
+pub const SCHEMA: &str = "bouncelab.paper/2";
 
 /// The paper as data for other programs.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -43,28 +46,35 @@ pub struct Document {
 #[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 #[cfg_attr(feature = "typescript", ts(rename = "PaperFact"))]
 struct Row {
-    chapter: &'static str,
-    quantity: &'static str,
+    /// What it is about, in words.
+    chapter: String,
+    /// What it is, as a code that no other number has.
+    code: String,
+    /// What it is, in words.
+    quantity: String,
     /// As the paper prints it, to its digits; `null` if it does not say.
     printed: Option<&'static str>,
     computed: f64,
     unit: &'static str,
-    verdict: String,
-    note: &'static str,
+    /// What the comparison says, as a code; `null` if the paper does not say.
+    verdict: Option<&'static str>,
+    /// What to know about it.
+    note: Option<String>,
 }
 
 impl Document {
     /// The document of these facts and explanations.
-    pub fn new(chapters: &[Chapter], puzzle: Vec<Explanation>) -> Self {
+    pub fn new(chapters: &[Chapter], puzzle: Vec<Explanation>, translator: &Translator) -> Self {
         let rows = chapters.iter().flat_map(|chapter| {
             chapter.facts.iter().map(|fact| Row {
-                chapter: chapter.title,
-                quantity: fact.quantity,
+                chapter: chapter.title(translator),
+                code: fact.code(),
+                quantity: fact.quantity(translator),
                 printed: fact.printed,
                 computed: fact.computed,
                 unit: fact.unit,
-                verdict: fact.verdict().to_string(),
-                note: fact.note,
+                verdict: fact.verdict().code(),
+                note: fact.note(translator),
             })
         });
         Self {

@@ -12,8 +12,8 @@ use super::experiment::{
 };
 
 /// The height that the paper's regression gives, and how far its last digit reaches, m.
-const REGRESSED_HEIGHT_M: f64 = 0.267;
-const LAST_DIGIT_M: f64 = 0.0005;
+pub(super) const REGRESSED_HEIGHT_M: f64 = 0.267;
+pub(super) const LAST_DIGIT_M: f64 = 0.0005;
 
 /// No ball loses more restitution with speed: an exponent, or in s/m.
 const STEEPEST: f64 = 0.1;

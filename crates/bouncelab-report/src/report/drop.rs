@@ -5,9 +5,9 @@ use bouncelab::analysis::{CONFIDENT_PROBABILITY, Drop, Options};
 use bouncelab::inference::{ApexTarget, Posterior, PriorContraction, UNINFORMATIVE, UNKNOWN};
 use bouncelab::regression::LogLinearFit;
 
-use super::page::{Block, Section, capital, ended, sentence};
+use super::page::{Block, Section, ended, sentence};
 use crate::figure::{self, Subject};
-use crate::messages::{Translator, Value};
+use crate::messages::{Translator, Value, capital};
 use crate::quantity::{Quantity, Unit};
 use crate::table::{Align, Table};
 use crate::tables;

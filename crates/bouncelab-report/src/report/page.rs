@@ -4,7 +4,7 @@ use std::fmt;
 
 use super::equation::Equation;
 use crate::chart::Chart;
-use crate::messages::Translator;
+use crate::messages::{Translator, capital};
 use crate::table::Table;
 
 /// A document to read: what it says, not how it looks.
@@ -134,16 +134,6 @@ impl Block {
 /// A remark as a sentence: with a capital letter and a full stop.
 pub(super) fn sentence(remark: &str) -> String {
     ended(capital(remark))
-}
-
-/// With a capital letter.
-pub(super) fn capital(text: &str) -> String {
-    let mut letters = text.chars();
-    let first: String = letters
-        .next()
-        .map(|letter| letter.to_uppercase().collect())
-        .unwrap_or_default();
-    first + letters.as_str()
 }
 
 /// With a full stop, unless it has an end already: it may be a inference.

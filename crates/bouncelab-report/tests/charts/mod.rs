@@ -17,16 +17,16 @@ use bouncelab_report::theme::Meaning;
 const RATIO: f64 = 0.94;
 const FIRST_S: f64 = 0.4605;
 
-pub const LINE: Line = Line {
+pub(crate) const LINE: Line = Line {
     slope: -0.026_872,
     intercept: -0.336_770,
 };
 
 /// A chart with its name and texts that it must show.
-pub type Named = (String, Chart, &'static [&'static str]);
+pub(crate) type Named = (String, Chart, &'static [&'static str]);
 
 /// All of them.
-pub fn all(translator: &Translator) -> Vec<Named> {
+pub(crate) fn all(translator: &Translator) -> Vec<Named> {
     let mut all = of_drops(translator);
     let others: Vec<(&str, Chart, &'static [&'static str])> = [
         of_sounds(translator),
@@ -48,7 +48,7 @@ fn drop_of(settings: &Options) -> Drop {
         bounce.time_s + 5e-6 * (2.7 * n as f64).sin() + wrong_s
     });
     let times: Vec<f64> = times.take(45).collect();
-    analysis::analyze(analysis::impacts_of_times(&times), settings)
+    analysis::analyze_impacts(analysis::impacts_of_times(&times), settings)
 }
 
 /// The figures of a drop with and without inference, and those of the air.
@@ -109,7 +109,7 @@ fn impact_times(impacts: usize, first_s: f64) -> Vec<f64> {
 }
 
 /// Decaying clicks over a little noise.
-pub fn sound(impacts: &[f64], duration_s: f64) -> Envelope {
+pub(crate) fn sound(impacts: &[f64], duration_s: f64) -> Envelope {
     const RATE_HZ: f64 = 44_100.0;
     const STEP: usize = 32;
     let mut noise = 12_345_u32;
@@ -200,7 +200,7 @@ fn of_sounds(translator: &Translator) -> Unnamed {
 }
 
 /// Flights a little shorter than the straight line at first, as air makes them.
-pub fn flights(count: usize, used: usize) -> Vec<TimedFlight> {
+pub(crate) fn flights(count: usize, used: usize) -> Vec<TimedFlight> {
     let flights = (1..=count).map(|number| {
         let n = number as f64;
         let wobble = 0.004 * (2.7 * n).sin() * (1.0 + n / 15.0);
@@ -215,7 +215,7 @@ pub fn flights(count: usize, used: usize) -> Vec<TimedFlight> {
 }
 
 /// Drag over weight of the paper's ball: terminal speed 9.38 m/s with a constant coefficient.
-pub fn drag_curves(fastest_m_s: f64) -> Vec<Curve> {
+pub(crate) fn drag_curves(fastest_m_s: f64) -> Vec<Curve> {
     let curve = |name: &str, exponent: f64| Curve {
         name: name.to_owned(),
         meaning: Meaning::Drag,
@@ -228,7 +228,7 @@ pub fn drag_curves(fastest_m_s: f64) -> Vec<Curve> {
 }
 
 /// Hops without air, from a first height.
-pub fn hops(name: &str, meaning: Meaning, first_m: f64, ratio: f64) -> Curve {
+pub(crate) fn hops(name: &str, meaning: Meaning, first_m: f64, ratio: f64) -> Curve {
     const GRAVITY_M_S2: f64 = 9.806_65;
     let mut points = Vec::new();
     let mut time_s = -(2.0 * first_m / GRAVITY_M_S2).sqrt();
@@ -346,7 +346,7 @@ fn of_many_drops(translator: &Translator) -> Unnamed {
     ]
 }
 
-pub fn histograms() -> Vec<RankHistogram> {
+pub(crate) fn histograms() -> Vec<RankHistogram> {
     ["clean", "noisy"]
         .into_iter()
         .flat_map(|scenario| ["e", "h0", "C_D"].map(|quantity| (scenario, quantity)))
@@ -358,7 +358,7 @@ pub fn histograms() -> Vec<RankHistogram> {
         .collect()
 }
 
-pub fn names(groups: u32) -> Vec<String> {
+pub(crate) fn names(groups: u32) -> Vec<String> {
     (0..groups)
         .map(|group| format!("ball {group}, steel"))
         .collect()
@@ -423,7 +423,7 @@ fn group_intervals(groups: u32) -> Vec<GroupInterval> {
     (0..groups).map(interval).collect()
 }
 
-pub fn run_points(drops: u32) -> Vec<RunPoint> {
+pub(crate) fn run_points(drops: u32) -> Vec<RunPoint> {
     let point = |drop: u32| RunPoint {
         off: if drop == 17 {
             0.1

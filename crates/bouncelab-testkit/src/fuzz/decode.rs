@@ -1,5 +1,6 @@
 //! Bytes as recordings and as lists of times.
 
+use bouncelab::diagnostic::Argument;
 use bouncelab_audio::{MAX_BLOCK_FRAMES, Source, times};
 
 /// Enough of one recording, in frames: a few bytes can stand for hours of silence.
@@ -33,7 +34,10 @@ pub fn decode_all(bytes: &[u8]) {
         }
     }
     for warning in source.warnings() {
-        assert!(!warning.to_string().is_empty());
+        let diagnostic = warning.diagnostic();
+        for argument in diagnostic.arguments.values() {
+            assert!(!matches!(argument, Argument::Number(number) if !number.is_finite()));
+        }
     }
 }
 

@@ -1,5 +1,6 @@
 //! Balls whose rebound is known, dropped and heard.
 
+use bouncelab::Impact;
 use bouncelab::analysis::{self, Drop, Options};
 use bouncelab::ball::Ball;
 use bouncelab::drag::DragLaw;
@@ -130,17 +131,11 @@ impl RealBall {
             bouncing(self.model, self.contact_time_s, first_m_s, restitution)
                 .take(MOST_IMPACTS)
                 .collect();
-        let heard = strikes
-            .iter()
-            .zip(1..)
-            .map(|(strike, number)| analysis::Impact {
-                number,
-                time_s: strike.time_s + TIMING_S * normal(chance),
-                sigma_s: Some(TIMING_S),
-                probability: 1.0,
-                level_db: None,
-            });
-        analysis::analyze(heard.collect(), settings)
+        let heard = strikes.iter().zip(1..).map(|(strike, number)| {
+            let time_s = strike.time_s + TIMING_S * normal(chance);
+            Impact::new(number, time_s).with_time_sd_s(TIMING_S)
+        });
+        analysis::analyze_impacts(heard.collect(), settings)
     }
 }
 

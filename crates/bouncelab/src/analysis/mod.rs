@@ -12,17 +12,19 @@
 //! let times_s = [0.0, 0.4605, 0.8877, 1.2854, 1.6568, 2.0045];
 //! let options = Options::new(ball::preset("table-tennis-40")?);
 //! let drop = analyze_impacts(impacts_of_times(&times_s), &options);
-//! let fit = drop.log_linear_fit.as_ref()?;
+//! let fit = drop.log_linear_fit.clone()?;
 //! assert!((fit.restitution.value - 0.932).abs() < 0.001);
 //! // Without the bias of drag the ball is livelier.
 //! assert!(drop.per_impact_restitution().unwrap().value > fit.restitution.value);
-//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! # Ok::<(), bouncelab::Error>(())
 //! ```
 
+mod derived;
+mod gap;
 mod pipeline;
 mod result;
 
-use std::ops::{Range, RangeInclusive};
+use std::ops::RangeInclusive;
 
 use crate::air::{Air, Conditions};
 use crate::ball::{self, Ball, Preset};
@@ -38,8 +40,10 @@ use crate::restitution::{self, PerImpact};
 use crate::train::{self, TrainImpact};
 use crate::{Error, Result};
 
-pub(crate) use pipeline::check_channel;
-pub use pipeline::{DropTask, Plan, analyze, analyze_channels, analyze_times};
+pub use crate::detection::DetectionOptions;
+pub use derived::{DragCurve, HeightHistory, Truncation};
+pub use gap::Gap;
+pub use pipeline::{DropCandidate, DropTask, Plan, analyze, analyze_channels, analyze_times};
 pub use result::{BounceEnergy, Drop, MeasuredFlight, Recording, Source, StrongestBand};
 
 /// What is known, or assumed, of the ball and what it flies through, and what is asked.
@@ -76,17 +80,7 @@ pub struct Options {
     pub edits: Edits,
 }
 
-/// Where in a recording to look for impacts.
-#[derive(Clone, Debug, Default, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
-pub struct DetectionOptions {
-    /// The only channel to use, the first being 1; if `None`, the one with the most evidence.
-    pub channel: Option<usize>,
-    /// The only frequencies to use, in Hz; if `None`, all bands, each against its own background.
-    pub band_hz: Option<Range<f64>>,
-}
-
-/// Impacts excluded and included by hand.
+/// Impacts excluded and included by hand, and gaps.
 #[derive(Clone, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Edits {
@@ -94,6 +88,8 @@ pub struct Edits {
     pub exclude_s: Vec<f64>,
     /// Times of impacts to add, in seconds.
     pub include_s: Vec<f64>,
+    /// Where sound was lost: no flight across a gap is used.
+    pub gaps: Vec<Gap>,
 }
 
 impl Default for Options {
@@ -192,6 +188,28 @@ impl Options {
     pub fn without_inference(mut self) -> Self {
         self.inference = None;
         self
+    }
+
+    /// The same for the drop that begins at a time, given when the others begin: a release is of the
+    /// drop that begins next after it.
+    #[must_use]
+    pub fn for_drop(&self, start_s: f64, other_starts_s: &[f64]) -> Self {
+        let is_its_own = |released_s: f64| {
+            let is_between = |&start: &f64| released_s < start && start < start_s;
+            released_s < start_s && !other_starts_s.iter().any(is_between)
+        };
+        let mut options = self.clone();
+        let release = options.priors.release_s;
+        options.priors.release_s = release.filter(|it| is_its_own(it.value));
+        options
+    }
+
+    /// What to say if a release was stated and no drop begins after it, given when they begin.
+    pub fn release_without_drop(&self, starts_s: &[f64]) -> Option<Diagnostic> {
+        let released_s = self.priors.release_s?.value;
+        let begins = starts_s.iter().any(|&start_s| released_s < start_s);
+        let diagnostic = Diagnostic::new(Code::ReleaseWithoutDrop).with("time_s", released_s);
+        (!begins && !starts_s.is_empty()).then_some(diagnostic)
     }
 
     /// The flight model of these options.

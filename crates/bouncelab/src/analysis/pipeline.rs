@@ -1,14 +1,13 @@
 //! From samples, or times, to the result.
 
 use super::result::{Recording, Source, StrongestBand};
-use super::{Drop, Edits, Options, analyze_impacts, edit, impacts_of_times};
+use super::{Drop, Edits, Options, analyze_impacts, edit, gap, impacts_of_times};
+use crate::Result;
 use crate::detection::{Detection, Detector};
 use crate::diagnostic::{Code, Diagnostic};
 use crate::impact::Impact;
 use crate::onset;
-use crate::plausibility;
 use crate::train::{FEWEST_IMPACTS, Train};
-use crate::{Error, Result};
 
 /// Analyses a recording of one channel: full scale is 1.
 ///
@@ -18,11 +17,11 @@ use crate::{Error, Result};
 /// let recording = demo::sound(&demo::history()?, 1)?;
 /// let result = analyze(&recording.samples, recording.sample_rate_hz, &Options::default())?;
 /// for drop in &result.drops {
-///     let posterior = drop.posterior.as_ref()?;
-///     println!("e = {:.4} ± {:.4}", posterior.restitution.value, posterior.restitution.sd);
+///     let restitution = drop.posterior.clone()?.restitution;
+///     println!("e = {:.4} ± {:.4}", restitution.value, restitution.sd);
 /// }
 /// assert_eq!(result.drops.len(), 1);
-/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// # Ok::<(), bouncelab::Error>(())
 /// ```
 ///
 /// # Errors
@@ -58,9 +57,9 @@ pub fn analyze_channels(
 ///
 /// let times_s = [0.0, 0.4605, 0.8877, 1.2854, 1.6568, 2.0045];
 /// let result = analyze_times(&times_s, &Options::default());
-/// let fit = result.drops[0].log_linear_fit.as_ref()?;
+/// let fit = result.drops[0].log_linear_fit.clone()?;
 /// assert_eq!(format!("{:.3}", fit.restitution.value), "0.932");
-/// # Ok::<(), &bouncelab::Error>(())
+/// # Ok::<(), bouncelab::Error>(())
 /// ```
 pub fn analyze_times(times_s: &[f64], options: &Options) -> Recording {
     Plan::of_times(times_s, options).run()
@@ -84,18 +83,22 @@ pub struct Plan {
     tasks: Vec<DropTask>,
 }
 
-/// One drop to be analysed.
-#[derive(Clone, Debug)]
+/// One drop to be analysed: two that are equal have equal results.
+#[derive(Clone, Debug, PartialEq)]
 pub struct DropTask {
     candidate: DropCandidate,
     options: Options,
 }
 
 /// A drop before it is analysed.
-#[derive(Clone, Debug)]
-struct DropCandidate {
-    impacts: Vec<Impact>,
-    probability: f64,
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
+pub struct DropCandidate {
+    /// Its impacts, in order of time.
+    pub impacts: Vec<Impact>,
+    /// Probability that it is a drop; 1 if a person says so.
+    pub probability: f64,
 }
 
 impl Plan {
@@ -111,12 +114,10 @@ impl Plan {
         };
         let trains = detection.found.trains.iter();
         let recording = Recording {
-            source,
             strongest_band: strongest_band(&detection),
-            drops: Vec::new(),
             no_drop: detection.no_drop(),
             diagnostics: detection.diagnostics(),
-            envelope: None,
+            ..Recording::of(source)
         };
         let candidates = trains.map(DropCandidate::from).collect();
         let mut plan = Self::new(recording, candidates, options);
@@ -127,14 +128,19 @@ impl Plan {
     /// The plan for a list of impact times in seconds, in increasing order.
     pub fn of_times(times_s: &[f64], options: &Options) -> Self {
         let recording = Recording {
-            source: Source::Times,
-            strongest_band: None,
-            drops: Vec::new(),
             no_drop: (times_s.len() < 2).then(|| Diagnostic::new(Code::TooFewTimes)),
-            diagnostics: Vec::new(),
-            envelope: None,
+            ..Recording::of(Source::Times)
         };
         Self::new(recording, vec![DropCandidate::of_times(times_s)], options)
+    }
+
+    /// The plan for drops that are known already: detected before, or edited by hand.
+    pub fn of_candidates(
+        source: Source,
+        candidates: Vec<DropCandidate>,
+        options: &Options,
+    ) -> Self {
+        Self::new(Recording::of(source), candidates, options)
     }
 
     fn new(
@@ -145,6 +151,10 @@ impl Plan {
         recording
             .diagnostics
             .extend(apply(&options.edits, &mut candidates));
+        for candidate in &mut candidates {
+            let lost = gap::cut(&mut candidate.impacts, &options.edits.gaps);
+            recording.diagnostics.extend(lost);
+        }
         candidates.retain(|candidate| candidate.impacts.len() >= 2);
         recording.no_drop = candidates.is_empty().then(|| {
             let known = recording.no_drop.take();
@@ -152,7 +162,7 @@ impl Plan {
         });
         let starts_s: Vec<f64> = candidates.iter().map(DropCandidate::start_s).collect();
         let tasks = candidates.into_iter().map(|candidate| DropTask {
-            options: options_of_drop(options, candidate.start_s(), &starts_s),
+            options: options.for_drop(candidate.start_s(), &starts_s),
             candidate,
         });
         Self {
@@ -178,9 +188,9 @@ impl Plan {
         let height_m = self.options.priors.drop_height_m.map(|height| height.value);
         diagnostics.extend(height_m.and_then(|height_m| {
             let mut drops = drops.iter();
-            drops.find_map(|drop| plausibility::of_height(height_m, drop))
+            drops.find_map(|drop| height_of_another_unit(height_m, drop))
         }));
-        diagnostics.extend(release_without_drop(&self.options, &starts_s));
+        diagnostics.extend(self.options.release_without_drop(&starts_s));
         self.recording.drops = drops;
         self.recording
     }
@@ -292,35 +302,34 @@ fn nearest(drops: &[DropCandidate], time_s: f64) -> Option<usize> {
     (0..drops.len()).min_by(|&a, &b| distance_s(a).total_cmp(&distance_s(b)))
 }
 
-/// What is stated of the drop that begins at a time, given when all begin: a release is of the drop
-/// that begins next after it.
-fn options_of_drop(options: &Options, start_s: f64, starts_s: &[f64]) -> Options {
-    let mut options = options.clone();
-    let is_its_own = |released_s: f64| {
-        let is_between = |&start: &f64| released_s < start && start < start_s;
-        released_s < start_s && !starts_s.iter().any(is_between)
-    };
-    let release = options.priors.release_s;
-    options.priors.release_s = release.filter(|it| is_its_own(it.value));
-    options
+/// A warning, if the stated height is far from that from which the ball was detected to fall, but
+/// would fit in another unit or with its point elsewhere.
+///
+/// The inference would rather believe that many impacts were missed at the beginning.
+fn height_of_another_unit(stated_m: f64, drop: &Drop) -> Option<Diagnostic> {
+    /// Slips of a unit or a decimal point.
+    const SLIPS: [f64; 6] = [10.0, 100.0, 1000.0, 0.1, 0.01, 0.001];
+    /// So far a rough height may be off.
+    const ROUGH: f64 = 1.15;
+    let detected_m = detected_fall_m(drop)?;
+    let off = |height_m: f64| (height_m / detected_m).ln().abs();
+    let meant_m = SLIPS
+        .into_iter()
+        .map(|slip| stated_m / slip)
+        .find(|&meant_m| off(meant_m) < ROUGH.ln())?;
+    Some(
+        Diagnostic::new(Code::HeightOfAnotherUnit)
+            .with("stated_m", stated_m)
+            .with("detected_m", detected_m)
+            .with("meant_m", meant_m),
+    )
 }
 
-/// What to say if a release was stated and no drop begins after it.
-fn release_without_drop(options: &Options, starts_s: &[f64]) -> Option<Diagnostic> {
-    let released_s = options.priors.release_s?.value;
-    let begins = starts_s.iter().any(|&start_s| released_s < start_s);
-    let diagnostic = Diagnostic::new(Code::ReleaseWithoutDrop).with("time_s", released_s);
-    (!begins && !starts_s.is_empty()).then_some(diagnostic)
-}
-
-/// Checks that there is a channel of this number, the first being 1; returns it counted from 0.
-pub(crate) fn check_channel(channel: Option<usize>, channels: usize) -> Result<Option<usize>> {
-    match channel {
-        Some(channel) if !(1..=channels).contains(&channel) => {
-            Err(Error::NoChannel { channel, channels })
-        }
-        channel => Ok(channel.map(|channel| channel - 1)),
-    }
+/// Roughly the height before the first impact: the first apex over what an impact keeps.
+fn detected_fall_m(drop: &Drop) -> Option<f64> {
+    let first = drop.per_impact.as_ref().ok()?.flights.first()?;
+    let kept = drop.per_impact_restitution()?.value.powi(2);
+    Some(first.flight.apex_m / kept)
 }
 
 #[cfg(test)]
@@ -340,6 +349,7 @@ mod tests {
         Edits {
             exclude_s: exclude_s.to_vec(),
             include_s: include_s.to_vec(),
+            gaps: Vec::new(),
         }
     }
 

@@ -109,34 +109,6 @@ fn states_by_quadrature_agree_with_the_closed_form() {
     }
 }
 
-/// The paper, with the constants that make every printed number come out.
-#[test]
-fn the_papers_numbers() {
-    let constant = paper_model(DragLaw::Constant(0.4));
-    assert_eq!(
-        format!("{:.6}", constant.terminal_speed_m_s().unwrap()),
-        "9.384954"
-    );
-    assert_eq!(
-        format!("{:.4}", constant.fall(0.305).unwrap().impact_speed_m_s),
-        "2.4053"
-    );
-    let curve = paper_model(DragLaw::CliftGraceWeber);
-    assert_eq!(
-        format!("{:.3}", curve.terminal_speed_m_s().unwrap()),
-        "8.885"
-    );
-    assert_eq!(
-        format!("{:.2}", 100.0 * curve.drag_over_weight(2.4).unwrap()),
-        "6.34"
-    );
-    let free = FlightModel::drag_free(GRAVITY).unwrap();
-    assert_eq!(
-        format!("{:.4}", free.fall(0.305).unwrap().impact_speed_m_s),
-        "2.4462"
-    );
-}
-
 /// g T²/8 = h (1 + x⁴/240 + ...): the height that a flight time gives is free of drag to fourth
 /// order.
 #[test]

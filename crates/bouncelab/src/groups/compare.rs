@@ -9,6 +9,7 @@ use crate::inference::Measured;
 /// The difference of two groups.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[non_exhaustive]
 pub struct Difference {
     /// The group from which it is counted, by its place.
     #[cfg_attr(feature = "serde", serde(skip))]
@@ -67,6 +68,17 @@ pub fn compare(
 /// All differences between groups that scatter differently, each with its own scatter (Welch 1947).
 ///
 /// Groups of a single drop are left out: their scatter is not known.
+///
+/// ```
+/// use bouncelab::groups::{Mean, compare_means};
+/// use bouncelab::inference::Measured;
+///
+/// let [steel, wood] = [[0.93, 0.932, 0.929], [0.88, 0.884, 0.879]]
+///     .map(|values| Mean::of(&values.map(|value| Measured { value, sd: 0.001 })));
+/// let difference = compare_means(&[steel?, wood?])[0];
+/// assert!(difference.p_value < 0.01);
+/// # Ok::<(), bouncelab::Error>(())
+/// ```
 pub fn compare_means(means: &[Mean]) -> Vec<Difference> {
     let differences = pairs(means.len()).filter_map(|(of, less)| {
         let (a, b) = (&means[of], &means[less]);

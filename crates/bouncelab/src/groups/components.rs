@@ -18,6 +18,7 @@ pub struct Covariate {
 /// How restitution changes with an amount, all else equal.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[non_exhaustive]
 pub struct Trend {
     /// The factor, by its place.
     #[cfg_attr(feature = "serde", serde(skip))]
@@ -37,6 +38,7 @@ pub struct Trend {
 /// How much something varies.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[non_exhaustive]
 pub struct VarianceComponent {
     /// The factors, by their place: several if they always go together and cannot be told apart;
     /// none for the drops themselves.

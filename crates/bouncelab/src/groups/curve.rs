@@ -25,6 +25,11 @@ pub struct RestitutionCurve(pub Vec<CurvePoint>);
 impl RestitutionCurve {
     /// The speeds at which laws of different drops can be compared, m/s: four to an octave, among
     /// them 1 m/s, from `slowest` to `fastest`.
+    ///
+    /// ```
+    /// let speeds = bouncelab::groups::RestitutionCurve::speeds(0.5, 2.0);
+    /// assert_eq!((speeds.len(), speeds[0], speeds[4], speeds[8]), (9, 0.5, 1.0, 2.0));
+    /// ```
     pub fn speeds(slowest_m_s: f64, fastest_m_s: f64) -> Vec<f64> {
         const TO_AN_OCTAVE: f64 = 4.0;
         if !(slowest_m_s > 0.0 && fastest_m_s.is_finite()) {

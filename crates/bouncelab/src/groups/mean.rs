@@ -13,6 +13,7 @@ use crate::inference::Measured;
 /// holds what it promises also for few drops.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[non_exhaustive]
 pub struct Mean {
     /// How many drops.
     pub drops: usize,
@@ -42,6 +43,18 @@ impl Mean {
     /// # Errors
     /// [`Error::TooFewDrops`] without any, [`Error::OutOfRange`] if a value is not finite or a
     /// standard error is below zero.
+    ///
+    /// ```
+    /// use bouncelab::groups::Mean;
+    /// use bouncelab::inference::Measured;
+    ///
+    /// let drops = [0.931, 0.934, 0.929, 0.933].map(|value| Measured { value, sd: 0.001 });
+    /// let mean = Mean::of(&drops)?;
+    /// assert_eq!(format!("{:.3}", mean.value), "0.932");
+    /// let [low, high] = mean.interval95.unwrap();
+    /// assert!(low < 0.9318 && 0.9318 < high);
+    /// # Ok::<(), bouncelab::Error>(())
+    /// ```
     pub fn of(drops: &[Measured]) -> Result<Self> {
         if drops.is_empty() {
             return Err(Error::TooFewDrops {
@@ -90,6 +103,15 @@ impl Mean {
     }
 
     /// The standard deviation of a single drop about the mean, its own error included.
+    ///
+    /// ```
+    /// use bouncelab::groups::Mean;
+    /// use bouncelab::inference::Measured;
+    ///
+    /// let drops = [1.0, 2.0, 3.0, 4.0, 5.0].map(|value| Measured { value, sd: 0.0 });
+    /// assert!((Mean::of(&drops)?.of_one_drop() - 2.5_f64.sqrt()).abs() < 1e-3);
+    /// # Ok::<(), bouncelab::Error>(())
+    /// ```
     pub fn of_one_drop(&self) -> f64 {
         self.between.unwrap_or(0.0).hypot(self.own)
     }

@@ -29,6 +29,7 @@ pub struct Drop {
 /// A variance component.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[non_exhaustive]
 pub struct Component {
     /// Standard deviation.
     pub sd: f64,

@@ -6,7 +6,7 @@
 //! known error r of each. What all drops share, such as the drag law, does not average out and is
 //! kept apart by those who call.
 //!
-//! | room | inference it answers |
+//! | module | question that it answers |
 //! |---|---|
 //! | [`mean`](Mean) | what is the mean of a group, and how do its drops scatter? |
 //! | [`mixed`](Mixed) | who varies: ball, surface, operator or drop? |

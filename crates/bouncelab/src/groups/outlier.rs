@@ -15,6 +15,7 @@ const FEWEST: usize = 3;
 /// A drop that lies far from its group.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[non_exhaustive]
 pub struct Outlier {
     /// Its place in the list.
     #[cfg_attr(feature = "serde", serde(skip))]
@@ -32,6 +33,15 @@ pub struct Outlier {
 /// drop that is known less well than most may lie farther away by its own error. Medians and
 /// deviations stand up to a good share of outliers, which means and standard deviations do not: an
 /// outlier hides itself in those. Groups of fewer than three drops say nothing.
+///
+/// ```
+/// use bouncelab::groups::outliers;
+/// use bouncelab::inference::Measured;
+///
+/// let drops = [0.931, 0.934, 0.929, 0.933, 0.80].map(|value| Measured { value, sd: 0.001 });
+/// let named = outliers(&drops, &[0; 5]);
+/// assert_eq!((named.len(), named[0].drop), (1, 4));
+/// ```
 pub fn outliers(drops: &[Measured], group: &[usize]) -> Vec<Outlier> {
     let mut members: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
     for (drop, &group) in group.iter().enumerate().take(drops.len()) {

@@ -27,6 +27,7 @@ pub struct StudyDrop {
 /// Drops that have the same levels of the factors by which they are grouped.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[non_exhaustive]
 pub struct Group {
     /// Level of each of those factors.
     #[cfg_attr(feature = "serde", serde(skip))]
@@ -63,6 +64,7 @@ pub struct MeanAtSpeed {
 
 /// What the drops of a session say together.
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub struct Study {
     /// The impact speed at which all drops are compared, m/s.
     pub at_speed_m_s: f64,

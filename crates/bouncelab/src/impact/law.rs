@@ -84,6 +84,14 @@ impl Restitution {
     ///
     /// # Errors
     /// [`Error::OutOfRange`](crate::Error::OutOfRange) unless it is from 0 to 1.
+    ///
+    /// ```
+    /// use bouncelab::impact::Restitution;
+    ///
+    /// assert_eq!(Restitution::constant(0.9)?.at(5.0), 0.9);
+    /// assert!(Restitution::constant(1.1).is_err());
+    /// # Ok::<(), bouncelab::Error>(())
+    /// ```
     pub fn constant(restitution: f64) -> Result<Self> {
         Ok(Self(Law::Constant(fraction(
             "coefficient of restitution",
@@ -96,6 +104,12 @@ impl Restitution {
     /// # Errors
     /// [`Error::OutOfRange`](crate::Error::OutOfRange) unless e0 is from 0 to 2 and k (in
     /// s/m) is finite. An e0 above 1 is a line that meets 1 at a speed above zero.
+    ///
+    /// ```
+    /// let law = bouncelab::impact::Restitution::linear(0.96, 0.01)?;
+    /// assert!((law.at(2.0) - 0.94).abs() < 1e-12);
+    /// # Ok::<(), bouncelab::Error>(())
+    /// ```
     pub fn linear(at_rest: f64, loss_per_speed_s_m: f64) -> Result<Self> {
         require(
             (0.0..=2.0).contains(&at_rest),
@@ -114,6 +128,12 @@ impl Restitution {
     /// # Errors
     /// [`Error::OutOfRange`](crate::Error::OutOfRange) unless e* is from 0 to 1, v* (m/s) above
     /// zero and p finite.
+    ///
+    /// ```
+    /// let law = bouncelab::impact::Restitution::power(0.9, 2.0, 0.25)?;
+    /// assert!((law.at(4.0) - 0.9 * 0.5_f64.powf(0.25)).abs() < 1e-12);
+    /// # Ok::<(), bouncelab::Error>(())
+    /// ```
     pub fn power(reference: f64, reference_speed_m_s: f64, exponent: f64) -> Result<Self> {
         fraction("coefficient of restitution", reference)?;
         positive("reference speed in m/s", reference_speed_m_s)?;
@@ -130,6 +150,12 @@ impl Restitution {
     /// # Errors
     /// [`Error::OutOfRange`](crate::Error::OutOfRange) unless a, in (m/s)^-1/5, is finite and not
     /// below zero.
+    ///
+    /// ```
+    /// let law = bouncelab::impact::Restitution::viscoelastic(0.05)?;
+    /// assert!(law.at(0.1) > law.at(1.0) && law.at(1.0) > law.at(10.0));
+    /// # Ok::<(), bouncelab::Error>(())
+    /// ```
     pub fn viscoelastic(dissipation: f64) -> Result<Self> {
         let dissipation = not_negative("dissipation of a viscoelastic ball", dissipation)?;
         Ok(Self(Law::Viscoelastic { dissipation }))
@@ -165,6 +191,13 @@ impl Restitution {
     /// # Errors
     /// [`Error::OutOfRange`](crate::Error::OutOfRange) unless e0 is from 0 to 1, the knee (m/s)
     /// above zero and k (s/m) finite.
+    ///
+    /// ```
+    /// let law = bouncelab::impact::Restitution::knee(0.95, 1.5, 0.02)?;
+    /// assert!((law.at(0.5) - 0.95).abs() < 1e-4); // flat below the knee
+    /// assert!((law.at(3.0) - 0.92).abs() < 1e-4); // 0.02 for each m/s above it
+    /// # Ok::<(), bouncelab::Error>(())
+    /// ```
     pub fn knee(below: f64, knee_speed_m_s: f64, loss_per_speed_s_m: f64) -> Result<Self> {
         fraction("coefficient of restitution below the knee", below)?;
         positive("speed of the knee in m/s", knee_speed_m_s)?;
@@ -182,6 +215,12 @@ impl Restitution {
 
     /// d ln e / d ln v at an impact speed: how many per cent e changes when the speed changes by
     /// one. Zero where e is held at 0 or 1.
+    ///
+    /// ```
+    /// let law = bouncelab::impact::Restitution::power(0.9, 2.0, 0.25)?;
+    /// assert_eq!(law.log_slope(3.0), -0.25);
+    /// # Ok::<(), bouncelab::Error>(())
+    /// ```
     pub fn log_slope(&self, impact_speed_m_s: f64) -> f64 {
         let v = impact_speed_m_s;
         let e = self.unbounded(v);

@@ -18,6 +18,15 @@ impl Contact {
     ///
     /// # Errors
     /// [`Error::OutOfRange`](crate::Error::OutOfRange) unless the time is finite and not below zero.
+    ///
+    /// ```
+    /// use bouncelab::impact::{Contact, Restitution};
+    ///
+    /// let contact = Contact::new(Restitution::constant(0.93)?, 1e-3)?;
+    /// assert_eq!(contact.contact_time_s(), 1e-3);
+    /// assert!(Contact::new(Restitution::constant(0.93)?, -1e-3).is_err());
+    /// # Ok::<(), bouncelab::Error>(())
+    /// ```
     pub fn new(restitution: Restitution, contact_time_s: f64) -> Result<Self> {
         let contact_time_s = not_negative("contact time in s", contact_time_s)?;
         Ok(Self {
@@ -27,6 +36,14 @@ impl Contact {
     }
 
     /// A contact without duration, as in the paper.
+    ///
+    /// ```
+    /// use bouncelab::impact::{Contact, Restitution};
+    ///
+    /// let contact = Contact::instantaneous(Restitution::constant(0.9375)?);
+    /// assert_eq!(contact.contact_time_s(), 0.0);
+    /// # Ok::<(), bouncelab::Error>(())
+    /// ```
     pub fn instantaneous(restitution: Restitution) -> Self {
         Self {
             restitution,
@@ -89,6 +106,15 @@ impl Impact {
     pub const fn with_time_sd_s(self, time_sd_s: f64) -> Self {
         Self {
             time_sd_s: Some(time_sd_s),
+            ..self
+        }
+    }
+
+    /// The same with its level, in dB relative to full scale.
+    #[must_use]
+    pub const fn with_level_db(self, level_db: f64) -> Self {
+        Self {
+            level_db: Some(level_db),
             ..self
         }
     }

@@ -16,6 +16,7 @@ use super::sampled::{SampledPosterior, THINNED};
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
+#[non_exhaustive]
 pub struct Share {
     /// The source: a stable name in kebab case, such as `impact-timing` or `drag-law`.
     pub source: &'static str,
@@ -29,6 +30,7 @@ pub struct Share {
 #[derive(Debug, Clone, PartialEq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
+#[non_exhaustive]
 pub struct Budget {
     /// Of the restitution at the stated speed.
     pub restitution: Vec<Share>,

@@ -44,6 +44,7 @@ impl Unknown {
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
+#[non_exhaustive]
 pub struct PriorContraction {
     /// Of what.
     pub unknown: Unknown,
@@ -98,6 +99,7 @@ pub(super) fn prior_contraction(posterior: &SampledPosterior) -> Vec<PriorContra
 #[derive(Debug, Clone, PartialEq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
+#[non_exhaustive]
 pub struct Correlations {
     /// What they are, in order: names as in [`Unknown`], and `restitution` and `drop-height`.
     pub quantities: Vec<&'static str>,

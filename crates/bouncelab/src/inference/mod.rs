@@ -25,9 +25,9 @@
 //!     ..Priors::default()
 //! };
 //! let Options { ball, environment, contact_time_s, .. } = Options::default();
-//! let inference = InferenceOptions { sampler: SamplerConfig { draws: 500, seed: 1 }, ..InferenceOptions::default() };
+//! let asked = InferenceOptions { sampler: SamplerConfig { draws: 500, seed: 1 }, ..InferenceOptions::default() };
 //! let found =
-//!     estimate::infer(&impacts, &ball, &environment, contact_time_s, &priors, &inference)?;
+//!     inference::infer(&impacts, &ball, &environment, contact_time_s, &priors, &asked)?;
 //! assert!((found.restitution.value - 0.95).abs() < 0.01);
 //! assert!(found.missed_first_impacts.unwrap()[0] > 0.99);
 //! # Ok::<(), bouncelab::Error>(())
@@ -105,6 +105,7 @@ pub struct ApexTarget {
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
+#[non_exhaustive]
 pub struct Prediction {
     /// What was asked.
     #[cfg_attr(feature = "serde", serde(flatten))]
@@ -153,6 +154,7 @@ pub fn infer(
 
 /// The most probable drop under one law, without uncertainties.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub struct BestFit {
     /// The restitution law.
     pub law: Restitution,

@@ -71,6 +71,16 @@ pub struct Onset {
 
 impl Onset {
     /// A candidate known by its time alone: a click of equal level in all bands, without noise.
+    ///
+    /// ```
+    /// use bouncelab::onset::Onset;
+    /// use bouncelab::train;
+    ///
+    /// // Times read off an oscilloscope: e = 0.9 without air.
+    /// let times_s = [0.0, 0.4, 0.76, 1.084, 1.3756, 1.63804, 1.874236];
+    /// let found = train::find(&times_s.map(Onset::click));
+    /// assert_eq!(found.trains[0].impacts().len(), 7);
+    /// ```
     pub fn click(time_s: f64) -> Self {
         Self {
             time_s,
@@ -146,6 +156,13 @@ impl OnsetDetector {
     ///
     /// # Errors
     /// [`Error::NoBand`] if there is none.
+    ///
+    /// ```
+    /// use bouncelab::onset::OnsetDetector;
+    ///
+    /// assert!(OnsetDetector::within(48_000, &(400.0..4000.0)).is_ok());
+    /// assert!(OnsetDetector::within(48_000, &(30_000.0..40_000.0)).is_err());
+    /// ```
     pub fn within(sample_rate_hz: u32, range_hz: &Range<f64>) -> Result<Self> {
         let sample_rate_hz = f64::from(sample_rate_hz.max(1));
         let mut bank = FilterBank::new(sample_rate_hz);

@@ -10,7 +10,7 @@
 //! limits all the same is at most the accepted risk.
 //!
 //! ```
-//! use bouncelab::analysis::{self, Options};
+//! use bouncelab::{Options, analyze_times};
 //! use bouncelab::inference::{SamplerConfig, Measured, InferenceOptions};
 //! use bouncelab::rulebook::{self, Conditions, Decision, Limits, Outcome, Requirement, Rule};
 //!
@@ -22,8 +22,8 @@
 //! settings.inference = Some(InferenceOptions { sampler: SamplerConfig { draws: 500, seed: 1 }, ..InferenceOptions::default() });
 //! settings.priors.drop_height_m = Some(Measured { value: 0.305, sd: 0.001 });
 //! let times_s = [0.0, 0.4605, 0.8877, 1.2854, 1.6568, 2.0045, 2.3308, 2.6375, 2.9262, 3.1984];
-//! let drop = analysis::analyze(analysis::impacts_of_times(&times_s), &settings);
-//! let place = vec![&drop];
+//! let recording = analyze_times(&times_s, &settings);
+//! let place = vec![&recording.drops[0]];
 //! let verdict = rulebook::judge(
 //!     &rule, &settings, &Conditions::default(), &[place], &[], Decision::default(),
 //! )?;

@@ -9,6 +9,7 @@ use crate::regression::height_of_flight_m;
 
 /// The rebound that one drop foretells. Heights are those of the point at which the rule measures.
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub struct Rebound {
     /// Which place it is of, counted from 0.
     pub place: usize,
@@ -27,6 +28,7 @@ pub struct Rebound {
 
 /// A reason why two heights differ, and by how much.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub struct Step {
     /// The reason.
     pub why: Correction,

@@ -35,6 +35,12 @@ pub enum Point {
 
 impl Point {
     /// How far it lies above the lowest point of a ball, m.
+    ///
+    /// ```
+    /// use bouncelab::rulebook::Point;
+    ///
+    /// assert_eq!(Point::Top.above_bottom_m(0.04), 0.04);
+    /// ```
     pub fn above_bottom_m(self, diameter_m: f64) -> f64 {
         match self {
             Self::Bottom => 0.0,
@@ -65,6 +71,11 @@ pub struct Limits {
 
 impl Limits {
     /// Both ends closed.
+    ///
+    /// ```
+    /// let limits = bouncelab::rulebook::Limits::between(0.24, 0.26);
+    /// assert!(limits.contain(0.25) && !limits.contain(0.27));
+    /// ```
     pub const fn between(least: f64, greatest: f64) -> Self {
         Self {
             least: Some(least),
@@ -73,6 +84,11 @@ impl Limits {
     }
 
     /// Only a least value.
+    ///
+    /// ```
+    /// let limits = bouncelab::rulebook::Limits::at_least(0.9);
+    /// assert!(limits.contain(2.0) && !limits.contain(0.89));
+    /// ```
     pub const fn at_least(least: f64) -> Self {
         Self {
             least: Some(least),
@@ -159,6 +175,13 @@ pub struct Formula {
 
 impl Formula {
     /// The rebound that it gives, m.
+    ///
+    /// ```
+    /// use bouncelab::rulebook::{Formula, Status};
+    ///
+    /// let formula = Formula { factor_m_s2: 1.23, offset_s: 0.025, status: Status::Unverified };
+    /// assert_eq!(format!("{:.2} m", formula.rebound_m(1.0)), "1.17 m");
+    /// ```
     pub fn rebound_m(&self, time_s: f64) -> f64 {
         self.factor_m_s2 * (time_s - self.offset_s).powi(2)
     }
@@ -218,6 +241,16 @@ pub struct Conditions {
 
 impl Rule {
     /// A rule that wants nothing yet, of a single drop.
+    ///
+    /// ```
+    /// use bouncelab::rulebook::{Limits, Requirement, Rule};
+    ///
+    /// let rule = Rule {
+    ///     requirement: Requirement::Height(Limits::between(0.24, 0.26)),
+    ///     ..Rule::new("ittf-ball", "Table-tennis ball", 0.305)
+    /// };
+    /// assert!(rule.check().is_ok() && !rule.needs_reference());
+    /// ```
     pub fn new(name: &str, title: &str, drop_height_m: f64) -> Self {
         Self {
             name: name.to_owned(),
@@ -249,6 +282,14 @@ impl Rule {
 
     /// The fall of the lowest point of a ball, m, after which its rebound counts; `dropped_m` is that
     /// from which it was dropped, if it was measured. `None` if neither says.
+    ///
+    /// ```
+    /// use bouncelab::rulebook::{Point, Rule};
+    ///
+    /// // Released with its top at 2.54 m, a tennis ball of 6.6 cm falls 2.474 m.
+    /// let rule = Rule { measured_at: Some(Point::Top), ..Rule::new("a", "A rule", 2.54) };
+    /// assert_eq!(rule.fall_m(0.066, None), Some(2.54 - 0.066));
+    /// ```
     pub fn fall_m(&self, diameter_m: f64, dropped_m: Option<f64>) -> Option<f64> {
         let Some(height_m) = self.drop_height_m else {
             return dropped_m;
@@ -365,6 +406,15 @@ impl Rule {
 ///
 /// # Errors
 /// [`Error::UnknownName`] with the nearest name if there is none.
+///
+/// ```
+/// use bouncelab::rulebook::{self, Rule};
+///
+/// let rules = [Rule::new("ittf-ball", "Table-tennis ball", 0.305)];
+/// assert_eq!(rulebook::find(&rules, "ittf-ball")?.title, "Table-tennis ball");
+/// assert!(rulebook::find(&rules, "itf-ball").is_err());
+/// # Ok::<(), bouncelab::Error>(())
+/// ```
 pub fn find<'a>(rules: &'a [Rule], name: &str) -> Result<&'a Rule> {
     rules.iter().find(|rule| rule.name == name).ok_or_else(|| {
         let known: Vec<&str> = rules.iter().map(|rule| rule.name.as_str()).collect();

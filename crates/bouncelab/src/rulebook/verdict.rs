@@ -42,6 +42,12 @@ impl Default for Decision {
 
 impl Decision {
     /// The greatest probability of a wrong decision.
+    ///
+    /// ```
+    /// use bouncelab::rulebook::Decision;
+    ///
+    /// assert_eq!(Decision::default().risk(), 0.05);
+    /// ```
     pub const fn risk(self) -> f64 {
         match self {
             Self::Guarded { risk } => risk,
@@ -83,6 +89,7 @@ impl fmt::Display for Outcome {
 
 /// What drops say of a rule. Heights are those of the point at which the rule measures.
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub struct Verdict {
     /// The decision.
     pub outcome: Outcome,

@@ -204,6 +204,13 @@ pub struct Noise {
 
 impl Noise {
     /// White noise at this signal-to-noise ratio.
+    ///
+    /// ```
+    /// use bouncelab::synth::{Noise, Scene};
+    ///
+    /// let scene = Scene { noise: Some(Noise::white(20.0)), ..Scene::default() };
+    /// assert_eq!(scene.noise.unwrap().snr_db, 20.0);
+    /// ```
     pub const fn white(snr_db: f64) -> Self {
         Self {
             colour: Colour::White,
@@ -212,6 +219,12 @@ impl Noise {
     }
 
     /// Pink noise at this signal-to-noise ratio.
+    ///
+    /// ```
+    /// use bouncelab::synth::{Colour, Noise};
+    ///
+    /// assert_eq!(Noise::pink(20.0).colour, Colour::Pink);
+    /// ```
     pub const fn pink(snr_db: f64) -> Self {
         Self {
             colour: Colour::Pink,
@@ -286,6 +299,12 @@ pub enum BitDepth {
 
 impl BitDepth {
     /// Bits of an integer sample; `None` for floating point.
+    ///
+    /// ```
+    /// use bouncelab::synth::BitDepth;
+    ///
+    /// assert_eq!((BitDepth::Eight.bits(), BitDepth::Float.bits()), (Some(8), None));
+    /// ```
     pub const fn bits(self) -> Option<u32> {
         match self {
             Self::Eight => Some(8),

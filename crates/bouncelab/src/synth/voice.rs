@@ -64,6 +64,13 @@ impl Voice {
     pub const NAMES: [&'static str; 4] = ["table-tennis", "steel-ball", "basketball", "tennis"];
 
     /// The preset of this name, one of [`Voice::NAMES`].
+    ///
+    /// ```
+    /// use bouncelab::synth::Voice;
+    ///
+    /// assert_eq!(Voice::named("tennis"), Some(Voice::tennis()));
+    /// assert!(Voice::NAMES.into_iter().all(|name| Voice::named(name).is_some()));
+    /// ```
     pub fn named(name: &str) -> Option<Self> {
         match name {
             "table-tennis" => Some(Self::table_tennis()),

@@ -163,6 +163,7 @@ pub struct TrainSearch {
 
 /// Sounds that keep time, though perhaps a little faster as they go on.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct PeriodicSequence {
     /// Time of the first sound in seconds.
     pub start_s: f64,

@@ -307,62 +307,26 @@ export default {
   figures: {
     title: 'Figures',
     against: (y: string, x: string) => `${y} against ${x}`,
-    nothing: 'Nothing to show here: this takes more impacts.',
     reset: 'Drag sideways to zoom, double-click to see all.',
     numbers: 'The same as numbers',
     saveSvg: 'SVG',
     savePng: 'PNG',
     save: 'Save this figure',
-    straightLine: 'straight line',
-    noAir: 'without air',
-    withAir: 'air taken out',
-    measured: 'measured',
-    notUsed: 'not in the line',
-    model: 'model with air',
-    line95: 'likely range (95 %)',
-    flights: {
-      tab: 'Flights',
-      see: 'A ball that keeps the same share at each bounce makes a straight line here; where the points bend away from it, air or speed plays a part.',
-      x: 'flight',
-      y: 'flight time (s)',
-    },
-    residuals: { y: 'off the line (%)' },
-    restitution: {
-      tab: 'Restitution',
-      see: 'Grey leaves the air out, blue takes it into account. If blue is level, the ball is equally bouncy at every speed.',
-      x: 'speed of the impact (m/s)',
-      y: 'restitution',
-    },
-    heights: {
-      tab: 'Heights',
-      see: 'How high the ball rose after each bounce; on this scale a constant restitution without air is a straight line.',
-      x: 'bounce',
-      y: 'height (cm)',
-    },
-    energy: {
-      tab: 'Energy',
-      see: 'Where the energy goes at each bounce: into the surface and the ball, or into the air.',
-      x: 'bounce',
-      y: 'energy (mJ)',
-      surface: 'lost in the bounce',
-      air: 'lost to the air',
-    },
-    drag: {
-      tab: 'Drag',
-      see: 'How hard the air pulls, compared with the weight. The ball of this drop was never faster than the blue line.',
-      x: 'speed (m/s)',
-      y: 'drag over weight (%)',
-      linear: 'even scale',
-      log: 'log scale',
-      fastest: 'fastest here',
-    },
-    compare: {
-      tab: 'Compare',
-      see: 'The height of the ball as heard, over a simulation with the same ball and air. Where they part, the model lacks something.',
-      x: 'time (s)',
-      y: 'height (cm)',
-      simulated: 'best model',
-      overlay: 'your simulation',
+    // By the names of the engine.
+    tabs: {
+      restitution: 'Restitution',
+      'flight-times': 'Flights',
+      height: 'Height',
+      'bounce-heights': 'Heights',
+      'bounce-energies': 'Energy',
+      comparison: 'Compare',
+      posterior: 'Posterior',
+      residuals: 'Residuals',
+      budget: 'Budget',
+      models: 'Laws',
+      truncation: 'Truncation',
+      drag: 'Drag',
+      'drag-log': 'Drag (log)',
     },
   },
   quantities: {
@@ -588,8 +552,8 @@ export default {
     },
     verdicts: {
       agrees: 'agrees',
-      'agrees when corrected': 'agrees when corrected',
-      'agrees within reading': 'agrees within reading',
+      'agrees-when-corrected': 'agrees when corrected',
+      'agrees-within-reading': 'agrees within reading',
       misprint: 'misprint',
       differs: 'differs',
       '': '',
@@ -650,17 +614,4 @@ export default {
     deletedAll: (count: number) => `${count} ${plural(count, 'drop was', 'drops were')} deleted.`,
     unavailable: 'The browser keeps nothing here (a private window?).',
   },
-  /**
-   * What the science says, which is English already: only what names options of the command line is
-   * said in another way here. In other languages every template is translated; `{}` is what is put
-   * there, `{0}` what begins with a number. `said.txt` has an example of each.
-   */
-  engine: {
-    'the drop height is of the fall before the first impact heard; with the measured height (--height) missed impacts would show':
-      'The drop height is of the fall before the first impact heard; with a measured height missed impacts would show.',
-    'impact {} would give energy (restitution above 1): a double trigger, a moving surface, or a sound that is no impact; leave it out by hand (--exclude TIME)':
-      'Impact {} would give energy to the ball: a double trigger, a moving surface, or a sound that is no impact. Remove it if it looks wrong in the waveform.',
-    'impacts {} would give energy (restitution above 1): a double trigger, a moving surface, or a sound that is no impact; leave it out by hand (--exclude TIME)':
-      'Impacts {} would give energy to the ball: double triggers, a moving surface, or sounds that are no impacts. Remove them if they look wrong in the waveform.',
-  } as Record<string, string>,
 };

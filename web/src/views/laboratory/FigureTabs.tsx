@@ -1,20 +1,14 @@
-import { signal } from '@preact/signals';
-import { useMemo, useRef } from 'preact/hooks';
+import { useRef } from 'preact/hooks';
 import { Chart } from '../../chart/Chart.tsx';
-import { Key } from '../../chart/Key.tsx';
 import { NumbersOf } from '../../chart/NumbersOf.tsx';
-import { chartsOf, FIGURES, type FigureId } from '../../figures/all.ts';
-import { analysed, drop, series } from '../../state/bench.ts';
-import { overlay } from '../../state/simulating.ts';
+import { figure, figures, show, shown } from '../../state/figures.ts';
 import { texts } from '../../text/language.ts';
+import { nameIn } from '../../text/names.ts';
 import { SaveFigure } from './SaveFigure.tsx';
-
-export const shown = signal<FigureId>('restitution');
-export const logDrag = signal(false);
 
 /** One figure at a time, each with one sentence on what to see in it. */
 export function FigureTabs() {
-  if (!drop.value) return null;
+  if (figures.value.length === 0) return null;
   return (
     <section class="figures" aria-label={texts.value.figures.title}>
       <Tabs />
@@ -25,10 +19,11 @@ export function FigureTabs() {
 
 function Tabs() {
   const list = useRef<HTMLDivElement>(null);
+  const all = figures.value;
   const step = (by: number): void => {
-    const next = FIGURES[(FIGURES.indexOf(shown.peek()) + by + FIGURES.length) % FIGURES.length];
+    const next = all[(all.indexOf(shown.peek()) + by + all.length) % all.length];
     if (!next) return;
-    shown.value = next;
+    show(next);
     list.current?.querySelector<HTMLElement>(`#tab-${next}`)?.focus();
   };
   return (
@@ -44,20 +39,20 @@ function Tabs() {
         event.preventDefault();
       }}
     >
-      {FIGURES.map((id) => (
+      {all.map((name) => (
         <button
-          key={id}
-          id={`tab-${id}`}
+          key={name}
+          id={`tab-${name}`}
           type="button"
           role="tab"
-          aria-selected={shown.value === id}
+          aria-selected={shown.value === name}
           aria-controls="figure"
-          tabIndex={shown.value === id ? 0 : -1}
+          tabIndex={shown.value === name ? 0 : -1}
           onClick={() => {
-            shown.value = id;
+            show(name);
           }}
         >
-          {texts.value.figures[id].tab}
+          {nameIn(texts.value.figures.tabs, name)}
         </button>
       ))}
     </div>
@@ -65,59 +60,22 @@ function Tabs() {
 }
 
 function Panel() {
-  const words = texts.value;
-  const id = shown.value;
-  const [all, said, points, laid, log] = [
-    analysed.value,
-    drop.value,
-    series.value,
-    overlay.value,
-    logDrag.value,
-  ];
-  const charts = useMemo(
-    () =>
-      all && said
-        ? chartsOf(
-            id,
-            { analysed: all, drop: said, series: points, overlay: laid, logDrag: log },
-            words,
-          )
-        : [],
-    [id, all, said, points, laid, log, words],
-  );
-  const sentence = words.figures[id].see;
+  const words = texts.value.figures;
+  const chart = figure.value;
+  const some = chart !== null && chart.panels.length > 0;
   return (
-    <div id="figure" role="tabpanel" aria-labelledby={`tab-${id}`}>
-      <figure class="figure-box">
-        <figcaption>{charts.length > 0 ? sentence : words.figures.nothing}</figcaption>
-        {charts[0] && <Key spec={charts[0]} />}
-        {charts.map((spec, index) => (
-          <Chart key={index} spec={spec} />
-        ))}
-        {charts.length > 0 && (
+    <div id="figure" role="tabpanel" aria-labelledby={`tab-${shown.value}`}>
+      <figure class="figure-box" aria-busy={chart === null}>
+        <figcaption>{chart?.caption}</figcaption>
+        {some ? <Chart chart={chart} /> : <div class="chart waiting" />}
+        {some && (
           <div class="row no-print">
-            {id === 'drag' && <DragScale />}
-            <SaveFigure id={id} log={log} />
-            <span class="small soft mouse">{words.figures.reset}</span>
+            <SaveFigure name={shown.value} />
+            <span class="small soft mouse">{words.reset}</span>
           </div>
         )}
-        {charts.length > 0 && <NumbersOf charts={charts} />}
+        {some && <NumbersOf chart={chart} />}
       </figure>
     </div>
-  );
-}
-
-function DragScale() {
-  const words = texts.value.figures.drag;
-  return (
-    <button
-      type="button"
-      class="quiet"
-      onClick={() => {
-        logDrag.value = !logDrag.value;
-      }}
-    >
-      {logDrag.value ? words.linear : words.log}
-    </button>
   );
 }

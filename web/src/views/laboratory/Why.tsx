@@ -1,11 +1,10 @@
-import { useMemo } from 'preact/hooks';
-import { Chart } from '../../chart/Chart.tsx';
-import { Key } from '../../chart/Key.tsx';
-import { restitutionChart } from '../../figures/restitution.ts';
-import { drop } from '../../state/bench.ts';
+import { Figure, useAnswer } from '../../chart/Figure.tsx';
+import { engine } from '../../state/engine.ts';
+import { figureRequest } from '../../state/figures.ts';
+import { analysed, chosenDrop } from '../../state/workspace.ts';
 import { texts } from '../../text/language.ts';
 
-/** Why the air matters: two paragraphs and a small figure of this very drop. */
+/** Why the air matters: two paragraphs and a figure of this very drop. */
 export function Why() {
   const words = texts.value.lab;
   return (
@@ -15,24 +14,17 @@ export function Why() {
         {words.whyAir.map((paragraph) => (
           <p key={paragraph}>{paragraph}</p>
         ))}
-        <SmallFigure />
+        {analysed.value && <SmallFigure />}
       </div>
     </details>
   );
 }
 
 function SmallFigure() {
-  const said = drop.value;
-  const words = texts.value;
-  const spec = useMemo(
-    () => (said ? { ...restitutionChart(said, words), heightRem: 12 } : undefined),
-    [said, words],
-  );
-  if (!spec) return null;
-  return (
-    <>
-      <Key spec={spec} />
-      <Chart spec={spec} />
-    </>
-  );
+  const result = analysed.value;
+  const chart = useAnswer(async () => {
+    const asked = result && figureRequest('restitution', result.inference);
+    return asked ? engine().chart(asked) : undefined;
+  }, [result, chosenDrop.value]);
+  return <Figure chart={chart} see="" />;
 }

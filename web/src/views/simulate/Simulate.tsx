@@ -1,25 +1,26 @@
-import { useMemo } from 'preact/hooks';
 import { Rich } from '../../app/Rich.tsx';
-import { Chart } from '../../chart/Chart.tsx';
-import { Key } from '../../chart/Key.tsx';
-import { NumbersOf } from '../../chart/NumbersOf.tsx';
+import { Figure, useAnswer } from '../../chart/Figure.tsx';
 import { fixed, METRE, METRE_PER_SECOND, PERCENT, plain, SECOND } from '../../format/quantity.ts';
 import type { Simulation } from '../../lab/index.ts';
-import { impossible, outcome, runs, simulating } from '../../state/simulating.ts';
+import { engine } from '../../state/engine.ts';
+import { impossible, outcome, requestOf, runs, simulating } from '../../state/simulating.ts';
 import { language, texts } from '../../text/language.ts';
-import { sentence } from '../../text/remarks.ts';
-import { flightsOfRuns, heightsOfRuns } from './charts.ts';
 import { RunTools } from './RunTools.tsx';
 import { Sliders } from './Sliders.tsx';
 
 /** Drop a ball that does not exist: sliders on one side, what follows on the other. */
 export function Simulate() {
   const words = texts.value.simulate;
-  const all = texts.value;
-  const [done, kept] = [outcome.value?.simulated, runs.value];
-  const heights = useMemo(() => done && heightsOfRuns(done, kept, all), [done, kept, all]);
-  const flights = useMemo(() => done && flightsOfRuns(done, kept, all), [done, kept, all]);
-  const simulation = done?.document.simulations[0];
+  const done = outcome.value;
+  const compared = [
+    ...runs.value.map(({ setup, number }) => ({
+      name: words.run(number),
+      request: requestOf(setup),
+    })),
+    ...(done ? [{ name: words.thisRun, request: requestOf(done.setup) }] : []),
+  ];
+  const charts = useAnswer(() => engine().simulationCharts(compared), compared);
+  const simulation = done?.simulated.simulations[0];
   return (
     <>
       <div class="words intro">
@@ -34,24 +35,12 @@ export function Simulate() {
         <div class="stack results">
           {impossible.value !== null && (
             <p class="notice" role="alert">
-              {words.impossible} {sentence(impossible.value)}
+              {words.impossible} {impossible.value}
             </p>
           )}
           {simulation && <Outcome simulation={simulation} />}
-          {heights && (
-            <figure class="figure-box">
-              <figcaption>{words.see}</figcaption>
-              <Key spec={heights} />
-              <Chart spec={heights} />
-            </figure>
-          )}
-          {flights && (
-            <figure class="figure-box">
-              <figcaption>{words.seeTimes}</figcaption>
-              <Chart spec={flights} />
-              {heights && <NumbersOf charts={[flights]} />}
-            </figure>
-          )}
+          {done && <Figure chart={charts?.[0]} />}
+          {done && <Figure chart={charts?.[1]} numbers />}
         </div>
       </div>
     </>

@@ -1,12 +1,11 @@
 import { SLIDERS, type Slider as SliderName } from '../../address/simulation.ts';
 import { Choice } from '../../app/Choice.tsx';
 import { Slider } from '../../app/Slider.tsx';
-import { lawName } from '../../figures/drag.ts';
 import { CENTIMETRE, fixed, PERCENT, plain } from '../../format/quantity.ts';
 import { catalogue } from '../../state/engine.ts';
 import { move, setup } from '../../state/simulating.ts';
 import { language, texts } from '../../text/language.ts';
-import { ballName, nameIn } from '../../text/names.ts';
+import { ballName, lawName, nameIn } from '../../text/names.ts';
 
 /** What can be moved. */
 export function Sliders() {
@@ -67,9 +66,7 @@ export function Sliders() {
         label={words.drag}
         value={now.drag}
         options={[
-          ...(offered?.drag_laws ?? []).map(
-            ({ name }) => [name, lawName(name, texts.value)] as const,
-          ),
+          ...(offered?.drag_laws ?? []).map(({ name }) => [name, lawName(name)] as const),
           ['constant:0.4', texts.value.settings.dragConstant],
           ['none', texts.value.settings.dragNone],
         ]}

@@ -1,0 +1,128 @@
+//! A file to its result.
+
+use std::path::Path;
+use std::time::Duration;
+
+use bouncelab::analysis::{DropTask, Plan};
+use bouncelab::{Detector, Diagnostic, Options, Recording};
+use bouncelab_audio::{Input, Source};
+use indicatif::{ProgressBar, ProgressStyle};
+use rayon::prelude::*;
+
+use crate::failure::Failure;
+use crate::language::{text_with, translator};
+
+/// A file and what it says.
+pub(crate) struct Analysed {
+    /// The name of the file as given.
+    pub(crate) name: String,
+    /// What it says, with the sentences of all diagnostics.
+    pub(crate) result: Recording,
+}
+
+/// Reads a file and analyses every drop in it; `quiet` shows no progress, because somebody else does.
+pub(crate) fn read(file: &Path, options: &Options, quiet: bool) -> Result<Analysed, Failure> {
+    let name = file.display().to_string();
+    match Input::open(file)? {
+        Input::Times(times_s) => {
+            let plan = Plan::of_times(&times_s, options);
+            Ok(Analysed::new(name, run(plan, options), Vec::new()))
+        }
+        Input::Sound(source) => read_sound(name, *source, options, quiet),
+    }
+}
+
+fn read_sound(
+    name: String,
+    mut source: Source,
+    options: &Options,
+    quiet: bool,
+) -> Result<Analysed, Failure> {
+    let (rate_hz, channels) = (source.sample_rate_hz(), source.channels());
+    let mut detector = Detector::with_options(rate_hz, channels, &options.detection)
+        .map_err(|reason| Failure::Usage(format!("{name}: {}", translated(&reason))))?;
+    let progress = progress(source.duration_s().filter(|_| !quiet));
+    let mut frames = 0;
+    while let Some(block) = source.next_block()? {
+        let slices: Vec<&[f32]> = (0..channels).map(|number| block.channel(number)).collect();
+        detector.push(&slices);
+        frames += block.frames();
+        progress.set_position((frames as f64 / f64::from(rate_hz)) as u64);
+    }
+    progress.finish_and_clear();
+    let warnings = source.warnings().iter().map(|known| known.diagnostic());
+    let mut result = run(Plan::of_detection(detector.finish(), options), options);
+    result.source = result.source.with_format(&source.format());
+    Ok(Analysed::new(name, result, warnings.collect()))
+}
+
+impl Analysed {
+    /// The result with the warnings of its file, and the sentences of all diagnostics.
+    pub(crate) fn new(name: String, mut result: Recording, warnings: Vec<Diagnostic>) -> Self {
+        result.diagnostics.splice(0..0, warnings);
+        translator().complete(&mut result);
+        Self { name, result }
+    }
+
+    /// Why there is no drop; `None` if there is one.
+    pub(crate) fn no_drop(&self) -> Option<String> {
+        let reason = translator().diagnostic(self.result.no_drop.as_ref()?);
+        let why = [
+            ("name", self.name.as_str().into()),
+            ("reason", reason.into()),
+        ];
+        Some(text_with("analyze-no-drop", &why))
+    }
+}
+
+/// An error of the science in the language of the results.
+pub(crate) fn translated(reason: &bouncelab::Error) -> String {
+    translator().diagnostic(&reason.diagnostic())
+}
+
+/// Analyses drops, side by side unless somebody reads recordings side by side already.
+fn run(plan: Plan, options: &Options) -> Recording {
+    if rayon::current_thread_index().is_some() {
+        return plan.run();
+    }
+    let waiting = inferring(&plan, options);
+    let drops = plan.tasks().par_iter().map(DropTask::run).collect();
+    waiting.finish_and_clear();
+    plan.finish(drops)
+}
+
+/// A bar for recordings long enough to wait for; it hides itself when stderr is no terminal.
+fn progress(duration_s: Option<f64>) -> ProgressBar {
+    const LONG_S: f64 = 300.0;
+    let Some(duration_s) = duration_s.filter(|&duration_s| duration_s > LONG_S) else {
+        return ProgressBar::hidden();
+    };
+    let bar = ProgressBar::new(duration_s as u64);
+    if let Ok(style) =
+        ProgressStyle::with_template("detecting {wide_bar} {pos}/{len} s, {eta} left")
+    {
+        bar.set_style(style);
+    }
+    bar.enable_steady_tick(TICK);
+    bar
+}
+
+/// A sign of life while so many impacts are inferred from that it takes seconds; it hides itself as
+/// the bar does.
+fn inferring(plan: &Plan, options: &Options) -> ProgressBar {
+    /// About two milliseconds each.
+    const MANY: usize = 1000;
+    let impacts: usize = plan.tasks().iter().map(|task| task.impacts().len()).sum();
+    if options.inference.is_none() || impacts < MANY {
+        return ProgressBar::hidden();
+    }
+    let spinner = ProgressBar::new_spinner();
+    spinner.set_message(format!(
+        "inferring from {impacts} impacts (--no-inference leaves it out)"
+    ));
+    spinner.enable_steady_tick(TICK);
+    spinner
+}
+
+/// How often what shows progress moves.
+const TICK: Duration = Duration::from_millis(200);

@@ -1,0 +1,50 @@
+//! The language of the results: chosen once, when the program starts.
+
+use std::sync::OnceLock;
+
+use bouncelab_report::messages::{self, Translator, Value};
+
+static LANGUAGE: OnceLock<String> = OnceLock::new();
+static TRANSLATOR: OnceLock<Translator> = OnceLock::new();
+
+/// Reads the argument of `--language`.
+pub(crate) fn known(language: &str) -> Result<String, String> {
+    let known: Vec<&str> = messages::languages().collect();
+    match Translator::new(language) {
+        Some(_) => Ok(language.to_owned()),
+        None => Err(format!("known languages: {}", known.join(", "))),
+    }
+}
+
+/// Chooses a language; the first choice holds.
+pub(crate) fn choose(language: String) {
+    LANGUAGE.get_or_init(|| language);
+}
+
+/// The language that was chosen, else that of the system, else English.
+pub(crate) fn translator() -> &'static Translator {
+    TRANSLATOR.get_or_init(|| match LANGUAGE.get() {
+        Some(language) => Translator::new(language).unwrap_or_default(),
+        None => sys_locale::get_locales()
+            .find_map(|locale| of_locale(&locale))
+            .unwrap_or_default(),
+    })
+}
+
+/// The language of a locale; those without one are English.
+fn of_locale(locale: &str) -> Option<Translator> {
+    match locale {
+        "C" | "POSIX" => Some(Translator::english()),
+        _ => Translator::new(locale),
+    }
+}
+
+/// A message without arguments.
+pub(crate) fn text(id: &str) -> String {
+    translator().text(id)
+}
+
+/// A message with its arguments.
+pub(crate) fn text_with(id: &str, arguments: &[(&str, Value<'_>)]) -> String {
+    translator().text_with(id, arguments)
+}

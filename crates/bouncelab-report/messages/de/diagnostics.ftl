@@ -1,0 +1,184 @@
+diagnostic-recording-silent = Die Aufnahme ist stumm: Jeder Abtastwert ist gleich.
+diagnostic-no-sound = Kein Laut hebt sich vom Hintergrund ab.
+diagnostic-too-few-sounds = { $count ->
+    [one] Nur ein Laut hebt sich vom Hintergrund ab
+   *[other] Nur { $count } Laute heben sich vom Hintergrund ab
+  }; einen springenden Ball erkennt man an mindestens { $needed } Aufprallen.
+diagnostic-periodic-sounds = { $count } Laute kommen im Takt, etwa alle { $interval_s } s, wie von einer Uhr, von Schritten oder einer Trommel; die Flüge eines Balls werden kürzer.
+diagnostic-no-pattern = { $count } Laute heben sich ab, aber keine { $needed } davon kommen in schrumpfenden Abständen wie die Aufpralle eines Balls.
+diagnostic-too-few-times = Ein Flug braucht zwei Aufprallzeiten, und es sind weniger.
+diagnostic-nothing-left = Es wurden so viele Aufpralle weggelassen, dass kein Flug bleibt.
+diagnostic-distant-ball = Ein viel leiserer Ball wurde von { $start_s } s bis { $end_s } s erkannt ({ $impacts } Aufpralle) und weggelassen.
+diagnostic-clipped = { $samples ->
+    [one] 1 Abtastwert ist übersteuert
+   *[other] { $samples } Abtastwerte sind übersteuert
+  }: Die Aufnahme war zu laut; Zeiten leiden kaum, Pegel schon.
+diagnostic-nothing-to-exclude = Bei { $time_s } s liegt kein Aufprall, darum wurde dort keiner weggelassen.
+diagnostic-too-far-to-include = { $time_s } s liegt mehr als { $reach_s } von jedem Versuch entfernt und wurde darum nicht hinzugefügt.
+diagnostic-sound-lost = Bei { $at_s } s ging Ton verloren: Kein Flug über eine Lücke zählt, und von { $impacts } Aufprallen nur die { $kept } des längsten Stücks ohne Lücke.
+diagnostic-release-without-drop = Nach dem angegebenen Loslassen bei { $time_s } s beginnt kein Versuch.
+diagnostic-height-of-another-unit = Als Höhe sind { $stated_m } angegeben, aber der Ball fiel nach seinen Flügen aus etwa { $detected_m }, als wären { $meant_m } gemeint.
+
+diagnostic-file-unreadable = Die Datei lässt sich nicht lesen.
+diagnostic-file-truncated = { $expected_s ->
+    [none] Die Datei ist abgeschnitten oder beschädigt: Sie wurde bis { $read_s } s gelesen.
+   *[other] Die Datei ist abgeschnitten: { $read_s } s von { $expected_s } s waren lesbar.
+  }
+diagnostic-packets-damaged = { $packets ->
+    [one] 1 beschädigtes Stück wurde durch Stille ersetzt, bei { $first_s } s.
+   *[other] { $packets } beschädigte Stücke wurden durch Stille ersetzt, das erste bei { $first_s } s.
+  }
+diagnostic-samples-not-finite = { $samples ->
+    [one] 1 Abtastwert war keine Zahl und wurde zu null, bei { $first_s } s.
+   *[other] { $samples } Abtastwerte waren keine Zahlen und wurden zu null, der erste bei { $first_s } s.
+  }
+diagnostic-sound-missing = { $missing_s } s Ton fehlen bei { $at_s } s: Spätere Zeiten sind zu früh.
+diagnostic-format-changes = Der Ton wechselt bei { $at_s } s Rate oder Kanäle; er wurde bis dort gelesen.
+diagnostic-edit-list-ignored = Die Schnittliste der Datei ordnet den Ton um; er wurde gelesen, wie er aufgenommen ist.
+
+diagnostic-impacts-missed = { $count ->
+    [one] Ein Aufprall dazwischen wurde nicht erkannt; er ist mitgezählt.
+   *[other] { $count } Aufpralle dazwischen wurden nicht erkannt; sie sind mitgezählt.
+  }
+diagnostic-impact-gains-energy = { $count ->
+    [one] Aufprall { $impacts } gäbe dem Ball Energie (Stoßzahl über 1): doppelt ausgelöst, ein bewegter Untergrund oder kein Aufprall.
+   *[other] Die Aufpralle { $impacts } gäben dem Ball Energie (Stoßzahl über 1): doppelt ausgelöst, ein bewegter Untergrund oder keine Aufpralle.
+  }
+diagnostic-impacts-doubtful = { $count ->
+    [one] Ein Aufprall ist
+   *[other] { $count } Aufpralle sind
+  } eher etwas anderes (Wahrscheinlichkeit unter 1/2).
+diagnostic-flight-grows = Flug { $flight } ist länger als der vor ihm, was auf ruhendem Untergrund nicht geht.
+diagnostic-times-in-milliseconds = Flüge von mehr als 30 s: Zeiten werden in Sekunden gelesen. Sind das Millisekunden?
+
+diagnostic-sampling-not-converged = Die Stichprobe ist nicht konvergiert (Pareto-Form { $pareto_shape }; sie sollte unter { $greatest } liegen), darum ist den Bereichen nicht zu trauen; vielleicht gehören die Aufpralle nicht zu einem Versuch.
+diagnostic-few-impacts = { $count ->
+    [2] 2 Aufpralle zeigen nur einen Flug und keine Stoßzahl
+    [3] 3 Aufpralle zeigen eine einzige Stoßzahl, die für jedes Tempo gelten soll
+   *[other] { $count } Aufpralle zeigen nur wenige Stoßzahlen
+  }; der Rest der Antwort ist, was man von Bällen überhaupt weiß.
+diagnostic-law-needs-impacts = Das Gesetz der Stoßzahl „{ $law }“ braucht { $needed } Aufpralle zwischen zwei Flügen, um von einer gleichbleibenden Stoßzahl zu unterscheiden zu sein, und hier gibt es { $seen ->
+    [one] einen
+   *[other] { $seen }
+  }: Wie sich die Stoßzahl ändert, ist angenommen.
+diagnostic-impacts-odd = { $count ->
+    [one] Aufprall { $impacts } fällt aus der Reihe und zählt weniger: Der Ball ist vielleicht weggesprungen, traf eine Kante, oder der Laut ist etwas anderes.
+   *[other] Die Aufpralle { $impacts } fallen aus der Reihe und zählen weniger: Der Ball ist vielleicht weggesprungen, traf eine Kante, oder die Laute sind etwas anderes.
+  }
+diagnostic-height-contradicts-times = Die gemessene Höhe von { $measured_m } widerspricht den Flugzeiten, aus denen { $detected_m } folgen; beides stimmte bei einer Fallbeschleunigung von { $gravity_m_s2 }. Falsche Abtastrate, falscher Ball oder falsche Höhe?
+diagnostic-first-impacts-missed = Mit der Wahrscheinlichkeit { $probability } fehlen Aufpralle vor dem ersten erkannten.
+diagnostic-height-of-first-detected = Die Fallhöhe ist die vor dem ersten erkannten Aufprall; mit einer gemessenen Höhe fielen verpasste Aufpralle auf.
+diagnostic-drag-from-prior = Diese Flugzeiten sagen fast nichts über den Luftwiderstand: Der Beiwert ist, was man von Kugeln weiß.
+diagnostic-drag-or-slope = Luftwiderstand und fallende Stoßzahl lassen sich an dieser Aufnahme nicht unterscheiden; eine gemessene Fallhöhe oder ein dichterer Ball könnte es.
+diagnostic-no-law-wins = Kein Gesetz der Stoßzahl gewinnt; die Antwort ist das Mittel über alle, die wahr sein können.
+diagnostic-never-rests = Bei so wenig Verlust kommt der Ball in keiner vernünftigen Zeit zur Ruhe.
+diagnostic-inference-off = Eine Schätzung war nicht verlangt.
+diagnostic-inference-needs-impacts = Eine Schätzung braucht einen Flug, und ein Flug braucht zwei Aufpralle.
+diagnostic-no-model-fits = Kein physikalisches Modell erklärt diese Zeiten; sind sie von einem Versuch, in Sekunden, und ist es der richtige Ball?
+diagnostic-sampling-failed = Die Stichprobe ist gescheitert: Keine Ziehung erklärt die Zeiten; sind sie von einem Versuch?
+diagnostic-missed-in-a-row = { $missed } Aufpralle in Folge fehlen nach Aufprall { $after }.
+diagnostic-flight-too-long = Der Luftwiderstand macht einen so langen Flug dieses Balls unmöglich; prüfe Masse, Durchmesser und die Einheit der Zeiten.
+diagnostic-gains-speed = Der Ball gewänne bei jedem Aufprall an Tempo, was ruhender Untergrund nicht gibt; stehen die Zeiten der Reihe nach, in Sekunden, und sind sie von einem Versuch?
+diagnostic-variances-confounded = Die Varianzen dieser Gruppen lassen sich nicht trennen.
+diagnostic-height-out-of-reach = Die Höhe der Regel liegt weit über denen, aus denen der Ball nach seinen Flügen fiel.
+
+diagnostic-out-of-range = { $quantity }: { $value }; erlaubt ist: { $allowed }
+diagnostic-unknown-name = { $kind } „{ $name }“ gibt es nicht; am nächsten kommt „{ $nearest }“ (bekannt: { $known }).
+diagnostic-reynolds-too-high = Das Widerstandsgesetz { $law } ist bis zur Reynolds-Zahl { $max_reynolds } bekannt, der Ball erreicht aber { $reynolds }; wähle ein Gesetz, das weiter reicht (clift-grace-weber hat kein Ende), oder einen langsameren Ball.
+diagnostic-ball-floats = Der Ball wiegt { $mass_kg } und verdrängt { $displaced_kg } Luft, er schwebt also; prüfe Masse und Durchmesser, oder lass den Auftrieb weg.
+diagnostic-endless-drop = Der Ball steigt noch { $apex_m } nach { $bounces } Sprüngen; senke die Stoßzahl, höre bei größerer Höhe auf, oder begnüge dich mit { $bounces } Sprüngen.
+diagnostic-too-few-flights = Eine Gerade durch die Logarithmen der Flugzeiten braucht mindestens 2 Flüge, hier { $flights ->
+    [0] ist es keiner
+    [one] ist es einer
+   *[other] sind es { $flights }
+  }; nimm eine Aufnahme mit mindestens 3 Aufprallen oder mehr Flüge.
+diagnostic-too-few-drops = Das braucht mindestens { $needed } Versuche, hier { $drops ->
+    [0] ist es keiner
+    [one] ist es einer
+   *[other] sind es { $drops }
+  }.
+diagnostic-no-band = Kein Band liegt mindestens zur Hälfte { $range } Hz; bei dieser Abtastrate sind die Bänder { $bands } Hz.
+diagnostic-not-in-order = { $what } Nummer { $number } liegt nicht über der Nummer davor; nummeriere der Reihe nach, jede einmal.
+diagnostic-no-channel = Einen Kanal { $channel } gibt es nicht: Die Aufnahme hat { $channels ->
+    [one] nur einen
+   *[other] { $channels }, der erste ist 1
+  }.
+diagnostic-each-of-reference = Ein Anteil an einer Referenz ist einer von Mittelwerten: Einzelne Versuche haben keinen.
+diagnostic-implausible-quantity = { $quantity }: { $value } { $unit }?{ $meant_unit ->
+    [none] {""}
+   *[other] {" "}Sind { $meant } { $meant_unit } gemeint?
+  }
+diagnostic-implausible-ball = Ein Ball von { $mass_kg } und { $diameter_m } Durchmesser?{ $meant_g ->
+    [none] { $meant_cm ->
+        [none] { $meant_mm ->
+            [none] {""}
+           *[other] {" "}Sind { $meant_mm } mm gemeint?
+          }
+       *[other] {" "}Sind { $meant_cm } cm gemeint?
+      }
+   *[other] { $meant_mm ->
+        [none] {" "}Sind { $meant_g } g gemeint?
+       *[other] {" "}Sind { $meant_g } g und { $meant_mm } mm gemeint?
+      }
+  }
+
+diagnostic-assumed-ball = Der Ball: { $ball }.
+diagnostic-assumed-contact-time = Er berührt den Untergrund { $contact_time_s } lang.
+diagnostic-assumed-rule-ball = Der Ball: { $ball }, wie in der Regel.
+diagnostic-assumed-rule-height = Sein tiefster Punkt fiel { $height_m } ± { $sd_m }, wie in der Regel.
+diagnostic-assumed-air = Luft von { $temperature_k } °C, { $pressure_pa } hPa, { $relative_humidity } % Feuchte.
+diagnostic-assumed-gravity = Fallbeschleunigung { $gravity_m_s2 }.
+
+diagnostic-prior-restitution = Stoßzahl: alles von 0 bis 1.
+diagnostic-prior-scatter = Streuung der Stoßzahl: etwa { $relative_sd } %, auf einen Faktor zwei.
+diagnostic-prior-exact = { $input }: genau bekannt.
+diagnostic-prior-unknown = { $input }: unbekannt (ein Faktor e nach oben oder unten).
+diagnostic-prior-input = { $input }: auf { $relative_sd } % bekannt.
+diagnostic-prior-height = Fallhöhe: gemessen, { $height_m } ± { $sd_m }.
+diagnostic-prior-height-flat = Fallhöhe: beliebig (im Logarithmus gleich verteilt).
+diagnostic-prior-release = Loslassen: gemessen, { $release_s } s ± { $sd_s }.
+diagnostic-prior-constant-drag = Ein gleichbleibender Widerstandsbeiwert: so wahrscheinlich wie das Gesetz.
+diagnostic-prior-missed = Jeder weitere Aufprall, der am Anfang fehlt: halb so wahrscheinlich.
+
+diagnostic-rule-needs-drops = Die Regel verlangt { $needed } Versuche, hier { $given ->
+    [0] ist es keiner
+    [one] ist es einer
+   *[other] sind es { $given }
+  }.
+diagnostic-rule-needs-reference-drops = Die Regel verlangt { $needed } Versuche auf der Referenz, hier { $given ->
+    [0] ist es keiner
+    [one] ist es einer
+   *[other] sind es { $given }
+  }.
+diagnostic-rule-needs-reference = Die Regel vergleicht mit einem Referenzuntergrund: Sie braucht Aufnahmen desselben Balls darauf.
+diagnostic-rule-needs-places = Die Regel verlangt, dass Stellen einander gleichen, und hier ist es eine: Sie braucht eine Aufnahme von jeder Stelle.
+diagnostic-rule-without-limits = Die Regel nennt keine Grenzen.
+diagnostic-rule-needs-height = Die Regel nennt keine Höhe, und niemand hat angegeben, aus welcher der Ball fiel.
+diagnostic-rule-temperature = Bei { $temperature_k } °C gilt die Regel nicht.
+diagnostic-rule-altitude = In { $altitude_m } Höhe über dem Meer gilt die Regel nicht.
+diagnostic-drop-without-rebound = Versuch { $drop } legt seinen Rücksprung nicht fest: { $reason }
+diagnostic-limit-within-uncertainty = Eine Grenze liegt innerhalb der Unsicherheit; mehr oder bessere Versuche würden helfen.
+diagnostic-rule-unverified = Diese Regel ist nicht geprüft: Niemand hat sie in ihrer Quelle gelesen; verlass dich nicht auf sie.
+diagnostic-formula-unverified = Die Formel dieser Regel ist nicht geprüft: Niemand hat sie in ihrer Quelle gelesen.
+diagnostic-rule-other-ball = Die Regel gilt für einen Ball der Art { $ball }, und der angegebene ist nach Masse oder Durchmesser ein anderer: Ist es die richtige Regel?
+diagnostic-rule-without-point = Wo am Ball diese Regel misst, ist nicht vermerkt; es gilt der tiefste Punkt.
+diagnostic-temperature-not-stated = Die Regel gilt { $least_k ->
+    [none] bis { $greatest_k } °C
+   *[other] { $greatest_k ->
+        [none] ab { $least_k } °C
+       *[other] von { $least_k } bis { $greatest_k } °C
+      }
+  }, und niemand hat die Temperatur angegeben.
+diagnostic-altitude-not-stated = Die Regel gilt { $least_m ->
+    [none] bis { $greatest_m } über dem Meer
+   *[other] { $greatest_m ->
+        [none] ab { $least_m } über dem Meer
+       *[other] von { $least_m } bis { $greatest_m } über dem Meer
+      }
+  }, und niemand hat die Höhe über dem Meer angegeben.
+diagnostic-rule-other-height = Der Ball fiel { $dropped_m }, die Regel lässt ihn { $rule_m } fallen: Der Rücksprung ist für die Höhe der Regel vorhergesagt.
+diagnostic-rule-extrapolated = Der Aufprall der Regel ist { $factor } % schneller als jeder erkannte: Sein Rücksprung beruht darauf, wie die Stoßzahl vom Tempo abhängt.
+diagnostic-verdict-of-few-drops = { $drops ->
+    [one] Das Urteil beruht auf diesem einen Versuch: Wie sehr sich Versuche unterscheiden, zeigt er nicht; drei oder mehr würden es.
+   *[other] Zwei Versuche zeigen kaum, wie sehr sich Versuche unterscheiden, was ihr Mittel unsicher macht; ein dritter hülfe viel.
+  }

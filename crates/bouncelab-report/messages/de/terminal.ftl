@@ -1,0 +1,198 @@
+terminal-note = Hinweis: { $text }
+terminal-assumed = Angenommen: { $list }.
+terminal-cannot-tell = { $what }: nicht zu sagen: { $reason }
+
+analyze-times = { $name }: Aufprallzeiten
+analyze-sound = { $name }: { $format }, { $rate } kHz{ $channels ->
+    [1] {""}
+   *[other] , Kanal { $channel } von { $channels }
+  }, { $duration } s
+analyze-listening = { $onsets } Laute heben sich vom Hintergrund ab, und { $impacts } Aufpralle wurden erkannt, am deutlichsten von { $low } bis { $high } Hz, { $above } dB über dem Ton davor (--channel, --band).
+analyze-drop = { $drops ->
+    [1] Versuch
+   *[other] Versuch { $number } von { $drops }
+  }: { $count } Aufpralle von { $first } s bis { $last } s{ $uncertain ->
+    [0] {""}
+   *[other] , { $uncertain } unsicher (?)
+  }{ $probability ->
+    [none] {""}
+   *[other] {" "}(mit Wahrscheinlichkeit { $probability } ein springender Ball)
+  }
+analyze-line = Gerade
+analyze-line-heading = Gerade durch die Logarithmen der Flugzeiten, als gäbe es keine Luft:
+analyze-line-flights = (vor dem ersten erkannten Aufprall; { $count ->
+    [one] 1 Flug
+   *[other] { $count } Flüge
+  })
+analyze-until-rest = bis zur Ruhe
+analyze-corrected = Luftwiderstand herausgerechnet
+analyze-corrected-heading = Luftwiderstand herausgerechnet ({ $ball }, { $law }):
+analyze-corrected-impacts = (Median von { $count } Aufprallen bei { $slowest } bis { $fastest } m/s)
+analyze-corrected-too-few = Luftwiderstand herausgerechnet: kein Mittelwert: { $count } der Aufpralle liegen zwischen zwei Flügen, und es braucht 3.
+analyze-inference = Schätzung
+analyze-inference-heading = Schätzung, mit Luft ({ $ball }):
+analyze-at-speed = bei { $speed }
+analyze-before-data = { $value } vor den Daten
+analyze-known = als bekannt angenommen
+analyze-first-fall = vor dem ersten erkannten Aufprall
+analyze-missed = vorher verpasste Aufpralle: { $list }
+analyze-reach = Sprung { $bounce } erreicht { $apex } aus
+analyze-interval = 95 %: { $interval }
+
+analyze-details-models = Modelle, vor den Daten gleich wahrscheinlich:
+analyze-details-budget-restitution = Woher die Unsicherheit von e kommt:
+analyze-details-budget-height = Woher die Unsicherheit von h0 kommt:
+analyze-details-contraction = Wie weit die Daten eingegrenzt haben, was bekannt war:
+analyze-details-correlations = Korrelationen der Antworten:
+analyze-details-impacts = Aufpralle in der Schätzung:
+analyze-details-priors = Vor den Daten:
+analyze-details-sampling = Stichprobe: { $draws } unabhängige Ziehungen, Pareto-Form { $shape } (gut unter 0,7).
+analyze-no-drop = { $name }: kein springender Ball gefunden: { $reason }
+analyze-one-report = ein Bericht gilt einer Aufnahme, hier sind es mehrere: bouncelab session macht einen aus vielen
+advice-allow-implausible = Berichtigen Sie es, oder bestehen Sie mit --allow-implausible darauf
+
+terminal-wrote = { $file } geschrieben
+terminal-wrote-figure = { $file } und .png geschrieben
+terminal-all-shown = ... und { $count } weitere; --format csv hat alle.
+
+demo-heading = Ein Versuch aus 30,5 cm, erzeugt, erkannt und ausgewertet ({ $file })
+demo-truth = Wahrheit
+demo-detected = erkannt
+demo-flight-time-error = größter Fehler einer Flugzeit
+demo-restitution-line = e, Gerade durch zehn Flüge
+demo-restitution-inference = e, Schätzung
+demo-height-line = Fallhöhe, Gerade
+demo-height-inference = Fallhöhe, Schätzung
+demo-second-speed = Tempo des zweiten Aufpralls
+demo-conclusion =
+    Die Gerade hält den Luftwiderstand für verlorene Sprungkraft und bleibt unter der Höhe;
+    die Schätzung rechnet die Luft heraus und findet Stoßzahl und Höhe wieder.
+
+simulate-heading = Ein Versuch mit einem Ball ({ $ball }), simuliert
+simulate-bounces = Sprünge
+simulate-first-speed = Tempo des ersten Aufpralls
+simulate-no-terminal-speed = keine
+simulate-total-time = Zeit bis zum Ende
+simulate-total-path = Weg bis zum Ende
+simulate-initial-energy = Energie am Anfang
+simulate-lost-to-surface = an den Untergrund verloren
+simulate-lost-to-air = an die Luft verloren
+simulate-each-bounce = Jeder Sprung, Luftwiderstand { $law }:
+simulate-bounce = Sprung
+simulate-to-surface = Untergrund µJ
+simulate-to-air = Luft µJ
+simulate-drag = Luftwiderstand { $law }
+
+synth-made = { $file }: { $count ->
+    [one] 1 Aufprall
+   *[other] { $count } Aufpralle
+  } in { $seconds } s, { $rate } Hz, Startwert { $seed }
+
+puzzle-question = Das Rätsel: Was lässt die Gerade e = 0,9375 und h0 = 26,7 cm von einem Ball sagen, der aus 30,5 cm fällt?
+puzzle-flights = Flüge
+puzzle-first = e bei 2,4 m/s
+puzzle-slow = e bei 0,5 m/s
+puzzle-height = Gerade: h0 cm
+puzzle-solved = die 26,7 des Aufsatzes?
+puzzle-yes = ja
+puzzle-no = nein
+puzzle-answer =
+    Jedes Gesetz ist so gewählt, dass die Gerade e = 0,9375 ergibt. Luftwiderstand mit gleichbleibender
+    Stoßzahl gibt 26,7 cm erst mit etwa 21 Flügen in der Geraden; mit zehn Flügen muss die Stoßzahl auch
+    mit dem Tempo fallen. Eine Gerade kann beides nicht unterscheiden; wie viele Flüge in sie eingehen,
+    entscheidet über ihr Ergebnis.
+puzzle-quantity = Größe
+puzzle-printed = gedruckt
+puzzle-computed = berechnet
+puzzle-verdict = Urteil
+
+verdict-made-on = Urteil von bouncelab { $version }, { $date }
+verdict-because = Grund: { $reason }
+verdict-pass = bestanden
+verdict-fail = nicht bestanden
+verdict-cannot-decide = nicht zu entscheiden
+verdict-sure = { $outcome }. Innerhalb der Grenzen mit einer Wahrscheinlichkeit von { $within }; „bestanden“ wäre falsch mit { $outside }.
+verdict-guarded = Entscheidungsregel: abgesicherte Annahme, falsch mit höchstens { $risk } nach beiden Seiten (JCGM 106).
+verdict-simple = Entscheidungsregel: einfache Annahme, was wahrscheinlicher ist (JCGM 106).
+verdict-accepted = Bei dieser Unsicherheit bestünden { $accepted }.
+verdict-more-than = mehr als { $share }
+verdict-less-than = weniger als { $share }
+verdict-from = { $least } und mehr
+verdict-up-to = { $greatest } und weniger
+verdict-anything = beliebig
+verdict-steps = Von g T²/8 zum Rücksprung der Regel, Mittel über die Versuche
+verdict-steps-why = Die Formel hält die ganze Zeit zwischen zwei Aufprallen für Flug im Vakuum. Die Kontaktzeit ist kein Flug; Auftrieb und mitbewegte Luft machen die Fallbeschleunigung kleiner; der Luftwiderstand verkürzt den Flug ein wenig; und dieser Versuch fiel aus seiner eigenen Höhe, mit einem eigenen Aufprall.
+verdict-on-reference = Auf der Referenz:
+verdict-rebound = Rücksprung
+verdict-value = Wert
+verdict-predicted-air = vorhergesagt, mit Luft
+verdict-reference = auf der Referenz
+verdict-share = Anteil an der Referenz
+verdict-unevenness = Ungleichmäßigkeit der Stellen
+verdict-plain = g T²/8 des ersten Flugs
+verdict-formula = Formel der Regel aus T
+verdict-reason = wegen
+verdict-centimetres = cm
+verdict-file = Datei
+verdict-first-flight = erster Flug s
+verdict-predicted = vorhergesagt
+verdict-formula-short = Formel
+verdict-step-contact = Kontaktzeit, die kein Flug ist
+verdict-step-buoyancy = Auftrieb und mitbewegte Luft
+verdict-step-drag = Luftwiderstand im Flug
+verdict-step-this-drop = eigene Höhe und einzelner Aufprall dieses Versuchs gegen die der Regel
+verdict-rule-line = Fall aus { $drop }{ $surface ->
+    [none] {""}
+   *[other] {" "}auf { $surface }
+  }; verlangter Rücksprung: { $wanted }; gemessen { $point } des Balls
+verdict-the-rule = Die Regel
+verdict-ways = Der Rücksprung auf jedem Weg, ihn zu bestimmen
+verdict-the-rebound = Der Rücksprung
+verdict-drops = Die Versuche
+verdict-every-drop = Jeder Versuch
+verdict-every-reference-drop = Jeder Versuch auf der Referenz
+verdict-all-drops = alle Versuche
+verdict-method = Wie entschieden wurde
+verdict-method-predicted = Beurteilt wird der Scheitel nach dem ersten Aufprall eines Falls aus der Höhe der Regel, an dem Punkt des Balls, an dem die Regel misst. Er ist aus allem vorhergesagt, was die Versuche zeigen, beim Aufpralltempo der Regel, die Streuung einzelner Aufpralle herausgemittelt.
+verdict-method-decided = Bestanden ist nur, wenn die Wahrscheinlichkeit, außerhalb der Grenzen zu liegen, höchstens das angegebene Risiko ist, und nicht bestanden nur, wenn es die ist, innerhalb zu liegen (abgesicherte Annahme, JCGM 106:2012, The role of measurement uncertainty in conformity assessment). Dazwischen lassen die Versuche keine Entscheidung zu. Was man von Ball, Luft und Luftwiderstand nicht weiß, ist für alle Versuche gleich und mittelt sich nicht heraus.
+
+rule-name = Name
+rule-title = Regel
+rule-sport = von
+rule-source = Quelle
+rule-edition = Ausgabe
+rule-status = Stand
+rule-verified = geprüft
+rule-unverified = nicht geprüft
+rule-not-noted = nicht vermerkt
+rule-ball = Ball
+rule-surface = Untergrund
+rule-drop = Fall
+rule-wants = verlangt
+rule-measured-at = gemessen
+rule-point = { $point } des Balls
+rule-point-bottom = am tiefsten Punkt
+rule-point-centre = in der Mitte
+rule-point-top = am höchsten Punkt
+rule-point-not-noted = nicht vermerkt; es gilt der tiefste Punkt des Balls
+rule-drops = Versuche
+rule-drops-mean = mindestens { $count }; ihr Mittel zählt
+rule-drops-each = mindestens { $count }; jeder muss genügen
+rule-places = Stellen
+rule-temperature = Temperatur
+rule-altitude = Meereshöhe
+rule-formula = Formel
+rule-formula-text = H = { $factor } (T - { $offset })² in m und s, T vom ersten Aufprall zum zweiten ({ $status })
+rule-note = Anmerkung
+rule-nobody-read = Diese Regel ist nicht geprüft: Niemand hat sie in ihrer Quelle gelesen.
+rule-any-height = beliebige Höhe
+rule-or-more = { $height } oder mehr
+rule-about = etwa { $height }
+rule-share-of = Anteil an dem auf { $surface }
+rule-limits-of = { $limits } dessen auf { $surface }
+rule-share-of-reference = Anteil an einer Referenz
+rule-limits-of-reference = { $limits } einer Referenz
+rule-within-of-mean = jede Stelle innerhalb von { $share } % des Mittels
+rule-places-apart = Stellen höchstens { $share } Prozentpunkte auseinander
+rule-at-least = mindestens { $least }
+rule-at-most = höchstens { $greatest }

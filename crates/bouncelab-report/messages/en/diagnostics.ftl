@@ -1,0 +1,187 @@
+# The sentences of the diagnostics, by their codes; docs/diagnostics.md says what each means and what to do.
+# Advice that names an option or a button of a front end is in advice.ftl.
+
+diagnostic-recording-silent = The recording is silent: all samples have the same value.
+diagnostic-no-sound = No sound stands out of the background.
+diagnostic-too-few-sounds = { $count ->
+    [one] Only 1 sound stands out of the background
+   *[other] Only { $count } sounds stand out of the background
+  }; a drop is told from chance by at least { $needed } impacts.
+diagnostic-periodic-sounds = { $count } sounds keep time, about every { $interval_s } s, as of a clock, of steps or a drum; the flights of a ball shrink.
+diagnostic-no-pattern = { $count } sounds stand out of the background, but no { $needed } of them come at shrinking intervals as the impacts of a ball do.
+diagnostic-too-few-times = A flight needs two impact times, and there are fewer.
+diagnostic-nothing-left = So many impacts were left out that no flight remains.
+diagnostic-distant-ball = A far fainter ball was detected from { $start_s } s to { $end_s } s ({ $impacts } impacts) and left out.
+diagnostic-clipped = { $samples ->
+    [one] 1 sample is clipped
+   *[other] { $samples } samples are clipped
+  }: the recorder was too loud; times suffer little, levels do.
+diagnostic-nothing-to-exclude = No impact lies near { $time_s } s, so none was left out there.
+diagnostic-too-far-to-include = { $time_s } s lies more than { $reach_s } away from every drop, so it was not added.
+diagnostic-sound-lost = Sound was lost at { $at_s } s: no flight across a gap is used, and of { $impacts } impacts the { $kept } of the longest part without one.
+diagnostic-release-without-drop = No drop begins after the stated release at { $time_s } s.
+diagnostic-height-of-another-unit = The height is stated as { $stated_m }, but the ball was detected to fall from about { $detected_m }, as if { $meant_m } was meant.
+
+diagnostic-file-unreadable = The file cannot be read.
+diagnostic-file-truncated = { $expected_s ->
+    [none] The file is cut short or damaged: it was read up to { $read_s } s.
+   *[other] The file is cut short: { $read_s } s of { $expected_s } s could be read.
+  }
+diagnostic-packets-damaged = { $packets ->
+    [one] 1 damaged packet was
+   *[other] { $packets } damaged packets were
+  } replaced by silence, the first at { $first_s } s.
+diagnostic-samples-not-finite = { $samples ->
+    [one] 1 sample was not a number
+   *[other] { $samples } samples were not numbers
+  } and replaced by zero, the first at { $first_s } s.
+diagnostic-sound-missing = { $missing_s } s of sound are missing at { $at_s } s: later times are too early.
+diagnostic-format-changes = The sound changes its rate or channels at { $at_s } s; it was read up to there.
+diagnostic-edit-list-ignored = The file's edit list reorders or warps the sound; it was read as recorded.
+
+diagnostic-impacts-missed = { $count ->
+    [one] One impact in between was not detected; it is counted.
+   *[other] { $count } impacts in between were not detected; they are counted.
+  }
+diagnostic-impact-gains-energy = { $count ->
+    [one] Impact { $impacts } would give energy to the ball
+   *[other] Impacts { $impacts } would give energy to the ball
+  } (restitution above 1): a double trigger, a moving surface, or a sound that is no impact.
+diagnostic-impacts-doubtful = { $count ->
+    [one] 1 impact is
+   *[other] { $count } impacts are
+  } more likely something else (probability below 1/2).
+diagnostic-flight-grows = Flight { $flight } is longer than the one before it, which no surface at rest does.
+diagnostic-times-in-milliseconds = Flights of more than 30 s: times are read in seconds; are these milliseconds?
+
+diagnostic-sampling-not-converged = The sampling did not converge (Pareto shape { $pareto_shape }; it should be below { $greatest }), so the intervals cannot be trusted; the impacts may not be of one drop.
+diagnostic-few-impacts = { $count ->
+    [2] 2 impacts show a single flight and no restitution of the ball
+    [3] 3 impacts show a single restitution, taken to be the same at every speed, of the ball
+   *[other] { $count } impacts show few restitutions of the ball
+  }; the rest of the answer is what is known of balls in general.
+diagnostic-law-needs-impacts = The { $law } restitution law takes { $needed } impacts between two flights to be told from a constant, and there { $seen ->
+    [one] is 1
+   *[other] are { $seen }
+  }: how restitution changes is what was assumed.
+diagnostic-impacts-odd = { $count ->
+    [one] Impact { $impacts } is odd and counts less: the ball may have drifted, hit an edge, or the sound is something else.
+   *[other] Impacts { $impacts } are odd and count less: the ball may have drifted, hit an edge, or the sounds are something else.
+  }
+diagnostic-height-contradicts-times = The measured height of { $measured_m } contradicts the flight times, which indicate { $detected_m }: both would be true if gravity were { $gravity_m_s2 }; a wrong sample rate, a wrong ball, or a wrong height.
+diagnostic-first-impacts-missed = Impacts before the first one detected were missed, with probability { $probability }.
+diagnostic-height-of-first-detected = The drop height is of the fall before the first impact detected; with a measured height missed impacts would show.
+diagnostic-drag-from-prior = These flight times say next to nothing about drag: the drag coefficient is what is known of spheres.
+diagnostic-drag-or-slope = Drag and falling restitution cannot be told apart from this recording; a measured drop height or a denser ball would help.
+diagnostic-no-law-wins = No restitution law wins; the answer is averaged over those that may be true.
+diagnostic-never-rests = With so little loss the ball does not come to rest in any reasonable time.
+diagnostic-inference-off = No inference was asked for.
+diagnostic-inference-needs-impacts = An inference takes a flight, and a flight takes two impacts.
+diagnostic-no-model-fits = No physical model explains these times; are they of one drop, in seconds, and is the ball the right one?
+diagnostic-sampling-failed = The posterior could not be sampled: no draw explains the times; are they of one drop?
+diagnostic-missed-in-a-row = { $missed } impacts in a row were missed after impact { $after }.
+diagnostic-flight-too-long = Air drag makes so long a flight impossible for this ball; check mass, diameter and the unit of the times.
+diagnostic-gains-speed = The ball would gain speed at each impact, which no surface at rest gives; are the times in order, in seconds, and of one drop?
+diagnostic-variances-confounded = The variances of these groups cannot be told apart.
+diagnostic-height-out-of-reach = The rule's height is far beyond those from which the ball was detected to fall.
+
+diagnostic-out-of-range = { $quantity } is { $value }; it must be { $allowed }
+diagnostic-unknown-name = No { $kind } is called “{ $name }”; the nearest is “{ $nearest }” (known: { $known }).
+diagnostic-reynolds-too-high = The drag law { $law } is known up to Reynolds number { $max_reynolds }, but the ball reaches { $reynolds }; choose a law with a wider range (clift-grace-weber has no upper end) or a slower ball.
+diagnostic-ball-floats = The ball weighs { $mass_kg } and displaces { $displaced_kg } of air, so it floats; check mass and diameter, or leave buoyancy out.
+diagnostic-endless-drop = The ball still rises { $apex_m } after { $bounces } bounces; lower the restitution, stop at a greater height, or ask for at most { $bounces } bounces.
+diagnostic-too-few-flights = A straight line through the logarithms of the flight times needs at least 2 flights, and there { $flights ->
+    [0] are none
+    [one] is 1
+   *[other] are { $flights }
+  }; use a recording with at least 3 impacts, or a wider range of flights.
+diagnostic-too-few-drops = This takes { $needed } drops or more, and there { $drops ->
+    [0] are none
+    [one] is 1
+   *[other] are { $drops }
+  }.
+diagnostic-no-band = No band lies { $range } Hz, at least by half; at this sample rate the bands are { $bands } Hz.
+diagnostic-not-in-order = { $what } number { $number } is not above the number before it; number them in order, once each.
+diagnostic-no-channel = There is no channel { $channel }: the recording has { $channels ->
+    [one] only one
+   *[other] { $channels }, the first being 1
+  }.
+diagnostic-each-of-reference = A share of a reference is one of means: single drops have none.
+diagnostic-implausible-quantity = { $quantity }: { $value } { $unit }?{ $meant_unit ->
+    [none] {""}
+   *[other] {" "}Did you mean { $meant } { $meant_unit }?
+  }
+diagnostic-implausible-ball = A ball of { $mass_kg } and { $diameter_m } in diameter?{ $meant_g ->
+    [none] { $meant_cm ->
+        [none] { $meant_mm ->
+            [none] {""}
+           *[other] {" "}Did you mean { $meant_mm } mm?
+          }
+       *[other] {" "}Did you mean { $meant_cm } cm?
+      }
+   *[other] { $meant_mm ->
+        [none] {" "}Did you mean { $meant_g } g?
+       *[other] {" "}Did you mean { $meant_g } g and { $meant_mm } mm?
+      }
+  }
+
+diagnostic-assumed-ball = The ball is { $ball }.
+diagnostic-assumed-contact-time = It touches the surface for { $contact_time_s }.
+diagnostic-assumed-rule-ball = The ball is { $ball }, as in the rule.
+diagnostic-assumed-rule-height = Its lowest point fell { $height_m } ± { $sd_m }, as in the rule.
+diagnostic-assumed-air = Air of { $temperature_k } °C, { $pressure_pa } hPa, { $relative_humidity } % humidity.
+diagnostic-assumed-gravity = Gravity { $gravity_m_s2 }.
+
+diagnostic-prior-restitution = Restitution: anything from 0 to 1.
+diagnostic-prior-scatter = Scatter of restitution: about { $relative_sd } %, within a factor of two.
+diagnostic-prior-exact = { $input }: exact.
+diagnostic-prior-unknown = { $input }: unknown (a factor e either way).
+diagnostic-prior-input = { $input }: known to { $relative_sd } %.
+diagnostic-prior-height = Drop height: measured, { $height_m } ± { $sd_m }.
+diagnostic-prior-height-flat = Drop height: anything (flat in its logarithm).
+diagnostic-prior-release = Release: measured, { $release_s } s ± { $sd_s }.
+diagnostic-prior-constant-drag = A constant drag coefficient: as probable as the law.
+diagnostic-prior-missed = Each further impact missed at the start: half as likely.
+
+diagnostic-rule-needs-drops = The rule takes { $needed } drops, and there { $given ->
+    [0] are none
+    [one] is 1
+   *[other] are { $given }
+  }.
+diagnostic-rule-needs-reference-drops = The rule takes { $needed } drops on the reference, and there { $given ->
+    [0] are none
+    [one] is 1
+   *[other] are { $given }
+  }.
+diagnostic-rule-needs-reference = The rule compares with a reference surface: it takes recordings of the same ball on it.
+diagnostic-rule-needs-places = The rule wants places to be alike, and there is one: it takes one recording for each place.
+diagnostic-rule-without-limits = The rule names no limits.
+diagnostic-rule-needs-height = The rule names no height, and nobody stated from which the ball fell.
+diagnostic-rule-temperature = { $temperature_k } °C is not a temperature at which the rule holds.
+diagnostic-rule-altitude = { $altitude_m } above the sea is not where the rule holds.
+diagnostic-drop-without-rebound = Drop { $drop } does not determine its rebound: { $reason }
+diagnostic-limit-within-uncertainty = A limit lies within the uncertainty; more or better drops would help.
+diagnostic-rule-unverified = This rule is unverified: nobody has read it in its source; do not rely on it.
+diagnostic-formula-unverified = The formula of this rule is unverified: nobody has read it in its source.
+diagnostic-rule-other-ball = The rule is for a ball of the kind { $ball }, and that stated is another by mass or diameter: is it the right rule?
+diagnostic-rule-without-point = It is not noted where on the ball this rule measures; the lowest point is taken.
+diagnostic-temperature-not-stated = The rule holds { $least_k ->
+    [none] up to { $greatest_k } °C
+   *[other] { $greatest_k ->
+        [none] from { $least_k } °C
+       *[other] from { $least_k } to { $greatest_k } °C
+      }
+  }, and nobody stated the temperature.
+diagnostic-altitude-not-stated = The rule holds { $least_m ->
+    [none] up to { $greatest_m } above the sea
+   *[other] { $greatest_m ->
+        [none] from { $least_m } above the sea
+       *[other] from { $least_m } to { $greatest_m } above the sea
+      }
+  }, and nobody stated the altitude.
+diagnostic-rule-other-height = The ball fell { $dropped_m }, the rule drops it { $rule_m }: the rebound is predicted for the rule's height.
+diagnostic-rule-extrapolated = The rule's impact is { $factor } % faster than any that was detected: its rebound rests on how restitution depends on speed.
+diagnostic-verdict-of-few-drops = { $drops ->
+    [one] The verdict is of this one drop: it does not show how much drops differ; three or more would.
+   *[other] Two drops hardly show how much drops differ, which makes their mean uncertain; a third would help much.
+  }

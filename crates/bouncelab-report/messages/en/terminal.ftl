@@ -1,0 +1,200 @@
+# What the command line prints. Names of options and commands are not translated.
+
+terminal-note = Note: { $text }
+terminal-assumed = Assumed: { $list }.
+terminal-cannot-tell = { $what }: cannot tell: { $reason }
+
+analyze-times = { $name }: impact times
+analyze-sound = { $name }: { $format }, { $rate } kHz{ $channels ->
+    [1] {""}
+   *[other] , channel { $channel } of { $channels }
+  }, { $duration } s
+analyze-listening = { $onsets } sounds stand out of the background and { $impacts } impacts were detected, clearest from { $low } to { $high } Hz, { $above } dB above the sound before them (--channel, --band).
+analyze-drop = { $drops ->
+    [1] Drop
+   *[other] Drop { $number } of { $drops }
+  }: { $count } impacts from { $first } s to { $last } s{ $uncertain ->
+    [0] {""}
+   *[other] , { $uncertain } uncertain (?)
+  }{ $probability ->
+    [none] {""}
+   *[other] {" "}(a drop with probability { $probability })
+  }
+analyze-line = Straight line
+analyze-line-heading = Straight line through log flight time, as if there were no air:
+analyze-line-flights = (before the first impact detected; { $count ->
+    [one] 1 flight
+   *[other] { $count } flights
+  })
+analyze-until-rest = until rest
+analyze-corrected = Corrected for drag
+analyze-corrected-heading = Corrected for drag ({ $ball }, { $law }):
+analyze-corrected-impacts = (median of { $count } impacts at { $slowest } to { $fastest } m/s)
+analyze-corrected-too-few = Corrected for drag: cannot tell a mean: { $count } of the impacts lie between two flights, and it takes 3.
+analyze-inference = Inference
+analyze-inference-heading = Inference, with air ({ $ball }):
+analyze-at-speed = at { $speed }
+analyze-before-data = { $value } before the data
+analyze-known = taken as known
+analyze-first-fall = before the first impact detected
+analyze-missed = impacts missed before: { $list }
+analyze-reach = bounce { $bounce } reaches { $apex } from
+analyze-interval = 95 %: { $interval }
+
+analyze-details-models = Models, of equal probability before the data:
+analyze-details-budget-restitution = Where the uncertainty of e comes from:
+analyze-details-budget-height = Where the uncertainty of h0 comes from:
+analyze-details-contraction = How much the data narrowed what was known:
+analyze-details-correlations = Correlations of the answers:
+analyze-details-impacts = Impacts in the fit:
+analyze-details-priors = Before the data:
+analyze-details-sampling = Sampling: { $draws } independent draws, Pareto shape { $shape } (good below 0.7).
+analyze-no-drop = { $name }: no drop found: { $reason }
+analyze-one-report = a report is of one recording, and there are several: bouncelab session makes one of many
+advice-allow-implausible = Correct it, or insist by --allow-implausible
+
+terminal-wrote = wrote { $file }
+terminal-wrote-figure = wrote { $file } and .png
+terminal-all-shown = ... and { $count } more; --format csv has them all.
+
+demo-heading = A drop from 30.5 cm, made, detected and analysed ({ $file })
+demo-truth = truth
+demo-detected = detected
+demo-flight-time-error = largest error of a flight time
+demo-restitution-line = e, straight line of ten flights
+demo-restitution-inference = e, inference
+demo-height-line = drop height, straight line
+demo-height-inference = drop height, inference
+demo-second-speed = speed of the second impact
+demo-conclusion =
+    The straight line takes the drag for lost bounciness and falls short in height;
+    the inference accounts for the air, and finds the restitution and the height again.
+
+simulate-heading = A drop of a ball ({ $ball }), simulated
+simulate-bounces = bounces
+simulate-first-speed = speed of the first impact
+simulate-no-terminal-speed = none
+simulate-total-time = time until the end
+simulate-total-path = path until the end
+simulate-initial-energy = energy at the start
+simulate-lost-to-surface = lost to the surface
+simulate-lost-to-air = lost to the air
+simulate-each-bounce = Each bounce, with drag { $law }:
+simulate-bounce = bounce
+simulate-to-surface = to surface µJ
+simulate-to-air = to air µJ
+simulate-drag = drag { $law }
+
+synth-made = { $file }: { $count ->
+    [one] 1 impact
+   *[other] { $count } impacts
+  } in { $seconds } s, { $rate } Hz, seed { $seed }
+
+puzzle-question = The puzzle: what makes the straight line say e = 0.9375 and h0 = 26.7 cm of a ball dropped from 30.5 cm?
+puzzle-flights = flights
+puzzle-first = e at 2.4 m/s
+puzzle-slow = e at 0.5 m/s
+puzzle-height = line says h0 cm
+puzzle-solved = the paper's 26.7?
+puzzle-yes = yes
+puzzle-no = no
+puzzle-answer =
+    Each law was chosen so that the line says e = 0.9375. Drag with a constant restitution
+    gives 26.7 cm only with some 21 flights in the line; with ten flights the restitution must
+    also fall with speed. A straight line cannot tell the two; how many flights go into it
+    decides what it says.
+puzzle-quantity = quantity
+puzzle-printed = printed
+puzzle-computed = computed
+puzzle-verdict = verdict
+
+verdict-made-on = Verdict of bouncelab { $version }, { $date }
+verdict-because = Because: { $reason }
+verdict-pass = pass
+verdict-fail = fail
+verdict-cannot-decide = cannot decide
+verdict-sure = { $outcome }. Within the limits with a probability of { $within }; a pass would be wrong with { $outside }.
+verdict-guarded = Decision rule: guarded acceptance, wrong with at most { $risk } either way (JCGM 106).
+verdict-simple = Decision rule: simple acceptance, whatever is more probable (JCGM 106).
+verdict-accepted = At this uncertainty { $accepted } would pass.
+verdict-more-than = more than { $share }
+verdict-less-than = less than { $share }
+verdict-from = { $least } and more
+verdict-up-to = { $greatest } and less
+verdict-anything = anything
+verdict-steps = From g T²/8 to the rebound of the rule, mean over the drops
+verdict-steps-why = The formula takes the whole time between two impacts as flight in a vacuum. The time of contact is no flight; buoyancy and added mass make gravity weaker; drag shortens the flight a little; and this drop fell from its own height, with an impact of its own.
+verdict-on-reference = On the reference:
+verdict-rebound = rebound
+verdict-value = value
+verdict-predicted-air = predicted, with air
+verdict-reference = on the reference
+verdict-share = share of the reference
+verdict-unevenness = unevenness of the places
+verdict-plain = g T²/8 of the first flight
+verdict-formula = the rule's formula from T
+verdict-reason = because of
+verdict-centimetres = cm
+verdict-file = file
+verdict-first-flight = first flight s
+verdict-predicted = predicted
+verdict-formula-short = formula
+verdict-step-contact = contact time, which is no flight
+verdict-step-buoyancy = buoyancy and added mass of the air
+verdict-step-drag = drag in the flight
+verdict-step-this-drop = this drop's own height and single impact against the rule's
+verdict-rule-line = drop from { $drop }{ $surface ->
+    [none] {""}
+   *[other] {" "}on { $surface }
+  }; rebound wanted: { $wanted }; measured at the { $point } of the ball
+verdict-the-rule = The rule
+verdict-ways = The rebound by each way to work it out
+verdict-the-rebound = The rebound
+verdict-drops = The drops
+verdict-every-drop = Every drop
+verdict-every-reference-drop = Every drop on the reference
+verdict-all-drops = all drops
+verdict-method = How it was decided
+verdict-method-predicted = What is judged is the apex after the first impact of a drop from the height of the rule, at the point of the ball at which the rule measures. It is predicted from all that the drops show, at the impact speed of the rule, with the scatter of single impacts averaged out.
+verdict-method-decided = A pass is given only if the probability of being outside the limits is at most the stated risk, and a fail only if that of being within is (guarded acceptance, JCGM 106:2012, The role of measurement uncertainty in conformity assessment). In between the drops cannot decide. What is not known of ball, air and drag is the same for all drops and does not average out.
+
+rule-name = name
+rule-title = rule
+rule-sport = of
+rule-source = source
+rule-edition = edition
+rule-status = status
+rule-verified = verified
+rule-unverified = unverified
+rule-not-noted = not noted
+rule-ball = ball
+rule-surface = surface
+rule-drop = drop
+rule-wants = wants
+rule-measured-at = measured at
+rule-point = the { $point } of the ball
+rule-point-bottom = bottom
+rule-point-centre = centre
+rule-point-top = top
+rule-point-not-noted = not noted; the bottom of the ball is taken
+rule-drops = drops
+rule-drops-mean = { $count } or more; their mean counts
+rule-drops-each = { $count } or more; each must obey
+rule-places = places
+rule-temperature = temperature
+rule-altitude = altitude
+rule-formula = formula
+rule-formula-text = H = { $factor } (T - { $offset })² in m and s, T from the first impact to the second ({ $status })
+rule-note = note
+rule-nobody-read = This rule is unverified: nobody has read it in its source.
+rule-any-height = any height
+rule-or-more = { $height } or more
+rule-about = about { $height }
+rule-share-of = share of that on { $surface }
+rule-limits-of = { $limits } of that on { $surface }
+rule-share-of-reference = share of a reference
+rule-limits-of-reference = { $limits } of a reference
+rule-within-of-mean = each place within { $share } % of the mean
+rule-places-apart = places at most { $share } points apart
+rule-at-least = at least { $least }
+rule-at-most = at most { $greatest }

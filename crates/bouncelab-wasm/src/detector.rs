@@ -1,0 +1,119 @@
+//! Which drops are in a recording?
+
+use bouncelab::analysis::{DetectionOptions, Plan};
+use bouncelab::onset::OnsetDetector;
+use bouncelab::{Detector, Diagnostic, Impact, Options, Recording, train};
+use bouncelab_audio::times;
+
+use crate::pyramid::{Level, Pyramid};
+use crate::refusal::Result;
+use crate::wire::SoFar;
+
+/// Detects drops in a recording as it comes, and keeps its loudness at any zoom.
+///
+/// Drops are analysed without the inference, as those of an ordinary ball in ordinary air: what a page
+/// shows until its settings are applied.
+#[derive(Debug)]
+pub struct RecordingDetector {
+    detector: Detector,
+    /// One for each channel of the recording.
+    pyramids: Vec<Pyramid>,
+    options: Options,
+    sample_rate_hz: u32,
+    frames: u64,
+    /// How many onsets there were when drops were last searched, and what was found.
+    searched_onsets: usize,
+    found: SoFar,
+}
+
+impl RecordingDetector {
+    /// A detector for so many channels, which uses one of them (counted from 1) or all.
+    ///
+    /// # Errors
+    ///
+    /// If there is no channel of this number.
+    pub fn new(sample_rate_hz: u32, channels: usize, channel: Option<usize>) -> Result<Self> {
+        let detection = DetectionOptions {
+            channel,
+            ..DetectionOptions::default()
+        };
+        Ok(Self {
+            detector: Detector::with_options(sample_rate_hz, channels, &detection)?,
+            pyramids: vec![Pyramid::default(); channels],
+            options: Options::default().without_inference(),
+            sample_rate_hz,
+            frames: 0,
+            searched_onsets: 0,
+            found: SoFar::default(),
+        })
+    }
+
+    /// Takes the next samples of each channel.
+    pub fn push(&mut self, channels: &[&[f32]]) {
+        for (pyramid, samples) in self.pyramids.iter_mut().zip(channels) {
+            pyramid.push(samples);
+        }
+        self.detector.push(channels);
+        self.frames += channels.first().map_or(0, |samples| samples.len()) as u64;
+    }
+
+    /// What was detected so far. Drops are searched again only if there are new onsets.
+    pub fn so_far(&mut self) -> &SoFar {
+        if self.detector.onsets() != self.searched_onsets {
+            self.searched_onsets = self.detector.onsets();
+            let detection = self.detector.so_far();
+            let last = detection.found.trains.last();
+            self.found.rests_at_s = last.map(|train| train::latest_next_s(train.impacts()));
+            let plan = Plan::of_detection(detection, &self.options);
+            self.found.drops = plan.tasks().len();
+            self.found.drop = plan.tasks().last().map(|task| task.run());
+        }
+        let now_s = self.frames as f64 / f64::from(self.sample_rate_hz);
+        self.found.duration_s = now_s;
+        self.found.at_rest = self.found.rests_at_s.is_some_and(|at_s| now_s > at_s);
+        &self.found
+    }
+
+    /// Ends the recording: what was detected, and the loudness of the channel with the drops. Format
+    /// and warnings are those of the file.
+    pub fn finish(mut self, format: &str, warnings: Vec<Diagnostic>) -> (Recording, Vec<Level>) {
+        let detection = self.detector.finish();
+        let levels = self.pyramids.swap_remove(detection.channel).levels();
+        let mut recording = Plan::of_detection(detection, &self.options).run();
+        recording.source = recording.source.with_format(format);
+        recording.diagnostics.splice(0..0, warnings);
+        (recording, levels)
+    }
+}
+
+/// Reads a list of times; the extension of its name says how.
+///
+/// # Errors
+///
+/// If it is none.
+pub fn of_times(content: &[u8], name: &str) -> Result<Recording> {
+    let options = Options::default().without_inference();
+    Ok(bouncelab::analyze_times(
+        &times::parse(content, name)?,
+        &options,
+    ))
+}
+
+/// The onset nearest to a time in samples that begin at `start_s`, as an impact.
+pub fn onset_near(
+    samples: &[f32],
+    sample_rate_hz: u32,
+    start_s: f64,
+    time_s: f64,
+) -> Option<Impact> {
+    let mut onsets = Vec::new();
+    let mut detector = OnsetDetector::new(sample_rate_hz);
+    detector.push(samples, &mut onsets);
+    detector.finish(&mut onsets);
+    let impacts = onsets.iter().map(|onset| {
+        let impact = Impact::new(1, start_s + onset.time_s).with_time_sd_s(onset.sigma_s);
+        impact.with_level_db(onset.level_db)
+    });
+    let distance = |impact: &Impact| (impact.time_s - time_s).abs();
+    impacts.min_by(|a, b| distance(a).total_cmp(&distance(b)))
+}

@@ -1,0 +1,110 @@
+//! Sound that was lost, and what of a drop can be trusted in spite of it.
+
+use crate::diagnostic::{Code, Diagnostic};
+use crate::impact::Impact;
+
+/// Where sound breaks off or sets in again, an onset is detected that is no impact: impacts this near
+/// to a gap, in seconds, are not believed.
+const EDGE_S: f64 = 0.02;
+
+/// An interval of a recording of which the sound was lost, in seconds. How long the gap really was is
+/// not known well enough for physics.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct Gap {
+    /// Where the sound breaks off.
+    pub start_s: f64,
+    /// Where it sets in again.
+    pub end_s: f64,
+}
+
+/// Keeps of a drop the longest part without a gap, numbered anew: no flight across a gap is right, nor
+/// is the number of impacts in it. Returns what was left out.
+pub(super) fn cut(impacts: &mut Vec<Impact>, gaps: &[Gap]) -> Option<Diagnostic> {
+    let (first_s, last_s) = (impacts.first()?.time_s, impacts.last()?.time_s);
+    let within: Vec<&Gap> = gaps
+        .iter()
+        .filter(|gap| gap.end_s + EDGE_S > first_s && gap.start_s - EDGE_S < last_s)
+        .collect();
+    let gap = within.first()?;
+    let all = impacts.len();
+    impacts.retain(|impact| within.iter().all(|gap| !gap.is_near(impact.time_s)));
+    let longest = impacts
+        .chunk_by(|a, b| {
+            within
+                .iter()
+                .all(|gap| !gap.lies_between(a.time_s, b.time_s))
+        })
+        .rev()
+        .max_by_key(|part| part.len());
+    *impacts = longest.unwrap_or_default().to_vec();
+    let before = impacts.first().map_or(0, |first| first.number - 1);
+    for impact in &mut *impacts {
+        impact.number -= before;
+    }
+    Some(
+        Diagnostic::new(Code::SoundLost)
+            .with("at_s", gap.start_s)
+            .with("impacts", all)
+            .with("kept", impacts.len()),
+    )
+}
+
+impl Gap {
+    fn is_near(&self, time_s: f64) -> bool {
+        (self.start_s - EDGE_S..=self.end_s + EDGE_S).contains(&time_s)
+    }
+
+    fn lies_between(&self, earlier_s: f64, later_s: f64) -> bool {
+        earlier_s < self.start_s && self.end_s < later_s
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::analysis::impacts_of_times;
+
+    /// The times that are left, and where the first gap is.
+    fn cut_at(times_s: &[f64], gaps: &[(f64, f64)]) -> (Vec<f64>, Option<f64>) {
+        let gaps = gaps.iter().map(|&(start_s, end_s)| Gap { start_s, end_s });
+        let mut impacts = impacts_of_times(times_s);
+        let lost = cut(&mut impacts, &gaps.collect::<Vec<_>>());
+        let numbers = impacts.iter().map(|impact| impact.number);
+        assert!(numbers.eq(1..=impacts.len()), "numbered anew");
+        let at_s = lost.and_then(|lost| lost.number("at_s"));
+        (impacts.iter().map(|impact| impact.time_s).collect(), at_s)
+    }
+
+    #[test]
+    fn no_flight_across_a_gap_is_left() {
+        let times_s = [1.0, 1.5, 1.95, 2.355, 2.7195];
+        let (left, at_s) = cut_at(&times_s, &[(1.6, 1.7)]);
+        assert_eq!(left, times_s[2..]);
+        assert_eq!(at_s, Some(1.6));
+        // A gap whose length is not known takes no time.
+        assert_eq!(cut_at(&times_s, &[(2.5, 2.5)]).0, times_s[..4]);
+        // Of equally long parts the first, which is louder.
+        assert_eq!(cut_at(&times_s, &[(1.6, 1.7), (2.5, 2.5)]).0, times_s[..2]);
+    }
+
+    #[test]
+    fn onsets_where_sound_sets_in_again_are_no_impacts() {
+        let times_s = [1.0, 1.5, 1.95, 2.355, 2.7195];
+        assert_eq!(cut_at(&times_s, &[(2.6, 2.715)]).0, times_s[..4]);
+    }
+
+    #[test]
+    fn a_gap_elsewhere_changes_nothing() {
+        let times_s = [1.0, 1.5, 1.95];
+        for gap in [(0.2, 0.8), (2.5, 2.6)] {
+            assert_eq!(cut_at(&times_s, &[gap]), (times_s.to_vec(), None));
+        }
+    }
+
+    #[test]
+    fn a_drop_full_of_gaps_has_nothing_left() {
+        let (left, at_s) = cut_at(&[1.0, 1.5], &[(0.99, 1.01), (1.49, 1.51)]);
+        assert!(left.is_empty() && at_s.is_some());
+    }
+}

@@ -1,0 +1,108 @@
+import { Rich } from '../../app/Rich.tsx';
+import { fixed, lengthUnit, PERCENT, plain, uncertain } from '../../format/quantity.ts';
+import type { Drop } from '../../lab/index.ts';
+import { drop, edited, marks, refining, workspace } from '../../state/workspace.ts';
+import { language, texts } from '../../text/language.ts';
+import { CERTAIN } from '../../wave/mark.ts';
+import { listed } from './ImpactTable.tsx';
+import { NoDrop } from './NoDrop.tsx';
+import { Numbers } from './Numbers.tsx';
+import { Remarks } from './Remarks.tsx';
+import { Why } from './Why.tsx';
+
+/** What the bounces say, in words first. */
+export function ResultSummary() {
+  const words = texts.value.lab;
+  const result = drop.value;
+  return (
+    <section
+      class="summary"
+      aria-label={words.result}
+      aria-live="polite"
+      aria-busy={refining.value}
+    >
+      {workspace.value?.recording.result.drops.length === 0 && marks.value.length < 3 && <NoDrop />}
+      {marks.value.length > 0 && !result?.log_linear_fit && !result?.posterior && (
+        <p class="second">{words.cannotTell}</p>
+      )}
+      {result && <Sentences result={result} />}
+      {marks.value.length > 0 && <Count />}
+      {result && (
+        <>
+          <Air result={result} />
+          <Remarks />
+          <Numbers />
+        </>
+      )}
+    </section>
+  );
+}
+
+/** Restitution and height with their uncertainties: by the inference once it is there. */
+function Sentences({ result }: { readonly result: Drop }) {
+  const words = texts.value.lab;
+  const spoken = language.value;
+  const { posterior, per_impact, log_linear_fit } = result;
+  const e = (posterior ?? per_impact)?.restitution ?? log_linear_fit?.restitution;
+  const height = (posterior ?? log_linear_fit)?.drop_height_m;
+  return (
+    <>
+      {e && (
+        <p class="first" title={texts.value.words.restitution}>
+          <Rich parts={words.kept(uncertain(e.value, e.sd, PERCENT, spoken))} />
+        </p>
+      )}
+      {height && (
+        <p class="second">
+          <Rich
+            parts={words.fell(uncertain(height.value, height.sd, lengthUnit(height.value), spoken))}
+          />
+        </p>
+      )}
+    </>
+  );
+}
+
+function Count() {
+  const words = texts.value.lab;
+  const count = marks.value.length;
+  const uncertainCount = marks.value.filter((mark) => mark.probability < CERTAIN).length;
+  return (
+    <p>
+      <button
+        type="button"
+        class="quiet slim"
+        aria-expanded={listed.value}
+        onClick={() => {
+          listed.value = !listed.value;
+        }}
+      >
+        {words.impacts(count)}
+        {uncertainCount > 0 && `, ${words.uncertain(uncertainCount)}`}
+      </button>
+      {edited.value && <span class="soft"> · {words.edited}</span>}
+      {refining.value && <span class="soft"> · {words.refining}</span>}
+    </p>
+  );
+}
+
+/** How much of the straight line's loss is the air's. */
+function Air({ result }: { readonly result: Drop }) {
+  const words = texts.value.lab;
+  const { posterior, per_impact, log_linear_fit } = result;
+  // The quick answer until the inference is there, so that nothing comes and goes.
+  const withoutAir = (posterior ?? per_impact)?.restitution;
+  if (!withoutAir || !log_linear_fit) return null;
+  const spoken = language.value;
+  const height = log_linear_fit.drop_height_m.value;
+  const points = 100 * (withoutAir.value - log_linear_fit.restitution.value);
+  return (
+    <div class="stack">
+      <p>
+        {points > 0.05 ? words.airExplains(fixed(points, 1, spoken)) : words.airNothing}{' '}
+        {words.lineHeight(plain(height, lengthUnit(height), 3, spoken))}
+      </p>
+      <Why />
+    </div>
+  );
+}

@@ -1,0 +1,65 @@
+import { playheadS, playing } from '../../sound/player.ts';
+import * as editing from '../../state/editing.ts';
+import { playView } from '../../state/sound.ts';
+import { cursorS, marks, selected, view, workspace } from '../../state/workspace.ts';
+import { texts } from '../../text/language.ts';
+import { Overview } from '../../wave/Overview.tsx';
+import { Waveform, type WaveformEdits } from '../../wave/Waveform.tsx';
+import { DropChoice } from './DropChoice.tsx';
+import { ImpactTable } from './ImpactTable.tsx';
+import { Spectrogram } from './Spectrogram.tsx';
+import { WaveTools } from './WaveTools.tsx';
+
+const edits: WaveformEdits = {
+  add: (timeS) => void editing.add(timeS),
+  choose: editing.choose,
+  drag: editing.drag,
+  dragEnd: (id) => void editing.dragEnd(id),
+  nudge: editing.nudge,
+  remove: editing.remove,
+  snap: (id) => void editing.snap(id),
+  undo: editing.undo,
+  redo: editing.redo,
+};
+
+/** The sound with its impacts, to look at and to correct. */
+export function WaveEditor() {
+  const words = texts.value.wave;
+  const recording = workspace.value;
+  if (!recording) return null;
+  const { durationS } = recording;
+  const pyramid = recording.pyramid;
+  return (
+    <section class="wave" aria-label={words.title}>
+      <DropChoice />
+      {pyramid ? (
+        <>
+          <Waveform
+            pyramid={pyramid}
+            durationS={durationS}
+            marks={marks.value}
+            view={view}
+            selected={selected}
+            cursorS={cursorS}
+            edits={edits}
+            playheadS={playheadS}
+            isPlaying={playing}
+            onPlay={() => void playView()}
+          />
+          <Spectrogram />
+          <Overview pyramid={pyramid} durationS={durationS} view={view} label={words.overview} />
+          <p id="wave-keys" class="unseen">
+            {words.keys}
+          </p>
+        </>
+      ) : (
+        <p class="soft">{words.times}</p>
+      )}
+      <WaveTools />
+      <ImpactTable />
+      <p class="unseen" role="status">
+        {editing.announced.value}
+      </p>
+    </section>
+  );
+}
