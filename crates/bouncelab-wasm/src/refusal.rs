@@ -15,9 +15,9 @@ pub struct Refusal {
     /// What was wrong and what to do, in English.
     pub message: String,
     /// The same as data, where the science refused something.
-    pub diagnostic: Option<Diagnostic>,
+    pub diagnostic: Option<Box<Diagnostic>>,
     /// The same as data, where a file was refused.
-    pub reason: Option<Reason>,
+    pub reason: Option<Box<Reason>>,
 }
 
 /// Kinds of trouble that a page may want to tell apart.
@@ -153,7 +153,7 @@ impl From<bouncelab::Error> for Refusal {
         Self {
             kind: RefusalKind::Setting,
             message: error.to_string(),
-            diagnostic: Some(error.diagnostic()),
+            diagnostic: Some(Box::new(error.diagnostic())),
             reason: None,
         }
     }
@@ -181,7 +181,7 @@ impl From<Error> for Refusal {
             kind,
             message: error.to_string(),
             diagnostic: None,
-            reason: Reason::of(&error),
+            reason: Reason::of(&error).map(Box::new),
         }
     }
 }
