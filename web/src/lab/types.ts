@@ -33,8 +33,6 @@ export type AnalysisRequest = {
 name: string,
 /** Where its times come from. */
 source: Source,
-/** Where its impacts stand out most. */
-strongest_band: StrongestBand | null,
 /** What is odd about it. */
 diagnostics: Array<Diagnostic>,
 /** Why there was no drop in it. */
@@ -334,9 +332,6 @@ export type Inferred = "gravity" | "drag" | "contact-time";
 
 export type Kind = "linear" | "counting" | "log";
 
-/** What a file that is empty lacks. */
-export type MissingContent = "content" | "sound" | "time";
-
 /** Something shown in a panel. */
 export type Layer = {
 /** Its name in the legend; empty if it has none. Layers of the same name share an entry. */
@@ -455,6 +450,9 @@ apex_m: number | null,
 apex_sd_m: number | null,
 /** Launch speed by the flight model, m/s. */
 launch_speed_m_s: number | null, };
+
+/** What a file that is empty lacks. */
+export type MissingContent = "content" | "sound" | "time";
 
 /** A model and how it fared. */
 export type Model = {
@@ -792,7 +790,7 @@ export type Simulation = { drag: string, terminal_speed_m_s: number | null, tota
 /** Drops of the same ball under several drag laws. */
 export type SimulationDocument = { schema: string,
 /** Version of the program that made it. */
-bouncelab: string, ball_mass_kg: number, ball_diameter_m: number, contact_time_s: number, air_density_kg_m3: number, gravity_m_s2: number, assumptions: Array<Diagnostic>, simulations: Array<Simulation>, };
+bouncelab: string, ball_mass_kg: number, ball_diameter_m: number, contact_time_s: number, air_density_kg_m3: number, gravity_m_s2: number, assumptions: Array<string>, simulations: Array<Simulation>, };
 
 /** How a simulated drop begins, bounces and ends. */
 export type SimulationRequest = {
