@@ -1,5 +1,10 @@
 //! The tables of a session: what their columns are, and what stands in them.
 
+#![expect(
+    clippy::type_complexity,
+    reason = "an alias would fix the lifetime of the rows"
+)]
+
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 

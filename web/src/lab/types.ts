@@ -333,7 +333,7 @@ export type Inferred = "gravity" | "drag" | "contact-time";
 export type Kind = "linear" | "counting" | "log";
 
 /** What a file that is empty lacks. */
-export type Lack = "content" | "sound" | "time";
+export type MissingContent = "content" | "sound" | "time";
 
 /** Something shown in a panel. */
 export type Layer = {
@@ -613,7 +613,7 @@ flights: number, };
 /** What exactly is wrong with a file. The page has words for each in every language. */
 export type Reason = { "code": "empty",
 /** What is missing. */
-what: Lack, } | { "code": "not-sound",
+what: MissingContent, } | { "code": "not-sound",
 /** What it looks like. */
 looks_like: LooksLike, } | { "code": "malformed",
 /** The container, for example "MP4". */

@@ -18,7 +18,7 @@ use bouncelab_session::{
 use clap::{Args, ValueEnum};
 
 use crate::failure::Failure;
-use crate::language::{text, translator};
+use crate::language::{text as message, text_with, translator};
 use crate::physics::PhysicsArguments;
 use crate::priors::{PriorArguments, impact_speed};
 use crate::report::ReportFile;
@@ -167,7 +167,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
         allow_missing: arguments.allow_missing,
         translator: translator(),
         advice: Advice {
-            implausible: &text("advice-allow-implausible"),
+            implausible: &message("advice-allow-implausible"),
             missing: "or go on without by --allow-missing",
             ball: "or give the kind of all balls by --ball",
         },
@@ -183,18 +183,17 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
         .map(ReportFile::new)
         .transpose()?;
     if journal.damaged() > 0 {
+        let count = [("count", journal.damaged().into())];
         eprintln!(
-            "bouncelab: {} lines of the journal are cut off or damaged, and do not count",
-            journal.damaged()
+            "bouncelab: {}",
+            text_with("session-damaged-journal", &count)
         );
     }
     let done = work::analyze_all(&recordings, &journal, arguments.jobs.map(usize::from))?;
     let kept = done.iter().filter(|done| done.kept).count();
     if kept > 0 {
-        eprintln!(
-            "bouncelab: {kept} of {} recordings were heard in an earlier run",
-            recordings.len()
-        );
+        let counts = [("kept", kept.into()), ("all", recordings.len().into())];
+        eprintln!("bouncelab: {}", text_with("session-known", &counts));
     }
     let results = Results {
         recordings: &recordings,
@@ -220,11 +219,12 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
         Format::Json => out.write_all(json.as_bytes())?,
         Format::Text => {
             out.write_all(text::report(&outcome, arguments.details, arguments.want).as_bytes())?;
-            writeln!(out, "  Tables: {}", shown(&written))?;
+            let list = [("list", shown(&written).into())];
+            writeln!(out, "  {}", text_with("session-tables", &list))?;
         }
     }
     if outcome.drops.is_empty() {
-        return Err(Failure::Input("no recording holds a drop".to_owned()));
+        return Err(Failure::Input(message("session-no-drop")));
     }
     Ok(())
 }

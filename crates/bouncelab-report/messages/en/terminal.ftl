@@ -198,3 +198,159 @@ rule-within-of-mean = each place within { $share } % of the mean
 rule-places-apart = places at most { $share } points apart
 rule-at-least = at least { $least }
 rule-at-most = at most { $greatest }
+
+listen-begins = listening to { $source }, { $rate } kHz, { $channels ->
+    [one] 1 channel
+   *[other] { $channels } channels
+  }; { $file ->
+    [none] nothing is saved
+   *[other] saved in { $file } as it comes
+  }
+listen-saved-in = saved in { $file }
+listen-not-saved = NOT SAVED
+listen-silence = the microphone gives nothing but silence: is it muted, or the wrong one (--devices)?
+listen-lost = sound was lost: the computer was too slow, or the microphone had a fault; flights across the gap are left out
+listen-lost-in-all = { $frames } samples of each channel ({ $seconds } s) were lost in { $count ->
+    [one] 1 place
+   *[other] { $count } places
+  }
+listen-not-analysed = a drop cannot be analysed: { $reason }
+listen-once-more = drop { $number } once more, now that all is known
+listen-heading = drop { $number }
+listen-all-drops = All drops:
+listen-saved = the sound is in { $file }; to analyse it again: { $command }
+listen-left-out = the drop at { $start } s { $reason ->
+    [distant] is a ball far fainter than the others
+   *[unlikely] does not stand up to the whole recording
+  }, now that all is known, and left out
+listen-impact = drop { $drop }: impact { $impact } at { $time } s after { $flight } ms{ $rests ->
+    [yes] ; the ball rests
+   *[no] {""}
+  }
+listen-line = e = { $restitution }, h0 = { $height } without air
+listen-corrected = e = { $restitution } corrected for drag
+listen-too-loud = TOO LOUD: clipped
+listen-level = level
+listen-seconds = { $seconds } s
+listen-drops = { $count ->
+    [one] 1 drop
+   *[other] { $count } drops
+  }
+listen-sounds = { $count ->
+    [one] 1 sound
+   *[other] { $count } sounds
+  }
+listen-lost-so-far = { $count } samples LOST
+listen-ends = Ctrl-C ends
+listen-at = at s
+listen-e-line = e, no air
+listen-h0-line = h0, no air
+listen-mean = mean
+listen-scatter = scatter
+listen-save-failed = the sound is saved no more: { $fault }; { $seconds } s are in the file. Listening goes on
+listen-end-not-saved = the end of the sound may not be saved: { $fault }
+listen-device = name
+listen-device-kind = what it is
+listen-device-default = default
+
+session-title = Session
+session-untitled = A session
+session-counts = { $drops ->
+    [one] 1 drop
+   *[other] { $drops } drops
+  } in { $recordings ->
+    [one] 1 recording
+   *[other] { $recordings } recordings
+  }{ $without ->
+    [0] {""}
+   *[other] , { $without } without a drop
+  }{ $failed ->
+    [0] {""}
+   *[other] , { $failed } not readable
+  }{ $duplicates ->
+    [0] {""}
+   *[other] , { $duplicates } the same as another
+  }
+session-speed = Restitution at an impact speed of { $speed } m/s:
+session-legend =
+    ±: standard error of the mean; shared: what all drops have in common (drag law, air, ball), which
+    no number of drops makes smaller; { $wanted ->
+        [none] needed: drops in all that would halve the interval
+       *[other] needed: drops in all for a mean known to ± { $wanted } (95 %)
+      }
+session-intervals = 95 % intervals of restitution:
+session-varies = What varies (standard deviation of restitution):
+session-trends = How restitution changes, all else equal:
+session-laws = Restitution against impact speed, pooled over the drops that know it:
+session-outliers = These do not belong to their group; is what was noted of them right?
+session-outlier = { $name }: { $off } { $side ->
+    [above] above
+   *[below] below
+  } the others of { $group }, { $score } standard deviations
+session-outliers-count = They count in all of the above. With and without them:
+session-exclude = --exclude NAME leaves one out of everything.
+session-differences = Differences by { $factor }{ $others ->
+    [yes] , all else equal
+   *[no] {""}
+  }:
+session-more = and { $count } more (--details)
+session-without-drop = Without a drop
+session-failed = Not readable
+session-duplicates = The same sound as another, which counts
+session-left-out = Not compared
+session-odd = To be looked at
+session-tables = Tables: { $list }
+session-no-drop = no recording holds a drop
+session-damaged-journal = { $count } lines of the journal are cut off or damaged, and do not count
+session-known = { $kept } of { $all } recordings were analysed in an earlier run
+session-restitution = Restitution
+
+session-compared = Drops are compared by their restitution at an impact speed of { $speed } m/s, which most of them know, with the drag of the air taken out.
+session-unlike = Not like the others of their group, and counted all the same: { $names }.
+session-incomparable = Nothing can be compared: { $reason }
+session-groups-table = Restitution by group: mean and its standard error, what all drops share, scatter between drops and between impacts, and how many drops would halve the interval
+session-intervals-table = 95 % intervals of the mean, of the next drop, and of the scatter between drops
+session-without-table = With and without the drops that are not like the others of their group
+session-varies-table = Standard deviation of the restitution by what varies
+session-differences-table = Differences by { $factor }, all else equal
+session-trends-table = Change of restitution with what is noted in numbers, all else equal
+session-groups = Groups
+session-against-speed = Restitution against speed
+session-what-varies = What varies
+session-differences-heading = Differences
+session-in-order = In order
+session-troubles = What did not work
+session-conditions = Conditions
+session-assumed = Nobody noted these, so they were assumed:
+session-method = Method
+session-method-drop = Each drop is inferred by itself: fall, drag, impacts that scatter, times with errors. Its restitution at the common speed has an uncertainty of its own (timing, scatter of the impacts) and one that it shares with all drops of the ball (drag law, air, mass, diameter, contact). Only the first kind averages out over drops.
+session-method-group = A group is described by a random-effects model, a scatter between drops beside the error of each: restricted maximum likelihood (Viechtbauer 2005), standard error of Hartung and Knapp (2001) in the form of Röver, Knapp and Friede (2015), Student's t, Q-profile interval for the scatter (Viechtbauer 2007), interval for the next drop (Higgins, Thompson and Spiegelhalter 2009).
+session-method-factors = What varies, and differences with all else equal, come from a mixed model with crossed random factors (Patterson and Thompson 1971), degrees of freedom after Satterthwaite (Giesbrecht and Burns 1985); with a single factor from Welch (1947). Probabilities are adjusted for the number of differences (Holm 1979). Outliers are named by modified z-scores above 3.5 (Iglewicz and Hoaglin 1993), and left in.
+session-hashes = The SHA-256 of every recording stands in the table of drops (content_sha256).
+
+session-column-difference = difference
+session-column-interval = 95 % interval
+session-column-p-holm = p (Holm)
+session-column-p = p
+session-column-group = group
+session-column-drops = drops
+session-column-shared = shared
+session-column-between-drops = between drops
+session-column-between-impacts = between impacts
+session-column-needed = needed
+session-column-with = with
+session-column-without = without
+session-column-factor = with
+session-column-levels = levels
+session-column-slope = slope
+session-column-mean = mean
+session-column-next = next drop
+session-column-count = how many
+session-column-varies = varies by
+session-per-metre = per m
+session-per-kelvin = per K
+session-all = all
+session-too-many = too many
+session-drop = drop
+session-together = { $names } (always together)
+session-too-few = too few to tell

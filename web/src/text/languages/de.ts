@@ -1,8 +1,8 @@
 import type {
   LabReason,
-  Lack,
   LayoutProblem,
   LooksLike,
+  MissingContent,
   Stage,
   TimesProblem,
 } from '../../lab/index.ts';
@@ -10,7 +10,7 @@ import type { Texts } from '../texts.ts';
 
 const zahl = (anzahl: number, eins: string, viele: string): string => (anzahl === 1 ? eins : viele);
 
-const FEHLT: Record<Lack, string> = {
+const FEHLT: Record<MissingContent, string> = {
   content: 'Kein einziges Byte Ton ist darin.',
   sound: 'Sie hat einen Kopf, aber keinen Ton.',
   time: 'Es steht keine Zeit darin.',

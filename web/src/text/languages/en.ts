@@ -4,16 +4,16 @@
  */
 import type {
   LabReason,
-  Lack,
   LayoutProblem,
   LooksLike,
+  MissingContent,
   Stage,
   TimesProblem,
 } from '../../lab/index.ts';
 
 const plural = (count: number, one: string, many: string): string => (count === 1 ? one : many);
 
-const LACKS: Record<Lack, string> = {
+const LACKS: Record<MissingContent, string> = {
   content: 'Not a single byte of sound is in it.',
   sound: 'It has a header, but no sound.',
   time: 'There is no time in it.',
