@@ -26,7 +26,8 @@ fn main() -> io::Result<()> {
         write!(code, "({name:?}, &[").expect("a string takes all");
         for file in sorted(&language)? {
             if !(browser && OF_FRONT_ENDS.contains(&file_name(&file))) {
-                write!(code, "include_str!({file:?}), ").expect("a string takes all");
+                write!(code, "include_str!(r#\"{}\"#), ", file.display())
+                    .expect("a string takes all");
             }
         }
         code.push_str("]), ");

@@ -9,7 +9,7 @@ import { keepAnalysed } from './state/analysing.ts';
 import { start } from './state/engine.ts';
 import { keepDrawn } from './state/figures.ts';
 import { loadKept } from './state/keeping.ts';
-import { findLeftovers } from './state/leftovers.ts';
+import { findOrphans } from './state/orphans.ts';
 import { readSettings } from './state/settings.ts';
 import { keepSimulated, readSimulation } from './state/simulating.ts';
 import { followTheme } from './style/colours.ts';
@@ -35,5 +35,5 @@ addEventListener('visibilitychange', () => {
   if (!document.hidden) void loadKept();
 });
 // Where the browser keeps nothing there is nothing left over either.
-void findLeftovers().catch(() => undefined);
+void findOrphans().catch(() => undefined);
 void workOffline();

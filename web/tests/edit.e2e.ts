@@ -142,7 +142,7 @@ test('the words follow an edit before the inference is done', async () => {
   const { took, busy } = await page.evaluate(
     () =>
       new Promise<{ took: number; busy: string | undefined }>((resolve) => {
-        const words = document.querySelector('.said .first') as Element;
+        const words = document.querySelector('.summary .first') as Element;
         const before = performance.now();
         new MutationObserver((_, observer) => {
           observer.disconnect();

@@ -27,7 +27,7 @@ test('it reloads, speaks German and analyses without a server', async () => {
   await page.reload();
   await page.getByLabel('Language').selectOption('de');
   await page.getByRole('button', { name: 'Beispiel ansehen' }).click();
-  await page.locator('.said[aria-busy="false"] .first').waitFor();
+  await page.locator('.summary[aria-busy="false"] .first').waitFor();
   await page.getByLabel('Sprache').selectOption('en');
   expect((await said(page)).kept.value).toBeCloseTo(95.29, 1);
 });

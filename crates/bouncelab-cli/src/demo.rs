@@ -4,17 +4,19 @@ use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
 use bouncelab::Estimate;
+use bouncelab::demo;
 use bouncelab::drop::History;
+use bouncelab::setup::{BallInput, SetupInput};
 use bouncelab::synth::Rendered;
-use bouncelab::{ball, demo};
 use bouncelab_audio::{SampleFormat, encode_wav};
 use bouncelab_report::file::write_whole;
-use bouncelab_report::{Align, CANNOT_TELL, Quantity, Table, Unit};
+use bouncelab_report::{Align, Quantity, Table, Unit};
 use clap::Args;
 
 use crate::analyze::{Analysed, Stems, read, save_figures};
 use crate::failure::Failure;
-use crate::physics::Physics;
+use crate::language::{text, text_with, translator};
+use crate::report::wrote;
 
 /// Make, hear and analyse a drop, and print the truth beside the result
 ///
@@ -37,11 +39,13 @@ Examples:
   bouncelab demo --output /tmp/demo --seed 7";
 
 pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
-    let physics = Physics {
-        options: demo::settings()?,
-        ball_label: ball::preset(demo::BALL)?.label.to_owned(),
-        assumptions: Vec::new(),
+    let ball = BallInput::Named(demo::BALL.to_owned());
+    let input = SetupInput {
+        ball: Some(ball),
+        ..SetupInput::default()
     };
+    let mut physics = input.resolve()?;
+    physics.options = demo::settings()?;
     let history = demo::history()?;
     let sound = demo::sound(&history, arguments.seed)?;
     let recording = write_recording(&sound, &arguments.output)?;
@@ -66,7 +70,7 @@ fn write_recording(sound: &Rendered, folder: &Path) -> Result<PathBuf, Failure> 
     let format = SampleFormat::Int16;
     let wav = encode_wav(sound.sample_rate_hz, format, &[&sound.samples])?;
     write_whole(&path, &wav).map_err(|reason| Failure::unwritable(&path, &reason))?;
-    eprintln!("wrote {}", path.display());
+    wrote(&path);
     Ok(path)
 }
 
@@ -76,103 +80,68 @@ fn print(
     sound: &Rendered,
     recording: &Path,
 ) -> Result<(), Failure> {
+    let file = recording.display().to_string();
+    let heading = text_with("demo-heading", &[("file", file.into())]);
+    let table = comparison(analysed, history, sound);
+    let conclusion = text("demo-conclusion");
     let mut out = io::stdout().lock();
-    writeln!(
-        out,
-        "A drop from 30.5 cm, made, heard and analysed ({})",
-        recording.display()
-    )?;
-    writeln!(out)?;
-    writeln!(out, "{}", comparison(analysed, history, sound))?;
-    writeln!(
-        out,
-        "The straight line takes the drag for lost bounciness and falls short in height;"
-    )?;
-    writeln!(
-        out,
-        "the inference knows the air, and finds the restitution and the height again."
-    )?;
-    Ok(())
+    Ok(writeln!(out, "{heading}\n\n{table}\n{conclusion}")?)
 }
 
 /// Truth and result side by side.
 fn comparison(analysed: &Analysed, history: &History, sound: &Rendered) -> Table {
-    let mut table = Table::new([
-        ("", Align::Left),
-        ("truth", Align::Right),
-        ("heard", Align::Right),
-    ]);
+    let mut table = Table::with_headings(
+        translator(),
+        [
+            ("", Align::Left),
+            ("demo-truth", Align::Right),
+            ("demo-detected", Align::Right),
+        ],
+    );
+    let cannot_tell = || text("unit-cannot-tell");
     let Some(drop) = analysed.result.drops.first() else {
-        table.row(["drop", "1", CANNOT_TELL]);
+        table.row([text("column-drop"), "1".to_owned(), cannot_tell()]);
         return table;
     };
-    let number = |value: f64| Quantity::rounded(value, 4, Unit::Number).to_string();
     table.row([
-        "impacts".to_owned(),
+        text("column-impacts"),
         sound.impacts.len().to_string(),
         drop.impacts.len().to_string(),
     ]);
-    table.row([
-        "largest error of a flight time".to_owned(),
-        "0 \u{b5}s".to_owned(),
-        largest_error(analysed, sound),
-    ]);
-    let estimate = |found: Option<Estimate>, unit: Unit| {
-        found.map_or_else(
-            || CANNOT_TELL.to_owned(),
-            |e| Quantity::measured(e.value, e.known_sd().unwrap_or(0.0), unit).to_string(),
-        )
+    let exact = Quantity::rounded(0.0, 1, Unit::Time);
+    let mut row = |id: &str, truth: Quantity, found: Option<Quantity>| {
+        let found = found.map_or_else(cannot_tell, |found| found.text(translator()));
+        table.row([text(id), truth.text(translator()), found]);
+    };
+    let error = largest_error(analysed, sound);
+    row("demo-flight-time-error", exact, Some(error));
+    let restitution = Quantity::rounded(demo::RESTITUTION, 4, Unit::Number);
+    let height = Quantity::rounded(demo::DROP_HEIGHT_M, 3, Unit::Length);
+    let shown = |found: Option<Estimate>, unit: Unit| {
+        found.map(|e| Quantity::measured(e.value, e.known_sd().unwrap_or(0.0), unit))
     };
     let line = drop.log_linear_fit.as_ref().ok();
-    table.row([
-        "e, straight line of ten flights".to_owned(),
-        number(demo::RESTITUTION),
-        estimate(line.map(|line| line.restitution), Unit::Number),
-    ]);
     let inferred = drop.posterior.as_ref().ok();
-    let answer = |found: Option<Estimate>, unit: Unit| {
-        found.map_or_else(
-            || CANNOT_TELL.to_owned(),
-            |s| Quantity::measured(s.value, s.sd, unit).to_string(),
-        )
-    };
-    table.row([
-        "e, inference".to_owned(),
-        number(demo::RESTITUTION),
-        answer(inferred.map(|found| found.restitution), Unit::Number),
-    ]);
-    table.row([
-        "drop height, straight line".to_owned(),
-        Quantity::rounded(demo::DROP_HEIGHT_M, 3, Unit::Length).to_string(),
-        estimate(line.map(|line| line.drop_height_m), Unit::Length),
-    ]);
-    table.row([
-        "drop height, inference".to_owned(),
-        Quantity::rounded(demo::DROP_HEIGHT_M, 3, Unit::Length).to_string(),
-        answer(inferred.map(|found| found.drop_height_m), Unit::Length),
-    ]);
-    let second = history
-        .bounces()
-        .get(1)
-        .map_or(f64::NAN, |bounce| bounce.impact_speed_m_s);
-    let found = drop
-        .corrected
-        .as_ref()
-        .ok()
-        .and_then(|found| found.impacts.first());
-    table.row([
-        "speed of the second impact".to_owned(),
-        Quantity::rounded(second, 4, Unit::Speed).to_string(),
-        found.map_or_else(
-            || CANNOT_TELL.to_owned(),
-            |impact| Quantity::rounded(impact.impact_speed_m_s, 4, Unit::Speed).to_string(),
-        ),
-    ]);
+    let found = shown(line.map(|line| line.restitution), Unit::Number);
+    row("demo-restitution-line", restitution, found);
+    let found = shown(inferred.map(|found| found.restitution), Unit::Number);
+    row("demo-restitution-inference", restitution, found);
+    let found = shown(line.map(|line| line.drop_height_m), Unit::Length);
+    row("demo-height-line", height, found);
+    let found = shown(inferred.map(|found| found.drop_height_m), Unit::Length);
+    row("demo-height-inference", height, found);
+    let second = history.bounces().get(1);
+    let second = second.map_or(f64::NAN, |bounce| bounce.impact_speed_m_s);
+    let speed = |value| Quantity::rounded(value, 4, Unit::Speed);
+    let per_impact = drop.per_impact.as_ref().ok();
+    let found = per_impact.and_then(|found| found.impacts.first());
+    let found = found.map(|impact| speed(impact.impact_speed_m_s));
+    row("demo-second-speed", speed(second), found);
     table
 }
 
 /// The largest difference between a flight time heard and the true one.
-fn largest_error(analysed: &Analysed, sound: &Rendered) -> String {
+fn largest_error(analysed: &Analysed, sound: &Rendered) -> Quantity {
     let truth = sound
         .impacts
         .windows(2)
@@ -182,5 +151,5 @@ fn largest_error(analysed: &Analysed, sound: &Rendered) -> String {
         let true_s = truth.clone().nth(flight.number - 1).unwrap_or(f64::NAN);
         (flight.time_s - true_s).abs()
     });
-    Quantity::rounded(errors.fold(0.0, f64::max), 2, Unit::Time).to_string()
+    Quantity::rounded(errors.fold(0.0, f64::max), 2, Unit::Time)
 }

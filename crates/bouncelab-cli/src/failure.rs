@@ -83,9 +83,10 @@ impl From<bouncelab_session::Error> for Failure {
     fn from(fault: bouncelab_session::Error) -> Self {
         use bouncelab_session::Error;
         match fault {
-            Error::Notes { .. } | Error::Pattern { .. } | Error::NoRecordings { .. } => {
-                Self::Usage(fault.to_string())
-            }
+            Error::Notes { .. }
+            | Error::Pattern { .. }
+            | Error::NoRecordings { .. }
+            | Error::Metadata { .. } => Self::Usage(fault.to_string()),
             Error::UnknownDrop { name } => Self::Usage(format!(
                 "--exclude {name}: there is no such drop; write the recording as in the tables, \
                  with #2 for its second drop, and --exclude before each of several"

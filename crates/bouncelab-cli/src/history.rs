@@ -1,12 +1,13 @@
 //! The arguments that say how a drop begins, bounces and ends.
 
+use bouncelab::Diagnostic;
 use bouncelab::drop::{self, History, Start, Stop};
 use bouncelab::flight::FlightModel;
 use bouncelab::impact::{Contact, Restitution};
 use clap::Args;
 
-use crate::doubt::{self, Doubt};
 use crate::failure::Failure;
+use crate::physics::of_quantities;
 use crate::units;
 
 /// Release, surface and end of a simulated drop.
@@ -58,8 +59,8 @@ const REST_M: f64 = 1e-3;
 
 impl HistoryArguments {
     /// What looks like a mistake of units.
-    pub(crate) fn doubts(&self) -> Vec<Doubt> {
-        doubt::of_quantities(&[("height", Some(self.height))])
+    pub(crate) fn questions(&self) -> Vec<Diagnostic> {
+        of_quantities(&[("height", Some(self.height))])
     }
 
     /// Simulates the drop with this model.

@@ -23,11 +23,12 @@ pub(crate) fn choose(language: String) {
 
 /// The language that was chosen, else that of the system, else English.
 pub(crate) fn translator() -> &'static Translator {
-    TRANSLATOR.get_or_init(|| match LANGUAGE.get() {
-        Some(language) => Translator::new(language).unwrap_or_default(),
-        None => sys_locale::get_locales()
-            .find_map(|locale| of_locale(&locale))
-            .unwrap_or_default(),
+    TRANSLATOR.get_or_init(|| {
+        let chosen = match LANGUAGE.get() {
+            Some(language) => Translator::new(language),
+            None => sys_locale::get_locales().find_map(|locale| of_locale(&locale)),
+        };
+        chosen.unwrap_or_default().for_front_end("terminal")
     })
 }
 

@@ -10,7 +10,8 @@ use bouncelab_report::{Align, Table, save};
 use clap::{Args, ValueEnum};
 
 use crate::failure::Failure;
-use crate::language::translator;
+use crate::language::{text, translator};
+use crate::report::wrote_figure;
 
 /// Compute every number and figure of the paper, and what it did not say
 ///
@@ -49,11 +50,11 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let mut out = io::stdout().lock();
     match arguments.format {
         Format::Text => {
-            out.write_all(text(&chapters).as_bytes())?;
+            out.write_all(numbers(&chapters).as_bytes())?;
             write!(out, "\n{}", puzzle(&explanations))?;
         }
         Format::Json => {
-            let document = Document::new(&chapters, explanations);
+            let document = Document::new(&chapters, explanations, translator());
             serde_json::to_writer_pretty(&mut out, &document).map_err(io::Error::from)?;
             writeln!(out)?;
         }
@@ -63,36 +64,46 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
     }
     for (name, figure) in paper::figures(translator())? {
         let saved = save(&figure, &arguments.figures, name)?;
-        eprintln!("wrote {} and .png", saved.svg.display());
+        wrote_figure(&saved);
     }
     Ok(())
 }
 
-fn text(chapters: &[Chapter]) -> String {
+fn numbers(chapters: &[Chapter]) -> String {
     let parts: Vec<String> = chapters
         .iter()
-        .map(|chapter| format!("{}\n\n{}", chapter.title, table(&chapter.facts)))
+        .map(|chapter| {
+            format!(
+                "{}\n\n{}",
+                chapter.title(translator()),
+                table(&chapter.facts)
+            )
+        })
         .collect();
     parts.join("\n")
 }
 
 fn table(facts: &[Fact]) -> Table {
-    let mut table = Table::new([
-        ("quantity", Align::Left),
-        ("printed", Align::Right),
-        ("computed", Align::Right),
-        ("", Align::Left),
-        ("verdict", Align::Left),
-        ("", Align::Left),
-    ]);
+    let words = translator();
+    let mut table = Table::with_headings(
+        words,
+        [
+            ("puzzle-quantity", Align::Left),
+            ("puzzle-printed", Align::Right),
+            ("puzzle-computed", Align::Right),
+            ("", Align::Left),
+            ("puzzle-verdict", Align::Left),
+            ("", Align::Left),
+        ],
+    );
     for fact in facts {
         table.row([
-            fact.quantity.to_owned(),
-            fact.printed.unwrap_or("-").to_owned(),
-            fact.shown(),
+            fact.quantity(words),
+            words.number(fact.printed.unwrap_or("-")),
+            words.number(&fact.shown()),
             fact.unit.to_owned(),
-            fact.verdict().to_string(),
-            fact.note.to_owned(),
+            fact.verdict().text(words),
+            fact.note(words).unwrap_or_default(),
         ]);
     }
     table
@@ -100,32 +111,35 @@ fn table(facts: &[Fact]) -> Table {
 
 /// The puzzle and what would explain it.
 fn puzzle(explanations: &[Explanation]) -> String {
-    let mut table = Table::new([
-        ("restitution", Align::Left),
-        ("drag", Align::Left),
-        ("flights", Align::Right),
-        ("e at 2.4 m/s", Align::Right),
-        ("e at 0.5 m/s", Align::Right),
-        ("line says h0 cm", Align::Right),
-        ("the paper's 26.7?", Align::Left),
-    ]);
+    let words = translator();
+    let mut table = Table::with_headings(
+        words,
+        [
+            ("quantity-restitution", Align::Left),
+            ("column-drag", Align::Left),
+            ("puzzle-flights", Align::Right),
+            ("puzzle-first", Align::Right),
+            ("puzzle-slow", Align::Right),
+            ("puzzle-height", Align::Right),
+            ("puzzle-solved", Align::Left),
+        ],
+    );
     for explanation in explanations {
+        let solved = if explanation.reproduces {
+            "puzzle-yes"
+        } else {
+            "puzzle-no"
+        };
         table.row([
             explanation.restitution_law.clone(),
             explanation.drag.clone(),
             explanation.flights.to_string(),
-            format!("{:.4}", explanation.restitution_at_first),
-            format!("{:.4}", explanation.restitution_at_slow),
-            format!("{:.2}", explanation.drop_height_m * 100.0),
-            if explanation.reproduces { "yes" } else { "no" }.to_owned(),
+            words.fixed(explanation.restitution_at_first, 4),
+            words.fixed(explanation.restitution_at_slow, 4),
+            words.fixed(explanation.drop_height_m * 100.0, 2),
+            text(solved),
         ]);
     }
-    format!(
-        "The puzzle: what makes the straight line say e = 0.9375 and h0 = 26.7 cm of a ball dropped \
-         from 30.5 cm?\n\n{table}\n\
-         Each law was chosen so that the line says e = 0.9375. Drag with a constant restitution\n\
-         gives 26.7 cm only with some 21 flights in the line; with ten flights the restitution must\n\
-         also fall with speed. A straight line cannot tell the two; how many flights go into it\n\
-         decides what it says.\n"
-    )
+    let (question, answer) = (text("puzzle-question"), text("puzzle-answer"));
+    format!("{question}\n\n{table}\n{answer}\n")
 }

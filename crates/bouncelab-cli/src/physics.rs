@@ -5,6 +5,7 @@ use bouncelab::drag::DragLaw;
 use bouncelab::rulebook;
 use bouncelab::setup::{AirInput, BallInput, GravityInput, Setup, SetupInput};
 use bouncelab::{Diagnostic, plausibility};
+use bouncelab_session::Noted;
 use clap::Args;
 
 use crate::failure::Failure;
@@ -89,25 +90,6 @@ pub(crate) struct PhysicsArguments {
 /// The physics of a run, and what of it nobody stated.
 pub(crate) type Physics = Setup;
 
-/// What was noted of the ball and the air of one recording.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub(crate) struct Noted {
-    /// Name of the kind of ball, as after `--ball`.
-    pub(crate) ball: Option<String>,
-    /// Its mass in kg.
-    pub(crate) mass: Option<f64>,
-    /// Its diameter in m.
-    pub(crate) diameter: Option<f64>,
-    /// How long it touches the surface, in s.
-    pub(crate) contact_time: Option<f64>,
-    /// Temperature of the air in K.
-    pub(crate) temperature: Option<f64>,
-    /// Pressure of the air in Pa.
-    pub(crate) pressure: Option<f64>,
-    /// Relative humidity of the air.
-    pub(crate) humidity: Option<f64>,
-}
-
 impl PhysicsArguments {
     /// Whether they say what ball it is.
     pub(crate) fn names_ball(&self) -> bool {
@@ -122,12 +104,12 @@ impl PhysicsArguments {
             both.mass = None;
             both.diameter = None;
         }
-        both.mass = noted.mass.or(both.mass);
-        both.diameter = noted.diameter.or(both.diameter);
-        both.contact_time = noted.contact_time.or(both.contact_time);
-        both.temperature = noted.temperature.or(both.temperature);
-        both.pressure = noted.pressure.or(both.pressure);
-        both.humidity = noted.humidity.or(both.humidity);
+        both.mass = noted.mass_kg.or(both.mass);
+        both.diameter = noted.diameter_m.or(both.diameter);
+        both.contact_time = noted.contact_time_s.or(both.contact_time);
+        both.temperature = noted.temperature_k.or(both.temperature);
+        both.pressure = noted.pressure_pa.or(both.pressure);
+        both.humidity = noted.relative_humidity.or(both.humidity);
         both
     }
 

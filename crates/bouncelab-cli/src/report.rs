@@ -4,11 +4,13 @@ use std::ffi::OsStr;
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use bouncelab_report::Saved;
 use bouncelab_report::file::{Draft, write_whole};
 use bouncelab_report::report::{Markdown, Page, Provenance};
 use jiff::Zoned;
 
 use crate::failure::Failure;
+use crate::language::text_with;
 
 /// How a report is written.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -54,7 +56,7 @@ impl ReportFile {
         let path = self.path;
         write_whole(&path, text.as_bytes())
             .map_err(|reason| Failure::unwritable(&path, &reason))?;
-        eprintln!("wrote {}", path.display());
+        wrote(&path);
         Ok(())
     }
 
@@ -71,6 +73,21 @@ impl ReportFile {
         written.map_err(|reason| Failure::unwritable(&folder, &reason))?;
         Ok(markdown)
     }
+}
+
+/// Says on stderr that a file was written.
+pub(crate) fn wrote(path: &Path) {
+    let file = path.display().to_string();
+    eprintln!("{}", text_with("terminal-wrote", &[("file", file.into())]));
+}
+
+/// Says on stderr that a figure was written.
+pub(crate) fn wrote_figure(saved: &Saved) {
+    let file = saved.svg.display().to_string();
+    eprintln!(
+        "{}",
+        text_with("terminal-wrote-figure", &[("file", file.into())])
+    );
 }
 
 /// The command of this run and the day.

@@ -3,11 +3,13 @@
 use std::io::{self, Write};
 use std::path::PathBuf;
 
-use bouncelab::rulebook::{self, Averaging, Evenness, Limits, Requirement, Rule, Status};
+use bouncelab::rulebook::{self, Averaging, Evenness, Limits, Point, Requirement, Rule, Status};
 use bouncelab_report::{Align, Table, rules};
 use clap::{Args, Subcommand};
+use unicode_width::UnicodeWidthStr;
 
 use crate::failure::Failure;
+use crate::language::{text, text_with, translator};
 
 /// List the rules that verdicts know, or show one
 #[derive(Args)]
@@ -68,28 +70,31 @@ impl Files {
 }
 
 pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
-    let text = match &arguments.what {
+    let page = match &arguments.what {
         What::List { files } => list(&files.read()?).to_string(),
         What::Show { name, files } => show(rulebook::find(&files.read()?, name)?),
     };
-    Ok(io::stdout().lock().write_all(text.as_bytes())?)
+    Ok(io::stdout().lock().write_all(page.as_bytes())?)
 }
 
 fn list(rules: &[Rule]) -> Table {
-    let mut table = Table::new([
-        ("rule", Align::Left),
-        ("of", Align::Left),
-        ("drop", Align::Right),
-        ("wants", Align::Left),
-        ("status", Align::Left),
-    ]);
+    let mut table = Table::with_headings(
+        translator(),
+        [
+            ("rule-title", Align::Left),
+            ("rule-sport", Align::Left),
+            ("rule-drop", Align::Right),
+            ("rule-wants", Align::Left),
+            ("rule-status", Align::Left),
+        ],
+    );
     for rule in rules {
         table.row([
             rule.name.clone(),
             rule.title.clone(),
             drop(rule),
             wanted_in_short(rule),
-            rule.status.to_string(),
+            status(rule.status),
         ]);
     }
     table
@@ -97,92 +102,126 @@ fn list(rules: &[Rule]) -> Table {
 
 /// The rule in full, one fact a line.
 fn show(rule: &Rule) -> String {
-    let mut text = format!("{}: {}\n", rule.name, rule.title);
-    for (name, value) in facts(rule) {
-        text.push_str("  ");
-        text.push_str(&format_fact(name, &value));
-        text.push('\n');
-    }
+    let facts = facts(rule);
+    let width = facts.iter().map(|(name, _)| name.width());
+    let width = width.fold(12, usize::max);
+    let mut lines = vec![format!("{}: {}", rule.name, rule.title)];
+    lines.extend(facts.into_iter().map(|(name, value)| {
+        let space = " ".repeat(width - name.width());
+        format!("  {name}{space} {value}")
+    }));
     if rule.status == Status::Unverified {
-        text.push_str("  This rule is unverified: nobody has read it in its source.\n");
+        lines.push(format!("  {}", text("rule-nobody-read")));
     }
-    text
+    lines.join("\n") + "\n"
 }
 
 /// Everything that a rule says, in words.
-pub(crate) fn facts(rule: &Rule) -> Vec<(&'static str, String)> {
+pub(crate) fn facts(rule: &Rule) -> Vec<(String, String)> {
+    let edition = rule.edition.clone();
     let mut facts = vec![
-        ("source", rule.source.clone()),
+        ("rule-source", rule.source.clone()),
         (
-            "edition",
-            rule.edition
-                .clone()
-                .unwrap_or_else(|| "not noted".to_owned()),
+            "rule-edition",
+            edition.unwrap_or_else(|| text("rule-not-noted")),
         ),
-        ("status", rule.status.to_string()),
+        ("rule-status", status(rule.status)),
     ];
-    facts.extend(rule.ball.clone().map(|ball| ("ball", ball)));
-    facts.extend(rule.surface.clone().map(|surface| ("surface", surface)));
-    facts.push(("drop", drop(rule)));
-    facts.push(("wants", wanted(rule)));
-    let point = match rule.measured_at {
-        Some(point) => format!("the {point} of the ball"),
-        None => "not noted; the bottom of the ball is taken".to_owned(),
+    facts.extend(rule.ball.clone().map(|ball| ("rule-ball", ball)));
+    facts.extend(
+        rule.surface
+            .clone()
+            .map(|surface| ("rule-surface", surface)),
+    );
+    facts.push(("rule-drop", drop(rule)));
+    facts.push(("rule-wants", wanted(rule)));
+    let measured_at = match rule.measured_at {
+        Some(at) => text_with("rule-point", &[("point", point(at).into())]),
+        None => text("rule-point-not-noted"),
     };
-    facts.push(("measured at", point));
+    facts.push(("rule-measured-at", measured_at));
     let averaged = match rule.averaging {
-        Averaging::Mean => "their mean counts",
-        Averaging::Each => "each must obey",
+        Averaging::Mean => "rule-drops-mean",
+        Averaging::Each => "rule-drops-each",
     };
-    facts.push((
-        "drops",
-        format!("{} or more; {averaged}", rule.fewest_drops),
-    ));
-    facts.extend(even(rule).map(|even| ("places", even)));
+    let count = [("count", rule.fewest_drops.into())];
+    facts.push(("rule-drops", text_with(averaged, &count)));
+    facts.extend(even(rule).map(|even| ("rule-places", even)));
     if !rule.temperature_k.is_open() {
         let celsius = rule.temperature_k.raised(-273.15);
-        facts.push(("temperature", ends(&celsius, |end| format!("{end:.1} C"))));
+        let shown = |end: f64| format!("{} °C", translator().fixed(end, 1));
+        facts.push(("rule-temperature", ends(&celsius, shown)));
     }
     if !rule.altitude_m.is_open() {
-        facts.push(("altitude", ends(&rule.altitude_m, |end| format!("{end} m"))));
-    }
-    if let Some(formula) = &rule.formula {
         facts.push((
-            "formula",
-            format!(
-                "H = {} (T - {})² in m and s, T from the first impact to the second ({})",
-                formula.factor_m_s2, formula.offset_s, formula.status
-            ),
+            "rule-altitude",
+            ends(&rule.altitude_m, |end| format!("{end} m")),
         ));
     }
-    facts.extend(rule.note.clone().map(|note| ("note", note)));
+    if let Some(formula) = &rule.formula {
+        let formula = [
+            ("factor", formula.factor_m_s2.into()),
+            ("offset", formula.offset_s.into()),
+            ("status", status(formula.status).into()),
+        ];
+        facts.push(("rule-formula", text_with("rule-formula-text", &formula)));
+    }
+    facts.extend(rule.note.clone().map(|note| ("rule-note", note)));
     facts
+        .into_iter()
+        .map(|(id, fact)| (text(id), fact))
+        .collect()
 }
 
-fn format_fact(name: &str, value: &str) -> String {
-    format!("{name:<12} {value}")
+/// Whether somebody has read a rule in its source, in words.
+pub(crate) fn status(status: Status) -> String {
+    text(match status {
+        Status::Verified => "rule-verified",
+        Status::Unverified => "rule-unverified",
+    })
+}
+
+/// A point of the ball, in words.
+pub(crate) fn point(point: Point) -> String {
+    text(match point {
+        Point::Bottom => "rule-point-bottom",
+        Point::Centre => "rule-point-centre",
+        Point::Top => "rule-point-top",
+    })
 }
 
 /// From where the ball is dropped, in words.
 pub(crate) fn drop(rule: &Rule) -> String {
     let Some(height_m) = rule.drop_height_m else {
-        return "any height".to_owned();
+        return text("rule-any-height");
     };
-    let tolerance = rule
-        .drop_tolerance_m
-        .map_or_else(String::new, |tolerance| format!(" ± {}", length(tolerance)));
-    let higher = if rule.or_higher { " or more" } else { "" };
-    format!("{}{tolerance}{higher}", length(height_m))
+    let tolerance = rule.drop_tolerance_m;
+    let tolerance = tolerance.map_or_else(String::new, |end| format!(" ± {}", length(end)));
+    let height = length(height_m) + &tolerance;
+    if rule.or_higher {
+        text_with("rule-or-more", &[("height", height.into())])
+    } else {
+        height
+    }
 }
 
 /// What the rule wants of the rebound, in words.
 pub(crate) fn wanted(rule: &Rule) -> String {
-    let percent = |share: f64| format!("{} %", (share * 1e4).round() / 100.0);
     let wanted = match &rule.requirement {
         Requirement::Height(limits) => heights(limits),
-        Requirement::About(height_m) => format!("about {}", length(*height_m)),
-        Requirement::Share { limits, of } if limits.is_open() => format!("share of that on {of}"),
-        Requirement::Share { limits, of } => format!("{} of that on {of}", ends(limits, percent)),
+        Requirement::About(height_m) => {
+            text_with("rule-about", &[("height", length(*height_m).into())])
+        }
+        Requirement::Share { limits, of } if limits.is_open() => {
+            text_with("rule-share-of", &[("surface", of.as_str().into())])
+        }
+        Requirement::Share { limits, of } => text_with(
+            "rule-limits-of",
+            &[
+                ("limits", ends(limits, percent).into()),
+                ("surface", of.as_str().into()),
+            ],
+        ),
     };
     match even(rule) {
         Some(even) => format!("{wanted}; {even}"),
@@ -192,28 +231,26 @@ pub(crate) fn wanted(rule: &Rule) -> String {
 
 fn wanted_in_short(rule: &Rule) -> String {
     match &rule.requirement {
-        Requirement::Share { limits, .. } if limits.is_open() => "share of a reference".to_owned(),
+        Requirement::Share { limits, .. } if limits.is_open() => text("rule-share-of-reference"),
         Requirement::Share { limits, .. } => {
-            let percent = |share: f64| format!("{} %", (share * 1e4).round() / 100.0);
-            format!("{} of a reference", ends(limits, percent))
+            let limits = [("limits", ends(limits, percent).into())];
+            text_with("rule-limits-of-reference", &limits)
         }
         _ => wanted(rule),
     }
 }
 
 fn even(rule: &Rule) -> Option<String> {
-    let percent = |share: f64| (share * 1e4).round() / 100.0;
-    Some(match rule.evenness? {
-        Evenness::WithinOfMean(share) => {
-            format!("each place within {} % of the mean", percent(share))
-        }
-        Evenness::Range(share) => format!("places at most {} points apart", percent(share)),
-    })
+    let (id, share) = match rule.evenness? {
+        Evenness::WithinOfMean(share) => ("rule-within-of-mean", share),
+        Evenness::Range(share) => ("rule-places-apart", share),
+    };
+    Some(text_with(id, &[("share", hundredths(share).into())]))
 }
 
 /// Limits with the unit once.
 fn heights(limits: &Limits) -> String {
-    let words = ends(limits, |end| centimetres(end).to_string());
+    let words = ends(limits, |end| shown(hundredths(end)));
     if limits.is_open() {
         words
     } else {
@@ -223,18 +260,35 @@ fn heights(limits: &Limits) -> String {
 
 fn ends(limits: &Limits, shown: impl Fn(f64) -> String) -> String {
     match (limits.least, limits.greatest) {
-        (Some(least), Some(greatest)) => format!("{} to {}", shown(least), shown(greatest)),
-        (Some(least), None) => format!("at least {}", shown(least)),
-        (None, Some(greatest)) => format!("at most {}", shown(greatest)),
-        (None, None) => "anything".to_owned(),
+        (Some(least), Some(greatest)) => text_with(
+            "interval-ends",
+            &[
+                ("low", shown(least).into()),
+                ("high", shown(greatest).into()),
+            ],
+        ),
+        (Some(least), None) => text_with("rule-at-least", &[("least", shown(least).into())]),
+        (None, Some(greatest)) => {
+            text_with("rule-at-most", &[("greatest", shown(greatest).into())])
+        }
+        (None, None) => text("verdict-anything"),
     }
+}
+
+fn percent(share: f64) -> String {
+    format!("{} %", shown(hundredths(share)))
 }
 
 /// A height of a rule, always in centimetres.
 fn length(metres: f64) -> String {
-    format!("{} cm", centimetres(metres))
+    format!("{} cm", shown(hundredths(metres)))
 }
 
-fn centimetres(metres: f64) -> f64 {
-    (metres * 1e4).round() / 100.0
+fn shown(value: f64) -> String {
+    translator().number(&value.to_string())
+}
+
+/// A share in per cent, or metres in centimetres.
+fn hundredths(value: f64) -> f64 {
+    (value * 1e4).round() / 100.0
 }

@@ -10,13 +10,15 @@ use bouncelab_report::document::simulation::{Document, Run};
 use bouncelab_report::figure::{self, Curve};
 use bouncelab_report::messages::Translator;
 use bouncelab_report::theme::Meaning;
-use bouncelab_report::{Align, Chart, Quantity, Table, Unit, save};
+use bouncelab_report::{Align, Chart, Quantity, Table, Unit, save, tables};
 use clap::{Args, ValueEnum};
 
+use crate::analyze::assumed;
 use crate::failure::Failure;
 use crate::history::HistoryArguments;
-use crate::language::translator;
+use crate::language::{text, text_with, translator};
 use crate::physics::{Physics, PhysicsArguments, drag_law};
+use crate::report::wrote_figure;
 
 /// Simulate a drop: a table of bounces, totals, and height against time
 #[derive(Args)]
@@ -59,20 +61,24 @@ enum Format {
 const MOST_ROWS: usize = 100;
 
 pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
-    let physics = arguments.physics.questioned(arguments.history.doubts())?;
+    let physics = arguments
+        .physics
+        .questioned(arguments.history.questions())?;
     let laws = std::iter::once(physics.options.environment.drag).chain(arguments.compare.clone());
     let runs = laws
         .map(|law| simulate(law, &physics.options, &arguments.history))
         .collect::<Result<Vec<Run>, Failure>>()?;
     if let Some(folder) = &arguments.figures {
         let saved = save(&height_chart(&runs, translator()), folder, "height")?;
-        eprintln!("wrote {} and .png", saved.svg.display());
+        wrote_figure(&saved);
     }
     let mut out = io::stdout().lock();
     match arguments.format {
-        Format::Text => Ok(out.write_all(text(&runs, &physics).as_bytes())?),
+        Format::Text => Ok(out.write_all(report(&runs, &physics).as_bytes())?),
         Format::Json => {
-            let document = Document::new(&runs, &physics.options, physics.assumptions.clone());
+            let mut assumptions = physics.assumptions.clone();
+            translator().complete_each(&mut assumptions);
+            let document = Document::new(&runs, &physics.options, assumptions);
             serde_json::to_writer_pretty(&mut out, &document).map_err(io::Error::from)?;
             Ok(writeln!(out)?)
         }
@@ -98,95 +104,95 @@ fn simulate(law: DragLaw, settings: &Options, history: &HistoryArguments) -> Res
     })
 }
 
-fn text(runs: &[Run], physics: &Physics) -> String {
-    let mut parts = vec![format!(
-        "A drop of a ball ({}), simulated",
-        physics.ball_label
-    )];
+fn report(runs: &[Run], physics: &Physics) -> String {
+    let ball = [("ball", physics.ball_label.as_str().into())];
+    let mut parts = vec![text_with("simulate-heading", &ball)];
     parts.push(String::new());
     parts.push(totals(runs).to_string());
     if let Some(run) = runs.first() {
-        parts.push(format!("Each bounce, with drag {}:", run.law));
+        let law = [("law", tables::drag_law(run.law, translator()).into())];
+        parts.push(text_with("simulate-each-bounce", &law));
         parts.push(String::new());
         parts.push(bounces(run).to_string());
         let hidden = run.history.bounces().len().saturating_sub(MOST_ROWS);
         if hidden > 0 {
-            parts.push(format!(
-                "... and {hidden} more; --format csv has them all.\n"
-            ));
+            let hidden = [("count", hidden.into())];
+            parts.push(text_with("terminal-all-shown", &hidden) + "\n");
         }
     }
     if !physics.assumptions.is_empty() {
-        parts.push(format!("Assumed: {}.", physics.assumptions.join("; ")));
+        parts.push(assumed(&physics.assumptions).trim_start().to_owned());
     }
     parts.join("\n") + "\n"
 }
 
 /// The sums of each run, side by side.
 fn totals(runs: &[Run]) -> Table {
-    let mut columns = vec![("drag".to_owned(), Align::Left)];
-    columns.extend(runs.iter().map(|run| (run.law.to_string(), Align::Right)));
+    let words = translator();
+    let mut columns = vec![(text("column-drag"), Align::Left)];
+    columns.extend(
+        runs.iter()
+            .map(|run| (tables::drag_law(run.law, words), Align::Right)),
+    );
     let mut table = Table::new(columns);
-    let mut row = |name: &str, value: &dyn Fn(&Run) -> String| {
-        table.row(std::iter::once(name.to_owned()).chain(runs.iter().map(value)));
+    let mut row = |id: &str, value: &dyn Fn(&Run) -> String| {
+        table.row(std::iter::once(text(id)).chain(runs.iter().map(value)));
     };
-    let shown = |value: f64, unit: Unit| Quantity::rounded(value, 4, unit).to_string();
-    row("bounces", &|run| run.history.bounces().len().to_string());
-    row("speed of the first impact", &|run| {
-        shown(
-            run.history
-                .strikes()
-                .next()
-                .map_or(f64::NAN, |s| s.speed_m_s),
-            Unit::Speed,
+    let shown = |value: f64, unit: Unit| Quantity::rounded(value, 4, unit).text(words);
+    row("simulate-bounces", &|run| {
+        run.history.bounces().len().to_string()
+    });
+    row("simulate-first-speed", &|run| {
+        let first = run.history.strikes().next();
+        shown(first.map_or(f64::NAN, |s| s.speed_m_s), Unit::Speed)
+    });
+    row("quantity-terminal-speed", &|run| {
+        run.terminal_speed_m_s.map_or_else(
+            || text("simulate-no-terminal-speed"),
+            |v| shown(v, Unit::Speed),
         )
     });
-    row("terminal speed", &|run| {
-        run.terminal_speed_m_s
-            .map_or_else(|| "none".to_owned(), |v| shown(v, Unit::Speed))
-    });
-    row("time until the end", &|run| {
+    row("simulate-total-time", &|run| {
         shown(run.history.total_time_s(), Unit::Time)
     });
-    row("path until the end", &|run| {
+    row("simulate-total-path", &|run| {
         shown(run.history.total_path_m(), Unit::Length)
     });
-    row("energy at the start", &|run| {
+    row("simulate-initial-energy", &|run| {
         shown(run.initial_energy_j(), Unit::Energy)
     });
-    row("lost to the surface", &|run| {
+    row("simulate-lost-to-surface", &|run| {
         shown(run.lost_to_surface_j(), Unit::Energy)
     });
-    row("lost to the air", &|run| {
+    row("simulate-lost-to-air", &|run| {
         shown(run.lost_to_air_j(), Unit::Energy)
     });
     table
 }
 
 fn bounces(run: &Run) -> Table {
-    let mut table = Table::new(
-        [
-            "bounce",
-            "time s",
-            "speed m/s",
-            "e",
-            "flight s",
-            "apex cm",
-            "to surface \u{b5}J",
-            "to air \u{b5}J",
-        ]
-        .map(|heading| (heading, Align::Right)),
-    );
+    let words = translator();
+    let headings = [
+        "simulate-bounce",
+        "column-time",
+        "column-speed",
+        "column-e",
+        "column-flight",
+        "column-apex",
+        "simulate-to-surface",
+        "simulate-to-air",
+    ];
+    let mut table = Table::with_headings(words, headings.map(|id| (id, Align::Right)));
     for (bounce, number) in run.history.bounces().iter().zip(1..=MOST_ROWS) {
         table.row([
             format!("{number}"),
-            format!("{:.4}", bounce.time_s),
-            format!("{:.4}", bounce.impact_speed_m_s),
-            format!("{:.4}", bounce.restitution),
-            format!("{:.4}", bounce.flight.time_s()),
-            format!("{:.3}", bounce.flight.apex_m * 100.0),
-            format!("{:.1}", run.mass_kg * bounce.lost_to_surface_j_kg * 1e6),
-            format!("{:.1}", run.mass_kg * bounce.lost_to_air_j_kg * 1e6),
+            words.fixed(bounce.time_s, 4),
+            words.fixed(bounce.impact_speed_m_s, 4),
+            words.fixed(bounce.restitution, 4),
+            words.fixed(bounce.flight.time_s(), 4),
+            words.fixed(bounce.flight.apex_m * 100.0, 3),
+            words.fixed(run.mass_kg * bounce.lost_to_surface_j_kg * 1e6, 1),
+            words.fixed(run.mass_kg * bounce.lost_to_air_j_kg * 1e6, 1),
         ]);
     }
     table
@@ -202,7 +208,10 @@ fn height_chart(runs: &[Run], translator: &Translator) -> Chart {
             let end_s = run.history.total_time_s();
             let times = (0..=POINTS).map(|point| end_s * point as f64 / POINTS as f64);
             Curve {
-                name: format!("drag {}", run.law),
+                name: text_with(
+                    "simulate-drag",
+                    &[("law", tables::drag_law(run.law, translator).into())],
+                ),
                 meaning: if run.law == DragLaw::None {
                     Meaning::Plain
                 } else {

@@ -8,11 +8,13 @@ use bouncelab::impact::Strike;
 use bouncelab::synth::{self, BitDepth, Clicks, Hum, Lost, Noise, Rendered, Reverb, Scene, Voice};
 use bouncelab_audio::{SampleFormat, encode_wav};
 use bouncelab_report::file::write_whole;
+use bouncelab_report::messages::Value;
 use clap::builder::{PathBufValueParser, TypedValueParser};
 use clap::{Args, ValueEnum};
 
 use crate::failure::Failure;
 use crate::history::HistoryArguments;
+use crate::language::text_with;
 use crate::physics::PhysicsArguments;
 use crate::units;
 
@@ -177,7 +179,9 @@ const CLICKS_DB: f64 = -6.0;
 const DIRECT_TO_REVERBERANT_DB: f64 = 6.0;
 
 pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
-    let physics = arguments.physics.questioned(arguments.history.doubts())?;
+    let physics = arguments
+        .physics
+        .questioned(arguments.history.questions())?;
     let truth = arguments
         .truth
         .as_deref()
@@ -209,14 +213,17 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
     }
     let seconds = sound.samples.len() as f64 / f64::from(sound.sample_rate_hz);
     let heard = sound.impacts.iter().filter(|impact| !impact.lost).count();
-    let mut out = io::stdout().lock();
+    let made = [
+        ("file", arguments.output.display().to_string().into()),
+        ("count", heard.into()),
+        ("seconds", Value::fixed(seconds, 1)),
+        ("rate", sound.sample_rate_hz.into()),
+        ("seed", arguments.seed.into()),
+    ];
     Ok(writeln!(
-        out,
-        "{}: {heard} impact{} in {seconds:.1} s, {} Hz, seed {}",
-        arguments.output.display(),
-        if heard == 1 { "" } else { "s" },
-        sound.sample_rate_hz,
-        arguments.seed
+        io::stdout().lock(),
+        "{}",
+        text_with("synth-made", &made)
     )?)
 }
 

@@ -477,7 +477,7 @@ fn kebab(words: &str) -> String {
 }
 
 /// With a capital letter.
-pub(crate) fn capital(text: &str) -> String {
+pub fn capital(text: &str) -> String {
     let mut letters = text.chars();
     let first: String = letters
         .next()

@@ -1,15 +1,23 @@
 //! The tables of a session: what their columns are, and what stands in them.
 
+#![expect(
+    clippy::type_complexity,
+    reason = "an alias would fix the lifetime of the rows"
+)]
+
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
-use bouncelab::analysis::Options;
+use bouncelab::analysis::MeasuredFlight;
 use bouncelab::groups::CurvePoint;
+use bouncelab::restitution::ImpactRestitution;
+use bouncelab::{Diagnostic, Options};
+use bouncelab_report::messages::Translator;
 
 use crate::error::Result;
 use crate::journal::Key;
 use crate::metadata::{KnownRecording, Metadata};
-use crate::record::{DropRecord, EstimateRecord, ImpactRecord, LineRecord};
+use crate::record::{DropRecord, FitRecord, ImpactRecord, PosteriorRecord};
 use crate::results::Results;
 use crate::study::{Outcome, SessionDrop};
 use crate::table::{Cell, Column, Form, Kind, Schema, TableWriter};
@@ -26,7 +34,8 @@ struct DropRow<'a> {
     of: Which<'a>,
     key: &'a Key,
     record: &'a DropRecord,
-    warnings: &'a [String],
+    of_recording: &'a [Diagnostic],
+    translator: &'a Translator,
     outlier_score: Option<f64>,
     common_speed_m_s: Option<f64>,
 }
@@ -36,20 +45,37 @@ impl DropRow<'_> {
         &self.of.recording.metadata
     }
 
-    fn settings(&self) -> &Options {
-        &self.metadata().setup.settings
+    fn options(&self) -> &Options {
+        self.of.recording.options()
     }
 
-    fn found(&self) -> Option<&EstimateRecord> {
-        self.record.estimate.as_ref()
+    fn posterior(&self) -> Option<&PosteriorRecord> {
+        self.record.posterior.as_ref()
     }
 
-    fn line(&self) -> Option<&LineRecord> {
-        self.record.line.as_ref()
+    fn fit(&self) -> Option<&FitRecord> {
+        self.record.log_linear_fit.as_ref()
     }
 
     fn common(&self) -> Option<CurvePoint> {
-        self.found()?.law().at(self.common_speed_m_s?)
+        self.posterior()?.curve.at(self.common_speed_m_s?)
+    }
+
+    /// The sentences of diagnostics, if there are any.
+    fn sentences(&self, diagnostics: &[Diagnostic]) -> Option<String> {
+        let sentences = diagnostics.iter().map(|it| self.translator.diagnostic(it));
+        let sentences: Vec<String> = sentences.collect();
+        (!sentences.is_empty()).then(|| sentences.join("; "))
+    }
+}
+
+impl ImpactRecord {
+    fn kept(&self) -> Option<&ImpactRestitution> {
+        self.restitution.as_ref()
+    }
+
+    fn after(&self) -> Option<&MeasuredFlight> {
+        self.flight.as_ref()
     }
 }
 
@@ -76,21 +102,21 @@ const OF_A_DROP: &[Fixed<fn(&DropRow<'_>) -> Cell>] = columns! { |row: DropRow<'
     noted_height_m: Number ["m"] "drop height as noted" = row.metadata().height_m;
     noted_temperature_k: Number ["K"] "temperature as noted" = row.metadata().temperature_k;
     ball_mass_kg: Number ["kg"] "mass of the ball, as noted or by its rules"
-        = Some(row.settings().ball.mass_kg());
-    ball_diameter_m: Number ["m"] "diameter of the ball" = Some(row.settings().ball.diameter_m());
+        = Some(row.options().ball.mass_kg());
+    ball_diameter_m: Number ["m"] "diameter of the ball" = Some(row.options().ball.diameter_m());
     air_density_kg_m3: Number ["kg/m3"] "density of the air"
-        = Some(row.settings().environment.air.density_kg_m3());
-    gravity_m_s2: Number ["m/s2"] "gravity" = Some(row.settings().environment.gravity_m_s2);
+        = Some(row.options().environment.air.density_kg_m3());
+    gravity_m_s2: Number ["m/s2"] "gravity" = Some(row.options().environment.gravity_m_s2);
     content_sha256: Text [""] "hash of the recording" = Some(row.key.content.to_string());
     settings_sha256: Text [""] "hash of the settings" = Some(row.key.settings.to_string());
-    start_s: Number ["s"] "time of the first impact heard" = Some(row.record.impacts.first()?.time_s);
+    start_s: Number ["s"] "time of the first impact heard" = Some(row.record.impacts.first()?.impact.time_s);
     impacts: Count [""] "impacts heard" = Some(row.record.impacts.len());
     probability: Number [""] "that it is a drop" = Some(row.record.probability);
     speed_m_s: Number ["m/s"] "impact speed of `restitution`: the middle of this drop"
-        = Some(row.found()?.at_speed_m_s);
+        = Some(row.posterior()?.at_speed_m_s);
     restitution: Number [""] "restitution at that speed, by the inference"
-        = Some(row.found()?.restitution.value);
-    restitution_sd: Number [""] "its standard uncertainty" = row.found()?.restitution.sd;
+        = Some(row.posterior()?.restitution.value);
+    restitution_sd: Number [""] "its standard uncertainty" = row.posterior()?.restitution.known_sd();
     common_speed_m_s: Number ["m/s"] "impact speed at which the drops of the session are compared"
         = row.common_speed_m_s;
     common_restitution: Number [""] "restitution at the common speed" = Some(row.common()?.value);
@@ -99,58 +125,54 @@ const OF_A_DROP: &[Fixed<fn(&DropRow<'_>) -> Cell>] = columns! { |row: DropRow<'
     common_restitution_shared_sd: Number [""] "its standard uncertainty by inputs that drops share"
         = Some(row.common()?.shared_sd);
     drop_height_m: Number ["m"] "height of the fall, by the inference"
-        = Some(row.found()?.drop_height_m.value);
-    drop_height_sd_m: Number ["m"] "its standard uncertainty" = row.found()?.drop_height_m.sd;
+        = Some(row.posterior()?.drop_height_m.value);
+    drop_height_sd_m: Number ["m"] "its standard uncertainty" = row.posterior()?.drop_height_m.known_sd();
     drag_coefficient: Number [""] "drag coefficient at the fastest impact"
-        = Some(row.found()?.drag_coefficient?.value);
-    drag_coefficient_sd: Number [""] "its standard uncertainty" = row.found()?.drag_coefficient?.sd;
+        = Some(row.posterior()?.drag_coefficient?.value);
+    drag_coefficient_sd: Number [""] "its standard uncertainty" = row.posterior()?.drag_coefficient?.known_sd();
     scatter: Number [""] "standard deviation of ln e from impact to impact"
-        = Some(row.found()?.scatter.value);
-    scatter_sd: Number [""] "its standard uncertainty" = row.found()?.scatter.sd;
-    timing_s: Number ["s"] "root mean square error of the times" = Some(row.found()?.timing_s.value);
+        = Some(row.posterior()?.restitution_scatter.value);
+    scatter_sd: Number [""] "its standard uncertainty" = row.posterior()?.restitution_scatter.known_sd();
+    timing_s: Number ["s"] "root mean square error of the times" = Some(row.posterior()?.timing_s.value);
     missed_first: Count [""] "most probable number of impacts missed before the first one heard"
-        = row.found()?.missed_first;
-    converged: Flag [""] "whether the sampling can be trusted" = Some(row.found()?.converged);
+        = row.posterior()?.missed_first();
+    converged: Flag [""] "whether the sampling can be trusted" = Some(row.posterior()?.converged);
     height_contradicts: Flag [""] "whether the noted height contradicts the flight times"
-        = Some(row.found()?.height_contradicts);
+        = row.posterior().map(|_| row.record.height_contradicts());
     line_restitution: Number [""] "restitution by the straight line, as if there were no air"
-        = Some(row.line()?.restitution.value);
-    line_restitution_sd: Number [""] "its standard error" = row.line()?.restitution.sd;
+        = Some(row.fit()?.restitution.value);
+    line_restitution_sd: Number [""] "its standard error" = row.fit()?.restitution.known_sd();
     line_drop_height_m: Number ["m"] "drop height by the straight line"
-        = Some(row.line()?.drop_height_m.value);
-    line_drop_height_sd_m: Number ["m"] "its standard error" = row.line()?.drop_height_m.sd;
+        = Some(row.fit()?.drop_height_m.value);
+    line_drop_height_sd_m: Number ["m"] "its standard error" = row.fit()?.drop_height_m.known_sd();
     outlier_score: Number [""] "how far it lies from its group, in robust standard deviations; empty unless it is an outlier"
         = row.outlier_score;
     left_out: Text [""] "why it is not in the study; empty if it is" = row.of.drop.left_out.clone();
-    no_estimate: Text [""] "why there is no inference" = row.record.no_estimate.clone();
-    remarks: Text [""] "what is odd about it" = sentences(&row.record.remarks);
-    warnings: Text [""] "what is odd about its recording" = sentences(row.warnings);
+    no_estimate: Text [""] "why there is no inference" = Some(row.translator.diagnostic(row.record.no_posterior.as_ref()?));
+    remarks: Text [""] "what is odd about it" = row.sentences(&row.record.diagnostics);
+    warnings: Text [""] "what is odd about its recording" = row.sentences(row.of_recording);
 };
 
 const OF_AN_IMPACT: &[Fixed<fn(&ImpactRecord) -> Cell>] = columns! { |row: ImpactRecord|
     impact: Count [""] "number of the impact, 1 for the first known; a missed one leaves a gap"
-        = Some(row.number);
-    time_s: Number ["s"] "time of the impact in its recording" = Some(row.time_s);
-    time_sd_s: Number ["s"] "its standard error" = row.sigma_s;
-    probability: Number [""] "that it is an impact of this drop" = Some(row.probability);
-    level_db: Number ["dB"] "level relative to full scale" = row.level_db;
+        = Some(row.impact.number);
+    time_s: Number ["s"] "time of the impact in its recording" = Some(row.impact.time_s);
+    time_sd_s: Number ["s"] "its standard error" = row.impact.time_sd_s;
+    probability: Number [""] "that it is an impact of this drop" = Some(row.impact.probability);
+    level_db: Number ["dB"] "level relative to full scale" = row.impact.level_db;
     impact_speed_m_s: Number ["m/s"] "speed before the impact, corrected for drag"
-        = row.impact_speed_m_s;
-    restitution: Number [""] "speed after over speed before, corrected for drag" = row.restitution;
-    restitution_sd: Number [""] "its standard error by timing" = row.restitution_sd;
-    plain_restitution: Number [""] "ratio of the flight times after and before" = row.plain_restitution;
-    flight_time_s: Number ["s"] "time until the next impact" = row.flight_time_s;
-    plain_height_m: Number ["m"] "g T^2/8 of the flight after it" = row.plain_height_m;
-    apex_m: Number ["m"] "apex of the flight after it, by the flight model" = row.apex_m;
+        = Some(row.kept()?.impact_speed_m_s);
+    restitution: Number [""] "speed after over speed before, corrected for drag" = Some(row.kept()?.restitution.value);
+    restitution_sd: Number [""] "its standard error by timing" = row.kept()?.restitution.known_sd();
+    plain_restitution: Number [""] "ratio of the flight times after and before" = Some(row.kept()?.flight_time_ratio);
+    flight_time_s: Number ["s"] "time until the next impact" = Some(row.after()?.time_s);
+    plain_height_m: Number ["m"] "g T^2/8 of the flight after it" = Some(row.after()?.drag_free_height_m);
+    apex_m: Number ["m"] "apex of the flight after it, by the flight model" = row.after()?.apex_m;
     weight: Number [""] "weight in the inference, 1 for an impact as good as any" = row.weight;
 };
 
-fn sentences(sentences: &[String]) -> Option<String> {
-    (!sentences.is_empty()).then(|| sentences.join("; "))
-}
-
 /// Writes the tables of drops and impacts into a folder, one recording after the other; returns the
-/// files.
+/// files. Sentences in them are English, whatever the language of the reader: tables are for programs.
 ///
 /// # Errors
 /// [`Error::Output`](crate::Error::Output) and [`Error::Table`](crate::Error::Table) if they cannot be
@@ -175,6 +197,7 @@ pub fn write_tables(
     let of_impacts = schema("impacts", "bouncelab.impacts/1", fixed(OF_AN_IMPACT));
     let mut drops = TableWriter::new(folder, &of_drops, forms)?;
     let mut impacts = TableWriter::new(folder, &of_impacts, forms)?;
+    let english = Translator::english();
     let study = outcome.study.as_ref().ok();
     let mut place = 0;
     while let Some(first) = outcome.drops.get(place) {
@@ -192,7 +215,8 @@ pub fn write_tables(
                 of,
                 key: &key,
                 record: of_drop,
-                warnings: &record.warnings,
+                of_recording: &record.diagnostics,
+                translator: &english,
                 outlier_score: outcome.outlier_score(place),
                 common_speed_m_s: study.map(|study| study.at_speed_m_s),
             };

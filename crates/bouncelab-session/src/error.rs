@@ -40,6 +40,12 @@ pub enum Error {
         /// What is wrong with it.
         problem: String,
     },
+    /// Notes that are not clear: missing, contradictory or implausible.
+    #[error("{problem}")]
+    Metadata {
+        /// All that is wrong, one line for each.
+        problem: String,
+    },
     /// There is nothing to hear.
     #[error("{what}; name recordings, a folder that holds some, or a session.toml")]
     NoRecordings {

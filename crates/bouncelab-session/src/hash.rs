@@ -19,6 +19,14 @@ pub fn hash(bytes: &[u8]) -> Hash {
     Hash(Sha256::digest(bytes).into())
 }
 
+/// The hash of settings, by their JSON.
+///
+/// # Panics
+/// If they cannot be written as JSON: a map whose keys are no texts.
+pub fn hash_of(settings: &impl Serialize) -> Hash {
+    hash(&serde_json::to_vec(settings).expect("settings are plain data"))
+}
+
 /// The hash of the content of a file, read in pieces.
 ///
 /// # Errors

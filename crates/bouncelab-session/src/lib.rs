@@ -9,16 +9,18 @@
 //! | [`Session`] | which recordings are there, and what was said of each? |
 //! | [`Metadata`] | what do the notes mean? |
 //! | [`hash`] | what tells contents and settings apart? |
-//! | [`record`] | what is kept of one recording? |
+//! | [`Record`] | what does one recording say? |
 //! | [`journal`] | which results are there already? |
 //! | [`complete`] | what is left to do for one recording? |
 //! | [`Outcome`] | what do the drops say together? |
+//! | [`SessionDocument`] | what do they say, for other programs? |
 //! | [`table`] | how is a table written as Parquet, CSV and JSON lines? |
 //! | [`write_tables`] | what stands in the tables of a session? |
 
 #![warn(missing_docs)]
 
 mod columns;
+mod document;
 mod error;
 pub mod hash;
 pub mod journal;
@@ -26,7 +28,7 @@ mod metadata;
 mod name;
 mod notes;
 mod pattern;
-pub mod record;
+mod record;
 mod recordings;
 mod results;
 mod study;
@@ -34,11 +36,13 @@ pub mod table;
 mod work;
 
 pub use columns::write_tables;
+pub use document::{AboutSession, Reason, SessionDocument};
 pub use error::{Error, Result};
-pub use metadata::{KnownRecording, Metadata};
-pub use name::name;
+pub use metadata::{Advice, KnownRecording, Metadata, MetadataOptions, Noted};
+pub use name::{name, some_of};
 pub use notes::{Note, Notes};
 pub use pattern::Pattern;
+pub use record::{DropRecord, FitRecord, ImpactRecord, PosteriorRecord, RECORD, Record};
 pub use recordings::{ENDINGS, Recording, SESSION_FILE, Session, Sources};
 pub use results::Results;
 pub use study::{Outcome, SessionDrop, StudyOptions};

@@ -1,14 +1,44 @@
-//! What the notes of recordings mean.
+//! What the notes of recordings mean, and what is wrong with them.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet, HashMap};
 use std::sync::Arc;
 
 use bouncelab::setup::Setup;
+use bouncelab::{Diagnostic, Options, ball, plausibility};
+use bouncelab_report::messages::Translator;
+use bouncelab_report::units;
 
-use crate::hash::{Hash, hash};
+use crate::error::{Error, Result};
+use crate::hash::{Hash, hash_of};
 use crate::journal::Key;
+use crate::name::some_of;
+use crate::notes::{Note, Notes};
 use crate::record::RECORD;
-use crate::recordings::Recording;
+use crate::recordings::{Recording, Session};
+
+/// Reads a quantity with its unit.
+type Reader = fn(&str) -> std::result::Result<f64, String>;
+
+/// Fields that are quantities.
+const QUANTITIES: [(&str, Reader); 8] = [
+    ("height", units::length),
+    ("height_sd", units::length),
+    ("mass", units::mass),
+    ("diameter", units::length),
+    ("contact_time", units::time),
+    ("temperature", units::temperature),
+    ("pressure", units::pressure),
+    ("humidity", units::share),
+];
+
+/// Quantities by which drops are compared too.
+const COMPARED: [&str; 2] = ["height", "temperature"];
+
+/// Other fields with a meaning of their own.
+const NAMES: [&str; 3] = ["ball", "surface", "operator"];
+
+/// Fields that a ball in a session file may have.
+const OF_A_BALL: [&str; 4] = ["kind", "mass", "diameter", "contact_time"];
 
 /// A recording and what is known of it.
 #[derive(Debug, Clone)]
@@ -22,12 +52,15 @@ pub struct KnownRecording {
 impl KnownRecording {
     /// What its result depends on: its content, and the settings of this version.
     pub fn key(&self, content: Hash) -> Key {
-        let settings = &self.metadata.setup.settings;
-        let text = format!("{RECORD} {} {settings:?}", env!("CARGO_PKG_VERSION"));
         Key {
             content,
-            settings: hash(text.as_bytes()),
+            settings: hash_of(&(RECORD, env!("CARGO_PKG_VERSION"), self.options())),
         }
+    }
+
+    /// How it is analysed.
+    pub fn options(&self) -> &Options {
+        &self.metadata.setup.options
     }
 
     /// What it is called in tables.
@@ -52,6 +85,372 @@ pub struct Metadata {
 impl Metadata {
     /// Whether there is to be an inference.
     pub fn asks_inference(&self) -> bool {
-        self.setup.settings.inference.is_some()
+        self.setup.options.inference.is_some()
+    }
+}
+
+/// What was noted of ball, air and height of one recording.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Noted {
+    /// The kind of ball: the name of a preset, or `steel:10mm`.
+    pub ball: Option<String>,
+    /// Mass of the ball, kg.
+    pub mass_kg: Option<f64>,
+    /// Diameter of the ball, m.
+    pub diameter_m: Option<f64>,
+    /// How long it touches the surface, s.
+    pub contact_time_s: Option<f64>,
+    /// Temperature of the air, K.
+    pub temperature_k: Option<f64>,
+    /// Pressure of the air, Pa.
+    pub pressure_pa: Option<f64>,
+    /// Relative humidity of the air, 0 to 1.
+    pub relative_humidity: Option<f64>,
+    /// Drop height, m.
+    pub height_m: Option<f64>,
+    /// Standard uncertainty of the drop height, m.
+    pub height_sd_m: Option<f64>,
+}
+
+/// How notes are read.
+#[expect(missing_debug_implementations, reason = "a function cannot be shown")]
+pub struct MetadataOptions<'a> {
+    /// Completes what was noted by what holds for all recordings; or says what does not go together.
+    pub resolve: &'a dyn Fn(&Noted) -> std::result::Result<Setup, String>,
+    /// Whether the ball of all recordings is known, so that any name may stand for it.
+    pub ball_is_known: bool,
+    /// Whether to believe what looks like a mistake.
+    pub allow_implausible: bool,
+    /// Whether recordings may lack what others have.
+    pub allow_missing: bool,
+    /// The language of questions.
+    pub translator: &'a Translator,
+    /// How the reader of a question allows it.
+    pub advice: Advice<'a>,
+}
+
+/// Sentences of the front end that end a question.
+#[derive(Debug, Clone, Copy)]
+pub struct Advice<'a> {
+    /// How to allow what looks like a mistake: "Correct it, or ...".
+    pub implausible: &'a str,
+    /// How to go on where something is missing: "or ...".
+    pub missing: &'a str,
+    /// How to state the ball of all recordings: "or ...".
+    pub ball: &'a str,
+}
+
+impl MetadataOptions<'_> {
+    /// Finds out what the notes of every recording mean.
+    ///
+    /// # Errors
+    /// [`Error::Metadata`] with all that is wrong, so that it can be mended at once.
+    pub fn read(&self, session: Session) -> Result<Vec<KnownRecording>> {
+        let mut problems = Problems::default();
+        let mut known: HashMap<BTreeMap<String, String>, Arc<Metadata>> = HashMap::new();
+        let all: Vec<Option<Arc<Metadata>>> = (0..session.recordings.len())
+            .map(|place| {
+                let (texts, metadata) = self.one(&session, place, &mut problems)?;
+                let shared = known.entry(texts).or_insert_with(|| Arc::new(metadata));
+                Some(Arc::clone(shared))
+            })
+            .collect();
+        if !self.allow_missing {
+            problems.missing(&session, self.advice.missing);
+        }
+        if let Some(problem) = problems.message(self.advice.ball) {
+            return Err(Error::Metadata { problem });
+        }
+        let known = std::iter::zip(session.recordings, all);
+        let known = known.filter_map(|(recording, metadata)| {
+            metadata.map(|metadata| KnownRecording {
+                recording,
+                metadata,
+            })
+        });
+        Ok(known.collect())
+    }
+
+    /// The texts noted of a recording, and what they mean.
+    fn one(
+        &self,
+        session: &Session,
+        place: usize,
+        problems: &mut Problems,
+    ) -> Option<(BTreeMap<String, String>, Metadata)> {
+        let mut one = One {
+            options: self,
+            name: &session.recordings[place].name,
+            said: BTreeMap::new(),
+            problems,
+        };
+        one.agree(&session.notes(place));
+        one.question_fields();
+        let said = one.said.clone();
+        let mut values = one.values(&said);
+        let kind = one.ball(&session.balls, &mut values);
+        let value = |field: &str| values.get(field).copied();
+        let noted = Noted {
+            ball: kind,
+            mass_kg: value("mass"),
+            diameter_m: value("diameter"),
+            contact_time_s: value("contact_time"),
+            temperature_k: value("temperature"),
+            pressure_pa: value("pressure"),
+            relative_humidity: value("humidity"),
+            height_m: value("height"),
+            height_sd_m: value("height_sd"),
+        };
+        let setup = match (self.resolve)(&noted) {
+            Ok(setup) => setup,
+            Err(problem) => {
+                one.problem(problem);
+                return None;
+            }
+        };
+        if let Some(question) = plausibility::of_ball(&setup.options.ball) {
+            one.question(&question, "");
+        }
+        let texts = said.into_iter().map(|(field, note)| (field, note.text));
+        let texts: BTreeMap<String, String> = texts.collect();
+        let mut factors = texts.clone();
+        factors.retain(|field, _| COMPARED.contains(&&**field) || reader(field).is_none());
+        // The same height in other words is the same level.
+        if let Some(height_m) = noted.height_m {
+            let level = format!("{} cm", rounded(height_m * 100.0));
+            factors.insert("height".to_owned(), level);
+        }
+        if let Some(kelvin) = noted.temperature_k {
+            let level = format!("{} \u{b0}C", rounded(kelvin - 273.15));
+            factors.insert("temperature".to_owned(), level);
+        }
+        let metadata = Metadata {
+            setup,
+            factors,
+            height_m: noted.height_m,
+            temperature_k: noted.temperature_k,
+        };
+        Some((texts, metadata))
+    }
+}
+
+/// How the text of a field is read, if it is a quantity.
+fn reader(field: &str) -> Option<Reader> {
+    let mut quantities = QUANTITIES.iter();
+    let (_, read) = quantities.find(|(name, _)| *name == field)?;
+    Some(*read)
+}
+
+/// A number without the noise of binary fractions.
+fn rounded(value: f64) -> f64 {
+    (value * 1e6).round() / 1e6
+}
+
+/// One recording while its notes are read.
+struct One<'a> {
+    options: &'a MetadataOptions<'a>,
+    name: &'a str,
+    /// The statement that counts, by field.
+    said: BTreeMap<String, Note>,
+    problems: &'a mut Problems,
+}
+
+impl One<'_> {
+    fn problem(&mut self, text: String) {
+        let names = self.problems.recordings.entry(text).or_default();
+        names.push(self.name.to_owned());
+    }
+
+    /// Questions what looks like a mistake, unless that is allowed.
+    fn question(&mut self, question: &Diagnostic, source: &str) {
+        let MetadataOptions {
+            translator, advice, ..
+        } = self.options;
+        if !self.options.allow_implausible {
+            let question = translator.diagnostic(question);
+            self.problem(format!("{question} {}{source}", advice.implausible));
+        }
+    }
+
+    /// Takes one statement for each field, if all made of it agree.
+    fn agree(&mut self, notes: &BTreeMap<String, Vec<Note>>) {
+        for (field, statements) in notes {
+            let mut statements = statements.iter().filter(|note| !note.text.is_empty());
+            let Some(first) = statements.next() else {
+                continue;
+            };
+            if let Some(other) = statements.find(|other| !same(field, &other.text, &first.text)) {
+                self.problem(format!(
+                    "the {field} is \"{}\" by {}, but \"{}\" by {}; correct one of them",
+                    first.text, first.said_by, other.text, other.said_by
+                ));
+            }
+            self.said.insert(field.clone(), first.clone());
+        }
+    }
+
+    /// Any field may be noted, but one that looks like a slip would be lost.
+    fn question_fields(&mut self) {
+        if self.options.allow_implausible {
+            return;
+        }
+        let known = || {
+            let quantities = QUANTITIES.iter().map(|(name, _)| *name);
+            quantities.chain(NAMES)
+        };
+        let odd = self
+            .said
+            .keys()
+            .filter(|field| !known().any(|name| name == *field));
+        let advice = self.options.advice.implausible;
+        let questions: Vec<String> = odd
+            .filter_map(|field| {
+                let meant = near(field, known())?;
+                Some(format!("a {field}? Did you mean {meant}? {advice}"))
+            })
+            .collect();
+        for question in questions {
+            self.problem(question);
+        }
+    }
+
+    /// The values of quantities that were noted and make sense.
+    fn values(&mut self, notes: &Notes) -> BTreeMap<&'static str, f64> {
+        let mut values = BTreeMap::new();
+        for (field, read) in QUANTITIES {
+            let Some(Note { text, said_by }) = notes.get(field) else {
+                continue;
+            };
+            match read(text) {
+                Ok(value) => {
+                    let quantity = field.replace('_', "-");
+                    if let Some(question) = plausibility::of_quantity(&quantity, value) {
+                        self.question(&question, &format!(" (\"{text}\" by {said_by})"));
+                    }
+                    values.insert(field, value);
+                }
+                Err(problem) => self.problem(format!("{field}, by {said_by}: {problem}")),
+            }
+        }
+        values
+    }
+
+    /// The kind of the ball that was noted, if it has one; adds what is known of it to the values.
+    fn ball(
+        &mut self,
+        balls: &BTreeMap<String, Notes>,
+        values: &mut BTreeMap<&'static str, f64>,
+    ) -> Option<String> {
+        let label = self.said.get("ball")?.text.clone();
+        if let Some(of_ball) = balls.get(&label) {
+            for (field, note) in of_ball {
+                if !OF_A_BALL.contains(&field.as_str()) {
+                    self.problems.general.insert(format!(
+                        "[balls.{label}]: {field} (by {}) is none of {}",
+                        note.said_by,
+                        OF_A_BALL.join(", ")
+                    ));
+                }
+            }
+            let mut of_ball = of_ball.clone();
+            of_ball.retain(|field, _| OF_A_BALL.contains(&field.as_str()));
+            for (field, value) in self.values(&of_ball) {
+                values.entry(field).or_insert(value);
+            }
+            return of_ball.remove("kind").map(|note| note.text);
+        }
+        if ball::preset(&label).is_ok() || label.contains(':') {
+            return Some(label);
+        }
+        let is_measured = ["mass", "diameter"].map(|field| self.said.contains_key(field));
+        if !self.options.ball_is_known && is_measured != [true, true] {
+            self.problems.unknown_balls.insert(label);
+        }
+        None
+    }
+}
+
+/// The name that was meant, if one letter or two are wrong.
+fn near<'a>(written: &str, known: impl Iterator<Item = &'a str>) -> Option<&'a str> {
+    let slips = |name: &str| strsim::damerau_levenshtein(written, name);
+    let nearest = known.min_by_key(|name| slips(name))?;
+    let few = if nearest.len() > 5 { 2 } else { 1 };
+    (slips(nearest) <= few).then_some(nearest)
+}
+
+/// Whether two statements mean the same.
+fn same(field: &str, a: &str, b: &str) -> bool {
+    let values = reader(field).and_then(|read| Some((read(a).ok()?, read(b).ok()?)));
+    match values {
+        Some((a, b)) => (a - b).abs() <= 1e-9 * a.abs().max(b.abs()),
+        None => a == b,
+    }
+}
+
+/// All that is wrong with the notes of a session.
+#[derive(Default)]
+struct Problems {
+    general: BTreeSet<String>,
+    unknown_balls: BTreeSet<String>,
+    /// What is wrong, and with which recordings.
+    recordings: BTreeMap<String, Vec<String>>,
+}
+
+impl Problems {
+    /// Fields that some recordings have and others lack.
+    fn missing(&mut self, session: &Session, advice: &str) {
+        let places = 0..session.recordings.len();
+        let fields: BTreeSet<String> = places
+            .clone()
+            .flat_map(|place| session.notes(place).into_keys())
+            .collect();
+        let mut lacking: BTreeMap<&str, Vec<String>> = BTreeMap::new();
+        for place in places {
+            let notes = session.notes(place);
+            let says = |field: &String| {
+                let notes = notes.get(field);
+                notes.is_some_and(|notes| notes.iter().any(|note| !note.text.is_empty()))
+            };
+            for field in fields.iter().filter(|field| !says(field)) {
+                let names = lacking.entry(field).or_default();
+                names.push(session.recordings[place].name.clone());
+            }
+        }
+        for (field, names) in lacking {
+            let first = &names[0];
+            let text = format!(
+                "no {field} is noted, though others have one. Say it by {field} = \"...\" under \
+                 [recordings.\"{first}\"] or [all] in session.toml, by a column {field} of a CSV, or \
+                 by {{{field}}} in the pattern of the names; {advice}"
+            );
+            self.recordings.insert(text, names);
+        }
+    }
+
+    fn message(self, advice: &str) -> Option<String> {
+        let mut lines: Vec<String> = self.general.into_iter().collect();
+        for ball in &self.unknown_balls {
+            let kinds: Vec<&str> = ball::presets().iter().map(|preset| preset.name).collect();
+            let meant = near(ball, kinds.iter().copied());
+            let meant = meant.map_or_else(String::new, |kind| format!(" Did you mean {kind}?"));
+            lines.push(format!(
+                "what ball is \"{ball}\"?{meant} Write [balls.{ball}] with kind = \"...\" (or mass and \
+                 diameter) in session.toml, {advice}. Kinds: {}, steel:10mm, glass:16mm",
+                kinds.join(", ")
+            ));
+        }
+        lines.extend(
+            self.recordings
+                .into_iter()
+                .map(|(text, names)| format!("{}: {text}", some_of(&names))),
+        );
+        match lines.as_slice() {
+            [] => None,
+            [line] => Some(line.clone()),
+            _ => Some(format!(
+                "the notes are not clear:\n  {}",
+                lines.join("\n  ")
+            )),
+        }
     }
 }

@@ -41,6 +41,17 @@ fn escaped(bytes: &[u8]) -> String {
     text
 }
 
+/// The first few of many names.
+pub fn some_of(names: &[String]) -> String {
+    const SHOWN: usize = 4;
+    match names.len() {
+        count if count > SHOWN + 1 => {
+            format!("{} and {} more", names[..SHOWN].join(", "), count - SHOWN)
+        }
+        _ => names.join(", "),
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

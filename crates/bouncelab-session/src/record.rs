@@ -1,127 +1,147 @@
-//! What the journal keeps of a recording.
+//! What is kept of one recording, and the work that makes it.
 
-use bouncelab::analysis::Drop;
-use bouncelab::groups::{CurvePoint, RestitutionCurve};
-use bouncelab::inference::{Measured, Posterior, Remark, Summary};
-use bouncelab::regression::Estimate;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::path::Path;
+use std::sync::Arc;
+
+use bouncelab::analysis::{Drop, MeasuredFlight, Plan, Recording};
+use bouncelab::diagnostic::Code;
+use bouncelab::groups::RestitutionCurve;
+use bouncelab::inference::Posterior;
+use bouncelab::restitution::ImpactRestitution;
+use bouncelab::{Detector, Diagnostic, Estimate, Impact, Options};
+use bouncelab_audio::Input;
 use serde::{Deserialize, Serialize};
 
-/// Changes whenever a record of before could not be read, or would say something else.
-pub const RECORD: &str = "bouncelab.record/1";
+use crate::hash::{Hash, hash};
+
+/// Name and version of the form of a [`Record`]: another whenever a record of before could not be read,
+/// or would say something else.
+pub const RECORD: &str = "bouncelab.record/2";
 
 /// What one recording says.
-#[derive(Debug, Default, Serialize, Deserialize)]
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub struct Record {
-    /// Length in seconds, if it is sound.
-    pub duration_s: Option<f64>,
     /// Its drops, in order of time.
     pub drops: Vec<DropRecord>,
     /// Why there is none.
-    pub no_drop: Option<String>,
-    /// Why it could not be read.
+    pub no_drop: Option<Diagnostic>,
+    /// Why it could not be read or analysed.
     pub failure: Option<String>,
     /// What is odd about it.
-    pub warnings: Vec<String>,
+    pub diagnostics: Vec<Diagnostic>,
 }
 
 /// What one drop says.
-#[derive(Debug, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct DropRecord {
-    /// That it is a drop.
+    /// Probability that it is a drop.
     pub probability: f64,
+    /// Its impacts, in order of time.
     pub impacts: Vec<ImpactRecord>,
-    pub line: Option<LineRecord>,
-    pub estimate: Option<EstimateRecord>,
-    /// Why there is no estimate.
-    pub no_estimate: Option<String>,
-    /// What is odd about it, in words.
-    pub remarks: Vec<String>,
+    /// The straight line through the logarithms of the flight times.
+    pub log_linear_fit: Option<FitRecord>,
+    /// What all of it says together.
+    pub posterior: Option<PosteriorRecord>,
+    /// Why there is no posterior.
+    pub no_posterior: Option<Diagnostic>,
+    /// What is odd about it.
+    pub diagnostics: Vec<Diagnostic>,
 }
 
 /// One impact and the flight after it.
-#[derive(Debug, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct ImpactRecord {
-    pub number: usize,
-    pub time_s: f64,
-    pub sigma_s: Option<f64>,
-    pub probability: f64,
-    pub level_db: Option<f64>,
-    pub impact_speed_m_s: Option<f64>,
-    pub restitution: Option<f64>,
-    pub restitution_sd: Option<f64>,
-    pub plain_restitution: Option<f64>,
-    pub flight_time_s: Option<f64>,
-    pub plain_height_m: Option<f64>,
-    pub apex_m: Option<f64>,
+    /// The impact.
+    pub impact: Impact,
+    /// What it kept of the speed.
+    pub restitution: Option<ImpactRestitution>,
+    /// The flight after it.
+    pub flight: Option<MeasuredFlight>,
     /// Its weight in the inference.
     pub weight: Option<f64>,
 }
 
-/// The straight line.
-#[derive(Debug, Serialize, Deserialize)]
-pub struct LineRecord {
-    pub restitution: Value,
-    pub drop_height_m: Value,
+/// The answers of the log-linear fit.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct FitRecord {
+    /// Restitution.
+    pub restitution: Estimate,
+    /// Drop height, m.
+    pub drop_height_m: Estimate,
 }
 
-/// The inference.
-#[derive(Debug, Serialize, Deserialize)]
-pub struct EstimateRecord {
+/// The answers of the inference by which drops are compared.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct PosteriorRecord {
+    /// The impact speed of [`Self::restitution`], m/s.
     pub at_speed_m_s: f64,
-    pub restitution: Value,
-    pub drop_height_m: Value,
-    pub drag_coefficient: Option<Value>,
-    pub scatter: Value,
-    pub timing_s: Value,
-    /// Most probable number of impacts missed before the first one heard.
-    pub missed_first: Option<usize>,
+    /// Restitution at that speed.
+    pub restitution: Estimate,
+    /// Height of the fall, m.
+    pub drop_height_m: Estimate,
+    /// Drag coefficient at the fastest impact.
+    pub drag_coefficient: Option<Estimate>,
+    /// Standard deviation of ln e from impact to impact.
+    pub restitution_scatter: Estimate,
+    /// Root mean square standard error of the times, s.
+    pub timing_s: Estimate,
+    /// Probabilities of 0, 1, 2, ... impacts before the first one heard.
+    pub missed_first_impacts: Option<Vec<f64>>,
+    /// Whether the sampling can be trusted.
     pub converged: bool,
-    /// Restitution at speeds that all drops share: speed, value, own and shared uncertainty.
-    pub law: Vec<[f64; 4]>,
-    /// Whether the measured height contradicts the flight times.
-    pub height_contradicts: bool,
-}
-
-/// A value and its standard uncertainty, where that is known.
-#[derive(Debug, Clone, Copy, Serialize, Deserialize)]
-pub struct Value {
-    pub value: f64,
-    pub sd: Option<f64>,
-}
-
-impl Value {
-    /// The value, if its uncertainty is known.
-    pub fn measured(self) -> Option<Measured> {
-        let Self { value, sd } = self;
-        Some(Measured { value, sd: sd? })
-    }
-}
-
-impl From<Summary> for Value {
-    fn from(summary: Summary) -> Self {
-        Self {
-            value: summary.value,
-            sd: finite(summary.sd),
-        }
-    }
-}
-
-impl From<Estimate> for Value {
-    fn from(estimate: Estimate) -> Self {
-        Self {
-            value: estimate.value,
-            sd: estimate.standard_error.and_then(finite),
-        }
-    }
-}
-
-fn finite(value: f64) -> Option<f64> {
-    value.is_finite().then_some(value)
+    /// Restitution at speeds that all drops share.
+    pub curve: RestitutionCurve,
 }
 
 impl Record {
-    /// A recording that could not be read.
-    pub fn failed(reason: String) -> Self {
+    /// What the content of a file says: nothing else matters but its name, which tells lists of times
+    /// from sound, and the options.
+    ///
+    /// ```
+    /// use bouncelab::Options;
+    /// use bouncelab_session::Record;
+    ///
+    /// let times = b"0\n0.4605\n0.8877\n1.2854\n1.6568\n2.0045\n";
+    /// let options = Options::default().without_inference();
+    /// let record = Record::of_bytes(&times[..], "drop.txt", &options);
+    /// assert_eq!(record.drops[0].impacts.len(), 6);
+    /// ```
+    pub fn of_bytes(bytes: impl Into<Arc<[u8]>>, name: &str, options: &Options) -> Self {
+        let bytes = bytes.into();
+        let content = hash(&bytes);
+        Self::of(content, name, options, || Input::from_bytes(bytes, name))
+    }
+
+    /// What a file with this content says.
+    pub fn of_file(path: &Path, content: Hash, options: &Options) -> Self {
+        let name = path.display().to_string();
+        Self::of(content, &name, options, || Input::open(path))
+    }
+
+    fn of(
+        content: Hash,
+        name: &str,
+        options: &Options,
+        open: impl FnOnce() -> bouncelab_audio::Result<Input>,
+    ) -> Self {
+        let mut options = options.clone();
+        if let Some(inference) = &mut options.inference {
+            // Equal seeds would give the errors of sampling of all drops the same sign.
+            inference.sampler.seed ^= content.number();
+        }
+        // A fault of the program in one recording must not end the work on others.
+        let analysed = catch_unwind(AssertUnwindSafe(|| analyze(open()?, &options)));
+        match analysed {
+            Ok(Ok(recording)) => Self::from(&recording),
+            Ok(Err(failure)) => Self::failed(failure.to_string()),
+            Err(_) => Self::failed(format!(
+                "{name}: the analysis failed by a fault of the program; please report it"
+            )),
+        }
+    }
+
+    fn failed(reason: String) -> Self {
         Self {
             failure: Some(reason),
             ..Self::default()
@@ -129,149 +149,110 @@ impl Record {
     }
 }
 
-impl DropRecord {
-    /// What to keep of a drop.
-    pub fn of(drop: &Drop, probability: f64) -> Self {
-        let inferred = drop.estimate.as_ref().ok();
-        let remarks = inferred.map_or(&[][..], |found| &found.remarks);
+/// Every drop of an opened file.
+fn analyze(input: Input, options: &Options) -> Result<Recording, Box<dyn std::error::Error>> {
+    let mut source = match input {
+        Input::Times(times_s) => return Ok(Plan::of_times(&times_s, options).run()),
+        Input::Sound(source) => source,
+    };
+    let channels = source.channels();
+    let mut detector =
+        Detector::with_options(source.sample_rate_hz(), channels, &options.detection)?;
+    while let Some(block) = source.next_block()? {
+        let slices: Vec<&[f32]> = (0..channels).map(|number| block.channel(number)).collect();
+        detector.push(&slices);
+    }
+    let mut recording = Plan::of_detection(detector.finish(), options).run();
+    let of_file = source
+        .warnings()
+        .iter()
+        .map(bouncelab_audio::Warning::diagnostic);
+    recording.diagnostics.splice(0..0, of_file);
+    Ok(recording)
+}
+
+impl From<&Recording> for Record {
+    fn from(recording: &Recording) -> Self {
         Self {
-            probability,
-            impacts: impacts(drop),
-            line: drop.line.as_ref().ok().map(|line| LineRecord {
-                restitution: line.restitution().into(),
-                drop_height_m: line.drop_height_m().into(),
+            drops: recording.drops.iter().map(DropRecord::from).collect(),
+            no_drop: recording.no_drop.clone(),
+            failure: None,
+            diagnostics: recording.diagnostics.clone(),
+        }
+    }
+}
+
+impl From<&Drop> for DropRecord {
+    fn from(drop: &Drop) -> Self {
+        let posterior = drop.posterior.as_ref();
+        let weight = |number: usize| Some(posterior.ok()?.impact(number)?.weight);
+        let impacts = drop.impacts.iter().map(|&impact| ImpactRecord {
+            impact,
+            restitution: drop.impact_restitution(impact.number).copied(),
+            flight: drop.flight(impact.number).copied(),
+            weight: weight(impact.number),
+        });
+        let fit = drop.log_linear_fit.as_ref().ok();
+        Self {
+            probability: drop.probability,
+            impacts: impacts.collect(),
+            log_linear_fit: fit.map(|fit| FitRecord {
+                restitution: fit.restitution,
+                drop_height_m: fit.drop_height_m,
             }),
-            estimate: inferred.map(EstimateRecord::of),
-            no_estimate: drop.estimate.as_ref().err().map(ToString::to_string),
-            remarks: drop
-                .warnings
+            posterior: posterior.ok().map(PosteriorRecord::from),
+            no_posterior: posterior.err().map(bouncelab::Error::diagnostic),
+            diagnostics: drop
+                .diagnostics
                 .iter()
-                .map(ToString::to_string)
-                .chain(
-                    remarks
-                        .iter()
-                        .filter(|r| is_odd(r))
-                        .map(ToString::to_string),
-                )
+                .filter(|known| is_odd(known))
+                .cloned()
                 .collect(),
         }
     }
 }
 
-/// Whether a remark says something of this drop, and not of all drops like it.
-fn is_odd(remark: &Remark) -> bool {
+/// Whether a diagnostic says something of this drop, and not of all drops like it.
+fn is_odd(diagnostic: &Diagnostic) -> bool {
     !matches!(
-        remark,
-        Remark::HeightIsOfFirstHeard
-            | Remark::DragFromPrior
-            | Remark::DragOrSlope
-            | Remark::NoLawWins
-            | Remark::Odd(_)
+        diagnostic.code,
+        Code::HeightOfFirstDetected
+            | Code::DragFromPrior
+            | Code::DragOrSlope
+            | Code::NoLawWins
+            | Code::ImpactsOdd
     )
 }
 
-fn impacts(drop: &Drop) -> Vec<ImpactRecord> {
-    let inferred = drop.estimate.as_ref().ok();
-    drop.impacts
-        .iter()
-        .map(|impact| {
-            let number = impact.number;
-            let flight = drop.flight(number);
-            let found = drop.corrected_impact(number);
-            let modelled = drop.modelled_flight(number);
-            let weighed = inferred.and_then(|found| found.impact(number));
-            ImpactRecord {
-                number,
-                time_s: impact.time_s,
-                sigma_s: impact.sigma_s,
-                probability: impact.probability,
-                level_db: impact.level_db.and_then(finite),
-                impact_speed_m_s: found.map(|f| f.impact_speed_m_s),
-                restitution: found.map(|f| f.restitution.value),
-                restitution_sd: found.and_then(|f| f.restitution.standard_error),
-                plain_restitution: found.map(|f| f.raw_ratio),
-                flight_time_s: flight.map(|f| f.time_s),
-                plain_height_m: flight.map(|f| f.plain_height_m),
-                apex_m: modelled.map(|m| m.flight.apex_m),
-                weight: weighed.map(|w| w.weight),
-            }
-        })
-        .collect()
-}
-
-impl EstimateRecord {
-    fn of(found: &Posterior) -> Self {
-        let likeliest = |probabilities: &Vec<f64>| {
-            let numbered = probabilities.iter().enumerate();
-            numbered
-                .max_by(|a, b| a.1.total_cmp(b.1))
-                .map(|(missed, _)| missed)
-        };
+impl From<&Posterior> for PosteriorRecord {
+    fn from(posterior: &Posterior) -> Self {
         Self {
-            at_speed_m_s: found.at_speed_m_s,
-            restitution: found.restitution.into(),
-            drop_height_m: found.drop_height_m.into(),
-            drag_coefficient: found.drag.map(|drag| drag.coefficient.into()),
-            scatter: found.scatter.into(),
-            timing_s: found.timing_s.into(),
-            missed_first: found.missed_first.as_ref().and_then(likeliest),
-            converged: found.sampling.converged,
-            law: law(found)
-                .0
-                .iter()
-                .map(|point| [point.speed_m_s, point.value, point.own_sd, point.shared_sd])
-                .collect(),
-            height_contradicts: found
-                .remarks
-                .iter()
-                .any(|remark| matches!(remark, Remark::HeightContradicts { .. })),
+            at_speed_m_s: posterior.at_speed_m_s,
+            restitution: posterior.restitution,
+            drop_height_m: posterior.drop_height_m,
+            drag_coefficient: posterior.drag_coefficient,
+            restitution_scatter: posterior.restitution_scatter,
+            timing_s: posterior.timing_s,
+            missed_first_impacts: posterior.missed_first_impacts.clone(),
+            converged: posterior.sampling.converged,
+            curve: RestitutionCurve::from(posterior),
         }
     }
+}
 
-    /// Restitution at speeds that all drops share.
-    pub fn law(&self) -> RestitutionCurve {
-        let points = self
-            .law
-            .iter()
-            .map(|&[speed_m_s, value, own_sd, shared_sd]| CurvePoint {
-                speed_m_s,
-                value,
-                own_sd,
-                shared_sd,
-            });
-        RestitutionCurve(points.collect())
+impl PosteriorRecord {
+    /// The most probable number of impacts missed before the first one heard.
+    pub fn missed_first(&self) -> Option<usize> {
+        let numbered = self.missed_first_impacts.as_ref()?.iter().enumerate();
+        let likeliest = numbered.max_by(|a, b| a.1.total_cmp(b.1))?;
+        Some(likeliest.0)
     }
 }
 
-/// Restitution at the speeds of [`RestitutionCurve::speeds`] within those of the impacts heard.
-fn law(found: &Posterior) -> RestitutionCurve {
-    let speeds = found
-        .impacts
-        .iter()
-        .filter(|impact| impact.restitution.is_some())
-        .map(|impact| impact.impact_speed_m_s.value);
-    let (slowest, fastest) = speeds.fold((f64::INFINITY, 0.0), |(slowest, fastest), speed| {
-        (speed.min(slowest), speed.max(fastest))
-    });
-    let speeds = RestitutionCurve::speeds(slowest, fastest);
-    let shared = found.shared_sd(&speeds).unwrap_or_default();
-    let points = found.restitution_at_each(&speeds).into_iter().zip(&speeds);
-    RestitutionCurve(
-        points
-            .enumerate()
-            .filter_map(|(place, (summary, &speed_m_s))| {
-                let summary = summary.filter(|summary| summary.sd.is_finite())?;
-                let shared_sd = shared.get(place).copied().filter(|sd| sd.is_finite());
-                // What is not shared is this drop's own: the whole of it where the fit is too odd to be
-                // taken apart.
-                let shared_sd = shared_sd.unwrap_or(0.0).min(summary.sd);
-                Some(CurvePoint {
-                    speed_m_s,
-                    value: summary.value,
-                    own_sd: (summary.sd.powi(2) - shared_sd.powi(2)).sqrt(),
-                    shared_sd,
-                })
-            })
-            .collect(),
-    )
+impl DropRecord {
+    /// Whether the measured height contradicts the flight times.
+    pub fn height_contradicts(&self) -> bool {
+        let mut diagnostics = self.diagnostics.iter();
+        diagnostics.any(|diagnostic| diagnostic.code == Code::HeightContradictsTimes)
+    }
 }

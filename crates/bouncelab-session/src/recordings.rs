@@ -5,7 +5,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use crate::error::{Error, Result};
-use crate::name::{name, shown};
+use crate::name::{name, shown, some_of};
 use crate::notes::{Listed, Note, Notes, SessionFile, read_csv};
 use crate::pattern::Pattern;
 
@@ -169,16 +169,6 @@ impl Session {
             self.listed.entry(place).or_default().push(notes);
         }
         Ok(())
-    }
-}
-
-/// The first few of many names.
-fn some_of(names: &[String]) -> String {
-    const SHOWN: usize = 5;
-    let first = names.iter().take(SHOWN).cloned().collect::<Vec<_>>();
-    match names.len().saturating_sub(SHOWN) {
-        0 => first.join(", "),
-        more => format!("{} and {more} more", first.join(", ")),
     }
 }
 

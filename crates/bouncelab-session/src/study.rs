@@ -5,11 +5,12 @@ use std::collections::BTreeMap;
 
 use bouncelab::groups::{Covariate, Factor, Study, StudyDrop};
 use bouncelab::inference::Measured;
-use bouncelab_report::document::{AboutSession, Reason, SessionDocument};
+use bouncelab_report::messages::Translator;
 
+use crate::document::{AboutSession, Reason, SessionDocument};
 use crate::error::{Error, Result};
 use crate::metadata::{KnownRecording, Metadata};
-use crate::record::{DropRecord, EstimateRecord, Record};
+use crate::record::{DropRecord, PosteriorRecord, Record};
 use crate::results::Results;
 
 /// Factors in this order; all others follow in that of their names.
@@ -80,13 +81,17 @@ impl<'a> Outcome<'a> {
     /// # Errors
     /// [`Error::UnknownDrop`] and [`Error::UnknownField`] if the options name what is not there, and
     /// those of [`Results::read`].
-    pub fn of(results: &Results<'a>, options: &StudyOptions) -> Result<Self> {
+    pub fn of(
+        results: &Results<'a>,
+        options: &StudyOptions,
+        translator: &Translator,
+    ) -> Result<Self> {
         let recordings = results.recordings;
         let mut outcome = Self {
             recordings,
             about: AboutSession {
                 recordings: recordings.len(),
-                assumptions: assumptions(recordings),
+                assumptions: assumptions(recordings, translator),
                 ..AboutSession::default()
             },
             doubtful: Vec::new(),
@@ -110,7 +115,9 @@ impl<'a> Outcome<'a> {
                         .push(reason(recording.name(), first.name()));
                     about.remarks.extend(noted_otherwise(recording, first));
                 }
-                (Ok(_), None) => outcome.take(place, results.read(place)?.1, &mut excluded),
+                (Ok(_), None) => {
+                    outcome.take(place, results.read(place)?.1, &mut excluded, translator);
+                }
             }
         }
         outcome.about.drops = outcome.drops.len();
@@ -120,7 +127,13 @@ impl<'a> Outcome<'a> {
     }
 
     /// Takes what a recording says.
-    fn take(&mut self, place: usize, record: Record, excluded: &mut Excluded<'_>) {
+    fn take(
+        &mut self,
+        place: usize,
+        record: Record,
+        excluded: &mut Excluded<'_>,
+        translator: &Translator,
+    ) {
         let recording = &self.recordings[place];
         let name = recording.name();
         if let Some(why) = record.failure {
@@ -133,8 +146,9 @@ impl<'a> Outcome<'a> {
             return;
         }
         if record.drops.is_empty() {
-            let why = record.no_drop.unwrap_or_default();
-            self.about.without_drop.push(reason(name, &why));
+            let why = record.no_drop.map(|why| translator.diagnostic(&why));
+            let why = reason(name, &why.unwrap_or_default());
+            self.about.without_drop.push(why);
         }
         let is_alone = record.drops.len() == 1;
         for (number, of_drop) in (1..).zip(record.drops) {
@@ -144,21 +158,26 @@ impl<'a> Outcome<'a> {
                 recording: place,
                 number,
                 name: if is_alone { name.to_owned() } else { numbered },
-                left_out: left_out(&of_drop, by_hand),
+                left_out: left_out(&of_drop, by_hand, translator),
             };
-            if !of_drop.remarks.is_empty() {
-                if of_drop.estimate.as_ref().is_some_and(is_doubtful) {
+            if !of_drop.diagnostics.is_empty() {
+                if is_doubtful(&of_drop) {
                     self.doubtful.push(self.about.odd.len());
                 }
-                let why = of_drop.remarks.join("; ");
-                self.about.odd.push(reason(&drop.name, &why));
+                let odd = of_drop.diagnostics.iter();
+                let why: Vec<String> = odd.map(|odd| translator.diagnostic(odd)).collect();
+                self.about.odd.push(reason(&drop.name, &why.join("; ")));
             }
-            match (&drop.left_out, &of_drop.estimate) {
-                (None, Some(estimate)) => {
+            match (&drop.left_out, of_drop.posterior) {
+                (None, Some(posterior)) => {
+                    let scatter = posterior.restitution_scatter;
                     self.studied.push(self.drops.len());
                     self.curves.push(StudyDrop {
-                        law: estimate.law(),
-                        scatter: estimate.scatter.measured(),
+                        curve: posterior.curve,
+                        scatter: scatter.known_sd().map(|sd| Measured {
+                            value: scatter.value,
+                            sd,
+                        }),
                         levels: Vec::new(),
                     });
                 }
@@ -228,7 +247,7 @@ impl<'a> Outcome<'a> {
 
     /// Restitution of a drop of the study at a speed, with the uncertainty that is its own.
     pub fn at(&self, studied: usize, speed_m_s: f64) -> Option<Measured> {
-        let point = self.curves[studied].law.at(speed_m_s)?;
+        let point = self.curves[studied].curve.at(speed_m_s)?;
         Some(Measured {
             value: point.value,
             sd: point.own_sd,
@@ -249,10 +268,8 @@ impl<'a> Outcome<'a> {
     }
 
     /// The result for other programs.
-    pub fn document(&self) -> SessionDocument {
-        let name = |studied| self.name_of(studied).to_owned();
-        let study = self.study.as_ref().ok();
-        SessionDocument::new(self.about.clone(), study, &self.factors, &self.by, name)
+    pub fn document(&self) -> SessionDocument<'_> {
+        SessionDocument::new(self)
     }
 
     /// What a group is called: its levels.
@@ -288,21 +305,22 @@ fn noted_otherwise(other: &KnownRecording, first: &KnownRecording) -> Option<Str
     ))
 }
 
-fn is_doubtful(estimate: &EstimateRecord) -> bool {
-    !estimate.converged || estimate.height_contradicts
+/// Whether its estimate can hardly be believed.
+fn is_doubtful(drop: &DropRecord) -> bool {
+    let converged = |posterior: &PosteriorRecord| posterior.converged;
+    !drop.posterior.as_ref().is_none_or(converged) || drop.height_contradicts()
 }
 
 /// Why a drop is not compared; `None` if it is.
-fn left_out(drop: &DropRecord, by_hand: bool) -> Option<String> {
-    let lawless = drop
-        .estimate
-        .as_ref()
-        .is_none_or(|found| found.law.is_empty());
-    match &drop.no_estimate {
+fn left_out(drop: &DropRecord, by_hand: bool, translator: &Translator) -> Option<String> {
+    let no_posterior = drop.no_posterior.as_ref();
+    match &drop.posterior {
         _ if by_hand => Some(BY_HAND.to_owned()),
-        Some(why) => Some(why.clone()),
-        None if lawless => Some("its impacts span too small a range of speeds".to_owned()),
-        None => None,
+        None => no_posterior.map(|why| translator.diagnostic(why)),
+        Some(posterior) if posterior.curve.0.is_empty() => {
+            Some("its impacts span too small a range of speeds".to_owned())
+        }
+        Some(_) => None,
     }
 }
 
@@ -344,19 +362,19 @@ impl<'a> Excluded<'a> {
 }
 
 /// What was assumed of all recordings alike.
-fn assumptions(recordings: &[KnownRecording]) -> Vec<String> {
-    let mut counts: BTreeMap<&str, usize> = BTreeMap::new();
-    for assumption in recordings
+fn assumptions(recordings: &[KnownRecording], translator: &Translator) -> Vec<String> {
+    let mut counts: BTreeMap<String, usize> = BTreeMap::new();
+    let assumptions = recordings
         .iter()
-        .flat_map(|recording| &recording.metadata.setup.assumptions)
-    {
-        *counts.entry(assumption).or_default() += 1;
+        .flat_map(|it| &it.metadata.setup.assumptions);
+    for assumption in assumptions {
+        *counts.entry(translator.diagnostic(assumption)).or_default() += 1;
     }
     let all = recordings.len();
     counts
         .into_iter()
         .map(|(assumption, count)| match count {
-            count if count == all => assumption.to_owned(),
+            count if count == all => assumption,
             count => format!("{assumption} (in {count} of {all} recordings)"),
         })
         .collect()

@@ -1,4 +1,4 @@
-//! Work on one recording.
+//! Work on many recordings.
 
 use crate::error::Result;
 use crate::hash::{Hash, hash_of_file};
@@ -13,12 +13,12 @@ pub struct Done {
     pub content: std::result::Result<Hash, String>,
     /// Whether its result was in the journal already.
     pub kept: bool,
-    /// Whether it was analysed now, and holds no drop.
+    /// Whether it could not be read, or was analysed now and holds no drop.
     pub without_drop: bool,
 }
 
 /// Makes sure that the journal has the result of a recording: the one that is there already, if
-/// recording and settings are the same, else what `analyze` makes of the content with this hash.
+/// content and settings are the same, else a new one.
 ///
 /// Each result depends on the content of its recording and the settings alone, never on the order of
 /// work, so any number of threads may do this side by side, and a run that was interrupted goes on
@@ -26,25 +26,29 @@ pub struct Done {
 ///
 /// # Errors
 /// [`Error::Output`](crate::Error::Output) if the journal cannot be written.
-pub fn complete(
-    recording: &KnownRecording,
-    journal: &Journal,
-    analyze: impl FnOnce(Hash) -> Record,
-) -> Result<Done> {
-    let mut done = Done {
-        content: hash_of_file(&recording.recording.path).map_err(|reason| reason.to_string()),
-        kept: false,
-        without_drop: true,
-    };
-    if let Ok(content) = done.content {
-        let (name, key) = (recording.name(), recording.key(content));
-        done.kept = journal.has(name, &key);
-        done.without_drop = false;
-        if !done.kept {
-            let record = analyze(content);
-            done.without_drop = record.drops.is_empty();
-            journal.append(name, &key, &record)?;
+pub fn complete(recording: &KnownRecording, journal: &Journal) -> Result<Done> {
+    let path = &recording.recording.path;
+    let content = match hash_of_file(path) {
+        Ok(content) => content,
+        Err(reason) => {
+            return Ok(Done {
+                content: Err(reason.to_string()),
+                kept: false,
+                without_drop: true,
+            });
         }
+    };
+    let (name, key) = (recording.name(), recording.key(content));
+    let kept = journal.has(name, &key);
+    let mut without_drop = false;
+    if !kept {
+        let record = Record::of_file(path, content, recording.options());
+        without_drop = record.drops.is_empty();
+        journal.append(name, &key, &record)?;
     }
-    Ok(done)
+    Ok(Done {
+        content: Ok(content),
+        kept,
+        without_drop,
+    })
 }

@@ -12,7 +12,7 @@ use bouncelab_report::report::{self, Provenance};
 
 use crate::refusal::{Result, unknown};
 use crate::simulator;
-use crate::wire::{Analysed, AnalysisRequest, Drawn, SimulationRequest};
+use crate::wire::{Analysed, AnalysisRequest, Drawn, DropMarks, SimulationRequest};
 
 /// So many analyses of single drops are remembered: those of a recording with many drops, and of
 /// the last few edits.
@@ -20,13 +20,14 @@ const REMEMBERED: usize = 64;
 
 /// Analyses drops, and remembers the last ones: who edits one drop need not wait for the others,
 /// and who wants a figure need not wait for the numbers.
-#[derive(Default)]
+#[derive(Debug, Default)]
 pub struct Analyst {
     /// The latest last.
     known: Vec<(DropTask, Drop)>,
 }
 
 /// A request with its result, in a language.
+#[derive(Debug)]
 pub struct Analysis<'a> {
     request: &'a AnalysisRequest,
     translator: &'a Translator,
@@ -46,10 +47,11 @@ impl Analyst {
         translator: &'a Translator,
     ) -> Result<Analysis<'a>> {
         let mut setup = request.settings.resolve(request.inference)?;
-        let candidates = request.drops.iter().map(|drop| drop.candidate()).collect();
+        let candidates = request.drops.iter().map(DropMarks::candidate).collect();
         let plan = Plan::of_candidates(request.source.clone(), candidates, &setup.options);
         let drops = plan.tasks().iter().map(|task| self.drop(task)).collect();
         let mut result = plan.finish(drops);
+        result.strongest_band = request.strongest_band;
         let of_recording = request.diagnostics.iter().cloned();
         result.diagnostics.splice(0..0, of_recording);
         if result.no_drop.is_some() && request.no_drop.is_some() {

@@ -1,6 +1,6 @@
 //! Which drops are in a recording?
 
-use bouncelab::analysis::{DetectionOptions, Plan};
+use bouncelab::analysis::{DetectionOptions, DropTask, Plan};
 use bouncelab::onset::OnsetDetector;
 use bouncelab::{Detector, Diagnostic, Impact, Options, Recording, train};
 use bouncelab_audio::times;
@@ -13,6 +13,7 @@ use crate::wire::SoFar;
 ///
 /// Drops are analysed without the inference, as those of an ordinary ball in ordinary air: what a page
 /// shows until its settings are applied.
+#[derive(Debug)]
 pub struct RecordingDetector {
     detector: Detector,
     /// One for each channel of the recording.
@@ -65,7 +66,7 @@ impl RecordingDetector {
             self.found.rests_at_s = last.map(|train| train::latest_next_s(train.impacts()));
             let plan = Plan::of_detection(detection, &self.options);
             self.found.drops = plan.tasks().len();
-            self.found.drop = plan.tasks().last().map(|task| task.run());
+            self.found.drop = plan.tasks().last().map(DropTask::run);
         }
         let now_s = self.frames as f64 / f64::from(self.sample_rate_hz);
         self.found.duration_s = now_s;
@@ -113,6 +114,6 @@ pub fn onset_near(
         let impact = Impact::new(1, start_s + onset.time_s).with_time_sd_s(onset.sigma_s);
         impact.with_level_db(onset.level_db)
     });
-    let distance = |impact: &Impact| (impact.time_s - start_s - time_s).abs();
+    let distance = |impact: &Impact| (impact.time_s - time_s).abs();
     impacts.min_by(|a, b| distance(a).total_cmp(&distance(b)))
 }

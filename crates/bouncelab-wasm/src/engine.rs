@@ -139,12 +139,13 @@ impl JsTranslator {
     /// Of a language by its code and its files; English without any.
     #[wasm_bindgen(constructor)]
     pub fn new(code: &str, sources: Vec<String>) -> Result<Self> {
-        if sources.is_empty() {
-            return Ok(Self(Translator::english()));
-        }
         let sources: Vec<&str> = sources.iter().map(String::as_str).collect();
-        let translator = Translator::of_sources(code, &sources);
-        Ok(Self(translator.map_err(Refusal::fault)?))
+        let translator = if sources.is_empty() {
+            Translator::english()
+        } else {
+            Translator::of_sources(code, &sources).map_err(Refusal::fault)?
+        };
+        Ok(Self(translator.for_front_end("page")))
     }
 
     /// The sentence of a diagnostic.

@@ -20,6 +20,11 @@
 //! | [`analyst`] | what do the impacts say? |
 //! | [`simulator`] | what would a drop do, and how would it sound? |
 
+#![allow(
+    missing_debug_implementations,
+    reason = "these are objects of JavaScript, which shows them"
+)]
+
 pub mod analyst;
 pub mod catalogue;
 #[cfg(all(target_family = "wasm", feature = "decoders"))]

@@ -38,9 +38,9 @@ pub fn simulate(request: &SimulationRequest, translator: &Translator) -> Result<
     let runs = laws
         .map(|law| run(law, settings, request))
         .collect::<Result<Vec<Run>>>()?;
-    let assumptions = setup.assumptions.iter();
-    let assumptions = assumptions.map(|assumed| translator.diagnostic(assumed));
-    Ok(Document::new(&runs, settings, assumptions.collect()))
+    let mut assumptions = setup.assumptions.clone();
+    translator.complete_each(&mut assumptions);
+    Ok(Document::new(&runs, settings, assumptions))
 }
 
 /// Time and height of the drop of a request, moved so that its first impact is at a given time.

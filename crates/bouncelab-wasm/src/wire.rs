@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 use ts_rs::TS;
 
 use bouncelab::air::Conditions;
-use bouncelab::analysis::{Drop, DropCandidate, Source, renumbered};
+use bouncelab::analysis::{Drop, DropCandidate, Source, StrongestBand, renumbered};
 use bouncelab::inference::ApexTarget;
 use bouncelab::setup::Inferred;
 use bouncelab::{Diagnostic, Impact};
@@ -192,6 +192,8 @@ pub struct AnalysisRequest {
     pub name: String,
     /// Where its times come from.
     pub source: Source,
+    /// Where its impacts stand out most.
+    pub strongest_band: Option<StrongestBand>,
     /// What is odd about it.
     pub diagnostics: Vec<Diagnostic>,
     /// Why there was no drop in it.

@@ -10,6 +10,7 @@ use std::fs;
 use std::path::Path;
 
 use bouncelab::Recording;
+use bouncelab::diagnostic::Argument;
 use bouncelab_report::Chart;
 use bouncelab_report::document::simulation;
 use bouncelab_report::paper;
@@ -64,6 +65,7 @@ fn declarations() -> String {
     all.declare::<Refusal>();
     all.declare::<wire::Catalogue>();
     all.declare::<Recording>();
+    all.declare::<Argument>();
     all.declare::<wire::SoFar>();
     all.declare::<wire::Demo>();
     all.declare::<wire::AnalysisRequest>();

@@ -288,7 +288,7 @@ impl Error {
     }
 
     /// An [`Error::UnknownName`] that offers the known name most like `name`.
-    pub(crate) fn unknown_name(kind: &'static str, name: &str, known: &[&str]) -> Self {
+    pub fn unknown_name(kind: &'static str, name: &str, known: &[&str]) -> Self {
         let likeness = |candidate: &&&str| strsim::jaro_winkler(name, candidate);
         let nearest = known
             .iter()

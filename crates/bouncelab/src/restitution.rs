@@ -43,7 +43,7 @@ pub struct TimedFlight {
 
 /// What an impact between two timed flights kept of the speed of the ball.
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 #[non_exhaustive]
 pub struct ImpactRestitution {

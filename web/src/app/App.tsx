@@ -1,10 +1,10 @@
 import { useEffect, useRef, useState } from 'preact/hooks';
 import { route } from '../address/route.ts';
 import { stop } from '../sound/player.ts';
-import { busy } from '../state/bench.ts';
 import { broken, catalogue } from '../state/engine.ts';
 import { openFile } from '../state/opening.ts';
 import { goToLab } from '../state/settings.ts';
+import { busy } from '../state/workspace.ts';
 import { texts } from '../text/language.ts';
 import { Drops } from '../views/drops/Drops.tsx';
 import { Laboratory } from '../views/laboratory/Laboratory.tsx';

@@ -12,11 +12,13 @@ interface Props {
   readonly usual?: number | undefined;
   readonly min?: number;
   readonly max?: number | undefined;
+  /** What to ask of the value: it is used as it is. */
+  readonly question?: string | undefined;
   readonly onChange: (value: number | undefined) => void;
 }
 
 /** A number with its unit; empty means: what is assumed. A comma is as good as a point. */
-export function NumberField({ label, unit, value, usual, min, max, onChange }: Props) {
+export function NumberField({ label, unit, value, usual, min, max, question, onChange }: Props) {
   const id = useId();
   /** What was typed and is no such number: it stays, to be mended. */
   const [wrong, setWrong] = useState<string>();
@@ -47,7 +49,7 @@ export function NumberField({ label, unit, value, usual, min, max, onChange }: P
         <span class="unit">{unit}</span>
       </span>
       <span id={`${id}-hint`} class="hint" role="status">
-        {wrong !== undefined && texts.value.app.numberWanted(written(min), written(max))}
+        {wrong === undefined ? question : texts.value.app.numberWanted(written(min), written(max))}
       </span>
     </div>
   );

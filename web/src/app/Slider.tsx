@@ -20,7 +20,7 @@ export function Slider({ label, value, shown, hint, disabled, onInput, ...range 
     <div class="field">
       <span>
         <label for={id}>{label}</label>
-        {/* A screen reader hears it from the slider itself. */}
+        {/* A screen reader takes it from the slider itself. */}
         <strong aria-hidden="true">{shown}</strong>
       </span>
       <input

@@ -29,7 +29,11 @@ export function optionsOf(panel: Panel, width: number, language: string): uPlot.
     cursor: { points: { show: false }, drag: { x: true, y: false, dist: 6 }, y: false, x: false },
     scales: {
       // All at first, and again after a double click; between them what was chosen by dragging.
-      x: { time: false, distr: x.scale.kind === 'log' ? 3 : 1, range: (_, low, high) => [low, high] },
+      x: {
+        time: false,
+        distr: x.scale.kind === 'log' ? 3 : 1,
+        range: (_, low, high) => [low, high],
+      },
       y: { distr: y.scale.kind === 'log' ? 3 : 1, range: () => [y.scale.low, y.scale.high] },
     },
     axes: [axis(x, language, false), axis(y, language, true)],

@@ -1,7 +1,7 @@
 /** Draws the layers of a panel over the axes of uPlot. */
 import type uPlot from 'uplot';
 import type { Dashes, Layer, Marker, Panel } from '../lab/index.ts';
-import { colourOf, fontOf, tinted } from '../style/colours.ts';
+import { colour, fontOf, tinted } from '../style/colours.ts';
 
 type Context = CanvasRenderingContext2D;
 type Value = number | null;
@@ -30,16 +30,20 @@ export function drawLayers(plot: uPlot, { layers }: Panel): void {
   ctx.restore();
 }
 
-const px = (plot: uPlot, x: Value): number => (x === null ? Number.NaN : plot.valToPos(x, 'x', true));
-const py = (plot: uPlot, y: Value): number => (y === null ? Number.NaN : plot.valToPos(y, 'y', true));
+const px = (plot: uPlot, x: Value): number =>
+  x === null ? Number.NaN : plot.valToPos(x, 'x', true);
+const py = (plot: uPlot, y: Value): number =>
+  y === null ? Number.NaN : plot.valToPos(y, 'y', true);
 
 function drawBelow(plot: uPlot, layer: Layer): void {
   const { ctx } = plot;
   ctx.fillStyle = tinted(layer.meaning, layer.strength);
   if (layer.kind === 'band') {
     ctx.beginPath();
-    layer.points.forEach(([x, low], i) => to(ctx, i === 0, px(plot, x), py(plot, low)));
-    for (const [x, , high] of layer.points.toReversed()) to(ctx, false, px(plot, x), py(plot, high));
+    for (const [i, [x, low]] of layer.points.entries())
+      to(ctx, i === 0, px(plot, x), py(plot, low));
+    for (const [x, , high] of layer.points.toReversed())
+      to(ctx, false, px(plot, x), py(plot, high));
     ctx.fill();
   } else if (layer.kind === 'boxes') {
     for (const [left, right, bottom, top] of layer.boxes) {
@@ -127,7 +131,7 @@ function drawPoint({ ctx, bbox }: uPlot, x: number, y: number, marker: Marker): 
   else ctx.arc(x, y, r, 0, 2 * Math.PI);
   if (marker === 'ring' || marker === 'open-triangle') {
     const ink = ctx.fillStyle;
-    ctx.fillStyle = colourOf('paper');
+    ctx.fillStyle = colour('paper');
     ctx.fill();
     ctx.fillStyle = ink;
     ctx.lineWidth = 1.5 * devicePixelRatio;
@@ -150,7 +154,7 @@ function write(plot: uPlot, words: string, x: number, foot: number, right: boole
   ctx.textAlign = 'left';
   ctx.textBaseline = 'alphabetic';
   // A rim of paper keeps words legible over lines.
-  ctx.strokeStyle = colourOf('paper');
+  ctx.strokeStyle = colour('paper');
   ctx.lineWidth = 4 * devicePixelRatio;
   ctx.lineJoin = 'round';
   const { width } = ctx.measureText(words);

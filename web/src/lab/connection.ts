@@ -1,5 +1,5 @@
 import { LabError } from './error.ts';
-import type { Call, FromWorker, Give, Take, ToWorker } from './protocol.ts';
+import type { Call, FromWorker, Messages, Request, Response, ToWorker } from './protocol.ts';
 
 /** The side of a worker that the page sees; tests put something else in its place. */
 export interface Port {
@@ -16,7 +16,7 @@ export interface Modules {
 }
 
 interface Pending {
-  resolve(give: unknown): void;
+  resolve(response: unknown): void;
   reject(error: LabError): void;
   progress: ((share: number) => void) | undefined;
 }
@@ -24,35 +24,39 @@ interface Pending {
 /**
  * Calls to one worker, answered in order.
  *
- * If the science in it breaks down, the worker is thrown away and the next call starts another:
+ * If the engine in it fails, the worker is thrown away and the next call starts another:
  * nothing that matters lives in there.
  */
 export class Connection {
   readonly #spawn: () => Port;
   readonly #modules: Promise<Modules>;
+  readonly #messages: () => Messages;
   #port: Port | null = null;
   #pending = new Map<number, Pending>();
   #next = 0;
 
-  constructor(spawn: () => Port, modules: Promise<Modules>) {
+  /** Every call is answered in the language that `messages` has at that time. */
+  constructor(spawn: () => Port, modules: Promise<Modules>, messages: () => Messages) {
     this.#spawn = spawn;
     this.#modules = modules;
+    this.#messages = messages;
   }
 
   call<C extends Call>(
     call: C,
-    take: Take<C>,
+    request: Request<C>,
     options: { transfer?: Transferable[]; progress?: ((share: number) => void) | undefined } = {},
-  ): Promise<Give<C>> {
+  ): Promise<Response<C>> {
     this.#next += 1;
     const id = this.#next;
-    return new Promise<Give<C>>((resolve, reject) => {
+    return new Promise<Response<C>>((resolve, reject) => {
       this.#pending.set(id, {
-        resolve: (give) => resolve(give as Give<C>),
+        resolve: (response) => resolve(response as Response<C>),
         reject,
         progress: options.progress,
       });
-      const message = { kind: 'call', id, call, take } as ToWorker;
+      const messages = this.#messages();
+      const message = { kind: 'call', id, call, request, messages } as ToWorker;
       this.#open().postMessage(message, options.transfer ?? []);
     });
   }
@@ -74,7 +78,7 @@ export class Connection {
     }
     const port = this.#spawn();
     this.#port = port;
-    port.onmessage = ({ data }) => this.#hear(data);
+    port.onmessage = ({ data }) => this.#receive(data);
     port.onerror = (event) => this.#lose(event.message);
     this.#modules.then(
       (modules) => port.postMessage({ kind: 'start', ...modules }, []),
@@ -83,7 +87,7 @@ export class Connection {
     return port;
   }
 
-  #hear(message: FromWorker): void {
+  #receive(message: FromWorker): void {
     const pending = this.#pending.get(message.id);
     if (message.kind === 'progress') {
       pending?.progress?.(message.share);
@@ -91,7 +95,7 @@ export class Connection {
     }
     this.#pending.delete(message.id);
     if (message.kind === 'done') {
-      pending?.resolve(message.give);
+      pending?.resolve(message.response);
       return;
     }
     pending?.reject(LabError.of(message.refusal));
@@ -101,6 +105,6 @@ export class Connection {
   }
 
   #lose(reason: string): void {
-    this.close(new LabError('fault', `the laboratory broke down: ${reason}; please try again`));
+    this.close(new LabError('fault', `the laboratory failed: ${reason}; please try again`));
   }
 }

@@ -4,7 +4,7 @@ import type { Reason, Refusal, RefusalKind } from './types.ts';
  * Why the laboratory did not do what was asked: what the science refuses, and what can happen to
  * it on the way.
  *
- * - `superseded`: a newer request took its place; nothing to tell anyone.
+ * - `superseded`: a newer request took its place; nothing to report.
  * - `cancelled`: the page called it off.
  */
 export type LabErrorKind = RefusalKind | 'superseded' | 'cancelled';
@@ -23,7 +23,7 @@ export type LabRefusal = Omit<Refusal, 'reason'> & { reason: LabReason | null };
 
 export class LabError extends Error {
   readonly kind: LabErrorKind;
-  /** The message as data, to be said in other languages; `null` where there is only the message. */
+  /** The message as data, to be worded in other languages; `null` where there is only the message. */
   readonly reason: LabReason | null;
 
   constructor(

@@ -1,8 +1,14 @@
 import { Connection, type Modules, type Port } from './connection.ts';
 import { LabError } from './error.ts';
 import { listOf } from './pasted.ts';
-import { ENGLISH, type FigureRequest, type Level, type Spectrogram } from './protocol.ts';
-import { Recording } from './recording.ts';
+import {
+  ENGLISH,
+  type FigureRequest,
+  type Level,
+  type Messages,
+  type Spectrogram,
+} from './protocol.ts';
+import { Recording, type Services } from './recording.ts';
 import type {
   Analysed,
   AnalysisRequest,
@@ -25,7 +31,7 @@ import type {
 
 /** How a recording is opened. */
 export interface OpenOptions {
-  /** The only channel to listen to, the first being 1; the one that tells most if left out. */
+  /** The only channel to listen to, the first being 1; the one with the most evidence if left out. */
   channel?: number;
   /** Calls it off. */
   signal?: AbortSignal;
@@ -54,14 +60,21 @@ export class Lab {
   readonly #front: Connection;
   /** What may take a while. */
   readonly #back: Connection;
+  readonly #messages: () => Messages;
   #turn = 0;
-  #ears = 0;
+  #sessions = 0;
 
-  constructor(spawn: () => Port = spawnWorker, load = loader()) {
+  /** Answers are in the language that `messages` has when they are asked for. */
+  constructor(
+    messages: () => Messages = () => ENGLISH,
+    spawn: () => Port = spawnWorker,
+    load = loader(),
+  ) {
+    this.#messages = messages;
     this.#spawn = spawn;
     this.#load = load;
-    this.#front = new Connection(spawn, this.#modules(false));
-    this.#back = new Connection(spawn, this.#modules(false));
+    this.#front = new Connection(spawn, this.#modules(false), messages);
+    this.#back = new Connection(spawn, this.#modules(false), messages);
   }
 
   /**
@@ -79,7 +92,7 @@ export class Lab {
 
   /**
    * Reads a recording of any format, or a list of times (by the ending of its name: .txt, .csv or
-   * .json), and hears the drops in it.
+   * .json), and detects the drops in it.
    */
   async open(file: File | { name: string; blob: Blob }, options: OpenOptions = {}) {
     const blob = file instanceof File ? file : file.blob;
@@ -94,12 +107,12 @@ export class Lab {
         reason: { code: 'unreadable' },
       });
     });
-    const take = { bytes, name: file.name, channel: options.channel ?? null };
+    const request = { bytes, name: file.name, channel: options.channel ?? null };
     // A worker of its own: a damaged file may break the decoder, and long ones can be called off.
-    const { heard, sound } = await this.#alone(true, options.signal, (connection) =>
-      connection.call('open', take, { transfer: [bytes], progress: options.onProgress }),
+    const { result, sound } = await this.#alone(true, options.signal, (connection) =>
+      connection.call('open', request, { transfer: [bytes], progress: options.onProgress }),
     );
-    return new Recording(heard, sound, this.#services);
+    return new Recording(file.name, result, sound, this.#services);
   }
 
   /** Impact times as a person pastes them: one a line, or a table, or an array. */
@@ -108,44 +121,57 @@ export class Lab {
     return this.open({ name: list.name, blob: new Blob([list.text]) });
   }
 
-  /** Hears samples that are already in memory, as those of a simulation or of the keepsakes. */
-  async hear(
+  /** Detects drops in samples that are in memory, as those of a simulation or of the database. */
+  async detect(
     channels: Float32Array[],
     sampleRateHz: number,
     name: string,
     format = 'samples',
   ): Promise<Recording> {
     const transfer = channels.map((channel) => channel.buffer as ArrayBuffer);
-    const { heard, sound } = await this.#alone(false, undefined, (connection) =>
-      connection.call('hear', { channels, sampleRateHz, name, format }, { transfer }),
+    const { result, sound } = await this.#alone(false, undefined, (connection) =>
+      connection.call('detect', { channels, sampleRateHz, format }, { transfer }),
     );
-    return new Recording(heard, sound, this.#services);
+    return new Recording(name, result, sound, this.#services);
   }
 
-  /** The paper's drop, made and heard: its recording (by this name), its settings and the truth. */
+  /** The paper's drop, simulated: its recording (by this name), its settings and the truth. */
   async demo(name?: string, seed = 1): Promise<{ recording: Recording; demo: Demo }> {
     const { demo, samples, sampleRateHz } = await this.#front.call('demo', { seed });
-    const recording = await this.hear([samples], sampleRateHz, name ?? demo.name, 'WAV');
+    const recording = await this.detect([samples], sampleRateHz, name ?? demo.name, 'WAV');
     return { recording, demo };
   }
 
   /** Begins to listen to samples that come bit by bit. */
   async listen(sampleRateHz: number): Promise<Listening> {
-    this.#ears += 1;
-    const ear = this.#ears;
-    await this.#front.call('listen', { ear, sampleRateHz });
-    return new Listening(this.#front, ear, sampleRateHz, this.#services);
+    this.#sessions += 1;
+    const session = this.#sessions;
+    await this.#front.call('listen', { session, sampleRateHz });
+    return new Listening(this.#front, session, sampleRateHz, this.#services);
   }
 
-  /** The drops of a recording as they were heard, ready to be analysed. */
+  /** The drops of a recording as they were detected, or edited, ready to be analysed. */
   request(recording: Recording, settings: Settings, drops?: DropMarks[]): AnalysisRequest {
-    const { name, source, warnings, no_drop } = recording.heard;
-    const asHeard = recording.heard.drops.map(({ impacts }) => ({ impacts, edited: false }));
-    return { name, source, warnings, no_drop, drops: drops ?? asHeard, settings, effort: 'full' };
+    const { source, strongest_band, diagnostics, no_drop, drops: detected } = recording.result;
+    const asDetected = detected.map(({ impacts, probability }) => ({
+      impacts,
+      probability,
+      edited: false,
+    }));
+    return {
+      name: recording.name,
+      source,
+      strongest_band,
+      diagnostics,
+      no_drop,
+      drops: drops ?? asDetected,
+      settings,
+      inference: true,
+    };
   }
 
   /**
-   * Analyses drops. `onQuick` gets the straight line and the corrected restitution within
+   * Analyses drops. `onQuick` gets the log-linear fit and the restitution of each impact within
    * milliseconds; what is returned has the inference too.
    *
    * The latest call wins: one before it that is not yet answered rejects as `superseded`.
@@ -157,7 +183,9 @@ export class Lab {
     this.#turn += 1;
     const turn = this.#turn;
     if (onQuick) {
-      const quick = await this.#front.call('analyse', { request: { ...request, effort: 'quick' } });
+      const quick = await this.#front.call('analyse', {
+        request: { ...request, inference: false },
+      });
       this.#mustBeLatest(turn);
       onQuick(quick);
     }
@@ -179,7 +207,7 @@ export class Lab {
    * remembers it.
    */
   chart(asked: FigureRequest): Promise<Chart> {
-    const worker = asked.request.effort === 'quick' ? this.#front : this.#back;
+    const worker = asked.request.inference ? this.#back : this.#front;
     return worker.call('chart', asked);
   }
 
@@ -189,38 +217,28 @@ export class Lab {
   }
 
   /** Draws the waveform with its impacts, as the program does. */
-  async waveform(
-    recording: Recording,
-    request: AnalysisRequest,
-    messages = ENGLISH,
-  ): Promise<Drawn> {
+  async waveform(recording: Recording, request: AnalysisRequest): Promise<Drawn> {
     const level = pictured(recording);
     if (level === null || recording.sound === null) {
       throw new LabError('empty', 'a list of times has no waveform');
     }
     const { sampleRateHz } = recording.sound;
-    return this.#back.call('waveform', { request, level, sampleRateHz, messages });
+    return this.#back.call('waveform', { request, level, sampleRateHz });
   }
 
   /** The report of an analysis as one HTML file, as the program writes it but for the language. */
-  report(
-    recording: Recording,
-    request: AnalysisRequest,
-    made: Date,
-    messages = ENGLISH,
-  ): Promise<string> {
+  report(recording: Recording, request: AnalysisRequest, made: Date): Promise<string> {
     return this.#back.call('report', {
       request,
       level: pictured(recording),
       sampleRateHz: recording.sound?.sampleRateHz ?? 1,
       made: made.toISOString().slice(0, 10),
-      messages,
     });
   }
 
   /** The impacts as CSV, as the program writes them. */
-  rows(request: AnalysisRequest): Promise<string> {
-    return this.#back.call('rows', { request });
+  csv(request: AnalysisRequest): Promise<string> {
+    return this.#back.call('csv', { request });
   }
 
   /** Simulates a drop under one or more drag laws. */
@@ -229,13 +247,13 @@ export class Lab {
   }
 
   /** Height against time and flight times of simulated drops, the last of which is the present one. */
-  simulationCharts(runs: SimulationRun[], messages = ENGLISH): Promise<Chart[]> {
-    return this.#front.call('simulationCharts', { runs, messages });
+  simulationCharts(runs: SimulationRun[]): Promise<Chart[]> {
+    return this.#front.call('simulationCharts', { runs });
   }
 
   /** The restitution of each of several drops, and that of their impacts. */
-  dropCharts(drops: ComparedDrop[], messages = ENGLISH): Promise<Chart[]> {
-    return this.#front.call('dropCharts', { drops, messages });
+  dropCharts(drops: ComparedDrop[]): Promise<Chart[]> {
+    return this.#front.call('dropCharts', { drops });
   }
 
   /** What a simulated drop sounds like. */
@@ -252,13 +270,13 @@ export class Lab {
   }
 
   /** The charts of the lesson about the paper. */
-  lessonCharts(messages = ENGLISH): Promise<Chart[]> {
-    return this.#front.call('lessonCharts', { messages });
+  lessonCharts(): Promise<Chart[]> {
+    return this.#front.call('lessonCharts', {});
   }
 
   /** What the paper's straight line makes of a choice. */
-  puzzleAnswer(choice: PuzzleChoice, messages = ENGLISH): Promise<PuzzleAnswer> {
-    return this.#front.call('puzzleAnswer', { choice, messages });
+  puzzleAnswer(choice: PuzzleChoice): Promise<PuzzleAnswer> {
+    return this.#front.call('puzzleAnswer', { choice });
   }
 
   /** The choice with the restitution with which the line says what the paper's says. */
@@ -302,7 +320,7 @@ export class Lab {
     signal: AbortSignal | undefined,
     work: (connection: Connection) => Promise<T>,
   ): Promise<T> {
-    const connection = new Connection(this.#spawn, this.#modules(withDecoders));
+    const connection = new Connection(this.#spawn, this.#modules(withDecoders), this.#messages);
     const cancel = () => connection.close();
     if (signal?.aborted) {
       throw new LabError('cancelled', 'called off');
@@ -347,19 +365,14 @@ export class Lab {
 export class Listening {
   readonly sampleRateHz: number;
   readonly #connection: Connection;
-  readonly #ear: number;
-  readonly #services: ConstructorParameters<typeof Recording>[2];
+  readonly #session: number;
+  readonly #services: Services;
   readonly #blocks: Float32Array[] = [];
   #frames = 0;
 
-  constructor(
-    connection: Connection,
-    ear: number,
-    sampleRateHz: number,
-    services: ConstructorParameters<typeof Recording>[2],
-  ) {
+  constructor(connection: Connection, session: number, sampleRateHz: number, services: Services) {
     this.#connection = connection;
-    this.#ear = ear;
+    this.#session = session;
     this.sampleRateHz = sampleRateHz;
     this.#services = services;
   }
@@ -369,11 +382,11 @@ export class Listening {
     return this.#frames / this.sampleRateHz;
   }
 
-  /** Takes the next samples; says what has been heard so far. */
+  /** Takes the next samples; answers what was detected so far. */
   push(samples: Float32Array): Promise<SoFar> {
     this.#blocks.push(samples);
     this.#frames += samples.length;
-    return this.#connection.call('push', { ear: this.#ear, samples });
+    return this.#connection.call('push', { session: this.#session, samples });
   }
 
   /** All samples so far. */
@@ -387,21 +400,17 @@ export class Listening {
     return all;
   }
 
-  /** Ends it: what was heard, all told. */
+  /** Ends it: what was detected. */
   async finish(name: string, format = 'microphone'): Promise<Recording> {
-    const take = { ear: this.#ear, name, format };
-    const { heard, levels } = await this.#connection.call('finish', take);
-    const sound: { sampleRateHz: number; channels: Float32Array[]; levels: Level[] } = {
-      sampleRateHz: this.sampleRateHz,
-      channels: [this.samples()],
-      levels,
-    };
-    return new Recording(heard, sound, this.#services);
+    const request = { session: this.#session, format };
+    const { result, levels } = await this.#connection.call('finish', request);
+    const sound = { sampleRateHz: this.sampleRateHz, channels: [this.samples()], levels };
+    return new Recording(name, result, sound, this.#services);
   }
 
   /** Ends it without looking. */
   async discard(): Promise<void> {
-    await this.#connection.call('deafen', { ear: this.#ear });
+    await this.#connection.call('cancel', { session: this.#session });
   }
 }
 

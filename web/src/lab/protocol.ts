@@ -7,11 +7,11 @@ import type {
   ComparedDrop,
   Demo,
   Drawn,
-  Heard,
-  OnsetFound,
+  Impact,
   PaperDocument,
   PuzzleAnswer,
   PuzzleChoice,
+  RecordingResult,
   SceneRequest,
   SimulationDocument,
   SimulationRequest,
@@ -34,7 +34,6 @@ export interface FigureRequest {
   readonly name: string;
   /** What the drop is compared with. */
   readonly simulation: SimulationRequest | null;
-  readonly messages: Messages;
 }
 
 /** Least and greatest sample of bins of equal length, fine to coarse. */
@@ -49,7 +48,7 @@ export interface Sound {
   sampleRateHz: number;
   /** The samples of each channel. */
   channels: Float32Array[];
-  /** Of the channel that was believed. */
+  /** Of the channel with the drops. */
   levels: Level[];
 }
 
@@ -64,84 +63,94 @@ export interface Spectrogram {
   floorDb: number;
 }
 
-/** What the worker does: what each call takes, and what it gives. */
+/** What the worker does: what each call asks, and what is answered. */
 export interface Calls {
-  catalogue: { take: Record<never, never>; give: Catalogue };
+  catalogue: { request: Record<never, never>; response: Catalogue };
   open: {
-    take: { bytes: ArrayBuffer; name: string; channel: number | null };
-    give: { heard: Heard; sound: Sound | null };
+    request: { bytes: ArrayBuffer; name: string; channel: number | null };
+    response: { result: RecordingResult; sound: Sound | null };
   };
-  hear: {
-    take: { channels: Float32Array[]; sampleRateHz: number; name: string; format: string };
-    give: { heard: Heard; sound: Sound };
+  detect: {
+    request: { channels: Float32Array[]; sampleRateHz: number; format: string };
+    response: { result: RecordingResult; sound: Sound };
   };
   demo: {
-    take: { seed: number };
-    give: { demo: Demo; samples: Float32Array; sampleRateHz: number };
+    request: { seed: number };
+    response: { demo: Demo; samples: Float32Array; sampleRateHz: number };
   };
-  listen: { take: { ear: number; sampleRateHz: number }; give: null };
-  push: { take: { ear: number; samples: Float32Array }; give: SoFar };
+  listen: { request: { session: number; sampleRateHz: number }; response: null };
+  push: { request: { session: number; samples: Float32Array }; response: SoFar };
   finish: {
-    take: { ear: number; name: string; format: string };
-    give: { heard: Heard; levels: Level[] };
+    request: { session: number; format: string };
+    response: { result: RecordingResult; levels: Level[] };
   };
-  deafen: { take: { ear: number }; give: null };
-  analyse: { take: { request: AnalysisRequest }; give: Analysed };
-  chart: { take: FigureRequest; give: Chart };
-  figure: { take: FigureRequest; give: Drawn };
+  cancel: { request: { session: number }; response: null };
+  analyse: { request: { request: AnalysisRequest }; response: Analysed };
+  chart: { request: FigureRequest; response: Chart };
+  figure: { request: FigureRequest; response: Drawn };
   waveform: {
-    take: {
+    request: {
       request: AnalysisRequest;
       level: Level;
       sampleRateHz: number;
-      messages: Messages;
     };
-    give: Drawn;
+    response: Drawn;
   };
   report: {
-    take: {
+    request: {
       request: AnalysisRequest;
       level: Level | null;
       sampleRateHz: number;
       made: string;
-      messages: Messages;
     };
-    give: string;
+    response: string;
   };
-  rows: { take: { request: AnalysisRequest }; give: string };
+  csv: { request: { request: AnalysisRequest }; response: string };
   onset: {
-    take: { samples: Float32Array; sampleRateHz: number; startS: number; timeS: number };
-    give: OnsetFound | null;
+    request: { samples: Float32Array; sampleRateHz: number; startS: number; timeS: number };
+    response: Impact | null;
   };
   spectrogram: {
-    take: { samples: Float32Array; sampleRateHz: number; columns: number; rows: number };
-    give: Spectrogram;
+    request: { samples: Float32Array; sampleRateHz: number; columns: number; rows: number };
+    response: Spectrogram;
   };
-  wav: { take: { channels: Float32Array[]; sampleRateHz: number }; give: Uint8Array<ArrayBuffer> };
-  simulate: { take: { request: SimulationRequest }; give: SimulationDocument };
+  wav: {
+    request: { channels: Float32Array[]; sampleRateHz: number };
+    response: Uint8Array<ArrayBuffer>;
+  };
+  simulate: { request: { request: SimulationRequest }; response: SimulationDocument };
   synthesise: {
-    take: { request: SimulationRequest; scene: SceneRequest };
-    give: { samples: Float32Array; sampleRateHz: number };
+    request: { request: SimulationRequest; scene: SceneRequest };
+    response: { samples: Float32Array; sampleRateHz: number };
   };
-  simulationCharts: { take: { runs: SimulationRun[]; messages: Messages }; give: Chart[] };
-  dropCharts: { take: { drops: ComparedDrop[]; messages: Messages }; give: Chart[] };
-  lessonCharts: { take: { messages: Messages }; give: Chart[] };
-  puzzleAnswer: { take: { choice: PuzzleChoice; messages: Messages }; give: PuzzleAnswer };
-  puzzleSolution: { take: { choice: PuzzleChoice }; give: PuzzleChoice };
-  paper: { take: Record<never, never>; give: PaperDocument };
+  simulationCharts: { request: { runs: SimulationRun[] }; response: Chart[] };
+  dropCharts: { request: { drops: ComparedDrop[] }; response: Chart[] };
+  lessonCharts: { request: Record<never, never>; response: Chart[] };
+  puzzleAnswer: { request: { choice: PuzzleChoice }; response: PuzzleAnswer };
+  puzzleSolution: { request: { choice: PuzzleChoice }; response: PuzzleChoice };
+  paper: { request: Record<never, never>; response: PaperDocument };
 }
 
 export type Call = keyof Calls;
-export type Take<C extends Call> = Calls[C]['take'];
-export type Give<C extends Call> = Calls[C]['give'];
+export type Request<C extends Call> = Calls[C]['request'];
+export type Response<C extends Call> = Calls[C]['response'];
 
 /** From the page to the worker. */
 export type ToWorker =
   | { kind: 'start'; engine: WebAssembly.Module; decoders: WebAssembly.Module | null }
-  | { [C in Call]: { kind: 'call'; id: number; call: C; take: Take<C> } }[Call];
+  | {
+      [C in Call]: {
+        kind: 'call';
+        id: number;
+        call: C;
+        request: Request<C>;
+        /** The language of the answer. */
+        messages: Messages;
+      };
+    }[Call];
 
 /** From the worker to the page. */
 export type FromWorker =
   | { kind: 'progress'; id: number; share: number }
-  | { kind: 'done'; id: number; give: unknown }
+  | { kind: 'done'; id: number; response: unknown }
   | { kind: 'refused'; id: number; refusal: LabRefusal; broken: boolean };

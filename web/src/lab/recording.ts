@@ -1,5 +1,5 @@
 import type { Level, Sound, Spectrogram } from './protocol.ts';
-import type { Heard, OnsetFound } from './types.ts';
+import type { Impact, RecordingResult } from './types.ts';
 
 /** What a recording asks of the workers. */
 export interface Services {
@@ -8,7 +8,7 @@ export interface Services {
     sampleRateHz: number,
     startS: number,
     timeS: number,
-  ): Promise<OnsetFound | null>;
+  ): Promise<Impact | null>;
   spectrogram(
     samples: Float32Array,
     sampleRateHz: number,
@@ -18,47 +18,50 @@ export interface Services {
   wav(channels: Float32Array[], sampleRateHz: number): Promise<Uint8Array<ArrayBuffer>>;
 }
 
-/** How much sound before and after a time is heard again to find the onset next to it. */
+/** How much sound before and after a time is searched for the onset next to it. */
 const BEFORE_S = 2;
 const AFTER_S = 0.5;
 
 /**
- * A recording, or a list of times: what was heard in it, and its sound.
+ * A recording, or a list of times: the drops in it, and its sound.
  *
  * The samples lie in the memory of the page, so that drawing and playing need not wait.
  */
 export class Recording {
-  readonly heard: Heard;
+  readonly name: string;
+  /** The drops in it, without the inference; those of an analysis go by the settings. */
+  readonly result: RecordingResult;
   /** `null` for a list of times. */
   readonly sound: Sound | null;
   readonly #services: Services;
 
-  constructor(heard: Heard, sound: Sound | null, services: Services) {
-    this.heard = heard;
+  constructor(name: string, result: RecordingResult, sound: Sound | null, services: Services) {
+    this.name = name;
+    this.result = result;
     this.sound = sound;
     this.#services = services;
   }
 
   get durationS(): number {
-    const { source, drops } = this.heard;
+    const { source, drops } = this.result;
     if (source.kind === 'sound') {
       return source.duration_s;
     }
     return drops[0]?.impacts.at(-1)?.time_s ?? 0;
   }
 
-  /** The samples of the channel that was believed; empty for a list of times. */
-  get believed(): Float32Array {
-    const { source } = this.heard;
+  /** The samples of the channel with the drops; empty for a list of times. */
+  get dropChannel(): Float32Array {
+    const { source } = this.result;
     const channel = source.kind === 'sound' ? source.channel - 1 : 0;
     return this.sound?.channels[channel] ?? new Float32Array();
   }
 
-  /** The samples of the believed channel from one time to another: a view, not a copy. */
+  /** The samples of the channel with the drops from one time to another: a view, not a copy. */
   samples(fromS: number, toS: number): Float32Array {
     const rate = this.sound?.sampleRateHz ?? 1;
     const from = Math.max(0, Math.floor(fromS * rate));
-    return this.believed.subarray(from, Math.max(from, Math.ceil(toS * rate)));
+    return this.dropChannel.subarray(from, Math.max(from, Math.ceil(toS * rate)));
   }
 
   /** The coarsest level whose bins are no longer than this; `null` where samples are due. */
@@ -68,7 +71,7 @@ export class Recording {
   }
 
   /** The onset nearest to a time, if there is one within so many seconds. */
-  async onsetNear(timeS: number, withinS = 0.02): Promise<OnsetFound | null> {
+  async onsetNear(timeS: number, withinS = 0.02): Promise<Impact | null> {
     if (this.sound === null) {
       return null;
     }
@@ -93,7 +96,7 @@ export class Recording {
     return this.#services.spectrogram(samples, this.sound.sampleRateHz, columns, rows);
   }
 
-  /** The recording as a WAV file of 32-bit samples: exactly what was heard. */
+  /** The recording as a WAV file of 32-bit samples: exactly what was recorded. */
   async wav(): Promise<Blob | null> {
     if (this.sound === null) {
       return null;

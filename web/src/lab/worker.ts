@@ -1,8 +1,8 @@
 /**
- * The worker: the science, and what it takes to talk to it.
+ * The worker: the engine, and what it takes to call it.
  *
- * Calls are answered one by one. If the science traps (a fault in it, or a file that breaks a
- * decoder), it must not be used again: the answer says so, and the page starts another worker.
+ * Calls are answered one by one. If the engine traps (a fault in it, or a file that breaks a
+ * decoder), it must not be used again: the answer contains that, and the page starts another worker.
  */
 
 import * as decoding from './engine/decoders.js';
@@ -12,22 +12,25 @@ import type {
   Call,
   FigureRequest,
   FromWorker,
-  Give,
   Level,
   Messages,
+  Request,
+  Response,
   Sound,
-  Take,
   ToWorker,
 } from './protocol.ts';
-import type { Demo, Heard } from './types.ts';
+import type { Demo, RecordingResult } from './types.ts';
 
 /** Samples that do not fit into this memory cannot be kept, in bytes. */
 const MOST_SAMPLE_BYTES = 480e6;
 
-type Answer<C extends Call> = { give: Give<C>; transfer?: Transferable[] };
-type Handlers = {
-  [C in Call]: (take: Take<C>, progress: (share: number) => void) => Answer<C>;
-};
+/** What a call may use besides its request. */
+interface Context {
+  readonly translator: science.Translator;
+  progress(share: number): void;
+}
+type Answer<C extends Call> = { response: Response<C>; transfer?: Transferable[] };
+type Handlers = { [C in Call]: (request: Request<C>, context: Context) => Answer<C> };
 
 class TooLong extends Error {
   readonly reason: LabReason;
@@ -39,32 +42,32 @@ class TooLong extends Error {
 }
 
 const analyst = lazily(() => new science.Analyst());
-const ears = new Map<number, science.Hearer>();
+/** Detectors of recordings that go on. */
+const sessions = new Map<number, science.Detector>();
 
 const handlers: Handlers = {
-  catalogue: () => ({ give: JSON.parse(science.catalogue()) }),
+  catalogue: () => ({ response: JSON.parse(science.catalogue()) }),
 
-  open: ({ bytes, name, channel }, progress) => {
+  open: ({ bytes, name, channel }, { progress }) => {
     const content = new Uint8Array(bytes);
     if (science.isList(name)) {
-      return { give: { heard: JSON.parse(science.hearTimes(content, name)), sound: null } };
+      return { response: { result: JSON.parse(science.readTimes(content, name)), sound: null } };
     }
     const decoder = new decoding.Decoder(content, name);
     const sampleRateHz = decoder.sampleRateHz();
     const expected = (decoder.durationS() ?? 0) * sampleRateHz;
     const channels = Array.from({ length: decoder.channels() }, () => new Samples(expected));
-    const hearer = new science.Hearer(sampleRateHz, channels.length, channel);
+    const detector = new science.Detector(sampleRateHz, channels.length, channel);
     let frames = 0;
     let more = true;
     while (more) {
       more = decoder.decodeOn();
       channels.forEach((all, channel) => {
         const samples = decoder.takeSamples(channel);
-        hearer.bring(channel, samples);
+        detector.push(channel, samples);
         all.push(samples);
         frames = all.length;
       });
-      hearer.hear();
       if (4 * frames * channels.length > MOST_SAMPLE_BYTES) {
         throw new TooLong(Math.floor(frames / sampleRateHz / 60), channels.length);
       }
@@ -73,20 +76,19 @@ const handlers: Handlers = {
       }
     }
     const planes = channels.map((samples) => samples.all());
-    return heardAt(hearer, decoder.format(), decoder.warnings(), name, planes, sampleRateHz);
+    return detected(detector, decoder.format(), decoder.warnings(), planes, sampleRateHz);
   },
 
-  hear: ({ channels, sampleRateHz, name, format }, progress) => {
-    const hearer = new science.Hearer(sampleRateHz, channels.length, null);
+  detect: ({ channels, sampleRateHz, format }, { progress }) => {
+    const detector = new science.Detector(sampleRateHz, channels.length, null);
     const frames = channels[0]?.length ?? 0;
     for (let at = 0; at < frames; at += sampleRateHz) {
       channels.forEach((samples, channel) => {
-        hearer.bring(channel, samples.subarray(at, at + sampleRateHz));
+        detector.push(channel, samples.subarray(at, at + sampleRateHz));
       });
-      hearer.hear();
       progress(Math.min(1, (at + sampleRateHz) / frames));
     }
-    return heardAt(hearer, format, [], name, channels, sampleRateHz);
+    return detected(detector, format, '[]', channels, sampleRateHz);
   },
 
   demo: ({ seed }) => {
@@ -94,99 +96,108 @@ const handlers: Handlers = {
     const demo: Demo = JSON.parse(rendering.about());
     const samples = rendering.takeSamples();
     return {
-      give: { demo, samples, sampleRateHz: rendering.sampleRateHz() },
+      response: { demo, samples, sampleRateHz: rendering.sampleRateHz() },
       transfer: buffers([samples]),
     };
   },
 
-  listen: ({ ear, sampleRateHz }) => {
-    ears.set(ear, new science.Hearer(sampleRateHz, 1, null));
-    return { give: null };
+  listen: ({ session, sampleRateHz }) => {
+    sessions.set(session, new science.Detector(sampleRateHz, 1, null));
+    return { response: null };
   },
-  push: ({ ear, samples }) => {
-    const hearer = known(ear);
-    hearer.bring(0, samples);
-    hearer.hear();
-    return { give: JSON.parse(hearer.soFar()) };
+  push: ({ session, samples }) => {
+    const detector = known(session);
+    detector.push(0, samples);
+    return { response: JSON.parse(detector.soFar()) };
   },
-  finish: ({ ear, name, format }) => {
-    const hearer = known(ear);
-    ears.delete(ear);
-    const heard: Heard = JSON.parse(hearer.finish(name, format, []));
-    const levels = levelsOf(hearer);
-    return { give: { heard, levels }, transfer: buffers(levels.map((level) => level.extremes)) };
+  finish: ({ session, format }) => {
+    const detector = known(session);
+    sessions.delete(session);
+    const result: RecordingResult = JSON.parse(detector.finish(format, '[]'));
+    const levels = levelsOf(detector);
+    const transfer = buffers(levels.map((level) => level.extremes));
+    return { response: { result, levels }, transfer };
   },
-  deafen: ({ ear }) => {
-    ears.get(ear)?.free();
-    ears.delete(ear);
-    return { give: null };
+  cancel: ({ session }) => {
+    sessions.get(session)?.free();
+    sessions.delete(session);
+    return { response: null };
   },
 
-  analyse: ({ request }) => ({ give: JSON.parse(analyst().analyse(JSON.stringify(request))) }),
-  chart: (asked) => ({ give: JSON.parse(figure(asked, (...of) => analyst().chart(...of))) }),
-  figure: (asked) => ({ give: JSON.parse(figure(asked, (...of) => analyst().figure(...of))) }),
-  waveform: ({ request, level, sampleRateHz, messages }) => {
+  analyse: ({ request }, { translator }) => ({
+    response: JSON.parse(analyst().analyse(JSON.stringify(request), translator)),
+  }),
+  chart: (request, context) => ({
+    response: figure(request, context, (...of) => analyst().chart(...of)),
+  }),
+  figure: (request, context) => ({
+    response: figure(request, context, (...of) => analyst().figure(...of)),
+  }),
+  waveform: ({ request, level, sampleRateHz }, { translator }) => {
     const stepS = level.samplesPerBin / sampleRateHz;
     const asked = JSON.stringify(request);
-    const drawn = analyst().waveform(asked, level.extremes, stepS, translator(messages));
-    return { give: JSON.parse(drawn) };
+    return { response: JSON.parse(analyst().waveform(asked, level.extremes, stepS, translator)) };
   },
-  report: ({ request, level, sampleRateHz, made, messages }) => {
+  report: ({ request, level, sampleRateHz, made }, { translator }) => {
     const stepS = (level?.samplesPerBin ?? 1) / sampleRateHz;
     const extremes = level?.extremes ?? new Float32Array();
-    const words = translator(messages);
-    return { give: analyst().report(JSON.stringify(request), extremes, stepS, made, words) };
+    const asked = JSON.stringify(request);
+    return { response: analyst().report(asked, extremes, stepS, made, translator) };
   },
-  rows: ({ request }) => ({ give: analyst().rows(JSON.stringify(request)) }),
+  csv: ({ request }, { translator }) => ({
+    response: analyst().csv(JSON.stringify(request), translator),
+  }),
 
   onset: ({ samples, sampleRateHz, startS, timeS }) => ({
-    give: JSON.parse(science.onsetNear(samples, sampleRateHz, startS, timeS)),
+    response: JSON.parse(science.onsetNear(samples, sampleRateHz, startS, timeS)),
   }),
   spectrogram: ({ samples, sampleRateHz, columns, rows }) => {
     const found = new science.Spectrogram(samples, sampleRateHz, columns, rows);
     const cells = found.takeCells();
     return {
-      give: { columns, rows, topHz: found.topHz(), cells, floorDb: found.floorDb() },
+      response: { columns, rows, topHz: found.topHz(), cells, floorDb: found.floorDb() },
       transfer: buffers([cells]),
     };
   },
   wav: ({ channels: [left, right], sampleRateHz }) => {
     const nothing = new Float32Array();
     const bytes = science.wav(left ?? nothing, right ?? nothing, sampleRateHz);
-    return { give: bytes as Uint8Array<ArrayBuffer>, transfer: buffers([bytes]) };
+    return { response: bytes as Uint8Array<ArrayBuffer>, transfer: buffers([bytes]) };
   },
 
-  simulate: ({ request }) => ({ give: JSON.parse(science.simulate(JSON.stringify(request))) }),
+  simulate: ({ request }, { translator }) => ({
+    response: JSON.parse(science.simulate(JSON.stringify(request), translator)),
+  }),
   synthesise: ({ request, scene }) => {
     const rendering = science.Rendering.synthesise(JSON.stringify(request), JSON.stringify(scene));
     const samples = rendering.takeSamples();
     return {
-      give: { samples, sampleRateHz: rendering.sampleRateHz() },
+      response: { samples, sampleRateHz: rendering.sampleRateHz() },
       transfer: buffers([samples]),
     };
   },
-  simulationCharts: ({ runs, messages }) => ({
-    give: JSON.parse(science.simulationCharts(JSON.stringify(runs), translator(messages))),
+  simulationCharts: ({ runs }, { translator }) => ({
+    response: JSON.parse(science.simulationCharts(JSON.stringify(runs), translator)),
   }),
-  dropCharts: ({ drops, messages }) => ({
-    give: JSON.parse(science.dropCharts(JSON.stringify(drops), translator(messages))),
+  dropCharts: ({ drops }, { translator }) => ({
+    response: JSON.parse(science.dropCharts(JSON.stringify(drops), translator)),
   }),
-  lessonCharts: ({ messages }) => ({
-    give: JSON.parse(science.lessonCharts(translator(messages))),
+  lessonCharts: (_, { translator }) => ({
+    response: JSON.parse(science.lessonCharts(translator)),
   }),
-  puzzleAnswer: ({ choice, messages }) => ({
-    give: JSON.parse(science.puzzleAnswer(JSON.stringify(choice), translator(messages))),
+  puzzleAnswer: ({ choice }, { translator }) => ({
+    response: JSON.parse(science.puzzleAnswer(JSON.stringify(choice), translator)),
   }),
   puzzleSolution: ({ choice }) => ({
-    give: JSON.parse(science.puzzleSolution(JSON.stringify(choice))),
+    response: JSON.parse(science.puzzleSolution(JSON.stringify(choice))),
   }),
-  paper: () => ({ give: JSON.parse(science.paperDocument()) }),
+  paper: (_, { translator }) => ({ response: JSON.parse(science.paperDocument(translator)) }),
 };
 
 /** Languages that were asked for, by their codes. */
 const translators = new Map<string, science.Translator>();
 
-function translator({ code, sources }: Messages): science.Translator {
+function translatorOf({ code, sources }: Messages): science.Translator {
   const known = translators.get(code);
   if (known) return known;
   const made = new science.Translator(code, [...sources]);
@@ -194,18 +205,19 @@ function translator({ code, sources }: Messages): science.Translator {
   return made;
 }
 
-function figure(
-  { request, drop, name, simulation, messages }: FigureRequest,
-  ask: (
+function figure<T>(
+  { request, drop, name, simulation }: FigureRequest,
+  { translator }: Context,
+  draw: (
     request: string,
     drop: number,
     name: string,
     simulation: string | undefined,
     translator: science.Translator,
   ) => string,
-): string {
+): T {
   const compared = simulation ? JSON.stringify(simulation) : undefined;
-  return ask(JSON.stringify(request), drop, name, compared, translator(messages));
+  return JSON.parse(draw(JSON.stringify(request), drop, name, compared, translator));
 }
 
 /** Samples that come bit by bit, for a length that is known more or less. */
@@ -233,35 +245,34 @@ class Samples {
   }
 }
 
-function heardAt(
-  hearer: science.Hearer,
+function detected(
+  detector: science.Detector,
   format: string,
-  warnings: string[],
-  name: string,
+  warnings: string,
   channels: Float32Array[],
   sampleRateHz: number,
-): { give: { heard: Heard; sound: Sound }; transfer: Transferable[] } {
-  const heard: Heard = JSON.parse(hearer.finish(name, format, warnings));
-  const levels = levelsOf(hearer);
+): { response: { result: RecordingResult; sound: Sound }; transfer: Transferable[] } {
+  const result: RecordingResult = JSON.parse(detector.finish(format, warnings));
+  const levels = levelsOf(detector);
   return {
-    give: { heard, sound: { sampleRateHz, channels, levels } },
+    response: { result, sound: { sampleRateHz, channels, levels } },
     transfer: buffers([...channels, ...levels.map((level) => level.extremes)]),
   };
 }
 
-function levelsOf(finished: science.Hearer): Level[] {
+function levelsOf(finished: science.Detector): Level[] {
   return Array.from(finished.samplesPerBin(), (samplesPerBin, level) => ({
     samplesPerBin,
     extremes: finished.takeLevel(level),
   }));
 }
 
-function known(ear: number): science.Hearer {
-  const hearer = ears.get(ear);
-  if (hearer === undefined) {
-    throw new Error('nobody is listening any more; listen again');
+function known(session: number): science.Detector {
+  const detector = sessions.get(session);
+  if (detector === undefined) {
+    throw new Error('the recording was ended; listen again');
   }
-  return hearer;
+  return detector;
 }
 
 function buffers(arrays: ArrayBufferView[]): Transferable[] {
@@ -276,14 +287,23 @@ function lazily<T>(make: () => T): () => T {
   };
 }
 
-/** What went wrong, as the page is told; and whether the science can still be used. */
-function refusalOf(error: unknown, call: Call): { refusal: LabRefusal; broken: boolean } {
+/** What went wrong, in the language of the page where the science says it; and whether the engine can still be used. */
+function refusalOf(
+  error: unknown,
+  call: Call,
+  messages: Messages,
+): { refusal: LabRefusal; broken: boolean } {
   if (typeof error === 'string') {
-    return { refusal: JSON.parse(error), broken: false };
+    const refusal: LabRefusal = JSON.parse(error);
+    if (refusal.diagnostic) {
+      const diagnostic = JSON.stringify(refusal.diagnostic);
+      refusal.message = translatorOf(messages).diagnostic(diagnostic);
+    }
+    return { refusal, broken: false };
   }
   const broken = error instanceof WebAssembly.RuntimeError || error instanceof RangeError;
   const refused = (kind: LabRefusal['kind'], message: string, reason: LabReason | null) => ({
-    refusal: { kind, message, reason },
+    refusal: { kind, message, reason, diagnostic: null },
     broken,
   });
   if (error instanceof TooLong) return refused('too-long', error.message, error.reason);
@@ -291,26 +311,32 @@ function refusalOf(error: unknown, call: Call): { refusal: LabRefusal; broken: b
     return refused('too-long', 'there is not enough memory for it', { code: 'no-memory' });
   }
   if (broken && call === 'open') {
-    return refused('damaged', 'the decoder does not survive this file', { code: 'breaks-decoder' });
+    return refused('damaged', 'the decoder fails on this file', { code: 'breaks-decoder' });
   }
   return refused('fault', String(error), null);
 }
 
-function say(message: FromWorker, transfer: Transferable[] = []): void {
+function send(message: FromWorker, transfer: Transferable[] = []): void {
   postMessage(message, { transfer });
 }
 
-function answer<C extends Call>(id: number, call: C, take: Take<C>): void {
+function answer<C extends Call>(
+  id: number,
+  call: C,
+  request: Request<C>,
+  messages: Messages,
+): void {
   try {
-    const progress = (share: number) => say({ kind: 'progress', id, share });
-    const { give, transfer } = handlers[call](take, progress);
-    say({ kind: 'done', id, give }, transfer);
+    const progress = (share: number) => send({ kind: 'progress', id, share });
+    const context = { translator: translatorOf(messages), progress };
+    const { response, transfer } = handlers[call](request, context);
+    send({ kind: 'done', id, response }, transfer);
   } catch (error) {
-    say({ kind: 'refused', id, ...refusalOf(error, call) });
+    send({ kind: 'refused', id, ...refusalOf(error, call, messages) });
   }
 }
 
-/** Calls that came before the science did. */
+/** Calls that came before the engine was there. */
 let waiting: (() => void)[] | null = [];
 
 addEventListener('message', ({ data }: MessageEvent<ToWorker>) => {
@@ -326,7 +352,7 @@ addEventListener('message', ({ data }: MessageEvent<ToWorker>) => {
     }
     return;
   }
-  const call = () => answer(data.id, data.call, data.take);
+  const call = () => answer(data.id, data.call, data.request, data.messages);
   if (waiting === null) {
     call();
   } else {

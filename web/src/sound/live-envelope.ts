@@ -1,4 +1,4 @@
-/** The last seconds of what is heard, as least and greatest of short bins, for drawing while listening. */
+/** The last seconds of what is recorded, as least and greatest of short bins, for drawing while listening. */
 export class LiveEnvelope {
   readonly #bins: Float32Array;
   readonly #samplesPerBin: number;

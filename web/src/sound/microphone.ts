@@ -118,7 +118,7 @@ async function listenIn(
   // A node that leads nowhere is not run by every browser; its output is silence.
   source.connect(node).connect(context.destination);
   await started(context);
-  // Sound that is missing in the middle would make a flight too short: what comes after is not heard.
+  // Sound that is missing in the middle would make a flight too short: what comes after is not used.
   context.onstatechange = () => {
     if (context.state !== 'running') events.lost();
   };
@@ -133,7 +133,7 @@ async function listenIn(
   };
 }
 
-/** Where nothing can be played, Firefox neither starts nor says why. */
+/** Where nothing can be played, Firefox neither starts nor gives a reason. */
 async function started(context: AudioContext): Promise<void> {
   let clock: ReturnType<typeof setTimeout> | undefined;
   const tooLong = new Promise<never>((_, reject) => {
@@ -142,7 +142,7 @@ async function started(context: AudioContext): Promise<void> {
   await Promise.race([context.resume(), tooLong]).finally(() => clearTimeout(clock));
 }
 
-/** At the device's own rate where it says so: resampling would move what the impacts look like. */
+/** At the device's own rate where it is known: resampling would move what the impacts look like. */
 function contextFor(stream: MediaStream): AudioContext {
   const rate = stream.getAudioTracks()[0]?.getSettings().sampleRate;
   try {

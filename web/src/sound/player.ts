@@ -1,10 +1,10 @@
 import { signal } from '@preact/signals';
 
-/** How fast a part is heard; slower is also lower, as with a tape, so that nothing is invented. */
+/** How fast a part is played; slower is also lower, as with a tape, so that nothing is invented. */
 export const SPEEDS = [1, 0.5, 0.25, 0.1] as const;
 export type Speed = (typeof SPEEDS)[number];
 
-/** What is heard now. */
+/** What is played now. */
 export interface Playing {
   /** Where in the recording it began, s. */
   readonly fromS: number;
@@ -18,7 +18,7 @@ export const playing = signal<Playing | null>(null);
 let context: AudioContext | undefined;
 let source: AudioBufferSourceNode | undefined;
 
-/** Plays samples from now on; what was heard before stops. */
+/** Plays samples from now on; what was played before stops. */
 export async function play(
   samples: Float32Array,
   rateHz: number,
@@ -53,7 +53,7 @@ export function stop(): void {
   playing.value = null;
 }
 
-/** The moment of the recording that is heard now, s. */
+/** The moment of the recording that is played now, s. */
 export function playheadS(): number | null {
   const now = playing.value;
   if (!now || !context) return null;

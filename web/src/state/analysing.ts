@@ -1,41 +1,53 @@
-/** Keeps the analysis in step with the impacts and the settings: at once roughly, soon exactly. */
+/** Keeps the analysis in step with the impacts and the settings: at once quickly, soon in full. */
 import { batch, effect } from '@preact/signals';
-import { type AnalysisRequest, LabError } from '../lab/index.ts';
-import { analysed, edits, onBench, refining, refusedSettings } from './bench.ts';
+import { type Analysed, type AnalysisRequest, type DropMarks, LabError } from '../lab/index.ts';
+import { messages } from '../text/language.ts';
+import { CoalescingQueue } from './coalescing-queue.ts';
 import { engine, messageOf } from './engine.ts';
-import { Latest } from './latest.ts';
 import { forEngine } from './marks.ts';
 import { settings } from './settings.ts';
+import { analysed, edits, refining, refusedSettings, workspace } from './workspace.ts';
 
-/** What is asked of the engine now, also for exports. */
+/** What is asked of the engine now, also for exports: drops without a flight say nothing. */
 export function request(): AnalysisRequest | undefined {
-  const bench = onBench.peek();
-  return bench
-    ? engine().request(bench.recording, settings.peek(), edits.peek().map(forEngine))
-    : undefined;
+  const loaded = workspace.peek();
+  if (!loaded) return undefined;
+  const { recording } = loaded;
+  const detected = recording.result.drops;
+  const drops = edits
+    .peek()
+    .map((drop, index) => forEngine(drop, detected[index]?.probability ?? 1))
+    .filter(hasFlight);
+  return engine().request(recording, settings.peek(), drops);
 }
 
-/** Asks again as soon as the last rough answer is there, so that a dragged marker never queues up. */
-const analyser = new Latest<AnalysisRequest>(
+const hasFlight = ({ impacts }: DropMarks): boolean => impacts.length > 1;
+
+interface Job {
+  readonly request: AnalysisRequest;
+  readonly places: readonly number[];
+}
+
+/** Asks again as soon as the last quick answer is there, so that a dragged marker never queues up. */
+const analyser = new CoalescingQueue<Job>(
   (job) =>
     new Promise<void>((next) => {
+      const show = (answer: Analysed, inference: boolean): void => {
+        // While the inference runs, the words of the last one would be about other impacts.
+        if (job !== wanted) return;
+        batch(() => {
+          analysed.value = { ...answer, inference, places: job.places };
+          refusedSettings.value = null;
+          refining.value = !inference;
+        });
+      };
       engine()
-        .analyse(job, (rough) => {
-          // While the inference runs, the words of the last one would be about other impacts.
-          if (job === wanted) {
-            analysed.value = rough;
-            refusedSettings.value = null;
-          }
+        .analyse(job.request, (quick) => {
+          show(quick, false);
           next();
         })
         .then(
-          (exact) => {
-            if (job !== wanted) return;
-            batch(() => {
-              analysed.value = exact;
-              refining.value = false;
-            });
-          },
+          (full) => show(full, true),
           (error: unknown) => {
             if (job === wanted && !LabError.isMoot(error)) refuse(error);
           },
@@ -45,7 +57,7 @@ const analyser = new Latest<AnalysisRequest>(
 );
 
 /** What was asked last; answers to anything else come too late. */
-let wanted: AnalysisRequest | undefined;
+let wanted: Job | undefined;
 
 function refuse(error: unknown): void {
   batch(() => {
@@ -54,22 +66,17 @@ function refuse(error: unknown): void {
   });
 }
 
-/** From now on every change is analysed. */
+/** From now on every change is analysed; a change of settings or language is one too. */
 export function keepAnalysed(): void {
   effect(() => {
     const drops = edits.value;
-    // A change of settings is a change too.
-    void settings.value;
-    if (!onBench.peek()) return;
-    if (drops.every((drop) => drop.present.length < 2)) {
-      wanted = undefined;
-      analysed.value = null;
-      refining.value = false;
-      return;
-    }
-    wanted = request();
-    if (!wanted) return;
-    refining.value = true;
+    void [settings.value, messages.value];
+    const asked = request();
+    if (!asked) return;
+    let count = 0;
+    const places = drops.map(({ present }) => (present.length > 1 ? count++ : -1));
+    wanted = { request: asked, places };
+    refining.value = count > 0;
     analyser.ask(wanted);
   });
 }

@@ -5,9 +5,9 @@ import type { DropMarks } from '../lab/index.ts';
 import { language, texts } from '../text/language.ts';
 import { type Mark, nearest } from '../wave/mark.ts';
 import { revealing, widthS } from '../wave/viewport.ts';
-import { chosenDrop, cursorS, edits, onBench, present, selected, view } from './bench.ts';
 import { advance, redo as redone, replace, undo as undone } from './history.ts';
-import { added, asHeard, type Edits, markAt, marksOf, removed, withChange } from './marks.ts';
+import { added, asDetected, type Edits, markAt, marksOf, removed, withChange } from './marks.ts';
+import { chosenDrop, cursorS, edits, present, selected, view, workspace } from './workspace.ts';
 
 /** What was done, for screen readers. */
 export const announced = signal('');
@@ -29,15 +29,15 @@ const numberOf = (id: number): number =>
 
 const say = (timeS: number): string => fixed(timeS, 4, language.peek());
 
-/** What the sound says of a moment that a hand chose: its exact time, if a sound begins there. */
+/** The onset at a moment that was chosen by hand, if a sound begins there. */
 async function snapped(timeS: number): Promise<Partial<Mark>> {
   const reach = Math.min(SNAP_MOST_S, SNAP_SHARE * widthS(view.peek()));
-  const found = await onBench
+  const found = await workspace
     .peek()
     ?.recording.onsetNear(timeS, reach)
     .catch(() => null);
   return found
-    ? { timeS: found.time_s, sigmaS: found.sigma_s, levelDb: found.level_db }
+    ? { timeS: found.time_s, timeSdS: found.time_sd_s, levelDb: found.level_db }
     : { timeS };
 }
 
@@ -70,7 +70,7 @@ let beforeDrag: readonly Mark[] | undefined;
 
 export function drag(id: number, timeS: number): void {
   beforeDrag ??= present.peek()?.present;
-  const changes = { timeS, sigmaS: null, probability: 1 };
+  const changes = { timeS, timeSdS: null, probability: 1 };
   update((drop) => replace(drop, withChange(drop.present, id, changes)));
 }
 
@@ -94,7 +94,7 @@ export function nudge(id: number, byS: number): void {
     const mark = drop.present.find((candidate) => candidate.id === id);
     if (!mark) return drop;
     const timeS = Math.max(0, mark.timeS + byS);
-    return advance(drop, withChange(drop.present, id, { timeS, sigmaS: null, probability: 1 }));
+    return advance(drop, withChange(drop.present, id, { timeS, timeSdS: null, probability: 1 }));
   });
   follow(id);
 }
@@ -117,7 +117,7 @@ function follow(id: number): void {
 
 function bringIntoSight({ timeS }: Mark): void {
   cursorS.value = timeS;
-  view.value = revealing(view.peek(), timeS, onBench.peek()?.durationS ?? 0);
+  view.value = revealing(view.peek(), timeS, workspace.peek()?.durationS ?? 0);
 }
 
 export function undo(): void {
@@ -132,15 +132,15 @@ export function redo(): void {
   announced.value = texts.peek().wave.redone;
 }
 
-/** As it was heard, in one step that can be undone too. */
+/** As it was detected, in one step that can be undone too. */
 export function restore(): void {
-  update((drop) => advance(drop, asHeard(drop)));
+  update((drop) => advance(drop, asDetected(drop)));
   keepSelection();
 }
 
 /** Impacts that a hand had set before. */
 export function setMarks(kept: DropMarks): void {
-  update((drop) => advance(drop, marksOf({ probability: 1, impacts: kept.impacts })));
+  update((drop) => advance(drop, marksOf(kept.impacts)));
 }
 
 function keepSelection(): void {

@@ -1,6 +1,7 @@
 /** The engine of the laboratory: loaded once, used by all. */
 import { signal } from '@preact/signals';
 import { type Catalogue, Lab, LabError } from '../lab/index.ts';
+import { messages } from '../text/language.ts';
 import type { Fault, FaultKey } from './faults.ts';
 
 let lab: Lab | undefined;
@@ -11,7 +12,7 @@ export const catalogue = signal<Catalogue | null>(null);
 export const broken = signal<string | null>(null);
 
 export function engine(): Lab {
-  lab ??= new Lab();
+  lab ??= new Lab(() => messages.peek());
   return lab;
 }
 

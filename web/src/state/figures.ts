@@ -1,47 +1,45 @@
 /** The figure that is looked at, as a chart of the engine. */
 import { computed, effect, signal } from '@preact/signals';
 import type { Chart } from '../lab/index.ts';
-import { messages } from '../text/language.ts';
 import { request } from './analysing.ts';
-import { analysed, chosenDrop } from './bench.ts';
+import { CoalescingQueue } from './coalescing-queue.ts';
 import { engine } from './engine.ts';
-import { Latest } from './latest.ts';
 import { overlay } from './simulating.ts';
+import { analysed, place } from './workspace.ts';
 
 /** Names of the figures that there are of the chosen drop. */
 export const figures = computed<readonly string[]>(
-  () => analysed.value?.figures[chosenDrop.value] ?? [],
+  () => analysed.value?.figures[place.value] ?? [],
 );
-const wished = signal('restitution');
+const chosen = signal('restitution');
 /** The figure that was chosen, or the first while the analysis has none of this name. */
 export const shown = computed(() =>
-  figures.value.includes(wished.value) ? wished.value : (figures.value[0] ?? ''),
+  figures.value.includes(chosen.value) ? chosen.value : (figures.value[0] ?? ''),
 );
 /** Shows another one. */
 export const show = (name: string): void => {
-  wished.value = name;
+  chosen.value = name;
 };
 
 /** `null` until it is there. */
 export const figure = signal<Chart | null>(null);
 
 /** What is asked of the engine to draw the figure of this name. */
-export function figureRequest(name: string, effort: 'quick' | 'full') {
+export function figureRequest(name: string, inference: boolean) {
   const asked = request();
   return (
     asked && {
-      request: { ...asked, effort },
-      drop: chosenDrop.peek(),
+      request: { ...asked, inference },
+      drop: place.peek(),
       name,
       simulation: overlay.peek(),
-      messages: messages.peek(),
     }
   );
 }
 
 type Job = NonNullable<ReturnType<typeof figureRequest>>;
 
-const drawer = new Latest<Job>(async (job) => {
+const drawer = new CoalescingQueue<Job>(async (job) => {
   try {
     figure.value = await engine().chart(job);
   } catch {
@@ -54,11 +52,11 @@ const drawer = new Latest<Job>(async (job) => {
 export function keepDrawn(): void {
   let last = '';
   effect(() => {
-    const [effort, name] = [analysed.value?.effort, shown.value];
-    // A change of each is another figure.
-    void [overlay.value, messages.value];
-    const job = effort && name !== '' ? figureRequest(name, effort) : undefined;
-    const now = `${chosenDrop.value} ${name}`;
+    const [answer, name] = [analysed.value, shown.value];
+    // Another simulation is another figure.
+    void overlay.value;
+    const job = answer && name !== '' ? figureRequest(name, answer.inference) : undefined;
+    const now = `${place.value} ${name}`;
     if (!job || now !== last) figure.value = null;
     last = now;
     if (job) drawer.ask(job);

@@ -1,15 +1,15 @@
-/** Keeping drops in the browser, and what is said of all of them together. */
+/** Keeping drops in the browser, and what they show together. */
 import { computed, signal } from '@preact/signals';
-import type { DocumentDrop } from '../lab/index.ts';
-import { claim, claimed } from '../store/claims.ts';
-import { allDrops, deleteDrop, type KeptDrop, putDrop } from '../store/drops.ts';
+import type { Drop, Estimate } from '../lab/index.ts';
+import { allDrops, deleteDrop, type KeptDrop, type Known, putDrop } from '../store/drops.ts';
 import { newId } from '../store/id.ts';
+import { lock, locked } from '../store/locks.ts';
 import { deleteRecording, putBlock, putRecording } from '../store/recordings.ts';
-import { analysed, drop, edits, lookAt, onBench, present } from './bench.ts';
 import { setMarks } from './editing.ts';
 import { dropNear, forEngine } from './marks.ts';
 import { openStored, openTimes } from './opening.ts';
 import { goToLab, settings } from './settings.ts';
+import { analysed, drop, edits, lookAt, present, workspace } from './workspace.ts';
 
 export const kept = signal<readonly KeptDrop[]>([]);
 /** False where the browser keeps nothing. */
@@ -39,12 +39,12 @@ export async function loadKept(): Promise<void> {
   }
 }
 
-/** Keeps the drop on the bench; false if the browser has no room for it. */
+/** Keeps the drop in the workspace; false if the browser has no room for it. */
 export async function keepDrop(name: string): Promise<boolean> {
-  const recording = onBench.peek();
-  const said = drop.peek();
+  const recording = workspace.peek();
+  const result = drop.peek();
   const marks = present.peek();
-  if (!recording || !said || !marks) return false;
+  if (!recording || !result || !marks) return false;
   try {
     const sound = recording.storedAs ?? (await storeSound(name));
     const keptDrop: KeptDrop = {
@@ -52,13 +52,13 @@ export async function keepDrop(name: string): Promise<boolean> {
       name,
       keptAt: Date.now(),
       ball: analysed.peek()?.ball ?? '',
-      ...summaryOf(said),
+      ...summaryOf(result),
       settings: settings.peek(),
-      marks: forEngine(marks),
+      marks: forEngine(marks, result.probability),
       recording: sound,
     };
     await putDrop(keptDrop);
-    onBench.value = { ...recording, storedAs: sound };
+    workspace.value = { ...recording, storedAs: sound };
     kept.value = [...kept.peek(), keptDrop];
     return true;
   } catch {
@@ -68,11 +68,11 @@ export async function keepDrop(name: string): Promise<boolean> {
 
 /** Puts the sound of an opened file or of the demo into the database. */
 async function storeSound(name: string): Promise<string | null> {
-  const pyramid = onBench.peek()?.pyramid;
+  const pyramid = workspace.peek()?.pyramid;
   if (!pyramid) return null;
   const id = newId();
   await putBlock(id, 0, pyramid.samples.slice());
-  claim(id);
+  lock(id);
   await putRecording({
     id,
     name,
@@ -84,24 +84,20 @@ async function storeSound(name: string): Promise<string | null> {
 }
 
 export function summaryOf(
-  said: DocumentDrop,
+  result: Drop,
 ): Pick<KeptDrop, 'restitution' | 'dropHeightM' | 'restitutions'> {
-  const { estimate, regression } = said;
-  const line = regression;
+  const best = result.posterior ?? result.log_linear_fit;
   return {
-    restitution: estimate
-      ? { value: estimate.restitution.value, sd: estimate.restitution.sd }
-      : line && { value: line.restitution, sd: line.restitution_sd },
-    dropHeightM: estimate
-      ? { value: estimate.drop_height_m.value, sd: estimate.drop_height_m.sd }
-      : line && { value: line.drop_height_m, sd: line.drop_height_sd_m },
-    restitutions: said.impacts.flatMap((impact) =>
-      impact.restitution !== null && impact.impact_speed_m_s !== null
-        ? [{ speedMS: impact.impact_speed_m_s, value: impact.restitution }]
-        : [],
-    ),
+    restitution: best && known(best.restitution),
+    dropHeightM: best && known(best.drop_height_m),
+    restitutions: (result.per_impact?.impacts ?? []).map(({ impact_speed_m_s, restitution }) => ({
+      speedMS: impact_speed_m_s,
+      value: restitution.value,
+    })),
   };
 }
+
+const known = ({ value, sd }: Estimate): Known => ({ value, sd });
 
 export async function rename(id: string, name: string): Promise<void> {
   const found = kept.peek().find((candidate) => candidate.id === id);
@@ -132,16 +128,16 @@ export async function bringBack(): Promise<void> {
 /** Frees the room of what was deleted for good: sounds that no drop uses any more, here or elsewhere. */
 async function forgetDeleted(): Promise<void> {
   const used = new Set((await allDrops()).map(({ recording }) => recording));
-  // What lies on a bench may be kept once more.
-  const inHand = await claimed();
+  // What lies in a workspace may be kept once more.
+  const inUse = await locked();
   for (const { recording } of deleted.peek()) {
-    if (recording !== null && !used.has(recording) && !inHand.has(recording))
+    if (recording !== null && !used.has(recording) && !inUse.has(recording))
       await deleteRecording(recording);
   }
   deleted.value = [];
 }
 
-/** Puts a kept drop back on the bench, as it was left: its sound, its set-up, its impacts. */
+/** Puts a kept drop back on the loaded, as it was left: its sound, its set-up, its impacts. */
 export async function openKept(drop: KeptDrop): Promise<void> {
   settings.value = drop.settings;
   goToLab();

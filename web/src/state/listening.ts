@@ -1,4 +1,4 @@
-/** Listening: the microphone to the engine, to the disk and to the eye, block by block. */
+/** Listening: the microphone to the engine, to the disk and to the screen, block by block. */
 import { signal } from '@preact/signals';
 import type { Listening, SoFar } from '../lab/index.ts';
 import { keepAwake } from '../sound/awake.ts';
@@ -6,12 +6,12 @@ import { LiveEnvelope } from '../sound/live-envelope.ts';
 import { type Microphone, MicrophoneError, openMicrophone } from '../sound/microphone.ts';
 import { stop } from '../sound/player.ts';
 import { joined } from '../store/blocks.ts';
-import { claim } from '../store/claims.ts';
 import { newId } from '../store/id.ts';
-import { Safekeeper } from '../store/safekeeper.ts';
+import { lock } from '../store/locks.ts';
+import { RecordingWriter } from '../store/recording-writer.ts';
 import { region, texts } from '../text/language.ts';
-import { busy, fail, fault, phase, put } from './bench.ts';
 import { engine, faultOf } from './engine.ts';
+import { busy, fail, fault, phase, put } from './workspace.ts';
 
 /** What runs by while listening. */
 export const live = signal<LiveEnvelope | null>(null);
@@ -19,7 +19,7 @@ export const live = signal<LiveEnvelope | null>(null);
 export const level = signal(0);
 export const soFar = signal<SoFar | null>(null);
 
-/** Seconds of silence before the reader is told. */
+/** Seconds of silence before the page says so. */
 const SILENT_AFTER_S = 2;
 /** Nobody drops a ball for so long; then it ends by itself too. */
 const LONGEST_S = 1800;
@@ -29,24 +29,24 @@ const BINS_PER_SECOND = 200;
 const SOFTEST_DB = -60;
 
 /** A recording that goes on. */
-interface Take {
+interface LiveRecording {
   readonly microphone: Microphone;
-  readonly ear: Listening;
-  readonly keeper: Safekeeper;
+  readonly listening: Listening;
+  readonly writer: RecordingWriter;
   /** Lets the screen go dark again. */
   readonly rest: () => void;
-  /** What the engine has not been given yet, because it still thinks about what came before. */
+  /** What the engine has not received yet, because it still works on what came before. */
   waiting: Float32Array<ArrayBuffer>[];
   asking: boolean;
-  heardS: number;
-  heardAnything: boolean;
+  recordedS: number;
+  hasSound: boolean;
 }
 
-let take: Take | undefined;
+let current: LiveRecording | undefined;
 
 export async function listen(): Promise<void> {
   if (busy.peek()) return;
-  // It would hear itself.
+  // The microphone would record it.
   stop();
   fault.value = null;
   phase.value = { kind: 'starting' };
@@ -56,7 +56,7 @@ export async function listen(): Promise<void> {
   try {
     microphone = await openMicrophone({
       block: (samples) => {
-        if (take) hear(take, samples);
+        if (current) receive(current, samples);
         else early.push(samples);
       },
       lost: () => {
@@ -65,11 +65,11 @@ export async function listen(): Promise<void> {
       },
       muted: (isMuted) => {
         if (isMuted) fault.value = { key: 'silent' };
-        else tellOfSound();
+        else noteSound();
       },
     });
-    take = await begin(microphone);
-    for (const samples of early) hear(take, samples);
+    current = await begin(microphone);
+    for (const samples of early) receive(current, samples);
     phase.value = { kind: 'listening' };
   } catch (error) {
     await microphone?.close();
@@ -77,7 +77,7 @@ export async function listen(): Promise<void> {
   }
 }
 
-async function begin(microphone: Microphone): Promise<Take> {
+async function begin(microphone: Microphone): Promise<LiveRecording> {
   const { rateHz } = microphone;
   const startedAt = Date.now();
   const date = new Date(startedAt).toLocaleString(region.peek());
@@ -88,85 +88,85 @@ async function begin(microphone: Microphone): Promise<Take> {
     startedAt,
     finished: false,
   };
-  const ear = await engine().listen(rateHz);
+  const listening = await engine().listen(rateHz);
   soFar.value = null;
   live.value = new LiveEnvelope(rateHz, SHOWN_S, BINS_PER_SECOND);
-  claim(recording.id);
-  const keeper = new Safekeeper(recording, (problem) => {
+  lock(recording.id);
+  const writer = new RecordingWriter(recording, (problem) => {
     fault.value = { key: problem };
   });
   return {
     microphone,
-    ear,
-    keeper,
+    listening,
+    writer,
     rest: keepAwake(),
     waiting: [],
     asking: false,
-    heardS: 0,
-    heardAnything: false,
+    recordedS: 0,
+    hasSound: false,
   };
 }
 
-function hear(now: Take, samples: Float32Array<ArrayBuffer>): void {
-  now.keeper.add(samples);
+function receive(now: LiveRecording, samples: Float32Array<ArrayBuffer>): void {
+  now.writer.add(samples);
   const peak = live.peek()?.add(samples) ?? 0;
-  // Decibels, because ears and impacts span a thousandfold.
+  // Decibels, because levels span a thousandfold.
   level.value = Math.min(1, Math.max(0, 1 - (20 * Math.log10(Math.max(peak, 1e-9))) / SOFTEST_DB));
-  now.heardS += samples.length / now.microphone.rateHz;
-  tellOfSilence(now, peak);
+  now.recordedS += samples.length / now.microphone.rateHz;
+  noteSilence(now, peak);
   now.waiting.push(samples);
   if (!now.asking) void ask(now);
-  if (now.heardS > LONGEST_S) void stopListening();
+  if (now.recordedS > LONGEST_S) void stopListening();
 }
 
 /**
- * Gives the engine what has come since the last question, and shows what it says. However slow the
- * machine, it never falls behind by more than one question.
+ * Sends the engine what has come since the last request, and shows what it answers. However slow the
+ * machine, it never falls behind by more than one request.
  */
-async function ask(now: Take): Promise<void> {
+async function ask(now: LiveRecording): Promise<void> {
   now.asking = true;
-  while (take === now && now.waiting.length > 0) {
-    // Should the engine stumble, the samples are kept, and it is asked again when the recording ends.
-    const said = await give(now).catch(() => undefined);
-    if (take !== now || !said) continue;
-    soFar.value = said;
-    if (said.at_rest) void stopListening();
+  while (current === now && now.waiting.length > 0) {
+    // If the engine fails, the samples are kept, and it is asked again when the recording ends.
+    const answer = await send(now).catch(() => undefined);
+    if (current !== now || !answer) continue;
+    soFar.value = answer;
+    if (answer.at_rest) void stopListening();
   }
   now.asking = false;
 }
 
-function give(now: Take): Promise<SoFar> {
+function send(now: LiveRecording): Promise<SoFar> {
   const samples = joined(now.waiting);
   now.waiting = [];
-  return now.ear.push(samples);
+  return now.listening.push(samples);
 }
 
-function tellOfSilence(now: Take, peak: number): void {
-  if (now.heardAnything) return;
-  now.heardAnything = peak > 0;
-  if (now.heardAnything) tellOfSound();
-  else if (now.heardS > SILENT_AFTER_S) fault.value ??= { key: 'silent' };
+function noteSilence(now: LiveRecording, peak: number): void {
+  if (now.hasSound) return;
+  now.hasSound = peak > 0;
+  if (now.hasSound) noteSound();
+  else if (now.recordedS > SILENT_AFTER_S) fault.value ??= { key: 'silent' };
 }
 
-function tellOfSound(): void {
+function noteSound(): void {
   if (fault.peek()?.key === 'silent') fault.value = null;
 }
 
 export async function stopListening(): Promise<void> {
-  const ended = take;
+  const ended = current;
   if (!ended) return;
-  take = undefined;
-  const { keeper, ear, microphone, rest } = ended;
-  const { name, id } = keeper.recording;
+  current = undefined;
+  const { writer, listening, microphone, rest } = ended;
+  const { name, id } = writer.recording;
   level.value = 0;
   rest();
   phase.value = { kind: 'reading', name };
   await microphone.close();
-  void give(ended).catch(() => undefined);
-  const stored = await keeper.finish();
+  void send(ended).catch(() => undefined);
+  const stored = await writer.finish();
   try {
-    put(name, await finished(ear, name), stored ? id : null);
-    await keeper.close();
+    put(name, await finished(listening, name), stored ? id : null);
+    await writer.close();
   } catch (error) {
     // Not closed: the recording is offered again when the page is loaded the next time.
     fail(faultOf(error));
@@ -174,11 +174,11 @@ export async function stopListening(): Promise<void> {
   live.value = null;
 }
 
-/** Ends the listening; should the engine have stumbled, it hears all of it once more. */
-async function finished(ear: Listening, name: string) {
+/** Ends the recording; if the engine failed, all samples are processed once more. */
+async function finished(listening: Listening, name: string) {
   try {
-    return await ear.finish(name);
+    return await listening.finish(name);
   } catch {
-    return engine().hear([ear.samples()], ear.sampleRateHz, name, 'microphone');
+    return engine().detect([listening.samples()], listening.sampleRateHz, name, 'microphone');
   }
 }

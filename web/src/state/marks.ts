@@ -1,5 +1,5 @@
 /** The impacts of each drop, with all that was done to them: pure steps over histories. */
-import type { DropMarks, HeardDrop } from '../lab/index.ts';
+import type { DropMarks, Impact } from '../lab/index.ts';
 import { inOrder, type Mark } from '../wave/mark.ts';
 import { advance, begin, type History } from './history.ts';
 
@@ -7,22 +7,22 @@ export type Edits = History<readonly Mark[]>;
 
 let nextId = 1;
 
-export function marksOf(drop: HeardDrop): readonly Mark[] {
-  return drop.impacts.map((impact) => ({
+export function marksOf(impacts: readonly Impact[]): readonly Mark[] {
+  return impacts.map((impact) => ({
     id: nextId++,
     timeS: impact.time_s,
     probability: impact.probability,
-    sigmaS: impact.sigma_s,
+    timeSdS: impact.time_sd_s,
     levelDb: impact.level_db,
     number: impact.number,
   }));
 }
 
-export const editsOf = (drop: HeardDrop): Edits => begin(marksOf(drop));
+export const editsOf = (impacts: readonly Impact[]): Edits => begin(marksOf(impacts));
 
 /** A mark that a hand sets. */
 export function markAt(timeS: number): Mark {
-  return { id: nextId++, timeS, probability: 1, sigmaS: null, levelDb: null, number: null };
+  return { id: nextId++, timeS, probability: 1, timeSdS: null, levelDb: null, number: null };
 }
 
 export function added(edits: Edits, mark: Mark): Edits {
@@ -43,20 +43,21 @@ export function withChange(
   return inOrder(marks.map((mark) => (mark.id === id ? { ...mark, ...changes } : mark)));
 }
 
-/** As it was heard, before any hand. */
-export const asHeard = ({ past, present }: Edits): readonly Mark[] => past[0] ?? present;
+/** As it was detected, before any change by hand. */
+export const asDetected = ({ past, present }: Edits): readonly Mark[] => past[0] ?? present;
 
-/** Whether a hand has changed anything since it was heard. */
-export const isEdited = (edits: Edits): boolean => edits.present !== asHeard(edits);
+/** Whether a hand has changed anything since it was detected. */
+export const isEdited = (edits: Edits): boolean => edits.present !== asDetected(edits);
 
 /** As the engine wants them. Numbers with their gaps hold as long as no hand changed anything. */
-export function forEngine(edits: Edits): DropMarks {
+export function forEngine(edits: Edits, probability: number): DropMarks {
   return {
+    probability,
     edited: isEdited(edits),
     impacts: edits.present.map((mark, index) => ({
       number: mark.number ?? index + 1,
       time_s: mark.timeS,
-      sigma_s: mark.sigmaS,
+      time_sd_s: mark.timeSdS,
       probability: mark.probability,
       level_db: mark.levelDb,
     })),

@@ -1,14 +1,14 @@
-/** Ways onto the bench other than the microphone: a file, a list of times, the demo, the database. */
+/** Ways into the workspace other than the microphone: a file, a list of times, the demo, the database. */
 import { LabError, type Recording } from '../lab/index.ts';
 import { joined } from '../store/blocks.ts';
-import { claim } from '../store/claims.ts';
+import { lock } from '../store/locks.ts';
 import { getRecording, samplesOf } from '../store/recordings.ts';
 import { texts } from '../text/language.ts';
-import { busy, fail, fault, phase, put } from './bench.ts';
 import { engine, faultOf } from './engine.ts';
+import { busy, fail, fault, phase, put } from './workspace.ts';
 
-/** While something else is heard or read, nothing is brought: the page offers it then nowhere. */
-async function bring(
+/** While something else is recorded or read, nothing is opened: the page offers it then nowhere. */
+async function load(
   name: string,
   open: () => Promise<Recording>,
   storedAs: string | null = null,
@@ -24,7 +24,7 @@ async function bring(
 }
 
 export function openFile(file: File): Promise<void> {
-  return bring(file.name, async () => {
+  return load(file.name, async () => {
     if (file.size === 0) {
       throw new LabError('empty', `${file.name} has no content`, {
         reason: { code: 'empty', what: 'content' },
@@ -41,11 +41,11 @@ export function openFile(file: File): Promise<void> {
 }
 
 export const openTimes = (text: string): Promise<void> =>
-  bring(texts.peek().lab.pastedName, () => engine().paste(text));
+  load(texts.peek().lab.pastedName, () => engine().paste(text));
 
 export function openDemo(): Promise<void> {
   const name = texts.peek().lab.demoName;
-  return bring(name, async () => (await engine().demo(name)).recording);
+  return load(name, async () => (await engine().demo(name)).recording);
 }
 
 /** Samples that were made or kept. */
@@ -55,12 +55,12 @@ export function openSamples(
   name: string,
   storedAs: string | null = null,
 ): Promise<void> {
-  return bring(name, () => engine().hear([samples], rateHz, name), storedAs);
+  return load(name, () => engine().detect([samples], rateHz, name), storedAs);
 }
 
 /** A recording of the database. */
 export async function openStored(id: string): Promise<void> {
-  claim(id);
+  lock(id);
   const stored = await getRecording(id);
   if (!stored) return fail({ key: 'damaged' });
   return openSamples(joined(await samplesOf(id)), stored.rateHz, stored.name, id);

@@ -1,4 +1,4 @@
-/** What the reader said of ball, air, gravity and drop. The address holds the same. */
+/** What the reader stated of ball, air, gravity and drop. The address holds the same. */
 import { computed, signal } from '@preact/signals';
 import { hashOf, note, parseRoute } from '../address/route.ts';
 import { settingsFromParameters, settingsToParameters } from '../address/settings.ts';

@@ -1,4 +1,4 @@
-/** A drop that does not exist: where the sliders stand, what follows, and the runs that were kept. */
+/** A simulated drop: where the sliders stand, what follows, and the runs that were kept. */
 import { computed, effect, signal } from '@preact/signals';
 import { note, parseRoute } from '../address/route.ts';
 import {
@@ -10,11 +10,11 @@ import {
 import type { SceneRequest, SimulationDocument, SimulationRequest } from '../lab/index.ts';
 import { play } from '../sound/player.ts';
 import { texts } from '../text/language.ts';
-import { chosenDrop, drop, type OnBench, onBench } from './bench.ts';
+import { CoalescingQueue } from './coalescing-queue.ts';
 import { catalogue, engine, messageOf } from './engine.ts';
-import { Latest } from './latest.ts';
 import { openSamples } from './opening.ts';
 import { goToLab, settings } from './settings.ts';
+import { chosenDrop, drop, type Workspace, workspace } from './workspace.ts';
 
 /** Where the sliders stood, and what follows. */
 export interface Outcome {
@@ -30,7 +30,7 @@ export interface Run extends Outcome {
 export const setup = signal<SimulationSetup>(USUAL);
 /** Of the latest set-up that is simulated: the sliders may have moved on. */
 export const outcome = signal<Outcome | null>(null);
-/** What the engine said if it cannot be simulated. */
+/** The message of the engine if it cannot be simulated. */
 export const impossible = signal<string | null>(null);
 
 /** Whether what is shown is of where the sliders stood before. */
@@ -43,15 +43,15 @@ const MOST_RUNS = 3;
 
 /** A run that a measured drop is compared with. */
 interface Laid {
-  readonly over: OnBench;
+  readonly over: Workspace;
   readonly dropIndex: number;
   readonly request: SimulationRequest;
 }
 
 const laid = signal<Laid | null>(null);
-/** The run laid over the measurement that is looked at; over another it would tell nothing. */
+/** The run laid over the measurement that is looked at; over another it would mean nothing. */
 export const overlay = computed(() => {
-  const isHere = laid.value?.over === onBench.value && laid.value?.dropIndex === chosenDrop.value;
+  const isHere = laid.value?.over === workspace.value && laid.value?.dropIndex === chosenDrop.value;
   return isHere ? (laid.value?.request ?? null) : null;
 });
 
@@ -79,7 +79,7 @@ export function requestOf(asked: SimulationSetup): SimulationRequest {
   };
 }
 
-const simulator = new Latest<SimulationSetup>(async (asked) => {
+const simulator = new CoalescingQueue<SimulationSetup>(async (asked) => {
   try {
     outcome.value = { setup: asked, simulated: await engine().simulate(requestOf(asked)) };
     impossible.value = null;
@@ -126,12 +126,12 @@ const SCENE: SceneRequest = {
   tail_s: 0.5,
 };
 
-export async function hearRun(): Promise<void> {
+export async function playRun(): Promise<void> {
   const { samples, sampleRateHz } = await engine().synthesise(requestOf(setup.peek()), SCENE);
   await play(samples, sampleRateHz, 0, 1);
 }
 
-/** Onto the bench with it, as if it had been recorded. */
+/** Into the workspace with it, as if it had been recorded. */
 export async function analyseRun(): Promise<void> {
   const asked = requestOf(setup.peek());
   const { samples, sampleRateHz } = await engine().synthesise(asked, SCENE);
@@ -141,10 +141,10 @@ export async function analyseRun(): Promise<void> {
   await openSamples(samples, sampleRateHz, texts.peek().simulate.thisRun);
 }
 
-/** Lays the run over the measurement on the bench. */
+/** Lays the run over the measurement in the workspace. */
 export function layOver(): void {
   const done = outcome.peek();
-  const over = onBench.peek();
+  const over = workspace.peek();
   if (!over || !done || !drop.peek()) return;
   laid.value = { over, dropIndex: chosenDrop.peek(), request: requestOf(done.setup) };
 }

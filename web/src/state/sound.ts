@@ -1,15 +1,15 @@
-/** The sound on the bench: to hear a part of it, and to save all of it. */
+/** The sound in the workspace: to play a part of it, and to save all of it. */
 import { signal } from '@preact/signals';
 import { play, playing, SPEEDS, type Speed, stop } from '../sound/player.ts';
-import { onBench, view } from './bench.ts';
+import { view, workspace } from './workspace.ts';
 
 export const speed = signal<Speed>(SPEEDS[0]);
 
 /** Plays what is seen, from its beginning; or stops. */
-export async function hearView(): Promise<void> {
-  const bench = onBench.peek();
-  if (playing.peek() || !bench?.pyramid) return stop();
+export async function playView(): Promise<void> {
+  const loaded = workspace.peek();
+  if (playing.peek() || !loaded?.pyramid) return stop();
   const { startS, endS } = view.peek();
-  const samples = bench.recording.samples(startS, endS);
-  await play(samples, bench.pyramid.rateHz, startS, speed.peek());
+  const samples = loaded.recording.samples(startS, endS);
+  await play(samples, loaded.pyramid.rateHz, startS, speed.peek());
 }

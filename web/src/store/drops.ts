@@ -1,5 +1,5 @@
-/** Drops that were kept: what they said, with what set-up, and where their sound is. */
-import type { DropMarks, Settings } from '../lab/index.ts';
+/** Drops that were kept: their results, with what set-up, and where their sound is. */
+import type { DropMarks, Impact, Settings } from '../lab/index.ts';
 import { transact } from './database.ts';
 
 /** A value with its standard deviation. */
@@ -33,7 +33,18 @@ export async function allDrops(): Promise<KeptDrop[]> {
   const drops =
     (await transact<KeptDrop[]>(['drops'], 'readonly', (t) => t.objectStore('drops').getAll())) ??
     [];
-  return drops.sort((a, b) => a.keptAt - b.keptAt);
+  return drops.map(upToDate).sort((a, b) => a.keptAt - b.keptAt);
+}
+
+/** A drop that an earlier version kept: its impacts had `sigma_s`, and no probability of the drop. */
+export function upToDate(drop: KeptDrop): KeptDrop {
+  const impacts = drop.marks.impacts.map(
+    ({ sigma_s, ...impact }: Impact & { sigma_s?: number }) => ({
+      ...impact,
+      time_sd_s: impact.time_sd_s ?? sigma_s ?? null,
+    }),
+  );
+  return { ...drop, marks: { ...drop.marks, probability: drop.marks.probability ?? 1, impacts } };
 }
 
 export async function deleteDrop(id: string): Promise<void> {

@@ -8,7 +8,7 @@ export interface StoredRecording {
   readonly rateHz: number;
   /** Milliseconds since 1970. */
   readonly startedAt: number;
-  /** False while it is being heard; still false when the page comes back after a crash. */
+  /** False while it is being recorded; still false when the page comes back after a crash. */
   readonly finished: boolean;
 }
 

@@ -1,9 +1,6 @@
 import { computed, effect, signal } from '@preact/signals';
 import { recall, remember } from '../address/memory.ts';
 
-/** What is shown decides its colour, on the page as in the figures of the command line. */
-type Meaning = 'measured' | 'drag' | 'plain' | 'warning' | 'ink' | 'soft' | 'line' | 'edge';
-
 export type Theme = 'system' | 'light' | 'dark';
 
 const KEY = 'bouncelab.theme';
@@ -39,18 +36,13 @@ export function fontOf(sizeRem: number): string {
   return `${sizeRem * Number.parseFloat(fontSize)}px ${getComputedStyle(document.body).fontFamily}`;
 }
 
-/** A colour of the style sheet, resolved for the present theme. */
-export function colour(name: Meaning | `${Meaning}-tint` | 'paper'): string {
-  return colourOf(name);
-}
-
-/** The same by the name that a chart of the engine gives. */
-export function colourOf(name: string): string {
+/** A colour of the style sheet by its name, resolved for the present theme. */
+export function colour(name: string): string {
   return getComputedStyle(document.documentElement).getPropertyValue(`--${name}`).trim();
 }
 
 /** So much of a colour, from 0 to 1, on the paper of the present theme. */
 export function tinted(name: string, strength: number): string {
   const share = Math.round(100 * strength);
-  return `color-mix(in srgb, ${colourOf(name)} ${share}%, ${colourOf('paper')})`;
+  return `color-mix(in srgb, ${colour(name)} ${share}%, ${colour('paper')})`;
 }

@@ -33,13 +33,13 @@ export interface WaveformProps {
   readonly selected: Signal<number | null>;
   readonly cursorS: Signal<number | null>;
   readonly edits: WaveformEdits;
-  /** The moment that is heard now, if any. */
+  /** The moment that is played now, if any. */
   readonly playheadS: () => number | null;
   readonly isPlaying: Signal<unknown>;
   readonly onPlay: () => void;
 }
 
-/** The waveform as a slider: the reader moves a cursor along it and is told what lies there. */
+/** The waveform as a slider: the reader moves a cursor along it and reads what lies there. */
 export function Waveform(props: WaveformProps) {
   const stage = useRef<HTMLDivElement>(null);
   const canvas = useRef<HTMLCanvasElement>(null);
@@ -211,7 +211,7 @@ function gestureTarget(
   };
 }
 
-/** Paints at most once a frame, and goes on by itself while a sound is heard. */
+/** Paints at most once a frame, and goes on by itself while a sound is played. */
 class Painter {
   peak = 0;
   #surface: Surface | undefined;

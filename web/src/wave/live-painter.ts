@@ -1,4 +1,4 @@
-/** Draws the last seconds of what is heard. */
+/** Draws the last seconds of what is recorded. */
 import type { SoFar } from '../lab/index.ts';
 import type { LiveEnvelope } from '../sound/live-envelope.ts';
 import { colour } from '../style/colours.ts';

@@ -5,7 +5,7 @@ const marks: Mark[] = [0.5, 1, 1.2].map((timeS, id) => ({
   id,
   timeS,
   probability: 1,
-  sigmaS: null,
+  timeSdS: null,
   levelDb: null,
   number: null,
 }));

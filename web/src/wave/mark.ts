@@ -5,10 +5,10 @@ export interface Mark {
   readonly timeS: number;
   /** That it is an impact of this drop. */
   readonly probability: number;
-  /** Standard error of the time, s; unknown if it was set by hand. */
-  readonly sigmaS: number | null;
+  /** Standard uncertainty of the time, s; unknown if it was set by hand. */
+  readonly timeSdS: number | null;
   readonly levelDb: number | null;
-  /** Its number as heard; a missed impact leaves a gap. */
+  /** Its number as detected; a missed impact leaves a gap. */
   readonly number: number | null;
 }
 

@@ -3,11 +3,13 @@
 use std::path::{Path, PathBuf};
 
 use bouncelab_audio::{Error, Recorder, SampleFormat};
+use bouncelab_report::messages::Value;
 use jiff::Zoned;
 
 use super::Arguments;
 use super::sound::SoundInfo;
 use crate::failure::Failure;
+use crate::language::text_with;
 
 /// Saves the sound in a WAV file, and in further ones when that is full.
 pub(super) struct Saver {
@@ -99,18 +101,23 @@ impl Saver {
     /// Ends the file. If that fails, says why.
     pub(super) fn finish(&mut self) -> Option<String> {
         let finished = self.recorder.take().map_or(Ok(()), Recorder::finish);
-        finished
-            .err()
-            .map(|fault| format!("the end of the sound may not be saved: {fault}"))
+        finished.err().map(|fault| {
+            text_with(
+                "listen-end-not-saved",
+                &[("fault", fault.to_string().into())],
+            )
+        })
     }
 
     fn heed(&mut self, saved: Result<(), Error>) -> Option<String> {
         let fault = saved.err()?;
         self.has_failed = true;
         let saved_s = self.recorder.take().map_or(0.0, |it| it.saved_s());
-        Some(format!(
-            "the sound is saved no more: {fault}; {saved_s:.1} s are in the file. Listening goes on"
-        ))
+        let failed = [
+            ("fault", fault.to_string().into()),
+            ("seconds", Value::fixed(saved_s, 1)),
+        ];
+        Some(text_with("listen-save-failed", &failed))
     }
 }
 

@@ -3,13 +3,16 @@
 use std::io::{self, Write};
 use std::time::{Duration, Instant};
 
-use bouncelab::analysis::{self, Impact, Options};
+use bouncelab::Impact;
+use bouncelab::analysis::{self, Options};
 use bouncelab_report::Unit;
+use bouncelab_report::messages::Value;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
 use super::sketch;
 use super::watch::{Going, Watch};
 use crate::analyze;
+use crate::language::{text, text_with};
 
 /// A few lines at the bottom of the terminal that are always up to date.
 pub(super) struct Screen {
@@ -93,27 +96,31 @@ impl Screen {
         /// Narrow enough for any terminal.
         const WIDTH: usize = 60;
         let impacts: Vec<Impact> = going.impacts.iter().map(Impact::from).collect();
-        let drop = analysis::analyze(impacts, &self.settings);
+        let drop = analysis::analyze_impacts(impacts, &self.settings);
         let mut lines = Vec::new();
         if let (Some(impact), Some(flight)) = (drop.impacts.last(), drop.flights.last()) {
-            let state = if going.rests { "; the ball rests" } else { "" };
-            lines.push(format!(
-                "drop {number}: impact {} at {:.2} s after {:.0} ms{state}",
-                impact.number,
-                impact.time_s,
-                flight.time_s * 1e3
-            ));
+            let found = [
+                ("drop", number.into()),
+                ("impact", impact.number.into()),
+                ("time", Value::fixed(impact.time_s, 2)),
+                ("flight", Value::fixed(flight.time_s * 1e3, 0)),
+                ("rests", if going.rests { "yes" } else { "no" }.into()),
+            ];
+            lines.push(text_with("listen-impact", &found));
         }
         if let Ok(line) = &drop.log_linear_fit {
-            lines.push(format!(
-                "  e = {}, h0 = {} without air",
-                analyze::shown(line.restitution, Unit::Number),
-                analyze::shown(line.drop_height_m, Unit::Length)
-            ));
+            let restitution = analyze::shown(line.restitution, Unit::Number);
+            let height = analyze::shown(line.drop_height_m, Unit::Length);
+            let line = [
+                ("restitution", restitution.into()),
+                ("height", height.into()),
+            ];
+            lines.push(format!("  {}", text_with("listen-line", &line)));
         }
         if let Some(restitution) = drop.per_impact_restitution() {
             let shown = analyze::shown(restitution, Unit::Number);
-            lines.push(format!("  e = {shown} corrected for drag"));
+            let corrected = [("restitution", shown.into())];
+            lines.push(format!("  {}", text_with("listen-corrected", &corrected)));
         }
         let times: Vec<(usize, f64)> = drop.flights.iter().map(|f| (f.number, f.time_s)).collect();
         lines.extend(sketch::flights(&times, WIDTH));
@@ -155,32 +162,32 @@ impl Level {
         self.shown_db = now_db.max(fallen_db);
         self.peak = 0.0;
         let warning = if self.warn_until.is_some_and(|until| now < until) {
-            "  TOO LOUD: clipped"
+            format!("  {}", text("listen-too-loud"))
         } else {
-            ""
+            String::new()
         };
         let meter = sketch::meter(self.shown_db);
-        format!("level ▕{meter}▏{:>4.0} dB{warning}", self.shown_db)
+        let level = text("listen-level");
+        format!("{level} ▕{meter}▏{:>4.0} dB{warning}", self.shown_db)
     }
 }
 
 impl Status<'_> {
     fn line(&self) -> String {
         let sounds = self.watch.onsets();
-        let counted = |count: usize, what: &str| match count {
-            1 => format!("1 {what}"),
-            _ => format!("{count} {what}s"),
-        };
+        let counted = |id, count: usize| text_with(id, &[("count", count.into())]);
+        let seconds = Value::fixed(self.watch.now_s().floor(), 0);
         let mut facts = vec![
-            format!("{:.0} s", self.watch.now_s().floor()),
-            counted(self.drops, "drop"),
-            counted(sounds, "sound"),
+            text_with("listen-seconds", &[("seconds", seconds)]),
+            counted("listen-drops", self.drops),
+            counted("listen-sounds", sounds),
         ];
         facts.extend(self.saving.clone());
         if self.lost_frames > 0 {
-            facts.push(format!("{} samples LOST", self.lost_frames));
+            let lost = [("count", self.lost_frames.into())];
+            facts.push(text_with("listen-lost-so-far", &lost));
         }
-        facts.push("Ctrl-C ends".to_owned());
+        facts.push(text("listen-ends"));
         facts.join("; ")
     }
 }

@@ -14,9 +14,11 @@ use super::sound::{Arrival, Sound, SoundInfo};
 use super::stop::Stop;
 use super::watch::{self, Watch};
 use super::{Arguments, Format, summary};
+use bouncelab_report::messages::Value;
+
 use crate::analyze::{self, Analysed};
 use crate::failure::Failure;
-use crate::language::translator;
+use crate::language::{text, text_with, translator};
 use crate::physics::Physics;
 use crate::report::quoted;
 
@@ -104,22 +106,25 @@ impl<'a> Session<'a> {
             Some(file) => file.display().to_string(),
             None => format.clone(),
         };
-        let plural = if *channels == 1 { "" } else { "s" };
-        let saving = self.saving().map_or_else(
-            || "nothing is saved".to_owned(),
-            |saving| format!("{saving} as it comes"),
-        );
-        self.screen.say(&format!(
-            "listening to {source}, {rate_khz} kHz, {channels} channel{plural}; {saving}"
+        let file = self.saver.files().last();
+        let file = file.map_or("none".to_owned(), |file| file.display().to_string());
+        self.screen.say(&text_with(
+            "listen-begins",
+            &[
+                ("source", source.into()),
+                ("rate", rate_khz.into()),
+                ("channels", (*channels).into()),
+                ("file", file.into()),
+            ],
         ));
     }
 
     fn saving(&self) -> Option<String> {
         if self.saver.has_failed() {
-            return Some("NOT SAVED".to_owned());
+            return Some(text("listen-not-saved"));
         }
-        let file = self.saver.files().last()?;
-        Some(format!("saved in {}", file.display()))
+        let file = self.saver.files().last()?.display().to_string();
+        Some(text_with("listen-saved-in", &[("file", file.into())]))
     }
 
     /// Listens until the sound ends, somebody wants it to end, or enough was heard.
@@ -173,10 +178,7 @@ impl<'a> Session<'a> {
         self.screen.hear(used);
         let rate_hz = self.recording.sample_rate_hz;
         if self.arguments.from.is_none() && self.sameness.shows(used, rate_hz) {
-            self.screen.say(
-                "the microphone gives nothing but silence: is it muted, or the wrong one \
-                 (--devices)?",
-            );
+            self.screen.say(&text("listen-silence"));
         }
         self.frames += channels.first().map_or(0, |samples| samples.len()) as u64;
         for heard in self.watch.push(channels) {
@@ -190,10 +192,7 @@ impl<'a> Session<'a> {
         /// No more than this: no drop goes on after it, in seconds.
         const LONGEST_S: u64 = 10;
         if self.lost_frames == 0 && self.gaps().is_empty() {
-            self.screen.say(
-                "sound was lost: the computer was too slow, or the microphone had a fault; \
-                 flights across the gap are left out",
-            );
+            self.screen.say(&text("listen-lost"));
         }
         let rate_hz = u64::from(self.recording.sample_rate_hz);
         let from_s = self.watch.now_s();
@@ -218,9 +217,8 @@ impl<'a> Session<'a> {
         let analysed = self.analysed(detection, warnings, &self.options_for(&train));
         let Some(analysis) = analysed.result.drops.first().cloned() else {
             for known in &analysed.result.diagnostics {
-                let reason = translator().diagnostic(known);
-                self.screen
-                    .say(&format!("a drop cannot be analysed: {reason}"));
+                let reason = [("reason", translator().diagnostic(known).into())];
+                self.screen.say(&text_with("listen-not-analysed", &reason));
             }
             return Ok(());
         };
@@ -231,8 +229,8 @@ impl<'a> Session<'a> {
         let reported = Reported { train, analysis };
         let index = known.unwrap_or(self.drops.len());
         if known.is_some() {
-            let again = format!("drop {} once more, now that all is known", index + 1);
-            self.screen.say(&again);
+            let number = [("number", (index + 1).into())];
+            self.screen.say(&text_with("listen-once-more", &number));
             self.drops[index] = reported;
         } else {
             self.drops.push(reported);
@@ -261,15 +259,16 @@ impl<'a> Session<'a> {
     }
 
     fn print(&self, analysed: &Analysed, number: usize) -> Result<(), Failure> {
-        let text = match self.arguments.format {
+        let page = match self.arguments.format {
             Format::Text => {
                 let report = analyze::report(analysed, &self.physics, self.arguments.details);
                 let space = if number == 1 { "" } else { "\n" };
-                format!("{space}── drop {number} ──\n{report}")
+                let heading = text_with("listen-heading", &[("number", number.into())]);
+                format!("{space}── {heading} ──\n{report}")
             }
             Format::Json => self.json_line(analysed)?,
         };
-        Ok(self.screen.print(&text)?)
+        Ok(self.screen.print(&page)?)
     }
 
     fn json_line(&self, analysed: &Analysed) -> Result<String, Failure> {
@@ -306,7 +305,8 @@ impl<'a> Session<'a> {
                 .map(|reported| &reported.analysis)
                 .collect();
             let table = summary::table(&analyses);
-            self.screen.print(&format!("\nAll drops:\n\n{table}"))?;
+            self.screen
+                .print(&format!("\n{}\n\n{table}", text("listen-all-drops")))?;
         }
         Ok(())
     }
@@ -316,11 +316,12 @@ impl<'a> Session<'a> {
             return;
         }
         for file in self.saver.files() {
-            self.screen.say(&format!(
-                "the sound is in {}; to hear it again: bouncelab analyze {}",
-                file.display(),
-                quoted(&file.to_string_lossy())
-            ));
+            let command = format!("bouncelab analyze {}", quoted(&file.to_string_lossy()));
+            let saved = [
+                ("file", file.display().to_string().into()),
+                ("command", command.into()),
+            ];
+            self.screen.say(&text_with("listen-saved", &saved));
         }
     }
 
@@ -349,15 +350,14 @@ impl<'a> Session<'a> {
                 |trains: &[Train]| trains.iter().any(|it| watch::overlap(it, &reported.train));
             let remains = is_in(&whole.found.trains);
             let reason = if is_in(&whole.found.distant) {
-                "is a ball far fainter than the others"
+                "distant"
             } else {
-                "does not stand up to the whole recording"
+                "unlikely"
             };
             if !remains {
-                let start_s = reported.train.start_s();
-                screen.say(&format!(
-                    "the drop at {start_s:.2} s {reason}, now that all is known, and left out"
-                ));
+                let start = Value::fixed(reported.train.start_s(), 2);
+                let left_out = [("start", start), ("reason", reason.into())];
+                screen.say(&text_with("listen-left-out", &left_out));
             }
             remains
         });
@@ -369,10 +369,12 @@ impl<'a> Session<'a> {
         let (count, frames) = (self.gaps().len(), self.lost_frames);
         if count > 0 {
             let lost_s = frames as f64 / f64::from(self.recording.sample_rate_hz);
-            self.screen.say(&format!(
-                "{frames} samples of each channel ({lost_s:.2} s) were lost in {count} place{}",
-                if count == 1 { "" } else { "s" }
-            ));
+            let lost = [
+                ("frames", frames.into()),
+                ("seconds", Value::fixed(lost_s, 2)),
+                ("count", count.into()),
+            ];
+            self.screen.say(&text_with("listen-lost-in-all", &lost));
         }
     }
 

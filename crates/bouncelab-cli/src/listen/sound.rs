@@ -177,6 +177,7 @@ impl Player {
 /// Prints the microphones.
 #[cfg(feature = "microphone")]
 pub(super) fn list_devices() -> Result<(), Failure> {
+    use crate::language::{text, translator};
     use bouncelab_report::{Align, Table};
     use std::io::{self, Write};
 
@@ -186,14 +187,20 @@ pub(super) fn list_devices() -> Result<(), Failure> {
             "the system lists no microphone; is one plugged in and switched on?".to_owned(),
         ));
     }
-    let mut table = Table::new([
-        ("name", Align::Left),
-        ("what it is", Align::Left),
-        ("", Align::Left),
-    ]);
+    let mut table = Table::with_headings(
+        translator(),
+        [
+            ("listen-device", Align::Left),
+            ("listen-device-kind", Align::Left),
+            ("", Align::Left),
+        ],
+    );
     for device in devices {
-        let mark = if device.is_default { "default" } else { "" };
-        table.row([device.id, device.description, mark.to_owned()]);
+        let mark = match device.is_default {
+            true => text("listen-device-default"),
+            false => String::new(),
+        };
+        table.row([device.id, device.description, mark]);
     }
     Ok(write!(io::stdout().lock(), "{table}")?)
 }

@@ -4,25 +4,27 @@ use bouncelab::Estimate;
 use bouncelab::analysis::Drop;
 use bouncelab_report::{Align, Quantity, Table, Unit};
 
+use crate::language::{text, translator};
+
 /// The columns of numbers: heading, unit, and what of a drop stands in it.
 const COLUMNS: [Column; 4] = [
     Column {
-        heading: "e, no air",
+        heading: "listen-e-line",
         unit: Unit::Number,
         of: |drop| Some(drop.log_linear_fit.as_ref().ok()?.restitution),
     },
     Column {
-        heading: "h0, no air",
+        heading: "listen-h0-line",
         unit: Unit::Length,
         of: |drop| Some(drop.log_linear_fit.as_ref().ok()?.drop_height_m),
     },
     Column {
-        heading: "e",
+        heading: "column-e",
         unit: Unit::Number,
         of: restitution,
     },
     Column {
-        heading: "h0",
+        heading: "column-h0",
         unit: Unit::Length,
         of: height,
     },
@@ -49,17 +51,17 @@ fn height(drop: &Drop) -> Option<Estimate> {
 /// One row for each drop, then mean and scatter (standard deviation).
 pub(super) fn table(drops: &[&Drop]) -> Table {
     let mut headings = vec![
-        ("drop", Align::Right),
-        ("at s", Align::Right),
-        ("impacts", Align::Right),
+        ("column-drop", Align::Right),
+        ("listen-at", Align::Right),
+        ("column-impacts", Align::Right),
     ];
     headings.extend(COLUMNS.iter().map(|column| (column.heading, Align::Right)));
-    let mut table = Table::new(headings);
+    let mut table = Table::with_headings(translator(), headings);
     for (drop, number) in drops.iter().zip(1..) {
         let start_s = drop.impacts.first().map(|impact| impact.time_s);
         let mut row = vec![
             number.to_string(),
-            start_s.map_or_else(String::new, |start_s| format!("{start_s:.2}")),
+            start_s.map_or_else(String::new, |start_s| translator().fixed(start_s, 2)),
             drop.impacts.len().to_string(),
         ];
         row.extend(COLUMNS.iter().map(|column| {
@@ -75,18 +77,18 @@ pub(super) fn table(drops: &[&Drop]) -> Table {
         (column.unit, Spread::of(&values.collect::<Vec<f64>>()))
     });
     if drops.len() > 1 {
-        let mut conclude = |name: &str, shown: fn(&Spread, Unit) -> Quantity| {
-            let mut row = vec![name.to_owned(), String::new(), String::new()];
+        let mut conclude = |id: &str, shown: fn(&Spread, Unit) -> Quantity| {
+            let mut row = vec![text(id), String::new(), String::new()];
             row.extend(spreads.iter().map(|(unit, spread)| {
-                let shown = |spread| shown(spread, *unit).to_string();
+                let shown = |spread| shown(spread, *unit).text(translator());
                 spread.as_ref().map_or_else(String::new, shown)
             }));
             table.row(row);
         };
-        conclude("mean", |spread, unit| {
+        conclude("listen-mean", |spread, unit| {
             Quantity::measured(spread.mean, spread.standard_error, unit)
         });
-        conclude("scatter", |spread, unit| {
+        conclude("listen-scatter", |spread, unit| {
             Quantity::rounded(spread.deviation, 2, unit)
         });
     }

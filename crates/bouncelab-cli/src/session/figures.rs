@@ -2,8 +2,8 @@
 
 use std::path::Path;
 
-use bouncelab::groups::{Group, Study, run_limit};
-use bouncelab::inference::Summary;
+use bouncelab::Estimate;
+use bouncelab::groups::{Group, MeanAtSpeed, Study, run_limit};
 use bouncelab_report::Chart;
 use bouncelab_report::figure::{self, GroupCurve, GroupInterval, GroupPoint, RunPoint};
 use bouncelab_report::messages::Translator;
@@ -48,11 +48,14 @@ fn laws(
     translator: &Translator,
 ) -> Result<Chart, Failure> {
     let group = |group: &Group| -> Result<GroupCurve, Failure> {
-        let means = group.law.iter().map(|(speed_m_s, mean)| GroupPoint {
-            speed_m_s: *speed_m_s,
-            value: mean.value,
-            interval95: mean.interval95,
-        });
+        let means = group
+            .curve
+            .iter()
+            .map(|MeanAtSpeed { speed_m_s, mean }| GroupPoint {
+                speed_m_s: *speed_m_s,
+                value: mean.value,
+                interval95: mean.interval95,
+            });
         Ok(GroupCurve {
             name: outcome.group_name(&group.levels),
             impacts: impacts(outcome, group, results)?,
@@ -82,7 +85,10 @@ fn impacts(
             .impacts
             .iter()
             .filter(|impact| impact.weight.unwrap_or(1.0) > 0.0)
-            .filter_map(|impact| Some([impact.impact_speed_m_s?, impact.restitution?]))
+            .filter_map(|impact| {
+                let known = impact.restitution.as_ref()?;
+                Some([known.impact_speed_m_s, known.restitution.value])
+            })
             .collect();
         let step = known.len().div_ceil(of_each).max(1);
         shown.extend(known.into_iter().step_by(step));
@@ -149,5 +155,5 @@ fn is_outlier(study: &Study, drop: usize) -> bool {
 }
 
 fn median(values: impl Iterator<Item = f64>) -> f64 {
-    Summary::of(values).map_or(f64::NAN, |summary| summary.value)
+    Estimate::of_draws(values).map_or(f64::NAN, |summary| summary.value)
 }

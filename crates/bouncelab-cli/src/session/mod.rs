@@ -1,7 +1,6 @@
 //! `bouncelab session`: what many drops say together.
 
 mod figures;
-mod notes;
 mod report;
 mod tables;
 mod text;
@@ -13,14 +12,17 @@ use std::path::PathBuf;
 use bouncelab_report::file::{remove_drafts, write_whole};
 use bouncelab_session::journal::Journal;
 use bouncelab_session::table::Form;
-use bouncelab_session::{Outcome, Results, Session, Sources, StudyOptions, write_tables};
+use bouncelab_session::{
+    Advice, MetadataOptions, Noted, Outcome, Results, Session, Sources, StudyOptions, write_tables,
+};
 use clap::{Args, ValueEnum};
 
 use crate::failure::Failure;
+use crate::language::{text as message, text_with, translator};
 use crate::physics::PhysicsArguments;
 use crate::priors::{PriorArguments, impact_speed};
 use crate::report::ReportFile;
-use notes::Reading;
+use bouncelab::setup::Setup;
 
 /// Hear many recordings and say what their drops say together
 ///
@@ -146,20 +148,31 @@ impl From<TableForm> for Form {
 }
 
 pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
-    arguments.physics.questioned(arguments.priors.doubts())?;
+    arguments.physics.questioned(arguments.priors.questions())?;
     let mut session = Session::gather(&Sources {
         inputs: arguments.inputs.clone(),
         pattern: arguments.pattern.clone(),
         table: arguments.table.clone(),
     })?;
-    let reading = Reading {
-        physics: &arguments.physics,
-        priors: &arguments.priors,
-        allow_missing: arguments.allow_missing,
-    };
     let title = session.title.take();
     let remarks = std::mem::take(&mut session.remarks);
-    let recordings = reading.resolve(session)?;
+    let recordings = MetadataOptions {
+        resolve: &|noted| {
+            arguments
+                .setup(noted)
+                .map_err(|failure| failure.to_string())
+        },
+        ball_is_known: arguments.physics.names_ball(),
+        allow_implausible: arguments.physics.allow_implausible(),
+        allow_missing: arguments.allow_missing,
+        translator: translator(),
+        advice: Advice {
+            implausible: &message("advice-allow-implausible"),
+            missing: "or go on without by --allow-missing",
+            ball: "or give the kind of all balls by --ball",
+        },
+    }
+    .read(session)?;
     let journal = Journal::open(&arguments.output)?;
     let folder = &arguments.output;
     remove_drafts(folder).map_err(|reason| Failure::unwritable(folder, &reason))?;
@@ -170,25 +183,24 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
         .map(ReportFile::new)
         .transpose()?;
     if journal.damaged() > 0 {
+        let count = [("count", journal.damaged().into())];
         eprintln!(
-            "bouncelab: {} lines of the journal are cut off or damaged, and do not count",
-            journal.damaged()
+            "bouncelab: {}",
+            text_with("session-damaged-journal", &count)
         );
     }
-    let done = work::hear_all(&recordings, &journal, arguments.jobs.map(usize::from))?;
+    let done = work::analyze_all(&recordings, &journal, arguments.jobs.map(usize::from))?;
     let kept = done.iter().filter(|done| done.kept).count();
     if kept > 0 {
-        eprintln!(
-            "bouncelab: {kept} of {} recordings were heard in an earlier run",
-            recordings.len()
-        );
+        let counts = [("kept", kept.into()), ("all", recordings.len().into())];
+        eprintln!("bouncelab: {}", text_with("session-known", &counts));
     }
     let results = Results {
         recordings: &recordings,
         done: &done,
         journal: &journal,
     };
-    let mut outcome = Outcome::of(&results, &arguments.study())?;
+    let mut outcome = Outcome::of(&results, &arguments.study(), translator())?;
     outcome.about.title = title;
     outcome.about.remarks.extend(remarks);
     let forms: Vec<Form> = arguments.tables.iter().map(|&form| form.into()).collect();
@@ -207,11 +219,12 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
         Format::Json => out.write_all(json.as_bytes())?,
         Format::Text => {
             out.write_all(text::report(&outcome, arguments.details, arguments.want).as_bytes())?;
-            writeln!(out, "  Tables: {}", shown(&written))?;
+            let list = [("list", shown(&written).into())];
+            writeln!(out, "  {}", text_with("session-tables", &list))?;
         }
     }
     if outcome.drops.is_empty() {
-        return Err(Failure::Input("no recording holds a drop".to_owned()));
+        return Err(Failure::Input(message("session-no-drop")));
     }
     Ok(())
 }
@@ -231,6 +244,14 @@ fn shown(files: &[PathBuf]) -> String {
 }
 
 impl Arguments {
+    /// What was noted of a recording, completed by what the arguments say of all.
+    fn setup(&self, noted: &Noted) -> Result<Setup, Failure> {
+        let mut setup = self.physics.with(noted).physics()?;
+        let priors = self.priors.with_height(noted.height_m, noted.height_sd_m);
+        priors.add_to(&mut setup.options)?;
+        Ok(setup)
+    }
+
     fn study(&self) -> StudyOptions {
         StudyOptions {
             by: self.by.clone(),

@@ -1,8 +1,11 @@
 //! What the drops say together, as tables for the screen and for reports.
 
-use bouncelab::groups::{Difference, Group, Mean, Study};
+use bouncelab::groups::{Difference, Group, Mean, MeanAtSpeed, Study};
+use bouncelab_report::messages::Value;
 use bouncelab_report::{Align, Quantity, Table, Unit};
 use bouncelab_session::Outcome;
+
+use crate::language::{text, text_with, translator};
 
 /// Differences of the levels of a factor.
 pub(super) fn difference_table(
@@ -11,12 +14,15 @@ pub(super) fn difference_table(
     differences: &[Difference],
 ) -> Table {
     let factor = &outcome.factors[factor];
-    let mut table = Table::new([
-        ("", Align::Left),
-        ("difference", Align::Right),
-        ("95 % interval", Align::Right),
-        ("p (Holm)", Align::Right),
-    ]);
+    let mut table = Table::with_headings(
+        translator(),
+        [
+            ("", Align::Left),
+            ("session-column-difference", Align::Right),
+            ("session-column-interval", Align::Right),
+            ("session-column-p-holm", Align::Right),
+        ],
+    );
     for difference in differences {
         let shown = Quantity::measured(difference.value.value, difference.value.sd, Unit::Number);
         table.row([
@@ -24,8 +30,8 @@ pub(super) fn difference_table(
                 "{} \u{2212} {}",
                 factor.levels[difference.of], factor.levels[difference.less]
             ),
-            shown.to_string(),
-            shown.interval(difference.interval95),
+            shown.text(translator()),
+            shown.interval_text(difference.interval95, translator()),
             probability(difference.p_value),
         ]);
     }
@@ -34,30 +40,33 @@ pub(super) fn difference_table(
 
 /// The groups, and all of them together.
 pub(super) fn group_table(outcome: &Outcome<'_>, study: &Study, wanted: Option<f64>) -> Table {
-    let mut table = Table::new([
-        ("group", Align::Left),
-        ("drops", Align::Right),
-        ("restitution", Align::Right),
-        ("shared", Align::Right),
-        ("between drops", Align::Right),
-        ("between impacts", Align::Right),
-        ("needed", Align::Right),
-    ]);
+    let mut table = Table::with_headings(
+        translator(),
+        [
+            ("session-column-group", Align::Left),
+            ("session-column-drops", Align::Right),
+            ("quantity-restitution", Align::Right),
+            ("session-column-shared", Align::Right),
+            ("session-column-between-drops", Align::Right),
+            ("session-column-between-impacts", Align::Right),
+            ("session-column-needed", Align::Right),
+        ],
+    );
     for (name, group) in named_groups(outcome, study) {
         let mean = &group.mean;
         table.row([
             name,
             mean.drops.to_string(),
-            shown(group).to_string(),
+            shown(group).text(translator()),
             format!(
                 "\u{b1} {}",
-                Quantity::rounded(group.shared_sd, 1, Unit::Number)
+                Quantity::rounded(group.shared_sd, 1, Unit::Number).text(translator())
             ),
             mean.between
-                .map_or_else(String::new, |between| format!("{between:.4}")),
-            group
-                .between_impacts
-                .map_or_else(String::new, |scatter| format!("{:.2} %", 100.0 * scatter)),
+                .map_or_else(String::new, |between| translator().fixed(between, 4)),
+            group.between_impacts.map_or_else(String::new, |scatter| {
+                format!("{} %", translator().fixed(100.0 * scatter, 2))
+            }),
             needed(group, wanted),
         ]);
     }
@@ -66,20 +75,23 @@ pub(super) fn group_table(outcome: &Outcome<'_>, study: &Study, wanted: Option<f
 
 /// The groups with outliers, with and without them.
 pub(super) fn without_table(outcome: &Outcome<'_>, study: &Study) -> Table {
-    let mut table = Table::new([
-        ("group", Align::Left),
-        ("with", Align::Right),
-        ("drops", Align::Right),
-        ("without", Align::Right),
-        ("drops", Align::Right),
-    ]);
+    let mut table = Table::with_headings(
+        translator(),
+        [
+            ("session-column-group", Align::Left),
+            ("session-column-with", Align::Right),
+            ("session-column-drops", Align::Right),
+            ("session-column-without", Align::Right),
+            ("session-column-drops", Align::Right),
+        ],
+    );
     for (name, group) in named_groups(outcome, study) {
         if let Some(without) = &group.without_outliers {
             table.row([
                 name,
-                restitution(&group.mean).to_string(),
+                restitution(&group.mean).text(translator()),
                 group.mean.drops.to_string(),
-                restitution(without).to_string(),
+                restitution(without).text(translator()),
                 without.drops.to_string(),
             ]);
         }
@@ -89,28 +101,31 @@ pub(super) fn without_table(outcome: &Outcome<'_>, study: &Study) -> Table {
 
 /// Slopes against what is noted in numbers.
 pub(super) fn trend_table(outcome: &Outcome<'_>, study: &Study) -> Table {
-    let mut table = Table::new([
-        ("with", Align::Left),
-        ("levels", Align::Right),
-        ("slope", Align::Right),
-        ("", Align::Left),
-        ("95 % interval", Align::Right),
-        ("p", Align::Right),
-    ]);
+    let mut table = Table::with_headings(
+        translator(),
+        [
+            ("session-column-factor", Align::Left),
+            ("session-column-levels", Align::Right),
+            ("session-column-slope", Align::Right),
+            ("", Align::Left),
+            ("session-column-interval", Align::Right),
+            ("session-column-p", Align::Right),
+        ],
+    );
     for trend in &study.trends {
         let name = outcome.factors[trend.factor].name.as_str();
         let unit = match name {
-            "height" => "per m",
-            "temperature" => "per K",
-            _ => "",
+            "height" => text("session-per-metre"),
+            "temperature" => text("session-per-kelvin"),
+            _ => String::new(),
         };
         let shown = Quantity::measured(trend.slope.value, trend.slope.sd, Unit::Number);
         table.row([
             name.to_owned(),
             trend.levels.to_string(),
-            shown.to_string(),
-            unit.to_owned(),
-            shown.interval(trend.interval95),
+            shown.text(translator()),
+            unit,
+            shown.interval_text(trend.interval95, translator()),
             probability(trend.p_value),
         ]);
     }
@@ -119,22 +134,25 @@ pub(super) fn trend_table(outcome: &Outcome<'_>, study: &Study) -> Table {
 
 /// Restitution of each group at several speeds.
 pub(super) fn law_table(outcome: &Outcome<'_>, study: &Study) -> Table {
-    let mut table = Table::new([
-        ("group", Align::Left),
-        ("speed m/s", Align::Right),
-        ("drops", Align::Right),
-        ("restitution", Align::Right),
-        ("95 % interval", Align::Right),
-    ]);
+    let mut table = Table::with_headings(
+        translator(),
+        [
+            ("session-column-group", Align::Left),
+            ("column-speed", Align::Right),
+            ("session-column-drops", Align::Right),
+            ("quantity-restitution", Align::Right),
+            ("session-column-interval", Align::Right),
+        ],
+    );
     for group in &study.groups {
-        for (speed_m_s, mean) in &group.law {
+        for MeanAtSpeed { speed_m_s, mean } in &group.curve {
             let shown = restitution(mean);
-            let interval = |ends| shown.interval(ends);
+            let interval = |ends| shown.interval_text(ends, translator());
             table.row([
                 outcome.group_name(&group.levels),
-                format!("{speed_m_s:.3}"),
+                translator().fixed(*speed_m_s, 3),
                 mean.drops.to_string(),
-                shown.to_string(),
+                shown.text(translator()),
                 mean.interval95.map_or_else(String::new, interval),
             ]);
         }
@@ -144,23 +162,27 @@ pub(super) fn law_table(outcome: &Outcome<'_>, study: &Study) -> Table {
 
 /// 95 % intervals of the groups.
 pub(super) fn interval_table(outcome: &Outcome<'_>, study: &Study) -> Table {
-    let mut table = Table::new([
-        ("group", Align::Left),
-        ("mean", Align::Right),
-        ("next drop", Align::Right),
-        ("between drops", Align::Right),
-    ]);
+    let mut table = Table::with_headings(
+        translator(),
+        [
+            ("session-column-group", Align::Left),
+            ("session-column-mean", Align::Right),
+            ("session-column-next", Align::Right),
+            ("session-column-between-drops", Align::Right),
+        ],
+    );
     for (name, group) in named_groups(outcome, study) {
         let interval = |ends: Option<[f64; 2]>| {
-            ends.map_or_else(String::new, |ends| shown(group).interval(ends))
+            ends.map_or_else(String::new, |ends| {
+                shown(group).interval_text(ends, translator())
+            })
         };
         let mean = &group.mean;
         table.row([
             name,
             interval(mean.interval95),
             interval(mean.next95),
-            mean.between95
-                .map_or_else(String::new, |[low, high]| format!("{low:.4} to {high:.4}")),
+            mean.between95.map_or_else(String::new, ends),
         ]);
     }
     table
@@ -171,7 +193,7 @@ fn named_groups<'a>(outcome: &Outcome<'_>, study: &'a Study) -> Vec<(String, &'a
     let named = |group: &'a Group| (outcome.group_name(&group.levels), group);
     let mut groups: Vec<_> = study.groups.iter().map(named).collect();
     if groups.len() > 1 {
-        groups.push(("all".to_owned(), &study.all));
+        groups.push((text("session-all"), &study.all));
     }
     groups
 }
@@ -187,19 +209,22 @@ fn restitution(mean: &Mean) -> Quantity {
 fn needed(group: &Group, wanted: Option<f64>) -> String {
     match (group.drops_needed, wanted) {
         (Some(needed), _) => needed.to_string(),
-        (None, Some(_)) if group.mean.between.is_some() => "too many".to_owned(),
+        (None, Some(_)) if group.mean.between.is_some() => text("session-too-many"),
         (None, _) => String::new(),
     }
 }
 
 /// Who varies.
 pub(super) fn varies_table(outcome: &Outcome<'_>, study: &Study) -> Table {
-    let mut table = Table::new([
-        ("", Align::Left),
-        ("how many", Align::Right),
-        ("varies by", Align::Right),
-        ("95 % interval", Align::Right),
-    ]);
+    let mut table = Table::with_headings(
+        translator(),
+        [
+            ("", Align::Left),
+            ("session-column-count", Align::Right),
+            ("session-column-varies", Align::Right),
+            ("session-column-interval", Align::Right),
+        ],
+    );
     for varies in &study.varies {
         let names: Vec<&str> = varies
             .factors
@@ -207,17 +232,22 @@ pub(super) fn varies_table(outcome: &Outcome<'_>, study: &Study) -> Table {
             .map(|&factor| outcome.factors[factor].name.as_str())
             .collect();
         let name = match names.as_slice() {
-            [] => "drop".to_owned(),
+            [] => text("session-drop"),
             [name] => (*name).to_owned(),
-            _ => format!("{} (always together)", names.join(" and ")),
+            [first @ .., last] => {
+                let (first, last) = (first.join(", "), *last);
+                let names = [("first", first.into()), ("last", last.into())];
+                let names = [("names", text_with("list-and", &names).into())];
+                text_with("session-together", &names)
+            }
         };
         table.row([
             name,
             varies.levels.to_string(),
-            format!("{:.4}", varies.component.sd),
+            translator().fixed(varies.component.sd, 4),
             match varies.component.sd95 {
-                Some([low, high]) => format!("{low:.4} to {high:.4}"),
-                None => "too few to tell".to_owned(),
+                Some(interval) => ends(interval),
+                None => text("session-too-few"),
             },
         ]);
     }
@@ -226,8 +256,16 @@ pub(super) fn varies_table(outcome: &Outcome<'_>, study: &Study) -> Table {
 
 fn probability(p: f64) -> String {
     if p < 1e-4 {
-        "< 0.0001".to_owned()
+        format!("< {}", translator().fixed(1e-4, 4))
     } else {
-        format!("{p:.4}")
+        translator().fixed(p, 4)
     }
+}
+
+fn ends([low, high]: [f64; 2]) -> String {
+    let ends = [
+        ("low", Value::fixed(low, 4)),
+        ("high", Value::fixed(high, 4)),
+    ];
+    text_with("interval-ends", &ends)
 }

@@ -3,12 +3,13 @@
 use std::fmt::Write;
 
 use bouncelab::groups::{Difference, Study};
-use bouncelab_report::document::{AboutSession, Reason};
-use bouncelab_report::report::ended;
-use bouncelab_report::{CANNOT_TELL, Table};
-use bouncelab_session::Outcome;
+use bouncelab_report::Table;
+use bouncelab_report::messages::Value;
+use bouncelab_session::{AboutSession, Outcome, Reason};
 
 use super::tables;
+use crate::analyze::{cannot_tell, note};
+use crate::language::{text, text_with};
 
 /// Lines of a list that may go on for long.
 const SHOWN: usize = 8;
@@ -19,40 +20,30 @@ pub(super) fn report(outcome: &Outcome<'_>, details: bool, wanted: Option<f64>) 
     page.line(&headline(&outcome.about));
     match &outcome.study {
         Ok(study) => page.study(outcome, study, details, wanted),
-        Err(reason) => page.line(&format!("\nRestitution: {CANNOT_TELL}: {}", ended(reason))),
+        Err(reason) => page.line(&format!(
+            "\n{}",
+            cannot_tell("session-restitution", reason.as_str())
+        )),
     }
     page.troubles(outcome, details);
     page.0
 }
 
 fn headline(about: &AboutSession) -> String {
-    let title = about.title.as_deref().unwrap_or("Session");
+    let title = about.title.clone().unwrap_or_else(|| text("session-title"));
     format!("{title}: {}", counts(about))
 }
 
 /// How many there are of what.
 pub(super) fn counts(about: &AboutSession) -> String {
-    let count = |count: usize, one: &str, more: &str| match count {
-        1 => format!("1 {one}"),
-        _ => format!("{count} {more}"),
-    };
-    let mut parts = vec![format!(
-        "{} in {}",
-        count(about.drops, "drop", "drops"),
-        count(about.recordings, "recording", "recordings")
-    )];
-    let troubles = [
-        (about.without_drop.len(), "without a drop"),
-        (about.failed.len(), "not readable"),
-        (about.duplicates.len(), "the same as another"),
+    let counts = [
+        ("drops", about.drops.into()),
+        ("recordings", about.recordings.into()),
+        ("without", about.without_drop.len().into()),
+        ("failed", about.failed.len().into()),
+        ("duplicates", about.duplicates.len().into()),
     ];
-    parts.extend(
-        troubles
-            .into_iter()
-            .filter(|(count, _)| *count > 0)
-            .map(|(count, what)| format!("{count} {what}")),
-    );
-    parts.join(", ")
+    text_with("session-counts", &counts)
 }
 
 #[derive(Default)]
@@ -64,6 +55,13 @@ impl Page {
         let _ = writeln!(self.0, "{}", words.trim_end());
     }
 
+    /// A line between empty ones.
+    fn heading(&mut self, words: &str) {
+        self.line("");
+        self.line(words);
+        self.line("");
+    }
+
     fn table(&mut self, table: &Table) {
         for row in table.to_string().lines() {
             self.line(&format!("  {row}"));
@@ -71,25 +69,20 @@ impl Page {
     }
 
     fn study(&mut self, outcome: &Outcome<'_>, study: &Study, details: bool, wanted: Option<f64>) {
-        self.line(&format!(
-            "\nRestitution at an impact speed of {:.2} m/s:\n",
-            study.at_speed_m_s
-        ));
+        let speed = [("speed", Value::fixed(study.at_speed_m_s, 2))];
+        self.heading(&text_with("session-speed", &speed));
         self.table(&tables::group_table(outcome, study, wanted));
-        self.line(&format!(
-            "\n  \u{b1}: standard error of the mean; shared: what all drops have in common (drag law, air, \
-             ball), which\n  no number of drops makes smaller; {}",
-            match wanted {
-                Some(wanted) => format!("needed: drops in all for a mean known to \u{b1} {wanted} (95 %)"),
-                None => "needed: drops in all that would halve the interval".to_owned(),
-            }
-        ));
+        self.line("");
+        let wanted = wanted.map_or("none".into(), Value::from);
+        for row in text_with("session-legend", &[("wanted", wanted)]).lines() {
+            self.line(&format!("  {row}"));
+        }
         if details {
-            self.line("\n95 % intervals of restitution:\n");
+            self.heading(&text("session-intervals"));
             self.table(&tables::interval_table(outcome, study));
         }
         if study.varies.len() > 1 {
-            self.line("\nWho varies (standard deviation of restitution):\n");
+            self.heading(&text("session-varies"));
             self.table(&tables::varies_table(outcome, study));
         }
         for (factor, differences) in &study.differences {
@@ -99,15 +92,15 @@ impl Page {
             }
         }
         if !study.trends.is_empty() {
-            self.line("\nHow restitution changes, all else equal:\n");
+            self.heading(&text("session-trends"));
             self.table(&tables::trend_table(outcome, study));
         }
         if details {
-            self.line("\nRestitution against impact speed, pooled over the drops that know it:\n");
+            self.heading(&text("session-laws"));
             self.table(&tables::law_table(outcome, study));
         }
         if !study.outliers.is_empty() {
-            self.line("\nThese do not belong to their group; is what was noted of them right?\n");
+            self.heading(&text("session-outliers"));
             for outlier in &study.outliers {
                 let group = study
                     .groups
@@ -115,16 +108,18 @@ impl Page {
                     .find(|g| g.drops.contains(&outlier.drop));
                 let group = group.map_or_else(String::new, |g| outcome.group_name(&g.levels));
                 let side = if outlier.off > 0.0 { "above" } else { "below" };
-                self.line(&format!(
-                    "  {}: {:.4} {side} the others of {group}, {:.0} standard deviations",
-                    outcome.name_of(outlier.drop),
-                    outlier.off.abs(),
-                    outlier.score.abs()
-                ));
+                let outlier = [
+                    ("name", outcome.name_of(outlier.drop).into()),
+                    ("off", Value::fixed(outlier.off.abs(), 4)),
+                    ("side", side.into()),
+                    ("group", group.into()),
+                    ("score", Value::fixed(outlier.score.abs(), 0)),
+                ];
+                self.line(&format!("  {}", text_with("session-outlier", &outlier)));
             }
-            self.line("\n  They count in all of the above. With and without them:\n");
+            self.heading(&format!("  {}", text("session-outliers-count")));
             self.table(&tables::without_table(outcome, study));
-            self.line("\n  --exclude NAME leaves one out of everything.");
+            self.line(&format!("\n  {}", text("session-exclude")));
         }
     }
 
@@ -143,11 +138,12 @@ impl Page {
             .filter(|f| f.levels.len() > 1)
             .count()
             > 1;
-        self.line(&format!(
-            "\nDifferences by {}{}:\n",
-            factor.name,
-            if others { ", all else equal" } else { "" }
-        ));
+        let others = if others { "yes" } else { "no" };
+        let by = [
+            ("factor", factor.name.as_str().into()),
+            ("others", others.into()),
+        ];
+        self.heading(&text_with("session-differences", &by));
         let most = if details {
             differences.len()
         } else {
@@ -160,50 +156,48 @@ impl Page {
         ));
         if differences.len() > most {
             let more = differences.len() - most;
-            self.line(&format!("  and {more} more (--details)"));
+            self.line(&format!(
+                "  {}",
+                text_with("session-more", &[("count", more.into())])
+            ));
         }
     }
 
     fn troubles(&mut self, outcome: &Outcome<'_>, details: bool) {
         let about = &outcome.about;
         self.line("");
-        self.list("Without a drop:", &about.without_drop, details);
-        self.list("Not readable:", &about.failed, details);
-        self.list(
-            "The same sound as another, which counts:",
-            &about.duplicates,
-            details,
-        );
-        self.list("Not compared:", &about.left_out, details);
+        self.list("session-without-drop", &about.without_drop, details);
+        self.list("session-failed", &about.failed, details);
+        self.list("session-duplicates", &about.duplicates, details);
+        self.list("session-left-out", &about.left_out, details);
         let doubtful: Vec<Reason> = if details {
             about.odd.clone()
         } else {
             let doubtful = outcome.doubtful.iter();
             doubtful.map(|&place| about.odd[place].clone()).collect()
         };
-        self.list("To be looked at:", &doubtful, details);
+        self.list("session-odd", &doubtful, details);
         for remark in &about.remarks {
-            self.line(&format!("  Note: {}", ended(remark)));
+            self.line(&note(remark));
         }
         if !about.assumptions.is_empty() {
-            self.line(&format!("  Assumed: {}.", about.assumptions.join("; ")));
+            let list = [("list", about.assumptions.join("; ").into())];
+            self.line(&format!("  {}", text_with("terminal-assumed", &list)));
         }
     }
 
-    fn list(&mut self, heading: &str, reasons: &[Reason], details: bool) {
+    fn list(&mut self, id: &str, reasons: &[Reason], details: bool) {
         if reasons.is_empty() {
             return;
         }
-        self.line(&format!("  {heading}"));
+        self.line(&format!("  {}:", text(id)));
         let shown = if details { reasons.len() } else { SHOWN };
         for Reason { name, reason } in reasons.iter().take(shown) {
             self.line(&format!("    {name}: {reason}"));
         }
         if reasons.len() > shown {
-            self.line(&format!(
-                "    and {} more (--details)",
-                reasons.len() - shown
-            ));
+            let more = [("count", (reasons.len() - shown).into())];
+            self.line(&format!("    {}", text_with("session-more", &more)));
         }
     }
 }

@@ -3,12 +3,13 @@
 use std::fmt::Write;
 
 use bouncelab::rulebook::{Decision, Limits, Outcome, Rule, Verdict};
+use bouncelab_report::messages::Value;
 use bouncelab_report::report::ended;
 use bouncelab_report::{Quantity, Table, Unit};
 
 use super::{Told, tables};
-use crate::analyze::assumed;
-use crate::language::translator;
+use crate::analyze::{assumed, note};
+use crate::language::{text, text_with, translator};
 use crate::rules;
 
 /// The verdict, the rebound in several ways and why they differ, and what to know.
@@ -21,53 +22,50 @@ pub(super) fn report(told: &Told<'_>) -> String {
         reference_files,
         physics,
     } = *told;
-    let mut text = String::new();
+    let mut page = String::new();
     for line in of_rule(rule) {
-        add(&mut text, &line);
+        add(&mut page, &line);
     }
-    add(&mut text, "");
+    add(&mut page, "");
     for line in decided(verdict, decision) {
-        add(&mut text, &line);
+        add(&mut page, &line);
     }
-    for doubt in &verdict.doubts {
-        add(
-            &mut text,
-            &format!(
-                "  Because {}",
-                ended(translator().diagnostic(&doubt.diagnostic()))
-            ),
-        );
+    for because in because(verdict) {
+        add(&mut page, &format!("  {because}"));
     }
-    add(&mut text, "");
-    add(&mut text, &indented(&tables::ways(verdict)));
+    add(&mut page, "");
+    add(&mut page, &indented(&tables::ways(verdict)));
     if let Some(steps) = tables::differences(verdict) {
-        add(&mut text, "");
-        add(
-            &mut text,
-            "  From g T²/8 to the rebound of the rule, mean over the drops:",
-        );
-        add(&mut text, &indented(&steps));
+        add(&mut page, "");
+        add(&mut page, &format!("  {}:", text("verdict-steps")));
+        add(&mut page, &indented(&steps));
     }
-    add(&mut text, "");
-    add(&mut text, &indented(&tables::drops(&verdict.drops, files)));
+    add(&mut page, "");
+    add(&mut page, &indented(&tables::drops(&verdict.drops, files)));
     if !verdict.reference_drops.is_empty() {
-        add(&mut text, "");
-        add(&mut text, "  On the reference:");
-        add(
-            &mut text,
-            &indented(&tables::drops(&verdict.reference_drops, reference_files)),
-        );
+        let drops = tables::drops(&verdict.reference_drops, reference_files);
+        add(&mut page, "");
+        add(&mut page, &format!("  {}", text("verdict-on-reference")));
+        add(&mut page, &indented(&drops));
     }
-    add(&mut text, "");
+    add(&mut page, "");
     let remarks = verdict.remarks.iter();
-    let remarks = remarks.map(|remark| ended(translator().diagnostic(&remark.diagnostic())));
-    for note in remarks.chain(rule.note.as_ref().map(ended)) {
-        add(&mut text, &format!("  Note: {note}"));
+    let remarks = remarks.map(|remark| translator().diagnostic(&remark.diagnostic()));
+    for remark in remarks.chain(rule.note.clone()) {
+        add(&mut page, &note(remark));
     }
     if !physics.assumptions.is_empty() {
-        add(&mut text, &assumed(&physics.assumptions));
+        add(&mut page, &assumed(&physics.assumptions));
     }
-    text
+    page
+}
+
+/// Why nothing can be decided.
+pub(super) fn because(verdict: &Verdict) -> impl Iterator<Item = String> {
+    verdict.doubts.iter().map(|doubt| {
+        let reason = ended(translator().diagnostic(&doubt.diagnostic()));
+        text_with("verdict-because", &[("reason", reason.into())])
+    })
 }
 
 fn add(text: &mut String, line: &str) {
@@ -89,21 +87,20 @@ fn of_rule(rule: &Rule) -> Vec<String> {
         .edition
         .as_ref()
         .map_or_else(String::new, |edition| format!(", {edition}"));
-    let surface = rule
-        .surface
-        .as_ref()
-        .map_or_else(String::new, |surface| format!(" on {surface}"));
+    let surface = rule.surface.as_deref().unwrap_or("none");
+    let wants = [
+        ("drop", rules::drop(rule).into()),
+        ("surface", surface.into()),
+        ("wanted", rules::wanted(rule).into()),
+        ("point", rules::point(rule.point()).into()),
+    ];
+    let status = rules::status(rule.status);
     vec![
         format!(
-            "{}: {} ({}{edition}; {})",
-            rule.name, rule.title, rule.source, rule.status
+            "{}: {} ({}{edition}; {status})",
+            rule.name, rule.title, rule.source
         ),
-        format!(
-            "  drop from {}{surface}; rebound wanted: {}; measured at the {} of the ball",
-            rules::drop(rule),
-            rules::wanted(rule),
-            rule.point()
-        ),
+        format!("  {}", text_with("verdict-rule-line", &wants)),
     ]
 }
 
@@ -114,33 +111,38 @@ fn decided(verdict: &Verdict, decision: Decision) -> Vec<String> {
     lines
 }
 
+/// The decision in a few words.
+pub(super) fn outcome_name(outcome: Outcome) -> String {
+    text(match outcome {
+        Outcome::Pass => "verdict-pass",
+        Outcome::Fail => "verdict-fail",
+        Outcome::CannotDecide => "verdict-cannot-decide",
+    })
+}
+
 /// The decision, and how sure it is.
 pub(super) fn outcome(verdict: &Verdict) -> String {
-    let word = match verdict.outcome {
-        Outcome::Pass => "PASS",
-        Outcome::Fail => "FAIL",
-        Outcome::CannotDecide => "CANNOT DECIDE",
-    };
+    let outcome = outcome_name(verdict.outcome).to_uppercase();
     match verdict.within {
-        Some(within) => format!(
-            "{word}. Within the limits with a probability of {}; a pass would be wrong with {}.",
-            percent(within),
-            percent(1.0 - within)
+        Some(within) => text_with(
+            "verdict-sure",
+            &[
+                ("outcome", outcome.into()),
+                ("within", percent(within).into()),
+                ("outside", percent(1.0 - within).into()),
+            ],
         ),
-        None => format!("{word}."),
+        None => format!("{outcome}."),
     }
 }
 
 /// The decision rule, and what it accepts.
 pub(super) fn by_rule(verdict: &Verdict, decision: Decision) -> Vec<String> {
     let mut lines = vec![match decision {
-        Decision::Guarded { risk } => format!(
-            "Decision rule: guarded acceptance, wrong with at most {} either way (JCGM 106).",
-            percent(risk)
-        ),
-        Decision::Simple => {
-            "Decision rule: simple acceptance, whatever is more probable (JCGM 106).".to_owned()
+        Decision::Guarded { risk } => {
+            text_with("verdict-guarded", &[("risk", percent(risk).into())])
         }
+        Decision::Simple => text("verdict-simple"),
     }];
     if let (Some(accepted), Decision::Guarded { .. }) = (&verdict.accepted, decision) {
         let unit = if verdict.share.is_some() {
@@ -148,10 +150,8 @@ pub(super) fn by_rule(verdict: &Verdict, decision: Decision) -> Vec<String> {
         } else {
             Unit::Length
         };
-        lines.push(format!(
-            "At this uncertainty {} would pass.",
-            ends(accepted, unit)
-        ));
+        let accepted = [("accepted", ends(accepted, unit).into())];
+        lines.push(text_with("verdict-accepted", &accepted));
     }
     lines
 }
@@ -159,21 +159,25 @@ pub(super) fn by_rule(verdict: &Verdict, decision: Decision) -> Vec<String> {
 /// A probability, without a claim to be certain.
 fn percent(share: f64) -> String {
     const CERTAIN: f64 = 0.9995;
+    let percent = |share: f64| format!("{} %", translator().fixed(share * 100.0, 1));
     if share > CERTAIN {
-        "more than 99.9 %".to_owned()
+        text_with("verdict-more-than", &[("share", percent(0.999).into())])
     } else if share < 1.0 - CERTAIN {
-        "less than 0.1 %".to_owned()
+        text_with("verdict-less-than", &[("share", percent(0.001).into())])
     } else {
-        format!("{:.1} %", share * 100.0)
+        percent(share)
     }
 }
 
 fn ends(limits: &Limits, unit: Unit) -> String {
-    let shown = |end: f64| Quantity::rounded(end, 4, unit).to_string();
+    let shown = |end: f64| Value::from(Quantity::rounded(end, 4, unit));
     match (limits.least, limits.greatest) {
-        (Some(least), Some(greatest)) => format!("{} to {}", shown(least), shown(greatest)),
-        (Some(least), None) => format!("{} and more", shown(least)),
-        (None, Some(greatest)) => format!("{} and less", shown(greatest)),
-        (None, None) => "anything".to_owned(),
+        (Some(least), Some(greatest)) => text_with(
+            "interval-ends",
+            &[("low", shown(least)), ("high", shown(greatest))],
+        ),
+        (Some(least), None) => text_with("verdict-from", &[("least", shown(least))]),
+        (None, Some(greatest)) => text_with("verdict-up-to", &[("greatest", shown(greatest))]),
+        (None, None) => text("verdict-anything"),
     }
 }

@@ -29,6 +29,7 @@ column-to-air = Luft mJ
 column-residual = Abweichung
 column-weight = Gewicht
 column-inference = Schätzung, mit Luft
+column-plain = g T²/8
 column-95 = 95 %
 column-straight-line = Gerade, ohne Luft
 

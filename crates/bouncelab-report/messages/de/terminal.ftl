@@ -50,3 +50,305 @@ analyze-details-sampling = Stichprobe: { $draws } unabhängige Ziehungen, Pareto
 analyze-no-drop = { $name }: kein springender Ball gefunden: { $reason }
 analyze-one-report = ein Bericht gilt einer Aufnahme, hier sind es mehrere: bouncelab session macht einen aus vielen
 advice-allow-implausible = Berichtigen Sie es, oder bestehen Sie mit --allow-implausible darauf
+
+terminal-wrote = { $file } geschrieben
+terminal-wrote-figure = { $file } und .png geschrieben
+terminal-all-shown = ... und { $count } weitere; --format csv hat alle.
+
+demo-heading = Ein Versuch aus 30,5 cm, erzeugt, erkannt und ausgewertet ({ $file })
+demo-truth = Wahrheit
+demo-detected = erkannt
+demo-flight-time-error = größter Fehler einer Flugzeit
+demo-restitution-line = e, Gerade durch zehn Flüge
+demo-restitution-inference = e, Schätzung
+demo-height-line = Fallhöhe, Gerade
+demo-height-inference = Fallhöhe, Schätzung
+demo-second-speed = Tempo des zweiten Aufpralls
+demo-conclusion =
+    Die Gerade hält den Luftwiderstand für verlorene Sprungkraft und bleibt unter der Höhe;
+    die Schätzung rechnet die Luft heraus und findet Stoßzahl und Höhe wieder.
+
+simulate-heading = Ein Versuch mit einem Ball ({ $ball }), simuliert
+simulate-bounces = Sprünge
+simulate-first-speed = Tempo des ersten Aufpralls
+simulate-no-terminal-speed = keine
+simulate-total-time = Zeit bis zum Ende
+simulate-total-path = Weg bis zum Ende
+simulate-initial-energy = Energie am Anfang
+simulate-lost-to-surface = an den Untergrund verloren
+simulate-lost-to-air = an die Luft verloren
+simulate-each-bounce = Jeder Sprung, Luftwiderstand { $law }:
+simulate-bounce = Sprung
+simulate-to-surface = Untergrund µJ
+simulate-to-air = Luft µJ
+simulate-drag = Luftwiderstand { $law }
+
+synth-made = { $file }: { $count ->
+    [one] 1 Aufprall
+   *[other] { $count } Aufpralle
+  } in { $seconds } s, { $rate } Hz, Startwert { $seed }
+
+puzzle-question = Das Rätsel: Was lässt die Gerade e = 0,9375 und h0 = 26,7 cm von einem Ball sagen, der aus 30,5 cm fällt?
+puzzle-flights = Flüge
+puzzle-first = e bei 2,4 m/s
+puzzle-slow = e bei 0,5 m/s
+puzzle-height = Gerade: h0 cm
+puzzle-solved = die 26,7 des Aufsatzes?
+puzzle-yes = ja
+puzzle-no = nein
+puzzle-answer =
+    Jedes Gesetz ist so gewählt, dass die Gerade e = 0,9375 ergibt. Luftwiderstand mit gleichbleibender
+    Stoßzahl gibt 26,7 cm erst mit etwa 21 Flügen in der Geraden; mit zehn Flügen muss die Stoßzahl auch
+    mit dem Tempo fallen. Eine Gerade kann beides nicht unterscheiden; wie viele Flüge in sie eingehen,
+    entscheidet über ihr Ergebnis.
+puzzle-quantity = Größe
+puzzle-printed = gedruckt
+puzzle-computed = berechnet
+puzzle-verdict = Urteil
+
+verdict-made-on = Urteil von bouncelab { $version }, { $date }
+verdict-because = Grund: { $reason }
+verdict-pass = bestanden
+verdict-fail = nicht bestanden
+verdict-cannot-decide = nicht zu entscheiden
+verdict-sure = { $outcome }. Innerhalb der Grenzen mit einer Wahrscheinlichkeit von { $within }; „bestanden“ wäre falsch mit { $outside }.
+verdict-guarded = Entscheidungsregel: abgesicherte Annahme, falsch mit höchstens { $risk } nach beiden Seiten (JCGM 106).
+verdict-simple = Entscheidungsregel: einfache Annahme, was wahrscheinlicher ist (JCGM 106).
+verdict-accepted = Bei dieser Unsicherheit bestünden { $accepted }.
+verdict-more-than = mehr als { $share }
+verdict-less-than = weniger als { $share }
+verdict-from = { $least } und mehr
+verdict-up-to = { $greatest } und weniger
+verdict-anything = beliebig
+verdict-steps = Von g T²/8 zum Rücksprung der Regel, Mittel über die Versuche
+verdict-steps-why = Die Formel hält die ganze Zeit zwischen zwei Aufprallen für Flug im Vakuum. Die Kontaktzeit ist kein Flug; Auftrieb und mitbewegte Luft machen die Fallbeschleunigung kleiner; der Luftwiderstand verkürzt den Flug ein wenig; und dieser Versuch fiel aus seiner eigenen Höhe, mit einem eigenen Aufprall.
+verdict-on-reference = Auf der Referenz:
+verdict-rebound = Rücksprung
+verdict-value = Wert
+verdict-predicted-air = vorhergesagt, mit Luft
+verdict-reference = auf der Referenz
+verdict-share = Anteil an der Referenz
+verdict-unevenness = Ungleichmäßigkeit der Stellen
+verdict-plain = g T²/8 des ersten Flugs
+verdict-formula = Formel der Regel aus T
+verdict-reason = wegen
+verdict-centimetres = cm
+verdict-file = Datei
+verdict-first-flight = erster Flug s
+verdict-predicted = vorhergesagt
+verdict-formula-short = Formel
+verdict-step-contact = Kontaktzeit, die kein Flug ist
+verdict-step-buoyancy = Auftrieb und mitbewegte Luft
+verdict-step-drag = Luftwiderstand im Flug
+verdict-step-this-drop = eigene Höhe und einzelner Aufprall dieses Versuchs gegen die der Regel
+verdict-rule-line = Fall aus { $drop }{ $surface ->
+    [none] {""}
+   *[other] {" "}auf { $surface }
+  }; verlangter Rücksprung: { $wanted }; gemessen { $point } des Balls
+verdict-the-rule = Die Regel
+verdict-ways = Der Rücksprung auf jedem Weg, ihn zu bestimmen
+verdict-the-rebound = Der Rücksprung
+verdict-drops = Die Versuche
+verdict-every-drop = Jeder Versuch
+verdict-every-reference-drop = Jeder Versuch auf der Referenz
+verdict-all-drops = alle Versuche
+verdict-method = Wie entschieden wurde
+verdict-method-predicted = Beurteilt wird der Scheitel nach dem ersten Aufprall eines Falls aus der Höhe der Regel, an dem Punkt des Balls, an dem die Regel misst. Er ist aus allem vorhergesagt, was die Versuche zeigen, beim Aufpralltempo der Regel, die Streuung einzelner Aufpralle herausgemittelt.
+verdict-method-decided = Bestanden ist nur, wenn die Wahrscheinlichkeit, außerhalb der Grenzen zu liegen, höchstens das angegebene Risiko ist, und nicht bestanden nur, wenn es die ist, innerhalb zu liegen (abgesicherte Annahme, JCGM 106:2012, The role of measurement uncertainty in conformity assessment). Dazwischen lassen die Versuche keine Entscheidung zu. Was man von Ball, Luft und Luftwiderstand nicht weiß, ist für alle Versuche gleich und mittelt sich nicht heraus.
+
+rule-name = Name
+rule-title = Regel
+rule-sport = von
+rule-source = Quelle
+rule-edition = Ausgabe
+rule-status = Stand
+rule-verified = geprüft
+rule-unverified = nicht geprüft
+rule-not-noted = nicht vermerkt
+rule-ball = Ball
+rule-surface = Untergrund
+rule-drop = Fall
+rule-wants = verlangt
+rule-measured-at = gemessen
+rule-point = { $point } des Balls
+rule-point-bottom = am tiefsten Punkt
+rule-point-centre = in der Mitte
+rule-point-top = am höchsten Punkt
+rule-point-not-noted = nicht vermerkt; es gilt der tiefste Punkt des Balls
+rule-drops = Versuche
+rule-drops-mean = mindestens { $count }; ihr Mittel zählt
+rule-drops-each = mindestens { $count }; jeder muss genügen
+rule-places = Stellen
+rule-temperature = Temperatur
+rule-altitude = Meereshöhe
+rule-formula = Formel
+rule-formula-text = H = { $factor } (T - { $offset })² in m und s, T vom ersten Aufprall zum zweiten ({ $status })
+rule-note = Anmerkung
+rule-nobody-read = Diese Regel ist nicht geprüft: Niemand hat sie in ihrer Quelle gelesen.
+rule-any-height = beliebige Höhe
+rule-or-more = { $height } oder mehr
+rule-about = etwa { $height }
+rule-share-of = Anteil an dem auf { $surface }
+rule-limits-of = { $limits } dessen auf { $surface }
+rule-share-of-reference = Anteil an einer Referenz
+rule-limits-of-reference = { $limits } einer Referenz
+rule-within-of-mean = jede Stelle innerhalb von { $share } % des Mittels
+rule-places-apart = Stellen höchstens { $share } Prozentpunkte auseinander
+rule-at-least = mindestens { $least }
+rule-at-most = höchstens { $greatest }
+
+listen-begins = höre { $source }, { $rate } kHz, { $channels ->
+    [one] 1 Kanal
+   *[other] { $channels } Kanäle
+  }; { $file ->
+    [none] nichts wird gespeichert
+   *[other] laufend gespeichert in { $file }
+  }
+listen-saved-in = gespeichert in { $file }
+listen-not-saved = NICHT GESPEICHERT
+listen-silence = vom Mikrofon kommt nur Stille: Ist es stumm, oder das falsche (--devices)?
+listen-lost = Ton ging verloren: Der Rechner war zu langsam, oder das Mikrofon hatte einen Fehler; Flüge über die Lücke zählen nicht
+listen-lost-in-all = { $frames } Abtastwerte jedes Kanals ({ $seconds } s) gingen an { $count ->
+    [one] einer Stelle
+   *[other] { $count } Stellen
+  } verloren
+listen-not-analysed = ein Versuch lässt sich nicht auswerten: { $reason }
+listen-once-more = Versuch { $number } noch einmal, da nun alles bekannt ist
+listen-heading = Versuch { $number }
+listen-all-drops = Alle Versuche:
+listen-saved = der Ton ist in { $file }; um ihn noch einmal auszuwerten: { $command }
+listen-left-out = der Versuch bei { $start } s { $reason ->
+    [distant] ist ein viel leiserer Ball als die anderen
+   *[unlikely] hält der ganzen Aufnahme nicht stand
+  } und ist weggelassen, da nun alles bekannt ist
+listen-impact = Versuch { $drop }: Aufprall { $impact } bei { $time } s nach { $flight } ms{ $rests ->
+    [yes] ; der Ball ruht
+   *[no] {""}
+  }
+listen-line = e = { $restitution }, h0 = { $height } ohne Luft
+listen-corrected = e = { $restitution }, Luftwiderstand herausgerechnet
+listen-too-loud = ZU LAUT: übersteuert
+listen-level = Pegel
+listen-seconds = { $seconds } s
+listen-drops = { $count ->
+    [one] 1 Versuch
+   *[other] { $count } Versuche
+  }
+listen-sounds = { $count ->
+    [one] 1 Laut
+   *[other] { $count } Laute
+  }
+listen-lost-so-far = { $count } Abtastwerte VERLOREN
+listen-ends = Strg-C beendet
+listen-at = bei s
+listen-e-line = e, ohne Luft
+listen-h0-line = h0, ohne Luft
+listen-mean = Mittel
+listen-scatter = Streuung
+listen-save-failed = der Ton wird nicht mehr gespeichert: { $fault }; { $seconds } s sind in der Datei. Das Zuhören geht weiter
+listen-end-not-saved = das Ende des Tons ist vielleicht nicht gespeichert: { $fault }
+listen-device = Name
+listen-device-kind = Art
+listen-device-default = voreingestellt
+
+session-title = Sitzung
+session-untitled = Eine Sitzung
+session-counts = { $drops ->
+    [one] 1 Versuch
+   *[other] { $drops } Versuche
+  } in { $recordings ->
+    [one] 1 Aufnahme
+   *[other] { $recordings } Aufnahmen
+  }{ $without ->
+    [0] {""}
+   *[other] , { $without } ohne springenden Ball
+  }{ $failed ->
+    [0] {""}
+   *[other] , { $failed } nicht lesbar
+  }{ $duplicates ->
+    [0] {""}
+   *[other] , { $duplicates } doppelt
+  }
+session-speed = Stoßzahl bei einem Aufpralltempo von { $speed } m/s:
+session-legend =
+    ±: Standardfehler des Mittels; gemeinsam: was alle Versuche teilen (Widerstandsgesetz, Luft, Ball) und
+    keine Zahl von Versuchen kleiner macht; { $wanted ->
+        [none] nötig: Versuche insgesamt, die den Bereich halbieren würden
+       *[other] nötig: Versuche insgesamt für ein auf ± { $wanted } bekanntes Mittel (95 %)
+      }
+session-intervals = 95-%-Bereiche der Stoßzahl:
+session-varies = Was streut (Standardabweichung der Stoßzahl):
+session-trends = Wie sich die Stoßzahl ändert, alles andere gleich:
+session-laws = Stoßzahl über dem Aufpralltempo, gemittelt über die Versuche, die es kennen:
+session-outliers = Diese gehören nicht in ihre Gruppe; stimmt, was von ihnen vermerkt ist?
+session-outlier = { $name }: { $off } { $side ->
+    [above] über
+   *[below] unter
+  } den anderen von { $group }, { $score } Standardabweichungen
+session-outliers-count = Sie zählen in allem, was oben steht. Mit ihnen und ohne sie:
+session-exclude = --exclude NAME lässt einen überall weg.
+session-differences = Unterschiede nach { $factor }{ $others ->
+    [yes] , alles andere gleich
+   *[no] {""}
+  }:
+session-more = und { $count } weitere (--details)
+session-without-drop = Ohne springenden Ball
+session-failed = Nicht lesbar
+session-duplicates = Derselbe Ton wie ein anderer, der zählt
+session-left-out = Nicht verglichen
+session-odd = Genauer anzusehen
+session-tables = Tabellen: { $list }
+session-no-drop = keine Aufnahme enthält einen springenden Ball
+session-damaged-journal = { $count } Zeilen des Journals sind abgeschnitten oder beschädigt und zählen nicht
+session-known = { $kept } von { $all } Aufnahmen sind aus einem früheren Lauf ausgewertet
+session-restitution = Stoßzahl
+
+session-compared = Verglichen wird die Stoßzahl der Versuche bei einem Aufpralltempo von { $speed } m/s, das die meisten kennen, die Luft herausgerechnet.
+session-unlike = Anders als die übrigen ihrer Gruppe und doch mitgezählt: { $names }.
+session-incomparable = Nichts lässt sich vergleichen: { $reason }
+session-groups-table = Stoßzahl nach Gruppen: Mittel und sein Standardfehler, was alle Versuche teilen, Streuung zwischen Versuchen und zwischen Aufprallen, und wie viele Versuche den Bereich halbieren würden
+session-intervals-table = 95-%-Bereiche des Mittels, des nächsten Versuchs und der Streuung zwischen Versuchen
+session-without-table = Mit den Versuchen, die anders sind als die übrigen ihrer Gruppe, und ohne sie
+session-varies-table = Standardabweichung der Stoßzahl nach dem, was streut
+session-differences-table = Unterschiede nach { $factor }, alles andere gleich
+session-trends-table = Änderung der Stoßzahl mit dem, was in Zahlen vermerkt ist, alles andere gleich
+session-groups = Gruppen
+session-against-speed = Stoßzahl über dem Tempo
+session-what-varies = Was streut
+session-differences-heading = Unterschiede
+session-in-order = Der Reihe nach
+session-troubles = Was nicht gelang
+session-conditions = Bedingungen
+session-assumed = Das hat niemand vermerkt, darum ist es angenommen:
+session-method = Verfahren
+session-method-drop = Jeder Versuch wird für sich geschätzt: Fall, Luftwiderstand, Aufpralle, die streuen, Zeiten mit Fehlern. Seine Stoßzahl beim gemeinsamen Tempo hat eine eigene Unsicherheit (Zeiten, Streuung der Aufpralle) und eine, die sie mit allen Versuchen des Balls teilt (Widerstandsgesetz, Luft, Masse, Durchmesser, Kontakt). Nur die erste mittelt sich über Versuche heraus.
+session-method-group = Eine Gruppe beschreibt ein Modell mit zufälligen Effekten, einer Streuung zwischen Versuchen neben dem Fehler eines jeden: eingeschränkte Maximum-Likelihood (Viechtbauer 2005), Standardfehler nach Hartung und Knapp (2001) in der Form von Röver, Knapp und Friede (2015), Student-t, Q-Profil-Bereich der Streuung (Viechtbauer 2007), Bereich des nächsten Versuchs (Higgins, Thompson und Spiegelhalter 2009).
+session-method-factors = Was streut, und Unterschiede bei sonst Gleichem, folgen aus einem gemischten Modell mit gekreuzten zufälligen Faktoren (Patterson und Thompson 1971), Freiheitsgrade nach Satterthwaite (Giesbrecht und Burns 1985); bei einem einzigen Faktor nach Welch (1947). Wahrscheinlichkeiten sind für die Zahl der Unterschiede berichtigt (Holm 1979). Ausreißer heißen modifizierte z-Werte über 3,5 (Iglewicz und Hoaglin 1993); sie bleiben dabei.
+session-hashes = Die SHA-256-Summe jeder Aufnahme steht in der Tabelle der Versuche (content_sha256).
+
+session-column-difference = Unterschied
+session-column-interval = 95-%-Bereich
+session-column-p-holm = p (Holm)
+session-column-p = p
+session-column-group = Gruppe
+session-column-drops = Versuche
+session-column-shared = gemeinsam
+session-column-between-drops = zwischen Versuchen
+session-column-between-impacts = zwischen Aufprallen
+session-column-needed = nötig
+session-column-with = mit
+session-column-without = ohne
+session-column-factor = mit
+session-column-levels = Stufen
+session-column-slope = Steigung
+session-column-mean = Mittel
+session-column-next = nächster Versuch
+session-column-count = wie viele
+session-column-varies = streut um
+session-per-metre = je m
+session-per-kelvin = je K
+session-all = alle
+session-too-many = zu viele
+session-drop = Versuch
+session-together = { $names } (immer zusammen)
+session-too-few = zu wenige

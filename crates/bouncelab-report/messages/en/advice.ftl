@@ -9,7 +9,7 @@ terminal-advice-rule-needs-height = State it with --height.
 terminal-advice-temperature-not-stated = State it with --temperature.
 terminal-advice-altitude-not-stated = State it with --altitude.
 terminal-advice-no-channel = Choose another with --channel.
-terminal-advice-implausible-quantity = Correct it, or insist by --allow-implausible.
-terminal-advice-implausible-ball = Correct it, or insist by --allow-implausible.
+
+advice-allow-implausible = Correct it, or insist by --allow-implausible
 
 page-advice-impact-gains-energy = Remove it if it looks wrong in the waveform.

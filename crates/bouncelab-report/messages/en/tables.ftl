@@ -29,6 +29,7 @@ column-to-air = to air mJ
 column-residual = residual
 column-weight = weight
 column-inference = inference, with air
+column-plain = g T²/8
 column-95 = 95 %
 column-straight-line = straight line, no air
 

@@ -21,14 +21,11 @@
 //! ```
 
 pub mod rows;
-mod session;
 pub mod simulation;
 pub mod verdict;
 
 use bouncelab::{Diagnostic, Options, Recording};
 use serde::Serialize;
-
-pub use session::{AboutSession, Reason, SessionDocument};
 
 /// Name and version of the schema.
 pub const SCHEMA: &str = "bouncelab.analysis/2";
@@ -63,6 +60,7 @@ pub struct FailedDocument<'a> {
 /// What was known or assumed.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
+#[cfg_attr(feature = "typescript", ts(rename = "SettingsUsed"))]
 pub(crate) struct Settings {
     ball_mass_kg: f64,
     ball_diameter_m: f64,

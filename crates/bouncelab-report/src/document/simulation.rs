@@ -1,12 +1,12 @@
-//! Simulated drops as data for other programs: the schema `bouncelab.simulation/1`.
+//! Simulated drops as data for other programs: the schema `bouncelab.simulation/2`.
 
-use bouncelab::analysis::Options;
 use bouncelab::drag::DragLaw;
 use bouncelab::drop::History;
+use bouncelab::{Diagnostic, Options};
 use serde::Serialize;
 
 /// Name and version of the schema.
-pub const SCHEMA: &str = "bouncelab.simulation/1";
+pub const SCHEMA: &str = "bouncelab.simulation/2";
 
 /// One simulated drop.
 #[derive(Clone, Debug)]
@@ -74,7 +74,7 @@ pub struct Document {
     contact_time_s: f64,
     air_density_kg_m3: f64,
     gravity_m_s2: f64,
-    assumptions: Vec<String>,
+    assumptions: Vec<Diagnostic>,
     simulations: Vec<Simulation>,
 }
 
@@ -109,7 +109,7 @@ pub struct Bounce {
 
 impl Document {
     /// The document of these runs.
-    pub fn new(runs: &[Run], settings: &Options, assumptions: Vec<String>) -> Self {
+    pub fn new(runs: &[Run], settings: &Options, assumptions: Vec<Diagnostic>) -> Self {
         Self {
             schema: SCHEMA,
             bouncelab: env!("CARGO_PKG_VERSION"),

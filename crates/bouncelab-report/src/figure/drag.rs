@@ -2,10 +2,11 @@
 
 use bouncelab::analysis::Options;
 
-use super::{Curve, curve_layers, derived};
+use super::{Curve, curve_layers};
 use crate::chart::{Axis, Chart, Layer, Panel, Point, Scale, xs, ys};
 use crate::messages::Translator;
 use crate::quantity::{Quantity, Unit};
+use crate::tables::drag_law;
 use crate::theme::Meaning;
 
 /// The axes of a [`drag`] figure.
@@ -36,7 +37,18 @@ pub fn drag_of_settings(
     axes: DragAxes,
     translator: &Translator,
 ) -> Option<Chart> {
-    let curves = derived::drag_curves(settings, fastest_m_s, translator).ok()?;
+    let curves = settings.drag_curves(fastest_m_s).ok()?.into_iter();
+    let curves: Vec<Curve> = curves
+        .map(|curve| Curve {
+            name: drag_law(curve.law, translator),
+            meaning: if curve.is_chosen {
+                Meaning::Drag
+            } else {
+                Meaning::Plain
+            },
+            points: curve.points,
+        })
+        .collect();
     let some = !curves.is_empty();
     some.then(|| drag(&curves, axes, Some(fastest_m_s), translator))
 }

@@ -1,6 +1,7 @@
 //! Height against time (paper, Figs. 2 and 8).
 
-use super::derived::{self, History};
+use bouncelab::analysis::HeightHistory;
+
 use super::{Curve, Subject, curve_layers};
 use crate::chart::{Axis, Chart, Layer, Marker, Panel, Point, Scale, xs, ys};
 use crate::messages::Translator;
@@ -10,7 +11,7 @@ use crate::theme::Meaning;
 
 /// Height against time by the flight model, from impact to impact, with the measured apexes.
 pub(super) fn of_drop(subject: &Subject<'_>, translator: &Translator) -> Chart {
-    let History { points, apexes } = derived::history(subject.drop, subject.settings);
+    let HeightHistory { points, apexes, .. } = subject.drop.height_history(subject.settings);
     let drag = drag_law(subject.settings.environment.drag, translator);
     let name = translator.text_with("figure-height-model", &[("drag", drag.into())]);
     let meaning = Meaning::Drag;
@@ -30,10 +31,13 @@ pub(super) fn comparison(subject: &Subject<'_>, translator: &Translator) -> Char
         Some(points) => (text("simulation"), points.to_vec()),
         None => (
             text("best-fit"),
-            derived::best_fit(subject.drop, subject.settings).unwrap_or_default(),
+            subject
+                .drop
+                .best_fit_history(subject.settings)
+                .unwrap_or_default(),
         ),
     };
-    let measured = derived::history(subject.drop, subject.settings).points;
+    let measured = subject.drop.height_history(subject.settings).points;
     let simulated = Curve {
         name,
         meaning: Meaning::Drag,

@@ -20,7 +20,6 @@
 mod bounces;
 mod budget;
 mod calibration;
-mod derived;
 mod detection;
 mod drag;
 mod drops;
@@ -146,7 +145,7 @@ const OF_DROP: [Figure; 11] = [
     Figure {
         name: "truncation",
         applies: |subject| {
-            subject.inference().is_some() && derived::truncations(subject.drop).len() > 2
+            subject.inference().is_some() && subject.drop.truncation_points().len() > 2
         },
         draw: truncation::truncation,
     },

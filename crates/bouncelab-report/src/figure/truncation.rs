@@ -1,22 +1,36 @@
 //! An answer against how many flights it uses.
 
-use super::{Subject, derived};
+use bouncelab::Estimate;
+use bouncelab::analysis::Truncation;
+
+use super::Subject;
 use crate::chart::{Axis, Chart, Dashes, Layer, Marker, Panel, Scale, xs, ys};
 use crate::messages::Translator;
 use crate::theme::Meaning;
+
+/// One of the heights of a truncation.
+type Height = fn(&Truncation) -> Option<Estimate>;
 
 /// The drop height by the straight line and by the inference against the number of flights used, and
 /// the stated height if there is one.
 pub(super) fn truncation(subject: &Subject<'_>, translator: &Translator) -> Chart {
     let text = |id: &str| translator.text(&format!("figure-truncation-{id}"));
-    let found = derived::truncated(subject.drop, subject.settings);
+    let found = subject.drop.truncations(subject.settings);
     let mut layers = Vec::new();
-    for (meaning, name, answers) in [
-        (Meaning::Plain, "line", found.line),
-        (Meaning::Measured, "inference", found.inference),
-    ] {
-        let points: Vec<_> = answers.iter().map(|[n, h, _]| [*n, 100.0 * h]).collect();
-        let errors = answers.iter().map(|[.., sd]| 100.0 * sd).collect();
+    let answers: [(Meaning, &str, Height); 2] = [
+        (Meaning::Plain, "line", |found| found.log_linear_fit_m),
+        (Meaning::Measured, "inference", |found| found.posterior_m),
+    ];
+    for (meaning, name, height_m) in answers {
+        let heights = found.iter();
+        let heights: Vec<(f64, Estimate)> = heights
+            .filter_map(|found| Some((found.flights as f64, height_m(found)?)))
+            .collect();
+        let points: Vec<_> = heights.iter().map(|(n, h)| [*n, 100.0 * h.value]).collect();
+        let errors = heights
+            .iter()
+            .map(|(_, h)| 100.0 * h.known_sd().unwrap_or(f64::NAN));
+        let errors = errors.collect();
         layers.push(Layer::line(meaning, points.clone()).with_width(1.125));
         let points = Layer::points(meaning, Marker::Dot, points).with_errors(errors);
         layers.push(points.named(text(name)));

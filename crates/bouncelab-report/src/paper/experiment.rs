@@ -1,5 +1,6 @@
 //! The experiment of the paper: its ball, its air, its drops.
 
+use bouncelab::Result;
 use bouncelab::air::Air;
 use bouncelab::ball::{self, Ball};
 use bouncelab::drag::DragLaw;
@@ -7,7 +8,6 @@ use bouncelab::drop::{self, History, Start, Stop};
 use bouncelab::flight::{Environment, FlightModel};
 use bouncelab::impact::{Contact, Restitution};
 use bouncelab::regression::{self, LogLinearFit, NumberedFlight};
-use bouncelab::Result;
 
 pub(super) const GRAVITY_M_S2: f64 = 9.81;
 pub(super) const DROP_HEIGHT_M: f64 = 0.305;

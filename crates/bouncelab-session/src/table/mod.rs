@@ -7,6 +7,7 @@
 mod parquet;
 mod text;
 
+use std::fmt;
 use std::path::{Path, PathBuf};
 
 use bouncelab_report::file::Draft;
@@ -100,6 +101,7 @@ trait Rows {
 }
 
 /// A table being written, in one form or several at once.
+#[expect(missing_debug_implementations, reason = "open files show nothing")]
 pub struct TableWriter {
     columns: usize,
     files: Vec<InForm>,
@@ -110,6 +112,14 @@ struct InForm {
     path: PathBuf,
     draft: Draft,
     rows: Box<dyn Rows>,
+}
+
+impl fmt::Debug for InForm {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("InForm")
+            .field("path", &self.path)
+            .finish_non_exhaustive()
+    }
 }
 
 impl TableWriter {

@@ -19,6 +19,7 @@
 //! # Ok::<(), bouncelab::Error>(())
 //! ```
 
+mod derived;
 mod gap;
 mod pipeline;
 mod result;
@@ -40,6 +41,7 @@ use crate::train::{self, TrainImpact};
 use crate::{Error, Result};
 
 pub use crate::detection::DetectionOptions;
+pub use derived::{DragCurve, HeightHistory, Truncation};
 pub use gap::Gap;
 pub use pipeline::{DropCandidate, DropTask, Plan, analyze, analyze_channels, analyze_times};
 pub use result::{BounceEnergy, Drop, MeasuredFlight, Recording, Source, StrongestBand};

@@ -15,6 +15,7 @@ use crate::{Error, Result};
 #[derive(Clone, Debug)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
+#[cfg_attr(feature = "typescript", ts(rename = "RecordingResult"))]
 #[non_exhaustive]
 pub struct Recording {
     /// Where the impact times come from.
@@ -84,7 +85,7 @@ impl Source {
 
 /// A band in which impacts stand out of the background.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 #[non_exhaustive]
 pub struct StrongestBand {
@@ -113,15 +114,15 @@ pub struct Drop {
     pub flights: Vec<MeasuredFlight>,
     /// The paper's straight line through the logarithms of the flight times.
     #[cfg_attr(feature = "serde", serde(serialize_with = "ok_or_null"))]
-    #[cfg_attr(feature = "typescript", ts(type = "LogLinearFit | null"))]
+    #[cfg_attr(feature = "typescript", ts(as = "Option<LogLinearFit>"))]
     pub log_linear_fit: Result<LogLinearFit>,
     /// Restitution of each impact, corrected for drag.
     #[cfg_attr(feature = "serde", serde(serialize_with = "ok_or_null"))]
-    #[cfg_attr(feature = "typescript", ts(type = "PerImpact | null"))]
+    #[cfg_attr(feature = "typescript", ts(as = "Option<PerImpact>"))]
     pub per_impact: Result<PerImpact>,
     /// What all of it says together.
     #[cfg_attr(feature = "serde", serde(serialize_with = "ok_or_null"))]
-    #[cfg_attr(feature = "typescript", ts(type = "Posterior | null"))]
+    #[cfg_attr(feature = "typescript", ts(as = "Option<Posterior>"))]
     pub posterior: Result<Posterior>,
     /// What is odd, and what to know before believing it.
     pub diagnostics: Vec<Diagnostic>,

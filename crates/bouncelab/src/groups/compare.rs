@@ -8,13 +8,17 @@ use crate::inference::Measured;
 
 /// The difference of two groups.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub struct Difference {
     /// The group from which it is counted, by its place.
+    #[cfg_attr(feature = "serde", serde(skip))]
     pub of: usize,
     /// The group that is subtracted.
+    #[cfg_attr(feature = "serde", serde(skip))]
     pub less: usize,
     /// Mean of the one less mean of the other, with its standard error.
+    #[cfg_attr(feature = "serde", serde(flatten))]
     pub value: Measured,
     /// Degrees of freedom of the standard error.
     pub degrees: f64,

@@ -17,9 +17,11 @@ pub struct Covariate {
 
 /// How restitution changes with an amount, all else equal.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub struct Trend {
     /// The factor, by its place.
+    #[cfg_attr(feature = "serde", serde(skip))]
     pub factor: usize,
     /// How many levels it has.
     pub levels: usize,
@@ -35,14 +37,17 @@ pub struct Trend {
 
 /// How much something varies.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub struct VarianceComponent {
     /// The factors, by their place: several if they always go together and cannot be told apart;
     /// none for the drops themselves.
+    #[cfg_attr(feature = "serde", serde(skip))]
     pub factors: Vec<usize>,
     /// How many levels it has.
     pub levels: usize,
     /// Standard deviation of the restitution, with interval.
+    #[cfg_attr(feature = "serde", serde(flatten))]
     pub component: Component,
 }
 

@@ -1,7 +1,10 @@
 //! Restitution against impact speed, at speeds that all drops share.
 
+use crate::inference::Posterior;
+
 /// Restitution at one impact speed.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct CurvePoint {
     /// Impact speed, m/s.
     pub speed_m_s: f64,
@@ -16,6 +19,7 @@ pub struct CurvePoint {
 
 /// Restitution against impact speed, at increasing speeds.
 #[derive(Debug, Clone, PartialEq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct RestitutionCurve(pub Vec<CurvePoint>);
 
 impl RestitutionCurve {
@@ -63,6 +67,37 @@ impl RestitutionCurve {
             own_sd: between(low.own_sd, high.own_sd),
             shared_sd: between(low.shared_sd, high.shared_sd),
         })
+    }
+}
+
+impl From<&Posterior> for RestitutionCurve {
+    /// Restitution at the [speeds](Self::speeds) within those of the impacts.
+    fn from(posterior: &Posterior) -> Self {
+        let speeds = posterior
+            .impacts
+            .iter()
+            .filter(|impact| impact.restitution.is_some())
+            .map(|impact| impact.impact_speed_m_s.value);
+        let (slowest, fastest) = speeds.fold((f64::INFINITY, 0.0), |(slowest, fastest), speed| {
+            (speed.min(slowest), speed.max(fastest))
+        });
+        let speeds = Self::speeds(slowest, fastest);
+        let shared = posterior.shared_sd(&speeds).unwrap_or_default();
+        let known = posterior.restitution_at_each(&speeds).into_iter();
+        let points = known.enumerate().filter_map(|(place, restitution)| {
+            let restitution = restitution.filter(|restitution| restitution.sd.is_finite())?;
+            let shared_sd = shared.get(place).copied().filter(|sd| sd.is_finite());
+            // What is not shared is this drop's own: the whole of it where the fit is too odd to be
+            // taken apart.
+            let shared_sd = shared_sd.unwrap_or(0.0).min(restitution.sd);
+            Some(CurvePoint {
+                speed_m_s: speeds[place],
+                value: restitution.value,
+                own_sd: (restitution.sd.powi(2) - shared_sd.powi(2)).sqrt(),
+                shared_sd,
+            })
+        });
+        Self(points.collect())
     }
 }
 

@@ -12,6 +12,7 @@ use crate::inference::Measured;
 /// the errors alone give (Röver, Knapp and Friede 2015), and the interval is of Student's t: that
 /// holds what it promises also for few drops.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub struct Mean {
     /// How many drops.

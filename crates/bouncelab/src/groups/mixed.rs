@@ -28,6 +28,7 @@ pub struct Drop {
 
 /// A variance component.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub struct Component {
     /// Standard deviation.
@@ -128,7 +129,7 @@ impl Mixed {
         design.climb_all(&mut sds, None, 40);
         let fit = design
             .fit(&sds)
-            .ok_or_else(|| Error::CannotInfer(InferenceFailure::Confounded))?;
+            .ok_or(Error::CannotInfer(InferenceFailure::Confounded))?;
         Ok(Self { design, sds, fit })
     }
 

@@ -48,4 +48,4 @@ pub use mean::Mean;
 pub use mixed::{Component, Drop, Factor, Mixed};
 pub use outlier::{OUTLIER_THRESHOLD, Outlier, outliers};
 pub use plan::{MOST_DROPS, drops_needed, run_limit};
-pub use study::{Group, Study, StudyDrop};
+pub use study::{Group, MeanAtSpeed, Study, StudyDrop};

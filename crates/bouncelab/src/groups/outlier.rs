@@ -14,9 +14,11 @@ const FEWEST: usize = 3;
 
 /// A drop that lies far from its group.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub struct Outlier {
     /// Its place in the list.
+    #[cfg_attr(feature = "serde", serde(skip))]
     pub drop: usize,
     /// How far its value lies from the median of its group.
     pub off: f64,

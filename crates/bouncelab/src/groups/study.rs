@@ -17,7 +17,7 @@ use crate::stats::median;
 #[derive(Debug, Clone, PartialEq)]
 pub struct StudyDrop {
     /// Its restitution at [`RestitutionCurve::speeds`].
-    pub law: RestitutionCurve,
+    pub curve: RestitutionCurve,
     /// Scatter of ln e from impact to impact, above zero.
     pub scatter: Option<Measured>,
     /// Level of each factor; `None` where it was not noted.
@@ -26,13 +26,17 @@ pub struct StudyDrop {
 
 /// Drops that have the same levels of the factors by which they are grouped.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub struct Group {
     /// Level of each of those factors.
+    #[cfg_attr(feature = "serde", serde(skip))]
     pub levels: Vec<Option<usize>>,
     /// The drops, by their place in the list given.
+    #[cfg_attr(feature = "serde", serde(skip))]
     pub drops: Vec<usize>,
     /// The mean restitution at the speed of the study, with the scatter between drops.
+    #[cfg_attr(feature = "serde", serde(rename = "restitution"))]
     pub mean: Mean,
     /// The same without the outliers of the study, if this group has any and others besides.
     pub without_outliers: Option<Mean>,
@@ -44,7 +48,18 @@ pub struct Group {
     /// one if none was stated.
     pub drops_needed: Option<usize>,
     /// Restitution against speed, pooled over the drops that know it: at each speed a mean of its own.
-    pub law: Vec<(f64, Mean)>,
+    pub curve: Vec<MeanAtSpeed>,
+}
+
+/// The mean restitution of the drops of a group that know it at an impact speed.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct MeanAtSpeed {
+    /// Impact speed, m/s.
+    pub speed_m_s: f64,
+    /// The mean there.
+    #[cfg_attr(feature = "serde", serde(flatten))]
+    pub mean: Mean,
 }
 
 /// What the drops of a session say together.
@@ -95,7 +110,7 @@ impl Study {
             })?,
         };
         let known: Vec<Option<CurvePoint>> =
-            drops.iter().map(|drop| drop.law.at(speed_m_s)).collect();
+            drops.iter().map(|drop| drop.curve.at(speed_m_s)).collect();
         let used: Vec<usize> = (0..drops.len()).filter(|&i| known[i].is_some()).collect();
         let values: Vec<Measured> = known.iter().flatten().map(own).collect();
         let cells = cells(drops, &used, by);
@@ -169,13 +184,13 @@ fn own(point: &CurvePoint) -> Measured {
 /// The speed that most drops know; of several, the one nearest to the middle of what drops know.
 fn common_speed_m_s(drops: &[StudyDrop]) -> Option<f64> {
     let mut known: BTreeMap<u64, usize> = BTreeMap::new();
-    for point in drops.iter().flat_map(|drop| &drop.law.0) {
+    for point in drops.iter().flat_map(|drop| &drop.curve.0) {
         // Speeds are positive, so their bits are in the order of their values.
         *known.entry(point.speed_m_s.to_bits()).or_default() += 1;
     }
     let most = known.values().copied().max()?;
     let middle = median(drops.iter().filter_map(|drop| {
-        let (first, last) = (drop.law.0.first()?, drop.law.0.last()?);
+        let (first, last) = (drop.curve.0.first()?, drop.curve.0.last()?);
         Some((first.speed_m_s * last.speed_m_s).sqrt().ln())
     }))?;
     known
@@ -208,7 +223,7 @@ fn group(
         drops_needed: wanted
             .or_else(|| mean.interval95.map(|[low, high]| 0.25 * (high - low)))
             .and_then(|wanted| drops_needed(&mean, wanted)),
-        law: pooled_law(drops, places),
+        curve: pooled(drops, places),
         mean,
     })
 }
@@ -226,15 +241,20 @@ fn typical_scatter(scatters: impl Iterator<Item = Measured>) -> Option<f64> {
 }
 
 /// At each speed the mean of the drops that know it.
-fn pooled_law(drops: &[StudyDrop], places: &[usize]) -> Vec<(f64, Mean)> {
+fn pooled(drops: &[StudyDrop], places: &[usize]) -> Vec<MeanAtSpeed> {
     let mut at_speed: BTreeMap<u64, Vec<Measured>> = BTreeMap::new();
-    for point in places.iter().flat_map(|&place| &drops[place].law.0) {
+    for point in places.iter().flat_map(|&place| &drops[place].curve.0) {
         let known = at_speed.entry(point.speed_m_s.to_bits()).or_default();
         known.push(own(point));
     }
     at_speed
         .into_iter()
-        .filter_map(|(bits, values)| Some((f64::from_bits(bits), Mean::of(&values).ok()?)))
+        .filter_map(|(bits, values)| {
+            Some(MeanAtSpeed {
+                speed_m_s: f64::from_bits(bits),
+                mean: Mean::of(&values).ok()?,
+            })
+        })
         .collect()
 }
 
@@ -242,7 +262,7 @@ fn pooled_law(drops: &[StudyDrop], places: &[usize]) -> Vec<(f64, Mean)> {
 mod tests {
     use super::*;
 
-    fn law(slowest: f64, fastest: f64, value: impl Fn(f64) -> f64) -> RestitutionCurve {
+    fn curve(slowest: f64, fastest: f64, value: impl Fn(f64) -> f64) -> RestitutionCurve {
         let points = RestitutionCurve::speeds(slowest, fastest).into_iter();
         RestitutionCurve(
             points
@@ -271,7 +291,7 @@ mod tests {
         let drops: Vec<StudyDrop> = [2.0, 3.0, 4.5, 2.5]
             .iter()
             .map(|&fastest| StudyDrop {
-                law: law(0.7, fastest, falling),
+                curve: curve(0.7, fastest, falling),
                 scatter: Some(Measured {
                     value: 0.003,
                     sd: 0.0006,
@@ -286,8 +306,8 @@ mod tests {
         assert!((study.all.between_impacts.unwrap() - 0.003).abs() < 1e-12);
         assert!((study.all.shared_sd - 0.0005).abs() < 1e-12);
         assert_eq!(study.groups.len(), 1);
-        let (fastest, mean) = study.all.law.last().unwrap();
-        assert!(*fastest >= 4.0 && mean.drops == 1);
+        let fastest = study.all.curve.last().unwrap();
+        assert!(fastest.speed_m_s >= 4.0 && fastest.mean.drops == 1);
         let fast = Study::of(&drops, &[], &[], &[], Some(4.0), None).unwrap();
         assert_eq!(fast.left_out, [0, 1, 3]);
         assert!(Study::of(&drops, &[], &[], &[], Some(40.0), None).is_err());
@@ -302,7 +322,7 @@ mod tests {
         ];
         let drops: Vec<StudyDrop> = (0..18)
             .map(|drop| StudyDrop {
-                law: law(0.5, [1.5, 3.0, 4.5][drop % 3], |_| {
+                curve: curve(0.5, [1.5, 3.0, 4.5][drop % 3], |_| {
                     0.9 + 0.01 * (drop / 3 % 2) as f64 + 0.0004 * (drop / 6) as f64
                 }),
                 scatter: None,
@@ -347,7 +367,7 @@ mod tests {
         ];
         let drops: Vec<StudyDrop> = (0..16)
             .map(|drop| StudyDrop {
-                law: law(1.0, 2.0, |_| {
+                curve: curve(1.0, 2.0, |_| {
                     let kelvin = drop as f64;
                     let odd = if drop == 14 { 0.1 } else { 0.0 };
                     0.9 + 0.02 * (drop % 2) as f64 + 0.0005 * kelvin + odd
@@ -395,7 +415,7 @@ mod tests {
             .map(|drop| {
                 let value = 0.9 + 0.01 * (drop % 3) as f64 + 0.0005 * (drop / 3) as f64;
                 StudyDrop {
-                    law: law(1.0, 2.0, |_| value),
+                    curve: curve(1.0, 2.0, |_| value),
                     scatter: None,
                     levels: vec![Some(drop % 3), Some(2 - drop % 3), Some(0)],
                 }

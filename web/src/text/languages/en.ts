@@ -4,16 +4,16 @@
  */
 import type {
   LabReason,
-  Lack,
   LayoutProblem,
   LooksLike,
+  MissingContent,
   Stage,
   TimesProblem,
 } from '../../lab/index.ts';
 
 const plural = (count: number, one: string, many: string): string => (count === 1 ? one : many);
 
-const LACKS: Record<Lack, string> = {
+const LACKS: Record<MissingContent, string> = {
   content: 'Not a single byte of sound is in it.',
   sound: 'It has a header, but no sound.',
   time: 'There is no time in it.',
@@ -552,8 +552,8 @@ export default {
     },
     verdicts: {
       agrees: 'agrees',
-      'agrees when corrected': 'agrees when corrected',
-      'agrees within reading': 'agrees within reading',
+      'agrees-when-corrected': 'agrees when corrected',
+      'agrees-within-reading': 'agrees within reading',
       misprint: 'misprint',
       differs: 'differs',
       '': '',
@@ -614,17 +614,4 @@ export default {
     deletedAll: (count: number) => `${count} ${plural(count, 'drop was', 'drops were')} deleted.`,
     unavailable: 'The browser keeps nothing here (a private window?).',
   },
-  /**
-   * What the science says, which is English already: only what names options of the command line is
-   * said in another way here. In other languages every template is translated; `{}` is what is put
-   * there, `{0}` what begins with a number. `said.txt` has an example of each.
-   */
-  engine: {
-    'the drop height is of the fall before the first impact heard; with the measured height (--height) missed impacts would show':
-      'The drop height is of the fall before the first impact heard; with a measured height missed impacts would show.',
-    'impact {} would give energy (restitution above 1): a double trigger, a moving surface, or a sound that is no impact; leave it out by hand (--exclude TIME)':
-      'Impact {} would give energy to the ball: a double trigger, a moving surface, or a sound that is no impact. Remove it if it looks wrong in the waveform.',
-    'impacts {} would give energy (restitution above 1): a double trigger, a moving surface, or a sound that is no impact; leave it out by hand (--exclude TIME)':
-      'Impacts {} would give energy to the ball: double triggers, a moving surface, or sounds that are no impacts. Remove them if they look wrong in the waveform.',
-  } as Record<string, string>,
 };

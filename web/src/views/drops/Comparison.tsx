@@ -1,7 +1,6 @@
 import { Figure, useAnswer } from '../../chart/Figure.tsx';
 import { engine } from '../../state/engine.ts';
 import type { KeptDrop } from '../../store/drops.ts';
-import { messages } from '../../text/language.ts';
 
 /** Drops beside each other, and the restitution of each over the speed. */
 export function Comparison({ drops }: { readonly drops: readonly KeptDrop[] }) {
@@ -11,7 +10,7 @@ export function Comparison({ drops }: { readonly drops: readonly KeptDrop[] }) {
     restitution_sd: restitution?.sd ?? null,
     impacts: restitutions.map(({ speedMS, value }): [number, number] => [speedMS, value]),
   }));
-  const charts = useAnswer(() => engine().dropCharts(compared, messages.peek()), compared);
+  const charts = useAnswer(() => engine().dropCharts(compared), compared);
   if (drops.length < 2) return null;
   return (
     <div class="pairs">

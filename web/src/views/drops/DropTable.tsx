@@ -1,9 +1,9 @@
 import { handFocusOn } from '../../app/focus.ts';
 import { lengthUnit, PLAIN, plain, uncertain } from '../../format/quantity.ts';
-import { busy } from '../../state/bench.ts';
 import { catalogue } from '../../state/engine.ts';
 import { kept, openKept, remove, rename, tick, ticked } from '../../state/keeping.ts';
 import { spreadOf } from '../../state/spread.ts';
+import { busy } from '../../state/workspace.ts';
 import type { KeptDrop } from '../../store/drops.ts';
 import { language, region, texts } from '../../text/language.ts';
 import { ballName } from '../../text/names.ts';

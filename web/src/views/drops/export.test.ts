@@ -11,7 +11,7 @@ test('names are quoted, and none is taken for a formula', () => {
     dropHeightM: null,
     restitutions: [],
     settings: {},
-    marks: { edited: false, impacts: [] },
+    marks: { edited: false, probability: 1, impacts: [] },
     recording: null,
   };
   const [head, row] = csvOf([drop]).split('\r\n');

@@ -38,7 +38,7 @@ export const saveDropsCsv = (drops: readonly KeptDrop[]): void =>
 
 export const saveDropsJson = (drops: readonly KeptDrop[]): void =>
   saveText(
-    JSON.stringify({ schema: 'bouncelab.kept-drops/1', drops }, null, 2),
+    JSON.stringify({ schema: 'bouncelab.kept-drops/2', drops }, null, 2),
     'application/json',
     'bouncelab-drops.json',
   );

@@ -1,4 +1,4 @@
-import { chosenDrop, edits, lookAt } from '../../state/bench.ts';
+import { chosenDrop, edits, lookAt } from '../../state/workspace.ts';
 import { texts } from '../../text/language.ts';
 
 /** Which of several drops in a recording is looked at. */

@@ -1,8 +1,8 @@
-import { signal } from '@preact/signals';
+import { computed, signal } from '@preact/signals';
 import { handFocusOn } from '../../app/focus.ts';
 import { fixed, MILLISECOND, PLAIN, plain, uncertain } from '../../format/quantity.ts';
-import { drop, marks, onBench, selected } from '../../state/bench.ts';
 import { choose, remove } from '../../state/editing.ts';
+import { drop, marks, selected, workspace } from '../../state/workspace.ts';
 import { language, texts } from '../../text/language.ts';
 import { CERTAIN, type Mark } from '../../wave/mark.ts';
 
@@ -22,7 +22,7 @@ export function ImpactTable() {
       <summary>{words.list}</summary>
       {listed.value && (
         <>
-          {onBench.value?.pyramid && (
+          {workspace.value?.pyramid && (
             <div class="small soft">
               <p>{words.pointer}</p>
               <p>{words.keys}</p>
@@ -54,10 +54,19 @@ export function ImpactTable() {
   );
 }
 
+/** Restitutions by the places of their impacts. */
+const restitutions = computed(() => {
+  const { impacts = [], per_impact } = drop.value ?? {};
+  const places = new Map(impacts.map(({ number }, index) => [number, index]));
+  return new Map(
+    per_impact?.impacts.map(({ number, restitution }) => [places.get(number), restitution]),
+  );
+});
+
 function Row({ mark, index }: { readonly mark: Mark; readonly index: number }) {
   const words = texts.value.wave;
   const spoken = language.value;
-  const impact = drop.value?.impacts[index];
+  const restitution = restitutions.value.get(index);
   const next = marks.value[index + 1];
   const sure = `${fixed(100 * mark.probability, 0, spoken)} %`;
   return (
@@ -80,9 +89,7 @@ function Row({ mark, index }: { readonly mark: Mark; readonly index: number }) {
       </td>
       <td class="figure">{mark.levelDb === null ? '' : `${fixed(mark.levelDb, 0, spoken)} dB`}</td>
       <td class="figure">
-        {impact?.restitution
-          ? uncertain(impact.restitution, impact.restitution_sd, PLAIN, spoken)
-          : ''}
+        {restitution && uncertain(restitution.value, restitution.sd, PLAIN, spoken)}
       </td>
       <td>
         <button

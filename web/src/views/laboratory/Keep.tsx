@@ -5,17 +5,17 @@ import { FaultNotice } from '../../app/FaultNotice.tsx';
 import { fileName, saveText } from '../../app/save.ts';
 import type { Recording } from '../../lab/index.ts';
 import { request } from '../../state/analysing.ts';
-import { analysed, chosenDrop, drop, edits, onBench } from '../../state/bench.ts';
 import { engine } from '../../state/engine.ts';
 import { keepDrop } from '../../state/keeping.ts';
 import { settings } from '../../state/settings.ts';
-import { messages, texts } from '../../text/language.ts';
+import { analysed, chosenDrop, drop, edits, workspace } from '../../state/workspace.ts';
+import { texts } from '../../text/language.ts';
 import { SaveSound } from './SaveSound.tsx';
 
 /** Keep the drop here, save its numbers, share the set-up, print a report. */
 export function Keep() {
   const words = texts.value.keep;
-  const recording = onBench.value;
+  const recording = workspace.value;
   if (!recording) return null;
   const stem = fileName(recording.name);
   return (
@@ -23,7 +23,7 @@ export function Keep() {
       {drop.value && <KeepForm />}
       <div class="row">
         <SaveSound />
-        {analysed.value && (
+        {drop.value && (
           <>
             <button type="button" class="quiet" onClick={() => void saveCsv(stem)}>
               {words.csv}
@@ -44,14 +44,14 @@ export function Keep() {
 
 async function saveCsv(stem: string): Promise<void> {
   const asked = request();
-  if (asked) saveText(await engine().rows(asked), 'text/csv', `${stem}.csv`);
+  if (asked) saveText(await engine().csv(asked), 'text/csv', `${stem}.csv`);
 }
 
 /** One file to print, send or hand in: as the command line writes it, in the language of the page. */
 async function saveReport(stem: string): Promise<void> {
-  const [asked, bench] = [request(), onBench.peek()];
-  if (!asked || !bench) return;
-  const html = await engine().report(bench.recording, asked, new Date(), messages.peek());
+  const [asked, loaded] = [request(), workspace.peek()];
+  if (!asked || !loaded) return;
+  const html = await engine().report(loaded.recording, asked, new Date());
   saveText(html, 'text/html', `${stem}.html`);
 }
 
@@ -61,7 +61,7 @@ function saveJson(stem: string): void {
   saveText(text, 'application/json', `${stem}.json`);
 }
 
-/** What became of the wish to keep a drop. */
+/** Whether a drop could be kept. */
 interface Attempt {
   readonly recording: Recording;
   readonly drop: number;
@@ -73,12 +73,12 @@ function KeepForm() {
   const words = texts.value.keep;
   const input = useRef<HTMLInputElement>(null);
   const [last, setLast] = useState<Attempt>();
-  const bench = onBench.value;
-  if (!bench) return null;
+  const loaded = workspace.value;
+  if (!loaded) return null;
   const [index, count] = [chosenDrop.value, edits.value.length];
   const name =
-    count > 1 ? `${bench.name}, ${texts.value.lab.dropOf(index + 1, count)}` : bench.name;
-  const attempt = last?.recording === bench.recording && last.drop === index ? last : undefined;
+    count > 1 ? `${loaded.name}, ${texts.value.lab.dropOf(index + 1, count)}` : loaded.name;
+  const attempt = last?.recording === loaded.recording && last.drop === index ? last : undefined;
   return (
     <form
       class="stack"
@@ -86,7 +86,7 @@ function KeepForm() {
         event.preventDefault();
         const given = input.current?.value.trim() || name;
         const isKept = await keepDrop(given);
-        setLast({ recording: bench.recording, drop: index, name: isKept ? given : null });
+        setLast({ recording: loaded.recording, drop: index, name: isKept ? given : null });
       }}
     >
       <div class="field">

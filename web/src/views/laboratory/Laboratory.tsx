@@ -1,34 +1,34 @@
-import { busy, onBench } from '../../state/bench.ts';
+import { busy, workspace } from '../../state/workspace.ts';
 import { texts } from '../../text/language.ts';
 import { FigureTabs } from './FigureTabs.tsx';
 import { Keep } from './Keep.tsx';
 import { ListenBar } from './ListenBar.tsx';
 import { LiveStrip } from './LiveStrip.tsx';
-import { Said } from './Said.tsx';
+import { ResultSummary } from './ResultSummary.tsx';
 import { SettingsLine } from './SettingsLine.tsx';
 import { Troubles } from './Troubles.tsx';
-import { WaveBench } from './WaveBench.tsx';
+import { WaveEditor } from './WaveEditor.tsx';
 import { Welcome } from './Welcome.tsx';
 
 /** The laboratory: from a button, downwards, to everything the bounces say. */
 export function Laboratory() {
-  if (!onBench.value && !busy.value) return <Welcome />;
+  if (!workspace.value && !busy.value) return <Welcome />;
   return (
     <div class="lab">
       <h1 class="unseen">{texts.value.app.title}</h1>
       <ListenBar />
       <Troubles />
-      {busy.value ? <LiveStrip /> : <Bench />}
+      {busy.value ? <LiveStrip /> : <Workspace />}
     </div>
   );
 }
 
-function Bench() {
+function Workspace() {
   return (
     <>
-      <WaveBench />
-      <div class="bench">
-        <Said />
+      <WaveEditor />
+      <div class="workspace">
+        <ResultSummary />
         <FigureTabs />
         <div class="stack rest">
           <SettingsLine />

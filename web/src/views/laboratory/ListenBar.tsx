@@ -1,4 +1,4 @@
-import { busy } from '../../state/bench.ts';
+import { busy } from '../../state/workspace.ts';
 import { ListenButton } from './ListenButton.tsx';
 import { OtherWays } from './OtherWays.tsx';
 import { Paste } from './Paste.tsx';

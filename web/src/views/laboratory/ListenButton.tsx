@@ -1,6 +1,6 @@
 import { useEffect, useRef } from 'preact/hooks';
-import { busy, fault, onBench, phase } from '../../state/bench.ts';
 import { level, listen, stopListening } from '../../state/listening.ts';
+import { busy, fault, phase, workspace } from '../../state/workspace.ts';
 import { texts } from '../../text/language.ts';
 
 /** The one button that matters. While listening it breathes with the sound. */
@@ -20,7 +20,7 @@ export function ListenButton({ small = false }: { readonly small?: boolean }) {
     const isLost = document.activeElement === document.body;
     if (isLost && (now !== 'empty' || fault.peek())) button.current?.focus({ preventScroll: true });
   }, [now]);
-  const label = listening ? words.stop : onBench.value ? words.again : words.listen;
+  const label = listening ? words.stop : workspace.value ? words.again : words.listen;
   return (
     <button
       type="button"

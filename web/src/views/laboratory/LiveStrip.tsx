@@ -1,7 +1,7 @@
 import { useEffect, useRef } from 'preact/hooks';
 import { PERCENT, plain } from '../../format/quantity.ts';
-import { phase } from '../../state/bench.ts';
 import { live, soFar } from '../../state/listening.ts';
+import { phase } from '../../state/workspace.ts';
 import { language, texts } from '../../text/language.ts';
 import { paintLive } from '../../wave/live-painter.ts';
 
@@ -47,9 +47,8 @@ function RunningSentence() {
   if (now.kind === 'reading') return <>{words.opening(now.name)}</>;
   const count = soFar.value?.drop?.impacts.length ?? 0;
   if (count === 0) return <>{words.listening}</>;
-  const keeps = soFar.value?.restitution;
-  const share =
-    keeps === null || keeps === undefined ? undefined : plain(keeps, PERCENT, 3, language.value);
+  const keeps = soFar.value?.drop?.log_linear_fit?.restitution.value;
+  const share = keeps === undefined ? undefined : plain(keeps, PERCENT, 3, language.value);
   return (
     <>
       {words.soFar(count)}

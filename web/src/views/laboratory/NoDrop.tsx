@@ -1,18 +1,17 @@
-import { onBench } from '../../state/bench.ts';
+import { analysed, workspace } from '../../state/workspace.ts';
 import { texts } from '../../text/language.ts';
-import { sentence } from '../../text/remarks.ts';
 
 /** Why there is no drop, and what to do about it. */
 export function NoDrop() {
   const words = texts.value.lab;
-  const reason = onBench.value?.recording.heard.no_drop;
+  const reason = analysed.value?.document.no_drop?.message;
   return (
     <div class="notice">
       <p>
         <strong>{words.noDropTitle}</strong>
       </p>
-      {reason && <p>{sentence(reason)}</p>}
-      {onBench.value?.pyramid && <p>{words.noDropHint}</p>}
+      {reason && <p>{reason}</p>}
+      {workspace.value?.pyramid && <p>{words.noDropHint}</p>}
     </div>
   );
 }

@@ -12,8 +12,8 @@ import {
   type Unit,
   uncertain,
 } from '../../format/quantity.ts';
-import type { DocumentDrop, Posterior } from '../../lab/index.ts';
-import { drop } from '../../state/bench.ts';
+import type { Drop, Estimate } from '../../lab/index.ts';
+import { drop } from '../../state/workspace.ts';
 import { language, texts } from '../../text/language.ts';
 
 /** A quantity in the list. */
@@ -25,9 +25,9 @@ interface Entry {
 
 /** Every number with its uncertainty, interval and unit. */
 export function Numbers() {
-  const said = drop.value;
-  if (!said) return null;
-  const entries = entriesOf(said);
+  const result = drop.value;
+  if (!result) return null;
+  const entries = entriesOf(result);
   if (entries.length === 0) return null;
   return (
     <details>
@@ -48,17 +48,18 @@ export function Numbers() {
   );
 }
 
-function entriesOf(said: DocumentDrop): Entry[] {
-  return [...inferredEntries(said), ...lineEntries(said)];
+function entriesOf(result: Drop): Entry[] {
+  return [...inferredEntries(result), ...lineEntries(result)];
 }
 
-function inferredEntries({ estimate }: DocumentDrop): Entry[] {
-  if (!estimate) return [];
+function inferredEntries({ posterior }: Drop): Entry[] {
+  if (!posterior) return [];
   const words = texts.value.quantities;
   const spoken = language.value;
-  const entry = (name: string, posterior: Posterior | null, unit: Unit): Entry[] => {
-    if (!posterior) return [];
-    const { value, sd, interval95: ends } = posterior;
+  const entry = (name: string, estimate: Estimate | null, unit: Unit): Entry[] => {
+    if (!estimate) return [];
+    const { value, sd, interval95: ends } = estimate;
+    if (sd === null || ends === null) return [];
     // As the slope of a restitution that is surely constant: an interval would be of noughts only.
     if (ends[0] === ends[1]) {
       const only = plain(value, unit, 3, spoken);
@@ -67,47 +68,34 @@ function inferredEntries({ estimate }: DocumentDrop): Entry[] {
     const note = words.interval(between(ends, sd, unit, texts.value.to, spoken));
     return [{ name, value: uncertain(value, sd, unit, spoken), note }];
   };
-  const speed = plain(estimate.at_speed_m_s, METRE_PER_SECOND, 3, spoken);
-  const height = estimate.drop_height_m;
+  const speed = plain(posterior.at_speed_m_s, METRE_PER_SECOND, 3, spoken);
+  const height = posterior.drop_height_m;
   return [
-    ...entry(`${words.restitution} ${words.atSpeed(speed)}`, estimate.restitution, PLAIN),
-    ...entry(words.slope, estimate.restitution_slope, PLAIN),
+    ...entry(`${words.restitution} ${words.atSpeed(speed)}`, posterior.restitution, PLAIN),
+    ...entry(words.slope, posterior.restitution_slope, PLAIN),
     ...entry(words.dropHeight, height, lengthUnit(height.value)),
-    ...entry(words.drag, estimate.drag_coefficient, PLAIN),
-    ...entry(words.terminal, estimate.terminal_speed_m_s, METRE_PER_SECOND),
-    ...entry(words.totalTime, estimate.total_time_s, SECOND),
-    ...entry(words.totalPath, estimate.total_path_m, METRE),
-    ...entry(words.scatter, estimate.restitution_scatter, PERCENT),
-    ...entry(words.timing, estimate.timing_s, MILLISECOND),
-    ...entry(words.contact, estimate.contact_time_s, MILLISECOND),
+    ...entry(words.drag, posterior.drag_coefficient, PLAIN),
+    ...entry(words.terminal, posterior.terminal_speed_m_s, METRE_PER_SECOND),
+    ...entry(words.totalTime, posterior.total_time_s, SECOND),
+    ...entry(words.totalPath, posterior.total_path_m, METRE),
+    ...entry(words.scatter, posterior.restitution_scatter, PERCENT),
+    ...entry(words.timing, posterior.timing_s, MILLISECOND),
+    ...entry(words.contact, posterior.contact_time_s, MILLISECOND),
   ];
 }
 
-function lineEntries({ corrected, regression: line }: DocumentDrop): Entry[] {
+function lineEntries({ per_impact, log_linear_fit: line }: Drop): Entry[] {
   const words = texts.value.quantities;
   const spoken = language.value;
-  const entries: Entry[] = [];
-  if (corrected) {
-    const { restitution, restitution_sd } = corrected;
-    const value = uncertain(restitution, restitution_sd, PLAIN, spoken);
-    entries.push({ name: words.corrected, value });
-  }
-  if (!line) return entries;
-  const height = line.drop_height_m;
+  const entry = (name: string, estimate: Estimate | null | undefined, unit: Unit): Entry[] =>
+    estimate ? [{ name, value: uncertain(estimate.value, estimate.sd, unit, spoken) }] : [];
+  const corrected = entry(words.corrected, per_impact?.restitution, PLAIN);
+  if (!line) return corrected;
   return [
-    ...entries,
-    {
-      name: words.lineRestitution,
-      value: uncertain(line.restitution, line.restitution_sd, PLAIN, spoken),
-    },
-    {
-      name: words.lineHeight,
-      value: uncertain(height, line.drop_height_sd_m, lengthUnit(height), spoken),
-    },
-    {
-      name: words.energyKept,
-      value: uncertain(line.energy_kept, line.energy_kept_sd, PERCENT, spoken),
-    },
+    ...corrected,
+    ...entry(words.lineRestitution, line.restitution, PLAIN),
+    ...entry(words.lineHeight, line.drop_height_m, lengthUnit(line.drop_height_m.value)),
+    ...entry(words.energyKept, line.energy_kept, PERCENT),
     { name: words.lineFlights, value: fixed(line.flights, 0, spoken) },
   ];
 }

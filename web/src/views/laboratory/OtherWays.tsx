@@ -1,6 +1,6 @@
 import { useRef } from 'preact/hooks';
-import { busy } from '../../state/bench.ts';
 import { openDemo, openFile } from '../../state/opening.ts';
+import { busy } from '../../state/workspace.ts';
 import { texts } from '../../text/language.ts';
 import { PASTE, pasting } from './pasting.ts';
 

@@ -1,47 +1,59 @@
 import { perCent } from '../../format/quantity.ts';
-import { analysed, drop, refining } from '../../state/bench.ts';
+import type { Diagnostic, PriorContraction, Unknown } from '../../lab/index.ts';
+import { analysed, drop, refining } from '../../state/workspace.ts';
 import { language, texts } from '../../text/language.ts';
-import { sentence, translated } from '../../text/remarks.ts';
+import type { Texts } from '../../text/texts.ts';
 
-/** What is odd about the drop, and what the sound can and cannot tell. */
+/** What is odd about the drop and its recording, and what it can and cannot determine. */
 export function Remarks() {
-  const said = drop.value;
-  if (!said) return null;
-  const recording = analysed.value?.document.warnings ?? [];
-  const warnings = [...said.warnings, ...recording];
-  const estimate = said.estimate;
+  const result = drop.value;
+  if (!result) return null;
+  const all = [...result.diagnostics, ...(analysed.value?.document.diagnostics ?? [])];
+  const warnings = all.filter(({ severity }) => severity === 'warning');
+  const others = all.filter(({ severity }) => severity !== 'warning');
+  const narrowed = result.posterior?.prior_contraction ?? [];
   return (
     <>
-      {warnings.length > 0 && (
-        <ul class="notice remarks">
-          {warnings.map((warning) => (
-            <li key={warning}>{sentence(warning)}</li>
-          ))}
-        </ul>
-      )}
+      {warnings.length > 0 && <Messages of={warnings} kind="notice" />}
       {/* It stays while the inference runs, unfolded if it was. */}
-      {(estimate || said.no_estimate || refining.value) && (
+      {(result.posterior || others.length > 0 || refining.value) && (
         <details>
           <summary>{texts.value.lab.tells}</summary>
-          <ul class="remarks small">
-            {estimate?.remarks.map((remark) => (
-              <li key={remark}>{sentence(remark)}</li>
-            ))}
-            {said.no_estimate && <li>{sentence(said.no_estimate)}</li>}
-          </ul>
-          {estimate && estimate.narrowed.length > 0 && <Narrowed narrowed={estimate.narrowed} />}
+          <Messages of={others} kind="small" />
+          {narrowed.length > 0 && <Narrowed narrowed={narrowed} />}
         </details>
       )}
     </>
   );
 }
 
+interface MessagesProps {
+  readonly of: readonly Diagnostic[];
+  readonly kind: 'notice' | 'small';
+}
+
+function Messages({ of, kind }: MessagesProps) {
+  return (
+    <ul class={`remarks ${kind}`}>
+      {of.map(({ message }) => (
+        <li key={message}>{message}</li>
+      ))}
+    </ul>
+  );
+}
+
+/** What may be unknown before the data, by the names of the quantities. */
+const UNKNOWNS: Readonly<Record<Unknown, (words: Texts) => string>> = {
+  drag: ({ quantities }) => quantities.drag,
+  slope: ({ quantities }) => quantities.slope,
+  scatter: ({ quantities }) => quantities.scatter,
+  timing: ({ quantities }) => quantities.timing,
+  'contact-time': ({ quantities }) => quantities.contact,
+  gravity: ({ settings }) => settings.gravity,
+};
+
 /** How far the data narrowed what was known: the shorter the bar, the more was learnt. */
-function Narrowed({
-  narrowed,
-}: {
-  readonly narrowed: readonly { readonly unknown: string; readonly remaining: number }[];
-}) {
+function Narrowed({ narrowed }: { readonly narrowed: readonly PriorContraction[] }) {
   const words = texts.value.lab;
   return (
     <>
@@ -51,7 +63,9 @@ function Narrowed({
           const share = Math.min(1, Math.max(0, remaining));
           return (
             <li key={unknown}>
-              <span>{words.narrowed(translated(unknown), perCent(share, language.value))}</span>
+              <span>
+                {words.narrowed(UNKNOWNS[unknown](texts.value), perCent(share, language.value))}
+              </span>
               <meter min={0} max={1} value={share} aria-hidden="true" />
             </li>
           );

@@ -1,7 +1,7 @@
 import { fileName, rasterised, save, saveText } from '../../app/save.ts';
-import { onBench } from '../../state/bench.ts';
 import { engine } from '../../state/engine.ts';
 import { figureRequest } from '../../state/figures.ts';
+import { workspace } from '../../state/workspace.ts';
 import { texts } from '../../text/language.ts';
 
 /** Saves a figure as the engine draws it: the picture of the command line, in the language of the page. */
@@ -21,10 +21,10 @@ export function SaveFigure({ name }: { readonly name: string }) {
 }
 
 async function saveDrawn(name: string, format: 'svg' | 'png'): Promise<void> {
-  const asked = figureRequest(name, 'full');
+  const asked = figureRequest(name, true);
   if (!asked) return;
   const drawn = await engine().figure(asked);
-  const file = `${fileName(onBench.peek()?.name ?? '')}-${drawn.name}`;
+  const file = `${fileName(workspace.peek()?.name ?? '')}-${drawn.name}`;
   if (format === 'svg') saveText(drawn.svg, 'image/svg+xml', `${file}.svg`);
   else save(await rasterised(drawn.svg, drawn.width_px, drawn.height_px), `${file}.png`);
 }

@@ -1,18 +1,18 @@
 import { fileName, save } from '../../app/save.ts';
-import { onBench } from '../../state/bench.ts';
+import { workspace } from '../../state/workspace.ts';
 import { texts } from '../../text/language.ts';
 
-/** Saves the sound on the bench. */
+/** Saves the sound on the loaded. */
 export function SaveSound() {
-  const bench = onBench.value;
-  if (!bench?.pyramid) return null;
+  const loaded = workspace.value;
+  if (!loaded?.pyramid) return null;
   return (
     <button
       type="button"
       class="quiet"
       onClick={async () => {
-        const file = await bench.recording.wav();
-        if (file) save(file, `${fileName(bench.name)}.wav`);
+        const file = await loaded.recording.wav();
+        if (file) save(file, `${fileName(loaded.name)}.wav`);
       }}
     >
       {texts.value.keep.wav}

@@ -2,6 +2,7 @@ import { Choice } from '../../app/Choice.tsx';
 import { NumberField } from '../../app/NumberField.tsx';
 import { catalogue } from '../../state/engine.ts';
 import { change, forgetSettings, settings } from '../../state/settings.ts';
+import { analysed } from '../../state/workspace.ts';
 import { texts } from '../../text/language.ts';
 import { ballName, lawName, nameIn } from '../../text/names.ts';
 
@@ -12,6 +13,15 @@ const USUAL_LAST = 10;
 
 const scaled = (value: number | undefined, factor: number): number | undefined =>
   value === undefined ? undefined : value * factor;
+
+/** Whether a quantity, as it is stated, looks like a mistake of units. */
+function questionOf(quantity: string): string | undefined {
+  const questions = analysed.value?.questions ?? [];
+  const found = questions.find(({ code, arguments: of }) =>
+    quantity === 'ball' ? code === 'implausible-ball' : of['quantity'] === quantity,
+  );
+  return found?.message;
+}
 
 /** Ball, air, gravity and drop: what is stated here, the rest is assumed. */
 export function SettingsForm() {
@@ -68,6 +78,7 @@ function Ball() {
           />
           <NumberField
             label={words.diameter}
+            question={questionOf('ball')}
             unit="mm"
             value={scaled(diameter_m, 1e3)}
             min={0.1}
@@ -77,6 +88,7 @@ function Ball() {
       )}
       <NumberField
         label={words.contact}
+        question={questionOf('contact-time')}
         unit="ms"
         value={scaled(contact_time_s, 1e3)}
         usual={scaled(preset?.contact_time_s, 1e3)}
@@ -109,6 +121,7 @@ function Air() {
       />
       <NumberField
         label={words.temperature}
+        question={questionOf('temperature')}
         unit="°C"
         value={temperature_k === undefined ? undefined : temperature_k + ABSOLUTE_ZERO_C}
         usual={usual && usual.temperature_k + ABSOLUTE_ZERO_C}
@@ -120,6 +133,7 @@ function Air() {
       />
       <NumberField
         label={words.pressure}
+        question={questionOf('pressure')}
         unit="hPa"
         value={scaled(pressure_pa, 0.01)}
         usual={scaled(usual?.pressure_pa, 0.01)}
@@ -128,6 +142,7 @@ function Air() {
       />
       <NumberField
         label={words.humidity}
+        question={questionOf('humidity')}
         unit="%"
         value={scaled(relative_humidity, 100)}
         usual={scaled(usual?.relative_humidity, 100)}
@@ -147,6 +162,7 @@ function Gravity() {
       <legend>{words.gravityField}</legend>
       <NumberField
         label={words.gravity}
+        question={questionOf('gravity')}
         unit="m/s²"
         value={gravity_m_s2}
         usual={catalogue.value?.standard_gravity_m_s2}
@@ -172,6 +188,7 @@ function Gravity() {
       {latitude_deg !== undefined && (
         <NumberField
           label={words.altitude}
+          question={questionOf('altitude')}
           unit="m"
           value={altitude_m}
           usual={0}
@@ -194,6 +211,7 @@ function Measured() {
       <legend>{words.measured}</legend>
       <NumberField
         label={words.height}
+        question={questionOf('height')}
         unit="cm"
         value={scaled(height_m, 100)}
         min={0.1}
@@ -207,6 +225,7 @@ function Measured() {
       {height_m !== undefined && (
         <NumberField
           label={words.heightSd}
+          question={questionOf('height-sd')}
           unit="mm"
           value={scaled(height_sd_m, 1e3)}
           usual={2}

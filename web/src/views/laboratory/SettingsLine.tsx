@@ -1,10 +1,9 @@
 import { fixed } from '../../format/quantity.ts';
-import { refusedSettings } from '../../state/bench.ts';
 import { catalogue } from '../../state/engine.ts';
 import { settings } from '../../state/settings.ts';
+import { refusedSettings } from '../../state/workspace.ts';
 import { language, texts } from '../../text/language.ts';
 import { ballName } from '../../text/names.ts';
-import { sentence } from '../../text/remarks.ts';
 import { SettingsForm } from './SettingsForm.tsx';
 
 /** What is known or assumed, in one line; unfolds into a form. */
@@ -15,7 +14,7 @@ export function SettingsLine() {
       {refusedSettings.value !== null && (
         <div class="notice" role="alert">
           <p>
-            <strong>{words.refused}</strong> {sentence(refusedSettings.value)}
+            <strong>{words.refused}</strong> {refusedSettings.value}
           </p>
         </div>
       )}

@@ -1,7 +1,7 @@
 import { signal } from '@preact/signals';
 import { useEffect, useRef } from 'preact/hooks';
 import type { Spectrogram as Picture } from '../../lab/index.ts';
-import { onBench, view } from '../../state/bench.ts';
+import { view, workspace } from '../../state/workspace.ts';
 import { colour, dark } from '../../style/colours.ts';
 import { texts } from '../../text/language.ts';
 
@@ -20,12 +20,12 @@ export function Spectrogram() {
 
   useEffect(() => {
     const element = canvas.current;
-    const bench = onBench.peek();
-    if (!element || !bench) return undefined;
+    const loaded = workspace.peek();
+    if (!element || !loaded) return undefined;
     let current = true;
     const waiting = setTimeout(async () => {
       const columns = Math.min(1200, Math.max(1, Math.round(element.clientWidth)));
-      const picture = await bench.recording
+      const picture = await loaded.recording
         .spectrogram(seen.startS, seen.endS, columns, ROWS)
         .catch(() => null);
       if (current && picture) paintSpectrogram(element, picture);

@@ -1,8 +1,8 @@
 import { FaultNotice } from '../../app/FaultNotice.tsx';
-import { busy, fault } from '../../state/bench.ts';
 import { unreadable } from '../../state/settings.ts';
+import { busy, fault } from '../../state/workspace.ts';
 import { texts } from '../../text/language.ts';
-import { Leftovers } from './Leftovers.tsx';
+import { Orphans } from './Orphans.tsx';
 import { SaveSound } from './SaveSound.tsx';
 
 /** What went wrong or needs attention. */
@@ -17,7 +17,7 @@ export function Troubles() {
       {unreadable.value.length > 0 && (
         <p class="notice">{texts.value.app.unreadableLink(unreadable.value.join(', '))}</p>
       )}
-      {!busy.value && <Leftovers />}
+      {!busy.value && <Orphans />}
     </>
   );
 }

@@ -12,10 +12,10 @@ import {
   Wider,
 } from '../../app/icons.tsx';
 import { playing, SPEEDS, type Speed } from '../../sound/player.ts';
-import { cursorS, edited, onBench, present, selected, view } from '../../state/bench.ts';
 import * as editing from '../../state/editing.ts';
 import { canRedo, canUndo } from '../../state/history.ts';
-import { hearView, speed } from '../../state/sound.ts';
+import { playView, speed } from '../../state/sound.ts';
+import { cursorS, edited, present, selected, view, workspace } from '../../state/workspace.ts';
 import { language, texts } from '../../text/language.ts';
 import { whole, zoomed } from '../../wave/viewport.ts';
 import { showSpectrogram } from './Spectrogram.tsx';
@@ -48,7 +48,7 @@ function Tool({ do: act, disabled = false, pressed, children }: ToolProps) {
 export function WaveTools() {
   return (
     <div class="wave-tools">
-      {onBench.value?.pyramid && (
+      {workspace.value?.pyramid && (
         <>
           <Zooming />
           <Hearing />
@@ -60,7 +60,7 @@ export function WaveTools() {
 }
 
 function zoom(factor: number): void {
-  const recording = onBench.peek();
+  const recording = workspace.peek();
   if (!recording) return;
   const now = view.peek();
   const at = cursorS.peek();
@@ -83,7 +83,7 @@ function Zooming() {
       </Tool>
       <Tool
         do={() => {
-          view.value = whole(onBench.peek()?.durationS ?? 1);
+          view.value = whole(workspace.peek()?.durationS ?? 1);
         }}
       >
         <All />
@@ -98,7 +98,7 @@ function Hearing() {
   const sounding = playing.value !== null;
   return (
     <div class="group">
-      <Tool do={() => void hearView()} pressed={sounding}>
+      <Tool do={() => void playView()} pressed={sounding}>
         {sounding ? <Pause /> : <Play />}
         {sounding ? words.stop : words.play}
       </Tool>
@@ -134,7 +134,7 @@ function Correcting() {
   const chosen = selected.value;
   return (
     <div class="group">
-      {onBench.value?.pyramid && (
+      {workspace.value?.pyramid && (
         <Tool
           do={() => {
             const { startS, endS } = view.peek();
@@ -154,7 +154,7 @@ function Correcting() {
         <Bin />
         {words.remove}
       </Tool>
-      {onBench.value?.pyramid && (
+      {workspace.value?.pyramid && (
         <Tool
           disabled={chosen === null}
           do={() => {

@@ -1,7 +1,7 @@
 import { Figure, useAnswer } from '../../chart/Figure.tsx';
-import { analysed, chosenDrop } from '../../state/bench.ts';
 import { engine } from '../../state/engine.ts';
 import { figureRequest } from '../../state/figures.ts';
+import { analysed, chosenDrop } from '../../state/workspace.ts';
 import { texts } from '../../text/language.ts';
 
 /** Why the air matters: two paragraphs and a figure of this very drop. */
@@ -21,10 +21,10 @@ export function Why() {
 }
 
 function SmallFigure() {
-  const said = analysed.value;
+  const result = analysed.value;
   const chart = useAnswer(async () => {
-    const asked = said && figureRequest('restitution', said.effort);
+    const asked = result && figureRequest('restitution', result.inference);
     return asked ? engine().chart(asked) : undefined;
-  }, [said, chosenDrop.value]);
+  }, [result, chosenDrop.value]);
   return <Figure chart={chart} see="" />;
 }

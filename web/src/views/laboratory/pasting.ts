@@ -1,6 +1,6 @@
 import { signal } from '@preact/signals';
-import { fault } from '../../state/bench.ts';
 import { openTimes } from '../../state/opening.ts';
+import { fault } from '../../state/workspace.ts';
 
 /** Whether the box for times is unfolded. */
 export const pasting = signal(false);

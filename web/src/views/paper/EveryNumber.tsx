@@ -1,7 +1,7 @@
 import { fixed, localised } from '../../format/quantity.ts';
 import type { PaperFact } from '../../lab/index.ts';
 import { language, texts } from '../../text/language.ts';
-import { translated } from '../../text/remarks.ts';
+import { nameIn } from '../../text/names.ts';
 
 /** Every number of the paper beside what is computed here. */
 export function EveryNumber({ facts }: { readonly facts: readonly PaperFact[] }) {
@@ -10,7 +10,7 @@ export function EveryNumber({ facts }: { readonly facts: readonly PaperFact[] })
     <>
       {chapters.map((chapter) => (
         <details key={chapter}>
-          <summary>{translated(chapter)}</summary>
+          <summary>{chapter}</summary>
           <Chapter facts={facts.filter((fact) => fact.chapter === chapter)} name={chapter} />
         </details>
       ))}
@@ -27,7 +27,7 @@ function Chapter({ facts, name }: ChapterProps) {
   const words = texts.value.paper;
   const head = words.six;
   return (
-    <section class="scroll" tabIndex={0} aria-label={translated(name)}>
+    <section class="scroll" tabIndex={0} aria-label={name}>
       <table class="wide">
         <thead>
           <tr>
@@ -39,14 +39,14 @@ function Chapter({ facts, name }: ChapterProps) {
         </thead>
         <tbody>
           {facts.map((fact) => (
-            <tr key={fact.quantity}>
+            <tr key={fact.code}>
               <td>
-                {translated(fact.quantity)}
-                {fact.note !== '' && <small class="soft note">{translated(fact.note)}</small>}
+                {fact.quantity}
+                {fact.note && <small class="soft note">{fact.note}</small>}
               </td>
               <td class="figure">{fact.printed === null ? '' : withUnit(fact.printed, fact)}</td>
               <td class="figure">{withUnit(computed(fact), fact)}</td>
-              <td>{words.verdicts[fact.verdict] ?? fact.verdict}</td>
+              <td>{fact.verdict && nameIn(words.verdicts, fact.verdict)}</td>
             </tr>
           ))}
         </tbody>

@@ -6,7 +6,7 @@ import { Figure, useAnswer } from '../../chart/Figure.tsx';
 import { CENTIMETRE, fixed, plain } from '../../format/quantity.ts';
 import type { PuzzleChoice } from '../../lab/index.ts';
 import { engine } from '../../state/engine.ts';
-import { language, messages, texts } from '../../text/language.ts';
+import { language, texts } from '../../text/language.ts';
 
 const MOST_FLIGHTS = 40;
 /** What a bounce loses for each m/s when ten flights reproduce the paper (`bouncelab paper`). */
@@ -18,7 +18,7 @@ export function Puzzle() {
   const words = texts.value.paper.four;
   const spoken = language.value;
   const [choice, setChoice] = useState<PuzzleChoice>(FIRST);
-  const answer = useAnswer(() => engine().puzzleAnswer(choice, messages.peek()), choice);
+  const answer = useAnswer(() => engine().puzzleAnswer(choice), choice);
   const solve = async (loss_per_speed_s_m: number, flights: number): Promise<void> => {
     setChoice(await engine().puzzleSolution({ ...choice, loss_per_speed_s_m, flights }));
   };

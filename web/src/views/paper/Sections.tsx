@@ -1,9 +1,9 @@
 import { Figure, useAnswer } from '../../chart/Figure.tsx';
 import { engine } from '../../state/engine.ts';
-import { messages, texts } from '../../text/language.ts';
+import { texts } from '../../text/language.ts';
 
 /** The charts of the lesson, computed by the engine. */
-const useLesson = () => useAnswer(() => engine().lessonCharts(messages.peek()), 'lesson');
+const useLesson = () => useAnswer(() => engine().lessonCharts(), 'lesson');
 
 /** Flight times without air: a straight line, as the paper's Eq. 4 says. */
 export function RulerFigure() {

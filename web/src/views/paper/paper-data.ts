@@ -3,13 +3,13 @@ import type { VNode } from 'preact';
 import { useEffect } from 'preact/hooks';
 import type { PaperDocument } from '../../lab/index.ts';
 import { engine } from '../../state/engine.ts';
+import { messages } from '../../text/language.ts';
 
 const document = signal<PaperDocument | null>(null);
 
-/** What the engine computes of the paper, asked once and only when it is looked at. */
+/** What the engine computes of the paper, in the language of the page, only when it is looked at. */
 export function Facts({ children }: { readonly children: (document: PaperDocument) => VNode }) {
   useEffect(() => {
-    if (document.peek()) return;
     engine()
       .paper()
       .then(
@@ -19,6 +19,6 @@ export function Facts({ children }: { readonly children: (document: PaperDocumen
         // The engine's own notice is on the page already.
         () => undefined,
       );
-  }, []);
+  }, [messages.value]);
   return document.value ? children(document.value) : null;
 }

@@ -2,20 +2,20 @@ import { focusPage, handFocusOn } from '../../app/focus.ts';
 import { Pause, Play } from '../../app/icons.tsx';
 import { fixed } from '../../format/quantity.ts';
 import { playing, stop } from '../../sound/player.ts';
-import { busy, drop } from '../../state/bench.ts';
 import { labAddress } from '../../state/settings.ts';
 import {
   analyseRun,
-  hearRun,
   keepRun,
   layOver,
   outcome,
   overlay,
+  playRun,
   type Run,
   removeRun,
   runs,
   takeOff,
 } from '../../state/simulating.ts';
+import { busy, drop } from '../../state/workspace.ts';
 import { language, texts } from '../../text/language.ts';
 import { ballName, nameIn } from '../../text/names.ts';
 
@@ -34,7 +34,7 @@ export function RunTools() {
           class="button"
           disabled={!ready}
           aria-pressed={playing.value !== null}
-          onClick={() => (playing.peek() ? stop() : void hearRun())}
+          onClick={() => (playing.peek() ? stop() : void playRun())}
         >
           <span class="sign">{playing.value ? <Pause /> : <Play />}</span>
           {playing.value ? words.stop : words.hear}

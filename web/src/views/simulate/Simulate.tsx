@@ -4,8 +4,7 @@ import { fixed, METRE, METRE_PER_SECOND, PERCENT, plain, SECOND } from '../../fo
 import type { Simulation } from '../../lab/index.ts';
 import { engine } from '../../state/engine.ts';
 import { impossible, outcome, requestOf, runs, simulating } from '../../state/simulating.ts';
-import { language, messages, texts } from '../../text/language.ts';
-import { sentence } from '../../text/remarks.ts';
+import { language, texts } from '../../text/language.ts';
 import { RunTools } from './RunTools.tsx';
 import { Sliders } from './Sliders.tsx';
 
@@ -14,10 +13,13 @@ export function Simulate() {
   const words = texts.value.simulate;
   const done = outcome.value;
   const compared = [
-    ...runs.value.map(({ setup, number }) => ({ name: words.run(number), request: requestOf(setup) })),
+    ...runs.value.map(({ setup, number }) => ({
+      name: words.run(number),
+      request: requestOf(setup),
+    })),
     ...(done ? [{ name: words.thisRun, request: requestOf(done.setup) }] : []),
   ];
-  const charts = useAnswer(() => engine().simulationCharts(compared, messages.peek()), compared);
+  const charts = useAnswer(() => engine().simulationCharts(compared), compared);
   const simulation = done?.simulated.simulations[0];
   return (
     <>
@@ -33,7 +35,7 @@ export function Simulate() {
         <div class="stack results">
           {impossible.value !== null && (
             <p class="notice" role="alert">
-              {words.impossible} {sentence(impossible.value)}
+              {words.impossible} {impossible.value}
             </p>
           )}
           {simulation && <Outcome simulation={simulation} />}

@@ -66,9 +66,7 @@ export function Sliders() {
         label={words.drag}
         value={now.drag}
         options={[
-          ...(offered?.drag_laws ?? []).map(
-            ({ name }) => [name, lawName(name)] as const,
-          ),
+          ...(offered?.drag_laws ?? []).map(({ name }) => [name, lawName(name)] as const),
           ['constant:0.4', texts.value.settings.dragConstant],
           ['none', texts.value.settings.dragNone],
         ]}

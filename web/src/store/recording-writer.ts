@@ -1,6 +1,6 @@
 /**
- * Writes a recording to the database while it is heard. It never stops the listening: when the disk is
- * full it says so once, and the sound stays in memory, whole.
+ * Writes a recording to the database while it goes on. It never stops the recording: when the disk is
+ * full it reports that once, and the sound stays in memory, whole.
  */
 import { joined } from './blocks.ts';
 import { isFull } from './database.ts';
@@ -9,7 +9,7 @@ import { putBlock, putRecording, type StoredRecording } from './recordings.ts';
 /** What can go wrong with keeping. */
 export type KeepFault = 'full' | 'unavailable';
 
-export class Safekeeper {
+export class RecordingWriter {
   #waiting: Float32Array<ArrayBuffer>[] = [];
   #waitingSamples = 0;
   #index = 0;
@@ -37,7 +37,7 @@ export class Safekeeper {
     return this.#fault === undefined;
   }
 
-  /** Notes that the recording came to its end and was heard, so that nobody need rescue it. */
+  /** Notes that the recording came to its end and was opened, so that it is not offered again. */
   async close(): Promise<void> {
     this.#enqueue(() => putRecording({ ...this.recording, finished: true }));
     await this.#queue;

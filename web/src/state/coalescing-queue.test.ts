@@ -1,10 +1,10 @@
 import { expect, test } from 'vitest';
-import { Latest } from './latest.ts';
+import { CoalescingQueue } from './coalescing-queue.ts';
 
 test('while one job runs, only the latest of the others waits', async () => {
   const done: number[] = [];
   const gates: (() => void)[] = [];
-  const latest = new Latest<number>(async (job) => {
+  const latest = new CoalescingQueue<number>(async (job) => {
     await new Promise<void>((open) => gates.push(open));
     done.push(job);
   });

@@ -1,9 +1,9 @@
 /**
- * What lies on the bench: the recording, its drops with their impacts, and what they say. The views
+ * What lies in the workspace: the recording, its drops with their impacts, and the results. The views
  * show these signals; the functions of this folder change them.
  */
 import { batch, computed, signal } from '@preact/signals';
-import type { Analysed, Recording } from '../lab/index.ts';
+import type { Analysed, Drop, Recording } from '../lab/index.ts';
 import { stop } from '../sound/player.ts';
 import type { Pyramid } from '../wave/pyramid.ts';
 import { framing, type Viewport, whole } from '../wave/viewport.ts';
@@ -16,12 +16,12 @@ export type Phase =
   | { readonly kind: 'empty' }
   | { readonly kind: 'starting' }
   | { readonly kind: 'listening' }
-  /** `share` is how far it is, 0 to 1, where that can be told. */
+  /** `share` is how far it is, 0 to 1, where that is known. */
   | { readonly kind: 'reading'; readonly name: string; readonly share?: number }
   | { readonly kind: 'ready' };
 
-/** A recording, or a list of times, on the bench. */
-export interface OnBench {
+/** A recording, or a list of times, on the loaded. */
+export interface Workspace {
   readonly name: string;
   readonly recording: Recording;
   /** `null` for a list of times. */
@@ -32,10 +32,10 @@ export interface OnBench {
 }
 
 export const phase = signal<Phase>({ kind: 'empty' });
-/** While it listens or reads, nothing else is put on the bench. */
+/** While it listens or reads, nothing else is put on the loaded. */
 export const busy = computed(() => !['empty', 'ready'].includes(phase.value.kind));
 export const fault = signal<Fault | null>(null);
-export const onBench = signal<OnBench | null>(null);
+export const workspace = signal<Workspace | null>(null);
 
 /** One for each drop. */
 export const edits = signal<readonly Edits[]>([]);
@@ -44,34 +44,41 @@ export const chosenDrop = signal(0);
 export const present = computed<Edits | undefined>(() => edits.value[chosenDrop.value]);
 export const marks = computed(() => present.value?.present ?? []);
 
-export const analysed = signal<Analysed | null>(null);
+/** An answer of the engine, and the place of each drop of the workspace in it; -1 without a flight. */
+export interface Answer extends Analysed {
+  readonly inference: boolean;
+  readonly places: readonly number[];
+}
+
+export const analysed = signal<Answer | null>(null);
 /** Whether the inference still runs. */
 export const refining = signal(false);
-/** What the engine said of the settings, if it refused them. */
+/** The message of the engine, if it refused the settings. */
 export const refusedSettings = signal<string | null>(null);
 
 export const view = signal<Viewport>(whole(1));
 export const selected = signal<number | null>(null);
 export const cursorS = signal<number | null>(null);
 
-/** The chosen drop, as analysed. */
-export const drop = computed(() => analysed.value?.document.drops[chosenDrop.value]);
+/** The chosen drop, as analysed; and its place among those analysed. */
+export const place = computed(() => analysed.value?.places[chosenDrop.value] ?? -1);
+export const drop = computed<Drop | undefined>(() => analysed.value?.document.drops[place.value]);
 export const edited = computed(() => present.value !== undefined && isEdited(present.value));
 
-/** Puts something on the bench; what lay there is gone from the page, not from the database. */
+/** Puts something in the workspace; what lay there is gone from the page, not from the database. */
 export function put(name: string, recording: Recording, storedAs: string | null): void {
-  const { sound, believed } = recording;
+  const { sound, dropChannel } = recording;
   stop();
   batch(() => {
-    onBench.value = {
+    workspace.value = {
       name,
       recording,
-      pyramid: sound && { rateHz: sound.sampleRateHz, samples: believed, levels: sound.levels },
+      pyramid: sound && { rateHz: sound.sampleRateHz, samples: dropChannel, levels: sound.levels },
       durationS: recording.durationS,
       storedAs,
     };
     // Without a drop there is an empty one, so that impacts can be marked by hand.
-    const drops = recording.heard.drops.map(editsOf);
+    const drops = recording.result.drops.map(({ impacts }) => editsOf(impacts));
     edits.value = drops.length > 0 ? drops : [begin([])];
     analysed.value = null;
     refusedSettings.value = null;
@@ -84,17 +91,17 @@ export function put(name: string, recording: Recording, storedAs: string | null)
 
 /** Chooses a drop and brings it into sight. */
 export function lookAt(index: number): void {
-  const durationS = onBench.peek()?.durationS ?? 0;
+  const durationS = workspace.peek()?.durationS ?? 0;
   chosenDrop.value = index;
   const impacts = edits.peek()[index]?.present ?? [];
   const [first, last] = [impacts[0], impacts.at(-1)];
   view.value = first && last ? framing(first.timeS, last.timeS, durationS) : whole(durationS);
 }
 
-/** Shows what went wrong; what lies on the bench stays. */
+/** Shows what went wrong; what lies in the workspace stays. */
 export function fail(what: Fault): void {
   batch(() => {
     fault.value = what;
-    phase.value = { kind: onBench.peek() ? 'ready' : 'empty' };
+    phase.value = { kind: workspace.peek() ? 'ready' : 'empty' };
   });
 }

@@ -1,7 +1,7 @@
 import { Rich } from '../../app/Rich.tsx';
 import { fixed, lengthUnit, PERCENT, plain, uncertain } from '../../format/quantity.ts';
-import type { DocumentDrop } from '../../lab/index.ts';
-import { drop, edited, marks, onBench, refining } from '../../state/bench.ts';
+import type { Drop } from '../../lab/index.ts';
+import { drop, edited, marks, refining, workspace } from '../../state/workspace.ts';
 import { language, texts } from '../../text/language.ts';
 import { CERTAIN } from '../../wave/mark.ts';
 import { listed } from './ImpactTable.tsx';
@@ -11,20 +11,25 @@ import { Remarks } from './Remarks.tsx';
 import { Why } from './Why.tsx';
 
 /** What the bounces say, in words first. */
-export function Said() {
+export function ResultSummary() {
   const words = texts.value.lab;
-  const said = drop.value;
+  const result = drop.value;
   return (
-    <section class="said" aria-label={words.result} aria-live="polite" aria-busy={refining.value}>
-      {onBench.value?.recording.heard.drops.length === 0 && marks.value.length < 3 && <NoDrop />}
-      {marks.value.length > 0 && !said?.regression && !said?.estimate && (
+    <section
+      class="summary"
+      aria-label={words.result}
+      aria-live="polite"
+      aria-busy={refining.value}
+    >
+      {workspace.value?.recording.result.drops.length === 0 && marks.value.length < 3 && <NoDrop />}
+      {marks.value.length > 0 && !result?.log_linear_fit && !result?.posterior && (
         <p class="second">{words.cannotTell}</p>
       )}
-      {said && <Sentences said={said} />}
+      {result && <Sentences result={result} />}
       {marks.value.length > 0 && <Count />}
-      {said && (
+      {result && (
         <>
-          <Air said={said} />
+          <Air result={result} />
           <Remarks />
           <Numbers />
         </>
@@ -34,22 +39,12 @@ export function Said() {
 }
 
 /** Restitution and height with their uncertainties: by the inference once it is there. */
-function Sentences({ said }: { readonly said: DocumentDrop }) {
+function Sentences({ result }: { readonly result: Drop }) {
   const words = texts.value.lab;
   const spoken = language.value;
-  const { estimate, corrected, regression } = said;
-  const e = estimate
-    ? { value: estimate.restitution.value, sd: estimate.restitution.sd }
-    : corrected
-      ? { value: corrected.restitution, sd: corrected.restitution_sd }
-      : regression
-        ? { value: regression.restitution, sd: regression.restitution_sd }
-        : undefined;
-  const height = estimate
-    ? { value: estimate.drop_height_m.value, sd: estimate.drop_height_m.sd }
-    : regression
-      ? { value: regression.drop_height_m, sd: regression.drop_height_sd_m }
-      : undefined;
+  const { posterior, per_impact, log_linear_fit } = result;
+  const e = (posterior ?? per_impact)?.restitution ?? log_linear_fit?.restitution;
+  const height = (posterior ?? log_linear_fit)?.drop_height_m;
   return (
     <>
       {e && (
@@ -92,15 +87,15 @@ function Count() {
 }
 
 /** How much of the straight line's loss is the air's. */
-function Air({ said }: { readonly said: DocumentDrop }) {
+function Air({ result }: { readonly result: Drop }) {
   const words = texts.value.lab;
-  const { estimate, corrected, regression } = said;
-  // The rough answer until the inference is there, so that nothing comes and goes.
-  const withoutAir = estimate?.restitution.value ?? corrected?.restitution;
-  if (withoutAir === undefined || !regression) return null;
+  const { posterior, per_impact, log_linear_fit } = result;
+  // The quick answer until the inference is there, so that nothing comes and goes.
+  const withoutAir = (posterior ?? per_impact)?.restitution;
+  if (!withoutAir || !log_linear_fit) return null;
   const spoken = language.value;
-  const height = regression.drop_height_m;
-  const points = 100 * (withoutAir - regression.restitution);
+  const height = log_linear_fit.drop_height_m.value;
+  const points = 100 * (withoutAir.value - log_linear_fit.restitution.value);
   return (
     <div class="stack">
       <p>

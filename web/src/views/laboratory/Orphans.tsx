@@ -1,15 +1,15 @@
-import { leftovers, openLeftover, throwAway } from '../../state/leftovers.ts';
+import { openOrphan, orphans, throwAway } from '../../state/orphans.ts';
 import { region, texts } from '../../text/language.ts';
 
 /** Recordings that were cut short, and the last one if it was not kept: to open or to throw away. */
-export function Leftovers() {
+export function Orphans() {
   const words = texts.value.lab;
   return (
     <>
-      {leftovers.value.map((recording) => {
+      {orphans.value.map((recording) => {
         const date = new Date(recording.startedAt).toLocaleString(region.value);
         return (
-          <div class={recording.finished ? 'leftover' : 'notice'} key={recording.id}>
+          <div class={recording.finished ? 'orphan' : 'notice'} key={recording.id}>
             <p>
               {recording.finished ? (
                 words.unkeptTitle(date)
@@ -20,7 +20,7 @@ export function Leftovers() {
               )}
             </p>
             <div class="row">
-              <button type="button" class="quiet" onClick={() => void openLeftover(recording)}>
+              <button type="button" class="quiet" onClick={() => void openOrphan(recording)}>
                 {words.interruptedOpen}
               </button>
               <button type="button" class="quiet" onClick={() => void throwAway(recording)}>

@@ -2,7 +2,7 @@
  * Runs one job at a time and, when it is done, only the latest of those that were asked for meanwhile:
  * while a marker is dragged, the picture follows as fast as the engine can, and never lags behind.
  */
-export class Latest<T> {
+export class CoalescingQueue<T> {
   #running = false;
   #waiting: T | undefined;
 

@@ -1,4 +1,4 @@
-/** Sounds that a page has in hand: another one beside it neither offers nor deletes them. */
+/** Sounds that a page uses: another one beside it neither offers nor deletes them. */
 
 const PREFIX = 'bouncelab.sound.';
 
@@ -6,12 +6,12 @@ const PREFIX = 'bouncelab.sound.';
 const locks = (): LockManager | undefined => navigator.locks;
 
 /** Holds a sound until this page is closed, or breaks down. */
-export function claim(recording: string): void {
+export function lock(recording: string): void {
   void locks()?.request(PREFIX + recording, () => new Promise(() => undefined));
 }
 
-/** Sounds that some page has in hand, this one included. */
-export async function claimed(): Promise<ReadonlySet<string>> {
+/** Sounds that some page uses, this one included. */
+export async function locked(): Promise<ReadonlySet<string>> {
   const { held = [] } = (await locks()?.query()) ?? {};
   return new Set(held.map(({ name = '' }) => name.replace(PREFIX, '')));
 }

@@ -1,10 +1,10 @@
 /**
- * Sounds in the database that no kept drop uses: cut short by a crash, or heard and not kept. Those cut
+ * Sounds in the database that no kept drop uses: cut short by a crash, or recorded and not kept. Those cut
  * short wait until the reader decides; of the others the newest waits, and older ones make room.
  */
 import { signal } from '@preact/signals';
-import { claimed } from '../store/claims.ts';
 import { allDrops } from '../store/drops.ts';
+import { locked } from '../store/locks.ts';
 import {
   allRecordings,
   deleteRecording,
@@ -13,27 +13,27 @@ import {
 } from '../store/recordings.ts';
 import { openStored } from './opening.ts';
 
-export const leftovers = signal<readonly StoredRecording[]>([]);
+export const orphans = signal<readonly StoredRecording[]>([]);
 
 /** Looks once, at the start. */
-export async function findLeftovers(): Promise<void> {
+export async function findOrphans(): Promise<void> {
   const used = new Set((await allDrops()).map(({ recording }) => recording));
-  const inHand = await claimed();
-  const unused = (await allRecordings()).filter(({ id }) => !used.has(id) && !inHand.has(id));
+  const inUse = await locked();
+  const unused = (await allRecordings()).filter(({ id }) => !used.has(id) && !inUse.has(id));
   const newest = unused.findLast(({ finished }) => finished);
   const isOffered = (recording: StoredRecording): boolean =>
     !recording.finished || recording === newest;
-  leftovers.value = unused.filter(isOffered);
+  orphans.value = unused.filter(isOffered);
   for (const recording of unused) {
     if (!isOffered(recording)) await deleteRecording(recording.id);
   }
 }
 
 const forget = (id: string): void => {
-  leftovers.value = leftovers.peek().filter((recording) => recording.id !== id);
+  orphans.value = orphans.peek().filter((recording) => recording.id !== id);
 };
 
-export async function openLeftover(recording: StoredRecording): Promise<void> {
+export async function openOrphan(recording: StoredRecording): Promise<void> {
   forget(recording.id);
   await putRecording({ ...recording, finished: true });
   await openStored(recording.id);

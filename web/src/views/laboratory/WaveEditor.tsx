@@ -1,7 +1,7 @@
 import { playheadS, playing } from '../../sound/player.ts';
-import { cursorS, marks, onBench, selected, view } from '../../state/bench.ts';
 import * as editing from '../../state/editing.ts';
-import { hearView } from '../../state/sound.ts';
+import { playView } from '../../state/sound.ts';
+import { cursorS, marks, selected, view, workspace } from '../../state/workspace.ts';
 import { texts } from '../../text/language.ts';
 import { Overview } from '../../wave/Overview.tsx';
 import { Waveform, type WaveformEdits } from '../../wave/Waveform.tsx';
@@ -23,9 +23,9 @@ const edits: WaveformEdits = {
 };
 
 /** The sound with its impacts, to look at and to correct. */
-export function WaveBench() {
+export function WaveEditor() {
   const words = texts.value.wave;
-  const recording = onBench.value;
+  const recording = workspace.value;
   if (!recording) return null;
   const { durationS } = recording;
   const pyramid = recording.pyramid;
@@ -44,7 +44,7 @@ export function WaveBench() {
             edits={edits}
             playheadS={playheadS}
             isPlaying={playing}
-            onPlay={() => void hearView()}
+            onPlay={() => void playView()}
           />
           <Spectrogram />
           <Overview pyramid={pyramid} durationS={durationS} view={view} label={words.overview} />
