@@ -48,7 +48,7 @@ fn simulate_reproduces_the_first_impact_of_the_paper() {
         "--format",
         "json",
     ]));
-    assert_eq!(result["schema"], "bouncelab.simulation/1");
+    assert_eq!(result["schema"], "bouncelab.simulation/2");
     let speed = result["simulations"][0]["bounces"][0]["impact_speed_m_s"]
         .as_f64()
         .unwrap();
@@ -73,8 +73,8 @@ fn absurd_drops_are_refused() {
     for (arguments, reason) in [
         (&["--restitution", "1.2"][..], "restitution"),
         (&["--height", "-1m"], "height"),
-        (&["--mass", "-2.5g", "--diameter", "38mm"], "mass"),
-        (&["--mass", "2.5g", "--diameter", "0"], "diameter"),
+        (&["--mass", "-2.5g", "--diameter", "38mm"], "Mass"),
+        (&["--mass", "2.5g", "--diameter", "0"], "Diameter"),
         (&["--restitution", "1", "--drag", "none"], "bounces"),
         (&["--mass", "1g", "--diameter", "1m"], "floats"),
         (
@@ -117,7 +117,7 @@ fn synth_then_analyze_is_a_round_trip() {
     }
     let restitution = |file| {
         let result = json(bouncelab(&["analyze", "--format", "json"]).arg(file));
-        result["drops"][0]["corrected"]["restitution"]
+        result["drops"][0]["per_impact"]["restitution"]["value"]
             .as_f64()
             .unwrap()
     };
@@ -164,7 +164,7 @@ fn synth_does_not_overwrite_and_says_where_it_cannot_write() {
         .arg(folder.path().join("slow.wav"))
         .assert()
         .code(2)
-        .stderr(predicate::str::contains("sample rate"));
+        .stderr(predicate::str::contains("Sample rate"));
     bouncelab(&["synth", "--voice", "violin", "x.wav"])
         .assert()
         .code(2)
@@ -203,7 +203,7 @@ fn paper_prints_the_numbers_and_draws_the_figures() {
         "--format",
         "json",
     ]));
-    assert_eq!(result["schema"], "bouncelab.paper/1");
+    assert_eq!(result["schema"], "bouncelab.paper/2");
     assert_eq!(result["facts"][0]["verdict"], "agrees");
 }
 
