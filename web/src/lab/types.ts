@@ -332,9 +332,6 @@ export type Inferred = "gravity" | "drag" | "contact-time";
 
 export type Kind = "linear" | "counting" | "log";
 
-/** What a file that is empty lacks. */
-export type MissingContent = "content" | "sound" | "time";
-
 /** Something shown in a panel. */
 export type Layer = {
 /** Its name in the legend; empty if it has none. Layers of the same name share an entry. */
@@ -453,6 +450,9 @@ apex_m: number | null,
 apex_sd_m: number | null,
 /** Launch speed by the flight model, m/s. */
 launch_speed_m_s: number | null, };
+
+/** What a file that is empty lacks. */
+export type MissingContent = "content" | "sound" | "time";
 
 /** A model and how it fared. */
 export type Model = {

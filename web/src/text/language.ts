@@ -20,6 +20,7 @@ const messageFiles = import.meta.glob<string>(
   [
     '../../../crates/bouncelab-report/messages/*/*.ftl',
     '!../../../crates/bouncelab-report/messages/en/*.ftl',
+    '!../../../crates/bouncelab-report/messages/*/terminal.ftl',
   ],
   { query: '?raw', import: 'default' },
 );
