@@ -380,8 +380,8 @@ fn damaged_recordings_of_every_format_never_panic() {
 #[test]
 fn absurd_arguments_are_refused_before_any_file_is_read() {
     for (arguments, reason) in [
-        (&["--mass", "-2.5g", "--diameter", "38mm"][..], "Mass"),
-        (&["--mass", "2.5g", "--diameter", "0"], "Diameter"),
+        (&["--mass", "-2.5g", "--diameter", "38mm"][..], "mass"),
+        (&["--mass", "2.5g", "--diameter", "0"], "diameter"),
         (&["--mass", "2.5g"], "--diameter"),
         (&["--ball", "tenis"], "tennis"),
         (&["--drag", "constnt:0.4"], "drag law"),
@@ -392,14 +392,16 @@ fn absurd_arguments_are_refused_before_any_file_is_read() {
         (&["--latitude", "95"], "latitude"),
         (&["--flights", "10..1"], "range"),
         (&["--channel", "0"], "channel"),
-        (&["--pressure", "3kg"], "hPa"),
+        (&["--pressure", "3kg"], "hpa"),
     ] {
         bouncelab()
             .args(["analyze", "nothing.wav"])
             .args(arguments)
             .assert()
             .code(2)
-            .stderr(predicate::str::contains(reason));
+            .stderr(predicate::function(|text: &str| {
+                text.to_lowercase().contains(reason)
+            }));
     }
 }
 

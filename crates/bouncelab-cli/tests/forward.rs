@@ -73,20 +73,22 @@ fn absurd_drops_are_refused() {
     for (arguments, reason) in [
         (&["--restitution", "1.2"][..], "restitution"),
         (&["--height", "-1m"], "height"),
-        (&["--mass", "-2.5g", "--diameter", "38mm"], "Mass"),
-        (&["--mass", "2.5g", "--diameter", "0"], "Diameter"),
+        (&["--mass", "-2.5g", "--diameter", "38mm"], "mass"),
+        (&["--mass", "2.5g", "--diameter", "0"], "diameter"),
         (&["--restitution", "1", "--drag", "none"], "bounces"),
         (&["--mass", "1g", "--diameter", "1m"], "floats"),
         (
             &["--ball", "football", "--height", "10km", "--drag", "stokes"],
-            "Reynolds",
+            "reynolds",
         ),
     ] {
         bouncelab(&["simulate", "--allow-implausible"])
             .args(arguments)
             .assert()
             .code(2)
-            .stderr(predicate::str::contains(reason));
+            .stderr(predicate::function(|text: &str| {
+                text.to_lowercase().contains(reason)
+            }));
     }
 }
 

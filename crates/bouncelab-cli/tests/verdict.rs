@@ -259,7 +259,7 @@ fn wrong_input_is_questioned() {
     .assert()
     .code(4)
     .stdout(predicate::str::contains(
-        "10.0 C is not a temperature at which",
+        "10.0 \u{b0}C is not a temperature at which",
     ));
     verdict(&folder, &["--rule", "ittf-ball", "nothing.wav"])
         .assert()

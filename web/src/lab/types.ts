@@ -780,7 +780,7 @@ export type Severity = "info" | "warning" | "error";
 
 /** What one source adds to the uncertainty of a quantity. */
 export type Share = {
-/** The source: a stable name in kebab case. */
+/** The source: a stable name. */
 source: string,
 /** The standard uncertainty that it alone would leave, in the unit of the quantity. */
 sd: number,
