@@ -158,7 +158,7 @@ impl Detector {
     ///
     /// # Errors
     ///
-    /// [`Error::NoChannel`](crate::Error::NoChannel) and [`Error::NoBand`](crate::Error::NoBand) if
+    /// [`Error::NoChannel`] and [`Error::NoBand`] if
     /// there is none.
     ///
     /// ```
