@@ -126,6 +126,13 @@ impl Diagnostic {
     }
 
     /// The same with an argument more.
+    ///
+    /// ```
+    /// use bouncelab::diagnostic::{Code, Diagnostic};
+    ///
+    /// let clipped = Diagnostic::new(Code::Clipped).with("samples", 120_u64);
+    /// assert_eq!((clipped.code.name(), clipped.number("samples")), ("clipped", Some(120.0)));
+    /// ```
     #[must_use]
     pub fn with(mut self, name: &str, value: impl Into<Argument>) -> Self {
         self.arguments.insert(name.to_owned(), value.into());

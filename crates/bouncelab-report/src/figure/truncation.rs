@@ -35,7 +35,7 @@ pub(super) fn truncation(subject: &Subject<'_>, translator: &Translator) -> Char
         let points = Layer::points(meaning, Marker::Dot, points).with_errors(errors);
         layers.push(points.named(text(name)));
     }
-    if ys(&layers).next().is_none() {
+    if xs(&layers).next().is_none() || ys(&layers).next().is_none() {
         return Chart::empty(translator, "truncation");
     }
     if let Some(stated) = &subject.settings.priors.drop_height_m {

@@ -74,7 +74,7 @@ fn of_drops(translator: &Translator) -> Vec<Named> {
                 "residual (standard deviations)",
                 "odd, counts less",
             ],
-            "budget" => &["timing of the impacts"],
+            "budget" => &["choice of law"],
             "models" => &["probability", "drop height (cm)"],
             "truncation" => &["flights used", "drop height (cm)", "straight line"],
             _ => &["speed (m/s)", "drag / weight"],

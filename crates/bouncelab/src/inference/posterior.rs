@@ -182,6 +182,18 @@ impl Posterior {
     }
 
     /// The restitution law at a speed, m/s.
+    ///
+    /// ```
+    /// use bouncelab::inference::SamplerConfig;
+    /// use bouncelab::{Options, analyze_times};
+    ///
+    /// let times_s = [0.0, 0.4605, 0.8877, 1.2854, 1.6568, 2.0045, 2.3308, 2.6375, 2.9262, 3.1984];
+    /// let options = Options::default().with_sampler(SamplerConfig { draws: 300, seed: 1 });
+    /// let posterior = analyze_times(&times_s, &options).drops.remove(0).posterior?;
+    /// let slow = posterior.restitution_at(1.0).unwrap();
+    /// assert!((0.9..1.0).contains(&slow.value) && slow.sd > 0.0);
+    /// # Ok::<(), bouncelab::Error>(())
+    /// ```
     pub fn restitution_at(&self, speed_m_s: f64) -> Option<Estimate> {
         Estimate::of_draws(
             self.sampled
@@ -193,6 +205,18 @@ impl Posterior {
     /// of the ball, m: one for each draw, with the restitution that the law expects.
     ///
     /// Empty if the height is so far beyond what was heard that nothing can be said.
+    ///
+    /// ```
+    /// use bouncelab::inference::SamplerConfig;
+    /// use bouncelab::{Options, analyze_times};
+    ///
+    /// let times_s = [0.0, 0.4605, 0.8877, 1.2854, 1.6568, 2.0045, 2.3308, 2.6375, 2.9262, 3.1984];
+    /// let options = Options::default().with_sampler(SamplerConfig { draws: 300, seed: 1 });
+    /// let posterior = analyze_times(&times_s, &options).drops.remove(0).posterior?;
+    /// let rebounds_m = posterior.rebounds_m(0.305);
+    /// assert!(rebounds_m.iter().all(|height_m| (0.2..0.305).contains(height_m)));
+    /// # Ok::<(), bouncelab::Error>(())
+    /// ```
     pub fn rebounds_m(&self, drop_height_m: f64) -> Vec<f64> {
         let rebounds = self.sampled.each(1, |evaluator, point| {
             predict::rebound_m(evaluator, point, drop_height_m)
