@@ -1,11 +1,8 @@
 import { signal } from '@preact/signals';
 import { useEffect, useMemo, useRef } from 'preact/hooks';
-import uPlot from 'uplot';
-import 'uplot/dist/uPlot.min.css';
 import type { Axis, Chart as Description, Layer, Panel } from '../lab/index.ts';
 import { dark } from '../style/colours.ts';
 import { language, texts } from '../text/language.ts';
-import { dataOf, optionsOf } from './options.ts';
 import { labelOf, legendOf } from './points.ts';
 
 /** Below this width the panels stand one below the other, as in the style sheet. */
@@ -52,23 +49,14 @@ function Plot({ panel }: { readonly panel: Panel }) {
   useEffect(() => {
     const element = box.current;
     if (!element) return undefined;
-    let plot: uPlot | undefined;
-    const build = (): void => {
-      plot?.destroy();
-      plot = undefined;
-      const width = element.clientWidth;
-      if (width > 0) plot = new uPlot(optionsOf(panel, width, spoken), dataOf(panel), element);
-    };
-    const watcher = new ResizeObserver(() => {
-      const width = element.clientWidth;
-      if (!plot) build();
-      else if (width > 0 && width !== plot.width) plot.setSize({ width, height: plot.height });
+    let current = true;
+    let clear = (): void => undefined;
+    void import('./plot.ts').then(({ plot }) => {
+      if (current) clear = plot(panel, element, spoken);
     });
-    watcher.observe(element);
-    build();
     return () => {
-      watcher.disconnect();
-      plot?.destroy();
+      current = false;
+      clear();
     };
   }, [panel, isDark, spoken]);
 
