@@ -39,7 +39,7 @@
 //! | [`chart`] | what a chart shows, as data |
 //! | `render` | how a chart is drawn |
 //! | [`figure`] | which chart shows what: one file a figure |
-//! | [`file`] | files that appear whole or not at all |
+//! | [`file`](mod@file) | files that appear whole or not at all |
 //! | [`save()`] | charts as files |
 //! | [`rules`] | which rules there are, built in and in files |
 //! | [`tables`] | which tables an analysis has |
@@ -47,7 +47,7 @@
 //! | [`paper`] | what the paper says, and what its numbers are |
 //! | [`report`] | an analysis as a page to read, print and repeat |
 //!
-//! All but [`file`] and [`save()`] work in a browser. The feature `png` (on by default) adds
+//! All but [`file`](mod@file) and [`save()`] work in a browser. The feature `png` (on by default) adds
 //! [`Chart::png`] and [`save()`].
 
 #![warn(missing_docs)]

@@ -1,17 +1,16 @@
 //! The figures, one file each: data in, a [`Chart`] out.
 //!
 //! Points that are not numbers are left out; a figure without any usable point says so instead of
-//! showing empty axes. A new figure of a drop is a file here and a line in [`OF_DROP`]: then the program
+//! showing empty axes. A new figure of a drop is a file here and a line in `OF_DROP`: then the program
 //! saves it, and the page shows it.
 //!
 //! ```
-//! use bouncelab::analysis::{self, Options};
+//! use bouncelab::{Options, analyze_times};
 //! use bouncelab_report::figure::{self, Subject};
 //!
-//! let settings = Options { inference: None, ..Options::default() };
-//! let impacts = analysis::impacts_of_times(&[0.0, 0.4605, 0.8877, 1.2854, 1.6568, 2.0045]);
-//! let drop = analysis::analyze(impacts, &settings);
-//! let subject = Subject::new(&drop, &settings);
+//! let options = Options::default().without_inference();
+//! let result = analyze_times(&[0.0, 0.4605, 0.8877, 1.2854, 1.6568, 2.0045], &options);
+//! let subject = Subject::new(&result.drops[0], &options);
 //! let names: Vec<_> = figure::of_drop(&subject).map(|figure| figure.name).collect();
 //! let plain = ["restitution", "flight-times", "height", "bounce-heights", "bounce-energies"];
 //! assert_eq!(names, plain);

@@ -5,31 +5,18 @@
 //! a recording; the sections it is made of stand here one by one, for pages of other things.
 //!
 //! ```
-//! use bouncelab::analysis::{self, Options};
-//! use bouncelab_report::document::Origin;
+//! use bouncelab::analyze_times;
+//! use bouncelab::setup::SetupInput;
 //! use bouncelab_report::messages::Translator;
 //! use bouncelab_report::report::{self, Provenance, Recording};
 //!
-//! let settings = Options { inference: None, ..Options::default() };
-//! let impacts = analysis::impacts_of_times(&[0.0, 0.4605, 0.8877, 1.2854, 1.6568]);
-//! let drops = [analysis::analyze(impacts, &settings)];
-//! let page = report::of_recording(
-//!     &Recording {
-//!         name: "drop.txt",
-//!         origin: &Origin::Times,
-//!         settings: &settings,
-//!         ball_label: "table tennis 40+",
-//!         assumptions: &[],
-//!         drops: &drops,
-//!         no_drop: None,
-//!         warnings: &[],
-//!         sound: None,
-//!     },
-//!     &Provenance::default(),
-//!     &Translator::english(),
-//! );
+//! let setup = SetupInput::default().resolve()?;
+//! let result = analyze_times(&[0.0, 0.4605, 0.8877, 1.2854, 1.6568], &setup.options);
+//! let recording = Recording { name: "drop.txt", setup: &setup, result: &result };
+//! let page = report::of_recording(&recording, &Provenance::default(), &Translator::english());
 //! assert!(page.html().starts_with("<!DOCTYPE html>"));
 //! assert!(page.markdown("figures").text.starts_with("# drop.txt"));
+//! # Ok::<(), bouncelab::Error>(())
 //! ```
 
 mod conditions;
