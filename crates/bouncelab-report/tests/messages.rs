@@ -79,7 +79,8 @@ fn every_language_has_every_message_with_the_same_arguments_and_no_more() {
     for language in languages() {
         assert_eq!(messages(language), english, "{language}");
         let translator = Translator::new(language).unwrap();
-        assert!(english.keys().all(|(_, id)| translator.has(id)));
+        let own = english.keys().filter(|(file, _)| file != "page.ftl");
+        assert!(own.clone().all(|(_, id)| translator.has(id)));
     }
 }
 

@@ -3,7 +3,7 @@ import uPlot from 'uplot';
 import 'uplot/dist/uPlot.min.css';
 import type { Chart as Description, Layer, Panel } from '../lab/index.ts';
 import { dark } from '../style/colours.ts';
-import { language, texts } from '../text/language.ts';
+import { language, text } from '../text/language.ts';
 import { dataOf, optionsOf } from './options.ts';
 import { labelOf, legendOf } from './points.ts';
 
@@ -50,9 +50,8 @@ function Plot({ panel }: { readonly panel: Panel }) {
       plot?.destroy();
     };
   }, [panel, isDark, spoken]);
-
-  const { against } = texts.value.figures;
-  const name = panel.title || against(labelOf(panel.y), labelOf(panel.x));
+  const name =
+    panel.title || text('page-figures-against', { y: labelOf(panel.y), x: labelOf(panel.x) });
   return (
     <div class="panel" style={{ gridColumn: panel.column + 1, gridRow: panel.row + 1 }}>
       {panel.title !== '' && <strong class="small">{panel.title}</strong>}
