@@ -313,16 +313,10 @@ page-simulate-runs = Läufe
 page-simulate-this-run = dieser Lauf
 page-simulate-run = Lauf { $index }
 page-simulate-remove = { $name } entfernen
-page-simulate-see = Höhe über der Zeit. Mit Luft kommen die Sprünge früher und enden eher.
-page-simulate-see-times = Flugzeiten auf logarithmischer Skala: ohne Luft und bei gleichbleibender Stoßzahl eine Gerade.
 page-simulate-says = Er springt { $bounces } Mal in { $time } und legt { $path } zurück.
 page-simulate-terminal = Schneller als { $speed } könnte er hier nie fallen.
 page-simulate-no-terminal = Keine Luft bremst ihn.
 page-simulate-losses = Von seiner Energie gehen { $surface } in die Aufpralle, { $air } in die Luft.
-page-simulate-x = Zeit (s)
-page-simulate-y = Höhe (cm)
-page-simulate-flight-y = Flugzeit (s)
-page-simulate-flight-x = Flug
 page-simulate-impossible = Das lässt sich nicht simulieren:
 page-simulate-address = Die Regler stehen in der Adresse: Teile sie, und andere sehen denselben Lauf.
 
@@ -344,7 +338,6 @@ page-paper-three-title = 3. Wie stark die Luft zieht
 page-paper-three-text = Bei den 2,4 m/s des ersten Aufpralls ist der Luftwiderstand nur 6 % des Gewichts, und er schwindet mit dem Quadrat des Tempos. Der Aufsatz erprobt zwei Gesetze: einen gleichbleibenden Beiwert von 0,4 und einen, der vom Tempo abhängt. Wo es darauf ankommt, stimmen sie überein.
 page-paper-three-equation = F/W = ½ ρ A C_D v² / mg
 page-paper-three-see = Luftwiderstand durch Gewicht über dem Tempo, nach beiden Gesetzen. Auf der log. Skala gibt ein gleichbleibender Beiwert eine Gerade der Steigung 2.
-page-paper-three-first = erster Aufprall
 page-paper-three-see-height = Der ganze Fall mit e = 0,935, mit Luft und ohne: sechs Prozent des Gewichts, und der Ball ruht Sekunden früher.
 
 page-paper-four-title = 4. Löst der Luftwiderstand das Rätsel?
@@ -360,9 +353,6 @@ page-paper-four-solve-drag = e gleich, zehn Flüge
 page-paper-four-solve-many = e gleich, 21 Flüge
 page-paper-four-solve-slope = e fällt mit dem Tempo, zehn Flüge
 page-paper-four-see = Fallhöhe nach der Geraden über der Zahl ihrer Flüge. Grau: Ohne Luft bleibt sie gleich, solange der Ball bei jedem Tempo gleich gut springt. Orangerot: Mit Luft sinkt sie mit jedem Flug. Blau: was die Gerade des Aufsatzes sagte.
-page-paper-four-x = Flüge in der Geraden
-page-paper-four-y = Fallhöhe nach der Geraden (cm)
-page-paper-four-paper-point = der Aufsatz
 
 page-paper-five-title = 5. Die Auflösung
 page-paper-five-text-1 = Luftwiderstand mit gleichbleibender Stoßzahl erklärt etwa die Hälfte der Lücke: Ein Ball mit e = 0,953 gäbe die 0,9375 des Aufsatzes, aber 28,8 cm.
@@ -430,9 +420,6 @@ page-drops-of-drops = { $count ->
    *[other] von { $count } Versuchen
   }
 page-drops-scatter-sentence = Im Mittel behielt der Ball { $mean } seines Tempos. Von Versuch zu Versuch streute das um { $scatter }; jeder einzelne Versuch gibt ± { $inside } an.
-page-drops-see = Stoßzahl jedes Versuchs mit ihrer Unsicherheit. Verfehlen die Balken einander, hat sich zwischen den Versuchen etwas geändert.
-page-drops-see-restitution = Stoßzahl über dem Tempo der gewählten Versuche, die Luft herausgerechnet.
-page-drops-x = Versuch
 page-drops-csv = Tabelle speichern (CSV)
 page-drops-json = Alles speichern (JSON)
 page-drops-delete-all = Alle löschen

@@ -315,16 +315,10 @@ page-simulate-runs = Runs
 page-simulate-this-run = this run
 page-simulate-run = run { $index }
 page-simulate-remove = Remove { $name }
-page-simulate-see = Height against time. With air the bounces come sooner and die earlier.
-page-simulate-see-times = Flight times on a logarithmic scale: without air and with constant restitution, a straight line.
 page-simulate-says = It bounces { $bounces } times in { $time } and travels { $path }.
 page-simulate-terminal = It could never fall faster than { $speed } here.
 page-simulate-no-terminal = There is no air to slow it down.
 page-simulate-losses = Of its energy { $surface } goes into the bounces, { $air } into the air.
-page-simulate-x = time (s)
-page-simulate-y = height (cm)
-page-simulate-flight-y = flight time (s)
-page-simulate-flight-x = flight
 page-simulate-impossible = This cannot be simulated:
 page-simulate-address = The sliders are in the address: share it, and others see the same run.
 
@@ -346,7 +340,6 @@ page-paper-three-title = 3. How hard the air pulls
 page-paper-three-text = At the 2.4 m/s of the first impact, drag is only 6 % of the weight, and it fades with the square of the speed. The paper tries two laws: a constant coefficient of 0.4, and one that depends on the speed. They agree wherever it matters.
 page-paper-three-equation = F/W = ½ ρ A C_D v² / mg
 page-paper-three-see = Drag over weight against speed, by both laws. On the log scale a constant coefficient is a straight line of slope 2.
-page-paper-three-first = first impact
 page-paper-three-see-height = The whole drop with e = 0.935, with air and without: six per cent of the weight, and the ball rests seconds earlier.
 
 page-paper-four-title = 4. Does drag solve the puzzle?
@@ -362,9 +355,6 @@ page-paper-four-solve-drag = constant e, ten flights
 page-paper-four-solve-many = constant e, 21 flights
 page-paper-four-solve-slope = e falls with speed, ten flights
 page-paper-four-see = Drop height by the straight line, against the number of flights in it. Grey: without air, it never changes as long as the ball is equally bouncy at every speed. Vermilion: with air it sinks with every flight. Blue: what the paper’s line said.
-page-paper-four-x = flights in the line
-page-paper-four-y = drop height by the line (cm)
-page-paper-four-paper-point = the paper
 
 page-paper-five-title = 5. The resolution
 page-paper-five-text-1 = Drag with a constant restitution explains about half of the gap: a ball of e = 0.953 would give the paper’s 0.9375, but 28.8 cm.
@@ -432,9 +422,6 @@ page-drops-of-drops = { $count ->
    *[other] of { $count } drops
   }
 page-drops-scatter-sentence = On average the ball kept { $mean } of its speed. From drop to drop this scattered by { $scatter }; each single drop claims ± { $inside }.
-page-drops-see = Restitution of each drop with its uncertainty. If the bars miss each other, something changed between the drops.
-page-drops-see-restitution = Restitution against speed of the chosen drops, the air taken out.
-page-drops-x = drop
 page-drops-csv = Save the table (CSV)
 page-drops-json = Save all (JSON)
 page-drops-delete-all = Delete all
