@@ -27,7 +27,8 @@ fn main() -> io::Result<()> {
         for file in sorted(&language)? {
             let name = file_name(&file);
             if name != OF_PAGE && !(browser && name == OF_TERMINAL) {
-                write!(code, "include_str!({file:?}), ").expect("a string takes all");
+                write!(code, "include_str!(r#\"{}\"#), ", file.display())
+                    .expect("a string takes all");
             }
         }
         code.push_str("]), ");

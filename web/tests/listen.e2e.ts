@@ -7,7 +7,7 @@ import { afterAll, afterEach, beforeAll, expect, test } from 'vitest';
 import { launch, type Microphone, newContext } from './harness/browser.ts';
 import { Site } from './harness/site.ts';
 import { follow, open, said, settled } from './support/page.ts';
-import { drop, samplesOf, TRUTH } from './support/sounds.ts';
+import { drop, hearing, samplesOf, TRUTH } from './support/sounds.ts';
 
 let site: Site;
 let heard: string;
@@ -53,7 +53,8 @@ async function savedWav(page: Page) {
 }
 
 test('a drop is heard, ends by itself, and its result is true within its uncertainty', async () => {
-  const { page, troubles } = await opened({ file: heard });
+  browser = await launch();
+  const { page, troubles } = await open(browser, site.url, {}, hearing(heard));
   await listen(page);
   await page.getByText(/impacts so far/).waitFor();
   const { kept, fell } = await said(page);

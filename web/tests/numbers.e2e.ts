@@ -62,7 +62,7 @@ const documentOf = (path: string, settings: Settings) =>
 function expectSame(found: unknown, expected: unknown, path = '$', sd?: number): void {
   if (typeof expected === 'number') {
     expect(found, path).toBeTypeOf('number');
-    const share = path.includes('.posterior.') ? 1e-3 : 1e-7;
+    const share = /\.(posterior|diagnostics)\./.test(path) ? 1e-3 : 1e-7;
     const isDifference = /\.correlations\.|standardised_residual/.test(path);
     const allowed = sd === undefined ? share * (isDifference ? 5 : Math.abs(expected)) : 0.02 * sd;
     expect(

@@ -121,6 +121,10 @@ const recordings = existsSync(folder)
   ? readdirSync(folder).filter((name) => /\.(wav|mp3|mov|webm)$/.test(name))
   : [];
 
+if (recordings.length === 0) {
+  process.stdout.write('SKIPPED: real recordings, of which BOUNCELAB_RECORDINGS names no folder\n');
+}
+
 /** Recordings without a drop: their names begin with `not-`, and one has too few hits. */
 test.each(recordings)('the recording %s', async (name) => {
   const on = await page();

@@ -1,10 +1,10 @@
-//! `cargo xtask detection`: how well the listener hears.
+//! `cargo xtask detection`: how well impacts are detected.
 
 use crate::Result;
 use crate::cargo::run_example;
 
 pub(crate) const ABOUT: &str =
-    "Measure the listener on synthetic recordings: cells, timing, silence";
+    "Measure how impacts are detected in synthetic recordings: cells, timing, silence";
 
 pub(crate) fn run(words: &[String]) -> Result {
     run_example("bouncelab", "detection", words)

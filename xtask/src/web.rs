@@ -39,9 +39,13 @@ pub(crate) fn run(words: &[String]) -> Result {
 
 /// The whole page, and how large it is.
 pub(crate) fn build() -> Result {
-    engine()?;
-    npm(&["run", "build"])?;
+    page()?;
     npm(&["run", "size"])
+}
+
+fn page() -> Result {
+    engine()?;
+    npm(&["run", "build"])
 }
 
 /// All that can be said of the page without a browser.

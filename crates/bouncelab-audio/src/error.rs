@@ -1,7 +1,7 @@
 use std::fmt;
 use std::io;
 
-use crate::problem::{Lack, LayoutProblem, LooksLike, Stage, TimesProblem};
+use crate::problem::{LayoutProblem, LooksLike, MissingContent, Stage, TimesProblem};
 
 /// What can go wrong between a file and its samples or times.
 ///
@@ -37,7 +37,7 @@ pub enum Error {
         /// The file as the caller named it.
         name: String,
         /// What is missing.
-        what: Lack,
+        what: MissingContent,
     },
 
     /// The content is none of the known sound formats, whatever the name of the file says.

@@ -41,7 +41,7 @@ mod wav;
 
 pub use error::{Error, Result};
 pub use input::Input;
-pub use problem::{Lack, LayoutProblem, LooksLike, Stage, TimesProblem};
+pub use problem::{LayoutProblem, LooksLike, MissingContent, Stage, TimesProblem};
 pub use recorder::Recorder;
 pub use source::{Block, MAX_BLOCK_FRAMES, MAX_SAMPLE_RATE_HZ, MIN_SAMPLE_RATE_HZ, Source};
 pub use warning::Warning;

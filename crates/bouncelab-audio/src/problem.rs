@@ -9,7 +9,7 @@ use serde::Serialize;
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 #[serde(rename_all = "kebab-case")]
-pub enum Lack {
+pub enum MissingContent {
     /// It has no bytes, or none but tags.
     Content,
     /// It has a header and nothing after it.
@@ -18,7 +18,7 @@ pub enum Lack {
     Time,
 }
 
-impl fmt::Display for Lack {
+impl fmt::Display for MissingContent {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
             Self::Content => "the file has no content",

@@ -14,7 +14,7 @@ use std::fs;
 use std::path::Path;
 
 use crate::error::{Error, Result};
-use crate::problem::{Lack, TimesProblem};
+use crate::problem::{MissingContent, TimesProblem};
 
 /// A time, and the line it was read from where the format has lines.
 type Entry = (Option<usize>, f64);
@@ -213,7 +213,7 @@ impl List<'_> {
         if entries.is_empty() {
             return Err(Error::Empty {
                 name: self.name.to_owned(),
-                what: Lack::Time,
+                what: MissingContent::Time,
             });
         }
         if let Some(&(line, time_s)) = entries.iter().find(|entry| entry.1.abs() > FARTHEST_S) {

@@ -105,15 +105,15 @@ fn show(rule: &Rule) -> String {
     let facts = facts(rule);
     let width = facts.iter().map(|(name, _)| name.width());
     let width = width.fold(12, usize::max);
-    let mut page = format!("{}: {}\n", rule.name, rule.title);
-    for (name, value) in facts {
+    let mut lines = vec![format!("{}: {}", rule.name, rule.title)];
+    lines.extend(facts.into_iter().map(|(name, value)| {
         let space = " ".repeat(width - name.width());
-        page += &format!("  {name}{space} {value}\n");
-    }
+        format!("  {name}{space} {value}")
+    }));
     if rule.status == Status::Unverified {
-        page += &format!("  {}\n", text("rule-nobody-read"));
+        lines.push(format!("  {}", text("rule-nobody-read")));
     }
-    page
+    lines.join("\n") + "\n"
 }
 
 /// Everything that a rule says, in words.

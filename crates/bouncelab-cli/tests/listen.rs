@@ -101,7 +101,7 @@ fn what_is_wrong_with_a_played_file_is_said_though_its_drop_is_over() {
     play(&file)
         .assert()
         .success()
-        .stderr(predicate::str::contains("drop.wav: the file is cut short"));
+        .stderr(predicate::str::contains("drop.wav: The file is cut short"));
 }
 
 #[test]
@@ -112,7 +112,14 @@ fn a_played_file_says_what_analyze_says() {
     assert!(output.status.success());
     let (heard, expected) = (lines(&output.stdout), analyze(&file));
     assert_eq!(heard.len(), 1);
-    for part in ["schema", "file", "settings", "drops", "warnings", "no_drop"] {
+    for part in [
+        "schema",
+        "file",
+        "settings",
+        "drops",
+        "diagnostics",
+        "no_drop",
+    ] {
         assert_eq!(heard[0][part], expected[part], "{part}");
     }
     // The report is that of analyze, but for the length of what was heard.
@@ -135,7 +142,7 @@ fn a_release_is_of_the_drop_that_begins_next() {
     let expected = bouncelab(&["analyze"]).args(stated).arg(&file).output();
     let expected: Value = serde_json::from_slice(&expected.unwrap().stdout).unwrap();
     assert_eq!(Value::from(drops(&heard)), expected["drops"]);
-    let uses_it = |drop: &Value| !drop["estimate"]["missed_first_impacts"].is_null();
+    let uses_it = |drop: &Value| !drop["posterior"]["missed_first_impacts"].is_null();
     let uses_it: Vec<bool> = drops(&heard).iter().map(uses_it).collect();
     assert_eq!(uses_it, [false, true, false]);
 }
@@ -145,14 +152,14 @@ fn a_release_after_every_drop_is_of_none() {
     let folder = TempDir::new().unwrap();
     let file = three_drops(&folder);
     let stated = ["--format", "json", "--release", "500s", "--draws", "100"];
-    let said = predicate::str::contains("no drop begins after it");
+    let said = predicate::str::contains("No drop begins after");
     let played = play(&file).args(stated).assert().success();
     let heard = lines(&played.stderr(said).get_output().stdout);
     let expected = bouncelab(&["analyze"]).args(stated).arg(&file).output();
     let expected: Value = serde_json::from_slice(&expected.unwrap().stdout).unwrap();
     assert_eq!(Value::from(drops(&heard)), expected["drops"]);
-    let warning = expected["warnings"][0].as_str().unwrap();
-    assert!(warning.contains("no drop begins after it"), "{warning}");
+    let warning = expected["diagnostics"][0]["message"].as_str().unwrap();
+    assert!(warning.contains("No drop begins after"), "{warning}");
 }
 
 #[test]
@@ -272,11 +279,13 @@ fn without_a_drop_it_says_why_as_analyze_does() {
         .assert()
         .code(1)
         .stderr(predicate::str::contains(
-            "no drop found: the recording is silent",
+            "no drop found: The recording is silent",
         ))
         .stdout(predicate::function(|text: &str| {
             let heard = lines(text.as_bytes());
-            heard.len() == 1 && heard[0]["no_drop"].is_string() && drops(&heard).is_empty()
+            heard.len() == 1
+                && heard[0]["no_drop"]["message"].is_string()
+                && drops(&heard).is_empty()
         }));
     let short = recording(&folder, &[0.5]);
     play(&short).assert().code(1);

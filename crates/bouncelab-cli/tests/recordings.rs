@@ -71,7 +71,7 @@ fn a_late_start_is_noticed() {
         .output()
         .unwrap();
     let result: Value = serde_json::from_slice(&output.stdout).unwrap();
-    let missed = &result["drops"][0]["estimate"]["missed_first_impacts"];
+    let missed = &result["drops"][0]["posterior"]["missed_first_impacts"];
     assert!(missed[2].as_f64().unwrap() > 0.8, "{missed}");
 }
 

@@ -152,7 +152,7 @@ fn mistakes_of_units_are_questioned_and_can_be_insisted_on() {
         .assert()
         .code(2)
         .stderr(contains("30.5 m? Did you mean 30.5 cm?").and(contains("session.toml, line 2")))
-        .stderr(contains("2.5 kg").and(contains("Did you mean 2.5 g?")));
+        .stderr(contains("2.50 kg").and(contains("Did you mean 2.5 g?")));
     assert!(
         !workspace.results().exists(),
         "nothing is heard before the notes are clear"
@@ -200,7 +200,7 @@ fn what_is_missing_is_asked_for() {
         .assert()
         .code(2)
         .stderr(contains("b.wav: no surface is noted").and(contains("[recordings.\"b.wav\"]")))
-        .stderr(contains("--table").and(contains("{surface}")));
+        .stderr(contains("CSV").and(contains("{surface}")));
     workspace
         .session()
         .arg("--allow-missing")
@@ -286,7 +286,7 @@ fn what_has_changed_is_heard_again() {
         .assert()
         .success()
         .stderr(contains("earlier").not());
-    again(&[], "2 of 2 recordings were heard in an earlier run");
+    again(&[], "2 of 2 recordings were analysed in an earlier run");
     workspace.record("a.wav", 3);
     again(&[], "1 of 2 recordings");
     // Another ball, other results; grouping alone changes none.
@@ -416,7 +416,7 @@ fn a_killed_run_goes_on_and_ends_the_same() {
         let output = workspace.session().output().unwrap();
         assert!(output.status.success());
         let said = String::from_utf8_lossy(&output.stderr);
-        went_on += usize::from(said.contains("heard in an earlier run"));
+        went_on += usize::from(said.contains("analysed in an earlier run"));
         assert!(workspace.tables() == undisturbed, "killed after {moment:?}");
         assert_eq!(drafts(&workspace.results()), [""; 0]);
     }

@@ -27,9 +27,9 @@ fn arguments_are_questioned_with_a_guess() {
         (&["--mass", "2.5g", "--diameter", "38m"], "38 mm?"),
         (
             &["--temperature", "293C"],
-            "293.0 \u{b0}C? Did you mean 293 K?",
+            "293 \u{b0}C? Did you mean 293 K?",
         ),
-        (&["--temperature", "70"], "70.0 \u{b0}C? Did you mean 70 F?"),
+        (&["--temperature", "70"], "70 \u{b0}C? Did you mean 70 F?"),
         (&["--pressure", "101325hPa"], "101325 Pa?"),
         (&["--humidity", "45"], "45 %?"),
         (&["--contact-time", "1s"], "1 ms?"),
@@ -86,7 +86,7 @@ fn a_recording_knows_a_wrong_height() {
         String::from_utf8(output.stdout).unwrap()
     };
     for slip in ["3.05m", "3.05cm"] {
-        assert!(said(slip).contains("as if 30.50 cm was meant"), "{slip}");
+        assert!(said(slip).contains("as if 30.5"), "{slip}");
     }
     for right in ["30.5cm", "33cm", "27cm"] {
         assert!(!said(right).contains("was meant"), "{right}");

@@ -14,6 +14,7 @@
 use std::path::PathBuf;
 use std::thread;
 
+use bouncelab::Impact;
 use bouncelab::air::Air;
 use bouncelab::analysis::Options;
 use bouncelab::ball::Ball;
@@ -22,7 +23,6 @@ use bouncelab::flight::{Environment, FlightModel};
 use bouncelab::inference::{
     InferenceOptions, LawKind, Measured, Posterior, Priors, SamplerConfig, infer,
 };
-use bouncelab::restitution::TimedImpact;
 use bouncelab_report::figure::{self, RankHistogram};
 use bouncelab_report::messages::Translator;
 use bouncelab_report::save;
@@ -79,7 +79,7 @@ const HEIGHT_SD_M: f64 = 0.002;
 
 /// A simulated drop and what was to be found.
 struct Drop {
-    impacts: Vec<TimedImpact>,
+    impacts: Vec<Impact>,
     restitution: f64,
     height_m: f64,
     drag: f64,
@@ -138,7 +138,7 @@ fn drawn(scenario: Scenario, rng: &mut ChaCha8Rng) -> Option<Drop> {
         let off = normal(rng);
         if number == 1 || !unheard {
             impacts.push(
-                TimedImpact::new(number, time_s + sigma_s * off).with_time_sd_s(scenario.sigma_s()),
+                Impact::new(number, time_s + sigma_s * off).with_time_sd_s(scenario.sigma_s()),
             );
         }
         let deviation = match scenario {

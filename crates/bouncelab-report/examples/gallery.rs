@@ -11,7 +11,6 @@ use bouncelab_report::messages::Translator;
 use bouncelab_report::save;
 
 #[path = "../tests/charts/mod.rs"]
-#[expect(dead_code, reason = "the tests need more of it")]
 mod charts;
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {

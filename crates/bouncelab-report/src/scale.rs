@@ -59,6 +59,11 @@ impl Scale {
     /// A linear scale over the bulk of the values, without those further from the quartiles than three
     /// times the distance between the quartiles (Tukey's "far out").
     pub(crate) fn bulk(values: impl IntoIterator<Item = f64>) -> Self {
+        Self::within(3.0, values)
+    }
+
+    /// The same for values that follow a curve with a long tail: so many times the distance.
+    pub(crate) fn within(times: f64, values: impl IntoIterator<Item = f64>) -> Self {
         let mut sorted: Vec<f64> = values.into_iter().filter(|v| v.is_finite()).collect();
         sorted.sort_unstable_by(f64::total_cmp);
         let Some(last) = sorted.len().checked_sub(1) else {
@@ -66,7 +71,7 @@ impl Scale {
         };
         let quartile = |share: f64| sorted[(share * last as f64).round() as usize];
         let (lower, upper) = (quartile(0.25), quartile(0.75));
-        let far = 3.0 * (upper - lower);
+        let far = times * (upper - lower);
         let near = |value: &f64| (lower - far..=upper + far).contains(value);
         Self::linear(sorted.iter().copied().filter(near))
     }

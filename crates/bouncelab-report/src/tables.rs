@@ -164,7 +164,7 @@ pub fn budget(shares: &[Share], unit: Unit, words: &Translator) -> Table {
     table
 }
 
-/// How much the data prior_contraction each unknown.
+/// How much the data narrowed each unknown.
 pub fn prior_contraction(found: &Posterior, words: &Translator) -> Table {
     let mut table = Table::with_headings(
         words,

@@ -233,9 +233,12 @@ fn the_code_asks_for_every_message_and_for_no_other() {
             .iter()
             .all(|keys| !path.starts_with(root().join(keys)));
         for (literal, gap, _) in literals(source) {
-            let is_it = |id: &&&str| match gap {
-                true => literal.contains('-') && id.starts_with(literal),
-                false => **id == literal,
+            let is_it = |id: &&&str| {
+                if gap {
+                    literal.contains('-') && id.starts_with(literal)
+                } else {
+                    **id == literal
+                }
             };
             let asked: Vec<_> = ids.iter().filter(is_it).map(ToString::to_string).collect();
             let belongs = literal.contains('-') && groups.contains(group(literal));

@@ -1,5 +1,10 @@
 //! The tables of a session: what their columns are, and what stands in them.
 
+#![expect(
+    clippy::type_complexity,
+    reason = "an alias would fix the lifetime of the rows"
+)]
+
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
@@ -14,7 +19,7 @@ use crate::journal::Key;
 use crate::metadata::{KnownRecording, Metadata};
 use crate::record::{DropRecord, FitRecord, ImpactRecord, PosteriorRecord};
 use crate::results::Results;
-use crate::study::{Outcome, SessionDrop};
+use crate::study::{Outcome, SessionDrop, left_out};
 use crate::table::{Cell, Column, Form, Kind, Schema, TableWriter};
 
 /// Of which drop a row is.
@@ -142,7 +147,7 @@ const OF_A_DROP: &[Fixed<fn(&DropRow<'_>) -> Cell>] = columns! { |row: DropRow<'
     line_drop_height_sd_m: Number ["m"] "its standard error" = row.fit()?.drop_height_m.known_sd();
     outlier_score: Number [""] "how far it lies from its group, in robust standard deviations; empty unless it is an outlier"
         = row.outlier_score;
-    left_out: Text [""] "why it is not in the study; empty if it is" = row.of.drop.left_out.clone();
+    left_out: Text [""] "why it is not in the study; empty if it is" = left_out(row.record, row.of.drop.by_hand, row.translator);
     no_estimate: Text [""] "why there is no inference" = Some(row.translator.diagnostic(row.record.no_posterior.as_ref()?));
     remarks: Text [""] "what is odd about it" = row.sentences(&row.record.diagnostics);
     warnings: Text [""] "what is odd about its recording" = row.sentences(row.of_recording);

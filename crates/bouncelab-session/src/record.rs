@@ -163,7 +163,10 @@ fn analyze(input: Input, options: &Options) -> Result<Recording, Box<dyn std::er
         detector.push(&slices);
     }
     let mut recording = Plan::of_detection(detector.finish(), options).run();
-    let of_file = source.warnings().iter().map(|warning| warning.diagnostic());
+    let of_file = source
+        .warnings()
+        .iter()
+        .map(bouncelab_audio::Warning::diagnostic);
     recording.diagnostics.splice(0..0, of_file);
     Ok(recording)
 }
@@ -199,13 +202,18 @@ impl From<&Drop> for DropRecord {
             }),
             posterior: posterior.ok().map(PosteriorRecord::from),
             no_posterior: posterior.err().map(bouncelab::Error::diagnostic),
-            diagnostics: drop.diagnostics.iter().filter(is_odd).cloned().collect(),
+            diagnostics: drop
+                .diagnostics
+                .iter()
+                .filter(|known| is_odd(known))
+                .cloned()
+                .collect(),
         }
     }
 }
 
 /// Whether a diagnostic says something of this drop, and not of all drops like it.
-fn is_odd(diagnostic: &&Diagnostic) -> bool {
+fn is_odd(diagnostic: &Diagnostic) -> bool {
     !matches!(
         diagnostic.code,
         Code::HeightOfFirstDetected

@@ -45,8 +45,8 @@ pub struct SessionDrop {
     pub number: usize,
     /// What it is called: the recording, and `#2` where that has several drops.
     pub name: String,
-    /// Why it is not compared; `None` if it is.
-    pub left_out: Option<String>,
+    /// Whether it is left out by hand.
+    pub by_hand: bool,
 }
 
 /// Everything that the drops of a session say together.
@@ -158,7 +158,7 @@ impl<'a> Outcome<'a> {
                 recording: place,
                 number,
                 name: if is_alone { name.to_owned() } else { numbered },
-                left_out: left_out(&of_drop, by_hand, translator),
+                by_hand,
             };
             if !of_drop.diagnostics.is_empty() {
                 if is_doubtful(&of_drop) {
@@ -168,7 +168,7 @@ impl<'a> Outcome<'a> {
                 let why: Vec<String> = odd.map(|odd| translator.diagnostic(odd)).collect();
                 self.about.odd.push(reason(&drop.name, &why.join("; ")));
             }
-            match (&drop.left_out, of_drop.posterior) {
+            match (left_out(&of_drop, by_hand, translator), of_drop.posterior) {
                 (None, Some(posterior)) => {
                     let scatter = posterior.restitution_scatter;
                     self.studied.push(self.drops.len());
@@ -184,8 +184,8 @@ impl<'a> Outcome<'a> {
                 // What was asked of no drop need not be said of each.
                 (Some(_), None) if !recording.metadata.asks_inference() && !by_hand => {}
                 (why, _) => {
-                    let why = why.as_deref().unwrap_or_default();
-                    self.about.left_out.push(reason(&drop.name, why));
+                    let why = why.unwrap_or_default();
+                    self.about.left_out.push(reason(&drop.name, &why));
                 }
             }
             self.drops.push(drop);
@@ -312,7 +312,11 @@ fn is_doubtful(drop: &DropRecord) -> bool {
 }
 
 /// Why a drop is not compared; `None` if it is.
-fn left_out(drop: &DropRecord, by_hand: bool, translator: &Translator) -> Option<String> {
+pub(crate) fn left_out(
+    drop: &DropRecord,
+    by_hand: bool,
+    translator: &Translator,
+) -> Option<String> {
     let no_posterior = drop.no_posterior.as_ref();
     match &drop.posterior {
         _ if by_hand => Some(BY_HAND.to_owned()),

@@ -12,7 +12,7 @@ use bouncelab_report::report::{self, Provenance};
 
 use crate::refusal::{Result, unknown};
 use crate::simulator;
-use crate::wire::{Analysed, AnalysisRequest, Drawn, SimulationRequest};
+use crate::wire::{Analysed, AnalysisRequest, Drawn, DropMarks, SimulationRequest};
 
 /// So many analyses of single drops are remembered: those of a recording with many drops, and of
 /// the last few edits.
@@ -47,7 +47,7 @@ impl Analyst {
         translator: &'a Translator,
     ) -> Result<Analysis<'a>> {
         let mut setup = request.settings.resolve(request.inference)?;
-        let candidates = request.drops.iter().map(|drop| drop.candidate()).collect();
+        let candidates = request.drops.iter().map(DropMarks::candidate).collect();
         let plan = Plan::of_candidates(request.source.clone(), candidates, &setup.options);
         let drops = plan.tasks().iter().map(|task| self.drop(task)).collect();
         let mut result = plan.finish(drops);

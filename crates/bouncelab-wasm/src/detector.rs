@@ -1,6 +1,6 @@
 //! Which drops are in a recording?
 
-use bouncelab::analysis::{DetectionOptions, Plan};
+use bouncelab::analysis::{DetectionOptions, DropTask, Plan};
 use bouncelab::onset::OnsetDetector;
 use bouncelab::{Detector, Diagnostic, Impact, Options, Recording, train};
 use bouncelab_audio::times;
@@ -66,7 +66,7 @@ impl RecordingDetector {
             self.found.rests_at_s = last.map(|train| train::latest_next_s(train.impacts()));
             let plan = Plan::of_detection(detection, &self.options);
             self.found.drops = plan.tasks().len();
-            self.found.drop = plan.tasks().last().map(|task| task.run());
+            self.found.drop = plan.tasks().last().map(DropTask::run);
         }
         let now_s = self.frames as f64 / f64::from(self.sample_rate_hz);
         self.found.duration_s = now_s;

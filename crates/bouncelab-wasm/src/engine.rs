@@ -137,6 +137,10 @@ pub struct JsTranslator(Translator);
 #[wasm_bindgen(js_class = Translator)]
 impl JsTranslator {
     /// Of a language by its code and its files; English without any.
+    #[expect(
+        clippy::needless_pass_by_value,
+        reason = "JavaScript hands over a vector"
+    )]
     #[wasm_bindgen(constructor)]
     pub fn new(code: &str, sources: Vec<String>) -> Result<Self> {
         let sources: Vec<&str> = sources.iter().map(String::as_str).collect();

@@ -1,7 +1,7 @@
 //! Why was it not done?
 
 use bouncelab::Diagnostic;
-use bouncelab_audio::{Error, Lack, LayoutProblem, LooksLike, Stage, TimesProblem};
+use bouncelab_audio::{Error, LayoutProblem, LooksLike, MissingContent, Stage, TimesProblem};
 use serde::Serialize;
 #[cfg(not(target_family = "wasm"))]
 use ts_rs::TS;
@@ -15,9 +15,9 @@ pub struct Refusal {
     /// What was wrong and what to do, in English.
     pub message: String,
     /// The same as data, where the science refused something.
-    pub diagnostic: Option<Diagnostic>,
+    pub diagnostic: Option<Box<Diagnostic>>,
     /// The same as data, where a file was refused.
-    pub reason: Option<Reason>,
+    pub reason: Option<Box<Reason>>,
 }
 
 /// Kinds of trouble that a page may want to tell apart.
@@ -49,7 +49,7 @@ pub enum Reason {
     /// There is nothing in it.
     Empty {
         /// What is missing.
-        what: Lack,
+        what: MissingContent,
     },
     /// It is no sound.
     NotSound {
@@ -153,7 +153,7 @@ impl From<bouncelab::Error> for Refusal {
         Self {
             kind: RefusalKind::Setting,
             message: error.to_string(),
-            diagnostic: Some(error.diagnostic()),
+            diagnostic: Some(Box::new(error.diagnostic())),
             reason: None,
         }
     }
@@ -181,7 +181,7 @@ impl From<Error> for Refusal {
             kind,
             message: error.to_string(),
             diagnostic: None,
-            reason: Reason::of(&error),
+            reason: Reason::of(&error).map(Box::new),
         }
     }
 }

@@ -97,6 +97,15 @@ pub struct Detection {
 
 impl Detection {
     /// Why there is no drop; `None` if there is one.
+    ///
+    /// ```
+    /// use bouncelab::Detector;
+    ///
+    /// let mut detector = Detector::new(48_000, 1);
+    /// detector.push(&[&[0.0; 48_000]]);
+    /// let reason = detector.finish().no_drop().unwrap();
+    /// assert_eq!(reason.code.name(), "recording-silent");
+    /// ```
     pub fn no_drop(&self) -> Option<Diagnostic> {
         if !self.found.trains.is_empty() {
             return None;
@@ -149,8 +158,17 @@ impl Detector {
     ///
     /// # Errors
     ///
-    /// [`Error::NoChannel`](crate::Error::NoChannel) and [`Error::NoBand`](crate::Error::NoBand) if
+    /// [`Error::NoChannel`] and [`Error::NoBand`] if
     /// there is none.
+    ///
+    /// ```
+    /// use bouncelab::Detector;
+    /// use bouncelab::detection::DetectionOptions;
+    ///
+    /// let second = DetectionOptions { channel: Some(2), ..DetectionOptions::default() };
+    /// assert!(Detector::with_options(48_000, 2, &second).is_ok());
+    /// assert!(Detector::with_options(48_000, 1, &second).is_err());
+    /// ```
     pub fn with_options(
         sample_rate_hz: u32,
         channels: usize,
@@ -220,6 +238,19 @@ impl Detector {
 
     /// What was heard so far, as if the recording ended here. It takes as long as the judgement of
     /// the sounds that are not yet judged: some milliseconds.
+    ///
+    /// ```
+    /// use bouncelab::{Detector, demo};
+    ///
+    /// let sound = demo::sound(&demo::history()?, 1)?;
+    /// let mut detector = Detector::new(sound.sample_rate_hz, 1);
+    /// let (first, second) = sound.samples.split_at(3 * sound.sample_rate_hz as usize);
+    /// detector.push(&[first]);
+    /// let early = detector.so_far().found.trains[0].impacts().len();
+    /// detector.push(&[second]);
+    /// assert!(detector.finish().found.trains[0].impacts().len() > early);
+    /// # Ok::<(), bouncelab::Error>(())
+    /// ```
     pub fn so_far(&self) -> Detection {
         self.clone().finish()
     }

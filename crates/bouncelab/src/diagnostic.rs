@@ -126,6 +126,13 @@ impl Diagnostic {
     }
 
     /// The same with an argument more.
+    ///
+    /// ```
+    /// use bouncelab::diagnostic::{Code, Diagnostic};
+    ///
+    /// let clipped = Diagnostic::new(Code::Clipped).with("samples", 120_u64);
+    /// assert_eq!((clipped.code.name(), clipped.number("samples")), ("clipped", Some(120.0)));
+    /// ```
     #[must_use]
     pub fn with(mut self, name: &str, value: impl Into<Argument>) -> Self {
         self.arguments.insert(name.to_owned(), value.into());
@@ -147,10 +154,9 @@ macro_rules! codes {
         ///
         /// The names are stable: within a version of the schema none is removed or changes its meaning.
         #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-        #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
         #[non_exhaustive]
         pub enum Code {
-            $($(#[$doc])+ #[cfg_attr(feature = "serde", serde(rename = $name))] $variant,)+
+            $($(#[$doc])+ $variant,)+
         }
 
         impl Code {
@@ -382,6 +388,24 @@ codes! {
     VerdictOfFewDrops = "verdict-of-few-drops", Info, ["drops"];
 }
 
+/// By the name: code of derived traits for so many variants is large.
+#[cfg(feature = "serde")]
+impl serde::Serialize for Code {
+    fn serialize<S: serde::Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
+        to.serialize_str(self.name())
+    }
+}
+
+#[cfg(feature = "serde")]
+impl<'de> serde::Deserialize<'de> for Code {
+    fn deserialize<D: serde::Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
+        let name = String::deserialize(from)?;
+        let known = Self::ALL.iter().find(|code| code.name() == name);
+        let unknown = || serde::de::Error::custom(format_args!("no diagnostic is called {name}"));
+        known.copied().ok_or_else(unknown)
+    }
+}
+
 impl fmt::Display for Code {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(self.name())
@@ -401,5 +425,16 @@ mod tests {
             let kebab = |c: char| c.is_ascii_lowercase() || c == '-';
             assert!(name.chars().all(kebab), "{name}");
         }
+    }
+
+    #[cfg(feature = "serde")]
+    #[test]
+    fn a_code_is_read_as_it_is_written() {
+        for &code in Code::ALL {
+            let json = serde_json::to_value(code).unwrap();
+            assert_eq!(json, code.name());
+            assert_eq!(serde_json::from_value::<Code>(json).unwrap(), code);
+        }
+        assert!(serde_json::from_str::<Code>("\"no-such-code\"").is_err());
     }
 }

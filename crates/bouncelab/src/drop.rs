@@ -82,6 +82,14 @@ impl Stop {
     }
 
     /// The same, but after a number of bounces at the latest.
+    ///
+    /// ```
+    /// use bouncelab::drop::Stop;
+    ///
+    /// // Down to bounces of a millimetre, but a hundred at most.
+    /// let stop = Stop::below(1e-3).or_after(100);
+    /// # let _ = stop;
+    /// ```
     #[must_use]
     pub const fn or_after(self, bounces: usize) -> Self {
         Self { bounces, ..self }
@@ -254,6 +262,17 @@ impl History {
     }
 
     /// All impacts in order, the landing included.
+    ///
+    /// ```
+    /// use bouncelab::{demo, synth};
+    ///
+    /// // What the synthesiser takes.
+    /// let history = demo::history()?;
+    /// let strikes: Vec<_> = history.strikes().collect();
+    /// let sound = synth::render(&strikes, &synth::Scene::default(), 1)?;
+    /// assert_eq!(sound.impacts.len(), strikes.len());
+    /// # Ok::<(), bouncelab::Error>(())
+    /// ```
     pub fn strikes(&self) -> impl Iterator<Item = Strike> + '_ {
         self.bounces
             .iter()
@@ -314,6 +333,13 @@ impl History {
     ///
     /// The ball stays at zero while it touches the surface and after the landing; before the start
     /// it is where it starts.
+    ///
+    /// ```
+    /// let history = bouncelab::demo::history()?;
+    /// assert!((history.height_at(0.0) - 0.305).abs() < 1e-12);
+    /// assert_eq!(history.height_at(1e9), 0.0);
+    /// # Ok::<(), bouncelab::Error>(())
+    /// ```
     pub fn height_at(&self, time_s: f64) -> f64 {
         self.state_at(time_s).height_m
     }

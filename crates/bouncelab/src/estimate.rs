@@ -41,6 +41,15 @@ const TAIL95: f64 = 0.025;
 impl Estimate {
     /// The summary of equally likely values: median, standard deviation and central intervals; `None`
     /// without a finite value.
+    ///
+    /// ```
+    /// use bouncelab::Estimate;
+    ///
+    /// let estimate = Estimate::of_draws((0..=100).map(f64::from)).unwrap();
+    /// assert_eq!(estimate.value, 50.0);
+    /// assert!(estimate.interval95[0] < 3.0 && estimate.interval95[1] > 97.0);
+    /// assert_eq!(Estimate::of_draws([]), None);
+    /// ```
     pub fn of_draws(values: impl IntoIterator<Item = f64>) -> Option<Self> {
         let sorted = sorted(values.into_iter().filter(|v| v.is_finite()));
         let at = |share: f64| quantile(&sorted, share);
@@ -61,6 +70,14 @@ impl Estimate {
 
     /// A quantity whose standard uncertainty was itself estimated with so many degrees of freedom:
     /// the intervals are those of Student's t (JCGM 100:2008, annex G).
+    ///
+    /// ```
+    /// use bouncelab::Estimate;
+    ///
+    /// // Few degrees of freedom: wider than a normal distribution.
+    /// let [low, high] = Estimate::student(0.0, 1.0, 3.0).interval95;
+    /// assert!((high - 3.18).abs() < 0.01 && (low + high).abs() < 1e-9);
+    /// ```
     pub fn student(value: f64, sd: f64, degrees_of_freedom: f64) -> Self {
         match StudentsT::new(0.0, 1.0, degrees_of_freedom) {
             Ok(t) => Self::with_tails(value, sd, |share| t.inverse_cdf(1.0 - share)),
@@ -106,6 +123,10 @@ impl Estimate {
 pub(crate) mod number {
     use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
+    #[expect(
+        clippy::trivially_copy_pass_by_ref,
+        reason = "the signature is serde's"
+    )]
     pub(crate) fn serialize<S: Serializer>(value: &f64, serializer: S) -> Result<S::Ok, S::Error> {
         Some(*value)
             .filter(|value| value.is_finite())

@@ -235,12 +235,11 @@ impl SetupInput {
             known.ball = Ball::new(known.ball.mass_kg(), diameter_m)?;
             known.priors.diameter_rel_sd = KnownBall::CALLIPERED;
         }
-        match self.contact_time_s {
-            Some(contact_time_s) => known.contact_time_s = contact_time_s,
-            None => {
-                let assumed = Diagnostic::new(Code::AssumedContactTime);
-                assumptions.push(assumed.with("contact_time_s", known.contact_time_s));
-            }
+        if let Some(contact_time_s) = self.contact_time_s {
+            known.contact_time_s = contact_time_s;
+        } else {
+            let assumed = Diagnostic::new(Code::AssumedContactTime);
+            assumptions.push(assumed.with("contact_time_s", known.contact_time_s));
         }
         Ok(known)
     }

@@ -96,6 +96,21 @@ pub struct SynthImpact {
 /// time or a speed that is not positive, if the strikes are not in the order of time, if a lost
 /// impact is not in the list, if the voice makes no sound at this sample rate, or if the recording
 /// would have more samples than an hour at 48 kHz.
+///
+/// ```
+/// use bouncelab::synth::{self, Noise, Scene, Voice};
+///
+/// let strikes: Vec<_> = bouncelab::demo::history()?.strikes().take(10).collect();
+/// let scene = Scene {
+///     voice: Voice::steel_ball(),
+///     noise: Some(Noise::pink(30.0)),
+///     ..Scene::default()
+/// };
+/// let sound = synth::render(&strikes, &scene, 7)?;
+/// assert_eq!(sound.impacts.len(), 10);
+/// assert_eq!(sound, synth::render(&strikes, &scene, 7)?); // the same seed, the same samples
+/// # Ok::<(), bouncelab::Error>(())
+/// ```
 pub fn render(strikes: &[Strike], scene: &Scene, seed: u64) -> Result<Rendered> {
     scene.check()?;
     check_strikes(strikes)?;

@@ -1,20 +1,38 @@
-import { useEffect, useRef } from 'preact/hooks';
-import uPlot from 'uplot';
-import 'uplot/dist/uPlot.min.css';
-import type { Chart as Description, Layer, Panel } from '../lab/index.ts';
+import { signal } from '@preact/signals';
+import { useEffect, useMemo, useRef } from 'preact/hooks';
+import type { Axis, Chart as Description, Layer, Panel } from '../lab/index.ts';
 import { dark } from '../style/colours.ts';
 import { language, text } from '../text/language.ts';
-import { dataOf, optionsOf } from './options.ts';
 import { labelOf, legendOf } from './points.ts';
+
+/** Below this width the panels stand one below the other, as in the style sheet. */
+const narrowScreen = globalThis.matchMedia?.('(max-width: 47.99rem)');
+const isNarrow = signal(narrowScreen?.matches ?? false);
+narrowScreen?.addEventListener('change', (event) => {
+  isNarrow.value = event.matches;
+});
+
+/** A panel that does not share the axes of its neighbours. */
+function standingAlone(panel: Panel, { panels }: Description): Panel {
+  const first = panels.find(({ row }) => row === panel.row)?.y ?? panel.y;
+  const x: Axis = panel.x.ticks === 'grid' ? { ...panel.x, ticks: 'labelled' } : panel.x;
+  const shared = panel.y.ticks !== 'labelled' && panel.y.scale.high === first.scale.high;
+  return { ...panel, x, y: shared ? first : panel.y };
+}
 
 /** A chart of the engine that can be zoomed, with its legend; its sentence and its numbers stand beside it. */
 export function Chart({ chart }: { readonly chart: Description }) {
+  const narrow = isNarrow.value && chart.columns.length > 1;
+  const panels = useMemo(
+    () => (narrow ? chart.panels.map((panel) => standingAlone(panel, chart)) : chart.panels),
+    [chart, narrow],
+  );
   const columns = chart.columns.map((share) => `minmax(min(100%, 11rem), ${share}fr)`).join(' ');
   return (
     <>
       <Legend layers={chart.panels.flatMap(({ layers }) => layers)} />
       <div class="panels" style={{ '--columns': columns }}>
-        {chart.panels.map((panel, index) => (
+        {panels.map((panel, index) => (
           <Plot key={index} panel={panel} />
         ))}
       </div>
@@ -31,23 +49,14 @@ function Plot({ panel }: { readonly panel: Panel }) {
   useEffect(() => {
     const element = box.current;
     if (!element) return undefined;
-    let plot: uPlot | undefined;
-    const build = (): void => {
-      plot?.destroy();
-      plot = undefined;
-      const width = element.clientWidth;
-      if (width > 0) plot = new uPlot(optionsOf(panel, width, spoken), dataOf(panel), element);
-    };
-    const watcher = new ResizeObserver(() => {
-      const width = element.clientWidth;
-      if (!plot) build();
-      else if (width > 0 && width !== plot.width) plot.setSize({ width, height: plot.height });
+    let current = true;
+    let clear = (): void => undefined;
+    void import('./plot.ts').then(({ plot }) => {
+      if (current) clear = plot(panel, element, spoken);
     });
-    watcher.observe(element);
-    build();
     return () => {
-      watcher.disconnect();
-      plot?.destroy();
+      current = false;
+      clear();
     };
   }, [panel, isDark, spoken]);
   const name =

@@ -10,8 +10,11 @@ import { tip } from './tip.ts';
 /** Size of the text of the page, in CSS pixels. */
 const rem = (): number => Number.parseFloat(getComputedStyle(document.documentElement).fontSize);
 
-/** Of numbers and names of the axes, in units of the width of text. */
-const AXES_REM = 6;
+/** Above the frame, and of the names of the axes, in units of the width of text. */
+const PADDING_REM = 1;
+const LABEL_REM = 1.5;
+/** Names of rows are broken into lines of so many letters. */
+const NAME_LETTERS = 20;
 /** Figure pixels are meant for text of this size. */
 const FIGURE_TEXT = 14;
 /** Like `Scale` in the science, which numbers whole ones only. */
@@ -20,11 +23,13 @@ const COUNTS = [1, 2, 5, 10, 20, 50, 100, 200, 500, 1000];
 export function optionsOf(panel: Panel, width: number, language: string): uPlot.Options {
   const { x, y } = panel;
   const inner = Math.min((panel.height / FIGURE_TEXT) * rem(), Math.max(0.7 * width, 6 * rem()));
-  const named = y.names.length * 1.9 * rem();
+  const lines = y.names.map((name) => linesOf(name).length);
+  const named = y.names.length * (1.1 * Math.max(0, ...lines) + 0.8) * rem();
+  const below = (x.ticks === 'labelled' ? LABEL_REM : 0) * rem() + sizeOfX(x);
   return {
     width,
-    height: Math.max(inner, named) + AXES_REM * rem(),
-    padding: [rem(), rem() * 0.75, 0, 0],
+    height: Math.max(inner, named) + PADDING_REM * rem() + below,
+    padding: [PADDING_REM * rem(), rem() * 0.75, 0, 0],
     legend: { show: false },
     cursor: { points: { show: false }, drag: { x: true, y: false, dist: 6 }, y: false, x: false },
     scales: {
@@ -60,10 +65,10 @@ function axis(of: Axis, language: string, upright: boolean): uPlot.Axis {
     show: of.ticks !== 'hidden' || rows > 0,
     ...(labelled && of.quantity !== '' ? { label: labelOf(of) } : {}),
     labelFont: font,
-    labelSize: 1.5 * size,
+    labelSize: LABEL_REM * size,
     font,
     stroke: colour('soft'),
-    size: upright ? widthOf(of, size) : 1.9 * size,
+    size: upright ? widthOf(of, size) : sizeOfX(of),
     space: (upright ? 2.2 : 4) * size,
     gap: 4,
     grid: { show: rows === 0 && of.ticks !== 'hidden', stroke: colour('line'), width: 1 },
@@ -75,15 +80,36 @@ function axis(of: Axis, language: string, upright: boolean): uPlot.Axis {
   };
 }
 
-/** Of names as much as the longest takes, but not all of a phone. */
+/** The room that the numbers below a panel take. */
+const sizeOfX = ({ ticks }: Axis): number =>
+  ({ labelled: 1.9, grid: 0.5, hidden: 0.5 })[ticks] * rem();
+
+/** The room before a panel: for names as much as the longest line takes. */
 function widthOf(of: Axis, size: number): number {
-  const longest = Math.max(0, ...of.names.map((name) => (name.split('\n')[0] ?? '').length));
-  return longest > 0 ? Math.min(0.5 * longest + 1, 11) * size : 3.25 * size;
+  if (of.ticks !== 'labelled') return 0.25 * size;
+  const longest = Math.max(0, ...of.names.flatMap(linesOf).map((line) => line.length));
+  return longest > 0 ? (0.5 * longest + 0.75) * size : 3.25 * size;
+}
+
+/** A name in lines: broken between words, and where the engine breaks it. */
+function linesOf(name: string): string[] {
+  const lines: string[] = [];
+  for (const part of name.split('\n')) {
+    let line = '';
+    for (const word of part.split(' ')) {
+      if (line !== '' && line.length + word.length >= NAME_LETTERS) {
+        lines.push(line);
+        line = word;
+      } else line = line === '' ? word : `${line} ${word}`;
+    }
+    lines.push(line);
+  }
+  return lines;
 }
 
 /** Numbers along an axis, with as many decimals as they differ by, or the names of rows. */
 function labels(splits: readonly (number | null)[], of: Axis, language: string): string[] {
-  if (of.names.length > 0) return of.names.map((name) => name.split('\n')[0] ?? '');
+  if (of.names.length > 0) return of.names.map((name) => linesOf(name).join('\n'));
   if (of.scale.kind === 'log') return splits.map((split) => logLabel(split, splits, language));
   const step = Math.abs((splits[1] ?? 1) - (splits[0] ?? 0)) || 1;
   const decimals = [0, 1, 2, 3, 4, 5, 6].find((places) => isWhole(step * 10 ** places)) ?? 6;

@@ -47,9 +47,10 @@ function drawBelow(plot: uPlot, layer: Layer): void {
     ctx.fill();
   } else if (layer.kind === 'boxes') {
     for (const [left, right, bottom, top] of layer.boxes) {
-      const [x, y] = [px(plot, left), py(plot, top)];
-      // No seam between neighbours, and no bar so thin that it is not seen.
-      ctx.fillRect(x, y, Math.max(1, px(plot, right) - x), py(plot, bottom) - y);
+      // On whole pixels, so that there is no seam between neighbours; no bar is too thin to be seen.
+      const [x, y] = [Math.round(px(plot, left)), Math.round(py(plot, top))];
+      const [end, foot] = [Math.round(px(plot, right)), Math.round(py(plot, bottom))];
+      ctx.fillRect(x, y, Math.max(1, end - x), foot - y);
     }
   } else if (layer.kind === 'points') {
     ctx.strokeStyle = tinted(layer.meaning, 0.35 * layer.strength);

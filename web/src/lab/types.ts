@@ -33,6 +33,8 @@ export type AnalysisRequest = {
 name: string,
 /** Where its times come from. */
 source: Source,
+/** Where its impacts stand out most. */
+strongest_band: StrongestBand | null,
 /** What is odd about it. */
 diagnostics: Array<Diagnostic>,
 /** Why there was no drop in it. */
@@ -85,7 +87,7 @@ source: string, };
 
 /** The restitution law at one speed. */
 export type BandPoint = {
-/** ImpactPosterior speed, m/s. */
+/** Impact speed, m/s. */
 speed_m_s: number,
 /** Restitution there. */
 restitution: Estimate, };
@@ -332,9 +334,6 @@ export type Inferred = "gravity" | "drag" | "contact-time";
 
 export type Kind = "linear" | "counting" | "log";
 
-/** What a file that is empty lacks. */
-export type Lack = "content" | "sound" | "time";
-
 /** Something shown in a panel. */
 export type Layer = {
 /** Its name in the legend; empty if it has none. Layers of the same name share an entry. */
@@ -454,6 +453,9 @@ apex_sd_m: number | null,
 /** Launch speed by the flight model, m/s. */
 launch_speed_m_s: number | null, };
 
+/** What a file that is empty lacks. */
+export type MissingContent = "content" | "sound" | "time";
+
 /** A model and how it fared. */
 export type Model = {
 /** Restitution law. */
@@ -560,7 +562,7 @@ predictions: Array<Prediction>,
 impacts: Array<ImpactPosterior>,
 /** The models that were weighed, most probable first. */
 models: Array<Model>,
-/** How much the data prior_contraction what was known. */
+/** How much the data narrowed what was known. */
 prior_contraction: Array<PriorContraction>,
 /** Correlations between the answers. */
 correlations: Correlations,
@@ -583,7 +585,7 @@ bounce: number,
 /** Apex of the flight after it, m. */
 apex_m: number, };
 
-/** How much the data prior_contraction what was known of something. */
+/** How much the data narrowed what was known of something. */
 export type PriorContraction = {
 /** Of what. */
 unknown: Unknown,
@@ -613,7 +615,7 @@ flights: number, };
 /** What exactly is wrong with a file. The page has words for each in every language. */
 export type Reason = { "code": "empty",
 /** What is missing. */
-what: Lack, } | { "code": "not-sound",
+what: MissingContent, } | { "code": "not-sound",
 /** What it looks like. */
 looks_like: LooksLike, } | { "code": "malformed",
 /** The container, for example "MP4". */
@@ -778,7 +780,7 @@ export type Severity = "info" | "warning" | "error";
 
 /** What one source adds to the uncertainty of a quantity. */
 export type Share = {
-/** The source: a stable name in kebab case, such as `impact-timing` or `drag-law`. */
+/** The source: a stable name. */
 source: string,
 /** The standard uncertainty that it alone would leave, in the unit of the quantity. */
 sd: number,
@@ -790,7 +792,7 @@ export type Simulation = { drag: string, terminal_speed_m_s: number | null, tota
 /** Drops of the same ball under several drag laws. */
 export type SimulationDocument = { schema: string,
 /** Version of the program that made it. */
-bouncelab: string, ball_mass_kg: number, ball_diameter_m: number, contact_time_s: number, air_density_kg_m3: number, gravity_m_s2: number, assumptions: Array<string>, simulations: Array<Simulation>, };
+bouncelab: string, ball_mass_kg: number, ball_diameter_m: number, contact_time_s: number, air_density_kg_m3: number, gravity_m_s2: number, assumptions: Array<Diagnostic>, simulations: Array<Simulation>, };
 
 /** How a simulated drop begins, bounces and ends. */
 export type SimulationRequest = {

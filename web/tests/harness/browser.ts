@@ -77,13 +77,18 @@ function sound(microphone: Microphone): string[] {
     : [...granted, `--use-file-for-fake-audio-capture=${microphone.file}%noloop`];
 }
 
+/** What is changed in a browser before it opens a page. */
+export type Preparation = (context: BrowserContext) => Promise<void>;
+
 /** A page that fails the test if anything goes wrong in it that nobody sees. */
 export async function openPage(
   browser: Browser,
   url: string,
   options: BrowserContextOptions = {},
+  prepare?: Preparation,
 ): Promise<{ page: Page; troubles: string[] }> {
   const context = await newContext(browser, options);
+  await prepare?.(context);
   const page = await context.newPage();
   const troubles: string[] = [];
   page.on('console', (message) => {

@@ -1,15 +1,16 @@
 /** What tests do with the page, and read from it. */
 import type { Browser, BrowserContextOptions, Page } from 'playwright-core';
-import { openPage } from '../harness/browser.ts';
+import { openPage, type Preparation } from '../harness/browser.ts';
 
 /** The page in English on a desktop, unless other options are given, ready to be used. */
 export async function open(
   browser: Browser,
   url: string,
   options: BrowserContextOptions = {},
+  prepare?: Preparation,
 ): Promise<{ page: Page; troubles: string[] }> {
   const usual = { locale: 'en-GB', viewport: { width: 1280, height: 900 } };
-  const opened = await openPage(browser, url, { ...usual, ...options });
+  const opened = await openPage(browser, url, { ...usual, ...options }, prepare);
   await opened.page.getByRole('navigation').waitFor();
   return opened;
 }

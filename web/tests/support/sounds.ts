@@ -1,6 +1,7 @@
 /** Drops with a known truth, and the samples of what was saved. */
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
+import type { Preparation } from '../harness/browser.ts';
 import { folder, synth } from '../harness/program.ts';
 
 export const TRUTH = { restitution: 0.93, heightM: 0.305 } as const;
@@ -11,6 +12,30 @@ export function drop(name: string): string {
   const scene = ['--lead-in', '1s', '--tail', '3s', '--sample-rate', '48000', '--bits', '16'];
   return synth(join(folder(), `${name}.wav`), ...truth, ...scene).path;
 }
+
+/**
+ * Makes the pages of a context hear a recording, then silence, whatever the microphone of the browser
+ * gives: on a busy machine a browser loses samples between the two, as a computer that is too slow does.
+ */
+export const hearing =
+  (file: string): Preparation =>
+  async (context) => {
+    const { rateHz, samples } = samplesOf(file);
+    await context.addInitScript(
+      ({ rateHz, samples }) => {
+        AudioContext.prototype.createMediaStreamSource = function () {
+          const silence = 600 * rateHz;
+          const buffer = this.createBuffer(1, samples.length + silence, rateHz);
+          buffer.copyToChannel(Float32Array.from(samples), 0);
+          const source = this.createBufferSource();
+          source.buffer = buffer;
+          source.start();
+          return source as AudioNode as MediaStreamAudioSourceNode;
+        };
+      },
+      { rateHz, samples: Array.from(samples) },
+    );
+  };
 
 /** Samples of a WAV file of one channel, 16-bit or 32-bit float. */
 export function samplesOf(file: string): { rateHz: number; samples: Float32Array } {

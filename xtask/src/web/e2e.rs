@@ -6,7 +6,7 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::thread;
 
-use super::{build, npm_command, system};
+use super::{npm_command, page, system};
 use crate::Result;
 use crate::cargo::{cargo_all, run as run_command, target};
 use crate::steps::{Time, Watch};
@@ -33,7 +33,7 @@ pub(crate) fn run(words: &[&str]) -> Result {
     if !system::has_browser() {
         return Err("the end-to-end tests take a Chromium".into());
     }
-    build()?;
+    page()?;
     let program = program()?;
     let busy = load.then(Load::start);
     let runs: Vec<(Result, Time)> = (1..=repeat)

@@ -20,6 +20,7 @@ mod handover;
 
 pub use handover::Arrival;
 
+use std::fmt;
 use std::sync::Arc;
 use std::sync::OnceLock;
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -83,6 +84,16 @@ pub struct Microphone {
     last_arrival: Instant,
     /// Stops when it is dropped.
     _stream: cpal::Stream,
+}
+
+impl fmt::Debug for Microphone {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let mut said = f.debug_struct("Microphone");
+        said.field("name", &self.name);
+        said.field("sample_rate_hz", &self.sample_rate_hz);
+        said.field("channels", &self.channels);
+        said.finish_non_exhaustive()
+    }
 }
 
 /// What the device reports beside samples.

@@ -22,7 +22,7 @@ use self::input::Input;
 use self::presentation::Presentation;
 use self::track::{Step, Track};
 use crate::error::{Error, Result};
-use crate::problem::{Lack, LayoutProblem};
+use crate::problem::{LayoutProblem, MissingContent};
 use crate::warning::Warning;
 
 /// The lowest sample rate that is read, in hertz. Below it there is nothing left of a click, and
@@ -182,7 +182,7 @@ impl Source {
             Content::Nothing => {
                 return Err(Error::Empty {
                     name: name.to_owned(),
-                    what: Lack::Content,
+                    what: MissingContent::Content,
                 });
             }
         };

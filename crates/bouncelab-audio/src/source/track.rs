@@ -18,7 +18,7 @@ use super::container::Container;
 use super::edits::{self, Edit};
 use super::presentation::Presentation;
 use crate::error::{Error, Result};
-use crate::problem::{Lack, Stage};
+use crate::problem::{MissingContent, Stage};
 
 /// Packets that follow each other further apart than this have lost sound between them. Browsers
 /// write whole milliseconds, and packets last 20 ms.
@@ -174,7 +174,7 @@ impl Track {
             Some(detail) => malformed(self.container, name, Stage::Sound, detail),
             None => Error::Empty {
                 name: name.to_owned(),
-                what: Lack::Sound,
+                what: MissingContent::Sound,
             },
         }
     }

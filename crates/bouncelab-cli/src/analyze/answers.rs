@@ -7,6 +7,7 @@ use bouncelab_report::messages::Value;
 use bouncelab_report::{Quantity, Unit, tables};
 use unicode_width::UnicodeWidthStr;
 
+use super::read::translated;
 use super::text::cannot_tell;
 use crate::language::{text, text_with, translator};
 use crate::physics::Physics;
@@ -87,7 +88,7 @@ pub(super) fn lines(drop: &Drop, physics: &Physics) -> Vec<String> {
     }
     let found = match &drop.posterior {
         Ok(found) => found,
-        Err(reason) => return vec![cannot_tell("analyze-inference", reason)],
+        Err(reason) => return vec![cannot_tell("analyze-inference", translated(reason))],
     };
     let answer = |name: &str, symbol, summary: &Estimate, unit, more: &[String]| {
         Answer::inferred(text(name), symbol, summary, unit, more)

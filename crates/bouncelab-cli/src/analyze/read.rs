@@ -5,7 +5,7 @@ use std::time::Duration;
 
 use bouncelab::analysis::{DropTask, Plan};
 use bouncelab::{Detector, Diagnostic, Options, Recording};
-use bouncelab_audio::{Input, Source};
+use bouncelab_audio::{Input, Source, Warning};
 use indicatif::{ProgressBar, ProgressStyle};
 use rayon::prelude::*;
 
@@ -50,7 +50,7 @@ fn read_sound(
         progress.set_position((frames as f64 / f64::from(rate_hz)) as u64);
     }
     progress.finish_and_clear();
-    let warnings = source.warnings().iter().map(|known| known.diagnostic());
+    let warnings = source.warnings().iter().map(Warning::diagnostic);
     let mut result = run(Plan::of_detection(detector.finish(), options), options);
     result.source = result.source.with_format(&source.format());
     Ok(Analysed::new(name, result, warnings.collect()))

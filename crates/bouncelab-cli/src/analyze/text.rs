@@ -2,9 +2,9 @@
 
 use std::fmt::{Display, Write};
 
+use bouncelab::Diagnostic;
 use bouncelab::Estimate;
 use bouncelab::analysis::{CONFIDENT_PROBABILITY, Drop, Source, StrongestBand};
-use bouncelab::{Diagnostic, Error};
 use bouncelab_report::messages::Value;
 use bouncelab_report::report::ended;
 use bouncelab_report::tables::{self, drag_law};
@@ -68,8 +68,8 @@ pub(crate) fn assumed(assumptions: &[Diagnostic]) -> String {
 }
 
 /// What cannot be told, and why.
-pub(crate) fn cannot_tell(id: &str, reason: &Error) -> String {
-    let reason = ended(translated(reason)).into();
+pub(crate) fn cannot_tell(id: &str, reason: impl Display) -> String {
+    let reason = ended(reason).into();
     let why = [("what", text(id).into()), ("reason", reason)];
     text_with("terminal-cannot-tell", &why)
 }
@@ -179,7 +179,7 @@ fn findings(drop: &Drop, physics: &Physics) -> Vec<String> {
 fn line_lines(drop: &Drop) -> Vec<String> {
     let fit = match &drop.log_linear_fit {
         Ok(fit) => fit,
-        Err(reason) => return vec![cannot_tell("analyze-line", reason)],
+        Err(reason) => return vec![cannot_tell("analyze-line", translated(reason))],
     };
     let count = drop.flights.iter().filter(|flight| flight.in_fit).count();
     let flights = text_with("analyze-line-flights", &[("count", count.into())]);
@@ -206,7 +206,7 @@ fn line_lines(drop: &Drop) -> Vec<String> {
 fn corrected_lines(drop: &Drop, physics: &Physics) -> Vec<String> {
     let found = match &drop.per_impact {
         Ok(found) => found,
-        Err(reason) => return vec![cannot_tell("analyze-corrected", reason)],
+        Err(reason) => return vec![cannot_tell("analyze-corrected", translated(reason))],
     };
     let count = found.impacts.len();
     let (Some(restitution), Some((slowest, fastest))) =

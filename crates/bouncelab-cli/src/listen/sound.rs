@@ -196,9 +196,10 @@ pub(super) fn list_devices() -> Result<(), Failure> {
         ],
     );
     for device in devices {
-        let mark = match device.is_default {
-            true => text("listen-device-default"),
-            false => String::new(),
+        let mark = if device.is_default {
+            text("listen-device-default")
+        } else {
+            String::new()
         };
         table.row([device.id, device.description, mark]);
     }

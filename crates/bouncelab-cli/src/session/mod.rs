@@ -15,6 +15,7 @@ use bouncelab_session::table::Form;
 use bouncelab_session::{
     Advice, MetadataOptions, Noted, Outcome, Results, Session, Sources, StudyOptions, write_tables,
 };
+use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Args, ValueEnum};
 
 use crate::failure::Failure;
@@ -82,8 +83,14 @@ pub(crate) struct Arguments {
     #[arg(long)]
     details: bool,
     /// Tables to write
-    #[arg(long, value_name = "FORMS", value_delimiter = ',', value_enum, default_values_t = Form::ALL.map(TableForm::from))]
-    tables: Vec<TableForm>,
+    #[arg(
+        long,
+        value_name = "FORMS",
+        value_delimiter = ',',
+        value_parser = form(),
+        default_values = Form::ALL.map(Form::ending)
+    )]
+    tables: Vec<Form>,
     /// Write figures as SVG and PNG into the output folder
     #[arg(long)]
     figures: bool,
@@ -114,37 +121,6 @@ enum Format {
     Text,
     /// For programs
     Json,
-}
-
-/// The forms of a table, as arguments.
-#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
-enum TableForm {
-    /// Apache Parquet
-    Parquet,
-    /// Comma-separated values
-    Csv,
-    /// One JSON object a line
-    Jsonl,
-}
-
-impl From<Form> for TableForm {
-    fn from(form: Form) -> Self {
-        match form {
-            Form::Parquet => Self::Parquet,
-            Form::Csv => Self::Csv,
-            Form::JsonLines => Self::Jsonl,
-        }
-    }
-}
-
-impl From<TableForm> for Form {
-    fn from(form: TableForm) -> Self {
-        match form {
-            TableForm::Parquet => Self::Parquet,
-            TableForm::Csv => Self::Csv,
-            TableForm::Jsonl => Self::JsonLines,
-        }
-    }
 }
 
 pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
@@ -203,8 +179,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let mut outcome = Outcome::of(&results, &arguments.study(), translator())?;
     outcome.about.title = title;
     outcome.about.remarks.extend(remarks);
-    let forms: Vec<Form> = arguments.tables.iter().map(|&form| form.into()).collect();
-    let written = write_tables(&outcome, &results, folder, &forms)?;
+    let written = write_tables(&outcome, &results, folder, &arguments.tables)?;
     let json = serde_json::to_string_pretty(&outcome.document()).map_err(io::Error::from)? + "\n";
     let place = folder.join("session.json");
     write_whole(&place, json.as_bytes()).map_err(|reason| Failure::unwritable(&place, &reason))?;
@@ -227,6 +202,16 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
         return Err(Failure::Input(message("session-no-drop")));
     }
     Ok(())
+}
+
+/// A form of a table by the ending of its file.
+fn form() -> impl TypedValueParser<Value = Form> {
+    PossibleValuesParser::new(Form::ALL.map(Form::ending)).try_map(|ending| {
+        let mut forms = Form::ALL.into_iter();
+        forms
+            .find(|form| form.ending() == ending)
+            .ok_or("unknown form")
+    })
 }
 
 fn half_width(text: &str) -> Result<f64, String> {

@@ -5,11 +5,10 @@ use std::fmt::Write;
 use bouncelab::groups::{Difference, Study};
 use bouncelab_report::Table;
 use bouncelab_report::messages::Value;
-use bouncelab_report::report::ended;
 use bouncelab_session::{AboutSession, Outcome, Reason};
 
 use super::tables;
-use crate::analyze::note;
+use crate::analyze::{cannot_tell, note};
 use crate::language::{text, text_with};
 
 /// Lines of a list that may go on for long.
@@ -21,14 +20,10 @@ pub(super) fn report(outcome: &Outcome<'_>, details: bool, wanted: Option<f64>) 
     page.line(&headline(&outcome.about));
     match &outcome.study {
         Ok(study) => page.study(outcome, study, details, wanted),
-        Err(reason) => {
-            let (what, reason) = (text("session-restitution").into(), ended(reason).into());
-            let why = text_with(
-                "terminal-cannot-tell",
-                &[("what", what), ("reason", reason)],
-            );
-            page.line(&format!("\n{why}"));
-        }
+        Err(reason) => page.line(&format!(
+            "\n{}",
+            cannot_tell("session-restitution", reason.as_str())
+        )),
     }
     page.troubles(outcome, details);
     page.0

@@ -180,8 +180,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
         Format::Json => {
             let document = VerdictDocument::new(
                 rule,
-                &physics.options,
-                &physics.assumptions,
+                &physics,
                 decision,
                 &verdict,
                 &files,

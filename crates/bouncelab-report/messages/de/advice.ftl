@@ -8,4 +8,6 @@ terminal-advice-temperature-not-stated = Gib sie mit --temperature an.
 terminal-advice-altitude-not-stated = Gib sie mit --altitude an.
 terminal-advice-no-channel = Wähle einen anderen mit --channel.
 
+advice-allow-implausible = Berichtige es, oder bestehe darauf mit --allow-implausible
+
 page-advice-impact-gains-energy = Entferne ihn, wenn er im Schallbild falsch aussieht.

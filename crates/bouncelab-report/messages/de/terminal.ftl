@@ -49,7 +49,6 @@ analyze-details-priors = Vor den Daten:
 analyze-details-sampling = Stichprobe: { $draws } unabhängige Ziehungen, Pareto-Form { $shape } (gut unter 0,7).
 analyze-no-drop = { $name }: kein springender Ball gefunden: { $reason }
 analyze-one-report = ein Bericht gilt einer Aufnahme, hier sind es mehrere: bouncelab session macht einen aus vielen
-advice-allow-implausible = Berichtige es, oder bestehe darauf mit --allow-implausible
 
 terminal-wrote = { $file } geschrieben
 terminal-wrote-figure = { $file } und .png geschrieben

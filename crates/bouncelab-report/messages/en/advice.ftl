@@ -10,4 +10,6 @@ terminal-advice-temperature-not-stated = State it with --temperature.
 terminal-advice-altitude-not-stated = State it with --altitude.
 terminal-advice-no-channel = Choose another with --channel.
 
+advice-allow-implausible = Correct it, or insist by --allow-implausible
+
 page-advice-impact-gains-energy = Remove it if it looks wrong in the waveform.

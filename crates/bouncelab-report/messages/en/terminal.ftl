@@ -51,7 +51,6 @@ analyze-details-priors = Before the data:
 analyze-details-sampling = Sampling: { $draws } independent draws, Pareto shape { $shape } (good below 0.7).
 analyze-no-drop = { $name }: no drop found: { $reason }
 analyze-one-report = a report is of one recording, and there are several: bouncelab session makes one of many
-advice-allow-implausible = Correct it, or insist by --allow-implausible
 
 terminal-wrote = wrote { $file }
 terminal-wrote-figure = wrote { $file } and .png

@@ -3,7 +3,8 @@
 use bouncelab::rulebook::{
     self, Decision, InconclusiveReason, Limits, Outcome, Remark, Requirement, Rule,
 };
-use bouncelab::{Diagnostic, Estimate, Options};
+use bouncelab::setup::Setup;
+use bouncelab::{Diagnostic, Estimate};
 use serde::Serialize;
 
 use super::Settings;
@@ -87,11 +88,11 @@ struct Step {
 }
 
 impl VerdictDocument {
-    /// The document of a verdict, its diagnostics in words too. `files` and `reference_files` name the places in order.
+    /// The document of a verdict, with the sentences of its diagnostics. `files` and `reference_files`
+    /// name the places in order.
     pub fn new(
         rule: &Rule,
-        settings: &Options,
-        assumptions: &[Diagnostic],
+        setup: &Setup,
         decision: Decision,
         verdict: &rulebook::Verdict,
         files: &[String],
@@ -102,7 +103,7 @@ impl VerdictDocument {
             schema: SCHEMA,
             bouncelab: env!("CARGO_PKG_VERSION"),
             rule: RuleUsed::from(rule),
-            settings: Settings::new(settings, assumptions),
+            settings: Settings::new(&setup.options, &setup.assumptions),
             decision: DecisionUsed {
                 rule: match decision {
                     Decision::Guarded { .. } => "guarded",
@@ -133,6 +134,7 @@ impl VerdictDocument {
                 .collect(),
             remarks: verdict.remarks.iter().map(Remark::diagnostic).collect(),
         };
+        words.complete_each(&mut document.settings.assumptions);
         words.complete_each(&mut document.reasons);
         words.complete_each(&mut document.remarks);
         document

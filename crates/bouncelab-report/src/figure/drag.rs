@@ -73,7 +73,7 @@ pub fn drag(
         })
         .collect();
     let mut layers = curve_layers(&curves);
-    if ys(&layers).next().is_none() {
+    if xs(&layers).next().is_none() || ys(&layers).next().is_none() {
         return Chart::empty(translator, id);
     }
     let (x, y) = match axes {

@@ -2,6 +2,7 @@
 
 use crate::chart::{Axis, Chart, Layer, Marker, Panel, Point, Scale, row_middle, xs};
 use crate::messages::Translator;
+use crate::quantity::{Quantity, Unit};
 use crate::theme::Meaning;
 
 const ROW: f64 = 34.0;
@@ -69,11 +70,8 @@ pub fn intervals(groups: &[GroupInterval], at_speed_m_s: f64, translator: &Trans
         let below = translator.text_with("figure-intervals-count", &count);
         format!("{}\n{below}", group.name.replace('\n', " "))
     });
-    let speed = format!("{at_speed_m_s:.2}");
-    let quantity = translator.text_with(
-        "axis-restitution-at",
-        &[("speed", translator.number(&speed).into())],
-    );
+    let speed = Quantity::rounded(at_speed_m_s, 3, Unit::Speed);
+    let quantity = translator.text_with("axis-restitution-at", &[("speed", speed.into())]);
     let x = Axis::new(quantity, "", scale);
     let y = Axis::of_names(names.collect());
     let panel = Panel::new(ROW * rows as f64, x, y, layers);

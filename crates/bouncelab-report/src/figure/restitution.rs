@@ -9,6 +9,10 @@ use crate::messages::Translator;
 use crate::quantity::{Quantity, Unit};
 use crate::theme::Meaning;
 
+/// Without air most restitutions are near each other, and those of fast impacts far below: they are
+/// shown as long as they lie within so many times the distance of the quartiles.
+const TAIL: f64 = 15.0;
+
 /// Restitution of each impact against its speed: as if there were no air (the ratio of neighbouring
 /// flight times), corrected for air drag, the fitted law with its intervals, and the one value of the
 /// straight line. The vertical axis shows the bulk of the values; those far off are arrow heads at its
@@ -51,7 +55,7 @@ pub(super) fn restitution(subject: &Subject<'_>, translator: &Translator) -> Cha
         let name = translator.text_with("figure-restitution-line", &[("value", written.into())]);
         Layer::level(Meaning::Plain, value).named(name)
     });
-    let bulk = Scale::bulk(ys(&layers));
+    let bulk = Scale::within(TAIL, ys(&layers));
     let fitted = law.last().cloned();
     let others: Vec<Layer> = fitted.into_iter().chain(line.clone()).collect();
     let ends = ys(&others).chain([bulk.low(), bulk.high()]);

@@ -53,7 +53,10 @@ pub fn run_chart(
         };
         Layer::points(meaning, marker, places).with_errors(errors)
     };
-    let places = numbered.iter().map(|(_, point)| point.group + 1).max();
+    let places = numbered
+        .iter()
+        .map(|(_, point)| point.group.saturating_add(1))
+        .max();
     let mut layers: Vec<Layer> = (0..places.unwrap_or(0).min(numbered.len().max(groups.len())))
         .map(|place| {
             let marker = if crowded {

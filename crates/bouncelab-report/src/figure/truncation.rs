@@ -8,13 +8,16 @@ use crate::chart::{Axis, Chart, Dashes, Layer, Marker, Panel, Scale, xs, ys};
 use crate::messages::Translator;
 use crate::theme::Meaning;
 
+/// One of the heights of a truncation.
+type Height = fn(&Truncation) -> Option<Estimate>;
+
 /// The drop height by the straight line and by the inference against the number of flights used, and
 /// the stated height if there is one.
 pub(super) fn truncation(subject: &Subject<'_>, translator: &Translator) -> Chart {
     let text = |id: &str| translator.text(&format!("figure-truncation-{id}"));
     let found = subject.drop.truncations(subject.settings);
     let mut layers = Vec::new();
-    let answers: [(Meaning, &str, fn(&Truncation) -> Option<Estimate>); 2] = [
+    let answers: [(Meaning, &str, Height); 2] = [
         (Meaning::Plain, "line", |found| found.log_linear_fit_m),
         (Meaning::Measured, "inference", |found| found.posterior_m),
     ];
@@ -32,7 +35,7 @@ pub(super) fn truncation(subject: &Subject<'_>, translator: &Translator) -> Char
         let points = Layer::points(meaning, Marker::Dot, points).with_errors(errors);
         layers.push(points.named(text(name)));
     }
-    if ys(&layers).next().is_none() {
+    if xs(&layers).next().is_none() || ys(&layers).next().is_none() {
         return Chart::empty(translator, "truncation");
     }
     if let Some(stated) = &subject.settings.priors.drop_height_m {

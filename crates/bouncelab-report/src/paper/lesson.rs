@@ -135,7 +135,7 @@ impl PuzzleChoice {
             drop_height_m: height_m,
             reproduces: is_near(restitution, REGRESSED, 5e-4)
                 && is_near(height_m, REGRESSED_HEIGHT_M, LAST_DIGIT_M),
-            chart: self.chart(
+            chart: Self::chart(
                 [&vacuum, &drag],
                 [flights as f64, 100.0 * height_m],
                 translator,
@@ -144,7 +144,6 @@ impl PuzzleChoice {
     }
 
     fn chart(
-        &self,
         [vacuum, drag]: [&[NumberedFlight]; 2],
         now: Point,
         translator: &Translator,

@@ -138,14 +138,11 @@ pub fn drop(
         words,
     };
     let mut parts = vec![part.impacts(drop), part.straight_line(drop)];
-    match &drop.posterior {
-        Ok(found) => {
-            parts.push(part.uncertainty(found));
-            parts.push(part.laws(found));
-            parts.push(part.contraction(found));
-            parts.push(part.fit(found));
-        }
-        Err(_) => {}
+    if let Ok(found) = &drop.posterior {
+        parts.push(part.uncertainty(found));
+        parts.push(part.laws(found));
+        parts.push(part.contraction(found));
+        parts.push(part.fit(found));
     }
     Section {
         heading: heading.to_owned(),

@@ -74,7 +74,7 @@ fn of_drops(translator: &Translator) -> Vec<Named> {
                 "residual (standard deviations)",
                 "odd, counts less",
             ],
-            "budget" => &["timing of the impacts"],
+            "budget" => &["choice of law"],
             "models" => &["probability", "drop height (cm)"],
             "truncation" => &["flights used", "drop height (cm)", "straight line"],
             _ => &["speed (m/s)", "drag / weight"],
@@ -303,7 +303,11 @@ fn of_curves(translator: &Translator) -> Unnamed {
             &["this drop: up to 2.4 m/s"],
         ),
         ("flight-times-60", times(60, 30, Some(LINE)), &["not used"]),
-        ("flight-times-1", times(1, 1, Some(LINE)), &["flights used"]),
+        (
+            "flight-times-1",
+            times(1, 1, Some(LINE)),
+            &["measured flights"],
+        ),
         (
             "flight-times-no-line",
             times(10, 10, None),

@@ -145,6 +145,17 @@ impl Options {
     }
 
     /// The same with another drag law.
+    ///
+    /// ```
+    /// use bouncelab::drag::DragLaw;
+    /// use bouncelab::{Options, analyze_times};
+    ///
+    /// let times_s = [0.0, 0.4605, 0.8877, 1.2854, 1.6568, 2.0045];
+    /// let restitution = |options| analyze_times(&times_s, &options).drops[0].per_impact_restitution();
+    /// let options = Options::default().without_inference();
+    /// let (with, without) = (restitution(options.clone()), restitution(options.with_drag(DragLaw::None)));
+    /// assert!(with.unwrap().value > without.unwrap().value);
+    /// ```
     #[must_use]
     pub fn with_drag(mut self, drag: DragLaw) -> Self {
         self.environment.drag = drag;
@@ -170,6 +181,17 @@ impl Options {
     }
 
     /// The same, looking for impacts elsewhere.
+    ///
+    /// ```
+    /// use bouncelab::detection::DetectionOptions;
+    /// use bouncelab::{Options, analyze, demo};
+    ///
+    /// let sound = demo::sound(&demo::history()?, 1)?;
+    /// let bright = DetectionOptions { band_hz: Some(4_000.0..24_000.0), ..DetectionOptions::default() };
+    /// let options = Options::default().without_inference().with_detection(bright);
+    /// assert_eq!(analyze(&sound.samples, sound.sample_rate_hz, &options)?.drops.len(), 1);
+    /// # Ok::<(), bouncelab::Error>(())
+    /// ```
     #[must_use]
     pub fn with_detection(mut self, detection: DetectionOptions) -> Self {
         self.detection = detection;
@@ -177,6 +199,16 @@ impl Options {
     }
 
     /// The same with impacts excluded and included by hand.
+    ///
+    /// ```
+    /// use bouncelab::analysis::Edits;
+    /// use bouncelab::{Options, analyze_times};
+    ///
+    /// let edits = Edits { exclude_s: vec![0.86], ..Edits::default() };
+    /// let options = Options::default().without_inference().with_edits(edits);
+    /// let drop = &analyze_times(&[0.0, 0.46, 0.86, 0.888, 1.285], &options).drops[0];
+    /// assert_eq!(drop.impacts.len(), 4);
+    /// ```
     #[must_use]
     pub fn with_edits(mut self, edits: Edits) -> Self {
         self.edits = edits;
@@ -184,6 +216,14 @@ impl Options {
     }
 
     /// The same without the inference: log-linear fit and restitution of each impact alone.
+    ///
+    /// ```
+    /// use bouncelab::{Options, analyze_times};
+    ///
+    /// let times_s = [0.0, 0.4605, 0.8877, 1.2854, 1.6568, 2.0045];
+    /// let drop = &analyze_times(&times_s, &Options::default().without_inference()).drops[0];
+    /// assert!(drop.log_linear_fit.is_ok() && drop.posterior.is_err());
+    /// ```
     #[must_use]
     pub fn without_inference(mut self) -> Self {
         self.inference = None;
@@ -217,6 +257,12 @@ impl Options {
     /// # Errors
     ///
     /// Those of [`FlightModel::new`].
+    ///
+    /// ```
+    /// let terminal = bouncelab::Options::default().model()?.terminal_speed_m_s();
+    /// assert!((8.0..10.0).contains(&terminal.unwrap()));
+    /// # Ok::<(), bouncelab::Error>(())
+    /// ```
     pub fn model(&self) -> Result<FlightModel> {
         FlightModel::new(&self.ball, &self.environment)
     }
@@ -240,6 +286,14 @@ impl From<&TrainImpact> for Impact {
 
 /// Impacts known by their times alone, in increasing order; where the intervals say that one was
 /// missed, the numbers have a gap.
+///
+/// ```
+/// use bouncelab::analysis::impacts_of_times;
+///
+/// // The sixth impact was missed.
+/// let impacts = impacts_of_times(&[0.0, 0.5, 0.95, 1.355, 1.7195, 2.3428, 2.6085, 2.8477]);
+/// assert_eq!((impacts[4].number, impacts[5].number), (5, 7));
+/// ```
 pub fn impacts_of_times(times_s: &[f64]) -> Vec<Impact> {
     std::iter::zip(times_s, train::number_impacts(times_s))
         .map(|(&time_s, number)| Impact::new(number as usize + 1, time_s))

@@ -39,6 +39,19 @@ pub fn analyze(samples: &[f32], sample_rate_hz: u32, options: &Options) -> Resul
 /// # Errors
 ///
 /// Those of [`analyze`].
+///
+/// ```
+/// use bouncelab::analysis::Source;
+/// use bouncelab::{Options, analyze_channels, demo};
+///
+/// // Nothing on the left, a drop on the right.
+/// let sound = demo::sound(&demo::history()?, 1)?;
+/// let silence = vec![0.0; sound.samples.len()];
+/// let options = Options::default().without_inference();
+/// let result = analyze_channels(&[&silence, &sound.samples], sound.sample_rate_hz, &options)?;
+/// assert!(matches!(result.source, Source::Sound { channel: 2, .. }));
+/// # Ok::<(), bouncelab::Error>(())
+/// ```
 pub fn analyze_channels(
     channels: &[&[f32]],
     sample_rate_hz: u32,

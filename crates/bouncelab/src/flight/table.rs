@@ -419,7 +419,7 @@ mod tests {
     }
 
     /// Where drag is so strong that the steps of a march are too long for it, it ends early, and not
-    /// the strongest drag first. TrainSearch with flights of 24 s and an unknown drag.
+    /// the strongest drag first. Seen with flights of 24 s and an unknown drag.
     #[test]
     fn flights_of_absurd_drag_are_refused() {
         let model = model(DragLaw::CliftGraceWeber);

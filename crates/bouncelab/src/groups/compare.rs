@@ -49,6 +49,19 @@ impl Difference {
 ///
 /// # Errors
 /// Those of [`Mixed::fit`].
+///
+/// ```
+/// use bouncelab::groups::{Drop, Factor, compare};
+/// use bouncelab::inference::Measured;
+///
+/// let factor = Factor { name: "surface".to_owned(), levels: vec!["steel".to_owned(), "wood".to_owned()] };
+/// let drops: Vec<Drop> = [(0, 0.930), (0, 0.934), (0, 0.931), (1, 0.880), (1, 0.884), (1, 0.879)]
+///     .map(|(level, value)| Drop { measured: Measured { value, sd: 0.001 }, levels: vec![Some(level)] })
+///     .into();
+/// let difference = compare(&drops, &[factor], 0, &[])?[0];
+/// assert!((difference.value.value.abs() - 0.0507).abs() < 1e-3);
+/// # Ok::<(), bouncelab::Error>(())
+/// ```
 pub fn compare(
     drops: &[Drop],
     factors: &[Factor],

@@ -86,6 +86,19 @@ impl Mixed {
     /// # Errors
     /// [`Error::TooFewDrops`] unless there are at least two more drops than means,
     /// [`Error::OutOfRange`] for values that are not finite.
+    ///
+    /// ```
+    /// use bouncelab::groups::{Drop, Factor, Mixed};
+    /// use bouncelab::inference::Measured;
+    ///
+    /// let factor = Factor { name: "surface".to_owned(), levels: vec!["steel".to_owned(), "wood".to_owned()] };
+    /// let drops: Vec<Drop> = [(0, 0.930), (0, 0.934), (0, 0.931), (1, 0.880), (1, 0.884), (1, 0.879)]
+    ///     .map(|(level, value)| Drop { measured: Measured { value, sd: 0.001 }, levels: vec![Some(level)] })
+    ///     .into();
+    /// let fit = Mixed::fit(&drops, &[factor], Some(0), &[])?;
+    /// assert!((fit.mean(0).value - 0.9317).abs() < 1e-3);
+    /// # Ok::<(), bouncelab::Error>(())
+    /// ```
     pub fn fit(
         drops: &[Drop],
         factors: &[Factor],
@@ -129,7 +142,7 @@ impl Mixed {
         design.climb_all(&mut sds, None, 40);
         let fit = design
             .fit(&sds)
-            .ok_or_else(|| Error::CannotInfer(InferenceFailure::Confounded))?;
+            .ok_or(Error::CannotInfer(InferenceFailure::Confounded))?;
         Ok(Self { design, sds, fit })
     }
 

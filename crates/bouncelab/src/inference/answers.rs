@@ -130,7 +130,7 @@ impl Answers {
                 drag_coefficient,
                 drop_height_m: self.drop_height_m,
             },
-            posterior,
+            sampled: posterior,
         };
         inferred.band = inferred.compute_band();
         Some(inferred)

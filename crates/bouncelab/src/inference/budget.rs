@@ -18,7 +18,7 @@ use super::sampled::{SampledPosterior, THINNED};
 #[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 #[non_exhaustive]
 pub struct Share {
-    /// The source: a stable name in kebab case, such as `impact-timing` or `drag-law`.
+    /// The source: a stable name.
     pub source: &'static str,
     /// The standard uncertainty that it alone would leave, in the unit of the quantity.
     pub sd: f64,

@@ -40,7 +40,7 @@ impl Unknown {
     }
 }
 
-/// How much the data prior_contraction what was known of something.
+/// How much the data narrowed what was known of something.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
@@ -55,7 +55,7 @@ pub struct PriorContraction {
 /// Above this, the data state next to nothing.
 pub const UNINFORMATIVE: f64 = 0.9;
 
-/// How much the data prior_contraction each unknown, over the models that have it.
+/// How much the data narrowed each unknown, over the models that have it.
 pub(super) fn prior_contraction(posterior: &SampledPosterior) -> Vec<PriorContraction> {
     let unknowns = [
         (Unknown::Drag, Slot::Drag),

@@ -149,7 +149,7 @@ pub fn infer(
     let at_speed_m_s = inference.at_speed_m_s.unwrap_or(posterior.middle.speed_m_s);
     Answers::new(&posterior, at_speed_m_s)
         .and_then(|answers| answers.inference(posterior, inference))
-        .ok_or_else(|| Error::CannotInfer(InferenceFailure::SamplingFailed))
+        .ok_or(Error::CannotInfer(InferenceFailure::SamplingFailed))
 }
 
 /// The most probable drop under one law, without uncertainties.
@@ -200,5 +200,5 @@ pub fn best_fit(
                 drag_scale: point.drag_scale,
             })
         })
-        .ok_or_else(|| Error::CannotInfer(InferenceFailure::SamplingFailed))
+        .ok_or(Error::CannotInfer(InferenceFailure::SamplingFailed))
 }

@@ -460,7 +460,7 @@ impl ReferenceSpeed {
                 nominal?.lasting(media.gravity_m_s2 * time_s)
             })
             .collect::<Option<Vec<Row>>>()
-            .ok_or_else(|| Error::CannotInfer(InferenceFailure::FlightTooLong))?;
+            .ok_or(Error::CannotInfer(InferenceFailure::FlightTooLong))?;
         let single = |place: usize| observed.intervals[place].flights == 1;
         let logs: Vec<f64> = (1..rows.len())
             .filter(|&place| single(place) && single(place - 1))

@@ -55,7 +55,7 @@ pub struct Posterior {
     pub impacts: Vec<ImpactPosterior>,
     /// The models that were weighed, most probable first.
     pub models: Vec<Model>,
-    /// How much the data prior_contraction what was known.
+    /// How much the data narrowed what was known.
     pub prior_contraction: Vec<PriorContraction>,
     /// Correlations between the answers.
     pub correlations: Correlations,
@@ -75,7 +75,7 @@ pub struct Posterior {
     #[cfg_attr(feature = "serde", serde(skip))]
     pub diagnostics: Vec<Diagnostic>,
     #[cfg_attr(feature = "serde", serde(skip))]
-    pub(super) posterior: SampledPosterior,
+    pub(super) sampled: SampledPosterior,
 }
 
 /// An impact heard, and the flight after it.
@@ -162,7 +162,7 @@ pub struct Sampling {
 #[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 #[non_exhaustive]
 pub struct BandPoint {
-    /// ImpactPosterior speed, m/s.
+    /// Impact speed, m/s.
     pub speed_m_s: f64,
     /// Restitution there.
     pub restitution: Estimate,
@@ -182,9 +182,21 @@ impl Posterior {
     }
 
     /// The restitution law at a speed, m/s.
+    ///
+    /// ```
+    /// use bouncelab::inference::SamplerConfig;
+    /// use bouncelab::{Options, analyze_times};
+    ///
+    /// let times_s = [0.0, 0.4605, 0.8877, 1.2854, 1.6568, 2.0045, 2.3308, 2.6375, 2.9262, 3.1984];
+    /// let options = Options::default().with_sampler(SamplerConfig { draws: 300, seed: 1 });
+    /// let posterior = analyze_times(&times_s, &options).drops.remove(0).posterior?;
+    /// let slow = posterior.restitution_at(1.0).unwrap();
+    /// assert!((0.9..1.0).contains(&slow.value) && slow.sd > 0.0);
+    /// # Ok::<(), bouncelab::Error>(())
+    /// ```
     pub fn restitution_at(&self, speed_m_s: f64) -> Option<Estimate> {
         Estimate::of_draws(
-            self.posterior
+            self.sampled
                 .each(1, |_, point| Some(point.law.at(speed_m_s))),
         )
     }
@@ -193,12 +205,24 @@ impl Posterior {
     /// of the ball, m: one for each draw, with the restitution that the law expects.
     ///
     /// Empty if the height is so far beyond what was heard that nothing can be said.
+    ///
+    /// ```
+    /// use bouncelab::inference::SamplerConfig;
+    /// use bouncelab::{Options, analyze_times};
+    ///
+    /// let times_s = [0.0, 0.4605, 0.8877, 1.2854, 1.6568, 2.0045, 2.3308, 2.6375, 2.9262, 3.1984];
+    /// let options = Options::default().with_sampler(SamplerConfig { draws: 300, seed: 1 });
+    /// let posterior = analyze_times(&times_s, &options).drops.remove(0).posterior?;
+    /// let rebounds_m = posterior.rebounds_m(0.305);
+    /// assert!(rebounds_m.iter().all(|height_m| (0.2..0.305).contains(height_m)));
+    /// # Ok::<(), bouncelab::Error>(())
+    /// ```
     pub fn rebounds_m(&self, drop_height_m: f64) -> Vec<f64> {
-        let rebounds = self.posterior.each(1, |evaluator, point| {
+        let rebounds = self.sampled.each(1, |evaluator, point| {
             predict::rebound_m(evaluator, point, drop_height_m)
         });
         // A draw that cannot be worked out would leave the others one-sided.
-        if rebounds.len() == self.posterior.draws.len() {
+        if rebounds.len() == self.sampled.draws.len() {
             rebounds
         } else {
             Vec::new()
@@ -210,7 +234,7 @@ impl Posterior {
         /// As many as a smooth curve takes.
         const POINTS: usize = 40;
         let points = POINTS;
-        let middle = &self.posterior.middle;
+        let middle = &self.sampled.middle;
         let fastest = self
             .impacts
             .iter()
@@ -233,7 +257,7 @@ impl Posterior {
 
     /// The restitution law at several speeds, m/s, from a fourth of the draws.
     pub fn restitution_at_each(&self, speeds_m_s: &[f64]) -> Vec<Option<Estimate>> {
-        let draws = self.posterior.each(THINNED, |_, point| {
+        let draws = self.sampled.each(THINNED, |_, point| {
             let law = speeds_m_s.iter().map(|&v| point.law.at(v));
             Some(law.collect::<Vec<f64>>())
         });
@@ -246,12 +270,12 @@ impl Posterior {
     /// that other drops of the ball share (drag law, contact time, air, gravity, mass, diameter), and
     /// so does not average out over drops. `None` if the fit is too odd to be taken apart.
     pub fn shared_sd(&self, speeds_m_s: &[f64]) -> Option<Vec<f64>> {
-        budget::shared_sd(&self.posterior, speeds_m_s)
+        budget::shared_sd(&self.sampled, speeds_m_s)
     }
 
     /// Whether the first impact heard was taken to be the first.
     pub fn first_was_heard(&self) -> bool {
-        let priors = &self.posterior.priors;
+        let priors = &self.sampled.priors;
         priors.drop_height_m.is_some() && self.missed_first_impacts.is_none()
     }
 }

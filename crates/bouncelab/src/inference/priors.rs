@@ -89,6 +89,16 @@ impl Default for Priors {
 
 impl Priors {
     /// What the rules of its sport say of a ball, and what is known of rooms.
+    ///
+    /// ```
+    /// use bouncelab::ball;
+    /// use bouncelab::inference::Priors;
+    ///
+    /// // The drag of felt is known less well than that of a smooth ball.
+    /// let drag_rel_sd = |name| ball::preset(name).map(|ball| Priors::of_preset(ball).drag_rel_sd);
+    /// assert!(drag_rel_sd("tennis")? > drag_rel_sd("table-tennis-40")?);
+    /// # Ok::<(), bouncelab::Error>(())
+    /// ```
     pub fn of_preset(preset: &Preset) -> Self {
         Self {
             mass_rel_sd: preset.mass_sd,

@@ -212,6 +212,20 @@ impl OnsetDetector {
 
     /// Takes the next samples and appends the candidates they complete to `onsets`, in order of
     /// time. A sample that is not finite counts as 0.
+    ///
+    /// ```
+    /// use bouncelab::demo;
+    /// use bouncelab::onset::OnsetDetector;
+    ///
+    /// let sound = demo::sound(&demo::history()?, 1)?;
+    /// let (mut detector, mut onsets) = (OnsetDetector::new(sound.sample_rate_hz), Vec::new());
+    /// for block in sound.samples.chunks(4096) {
+    ///     detector.push(block, &mut onsets);
+    /// }
+    /// detector.finish(&mut onsets);
+    /// assert!(onsets.len() >= 50);
+    /// # Ok::<(), bouncelab::Error>(())
+    /// ```
     pub fn push(&mut self, samples: &[f32], onsets: &mut Vec<Onset>) {
         self.push_finite(&finite(samples), onsets);
     }

@@ -214,6 +214,14 @@ impl TrainSearch {
 }
 
 /// Finds the drops among onset candidates, which must be in order of time.
+///
+/// ```
+/// use bouncelab::onset::Onset;
+/// use bouncelab::train;
+///
+/// let clock = [0.0, 0.5, 1.0, 1.5, 2.0, 2.5, 3.0].map(Onset::click);
+/// assert!(train::find(&clock).trains.is_empty());
+/// ```
 pub fn find(onsets: &[Onset]) -> TrainSearch {
     let mut found = TrainSearch::default();
     search(onsets, Span::EVER, &mut found);
@@ -248,6 +256,15 @@ pub fn latest_next_s(impacts: &[TrainImpact]) -> f64 {
 ///
 /// `times_s` must increase. Where they do not look like a drop at all, every interval counts for
 /// one flight.
+///
+/// ```
+/// use bouncelab::train::number_impacts;
+///
+/// assert_eq!(number_impacts(&[0.0, 0.5, 0.95, 1.355]), [0, 1, 2, 3]);
+/// // An impact was missed after 1.7 s.
+/// let times_s = [0.0, 0.5, 0.95, 1.355, 1.7195, 2.3428, 2.6085, 2.8477];
+/// assert_eq!(number_impacts(&times_s), [0, 1, 2, 3, 4, 6, 7, 8]);
+/// ```
 pub fn number_impacts(times_s: &[f64]) -> Vec<u32> {
     let onsets: Vec<Onset> = times_s.iter().map(|&time_s| Onset::click(time_s)).collect();
     chain::numbers(&onsets).unwrap_or_else(|| (0..times_s.len() as u32).collect())

@@ -22,7 +22,7 @@ fn assert_prints(value: f64, printed: &str) {
         format!("{value:.*}", decimals.len())
     } else {
         let zeros = printed.len() - printed.trim_end_matches('0').len();
-        let unit = 10_f64.powi(zeros as i32);
+        let unit = 10_f64.powf(zeros as f64);
         format!("{}", unit * (value / unit).round())
     };
     assert_eq!(rounded, printed, "{value}");

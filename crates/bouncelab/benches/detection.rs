@@ -1,4 +1,4 @@
-//! What listening costs: `cargo bench -p bouncelab --bench listening`.
+//! What detection costs: `cargo bench -p bouncelab --bench detection`.
 //!
 //! Items are samples: 44.1 million a second are 1000 times real time.
 
@@ -46,7 +46,7 @@ fn minute(noise: Noise) -> Vec<f32> {
 
 /// Onset candidates of a minute with a drop.
 #[divan::bench]
-fn detector(bencher: Bencher) {
+fn onset_detector(bencher: Bencher) {
     let samples = minute(Noise::pink(40.0));
     bencher
         .counter(ItemsCount::new(samples.len()))
@@ -55,36 +55,36 @@ fn detector(bencher: Bencher) {
 
 /// The whole way from samples to aligned trains.
 #[divan::bench(args = [40.0, 10.0])]
-fn listener(bencher: Bencher, snr_db: f64) {
-    hear(bencher, &minute(Noise::pink(snr_db)));
+fn detector(bencher: Bencher, snr_db: f64) {
+    detect(bencher, &minute(Noise::pink(snr_db)));
 }
 
 /// The same where ten balls are dropped in an hour: one in six minutes.
 #[divan::bench]
-fn listener_ten_drops_an_hour(bencher: Bencher) {
-    hear(bencher, &drop_in(360.0, Noise::pink(40.0)));
+fn detector_ten_drops_an_hour(bencher: Bencher) {
+    detect(bencher, &drop_in(360.0, Noise::pink(40.0)));
 }
 
 /// The same without a drop.
 #[divan::bench]
-fn listener_without_a_drop(bencher: Bencher) {
+fn detector_without_a_drop(bencher: Bencher) {
     let scene = Scene {
         noise: Some(Noise::pink(40.0)),
         tail_s: 60.0,
         ..Scene::default()
     };
-    hear(bencher, &synth::render(&[], &scene, 1).unwrap().samples);
+    detect(bencher, &synth::render(&[], &scene, 1).unwrap().samples);
 }
 
-fn hear(bencher: Bencher, samples: &[f32]) {
+fn detect(bencher: Bencher, samples: &[f32]) {
     bencher
         .counter(ItemsCount::new(samples.len()))
         .bench_local(|| {
-            let mut listener = Detector::new(RATE_HZ, 1);
+            let mut detector = Detector::new(RATE_HZ, 1);
             for block in black_box(samples).chunks(4096) {
-                listener.push(&[block]);
+                detector.push(&[block]);
             }
-            listener.finish()
+            detector.finish()
         });
 }
 
