@@ -7,7 +7,7 @@ import { brotliCompressSync, gzipSync } from 'node:zlib';
  * The most that may be taken, in bytes after gzip, the more modest of the two: by what the page loads at
  * once, and by all that it ever loads. `docs/laboratory.md` says what limits the second.
  */
-const LIMITS = { atOnce: 600_000, whole: 1_110_000 };
+const LIMITS = { atOnce: 600_000, whole: 1_130_000 };
 const DIST_URL = new URL('../dist/', import.meta.url);
 const DIST = DIST_URL.pathname;
 
@@ -37,7 +37,7 @@ const onDemand = readdirSync(new URL('assets/', DIST_URL))
       /import\([`"']\.\/([^`"']+)[`"']\)/g,
     ),
   ])
-  .map(([, name]) => name.replace(/-[^-]+$/, ''));
+  .map(([, name]) => name.replace(/-.{8}\.js$/, ''));
 const isLater = (name) =>
   /^assets\/decoders/.test(name) || onDemand.some((stem) => name.startsWith(`assets/${stem}-`));
 

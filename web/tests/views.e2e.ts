@@ -159,7 +159,7 @@ describe('whatever the fonts', () => {
     };
     expect(await saved('Table (CSV)')).toMatch(/^file,drop,/);
     const document = JSON.parse(await saved('All data (JSON)'));
-    expect(document.schema).toBe('bouncelab.analysis/1');
+    expect(document.schema).toBe('bouncelab.analysis/2');
     expect(document.drops[0].posterior.restitution.value).toBeCloseTo(0.9529, 3);
     expect(await saved('Report (HTML)')).toMatch(/^<!DOCTYPE html>/i);
     for (const tab of await page.getByRole('tab').all()) {

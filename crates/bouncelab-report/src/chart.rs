@@ -418,50 +418,53 @@ impl Layer {
         self.meaning.colour().mixed(self.strength)
     }
 
-    /// Its horizontal values.
-    fn xs(&self) -> Vec<f64> {
+    /// All places that should be in sight: its points with the ends of their standard errors.
+    fn extremes(&self) -> Vec<Point> {
         match &self.shape {
-            Shape::Line { points, .. }
-            | Shape::Points { points, .. }
-            | Shape::Labels { points, .. } => points.iter().map(|p| p[0]).collect(),
-            Shape::Band { points } => points.iter().map(|p| p[0]).collect(),
-            Shape::Boxes { boxes } => boxes.iter().flat_map(|b| [b[0], b[1]]).collect(),
-            Shape::Rule { at, upright, .. } => upright.then_some(*at).into_iter().collect(),
-            Shape::Marks { places, .. } => places.clone(),
-        }
-    }
-
-    /// Its vertical values with their standard errors.
-    fn ys(&self) -> Vec<f64> {
-        match &self.shape {
-            Shape::Line { points, .. } | Shape::Labels { points, .. } => {
-                points.iter().map(|p| p[1]).collect()
-            }
+            Shape::Line { points, .. } | Shape::Labels { points, .. } => points.clone(),
             Shape::Points { points, errors, .. } => {
                 let errors = errors.iter().copied().chain(std::iter::repeat(0.0));
-                let ends = |([_, y], error): (&Point, f64)| [*y, y - error, y + error];
+                let ends =
+                    |(&[x, y], error): (&Point, f64)| [y, y - error, y + error].map(|y| [x, y]);
                 points.iter().zip(errors).flat_map(ends).collect()
             }
-            Shape::Band { points } => points.iter().flat_map(|p| [p[1], p[2]]).collect(),
-            Shape::Boxes { boxes } => boxes.iter().flat_map(|b| [b[2], b[3]]).collect(),
-            Shape::Rule { at, upright, .. } => (!upright).then_some(*at).into_iter().collect(),
-            Shape::Marks { .. } => Vec::new(),
+            Shape::Band { points } => {
+                let ends = |&[x, low, high]: &[f64; 3]| [[x, low], [x, high]];
+                points.iter().flat_map(ends).collect()
+            }
+            Shape::Boxes { boxes } => {
+                let corners =
+                    |&[left, right, bottom, top]: &[f64; 4]| [[left, bottom], [right, top]];
+                boxes.iter().flat_map(corners).collect()
+            }
+            Shape::Rule { .. } | Shape::Marks { .. } => Vec::new(),
+        }
+    }
+
+    /// The value of a rule across this axis.
+    fn rule(&self, is_upright: bool) -> Option<f64> {
+        match self.shape {
+            Shape::Rule { at, upright, .. } if upright == is_upright => Some(at),
+            _ => None,
         }
     }
 }
 
-/// The horizontal values of layers that are numbers.
+/// The horizontal values of layers, where both values are numbers.
 pub(crate) fn xs(layers: &[Layer]) -> impl Iterator<Item = f64> {
-    layers
-        .iter()
-        .flat_map(Layer::xs)
-        .filter(|value| value.is_finite())
+    values(layers, 0)
 }
 
-/// The vertical values of layers that are numbers, with their standard errors.
+/// The vertical values of layers with their standard errors, where both values are numbers.
 pub(crate) fn ys(layers: &[Layer]) -> impl Iterator<Item = f64> {
-    layers
-        .iter()
-        .flat_map(Layer::ys)
-        .filter(|value| value.is_finite())
+    values(layers, 1)
+}
+
+fn values(layers: &[Layer], axis: usize) -> impl Iterator<Item = f64> {
+    layers.iter().flat_map(move |layer| {
+        let extremes = layer.extremes().into_iter();
+        let places = extremes.filter(|[x, y]| x.is_finite() && y.is_finite());
+        let rule = layer.rule(axis == 0).filter(|at| at.is_finite());
+        places.map(move |place| place[axis]).chain(rule)
+    })
 }

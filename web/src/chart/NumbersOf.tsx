@@ -19,12 +19,33 @@ export function NumbersOf({ chart }: { readonly chart: Chart }) {
       }}
     >
       <summary>{text('page-figures-numbers')}</summary>
-      {open.value && chart.panels.map((panel, index) => <Table key={index} panel={panel} />)}
+      {open.value &&
+        chart.panels.map((panel, index) => (
+          <Table
+            key={index}
+            panel={panel}
+            place={chart.panels.length > 1 ? index + 1 : undefined}
+          />
+        ))}
     </details>
   );
 }
 
-function Table({ panel: { x, y, layers } }: { readonly panel: Panel }) {
+/** The heading of a column; an axis without a name has none. */
+function Heading({ axis }: { readonly axis: Axis }) {
+  const label = labelOf(axis);
+  return label === '' ? <td /> : <th class="figure">{label}</th>;
+}
+
+/** The numbers of a panel; its place among several is part of its name. */
+function Table({
+  panel: { x, y, layers },
+  place,
+}: {
+  readonly panel: Panel;
+  readonly place: number | undefined;
+}) {
+  const label = [place, labelOf(y) || labelOf(x)].filter((part) => part !== undefined).join(' ');
   const number = (value: number, axis: Axis): string => {
     if (axis.names.length > 0) return axis.names.at(-Math.ceil(value)) ?? '';
     return axis.scale.kind === 'counting'
@@ -32,12 +53,12 @@ function Table({ panel: { x, y, layers } }: { readonly panel: Panel }) {
       : plain(value, PLAIN, 4, language.value);
   };
   return (
-    <section class="scroll impacts" tabIndex={0} aria-label={labelOf(y) || labelOf(x)}>
+    <section class="scroll impacts" tabIndex={0} aria-label={label}>
       <table>
         <thead>
           <tr>
-            <th class="figure">{labelOf(x)}</th>
-            <th class="figure">{labelOf(y)}</th>
+            <Heading axis={x} />
+            <Heading axis={y} />
             <td />
           </tr>
         </thead>

@@ -1,5 +1,7 @@
 //! The drops in the order in which they were made.
 
+use std::collections::BTreeSet;
+
 use crate::chart::{Axis, Chart, Dashes, Layer, Marker, Panel, Scale, xs, ys};
 use crate::messages::Translator;
 use crate::theme::Meaning;
@@ -53,11 +55,9 @@ pub fn run_chart(
         };
         Layer::points(meaning, marker, places).with_errors(errors)
     };
-    let places = numbered
-        .iter()
-        .map(|(_, point)| point.group.saturating_add(1))
-        .max();
-    let mut layers: Vec<Layer> = (0..places.unwrap_or(0).min(numbered.len().max(groups.len())))
+    let places: BTreeSet<usize> = numbered.iter().map(|(_, point)| point.group).collect();
+    let mut layers: Vec<Layer> = places
+        .into_iter()
         .map(|place| {
             let marker = if crowded {
                 Marker::Speck
