@@ -1,7 +1,7 @@
 //! Makes the message files part of the crate: every folder in `messages/` is a language.
 //!
-//! A browser gets English only, without what a terminal or the page itself says; it loads the other
-//! languages when a reader chooses them.
+//! What the page in a browser says by itself, it reads by itself. The engine in a browser gets English
+//! only, without what a terminal says; the page loads the other languages when a reader chooses them.
 
 use std::env;
 use std::fmt::Write as _;
@@ -9,8 +9,8 @@ use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 
-/// What the engine in a browser has no use for.
-const OF_FRONT_ENDS: [&str; 2] = ["page.ftl", "terminal.ftl"];
+const OF_PAGE: &str = "page.ftl";
+const OF_TERMINAL: &str = "terminal.ftl";
 
 fn main() -> io::Result<()> {
     println!("cargo::rerun-if-changed=messages");
@@ -25,7 +25,8 @@ fn main() -> io::Result<()> {
         }
         write!(code, "({name:?}, &[").expect("a string takes all");
         for file in sorted(&language)? {
-            if !(browser && OF_FRONT_ENDS.contains(&file_name(&file))) {
+            let name = file_name(&file);
+            if name != OF_PAGE && !(browser && name == OF_TERMINAL) {
                 write!(code, "include_str!(r#\"{}\"#), ", file.display())
                     .expect("a string takes all");
             }

@@ -131,8 +131,8 @@ fn puzzle(explanations: &[Explanation]) -> String {
             "puzzle-no"
         };
         table.row([
-            explanation.restitution_law.clone(),
-            explanation.drag.clone(),
+            text(&format!("paper-law-{}", explanation.restitution_law)),
+            text(&format!("paper-air-{}", explanation.drag)),
             explanation.flights.to_string(),
             words.fixed(explanation.restitution_at_first, 4),
             words.fixed(explanation.restitution_at_slow, 4),

@@ -5,7 +5,7 @@ import { broken, catalogue } from '../state/engine.ts';
 import { openFile } from '../state/opening.ts';
 import { goToLab } from '../state/settings.ts';
 import { busy } from '../state/workspace.ts';
-import { texts } from '../text/language.ts';
+import { text } from '../text/language.ts';
 import { Drops } from '../views/drops/Drops.tsx';
 import { Laboratory } from '../views/laboratory/Laboratory.tsx';
 import { Paper } from '../views/paper/Paper.tsx';
@@ -15,7 +15,6 @@ import { newer, takeOver } from './offline.ts';
 
 export function App() {
   const main = useRef<HTMLElement>(null);
-  const words = texts.value.app;
   const view = route.value.view;
   const first = useRef(true);
 
@@ -32,7 +31,7 @@ export function App() {
   return (
     <>
       <button type="button" class="skip" onClick={() => main.current?.focus()}>
-        {words.skip}
+        {text('page-app-skip')}
       </button>
       <Header />
       <main id="main" ref={main} tabIndex={-1}>
@@ -51,14 +50,13 @@ export function App() {
 }
 
 function EngineTrouble() {
-  const words = texts.value.app;
   if (broken.value === null) return null;
   return (
     <div class="notice" role="alert">
       <p>
-        <strong>{words.engineFailed}</strong>
+        <strong>{text('page-app-engine-failed')}</strong>
       </p>
-      <p>{words.engineFailedHint}</p>
+      <p>{text('page-app-engine-failed-hint')}</p>
       <p class="small soft" lang="en">
         {broken.value}
       </p>
@@ -67,18 +65,17 @@ function EngineTrouble() {
 }
 
 function Footer() {
-  const words = texts.value.app;
   const version = catalogue.value?.version;
   return (
     <footer class="foot">
       <div class="page">
-        <span>{words.privacy}</span>
-        {version !== undefined && <span>{words.version(version)}</span>}
+        <span>{text('page-app-privacy')}</span>
+        {version !== undefined && <span>{text('page-app-version', { version })}</span>}
         {newer.value && !busy.value && (
           <span role="status">
-            {words.newer}{' '}
+            {text('page-app-newer')}{' '}
             <button type="button" class="quiet slim" onClick={takeOver}>
-              {words.reload}
+              {text('page-app-reload')}
             </button>
           </span>
         )}
@@ -117,5 +114,5 @@ function DropZone() {
     });
     return () => listeners.abort();
   }, []);
-  return over ? <div class="drop-here">{texts.value.app.dropHere}</div> : null;
+  return over ? <div class="drop-here">{text('page-app-drop-here')}</div> : null;
 }

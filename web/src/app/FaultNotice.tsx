@@ -1,6 +1,7 @@
 import type { ComponentChildren } from 'preact';
 import type { Fault } from '../state/faults.ts';
-import { texts } from '../text/language.ts';
+import { text } from '../text/language.ts';
+import { reasonText } from '../text/reason.ts';
 
 interface Props {
   readonly fault: Fault;
@@ -10,15 +11,14 @@ interface Props {
 
 /** What happened and what to do, where the eye is. */
 export function FaultNotice({ fault, children }: Props) {
-  const words = texts.value.faults[fault.key];
-  const reason = fault.reason && texts.value.reason(fault.reason);
+  const reason = fault.reason && reasonText(fault.reason);
   return (
     <div class="notice" role="alert">
       <p>
         {fault.about !== undefined && <span class="soft">{fault.about}: </span>}
-        <strong>{words.what}</strong>
+        <strong>{text(`page-faults-${fault.key}-what`)}</strong>
       </p>
-      <p>{words.do}</p>
+      <p>{text(`page-faults-${fault.key}-do`)}</p>
       {reason !== undefined && <p class="small soft">{reason}</p>}
       {fault.detail !== undefined && (
         <p class="small soft" lang="en">

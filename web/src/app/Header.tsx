@@ -1,7 +1,7 @@
 import { hashOf, route, VIEWS, type View } from '../address/route.ts';
 import { labAddress } from '../state/settings.ts';
 import { dark, theme } from '../style/colours.ts';
-import { choose, language, languages, nameOf, texts } from '../text/language.ts';
+import { choose, language, languages, nameOf, text } from '../text/language.ts';
 import { HalfMoon, Sun, Wordmark } from './icons.tsx';
 
 export function Header() {
@@ -12,14 +12,14 @@ export function Header() {
           <Wordmark />
           bouncelab
         </a>
-        <nav aria-label={texts.value.app.nav}>
+        <nav aria-label={text('page-app-nav')}>
           {VIEWS.map((view) => (
             <a
               key={view}
               href={link(view)}
               aria-current={route.value.view === view ? 'page' : undefined}
             >
-              {texts.value.app[view]}
+              {text(`page-app-${view}`)}
             </a>
           ))}
         </nav>
@@ -38,7 +38,7 @@ const link = (view: View): string => (view === 'lab' ? labAddress.value : hashOf
 function LanguageChoice() {
   return (
     <select
-      aria-label={texts.value.app.language}
+      aria-label={text('page-app-language')}
       value={language.value}
       onChange={(event) => void choose(event.currentTarget.value)}
     >
@@ -52,7 +52,6 @@ function LanguageChoice() {
 }
 
 function ThemeSwitch() {
-  const words = texts.value.app;
   return (
     <button
       type="button"
@@ -61,7 +60,7 @@ function ThemeSwitch() {
       }}
     >
       {dark.value ? <Sun /> : <HalfMoon />}
-      {dark.value ? words.toLight : words.toDark}
+      {dark.value ? text('page-app-to-light') : text('page-app-to-dark')}
     </button>
   );
 }

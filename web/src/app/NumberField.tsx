@@ -1,7 +1,7 @@
 import { useId, useState } from 'preact/hooks';
 import { readNumber, tidy } from '../address/settings.ts';
 import { localised } from '../format/quantity.ts';
-import { language, texts } from '../text/language.ts';
+import { language, text } from '../text/language.ts';
 
 interface Props {
   readonly label: string;
@@ -49,7 +49,12 @@ export function NumberField({ label, unit, value, usual, min, max, question, onC
         <span class="unit">{unit}</span>
       </span>
       <span id={`${id}-hint`} class="hint" role="status">
-        {wrong === undefined ? question : texts.value.app.numberWanted(written(min), written(max))}
+        {wrong === undefined
+          ? question
+          : text('page-app-number-wanted', {
+              least: written(min) || 'none',
+              most: written(max) || 'none',
+            })}
       </span>
     </div>
   );

@@ -2,7 +2,7 @@ import { signal } from '@preact/signals';
 import { useEffect, useMemo, useRef } from 'preact/hooks';
 import type { Axis, Chart as Description, Layer, Panel } from '../lab/index.ts';
 import { dark } from '../style/colours.ts';
-import { language, texts } from '../text/language.ts';
+import { language, text } from '../text/language.ts';
 import { labelOf, legendOf } from './points.ts';
 
 /** Below this width the panels stand one below the other, as in the style sheet. */
@@ -59,9 +59,8 @@ function Plot({ panel }: { readonly panel: Panel }) {
       clear();
     };
   }, [panel, isDark, spoken]);
-
-  const { against } = texts.value.figures;
-  const name = panel.title || against(labelOf(panel.y), labelOf(panel.x));
+  const name =
+    panel.title || text('page-figures-against', { y: labelOf(panel.y), x: labelOf(panel.x) });
   return (
     <div class="panel" style={{ gridColumn: panel.column + 1, gridRow: panel.row + 1 }}>
       {panel.title !== '' && <strong class="small">{panel.title}</strong>}

@@ -1,7 +1,7 @@
 import { signal } from '@preact/signals';
 import { fixed, PLAIN, plain } from '../format/quantity.ts';
 import type { Axis, Chart, Layer, Panel } from '../lab/index.ts';
-import { language, texts } from '../text/language.ts';
+import { language, text } from '../text/language.ts';
 import { labelOf, type Point, pointsOf } from './points.ts';
 
 const open = signal(false);
@@ -18,7 +18,7 @@ export function NumbersOf({ chart }: { readonly chart: Chart }) {
         open.value = event.currentTarget.open;
       }}
     >
-      <summary>{texts.value.figures.numbers}</summary>
+      <summary>{text('page-figures-numbers')}</summary>
       {open.value &&
         chart.panels.map((panel, index) => (
           <Table

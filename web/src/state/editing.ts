@@ -2,7 +2,7 @@
 import { signal } from '@preact/signals';
 import { fixed } from '../format/quantity.ts';
 import type { DropMarks } from '../lab/index.ts';
-import { language, texts } from '../text/language.ts';
+import { language, text } from '../text/language.ts';
 import { type Mark, nearest } from '../wave/mark.ts';
 import { revealing, widthS } from '../wave/viewport.ts';
 import { advance, redo as redone, replace, undo as undone } from './history.ts';
@@ -48,7 +48,7 @@ export async function add(timeS: number): Promise<void> {
   update((drop) => added(drop, mark));
   selected.value = mark.id;
   cursorS.value = mark.timeS;
-  announced.value = texts.peek().wave.added(say(mark.timeS));
+  announced.value = text('page-wave-added', { seconds: say(mark.timeS) });
 }
 
 /** Selects a mark and brings it into sight. */
@@ -62,7 +62,7 @@ export function remove(id: number): void {
   if (number === 0) return;
   update((drop) => removed(drop, id));
   selected.value = null;
-  announced.value = texts.peek().wave.removed(number);
+  announced.value = text('page-wave-removed', { number });
 }
 
 /** The impacts before the drag began, to which one undo returns. */
@@ -112,7 +112,7 @@ function follow(id: number): void {
   const mark = present.peek()?.present.find((candidate) => candidate.id === id);
   if (!mark) return;
   bringIntoSight(mark);
-  announced.value = texts.peek().wave.moved(numberOf(id), say(mark.timeS));
+  announced.value = text('page-wave-moved', { number: numberOf(id), seconds: say(mark.timeS) });
 }
 
 function bringIntoSight({ timeS }: Mark): void {
@@ -123,13 +123,13 @@ function bringIntoSight({ timeS }: Mark): void {
 export function undo(): void {
   update(undone);
   keepSelection();
-  announced.value = texts.peek().wave.undone;
+  announced.value = text('page-wave-undone');
 }
 
 export function redo(): void {
   update(redone);
   keepSelection();
-  announced.value = texts.peek().wave.redone;
+  announced.value = text('page-wave-redone');
 }
 
 /** As it was detected, in one step that can be undone too. */

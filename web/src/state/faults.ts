@@ -1,14 +1,31 @@
-/** What went wrong, as a key of the texts, and what exactly. */
+/** What went wrong, as a key of its message, and what exactly. */
 import type { LabReason } from '../lab/index.ts';
-import type { Texts } from '../text/texts.ts';
 
-export type FaultKey = keyof Texts['faults'];
+export type FaultKey =
+  | 'refused'
+  | 'missing'
+  | 'busy'
+  | 'insecure'
+  | 'unsupported'
+  | 'ended'
+  | 'unknown'
+  | 'silent'
+  | 'full'
+  | 'unavailable'
+  | 'empty'
+  | 'unsupported-file'
+  | 'damaged'
+  | 'times'
+  | 'huge'
+  | 'setting'
+  | 'fault'
+  | 'keep';
 
 export interface Fault {
   readonly key: FaultKey;
-  /** What exactly, for the texts to say. */
+  /** What exactly, as data. */
   readonly reason?: LabReason | undefined;
-  /** What exactly, in English, where the texts have no words for it. */
+  /** What exactly, in English, where there is no message for it. */
   readonly detail?: string | undefined;
   /** What it is about, as the name of a file. */
   readonly about?: string | undefined;

@@ -9,7 +9,7 @@ import { joined } from '../store/blocks.ts';
 import { newId } from '../store/id.ts';
 import { lock } from '../store/locks.ts';
 import { RecordingWriter } from '../store/recording-writer.ts';
-import { region, texts } from '../text/language.ts';
+import { region, text } from '../text/language.ts';
 import { engine, faultOf } from './engine.ts';
 import { busy, fail, fault, phase, put } from './workspace.ts';
 
@@ -83,7 +83,7 @@ async function begin(microphone: Microphone): Promise<LiveRecording> {
   const date = new Date(startedAt).toLocaleString(region.peek());
   const recording = {
     id: newId(),
-    name: texts.peek().lab.recordingName(date),
+    name: text('page-lab-recording-name', { date }),
     rateHz,
     startedAt,
     finished: false,

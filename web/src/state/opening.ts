@@ -3,7 +3,7 @@ import { LabError, type Recording } from '../lab/index.ts';
 import { joined } from '../store/blocks.ts';
 import { lock } from '../store/locks.ts';
 import { getRecording, samplesOf } from '../store/recordings.ts';
-import { texts } from '../text/language.ts';
+import { text } from '../text/language.ts';
 import { engine, faultOf } from './engine.ts';
 import { busy, fail, fault, phase, put } from './workspace.ts';
 
@@ -40,11 +40,11 @@ export function openFile(file: File): Promise<void> {
   });
 }
 
-export const openTimes = (text: string): Promise<void> =>
-  load(texts.peek().lab.pastedName, () => engine().paste(text));
+export const openTimes = (times: string): Promise<void> =>
+  load(text('page-lab-pasted-name'), () => engine().paste(times));
 
 export function openDemo(): Promise<void> {
-  const name = texts.peek().lab.demoName;
+  const name = text('page-lab-demo-name');
   return load(name, async () => (await engine().demo(name)).recording);
 }
 

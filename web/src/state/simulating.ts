@@ -9,7 +9,7 @@ import {
 } from '../address/simulation.ts';
 import type { SceneRequest, SimulationDocument, SimulationRequest } from '../lab/index.ts';
 import { play } from '../sound/player.ts';
-import { texts } from '../text/language.ts';
+import { text } from '../text/language.ts';
 import { CoalescingQueue } from './coalescing-queue.ts';
 import { catalogue, engine, messageOf } from './engine.ts';
 import { openSamples } from './opening.ts';
@@ -138,7 +138,7 @@ export async function analyseRun(): Promise<void> {
   // What was put in is what is known of it.
   settings.value = asked.settings;
   goToLab();
-  await openSamples(samples, sampleRateHz, texts.peek().simulate.thisRun);
+  await openSamples(samples, sampleRateHz, text('page-simulate-this-run'));
 }
 
 /** Lays the run over the measurement in the workspace. */

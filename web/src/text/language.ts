@@ -1,22 +1,19 @@
 /**
- * The words of the page. A language is one file in `languages/`, named by its code; nothing else names
- * it. English comes with the page, the others when they are chosen.
+ * The words of the page: messages in Fluent, the file `page.ftl` of each language. English comes with the
+ * page, the others when they are chosen, together with what the engine needs to speak them.
  */
+import { FluentBundle, FluentNumber, FluentResource } from '@fluent/bundle';
 import { batch, computed, signal } from '@preact/signals';
+import english from '../../../crates/bouncelab-report/messages/en/page.ftl?raw';
 import { recall, remember } from '../address/memory.ts';
 import { ENGLISH, type Messages } from '../lab/index.ts';
-import english from './languages/en.ts';
-import type { Texts } from './texts.ts';
 
 const KEY = 'bouncelab.language';
 const FALLBACK = 'en';
+const PAGE = '/page.ftl';
 
-const others = import.meta.glob<Texts>(['./languages/*.ts', '!./languages/en.ts'], {
-  import: 'default',
-});
-
-/** The messages of the engine, file by file; English is part of it. */
-const messageFiles = import.meta.glob<string>(
+/** All messages, file by file, but for English, which is part of page and engine. */
+const files = import.meta.glob<string>(
   [
     '../../../crates/bouncelab-report/messages/*/*.ftl',
     '!../../../crates/bouncelab-report/messages/en/*.ftl',
@@ -25,17 +22,17 @@ const messageFiles = import.meta.glob<string>(
   { query: '?raw', import: 'default' },
 );
 
-const codeOf = (path: string): string => path.replace(/^.*\/(.+)\.ts$/, '$1');
+const codeOf = (path: string): string => path.replace(/^.*\/(.+)\/.+$/, '$1');
 
 /** Codes of all languages, English first. */
-export const languages: readonly string[] = [FALLBACK, ...Object.keys(others).map(codeOf)];
+export const languages: readonly string[] = [FALLBACK, ...new Set(Object.keys(files).map(codeOf))];
 
 export const language = signal(FALLBACK);
 /** For dates: the region of the reader, where the browser names one of this language. */
 export const region = computed(
   () => navigator.languages.find((tag) => tag.startsWith(language.value)) ?? language.value,
 );
-export const texts = signal<Texts>(english);
+const bundle = signal(bundleOf(FALLBACK, english));
 /** In which language the engine writes reports and figures. */
 export const messages = signal<Messages>(ENGLISH);
 
@@ -45,15 +42,45 @@ export function nameOf(code: string): string {
   return name.charAt(0).toLocaleUpperCase(code) + name.slice(1);
 }
 
+/** What stands in a message: numbers choose its plural form. */
+export type Values = Readonly<Record<string, string | number>>;
+
+/** Whether there is a message with this id. */
+export const hasText = (id: string): boolean => bundle.value.hasMessage(id);
+
+/** A message in the language of the page; one that does not exist is shown as its id. */
+export function text(id: string, values: Values = {}): string {
+  const pattern = bundle.value.getMessage(id)?.value;
+  if (!pattern) return id;
+  const entries = Object.entries(values).map(([name, value]) => [
+    name,
+    typeof value === 'number' ? new FluentNumber(value, { useGrouping: false }) : value,
+  ]);
+  return bundle.value.formatPattern(pattern, Object.fromEntries(entries));
+}
+
+/** A message in parts: text and values in turn, where values stand out. */
+export function parts(id: string, values: Values = {}): readonly string[] {
+  const marked = Object.keys(values).map((name) => [name, `\u0001${name}\u0001`]);
+  const all = text(id, Object.fromEntries(marked)).split('\u0001');
+  return all.map((part, index) => (index % 2 === 0 ? part : String(values[part])));
+}
+
+function bundleOf(code: string, source: string): FluentBundle {
+  const made = new FluentBundle(code, { useIsolating: false });
+  made.addResource(new FluentResource(source));
+  return made;
+}
+
 export async function speak(code: string): Promise<void> {
-  const [words, sources] = await Promise.all([wordsOf(code), messagesOf(code)]);
+  const [page, sources] = code === FALLBACK ? [english, []] : await sourcesOf(code);
   batch(() => {
-    texts.value = words;
+    bundle.value = bundleOf(code, page);
     messages.value = { code, sources };
     language.value = code;
   });
   document.documentElement.lang = code;
-  document.title = texts.value.app.title;
+  document.title = text('page-app-title');
 }
 
 /** Speaks a language that the reader chose, and remembers it. */
@@ -69,13 +96,10 @@ export function preferred(): string {
   return codes.find((code) => languages.includes(code)) ?? FALLBACK;
 }
 
-async function wordsOf(code: string): Promise<Texts> {
-  const path = Object.keys(others).find((candidate) => codeOf(candidate) === code);
-  const load = path === undefined ? undefined : others[path];
-  return load ? load() : english;
-}
-
-async function messagesOf(code: string): Promise<string[]> {
-  const files = Object.entries(messageFiles).filter(([path]) => path.includes(`/${code}/`));
-  return Promise.all(files.map(([, load]) => load()));
+/** The messages of a language: those of the page, and file by file those of the engine. */
+async function sourcesOf(code: string): Promise<[string, string[]]> {
+  const own = Object.entries(files).filter(([path]) => codeOf(path) === code);
+  const loaded = await Promise.all(own.map(async ([path, load]) => [path, await load()] as const));
+  const page = loaded.find(([path]) => path.endsWith(PAGE))?.[1] ?? english;
+  return [page, loaded.filter(([path]) => !path.endsWith(PAGE)).map(([, source]) => source)];
 }

@@ -2,7 +2,7 @@ import type { Signal } from '@preact/signals';
 import { useEffect, useMemo, useRef } from 'preact/hooks';
 import { fixed } from '../format/quantity.ts';
 import { dark, fontOf } from '../style/colours.ts';
-import { language, texts } from '../text/language.ts';
+import { language, text } from '../text/language.ts';
 import { type GestureTarget, listenToGestures } from './gestures.ts';
 import { type Action, actionOf } from './keys.ts';
 import { beside, CERTAIN, type Mark, nearest } from './mark.ts';
@@ -80,7 +80,7 @@ export function Waveform(props: WaveformProps) {
       class="wave-stage"
       role="slider"
       tabIndex={0}
-      aria-label={texts.value.wave.label}
+      aria-label={text('page-wave-label')}
       aria-describedby="wave-keys"
       aria-valuemin={0}
       aria-valuemax={Number(durationS.toFixed(3))}
@@ -100,12 +100,15 @@ export function Waveform(props: WaveformProps) {
 
 /** What a screen reader says of the place of the cursor. */
 function spoken(atS: number, marks: readonly Mark[], selected: number | null): string {
-  const words = texts.value.wave;
-  const seconds = words.seconds(fixed(atS, 4, language.value));
+  const seconds = text('page-wave-seconds', { value: fixed(atS, 4, language.value) });
   const index = marks.findIndex((mark) => mark.id === selected);
   const mark = marks[index];
   if (!mark) return seconds;
-  return words.impactAt(index + 1, seconds, mark.probability >= CERTAIN);
+  return text('page-wave-impact-at', {
+    number: index + 1,
+    seconds,
+    certain: mark.probability >= CERTAIN ? 'yes' : 'no',
+  });
 }
 
 /** The step of the cursor as a share of what is seen. */

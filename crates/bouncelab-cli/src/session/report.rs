@@ -64,8 +64,7 @@ fn lead(outcome: &Outcome<'_>, about: &AboutSession) -> Vec<Block> {
             }
         }
         Err(reason) => {
-            let reason = ended(reason);
-            let reason = [("reason", reason.into())];
+            let reason = [("reason", ended(reason).into())];
             lead.push(Block::Note(text_with("session-incomparable", &reason)));
         }
     }

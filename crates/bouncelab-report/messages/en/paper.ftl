@@ -58,3 +58,13 @@ paper-verdict-agrees-when-corrected = agrees when corrected
 paper-verdict-agrees-within-reading = agrees within reading
 paper-verdict-misprint = misprint
 paper-verdict-differs = differs
+
+paper-law-constant = constant
+paper-law-viscoelastic = viscoelastic
+paper-law-linear = linear
+paper-law-power = power
+paper-law-knee = knee at 1.5 m/s
+paper-air-none = none
+paper-air-constant = C_D = 0.4
+paper-air-sphere = C_D(Re)
+paper-air-all-of-air = C_D(Re), buoyancy, added mass

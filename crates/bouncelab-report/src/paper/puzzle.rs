@@ -25,9 +25,10 @@ const SLOW_M_S: f64 = 0.5;
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 pub struct Explanation {
-    /// The restitution law.
+    /// The restitution law: `constant`, `viscoelastic`, `linear`, `power` or `knee`.
     pub restitution_law: String,
-    /// The drag.
+    /// The drag: `none`, `constant`, `sphere` (the curve of a sphere) or `all-of-air` (with buoyancy and
+    /// added mass too).
     pub drag: String,
     /// Flights in the straight line.
     pub flights: usize,
@@ -76,7 +77,7 @@ pub fn explanations() -> Result<Vec<Explanation>> {
     let all_of_air = experiment::model_with_buoyancy(DragLaw::CliftGraceWeber)?;
     let mut found = vec![explain("constant", constant, "none", &drag_free, 10)?];
     for flights in [5, 10, 15, 20, 30] {
-        let drag = "C_D = 0.4";
+        let drag = "constant";
         found.push(explain(
             "constant",
             constant,
@@ -85,27 +86,23 @@ pub fn explanations() -> Result<Vec<Explanation>> {
             flights,
         )?);
     }
-    found.push(explain("constant", constant, "C_D(Re)", &sphere_drag, 10)?);
-    let drag = "C_D(Re), buoyancy, added mass";
+    found.push(explain("constant", constant, "sphere", &sphere_drag, 10)?);
+    let drag = "all-of-air";
     found.push(explain("constant", constant, drag, &all_of_air, 10)?);
     for flights in [10, 20] {
         let law = "viscoelastic";
         found.push(explain(
             law,
             viscoelastic,
-            "C_D = 0.4",
+            "constant",
             &constant_drag,
             flights,
         )?);
     }
-    let falling: [(&str, Family); 3] = [
-        ("linear", linear),
-        ("power", power),
-        ("knee at 1.5 m/s", knee),
-    ];
+    let falling: [(&str, Family); 3] = [("linear", linear), ("power", power), ("knee", knee)];
     for (law, family) in falling {
         for flights in [10, 15] {
-            found.extend(solve(law, family, "C_D = 0.4", &constant_drag, flights)?);
+            found.extend(solve(law, family, "constant", &constant_drag, flights)?);
         }
     }
     Ok(found)
@@ -194,8 +191,8 @@ mod tests {
                 .drop_height_m
         };
         assert!((height("none", 10) - 0.305).abs() < 1e-6);
-        assert!((height("C_D = 0.4", 10) - 0.2877).abs() < 5e-5);
-        assert!((height("C_D = 0.4", 20) - 0.2683).abs() < 5e-5);
+        assert!((height("constant", 10) - 0.2877).abs() < 5e-5);
+        assert!((height("constant", 20) - 0.2683).abs() < 5e-5);
     }
 
     /// With ten flights, every law that reproduces the paper falls with speed.

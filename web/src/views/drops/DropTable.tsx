@@ -5,25 +5,24 @@ import { kept, openKept, remove, rename, tick, ticked } from '../../state/keepin
 import { spreadOf } from '../../state/spread.ts';
 import { busy } from '../../state/workspace.ts';
 import type { KeptDrop } from '../../store/drops.ts';
-import { language, region, texts } from '../../text/language.ts';
+import { language, region, text } from '../../text/language.ts';
 import { ballName } from '../../text/names.ts';
 
 /** One row for each drop, and their mean and scatter. */
 export function DropTable({ chosen }: { readonly chosen: readonly KeptDrop[] }) {
-  const words = texts.value.drops;
   return (
-    <section class="scroll" tabIndex={0} aria-label={words.title}>
+    <section class="scroll" tabIndex={0} aria-label={text('page-drops-title')}>
       <table class="wide">
         <thead>
           <tr>
-            <th>{words.compare}</th>
-            <th>{words.name}</th>
-            <th class="figure">{words.e}</th>
-            <th class="figure">{words.h}</th>
-            <th>{words.when}</th>
-            <th>{words.ball}</th>
-            <th class="figure">{words.impacts}</th>
-            <th>{words.actions}</th>
+            <th>{text('page-drops-compare')}</th>
+            <th>{text('page-drops-name')}</th>
+            <th class="figure">{text('page-drops-e')}</th>
+            <th class="figure">{text('page-drops-h')}</th>
+            <th>{text('page-drops-when')}</th>
+            <th>{text('page-drops-ball')}</th>
+            <th class="figure">{text('page-drops-impacts')}</th>
+            <th>{text('page-drops-actions')}</th>
           </tr>
         </thead>
         <tbody>
@@ -45,7 +44,6 @@ function ballOf({ settings, ball }: KeptDrop): string {
 }
 
 function Row({ drop }: { readonly drop: KeptDrop }) {
-  const words = texts.value.drops;
   const spoken = language.value;
   const { restitution: e, dropHeightM: h } = drop;
   return (
@@ -53,7 +51,7 @@ function Row({ drop }: { readonly drop: KeptDrop }) {
       <td>
         <input
           type="checkbox"
-          aria-label={words.choose(drop.name)}
+          aria-label={text('page-drops-choose', { name: drop.name })}
           checked={ticked.value.has(drop.id)}
           onChange={() => tick(drop.id)}
         />
@@ -61,7 +59,7 @@ function Row({ drop }: { readonly drop: KeptDrop }) {
       <td>
         <input
           class="name"
-          aria-label={words.rename(drop.name)}
+          aria-label={text('page-drops-rename', { name: drop.name })}
           value={drop.name}
           maxLength={120}
           onChange={(event) => {
@@ -87,22 +85,22 @@ function Row({ drop }: { readonly drop: KeptDrop }) {
           <button
             type="button"
             class="quiet slim"
-            aria-label={words.openOne(drop.name)}
+            aria-label={text('page-drops-open-one', { name: drop.name })}
             disabled={busy.value}
             onClick={() => void openKept(drop)}
           >
-            {words.open}
+            {text('page-drops-open')}
           </button>
           <button
             type="button"
             class="quiet slim"
-            aria-label={words.deleteOne(drop.name)}
+            aria-label={text('page-drops-delete-one', { name: drop.name })}
             onClick={(event) => {
               handFocusOn(event.currentTarget, 'tr');
               void remove([drop]);
             }}
           >
-            {words.delete}
+            {text('page-drops-delete')}
           </button>
         </span>
       </td>
@@ -111,7 +109,6 @@ function Row({ drop }: { readonly drop: KeptDrop }) {
 }
 
 function Summary({ chosen }: { readonly chosen: readonly KeptDrop[] }) {
-  const words = texts.value.drops;
   const spoken = language.value;
   const e = spreadOf(chosen.map(({ restitution }) => restitution));
   const h = spreadOf(chosen.map(({ dropHeightM }) => dropHeightM));
@@ -120,14 +117,14 @@ function Summary({ chosen }: { readonly chosen: readonly KeptDrop[] }) {
     <tfoot>
       <tr>
         <th colSpan={2}>
-          {words.mean} {words.ofDrops(chosen.length)}
+          {text('page-drops-mean')} {text('page-drops-of-drops', { count: chosen.length })}
         </th>
         <td class="figure">{e && uncertain(e.mean, e.meanSd, PLAIN, spoken)}</td>
         <td class="figure">{h && uncertain(h.mean, h.meanSd, unit, spoken)}</td>
         <td colSpan={4} />
       </tr>
       <tr>
-        <th colSpan={2}>{words.scatter}</th>
+        <th colSpan={2}>{text('page-drops-scatter')}</th>
         <td class="figure">{e?.scatter != null && plain(e.scatter, PLAIN, 2, spoken)}</td>
         <td class="figure">{h?.scatter != null && plain(h.scatter, unit, 2, spoken)}</td>
         <td colSpan={4} />

@@ -13,28 +13,27 @@ import {
 } from '../../state/keeping.ts';
 import { labAddress } from '../../state/settings.ts';
 import { spreadOf } from '../../state/spread.ts';
-import { language, texts } from '../../text/language.ts';
+import { language, parts, text } from '../../text/language.ts';
 import { Comparison } from './Comparison.tsx';
 import { DropTable } from './DropTable.tsx';
 import { saveDropsCsv, saveDropsJson } from './export.ts';
 
 /** The drops that were kept, side by side. */
 export function Drops() {
-  const words = texts.value.drops;
   const chosen = compared.value;
   // Another window may have kept one meanwhile.
   useEffect(() => void loadKept(), []);
   return (
     <div class="stack wide drops">
-      <h1>{words.title}</h1>
-      {!canKeep.value && <p class="notice">{words.unavailable}</p>}
+      <h1>{text('page-drops-title')}</h1>
+      {!canKeep.value && <p class="notice">{text('page-drops-unavailable')}</p>}
       <Undo />
       {kept.value.length === 0 ? (
         <>
-          <p class="lead soft">{words.empty}</p>
+          <p class="lead soft">{text('page-drops-empty')}</p>
           <div>
             <a class="button primary" href={labAddress.value}>
-              {words.toLab}
+              {text('page-drops-to-lab')}
             </a>
           </div>
         </>
@@ -44,10 +43,10 @@ export function Drops() {
           <DropTable chosen={chosen} />
           <div class="row">
             <button type="button" class="quiet" onClick={() => saveDropsCsv(kept.peek())}>
-              {words.csv}
+              {text('page-drops-csv')}
             </button>
             <button type="button" class="quiet" onClick={() => saveDropsJson(kept.peek())}>
-              {words.json}
+              {text('page-drops-json')}
             </button>
             <button
               type="button"
@@ -57,7 +56,7 @@ export function Drops() {
                 void remove(kept.peek());
               }}
             >
-              {words.deleteAll}
+              {text('page-drops-delete-all')}
             </button>
           </div>
           <Comparison drops={chosen} />
@@ -69,14 +68,15 @@ export function Drops() {
 
 /** The way back after a deletion. */
 function Undo() {
-  const words = texts.value.drops;
   const gone = deleted.value;
   const name = gone[0]?.name ?? '';
   return (
     <div role="status">
       {gone.length > 0 && (
         <p class="notice">
-          {gone.length === 1 ? words.deleted(name) : words.deletedAll(gone.length)}{' '}
+          {gone.length === 1
+            ? text('page-drops-deleted', { name })
+            : text('page-drops-deleted-all', { count: gone.length })}{' '}
           <button
             type="button"
             class="quiet slim"
@@ -85,7 +85,7 @@ function Undo() {
               void bringBack();
             }}
           >
-            {texts.value.app.undo}
+            {text('page-app-undo')}
           </button>
         </p>
       )}
@@ -103,11 +103,11 @@ function Scatter() {
   return (
     <p class="lead">
       <Rich
-        parts={texts.value.drops.scatterSentence(
-          uncertain(spread.mean, spread.meanSd, PERCENT, spoken),
-          points(spread.scatter),
-          spread.claimed === null ? '?' : points(spread.claimed),
-        )}
+        parts={parts('page-drops-scatter-sentence', {
+          mean: uncertain(spread.mean, spread.meanSd, PERCENT, spoken),
+          scatter: points(spread.scatter),
+          inside: spread.claimed === null ? '?' : points(spread.claimed),
+        })}
       />
     </p>
   );

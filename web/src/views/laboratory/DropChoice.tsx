@@ -1,14 +1,13 @@
 import { chosenDrop, edits, lookAt } from '../../state/workspace.ts';
-import { texts } from '../../text/language.ts';
+import { text } from '../../text/language.ts';
 
 /** Which of several drops in a recording is looked at. */
 export function DropChoice() {
-  const words = texts.value.lab;
   const count = edits.value.length;
   if (count < 2) return null;
   return (
     <fieldset class="choice">
-      <legend class="unseen">{words.dropsHeard}</legend>
+      <legend class="unseen">{text('page-lab-drops-heard')}</legend>
       {edits.value.map((_, index) => (
         <button
           // The drops of a recording never change their order.
@@ -18,7 +17,7 @@ export function DropChoice() {
           aria-pressed={chosenDrop.value === index}
           onClick={() => lookAt(index)}
         >
-          {words.dropOf(index + 1, count)}
+          {text('page-lab-drop-of', { index: index + 1, count })}
         </button>
       ))}
     </fieldset>

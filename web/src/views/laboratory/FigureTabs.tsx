@@ -2,7 +2,7 @@ import { useRef } from 'preact/hooks';
 import { Chart } from '../../chart/Chart.tsx';
 import { NumbersOf } from '../../chart/NumbersOf.tsx';
 import { figure, figures, show, shown } from '../../state/figures.ts';
-import { texts } from '../../text/language.ts';
+import { text } from '../../text/language.ts';
 import { nameIn } from '../../text/names.ts';
 import { SaveFigure } from './SaveFigure.tsx';
 
@@ -10,7 +10,7 @@ import { SaveFigure } from './SaveFigure.tsx';
 export function FigureTabs() {
   if (figures.value.length === 0) return null;
   return (
-    <section class="figures" aria-label={texts.value.figures.title}>
+    <section class="figures" aria-label={text('page-figures-title')}>
       <Tabs />
       <Panel />
     </section>
@@ -31,7 +31,7 @@ function Tabs() {
       ref={list}
       class="tabs"
       role="tablist"
-      aria-label={texts.value.figures.title}
+      aria-label={text('page-figures-title')}
       onKeyDown={(event) => {
         if (event.key === 'ArrowRight') step(1);
         else if (event.key === 'ArrowLeft') step(-1);
@@ -52,7 +52,7 @@ function Tabs() {
             show(name);
           }}
         >
-          {nameIn(texts.value.figures.tabs, name)}
+          {nameIn(`page-figures-tabs-${name}`, name)}
         </button>
       ))}
     </div>
@@ -60,7 +60,6 @@ function Tabs() {
 }
 
 function Panel() {
-  const words = texts.value.figures;
   const chart = figure.value;
   const some = chart !== null && chart.panels.length > 0;
   return (
@@ -71,7 +70,7 @@ function Panel() {
         {some && (
           <div class="row no-print">
             <SaveFigure name={shown.value} />
-            <span class="small soft mouse">{words.reset}</span>
+            <span class="small soft mouse">{text('page-figures-reset')}</span>
           </div>
         )}
         {some && <NumbersOf chart={chart} />}

@@ -3,7 +3,7 @@ import { handFocusOn } from '../../app/focus.ts';
 import { fixed, MILLISECOND, PLAIN, plain, uncertain } from '../../format/quantity.ts';
 import { choose, remove } from '../../state/editing.ts';
 import { drop, marks, selected, workspace } from '../../state/workspace.ts';
-import { language, texts } from '../../text/language.ts';
+import { language, text } from '../../text/language.ts';
 import { CERTAIN, type Mark } from '../../wave/mark.ts';
 
 /** Whether the list is unfolded; the words of the result can ask for it. */
@@ -11,7 +11,6 @@ export const listed = signal(false);
 
 /** The impacts as a table: all that the waveform shows, for those who do not see it, or want digits. */
 export function ImpactTable() {
-  const words = texts.value.wave;
   return (
     <details
       open={listed.value}
@@ -19,26 +18,26 @@ export function ImpactTable() {
         listed.value = event.currentTarget.open;
       }}
     >
-      <summary>{words.list}</summary>
+      <summary>{text('page-wave-list')}</summary>
       {listed.value && (
         <>
           {workspace.value?.pyramid && (
             <div class="small soft">
-              <p>{words.pointer}</p>
-              <p>{words.keys}</p>
+              <p>{text('page-wave-pointer')}</p>
+              <p>{text('page-wave-keys')}</p>
             </div>
           )}
-          <section class="impacts" tabIndex={0} aria-label={words.list}>
+          <section class="impacts" tabIndex={0} aria-label={text('page-wave-list')}>
             <table>
               <thead>
                 <tr>
-                  <th class="figure">{words.number}</th>
-                  <th class="figure">{words.time}</th>
-                  <th class="figure">{words.flight}</th>
-                  <th class="figure">{words.probability}</th>
-                  <th class="figure">{words.level}</th>
-                  <th class="figure">{words.restitution}</th>
-                  <th>{words.actions}</th>
+                  <th class="figure">{text('page-wave-number')}</th>
+                  <th class="figure">{text('page-wave-time')}</th>
+                  <th class="figure">{text('page-wave-flight')}</th>
+                  <th class="figure">{text('page-wave-probability')}</th>
+                  <th class="figure">{text('page-wave-level')}</th>
+                  <th class="figure">{text('page-wave-restitution')}</th>
+                  <th>{text('page-wave-actions')}</th>
                 </tr>
               </thead>
               <tbody>
@@ -64,7 +63,6 @@ const restitutions = computed(() => {
 });
 
 function Row({ mark, index }: { readonly mark: Mark; readonly index: number }) {
-  const words = texts.value.wave;
   const spoken = language.value;
   const restitution = restitutions.value.get(index);
   const next = marks.value[index + 1];
@@ -75,7 +73,7 @@ function Row({ mark, index }: { readonly mark: Mark; readonly index: number }) {
         <button
           type="button"
           class="quiet slim"
-          aria-label={words.select(index + 1)}
+          aria-label={text('page-wave-select', { number: index + 1 })}
           aria-pressed={mark.id === selected.value}
           onClick={() => choose(mark)}
         >
@@ -95,13 +93,13 @@ function Row({ mark, index }: { readonly mark: Mark; readonly index: number }) {
         <button
           type="button"
           class="quiet slim"
-          aria-label={words.removeOne(index + 1)}
+          aria-label={text('page-wave-remove-one', { number: index + 1 })}
           onClick={(event) => {
             handFocusOn(event.currentTarget, 'tr');
             remove(mark.id);
           }}
         >
-          {words.remove}
+          {text('page-wave-remove')}
         </button>
       </td>
     </tr>

@@ -9,30 +9,29 @@ import { engine } from '../../state/engine.ts';
 import { keepDrop } from '../../state/keeping.ts';
 import { settings } from '../../state/settings.ts';
 import { analysed, chosenDrop, drop, edits, workspace } from '../../state/workspace.ts';
-import { texts } from '../../text/language.ts';
+import { text } from '../../text/language.ts';
 import { SaveSound } from './SaveSound.tsx';
 
 /** Keep the drop here, save its numbers, share the set-up, print a report. */
 export function Keep() {
-  const words = texts.value.keep;
   const recording = workspace.value;
   if (!recording) return null;
   const stem = fileName(recording.name);
   return (
-    <section class="stack keep no-print" aria-label={words.title}>
+    <section class="stack keep no-print" aria-label={text('page-keep-title')}>
       {drop.value && <KeepForm />}
       <div class="row">
         <SaveSound />
         {drop.value && (
           <>
             <button type="button" class="quiet" onClick={() => void saveCsv(stem)}>
-              {words.csv}
+              {text('page-keep-csv')}
             </button>
             <button type="button" class="quiet" onClick={() => saveJson(stem)}>
-              {words.json}
+              {text('page-keep-json')}
             </button>
             <button type="button" class="quiet" onClick={() => void saveReport(stem)}>
-              {words.report}
+              {text('page-keep-report')}
             </button>
           </>
         )}
@@ -70,14 +69,15 @@ interface Attempt {
 }
 
 function KeepForm() {
-  const words = texts.value.keep;
   const input = useRef<HTMLInputElement>(null);
   const [last, setLast] = useState<Attempt>();
   const loaded = workspace.value;
   if (!loaded) return null;
   const [index, count] = [chosenDrop.value, edits.value.length];
   const name =
-    count > 1 ? `${loaded.name}, ${texts.value.lab.dropOf(index + 1, count)}` : loaded.name;
+    count > 1
+      ? `${loaded.name}, ${text('page-lab-drop-of', { index: index + 1, count })}`
+      : loaded.name;
   const attempt = last?.recording === loaded.recording && last.drop === index ? last : undefined;
   return (
     <form
@@ -90,25 +90,26 @@ function KeepForm() {
       }}
     >
       <div class="field">
-        <label for="drop-name">{words.name}</label>
+        <label for="drop-name">{text('page-keep-name')}</label>
         <span class="pair">
           <input
             key={name}
             id="drop-name"
             ref={input}
             defaultValue={name}
-            placeholder={words.nameHint}
+            placeholder={text('page-keep-name-hint')}
             maxLength={120}
           />
           <button type="submit" class="button">
-            {words.keep}
+            {text('page-keep-keep')}
           </button>
         </span>
       </div>
       <p role="status" class="small">
         {attempt && attempt.name !== null && (
           <>
-            {words.kept(attempt.name)} <a href={hashOf('drops')}>{words.seeAll}</a>
+            {text('page-keep-kept', { name: attempt.name })}{' '}
+            <a href={hashOf('drops')}>{text('page-keep-see-all')}</a>
           </>
         )}
       </p>
@@ -118,7 +119,6 @@ function KeepForm() {
 }
 
 function Share() {
-  const words = texts.value.keep;
   const [shared, setShared] = useState<{ readonly address: string; readonly copied: boolean }>();
   const address = addressOf('lab', settingsToParameters(settings.value));
   const share = async (): Promise<void> => {
@@ -131,12 +131,13 @@ function Share() {
   return (
     <>
       <button type="button" class="quiet" onClick={() => void share()}>
-        {words.share}
+        {text('page-keep-share')}
       </button>
       <p role="status" class="small shared">
         {shared?.address === address && (
           <>
-            {shared.copied ? words.shared : words.shareByHand} <code>{address}</code>
+            {shared.copied ? text('page-keep-shared') : text('page-keep-share-by-hand')}{' '}
+            <code>{address}</code>
           </>
         )}
       </p>

@@ -1,5 +1,5 @@
 import { busy, workspace } from '../../state/workspace.ts';
-import { texts } from '../../text/language.ts';
+import { text } from '../../text/language.ts';
 import { FigureTabs } from './FigureTabs.tsx';
 import { Keep } from './Keep.tsx';
 import { ListenBar } from './ListenBar.tsx';
@@ -15,7 +15,7 @@ export function Laboratory() {
   if (!workspace.value && !busy.value) return <Welcome />;
   return (
     <div class="lab">
-      <h1 class="unseen">{texts.value.app.title}</h1>
+      <h1 class="unseen">{text('page-app-title')}</h1>
       <ListenBar />
       <Troubles />
       {busy.value ? <LiveStrip /> : <Workspace />}

@@ -1,11 +1,10 @@
 import { useEffect, useRef } from 'preact/hooks';
 import { level, listen, stopListening } from '../../state/listening.ts';
 import { busy, fault, phase, workspace } from '../../state/workspace.ts';
-import { texts } from '../../text/language.ts';
+import { text } from '../../text/language.ts';
 
 /** The one button that matters. While listening it breathes with the sound. */
 export function ListenButton({ small = false }: { readonly small?: boolean }) {
-  const words = texts.value.lab;
   const now = phase.value.kind;
   const listening = now === 'listening';
   const waiting = busy.value && !listening;
@@ -20,7 +19,11 @@ export function ListenButton({ small = false }: { readonly small?: boolean }) {
     const isLost = document.activeElement === document.body;
     if (isLost && (now !== 'empty' || fault.peek())) button.current?.focus({ preventScroll: true });
   }, [now]);
-  const label = listening ? words.stop : workspace.value ? words.again : words.listen;
+  const label = listening
+    ? text('page-lab-stop')
+    : workspace.value
+      ? text('page-lab-again')
+      : text('page-lab-listen');
   return (
     <button
       type="button"

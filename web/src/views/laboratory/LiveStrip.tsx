@@ -2,7 +2,7 @@ import { useEffect, useRef } from 'preact/hooks';
 import { PERCENT, plain } from '../../format/quantity.ts';
 import { live, soFar } from '../../state/listening.ts';
 import { phase } from '../../state/workspace.ts';
-import { language, texts } from '../../text/language.ts';
+import { language, text } from '../../text/language.ts';
 import { paintLive } from '../../wave/live-painter.ts';
 
 /** The last seconds of the sound, running by, each impact marked as soon as it is known. */
@@ -27,7 +27,7 @@ export function LiveStrip() {
       {phase.value.kind === 'reading' ? (
         <Progress share={phase.value.share} />
       ) : (
-        <p class="soft">{texts.value.lab.endsItself}</p>
+        <p class="soft">{text('page-lab-ends-itself')}</p>
       )}
     </section>
   );
@@ -36,23 +36,22 @@ export function LiveStrip() {
 /** How far the reading of a file is. */
 function Progress({ share }: { readonly share: number | undefined }) {
   return share === undefined ? null : (
-    <progress value={share} max={1} aria-label={texts.value.lab.progress} />
+    <progress value={share} max={1} aria-label={text('page-lab-progress')} />
   );
 }
 
 function RunningSentence() {
-  const words = texts.value.lab;
   const now = phase.value;
-  if (now.kind === 'starting') return <>{words.starting}</>;
-  if (now.kind === 'reading') return <>{words.opening(now.name)}</>;
+  if (now.kind === 'starting') return <>{text('page-lab-starting')}</>;
+  if (now.kind === 'reading') return <>{text('page-lab-opening', { name: now.name })}</>;
   const count = soFar.value?.drop?.impacts.length ?? 0;
-  if (count === 0) return <>{words.listening}</>;
+  if (count === 0) return <>{text('page-lab-listening')}</>;
   const keeps = soFar.value?.drop?.log_linear_fit?.restitution.value;
   const share = keeps === undefined ? undefined : plain(keeps, PERCENT, 3, language.value);
   return (
     <>
-      {words.soFar(count)}
-      {share !== undefined && `; ${words.soFarKeeps(share)}`}
+      {text('page-lab-so-far', { count })}
+      {share !== undefined && `; ${text('page-lab-so-far-keeps', { share })}`}
     </>
   );
 }

@@ -1,17 +1,16 @@
 import { analysed, workspace } from '../../state/workspace.ts';
-import { texts } from '../../text/language.ts';
+import { text } from '../../text/language.ts';
 
 /** Why there is no drop, and what to do about it. */
 export function NoDrop() {
-  const words = texts.value.lab;
   const reason = analysed.value?.document.no_drop?.message;
   return (
     <div class="notice">
       <p>
-        <strong>{words.noDropTitle}</strong>
+        <strong>{text('page-lab-no-drop-title')}</strong>
       </p>
       {reason && <p>{reason}</p>}
-      {workspace.value?.pyramid && <p>{words.noDropHint}</p>}
+      {workspace.value?.pyramid && <p>{text('page-lab-no-drop-hint')}</p>}
     </div>
   );
 }

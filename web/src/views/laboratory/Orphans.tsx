@@ -1,9 +1,8 @@
 import { openOrphan, orphans, throwAway } from '../../state/orphans.ts';
-import { region, texts } from '../../text/language.ts';
+import { region, text } from '../../text/language.ts';
 
 /** Recordings that were cut short, and the last one if it was not kept: to open or to throw away. */
 export function Orphans() {
-  const words = texts.value.lab;
   return (
     <>
       {orphans.value.map((recording) => {
@@ -12,19 +11,20 @@ export function Orphans() {
           <div class={recording.finished ? 'orphan' : 'notice'} key={recording.id}>
             <p>
               {recording.finished ? (
-                words.unkeptTitle(date)
+                text('page-lab-unkept-title', { date })
               ) : (
                 <>
-                  <strong>{words.interruptedTitle(date)}</strong> {words.interruptedHint}
+                  <strong>{text('page-lab-interrupted-title', { date })}</strong>{' '}
+                  {text('page-lab-interrupted-hint')}
                 </>
               )}
             </p>
             <div class="row">
               <button type="button" class="quiet" onClick={() => void openOrphan(recording)}>
-                {words.interruptedOpen}
+                {text('page-lab-interrupted-open')}
               </button>
               <button type="button" class="quiet" onClick={() => void throwAway(recording)}>
-                {words.interruptedDrop}
+                {text('page-lab-interrupted-drop')}
               </button>
             </div>
           </div>

@@ -1,12 +1,11 @@
 import { useRef } from 'preact/hooks';
 import { openDemo, openFile } from '../../state/opening.ts';
 import { busy } from '../../state/workspace.ts';
-import { texts } from '../../text/language.ts';
+import { text } from '../../text/language.ts';
 import { PASTE, pasting } from './pasting.ts';
 
 /** A file, a list of times, the demo: three quiet links. */
 export function OtherWays() {
-  const words = texts.value.lab;
   const input = useRef<HTMLInputElement>(null);
   return (
     <div class="links">
@@ -14,7 +13,7 @@ export function OtherWays() {
         ref={input}
         type="file"
         hidden
-        aria-label={words.openLabel}
+        aria-label={text('page-lab-open-label')}
         accept="audio/*,video/*,.txt,.csv,.json,.wav,.flac,.aiff,.m4a,.ogg,.opus,.webm,.mov,.mp4"
         onChange={(event) => {
           const file = event.currentTarget.files?.[0];
@@ -29,7 +28,7 @@ export function OtherWays() {
         disabled={busy.value}
         onClick={() => input.current?.click()}
       >
-        {words.open}
+        {text('page-lab-open')}
       </button>
       <button
         type="button"
@@ -41,10 +40,10 @@ export function OtherWays() {
           pasting.value = !pasting.value;
         }}
       >
-        {words.paste}
+        {text('page-lab-paste')}
       </button>
       <button type="button" class="quiet" disabled={busy.value} onClick={() => void openDemo()}>
-        {words.demo}
+        {text('page-lab-demo')}
       </button>
     </div>
   );

@@ -1,10 +1,9 @@
 import { useEffect, useRef } from 'preact/hooks';
-import { texts } from '../../text/language.ts';
+import { text } from '../../text/language.ts';
 import { analysePasted, draft, PASTE, pasting } from './pasting.ts';
 
 /** A box for impact times. */
 export function Paste() {
-  const words = texts.value.lab;
   const box = useRef<HTMLTextAreaElement>(null);
   useEffect(() => box.current?.focus(), []);
   return (
@@ -16,7 +15,7 @@ export function Paste() {
       }}
     >
       <label class="field" for="times">
-        {words.pasteLabel}
+        {text('page-lab-paste-label')}
       </label>
       <textarea
         id="times"
@@ -28,11 +27,11 @@ export function Paste() {
         aria-describedby="times-hint"
       />
       <p id="times-hint" class="small soft">
-        {words.pasteHint}
+        {text('page-lab-paste-hint')}
       </p>
       <div class="row tight">
         <button type="submit" class="button primary">
-          {words.pasteDo}
+          {text('page-lab-paste-do')}
         </button>
         <button
           type="button"
@@ -42,7 +41,7 @@ export function Paste() {
             pasting.value = false;
           }}
         >
-          {texts.value.app.cancel}
+          {text('page-app-cancel')}
         </button>
       </div>
     </form>

@@ -1,8 +1,7 @@
 import { perCent } from '../../format/quantity.ts';
 import type { Diagnostic, PriorContraction, Unknown } from '../../lab/index.ts';
 import { analysed, drop, refining } from '../../state/workspace.ts';
-import { language, texts } from '../../text/language.ts';
-import type { Texts } from '../../text/texts.ts';
+import { language, text } from '../../text/language.ts';
 
 /** What is odd about the drop and its recording, and what it can and cannot determine. */
 export function Remarks() {
@@ -18,7 +17,7 @@ export function Remarks() {
       {/* It stays while the inference runs, unfolded if it was. */}
       {(result.posterior || others.length > 0 || refining.value) && (
         <details>
-          <summary>{texts.value.lab.tells}</summary>
+          <summary>{text('page-lab-tells')}</summary>
           <Messages of={others} kind="small" />
           {narrowed.length > 0 && <Narrowed narrowed={narrowed} />}
         </details>
@@ -42,29 +41,31 @@ function Messages({ of, kind }: MessagesProps) {
   );
 }
 
-/** What may be unknown before the data, by the names of the quantities. */
-const UNKNOWNS: Readonly<Record<Unknown, (words: Texts) => string>> = {
-  drag: ({ quantities }) => quantities.drag,
-  slope: ({ quantities }) => quantities.slope,
-  scatter: ({ quantities }) => quantities.scatter,
-  timing: ({ quantities }) => quantities.timing,
-  'contact-time': ({ quantities }) => quantities.contact,
-  gravity: ({ settings }) => settings.gravity,
+/** What may be unknown before the data, by the messages with their names. */
+const UNKNOWNS: Readonly<Record<Unknown, string>> = {
+  drag: 'page-quantities-drag',
+  slope: 'page-quantities-slope',
+  scatter: 'page-quantities-scatter',
+  timing: 'page-quantities-timing',
+  'contact-time': 'page-quantities-contact',
+  gravity: 'page-settings-gravity',
 };
 
 /** How far the data narrowed what was known: the shorter the bar, the more was learnt. */
 function Narrowed({ narrowed }: { readonly narrowed: readonly PriorContraction[] }) {
-  const words = texts.value.lab;
   return (
     <>
-      <p class="small">{words.narrowedLead}</p>
+      <p class="small">{text('page-lab-narrowed-lead')}</p>
       <ul class="narrowed small">
         {narrowed.map(({ unknown, remaining }) => {
           const share = Math.min(1, Math.max(0, remaining));
           return (
             <li key={unknown}>
               <span>
-                {words.narrowed(UNKNOWNS[unknown](texts.value), perCent(share, language.value))}
+                {text('page-lab-narrowed', {
+                  unknown: text(UNKNOWNS[unknown]),
+                  share: perCent(share, language.value),
+                })}
               </span>
               <meter min={0} max={1} value={share} aria-hidden="true" />
             </li>

@@ -2,7 +2,7 @@ import { Rich } from '../../app/Rich.tsx';
 import { fixed, lengthUnit, PERCENT, plain, uncertain } from '../../format/quantity.ts';
 import type { Drop } from '../../lab/index.ts';
 import { drop, edited, marks, refining, workspace } from '../../state/workspace.ts';
-import { language, texts } from '../../text/language.ts';
+import { language, parts, text } from '../../text/language.ts';
 import { CERTAIN } from '../../wave/mark.ts';
 import { listed } from './ImpactTable.tsx';
 import { NoDrop } from './NoDrop.tsx';
@@ -12,18 +12,17 @@ import { Why } from './Why.tsx';
 
 /** What the bounces say, in words first. */
 export function ResultSummary() {
-  const words = texts.value.lab;
   const result = drop.value;
   return (
     <section
       class="summary"
-      aria-label={words.result}
+      aria-label={text('page-lab-result')}
       aria-live="polite"
       aria-busy={refining.value}
     >
       {workspace.value?.recording.result.drops.length === 0 && marks.value.length < 3 && <NoDrop />}
       {marks.value.length > 0 && !result?.log_linear_fit && !result?.posterior && (
-        <p class="second">{words.cannotTell}</p>
+        <p class="second">{text('page-lab-cannot-tell')}</p>
       )}
       {result && <Sentences result={result} />}
       {marks.value.length > 0 && <Count />}
@@ -40,7 +39,6 @@ export function ResultSummary() {
 
 /** Restitution and height with their uncertainties: by the inference once it is there. */
 function Sentences({ result }: { readonly result: Drop }) {
-  const words = texts.value.lab;
   const spoken = language.value;
   const { posterior, per_impact, log_linear_fit } = result;
   const e = (posterior ?? per_impact)?.restitution ?? log_linear_fit?.restitution;
@@ -48,14 +46,18 @@ function Sentences({ result }: { readonly result: Drop }) {
   return (
     <>
       {e && (
-        <p class="first" title={texts.value.words.restitution}>
-          <Rich parts={words.kept(uncertain(e.value, e.sd, PERCENT, spoken))} />
+        <p class="first" title={text('page-words-restitution')}>
+          <Rich
+            parts={parts('page-lab-kept', { share: uncertain(e.value, e.sd, PERCENT, spoken) })}
+          />
         </p>
       )}
       {height && (
         <p class="second">
           <Rich
-            parts={words.fell(uncertain(height.value, height.sd, lengthUnit(height.value), spoken))}
+            parts={parts('page-lab-fell', {
+              height: uncertain(height.value, height.sd, lengthUnit(height.value), spoken),
+            })}
           />
         </p>
       )}
@@ -64,7 +66,6 @@ function Sentences({ result }: { readonly result: Drop }) {
 }
 
 function Count() {
-  const words = texts.value.lab;
   const count = marks.value.length;
   const uncertainCount = marks.value.filter((mark) => mark.probability < CERTAIN).length;
   return (
@@ -77,18 +78,17 @@ function Count() {
           listed.value = !listed.value;
         }}
       >
-        {words.impacts(count)}
-        {uncertainCount > 0 && `, ${words.uncertain(uncertainCount)}`}
+        {text('page-lab-impacts', { count })}
+        {uncertainCount > 0 && `, ${text('page-lab-uncertain', { count: uncertainCount })}`}
       </button>
-      {edited.value && <span class="soft"> · {words.edited}</span>}
-      {refining.value && <span class="soft"> · {words.refining}</span>}
+      {edited.value && <span class="soft"> · {text('page-lab-edited')}</span>}
+      {refining.value && <span class="soft"> · {text('page-lab-refining')}</span>}
     </p>
   );
 }
 
 /** How much of the straight line's loss is the air's. */
 function Air({ result }: { readonly result: Drop }) {
-  const words = texts.value.lab;
   const { posterior, per_impact, log_linear_fit } = result;
   // The quick answer until the inference is there, so that nothing comes and goes.
   const withoutAir = (posterior ?? per_impact)?.restitution;
@@ -99,8 +99,10 @@ function Air({ result }: { readonly result: Drop }) {
   return (
     <div class="stack">
       <p>
-        {points > 0.05 ? words.airExplains(fixed(points, 1, spoken)) : words.airNothing}{' '}
-        {words.lineHeight(plain(height, lengthUnit(height), 3, spoken))}
+        {points > 0.05
+          ? text('page-lab-air-explains', { points: fixed(points, 1, spoken) })
+          : text('page-lab-air-nothing')}{' '}
+        {text('page-lab-line-height', { height: plain(height, lengthUnit(height), 3, spoken) })}
       </p>
       <Why />
     </div>

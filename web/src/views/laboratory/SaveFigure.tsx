@@ -2,19 +2,18 @@ import { fileName, rasterised, save, saveText } from '../../app/save.ts';
 import { engine } from '../../state/engine.ts';
 import { figureRequest } from '../../state/figures.ts';
 import { workspace } from '../../state/workspace.ts';
-import { texts } from '../../text/language.ts';
+import { text } from '../../text/language.ts';
 
 /** Saves a figure as the engine draws it: the picture of the command line, in the language of the page. */
 export function SaveFigure({ name }: { readonly name: string }) {
-  const words = texts.value.figures;
   return (
     <span class="row tight small">
-      <span class="soft">{words.save}:</span>
+      <span class="soft">{text('page-figures-save')}:</span>
       <button type="button" class="quiet" onClick={() => void saveDrawn(name, 'svg')}>
-        {words.saveSvg}
+        {text('page-figures-save-svg')}
       </button>
       <button type="button" class="quiet" onClick={() => void saveDrawn(name, 'png')}>
-        {words.savePng}
+        {text('page-figures-save-png')}
       </button>
     </span>
   );

@@ -1,6 +1,6 @@
 import { fileName, save } from '../../app/save.ts';
 import { workspace } from '../../state/workspace.ts';
-import { texts } from '../../text/language.ts';
+import { text } from '../../text/language.ts';
 
 /** Saves the sound on the loaded. */
 export function SaveSound() {
@@ -15,7 +15,7 @@ export function SaveSound() {
         if (file) save(file, `${fileName(loaded.name)}.wav`);
       }}
     >
-      {texts.value.keep.wav}
+      {text('page-keep-wav')}
     </button>
   );
 }

@@ -3,7 +3,7 @@ import { NumberField } from '../../app/NumberField.tsx';
 import { catalogue } from '../../state/engine.ts';
 import { change, forgetSettings, settings } from '../../state/settings.ts';
 import { analysed } from '../../state/workspace.ts';
-import { texts } from '../../text/language.ts';
+import { text } from '../../text/language.ts';
 import { ballName, lawName, nameIn } from '../../text/names.ts';
 
 const OWN = 'own';
@@ -25,10 +25,9 @@ function questionOf(quantity: string): string | undefined {
 
 /** Ball, air, gravity and drop: what is stated here, the rest is assumed. */
 export function SettingsForm() {
-  const words = texts.value.settings;
   return (
     <>
-      <p class="small soft">{words.assumedHint}</p>
+      <p class="small soft">{text('page-settings-assumed-hint')}</p>
       <div class="form">
         <Ball />
         <Air />
@@ -36,14 +35,13 @@ export function SettingsForm() {
         <Measured />
       </div>
       <button type="button" class="quiet" onClick={forgetSettings}>
-        {words.reset}
+        {text('page-settings-reset')}
       </button>
     </>
   );
 }
 
 function Ball() {
-  const words = texts.value.settings;
   const { ball, mass_kg, diameter_m, contact_time_s } = settings.value;
   const balls = catalogue.value?.balls ?? [];
   const own = mass_kg !== undefined || diameter_m !== undefined;
@@ -56,28 +54,28 @@ function Ball() {
   };
   return (
     <fieldset>
-      <legend>{words.ball}</legend>
+      <legend>{text('page-settings-ball')}</legend>
       <Choice
-        label={words.ball}
+        label={text('page-settings-ball')}
         value={own ? OWN : (ball ?? preset?.name ?? '')}
         options={[
           ...balls.map(({ name }) => [name, ballName(name)] as const),
           ...known,
-          [OWN, words.own],
+          [OWN, text('page-settings-own')],
         ]}
         onChange={choose}
       />
       {own && (
         <>
           <NumberField
-            label={words.mass}
+            label={text('page-settings-mass')}
             unit="g"
             value={scaled(mass_kg, 1e3)}
             min={1e-3}
             onChange={(grams) => change({ mass_kg: scaled(grams, 1e-3) })}
           />
           <NumberField
-            label={words.diameter}
+            label={text('page-settings-diameter')}
             question={questionOf('ball')}
             unit="mm"
             value={scaled(diameter_m, 1e3)}
@@ -87,7 +85,7 @@ function Ball() {
         </>
       )}
       <NumberField
-        label={words.contact}
+        label={text('page-settings-contact')}
         question={questionOf('contact-time')}
         unit="ms"
         value={scaled(contact_time_s, 1e3)}
@@ -100,27 +98,26 @@ function Ball() {
 }
 
 function Air() {
-  const words = texts.value.settings;
   const { drag, temperature_k, pressure_pa, relative_humidity } = settings.value;
   const usual = catalogue.value?.usual_air;
   const laws = catalogue.value?.drag_laws ?? [];
   return (
     <fieldset>
-      <legend>{words.air}</legend>
+      <legend>{text('page-settings-air')}</legend>
       <Choice
-        label={words.dragLaw}
+        label={text('page-settings-drag-law')}
         value={drag ?? catalogue.value?.usual_drag_law ?? ''}
         options={[
           ...laws.map(({ name }) => [name, lawName(name)] as const),
-          ['constant:0.4', words.dragConstant],
-          ['none', words.dragNone],
+          ['constant:0.4', text('page-settings-drag-constant')],
+          ['none', text('page-settings-drag-none')],
         ]}
         onChange={(law) =>
           change({ drag: law === catalogue.value?.usual_drag_law ? undefined : law })
         }
       />
       <NumberField
-        label={words.temperature}
+        label={text('page-settings-temperature')}
         question={questionOf('temperature')}
         unit="°C"
         value={temperature_k === undefined ? undefined : temperature_k + ABSOLUTE_ZERO_C}
@@ -132,7 +129,7 @@ function Air() {
         }
       />
       <NumberField
-        label={words.pressure}
+        label={text('page-settings-pressure')}
         question={questionOf('pressure')}
         unit="hPa"
         value={scaled(pressure_pa, 0.01)}
@@ -141,7 +138,7 @@ function Air() {
         onChange={(hpa) => change({ pressure_pa: scaled(hpa, 100) })}
       />
       <NumberField
-        label={words.humidity}
+        label={text('page-settings-humidity')}
         question={questionOf('humidity')}
         unit="%"
         value={scaled(relative_humidity, 100)}
@@ -155,13 +152,12 @@ function Air() {
 }
 
 function Gravity() {
-  const words = texts.value.settings;
   const { gravity_m_s2, latitude_deg, altitude_m } = settings.value;
   return (
     <fieldset>
-      <legend>{words.gravityField}</legend>
+      <legend>{text('page-settings-gravity-field')}</legend>
       <NumberField
-        label={words.gravity}
+        label={text('page-settings-gravity')}
         question={questionOf('gravity')}
         unit="m/s²"
         value={gravity_m_s2}
@@ -172,7 +168,7 @@ function Gravity() {
         }
       />
       <NumberField
-        label={words.latitude}
+        label={text('page-settings-latitude')}
         unit="°"
         value={latitude_deg}
         min={-90}
@@ -187,7 +183,7 @@ function Gravity() {
       />
       {latitude_deg !== undefined && (
         <NumberField
-          label={words.altitude}
+          label={text('page-settings-altitude')}
           question={questionOf('altitude')}
           unit="m"
           value={altitude_m}
@@ -200,7 +196,6 @@ function Gravity() {
 }
 
 function Measured() {
-  const words = texts.value.settings;
   const { height_m, height_sd_m, restitution_laws, flights } = settings.value;
   const laws = catalogue.value?.restitution_laws ?? [];
   const [first, last] = flights ?? [1, undefined];
@@ -208,9 +203,9 @@ function Measured() {
     change({ flights: to === undefined ? undefined : [Math.round(from), Math.round(to)] });
   return (
     <fieldset>
-      <legend>{words.measured}</legend>
+      <legend>{text('page-settings-measured')}</legend>
       <NumberField
-        label={words.height}
+        label={text('page-settings-height')}
         question={questionOf('height')}
         unit="cm"
         value={scaled(height_m, 100)}
@@ -224,7 +219,7 @@ function Measured() {
       />
       {height_m !== undefined && (
         <NumberField
-          label={words.heightSd}
+          label={text('page-settings-height-sd')}
           question={questionOf('height-sd')}
           unit="mm"
           value={scaled(height_sd_m, 1e3)}
@@ -234,17 +229,17 @@ function Measured() {
         />
       )}
       <Choice
-        label={words.restitutionLaw}
+        label={text('page-settings-restitution-law')}
         value={restitution_laws?.[0] ?? ''}
         options={[
-          ['', words.restitutionAny],
-          ...laws.map((law) => [law, nameIn(words.laws, law)] as const),
+          ['', text('page-settings-restitution-any')],
+          ...laws.map((law) => [law, nameIn(`page-settings-laws-${law}`, law)] as const),
         ]}
         onChange={(law) => change({ restitution_laws: law === '' ? undefined : [law] })}
       />
       <div class="twins">
         <NumberField
-          label={`${words.flights}, ${words.flightsFrom}`}
+          label={`${text('page-settings-flights')}, ${text('page-settings-flights-from')}`}
           unit=""
           value={flights?.[0]}
           usual={1}
@@ -253,7 +248,7 @@ function Measured() {
           onChange={(from = 1) => setFlights(from, last ?? Math.max(USUAL_LAST, from + 1))}
         />
         <NumberField
-          label={words.flightsTo}
+          label={text('page-settings-flights-to')}
           unit=""
           value={last}
           usual={USUAL_LAST}

@@ -2,19 +2,18 @@ import { fixed } from '../../format/quantity.ts';
 import { catalogue } from '../../state/engine.ts';
 import { settings } from '../../state/settings.ts';
 import { refusedSettings } from '../../state/workspace.ts';
-import { language, texts } from '../../text/language.ts';
+import { language, text } from '../../text/language.ts';
 import { ballName } from '../../text/names.ts';
 import { SettingsForm } from './SettingsForm.tsx';
 
 /** What is known or assumed, in one line; unfolds into a form. */
 export function SettingsLine() {
-  const words = texts.value.settings;
   return (
-    <section class="settings" aria-label={words.title}>
+    <section class="settings" aria-label={text('page-settings-title')}>
       {refusedSettings.value !== null && (
         <div class="notice" role="alert">
           <p>
-            <strong>{words.refused}</strong> {refusedSettings.value}
+            <strong>{text('page-settings-refused')}</strong> {refusedSettings.value}
           </p>
         </div>
       )}
@@ -24,7 +23,7 @@ export function SettingsLine() {
             <span class="line">
               {ballInWords()} · {airInWords()} · {gravityInWords()}
             </span>{' '}
-            {words.change}
+            {text('page-settings-change')}
           </span>
         </summary>
         <SettingsForm />
@@ -34,38 +33,37 @@ export function SettingsLine() {
 }
 
 /** Marks what nobody stated. */
-const unlessStated = (stated: boolean): string => (stated ? '' : ` (${texts.value.lab.assumed})`);
+const unlessStated = (stated: boolean): string => (stated ? '' : ` (${text('page-lab-assumed')})`);
 
 function ballInWords(): string {
-  const words = texts.value.settings;
   const { ball, mass_kg, diameter_m } = settings.value;
   if (mass_kg !== undefined && diameter_m !== undefined) {
     const mass = `${number(1e3 * mass_kg)} g`;
-    return `${words.ball}: ${mass}, ${number(1e3 * diameter_m)} mm`;
+    return `${text('page-settings-ball')}: ${mass}, ${number(1e3 * diameter_m)} mm`;
   }
   const name = ball ?? catalogue.value?.balls[0]?.name ?? '';
-  return `${words.ball}: ${ballName(name)}${unlessStated(ball !== undefined)}`;
+  return `${text('page-settings-ball')}: ${ballName(name)}${unlessStated(ball !== undefined)}`;
 }
 
 function airInWords(): string {
-  const words = texts.value.settings;
   const { drag, temperature_k, pressure_pa, air_density_kg_m3 } = settings.value;
-  if (drag === 'none') return words.noDrag;
-  if (air_density_kg_m3 === 0) return words.vacuum;
-  if (air_density_kg_m3 !== undefined) return `${words.air}: ${number(air_density_kg_m3)} kg/m³`;
+  if (drag === 'none') return text('page-settings-no-drag');
+  if (air_density_kg_m3 === 0) return text('page-settings-vacuum');
+  if (air_density_kg_m3 !== undefined)
+    return `${text('page-settings-air')}: ${number(air_density_kg_m3)} kg/m³`;
   const usual = catalogue.value?.usual_air;
   const temperature = (temperature_k ?? usual?.temperature_k ?? 293.15) - 273.15;
   const pressure = (pressure_pa ?? usual?.pressure_pa ?? 101325) / 100;
   const stated = temperature_k !== undefined || pressure_pa !== undefined;
-  return `${words.air}: ${number(temperature)} °C, ${fixed(pressure, 0, language.value)} hPa${unlessStated(stated)}`;
+  return `${text('page-settings-air')}: ${number(temperature)} °C, ${fixed(pressure, 0, language.value)} hPa${unlessStated(stated)}`;
 }
 
 function gravityInWords(): string {
-  const words = texts.value.settings;
   const { gravity_m_s2, latitude_deg } = settings.value;
-  if (latitude_deg !== undefined) return `${words.latitude} ${number(latitude_deg)}°`;
+  if (latitude_deg !== undefined)
+    return `${text('page-settings-latitude')} ${number(latitude_deg)}°`;
   const g = gravity_m_s2 ?? catalogue.value?.standard_gravity_m_s2 ?? 9.80665;
-  return `${words.gravity} ${number(g)}\u202fm/s²`;
+  return `${text('page-settings-gravity')} ${number(g)}\u202fm/s²`;
 }
 
 const number = (value: number): string =>

@@ -3,7 +3,7 @@ import { useEffect, useRef } from 'preact/hooks';
 import type { Spectrogram as Picture } from '../../lab/index.ts';
 import { view, workspace } from '../../state/workspace.ts';
 import { colour, dark } from '../../style/colours.ts';
-import { texts } from '../../text/language.ts';
+import { text } from '../../text/language.ts';
 
 export const showSpectrogram = signal(false);
 
@@ -42,7 +42,7 @@ export function Spectrogram() {
       ref={canvas}
       class="spectrogram"
       role="img"
-      aria-label={texts.value.wave.spectrogramLabel}
+      aria-label={text('page-wave-spectrogram-label')}
     />
   );
 }

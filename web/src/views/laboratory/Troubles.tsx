@@ -1,7 +1,7 @@
 import { FaultNotice } from '../../app/FaultNotice.tsx';
 import { unreadable } from '../../state/settings.ts';
 import { busy, fault } from '../../state/workspace.ts';
-import { texts } from '../../text/language.ts';
+import { text } from '../../text/language.ts';
 import { Orphans } from './Orphans.tsx';
 import { SaveSound } from './SaveSound.tsx';
 
@@ -15,7 +15,9 @@ export function Troubles() {
         </FaultNotice>
       )}
       {unreadable.value.length > 0 && (
-        <p class="notice">{texts.value.app.unreadableLink(unreadable.value.join(', '))}</p>
+        <p class="notice">
+          {text('page-app-unreadable-link', { parts: unreadable.value.join(', ') })}
+        </p>
       )}
       {!busy.value && <Orphans />}
     </>

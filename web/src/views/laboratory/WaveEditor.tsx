@@ -2,7 +2,7 @@ import { playheadS, playing } from '../../sound/player.ts';
 import * as editing from '../../state/editing.ts';
 import { playView } from '../../state/sound.ts';
 import { cursorS, marks, selected, view, workspace } from '../../state/workspace.ts';
-import { texts } from '../../text/language.ts';
+import { text } from '../../text/language.ts';
 import { Overview } from '../../wave/Overview.tsx';
 import { Waveform, type WaveformEdits } from '../../wave/Waveform.tsx';
 import { DropChoice } from './DropChoice.tsx';
@@ -24,13 +24,12 @@ const edits: WaveformEdits = {
 
 /** The sound with its impacts, to look at and to correct. */
 export function WaveEditor() {
-  const words = texts.value.wave;
   const recording = workspace.value;
   if (!recording) return null;
   const { durationS } = recording;
   const pyramid = recording.pyramid;
   return (
-    <section class="wave" aria-label={words.title}>
+    <section class="wave" aria-label={text('page-wave-title')}>
       <DropChoice />
       {pyramid ? (
         <>
@@ -47,13 +46,18 @@ export function WaveEditor() {
             onPlay={() => void playView()}
           />
           <Spectrogram />
-          <Overview pyramid={pyramid} durationS={durationS} view={view} label={words.overview} />
+          <Overview
+            pyramid={pyramid}
+            durationS={durationS}
+            view={view}
+            label={text('page-wave-overview')}
+          />
           <p id="wave-keys" class="unseen">
-            {words.keys}
+            {text('page-wave-keys')}
           </p>
         </>
       ) : (
-        <p class="soft">{words.times}</p>
+        <p class="soft">{text('page-wave-times')}</p>
       )}
       <WaveTools />
       <ImpactTable />

@@ -16,7 +16,7 @@ import * as editing from '../../state/editing.ts';
 import { canRedo, canUndo } from '../../state/history.ts';
 import { playView, speed } from '../../state/sound.ts';
 import { cursorS, edited, present, selected, view, workspace } from '../../state/workspace.ts';
-import { language, texts } from '../../text/language.ts';
+import { language, text } from '../../text/language.ts';
 import { whole, zoomed } from '../../wave/viewport.ts';
 import { showSpectrogram } from './Spectrogram.tsx';
 
@@ -70,16 +70,15 @@ function zoom(factor: number): void {
 }
 
 function Zooming() {
-  const words = texts.value.wave;
   return (
     <div class="group">
       <Tool do={() => zoom(2)}>
         <Closer />
-        {words.zoomIn}
+        {text('page-wave-zoom-in')}
       </Tool>
       <Tool do={() => zoom(0.5)}>
         <Wider />
-        {words.zoomOut}
+        {text('page-wave-zoom-out')}
       </Tool>
       <Tool
         do={() => {
@@ -87,24 +86,23 @@ function Zooming() {
         }}
       >
         <All />
-        {words.all}
+        {text('page-wave-all')}
       </Tool>
     </div>
   );
 }
 
 function Hearing() {
-  const words = texts.value.wave;
   const sounding = playing.value !== null;
   return (
     <div class="group">
       <Tool do={() => void playView()} pressed={sounding}>
         {sounding ? <Pause /> : <Play />}
-        {sounding ? words.stop : words.play}
+        {sounding ? text('page-wave-stop') : text('page-wave-play')}
       </Tool>
       <select
         class="tool"
-        aria-label={words.speed}
+        aria-label={text('page-wave-speed')}
         value={speed.value}
         onChange={(event) => {
           speed.value = Number(event.currentTarget.value) as Speed;
@@ -112,7 +110,7 @@ function Hearing() {
       >
         {SPEEDS.map((factor) => (
           <option key={factor} value={factor}>
-            {words.slower(factor.toLocaleString(language.value))}
+            {text('page-wave-slower', { speed: factor.toLocaleString(language.value) })}
           </option>
         ))}
       </select>
@@ -122,14 +120,13 @@ function Hearing() {
           showSpectrogram.value = !showSpectrogram.value;
         }}
       >
-        {words.spectrogram}
+        {text('page-wave-spectrogram')}
       </Tool>
     </div>
   );
 }
 
 function Correcting() {
-  const words = texts.value.wave;
   const history = present.value;
   const chosen = selected.value;
   return (
@@ -142,7 +139,7 @@ function Correcting() {
           }}
         >
           <Plus />
-          {words.add}
+          {text('page-wave-add')}
         </Tool>
       )}
       <Tool
@@ -152,7 +149,7 @@ function Correcting() {
         }}
       >
         <Bin />
-        {words.remove}
+        {text('page-wave-remove')}
       </Tool>
       {workspace.value?.pyramid && (
         <Tool
@@ -162,19 +159,19 @@ function Correcting() {
           }}
         >
           <Magnet />
-          {words.snap}
+          {text('page-wave-snap')}
         </Tool>
       )}
       <Tool disabled={!history || !canUndo(history)} do={editing.undo}>
         <Back />
-        {texts.value.app.undo}
+        {text('page-app-undo')}
       </Tool>
       <Tool disabled={!history || !canRedo(history)} do={editing.redo}>
         <Forth />
-        {texts.value.app.redo}
+        {text('page-app-redo')}
       </Tool>
       <Tool disabled={!edited.value} do={editing.restore}>
-        {words.restore}
+        {text('page-wave-restore')}
       </Tool>
     </div>
   );

@@ -1,4 +1,4 @@
-import { texts } from '../../text/language.ts';
+import { text } from '../../text/language.ts';
 import { ListenButton } from './ListenButton.tsx';
 import { OtherWays } from './OtherWays.tsx';
 import { Paste } from './Paste.tsx';
@@ -9,10 +9,9 @@ const handheld = globalThis.matchMedia?.('(pointer: coarse)').matches ?? false;
 
 /** Before the first drop: a sentence, a button and three quiet links. */
 export function Welcome() {
-  const words = texts.value.lab;
   return (
     <div class="welcome">
-      <h1>{handheld ? words.inviteTouch : words.invite}</h1>
+      <h1>{handheld ? text('page-lab-invite-touch') : text('page-lab-invite')}</h1>
       <ListenButton />
       <OtherWays />
       <Troubles />

@@ -2,16 +2,15 @@ import { Figure, useAnswer } from '../../chart/Figure.tsx';
 import { engine } from '../../state/engine.ts';
 import { figureRequest } from '../../state/figures.ts';
 import { analysed, chosenDrop } from '../../state/workspace.ts';
-import { texts } from '../../text/language.ts';
+import { text } from '../../text/language.ts';
 
 /** Why the air matters: two paragraphs and a figure of this very drop. */
 export function Why() {
-  const words = texts.value.lab;
   return (
     <details>
-      <summary>{texts.value.app.why}</summary>
+      <summary>{text('page-app-why')}</summary>
       <div class="why">
-        {words.whyAir.map((paragraph) => (
+        {[text('page-lab-why-air-1'), text('page-lab-why-air-2')].map((paragraph) => (
           <p key={paragraph}>{paragraph}</p>
         ))}
         {analysed.value && <SmallFigure />}

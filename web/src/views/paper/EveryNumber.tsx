@@ -1,6 +1,6 @@
 import { fixed, localised } from '../../format/quantity.ts';
 import type { PaperFact } from '../../lab/index.ts';
-import { language, texts } from '../../text/language.ts';
+import { language, text } from '../../text/language.ts';
 import { nameIn } from '../../text/names.ts';
 
 /** Every number of the paper beside what is computed here. */
@@ -24,17 +24,15 @@ interface ChapterProps {
 }
 
 function Chapter({ facts, name }: ChapterProps) {
-  const words = texts.value.paper;
-  const head = words.six;
   return (
     <section class="scroll" tabIndex={0} aria-label={name}>
       <table class="wide">
         <thead>
           <tr>
-            <th>{head.quantity}</th>
-            <th class="figure">{head.printed}</th>
-            <th class="figure">{head.computed}</th>
-            <th>{head.verdict}</th>
+            <th>{text('page-paper-six-quantity')}</th>
+            <th class="figure">{text('page-paper-six-printed')}</th>
+            <th class="figure">{text('page-paper-six-computed')}</th>
+            <th>{text('page-paper-six-verdict')}</th>
           </tr>
         </thead>
         <tbody>
@@ -46,7 +44,7 @@ function Chapter({ facts, name }: ChapterProps) {
               </td>
               <td class="figure">{fact.printed === null ? '' : withUnit(fact.printed, fact)}</td>
               <td class="figure">{withUnit(computed(fact), fact)}</td>
-              <td>{fact.verdict && nameIn(words.verdicts, fact.verdict)}</td>
+              <td>{fact.verdict && nameIn(`page-paper-verdicts-${fact.verdict}`, fact.verdict)}</td>
             </tr>
           ))}
         </tbody>

@@ -1,6 +1,6 @@
 import { Paragraphs } from '../../app/Paragraphs.tsx';
 import { labAddress } from '../../state/settings.ts';
-import { texts } from '../../text/language.ts';
+import { text } from '../../text/language.ts';
 import { EveryNumber } from './EveryNumber.tsx';
 import { Puzzle } from './Puzzle.tsx';
 import { Facts } from './paper-data.ts';
@@ -9,33 +9,34 @@ import { DragFigure, HeightFigure, RulerFigure } from './Sections.tsx';
 
 /** The paper's argument, its figures and numbers computed while it is read. */
 export function Paper() {
-  const words = texts.value.paper;
   return (
     <article class="article">
       <header class="words">
-        <h1>{words.title}</h1>
+        <h1>{text('page-paper-title')}</h1>
         <p class="small soft">
-          <cite>{words.source}</cite>
+          <cite>{text('page-paper-source')}</cite>
         </p>
-        <p class="lead">{words.lead}</p>
+        <p class="lead">{text('page-paper-lead')}</p>
       </header>
       <section class="beside">
         <div class="words">
-          <h2>{words.one.title}</h2>
-          <Paragraphs of={words.one.text} />
-          <Equation of={words.one.title}>{words.one.equation}</Equation>
+          <h2>{text('page-paper-one-title')}</h2>
+          <Paragraphs of={[text('page-paper-one-text-1'), text('page-paper-one-text-2')]} />
+          <Equation of={text('page-paper-one-title')}>{text('page-paper-one-equation')}</Equation>
         </div>
         <RulerFigure />
       </section>
       <section class="narrow">
-        <h2>{words.two.title}</h2>
-        <Paragraphs of={words.two.text} />
+        <h2>{text('page-paper-two-title')}</h2>
+        <Paragraphs of={[text('page-paper-two-text-1'), text('page-paper-two-text-2')]} />
       </section>
       <section class="beside">
         <div class="words">
-          <h2>{words.three.title}</h2>
-          <Paragraphs of={words.three.text} />
-          <Equation of={words.three.title}>{words.three.equation}</Equation>
+          <h2>{text('page-paper-three-title')}</h2>
+          <Paragraphs of={[text('page-paper-three-text')]} />
+          <Equation of={text('page-paper-three-title')}>
+            {text('page-paper-three-equation')}
+          </Equation>
         </div>
         <div class="stack wide">
           <DragFigure />
@@ -44,18 +45,24 @@ export function Paper() {
       </section>
       <Puzzle />
       <section>
-        <h2>{words.five.title}</h2>
-        <Paragraphs of={words.five.text} />
+        <h2>{text('page-paper-five-title')}</h2>
+        <Paragraphs
+          of={[
+            text('page-paper-five-text-1'),
+            text('page-paper-five-text-2'),
+            text('page-paper-five-text-3'),
+          ]}
+        />
         <Facts>{(document) => <Resolution puzzle={document.puzzle} />}</Facts>
       </section>
       <section>
-        <h2>{words.six.title}</h2>
-        <p>{words.six.lead}</p>
+        <h2>{text('page-paper-six-title')}</h2>
+        <p>{text('page-paper-six-lead')}</p>
         <Facts>{(document) => <EveryNumber facts={document.facts} />}</Facts>
       </section>
       <p>
         <a class="button primary" href={labAddress.value}>
-          {words.tryIt}
+          {text('page-paper-try-it')}
         </a>
       </p>
     </article>

@@ -6,7 +6,7 @@ import { Figure, useAnswer } from '../../chart/Figure.tsx';
 import { CENTIMETRE, fixed, plain } from '../../format/quantity.ts';
 import type { PuzzleChoice } from '../../lab/index.ts';
 import { engine } from '../../state/engine.ts';
-import { language, texts } from '../../text/language.ts';
+import { language, parts, text } from '../../text/language.ts';
 
 const MOST_FLIGHTS = 40;
 /** What a bounce loses for each m/s when ten flights reproduce the paper (`bouncelab paper`). */
@@ -15,7 +15,6 @@ const FIRST: PuzzleChoice = { restitution: 0.935, loss_per_speed_s_m: 0, flights
 
 /** The puzzle as a toy: make a drop with air, lay the paper's line through it, compare. */
 export function Puzzle() {
-  const words = texts.value.paper.four;
   const spoken = language.value;
   const [choice, setChoice] = useState<PuzzleChoice>(FIRST);
   const answer = useAnswer(() => engine().puzzleAnswer(choice), choice);
@@ -25,10 +24,10 @@ export function Puzzle() {
   return (
     <section class="beside">
       <div class="words">
-        <h2>{words.title}</h2>
-        <Paragraphs of={words.text} />
+        <h2>{text('page-paper-four-title')}</h2>
+        <Paragraphs of={[text('page-paper-four-text')]} />
         <Slider
-          label={words.e}
+          label={text('page-paper-four-e')}
           min={0.9}
           max={0.98}
           step={0.0005}
@@ -37,7 +36,7 @@ export function Puzzle() {
           onInput={(restitution) => setChoice({ ...choice, restitution })}
         />
         <Slider
-          label={words.slope}
+          label={text('page-paper-four-slope')}
           min={0}
           max={0.04}
           step={0.0005}
@@ -46,7 +45,7 @@ export function Puzzle() {
           onInput={(loss_per_speed_s_m) => setChoice({ ...choice, loss_per_speed_s_m })}
         />
         <Slider
-          label={words.flights}
+          label={text('page-paper-four-flights')}
           min={3}
           max={MOST_FLIGHTS}
           step={1}
@@ -56,31 +55,31 @@ export function Puzzle() {
         />
         <div class="row">
           <button type="button" class="quiet" onClick={() => void solve(0, 10)}>
-            {words.solveDrag}
+            {text('page-paper-four-solve-drag')}
           </button>
           <button type="button" class="quiet" onClick={() => void solve(0, 21)}>
-            {words.solveMany}
+            {text('page-paper-four-solve-many')}
           </button>
           <button type="button" class="quiet" onClick={() => void solve(SOLVING_SLOPE, 10)}>
-            {words.solveSlope}
+            {text('page-paper-four-solve-slope')}
           </button>
         </div>
         {answer && (
           <p class="lead" role="status">
             <Rich
-              parts={words.lineSays(
-                fixed(answer.restitution, 4, spoken),
-                plain(answer.drop_height_m, CENTIMETRE, 3, spoken),
-              )}
+              parts={parts('page-paper-four-line-says', {
+                e: fixed(answer.restitution, 4, spoken),
+                h: plain(answer.drop_height_m, CENTIMETRE, 3, spoken),
+              })}
             />{' '}
-            {answer.reproduces && <strong>{words.hit}</strong>}
+            {answer.reproduces && <strong>{text('page-paper-four-hit')}</strong>}
           </p>
         )}
         <p class="soft">
-          {words.paperSays} {words.truth}
+          {text('page-paper-four-paper-says')} {text('page-paper-four-truth')}
         </p>
       </div>
-      <Figure chart={answer?.chart} see={words.see} />
+      <Figure chart={answer?.chart} see={text('page-paper-four-see')} />
     </section>
   );
 }

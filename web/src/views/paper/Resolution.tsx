@@ -1,37 +1,41 @@
 import { CENTIMETRE, fixed, plain } from '../../format/quantity.ts';
 import type { Explanation } from '../../lab/index.ts';
-import { language, texts } from '../../text/language.ts';
+import { language, text } from '../../text/language.ts';
 
 /** Which balls and which lines make the paper's numbers. */
 export function Resolution({ puzzle }: { readonly puzzle: readonly Explanation[] }) {
-  const words = texts.value.paper;
-  const head = words.five;
   const spoken = language.value;
   return (
-    <section class="scroll" tabIndex={0} aria-label={head.caption}>
+    <section class="scroll" tabIndex={0} aria-label={text('page-paper-five-caption')}>
       <table>
-        <caption>{head.caption}</caption>
+        <caption>{text('page-paper-five-caption')}</caption>
         <thead>
           <tr>
-            <th>{head.law}</th>
-            <th>{head.drag}</th>
-            <th class="figure">{head.flights}</th>
-            <th class="figure">{head.first}</th>
-            <th class="figure">{head.slow}</th>
-            <th class="figure">{head.height}</th>
-            <th>{head.same}</th>
+            <th>{text('page-paper-five-law')}</th>
+            <th>{text('page-paper-five-drag')}</th>
+            <th class="figure">{text('page-paper-five-flights')}</th>
+            <th class="figure">{text('page-paper-five-first')}</th>
+            <th class="figure">{text('page-paper-five-slow')}</th>
+            <th class="figure">{text('page-paper-five-height')}</th>
+            <th>{text('page-paper-five-same')}</th>
           </tr>
         </thead>
         <tbody>
           {puzzle.map((way) => (
             <tr key={`${way.restitution_law} ${way.drag} ${way.flights}`}>
-              <td>{words.lawNames[way.restitution_law] ?? way.restitution_law}</td>
-              <td>{words.airNames[way.drag] ?? way.drag}</td>
+              <td>{text(`page-paper-law-names-${way.restitution_law}`)}</td>
+              <td>{text(`page-paper-air-names-${way.drag}`)}</td>
               <td class="figure">{way.flights}</td>
               <td class="figure">{fixed(way.restitution_at_first, 4, spoken)}</td>
               <td class="figure">{fixed(way.restitution_at_slow, 4, spoken)}</td>
               <td class="figure">{plain(way.drop_height_m, CENTIMETRE, 4, spoken)}</td>
-              <td>{way.reproduces ? <strong>{head.yes}</strong> : head.no}</td>
+              <td>
+                {way.reproduces ? (
+                  <strong>{text('page-paper-five-yes')}</strong>
+                ) : (
+                  text('page-paper-five-no')
+                )}
+              </td>
             </tr>
           ))}
         </tbody>

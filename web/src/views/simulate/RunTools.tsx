@@ -16,18 +16,17 @@ import {
   takeOff,
 } from '../../state/simulating.ts';
 import { busy, drop } from '../../state/workspace.ts';
-import { language, texts } from '../../text/language.ts';
+import { language, text } from '../../text/language.ts';
 import { ballName, nameIn } from '../../text/names.ts';
 
 /** What can be done with a run. */
 export function RunTools() {
-  const words = texts.value.simulate;
   const ready = outcome.value !== null;
   return (
     <div class="stack">
       <div class="row tight">
         <button type="button" class="button primary" disabled={!ready} onClick={keepRun}>
-          {words.keepRun}
+          {text('page-simulate-keep-run')}
         </button>
         <button
           type="button"
@@ -37,7 +36,7 @@ export function RunTools() {
           onClick={() => (playing.peek() ? stop() : void playRun())}
         >
           <span class="sign">{playing.value ? <Pause /> : <Play />}</span>
-          {playing.value ? words.stop : words.hear}
+          {playing.value ? text('page-simulate-stop') : text('page-simulate-hear')}
         </button>
       </div>
       <Runs />
@@ -48,16 +47,16 @@ export function RunTools() {
           disabled={!ready || busy.value}
           onClick={() => void analyseRun()}
         >
-          {words.analyse}
+          {text('page-simulate-analyse')}
         </button>
         {drop.value && (
           <button type="button" class="quiet" disabled={!ready} onClick={layOver}>
-            {words.lay}
+            {text('page-simulate-lay')}
           </button>
         )}
       </div>
       <p role="status" class="small">
-        {overlay.value && <a href={labAddress.value}>{words.laid}</a>}
+        {overlay.value && <a href={labAddress.value}>{text('page-simulate-laid')}</a>}
       </p>
       {overlay.value && (
         <button
@@ -68,34 +67,36 @@ export function RunTools() {
             takeOff();
           }}
         >
-          {words.takeOff}
+          {text('page-simulate-take-off')}
         </button>
       )}
-      <p class="small soft">{words.address}</p>
+      <p class="small soft">{text('page-simulate-address')}</p>
     </div>
   );
 }
 
 function Runs() {
-  const words = texts.value.simulate;
   if (runs.value.length === 0) return null;
   return (
-    <ul class="runs" aria-label={words.runs}>
+    <ul class="runs" aria-label={text('page-simulate-runs')}>
       {runs.value.map((run) => (
         <li key={run.number}>
           <span>
-            <strong>{words.run(run.number)}</strong> <span class="small soft">{inWords(run)}</span>
+            <strong>{text('page-simulate-run', { index: run.number })}</strong>{' '}
+            <span class="small soft">{inWords(run)}</span>
           </span>
           <button
             type="button"
             class="quiet slim"
-            aria-label={words.remove(words.run(run.number))}
+            aria-label={text('page-simulate-remove', {
+              name: text('page-simulate-run', { index: run.number }),
+            })}
             onClick={(event) => {
               handFocusOn(event.currentTarget, 'li');
               removeRun(run.number);
             }}
           >
-            {texts.value.wave.remove}
+            {text('page-wave-remove')}
           </button>
         </li>
       ))}
@@ -106,6 +107,6 @@ function Runs() {
 function inWords({ setup }: Run): string {
   const spoken = language.value;
   const height = `${fixed(100 * setup.heightM, 1, spoken)} cm`;
-  const world = nameIn(texts.value.simulate.worlds, setup.world);
+  const world = nameIn(`page-simulate-worlds-${setup.world}`, setup.world);
   return `${ballName(setup.ball)}, ${height}, e ${fixed(setup.restitution, 4, spoken)}, ${world}`;
 }

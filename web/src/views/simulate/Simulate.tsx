@@ -4,28 +4,27 @@ import { fixed, METRE, METRE_PER_SECOND, PERCENT, plain, SECOND } from '../../fo
 import type { Simulation } from '../../lab/index.ts';
 import { engine } from '../../state/engine.ts';
 import { impossible, outcome, requestOf, runs, simulating } from '../../state/simulating.ts';
-import { language, texts } from '../../text/language.ts';
+import { language, parts, text } from '../../text/language.ts';
 import { RunTools } from './RunTools.tsx';
 import { Sliders } from './Sliders.tsx';
 
 /** Drop a ball that does not exist: sliders on one side, what follows on the other. */
 export function Simulate() {
-  const words = texts.value.simulate;
   const done = outcome.value;
   const compared = [
     ...runs.value.map(({ setup, number }) => ({
-      name: words.run(number),
+      name: text('page-simulate-run', { index: number }),
       request: requestOf(setup),
     })),
-    ...(done ? [{ name: words.thisRun, request: requestOf(done.setup) }] : []),
+    ...(done ? [{ name: text('page-simulate-this-run'), request: requestOf(done.setup) }] : []),
   ];
   const charts = useAnswer(() => engine().simulationCharts(compared), compared);
   const simulation = done?.simulated.simulations[0];
   return (
     <>
       <div class="words intro">
-        <h1>{words.title}</h1>
-        <p class="soft">{words.lead}</p>
+        <h1>{text('page-simulate-title')}</h1>
+        <p class="soft">{text('page-simulate-lead')}</p>
       </div>
       <div class="simulate">
         <div class="stack">
@@ -35,7 +34,7 @@ export function Simulate() {
         <div class="stack results">
           {impossible.value !== null && (
             <p class="notice" role="alert">
-              {words.impossible} {impossible.value}
+              {text('page-simulate-impossible')} {impossible.value}
             </p>
           )}
           {simulation && <Outcome simulation={simulation} />}
@@ -49,7 +48,6 @@ export function Simulate() {
 
 /** What becomes of the ball, in words. */
 function Outcome({ simulation }: { readonly simulation: Simulation }) {
-  const words = texts.value.simulate;
   const spoken = language.value;
   const energy = simulation.initial_energy_j;
   const share = (joules: number): string => plain(joules / energy, PERCENT, 2, spoken);
@@ -58,27 +56,29 @@ function Outcome({ simulation }: { readonly simulation: Simulation }) {
     <div class="words" role="status" aria-busy={simulating.value}>
       <p class="lead">
         <Rich
-          parts={words.says(
-            fixed(simulation.bounces.length, 0, spoken),
-            plain(simulation.total_time_s, SECOND, 3, spoken),
-            plain(simulation.total_path_m, METRE, 3, spoken),
-          )}
+          parts={parts('page-simulate-says', {
+            bounces: fixed(simulation.bounces.length, 0, spoken),
+            time: plain(simulation.total_time_s, SECOND, 3, spoken),
+            path: plain(simulation.total_path_m, METRE, 3, spoken),
+          })}
         />
       </p>
       <p>
         {lost > 0 && (
           <Rich
-            parts={words.losses(
-              share(simulation.lost_to_surface_j),
-              share(simulation.lost_to_air_j),
-            )}
+            parts={parts('page-simulate-losses', {
+              surface: share(simulation.lost_to_surface_j),
+              air: share(simulation.lost_to_air_j),
+            })}
           />
         )}{' '}
         <Rich
           parts={
             simulation.terminal_speed_m_s === null
-              ? words.noTerminal
-              : words.terminal(plain(simulation.terminal_speed_m_s, METRE_PER_SECOND, 2, spoken))
+              ? parts('page-simulate-no-terminal')
+              : parts('page-simulate-terminal', {
+                  speed: plain(simulation.terminal_speed_m_s, METRE_PER_SECOND, 2, spoken),
+                })
           }
         />
       </p>

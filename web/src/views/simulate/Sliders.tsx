@@ -4,12 +4,11 @@ import { Slider } from '../../app/Slider.tsx';
 import { CENTIMETRE, fixed, PERCENT, plain } from '../../format/quantity.ts';
 import { catalogue } from '../../state/engine.ts';
 import { move, setup } from '../../state/simulating.ts';
-import { language, texts } from '../../text/language.ts';
+import { language, text } from '../../text/language.ts';
 import { ballName, lawName, nameIn } from '../../text/names.ts';
 
 /** What can be moved. */
 export function Sliders() {
-  const words = texts.value.simulate;
   const spoken = language.value;
   const now = setup.value;
   const offered = catalogue.value;
@@ -27,48 +26,48 @@ export function Sliders() {
   return (
     <div class="sliders">
       <Slider
-        label={words.height}
+        label={text('page-simulate-height')}
         shown={plain(now.heightM, CENTIMETRE, now.heightM < 1 ? 3 : 4, spoken)}
         {...slider('heightM')}
       />
       <Slider
-        label={words.restitution}
+        label={text('page-simulate-restitution')}
         shown={fixed(now.restitution, 4, spoken)}
         {...slider('restitution')}
       />
       <Slider
-        label={words.slope}
-        hint={words.slopeHint}
+        label={text('page-simulate-slope')}
+        hint={text('page-simulate-slope-hint')}
         shown={fixed(now.slope, 4, spoken)}
         {...slider('slope')}
       />
       <Choice
-        label={words.ball}
+        label={text('page-simulate-ball')}
         value={now.ball}
         options={(offered?.balls ?? []).map(({ name }) => [name, ballName(name)] as const)}
         onChange={(ball) => move({ ball })}
       />
       <Choice
-        label={words.world}
+        label={text('page-simulate-world')}
         value={now.world}
         options={(offered?.worlds ?? []).map(
-          ({ name }) => [name, nameIn(words.worlds, name)] as const,
+          ({ name }) => [name, nameIn(`page-simulate-worlds-${name}`, name)] as const,
         )}
         onChange={(where) => move({ world: where })}
       />
       <Slider
-        label={words.pressure}
+        label={text('page-simulate-pressure')}
         shown={plain(now.air, PERCENT, 3, spoken)}
         disabled={world?.air_density_kg_m3 === 0}
         {...slider('air')}
       />
       <Choice
-        label={words.drag}
+        label={text('page-simulate-drag')}
         value={now.drag}
         options={[
           ...(offered?.drag_laws ?? []).map(({ name }) => [name, lawName(name)] as const),
-          ['constant:0.4', texts.value.settings.dragConstant],
-          ['none', texts.value.settings.dragNone],
+          ['constant:0.4', text('page-settings-drag-constant')],
+          ['none', text('page-settings-drag-none')],
         ]}
         onChange={(drag) => move({ drag })}
       />

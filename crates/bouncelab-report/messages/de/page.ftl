@@ -1,0 +1,474 @@
+page-to = bis
+
+page-app-title = bouncelab: Ball fallen lassen, Physik hören
+page-app-skip = Zum Inhalt springen
+page-app-nav = Seiten
+page-app-lab = Zuhören
+page-app-simulate = Simulieren
+page-app-paper = Aufsatz
+page-app-drops = Versuche
+page-app-language = Sprache
+page-app-to-dark = Dunkel
+page-app-to-light = Hell
+page-app-privacy = Nichts verlässt dieses Gerät: kein Konto, kein Server, läuft auch ohne Netz.
+page-app-version = bouncelab { $version }
+page-app-engine-failed = Das Labor konnte nicht starten.
+page-app-engine-failed-hint = Der Browser hat den WebAssembly-Teil nicht geladen oder nicht ausgeführt. Lade die Seite neu; hilft das nicht, nimm einen aktuellen Firefox, Chrome, Edge oder Safari.
+page-app-newer = Eine neuere Fassung dieser Seite liegt bereit.
+page-app-reload = Neu laden
+page-app-undo = Rückgängig
+page-app-redo = Wiederholen
+page-app-cancel = Abbrechen
+page-app-why = Warum?
+page-app-number-wanted = Hier wird eine Zahl{ $most ->
+    [none] { $least ->
+        [none] {""}
+       *[other] {" "}ab { $least }
+      }
+   *[other] {" "}von { $least } bis { $most }
+  } erwartet.
+page-app-drop-here = Loslassen, dann wird zugehört
+page-app-unreadable-link = Einiges an den Einstellungen in der Adresse war nicht zu verstehen und bleibt weg: { $parts }.
+
+page-lab-invite = Lass einen Ball neben dem Mikrofon fallen.
+page-lab-invite-touch = Lass einen Ball neben dem Handy fallen.
+page-lab-listen = Zuhören
+page-lab-stop = Stopp
+page-lab-again = Noch einmal zuhören
+page-lab-open = Datei öffnen
+page-lab-paste = Zeiten einfügen
+page-lab-demo = Beispiel ansehen
+page-lab-open-label = Aufnahme oder Liste von Aufprallzeiten
+page-lab-paste-label = Aufprallzeiten in Sekunden, eine je Zeile
+page-lab-paste-hint = Aus einer Tabelle, vom Oszilloskop oder nach Gehör. Was dazwischen liegt, sind die Flüge.
+page-lab-paste-do = Auswerten
+page-lab-pasted-name = eingefügte Zeiten
+page-lab-demo-name = Beispiel
+page-lab-recording-name = Versuch { $date }
+page-lab-starting = Frage nach dem Mikrofon …
+page-lab-listening = Ich höre zu. Lass den Ball fallen.
+page-lab-so-far = { $count ->
+    [one] 1 Aufprall bisher
+   *[other] { $count } Aufpralle bisher
+  }
+page-lab-so-far-keeps = er behält etwa { $share } seines Tempos
+page-lab-ends-itself = Es endet von selbst, wenn der Ball ruht.
+page-lab-result = Ergebnis
+page-lab-opening = Lese { $name } …
+page-lab-kept = Der Ball behielt bei jedem Aufprall { $share } seines Tempos.
+page-lab-fell = Er fiel aus { $height } Höhe.
+page-lab-cannot-tell = Das sind zu wenige Aufpralle, um zu sagen, wie gut der Ball springt.
+page-lab-impacts = { $count ->
+    [one] 1 Aufprall
+   *[other] { $count } Aufpralle
+  }
+page-lab-uncertain = { $count } unsicher
+page-lab-edited = von Hand geändert
+page-lab-drop-of = Versuch { $index } von { $count }
+page-lab-drops-heard = Versuche in dieser Aufnahme
+page-lab-air-explains = Der Luftwiderstand erklärt { $points } Prozentpunkte dessen, was eine Ausgleichsgerade für verlorene Sprungkraft hielte.
+page-lab-line-height = Die Fallhöhe wäre nach dieser Geraden { $height }.
+page-lab-air-nothing = Der Luftwiderstand macht hier fast nichts aus: Die Gerade sagt dasselbe.
+page-lab-why-air-1 = Eine Gerade durch die Logarithmen der Flugzeiten ist der klassische Weg zur Sprungkraft. Doch auch die Luft bremst den Ball, und die Gerade hält das für Verlust beim Aufprall.
+page-lab-why-air-2 = Die grauen Punkte lassen die Luft weg; die blauen rechnen sie heraus. Was bleibt, sind Ball und Untergrund.
+page-lab-refining = Wäge ab, was Luft und Ball vermögen …
+page-lab-more = Alle Zahlen
+page-lab-tells = Was diese Stille sagen kann, und was nicht
+page-lab-narrowed-lead = Wie weit der Ton eingegrenzt hat, was man vorher schon wusste:
+page-lab-narrowed = { $unknown }: { $share } der Breite bleiben
+page-lab-assumed = angenommen
+page-lab-no-drop-title = Kein springender Ball gehört.
+page-lab-no-drop-hint = Stell das Mikrofon nah an die Stelle, wo der Ball aufkommt, nimm einen harten Untergrund und lass den Ball ausspringen. Siehst du die Aufpralle im Bild, dann markiere sie von Hand: Doppelklick, oder Eingabetaste am Zeiger.
+page-lab-interrupted-title = Eine Aufnahme vom { $date } wurde unterbrochen.
+page-lab-progress = Wie weit es ist
+page-lab-unkept-title = Die Aufnahme vom { $date } steht nicht in der Tabelle der Versuche.
+page-lab-interrupted-hint = Nichts davon ist verloren.
+page-lab-interrupted-open = Öffnen
+page-lab-interrupted-drop = Wegwerfen
+
+page-words-restitution = Die Stoßzahl ist das Tempo gleich nach einem Aufprall geteilt durch das Tempo gleich davor.
+
+page-faults-refused-what = Der Browser darf das Mikrofon nicht benutzen.
+page-faults-refused-do = Erlaube es in der Adressleiste (Schloss oder Mikrofon) und tippe noch einmal auf „Zuhören“. Auf dem Handy sieh auch in den Einstellungen der Browser-App nach. Du kannst stattdessen eine Aufnahme öffnen.
+
+page-faults-missing-what = Kein Mikrofon gefunden.
+page-faults-missing-do = Stecke eines an und tippe noch einmal auf „Zuhören“, oder nimm mit einem anderen Gerät auf und öffne die Datei hier.
+
+page-faults-busy-what = Ein anderes Programm benutzt das Mikrofon.
+page-faults-busy-do = Beende Anrufe und Aufnahmen und tippe noch einmal auf „Zuhören“.
+
+page-faults-insecure-what = Browser geben das Mikrofon nur Seiten mit https oder von diesem Rechner selbst.
+page-faults-insecure-do = Öffne die Seite über https oder localhost. Aufnahmen lassen sich auch so öffnen.
+
+page-faults-unsupported-what = Dieser Browser gibt keinen unbearbeiteten Ton heraus.
+page-faults-unsupported-do = Nimm einen aktuellen Firefox, Chrome, Edge oder Safari, oder öffne eine Aufnahme.
+
+page-faults-ended-what = Das Mikrofon ist weg: ausgesteckt, oder ein Anruf braucht es.
+page-faults-ended-do = Was bis dahin zu hören war, ist aufgehoben und ausgewertet.
+
+page-faults-unknown-what = Das Mikrofon ließ sich nicht öffnen.
+page-faults-unknown-do = Stecke es neu an oder starte den Browser neu. Du kannst stattdessen eine Aufnahme öffnen.
+
+page-faults-silent-what = Vom Mikrofon kommt nur Stille.
+page-faults-silent-do = Vielleicht ist es am Schalter oder in den Systemeinstellungen stumm.
+
+page-faults-full-what = Der Speicher des Browsers ist voll.
+page-faults-full-do = Der Ton ist vollständig im Arbeitsspeicher: Speichere ihn jetzt als WAV. Lösche danach Versuche, die du nicht brauchst.
+
+page-faults-unavailable-what = Der Browser hebt hier nichts auf (ein privates Fenster?).
+page-faults-unavailable-do = Der Ton ist vollständig im Arbeitsspeicher, bis diese Seite geschlossen wird: Speichere ihn als WAV.
+
+page-faults-empty-what = Die Datei ist leer.
+page-faults-empty-do = Es wurde nichts hineingeschrieben. Endete die Aufnahme, bevor sie begann? Nimm neu auf oder wähle eine andere Datei.
+
+page-faults-unsupported-file-what = Das ist weder eine Aufnahme noch eine Liste von Zeiten.
+page-faults-unsupported-file-do = Ton: WAV, AIFF, FLAC, MP3, Ogg, Opus, WebM, M4A, MP4, MOV. Listen: eine Zeit in Sekunden je Zeile.
+
+page-faults-damaged-what = Die Datei ist beschädigt.
+page-faults-damaged-do = Kopiere oder lade sie neu. Eine Datei, an der das Handy noch schreibt, ist noch nicht lesbar.
+
+page-faults-times-what = Diese Zeiten ergeben als Aufpralle keinen Sinn.
+page-faults-times-do = Eine Zeit in Sekunden je Zeile, aufsteigend; Komma oder Punkt für Nachkommastellen.
+
+page-faults-huge-what = Die Datei ist zu groß für einen Browser.
+page-faults-huge-do = Bis 500 MB und etwa vierzig Minuten Ton. Schneide sie auf die Minuten mit dem Ball, oder nimm die Kommandozeile: bouncelab analyze.
+
+page-faults-setting-what = Eine Einstellung passt nicht zu den anderen.
+page-faults-setting-do = Siehe unten bei den Einstellungen.
+
+page-faults-fault-what = Darüber ist das Labor gestolpert.
+page-faults-fault-do = Was aufgenommen wurde, ist aufgehoben. Lade die Seite neu und öffne es wieder; eine Meldung an das Projekt hilft.
+
+page-faults-keep-what = Der Versuch ließ sich nicht aufheben.
+page-faults-keep-do = Der Speicher des Browsers ist voll oder gesperrt. Speichere stattdessen Ton und Zahlen als Dateien.
+
+page-wave-title = Schallbild
+page-wave-label = Schallbild, Ort des Zeigers
+page-wave-seconds = { $value } Sekunden
+page-wave-impact-at = Aufprall { $number }, { $seconds }{ $certain ->
+    [yes] {""}
+   *[no] , unsicher
+  }
+page-wave-add = Aufprall setzen
+page-wave-remove = Entfernen
+page-wave-snap = Am Ton einrasten
+page-wave-zoom-in = Näher
+page-wave-zoom-out = Weiter
+page-wave-all = Alles
+page-wave-play = Anhören
+page-wave-stop = Stopp
+page-wave-speed = Tempo
+page-wave-slower = { $speed } ×
+page-wave-spectrogram = Spektrogramm
+page-wave-spectrogram-label = Spektrogramm: Zeit nach rechts, Tonhöhe nach oben, lauter ist dunkler
+page-wave-overview = Die ganze Aufnahme; ziehen verschiebt
+page-wave-restore = Wie gehört
+page-wave-list = Liste der Aufpralle
+page-wave-number = Nr.
+page-wave-time = Zeit
+page-wave-flight = Flug danach
+page-wave-probability = Sicher
+page-wave-level = Pegel
+page-wave-restitution = Stoßzahl
+page-wave-actions = Ändern
+page-wave-remove-one = Aufprall { $number } entfernen
+page-wave-select = Aufprall { $number } zeigen
+page-wave-added = Aufprall bei { $seconds } s gesetzt.
+page-wave-removed = Aufprall { $number } entfernt.
+page-wave-moved = Aufprall { $number } auf { $seconds } s verschoben.
+page-wave-undone = Rückgängig gemacht.
+page-wave-redone = Wiederholt.
+page-wave-keys = Pfeiltasten bewegen den Zeiger, mit Umschalttaste fein; Bild auf und Bild ab gehen von Aufprall zu Aufprall; Plus und Minus vergrößern und verkleinern, 0 zeigt alles; Eingabe setzt einen Aufprall, Entf entfernt den gewählten, Komma und Punkt schieben ihn, S rastet ihn am Ton ein; Leertaste spielt ab; Strg+Z macht rückgängig.
+page-wave-pointer = Ziehen verschiebt, Spreizen oder Mausrad vergrößert (vorher anklicken), Tippen wählt einen Aufprall, Ziehen bewegt ihn, Doppeltippen setzt einen neuen.
+page-wave-times = Das sind nur Zeiten: Es gibt keinen Ton zu zeigen.
+
+page-figures-title = Abbildungen
+page-figures-against = { $y } über { $x }
+page-figures-reset = Seitwärts ziehen vergrößert, ein Doppelklick zeigt wieder alles.
+page-figures-numbers = Dasselbe als Zahlen
+page-figures-save-svg = SVG
+page-figures-save-png = PNG
+page-figures-save = Diese Abbildung speichern
+
+page-figures-tabs-restitution = Stoßzahl
+page-figures-tabs-flight-times = Flüge
+page-figures-tabs-height = Höhe
+page-figures-tabs-bounce-heights = Höhen
+page-figures-tabs-bounce-energies = Energie
+page-figures-tabs-comparison = Vergleich
+page-figures-tabs-posterior = Antwort
+page-figures-tabs-residuals = Abweichung
+page-figures-tabs-budget = Unsicherheit
+page-figures-tabs-models = Gesetze
+page-figures-tabs-truncation = Flugzahl
+page-figures-tabs-drag = Luft
+page-figures-tabs-drag-log = Luft (log.)
+
+page-quantities-restitution = Stoßzahl e
+page-quantities-at-speed = bei { $speed }
+page-quantities-slope = Fällt mit dem Tempo um (−d ln e / d ln v)
+page-quantities-drop-height = Fallhöhe
+page-quantities-drag = Widerstands­beiwert
+page-quantities-terminal = End­geschwindigkeit
+page-quantities-total-time = Vom Loslassen bis zur Ruhe
+page-quantities-total-path = Weg bis zur Ruhe
+page-quantities-scatter = Streuung von Aufprall zu Aufprall
+page-quantities-timing = Fehler der Zeiten
+page-quantities-contact = Kontaktzeit
+page-quantities-line-restitution = Gerade: e
+page-quantities-line-height = Gerade: Fallhöhe
+page-quantities-line-flights = Gerade: Flüge
+page-quantities-energy-kept = Gerade: behaltene Energie
+page-quantities-corrected = Jeder Aufprall ohne Luft, Median von e
+page-quantities-interval = 95 %: { $range }
+
+page-settings-ball = Ball
+page-settings-air = Luft
+page-settings-gravity = g
+page-settings-change = ändern
+page-settings-title = Was bekannt ist
+page-settings-assumed-hint = Was niemand angegeben hat, ist angenommen und so gekennzeichnet.
+page-settings-own = eigener Ball
+page-settings-mass = Masse
+page-settings-diameter = Durchmesser
+page-settings-contact = Kontaktzeit
+page-settings-temperature = Temperatur
+page-settings-pressure = Druck
+page-settings-humidity = Feuchte
+page-settings-vacuum = Vakuum
+page-settings-no-drag = ohne Luft
+page-settings-gravity-field = Fallbeschleunigung
+page-settings-latitude = Breite
+page-settings-altitude = Höhe über dem Meer
+page-settings-drag-law = Luftwiderstand
+page-settings-drag-none = keiner, als gäbe es keine Luft
+page-settings-drag-constant = gleichbleibend, C_D = 0,4
+page-settings-restitution-law = Stoßzahl
+page-settings-restitution-any = jedes Gesetz, das passt
+
+page-settings-laws-constant = bei jedem Tempo gleich
+page-settings-laws-linear = Gerade im Tempo
+page-settings-laws-power = Potenzgesetz
+page-settings-laws-viscoelastic = viskoelastisch
+page-settings-laws-knee = gleich bis zu einem Knick
+page-settings-measured = Der Versuch, falls gemessen
+page-settings-height = Fallhöhe
+page-settings-height-sd = ± der Höhe
+page-settings-flights = Flüge in der Geraden
+page-settings-flights-from = von
+page-settings-flights-to = bis
+page-settings-reset = Alle Einstellungen vergessen
+page-settings-refused = Diese Einstellungen passen nicht zusammen:
+
+page-settings-balls-table-tennis-40 = Tischtennis 40+
+page-settings-balls-table-tennis-38 = Tischtennis 38 mm
+page-settings-balls-tennis = Tennis
+page-settings-balls-football = Fußball
+page-settings-balls-basketball = Basketball
+page-settings-balls-golf = Golf
+page-settings-balls-squash = Squash
+page-settings-balls-racquetball = Racquetball
+page-settings-balls-pickleball = Pickleball
+page-settings-balls-padel = Padel
+
+page-keep-title = Aufheben
+page-keep-keep = Diesen Versuch aufheben
+page-keep-kept = Aufgehoben als „{ $name }“.
+page-keep-name = Name
+page-keep-name-hint = zum Beispiel: Anna, erster Versuch
+page-keep-see-all = Tabelle der Versuche
+page-keep-wav = Ton (WAV)
+page-keep-csv = Tabelle (CSV)
+page-keep-json = Alle Daten (JSON)
+page-keep-share = Einstellungen teilen
+page-keep-shared = Die Adresse mit diesen Einstellungen ist kopiert.
+page-keep-share-by-hand = Diese Adresse kopieren:
+page-keep-report = Bericht (HTML)
+
+page-simulate-title = Lass einen Ball fallen, den es nicht gibt
+page-simulate-lead = Schieb einen Regler und sieh, was sich ändert; behalte einen Lauf, um ihn mit dem nächsten zu vergleichen.
+page-simulate-height = Fallhöhe
+page-simulate-restitution = Stoßzahl (bei 1 m/s)
+page-simulate-slope = Fällt mit dem Tempo um
+page-simulate-slope-hint = 0: bei jedem Tempo gleich
+page-simulate-ball = Ball
+page-simulate-drag = Luftwiderstand
+page-simulate-pressure = Luftdruck
+page-simulate-world = Wo
+
+page-simulate-worlds-earth = Erde
+page-simulate-worlds-moon = Mond
+page-simulate-worlds-mars = Mars
+page-simulate-worlds-venus = Venus
+page-simulate-worlds-titan = Titan
+page-simulate-worlds-jupiter = Jupiter
+page-simulate-keep-run = Diesen Lauf behalten
+page-simulate-hear = Anhören
+page-simulate-stop = Stopp
+page-simulate-lay = Über die Messung legen
+page-simulate-take-off = Nicht mehr über die Messung legen
+page-simulate-laid = Er liegt jetzt über der Messung, in der Abbildung „Vergleich“.
+page-simulate-analyse = Auswerten, als wäre er echt
+page-simulate-runs = Läufe
+page-simulate-this-run = dieser Lauf
+page-simulate-run = Lauf { $index }
+page-simulate-remove = { $name } entfernen
+page-simulate-says = Er springt { $bounces } Mal in { $time } und legt { $path } zurück.
+page-simulate-terminal = Schneller als { $speed } könnte er hier nie fallen.
+page-simulate-no-terminal = Keine Luft bremst ihn.
+page-simulate-losses = Von seiner Energie gehen { $surface } in die Aufpralle, { $air } in die Luft.
+page-simulate-impossible = Das lässt sich nicht simulieren:
+page-simulate-address = Die Regler stehen in der Adresse: Teile sie, und andere sehen denselben Lauf.
+
+page-paper-title = Der Aufsatz, lebendig
+page-paper-source = M. Nagurka, „Aerodynamic Effects in a Dropped Ping-Pong Ball Experiment“
+page-paper-lead = Lass einen Tischtennisball fallen. Hör zu. Die Stille zwischen den Aufprallen sagt, wie gut er springt und aus welcher Höhe er fiel, und sie liegt um 12 % daneben. Hier ist der Gedankengang, jede Zahl und jede Abbildung beim Lesen neu berechnet.
+
+page-paper-one-title = 1. Stille als Maßstab
+page-paper-one-text-1 = Zwischen zwei Aufprallen steigt und fällt der Ball eine Zeit T lang. Ohne Luft flog er mit dem Tempo gT/2 los und stieg auf gT²/8. Mehr als eine Uhr braucht man nicht.
+page-paper-one-text-2 = Behält jeder Aufprall den Anteil e des Tempos, so dauert jeder Flug e-mal so lang wie der vorige. Auf logarithmischer Skala liegen die Flugzeiten auf einer Geraden: Ihre Steigung ist log e, und wo sie beginnt, sagt die Fallhöhe.
+page-paper-one-equation = log Tₙ = n log e + log (2v₀/g),   h₀ = v₀²/2g
+page-paper-one-see = Die Flugzeiten eines Balls aus 30,5 cm, ohne Luft. Jeder Punkt auf der Geraden; sie findet e und 30,5 cm genau.
+
+page-paper-two-title = 2. Der Versuch und sein Rätsel
+page-paper-two-text-1 = Im Aufsatz fiel ein Ball von 2,5 g und 38 mm aus 30,5 cm. Die Gerade durch die ersten zehn Flüge ergab e = 0,9375 und eine Fallhöhe von 26,7 cm.
+page-paper-two-text-2 = Das sind 3,8 cm zu wenig, 12,3 %: weit mehr, als ein Maßband irrt. Der Aufsatz nennt den Luftwiderstand als wahrscheinlichen Grund.
+
+page-paper-three-title = 3. Wie stark die Luft zieht
+page-paper-three-text = Bei den 2,4 m/s des ersten Aufpralls ist der Luftwiderstand nur 6 % des Gewichts, und er schwindet mit dem Quadrat des Tempos. Der Aufsatz erprobt zwei Gesetze: einen gleichbleibenden Beiwert von 0,4 und einen, der vom Tempo abhängt. Wo es darauf ankommt, stimmen sie überein.
+page-paper-three-equation = F/W = ½ ρ A C_D v² / mg
+page-paper-three-see = Luftwiderstand durch Gewicht über dem Tempo, nach beiden Gesetzen. Auf der log. Skala gibt ein gleichbleibender Beiwert eine Gerade der Steigung 2.
+page-paper-three-see-height = Der ganze Fall mit e = 0,935, mit Luft und ohne: sechs Prozent des Gewichts, und der Ball ruht Sekunden früher.
+
+page-paper-four-title = 4. Löst der Luftwiderstand das Rätsel?
+page-paper-four-text = Tun wir, was der Aufsatz nicht konnte: Bälle in Luft springen lassen, dieselbe Gerade hindurchlegen und sehen, was sie sagt. Wähle, wie gut der Ball springt und wie viele Flüge in die Gerade gehen.
+page-paper-four-e = Wahre Stoßzahl des Balls, bei 1 m/s
+page-paper-four-slope = Fällt mit dem Tempo um
+page-paper-four-flights = Flüge in der Geraden
+page-paper-four-line-says = Die Gerade sagt e = { $e } und h₀ = { $h }.
+page-paper-four-paper-says = Die Gerade des Aufsatzes sagt e = 0,9375 und h₀ = 26,7 cm.
+page-paper-four-truth = Wahre Fallhöhe: 30,5 cm.
+page-paper-four-hit = Das ist das Ergebnis des Aufsatzes, auf die letzte Stelle.
+page-paper-four-solve-drag = e gleich, zehn Flüge
+page-paper-four-solve-many = e gleich, 21 Flüge
+page-paper-four-solve-slope = e fällt mit dem Tempo, zehn Flüge
+page-paper-four-see = Fallhöhe nach der Geraden über der Zahl ihrer Flüge. Grau: Ohne Luft bleibt sie gleich, solange der Ball bei jedem Tempo gleich gut springt. Orangerot: Mit Luft sinkt sie mit jedem Flug. Blau: was die Gerade des Aufsatzes sagte.
+
+page-paper-five-title = 5. Die Auflösung
+page-paper-five-text-1 = Luftwiderstand mit gleichbleibender Stoßzahl erklärt etwa die Hälfte der Lücke: Ein Ball mit e = 0,953 gäbe die 0,9375 des Aufsatzes, aber 28,8 cm.
+page-paper-five-text-2 = Der Rest braucht eines von zweien. Entweder springt der Ball etwas schlechter, wenn er schnell ist, wie echte Bälle es tun; oder es gingen mehr als zehn Flüge in die Gerade. Eine Gerade kann beides nicht unterscheiden, denn ihre Antwort hängt davon ab, wie viele Flüge in sie eingehen.
+page-paper-five-text-3 = Darum zieht das Labor auf dieser Seite keine Gerade. Es fragt, welche Fallhöhe, Luft und Sprungkraft genau diese Stille gemacht haben können, und wie sicher.
+page-paper-five-law = Stoßzahl
+page-paper-five-drag = Luft
+page-paper-five-flights = Flüge
+page-paper-five-first = e bei 2,4 m/s
+page-paper-five-slow = e bei 0,5 m/s
+page-paper-five-height = Die Gerade sagt h₀
+page-paper-five-same = Die 26,7 cm des Aufsatzes?
+page-paper-five-yes = ja
+page-paper-five-no = nein
+page-paper-five-caption = Wege, auf denen die Gerade e = 0,9375 sagt
+
+page-paper-six-title = 6. Alle Zahlen des Aufsatzes
+page-paper-six-lead = Wie gedruckt und wie hier berechnet. Druckfehler der Gleichungen sind berichtigt.
+page-paper-six-quantity = Größe
+page-paper-six-printed = Gedruckt
+page-paper-six-computed = Berechnet
+page-paper-six-verdict = Urteil
+
+page-paper-verdicts-agrees = stimmt
+page-paper-verdicts-agrees-when-corrected = stimmt, berichtigt
+page-paper-verdicts-agrees-within-reading = stimmt, soweit ablesbar
+page-paper-verdicts-misprint = Druckfehler
+page-paper-verdicts-differs = weicht ab
+page-paper-verdicts- = {""}
+
+page-paper-air-names-none = keine Luft
+page-paper-air-names-constant = C_D = 0,4
+page-paper-air-names-sphere = C_D(Re)
+page-paper-air-names-all-of-air = C_D(Re), Auftrieb, mitbewegte Luft
+
+page-paper-law-names-constant = gleichbleibend
+page-paper-law-names-viscoelastic = viskoelastisch
+page-paper-law-names-linear = fallend, linear
+page-paper-law-names-power = fallend, Potenzgesetz
+page-paper-law-names-knee = fallend über 1,5 m/s
+page-paper-try-it = Jetzt selbst einen Ball fallen lassen
+
+page-drops-title = Tabelle der Versuche
+page-drops-empty = Noch ist kein Versuch aufgehoben. Nach einem Versuch legt „Diesen Versuch aufheben“ ihn hier ab, nur in diesem Browser.
+page-drops-to-lab = Zum Labor
+page-drops-name = Name
+page-drops-when = Wann
+page-drops-ball = Ball
+page-drops-e = Stoßzahl e
+page-drops-h = Fallhöhe
+page-drops-impacts = Aufpralle
+page-drops-actions = Ändern
+page-drops-open = Öffnen
+page-drops-open-one = { $name } öffnen
+page-drops-delete = Löschen
+page-drops-delete-one = { $name } löschen
+page-drops-deleted = „{ $name }“ ist gelöscht.
+page-drops-choose = { $name } vergleichen
+page-drops-compare = Vergleich
+page-drops-rename = Name von { $name }
+page-drops-mean = Mittel
+page-drops-scatter = Streuung (Standardabweichung)
+page-drops-of-drops = { $count ->
+    [one] von 1 Versuch
+   *[other] von { $count } Versuchen
+  }
+page-drops-scatter-sentence = Im Mittel behielt der Ball { $mean } seines Tempos. Von Versuch zu Versuch streute das um { $scatter }; jeder einzelne Versuch gibt ± { $inside } an.
+page-drops-csv = Tabelle speichern (CSV)
+page-drops-json = Alles speichern (JSON)
+page-drops-delete-all = Alle löschen
+page-drops-deleted-all = { $count ->
+    [one] 1 Versuch ist gelöscht.
+   *[other] { $count } Versuche sind gelöscht.
+  }
+page-drops-unavailable = Der Browser hebt hier nichts auf (ein privates Fenster?).
+
+page-reason-empty-content = Kein einziges Byte Ton ist darin.
+page-reason-empty-sound = Sie hat einen Kopf, aber keinen Ton.
+page-reason-empty-time = Es steht keine Zeit darin.
+page-reason-not-sound = Sie sieht aus wie { $kind }.
+page-looks-png = ein PNG-Bild
+page-looks-jpeg = ein JPEG-Bild
+page-looks-gif = ein GIF-Bild
+page-looks-pdf = ein PDF-Dokument
+page-looks-zip = ein ZIP-Archiv oder ein Office-Dokument
+page-looks-gzip = ein gzip-Archiv
+page-looks-riff = eine RIFF-Datei ohne Ton, etwa AVI oder WebP
+page-looks-caf = eine Aufnahme in Core Audio (CAF), das nicht gelesen wird: Speichere sie als WAV oder M4A
+page-looks-zeros = lauter Nullen
+page-looks-text = Text
+page-looks-unknown = Daten unbekannter Art
+page-reason-malformed = { $stage ->
+    [header] Ihr Kopf ist nicht lesbar
+    [codec] Ihr Decoder lässt sich nicht einrichten
+   *[sound] Nichts von ihrem Ton lässt sich decodieren
+  } ({ $format }: { $detail }).
+page-reason-no-audio-track = Diese Datei ({ $format }) hat keinen Ton, oder keinen bekannter Art. War das Mikrofon aus?
+page-reason-unsupported-codec = Der Ton dieser Datei ({ $format }) lässt sich nicht decodieren: { $codec }. Speichere sie als WAV oder M4A.
+page-reason-layout-too-slow = { $sample_rate_hz } Abtastwerte je Sekunde sind zu wenige für die Zeit eines Aufpralls: Es braucht mindestens { $least_hz }.
+page-reason-layout-too-fast = Ihr Kopf behauptet { $sample_rate_hz } Abtastwerte je Sekunde; gelesen werden höchstens { $most_hz }.
+page-reason-layout-too-many-channels = Sie hat { $channels } Kanäle; gelesen werden höchstens { $most }.
+page-reason-times-line = Zeile { $line }: { $problem }
+page-reason-times-ending = Der Name einer Liste endet auf .txt, .csv oder .json.
+page-reason-times-not-text = Das ist kein Text. Speichere die Liste als UTF-8.
+page-reason-times-not-table = Das ist keine Tabelle ({ $detail }).
+page-reason-times-not-array = Erwartet war eine Liste von Zahlen wie [0.1, 0.45] ({ $detail }).
+page-reason-times-no-time-column = Keine Spalte heißt time oder time_s. Es gibt: { $found }.
+page-reason-times-nameless-columns = Es sind { $columns } Spalten. Benenne die mit den Zeiten in einer ersten Zeile: time_s.
+page-reason-times-missing = Die Zeit fehlt.
+page-reason-times-not-number = „{ $text }“ ist keine Zeit in Sekunden wie 0.125.
+page-reason-times-not-later = { $time_s } kommt nicht nach { $before_s }. Die Aufpralle gehören der Reihe nach.
+page-reason-too-large = Sie hat { $megabytes } MB.
+page-reason-too-long = Sie hat mehr als { $minutes } Minuten in { $channels ->
+    [one] 1 Kanal
+   *[other] { $channels } Kanälen
+  }.
+page-reason-no-memory = Dieses Gerät hat nicht genug Speicher dafür.
+page-reason-breaks-decoder = Sie ist so beschädigt, dass ihr Decoder daran zerbricht.
+page-reason-unreadable = Der Browser kann sie nicht lesen. Wurde sie verschoben oder gelöscht?

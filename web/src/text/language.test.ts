@@ -1,0 +1,32 @@
+import { afterEach, beforeAll, expect, test, vi } from 'vitest';
+import { languages, parts, speak, text } from './language.ts';
+
+// Whether every language has every message is tested together with the messages of the program.
+
+beforeAll(() => {
+  vi.stubGlobal('document', { documentElement: {} });
+});
+afterEach(() => speak('en'));
+
+test('a message has its plural form and its numbers without groups', async () => {
+  expect(text('page-lab-impacts', { count: 1 })).toBe('1 impact');
+  expect(text('page-lab-impacts', { count: 12345 })).toBe('12345 impacts');
+  await speak('de');
+  expect(text('page-lab-impacts', { count: 2 })).toBe('2 Aufpralle');
+});
+
+test('values can stand out of their message in every language', async () => {
+  expect(parts('page-lab-kept', { share: '90 %' })).toEqual([
+    'The ball kept ',
+    '90 %',
+    ' of its speed at each bounce.',
+  ]);
+  for (const code of languages) {
+    await speak(code);
+    expect(parts('page-lab-fell', { height: '30 cm' })[1], code).toBe('30 cm');
+  }
+});
+
+test('a message that does not exist is its id', () => {
+  expect(text('page-nothing')).toBe('page-nothing');
+});
