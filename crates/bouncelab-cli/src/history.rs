@@ -34,7 +34,7 @@ pub(crate) struct HistoryArguments {
         help_heading = "Drop"
     )]
     restitution: f64,
-    /// How much the restitution falls for each m/s of impact speed, as in 0.01
+    /// Decrease of restitution per m/s of impact speed, as in 0.01
     #[arg(
         long,
         value_name = "SLOPE",
@@ -49,7 +49,7 @@ pub(crate) struct HistoryArguments {
         help_heading = "Drop"
     )]
     until: Option<f64>,
-    /// Stop after so many bounces
+    /// Stop after this number of bounces
     #[arg(long, value_name = "N", help_heading = "Drop")]
     bounces: Option<usize>,
 }

@@ -1,4 +1,4 @@
-//! `bouncelab verdict`: whether a ball or a floor obeys a rule.
+//! `bouncelab verdict`: whether a ball or a floor conforms to a rule.
 
 mod report;
 mod tables;
@@ -25,9 +25,9 @@ use crate::report::ReportFile;
 use crate::rules::Files;
 use crate::units;
 
-/// Judge drops by the rule of a sport: pass, fail, or cannot decide
+/// Test drops against the rule of a sport: pass, fail, or cannot decide
 ///
-/// Every file is one place on the surface, with one drop or several. Ball and height are those of the
+/// Each file is one place on the surface, with one or more drops. Ball and height are those of the
 /// rule unless you state others. Exit status: 0 pass, 1 a file cannot be read or holds no drop, 2 wrong
 /// usage, 3 fail, 4 cannot decide.
 #[derive(Args)]
@@ -44,7 +44,7 @@ pub(crate) struct Arguments {
     reference: Vec<PathBuf>,
     #[command(flatten)]
     rules: Files,
-    /// How a verdict follows from a probability
+    /// Decision rule
     #[arg(long, value_enum, default_value_t = DecisionRule::Guarded)]
     decision: DecisionRule,
     /// Greatest probability of a wrong decision, as in 5% [default: 5%]
@@ -53,7 +53,7 @@ pub(crate) struct Arguments {
     /// How to print the result; JSON is documented in docs/json.md
     #[arg(long, value_enum, default_value_t = Format::Text)]
     format: Format,
-    /// Write a report: .html (one file, to read and print) or .md (its figure in a folder beside it)
+    /// Write a report: .html (one file) or .md (with its figures in a folder)
     #[arg(long, value_name = "FILE")]
     report: Option<PathBuf>,
     #[command(flatten)]
@@ -72,9 +72,9 @@ Examples:
 
 #[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
 enum DecisionRule {
-    /// Pass only if a pass is wrong with at most the risk, fail only if a fail is (JCGM 106)
+    /// Guarded acceptance (JCGM 106): pass or fail only if it is wrong with at most the risk
     Guarded,
-    /// Whatever is more probable
+    /// Simple acceptance: the more probable outcome
     Simple,
 }
 
