@@ -319,7 +319,7 @@ fn sounds_without_a_drop_say_why() {
         })
         .collect();
     let clock = synth::render(&clock, &Scene::default(), 5).unwrap();
-    no_drop(&quiet("clock.wav", &clock.samples), "keep time");
+    no_drop(&quiet("clock.wav", &clock.samples), "are periodic");
 }
 
 /// A recording of which every sample is NaN, as no writer would make it.

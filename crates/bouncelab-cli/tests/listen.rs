@@ -390,7 +390,7 @@ mod unix {
             .assert()
             .success()
             .stdout(predicate::str::contains("15 impacts"))
-            .stderr(predicate::str::contains("saved no more").count(1));
+            .stderr(predicate::str::contains("saving the sound failed").count(1));
         let saved = samples(&saved);
         assert!(saved.len() > RATE_HZ as usize / 3, "{}", saved.len());
         assert_eq!(saved, samples(&file)[..saved.len()]);

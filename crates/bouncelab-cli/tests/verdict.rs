@@ -110,7 +110,7 @@ fn a_report_says_what_the_screen_says() {
     let (html, markdown) = (read("verdict.html"), read("verdict.md"));
     for words in [
         decided,
-        "guarded acceptance",
+        "Guarded acceptance",
         "ITTF, rules for balls",
         "24 to 26 cm",
         "contact time, which is no flight",
@@ -164,7 +164,7 @@ fn a_floor_takes_a_reference() {
         .assert()
         .code(4)
         .stdout(predicate::str::contains(
-            "recordings of the same ball on it",
+            "recordings of the same ball on that surface",
         ));
     verdict(
         &folder,
@@ -259,7 +259,7 @@ fn wrong_input_is_questioned() {
     .assert()
     .code(4)
     .stdout(predicate::str::contains(
-        "10.0 \u{b0}C is not a temperature at which",
+        "10.0 \u{b0}C is outside the temperature range",
     ));
     verdict(&folder, &["--rule", "ittf-ball", "nothing.wav"])
         .assert()
