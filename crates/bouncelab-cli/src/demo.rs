@@ -1,4 +1,4 @@
-//! `bouncelab demo`: a drop from end to end, with the truth beside the result.
+//! `bouncelab demo`: a drop synthesised and analysed, with a comparison of truth and result.
 
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};

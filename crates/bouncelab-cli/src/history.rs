@@ -1,4 +1,4 @@
-//! The arguments that say how a drop begins, bounces and ends.
+//! The arguments for the release, the surface and the end of a simulated drop.
 
 use bouncelab::Diagnostic;
 use bouncelab::drop::{self, History, Start, Stop};

@@ -1,4 +1,4 @@
-//! The command `bouncelab`: drop a ball near a microphone, get the physics.
+//! The program `bouncelab`: from a recording of a bouncing ball to the physics.
 
 mod analyze;
 mod demo;

@@ -1,4 +1,4 @@
-//! The arguments that say what falls, through what, and how hard it is pulled.
+//! The arguments for ball, air and gravity.
 
 use bouncelab::ball::Ball;
 use bouncelab::drag::DragLaw;
@@ -130,12 +130,12 @@ impl PhysicsArguments {
         }
     }
 
-    /// Whether to believe what looks like a mistake of units.
+    /// Whether to accept what looks like a wrong unit.
     pub(crate) fn allow_implausible(&self) -> bool {
         self.allow_implausible
     }
 
-    /// What looks like a mistake of units.
+    /// Values that look like a wrong unit.
     fn questions(&self) -> Vec<Diagnostic> {
         let of_ball = self.mass.zip(self.diameter).and_then(|(mass, diameter)| {
             // What is no ball at all is refused as such.

@@ -212,10 +212,10 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
         write(file, format.text(&sound).as_bytes())?;
     }
     let seconds = sound.samples.len() as f64 / f64::from(sound.sample_rate_hz);
-    let heard = sound.impacts.iter().filter(|impact| !impact.lost).count();
+    let audible = sound.impacts.iter().filter(|impact| !impact.lost).count();
     let made = [
         ("file", arguments.output.display().to_string().into()),
-        ("count", heard.into()),
+        ("count", audible.into()),
         ("seconds", Value::fixed(seconds, 1)),
         ("rate", sound.sample_rate_hz.into()),
         ("seed", arguments.seed.into()),

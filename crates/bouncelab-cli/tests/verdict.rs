@@ -250,7 +250,7 @@ fn wrong_input_is_questioned() {
     .assert()
     .code(4)
     .stdout(predicate::str::contains(
-        "The rule takes 5 drops, and there is 1",
+        "The rule needs 5 drops, and there is 1",
     ));
     verdict(
         &folder,

@@ -1,4 +1,4 @@
-//! The tables of a session: what their columns are, and what stands in them.
+//! The columns of the tables of a session.
 
 #![expect(
     clippy::type_complexity,
@@ -109,8 +109,8 @@ const OF_A_DROP: &[Fixed<fn(&DropRow<'_>) -> Cell>] = columns! { |row: DropRow<'
     gravity_m_s2: Number ["m/s2"] "gravity" = Some(row.options().environment.gravity_m_s2);
     content_sha256: Text [""] "hash of the recording" = Some(row.key.content.to_string());
     settings_sha256: Text [""] "hash of the settings" = Some(row.key.settings.to_string());
-    start_s: Number ["s"] "time of the first impact heard" = Some(row.record.impacts.first()?.impact.time_s);
-    impacts: Count [""] "impacts heard" = Some(row.record.impacts.len());
+    start_s: Number ["s"] "time of the first impact detected" = Some(row.record.impacts.first()?.impact.time_s);
+    impacts: Count [""] "impacts detected" = Some(row.record.impacts.len());
     probability: Number [""] "that it is a drop" = Some(row.record.probability);
     speed_m_s: Number ["m/s"] "impact speed of `restitution`: the middle of this drop"
         = Some(row.posterior()?.at_speed_m_s);
@@ -134,7 +134,7 @@ const OF_A_DROP: &[Fixed<fn(&DropRow<'_>) -> Cell>] = columns! { |row: DropRow<'
         = Some(row.posterior()?.restitution_scatter.value);
     scatter_sd: Number [""] "its standard uncertainty" = row.posterior()?.restitution_scatter.known_sd();
     timing_s: Number ["s"] "root mean square error of the times" = Some(row.posterior()?.timing_s.value);
-    missed_first: Count [""] "most probable number of impacts missed before the first one heard"
+    missed_first: Count [""] "most probable number of impacts missed before the first one detected"
         = row.posterior()?.missed_first();
     converged: Flag [""] "whether the sampling can be trusted" = Some(row.posterior()?.converged);
     height_contradicts: Flag [""] "whether the noted height contradicts the flight times"

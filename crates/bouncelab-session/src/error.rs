@@ -1,4 +1,4 @@
-//! What can go wrong with a session.
+//! Errors of a session.
 
 use std::path::{Path, PathBuf};
 
@@ -46,7 +46,7 @@ pub enum Error {
         /// All that is wrong, one line for each.
         problem: String,
     },
-    /// There is nothing to hear.
+    /// There are no recordings.
     #[error("{what}; name recordings, a folder that holds some, or a session.toml")]
     NoRecordings {
         /// Where was looked.

@@ -1,4 +1,4 @@
-//! Which recordings there are, and what was noted of each.
+//! Finds the recordings and their metadata.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
@@ -411,7 +411,7 @@ mod tests {
     }
 
     #[test]
-    fn nothing_to_hear_is_said() {
+    fn no_recordings_are_an_error() {
         let empty = folder(&[("notes.txt", "")]);
         assert!(matches!(gather(&empty), Err(Error::NoRecordings { .. })));
         let missing = Sources {

@@ -1,4 +1,4 @@
-//! What does the page state, in the words of the science?
+//! Converts the settings of the page to those of the science.
 
 use bouncelab::ball::Ball;
 use bouncelab::diagnostic::Diagnostic;

@@ -1,4 +1,4 @@
-//! What can go wrong in the science.
+//! The errors of this crate.
 
 use std::ops::Range;
 

@@ -1,4 +1,4 @@
-//! Which drops are going on, and which are over.
+//! Decides which drops are in progress and which are over.
 
 use std::time::Instant;
 
@@ -21,16 +21,16 @@ const SETTLED_S: f64 = 3.6;
 pub(super) struct Watch {
     detector: Detector,
     sample_rate_hz: f64,
-    /// How many frames were heard, and how many will have been at the next look.
+    /// How many frames were read, and how many will have been at the next look.
     frames: u64,
     next_look: u64,
-    /// What was heard when all was last judged, when that was, and how many sounds there were.
+    /// The last evaluation of the whole recording, its time, and how many sounds there were.
     heard: Option<Detection>,
     judged_s: f64,
     judged_onsets: usize,
     glimpse: Glimpse,
     told: Vec<Train>,
-    /// What had been heard when a drop was last told of.
+    /// The detections when a drop was last reported.
     last: Reported,
 }
 
@@ -54,7 +54,7 @@ struct Glimpse {
 /// A drop that is going on.
 pub(super) struct Going<'a> {
     pub(super) impacts: &'a [TrainImpact],
-    /// Whether the ball rests, or was stopped: any further impact would have been heard.
+    /// Whether the ball rests, or was stopped: any further impact would have been detected.
     pub(super) rests: bool,
 }
 
@@ -84,7 +84,7 @@ impl Watch {
         self.frames as f64 / self.sample_rate_hz
     }
 
-    /// How many sounds have stood out of the background.
+    /// How many sounds have stood out from the background.
     pub(super) fn onsets(&self) -> usize {
         self.detector.onsets()
     }
@@ -94,7 +94,7 @@ impl Watch {
         (self.next_look - self.frames) as usize
     }
 
-    /// Hears the next samples, at most those until the next look, and returns the drops that are
+    /// Takes the next samples, at most those until the next look, and returns the drops that are
     /// over since: each as a recording of its own.
     pub(super) fn push(&mut self, channels: &[&[f32]]) -> Vec<Detection> {
         self.detector.push(channels);
@@ -116,7 +116,7 @@ impl Watch {
         })
     }
 
-    /// All that was heard, judged as a whole, as if the sound ended here.
+    /// The detections in the whole recording, as if the sound ended here.
     pub(super) fn whole(&self) -> Detection {
         self.detector.so_far()
     }
@@ -258,7 +258,7 @@ mod tests {
     }
 
     #[test]
-    fn each_drop_is_told_of_once_and_as_the_whole_recording_has_it() {
+    fn each_drop_is_reported_once_as_in_the_whole_recording() {
         let samples = two_drops();
         let told = told(&samples, 1024);
         let mut detector = Detector::new(44_100, 1);

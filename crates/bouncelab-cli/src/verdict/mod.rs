@@ -273,9 +273,9 @@ fn physics(arguments: &Arguments, rule: &Rule) -> Result<Physics, Failure> {
     Ok(physics)
 }
 
-/// The height of the rule, as well as one can keep to it.
+/// The height of the rule, with the uncertainty of a drop by hand.
 fn of_the_rule(rule: &Rule, fall_m: f64) -> Measured {
-    /// A ruler and a hand.
+    /// Standard uncertainty with a ruler, by hand.
     const SD_M: f64 = 0.002;
     let sd = rule.drop_tolerance_m.map_or(SD_M, |tolerance| {
         // Anywhere within the tolerance.
@@ -293,7 +293,7 @@ fn check_height(stated_m: f64, of_rule_m: f64) -> Result<(), Failure> {
     }
     Err(Failure::Usage(format!(
         "--height {stated_m} m is {} times the rule's {of_rule_m:.3} m: is the unit right? Correct it, or \
-         insist by --allow-implausible",
+         accept it with --allow-implausible",
         (factor * 1000.0).round() / 1000.0
     )))
 }

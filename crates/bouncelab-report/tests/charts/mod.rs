@@ -340,7 +340,10 @@ fn of_many_drops(translator: &Translator) -> Unnamed {
         (
             "run",
             run,
-            &["drop, in order", "restitution minus the median of the group"],
+            &[
+                "drop, in order",
+                "restitution minus the median of the group",
+            ],
         ),
         (
             "calibration",

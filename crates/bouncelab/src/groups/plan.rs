@@ -1,4 +1,4 @@
-//! How many drops a wanted uncertainty takes, and where the next ones should lie.
+//! The number of drops needed for an uncertainty, and the prediction of the next drop.
 
 use super::mean::Mean;
 use super::quantile::student;
