@@ -13,7 +13,7 @@ use crate::report::provenance;
 
 /// The page of the result of a file.
 pub(super) fn page(
-    recording: &Path,
+    path: &Path,
     analysed: &Analysed,
     physics: &Physics,
 ) -> Result<Page, Failure> {
@@ -23,7 +23,7 @@ pub(super) fn page(
         result: &analysed.result,
     };
     let provenance = Provenance {
-        files: vec![(analysed.name.clone(), hash_of_file(recording)?.to_string())],
+        files: vec![(analysed.name.clone(), hash_of_file(path)?.to_string())],
         ..provenance()
     };
     Ok(report::of_recording(&recording, &provenance, translator()))
