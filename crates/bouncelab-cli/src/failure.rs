@@ -93,7 +93,7 @@ impl From<bouncelab_session::Error> for Failure {
             )),
             Error::UnknownField { name, known } => {
                 let known = match known.as_slice() {
-                    [] => "nothing noted at all".to_owned(),
+                    [] => "no metadata".to_owned(),
                     _ => known.join(", "),
                 };
                 Self::Usage(format!(

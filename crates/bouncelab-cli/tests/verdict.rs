@@ -227,7 +227,7 @@ fn wrong_input_is_questioned() {
     );
     refused(
         &["--rule", "futsal-ball", "good.txt"],
-        "names no ball that is known",
+        "names no known ball",
     );
     refused(
         &["--rule", "ittf-ball", "good.txt", "./good.txt"],
@@ -352,5 +352,5 @@ fn a_rule_of_heights_takes_no_reference() {
     verdict(&folder, &arguments)
         .assert()
         .code(2)
-        .stderr(predicate::str::contains("leave out --reference"));
+        .stderr(predicate::str::contains("omit --reference"));
 }

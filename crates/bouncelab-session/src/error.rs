@@ -86,7 +86,7 @@ pub enum Error {
         name: String,
     },
     /// Nothing is noted of a field by which drops were to be grouped.
-    #[error("nothing is noted of \"{name}\"")]
+    #[error("there are no metadata of \"{name}\"")]
     UnknownField {
         /// The field.
         name: String,

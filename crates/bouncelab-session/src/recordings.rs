@@ -202,7 +202,7 @@ impl Index {
                 "\"{named}\" is the name of several recordings; write the folder too"
             )),
             None => Err(format!(
-                "speaks of \"{named}\", but there is no such recording; is it misspelt, or in \
+                "names \"{named}\", but there is no such recording; is it misspelt, or in \
                  another folder?"
             )),
         }

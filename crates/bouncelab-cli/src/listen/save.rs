@@ -49,7 +49,7 @@ impl Saver {
                     .map_err(|fault| {
                         Failure::Input(format!(
                             "{fault}\n  The sound cannot be saved in the current folder: name a \
-                             file in another with --save, or do without it with --no-save."
+                             file in another with --save, or use --no-save."
                         ))
                     })?;
             }

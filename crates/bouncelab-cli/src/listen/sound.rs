@@ -148,7 +148,7 @@ impl Player {
                 frames: 0,
             }))),
             Input::Times(_) => Err(Failure::Usage(format!(
-                "{} is a list of times, which make no sound; analyze reads it",
+                "{} is a list of times without sound; use analyze",
                 file.display()
             ))),
         }
@@ -220,6 +220,6 @@ fn no_microphone() -> Failure {
     };
     Failure::Usage(format!(
         "this bouncelab was built without the microphone. Play a recording with --from FILE, or \
-         build it anew:{headers}\n  cargo install --path crates/bouncelab-cli --features microphone"
+         rebuild it:{headers}\n  cargo install --path crates/bouncelab-cli --features microphone"
     ))
 }

@@ -141,7 +141,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let physics = physics(arguments, rule)?;
     if !rule.needs_reference() && !arguments.reference.is_empty() {
         return Err(Failure::Usage(format!(
-            "the rule {} compares with no other surface; leave out --reference",
+            "the rule {} compares with no other surface; omit --reference",
             rule.name
         )));
     }
@@ -223,7 +223,7 @@ fn once_each<'a>(
         hashes.push((file.display().to_string(), content.to_string()));
         if let Some(first) = seen.insert(content, file) {
             return Err(Failure::Usage(format!(
-                "{} and {} are the same recording; every drop counts once",
+                "{} and {} are the same recording; give each recording once",
                 first.display(),
                 file.display()
             )));
@@ -237,7 +237,7 @@ fn physics(arguments: &Arguments, rule: &Rule) -> Result<Physics, Failure> {
     let (of_ball, unstated) = arguments.physics.clone().or_ball(rule.ball.as_deref());
     if unstated && rule.ball.is_none() {
         return Err(Failure::Usage(format!(
-            "the rule {} names no ball that is known: state it with --ball, or with --mass and \
+            "the rule {} names no known ball: state it with --ball, or with --mass and \
              --diameter",
             rule.name
         )));
@@ -250,7 +250,7 @@ fn physics(arguments: &Arguments, rule: &Rule) -> Result<Physics, Failure> {
     }
     if physics.options.inference.is_none() {
         return Err(Failure::Usage(
-            "a verdict rests on the inference; leave out --no-inference".to_owned(),
+            "a verdict needs the inference; omit --no-inference".to_owned(),
         ));
     }
     let diameter_m = physics.options.ball.diameter_m();
