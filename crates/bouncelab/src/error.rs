@@ -195,9 +195,7 @@ pub enum InferenceFailure {
     )]
     NoModelFits,
     /// No draw of the posterior explains the times.
-    #[error(
-        "the posterior could not be sampled: no draw fits the times; are they of one drop?"
-    )]
+    #[error("the posterior could not be sampled: no draw fits the times; are they of one drop?")]
     SamplingFailed,
     /// All drops stand in one group, or the groups cannot be separated.
     #[error("the variances of these groups cannot be separated")]

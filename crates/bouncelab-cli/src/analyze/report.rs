@@ -12,11 +12,7 @@ use crate::physics::Physics;
 use crate::report::provenance;
 
 /// The page of the result of a file.
-pub(super) fn page(
-    path: &Path,
-    analysed: &Analysed,
-    physics: &Physics,
-) -> Result<Page, Failure> {
+pub(super) fn page(path: &Path, analysed: &Analysed, physics: &Physics) -> Result<Page, Failure> {
     let recording = Recording {
         name: &analysed.name,
         setup: physics,
