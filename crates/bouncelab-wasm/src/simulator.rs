@@ -6,6 +6,7 @@ use bouncelab::drag::DragLaw;
 use bouncelab::drop::{self, History, Start, Stop};
 use bouncelab::flight::Environment;
 use bouncelab::impact::{Contact, Restitution, Strike};
+use bouncelab::setup::Settings;
 use bouncelab::synth::{self, BitDepth, Noise, Rendered, Scene, Voice};
 use bouncelab_report::Chart;
 use bouncelab_report::chart::Point;
@@ -15,7 +16,7 @@ use bouncelab_report::messages::Translator;
 use bouncelab_report::theme::Meaning;
 
 use crate::refusal::{Result, unknown};
-use crate::wire::{self, Demo, RestitutionLaw, SceneRequest, SimulationRequest, SimulationRun};
+use crate::wire::{Demo, RestitutionLaw, SceneRequest, SimulationRequest, SimulationRun};
 
 /// The height of bounce at which a drop counts as over, in metres.
 const REST_M: f64 = 1e-3;
@@ -178,10 +179,10 @@ pub fn synthesise(request: &SimulationRequest, scene: &SceneRequest) -> Result<R
 /// None with the numbers of the demo.
 pub fn demo(seed: u64) -> Result<(Demo, Rendered)> {
     let sound = demo::sound(&demo::history()?, seed)?;
-    let settings = wire::Settings {
+    let settings = Settings {
         ball: Some(demo::BALL.to_owned()),
         flights: Some(demo::FLIGHTS),
-        ..wire::Settings::default()
+        ..Settings::default()
     };
     let demo = Demo {
         name: "demo.wav".to_owned(),

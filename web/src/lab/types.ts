@@ -260,9 +260,10 @@ interval95: [number, number] | null, };
 
 /** An explanation whose restitution was chosen so that the straight line says e = 0.9375. */
 export type Explanation = {
-/** The restitution law. */
+/** The restitution law: `constant`, `viscoelastic`, `linear`, `power` or `knee`. */
 restitution_law: string,
-/** The drag. */
+/** The drag: `none`, `constant`, `sphere` (the curve of a sphere) or `all-of-air` (with buoyancy and
+ * added mass too). */
 drag: string,
 /** Flights in the straight line. */
 flights: number,
@@ -717,11 +718,22 @@ lead_in_s: number,
 /** Time after the last impact. */
 tail_s: number, };
 
-/** What a person says of ball, air, gravity and drop; what is left out is assumed. */
+/** What a person says of ball, air, gravity and drop; what is left out is assumed.
+ *
+ * It is the form in which front ends without types of their own, a page or Python, send it.
+ *
+ * ```
+ * use bouncelab::setup::Settings;
+ *
+ * let stated = Settings { ball: Some("steel:0.01".to_owned()), ..Settings::default() };
+ * let setup = stated.resolve(true)?;
+ * assert!((setup.options.ball.mass_kg() - 0.0041).abs() < 1e-4);
+ * # Ok::<(), bouncelab::Error>(())
+ * ``` */
 export type Settings = {
 /** Name of a preset, or `steel:0.01` or `glass:0.016` with the diameter in metres. */
 ball?: string,
-/** Mass of the ball; goes with the diameter, in place of a name. */
+/** Mass of the ball; with the diameter in place of a name, else as weighed. */
 mass_kg?: number,
 /** Diameter of the ball. */
 diameter_m?: number,
@@ -768,7 +780,11 @@ flights?: [number, number],
 /** Impact speed at which to state the restitution. */
 at_speed_m_s?: number,
 /** From which height does a bounce reach an apex? */
-reach?: Array<ApexTarget>, };
+reach?: Array<ApexTarget>,
+/** Independent draws of the posterior to aim at, 100 to 100,000; 4,000 if left out. */
+draws?: number,
+/** Seed of the random numbers of the inference; 1 if left out. */
+seed: number, };
 
 /** What was known or assumed. */
 export type SettingsUsed = { ball_mass_kg: number, ball_diameter_m: number, contact_time_s: number, air_density_kg_m3: number, air_viscosity_pa_s: number, drag: string, buoyancy: boolean, added_mass: boolean, gravity_m_s2: number,

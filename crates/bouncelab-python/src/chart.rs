@@ -1,0 +1,30 @@
+//! How is a figure drawn?
+
+use bouncelab_report::chart::Chart as Data;
+use pyo3::prelude::*;
+use pyo3::types::PyBytes;
+
+use crate::failure::Result;
+
+/// A chart, which can be drawn.
+#[pyclass(frozen, module = "bouncelab._core")]
+pub(crate) struct Chart(pub(crate) Data);
+
+#[pymethods]
+impl Chart {
+    /// What it shows, as data.
+    fn json(&self) -> Result<String> {
+        Ok(serde_json::to_string(&self.0)?)
+    }
+
+    /// As SVG.
+    fn svg(&self) -> String {
+        self.0.svg()
+    }
+
+    /// As PNG.
+    fn png<'py>(&self, py: Python<'py>, width_px: u32) -> Result<Bound<'py, PyBytes>> {
+        let picture = py.detach(|| self.0.png(width_px))?;
+        Ok(PyBytes::new(py, &picture))
+    }
+}
