@@ -5,6 +5,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyBytes;
 
 use crate::failure::Result;
+use crate::table::Table;
 
 /// A chart, which can be drawn.
 #[pyclass(frozen, module = "bouncelab._core")]
@@ -15,6 +16,11 @@ impl Chart {
     /// What it shows, as data.
     fn json(&self) -> Result<String> {
         Ok(serde_json::to_string(&self.0)?)
+    }
+
+    /// What it shows, as one table.
+    fn table(&self) -> Result<Table> {
+        Table::of_rows(&self.0.rows())
     }
 
     /// As SVG.

@@ -9,10 +9,10 @@ use bouncelab_report::document::Document;
 use bouncelab_report::chart::Chart as Data;
 use bouncelab_report::figure::{self, Mark, Subject};
 use bouncelab_report::messages::Translator;
-use bouncelab_report::report::{self, Provenance};
+use bouncelab_report::report::{self, Block, Provenance};
 use bouncelab_session::RecordingTables;
 use pyo3::prelude::*;
-use pyo3::types::{PyBytes, PyDict};
+use pyo3::types::PyBytes;
 use serde::{Deserialize, Serialize};
 
 use crate::analyzer::Analyzer;
@@ -166,20 +166,34 @@ impl Recording {
         fit.map(|_| ()).map_err(|why| why.clone().into())
     }
 
-    /// The draws of the posterior of a drop, by name, as the bytes of 64-bit floats.
-    fn draws<'py>(&self, py: Python<'py>, drop: usize) -> Result<Bound<'py, PyDict>> {
-        let draws = &self.at(drop).posterior.as_ref().map_err(Clone::clone)?.draws;
-        let dict = PyDict::new(py);
-        for (name, values) in [
-            ("restitution", &draws.restitution),
-            ("drop_height_m", &draws.drop_height_m),
-            ("drag_coefficient", &draws.drag_coefficient),
-        ] {
-            if !values.is_empty() {
-                dict.set_item(name, bytes(py, values))?;
-            }
-        }
-        Ok(dict)
+    /// The draws of the posterior of a drop.
+    fn draws(&self, drop: usize) -> Result<Table> {
+        let posterior = self.at(drop).posterior.as_ref().map_err(Clone::clone)?;
+        let draws = &posterior.draws;
+        let columns = [
+            (["restitution", "", "restitution"], &draws.restitution),
+            (["drop_height_m", "m", "drop height"], &draws.drop_height_m),
+            (["drag_coefficient", "", "drag coefficient"], &draws.drag_coefficient),
+        ];
+        let known = columns.into_iter().filter(|(_, values)| !values.is_empty());
+        Table::of_numbers(known.map(|(about, values)| (about, values.iter().copied().map(Some).collect())))
+    }
+
+    /// The answer in a few sentences, of a drop or of all.
+    #[pyo3(signature = (language, drop = None))]
+    fn summary(&self, language: &str, drop: Option<usize>) -> Result<Vec<String>> {
+        let words = translator(language)?;
+        let drops = match drop {
+            Some(drop) => std::slice::from_ref(self.at(drop)),
+            None => &self.result().drops,
+        };
+        let blocks = drops.iter().flat_map(|drop| report::in_words(drop, &words));
+        let sentences = blocks.filter_map(|block| match block {
+            Block::Lead(text) | Block::Text(text) | Block::Note(text) => Some(text),
+            _ => None,
+        });
+        let no_drop = self.result().no_drop.iter();
+        Ok(sentences.chain(no_drop.map(|why| words.diagnostic(why))).collect())
     }
 
     /// Names of the figures of a drop, or of the recording as a whole.

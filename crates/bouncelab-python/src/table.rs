@@ -9,6 +9,7 @@ use arrow_array::{
     StringArray,
 };
 use arrow_schema::{DataType, Field, Schema};
+use bouncelab_report::chart::Row;
 use bouncelab_session::table::{Cell, Kind, Table as Rows};
 use pyo3::exceptions::PyKeyError;
 use pyo3::prelude::*;
@@ -37,6 +38,22 @@ enum Values {
     Counts(Vec<Option<i64>>),
     Flags(Vec<Option<bool>>),
     Texts(Vec<Option<String>>),
+}
+
+impl Values {
+    /// Keeps the values at some places.
+    fn keep(&mut self, is_kept: impl Fn(usize) -> bool) {
+        fn keep<T>(values: &mut Vec<T>, is_kept: impl Fn(usize) -> bool) {
+            let mut places = 0..;
+            values.retain(|_| places.next().is_some_and(&is_kept));
+        }
+        match self {
+            Self::Numbers(values) => keep(values, is_kept),
+            Self::Counts(values) => keep(values, is_kept),
+            Self::Flags(values) => keep(values, is_kept),
+            Self::Texts(values) => keep(values, is_kept),
+        }
+    }
 }
 
 impl Column {
@@ -107,6 +124,43 @@ impl Table {
         Self::of_columns(columns.collect())
     }
 
+    /// A table of columns of numbers, each with its name, unit and meaning.
+    pub(crate) fn of_numbers<'a>(
+        columns: impl IntoIterator<Item = ([&'a str; 3], Vec<Option<f64>>)>,
+    ) -> Result<Self> {
+        let columns = columns.into_iter().map(|([name, unit, about], values)| Column {
+            name: name.to_owned(),
+            unit: unit.to_owned(),
+            about: about.to_owned(),
+            values: Values::Numbers(values),
+        });
+        Self::of_columns(columns.collect())
+    }
+
+    /// The data of a chart.
+    pub(crate) fn of_rows(rows: &[Row]) -> Result<Self> {
+        let column = |name: &str, about: &str, values| Column {
+            name: name.to_owned(),
+            unit: String::new(),
+            about: about.to_owned(),
+            values,
+        };
+        let numbers = |of: fn(&Row) -> Option<f64>| Values::Numbers(rows.iter().map(of).collect());
+        let texts = |of: fn(&Row) -> Option<String>| Values::Texts(rows.iter().map(of).collect());
+        let panels = rows.iter().map(|row| i64::try_from(row.panel).ok());
+        Self::of_columns(vec![
+            column("panel", "panel, from 0", Values::Counts(panels.collect())),
+            column("layer", "name in the legend", texts(|row| Some(row.layer.clone()))),
+            column("kind", "what it is", texts(|row| Some(row.kind.to_owned()))),
+            column("x", "horizontal value, or left end", numbers(|row| row.x)),
+            column("x_high", "right end of a box", numbers(|row| row.x_high)),
+            column("y", "vertical value, or lower end", numbers(|row| row.y)),
+            column("y_high", "upper end of a band or a box", numbers(|row| row.y_high)),
+            column("y_sd", "standard error of the vertical value", numbers(|row| row.y_sd)),
+            column("text", "text at a point", texts(|row| row.text.clone())),
+        ])
+    }
+
     fn columns(&self) -> Vec<Column> {
         let schema = self.0.schema();
         let fields = schema.fields().iter().zip(self.0.columns());
@@ -140,6 +194,23 @@ impl Table {
     #[new]
     fn from_json(json: &str) -> Result<Self> {
         Self::of_columns(serde_json::from_str(json)?)
+    }
+
+    fn __getnewargs__(&self) -> Result<(String,)> {
+        Ok((self.json()?,))
+    }
+
+    /// The rows of one drop, without the column that names it.
+    fn of_drop(&self, number: i64) -> Result<Self> {
+        let mut columns = self.columns();
+        let Values::Counts(drops) = columns.remove(0).values else {
+            return Err(Failure::Input("the table names no drop".to_owned()));
+        };
+        let is_own = |place: usize| drops[place] == Some(number);
+        for column in &mut columns {
+            column.values.keep(is_own);
+        }
+        Self::of_columns(columns)
     }
 
     /// The columns as data.
