@@ -27,6 +27,8 @@ pub(crate) enum Failure {
     Audio(bouncelab_audio::Error),
     Report(bouncelab_report::Error),
     Session(bouncelab_session::Error),
+    /// A file cannot be written.
+    Output(String),
     /// What Python was given makes no sense here.
     Input(String),
     /// An exception of Python itself: an interruption, or one of a function that reports progress.
@@ -69,6 +71,7 @@ impl From<Failure> for PyErr {
             Failure::Report(bouncelab_report::Error::Physics(error)) => of_science(&error),
             Failure::Report(error) => OutputError::new_err(error.to_string()),
             Failure::Session(error) => SessionError::new_err(error.to_string()),
+            Failure::Output(reason) => OutputError::new_err(reason),
             Failure::Input(reason) => InputError::new_err(reason),
             Failure::Python(error) => error,
         }

@@ -26,6 +26,7 @@ mod failure;
 mod physics;
 mod recording;
 mod samples;
+mod simulation;
 mod table;
 mod watch;
 
@@ -41,6 +42,8 @@ mod _core {
     };
     #[pymodule_export]
     use super::recording::Recording;
+    #[pymodule_export]
+    use super::simulation::{Simulation, write_wav};
     #[pymodule_export]
     use super::table::Table;
 

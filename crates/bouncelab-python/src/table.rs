@@ -9,7 +9,9 @@ use arrow_array::{
     StringArray,
 };
 use arrow_schema::{DataType, Field, Schema};
+use bouncelab::synth::{Rendered, SynthImpact};
 use bouncelab_report::chart::Row;
+use bouncelab_report::document::simulation::{Bounce, Run};
 use bouncelab_session::table::{Cell, Kind, Table as Rows};
 use pyo3::exceptions::PyKeyError;
 use pyo3::prelude::*;
@@ -135,6 +137,33 @@ impl Table {
             values: Values::Numbers(values),
         });
         Self::of_columns(columns.collect())
+    }
+
+    /// The bounces of a simulated drop.
+    pub(crate) fn of_bounces(run: &Run) -> Result<Self> {
+        let bounces: Vec<Bounce> = run.bounces().collect();
+        let column = |of: fn(&Bounce) -> f64| bounces.iter().map(of).map(Some).collect();
+        Self::of_numbers([
+            (["time_s", "s", "time of the impact"], column(|it| it.time_s)),
+            (["impact_speed_m_s", "m/s", "speed before it"], column(|it| it.impact_speed_m_s)),
+            (["restitution", "", "speed after over speed before"], column(|it| it.restitution)),
+            (["launch_speed_m_s", "m/s", "speed after it"], column(|it| it.launch_speed_m_s)),
+            (["flight_time_s", "s", "time until the next impact"], column(|it| it.flight_time_s)),
+            (["apex_m", "m", "apex of the flight after it"], column(|it| it.apex_m)),
+            (["lost_to_surface_j", "J", "energy that the surface took"], column(|it| it.lost_to_surface_j)),
+            (["lost_to_air_j", "J", "energy that the air took after it"], column(|it| it.lost_to_air_j)),
+        ])
+    }
+
+    /// The true impacts of a synthesised recording.
+    pub(crate) fn of_truth(sound: &Rendered) -> Result<Self> {
+        let column = |of: fn(&SynthImpact) -> f64| sound.impacts.iter().map(of).map(Some).collect();
+        Self::of_numbers([
+            (["time_s", "s", "time of the impact in the recording"], column(|it| it.time_s)),
+            (["impact_speed_m_s", "m/s", "speed before it"], column(|it| it.speed_m_s)),
+            (["snr_db", "dB", "level above the noise"], column(|it| it.snr_db)),
+            (["lost", "", "1 if it was left out of the sound"], column(|it| f64::from(it.lost))),
+        ])
     }
 
     /// The data of a chart.
