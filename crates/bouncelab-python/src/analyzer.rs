@@ -49,7 +49,7 @@ impl Default for Question {
 
 impl Analyzer {
     /// Analyses the drops of a plan, one after the other.
-    fn run(&self, name: &str, plan: Plan, watch: &mut Watch) -> Result<Recording> {
+    pub(crate) fn run(&self, name: &str, plan: Plan, watch: &mut Watch) -> Result<Recording> {
         let count = plan.tasks().len() as f64;
         let drops = plan.tasks().iter().enumerate().map(|(done, task)| {
             watch.look("drops", done as f64, Some(count))?;

@@ -22,6 +22,7 @@
 
 mod analyzer;
 mod chart;
+mod detector;
 mod failure;
 mod physics;
 mod recording;
@@ -36,6 +37,8 @@ mod _core {
     use super::analyzer::Analyzer;
     #[pymodule_export]
     use super::chart::Chart;
+    #[pymodule_export]
+    use super::detector::Detector;
     #[pymodule_export]
     use super::physics::{
         air, balls, code_names, drag_coefficient, drag_laws, gravity_m_s2, languages, message,
