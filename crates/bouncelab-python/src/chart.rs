@@ -1,6 +1,7 @@
 //! How is a figure drawn?
 
 use bouncelab_report::chart::Chart as Data;
+use bouncelab_report::theme::Meaning;
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
 
@@ -10,6 +11,12 @@ use crate::table::Table;
 /// A chart, which can be drawn.
 #[pyclass(frozen, module = "bouncelab._core")]
 pub(crate) struct Chart(pub(crate) Data);
+
+/// The colour of a meaning, as `#0072b2`.
+#[pyfunction]
+pub(crate) fn colour(meaning: &str) -> Result<String> {
+    Ok(meaning.parse::<Meaning>()?.colour().to_string())
+}
 
 #[pymethods]
 impl Chart {

@@ -36,7 +36,7 @@ mod _core {
     #[pymodule_export]
     use super::analyzer::Analyzer;
     #[pymodule_export]
-    use super::chart::Chart;
+    use super::chart::{Chart, colour};
     #[pymodule_export]
     use super::detector::Detector;
     #[pymodule_export]

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Protocol
 
 from bouncelab._data import JSON
 from bouncelab._errors import InputError, OutputError
+from bouncelab._settings import text
 from bouncelab._table import Table
 
 if TYPE_CHECKING:
@@ -54,10 +55,6 @@ class Figure:
     @cached_property
     def _drawn(self) -> _core.Chart:
         return self._owner._chart(self.name, self.language)
-
-    def _check(self) -> None:
-        """Draw it now, so that an unknown name is refused at once."""
-        self._drawn  # noqa: B018
 
     @property
     def title(self) -> str:
@@ -145,7 +142,7 @@ class Figure:
         >>> matplotlib.use("agg")
         >>> drop = bl.analyze_times([0.0, 0.4605, 0.8877, 1.2854, 1.6568, 2.0045], draws=None).drops[0]
         >>> drop.figure("flight-times").to_matplotlib().get_xlabel()
-        'flight'
+        'number of the flight'
         """
         from bouncelab import _matplotlib
 
@@ -160,3 +157,11 @@ class Figure:
 
     def __repr__(self) -> str:
         return f"<bouncelab.Figure {self.name!r}>"
+
+
+def figure(owner: Charted, name: str, language: str) -> Figure:
+    """Return a figure; an unknown name or language is refused at once."""
+    drawn = owner._chart(text("name", name), text("language", language))
+    made = Figure(owner, name, language)
+    made.__dict__["_drawn"] = drawn
+    return made

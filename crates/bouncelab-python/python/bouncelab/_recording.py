@@ -21,7 +21,7 @@ from bouncelab._data import (
     StrongestBand,
     read,
 )
-from bouncelab._figure import Figure
+from bouncelab._figure import Figure, figure
 from bouncelab._table import Table
 
 if TYPE_CHECKING:
@@ -128,7 +128,7 @@ class Recording:
         UnknownNameError
             If there is no such figure or language.
         """
-        return _figure(self, name, language)
+        return figure(self, name, language)
 
     def _chart(self, name: str, language: str) -> _core.Chart:
         return self._core.figure(name, language)
@@ -279,7 +279,7 @@ class Drop:
 
     def figure(self, name: str, language: str = "en") -> Figure:
         """Return a figure; see :meth:`Recording.figure`."""
-        return _figure(self, name, language)
+        return figure(self, name, language)
 
     def _chart(self, name: str, language: str) -> _core.Chart:
         return self._recording._core.figure(name, language, self._place)
@@ -380,12 +380,6 @@ def _diagnostics(document: dict[str, JSON]) -> tuple[Diagnostic, ...]:
     known = document["diagnostics"]
     assert isinstance(known, list)
     return tuple(read(Diagnostic, each) for each in known)
-
-
-def _figure(owner: Recording | Drop, name: str, language: str) -> Figure:
-    figure = Figure(owner, name, language)
-    figure._check()
-    return figure
 
 
 def _counted(count: int, what: str) -> str:
