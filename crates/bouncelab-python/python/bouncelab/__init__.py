@@ -64,7 +64,7 @@ if TYPE_CHECKING:
         presets,
     )
     from bouncelab._recording import Draws, Drop, Drops, Recording
-    from bouncelab._settings import Air, Ball, Options
+    from bouncelab._settings import Air, Ball, Options, Surroundings
     from bouncelab._simulation import Simulation, Sound, simulate, synthesize
     from bouncelab._table import Column, Table
 
@@ -84,7 +84,7 @@ _PLACES = {
     "_figure": "Figure",
     "_physics": "DragLaw air diagnostic_codes drag_coefficient drag_laws gravity_m_s2 languages presets",
     "_recording": "Draws Drop Drops Recording",
-    "_settings": "Air Ball Options",
+    "_settings": "Air Ball Options Surroundings",
     "_simulation": "Simulation Sound simulate synthesize",
     "_table": "Column Table",
 }
@@ -134,6 +134,7 @@ __all__ = [
     "Sound",
     "Source",
     "StrongestBand",
+    "Surroundings",
     "Table",
     "UnknownNameError",
     "__version__",

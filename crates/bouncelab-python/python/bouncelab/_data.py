@@ -35,7 +35,7 @@ class Estimate:
     >>> import bouncelab as bl
     >>> fit = bl.analyze_times([0.0, 0.4605, 0.8877, 1.2854, 1.6568, 2.0045]).drops[0].log_linear_fit
     >>> print(f"{fit.restitution.value:.3f} ± {fit.restitution.sd:.3f}")
-    0.932 ± 0.000
+    0.932 ± 0.001
     >>> float(fit.restitution) == fit.restitution.value
     True
     """

@@ -45,7 +45,7 @@ class Figure:
     >>> figure.svg()[:4]
     '<svg'
     >>> figure.data["y"].shape
-    (5,)
+    (17,)
     """
 
     _owner: Charted

@@ -80,7 +80,7 @@ def drag_coefficient(reynolds: ArrayLike, law: str = "clift-grace-weber") -> NDA
     --------
     >>> import bouncelab as bl
     >>> bl.drag_coefficient([1e3, 1e4]).round(3)
-    array([0.471, 0.411])
+    array([0.471, 0.405])
     """
     import numpy as np
 
@@ -151,7 +151,7 @@ def gravity_m_s2(latitude_deg: float, altitude_m: float = 0.0) -> float:
     --------
     >>> import bouncelab as bl
     >>> round(bl.gravity_m_s2(47.5, 500.0), 4)
-    9.8068
+    9.8069
     """
     return _core.gravity_m_s2(number("latitude_deg", latitude_deg), number("altitude_m", altitude_m))
 

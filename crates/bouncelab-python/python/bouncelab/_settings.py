@@ -54,8 +54,8 @@ class Air:
     viscosity_pa_s: float
 
 
-class Options(TypedDict, total=False):
-    """What is known and asked; see :func:`bouncelab.analyze`."""
+class Surroundings(TypedDict, total=False):
+    """What is known of ball, air and gravity; see :func:`bouncelab.analyze`."""
 
     ball: str | Ball | None
     mass_kg: float | None
@@ -71,6 +71,11 @@ class Options(TypedDict, total=False):
     gravity_m_s2: float | None
     latitude_deg: float | None
     altitude_m: float | None
+
+
+class Options(Surroundings, total=False):
+    """What is known and asked; see :func:`bouncelab.analyze`."""
+
     height_m: float | None
     height_sd_m: float | None
     release_s: float | None
@@ -97,9 +102,10 @@ def analyzer(**options: Unpack[Options]) -> _core.Analyzer:
 
 def split(options: Options) -> tuple[dict[str, object], dict[str, object]]:
     """Check the options, and divide them into settings and what else is asked."""
-    unknown = options.keys() - Options.__annotations__.keys()
+    known = Surroundings.__annotations__ | Options.__annotations__
+    unknown = options.keys() - known.keys()
     if unknown:
-        raise InputError(f"there is no option {min(unknown)!r}; known: {', '.join(Options.__annotations__)}")
+        raise InputError(f"there is no option {min(unknown)!r}; known: {', '.join(known)}")
     given = {name: value for name, value in options.items() if value is not None}
     question: dict[str, object] = {"inference": options.get("draws", 0) is not None}
     settings = _of_ball_and_air(given)
@@ -174,7 +180,7 @@ def number(name: str, value: object) -> float:
     if isinstance(value, bool) or not (isinstance(value, Real) or hasattr(value, "__float__")):
         raise InputError(f"{name} must be a number, not {_kind(value)}")
     try:
-        plain = float(value)  # type: ignore[arg-type]
+        plain = float(value)
     except (TypeError, ValueError, OverflowError):
         raise InputError(f"{name} must be one number, not {_kind(value)}") from None
     if plain - plain != 0.0:

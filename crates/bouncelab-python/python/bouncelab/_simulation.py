@@ -12,7 +12,7 @@ from bouncelab import _core
 from bouncelab._analyze import as_numbers
 from bouncelab._data import JSON
 from bouncelab._figure import Figure, figure
-from bouncelab._settings import Options, analyzer, count, number, text
+from bouncelab._settings import Surroundings, analyzer, count, number, text
 from bouncelab._table import Table
 
 if TYPE_CHECKING:
@@ -30,7 +30,7 @@ class Simulation:
     >>> import bouncelab as bl
     >>> drop = bl.simulate(height_m=0.305, restitution=0.9, bounces=5)
     >>> drop.bounces["apex_m"].round(3)
-    array([0.238, 0.188, 0.149, 0.119, 0.096])
+    array([0.233, 0.181, 0.141, 0.111, 0.088])
     >>> drop.figures
     ('height', 'flight-times')
     """
@@ -197,7 +197,7 @@ def simulate(
     restitution_slope_s_m: float = 0.0,
     until_m: float | None = None,
     bounces: int | None = None,
-    **options: Unpack[Options],
+    **surroundings: Unpack[Surroundings],
 ) -> Simulation:
     """Simulate a drop.
 
@@ -215,7 +215,7 @@ def simulate(
         Stop when the ball rises no higher; 1 mm, unless ``bounces`` is given.
     bounces : int, optional
         Stop after so many bounces.
-    **options
+    **surroundings
         Ball, air, drag and gravity, as of :func:`analyze`.
 
     Returns
@@ -247,7 +247,7 @@ def simulate(
         "until_m": _optional("until_m", until_m),
         "bounces": None if bounces is None else count("bounces", bounces),
     }
-    return Simulation(_core.Simulation(analyzer(**options), json.dumps(request)))
+    return Simulation(_core.Simulation(analyzer(**surroundings), json.dumps(request)))
 
 
 def synthesize(
@@ -270,7 +270,7 @@ def synthesize(
     restitution_slope_s_m: float = 0.0,
     until_m: float | None = None,
     bounces: int | None = None,
-    **options: Unpack[Options],
+    **surroundings: Unpack[Surroundings],
 ) -> Sound:
     """Synthesise the sound of a drop, whose truth is known.
 
@@ -293,7 +293,7 @@ def synthesize(
         Time before the release, and after the last impact.
     height_m, launch_speed_m_s, restitution, restitution_slope_s_m, until_m, bounces
         As of :func:`simulate`.
-    **options
+    **surroundings
         Ball, air, drag and gravity, as of :func:`analyze`.
 
     Returns
@@ -319,7 +319,7 @@ def synthesize(
         restitution_slope_s_m=restitution_slope_s_m,
         until_m=until_m,
         bounces=bounces,
-        **options,
+        **surroundings,
     )
     scene = {
         "sample_rate_hz": count("sample_rate_hz", sample_rate_hz),
