@@ -154,8 +154,8 @@ def _analyzed(
         return prepared.file(path, called or path, report)
     if isinstance(source, bytes | bytearray):
         return prepared.content(bytes(source), called or "recording", report)
-    if hasattr(source, "read"):
-        content = source.read()
+    if callable(read := getattr(source, "read", None)):
+        content = read()
         if not isinstance(content, bytes):
             raise InputError('the file gives text; open it with mode "rb"')
         own = getattr(source, "name", None)

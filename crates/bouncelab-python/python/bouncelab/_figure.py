@@ -152,6 +152,9 @@ class Figure:
             raise InputError(f"there is no panel {panel}: the figure has {len(panels)}, the first being 0")
         return _matplotlib.draw(panels[panel], ax)
 
+    def __reduce__(self) -> tuple[type[Figure], tuple[Charted, str, str]]:
+        return (Figure, (self._owner, self.name, self.language))
+
     def _repr_svg_(self) -> str:
         return self.svg()
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from functools import cached_property
 from html import escape
 from typing import TYPE_CHECKING, Literal, overload
@@ -299,7 +299,7 @@ class Drop:
     def __repr__(self) -> str:
         what = f"{_counted(len(self.impacts), 'impact')}"
         if self.has_posterior:
-            what += f", restitution {self.restitution.value:.4f} ± {self.restitution.sd:.4f}"
+            what += f", restitution {self.restitution.value:.6g} ± {self.restitution.sd:.2g}"
         return f"<bouncelab.Drop: {what}>"
 
     def _repr_html_(self) -> str:
@@ -308,7 +308,7 @@ class Drop:
         return "".join(f"<p>{escape(sentence)}</p>" for sentence in words)
 
 
-class Drops(Table, Sequence[Drop]):
+class Drops(Table):
     """The drops of a recording: a sequence of :class:`Drop`, and a table with a row for each."""
 
     __slots__ = ("_recording",)
@@ -317,7 +317,7 @@ class Drops(Table, Sequence[Drop]):
         Table.__init__(self, recording._tables[0]._core)
         self._recording = recording
 
-    @overload  # type: ignore[override]
+    @overload
     def __getitem__(self, index: int) -> Drop: ...
     @overload
     def __getitem__(self, index: slice) -> tuple[Drop, ...]: ...
@@ -370,10 +370,18 @@ class Draws(Table):
         """Return the draws for ArviZ, which must be installed: one chain of independent draws."""
         import arviz
 
-        return arviz.from_dict({"posterior": {name: self[name][None, :] for name in self.names}})
+        posterior = {name: self[name][None, :] for name in self.names}
+        # Version 1 takes all groups as one.
+        is_new = int(arviz.__version__.split(".")[0]) >= 1
+        whole: tuple[object, ...] = ({"posterior": posterior},) if is_new else (posterior,)
+        data: InferenceData = arviz.from_dict(*whole)
+        return data
 
     def __reduce__(self) -> tuple[type[Draws], tuple[Drop]]:  # type: ignore[override]
         return (Draws, (self._drop,))
+
+    def __repr__(self) -> str:
+        return f"<bouncelab.Draws: {len(self)} of {', '.join(self.names)}>"
 
 
 def _diagnostics(document: dict[str, JSON]) -> tuple[Diagnostic, ...]:

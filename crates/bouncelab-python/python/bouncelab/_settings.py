@@ -5,8 +5,8 @@ from __future__ import annotations
 import json
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
-from numbers import Integral, Real
-from typing import TypedDict, Unpack
+from numbers import Integral
+from typing import SupportsFloat, TypedDict, Unpack
 
 from bouncelab import _core
 from bouncelab._errors import InputError
@@ -177,7 +177,7 @@ def _target(value: object) -> dict[str, float]:
 
 def number(name: str, value: object) -> float:
     """Return a finite number, of Python or NumPy."""
-    if isinstance(value, bool) or not (isinstance(value, Real) or hasattr(value, "__float__")):
+    if isinstance(value, bool) or not isinstance(value, SupportsFloat):
         raise InputError(f"{name} must be a number, not {_kind(value)}")
     try:
         plain = float(value)
