@@ -15,7 +15,7 @@
 //! | [`Outcome`] | what do the drops say together? |
 //! | [`SessionDocument`] | what do they say, for other programs? |
 //! | [`table`] | how is a table written as Parquet, CSV and JSON lines? |
-//! | [`write_tables`] | what stands in the tables of a session? |
+//! | [`write_tables`], [`tables`], [`RecordingTables`] | what stands in the tables of a session, or of one recording? |
 
 #![warn(missing_docs)]
 
@@ -35,7 +35,7 @@ mod study;
 pub mod table;
 mod work;
 
-pub use columns::write_tables;
+pub use columns::{RecordingTables, tables, write_tables};
 pub use document::{AboutSession, Reason, SessionDocument};
 pub use error::{Error, Result};
 pub use metadata::{Advice, KnownRecording, Metadata, MetadataOptions, Noted};

@@ -12,7 +12,6 @@
 //! |---|---|
 //! | [`wire`] | what does the page ask, and what is answered besides results? |
 //! | [`refusal`] | why was it not done? |
-//! | `settings` | what set-up follows from what the page states? |
 //! | [`catalogue`] | what is there to choose from? |
 //! | [`pyramid`] | how loud is it, at any zoom? |
 //! | [`spectrogram`] | how does the energy lie over time and frequency? |
@@ -34,7 +33,6 @@ pub mod detector;
 pub mod engine;
 pub mod pyramid;
 pub mod refusal;
-mod settings;
 pub mod simulator;
 pub mod spectrogram;
 pub mod wire;
