@@ -15,7 +15,7 @@
 //! | [`Outcome`] | statistics of the drops |
 //! | [`SessionDocument`] | the statistics as JSON |
 //! | [`table`] | tables as Parquet, CSV and JSON lines |
-//! | [`write_tables`] | writes the tables of a session |
+//! | [`write_tables`], [`tables`], [`RecordingTables`] | the tables of a session, and of one recording |
 
 #![warn(missing_docs)]
 
@@ -35,7 +35,7 @@ mod study;
 pub mod table;
 mod work;
 
-pub use columns::write_tables;
+pub use columns::{RecordingTables, tables, write_tables};
 pub use document::{AboutSession, Reason, SessionDocument};
 pub use error::{Error, Result};
 pub use metadata::{Advice, KnownRecording, Metadata, MetadataOptions, Noted};

@@ -12,7 +12,6 @@
 //! |---|---|
 //! | [`wire`] | requests and responses |
 //! | [`refusal`] | reasons for a refused request |
-//! | `settings` | settings of the page to those of the science |
 //! | [`catalogue`] | choices of the settings |
 //! | [`pyramid`] | envelope at any zoom |
 //! | [`spectrogram`] | spectrogram |
@@ -34,7 +33,6 @@ pub mod detector;
 pub mod engine;
 pub mod pyramid;
 pub mod refusal;
-mod settings;
 pub mod simulator;
 pub mod spectrogram;
 pub mod wire;

@@ -47,6 +47,7 @@ diagnostic-impact-gains-energy = { $count ->
     [one] Impact { $impacts } has a restitution above 1
    *[other] Impacts { $impacts } have a restitution above 1
   }: a double detection, a moving surface, or another sound.
+diagnostic-restitution-rises = The restitution corrected for drag rises with the impact speed, from { $slow } to { $fast }, unlike that of real balls; the ball is probably another one, heavier for its size.
 diagnostic-impacts-doubtful = { $count ->
     [one] 1 impact is
    *[other] { $count } impacts are
@@ -74,6 +75,7 @@ diagnostic-height-of-first-detected = The drop height is that of the fall before
 diagnostic-drag-from-prior = These flight times hardly constrain drag: the drag coefficient is that of the prior for spheres.
 diagnostic-drag-or-slope = This recording cannot separate drag from restitution that falls with speed; a measured drop height or a denser ball would help.
 diagnostic-no-law-wins = No restitution law dominates; the result is averaged over the possible laws.
+diagnostic-other-ball-fits-better = These times fit another ball better, at least { $odds } to 1: { $balls }.
 diagnostic-never-rests = With so little energy loss the ball does not come to rest in a reasonable time.
 diagnostic-inference-off = No inference was requested.
 diagnostic-inference-needs-impacts = An inference needs at least one flight, that is two impacts.

@@ -15,6 +15,8 @@
 //! # Ok::<(), bouncelab::Error>(())
 //! ```
 
+mod settings;
+
 use crate::Result;
 use crate::air::{Air, Conditions};
 use crate::analysis::Options;
@@ -24,6 +26,8 @@ use crate::drag::DragLaw;
 use crate::flight::Environment;
 use crate::gravity;
 use crate::inference::{LawKind, Measured, Priors, UNKNOWN};
+
+pub use settings::Settings;
 
 /// Heights are measured with a ruler: standard uncertainty in metres.
 const HEIGHT_SD_M: f64 = 0.002;
