@@ -1,4 +1,4 @@
-//! Which drops are going on, and which are over.
+//! Decides which drops are in progress and which are over.
 
 use std::time::Instant;
 
@@ -29,7 +29,7 @@ struct Glimpse {
 /// A drop that is going on.
 pub(super) struct Going<'a> {
     pub(super) impacts: &'a [TrainImpact],
-    /// Whether the ball rests, or was stopped: any further impact would have been heard.
+    /// Whether the ball rests, or was stopped: any further impact would have been detected.
     pub(super) rests: bool,
 }
 
