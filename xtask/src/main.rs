@@ -45,7 +45,7 @@ const CHORES: [Chore; 9] = [
     },
     Chore {
         name: "calibrate",
-        arguments: "[DROPS [FOLDER]]",
+        arguments: "[DROPS [FOLDER]] | worlds [DROPS] [WORLD...] [LAW...]",
         about: calibrate::ABOUT,
         run: calibrate::run,
     },

@@ -34,7 +34,7 @@ pub(super) struct Answers {
 
 impl Answers {
     pub(super) fn new(posterior: &SampledPosterior, at_speed_m_s: f64) -> Option<Self> {
-        let sigma_s = &posterior.observed.sigma_s;
+        let sigma_s = &posterior.observed().sigma_s;
         let squares: f64 = sigma_s.iter().map(|s| s * s).sum();
         let rms_s = (squares / sigma_s.len() as f64).sqrt();
         let rows = posterior.each(1, |evaluator, point| {
@@ -305,8 +305,8 @@ fn detected(posterior: &SampledPosterior, innovations: &[Innovation]) -> Vec<Imp
         .ok()
         .and_then(|model| model.moving_mass_kg())
         .unwrap_or(posterior.ball.mass_kg());
-    let intervals = &posterior.observed.intervals;
-    let impacts = posterior.observed.impacts.iter().enumerate();
+    let intervals = &posterior.observed().intervals;
+    let impacts = posterior.observed().impacts.iter().enumerate();
     impacts
         .filter_map(|(place, impact)| {
             let launches = intervals.get(place).is_some();

@@ -138,7 +138,7 @@ impl Linear {
         let of_slot = |slot: Slot| model.place(slot).map_or(0.0, |place| response[place]);
         sources.push((
             "restitution-slope",
-            of_slot(Slot::Shape(0)).powi(2) + of_slot(Slot::Shape(1)).powi(2),
+            (0..3).map(|n| of_slot(Slot::Shape(n)).powi(2)).sum(),
         ));
         if model.height_m.is_some() {
             sources.push(("measured-height", of_slot(Slot::Height).powi(2)));
@@ -219,7 +219,11 @@ fn between(posterior: &SampledPosterior, at_speed_m_s: f64) -> [[f64; 2]; 2] {
         .iter()
         .map(|candidate| {
             let law = candidate.law as usize * posterior.media.len() + candidate.media;
-            (law, candidate.missed_first)
+            let numberings = posterior.numberings.len();
+            (
+                law,
+                candidate.missed_first * numberings + candidate.numbering,
+            )
         })
         .collect();
     let values = posterior.each(THINNED, |evaluator, point| {
