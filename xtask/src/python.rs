@@ -56,7 +56,9 @@ pub(crate) fn check() -> Result {
     for (_, python) in others {
         Venv::of(python, REQUIREMENTS_OF_OTHERS)?.test(&wheel)?;
     }
-    let missing = VERSIONS.iter().filter(|&version| found.iter().all(|(it, _)| it != version));
+    let missing = VERSIONS
+        .iter()
+        .filter(|&version| found.iter().all(|(it, _)| it != version));
     for version in missing {
         println!("SKIPPED for want of it: the tests with Python {version}");
     }
@@ -65,7 +67,9 @@ pub(crate) fn check() -> Result {
 
 /// Version and place of the interpreters that there are.
 fn interpreters() -> Vec<(&'static str, PathBuf)> {
-    let found = VERSIONS.iter().filter_map(|&version| Some((version, interpreter(version)?)));
+    let found = VERSIONS
+        .iter()
+        .filter_map(|&version| Some((version, interpreter(version)?)));
     found.collect()
 }
 
@@ -94,7 +98,11 @@ impl Venv {
         let mut uv = venv.python(&["-m", "pip", "install", "--quiet", "uv==0.13.9"]);
         run_command(uv.arg("--disable-pip-version-check"))?;
         let mut install = venv.install();
-        run_command(install.arg("--requirement").arg(package().join(requirements)))?;
+        run_command(
+            install
+                .arg("--requirement")
+                .arg(package().join(requirements)),
+        )?;
         Ok(venv)
     }
 
@@ -146,7 +154,13 @@ impl Venv {
         run_command(install.args(["--force-reinstall", "--no-deps"]).arg(wheel))?;
         let mut tests = self.python(&["-m", "pytest", "tests"]);
         run_command(tests.env("BOUNCELAB_ROOT", root()))?;
-        run_command(&mut self.python(&["-m", "pytest", "--doctest-modules", "--pyargs", "bouncelab"]))
+        run_command(&mut self.python(&[
+            "-m",
+            "pytest",
+            "--doctest-modules",
+            "--pyargs",
+            "bouncelab",
+        ]))
     }
 
     fn check_types(&self) -> Result {
@@ -163,7 +177,11 @@ fn package() -> PathBuf {
 
 /// Puts the program where maturin takes the scripts of a wheel from, without what a debugger needs.
 fn add_program(built: &Path) -> Result {
-    let name = if cfg!(windows) { "bouncelab.exe" } else { "bouncelab" };
+    let name = if cfg!(windows) {
+        "bouncelab.exe"
+    } else {
+        "bouncelab"
+    };
     let folder = package().join("bouncelab.data/scripts");
     let said = |reason: std::io::Error| format!("{}: {reason}", folder.display());
     fs::create_dir_all(&folder).map_err(said)?;

@@ -38,7 +38,12 @@ impl Detector {
 #[pymethods]
 impl Detector {
     #[new]
-    fn new(analyzer: &Analyzer, sample_rate_hz: u32, channels: usize, name: String) -> Result<Self> {
+    fn new(
+        analyzer: &Analyzer,
+        sample_rate_hz: u32,
+        channels: usize,
+        name: String,
+    ) -> Result<Self> {
         check_layout(sample_rate_hz, channels, &name)?;
         let options = &analyzer.setup.options.detection;
         Ok(Self {
@@ -67,7 +72,11 @@ impl Detector {
             });
             py.check_signals()?;
         }
-        py.detach(|| over.into_iter().map(|detection| self.analyze(detection)).collect())
+        py.detach(|| {
+            over.into_iter()
+                .map(|detection| self.analyze(detection))
+                .collect()
+        })
     }
 
     /// What all sound that came says, as if it ended here.

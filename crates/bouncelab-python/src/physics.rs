@@ -20,6 +20,21 @@ pub(crate) fn translator(language: &str) -> Result<Translator> {
     })
 }
 
+/// Refuses a name that is not among those that are known.
+#[pyfunction]
+pub(crate) fn require_known(kind: &str, name: &str, known: Vec<String>) -> Result<()> {
+    let kind = if kind == "language" {
+        "language"
+    } else {
+        "figure"
+    };
+    let known: Vec<&str> = known.iter().map(String::as_str).collect();
+    if known.contains(&name) {
+        return Ok(());
+    }
+    Err(bouncelab::Error::unknown_name(kind, name, &known).into())
+}
+
 /// The languages of messages.
 #[pyfunction]
 pub(crate) fn languages() -> Vec<&'static str> {
@@ -46,7 +61,14 @@ pub(crate) fn balls() -> Vec<(&'static str, &'static str, f64, f64, f64, &'stati
     presets
         .map(|it| {
             let (mass_kg, diameter_m) = (it.ball.mass_kg(), it.ball.diameter_m());
-            (it.name, it.label, mass_kg, diameter_m, it.contact_time_s, it.source)
+            (
+                it.name,
+                it.label,
+                mass_kg,
+                diameter_m,
+                it.contact_time_s,
+                it.source,
+            )
         })
         .collect()
 }
@@ -66,13 +88,19 @@ pub(crate) fn drag_coefficient<'py>(
     law: &str,
 ) -> Result<Bound<'py, PyBytes>> {
     let law: DragLaw = law.parse()?;
-    let values = reynolds.into_iter().map(|reynolds| law.coefficient(reynolds));
+    let values = reynolds
+        .into_iter()
+        .map(|reynolds| law.coefficient(reynolds));
     Ok(bytes(py, &values.collect::<bouncelab::Result<Vec<f64>>>()?))
 }
 
 /// Density and viscosity of moist air.
 #[pyfunction]
-pub(crate) fn air(temperature_k: f64, pressure_pa: f64, relative_humidity: f64) -> Result<(f64, f64)> {
+pub(crate) fn air(
+    temperature_k: f64,
+    pressure_pa: f64,
+    relative_humidity: f64,
+) -> Result<(f64, f64)> {
     let air = Air::moist(&Conditions {
         temperature_k,
         pressure_pa,

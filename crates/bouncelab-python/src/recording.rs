@@ -5,8 +5,8 @@ use std::sync::OnceLock;
 use bouncelab::analysis::{Drop, DropCandidate, Plan, Source, StrongestBand};
 use bouncelab::detection::Envelope;
 use bouncelab::{Diagnostic, Options};
-use bouncelab_report::document::Document;
 use bouncelab_report::chart::Chart as Data;
+use bouncelab_report::document::Document;
 use bouncelab_report::figure::{self, Mark, Subject};
 use bouncelab_report::messages::Translator;
 use bouncelab_report::report::{self, Block, Provenance};
@@ -90,6 +90,10 @@ impl Recording {
         }
     }
 
+    pub(crate) fn name(&self) -> &str {
+        &self.name
+    }
+
     pub(crate) fn result(&self) -> &bouncelab::Recording {
         self.result.get_or_init(|| match &self.kept {
             Some(kept) => kept.analyze(&self.analyzer.setup.options),
@@ -151,7 +155,11 @@ impl Recording {
     fn tables(&self) -> Result<(Table, Table, Table)> {
         let tables = RecordingTables::of(self.result());
         let of = Table::of;
-        Ok((of(&tables.drops)?, of(&tables.impacts)?, of(&tables.flights)?))
+        Ok((
+            of(&tables.drops)?,
+            of(&tables.impacts)?,
+            of(&tables.flights)?,
+        ))
     }
 
     /// Raises why a drop has no posterior, if it has none.
@@ -173,10 +181,15 @@ impl Recording {
         let columns = [
             (["restitution", "", "restitution"], &draws.restitution),
             (["drop_height_m", "m", "drop height"], &draws.drop_height_m),
-            (["drag_coefficient", "", "drag coefficient"], &draws.drag_coefficient),
+            (
+                ["drag_coefficient", "", "drag coefficient"],
+                &draws.drag_coefficient,
+            ),
         ];
         let known = columns.into_iter().filter(|(_, values)| !values.is_empty());
-        Table::of_numbers(known.map(|(about, values)| (about, values.iter().copied().map(Some).collect())))
+        Table::of_numbers(
+            known.map(|(about, values)| (about, values.iter().copied().map(Some).collect())),
+        )
     }
 
     /// The answer in a few sentences, of a drop or of all.
@@ -193,14 +206,18 @@ impl Recording {
             _ => None,
         });
         let no_drop = self.result().no_drop.iter();
-        Ok(sentences.chain(no_drop.map(|why| words.diagnostic(why))).collect())
+        Ok(sentences
+            .chain(no_drop.map(|why| words.diagnostic(why)))
+            .collect())
     }
 
     /// Names of the figures of a drop, or of the recording as a whole.
     #[pyo3(signature = (drop = None))]
     fn figure_names(&self, drop: Option<usize>) -> Vec<&'static str> {
         match drop {
-            Some(drop) => figure::of_drop(&self.subject(drop)).map(|it| it.name).collect(),
+            Some(drop) => figure::of_drop(&self.subject(drop))
+                .map(|it| it.name)
+                .collect(),
             None => {
                 let charts = self.own_charts(&Translator::english()).into_iter();
                 charts.map(|(name, _)| name).collect()
@@ -247,6 +264,9 @@ impl Recording {
 
 /// Numbers as the bytes of 64-bit floats.
 pub(crate) fn bytes<'py>(py: Python<'py>, values: &[f64]) -> Bound<'py, PyBytes> {
-    let bytes: Vec<u8> = values.iter().flat_map(|value| value.to_ne_bytes()).collect();
+    let bytes: Vec<u8> = values
+        .iter()
+        .flat_map(|value| value.to_ne_bytes())
+        .collect();
     PyBytes::new(py, &bytes)
 }

@@ -46,7 +46,13 @@ impl<'py> Frames<'py> {
         if self.channels == 1 {
             return Ok(vec![part]);
         }
-        let channel = |own: usize| part.iter().skip(own).step_by(self.channels).copied().collect();
+        let channel = |own: usize| {
+            part.iter()
+                .skip(own)
+                .step_by(self.channels)
+                .copied()
+                .collect()
+        };
         Ok((0..self.channels).map(channel).collect())
     }
 }

@@ -136,7 +136,9 @@ impl Simulation {
 
     /// The height at each time.
     fn height_m<'py>(&self, py: Python<'py>, times_s: Vec<f64>) -> Bound<'py, PyBytes> {
-        let heights = times_s.into_iter().map(|time_s| self.run.history.height_at(time_s));
+        let heights = times_s
+            .into_iter()
+            .map(|time_s| self.run.history.height_at(time_s));
         bytes(py, &heights.collect::<Vec<f64>>())
     }
 
@@ -152,7 +154,9 @@ impl Simulation {
         match name {
             "height" => Ok(Chart(height)),
             "flight-times" => Ok(Chart(flight_times)),
-            _ => Err(bouncelab::Error::unknown_name("figure", name, &["height", "flight-times"]).into()),
+            _ => Err(
+                bouncelab::Error::unknown_name("figure", name, &["height", "flight-times"]).into(),
+            ),
         }
     }
 
@@ -170,11 +174,19 @@ impl Simulation {
 
 /// Saves samples of one channel as WAV, of 16 bits.
 #[pyfunction]
-pub(crate) fn write_wav(path: PathBuf, samples: Bound<'_, PyAny>, sample_rate_hz: u32) -> Result<()> {
+pub(crate) fn write_wav(
+    path: PathBuf,
+    samples: Bound<'_, PyAny>,
+    sample_rate_hz: u32,
+) -> Result<()> {
     let frames = Frames::new(samples)?;
     let samples = frames.read(0..frames.frames)?;
     let channels: Vec<&[f32]> = samples.iter().map(Vec::as_slice).collect();
     let wav = encode_wav(sample_rate_hz, SampleFormat::Int16, &channels)?;
-    write_whole(&path, &wav)
-        .map_err(|reason| Failure::Output(format!("{}: {reason}; choose another place", path.display())))
+    write_whole(&path, &wav).map_err(|reason| {
+        Failure::Output(format!(
+            "{}: {reason}; choose another place",
+            path.display()
+        ))
+    })
 }

@@ -130,12 +130,14 @@ impl Table {
     pub(crate) fn of_numbers<'a>(
         columns: impl IntoIterator<Item = ([&'a str; 3], Vec<Option<f64>>)>,
     ) -> Result<Self> {
-        let columns = columns.into_iter().map(|([name, unit, about], values)| Column {
-            name: name.to_owned(),
-            unit: unit.to_owned(),
-            about: about.to_owned(),
-            values: Values::Numbers(values),
-        });
+        let columns = columns
+            .into_iter()
+            .map(|([name, unit, about], values)| Column {
+                name: name.to_owned(),
+                unit: unit.to_owned(),
+                about: about.to_owned(),
+                values: Values::Numbers(values),
+            });
         Self::of_columns(columns.collect())
     }
 
@@ -144,14 +146,38 @@ impl Table {
         let bounces: Vec<Bounce> = run.bounces().collect();
         let column = |of: fn(&Bounce) -> f64| bounces.iter().map(of).map(Some).collect();
         Self::of_numbers([
-            (["time_s", "s", "time of the impact"], column(|it| it.time_s)),
-            (["impact_speed_m_s", "m/s", "speed before it"], column(|it| it.impact_speed_m_s)),
-            (["restitution", "", "speed after over speed before"], column(|it| it.restitution)),
-            (["launch_speed_m_s", "m/s", "speed after it"], column(|it| it.launch_speed_m_s)),
-            (["flight_time_s", "s", "time until the next impact"], column(|it| it.flight_time_s)),
-            (["apex_m", "m", "apex of the flight after it"], column(|it| it.apex_m)),
-            (["lost_to_surface_j", "J", "energy that the surface took"], column(|it| it.lost_to_surface_j)),
-            (["lost_to_air_j", "J", "energy that the air took after it"], column(|it| it.lost_to_air_j)),
+            (
+                ["time_s", "s", "time of the impact"],
+                column(|it| it.time_s),
+            ),
+            (
+                ["impact_speed_m_s", "m/s", "speed before it"],
+                column(|it| it.impact_speed_m_s),
+            ),
+            (
+                ["restitution", "", "speed after over speed before"],
+                column(|it| it.restitution),
+            ),
+            (
+                ["launch_speed_m_s", "m/s", "speed after it"],
+                column(|it| it.launch_speed_m_s),
+            ),
+            (
+                ["flight_time_s", "s", "time until the next impact"],
+                column(|it| it.flight_time_s),
+            ),
+            (
+                ["apex_m", "m", "apex of the flight after it"],
+                column(|it| it.apex_m),
+            ),
+            (
+                ["lost_to_surface_j", "J", "energy that the surface took"],
+                column(|it| it.lost_to_surface_j),
+            ),
+            (
+                ["lost_to_air_j", "J", "energy that the air took after it"],
+                column(|it| it.lost_to_air_j),
+            ),
         ])
     }
 
@@ -159,10 +185,22 @@ impl Table {
     pub(crate) fn of_truth(sound: &Rendered) -> Result<Self> {
         let column = |of: fn(&SynthImpact) -> f64| sound.impacts.iter().map(of).map(Some).collect();
         Self::of_numbers([
-            (["time_s", "s", "time of the impact in the recording"], column(|it| it.time_s)),
-            (["impact_speed_m_s", "m/s", "speed before it"], column(|it| it.speed_m_s)),
-            (["snr_db", "dB", "level above the noise"], column(|it| it.snr_db)),
-            (["lost", "", "1 if it was left out of the sound"], column(|it| f64::from(it.lost))),
+            (
+                ["time_s", "s", "time of the impact in the recording"],
+                column(|it| it.time_s),
+            ),
+            (
+                ["impact_speed_m_s", "m/s", "speed before it"],
+                column(|it| it.speed_m_s),
+            ),
+            (
+                ["snr_db", "dB", "level above the noise"],
+                column(|it| it.snr_db),
+            ),
+            (
+                ["lost", "", "1 if it was left out of the sound"],
+                column(|it| f64::from(it.lost)),
+            ),
         ])
     }
 
@@ -179,13 +217,25 @@ impl Table {
         let panels = rows.iter().map(|row| i64::try_from(row.panel).ok());
         Self::of_columns(vec![
             column("panel", "panel, from 0", Values::Counts(panels.collect())),
-            column("layer", "name in the legend", texts(|row| Some(row.layer.clone()))),
+            column(
+                "layer",
+                "name in the legend",
+                texts(|row| Some(row.layer.clone())),
+            ),
             column("kind", "what it is", texts(|row| Some(row.kind.to_owned()))),
             column("x", "horizontal value, or left end", numbers(|row| row.x)),
             column("x_high", "right end of a box", numbers(|row| row.x_high)),
             column("y", "vertical value, or lower end", numbers(|row| row.y)),
-            column("y_high", "upper end of a band or a box", numbers(|row| row.y_high)),
-            column("y_sd", "standard error of the vertical value", numbers(|row| row.y_sd)),
+            column(
+                "y_high",
+                "upper end of a band or a box",
+                numbers(|row| row.y_high),
+            ),
+            column(
+                "y_sd",
+                "standard error of the vertical value",
+                numbers(|row| row.y_sd),
+            ),
             column("text", "text at a point", texts(|row| row.text.clone())),
         ])
     }
@@ -193,7 +243,9 @@ impl Table {
     fn columns(&self) -> Vec<Column> {
         let schema = self.0.schema();
         let fields = schema.fields().iter().zip(self.0.columns());
-        fields.map(|(field, array)| Column::of(field, array)).collect()
+        fields
+            .map(|(field, array)| Column::of(field, array))
+            .collect()
     }
 }
 

@@ -62,7 +62,11 @@ impl DropRow<'_> {
     }
 
     fn common(&self) -> Option<CurvePoint> {
-        self.record.posterior.as_ref()?.curve.at(self.common_speed_m_s?)
+        self.record
+            .posterior
+            .as_ref()?
+            .curve
+            .at(self.common_speed_m_s?)
     }
 
     /// The sentences of diagnostics, if there are any.

@@ -13,6 +13,7 @@
 //! | [`journal`] | which results are there already? |
 //! | [`complete`] | what is left to do for one recording? |
 //! | [`Outcome`] | what do the drops say together? |
+//! | [`figures()`] | how do they look side by side? |
 //! | [`SessionDocument`] | what do they say, for other programs? |
 //! | [`table`] | how is a table written as Parquet, CSV and JSON lines? |
 //! | [`write_tables`], [`tables`], [`RecordingTables`] | what stands in the tables of a session, or of one recording? |
@@ -22,6 +23,7 @@
 mod columns;
 mod document;
 mod error;
+mod figures;
 pub mod hash;
 pub mod journal;
 mod metadata;
@@ -38,6 +40,7 @@ mod work;
 pub use columns::{RecordingTables, tables, write_tables};
 pub use document::{AboutSession, Reason, SessionDocument};
 pub use error::{Error, Result};
+pub use figures::figures;
 pub use metadata::{Advice, KnownRecording, Metadata, MetadataOptions, Noted};
 pub use name::{name, some_of};
 pub use notes::{Note, Notes};

@@ -10,7 +10,7 @@ use indicatif::{ProgressBar, ProgressStyle};
 use rayon::prelude::*;
 
 use crate::failure::Failure;
-use crate::language::{text_with, translated, translator};
+use crate::language::{text_with, translator};
 
 /// A file and what it says.
 pub(crate) struct Analysed {

@@ -346,8 +346,7 @@ impl<'a> Session<'a> {
         }
         let (drops, screen) = (&mut self.drops, &self.screen);
         drops.retain(|reported| {
-            let is_in =
-                |trains: &[Train]| trains.iter().any(|it| it.overlaps(&reported.train));
+            let is_in = |trains: &[Train]| trains.iter().any(|it| it.overlaps(&reported.train));
             let remains = is_in(&whole.found.trains);
             let reason = if is_in(&whole.found.distant) {
                 "distant"

@@ -126,21 +126,22 @@ def analyze(
     True
     """
     prepared = analyzer(**options)
-    report = None if progress is None else _Bars(progress)
+    report = None if progress is None else Bars(progress)
     try:
-        return Recording(_analyzed(prepared, source, sample_rate_hz, name, report))
+        return Recording(analyzed(prepared, source, sample_rate_hz, name, report))
     finally:
         if report is not None:
             report.close()
 
 
-def _analyzed(
+def analyzed(
     prepared: _core.Analyzer,
     source: object,
     sample_rate_hz: float | None,
     name: str | None,
-    report: _Bars | None,
+    report: Bars | None,
 ) -> _core.Recording:
+    """Analyse whatever a recording may be."""
     called = None if name is None else text("name", name)
     if hasattr(source, "__array__") or isinstance(source, memoryview):
         samples = as_samples(source)
@@ -263,7 +264,7 @@ def as_numbers(name: str, values: object) -> list[float]:
     return numbers
 
 
-class _Bars:
+class Bars:
     """A bar for each kind of work, moved on as it is done."""
 
     def __init__(self, make: Progress) -> None:

@@ -7,8 +7,9 @@ from dataclasses import dataclass
 from functools import cached_property
 from os import PathLike, fspath
 from pathlib import Path
-from typing import TYPE_CHECKING, Protocol
+from typing import TYPE_CHECKING, Protocol, TypeVar
 
+from bouncelab import _core
 from bouncelab._data import JSON
 from bouncelab._errors import InputError, OutputError
 from bouncelab._settings import text
@@ -17,7 +18,7 @@ from bouncelab._table import Table
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-    from bouncelab import _core
+T = TypeVar("T")
 
 
 class Charted(Protocol):
@@ -168,3 +169,17 @@ def figure(owner: Charted, name: str, language: str) -> Figure:
     made = Figure(owner, name, language)
     made.__dict__["_drawn"] = drawn
     return made
+
+
+def in_language(by_language: dict[str, T], language: str) -> T:
+    """Return what there is in a language."""
+    if language not in by_language:
+        _core.require_known("language", text("language", language), list(by_language))
+    return by_language[language]
+
+
+def named(charts: dict[str, _core.Chart], name: str) -> _core.Chart:
+    """Return the chart of a name."""
+    if name not in charts:
+        _core.require_known("figure", name, list(charts))
+    return charts[name]

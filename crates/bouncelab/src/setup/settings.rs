@@ -212,9 +212,7 @@ impl Settings {
             release_s: self.release_s,
             release_sd_s: self.release_sd_s,
             first_heard: self.first_heard == Some(true),
-            laws: laws
-                .map(|law| law.parse())
-                .collect::<Result<_>>()?,
+            laws: laws.map(|law| law.parse()).collect::<Result<_>>()?,
             infer: self.infer.clone().unwrap_or_default(),
         })
     }
