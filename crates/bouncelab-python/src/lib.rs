@@ -21,7 +21,12 @@
 //! | `session` | what do many recordings say together? |
 //! | `verdict` | does a ball or a floor obey a rule? |
 
+#![forbid(unsafe_code)]
 #![allow(missing_debug_implementations, reason = "Python shows its own objects")]
+#![allow(
+    clippy::needless_pass_by_value,
+    reason = "what Python hands over is converted into values"
+)]
 
 mod analyzer;
 mod chart;

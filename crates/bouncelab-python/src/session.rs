@@ -80,14 +80,12 @@ impl Session {
             },
         }
         .read(session)?;
-        let (folder, temporary) = match request.output {
-            Some(folder) => (folder, None),
-            None => {
-                let folder =
-                    tempfile::tempdir().map_err(|reason| Failure::Output(reason.to_string()))?;
-                (folder.path().to_owned(), Some(folder))
-            }
+        let temporary = match &request.output {
+            Some(_) => None,
+            None => Some(tempfile::tempdir().map_err(|why| Failure::Output(why.to_string()))?),
         };
+        let own = temporary.as_ref().map(|folder| folder.path().to_owned());
+        let folder = request.output.or(own).unwrap_or_default();
         let journal = Journal::open(&folder)?;
         let done = analyze_all(&recordings, &journal, request.jobs, &mut watch)?;
         journal.sync()?;

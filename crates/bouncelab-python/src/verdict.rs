@@ -73,7 +73,7 @@ impl Judge {
                 .collect()
         };
         let (files, reference_files) = (of(&places), of(&reference));
-        let verdict = py.detach(|| {
+        let judged = py.detach(|| {
             rulebook::judge(
                 &self.rule,
                 &analyzer.setup.options,
@@ -87,7 +87,7 @@ impl Judge {
             rule: self.rule.clone(),
             analyzer: analyzer.clone(),
             decision,
-            verdict,
+            judged,
             files,
             reference_files,
         })
@@ -108,7 +108,7 @@ pub(crate) struct Verdict {
     rule: Rule,
     analyzer: Analyzer,
     decision: Decision,
-    verdict: Judged,
+    judged: Judged,
     files: Vec<String>,
     reference_files: Vec<String>,
 }
@@ -122,7 +122,7 @@ impl Verdict {
             &self.rule,
             &self.analyzer.setup,
             self.decision,
-            &self.verdict,
+            &self.judged,
             &self.files,
             &self.reference_files,
             &words,
@@ -142,7 +142,7 @@ impl Verdict {
         let words = translator(language)?;
         Ok(Chart(figure::verdict(
             &self.rule,
-            &self.verdict,
+            &self.judged,
             &self.files,
             &words,
         )))
