@@ -8,8 +8,8 @@ use pyo3::types::PySlice;
 
 use crate::failure::Result;
 
-/// So many samples are copied at once: a few milliseconds of work, in 4 MB.
-const MOST_COPIED: usize = 1 << 20;
+/// So many samples are copied at once: a few milliseconds of work, in 1 MB.
+const MOST_COPIED: usize = 1 << 18;
 
 /// An array of frames, each with a sample of every channel: 32-bit floats in the order of C. It is read in
 /// blocks, so that it is never copied as a whole, and another thread that writes to it does no harm.
