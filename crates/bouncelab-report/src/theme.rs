@@ -1,4 +1,4 @@
-//! What a colour means, and the sizes of things.
+//! Meanings of colours, and sizes.
 //!
 //! The colours are those of Okabe and Ito (2008), which people with any kind of colour
 //! vision can tell apart. Each has one meaning, the same in every figure, on the command

@@ -1,4 +1,4 @@
-//! Values with their intervals, and the limits that they must keep.
+//! Values with their intervals, and the limits of a rule.
 
 use bouncelab::Estimate;
 use bouncelab::rulebook::{Limits, Rebound, Requirement, Rule, Verdict};

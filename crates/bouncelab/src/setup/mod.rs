@@ -1,4 +1,4 @@
-//! What a person states of a drop, and what is assumed of the rest.
+//! Stated quantities of a drop, and assumptions for the others.
 //!
 //! Whoever asks (a command line, a page) fills in what is known and leaves the rest out. What is
 //! left out is assumed, every assumption is told in words, and what is stated counts as measured
