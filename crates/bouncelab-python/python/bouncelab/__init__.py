@@ -6,7 +6,7 @@
 >>> print(f"restitution {drop.restitution.value:.3f}, from {drop.drop_height_m.value:.2f} m")
 restitution 0.950, from 0.30 m
 
-Quantities are in SI and say so in their names. Bad input is a :class:`BouncelabError` that says what to do.
+Quantities are in SI, with the unit in the name. Invalid input raises a :class:`BouncelabError` that states a remedy.
 """
 
 from __future__ import annotations

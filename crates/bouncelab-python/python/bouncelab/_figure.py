@@ -29,7 +29,7 @@ class Charted(Protocol):
 
 @dataclass(frozen=True)
 class Figure:
-    """A figure, which a notebook shows as it is.
+    """A figure, which a notebook displays.
 
     Attributes
     ----------
@@ -64,7 +64,7 @@ class Figure:
 
     @property
     def caption(self) -> str:
-        """One sentence that says what to see in it."""
+        """One sentence that explains the figure."""
         return str(self.to_dict()["caption"])
 
     def svg(self) -> str:
@@ -109,7 +109,7 @@ class Figure:
 
     @property
     def data(self) -> Table:
-        """What it shows, one row for each point, bar and rule: for other plotting libraries."""
+        """Its data, one row for each point, bar and line, for other plotting libraries."""
         return Table(self._drawn.table())
 
     def to_dict(self) -> dict[str, JSON]:

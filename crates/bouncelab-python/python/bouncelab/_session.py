@@ -1,4 +1,4 @@
-"""What many recordings say together."""
+"""Analysis of many recordings."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ Notes: TypeAlias = "str | PathLike[str] | Mapping[str, Mapping[str, object]] | I
 
 @dataclass(frozen=True)
 class Study:
-    """What the drops of many recordings say together.
+    """Statistics of the drops of many recordings.
 
     It comes from :func:`bouncelab.session`.
 
@@ -107,7 +107,7 @@ def session(
     progress: Progress | None = None,
     **options: Unpack[Options],
 ) -> Study:
-    """Analyse many recordings, and say what their drops say together.
+    """Analyse many recordings, and compare their drops.
 
     Parameters
     ----------

@@ -68,12 +68,12 @@ class Verdict:
 
     @property
     def reasons(self) -> tuple[Diagnostic, ...]:
-        """Why nothing can be decided."""
+        """Reasons why no decision is possible."""
         return self._diagnostics("reasons")
 
     @property
     def remarks(self) -> tuple[Diagnostic, ...]:
-        """What to know besides."""
+        """Further remarks."""
         return self._diagnostics("remarks")
 
     @property
