@@ -1,8 +1,8 @@
 //! bouncelab for the browser: the laboratory's engine.
 //!
 //! The page never sees this crate: a worker does, and hands on what a page asks for. What is asked
-//! and answered is plain data: the result types of the science, and [`wire`]. Of these types
-//! `web/src/lab/types.ts` is made. The modules answer in Rust, so that they are tested like everything
+//! and answered is plain data: the result types of the science, and [`wire`]. The example
+//! `types` writes them as types of TypeScript. The modules answer in Rust, so that they are tested like everything
 //! else; `engine` and `decoders`, which exist on wasm only, turn their answers into JSON and arrays.
 //!
 //! It is compiled twice, with the feature `engine` and with the feature `decoders`: nearly half of it

@@ -120,7 +120,7 @@ pub enum GravityInput {
 #[derive(Clone, Debug)]
 #[non_exhaustive]
 pub struct Setup {
-    /// The settings for the science, without a inference.
+    /// The options of the analysis, without the inference.
     pub options: Options,
     /// The ball in words.
     pub ball_label: String,

@@ -19,7 +19,7 @@ import type {
   Sound,
   ToWorker,
 } from './protocol.ts';
-import type { Demo, RecordingResult } from './types.ts';
+import type { Demo, RecordingResult } from './engine/types.ts';
 
 /** Samples that do not fit into this memory cannot be kept, in bytes. */
 const MOST_SAMPLE_BYTES = 480e6;

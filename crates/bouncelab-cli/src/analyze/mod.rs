@@ -7,8 +7,8 @@ mod report;
 mod text;
 
 pub(crate) use figures::{Stems, save_figures};
-pub(crate) use read::{Analysed, read, translated};
-pub(crate) use text::{assumed, cannot_tell, note, report, shown};
+pub(crate) use read::{Analysed, read};
+pub(crate) use text::{assumed, note, report, shown};
 
 use std::io::{self, Write};
 use std::ops::{Range, RangeInclusive};

@@ -10,7 +10,7 @@ use indicatif::{ProgressBar, ProgressStyle};
 use rayon::prelude::*;
 
 use crate::failure::Failure;
-use crate::language::{text_with, translator};
+use crate::language::{text_with, translated, translator};
 
 /// A file and what it says.
 pub(crate) struct Analysed {
@@ -73,11 +73,6 @@ impl Analysed {
         ];
         Some(text_with("analyze-no-drop", &why))
     }
-}
-
-/// An error of the science in the language of the results.
-pub(crate) fn translated(reason: &bouncelab::Error) -> String {
-    translator().diagnostic(&reason.diagnostic())
 }
 
 /// Analyses drops, side by side unless somebody reads recordings side by side already.

@@ -11,8 +11,8 @@ use bouncelab_report::tables::{self, drag_law};
 use bouncelab_report::{Quantity, Unit};
 
 use super::answers::{self, Answer};
-use super::read::{Analysed, translated};
-use crate::language::{text, text_with, translator};
+use super::read::Analysed;
+use crate::language::{cannot_tell, text, text_with, translated, translator};
 use crate::physics::Physics;
 
 /// What a file says, in words and a table for each drop.
@@ -65,13 +65,6 @@ pub(crate) fn assumed(assumptions: &[Diagnostic]) -> String {
         .map(|known| translator().diagnostic(known));
     let list = [("list", assumptions.collect::<Vec<_>>().join("; ").into())];
     format!("  {}", text_with("terminal-assumed", &list))
-}
-
-/// What cannot be told, and why.
-pub(crate) fn cannot_tell(id: &str, reason: impl Display) -> String {
-    let reason = ended(reason).into();
-    let why = [("what", text(id).into()), ("reason", reason)];
-    text_with("terminal-cannot-tell", &why)
 }
 
 fn line(page: &mut String, words: &str) {
