@@ -378,16 +378,7 @@ fn search_among(onsets: &[Onset], span: Span, found: &mut TrainSearch) {
         chain.ln_flights(onsets) - rhythm::ln_likelihood(&beats) - rhythm::LN_USUAL;
     let evidence = against_both(chain.evidence, against_rhythm);
     if evidence < BELIEVED {
-        let ln_interval = beats.iter().map(|b| b.ln_interval).sum::<f64>() / beats.len() as f64;
-        found.periodic.push(PeriodicSequence {
-            start_s: onsets[chain.links[0].onset].time_s,
-            interval_s: ln_interval.exp(),
-            count: chain.links.len(),
-        });
-        let rest: Vec<Onset> = (0..onsets.len())
-            .filter(|index| chain.links.iter().all(|link| link.onset != *index))
-            .map(|index| onsets[index])
-            .collect();
+        let rest = take_periodic(onsets, &chain, &beats, found);
         search_among(&rest, span, found);
         return;
     }
@@ -409,6 +400,57 @@ fn search_among(onsets: &[Onset], span: Span, found: &mut TrainSearch) {
     search_among(&onsets[..first], before, found);
     found.trains.push(best);
     search_among(&onsets[rest..], after, found);
+}
+
+/// Takes out a sequence that keeps time, with what goes on with its beat before and after; returns the
+/// other sounds.
+fn take_periodic(
+    onsets: &[Onset],
+    chain: &Chain,
+    intervals: &[Beat],
+    found: &mut TrainSearch,
+) -> Vec<Onset> {
+    let mut is_beat = vec![false; onsets.len()];
+    for link in &chain.links {
+        is_beat[link.onset] = true;
+    }
+    let (first, last) = (chain.links[0], chain.links[chain.links.len() - 1]);
+    let interval_s = |index: usize| intervals[index].ln_interval.exp();
+    follow_beat(onsets, first.onset, -interval_s(0), &mut is_beat);
+    let last_s = interval_s(intervals.len() - 1);
+    follow_beat(onsets, last.onset, last_s, &mut is_beat);
+    let ln_interval = intervals.iter().map(|i| i.ln_interval).sum::<f64>() / intervals.len() as f64;
+    let beats = || onsets.iter().zip(&is_beat);
+    found.periodic.push(PeriodicSequence {
+        start_s: beats().find(|b| *b.1).map_or(0.0, |b| b.0.time_s),
+        interval_s: ln_interval.exp(),
+        count: beats().filter(|b| *b.1).count(),
+    });
+    beats().filter(|b| !b.1).map(|b| *b.0).collect()
+}
+
+/// Marks the onsets that go on with a beat from this one on, backwards if the interval is negative.
+fn follow_beat(onsets: &[Onset], from: usize, interval_s: f64, is_beat: &mut [bool]) {
+    /// A beat is found this share of the interval off at most.
+    const OFF: f64 = 0.08;
+    /// After so many that are not found it has ended.
+    const MOST_MISSED: u32 = 2;
+    let mut last_s = onsets[from].time_s;
+    let mut missed = 0;
+    while missed <= MOST_MISSED {
+        let next_s = last_s + f64::from(missed + 1) * interval_s;
+        let off_s = |index: usize| (onsets[index].time_s - next_s).abs();
+        let after = onsets.partition_point(|o| o.time_s < next_s);
+        let near = after.saturating_sub(1)..(after + 1).min(onsets.len());
+        match near.min_by(|&a, &b| off_s(a).total_cmp(&off_s(b))) {
+            Some(index) if off_s(index) < OFF * interval_s.abs() => {
+                is_beat[index] = true;
+                last_s = onsets[index].time_s;
+                missed = 0;
+            }
+            _ => missed += 1,
+        }
+    }
 }
 
 /// A ball that falls off a table needs more seconds to the floor, and a hand to the next drop: from
