@@ -35,7 +35,7 @@ use crate::error::{Error, Result};
 use crate::onset::{self, Onset, OnsetDetector};
 use crate::simd::dispatch;
 use crate::stats::median;
-use crate::train::{self, Span, TrainSearch};
+use crate::train::{self, Recording, Span, TrainSearch};
 use std::ops::Range;
 
 /// No drop lasts longer than this many seconds: what is older is forgotten.
@@ -364,26 +364,45 @@ impl ChannelDetector {
 
     /// Judges all onsets; what comes next comes at this time.
     fn judge_all(&mut self, end_s: f64) {
-        let mut found = TrainSearch::default();
-        train::search(&self.onsets, self.span(end_s), &mut found);
+        let found = self.search(end_s);
         self.take(found);
         self.onsets_judged += standing_out(&self.onsets);
         self.onsets.clear();
     }
 
-    /// The time of the onsets that are not yet judged.
-    fn span(&self, end_s: f64) -> Span {
-        Span {
+    /// What is found among the onsets that are not yet judged, if all is known up to this time.
+    fn search(&self, end_s: f64) -> TrainSearch {
+        let span = Span {
             start_s: self.judged_s,
             end_s,
+        };
+        let mut found = TrainSearch::default();
+        train::search(
+            &self.onsets,
+            span,
+            &|range_s| self.read(range_s),
+            &mut found,
+        );
+        found
+    }
+
+    /// The samples of these seconds that are remembered.
+    fn read(&self, range_s: Range<f64>) -> Recording {
+        let number = |time_s: f64| (time_s * self.sample_rate_hz).max(0.0) as u64;
+        let range = number(range_s.start)..number(range_s.end);
+        let mut samples = Vec::new();
+        let first = self.detector.history().read(range, &mut samples);
+        Recording {
+            samples,
+            start_s: first as f64 / self.sample_rate_hz,
+            rate_hz: self.sample_rate_hz,
         }
     }
 
     /// Judges the onsets that no sound later than `now_s` can change, and forgets them; as many at
     /// least as keep the memory bounded.
     fn judge_the_past(&mut self, now_s: f64) {
-        let mut found = TrainSearch::default();
-        train::search(&self.onsets, self.span(now_s), &mut found);
+        let mut found = self.search(now_s);
         let open = found.trains.iter().position(|t| t.end_s() > now_s - OPEN_S);
         let open_from_s = open.map_or(f64::INFINITY, |index| found.trains[index].start_s());
         found.trains.truncate(open.unwrap_or(found.trains.len()));
@@ -411,13 +430,9 @@ impl ChannelDetector {
 
     /// Sharpens the times of these trains while their samples are at hand, and keeps them.
     fn take(&mut self, mut found: TrainSearch) {
-        let mut samples = Vec::new();
         for train in &mut found.trains {
-            let number = |time_s: f64| (time_s * self.sample_rate_hz).max(0.0) as u64;
-            let around = number(train.start_s() - AROUND_S)..number(train.end_s() + AROUND_S);
-            let first = self.detector.history().read(around, &mut samples);
-            let start_s = first as f64 / self.sample_rate_hz;
-            train.align(&samples, start_s, self.sample_rate_hz as u32);
+            let heard = self.read(train.start_s() - AROUND_S..train.end_s() + AROUND_S);
+            train.align(&heard.samples, heard.start_s, self.sample_rate_hz as u32);
         }
         self.found.trains.append(&mut found.trains);
         self.found.periodic.append(&mut found.periodic);
