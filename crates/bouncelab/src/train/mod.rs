@@ -523,8 +523,10 @@ fn alike(onsets: &[Onset], chain: &Chain, read: Read) -> f64 {
     /// before and after those in which they may sound.
     const AROUND_S: f64 = 1.0;
     const SOUND_S: f64 = 0.1;
-    /// Beta distributions of a share of which nothing is known, and of one that is small.
+    /// Beta distributions of a share of which nothing is known, of one that is rather small, because sounds
+    /// by chance are rather unlike, and of one that is small.
     const ANY: (f64, f64) = (1.0, 1.0);
+    const RATHER_SMALL: (f64, f64) = (1.0, 2.0);
     const ONE_IN_TWENTY: (f64, f64) = (1.0, 19.0);
     /// So many others say enough.
     const OTHERS: usize = 20;
@@ -549,7 +551,7 @@ fn alike(onsets: &[Onset], chain: &Chain, read: Read) -> f64 {
     let (agree_too, of_others) = agreement.others;
     let all = (agree + agree_too, of_impacts + of_others);
     ln_share((agree, of_impacts), ANY) + ln_share((agree_too, of_others), ONE_IN_TWENTY)
-        - ln_share(all, ANY)
+        - ln_share(all, RATHER_SMALL)
 }
 
 /// Logarithm of how likely it is that just these of so many do something, if the share that does has
