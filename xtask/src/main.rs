@@ -11,6 +11,7 @@ mod fresh;
 mod fuzz;
 mod laboratory;
 mod package;
+mod python;
 mod steps;
 mod tables;
 mod test;
@@ -29,7 +30,7 @@ struct Chore {
     run: fn(&[String]) -> Result,
 }
 
-const CHORES: [Chore; 8] = [
+const CHORES: [Chore; 9] = [
     Chore {
         name: "test",
         arguments: "[CHECK...]",
@@ -53,6 +54,12 @@ const CHORES: [Chore; 8] = [
         arguments: "FOLDER COUNT",
         about: laboratory::ABOUT,
         run: laboratory::run,
+    },
+    Chore {
+        name: "wheel",
+        arguments: "",
+        about: python::ABOUT,
+        run: python::run,
     },
     Chore {
         name: "verdicts",

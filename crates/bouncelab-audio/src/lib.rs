@@ -1,4 +1,4 @@
-//! Files and microphones to samples.
+//! Reads files and microphones as samples.
 //!
 //! [`Source`] reads a recording of nearly any format as a stream of blocks of `f32` samples, in
 //! memory that does not grow with its length; [`times`] reads impact times that something else
@@ -43,6 +43,8 @@ pub use error::{Error, Result};
 pub use input::Input;
 pub use problem::{LayoutProblem, LooksLike, MissingContent, Stage, TimesProblem};
 pub use recorder::Recorder;
-pub use source::{Block, MAX_BLOCK_FRAMES, MAX_SAMPLE_RATE_HZ, MIN_SAMPLE_RATE_HZ, Source};
+pub use source::{
+    Block, MAX_BLOCK_FRAMES, MAX_SAMPLE_RATE_HZ, MIN_SAMPLE_RATE_HZ, Source, check_layout,
+};
 pub use warning::Warning;
 pub use wav::{SampleFormat, encode_wav, write_wav};

@@ -1,4 +1,4 @@
-//! What can go wrong when results are drawn, saved and judged.
+//! Errors of drawing, saving and reading rules.
 
 use std::path::PathBuf;
 

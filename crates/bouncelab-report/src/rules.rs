@@ -1,4 +1,4 @@
-//! Rules as files: which there are, built in and written by others.
+//! Rules as files: those built in and those of users.
 //!
 //! The format is TOML, `bouncelab.rules/1`; docs/rulebooks.md describes it.
 //!

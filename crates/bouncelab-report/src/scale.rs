@@ -1,4 +1,4 @@
-//! Where a value lies on an axis, and which values get a tick.
+//! The scale of an axis, and its ticks.
 
 use serde::Serialize;
 

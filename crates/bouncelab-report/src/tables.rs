@@ -1,4 +1,4 @@
-//! Which tables an analysis has: the same numbers in the terminal, in reports and in the browser.
+//! The tables of an analysis, for terminal, reports and browser.
 
 use bouncelab::Estimate;
 use bouncelab::analysis::{CONFIDENT_PROBABILITY, Drop};
@@ -107,6 +107,30 @@ pub fn unknown(unknown: Unknown, words: &Translator) -> String {
 /// The name of a source of uncertainty.
 pub fn source(share: &Share, words: &Translator) -> String {
     words.text(&format!("source-{}", share.source))
+}
+
+/// What the times say of each preset ball.
+pub fn balls(drop: &Drop, words: &Translator) -> Table {
+    let mut table = Table::with_headings(
+        words,
+        [
+            ("column-ball", Align::Left),
+            ("column-bayes-factor", Align::Right),
+            ("column-e", Align::Right),
+            ("column-h0", Align::Right),
+        ],
+    );
+    for compared in &drop.balls {
+        let shown =
+            |found: Estimate, unit| Quantity::measured(found.value, found.sd, unit).text(words);
+        table.row([
+            compared.ball.to_owned(),
+            words.fixed(compared.log_bayes_factor, 1),
+            shown(compared.restitution, Unit::Number),
+            shown(compared.drop_height_m, Unit::Length),
+        ]);
+    }
+    table
 }
 
 /// The laws that were weighed.

@@ -1,4 +1,4 @@
-//! What the notes of recordings mean, and what is wrong with them.
+//! The metadata of recordings as quantities, and their checks.
 
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 use std::sync::Arc;

@@ -1,15 +1,15 @@
-//! What is kept of one recording, and the work that makes it.
+//! The record of one recording, and the analysis that makes it.
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::Path;
 use std::sync::Arc;
 
-use bouncelab::analysis::{Drop, MeasuredFlight, Plan, Recording};
+use bouncelab::analysis::{Drop, MeasuredFlight, Recording};
 use bouncelab::diagnostic::Code;
 use bouncelab::groups::RestitutionCurve;
 use bouncelab::inference::Posterior;
 use bouncelab::restitution::ImpactRestitution;
-use bouncelab::{Detector, Diagnostic, Estimate, Impact, Options};
+use bouncelab::{Diagnostic, Estimate, Impact, Options};
 use bouncelab_audio::Input;
 use serde::{Deserialize, Serialize};
 
@@ -86,7 +86,7 @@ pub struct PosteriorRecord {
     pub restitution_scatter: Estimate,
     /// Root mean square standard error of the times, s.
     pub timing_s: Estimate,
-    /// Probabilities of 0, 1, 2, ... impacts before the first one heard.
+    /// Probabilities of 0, 1, 2, ... impacts before the first one detected.
     pub missed_first_impacts: Option<Vec<f64>>,
     /// Whether the sampling can be trusted.
     pub converged: bool,
@@ -151,24 +151,8 @@ impl Record {
 
 /// Every drop of an opened file.
 fn analyze(input: Input, options: &Options) -> Result<Recording, Box<dyn std::error::Error>> {
-    let mut source = match input {
-        Input::Times(times_s) => return Ok(Plan::of_times(&times_s, options).run()),
-        Input::Sound(source) => source,
-    };
-    let channels = source.channels();
-    let mut detector =
-        Detector::with_options(source.sample_rate_hz(), channels, &options.detection)?;
-    while let Some(block) = source.next_block()? {
-        let slices: Vec<&[f32]> = (0..channels).map(|number| block.channel(number)).collect();
-        detector.push(&slices);
-    }
-    let mut recording = Plan::of_detection(detector.finish(), options).run();
-    let of_file = source
-        .warnings()
-        .iter()
-        .map(bouncelab_audio::Warning::diagnostic);
-    recording.diagnostics.splice(0..0, of_file);
-    Ok(recording)
+    let plan = input.plan::<Box<dyn std::error::Error>>(options, |_| Ok(()))?;
+    Ok(plan.run())
 }
 
 impl From<&Recording> for Record {
@@ -241,7 +225,7 @@ impl From<&Posterior> for PosteriorRecord {
 }
 
 impl PosteriorRecord {
-    /// The most probable number of impacts missed before the first one heard.
+    /// The most probable number of impacts missed before the first one detected.
     pub fn missed_first(&self) -> Option<usize> {
         let numbered = self.missed_first_impacts.as_ref()?.iter().enumerate();
         let likeliest = numbered.max_by(|a, b| a.1.total_cmp(b.1))?;

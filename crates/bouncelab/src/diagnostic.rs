@@ -1,4 +1,4 @@
-//! What there is to know about a result, as data.
+//! Warnings, assumptions and reasons, as data.
 //!
 //! Every warning, note, reason and question of the science is a [`Diagnostic`]: a stable [`Code`], a
 //! [`Severity`] and named arguments. Programs filter by the code; the words for people, in any
@@ -185,7 +185,7 @@ codes! {
     // Of a recording.
     /// The recording holds no sound: all samples have the same value.
     RecordingSilent = "recording-silent", Error, [];
-    /// No sound stands out of the background.
+    /// No sound stands out from the background.
     NoSound = "no-sound", Error, [];
     /// Fewer sounds stand out than it takes to distinguish a drop from chance.
     TooFewSounds = "too-few-sounds", Error, ["count", "needed"];
@@ -233,6 +233,8 @@ codes! {
     ImpactsMissed = "impacts-missed", Info, ["count"];
     /// Impacts seem to give energy: restitution above 1.
     ImpactGainsEnergy = "impact-gains-energy", Warning, ["count", "impacts"];
+    /// The corrected restitution rises with the speed, as that of no real ball does.
+    RestitutionRises = "restitution-rises", Warning, ["slow", "fast"];
     /// Impacts are more likely something else.
     ImpactsDoubtful = "impacts-doubtful", Warning, ["count"];
     /// A flight lasts longer than the one before.
@@ -261,6 +263,8 @@ codes! {
     DragOrSlope = "drag-or-slope", Info, [];
     /// No restitution law wins: the answer is an average.
     NoLawWins = "no-law-wins", Info, [];
+    /// Another ball explains the times much better than the one that was stated or assumed.
+    OtherBallFitsBetter = "other-ball-fits-better", Warning, ["balls", "odds"];
     /// With so little loss the ball does not come to rest.
     NeverRests = "never-rests", Info, [];
     /// No inference was asked for.

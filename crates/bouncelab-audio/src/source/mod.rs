@@ -214,7 +214,7 @@ impl Source {
                 Step::End => return Err(track.undecodable(name, detail)),
             }
         };
-        check_layout(layout, name)?;
+        check_layout(layout.sample_rate_hz, layout.channels, name)?;
         let edited = track.presentation(layout);
         let mut source = Self {
             name: name.to_owned(),
@@ -428,11 +428,18 @@ impl Source {
 /// packets or in milliseconds.
 const TRUNCATION_S: f64 = 0.05;
 
-fn check_layout(layout: Layout, name: &str) -> Result<()> {
-    let Layout {
-        sample_rate_hz,
-        channels,
-    } = layout;
+/// Whether sound of so many samples a second and channels is of use; samples that come from no file are
+/// held to the same limits.
+///
+/// # Errors
+///
+/// [`Error::UnsupportedLayout`] with this name, if it is not.
+///
+/// ```
+/// assert!(bouncelab_audio::check_layout(44_100, 2, "microphone").is_ok());
+/// assert!(bouncelab_audio::check_layout(1_000, 2, "microphone").is_err());
+/// ```
+pub fn check_layout(sample_rate_hz: u32, channels: usize, name: &str) -> Result<()> {
     let problem = if sample_rate_hz < MIN_SAMPLE_RATE_HZ {
         LayoutProblem::TooSlow {
             sample_rate_hz,

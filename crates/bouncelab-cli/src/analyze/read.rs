@@ -1,16 +1,16 @@
-//! A file to its result.
+//! Reads and analyses a file.
 
 use std::path::Path;
 use std::time::Duration;
 
 use bouncelab::analysis::{DropTask, Plan};
-use bouncelab::{Detector, Diagnostic, Options, Recording};
-use bouncelab_audio::{Input, Source, Warning};
+use bouncelab::{Diagnostic, Options, Recording};
+use bouncelab_audio::Input;
 use indicatif::{ProgressBar, ProgressStyle};
 use rayon::prelude::*;
 
 use crate::failure::Failure;
-use crate::language::{text_with, translated, translator};
+use crate::language::{text_with, translator};
 
 /// A file and what it says.
 pub(crate) struct Analysed {
@@ -23,37 +23,18 @@ pub(crate) struct Analysed {
 /// Reads a file and analyses every drop in it; `quiet` shows no progress, because somebody else does.
 pub(crate) fn read(file: &Path, options: &Options, quiet: bool) -> Result<Analysed, Failure> {
     let name = file.display().to_string();
-    match Input::open(file)? {
-        Input::Times(times_s) => {
-            let plan = Plan::of_times(&times_s, options);
-            Ok(Analysed::new(name, run(plan, options), Vec::new()))
-        }
-        Input::Sound(source) => read_sound(name, *source, options, quiet),
-    }
-}
-
-fn read_sound(
-    name: String,
-    mut source: Source,
-    options: &Options,
-    quiet: bool,
-) -> Result<Analysed, Failure> {
-    let (rate_hz, channels) = (source.sample_rate_hz(), source.channels());
-    let mut detector = Detector::with_options(rate_hz, channels, &options.detection)
-        .map_err(|reason| Failure::Usage(format!("{name}: {}", translated(&reason))))?;
-    let progress = progress(source.duration_s().filter(|_| !quiet));
-    let mut frames = 0;
-    while let Some(block) = source.next_block()? {
-        let slices: Vec<&[f32]> = (0..channels).map(|number| block.channel(number)).collect();
-        detector.push(&slices);
-        frames += block.frames();
-        progress.set_position((frames as f64 / f64::from(rate_hz)) as u64);
-    }
+    let input = Input::open(file)?;
+    let progress = progress(input.duration_s().filter(|_| !quiet));
+    let plan = input.plan(options, |seconds| {
+        progress.set_position(seconds as u64);
+        Ok(())
+    });
     progress.finish_and_clear();
-    let warnings = source.warnings().iter().map(Warning::diagnostic);
-    let mut result = run(Plan::of_detection(detector.finish(), options), options);
-    result.source = result.source.with_format(&source.format());
-    Ok(Analysed::new(name, result, warnings.collect()))
+    let plan = plan.map_err(|failure| match failure {
+        Failure::Usage(reason) => Failure::Usage(format!("{name}: {reason}")),
+        other => other,
+    })?;
+    Ok(Analysed::new(name, run(plan, options), Vec::new()))
 }
 
 impl Analysed {

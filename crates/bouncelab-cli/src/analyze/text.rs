@@ -1,10 +1,11 @@
-//! The result for people.
+//! The result as text.
 
 use std::fmt::{Display, Write};
 
 use bouncelab::Diagnostic;
 use bouncelab::Estimate;
 use bouncelab::analysis::{CONFIDENT_PROBABILITY, Drop, Source, StrongestBand};
+use bouncelab::diagnostic::Code;
 use bouncelab_report::messages::Value;
 use bouncelab_report::report::ended;
 use bouncelab_report::tables::{self, drag_law};
@@ -29,6 +30,14 @@ pub(crate) fn report(analysed: &Analysed, physics: &Physics, details: bool) -> S
         for finding in findings(drop, physics) {
             line(&mut page, &format!("  {finding}"));
         }
+        if !drop.balls.is_empty() {
+            line(&mut page, "");
+            let balls = tables::balls(drop, translator());
+            line(
+                &mut page,
+                &indented(&format!("{}\n{balls}", text("analyze-balls-heading"))),
+            );
+        }
         line(&mut page, "");
         let impacts = tables::impacts(drop, details, translator());
         line(&mut page, &indented(&impacts.to_string()));
@@ -45,6 +54,14 @@ pub(crate) fn report(analysed: &Analysed, physics: &Physics, details: bool) -> S
     }
     for known in &analysed.result.diagnostics {
         line(&mut page, &note(translator().diagnostic(known)));
+    }
+    if let Some(drop) = analysed.result.drops.first()
+        && physics
+            .assumptions
+            .iter()
+            .any(|known| known.code == Code::AssumedBall)
+    {
+        line(&mut page, &ball_contrast(drop, physics));
     }
     if !physics.assumptions.is_empty() {
         line(&mut page, &assumed(&physics.assumptions));
@@ -65,6 +82,28 @@ pub(crate) fn assumed(assumptions: &[Diagnostic]) -> String {
         .map(|known| translator().diagnostic(known));
     let list = [("list", assumptions.collect::<Vec<_>>().join("; ").into())];
     format!("  {}", text_with("terminal-assumed", &list))
+}
+
+/// How the answers of a drop depend on the ball, which nobody stated.
+fn ball_contrast(drop: &Drop, physics: &Physics) -> String {
+    let contrasts = drop.ball_contrasts(&physics.options);
+    let contrasts = contrasts.iter().map(|other| {
+        let ball = other.ball.split(':').next().unwrap_or_default();
+        text_with(
+            "terminal-if-ball",
+            &[
+                ("ball", ball.into()),
+                ("restitution", shown(other.restitution, Unit::Number).into()),
+                ("height", shown(other.drop_height_m, Unit::Length).into()),
+            ],
+        )
+    });
+    let contrasts: Vec<String> = contrasts.collect();
+    let contrast = [
+        ("assumed", physics.ball_label.as_str().into()),
+        ("contrasts", contrasts.join("; ").into()),
+    ];
+    note(text_with("terminal-ball-contrast", &contrast))
 }
 
 fn line(page: &mut String, words: &str) {

@@ -44,6 +44,7 @@ diagnostic-impact-gains-energy = { $count ->
     [one] Aufprall { $impacts } gäbe dem Ball Energie (Stoßzahl über 1): doppelt ausgelöst, ein bewegter Untergrund oder kein Aufprall.
    *[other] Die Aufpralle { $impacts } gäben dem Ball Energie (Stoßzahl über 1): doppelt ausgelöst, ein bewegter Untergrund oder keine Aufpralle.
   }
+diagnostic-restitution-rises = Die um den Luftwiderstand bereinigte Stoßzahl steigt mit dem Aufpralltempo, von { $slow } auf { $fast }: Das tun wirkliche Bälle nicht; wahrscheinlich ist der Ball ein anderer, schwerer für seine Größe.
 diagnostic-impacts-doubtful = { $count ->
     [one] Ein Aufprall ist
    *[other] { $count } Aufpralle sind
@@ -62,8 +63,8 @@ diagnostic-law-needs-impacts = Das Gesetz der Stoßzahl „{ $law }“ braucht {
    *[other] { $seen }
   }: Wie sich die Stoßzahl ändert, ist angenommen.
 diagnostic-impacts-odd = { $count ->
-    [one] Aufprall { $impacts } fällt aus der Reihe und zählt weniger: Der Ball ist vielleicht weggesprungen, traf eine Kante, oder der Laut ist etwas anderes.
-   *[other] Die Aufpralle { $impacts } fallen aus der Reihe und zählen weniger: Der Ball ist vielleicht weggesprungen, traf eine Kante, oder die Laute sind etwas anderes.
+    [one] Aufprall { $impacts } ist ein Ausreißer und zählt weniger: Der Ball ist vielleicht weggesprungen, traf eine Kante, oder der Laut ist etwas anderes.
+   *[other] Die Aufpralle { $impacts } sind Ausreißer und zählen weniger: Der Ball ist vielleicht weggesprungen, traf eine Kante, oder die Laute sind etwas anderes.
   }
 diagnostic-height-contradicts-times = Die gemessene Höhe von { $measured_m } widerspricht den Flugzeiten, aus denen { $detected_m } folgen; beides stimmte bei einer Fallbeschleunigung von { $gravity_m_s2 }. Falsche Abtastrate, falscher Ball oder falsche Höhe?
 diagnostic-first-impacts-missed = Mit der Wahrscheinlichkeit { $probability } fehlen Aufpralle vor dem ersten erkannten.
@@ -71,6 +72,7 @@ diagnostic-height-of-first-detected = Die Fallhöhe ist die vor dem ersten erkan
 diagnostic-drag-from-prior = Diese Flugzeiten sagen fast nichts über den Luftwiderstand: Der Beiwert ist, was man von Kugeln weiß.
 diagnostic-drag-or-slope = Luftwiderstand und fallende Stoßzahl lassen sich an dieser Aufnahme nicht unterscheiden; eine gemessene Fallhöhe oder ein dichterer Ball könnte es.
 diagnostic-no-law-wins = Kein Gesetz der Stoßzahl gewinnt; die Antwort ist das Mittel über alle, die wahr sein können.
+diagnostic-other-ball-fits-better = Diese Zeiten passen besser zu einem anderen Ball, mindestens { $odds } zu 1: { $balls }.
 diagnostic-never-rests = Bei so wenig Verlust kommt der Ball in keiner vernünftigen Zeit zur Ruhe.
 diagnostic-inference-off = Eine Schätzung war nicht verlangt.
 diagnostic-inference-needs-impacts = Eine Schätzung braucht einen Flug, und ein Flug braucht zwei Aufpralle.
@@ -87,7 +89,7 @@ diagnostic-unknown-name = { $kind } „{ $name }“ gibt es nicht; am nächsten 
 diagnostic-reynolds-too-high = Das Widerstandsgesetz { $law } ist bis zur Reynolds-Zahl { $max_reynolds } bekannt, der Ball erreicht aber { $reynolds }; wähle ein Gesetz, das weiter reicht (clift-grace-weber hat kein Ende), oder einen langsameren Ball.
 diagnostic-ball-floats = Der Ball wiegt { $mass_kg } und verdrängt { $displaced_kg } Luft, er schwebt also; prüfe Masse und Durchmesser, oder lass den Auftrieb weg.
 diagnostic-endless-drop = Der Ball steigt noch { $apex_m } nach { $bounces } Sprüngen; senke die Stoßzahl, höre bei größerer Höhe auf, oder begnüge dich mit { $bounces } Sprüngen.
-diagnostic-too-few-flights = Eine Gerade durch die Logarithmen der Flugzeiten braucht mindestens 2 Flüge, hier { $flights ->
+diagnostic-too-few-flights = Eine Ausgleichsgerade durch die Logarithmen der Flugzeiten braucht mindestens 2 Flüge, hier { $flights ->
     [0] ist es keiner
     [one] ist es einer
    *[other] sind es { $flights }

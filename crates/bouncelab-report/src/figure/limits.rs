@@ -1,4 +1,4 @@
-//! Values with their intervals, and the limits that they must keep.
+//! Values with their intervals, and the limits of a rule.
 
 use crate::chart::{Axis, Chart, Layer, Marker, Panel, Scale, row_middle, xs};
 use crate::messages::Translator;

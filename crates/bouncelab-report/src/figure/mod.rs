@@ -178,7 +178,7 @@ fn of_inference(
     }
 }
 
-/// The figures that there are of a drop: of what was heard, and of the inference if there is one.
+/// The figures that there are of a drop: of what was detected, and of the inference if there is one.
 pub fn of_drop(subject: &Subject<'_>) -> impl Iterator<Item = Figure> {
     OF_DROP
         .into_iter()

@@ -1,4 +1,4 @@
-//! Tables in three forms: Parquet, CSV and JSON lines.
+//! Tables in three formats: Parquet, CSV and JSON lines.
 //!
 //! A table has columns with a type, a unit and a sentence of meaning; rows are written as they come,
 //! so that a table of any length takes little memory. Each file is written under another name and
@@ -66,6 +66,25 @@ pub struct Schema {
     pub version: &'static str,
     /// Its columns.
     pub columns: Vec<Column>,
+}
+
+/// A table in memory.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Table {
+    /// What it is.
+    pub schema: Schema,
+    /// Its rows, each with a cell for each column.
+    pub rows: Vec<Vec<Cell>>,
+}
+
+impl Table {
+    /// A table without rows.
+    pub const fn new(schema: Schema) -> Self {
+        Self {
+            schema,
+            rows: Vec::new(),
+        }
+    }
 }
 
 /// The form of a table.

@@ -1,4 +1,4 @@
-//! From samples, or times, to the result.
+//! The steps from samples, or times, to the result.
 
 use super::result::{Recording, Source, StrongestBand};
 use super::{Drop, Edits, Options, analyze_impacts, edit, gap, impacts_of_times};
@@ -145,6 +145,29 @@ impl Plan {
             ..Recording::of(Source::Times)
         };
         Self::new(recording, vec![DropCandidate::of_times(times_s)], options)
+    }
+
+    /// The same for the sound of a file: with the name of its format, and with what is odd about the
+    /// file before what is odd about the sound.
+    ///
+    /// ```
+    /// use bouncelab::analysis::{Plan, Source};
+    /// use bouncelab::{Detector, Options};
+    ///
+    /// let silence = Detector::new(48_000, 1).finish();
+    /// let plan = Plan::of_detection(silence, &Options::default()).of_file("WAV", []);
+    /// let Source::Sound { format, .. } = plan.run().source else { panic!("a list of times") };
+    /// assert_eq!(format.as_deref(), Some("WAV"));
+    /// ```
+    #[must_use]
+    pub fn of_file(
+        mut self,
+        format: &str,
+        diagnostics: impl IntoIterator<Item = Diagnostic>,
+    ) -> Self {
+        self.recording.source = self.recording.source.with_format(format);
+        self.recording.diagnostics.splice(0..0, diagnostics);
+        self
     }
 
     /// The plan for drops that are known already: detected before, or edited by hand.

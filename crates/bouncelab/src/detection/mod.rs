@@ -1,7 +1,7 @@
-//! The listener: samples in, drops out.
+//! The detector: samples in, drops out.
 //!
 //! It takes a recording of any length in blocks of any size, channel by channel, and remembers no
-//! more of it than the longest drop lasts. All channels are heard; the one whose drops have the
+//! more of it than the longest drop lasts. All channels are analysed; the one whose drops have the
 //! most evidence against chance is believed, and the result says which that is.
 //!
 //! ```
@@ -20,15 +20,17 @@
 //!     .collect();
 //! let recording = synth::render(&strikes, &Scene::default(), 7)?;
 //!
-//! let mut listener = Detector::new(recording.sample_rate_hz, 1);
+//! let mut detector = Detector::new(recording.sample_rate_hz, 1);
 //! for block in recording.samples.chunks(1024) {
-//!     listener.push(&[block]);
+//!     detector.push(&[block]);
 //! }
-//! let heard = listener.finish();
-//! assert_eq!(heard.found.trains.len(), 1);
-//! assert_eq!(heard.found.trains[0].impacts().len(), 20);
+//! let detection = detector.finish();
+//! assert_eq!(detection.found.trains.len(), 1);
+//! assert_eq!(detection.found.trains[0].impacts().len(), 20);
 //! # Ok::<(), bouncelab::Error>(())
 //! ```
+
+mod watch;
 
 use crate::diagnostic::{Code, Diagnostic};
 use crate::error::{Error, Result};
@@ -38,9 +40,11 @@ use crate::stats::median;
 use crate::train::{self, Recording, Span, TrainSearch};
 use std::ops::Range;
 
+pub use watch::DropWatch;
+
 /// No drop lasts longer than this many seconds: what is older is forgotten.
 const MEMORY_S: f64 = 120.0;
-/// In a recording full of sounds the past is judged whenever this many more seconds were heard.
+/// In a recording full of sounds the past is evaluated after each further this many seconds.
 const SLACK_S: f64 = 60.0;
 /// So many sounds are remembered at most, and the past is judged when there are as many: ten times
 /// the impacts of the longest drop (e = 0.99, from a metre to a tenth of a millimetre).
@@ -52,7 +56,7 @@ const GAP_S: f64 = 3.2;
 const DELAY_S: f64 = 0.3;
 /// Seconds before and after a train in which more of its impacts may be found.
 const AROUND_S: f64 = 2.5;
-/// A train goes on if its last impact was heard less than this many seconds ago.
+/// A train continues if its last impact was detected less than this many seconds ago.
 const OPEN_S: f64 = 10.0;
 
 /// Where in a recording to look for impacts.
@@ -75,7 +79,7 @@ pub struct Detector {
     of_channels: usize,
 }
 
-/// What was heard in a recording.
+/// The detections in a recording.
 #[derive(Clone, Debug)]
 pub struct Detection {
     /// Samples a second.
@@ -231,7 +235,7 @@ impl Detector {
         }
     }
 
-    /// How many sounds have stood out of the background so far, in all channels that differ.
+    /// How many sounds have stood out from the background so far, in all channels that differ.
     pub fn onsets(&self) -> usize {
         let channels = self.channels.iter().flatten();
         channels
@@ -239,7 +243,7 @@ impl Detector {
             .sum()
     }
 
-    /// What was heard so far, as if the recording ended here. It takes as long as the judgement of
+    /// The detections so far, as if the recording ended here. It takes as long as the judgement of
     /// the sounds that are not yet judged: some milliseconds.
     ///
     /// ```
@@ -285,7 +289,7 @@ impl Detector {
     }
 }
 
-/// Hears one channel.
+/// Detects the onsets of one channel.
 #[derive(Clone, Debug)]
 struct ChannelDetector {
     sample_rate_hz: f64,
@@ -469,7 +473,7 @@ fn check_channel(channel: Option<usize>, channels: usize) -> Result<Option<usize
     }
 }
 
-/// How many of these are sounds that stand out of the background.
+/// How many of these are sounds that stand out from the background.
 fn standing_out(onsets: &[Onset]) -> usize {
     onsets.iter().filter(|onset| onset.stands_out()).count()
 }

@@ -1,4 +1,4 @@
-//! What a person states of a drop, and what is assumed of the rest.
+//! Stated quantities of a drop, and assumptions for the others.
 //!
 //! Whoever asks (a command line, a page) fills in what is known and leaves the rest out. What is
 //! left out is assumed, every assumption is told in words, and what is stated counts as measured
@@ -15,6 +15,8 @@
 //! # Ok::<(), bouncelab::Error>(())
 //! ```
 
+mod settings;
+
 use crate::Result;
 use crate::air::{Air, Conditions};
 use crate::analysis::Options;
@@ -24,6 +26,8 @@ use crate::drag::DragLaw;
 use crate::flight::Environment;
 use crate::gravity;
 use crate::inference::{LawKind, Measured, Priors, UNKNOWN};
+
+pub use settings::Settings;
 
 /// Heights are measured with a ruler: standard uncertainty in metres.
 const HEIGHT_SD_M: f64 = 0.002;
