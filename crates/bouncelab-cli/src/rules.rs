@@ -54,18 +54,7 @@ impl Files {
     /// The rules that are built in, and those of the files; a rule of a file replaces one of the same
     /// name.
     pub(crate) fn read(&self) -> Result<Vec<Rule>, Failure> {
-        let mut all = rules::built_in()?;
-        for path in &self.rules {
-            let name = path.display().to_string();
-            let text = std::fs::read_to_string(path).map_err(|reason| {
-                Failure::Input(format!("cannot read the rules {name}: {reason}"))
-            })?;
-            for rule in rules::read(&text, &name)? {
-                all.retain(|other| other.name != rule.name);
-                all.push(rule);
-            }
-        }
-        Ok(all)
+        Ok(rules::all(&self.rules)?)
     }
 }
 

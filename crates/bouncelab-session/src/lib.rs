@@ -13,6 +13,7 @@
 //! | [`journal`] | the results so far |
 //! | [`complete`] | analyses one recording if needed |
 //! | [`Outcome`] | statistics of the drops |
+//! | [`figures()`] | figures of the statistics |
 //! | [`SessionDocument`] | the statistics as JSON |
 //! | [`table`] | tables as Parquet, CSV and JSON lines |
 //! | [`write_tables`], [`tables`], [`RecordingTables`] | the tables of a session, and of one recording |
@@ -22,6 +23,7 @@
 mod columns;
 mod document;
 mod error;
+mod figures;
 pub mod hash;
 pub mod journal;
 mod metadata;
@@ -38,6 +40,7 @@ mod work;
 pub use columns::{RecordingTables, tables, write_tables};
 pub use document::{AboutSession, Reason, SessionDocument};
 pub use error::{Error, Result};
+pub use figures::figures;
 pub use metadata::{Advice, KnownRecording, Metadata, MetadataOptions, Noted};
 pub use name::{name, some_of};
 pub use notes::{Note, Notes};

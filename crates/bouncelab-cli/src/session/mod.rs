@@ -1,6 +1,5 @@
 //! `bouncelab session`: statistics of many drops.
 
-mod figures;
 mod report;
 mod tables;
 mod text;
@@ -13,7 +12,8 @@ use bouncelab_report::file::{remove_drafts, write_whole};
 use bouncelab_session::journal::Journal;
 use bouncelab_session::table::Form;
 use bouncelab_session::{
-    Advice, MetadataOptions, Noted, Outcome, Results, Session, Sources, StudyOptions, write_tables,
+    Advice, MetadataOptions, Noted, Outcome, Results, Session, Sources, StudyOptions, figures,
+    write_tables,
 };
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Args, ValueEnum};
@@ -22,7 +22,7 @@ use crate::failure::Failure;
 use crate::language::{text as message, text_with, translator};
 use crate::physics::PhysicsArguments;
 use crate::priors::{PriorArguments, impact_speed};
-use crate::report::ReportFile;
+use crate::report::{ReportFile, wrote_figure};
 use bouncelab::setup::Setup;
 
 /// Analyse many recordings: means, scatter and differences of their drops
@@ -183,7 +183,9 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let place = folder.join("session.json");
     write_whole(&place, json.as_bytes()).map_err(|reason| Failure::unwritable(&place, &reason))?;
     if arguments.figures {
-        figures::save(&outcome, &results, folder)?;
+        for (name, figure) in figures(&outcome, &results, translator())? {
+            wrote_figure(&bouncelab_report::save(&figure, folder, name)?);
+        }
     }
     if let Some(file) = report_file {
         file.write(&report::page(&outcome, &results)?)?;

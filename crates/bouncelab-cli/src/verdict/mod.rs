@@ -8,9 +8,6 @@ use std::collections::BTreeMap;
 use std::io::{self, Write};
 use std::path::PathBuf;
 
-use bouncelab::Diagnostic;
-use bouncelab::diagnostic::Code;
-use bouncelab::inference::Measured;
 use bouncelab::rulebook::{self, Decision, Outcome, Place, Rule, Verdict};
 use bouncelab_report::document::verdict::VerdictDocument;
 use bouncelab_session::hash::hash_of_file;
@@ -243,45 +240,20 @@ fn physics(arguments: &Arguments, rule: &Rule) -> Result<Physics, Failure> {
         )));
     }
     let mut physics = analyze::physics(&of_ball, &arguments.priors, None)?;
-    if unstated {
-        let ball = Diagnostic::new(Code::AssumedRuleBall);
-        let ball = ball.with("ball", physics.ball_label.as_str());
-        physics.assumptions.insert(0, ball);
-    }
     if physics.options.inference.is_none() {
         return Err(Failure::Usage(
             "a verdict needs the inference; omit --no-inference".to_owned(),
         ));
     }
-    let diameter_m = physics.options.ball.diameter_m();
-    let of_rule = rule.fall_m(diameter_m, None);
-    match (physics.options.priors.drop_height_m, of_rule) {
-        (Some(stated), Some(of_rule)) if !arguments.physics.allow_implausible() => {
-            check_height(stated.value, of_rule)?;
-        }
-        (None, Some(of_rule)) => {
-            let height = of_the_rule(rule, of_rule);
-            physics.assumptions.push(
-                Diagnostic::new(Code::AssumedRuleHeight)
-                    .with("height_m", height.value)
-                    .with("sd_m", height.sd),
-            );
-            physics.options.priors.drop_height_m = Some(height);
-        }
-        _ => {}
+    let of_rule = rule.fall_m(physics.options.ball.diameter_m(), None);
+    let stated = physics.options.priors.drop_height_m;
+    if let (Some(stated), Some(of_rule)) = (stated, of_rule)
+        && !arguments.physics.allow_implausible()
+    {
+        check_height(stated.value, of_rule)?;
     }
+    physics.assume(rule, unstated);
     Ok(physics)
-}
-
-/// The height of the rule, with the uncertainty of a drop by hand.
-fn of_the_rule(rule: &Rule, fall_m: f64) -> Measured {
-    /// Standard uncertainty with a ruler, by hand.
-    const SD_M: f64 = 0.002;
-    let sd = rule.drop_tolerance_m.map_or(SD_M, |tolerance| {
-        // Anywhere within the tolerance.
-        tolerance / 3.0_f64.sqrt()
-    });
-    Measured { value: fall_m, sd }
 }
 
 /// A height far from that of the rule is probably in another unit.

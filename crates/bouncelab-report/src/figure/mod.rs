@@ -49,7 +49,7 @@ pub use flight_times::{Line, TimedFlight, flight_times};
 pub use groups::{GroupCurve, GroupPoint, groups};
 pub use height::height;
 pub use intervals::{GroupInterval, intervals};
-pub use limits::{Judged, limits};
+pub use limits::{Judged, limits, verdict};
 pub use run_chart::{RunPoint, run_chart};
 pub(crate) use runs::flight_times as flight_times_of;
 pub use runs::{Run, curve_of, runs};

@@ -36,7 +36,7 @@ struct Numbering {
 }
 
 /// The numberings that may explain the intervals, that stated first.
-pub(super) fn plausible(observed: Observed) -> Vec<Observed> {
+pub(super) fn plausible(observed: &Observed) -> Vec<Observed> {
     let durations_s: Vec<f64> = observed.intervals.iter().map(|i| i.duration_s).collect();
     let stated: Vec<usize> = observed.intervals.iter().map(|i| i.flights).collect();
     let mut ways: Vec<Numbering> = Vec::new();
@@ -67,7 +67,7 @@ fn follow(durations_s: &[f64], first: usize, ratio: f64) -> Numbering {
     let (mut flights, mut ratio) = (vec![first], ratio);
     let mut cost = missed_cost(first);
     let last_of = |duration_s: f64, flights: usize, ratio: f64| {
-        duration_s * ratio.powi(flights as i32 - 1) / series(flights, ratio)
+        duration_s * ratio.powf((flights - 1) as f64) / series(flights, ratio)
     };
     let mut last_s = last_of(durations_s[0], first, ratio);
     for &duration_s in &durations_s[1..] {
@@ -110,7 +110,7 @@ fn missed_cost(flights: usize) -> f64 {
 
 /// 1 + r + r² + ..., so many terms.
 fn series(terms: usize, ratio: f64) -> f64 {
-    (0..terms).map(|n| ratio.powi(n as i32)).sum()
+    (0..terms).map(|n| ratio.powf(n as f64)).sum()
 }
 
 #[cfg(test)]
@@ -126,7 +126,7 @@ mod tests {
                 Impact::new(number, 0.5 * (1.0 - ratio.powi(place)) / (1.0 - ratio))
             })
             .collect();
-        let found = plausible(Observed::new(&impacts, 1e-3).unwrap());
+        let found = plausible(&Observed::new(&impacts, 1e-3).unwrap());
         let flights = |observed: &Observed| observed.intervals.iter().map(|i| i.flights).collect();
         found.iter().map(flights).collect()
     }

@@ -157,7 +157,7 @@ impl SampledPosterior {
             priors,
         )?];
         let middle = ReferenceSpeed::new(&observed, &media[0], contact_time_s)?;
-        let numberings = numbering::plausible(observed);
+        let numberings = numbering::plausible(&observed);
         if priors.constant_drag_too && follows_reynolds(environment) {
             // Drag shows most at the fastest impact; four digits are more than anyone knows.
             let reynolds = environment.air.reynolds(ball, middle.fastest_m_s);
