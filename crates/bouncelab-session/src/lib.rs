@@ -9,7 +9,7 @@
 //! | [`Session`] | which recordings are there, and what was said of each? |
 //! | [`Metadata`] | what do the notes mean? |
 //! | [`hash`] | what tells contents and settings apart? |
-//! | [`Record`] | what does one recording say? |
+//! | [`Record`], [`plan_of_sound`] | what does one recording say? |
 //! | [`journal`] | which results are there already? |
 //! | [`complete`] | what is left to do for one recording? |
 //! | [`Outcome`] | what do the drops say together? |
@@ -42,7 +42,7 @@ pub use metadata::{Advice, KnownRecording, Metadata, MetadataOptions, Noted};
 pub use name::{name, some_of};
 pub use notes::{Note, Notes};
 pub use pattern::Pattern;
-pub use record::{DropRecord, FitRecord, ImpactRecord, PosteriorRecord, RECORD, Record};
+pub use record::{DropRecord, FitRecord, ImpactRecord, PosteriorRecord, RECORD, Record, plan_of_sound};
 pub use recordings::{ENDINGS, Recording, SESSION_FILE, Session, Sources};
 pub use results::Results;
 pub use study::{Outcome, SessionDrop, StudyOptions};

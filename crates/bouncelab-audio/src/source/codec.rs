@@ -23,7 +23,7 @@ pub(super) const MAX_PACKET_FRAMES: u64 = 1 << 16;
 
 /// A decoder for one track.
 pub(super) enum Decoder {
-    Symphonia(Box<dyn AudioDecoder>),
+    Symphonia(Box<dyn AudioDecoder>, AudioCodecId),
     Opus(Box<opus::Decoder>),
 }
 
@@ -58,9 +58,11 @@ impl Decoder {
         // Vorbis decodes one packet less than it is given, which only its own trimming knows. All
         // other encoder delays are taken out here, from what the container says: the trimming of
         // MP3 would also cut the end of files whose length is merely estimated.
-        let options = AudioDecoderOptions::default().gapless(params.codec == CODEC_ID_VORBIS);
+        let options = AudioDecoderOptions::default()
+            .gapless(params.codec == CODEC_ID_VORBIS)
+            .verify(params.codec == CODEC_ID_FLAC);
         match codecs.make_audio_decoder(params, &options) {
-            Ok(decoder) => Ok(Self::Symphonia(decoder)),
+            Ok(decoder) => Ok(Self::Symphonia(decoder, params.codec)),
             Err(SymphoniaError::Unsupported(why)) => {
                 Err(Refusal::Codec(format!("{} ({why})", name(params.codec))))
             }
@@ -76,7 +78,7 @@ impl Decoder {
         planes: &mut Vec<Vec<f32>>,
     ) -> SymphoniaResult<Layout> {
         match self {
-            Self::Symphonia(decoder) => {
+            Self::Symphonia(decoder, _) => {
                 let decoded = decoder.decode(packet)?;
                 decoded.copy_to_vecs_planar(planes);
                 let spec = decoded.spec();
@@ -97,6 +99,38 @@ impl Decoder {
                     channels: planes.len(),
                 })
             }
+        }
+    }
+}
+
+impl Decoder {
+    /// Forgets the packets before, which the next one does not follow.
+    pub(super) fn forget(&mut self) {
+        // One of Vorbis would give nothing then, and lasts as long as the one before says.
+        if let Self::Symphonia(decoder, CODEC_ID_AAC | CODEC_ID_MP3) = self {
+            decoder.reset();
+        }
+    }
+
+    /// Whether this first sound after a loss, or the one after so many more, still lacks what was lost.
+    pub(super) fn is_cold(&self, planes: &[Vec<f32>], warm_ups: u32) -> bool {
+        /// MP3 takes up to 511 bytes of the packets before, and is silent while it lacks them.
+        const MOST: u32 = 4;
+        let has_memory = match self {
+            Self::Symphonia(_, codec) => {
+                matches!(*codec, CODEC_ID_AAC | CODEC_ID_MP3 | CODEC_ID_VORBIS)
+            }
+            Self::Opus(_) => true,
+        };
+        let begins_silent = || planes.iter().all(|plane| plane.first() == Some(&0.0));
+        has_memory && (warm_ups == 0 || warm_ups < MOST && begins_silent())
+    }
+
+    /// Whether a checksum says that the decoded sound is not what was encoded.
+    pub(super) fn is_altered(&mut self) -> bool {
+        match self {
+            Self::Symphonia(decoder, _) => decoder.finalize().verify_ok == Some(false),
+            Self::Opus(_) => false,
         }
     }
 }

@@ -4,8 +4,9 @@ use std::path::Path;
 use std::time::Duration;
 
 use bouncelab::analysis::{DropTask, Plan};
-use bouncelab::{Detector, Diagnostic, Options, Recording};
-use bouncelab_audio::{Input, Source, Warning};
+use bouncelab::{Detector, Options, Recording};
+use bouncelab_audio::{Input, Source};
+use bouncelab_session::plan_of_sound;
 use indicatif::{ProgressBar, ProgressStyle};
 use rayon::prelude::*;
 
@@ -26,7 +27,7 @@ pub(crate) fn read(file: &Path, options: &Options, quiet: bool) -> Result<Analys
     match Input::open(file)? {
         Input::Times(times_s) => {
             let plan = Plan::of_times(&times_s, options);
-            Ok(Analysed::new(name, run(plan, options), Vec::new()))
+            Ok(Analysed::new(name, run(plan, options)))
         }
         Input::Sound(source) => read_sound(name, *source, options, quiet),
     }
@@ -39,27 +40,19 @@ fn read_sound(
     quiet: bool,
 ) -> Result<Analysed, Failure> {
     let (rate_hz, channels) = (source.sample_rate_hz(), source.channels());
-    let mut detector = Detector::with_options(rate_hz, channels, &options.detection)
+    let detector = Detector::with_options(rate_hz, channels, &options.detection)
         .map_err(|reason| Failure::Usage(format!("{name}: {}", translated(&reason))))?;
     let progress = progress(source.duration_s().filter(|_| !quiet));
-    let mut frames = 0;
-    while let Some(block) = source.next_block()? {
-        let slices: Vec<&[f32]> = (0..channels).map(|number| block.channel(number)).collect();
-        detector.push(&slices);
-        frames += block.frames();
-        progress.set_position((frames as f64 / f64::from(rate_hz)) as u64);
-    }
+    let plan = plan_of_sound(&mut source, detector, options, |frames| {
+        progress.set_position(frames / u64::from(rate_hz));
+    })?;
     progress.finish_and_clear();
-    let warnings = source.warnings().iter().map(Warning::diagnostic);
-    let mut result = run(Plan::of_detection(detector.finish(), options), options);
-    result.source = result.source.with_format(&source.format());
-    Ok(Analysed::new(name, result, warnings.collect()))
+    Ok(Analysed::new(name, run(plan, options)))
 }
 
 impl Analysed {
-    /// The result with the warnings of its file, and the sentences of all diagnostics.
-    pub(crate) fn new(name: String, mut result: Recording, warnings: Vec<Diagnostic>) -> Self {
-        result.diagnostics.splice(0..0, warnings);
+    /// The result with the sentences of all diagnostics.
+    pub(crate) fn new(name: String, mut result: Recording) -> Self {
         translator().complete(&mut result);
         Self { name, result }
     }

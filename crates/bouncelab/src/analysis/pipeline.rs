@@ -185,6 +185,14 @@ impl Plan {
         }
     }
 
+    /// The same for a file of this format, of which so much is known besides.
+    #[must_use]
+    pub fn of_file(mut self, format: &str, diagnostics: Vec<Diagnostic>) -> Self {
+        self.recording.source = self.recording.source.with_format(format);
+        self.recording.diagnostics.splice(0..0, diagnostics);
+        self
+    }
+
     /// The drops to analyse, in order of time.
     pub fn tasks(&self) -> &[DropTask] {
         &self.tasks
