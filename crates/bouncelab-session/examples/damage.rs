@@ -70,7 +70,7 @@ fn analyse(file: &[u8], name: &str, options: &Options) -> Result<Recording, Box<
 }
 
 fn judge(whole: &Recording, damaged: Option<&Recording>) -> Verdict {
-    let Some(damaged) = damaged else {
+    let Some(damaged) = damaged.filter(|it| it.no_drop.is_none()) else {
         return Verdict::Refused;
     };
     if agree(whole, damaged) {

@@ -78,6 +78,9 @@ impl Decoder {
         planes: &mut Vec<Vec<f32>>,
     ) -> SymphoniaResult<Layout> {
         match self {
+            Self::Symphonia(_, CODEC_ID_ALAC) if is_blank(&packet.data) => {
+                Err(SymphoniaError::DecodeError("overwritten ALAC packet"))
+            }
             Self::Symphonia(decoder, _) => {
                 let decoded = decoder.decode(packet)?;
                 decoded.copy_to_vecs_planar(planes);
@@ -161,6 +164,15 @@ fn check_sizes(params: &AudioCodecParameters) -> Result<(), Refusal> {
 /// The header of an Opus track, which holds its delay and gain.
 pub(super) fn opus_head(params: &AudioCodecParameters) -> Result<opus::Head, String> {
     opus::Head::parse(params.extra_data.as_deref().unwrap_or_default())
+}
+
+/// Whether a part was overwritten by zeros, which decode without complaint. Sound does not give them:
+/// a packet of silence is short.
+fn is_blank(packet: &[u8]) -> bool {
+    const LONG: usize = 64;
+    packet
+        .split(|&byte| byte != 0)
+        .any(|zeros| zeros.len() >= LONG)
 }
 
 /// What people call a codec.

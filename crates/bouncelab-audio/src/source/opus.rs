@@ -55,6 +55,8 @@ pub(super) struct Decoder {
     inner: OpusDecoder,
     head: Head,
     interleaved: Vec<f32>,
+    /// How many frames the latest packet had, and how many packets in a row had as many.
+    usual: (usize, u32),
 }
 
 impl Decoder {
@@ -65,6 +67,7 @@ impl Decoder {
             inner,
             head,
             interleaved: vec![0.0; MAX_FRAMES * head.channels],
+            usual: (0, 0),
         })
     }
 
@@ -83,12 +86,25 @@ impl Decoder {
             .inner
             .decode(packet, MAX_FRAMES, &mut self.interleaved)
             .map_err(|_| Error::DecodeError("damaged Opus packet"))?;
+        self.check_length(frames)?;
         let samples = &self.interleaved[..frames * channels];
         planes.resize(channels, Vec::new());
         for (channel, plane) in planes.iter_mut().enumerate() {
             plane.clear();
             let own = samples.iter().skip(channel).step_by(channels);
             plane.extend(own.map(|sample| sample * self.head.gain));
+        }
+        Ok(())
+    }
+
+    /// Any bytes are a packet of some length to the decoder; recorders keep to one.
+    fn check_length(&mut self, frames: usize) -> SymphoniaResult<()> {
+        /// After so many equal packets another length is damage.
+        const MANY: u32 = 8;
+        match &mut self.usual {
+            (usual, count) if *usual == frames => *count += 1,
+            (_, MANY..) => return Err(Error::DecodeError("Opus packet of another length")),
+            usual => *usual = (frames, 1),
         }
         Ok(())
     }

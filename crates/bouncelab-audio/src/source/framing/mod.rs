@@ -5,6 +5,7 @@
 //! from the demuxer, and how much sound lay there is counted as far as the file says.
 
 mod mpeg;
+mod nested;
 mod ogg;
 
 use std::io::{self, Read, Seek, SeekFrom};
@@ -57,7 +58,9 @@ pub(super) fn survey<S: Read + Seek>(
         Container::Mpeg => mpeg::survey(&mut window, start, mpeg::mp3_frame)?,
         Container::Adts => mpeg::survey(&mut window, start, mpeg::adts_frame)?,
         Container::Ogg => ogg::survey(&mut window, start)?,
-        _ => Framing::default(),
+        Container::WebM | Container::Matroska => nested::matroska(&mut window, start)?,
+        Container::Mp4 | Container::M4a | Container::Mov => nested::mp4(&mut window, start)?,
+        Container::Wav | Container::Aiff | Container::Flac => Framing::default(),
     };
     source.seek(SeekFrom::Start(start))?;
     Ok((framing.breaks.len() < MOST_BREAKS).then_some(framing))
