@@ -6,6 +6,7 @@
 mod bench;
 mod calibrate;
 mod cargo;
+mod damage;
 mod detection;
 mod fresh;
 mod fuzz;
@@ -29,7 +30,7 @@ struct Chore {
     run: fn(&[String]) -> Result,
 }
 
-const CHORES: [Chore; 8] = [
+const CHORES: [Chore; 9] = [
     Chore {
         name: "test",
         arguments: "[CHECK...]",
@@ -65,6 +66,12 @@ const CHORES: [Chore; 8] = [
         arguments: "[PART...] [drops=20] [hours=1] [only=SOUND] [wav=FOLDER]",
         about: detection::ABOUT,
         run: detection::run,
+    },
+    Chore {
+        name: "damage",
+        arguments: "[FORMAT] [quick]",
+        about: damage::ABOUT,
+        run: damage::run,
     },
     Chore {
         name: "fuzz",

@@ -41,6 +41,15 @@ pub enum Warning {
         /// Where the first one is.
         first_s: f64,
     },
+    /// The sound is exactly zero for a while, and not elsewhere: it may have been lost or overwritten.
+    Blank {
+        /// In how many places.
+        places: u64,
+        /// Where the first one is.
+        first_s: f64,
+        /// How long all of them are.
+        blank_s: f64,
+    },
     /// The decoded sound is not that of which the file has the checksum.
     Altered,
     /// The rate or the number of channels changes on the way; the sound after the change was not
@@ -112,6 +121,14 @@ impl Warning {
             Self::ClockLost { places, first_s } => new(Code::ClockLost)
                 .with("places", places)
                 .with("first_s", first_s),
+            Self::Blank {
+                places,
+                first_s,
+                blank_s,
+            } => new(Code::SoundBlank)
+                .with("places", places)
+                .with("first_s", first_s)
+                .with("blank_s", blank_s),
             Self::Altered => new(Code::ChecksumWrong),
             Self::FormatChange { at_s } => new(Code::FormatChanges).with("at_s", at_s),
             Self::EditsIgnored => new(Code::EditListIgnored),

@@ -42,7 +42,9 @@ pub use metadata::{Advice, KnownRecording, Metadata, MetadataOptions, Noted};
 pub use name::{name, some_of};
 pub use notes::{Note, Notes};
 pub use pattern::Pattern;
-pub use record::{DropRecord, FitRecord, ImpactRecord, PosteriorRecord, RECORD, Record, plan_of_sound};
+pub use record::{
+    DropRecord, FitRecord, ImpactRecord, PosteriorRecord, RECORD, Record, plan_of_sound,
+};
 pub use recordings::{ENDINGS, Recording, SESSION_FILE, Session, Sources};
 pub use results::Results;
 pub use study::{Outcome, SessionDrop, StudyOptions};

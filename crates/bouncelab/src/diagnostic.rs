@@ -223,6 +223,8 @@ codes! {
     SoundMissing = "sound-missing", Warning, ["places", "first_s", "missing_s"];
     /// Sound of unknown length was lost: times before and after do not belong together.
     ClockLost = "clock-lost", Warning, ["places", "first_s"];
+    /// The sound is exactly zero for a while, and not elsewhere: it may have been lost or overwritten.
+    SoundBlank = "sound-blank", Warning, ["places", "first_s", "blank_s"];
     /// The decoded sound is not that of which the file has the checksum.
     ChecksumWrong = "checksum-wrong", Warning, [];
     /// The rate or number of channels changes; the recording was read up to there.

@@ -260,9 +260,10 @@ interval95: [number, number] | null, };
 
 /** An explanation whose restitution was chosen so that the straight line says e = 0.9375. */
 export type Explanation = {
-/** The restitution law. */
+/** The restitution law: `constant`, `viscoelastic`, `linear`, `power` or `knee`. */
 restitution_law: string,
-/** The drag. */
+/** The drag: `none`, `constant`, `sphere` (the curve of a sphere) or `all-of-air` (with buoyancy and
+ * added mass too). */
 drag: string,
 /** Flights in the straight line. */
 flights: number,

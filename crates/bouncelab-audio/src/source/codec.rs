@@ -13,6 +13,7 @@ use symphonia::core::codecs::audio::{
 use symphonia::core::errors::{Error as SymphoniaError, Result as SymphoniaResult};
 use symphonia::core::packet::Packet;
 
+use super::alac::Alac;
 use super::opus;
 
 /// More channels than any recorder has, and few enough to hold a block of each.
@@ -24,6 +25,7 @@ pub(super) const MAX_PACKET_FRAMES: u64 = 1 << 16;
 /// A decoder for one track.
 pub(super) enum Decoder {
     Symphonia(Box<dyn AudioDecoder>, AudioCodecId),
+    Alac(Alac),
     Opus(Box<opus::Decoder>),
 }
 
@@ -62,6 +64,7 @@ impl Decoder {
             .gapless(params.codec == CODEC_ID_VORBIS)
             .verify(params.codec == CODEC_ID_FLAC);
         match codecs.make_audio_decoder(params, &options) {
+            Ok(decoder) if params.codec == CODEC_ID_ALAC => Ok(Self::Alac(Alac::new(decoder))),
             Ok(decoder) => Ok(Self::Symphonia(decoder, params.codec)),
             Err(SymphoniaError::Unsupported(why)) => {
                 Err(Refusal::Codec(format!("{} ({why})", name(params.codec))))
@@ -78,18 +81,8 @@ impl Decoder {
         planes: &mut Vec<Vec<f32>>,
     ) -> SymphoniaResult<Layout> {
         match self {
-            Self::Symphonia(_, CODEC_ID_ALAC) if is_blank(&packet.data) => {
-                Err(SymphoniaError::DecodeError("overwritten ALAC packet"))
-            }
-            Self::Symphonia(decoder, _) => {
-                let decoded = decoder.decode(packet)?;
-                decoded.copy_to_vecs_planar(planes);
-                let spec = decoded.spec();
-                Ok(Layout {
-                    sample_rate_hz: spec.rate(),
-                    channels: spec.channels().count(),
-                })
-            }
+            Self::Symphonia(decoder, _) => decode(decoder.as_mut(), packet, planes),
+            Self::Alac(decoder) => decoder.decode(packet, planes),
             Self::Opus(decoder) => {
                 decoder.decode(&packet.data, planes)?;
                 let frames = planes.first().map_or(0, Vec::len);
@@ -124,6 +117,7 @@ impl Decoder {
                 matches!(*codec, CODEC_ID_AAC | CODEC_ID_MP3 | CODEC_ID_VORBIS)
             }
             Self::Opus(_) => true,
+            Self::Alac(_) => false,
         };
         let begins_silent = || planes.iter().all(|plane| plane.first() == Some(&0.0));
         has_memory && (warm_ups == 0 || warm_ups < MOST && begins_silent())
@@ -133,9 +127,24 @@ impl Decoder {
     pub(super) fn is_altered(&mut self) -> bool {
         match self {
             Self::Symphonia(decoder, _) => decoder.finalize().verify_ok == Some(false),
-            Self::Opus(_) => false,
+            Self::Opus(_) | Self::Alac(_) => false,
         }
     }
+}
+
+/// Decodes one packet into one plane for each channel.
+pub(super) fn decode(
+    decoder: &mut dyn AudioDecoder,
+    packet: &Packet,
+    planes: &mut Vec<Vec<f32>>,
+) -> SymphoniaResult<Layout> {
+    let decoded = decoder.decode(packet)?;
+    decoded.copy_to_vecs_planar(planes);
+    let spec = decoded.spec();
+    Ok(Layout {
+        sample_rate_hz: spec.rate(),
+        channels: spec.channels().count(),
+    })
 }
 
 /// Refuses headers that would make a decoder claim absurd amounts of memory.
@@ -166,13 +175,9 @@ pub(super) fn opus_head(params: &AudioCodecParameters) -> Result<opus::Head, Str
     opus::Head::parse(params.extra_data.as_deref().unwrap_or_default())
 }
 
-/// Whether a part was overwritten by zeros, which decode without complaint. Sound does not give them:
-/// a packet of silence is short.
-fn is_blank(packet: &[u8]) -> bool {
-    const LONG: usize = 64;
-    packet
-        .split(|&byte| byte != 0)
-        .any(|zeros| zeros.len() >= LONG)
+/// Whether it is a number for each sample, or a codec without checksum that gives back every sample.
+pub(super) fn is_plain(codec: AudioCodecId) -> bool {
+    codec == CODEC_ID_ALAC || (CODEC_ID_PCM_S32LE..=CODEC_ID_PCM_F64BE).contains(&codec)
 }
 
 /// What people call a codec.

@@ -1,5 +1,7 @@
 //! A recording as a stream of blocks of samples.
 
+mod alac;
+mod blank;
 mod codec;
 mod contain;
 mod container;
@@ -20,6 +22,7 @@ use std::sync::Arc;
 
 use bouncelab::analysis::Gap;
 
+use self::blank::Blanks;
 use self::codec::{Layout, MAX_CHANNELS};
 use self::container::{Container, Content};
 use self::input::Input;
@@ -89,6 +92,7 @@ pub struct Source {
     hole: Range<u64>,
     silence: Vec<Vec<f32>>,
     gaps: Vec<Gap>,
+    blanks: Blanks,
     /// How many frames were handed out.
     presented: u64,
     ended: bool,
@@ -230,6 +234,7 @@ impl Source {
             hole: 0..0,
             silence: vec![vec![0.0; MAX_BLOCK_FRAMES]; layout.channels],
             gaps: Vec::new(),
+            blanks: Blanks::default(),
             planes,
             planes_start: 0,
             presented: 0,
@@ -319,7 +324,11 @@ impl Source {
         let start_frame = self.presented;
         self.presented += within.len() as u64;
         Block {
-            planes: if is_silence { &self.silence } else { &self.planes },
+            planes: if is_silence {
+                &self.silence
+            } else {
+                &self.planes
+            },
             within,
             start_frame,
         }
@@ -349,8 +358,11 @@ impl Source {
             Next::End => self.end(at, false),
             Next::Broken => self.end(at, true),
             Next::Altered => {
-                self.warnings.push(Warning::Altered);
+                let known = self.warnings.len();
                 self.end(at, false);
+                if self.warnings.len() == known {
+                    self.warnings.push(Warning::Altered);
+                }
             }
         }
         Ok(())
@@ -378,6 +390,9 @@ impl Source {
     fn take_planes(&mut self, at: u64) {
         self.planes_start = at;
         self.pending = at..at + self.planes[0].len() as u64;
+        if self.track.is_plain() {
+            self.blanks.take(at, &self.planes);
+        }
     }
 
     fn stop(&mut self, at: u64) {
@@ -389,6 +404,13 @@ impl Source {
     /// it says.
     fn end(&mut self, at: u64, broken: bool) {
         self.stop(at);
+        if let Some((places, first, frames)) = self.blanks.odd() {
+            self.warnings.push(Warning::Blank {
+                places,
+                first_s: self.presented_s(first),
+                blank_s: self.seconds(frames),
+            });
+        }
         let read_s = self.presented_s(at);
         let announced = self.track.announced(self.layout, &self.presentation);
         let counted = announced.and_then(|it| Some((self.seconds(it.frames), it.tolerance_s?)));

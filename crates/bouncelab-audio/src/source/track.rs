@@ -14,11 +14,11 @@ use symphonia::core::packet::Packet;
 use symphonia::core::units::{Duration, TimeBase};
 
 use super::codec::{self, Decoder, Layout, MAX_PACKET_FRAMES, Refusal};
-use super::lost::{Clock, Lost};
 use super::contain::{contain, is_panic};
 use super::container::Container;
 use super::edits::{self, Edit};
 use super::framing::{Framing, Missing};
+use super::lost::{Clock, Lost};
 use super::presentation::Presentation;
 use crate::error::{Error, Result};
 use crate::problem::{MissingContent, Stage};
@@ -131,6 +131,11 @@ impl Track {
         }
     }
 
+    /// Whether the file holds the samples as they are, without anything that would show damage.
+    pub(super) fn is_plain(&self) -> bool {
+        codec::is_plain(self.params.codec)
+    }
+
     /// Which decoded frames are heard; `None` if the edit list cannot be followed.
     pub(super) fn presentation(&self, layout: Layout) -> Option<Presentation> {
         let rate = f64::from(layout.sample_rate_hz);
@@ -225,7 +230,12 @@ impl Track {
             let packet = match self.pull(name)? {
                 Pulled::Packet(packet) => packet,
                 Pulled::End => return Ok(self.ended(lost)),
-                Pulled::Broken => return Ok(Step { lost, next: Next::Broken }),
+                Pulled::Broken => {
+                    return Ok(Step {
+                        lost,
+                        next: Next::Broken,
+                    });
+                }
             };
             if let Some(more) = self.lost_before(&packet, lost.is_some(), name)? {
                 lost = Some(more.after(lost));
@@ -243,16 +253,28 @@ impl Track {
                             lost.frames += frames;
                             warm_ups += 1;
                         }
-                        _ => return Ok(Step { lost, next: Next::Sound(layout) }),
+                        _ => {
+                            return Ok(Step {
+                                lost,
+                                next: Next::Sound(layout),
+                            });
+                        }
                     }
                 }
                 Err(fault) => {
                     self.fault = Some(fault.to_string());
                     if is_panic(&fault) {
-                        return Ok(Step { lost, next: Next::Broken });
+                        return Ok(Step {
+                            lost,
+                            next: Next::Broken,
+                        });
                     }
                     // A clock tells with the next packet how long this one was.
-                    let frames = if self.container.has_clock() { 0 } else { self.frames_in(&packet) };
+                    let frames = if self.container.has_clock() {
+                        0
+                    } else {
+                        self.frames_in(&packet)
+                    };
                     lost = Some(Lost::certain(frames).after(lost));
                     warm_ups = 0;
                 }

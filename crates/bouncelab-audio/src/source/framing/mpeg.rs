@@ -204,7 +204,9 @@ impl Found {
         // The tag need not have the rate of the sound.
         if self.count > 0 || self.tag.is_none() {
             self.is_variable |= frame.bit_rate.is_none()
-                || self.bit_rate.is_some_and(|rate| Some(rate) != frame.bit_rate);
+                || self
+                    .bit_rate
+                    .is_some_and(|rate| Some(rate) != frame.bit_rate);
             self.bit_rate = frame.bit_rate;
         }
     }

@@ -19,8 +19,8 @@ struct Header {
 pub(super) fn mp4<S: Read + Seek>(window: &mut Window<S>, start: u64) -> io::Result<Framing> {
     const PART: &[u8; 4] = b"moof";
     const KNOWN: [&[u8; 4]; 16] = [
-        b"ftyp", b"styp", b"moov", PART, b"mdat", b"free", b"skip", b"wide", b"uuid", b"meta", b"sidx",
-        b"ssix", b"mfra", b"pdin", b"prft", b"emsg",
+        b"ftyp", b"styp", b"moov", PART, b"mdat", b"free", b"skip", b"wide", b"uuid", b"meta",
+        b"sidx", b"ssix", b"mfra", b"pdin", b"prft", b"emsg",
     ];
     let kind = |name: &[u8; 4]| u64::from(u32::from_be_bytes(*name));
     let mut has_parts = false;
@@ -28,7 +28,9 @@ pub(super) fn mp4<S: Read + Seek>(window: &mut Window<S>, start: u64) -> io::Res
     while at < window.len {
         let header = atom(window.at(at, 16)?, at);
         let known = header.filter(|header| KNOWN.iter().any(|name| kind(name) == header.kind));
-        has_parts |= known.as_ref().is_some_and(|header| header.kind == kind(PART));
+        has_parts |= known
+            .as_ref()
+            .is_some_and(|header| header.kind == kind(PART));
         let end = known.map(|header| header.end.unwrap_or(window.len));
         match end.filter(|&end| end <= window.len) {
             Some(end) => at = end,
@@ -44,7 +46,10 @@ fn atom(bytes: &[u8], at: u64) -> Option<Header> {
     let kind = u64::from(u32::from_be_bytes(*bytes.get(4..)?.first_chunk()?));
     let (len, header) = match short {
         0 => (None, 8),
-        1 => (Some(u64::from_be_bytes(*bytes.get(8..)?.first_chunk()?)), 16),
+        1 => (
+            Some(u64::from_be_bytes(*bytes.get(8..)?.first_chunk()?)),
+            16,
+        ),
         len => (Some(len), 8),
     };
     let is_whole = len.is_none_or(|len| len >= header);
@@ -59,8 +64,22 @@ fn atom(bytes: &[u8], at: u64) -> Option<Header> {
 pub(super) fn matroska<S: Read + Seek>(window: &mut Window<S>, start: u64) -> io::Result<Framing> {
     const OPENED: [u64; 2] = [0x1853_8067, 0x1f43_b675];
     const WHOLE: [u64; 16] = [
-        0x1a45_dfa3, 0x114d_9b74, 0x1549_a966, 0x1654_ae6b, 0x1c53_bb6b, 0x1941_a469, 0x1043_a770,
-        0x1254_c367, 0xec, 0xbf, 0xe7, 0xa3, 0xa0, 0xab, 0xa7, 0x5854,
+        0x1a45_dfa3,
+        0x114d_9b74,
+        0x1549_a966,
+        0x1654_ae6b,
+        0x1c53_bb6b,
+        0x1941_a469,
+        0x1043_a770,
+        0x1254_c367,
+        0xec,
+        0xbf,
+        0xe7,
+        0xa3,
+        0xa0,
+        0xab,
+        0xa7,
+        0x5854,
     ];
     let mut at = start;
     while at < window.len {
@@ -95,7 +114,9 @@ fn element(bytes: &[u8], at: u64) -> Option<Header> {
 fn number(bytes: &[u8], longest: usize) -> Option<(usize, u64)> {
     let len = bytes.first()?.leading_zeros() as usize + 1;
     let bytes = bytes.get(..len).filter(|_| len <= longest)?;
-    let value = bytes.iter().fold(0, |value, &byte| value << 8 | u64::from(byte));
+    let value = bytes
+        .iter()
+        .fold(0, |value, &byte| value << 8 | u64::from(byte));
     Some((len, value))
 }
 
