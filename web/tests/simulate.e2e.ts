@@ -80,7 +80,7 @@ test('a simulated drop is analysed as if it were real, and says what was put in'
   await numbers.evaluate((details: HTMLDetailsElement) => {
     details.open = true;
   });
-  await page.getByRole('cell', { name: 'best model' }).first().waitFor();
+  await page.getByRole('cell', { name: 'best-fit model' }).first().waitFor();
   expect(await page.getByRole('cell', { name: 'your simulation' }).count()).toBe(0);
 });
 
@@ -102,5 +102,6 @@ test('the puzzle of the paper: drag alone misses its height, a falling restituti
   await page.getByRole('button', { name: 'e falls with speed, ten flights' }).click();
   await page.getByText(/The line says e = 0.9375 and h₀ = 26.7.cm/).waitFor();
   await hit.waitFor();
-  expect(await page.getByRole('row').filter({ hasText: 'yes' }).count()).toBe(6);
+  const met = page.getByRole('row').filter({ hasText: 'yes' });
+  await expect.poll(() => met.count()).toBe(6);
 });

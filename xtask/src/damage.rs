@@ -7,5 +7,5 @@ pub(crate) const ABOUT: &str =
     "Damage a known drop in every FORMAT at every percent in four ways; print the table";
 
 pub(crate) fn run(words: &[String]) -> Result {
-    run_example("bouncelab-session", "damage", words)
+    run_example("bouncelab-testkit", "damage", words)
 }

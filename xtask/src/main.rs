@@ -12,6 +12,7 @@ mod fresh;
 mod fuzz;
 mod laboratory;
 mod package;
+mod python;
 mod steps;
 mod tables;
 mod test;
@@ -54,6 +55,12 @@ const CHORES: [Chore; 9] = [
         arguments: "FOLDER COUNT",
         about: laboratory::ABOUT,
         run: laboratory::run,
+    },
+    Chore {
+        name: "wheel",
+        arguments: "",
+        about: python::ABOUT,
+        run: python::run,
     },
     Chore {
         name: "verdicts",

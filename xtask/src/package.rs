@@ -4,7 +4,12 @@ use crate::Result;
 use crate::cargo::{cargo, run as run_command};
 
 /// The crates that stay in the repository.
-const UNPUBLISHED: [&str; 3] = ["bouncelab-testkit", "bouncelab-wasm", "xtask"];
+const UNPUBLISHED: [&str; 4] = [
+    "bouncelab-python",
+    "bouncelab-testkit",
+    "bouncelab-wasm",
+    "xtask",
+];
 
 /// Packs all crates in the order of their dependencies: their metadata are complete, each finds the
 /// others by version, and nothing unpublished is needed.

@@ -4,7 +4,7 @@ use std::process::Command;
 
 use crate::cargo::{cargo, cargo_all, has, has_sound_headers, install, run as run_command};
 use crate::steps::{self, Step, Time, Watch};
-use crate::{Result, fresh, package, tables, web};
+use crate::{Result, fresh, package, python, tables, web};
 
 pub(crate) const ABOUT: &str = "Run every check, or only the named ones";
 
@@ -24,6 +24,8 @@ enum Needs {
     Nothing,
     /// Python with the programs that open the tables of a session.
     Python,
+    /// Python with what builds and checks the package for it.
+    PythonPackage,
     /// Node.js, for the page.
     Node,
     /// Node.js and a browser, for the end-to-end tests of the page.
@@ -40,6 +42,7 @@ impl Needs {
         match self {
             Self::Nothing => true,
             Self::Python => tables::have_readers(),
+            Self::PythonPackage => python::have_package_index(),
             Self::Node => web::has_node(),
             Self::Browser => web::has_node() && web::has_browser(),
             Self::Git => fresh::has_repository(),
@@ -52,7 +55,7 @@ impl Needs {
 /// features: clippy and the documentation use the same metadata of the dependencies, the tests and the
 /// program under the end-to-end tests the same code, so that a dependency is compiled at most twice;
 /// and once more for the browser.
-pub(crate) const CHECKS: [Check; 11] = [
+pub(crate) const CHECKS: [Check; 12] = [
     Check {
         name: "format",
         about: "rustfmt has nothing to change",
@@ -101,6 +104,12 @@ pub(crate) const CHECKS: [Check; 11] = [
             command.args(["--test", "tables", "--", "--ignored"]);
             run_command(command.env("BOUNCELAB_PYTHON", tables::python()))
         },
+    },
+    Check {
+        name: "python",
+        about: "the Python package: its wheel, tests, examples and types",
+        needs: Needs::PythonPackage,
+        run: python::check,
     },
     Check {
         name: "recordings",
@@ -178,6 +187,7 @@ pub(crate) fn run(names: &[String]) -> Result {
     ensure_sound_headers();
     for needs in [
         Needs::Python,
+        Needs::PythonPackage,
         Needs::Recordings,
         Needs::Node,
         Needs::Browser,

@@ -1,9 +1,13 @@
 use std::path::Path;
 use std::sync::Arc;
 
-use crate::error::Result;
+use bouncelab::analysis::Plan;
+use bouncelab::{Detector, Options};
+
+use crate::error::{Error, Result};
 use crate::source::Source;
 use crate::times;
+use crate::warning::Warning;
 
 /// What a file holds: a recording, or times that something else found in one.
 #[derive(Debug)]
@@ -40,5 +44,56 @@ impl Input {
             return times::parse(&bytes, name).map(Self::Times);
         }
         Source::from_bytes(bytes, name).map(|source| Self::Sound(Box::new(source)))
+    }
+
+    /// Takes all of it through the detector; the drops are then analysed by whoever has the threads.
+    ///
+    /// After each block of sound `watch` is given the seconds that were read, and may end the work with
+    /// an error of its own.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`Source::next_block`] and [`Detector::with_options`], and those of `watch`.
+    ///
+    /// ```
+    /// use bouncelab::Options;
+    /// use bouncelab_audio::Input;
+    ///
+    /// let input = Input::from_bytes(&b"0\n0.4605\n0.8877\n"[..], "drop.txt")?;
+    /// let plan = input.plan::<Box<dyn std::error::Error>>(&Options::default(), |_| Ok(()))?;
+    /// assert_eq!(plan.tasks().len(), 1);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn plan<E: From<Error> + From<bouncelab::Error>>(
+        self,
+        options: &Options,
+        mut watch: impl FnMut(f64) -> std::result::Result<(), E>,
+    ) -> std::result::Result<Plan, E> {
+        let mut source = match self {
+            Self::Times(times_s) => return Ok(Plan::of_times(&times_s, options)),
+            Self::Sound(source) => source,
+        };
+        let (rate_hz, channels) = (source.sample_rate_hz(), source.channels());
+        let mut detector = Detector::with_options(rate_hz, channels, &options.detection)?;
+        let mut frames = 0;
+        while let Some(block) = source.next_block()? {
+            let slices: Vec<&[f32]> = (0..channels).map(|number| block.channel(number)).collect();
+            detector.push(&slices);
+            frames += block.frames();
+            watch(frames as f64 / f64::from(rate_hz))?;
+        }
+        let warnings = source.warnings().iter().map(Warning::diagnostic);
+        let mut options = options.clone();
+        options.edits.gaps.extend_from_slice(source.gaps());
+        let plan = Plan::of_detection(detector.finish(), &options);
+        Ok(plan.of_file(&source.format(), warnings))
+    }
+
+    /// How long the sound is in seconds, if it is sound and says so.
+    pub fn duration_s(&self) -> Option<f64> {
+        match self {
+            Self::Sound(source) => source.duration_s(),
+            Self::Times(_) => None,
+        }
     }
 }

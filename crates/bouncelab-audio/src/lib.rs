@@ -43,6 +43,8 @@ pub use error::{Error, Result};
 pub use input::Input;
 pub use problem::{LayoutProblem, LooksLike, MissingContent, Stage, TimesProblem};
 pub use recorder::Recorder;
-pub use source::{Block, MAX_BLOCK_FRAMES, MAX_SAMPLE_RATE_HZ, MIN_SAMPLE_RATE_HZ, Source};
+pub use source::{
+    Block, MAX_BLOCK_FRAMES, MAX_SAMPLE_RATE_HZ, MIN_SAMPLE_RATE_HZ, Source, check_layout,
+};
 pub use warning::Warning;
 pub use wav::{SampleFormat, encode_wav, write_wav};

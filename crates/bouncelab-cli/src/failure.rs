@@ -4,7 +4,7 @@ use std::io;
 use std::path::Path;
 use std::process::ExitCode;
 
-use crate::analyze::translated;
+use crate::language::translated;
 
 /// Why a command did not do what was asked.
 #[derive(Debug, thiserror::Error)]

@@ -1,9 +1,10 @@
 //! The arguments that say how a drop begins, bounces and ends.
 
-use bouncelab::Diagnostic;
-use bouncelab::drop::{self, History, Start, Stop};
-use bouncelab::flight::FlightModel;
-use bouncelab::impact::{Contact, Restitution};
+use bouncelab::drag::DragLaw;
+use bouncelab::drop::{Start, Stop};
+use bouncelab::impact::Restitution;
+use bouncelab::{Diagnostic, Options};
+use bouncelab_report::document::simulation::Run;
 use clap::Args;
 
 use crate::failure::Failure;
@@ -54,36 +55,23 @@ pub(crate) struct HistoryArguments {
     bounces: Option<usize>,
 }
 
-/// The height of bounce at which a drop counts as over, in metres.
-const REST_M: f64 = 1e-3;
-
 impl HistoryArguments {
     /// What looks like a mistake of units.
     pub(crate) fn questions(&self) -> Vec<Diagnostic> {
         of_quantities(&[("height", Some(self.height))])
     }
 
-    /// Simulates the drop with this model.
-    pub(crate) fn simulate(
-        &self,
-        model: &FlightModel,
-        contact_time_s: f64,
-    ) -> Result<History, Failure> {
+    /// Simulates the drop under a drag law, all else being as in the options.
+    pub(crate) fn run(&self, law: DragLaw, options: &Options) -> Result<Run, Failure> {
         let restitution = if self.restitution_slope == 0.0 {
             Restitution::constant(self.restitution)?
         } else {
             Restitution::linear(self.restitution, self.restitution_slope)?
         };
-        let contact = Contact::new(restitution, contact_time_s)?;
         let start = self
             .launch
             .map_or(Start::Height(self.height), Start::Launch);
-        let stop = match (self.until, self.bounces) {
-            (None, None) => Stop::below(REST_M),
-            (Some(apex_m), None) => Stop::below(apex_m),
-            (None, Some(bounces)) => Stop::after(bounces),
-            (Some(apex_m), Some(bounces)) => Stop::below(apex_m).or_after(bounces),
-        };
-        Ok(drop::simulate(model, &contact, start, stop)?)
+        let stop = Stop::asked(self.until, self.bounces);
+        Ok(Run::simulate(law, options, restitution, start, stop)?)
     }
 }

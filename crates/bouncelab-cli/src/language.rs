@@ -1,8 +1,10 @@
 //! The language of the results: chosen once, when the program starts.
 
+use std::fmt::Display;
 use std::sync::OnceLock;
 
 use bouncelab_report::messages::{self, Translator, Value};
+use bouncelab_report::report::ended;
 
 static LANGUAGE: OnceLock<String> = OnceLock::new();
 static TRANSLATOR: OnceLock<Translator> = OnceLock::new();
@@ -48,4 +50,16 @@ pub(crate) fn text(id: &str) -> String {
 /// A message with its arguments.
 pub(crate) fn text_with(id: &str, arguments: &[(&str, Value<'_>)]) -> String {
     translator().text_with(id, arguments)
+}
+
+/// An error of the science in the language of the results.
+pub(crate) fn translated(reason: &bouncelab::Error) -> String {
+    translator().diagnostic(&reason.diagnostic())
+}
+
+/// What cannot be told, and why.
+pub(crate) fn cannot_tell(id: &str, reason: impl Display) -> String {
+    let reason = ended(reason).into();
+    let why = [("what", text(id).into()), ("reason", reason)];
+    text_with("terminal-cannot-tell", &why)
 }

@@ -3,9 +3,7 @@
 use std::io::{self, Write};
 use std::path::PathBuf;
 
-use bouncelab::analysis::Options;
 use bouncelab::drag::DragLaw;
-use bouncelab::flight::Environment;
 use bouncelab_report::document::simulation::{Document, Run};
 use bouncelab_report::figure::{self, Curve};
 use bouncelab_report::messages::Translator;
@@ -66,7 +64,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
         .questioned(arguments.history.questions())?;
     let laws = std::iter::once(physics.options.environment.drag).chain(arguments.compare.clone());
     let runs = laws
-        .map(|law| simulate(law, &physics.options, &arguments.history))
+        .map(|law| arguments.history.run(law, &physics.options))
         .collect::<Result<Vec<Run>, Failure>>()?;
     if let Some(folder) = &arguments.figures {
         let saved = save(&height_chart(&runs, translator()), folder, "height")?;
@@ -84,24 +82,6 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
         }
         Format::Csv => csv(&runs, out),
     }
-}
-
-fn simulate(law: DragLaw, settings: &Options, history: &HistoryArguments) -> Result<Run, Failure> {
-    let environment = Environment {
-        drag: law,
-        ..settings.environment
-    };
-    let model = Options {
-        environment,
-        ..settings.clone()
-    }
-    .model()?;
-    Ok(Run {
-        law,
-        terminal_speed_m_s: model.terminal_speed_m_s(),
-        mass_kg: model.moving_mass_kg().unwrap_or(f64::NAN),
-        history: history.simulate(&model, settings.contact_time_s)?,
-    })
 }
 
 fn report(runs: &[Run], physics: &Physics) -> String {

@@ -172,12 +172,6 @@ fn voice(name: &str) -> Result<Voice, String> {
     })
 }
 
-/// Hum and clicks, in dB relative to the loudest impact.
-const HUM_DB: f64 = -20.0;
-const CLICKS_DB: f64 = -6.0;
-/// Direct sound over reverberation in dB, as a metre from the ball in a room.
-const DIRECT_TO_REVERBERANT_DB: f64 = 6.0;
-
 pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let physics = arguments
         .physics
@@ -200,10 +194,9 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
             )));
         }
     }
-    let history = arguments
-        .history
-        .simulate(&physics.options.model()?, physics.options.contact_time_s)?;
-    let strikes: Vec<Strike> = history.strikes().collect();
+    let options = &physics.options;
+    let run = arguments.history.run(options.environment.drag, options)?;
+    let strikes: Vec<Strike> = run.history.strikes().collect();
     let sound = synth::render(&strikes, &arguments.scene(), arguments.seed)?;
     let format = arguments.bits.format();
     let wav = encode_wav(sound.sample_rate_hz, format, &[&sound.samples])?;
@@ -242,19 +235,9 @@ impl Arguments {
                 Background::White => Noise::white(self.snr),
                 Background::Pink => Noise::pink(self.snr),
             }),
-            hum: self.hum.map(|frequency_hz| Hum {
-                frequency_hz,
-                harmonics: 5,
-                level_db: HUM_DB,
-            }),
-            reverb: self.reverb.map(|rt60_s| Reverb {
-                rt60_s,
-                direct_to_reverberant_db: DIRECT_TO_REVERBERANT_DB,
-            }),
-            clicks: self.clicks.map(|rate_per_s| Clicks {
-                rate_per_s,
-                level_db: CLICKS_DB,
-            }),
+            hum: self.hum.map(Hum::mains),
+            reverb: self.reverb.map(Reverb::of_a_room),
+            clicks: self.clicks.map(Clicks::often),
             lost: self.lost.map_or(Lost::None, Lost::Chance),
             clip_at: self.clip,
             bit_depth: self.bits.depth(),

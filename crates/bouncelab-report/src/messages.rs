@@ -262,6 +262,7 @@ impl Translator {
             &Argument::Number(value) => match name {
                 "contact_time_s" | "reach_s" | "sd_s" => quantity(value, 3, Unit::Time),
                 "probability" | "pareto_shape" => Value::fixed(value, 2),
+                "slow" | "fast" => Value::fixed(value, 3),
                 "factor" => Value::fixed(100.0 * (value - 1.0), 0),
                 "pressure_pa" => plain(value / 100.0),
                 "relative_humidity" | "relative_sd" => plain((value * 1e4).round() / 100.0),

@@ -109,6 +109,30 @@ pub fn source(share: &Share, words: &Translator) -> String {
     words.text(&format!("source-{}", share.source))
 }
 
+/// What the times say of each preset ball.
+pub fn balls(drop: &Drop, words: &Translator) -> Table {
+    let mut table = Table::with_headings(
+        words,
+        [
+            ("column-ball", Align::Left),
+            ("column-bayes-factor", Align::Right),
+            ("column-e", Align::Right),
+            ("column-h0", Align::Right),
+        ],
+    );
+    for compared in &drop.balls {
+        let shown =
+            |found: Estimate, unit| Quantity::measured(found.value, found.sd, unit).text(words);
+        table.row([
+            compared.ball.to_owned(),
+            words.fixed(compared.log_bayes_factor, 1),
+            shown(compared.restitution, Unit::Number),
+            shown(compared.drop_height_m, Unit::Length),
+        ]);
+    }
+    table
+}
+
 /// The laws that were weighed.
 pub fn models(found: &Posterior, words: &Translator) -> Table {
     let mut table = Table::with_headings(

@@ -6,6 +6,7 @@
 //! the dashes.
 
 use std::fmt;
+use std::str::FromStr;
 
 use serde::{Serialize, Serializer};
 
@@ -113,6 +114,42 @@ impl fmt::Display for Meaning {
         f.write_str(name)
     }
 }
+
+/// From its name in JSON.
+///
+/// ```
+/// use bouncelab_report::theme::Meaning;
+///
+/// assert_eq!("drag".parse(), Ok(Meaning::Drag));
+/// assert_eq!("group-3".parse(), Ok(Meaning::Group(3)));
+/// assert!("blue".parse::<Meaning>().is_err());
+/// ```
+impl FromStr for Meaning {
+    type Err = bouncelab::Error;
+
+    fn from_str(name: &str) -> Result<Self, Self::Err> {
+        let groups = (0..GROUPS.len()).map(Self::Group);
+        let all: Vec<Self> = NAMED.into_iter().chain(groups).collect();
+        let names: Vec<String> = all.iter().map(ToString::to_string).collect();
+        let place = names.iter().position(|known| known == name);
+        place.map(|place| all[place]).ok_or_else(|| {
+            let known: Vec<&str> = names.iter().map(String::as_str).collect();
+            bouncelab::Error::unknown_name("meaning", name, &known)
+        })
+    }
+}
+
+/// Every meaning but those of groups.
+const NAMED: [Meaning; 8] = [
+    Meaning::Measured,
+    Meaning::Drag,
+    Meaning::Plain,
+    Meaning::Warning,
+    Meaning::Accepted,
+    Meaning::Ink,
+    Meaning::Soft,
+    Meaning::Expected,
+];
 
 impl Serialize for Meaning {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {

@@ -203,7 +203,7 @@ const OTHER_NAMES: [&str; 5] = [
 const OTHER_KEYS: [&str; 3] = [
     "crates/bouncelab/src",
     "crates/bouncelab-report/src/paper",
-    "web/src/lab/types.ts",
+    "web/src/lab/engine",
 ];
 
 /// The part of an id that says what group it belongs to.

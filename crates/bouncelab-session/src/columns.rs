@@ -1,4 +1,4 @@
-//! The tables of a session: what their columns are, and what stands in them.
+//! The tables of a session and of one recording: what their columns are, and what stands in them.
 
 #![expect(
     clippy::type_complexity,
@@ -20,7 +20,7 @@ use crate::metadata::{KnownRecording, Metadata};
 use crate::record::{DropRecord, FitRecord, ImpactRecord, PosteriorRecord};
 use crate::results::Results;
 use crate::study::{Outcome, SessionDrop, left_out};
-use crate::table::{Cell, Column, Form, Kind, Schema, TableWriter};
+use crate::table::{Cell, Column, Form, Kind, Schema, Table, TableWriter};
 
 /// Of which drop a row is.
 #[derive(Clone, Copy)]
@@ -49,16 +49,24 @@ impl DropRow<'_> {
         self.of.recording.options()
     }
 
-    fn posterior(&self) -> Option<&PosteriorRecord> {
-        self.record.posterior.as_ref()
-    }
-
-    fn fit(&self) -> Option<&FitRecord> {
-        self.record.log_linear_fit.as_ref()
+    /// The cells behind those that say which drop it is.
+    fn cells(&self) -> Vec<Cell> {
+        [
+            cells(SETTINGS, self),
+            cells(OF_A_DROP, self.record),
+            cells(COMPARED, self),
+            cells(MORE_OF_A_DROP, self.record),
+            cells(REMARKS, self),
+        ]
+        .concat()
     }
 
     fn common(&self) -> Option<CurvePoint> {
-        self.posterior()?.curve.at(self.common_speed_m_s?)
+        self.record
+            .posterior
+            .as_ref()?
+            .curve
+            .at(self.common_speed_m_s?)
     }
 
     /// The sentences of diagnostics, if there are any.
@@ -66,6 +74,16 @@ impl DropRow<'_> {
         let sentences = diagnostics.iter().map(|it| self.translator.diagnostic(it));
         let sentences: Vec<String> = sentences.collect();
         (!sentences.is_empty()).then(|| sentences.join("; "))
+    }
+}
+
+impl DropRecord {
+    fn known(&self) -> Option<&PosteriorRecord> {
+        self.posterior.as_ref()
+    }
+
+    fn fit(&self) -> Option<&FitRecord> {
+        self.log_linear_fit.as_ref()
     }
 }
 
@@ -98,7 +116,8 @@ const WHICH: &[Fixed<fn(&Which<'_>) -> Cell>] = columns! { |row: Which<'_>|
     drop: Count [""] "number of the drop in its recording, 1 for the first" = Some(row.drop.number);
 };
 
-const OF_A_DROP: &[Fixed<fn(&DropRow<'_>) -> Cell>] = columns! { |row: DropRow<'_>|
+/// What was noted of a drop, and what it was analysed with.
+const SETTINGS: &[Fixed<fn(&DropRow<'_>) -> Cell>] = columns! { |row: DropRow<'_>|
     noted_height_m: Number ["m"] "drop height as noted" = row.metadata().height_m;
     noted_temperature_k: Number ["K"] "temperature as noted" = row.metadata().temperature_k;
     ball_mass_kg: Number ["kg"] "mass of the ball, as noted or by its rules"
@@ -109,14 +128,22 @@ const OF_A_DROP: &[Fixed<fn(&DropRow<'_>) -> Cell>] = columns! { |row: DropRow<'
     gravity_m_s2: Number ["m/s2"] "gravity" = Some(row.options().environment.gravity_m_s2);
     content_sha256: Text [""] "hash of the recording" = Some(row.key.content.to_string());
     settings_sha256: Text [""] "hash of the settings" = Some(row.key.settings.to_string());
-    start_s: Number ["s"] "time of the first impact heard" = Some(row.record.impacts.first()?.impact.time_s);
-    impacts: Count [""] "impacts heard" = Some(row.record.impacts.len());
-    probability: Number [""] "that it is a drop" = Some(row.record.probability);
+};
+
+/// What a drop says of itself, up to its restitution.
+const OF_A_DROP: &[Fixed<fn(&DropRecord) -> Cell>] = columns! { |row: DropRecord|
+    start_s: Number ["s"] "time of the first impact heard" = Some(row.impacts.first()?.impact.time_s);
+    impacts: Count [""] "impacts heard" = Some(row.impacts.len());
+    probability: Number [""] "that it is a drop" = Some(row.probability);
     speed_m_s: Number ["m/s"] "impact speed of `restitution`: the middle of this drop"
-        = Some(row.posterior()?.at_speed_m_s);
+        = Some(row.known()?.at_speed_m_s);
     restitution: Number [""] "restitution at that speed, by the inference"
-        = Some(row.posterior()?.restitution.value);
-    restitution_sd: Number [""] "its standard uncertainty" = row.posterior()?.restitution.known_sd();
+        = Some(row.known()?.restitution.value);
+    restitution_sd: Number [""] "its standard uncertainty" = row.known()?.restitution.known_sd();
+};
+
+/// What a drop says at the speed at which all are compared.
+const COMPARED: &[Fixed<fn(&DropRow<'_>) -> Cell>] = columns! { |row: DropRow<'_>|
     common_speed_m_s: Number ["m/s"] "impact speed at which the drops of the session are compared"
         = row.common_speed_m_s;
     common_restitution: Number [""] "restitution at the common speed" = Some(row.common()?.value);
@@ -124,27 +151,35 @@ const OF_A_DROP: &[Fixed<fn(&DropRow<'_>) -> Cell>] = columns! { |row: DropRow<'
         = Some(row.common()?.own_sd);
     common_restitution_shared_sd: Number [""] "its standard uncertainty by inputs that drops share"
         = Some(row.common()?.shared_sd);
+};
+
+/// What else a drop says of itself.
+const MORE_OF_A_DROP: &[Fixed<fn(&DropRecord) -> Cell>] = columns! { |row: DropRecord|
     drop_height_m: Number ["m"] "height of the fall, by the inference"
-        = Some(row.posterior()?.drop_height_m.value);
-    drop_height_sd_m: Number ["m"] "its standard uncertainty" = row.posterior()?.drop_height_m.known_sd();
+        = Some(row.known()?.drop_height_m.value);
+    drop_height_sd_m: Number ["m"] "its standard uncertainty" = row.known()?.drop_height_m.known_sd();
     drag_coefficient: Number [""] "drag coefficient at the fastest impact"
-        = Some(row.posterior()?.drag_coefficient?.value);
-    drag_coefficient_sd: Number [""] "its standard uncertainty" = row.posterior()?.drag_coefficient?.known_sd();
+        = Some(row.known()?.drag_coefficient?.value);
+    drag_coefficient_sd: Number [""] "its standard uncertainty" = row.known()?.drag_coefficient?.known_sd();
     scatter: Number [""] "standard deviation of ln e from impact to impact"
-        = Some(row.posterior()?.restitution_scatter.value);
-    scatter_sd: Number [""] "its standard uncertainty" = row.posterior()?.restitution_scatter.known_sd();
-    timing_s: Number ["s"] "root mean square error of the times" = Some(row.posterior()?.timing_s.value);
+        = Some(row.known()?.restitution_scatter.value);
+    scatter_sd: Number [""] "its standard uncertainty" = row.known()?.restitution_scatter.known_sd();
+    timing_s: Number ["s"] "root mean square error of the times" = Some(row.known()?.timing_s.value);
     missed_first: Count [""] "most probable number of impacts missed before the first one heard"
-        = row.posterior()?.missed_first();
-    converged: Flag [""] "whether the sampling can be trusted" = Some(row.posterior()?.converged);
+        = row.known()?.missed_first();
+    converged: Flag [""] "whether the sampling can be trusted" = Some(row.known()?.converged);
     height_contradicts: Flag [""] "whether the noted height contradicts the flight times"
-        = row.posterior().map(|_| row.record.height_contradicts());
+        = row.known().map(|_| row.height_contradicts());
     line_restitution: Number [""] "restitution by the straight line, as if there were no air"
         = Some(row.fit()?.restitution.value);
     line_restitution_sd: Number [""] "its standard error" = row.fit()?.restitution.known_sd();
     line_drop_height_m: Number ["m"] "drop height by the straight line"
         = Some(row.fit()?.drop_height_m.value);
     line_drop_height_sd_m: Number ["m"] "its standard error" = row.fit()?.drop_height_m.known_sd();
+};
+
+/// What is odd about a drop.
+const REMARKS: &[Fixed<fn(&DropRow<'_>) -> Cell>] = columns! { |row: DropRow<'_>|
     outlier_score: Number [""] "how far it lies from its group, in robust standard deviations; empty unless it is an outlier"
         = row.outlier_score;
     left_out: Text [""] "why it is not in the study; empty if it is" = left_out(row.record, row.of.drop.by_hand, row.translator);
@@ -171,6 +206,106 @@ const OF_AN_IMPACT: &[Fixed<fn(&ImpactRecord) -> Cell>] = columns! { |row: Impac
     weight: Number [""] "weight in the inference, 1 for an impact as good as any" = row.weight;
 };
 
+const NUMBER: &[Fixed<fn(&usize) -> Cell>] = columns! { |row: usize|
+    drop: Count [""] "number of the drop in its recording, 1 for the first" = Some(*row);
+};
+
+const OF_A_FLIGHT: &[Fixed<fn(&MeasuredFlight) -> Cell>] = columns! { |row: MeasuredFlight|
+    flight: Count [""] "number of the impact with which it begins" = Some(row.number);
+    time_s: Number ["s"] "time between the two impacts, contact included" = Some(row.time_s);
+    in_fit: Flag [""] "whether it goes into the straight line" = Some(row.in_fit);
+    plain_height_m: Number ["m"] "apex by g T^2/8, without drag" = Some(row.drag_free_height_m);
+    apex_m: Number ["m"] "apex by the flight model" = row.apex_m;
+    apex_sd_m: Number ["m"] "its standard uncertainty by the times" = row.apex_sd_m;
+    launch_speed_m_s: Number ["m/s"] "launch speed by the flight model" = row.launch_speed_m_s;
+};
+
+/// The tables of one recording: what a session's tables say of its drops and impacts, as far as it
+/// takes no other recording, and the flights.
+///
+/// ```
+/// use bouncelab::{Options, analyze_times};
+/// use bouncelab_session::RecordingTables;
+///
+/// let options = Options::default().without_inference();
+/// let result = analyze_times(&[0.0, 0.4605, 0.8877, 1.2854], &options);
+/// let tables = RecordingTables::of(&result);
+/// assert_eq!((tables.impacts.rows.len(), tables.flights.rows.len()), (4, 3));
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+pub struct RecordingTables {
+    /// One row for each drop.
+    pub drops: Table,
+    /// One row for each impact.
+    pub impacts: Table,
+    /// One row for each flight.
+    pub flights: Table,
+}
+
+impl RecordingTables {
+    /// The tables of what a recording says.
+    pub fn of(recording: &bouncelab::Recording) -> Self {
+        let table = |name, schema, of: Vec<Column>| {
+            Table::new(schema_of(name, schema, [fixed(NUMBER), of].concat()))
+        };
+        let of_drops = [fixed(OF_A_DROP), fixed(MORE_OF_A_DROP)].concat();
+        let mut tables = Self {
+            drops: table("drops", "bouncelab.drops/1", of_drops),
+            impacts: table("impacts", "bouncelab.impacts/1", fixed(OF_AN_IMPACT)),
+            flights: table("flights", "bouncelab.flights/1", fixed(OF_A_FLIGHT)),
+        };
+        for (number, drop) in (1..).zip(&recording.drops) {
+            let record = DropRecord::from(drop);
+            let row = |of: Vec<Cell>| [cells(NUMBER, &number), of].concat();
+            let of_drop = [cells(OF_A_DROP, &record), cells(MORE_OF_A_DROP, &record)].concat();
+            tables.drops.rows.push(row(of_drop));
+            let impacts = record.impacts.iter();
+            let impacts = impacts.map(|impact| row(cells(OF_AN_IMPACT, impact)));
+            tables.impacts.rows.extend(impacts);
+            let flights = drop.flights.iter();
+            let flights = flights.map(|flight| row(cells(OF_A_FLIGHT, flight)));
+            tables.flights.rows.extend(flights);
+        }
+        tables
+    }
+}
+
+/// The schemas of the tables of drops and impacts.
+fn schemas(results: &Results<'_>) -> [Schema; 2] {
+    let fields = fields(results);
+    let schema = |name, schema, of: Vec<Column>| {
+        schema_of(name, schema, [fixed(WHICH), noted(&fields), of].concat())
+    };
+    let of_drops = [
+        fixed(SETTINGS),
+        fixed(OF_A_DROP),
+        fixed(COMPARED),
+        fixed(MORE_OF_A_DROP),
+        fixed(REMARKS),
+    ];
+    [
+        schema("drops", "bouncelab.drops/1", of_drops.concat()),
+        schema("impacts", "bouncelab.impacts/1", fixed(OF_AN_IMPACT)),
+    ]
+}
+
+fn schema_of(name: &'static str, schema: &'static str, columns: Vec<Column>) -> Schema {
+    Schema {
+        name,
+        schema,
+        version: env!("CARGO_PKG_VERSION"),
+        columns,
+    }
+}
+
+/// What was noted of some recording.
+fn fields<'a>(results: &Results<'a>) -> BTreeSet<&'a String> {
+    let recordings = results.recordings.iter();
+    recordings
+        .flat_map(|recording| recording.metadata.factors.keys())
+        .collect()
+}
+
 /// Writes the tables of drops and impacts into a folder, one recording after the other; returns the
 /// files. Sentences in them are English, whatever the language of the reader: tables are for programs.
 ///
@@ -183,27 +318,52 @@ pub fn write_tables(
     folder: &Path,
     forms: &[Form],
 ) -> Result<Vec<PathBuf>> {
-    let recordings = results.recordings.iter();
-    let fields: BTreeSet<&String> = recordings
-        .flat_map(|recording| recording.metadata.factors.keys())
-        .collect();
-    let schema = |name, schema, of: Vec<Column>| Schema {
-        name,
-        schema,
-        version: env!("CARGO_PKG_VERSION"),
-        columns: [fixed(WHICH), noted(&fields), of].concat(),
-    };
-    let of_drops = schema("drops", "bouncelab.drops/1", fixed(OF_A_DROP));
-    let of_impacts = schema("impacts", "bouncelab.impacts/1", fixed(OF_AN_IMPACT));
+    let [of_drops, of_impacts] = schemas(results);
     let mut drops = TableWriter::new(folder, &of_drops, forms)?;
     let mut impacts = TableWriter::new(folder, &of_impacts, forms)?;
+    each_row(
+        outcome,
+        results,
+        |row| drops.row(&row),
+        |row| impacts.row(&row),
+    )?;
+    Ok([drops.finish()?, impacts.finish()?].concat())
+}
+
+/// The tables of drops and impacts that [`write_tables`] writes, in memory.
+///
+/// # Errors
+/// Those of [`Results::read`].
+pub fn tables(outcome: &Outcome<'_>, results: &Results<'_>) -> Result<[Table; 2]> {
+    let [mut drops, mut impacts] = schemas(results).map(Table::new);
+    let take = |table: &mut Table, row| {
+        table.rows.push(row);
+        Ok(())
+    };
+    each_row(
+        outcome,
+        results,
+        |row| take(&mut drops, row),
+        |row| take(&mut impacts, row),
+    )?;
+    Ok([drops, impacts])
+}
+
+/// Hands on every row of both tables, one recording after the other.
+fn each_row(
+    outcome: &Outcome<'_>,
+    results: &Results<'_>,
+    mut of_drop: impl FnMut(Vec<Cell>) -> Result<()>,
+    mut of_impact: impl FnMut(Vec<Cell>) -> Result<()>,
+) -> Result<()> {
+    let fields = fields(results);
     let english = Translator::english();
     let study = outcome.study.as_ref().ok();
     let mut place = 0;
     while let Some(first) = outcome.drops.get(place) {
         let recording = &results.recordings[first.recording];
         let (key, record) = results.read(first.recording)?;
-        for of_drop in &record.drops {
+        for drop_record in &record.drops {
             let of = Which {
                 recording,
                 drop: &outcome.drops[place],
@@ -214,20 +374,20 @@ pub fn write_tables(
             let row = DropRow {
                 of,
                 key: &key,
-                record: of_drop,
+                record: drop_record,
                 of_recording: &record.diagnostics,
                 translator: &english,
                 outlier_score: outcome.outlier_score(place),
                 common_speed_m_s: study.map(|study| study.at_speed_m_s),
             };
-            drops.row(&[head.clone(), cells(OF_A_DROP, &row)].concat())?;
-            for impact in &of_drop.impacts {
-                impacts.row(&[head.clone(), cells(OF_AN_IMPACT, impact)].concat())?;
+            of_drop([head.clone(), row.cells()].concat())?;
+            for impact in &drop_record.impacts {
+                of_impact([head.clone(), cells(OF_AN_IMPACT, impact)].concat())?;
             }
             place += 1;
         }
     }
-    Ok([drops.finish()?, impacts.finish()?].concat())
+    Ok(())
 }
 
 fn cells<R>(columns: &[Fixed<fn(&R) -> Cell>], row: &R) -> Vec<Cell> {
@@ -246,7 +406,16 @@ fn fixed<C>(columns: &[Fixed<C>]) -> Vec<Column> {
 
 /// The columns of what was noted.
 fn noted(fields: &BTreeSet<&String>) -> Vec<Column> {
-    let taken = [fixed(WHICH), fixed(OF_A_DROP), fixed(OF_AN_IMPACT)].concat();
+    let taken = [
+        fixed(WHICH),
+        fixed(SETTINGS),
+        fixed(OF_A_DROP),
+        fixed(COMPARED),
+        fixed(MORE_OF_A_DROP),
+        fixed(REMARKS),
+        fixed(OF_AN_IMPACT),
+    ]
+    .concat();
     let column = |field: &&String| Column {
         // A note may be called like a result.
         name: if taken.iter().any(|column| column.name == **field) {

@@ -9,13 +9,13 @@
 //! | [`Session`] | which recordings are there, and what was said of each? |
 //! | [`Metadata`] | what do the notes mean? |
 //! | [`hash`] | what tells contents and settings apart? |
-//! | [`Record`], [`plan_of_sound`] | what does one recording say? |
+//! | [`Record`] | what does one recording say? |
 //! | [`journal`] | which results are there already? |
 //! | [`complete`] | what is left to do for one recording? |
 //! | [`Outcome`] | what do the drops say together? |
 //! | [`SessionDocument`] | what do they say, for other programs? |
 //! | [`table`] | how is a table written as Parquet, CSV and JSON lines? |
-//! | [`write_tables`] | what stands in the tables of a session? |
+//! | [`write_tables`], [`tables`], [`RecordingTables`] | what stands in the tables of a session, or of one recording? |
 
 #![warn(missing_docs)]
 
@@ -35,16 +35,14 @@ mod study;
 pub mod table;
 mod work;
 
-pub use columns::write_tables;
+pub use columns::{RecordingTables, tables, write_tables};
 pub use document::{AboutSession, Reason, SessionDocument};
 pub use error::{Error, Result};
 pub use metadata::{Advice, KnownRecording, Metadata, MetadataOptions, Noted};
 pub use name::{name, some_of};
 pub use notes::{Note, Notes};
 pub use pattern::Pattern;
-pub use record::{
-    DropRecord, FitRecord, ImpactRecord, PosteriorRecord, RECORD, Record, plan_of_sound,
-};
+pub use record::{DropRecord, FitRecord, ImpactRecord, PosteriorRecord, RECORD, Record};
 pub use recordings::{ENDINGS, Recording, SESSION_FILE, Session, Sources};
 pub use results::Results;
 pub use study::{Outcome, SessionDrop, StudyOptions};

@@ -4,13 +4,13 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::Path;
 use std::sync::Arc;
 
-use bouncelab::analysis::{Drop, MeasuredFlight, Plan, Recording};
+use bouncelab::analysis::{Drop, MeasuredFlight, Recording};
 use bouncelab::diagnostic::Code;
 use bouncelab::groups::RestitutionCurve;
 use bouncelab::inference::Posterior;
 use bouncelab::restitution::ImpactRestitution;
-use bouncelab::{Detector, Diagnostic, Estimate, Impact, Options};
-use bouncelab_audio::{Input, Source, Warning};
+use bouncelab::{Diagnostic, Estimate, Impact, Options};
+use bouncelab_audio::Input;
 use serde::{Deserialize, Serialize};
 
 use crate::hash::{Hash, hash};
@@ -151,38 +151,8 @@ impl Record {
 
 /// Every drop of an opened file.
 fn analyze(input: Input, options: &Options) -> Result<Recording, Box<dyn std::error::Error>> {
-    let mut source = match input {
-        Input::Times(times_s) => return Ok(Plan::of_times(&times_s, options).run()),
-        Input::Sound(source) => source,
-    };
-    let (rate_hz, channels) = (source.sample_rate_hz(), source.channels());
-    let detector = Detector::with_options(rate_hz, channels, &options.detection)?;
-    Ok(plan_of_sound(&mut source, detector, options, |_| ())?.run())
-}
-
-/// Reads a sound to its end and finds its drops, with what was wrong with the file among the
-/// diagnostics; `heard` is told after each block how many frames it was.
-///
-/// # Errors
-///
-/// [`bouncelab_audio::Error::Io`] if the system fails to read.
-pub fn plan_of_sound(
-    source: &mut Source,
-    mut detector: Detector,
-    options: &Options,
-    mut heard: impl FnMut(u64),
-) -> bouncelab_audio::Result<Plan> {
-    while let Some(block) = source.next_block()? {
-        let channels = 0..block.channels();
-        let slices: Vec<&[f32]> = channels.map(|number| block.channel(number)).collect();
-        detector.push(&slices);
-        heard(block.start_frame() + block.frames() as u64);
-    }
-    let mut options = options.clone();
-    options.edits.gaps.extend_from_slice(source.gaps());
-    let of_file = source.warnings().iter().map(Warning::diagnostic);
-    let plan = Plan::of_detection(detector.finish(), &options);
-    Ok(plan.of_file(&source.format(), of_file.collect()))
+    let plan = input.plan::<Box<dyn std::error::Error>>(options, |_| Ok(()))?;
+    Ok(plan.run())
 }
 
 impl From<&Recording> for Record {

@@ -1,8 +1,8 @@
 //! bouncelab for the browser: the laboratory's engine.
 //!
 //! The page never sees this crate: a worker does, and hands on what a page asks for. What is asked
-//! and answered is plain data: the result types of the science, and [`wire`]. Of these types
-//! `web/src/lab/types.ts` is made. The modules answer in Rust, so that they are tested like everything
+//! and answered is plain data: the result types of the science, and [`wire`]. The example
+//! `types` writes them as types of TypeScript. The modules answer in Rust, so that they are tested like everything
 //! else; `engine` and `decoders`, which exist on wasm only, turn their answers into JSON and arrays.
 //!
 //! It is compiled twice, with the feature `engine` and with the feature `decoders`: nearly half of it
@@ -12,7 +12,6 @@
 //! |---|---|
 //! | [`wire`] | what does the page ask, and what is answered besides results? |
 //! | [`refusal`] | why was it not done? |
-//! | `settings` | what set-up follows from what the page states? |
 //! | [`catalogue`] | what is there to choose from? |
 //! | [`pyramid`] | how loud is it, at any zoom? |
 //! | [`spectrogram`] | how does the energy lie over time and frequency? |
@@ -34,7 +33,6 @@ pub mod detector;
 pub mod engine;
 pub mod pyramid;
 pub mod refusal;
-mod settings;
 pub mod simulator;
 pub mod spectrogram;
 pub mod wire;

@@ -3,9 +3,9 @@
 use bouncelab::analysis::Options;
 use bouncelab::demo;
 use bouncelab::drag::DragLaw;
-use bouncelab::drop::{self, History, Start, Stop};
-use bouncelab::flight::Environment;
-use bouncelab::impact::{Contact, Restitution, Strike};
+use bouncelab::drop::{History, Start, Stop};
+use bouncelab::impact::{Restitution, Strike};
+use bouncelab::setup::Settings;
 use bouncelab::synth::{self, BitDepth, Noise, Rendered, Scene, Voice};
 use bouncelab_report::Chart;
 use bouncelab_report::chart::Point;
@@ -15,10 +15,8 @@ use bouncelab_report::messages::Translator;
 use bouncelab_report::theme::Meaning;
 
 use crate::refusal::{Result, unknown};
-use crate::wire::{self, Demo, RestitutionLaw, SceneRequest, SimulationRequest, SimulationRun};
+use crate::wire::{Demo, RestitutionLaw, SceneRequest, SimulationRequest, SimulationRun};
 
-/// The height of bounce at which a drop counts as over, in metres.
-const REST_M: f64 = 1e-3;
 /// Points of a curve.
 const POINTS: usize = 4000;
 
@@ -88,34 +86,15 @@ pub fn charts(runs: &[SimulationRun], translator: &Translator) -> Result<[Chart;
 }
 
 fn run(law: DragLaw, settings: &Options, request: &SimulationRequest) -> Result<Run> {
-    let environment = Environment {
-        drag: law,
-        ..settings.environment
-    };
-    let settings = Options {
-        environment,
-        ..settings.clone()
-    };
-    let model = settings.model()?;
-    Ok(Run {
-        law,
-        terminal_speed_m_s: model.terminal_speed_m_s(),
-        mass_kg: model.moving_mass_kg().unwrap_or(f64::NAN),
-        history: history(&settings, request)?,
-    })
+    let start = Start::Height(request.height_m);
+    let bounces = request.bounces.map(|bounces| bounces as usize);
+    let stop = Stop::asked(request.until_m, bounces);
+    let restitution = request.restitution.law()?;
+    Ok(Run::simulate(law, settings, restitution, start, stop)?)
 }
 
 fn history(settings: &Options, request: &SimulationRequest) -> Result<History> {
-    let contact = Contact::new(request.restitution.law()?, settings.contact_time_s)?;
-    let bounces = request.bounces.map(|bounces| bounces as usize);
-    let stop = match (request.until_m, bounces) {
-        (None, None) => Stop::below(REST_M),
-        (Some(apex_m), None) => Stop::below(apex_m),
-        (None, Some(bounces)) => Stop::after(bounces),
-        (Some(apex_m), Some(bounces)) => Stop::below(apex_m).or_after(bounces),
-    };
-    let start = Start::Height(request.height_m);
-    Ok(drop::simulate(&settings.model()?, &contact, start, stop)?)
+    Ok(run(settings.environment.drag, settings, request)?.history)
 }
 
 impl RestitutionLaw {
@@ -178,10 +157,10 @@ pub fn synthesise(request: &SimulationRequest, scene: &SceneRequest) -> Result<R
 /// None with the numbers of the demo.
 pub fn demo(seed: u64) -> Result<(Demo, Rendered)> {
     let sound = demo::sound(&demo::history()?, seed)?;
-    let settings = wire::Settings {
+    let settings = Settings {
         ball: Some(demo::BALL.to_owned()),
         flights: Some(demo::FLIGHTS),
-        ..wire::Settings::default()
+        ..Settings::default()
     };
     let demo = Demo {
         name: "demo.wav".to_owned(),

@@ -1,7 +1,7 @@
 //! What goes between the page and the science, as data.
 //!
 //! Everything is SI with the unit in the name, and `null` is what cannot be told. The page has the
-//! same types in `web/src/lab/types.ts`, which is made from these.
+//! same types in `web/src/lab/engine/types.ts`, which is made from these.
 
 use serde::{Deserialize, Serialize};
 #[cfg(not(target_family = "wasm"))]
@@ -9,8 +9,7 @@ use ts_rs::TS;
 
 use bouncelab::air::Conditions;
 use bouncelab::analysis::{Drop, DropCandidate, Source, StrongestBand, renumbered};
-use bouncelab::inference::ApexTarget;
-use bouncelab::setup::Inferred;
+use bouncelab::setup::Settings;
 use bouncelab::{Diagnostic, Impact};
 use bouncelab_report::document::Document;
 use bouncelab_report::figure::DropSummary;
@@ -81,64 +80,6 @@ pub struct World {
     pub air_density_kg_m3: f64,
     /// Viscosity of its air there; `null` in vacuum.
     pub air_viscosity_pa_s: Option<f64>,
-}
-
-/// What a person says of ball, air, gravity and drop; what is left out is assumed.
-#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(not(target_family = "wasm"), derive(TS))]
-#[cfg_attr(not(target_family = "wasm"), ts(optional_fields))]
-#[serde(default, deny_unknown_fields)]
-pub struct Settings {
-    /// Name of a preset, or `steel:0.01` or `glass:0.016` with the diameter in metres.
-    pub ball: Option<String>,
-    /// Mass of the ball; goes with the diameter, in place of a name.
-    pub mass_kg: Option<f64>,
-    /// Diameter of the ball.
-    pub diameter_m: Option<f64>,
-    /// How long the ball touches the surface.
-    pub contact_time_s: Option<f64>,
-    /// `none`, `constant:0.4` or the name of a drag law.
-    pub drag: Option<String>,
-    /// Temperature of the air.
-    pub temperature_k: Option<f64>,
-    /// Pressure of the air.
-    pub pressure_pa: Option<f64>,
-    /// Relative humidity of the air, 0 to 1.
-    pub relative_humidity: Option<f64>,
-    /// Density of the air, in place of temperature, pressure and humidity; 0 is vacuum.
-    pub air_density_kg_m3: Option<f64>,
-    /// Viscosity of the air; goes with the density.
-    pub air_viscosity_pa_s: Option<f64>,
-    /// Whether the ball floats in air, if only a little. Usually it does.
-    pub buoyancy: Option<bool>,
-    /// Whether air moves with the ball. Usually it does.
-    pub added_mass: Option<bool>,
-    /// Gravity.
-    pub gravity_m_s2: Option<f64>,
-    /// Latitude in degrees, north positive, from which gravity follows.
-    pub latitude_deg: Option<f64>,
-    /// Height above the sea; goes with the latitude.
-    pub altitude_m: Option<f64>,
-    /// Measured drop height, surface to lowest point of the ball.
-    pub height_m: Option<f64>,
-    /// Its standard uncertainty; 2 mm if left out.
-    pub height_sd_m: Option<f64>,
-    /// When the ball was released, in the time of the recording.
-    pub release_s: Option<f64>,
-    /// Its standard uncertainty; 5 ms if left out.
-    pub release_sd_s: Option<f64>,
-    /// Whether the first impact detected is the first there was.
-    pub first_heard: Option<bool>,
-    /// Families of restitution laws to consider; all that the impacts can tell apart if left out.
-    pub restitution_laws: Option<Vec<String>>,
-    /// What to leave to the data, as if nothing were known of it.
-    pub infer: Option<Vec<Inferred>>,
-    /// First and last flight for the straight line.
-    pub flights: Option<(u32, u32)>,
-    /// Impact speed at which to state the restitution.
-    pub at_speed_m_s: Option<f64>,
-    /// From which height does a bounce reach an apex?
-    pub reach: Option<Vec<ApexTarget>>,
 }
 
 /// What was detected so far in a recording that is still going on.

@@ -237,6 +237,8 @@ codes! {
     ImpactsMissed = "impacts-missed", Info, ["count"];
     /// Impacts seem to give energy: restitution above 1.
     ImpactGainsEnergy = "impact-gains-energy", Warning, ["count", "impacts"];
+    /// The corrected restitution rises with the speed, as that of no real ball does.
+    RestitutionRises = "restitution-rises", Warning, ["slow", "fast"];
     /// Impacts are more likely something else.
     ImpactsDoubtful = "impacts-doubtful", Warning, ["count"];
     /// A flight lasts longer than the one before.
@@ -265,6 +267,8 @@ codes! {
     DragOrSlope = "drag-or-slope", Info, [];
     /// No restitution law wins: the answer is an average.
     NoLawWins = "no-law-wins", Info, [];
+    /// Another ball explains the times much better than the one that was stated or assumed.
+    OtherBallFitsBetter = "other-ball-fits-better", Warning, ["balls", "odds"];
     /// With so little loss the ball does not come to rest.
     NeverRests = "never-rests", Info, [];
     /// No inference was asked for.

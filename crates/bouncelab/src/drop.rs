@@ -81,6 +81,27 @@ impl Stop {
         }
     }
 
+    /// As asked: where the ball rises no higher than this (m), after so many bounces, or whichever comes
+    /// first; where nobody asks, when it rises no higher than a millimetre.
+    ///
+    /// ```
+    /// use bouncelab::drop::Stop;
+    ///
+    /// assert_eq!(Stop::asked(None, None), Stop::below(1e-3));
+    /// assert_eq!(Stop::asked(None, Some(5)), Stop::after(5));
+    /// assert_eq!(Stop::asked(Some(0.01), Some(5)), Stop::below(0.01).or_after(5));
+    /// ```
+    pub fn asked(apex_m: Option<f64>, bounces: Option<usize>) -> Self {
+        /// The height of bounce at which a drop counts as over.
+        const REST_M: f64 = 1e-3;
+        match (apex_m, bounces) {
+            (None, None) => Self::below(REST_M),
+            (Some(apex_m), None) => Self::below(apex_m),
+            (None, Some(bounces)) => Self::after(bounces),
+            (Some(apex_m), Some(bounces)) => Self::below(apex_m).or_after(bounces),
+        }
+    }
+
     /// The same, but after a number of bounces at the latest.
     ///
     /// ```

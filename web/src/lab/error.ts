@@ -1,4 +1,4 @@
-import type { Reason, Refusal, RefusalKind } from './types.ts';
+import type { Reason, Refusal, RefusalKind } from './engine/types.ts';
 
 /**
  * Why the laboratory did not do what was asked: what the science refuses, and what can happen to

@@ -3,4 +3,4 @@ export { LabError, type LabErrorKind, type LabReason } from './error.ts';
 export { Lab, Listening, type OpenOptions } from './lab.ts';
 export { ENGLISH, type Level, type Messages, type Sound, type Spectrogram } from './protocol.ts';
 export { Recording } from './recording.ts';
-export type * from './types.ts';
+export type * from './engine/types.ts';

@@ -27,7 +27,7 @@ import type {
   SimulationRequest,
   SimulationRun,
   SoFar,
-} from './types.ts';
+} from './engine/types.ts';
 
 /** How a recording is opened. */
 export interface OpenOptions {

@@ -17,7 +17,7 @@ import type {
   SimulationRequest,
   SimulationRun,
   SoFar,
-} from './types.ts';
+} from './engine/types.ts';
 
 /** The messages of a language: its code, and its files as they are. English is part of the engine. */
 export interface Messages {

@@ -1,14 +1,13 @@
 //! The end-to-end tests of the page: once, or many times in a row, beside other work if asked.
 
 use std::hint::black_box;
-use std::path::PathBuf;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::thread;
 
-use super::{npm_command, page, system};
+use super::{built, npm_command, page, system};
 use crate::Result;
-use crate::cargo::{cargo_all, run as run_command, target};
+use crate::cargo::run as run_command;
 use crate::steps::{Time, Watch};
 
 /// Runs the tests, or those whose file has one of the names in it; `--repeat N` times in a row, and with
@@ -34,7 +33,7 @@ pub(crate) fn run(words: &[&str]) -> Result {
         return Err("the end-to-end tests take a Chromium".into());
     }
     page()?;
-    let program = program()?;
+    let program = built("--bin", "bouncelab")?;
     let busy = load.then(Load::start);
     let runs: Vec<(Result, Time)> = (1..=repeat)
         .map(|number| {
@@ -49,14 +48,6 @@ pub(crate) fn run(words: &[&str]) -> Result {
         .collect();
     drop(busy);
     conclude(&runs)
-}
-
-/// The program, built as the tests of the workspace build it.
-fn program() -> Result<PathBuf> {
-    // With a test, the features of all dependencies are those of the tests: nothing is compiled anew.
-    run_command(cargo_all(&["build"]).args(["--bin", "bouncelab", "--test", "tables"]))?;
-    let name = format!("bouncelab{}", std::env::consts::EXE_SUFFIX);
-    Ok(target().join("debug").join(name))
 }
 
 fn conclude(runs: &[(Result, Time)]) -> Result {

@@ -225,7 +225,7 @@ impl Source {
         let Next::Sound(layout) = next else {
             return Err(track.undecodable(name));
         };
-        check_layout(layout, name)?;
+        check_layout(layout.sample_rate_hz, layout.channels, name)?;
         let edited = track.presentation(layout);
         let mut source = Self {
             name: name.to_owned(),
@@ -467,11 +467,18 @@ impl Source {
 /// More gaps than this are no recording: it is read up to there.
 const MOST_GAPS: usize = 1_000;
 
-fn check_layout(layout: Layout, name: &str) -> Result<()> {
-    let Layout {
-        sample_rate_hz,
-        channels,
-    } = layout;
+/// Whether sound of so many samples a second and channels is of use; samples that come from no file are
+/// held to the same limits.
+///
+/// # Errors
+///
+/// [`Error::UnsupportedLayout`] with this name, if it is not.
+///
+/// ```
+/// assert!(bouncelab_audio::check_layout(44_100, 2, "microphone").is_ok());
+/// assert!(bouncelab_audio::check_layout(1_000, 2, "microphone").is_err());
+/// ```
+pub fn check_layout(sample_rate_hz: u32, channels: usize, name: &str) -> Result<()> {
     let problem = if sample_rate_hz < MIN_SAMPLE_RATE_HZ {
         LayoutProblem::TooSlow {
             sample_rate_hz,

@@ -7,9 +7,7 @@ use bouncelab_report::messages::Value;
 use bouncelab_report::{Quantity, Unit, tables};
 use unicode_width::UnicodeWidthStr;
 
-use super::read::translated;
-use super::text::cannot_tell;
-use crate::language::{text, text_with, translator};
+use crate::language::{cannot_tell, text, text_with, translated, translator};
 use crate::physics::Physics;
 
 /// A quantity with its value: a line of a list.

@@ -7,8 +7,8 @@ mod report;
 mod text;
 
 pub(crate) use figures::{Stems, save_figures};
-pub(crate) use read::{Analysed, read, translated};
-pub(crate) use text::{assumed, cannot_tell, note, report, shown};
+pub(crate) use read::{Analysed, read};
+pub(crate) use text::{assumed, note, report, shown};
 
 use std::io::{self, Write};
 use std::ops::{Range, RangeInclusive};
@@ -70,6 +70,9 @@ pub(crate) struct Arguments {
     /// where the uncertainty comes from and what was assumed before the data
     #[arg(long)]
     details: bool,
+    /// Compare what the impact times say of each known ball
+    #[arg(long)]
+    which_ball: bool,
     #[command(flatten)]
     physics: PhysicsArguments,
     #[command(flatten)]
@@ -83,6 +86,7 @@ Examples:
   bouncelab analyze drop.wav --mass 2.5g --diameter 38mm --drag constant:0.4
   bouncelab analyze drop.wav --height 30.5cm --height-sd 1mm
   bouncelab analyze drop.wav --law constant --infer drag
+  bouncelab analyze drop.wav --which-ball               which of the known balls fits best?
   bouncelab analyze drop.wav --reach 2:28cm             from which height does bounce 2 reach 28 cm?
   bouncelab analyze drop.wav --flights 1..10            the paper's ten flights
   bouncelab analyze drop.wav --report drop.html         to read, print and keep; or drop.md
@@ -106,6 +110,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
         channel: arguments.channel.map(usize::from),
         band_hz: arguments.band.clone(),
     };
+    physics.options.compares_balls = arguments.which_ball;
     physics.options.edits = Edits {
         exclude_s: arguments.exclude.clone(),
         include_s: arguments.include.clone(),

@@ -4,9 +4,8 @@ use std::path::Path;
 use std::time::Duration;
 
 use bouncelab::analysis::{DropTask, Plan};
-use bouncelab::{Detector, Options, Recording};
-use bouncelab_audio::{Input, Source};
-use bouncelab_session::plan_of_sound;
+use bouncelab::{Options, Recording};
+use bouncelab_audio::Input;
 use indicatif::{ProgressBar, ProgressStyle};
 use rayon::prelude::*;
 
@@ -24,29 +23,17 @@ pub(crate) struct Analysed {
 /// Reads a file and analyses every drop in it; `quiet` shows no progress, because somebody else does.
 pub(crate) fn read(file: &Path, options: &Options, quiet: bool) -> Result<Analysed, Failure> {
     let name = file.display().to_string();
-    match Input::open(file)? {
-        Input::Times(times_s) => {
-            let plan = Plan::of_times(&times_s, options);
-            Ok(Analysed::new(name, run(plan, options)))
-        }
-        Input::Sound(source) => read_sound(name, *source, options, quiet),
-    }
-}
-
-fn read_sound(
-    name: String,
-    mut source: Source,
-    options: &Options,
-    quiet: bool,
-) -> Result<Analysed, Failure> {
-    let (rate_hz, channels) = (source.sample_rate_hz(), source.channels());
-    let detector = Detector::with_options(rate_hz, channels, &options.detection)
-        .map_err(|reason| Failure::Usage(format!("{name}: {}", translated(&reason))))?;
-    let progress = progress(source.duration_s().filter(|_| !quiet));
-    let plan = plan_of_sound(&mut source, detector, options, |frames| {
-        progress.set_position(frames / u64::from(rate_hz));
-    })?;
+    let input = Input::open(file)?;
+    let progress = progress(input.duration_s().filter(|_| !quiet));
+    let plan = input.plan(options, |seconds| {
+        progress.set_position(seconds as u64);
+        Ok(())
+    });
     progress.finish_and_clear();
+    let plan = plan.map_err(|failure| match failure {
+        Failure::Usage(reason) => Failure::Usage(format!("{name}: {reason}")),
+        other => other,
+    })?;
     Ok(Analysed::new(name, run(plan, options)))
 }
 
@@ -66,11 +53,6 @@ impl Analysed {
         ];
         Some(text_with("analyze-no-drop", &why))
     }
-}
-
-/// An error of the science in the language of the results.
-pub(crate) fn translated(reason: &bouncelab::Error) -> String {
-    translator().diagnostic(&reason.diagnostic())
 }
 
 /// Analyses drops, side by side unless somebody reads recordings side by side already.

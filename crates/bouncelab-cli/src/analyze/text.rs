@@ -5,14 +5,15 @@ use std::fmt::{Display, Write};
 use bouncelab::Diagnostic;
 use bouncelab::Estimate;
 use bouncelab::analysis::{CONFIDENT_PROBABILITY, Drop, Source, StrongestBand};
+use bouncelab::diagnostic::Code;
 use bouncelab_report::messages::Value;
 use bouncelab_report::report::ended;
 use bouncelab_report::tables::{self, drag_law};
 use bouncelab_report::{Quantity, Unit};
 
 use super::answers::{self, Answer};
-use super::read::{Analysed, translated};
-use crate::language::{text, text_with, translator};
+use super::read::Analysed;
+use crate::language::{cannot_tell, text, text_with, translated, translator};
 use crate::physics::Physics;
 
 /// What a file says, in words and a table for each drop.
@@ -28,6 +29,14 @@ pub(crate) fn report(analysed: &Analysed, physics: &Physics, details: bool) -> S
         line(&mut page, "");
         for finding in findings(drop, physics) {
             line(&mut page, &format!("  {finding}"));
+        }
+        if !drop.balls.is_empty() {
+            line(&mut page, "");
+            let balls = tables::balls(drop, translator());
+            line(
+                &mut page,
+                &indented(&format!("{}\n{balls}", text("analyze-balls-heading"))),
+            );
         }
         line(&mut page, "");
         let impacts = tables::impacts(drop, details, translator());
@@ -45,6 +54,14 @@ pub(crate) fn report(analysed: &Analysed, physics: &Physics, details: bool) -> S
     }
     for known in &analysed.result.diagnostics {
         line(&mut page, &note(translator().diagnostic(known)));
+    }
+    if let Some(drop) = analysed.result.drops.first()
+        && physics
+            .assumptions
+            .iter()
+            .any(|known| known.code == Code::AssumedBall)
+    {
+        line(&mut page, &ball_contrast(drop, physics));
     }
     if !physics.assumptions.is_empty() {
         line(&mut page, &assumed(&physics.assumptions));
@@ -67,11 +84,26 @@ pub(crate) fn assumed(assumptions: &[Diagnostic]) -> String {
     format!("  {}", text_with("terminal-assumed", &list))
 }
 
-/// What cannot be told, and why.
-pub(crate) fn cannot_tell(id: &str, reason: impl Display) -> String {
-    let reason = ended(reason).into();
-    let why = [("what", text(id).into()), ("reason", reason)];
-    text_with("terminal-cannot-tell", &why)
+/// How the answers of a drop depend on the ball, which nobody stated.
+fn ball_contrast(drop: &Drop, physics: &Physics) -> String {
+    let contrasts = drop.ball_contrasts(&physics.options);
+    let contrasts = contrasts.iter().map(|other| {
+        let ball = other.ball.split(':').next().unwrap_or_default();
+        text_with(
+            "terminal-if-ball",
+            &[
+                ("ball", ball.into()),
+                ("restitution", shown(other.restitution, Unit::Number).into()),
+                ("height", shown(other.drop_height_m, Unit::Length).into()),
+            ],
+        )
+    });
+    let contrasts: Vec<String> = contrasts.collect();
+    let contrast = [
+        ("assumed", physics.ball_label.as_str().into()),
+        ("contrasts", contrasts.join("; ").into()),
+    ];
+    note(text_with("terminal-ball-contrast", &contrast))
 }
 
 fn line(page: &mut String, words: &str) {

@@ -174,9 +174,9 @@ impl Level {
 
 impl Status<'_> {
     fn line(&self) -> String {
-        let sounds = self.watch.onsets();
+        let sounds = self.watch.drops.detector().onsets();
         let counted = |id, count: usize| text_with(id, &[("count", count.into())]);
-        let seconds = Value::fixed(self.watch.now_s().floor(), 0);
+        let seconds = Value::fixed(self.watch.drops.now_s().floor(), 0);
         let mut facts = vec![
             text_with("listen-seconds", &[("seconds", seconds)]),
             counted("listen-drops", self.drops),

@@ -12,7 +12,7 @@ use super::save::Saver;
 use super::screen::{Screen, Status};
 use super::sound::{Arrival, Sound, SoundInfo};
 use super::stop::Stop;
-use super::watch::{self, Watch};
+use super::watch::Watch;
 use super::{Arguments, Format, summary};
 use bouncelab_report::messages::Value;
 
@@ -164,7 +164,7 @@ impl<'a> Session<'a> {
         let mut from = 0;
         while from < frames && !self.has_enough() {
             let left = usize::try_from(self.last_frame - self.frames).unwrap_or(usize::MAX);
-            let to = frames.min(from + self.watch.frames_until_look().min(left));
+            let to = frames.min(from + self.watch.drops.frames_until_look().min(left));
             let piece: Vec<&[f32]> = planes.iter().map(|plane| &plane[from..to]).collect();
             self.hear_piece(&piece)?;
             from = to;
@@ -186,7 +186,7 @@ impl<'a> Session<'a> {
             self.screen.say(&text("listen-silence"));
         }
         self.frames += channels.first().map_or(0, |samples| samples.len()) as u64;
-        for heard in self.watch.push(channels) {
+        for heard in self.watch.drops.push(channels) {
             self.report(heard, Vec::new())?;
         }
         Ok(())
@@ -200,12 +200,12 @@ impl<'a> Session<'a> {
             self.screen.say(&text("listen-lost"));
         }
         let rate_hz = u64::from(self.recording.sample_rate_hz);
-        let from_s = self.watch.now_s();
+        let from_s = self.watch.drops.now_s();
         let silence = vec![0.0; frames.min(LONGEST_S * rate_hz) as usize];
         self.hear(&vec![silence; self.recording.channels])?;
         let gap = Gap {
             start_s: from_s,
-            duration_s: self.watch.now_s() - from_s,
+            duration_s: self.watch.drops.now_s() - from_s,
             certain: (1..=LONGEST_S * rate_hz).contains(&frames),
         };
         self.physics.options.edits.gaps.push(gap);
@@ -231,7 +231,7 @@ impl<'a> Session<'a> {
         let known = self
             .drops
             .iter()
-            .position(|reported| watch::overlap(&reported.train, &train));
+            .position(|reported| reported.train.overlaps(&train));
         let reported = Reported { train, analysis };
         let index = known.unwrap_or(self.drops.len());
         if known.is_some() {
@@ -258,7 +258,7 @@ impl<'a> Session<'a> {
     /// What is stated of a drop among those that were reported.
     fn options_for(&self, train: &Train) -> Options {
         let others = self.drops.iter().map(|reported| &reported.train);
-        let others = others.filter(|other| !watch::overlap(other, train));
+        let others = others.filter(|other| !other.overlaps(train));
         let starts_s: Vec<f64> = others.map(Train::start_s).collect();
         let options = &self.physics.options;
         options.for_drop(train.start_s(), &starts_s)
@@ -296,7 +296,7 @@ impl<'a> Session<'a> {
             self.screen
                 .say(&format!("{}: {warning}", self.recording.name));
         }
-        let whole = self.watch.whole();
+        let whole = self.watch.drops.detector().so_far();
         self.judge_again(&whole, &warnings)?;
         self.report_losses();
         self.report_release();
@@ -352,8 +352,7 @@ impl<'a> Session<'a> {
         }
         let (drops, screen) = (&mut self.drops, &self.screen);
         drops.retain(|reported| {
-            let is_in =
-                |trains: &[Train]| trains.iter().any(|it| watch::overlap(it, &reported.train));
+            let is_in = |trains: &[Train]| trains.iter().any(|it| it.overlaps(&reported.train));
             let remains = is_in(&whole.found.trains);
             let reason = if is_in(&whole.found.distant) {
                 "distant"

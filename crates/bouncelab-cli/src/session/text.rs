@@ -8,8 +8,8 @@ use bouncelab_report::messages::Value;
 use bouncelab_session::{AboutSession, Outcome, Reason};
 
 use super::tables;
-use crate::analyze::{cannot_tell, note};
-use crate::language::{text, text_with};
+use crate::analyze::note;
+use crate::language::{cannot_tell, text, text_with};
 
 /// Lines of a list that may go on for long.
 const SHOWN: usize = 8;

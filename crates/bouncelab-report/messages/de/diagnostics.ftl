@@ -52,6 +52,7 @@ diagnostic-impact-gains-energy = { $count ->
     [one] Aufprall { $impacts } gäbe dem Ball Energie (Stoßzahl über 1): doppelt ausgelöst, ein bewegter Untergrund oder kein Aufprall.
    *[other] Die Aufpralle { $impacts } gäben dem Ball Energie (Stoßzahl über 1): doppelt ausgelöst, ein bewegter Untergrund oder keine Aufpralle.
   }
+diagnostic-restitution-rises = Die um den Luftwiderstand bereinigte Stoßzahl steigt mit dem Aufpralltempo, von { $slow } auf { $fast }: Das tun wirkliche Bälle nicht; wahrscheinlich ist der Ball ein anderer, schwerer für seine Größe.
 diagnostic-impacts-doubtful = { $count ->
     [one] Ein Aufprall ist
    *[other] { $count } Aufpralle sind
@@ -79,6 +80,7 @@ diagnostic-height-of-first-detected = Die Fallhöhe ist die vor dem ersten erkan
 diagnostic-drag-from-prior = Diese Flugzeiten sagen fast nichts über den Luftwiderstand: Der Beiwert ist, was man von Kugeln weiß.
 diagnostic-drag-or-slope = Luftwiderstand und fallende Stoßzahl lassen sich an dieser Aufnahme nicht unterscheiden; eine gemessene Fallhöhe oder ein dichterer Ball könnte es.
 diagnostic-no-law-wins = Kein Gesetz der Stoßzahl gewinnt; die Antwort ist das Mittel über alle, die wahr sein können.
+diagnostic-other-ball-fits-better = Diese Zeiten passen besser zu einem anderen Ball, mindestens { $odds } zu 1: { $balls }.
 diagnostic-never-rests = Bei so wenig Verlust kommt der Ball in keiner vernünftigen Zeit zur Ruhe.
 diagnostic-inference-off = Eine Schätzung war nicht verlangt.
 diagnostic-inference-needs-impacts = Eine Schätzung braucht einen Flug, und ein Flug braucht zwei Aufpralle.

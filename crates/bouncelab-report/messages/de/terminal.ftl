@@ -1,5 +1,11 @@
 terminal-note = Hinweis: { $text }
 terminal-assumed = Angenommen: { $list }.
+terminal-ball-contrast = Der Ball ist nicht angegeben: angenommen ist { $assumed }. Die Ergebnisse wären { $contrasts }. Den Ball mit --ball angeben, oder alle mit --which-ball vergleichen.
+terminal-if-ball = e = { $restitution } und h0 = { $height } für { $ball ->
+        [tennis] einen Tennisball
+       *[steel] eine Stahlkugel von 20 mm
+    }
+analyze-balls-heading = Was die Zeiten zu jedem Ball sagen, verglichen mit dem angegebenen oder angenommenen:
 terminal-cannot-tell = { $what }: nicht zu sagen: { $reason }
 
 analyze-times = { $name }: Aufprallzeiten

@@ -55,6 +55,7 @@ diagnostic-impact-gains-energy = { $count ->
     [one] Impact { $impacts } would give energy to the ball
    *[other] Impacts { $impacts } would give energy to the ball
   } (restitution above 1): a double trigger, a moving surface, or a sound that is no impact.
+diagnostic-restitution-rises = The restitution corrected for drag rises with the impact speed, from { $slow } to { $fast }: real balls do not do that, so the ball is probably another one, heavier for its size.
 diagnostic-impacts-doubtful = { $count ->
     [one] 1 impact is
    *[other] { $count } impacts are
@@ -82,6 +83,7 @@ diagnostic-height-of-first-detected = The drop height is of the fall before the 
 diagnostic-drag-from-prior = These flight times say next to nothing about drag: the drag coefficient is what is known of spheres.
 diagnostic-drag-or-slope = Drag and falling restitution cannot be told apart from this recording; a measured drop height or a denser ball would help.
 diagnostic-no-law-wins = No restitution law wins; the answer is averaged over those that may be true.
+diagnostic-other-ball-fits-better = These times fit another ball better, at least { $odds } to 1: { $balls }.
 diagnostic-never-rests = With so little loss the ball does not come to rest in any reasonable time.
 diagnostic-inference-off = No inference was asked for.
 diagnostic-inference-needs-impacts = An inference takes a flight, and a flight takes two impacts.

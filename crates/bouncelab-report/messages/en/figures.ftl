@@ -49,7 +49,7 @@ figure-calibration-rank = rank of the truth
 figure-comparison-title = The drop and a simulation of it
 figure-comparison-caption = Where the curves part, the model lacks something, or an impact is none.
 figure-comparison-empty = There are no heights to show.
-figure-comparison-best-fit = the drop that fits best
+figure-comparison-best-fit = best-fit model
 figure-comparison-measured = as heard
 figure-comparison-simulation = your simulation
 

@@ -2,6 +2,12 @@
 
 terminal-note = Note: { $text }
 terminal-assumed = Assumed: { $list }.
+terminal-ball-contrast = The ball was not stated: { $assumed } is assumed. The answers would be { $contrasts }. State the ball with --ball, or compare all with --which-ball.
+terminal-if-ball = e = { $restitution } and h0 = { $height } for { $ball ->
+        [tennis] a tennis ball
+       *[steel] a steel ball of 20 mm
+    }
+analyze-balls-heading = What the times say of each ball, against the one that was stated or assumed:
 terminal-cannot-tell = { $what }: cannot tell: { $reason }
 
 analyze-times = { $name }: impact times

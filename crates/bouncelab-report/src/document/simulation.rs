@@ -1,7 +1,8 @@
 //! Simulated drops as data for other programs: the schema `bouncelab.simulation/2`.
 
 use bouncelab::drag::DragLaw;
-use bouncelab::drop::History;
+use bouncelab::drop::{self, History, Start, Stop};
+use bouncelab::impact::{Contact, Restitution};
 use bouncelab::{Diagnostic, Options};
 use serde::Serialize;
 
@@ -22,6 +23,41 @@ pub struct Run {
 }
 
 impl Run {
+    /// Simulates a drop under a drag law, all else being as in the options.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`Options::model`], [`Contact::new`] and [`drop::simulate`].
+    ///
+    /// ```
+    /// use bouncelab::Options;
+    /// use bouncelab::drag::DragLaw;
+    /// use bouncelab::drop::{Start, Stop};
+    /// use bouncelab::impact::Restitution;
+    /// use bouncelab_report::document::simulation::Run;
+    ///
+    /// let (bounce, start) = (Restitution::constant(0.9)?, Start::Height(0.3));
+    /// let run = Run::simulate(DragLaw::None, &Options::default(), bounce, start, Stop::after(3))?;
+    /// assert_eq!(run.history.bounces().len(), 3);
+    /// # Ok::<(), bouncelab::Error>(())
+    /// ```
+    pub fn simulate(
+        law: DragLaw,
+        options: &Options,
+        restitution: Restitution,
+        start: Start,
+        stop: Stop,
+    ) -> bouncelab::Result<Self> {
+        let model = options.clone().with_drag(law).model()?;
+        let contact = Contact::new(restitution, options.contact_time_s)?;
+        Ok(Self {
+            law,
+            terminal_speed_m_s: model.terminal_speed_m_s(),
+            mass_kg: model.moving_mass_kg().unwrap_or(f64::NAN),
+            history: drop::simulate(&model, &contact, start, stop)?,
+        })
+    }
+
     /// Energy at the start, in J.
     pub fn initial_energy_j(&self) -> f64 {
         self.mass_kg * self.history.initial_energy_j_kg()
@@ -94,17 +130,28 @@ struct Simulation {
 /// One bounce: an impact and the flight after it.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
+#[non_exhaustive]
 pub struct Bounce {
-    drag: String,
-    number: usize,
-    time_s: f64,
-    impact_speed_m_s: f64,
-    restitution: f64,
-    launch_speed_m_s: f64,
-    flight_time_s: f64,
-    apex_m: f64,
-    lost_to_surface_j: f64,
-    lost_to_air_j: f64,
+    /// The drag law.
+    pub drag: String,
+    /// Number of the bounce, 1 for the first.
+    pub number: usize,
+    /// Time of the impact in s.
+    pub time_s: f64,
+    /// Speed before it in m/s.
+    pub impact_speed_m_s: f64,
+    /// Speed after it over speed before.
+    pub restitution: f64,
+    /// Speed after it in m/s.
+    pub launch_speed_m_s: f64,
+    /// Time until the next impact in s.
+    pub flight_time_s: f64,
+    /// Apex of the flight after it in m.
+    pub apex_m: f64,
+    /// Energy that the surface took, in J.
+    pub lost_to_surface_j: f64,
+    /// Energy that the air took in the flight after it, in J.
+    pub lost_to_air_j: f64,
 }
 
 impl Document {

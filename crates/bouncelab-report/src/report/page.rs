@@ -136,7 +136,7 @@ pub(super) fn sentence(remark: &str) -> String {
     ended(capital(remark))
 }
 
-/// With a full stop, unless it has an end already: it may be a inference.
+/// With a full stop, unless it has an end already: it may be a question.
 pub fn ended(words: impl fmt::Display) -> String {
     let words = words.to_string();
     let end = if words.ends_with(['.', '?', '!']) {

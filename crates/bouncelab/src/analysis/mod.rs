@@ -19,6 +19,7 @@
 //! # Ok::<(), bouncelab::Error>(())
 //! ```
 
+mod balls;
 mod derived;
 mod gap;
 mod pipeline;
@@ -41,6 +42,7 @@ use crate::train::{self, TrainImpact};
 use crate::{Error, Result};
 
 pub use crate::detection::DetectionOptions;
+pub use balls::{BallComparison, BallContrast};
 pub use derived::{DragCurve, HeightHistory, Truncation};
 pub use gap::Gap;
 pub use pipeline::{DropCandidate, DropTask, Plan, analyze, analyze_channels, analyze_times};
@@ -78,6 +80,8 @@ pub struct Options {
     pub detection: DetectionOptions,
     /// Impacts excluded and included by hand.
     pub edits: Edits,
+    /// Whether to compare what a drop says of each preset ball.
+    pub compares_balls: bool,
 }
 
 /// Impacts excluded and included by hand, and gaps.
@@ -120,6 +124,7 @@ impl Options {
             inference: Some(InferenceOptions::default()),
             detection: DetectionOptions::default(),
             edits: Edits::default(),
+            compares_balls: false,
         }
     }
 
@@ -358,15 +363,21 @@ pub fn analyze_impacts(impacts: Vec<Impact>, options: &Options) -> Drop {
         Err(Error::CannotInfer(InferenceFailure::NotRequested)) => {}
         Err(reason) => diagnostics.push(reason.diagnostic()),
     }
-    Drop {
+    let mut drop = Drop {
         probability: 1.0,
         impacts,
         flights,
         log_linear_fit,
         per_impact,
         posterior,
+        balls: Vec::new(),
         diagnostics,
+    };
+    if options.compares_balls {
+        drop.balls = balls::compare(&drop, options);
+        drop.diagnostics.extend(balls::better(&drop.balls));
     }
+    drop
 }
 
 fn flights(
@@ -475,6 +486,7 @@ fn diagnostics(
         let gaining = Diagnostic::new(Code::ImpactGainsEnergy).with("count", gains.len());
         diagnostics.push(gaining.with("impacts", gains.as_slice()));
     }
+    diagnostics.extend(per_impact.and_then(balls::rising));
     let doubtful = impacts
         .iter()
         .filter(|impact| impact.probability < 0.5)

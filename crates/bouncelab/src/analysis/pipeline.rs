@@ -147,6 +147,29 @@ impl Plan {
         Self::new(recording, vec![DropCandidate::of_times(times_s)], options)
     }
 
+    /// The same for the sound of a file: with the name of its format, and with what is odd about the
+    /// file before what is odd about the sound.
+    ///
+    /// ```
+    /// use bouncelab::analysis::{Plan, Source};
+    /// use bouncelab::{Detector, Options};
+    ///
+    /// let silence = Detector::new(48_000, 1).finish();
+    /// let plan = Plan::of_detection(silence, &Options::default()).of_file("WAV", []);
+    /// let Source::Sound { format, .. } = plan.run().source else { panic!("a list of times") };
+    /// assert_eq!(format.as_deref(), Some("WAV"));
+    /// ```
+    #[must_use]
+    pub fn of_file(
+        mut self,
+        format: &str,
+        diagnostics: impl IntoIterator<Item = Diagnostic>,
+    ) -> Self {
+        self.recording.source = self.recording.source.with_format(format);
+        self.recording.diagnostics.splice(0..0, diagnostics);
+        self
+    }
+
     /// The plan for drops that are known already: detected before, or edited by hand.
     pub fn of_candidates(
         source: Source,
@@ -183,14 +206,6 @@ impl Plan {
             options: options.clone(),
             recording,
         }
-    }
-
-    /// The same for a file of this format, of which so much is known besides.
-    #[must_use]
-    pub fn of_file(mut self, format: &str, diagnostics: Vec<Diagnostic>) -> Self {
-        self.recording.source = self.recording.source.with_format(format);
-        self.recording.diagnostics.splice(0..0, diagnostics);
-        self
     }
 
     /// The drops to analyse, in order of time.

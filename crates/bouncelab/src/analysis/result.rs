@@ -1,7 +1,10 @@
 //! What a recording and its drops say: the result types, which are the JSON schema
 //! `bouncelab.analysis/2`.
 
-use super::Options;
+use super::{BallComparison, Options};
+#[cfg(feature = "serde")]
+use crate::Error;
+use crate::Result;
 use crate::detection::Envelope;
 use crate::diagnostic::Diagnostic;
 use crate::estimate::Estimate;
@@ -9,7 +12,6 @@ use crate::impact::Impact;
 use crate::inference::Posterior;
 use crate::regression::LogLinearFit;
 use crate::restitution::{ImpactRestitution, PerImpact, TimedFlight};
-use crate::{Error, Result};
 
 /// What a recording, or a list of times, says.
 #[derive(Clone, Debug)]
@@ -124,6 +126,9 @@ pub struct Drop {
     #[cfg_attr(feature = "serde", serde(serialize_with = "ok_or_null"))]
     #[cfg_attr(feature = "typescript", ts(as = "Option<Posterior>"))]
     pub posterior: Result<Posterior>,
+    /// What the times say of each preset ball, the best first; empty unless
+    /// [asked for](super::Options::with_ball_comparison).
+    pub balls: Vec<BallComparison>,
     /// What is odd, and what to know before believing it.
     pub diagnostics: Vec<Diagnostic>,
 }

@@ -107,6 +107,7 @@ impl Answers {
             predictions: predictions(&posterior, &inference.reach),
             impacts: heard(&posterior, &innovations),
             models: self.models(&posterior),
+            log_evidence: posterior.log_evidence(),
             prior_contraction,
             correlations: identify::correlations(vec![
                 ("restitution", self.restitution.clone()),

@@ -55,6 +55,10 @@ pub struct Posterior {
     pub impacts: Vec<ImpactPosterior>,
     /// The models that were weighed, most probable first.
     pub models: Vec<Model>,
+    /// Natural logarithm of the evidence of all models together, but for a constant of the times: the
+    /// difference between two posteriors of the same times is the logarithm of their Bayes factor.
+    #[cfg_attr(feature = "serde", serde(skip))]
+    pub log_evidence: f64,
     /// How much the data narrowed what was known.
     pub prior_contraction: Vec<PriorContraction>,
     /// Correlations between the answers.

@@ -191,6 +191,16 @@ impl SampledPosterior {
         )
     }
 
+    /// Logarithm of the evidence of all models together, but for a constant of the times.
+    pub(super) fn log_evidence(&self) -> f64 {
+        let best = best_evidence(&self.candidates);
+        let relative = self
+            .candidates
+            .iter()
+            .map(|candidate| candidate.log_evidence - best);
+        best + relative.map(f64::exp).sum::<f64>().ln()
+    }
+
     /// The best fit of every model, with the evidence that its curvature suggests (Laplace).
     fn fitted(&self) -> Vec<Candidate> {
         let mut candidates = Vec::new();
@@ -372,6 +382,7 @@ fn follows_reynolds(environment: &Environment) -> bool {
     !constant && !environment.air.is_vacuum()
 }
 
+/// The highest evidence of the candidates.
 fn best_evidence(candidates: &[Candidate]) -> f64 {
     candidates
         .iter()

@@ -254,6 +254,17 @@ pub struct Hum {
     pub level_db: f64,
 }
 
+impl Hum {
+    /// Mains hum of this frequency, 20 dB below the loudest impact.
+    pub const fn mains(frequency_hz: f64) -> Self {
+        Self {
+            frequency_hz,
+            harmonics: 5,
+            level_db: -20.0,
+        }
+    }
+}
+
 /// Reverberation: a tail of Gaussian noise that decays exponentially, as in a large room.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Reverb {
@@ -261,6 +272,16 @@ pub struct Reverb {
     pub rt60_s: f64,
     /// Energy of the direct sound over that of the tail, in decibels, -60 to 120.
     pub direct_to_reverberant_db: f64,
+}
+
+impl Reverb {
+    /// As a metre from the ball in a room of this reverberation time in seconds.
+    pub const fn of_a_room(rt60_s: f64) -> Self {
+        Self {
+            rt60_s,
+            direct_to_reverberant_db: 6.0,
+        }
+    }
 }
 
 /// Sounds that are no impact: short ticks of random pitch at random times (Poisson).
@@ -271,6 +292,16 @@ pub struct Clicks {
     /// Root mean square of each over its first 5 ms relative to the loudest impact, in decibels,
     /// -200 to 60.
     pub level_db: f64,
+}
+
+impl Clicks {
+    /// So many a second, half as loud as the loudest impact.
+    pub const fn often(rate_per_s: f64) -> Self {
+        Self {
+            rate_per_s,
+            level_db: -6.0,
+        }
+    }
 }
 
 /// Which impacts are not heard.

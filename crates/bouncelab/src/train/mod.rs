@@ -103,6 +103,11 @@ impl Train {
         self.impacts[self.impacts.len() - 1].onset.time_s
     }
 
+    /// Whether it shares a time with another.
+    pub fn overlaps(&self, other: &Self) -> bool {
+        self.start_s() <= other.end_s() && other.start_s() <= self.end_s()
+    }
+
     /// How many impacts between the first and the last were not heard.
     pub fn missed(&self) -> usize {
         let last = self.impacts[self.impacts.len() - 1].number as usize;

@@ -3,13 +3,12 @@
 use std::error::Error;
 
 use bouncelab::diagnostic::Code;
-use bouncelab::{Detector, Estimate, Options, Recording};
-use bouncelab_audio::Source;
-use bouncelab_session::plan_of_sound;
+use bouncelab::{Estimate, Options, Recording};
+use bouncelab_audio::Input;
 
 /// What a result is worth.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) enum Verdict {
+pub enum Verdict {
     /// The undamaged one within its uncertainties.
     Right,
     /// Another one, with a diagnostic that names the place.
@@ -21,18 +20,18 @@ pub(crate) enum Verdict {
 }
 
 /// What the file says.
-pub(crate) fn analyse(
+pub fn analyse(
     file: &[u8],
     name: &str,
     options: &Options,
 ) -> Result<Recording, Box<dyn Error + Send + Sync>> {
-    let mut source = Source::from_bytes(file, name)?;
-    let detector = Detector::new(source.sample_rate_hz(), source.channels());
-    Ok(plan_of_sound(&mut source, detector, options, |_| ())?.run())
+    let input = Input::from_bytes(file, name)?;
+    let plan = input.plan::<Box<dyn Error + Send + Sync>>(options, |_| Ok(()))?;
+    Ok(plan.run())
 }
 
 /// What the result of a damaged file is worth, given that of the whole one.
-pub(crate) fn judge(whole: &Recording, damaged: Option<&Recording>) -> Verdict {
+pub fn judge(whole: &Recording, damaged: Option<&Recording>) -> Verdict {
     let Some(damaged) = damaged.filter(|it| it.no_drop.is_none()) else {
         return Verdict::Refused;
     };
@@ -77,7 +76,7 @@ fn numbers(recording: &Recording) -> Vec<Estimate> {
 }
 
 /// The numbers in words.
-pub(crate) fn words<E>(recording: &Result<Recording, E>) -> String {
+pub fn words<E>(recording: &Result<Recording, E>) -> String {
     let numbers = recording.as_ref().map_or_else(|_| Vec::new(), numbers);
     let words = numbers
         .iter()
@@ -86,7 +85,7 @@ pub(crate) fn words<E>(recording: &Result<Recording, E>) -> String {
 }
 
 /// Whether a diagnostic names the place of the damage.
-pub(crate) fn is_warned(recording: &Recording) -> bool {
+pub fn is_warned(recording: &Recording) -> bool {
     recording.diagnostics.iter().any(|known| {
         matches!(
             known.code,

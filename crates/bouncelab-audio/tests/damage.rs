@@ -1,12 +1,8 @@
 //! No damage to a file of any format makes a wrong result that looks like a right one. `cargo xtask damage`
 //! tries every percent of each file, with the inference; here it is four places without.
 
-#[path = "../examples/damage/judge.rs"]
-mod judge;
-
 use bouncelab::Options;
-use bouncelab_testkit::damage::{Damage, files};
-use judge::{Verdict, analyse, is_warned, judge, words};
+use bouncelab_testkit::damage::{Damage, Verdict, analyse, files, is_warned, judge, words};
 
 #[test]
 fn no_damage_makes_a_wrong_result_that_looks_right() {

@@ -1,5 +1,7 @@
 //! A known drop in every format, and the ways in which files of recordings are damaged.
 
+mod judge;
+
 use std::io::Read;
 use std::path::PathBuf;
 
@@ -7,6 +9,8 @@ use bouncelab::Options;
 use bouncelab::synth::{Noise, Rendered, Scene, render};
 use bouncelab_audio::{SampleFormat, encode_wav};
 use flate2::read::GzDecoder;
+
+pub use judge::{Verdict, analyse, is_warned, judge, words};
 
 /// What happens to a file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -1,13 +1,9 @@
-//! The types in TypeScript are those in Rust.
+//! Writes what the engine takes and gives as types of TypeScript, to the standard output.
 //!
-//! Run with `BOUNCELAB_UPDATE_TYPES=1` to write them.
-
-#![cfg(not(target_family = "wasm"))]
+//! `cargo xtask web` runs it: the page is compiled against what the engine really gives.
 
 use std::any::TypeId;
 use std::collections::{BTreeMap, HashSet};
-use std::fs;
-use std::path::Path;
 
 use bouncelab::Recording;
 use bouncelab::diagnostic::Argument;
@@ -20,8 +16,7 @@ use bouncelab_wasm::wire;
 use ts_rs::{Config, TS, TypeVisitor};
 
 const HEAD: &str = "\
-// The types that the laboratory's engine takes and gives, made from those in
-// Rust (crates/bouncelab and bouncelab-wasm) by `cargo xtask web`. Do not edit.
+// What the engine takes and gives, from the types in Rust. `cargo xtask web` makes this file.
 ";
 
 /// Declares types and all that they are made of.
@@ -89,18 +84,6 @@ fn declarations() -> String {
         .replace(", \n", ",\n")
 }
 
-/// The page is compiled against what the engine really gives.
-#[test]
-fn typescript_knows_the_types() {
-    let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../web/src/lab/types.ts");
-    let expected = declarations();
-    if std::env::var_os("BOUNCELAB_UPDATE_TYPES").is_some() {
-        fs::write(&file, &expected).unwrap();
-    }
-    let found = fs::read_to_string(&file).unwrap_or_default();
-    assert!(
-        found == expected,
-        "web/src/lab/types.ts is not what the Rust types say; write it anew with \
-         BOUNCELAB_UPDATE_TYPES=1 cargo test -p bouncelab-wasm --test types"
-    );
+fn main() {
+    print!("{}", declarations());
 }

@@ -15,6 +15,8 @@
 //! # Ok::<(), bouncelab::Error>(())
 //! ```
 
+mod settings;
+
 use crate::Result;
 use crate::air::{Air, Conditions};
 use crate::analysis::Options;
@@ -24,6 +26,8 @@ use crate::drag::DragLaw;
 use crate::flight::Environment;
 use crate::gravity;
 use crate::inference::{LawKind, Measured, Priors, UNKNOWN};
+
+pub use settings::Settings;
 
 /// Heights are measured with a ruler: standard uncertainty in metres.
 const HEIGHT_SD_M: f64 = 0.002;
@@ -120,7 +124,7 @@ pub enum GravityInput {
 #[derive(Clone, Debug)]
 #[non_exhaustive]
 pub struct Setup {
-    /// The settings for the science, without a inference.
+    /// The options of the analysis, without the inference.
     pub options: Options,
     /// The ball in words.
     pub ball_label: String,

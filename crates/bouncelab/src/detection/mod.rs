@@ -30,6 +30,8 @@
 //! # Ok::<(), bouncelab::Error>(())
 //! ```
 
+mod watch;
+
 use crate::diagnostic::{Code, Diagnostic};
 use crate::error::{Error, Result};
 use crate::onset::{self, Onset, OnsetDetector};
@@ -37,6 +39,8 @@ use crate::simd::dispatch;
 use crate::stats::median;
 use crate::train::{self, Span, TrainSearch};
 use std::ops::Range;
+
+pub use watch::DropWatch;
 
 /// No drop lasts longer than this many seconds: what is older is forgotten.
 const MEMORY_S: f64 = 120.0;

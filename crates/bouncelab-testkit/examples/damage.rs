@@ -3,15 +3,11 @@
 //!
 //! `damage [FORMAT] [quick]`; `quick` leaves the inference out.
 
-mod judge;
-
 use std::error::Error;
 
 use bouncelab::Options;
-use bouncelab_testkit::damage::{Damage, files};
+use bouncelab_testkit::damage::{Damage, Verdict, analyse, files, is_warned, judge, words};
 use rayon::prelude::*;
-
-use judge::{Verdict, analyse, is_warned, judge, words};
 
 fn main() -> Result<(), Box<dyn Error + Send + Sync>> {
     let mut options = Options::default();

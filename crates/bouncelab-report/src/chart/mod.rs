@@ -4,11 +4,14 @@
 //! A figure makes a [`Chart`] and draws nothing. [`Chart::svg`] and `Chart::png` draw it; the page
 //! draws the same description so that it can be zoomed.
 
+mod rows;
+
 use serde::Serialize;
 
 use crate::messages::Translator;
 pub use crate::scale::Scale;
 use crate::theme::{Colour, Meaning};
+pub use rows::Row;
 
 /// A horizontal and a vertical value. One that is not a number, `null` in JSON, interrupts a line and
 /// leaves a point out.

@@ -1,0 +1,164 @@
+"""From a recording of a bouncing ball to the physics.
+
+>>> import bouncelab as bl
+>>> sound = bl.synthesize(height_m=0.305, restitution=0.95, ball="table-tennis-38", seed=1)
+>>> drop = bl.analyze(sound.samples, sound.sample_rate_hz, ball="table-tennis-38").drops[0]
+>>> print(f"restitution {drop.restitution.value:.3f}, from {drop.drop_height_m.value:.2f} m")
+restitution 0.950, from 0.30 m
+
+Quantities are in SI and say so in their names. Bad input is a :class:`BouncelabError` that says what to do.
+"""
+
+from __future__ import annotations
+
+import importlib
+from typing import TYPE_CHECKING
+
+from bouncelab._core import __version__
+
+if TYPE_CHECKING:
+    from bouncelab._analyze import Progress, ProgressBar, analyze, analyze_times
+    from bouncelab._data import (
+        BandPoint,
+        Budget,
+        Correlations,
+        Diagnostic,
+        Estimate,
+        ImpactPosterior,
+        ImpactRestitution,
+        LogLinearFit,
+        Measured,
+        Model,
+        PerImpact,
+        Posterior,
+        Prediction,
+        PriorContraction,
+        Sampling,
+        Settings,
+        Share,
+        Source,
+        StrongestBand,
+    )
+    from bouncelab._detector import Detector
+    from bouncelab._errors import (
+        BouncelabError,
+        InferenceError,
+        InputError,
+        OutOfRangeError,
+        OutputError,
+        PhysicsError,
+        RecordingError,
+        RecordingNotFoundError,
+        SessionError,
+        UnknownNameError,
+    )
+    from bouncelab._figure import Figure
+    from bouncelab._physics import (
+        DragLaw,
+        air,
+        diagnostic_codes,
+        drag_coefficient,
+        drag_laws,
+        gravity_m_s2,
+        languages,
+        presets,
+    )
+    from bouncelab._recording import Draws, Drop, Drops, Recording
+    from bouncelab._settings import Air, Ball, Options, Surroundings
+    from bouncelab._simulation import Simulation, Sound, simulate, synthesize
+    from bouncelab._table import Column, Table
+
+#: Where each name is. A module is imported when something of it is used: the import itself takes little.
+_PLACES = {
+    "_analyze": "Progress ProgressBar analyze analyze_times",
+    "_data": (
+        "BandPoint Budget Correlations Diagnostic Estimate ImpactPosterior ImpactRestitution "
+        "LogLinearFit Measured Model PerImpact Posterior Prediction PriorContraction Sampling "
+        "Settings Share Source StrongestBand"
+    ),
+    "_detector": "Detector",
+    "_errors": (
+        "BouncelabError InferenceError InputError OutOfRangeError OutputError PhysicsError "
+        "RecordingError RecordingNotFoundError SessionError UnknownNameError"
+    ),
+    "_figure": "Figure",
+    "_physics": "DragLaw air diagnostic_codes drag_coefficient drag_laws gravity_m_s2 languages presets",
+    "_recording": "Draws Drop Drops Recording",
+    "_settings": "Air Ball Options Surroundings",
+    "_simulation": "Simulation Sound simulate synthesize",
+    "_table": "Column Table",
+}
+_MODULES = {name: module for module, names in _PLACES.items() for name in names.split()}
+
+__all__ = [
+    "Air",
+    "Ball",
+    "BandPoint",
+    "BouncelabError",
+    "Budget",
+    "Column",
+    "Correlations",
+    "Detector",
+    "Diagnostic",
+    "DragLaw",
+    "Draws",
+    "Drop",
+    "Drops",
+    "Estimate",
+    "Figure",
+    "ImpactPosterior",
+    "ImpactRestitution",
+    "InferenceError",
+    "InputError",
+    "LogLinearFit",
+    "Measured",
+    "Model",
+    "Options",
+    "OutOfRangeError",
+    "OutputError",
+    "PerImpact",
+    "PhysicsError",
+    "Posterior",
+    "Prediction",
+    "PriorContraction",
+    "Progress",
+    "ProgressBar",
+    "Recording",
+    "RecordingError",
+    "RecordingNotFoundError",
+    "Sampling",
+    "SessionError",
+    "Settings",
+    "Share",
+    "Simulation",
+    "Sound",
+    "Source",
+    "StrongestBand",
+    "Surroundings",
+    "Table",
+    "UnknownNameError",
+    "__version__",
+    "air",
+    "analyze",
+    "analyze_times",
+    "diagnostic_codes",
+    "drag_coefficient",
+    "drag_laws",
+    "gravity_m_s2",
+    "languages",
+    "presets",
+    "simulate",
+    "synthesize",
+]
+
+
+def __getattr__(name: str) -> object:
+    if name not in _MODULES:
+        raise AttributeError(f"module 'bouncelab' has no attribute {name!r}")
+    value = getattr(importlib.import_module(f"bouncelab.{_MODULES[name]}"), name)
+    globals()[name] = value
+    return value
+
+
+def __dir__() -> list[str]:
+    return __all__

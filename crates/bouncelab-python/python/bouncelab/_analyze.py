@@ -1,0 +1,288 @@
+"""From sound, or impact times, to what they say."""
+
+from __future__ import annotations
+
+from os import PathLike, fspath
+from typing import TYPE_CHECKING, BinaryIO, Protocol, Unpack
+
+from bouncelab import _core
+from bouncelab._errors import InputError
+from bouncelab._recording import Recording
+from bouncelab._settings import Options, analyzer, count, number, text
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    import numpy as np
+    from numpy.typing import NDArray
+
+
+class ProgressBar(Protocol):
+    """A bar as those of tqdm: it has a total, is moved on, and closed."""
+
+    total: float | None
+
+    def update(self, n: float, /) -> object: ...
+    def close(self) -> object: ...
+
+
+class Progress(Protocol):
+    """What makes a bar: ``tqdm.tqdm``, ``tqdm.auto.tqdm`` or a function like them."""
+
+    def __call__(self, *, total: float | None, desc: str, unit: str) -> ProgressBar: ...
+
+
+def analyze(
+    source: str | PathLike[str] | bytes | BinaryIO | NDArray[np.generic],
+    sample_rate_hz: float | None = None,
+    *,
+    name: str | None = None,
+    progress: Progress | None = None,
+    **options: Unpack[Options],
+) -> Recording:
+    """Find the drops in a recording, and say what they say.
+
+    Parameters
+    ----------
+    source : path, bytes, binary file or numpy.ndarray
+        A recording (WAV, AIFF, FLAC, MP3, AAC, Ogg, Opus, WebM, M4A, MP4, MOV), or a list of impact times
+        (``.txt``, ``.csv``, ``.json``); or samples of shape ``(frames,)`` or ``(frames, channels)``, full
+        scale being 1 for floating point and the whole range for integers. Contiguous ``float32`` is read
+        in place.
+    sample_rate_hz : float, optional
+        Samples a second: for arrays only, and necessary there.
+    name : str, optional
+        What the recording is called; with bytes, its ending tells lists of times from sound.
+    progress : optional
+        ``tqdm.tqdm``, or what makes a bar like it.
+    **options
+        What is known, in SI, and what is asked. All of it may be left out; what is assumed instead is in
+        ``recording.settings.assumptions``.
+
+        ball : str or Ball
+            One of :func:`presets`, or ``"steel:0.01"``, ``"glass:0.016"`` with the diameter in m.
+        mass_kg, diameter_m, contact_time_s : float
+            As measured, beside ``ball`` or in place of it.
+        air : Air, or temperature_k, pressure_pa, relative_humidity : float
+            The air.
+        drag : str
+            One of :func:`drag_laws`, ``"none"`` or ``"constant:0.4"``.
+        buoyancy, added_mass : bool
+            Whether these forces count; usually they do.
+        gravity_m_s2 : float, or latitude_deg, altitude_m : float
+            Gravity.
+        height_m, height_sd_m : float
+            Measured drop height, surface to lowest point of the ball, and its uncertainty (2 mm).
+        release_s, release_sd_s : float
+            When the ball was released, and the uncertainty (5 ms).
+        first_heard : bool
+            Whether the first impact detected is the first there was.
+        restitution_laws : list of str
+            Laws to weigh: constant, linear, power, viscoelastic, knee; all if left out.
+        infer : list of str
+            What to leave to the data: gravity, drag, contact-time.
+        flights : tuple of int
+            First and last flight of the straight line.
+        at_speed_m_s : float
+            Impact speed at which to state the restitution.
+        reach : list of (bounce, apex_m)
+            From which height does a bounce reach an apex?
+        draws : int or None
+            Draws of the posterior to aim at, 100 to 100,000 (4,000); ``None`` leaves the inference out.
+        seed : int
+            Seed of the random numbers of the inference (1).
+        channel : int
+            The only channel to use, the first being 1.
+        band_hz : tuple of float
+            The only frequencies to use.
+        exclude_s, include_s : list of float
+            Times of impacts to leave out, and to add.
+
+    Returns
+    -------
+    Recording
+        Without a drop it has no ``drops``, and says why in ``no_drop``.
+
+    Raises
+    ------
+    RecordingError
+        If the recording cannot be read; :class:`RecordingNotFoundError` if it is not there.
+    InputError
+        If an argument is of the wrong type or shape.
+    OutOfRangeError, UnknownNameError, PhysicsError
+        If a setting makes no sense.
+
+    Notes
+    -----
+    Ctrl-C ends it between two blocks of sound, or two drops. No thread is started; the interpreter is free
+    for others meanwhile, so that several threads may analyse side by side.
+
+    Examples
+    --------
+    >>> import bouncelab as bl
+    >>> sound = bl.synthesize(height_m=0.305, restitution=0.95, seed=1)
+    >>> recording = bl.analyze(sound.samples, sound.sample_rate_hz, ball="table-tennis-38", draws=500)
+    >>> abs(recording.drops[0].restitution.value - 0.95) < 0.01
+    True
+    """
+    prepared = analyzer(**options)
+    report = None if progress is None else _Bars(progress)
+    try:
+        return Recording(_analyzed(prepared, source, sample_rate_hz, name, report))
+    finally:
+        if report is not None:
+            report.close()
+
+
+def _analyzed(
+    prepared: _core.Analyzer,
+    source: object,
+    sample_rate_hz: float | None,
+    name: str | None,
+    report: _Bars | None,
+) -> _core.Recording:
+    called = None if name is None else text("name", name)
+    if hasattr(source, "__array__") or isinstance(source, memoryview):
+        samples = as_samples(source)
+        return prepared.samples(samples, as_rate(sample_rate_hz), called or "samples", report)
+    if sample_rate_hz is not None:
+        raise InputError("sample_rate_hz goes with an array of samples; a file says it itself")
+    if isinstance(source, str | PathLike):
+        path = fspath(source)
+        if not isinstance(path, str):
+            raise InputError("the path must be a text; decode it with os.fsdecode")
+        return prepared.file(path, called or path, report)
+    if isinstance(source, bytes | bytearray):
+        return prepared.content(bytes(source), called or "recording", report)
+    if callable(read := getattr(source, "read", None)):
+        content = read()
+        if not isinstance(content, bytes):
+            raise InputError('the file gives text; open it with mode "rb"')
+        own = getattr(source, "name", None)
+        return prepared.content(content, called or (own if isinstance(own, str) else "recording"), report)
+    raise InputError(
+        f"a recording is a path, bytes, a binary file or a NumPy array, not {type(source).__name__}"
+    )
+
+
+def analyze_times(
+    times_s: Sequence[float] | NDArray[np.generic],
+    *,
+    name: str = "times",
+    **options: Unpack[Options],
+) -> Recording:
+    """Say what a list of impact times says.
+
+    Parameters
+    ----------
+    times_s : array_like of float, shape (impacts,)
+        Impact times in s, in increasing order; they are one drop.
+    name : str
+        What the list is called.
+    **options
+        As of :func:`analyze`.
+
+    Returns
+    -------
+    Recording
+
+    Raises
+    ------
+    InputError
+        If the times are no increasing list of finite numbers.
+    OutOfRangeError, UnknownNameError, PhysicsError
+        If a setting makes no sense.
+
+    Examples
+    --------
+    >>> import bouncelab as bl
+    >>> drop = bl.analyze_times([0.0, 0.4605, 0.8877, 1.2854, 1.6568, 2.0045], draws=None).drops[0]
+    >>> round(drop.log_linear_fit.restitution.value, 3)
+    0.932
+    """
+    times = as_numbers("times_s", times_s)
+    if any(later <= earlier for earlier, later in zip(times, times[1:], strict=False)):
+        raise InputError("times_s must increase: sort them, and leave out doubles")
+    return Recording(analyzer(**options).times(times, text("name", name)))
+
+
+def as_samples(source: object) -> NDArray[np.float32]:
+    """Return samples as contiguous frames of 32-bit floats, without a copy if they are."""
+    import numpy as np
+
+    try:
+        array = np.asarray(source)
+    except (TypeError, ValueError) as reason:
+        raise InputError(f"these are no samples: {reason}") from None
+    if array.dtype.kind in "iu":
+        # In two steps at most: 64-bit integers lose nothing that a recording has.
+        limits = np.iinfo(array.dtype)
+        middle, half = (limits.max + limits.min + 1) // 2, (limits.max - limits.min + 1) / 2
+        array = ((array - np.float32(middle)) / np.float32(half)).astype(np.float32, copy=False)
+    elif array.dtype.kind != "f":
+        raise InputError(f"samples must be numbers, not {array.dtype}")
+    if array.ndim == 1:
+        array = array[:, None]
+    if array.ndim != 2:
+        raise InputError(f"samples have the shape (frames,) or (frames, channels), not {array.shape}")
+    if array.shape[1] == 0 or array.shape[0] == 0:
+        raise InputError("there are no samples")
+    if array.shape[1] > array.shape[0] and array.shape[0] > 1:
+        raise InputError(f"{array.shape} are more channels than frames; transpose the array (samples.T)")
+    with np.errstate(over="ignore"):
+        return np.ascontiguousarray(array, dtype=np.float32)
+
+
+def as_rate(sample_rate_hz: object) -> int:
+    """Return a sample rate as a whole number."""
+    if sample_rate_hz is None:
+        raise InputError("an array does not say its sample rate; give sample_rate_hz")
+    rate = number("sample_rate_hz", sample_rate_hz)
+    if rate != round(rate) or not 0 < rate < 2**32:
+        raise InputError(f"sample_rate_hz is {rate:g}; it must be a whole number above 0, such as 44100")
+    return count("sample_rate_hz", round(rate))
+
+
+def as_numbers(name: str, values: object) -> list[float]:
+    """Return a list of finite numbers."""
+    import numpy as np
+
+    try:
+        array = np.asarray(values)
+        if array.dtype.kind not in "iuf" and array.size:
+            raise InputError(f"{name} must be numbers, not {array.dtype}")
+        if array.ndim != 1:
+            raise InputError(f"{name} must be a list of numbers, not of shape {array.shape}")
+        numbers: list[float] = array.astype(np.float64).tolist()
+    except (TypeError, ValueError) as reason:
+        if isinstance(reason, InputError):
+            raise
+        raise InputError(f"{name} must be a list of numbers: {reason}") from None
+    if not np.isfinite(numbers).all():
+        raise InputError(f"{name} must be finite; leave out what is not known")
+    return numbers
+
+
+class _Bars:
+    """A bar for each kind of work, moved on as it is done."""
+
+    def __init__(self, make: Progress) -> None:
+        if not callable(make):
+            raise InputError("progress must make bars, as tqdm.tqdm does")
+        self._make = make
+        self._bar: ProgressBar | None = None
+        self._unit = ""
+        self._done = 0.0
+
+    def __call__(self, unit: str, done: float, total: float | None) -> None:
+        if unit != self._unit:
+            self.close()
+            desc = "detecting" if unit == "s" else "inferring"
+            self._bar, self._unit, self._done = self._make(total=total, desc=desc, unit=unit), unit, 0.0
+        if self._bar is not None:
+            self._bar.update(done - self._done)
+        self._done = done
+
+    def close(self) -> None:
+        if self._bar is not None:
+            self._bar.close()

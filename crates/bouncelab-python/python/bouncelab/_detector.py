@@ -1,0 +1,109 @@
+"""Sound that is still coming."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Unpack
+
+from bouncelab import _core
+from bouncelab._analyze import as_rate, as_samples
+from bouncelab._errors import InputError
+from bouncelab._recording import Drop, Recording
+from bouncelab._settings import Options, analyzer, count, text
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
+
+class Detector:
+    """Takes sound in blocks, from any recorder, and gives each drop when it is over.
+
+    The result depends on the sound alone, never on the blocks in which it comes. A detector may be copied
+    (``copy.copy``); as it holds sound that is still coming, it cannot be pickled.
+
+    Parameters
+    ----------
+    sample_rate_hz : float
+        Samples a second.
+    channels : int
+        How many channels each block has.
+    name : str
+        What the recording is called.
+    **options
+        As of :func:`analyze`.
+
+    Raises
+    ------
+    InputError, OutOfRangeError, UnknownNameError, PhysicsError
+        If an argument makes no sense.
+
+    Examples
+    --------
+    >>> import bouncelab as bl
+    >>> import numpy as np
+    >>> sound = bl.synthesize(height_m=0.305, restitution=0.9, seed=1, tail_s=6.0)
+    >>> detector = bl.Detector(sound.sample_rate_hz, ball="table-tennis-40", draws=None)
+    >>> for block in np.array_split(sound.samples, 50):
+    ...     for drop in detector.push(block):
+    ...         print(round(drop.per_impact.restitution.value, 2))
+    0.9
+    >>> len(detector.finish().drops)
+    1
+    """
+
+    def __init__(
+        self, sample_rate_hz: float, channels: int = 1, *, name: str = "live", **options: Unpack[Options]
+    ) -> None:
+        rate, number = as_rate(sample_rate_hz), count("channels", channels)
+        if number == 0:
+            raise InputError("a detector takes at least one channel")
+        self._core = _core.Detector(analyzer(**options), rate, number, text("name", name))
+
+    def push(self, samples: NDArray[np.generic]) -> Iterator[Drop]:
+        """Take the next samples, and give the drops that are over since.
+
+        Parameters
+        ----------
+        samples : numpy.ndarray, shape (frames,) or (frames, channels)
+            As of :func:`analyze`.
+
+        Returns
+        -------
+        iterator of Drop
+            Mostly empty. The samples are taken at once, whether or not the drops are asked for.
+
+        Raises
+        ------
+        InputError
+            If the samples do not have the channels of the detector.
+        """
+        over = self._core.push(as_samples(samples))
+        return iter([drop for recording in over for drop in Recording(recording).drops])
+
+    @property
+    def duration_s(self) -> float:
+        """How much sound came, in s."""
+        return self._core.duration_s()
+
+    def so_far(self) -> Recording:
+        """Return what the sound says, as if it ended here."""
+        return Recording(self._core.so_far())
+
+    def finish(self) -> Recording:
+        """Return what all of the sound says, each drop anew: the same as :func:`analyze`."""
+        return self.so_far()
+
+    def __copy__(self) -> Detector:
+        copied = Detector.__new__(Detector)
+        copied._core = self._core.copied()
+        return copied
+
+    def __deepcopy__(self, memo: dict[int, object]) -> Detector:
+        return self.__copy__()
+
+    def __reduce__(self) -> str:
+        raise InputError("a detector holds sound that is still coming, and cannot be pickled; send its result")
+
+    def __repr__(self) -> str:
+        return f"<bouncelab.Detector: {self.duration_s:.3f} s>"

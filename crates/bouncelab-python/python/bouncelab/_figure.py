@@ -1,0 +1,170 @@
+"""Figures: drawn as SVG, as PNG, by Matplotlib, or as data."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import dataclass
+from functools import cached_property
+from os import PathLike, fspath
+from pathlib import Path
+from typing import TYPE_CHECKING, Protocol
+
+from bouncelab._data import JSON
+from bouncelab._errors import InputError, OutputError
+from bouncelab._settings import text
+from bouncelab._table import Table
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+    from bouncelab import _core
+
+
+class Charted(Protocol):
+    """What has figures."""
+
+    def _chart(self, name: str, language: str) -> _core.Chart: ...
+
+
+@dataclass(frozen=True)
+class Figure:
+    """A figure, which a notebook shows as it is.
+
+    Attributes
+    ----------
+    name : str
+        Its name.
+    language : str
+        The language of its words.
+
+    Examples
+    --------
+    >>> import bouncelab as bl
+    >>> drop = bl.analyze_times([0.0, 0.4605, 0.8877, 1.2854, 1.6568, 2.0045], draws=None).drops[0]
+    >>> figure = drop.figure("flight-times")
+    >>> figure.svg()[:4]
+    '<svg'
+    >>> figure.data["y"].shape
+    (17,)
+    """
+
+    _owner: Charted
+    name: str
+    language: str = "en"
+
+    @cached_property
+    def _drawn(self) -> _core.Chart:
+        return self._owner._chart(self.name, self.language)
+
+    @property
+    def title(self) -> str:
+        """The title."""
+        return str(self.to_dict()["title"])
+
+    @property
+    def caption(self) -> str:
+        """One sentence that says what to see in it."""
+        return str(self.to_dict()["caption"])
+
+    def svg(self) -> str:
+        """Return the figure as SVG."""
+        return self._drawn.svg()
+
+    def png(self, width_px: int = 1600) -> bytes:
+        """Return the figure as PNG, so many pixels wide."""
+        return self._drawn.png(width_px)
+
+    def save(self, path: str | PathLike[str], width_px: int = 1600) -> Path:
+        """Save the figure as SVG or PNG, by the ending of the name.
+
+        Parameters
+        ----------
+        path : str or path-like
+            A name that ends in ``.svg`` or ``.png``.
+        width_px : int
+            Width of a PNG in pixels.
+
+        Returns
+        -------
+        pathlib.Path
+            The file.
+
+        Raises
+        ------
+        InputError
+            If the name ends in neither.
+        OutputError
+            If the file cannot be written.
+        """
+        file = Path(fspath(path))
+        if file.suffix.lower() not in (".svg", ".png"):
+            raise InputError(f"{file}: a figure is saved as .svg or .png; end the name in one of them")
+        content = self.svg().encode() if file.suffix.lower() == ".svg" else self.png(width_px)
+        try:
+            file.write_bytes(content)
+        except OSError as reason:
+            raise OutputError(f"{file}: {reason.strerror}; choose another place") from reason
+        return file
+
+    @property
+    def data(self) -> Table:
+        """What it shows, one row for each point, bar and rule: for other plotting libraries."""
+        return Table(self._drawn.table())
+
+    def to_dict(self) -> dict[str, JSON]:
+        """Return the chart as data: panels with axes and layers."""
+        chart: dict[str, JSON] = json.loads(self._drawn.json())
+        return chart
+
+    def to_matplotlib(self, ax: Axes | None = None, panel: int = 0) -> Axes:
+        """Draw a panel with Matplotlib, for those who style it themselves.
+
+        Parameters
+        ----------
+        ax : matplotlib.axes.Axes, optional
+            Where to draw; a new figure if left out.
+        panel : int
+            Which panel, from 0.
+
+        Returns
+        -------
+        matplotlib.axes.Axes
+
+        Raises
+        ------
+        InputError
+            If there is no such panel.
+
+        Examples
+        --------
+        >>> import bouncelab as bl
+        >>> import matplotlib
+        >>> matplotlib.use("agg")
+        >>> drop = bl.analyze_times([0.0, 0.4605, 0.8877, 1.2854, 1.6568, 2.0045], draws=None).drops[0]
+        >>> drop.figure("flight-times").to_matplotlib().get_xlabel()
+        'number of the flight'
+        """
+        from bouncelab import _matplotlib
+
+        panels = self.to_dict()["panels"]
+        assert isinstance(panels, list)
+        if not 0 <= panel < len(panels):
+            raise InputError(f"there is no panel {panel}: the figure has {len(panels)}, the first being 0")
+        return _matplotlib.draw(panels[panel], ax)
+
+    def __reduce__(self) -> tuple[type[Figure], tuple[Charted, str, str]]:
+        return (Figure, (self._owner, self.name, self.language))
+
+    def _repr_svg_(self) -> str:
+        return self.svg()
+
+    def __repr__(self) -> str:
+        return f"<bouncelab.Figure {self.name!r}>"
+
+
+def figure(owner: Charted, name: str, language: str) -> Figure:
+    """Return a figure; an unknown name or language is refused at once."""
+    drawn = owner._chart(text("name", name), text("language", language))
+    made = Figure(owner, name, language)
+    made.__dict__["_drawn"] = drawn
+    return made

@@ -1,0 +1,75 @@
+"""Charts drawn with Matplotlib."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from bouncelab import _core
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+#: Dashes and markers of charts, as Matplotlib calls them.
+DASHES = {"solid": "-", "dashed": "--", "dotted": ":", "long": (0, (8, 4))}
+MARKERS = {"dot": "o", "ring": "o", "triangle": "v", "open-triangle": "v", "speck": "."}
+
+
+def draw(panel: Any, ax: Axes | None) -> Axes:
+    """Draw a panel of a chart."""
+    if ax is None:
+        from matplotlib import pyplot
+
+        ax = pyplot.subplots()[1]
+    for axis, label, scale, limits in (
+        (panel["x"], ax.set_xlabel, ax.set_xscale, ax.set_xlim),
+        (panel["y"], ax.set_ylabel, ax.set_yscale, ax.set_ylim),
+    ):
+        label(f"{axis['quantity']} ({axis['unit']})" if axis["unit"] else axis["quantity"])
+        scale("log" if axis["scale"]["kind"] == "log" else "linear")
+        limits(axis["scale"]["low"], axis["scale"]["high"])
+    ax.set_title(panel["title"])
+    named = False
+    for layer in panel["layers"]:
+        _layer(ax, layer)
+        named |= bool(layer["name"])
+    if named:
+        ax.legend()
+    return ax
+
+
+def _layer(ax: Axes, layer: Any) -> None:
+    colour = _core.colour(layer["meaning"])
+    look = {"color": colour, "alpha": layer["strength"], "label": layer["name"] or "_"}
+    match layer["kind"]:
+        case "line":
+            ax.plot(*_columns(layer["points"], 2), ls=DASHES[layer["dashes"]], lw=layer["width"], **look)
+        case "points":
+            x, y = _columns(layer["points"], 2)
+            errors = [error or 0.0 for error in layer["errors"]] or None
+            fill = "none" if layer["marker"] in ("ring", "open-triangle") else colour
+            ax.errorbar(x, y, yerr=errors, fmt=MARKERS[layer["marker"]], markerfacecolor=fill, **look)
+        case "band":
+            x, low, high = _columns(layer["points"], 3)
+            ax.fill_between(x, low, high, lw=0, **look)
+        case "boxes":
+            left, right, bottom, top = _columns(layer["boxes"], 4)
+            width = [b - a for a, b in zip(left, right, strict=True)]
+            height = [b - a for a, b in zip(bottom, top, strict=True)]
+            ax.bar(left, height, width, bottom, align="edge", **look)
+        case "rule":
+            across = ax.axvline if layer["upright"] else ax.axhline
+            across(layer["at"], ls=DASHES[layer["dashes"]], lw=layer["width"], **look)
+        case "labels":
+            for (x, y), words in zip(layer["points"], layer["texts"], strict=True):
+                ax.annotate(words, (x, y), color=colour)
+        case "marks":
+            ends = ax.get_xaxis_transform()
+            ax.plot(layer["places"], [1.0] * len(layer["places"]), "v", transform=ends, **look)
+
+
+def _columns(rows: Any, count: int) -> list[list[float]]:
+    """Return the columns of rows of numbers, NaN where there is none."""
+    import math
+
+    known = [[math.nan if value is None else value for value in row] for row in rows]
+    return [[row[place] for row in known] for place in range(count)]

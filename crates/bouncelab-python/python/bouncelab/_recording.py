@@ -1,0 +1,394 @@
+"""What a recording says."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterator
+from functools import cached_property
+from html import escape
+from typing import TYPE_CHECKING, Literal, overload
+
+from bouncelab import _core
+from bouncelab._data import (
+    JSON,
+    Diagnostic,
+    Estimate,
+    LogLinearFit,
+    PerImpact,
+    Posterior,
+    Settings,
+    Source,
+    StrongestBand,
+    read,
+)
+from bouncelab._figure import Figure, figure
+from bouncelab._table import Table
+
+if TYPE_CHECKING:
+    import numpy as np
+    from arviz import InferenceData
+    from numpy.typing import NDArray
+
+
+class Recording:
+    """What a recording, or a list of impact times, says.
+
+    It comes from :func:`bouncelab.analyze`, :func:`bouncelab.analyze_times` and
+    :meth:`bouncelab.Detector.finish`.
+
+    Examples
+    --------
+    >>> import bouncelab as bl
+    >>> recording = bl.analyze_times([0.0, 0.4605, 0.8877, 1.2854, 1.6568, 2.0045], draws=500)
+    >>> len(recording.drops), len(recording.impacts), len(recording.flights)
+    (1, 6, 5)
+    """
+
+    def __init__(self, core: _core.Recording) -> None:
+        self._core = core
+
+    @cached_property
+    def _document(self) -> dict[str, JSON]:
+        document: dict[str, JSON] = json.loads(self._core.document("en"))
+        return document
+
+    @cached_property
+    def _tables(self) -> tuple[Table, Table, Table]:
+        drops, impacts, flights = self._core.tables()
+        return Table(drops), Table(impacts), Table(flights)
+
+    @property
+    def name(self) -> str:
+        """The file, or what the recording is called."""
+        return str(self._document["file"])
+
+    @property
+    def source(self) -> Source:
+        """Where the impact times come from."""
+        return read(Source, self._document["source"])
+
+    @property
+    def settings(self) -> Settings:
+        """What was known or assumed."""
+        return read(Settings, self._document["settings"])
+
+    @property
+    def strongest_band(self) -> StrongestBand | None:
+        """The band in which the impacts stand out most; ``None`` without a drop."""
+        band = self._document["strongest_band"]
+        return None if band is None else read(StrongestBand, band)
+
+    @cached_property
+    def drops(self) -> Drops:
+        """The drops, in order of time."""
+        return Drops(self)
+
+    @property
+    def impacts(self) -> Table:
+        """The impacts of all drops, one row for each."""
+        return self._tables[1]
+
+    @property
+    def flights(self) -> Table:
+        """The flights of all drops, one row for each."""
+        return self._tables[2]
+
+    @property
+    def no_drop(self) -> Diagnostic | None:
+        """Why there is no drop; ``None`` if there is one."""
+        reason = self._document["no_drop"]
+        return None if reason is None else read(Diagnostic, reason)
+
+    @property
+    def diagnostics(self) -> tuple[Diagnostic, ...]:
+        """What is odd about the recording as a whole."""
+        return _diagnostics(self._document)
+
+    @property
+    def figures(self) -> tuple[str, ...]:
+        """Names of the figures of the recording as a whole; those of a drop are ``drop.figures``."""
+        return tuple(self._core.figure_names())
+
+    def figure(self, name: str, language: str = "en") -> Figure:
+        """Return a figure of the recording as a whole.
+
+        Parameters
+        ----------
+        name : str
+            One of :attr:`figures`.
+        language : str
+            One of :func:`bouncelab.languages`.
+
+        Returns
+        -------
+        Figure
+
+        Raises
+        ------
+        UnknownNameError
+            If there is no such figure or language.
+        """
+        return figure(self, name, language)
+
+    def _chart(self, name: str, language: str) -> _core.Chart:
+        return self._core.figure(name, language)
+
+    def report(self, form: Literal["html", "markdown"] = "html", language: str = "en") -> str:
+        """Return a report to read and keep: one page of HTML, or Markdown without its figures.
+
+        Parameters
+        ----------
+        form : {"html", "markdown"}
+        language : str
+            One of :func:`bouncelab.languages`.
+
+        Returns
+        -------
+        str
+        """
+        return self._core.report(form == "markdown", language)
+
+    def to_dict(self, language: str = "en") -> dict[str, JSON]:
+        """Return the document of the schema ``bouncelab.analysis/2``, with sentences in a language."""
+        document: dict[str, JSON] = json.loads(self._core.document(language))
+        return document
+
+    def __reduce__(self) -> tuple[type[Recording], tuple[_core.Recording]]:
+        return (Recording, (self._core,))
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Recording) and self._document == other._document
+
+    __hash__ = None  # type: ignore[assignment]
+
+    def __repr__(self) -> str:
+        return f"<bouncelab.Recording {self.name!r}: {_counted(len(self.drops), 'drop')}>"
+
+    def _repr_html_(self) -> str:
+        """Return a short answer as HTML, for notebooks."""
+        return "".join(f"<p>{escape(words)}</p>" for words in self._core.summary("en"))
+
+
+class Drop:
+    """What the impact times of one drop say.
+
+    Examples
+    --------
+    >>> import bouncelab as bl
+    >>> drop = bl.analyze_times([0.0, 0.4605, 0.8877, 1.2854, 1.6568, 2.0045], draws=500).drops[0]
+    >>> drop.restitution == drop.posterior.restitution
+    True
+    >>> drop.figures[:3]
+    ('restitution', 'flight-times', 'height')
+    """
+
+    def __init__(self, recording: Recording, place: int) -> None:
+        self._recording = recording
+        self._place = place
+
+    @property
+    def _document(self) -> dict[str, JSON]:
+        drops = self._recording._document["drops"]
+        assert isinstance(drops, list)
+        drop = drops[self._place]
+        assert isinstance(drop, dict)
+        return drop
+
+    @property
+    def probability(self) -> float:
+        """Probability that it is a drop; 1 for a list of times."""
+        return read(float, self._document["probability"])
+
+    @property
+    def impacts(self) -> Table:
+        """The impacts, one row for each."""
+        return self._own(1)
+
+    @property
+    def flights(self) -> Table:
+        """The flights between successive impacts, one row for each."""
+        return self._own(2)
+
+    def _own(self, table: int) -> Table:
+        return Table(self._recording._tables[table]._core.of_drop(self._place + 1))
+
+    @property
+    def log_linear_fit(self) -> LogLinearFit:
+        """The straight line through the logarithms of the flight times, as if there were no air.
+
+        Raises
+        ------
+        PhysicsError
+            If there are too few flights.
+        """
+        self._recording._core.require_fit(self._place)
+        return read(LogLinearFit, self._document["log_linear_fit"])
+
+    @property
+    def per_impact(self) -> PerImpact | None:
+        """The restitution of single impacts, corrected for drag; ``None`` if no flight can be modelled."""
+        found = self._document["per_impact"]
+        return None if found is None else read(PerImpact, found)
+
+    @cached_property
+    def posterior(self) -> Posterior:
+        """What all of it says together.
+
+        Raises
+        ------
+        InferenceError
+            If nothing can be inferred, or ``draws=None`` left the inference out.
+        """
+        self._recording._core.require_posterior(self._place)
+        return read(Posterior, self._document["posterior"])
+
+    @property
+    def has_posterior(self) -> bool:
+        """Whether there is a posterior."""
+        return self._document["posterior"] is not None
+
+    @property
+    def restitution(self) -> Estimate:
+        """Restitution by the inference, at ``posterior.at_speed_m_s``."""
+        return self.posterior.restitution
+
+    @property
+    def drop_height_m(self) -> Estimate:
+        """Height of the fall by the inference, in m."""
+        return self.posterior.drop_height_m
+
+    @property
+    def drag_coefficient(self) -> Estimate | None:
+        """Drag coefficient at the fastest impact by the inference; ``None`` in vacuum."""
+        return self.posterior.drag_coefficient
+
+    @property
+    def draws(self) -> Draws:
+        """Equally likely values of the answers together."""
+        return Draws(self)
+
+    @property
+    def diagnostics(self) -> tuple[Diagnostic, ...]:
+        """What is odd about the drop, and what to know before believing it."""
+        return _diagnostics(self._document)
+
+    @property
+    def figures(self) -> tuple[str, ...]:
+        """Names of its figures."""
+        return tuple(self._recording._core.figure_names(self._place))
+
+    def figure(self, name: str, language: str = "en") -> Figure:
+        """Return a figure; see :meth:`Recording.figure`."""
+        return figure(self, name, language)
+
+    def _chart(self, name: str, language: str) -> _core.Chart:
+        return self._recording._core.figure(name, language, self._place)
+
+    def to_dict(self) -> dict[str, JSON]:
+        """Return the drop as in the document of the recording."""
+        return self._document
+
+    def __reduce__(self) -> tuple[type[Drop], tuple[Recording, int]]:
+        return (Drop, (self._recording, self._place))
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Drop) and self._document == other._document
+
+    __hash__ = None  # type: ignore[assignment]
+
+    def __repr__(self) -> str:
+        what = f"{_counted(len(self.impacts), 'impact')}"
+        if self.has_posterior:
+            what += f", restitution {self.restitution.value:.6g} ± {self.restitution.sd:.2g}"
+        return f"<bouncelab.Drop: {what}>"
+
+    def _repr_html_(self) -> str:
+        """Return a short answer as HTML, for notebooks."""
+        words = self._recording._core.summary("en", self._place)
+        return "".join(f"<p>{escape(sentence)}</p>" for sentence in words)
+
+
+class Drops(Table):
+    """The drops of a recording: a sequence of :class:`Drop`, and a table with a row for each."""
+
+    __slots__ = ("_recording",)
+
+    def __init__(self, recording: Recording) -> None:
+        Table.__init__(self, recording._tables[0]._core)
+        self._recording = recording
+
+    @overload
+    def __getitem__(self, index: int) -> Drop: ...
+    @overload
+    def __getitem__(self, index: slice) -> tuple[Drop, ...]: ...
+    @overload
+    def __getitem__(self, index: str) -> NDArray[np.generic]: ...
+    def __getitem__(self, index: int | slice | str) -> Drop | tuple[Drop, ...] | NDArray[np.generic]:
+        """Return a drop by its place, several by a slice, or a column by its name."""
+        if isinstance(index, str):
+            return Table.__getitem__(self, index)
+        places = range(len(self))[index]
+        if isinstance(places, int):
+            return Drop(self._recording, places)
+        return tuple(Drop(self._recording, place) for place in places)
+
+    def __iter__(self) -> Iterator[Drop]:
+        return (Drop(self._recording, place) for place in range(len(self)))
+
+    def __reduce__(self) -> tuple[type[Drops], tuple[Recording]]:  # type: ignore[override]
+        return (Drops, (self._recording,))
+
+    def __repr__(self) -> str:
+        return f"<bouncelab.Drops: {_counted(len(self), 'drop')}>"
+
+
+class Draws(Table):
+    """Equally likely values of the answers together: NumPy arrays by name, and a table.
+
+    Examples
+    --------
+    >>> import bouncelab as bl
+    >>> draws = bl.analyze_times([0.0, 0.4605, 0.8877, 1.2854, 1.6568, 2.0045], draws=500).drops[0].draws
+    >>> draws.names
+    ('restitution', 'drop_height_m', 'drag_coefficient')
+    >>> draws["restitution"].shape == (len(draws),)
+    True
+    """
+
+    __slots__ = ("_drop",)
+
+    def __init__(self, drop: Drop) -> None:
+        Table.__init__(self, drop._recording._core.draws(drop._place))
+        self._drop = drop
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """The answers that were drawn."""
+        return tuple(column.name for column in self.columns)
+
+    def to_arviz(self) -> InferenceData:
+        """Return the draws for ArviZ, which must be installed: one chain of independent draws."""
+        import arviz
+
+        posterior = {name: self[name][None, :] for name in self.names}
+        # Version 1 takes all groups as one.
+        is_new = int(arviz.__version__.split(".")[0]) >= 1
+        whole: tuple[object, ...] = ({"posterior": posterior},) if is_new else (posterior,)
+        data: InferenceData = arviz.from_dict(*whole)
+        return data
+
+    def __reduce__(self) -> tuple[type[Draws], tuple[Drop]]:  # type: ignore[override]
+        return (Draws, (self._drop,))
+
+    def __repr__(self) -> str:
+        return f"<bouncelab.Draws: {len(self)} of {', '.join(self.names)}>"
+
+
+def _diagnostics(document: dict[str, JSON]) -> tuple[Diagnostic, ...]:
+    known = document["diagnostics"]
+    assert isinstance(known, list)
+    return tuple(read(Diagnostic, each) for each in known)
+
+
+def _counted(count: int, what: str) -> str:
+    return f"{count} {what}" if count == 1 else f"{count} {what}s"

@@ -1,0 +1,345 @@
+"""From ball, air and surface to a drop and its sound."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import dataclass
+from functools import cached_property
+from os import PathLike, fspath
+from typing import TYPE_CHECKING, Unpack
+
+from bouncelab import _core
+from bouncelab._analyze import as_numbers
+from bouncelab._data import JSON
+from bouncelab._figure import Figure, figure
+from bouncelab._settings import Surroundings, analyzer, count, number, text
+from bouncelab._table import Table
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import ArrayLike, NDArray
+
+
+class Simulation:
+    """A simulated drop.
+
+    It comes from :func:`bouncelab.simulate`.
+
+    Examples
+    --------
+    >>> import bouncelab as bl
+    >>> drop = bl.simulate(height_m=0.305, restitution=0.9, bounces=5)
+    >>> drop.bounces["apex_m"].round(3)
+    array([0.233, 0.181, 0.141, 0.111, 0.088])
+    >>> drop.figures
+    ('height', 'flight-times')
+    """
+
+    def __init__(self, core: _core.Simulation) -> None:
+        self._core = core
+
+    @cached_property
+    def _run(self) -> dict[str, JSON]:
+        run: dict[str, JSON] = json.loads(self._core.document("en"))["simulations"][0]
+        return run
+
+    def _number(self, name: str) -> float:
+        value = self._run[name]
+        assert isinstance(value, int | float)
+        return float(value)
+
+    @cached_property
+    def bounces(self) -> Table:
+        """The bounces, one row for each: the impact and the flight after it."""
+        return Table(self._core.bounces())
+
+    @property
+    def terminal_speed_m_s(self) -> float | None:
+        """Terminal speed in m/s; ``None`` without drag."""
+        return None if self._run["terminal_speed_m_s"] is None else self._number("terminal_speed_m_s")
+
+    @property
+    def total_time_s(self) -> float:
+        """Time from the release to the end, in s."""
+        return self._number("total_time_s")
+
+    @property
+    def total_path_m(self) -> float:
+        """Length of the path from the release to the end, in m."""
+        return self._number("total_path_m")
+
+    @property
+    def initial_energy_j(self) -> float:
+        """Energy at the release, in J."""
+        return self._number("initial_energy_j")
+
+    @property
+    def lost_to_surface_j(self) -> float:
+        """Energy that all impacts took, in J."""
+        return self._number("lost_to_surface_j")
+
+    @property
+    def lost_to_air_j(self) -> float:
+        """Energy that the air took, in J."""
+        return self._number("lost_to_air_j")
+
+    def height_m(self, times_s: ArrayLike) -> NDArray[np.float64]:
+        """Return the height of the lowest point of the ball.
+
+        Parameters
+        ----------
+        times_s : array_like
+            Times after the release in s, of any shape.
+
+        Returns
+        -------
+        numpy.ndarray
+            Heights in m, of the shape of ``times_s``.
+        """
+        import numpy as np
+
+        given = np.asarray(times_s)
+        heights = self._core.height_m(as_numbers("times_s", given.ravel()))
+        return np.frombuffer(heights).reshape(given.shape)
+
+    @property
+    def figures(self) -> tuple[str, ...]:
+        """Names of its figures."""
+        return ("height", "flight-times")
+
+    def figure(self, name: str, language: str = "en") -> Figure:
+        """Return a figure; see :meth:`Recording.figure`."""
+        return figure(self, name, language)
+
+    def _chart(self, name: str, language: str) -> _core.Chart:
+        return self._core.figure(name, language)
+
+    def to_dict(self, language: str = "en") -> dict[str, JSON]:
+        """Return the document of the schema ``bouncelab.simulation/2``."""
+        document: dict[str, JSON] = json.loads(self._core.document(language))
+        return document
+
+    def __reduce__(self) -> tuple[type[Simulation], tuple[_core.Simulation]]:
+        return (Simulation, (self._core,))
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Simulation) and self.to_dict() == other.to_dict()
+
+    __hash__ = None  # type: ignore[assignment]
+
+    def __repr__(self) -> str:
+        return f"<bouncelab.Simulation: {len(self.bounces)} bounces in {self.total_time_s:.3f} s>"
+
+
+@dataclass(frozen=True, eq=False)
+class Sound:
+    """A synthesised recording, and the truth about it.
+
+    Parameters
+    ----------
+    samples : numpy.ndarray of float32, shape (frames,)
+        The samples, 1 being full scale.
+    sample_rate_hz : int
+        Samples a second.
+    impacts : Table
+        The true impacts: time, speed, level above the noise, and whether each was left out.
+    simulation : Simulation
+        The drop.
+
+    Examples
+    --------
+    >>> import bouncelab as bl
+    >>> sound = bl.synthesize(height_m=0.2, restitution=0.8, bounces=6, seed=3)
+    >>> sound.samples.dtype, sound.sample_rate_hz, len(sound.impacts)
+    (dtype('float32'), 44100, 7)
+    """
+
+    samples: NDArray[np.float32]
+    sample_rate_hz: int
+    impacts: Table
+    simulation: Simulation
+
+    def save(self, path: str | PathLike[str]) -> None:
+        """Save it as WAV, 16 bits a sample.
+
+        Parameters
+        ----------
+        path : str or path-like
+
+        Raises
+        ------
+        OutputError
+            If the file cannot be written.
+        """
+        _core.write_wav(text("path", fspath(path)), self.samples[:, None], self.sample_rate_hz)
+
+    def __eq__(self, other: object) -> bool:
+        return (
+            isinstance(other, Sound)
+            and self.sample_rate_hz == other.sample_rate_hz
+            and self.impacts == other.impacts
+            and self.simulation == other.simulation
+            and self.samples.tobytes() == other.samples.tobytes()
+        )
+
+    __hash__ = None  # type: ignore[assignment]
+
+    def __repr__(self) -> str:
+        seconds = len(self.samples) / self.sample_rate_hz
+        return f"<bouncelab.Sound: {seconds:.3f} s with {len(self.impacts)} impacts>"
+
+
+def simulate(
+    *,
+    height_m: float = 0.305,
+    launch_speed_m_s: float | None = None,
+    restitution: float = 0.935,
+    restitution_slope_s_m: float = 0.0,
+    until_m: float | None = None,
+    bounces: int | None = None,
+    **surroundings: Unpack[Surroundings],
+) -> Simulation:
+    """Simulate a drop.
+
+    Parameters
+    ----------
+    height_m : float
+        Height of the release, surface to lowest point of the ball, in m.
+    launch_speed_m_s : float, optional
+        Start upwards from the surface instead, at this speed in m/s.
+    restitution : float
+        Coefficient of restitution, 0 to 1; with a slope, that at speed zero.
+    restitution_slope_s_m : float
+        How much the restitution falls for each m/s of impact speed.
+    until_m : float, optional
+        Stop when the ball rises no higher; 1 mm, unless ``bounces`` is given.
+    bounces : int, optional
+        Stop after so many bounces.
+    **surroundings
+        Ball, air, drag and gravity, as of :func:`analyze`.
+
+    Returns
+    -------
+    Simulation
+
+    Raises
+    ------
+    InputError, OutOfRangeError, UnknownNameError, PhysicsError
+        If an argument makes no sense.
+
+    Notes
+    -----
+    Quadratic drag with a coefficient that follows the Reynolds number, buoyancy and added mass; the
+    formulas are in the documentation of the crate ``bouncelab``, module ``flight``.
+
+    Examples
+    --------
+    >>> import bouncelab as bl
+    >>> with_air, without = bl.simulate(bounces=3), bl.simulate(bounces=3, drag="none")
+    >>> with_air.total_time_s < without.total_time_s
+    True
+    """
+    request = {
+        "height_m": number("height_m", height_m),
+        "launch_speed_m_s": _optional("launch_speed_m_s", launch_speed_m_s),
+        "restitution": number("restitution", restitution),
+        "restitution_slope_s_m": number("restitution_slope_s_m", restitution_slope_s_m),
+        "until_m": _optional("until_m", until_m),
+        "bounces": None if bounces is None else count("bounces", bounces),
+    }
+    return Simulation(_core.Simulation(analyzer(**surroundings), json.dumps(request)))
+
+
+def synthesize(
+    *,
+    sample_rate_hz: int = 44_100,
+    seed: int = 1,
+    voice: str = "table-tennis",
+    snr_db: float | None = 40.0,
+    noise: str = "pink",
+    hum_hz: float | None = None,
+    reverb_s: float | None = None,
+    clicks_per_s: float | None = None,
+    lost: float | None = None,
+    clip_at: float | None = None,
+    lead_in_s: float = 0.5,
+    tail_s: float = 0.5,
+    height_m: float = 0.305,
+    launch_speed_m_s: float | None = None,
+    restitution: float = 0.935,
+    restitution_slope_s_m: float = 0.0,
+    until_m: float | None = None,
+    bounces: int | None = None,
+    **surroundings: Unpack[Surroundings],
+) -> Sound:
+    """Synthesise the sound of a drop, whose truth is known.
+
+    Parameters
+    ----------
+    sample_rate_hz : int
+        Samples a second.
+    seed : int
+        Seed of everything random: the same seed gives the same samples.
+    voice : str
+        What an impact sounds like: table-tennis, steel-ball, basketball or tennis.
+    snr_db : float or None
+        How far the first impact stands above the noise, in dB; ``None`` is no noise.
+    noise : str
+        ``"pink"`` or ``"white"``.
+    hum_hz, reverb_s, clicks_per_s, lost, clip_at : float, optional
+        Mains hum of a frequency; reverberation time; clicks that are no impact, so many a second; share of
+        the impacts that is left out; level at which the sound is cut off.
+    lead_in_s, tail_s : float
+        Time before the release, and after the last impact.
+    height_m, launch_speed_m_s, restitution, restitution_slope_s_m, until_m, bounces
+        As of :func:`simulate`.
+    **surroundings
+        Ball, air, drag and gravity, as of :func:`analyze`.
+
+    Returns
+    -------
+    Sound
+
+    Raises
+    ------
+    InputError, OutOfRangeError, UnknownNameError, PhysicsError
+        If an argument makes no sense.
+
+    Examples
+    --------
+    >>> import bouncelab as bl
+    >>> quiet = bl.synthesize(snr_db=None, bounces=3)
+    >>> float(abs(quiet.samples[:1000]).max())
+    0.0
+    """
+    simulation = simulate(
+        height_m=height_m,
+        launch_speed_m_s=launch_speed_m_s,
+        restitution=restitution,
+        restitution_slope_s_m=restitution_slope_s_m,
+        until_m=until_m,
+        bounces=bounces,
+        **surroundings,
+    )
+    scene = {
+        "sample_rate_hz": count("sample_rate_hz", sample_rate_hz),
+        "seed": count("seed", seed),
+        "voice": text("voice", voice),
+        "snr_db": _optional("snr_db", snr_db),
+        "noise": text("noise", noise),
+        "hum_hz": _optional("hum_hz", hum_hz),
+        "reverb_s": _optional("reverb_s", reverb_s),
+        "clicks_per_s": _optional("clicks_per_s", clicks_per_s),
+        "lost": _optional("lost", lost),
+        "clip_at": _optional("clip_at", clip_at),
+        "lead_in_s": number("lead_in_s", lead_in_s),
+        "tail_s": number("tail_s", tail_s),
+    }
+    import numpy as np
+
+    samples, impacts = simulation._core.sound(json.dumps(scene))
+    return Sound(np.frombuffer(samples, dtype=np.float32), int(sample_rate_hz), Table(impacts), simulation)
+
+
+def _optional(name: str, value: object) -> float | None:
+    return None if value is None else number(name, value)

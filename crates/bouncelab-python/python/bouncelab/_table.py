@@ -1,0 +1,139 @@
+"""Tables that any program reads as Arrow."""
+
+from __future__ import annotations
+
+import json
+from typing import TYPE_CHECKING, NamedTuple
+
+from bouncelab import _core
+
+if TYPE_CHECKING:
+    import numpy as np
+    import pandas
+    import polars
+    import pyarrow
+    from numpy.typing import NDArray
+
+
+class Column(NamedTuple):
+    """Name, unit and meaning of a column."""
+
+    name: str
+    unit: str
+    about: str
+
+
+class Table:
+    """A table: one row for each drop, impact, flight or bounce.
+
+    It is a stream of Arrow (``__arrow_c_stream__``), which pyarrow, Polars, pandas, DuckDB and Daft read
+    without a copy. A column is a NumPy array: ``table["time_s"]``.
+
+    Examples
+    --------
+    >>> import bouncelab as bl
+    >>> impacts = bl.analyze_times([0.0, 0.4605, 0.8877, 1.2854], draws=None).impacts
+    >>> len(impacts)
+    4
+    >>> impacts["time_s"]
+    array([0.    , 0.4605, 0.8877, 1.2854])
+    """
+
+    __slots__ = ("_core",)
+
+    def __init__(self, core: _core.Table) -> None:
+        self._core = core
+
+    @property
+    def columns(self) -> tuple[Column, ...]:
+        """Name, unit and meaning of each column."""
+        return tuple(Column(*about) for about in self._core.about())
+
+    def __len__(self) -> int:
+        return self._core.rows()
+
+    def __getitem__(self, name: str) -> NDArray[np.generic]:
+        """Return a column.
+
+        Parameters
+        ----------
+        name : str
+            One of the names of :attr:`columns`.
+
+        Returns
+        -------
+        numpy.ndarray, shape (rows,)
+            Numbers as ``float64``, with NaN for what is not known; counts and flags as ``int64`` and
+            ``bool`` where all are known, all else as objects.
+
+        Raises
+        ------
+        KeyError
+            If there is no such column.
+        """
+        import numpy as np
+
+        values = self._core.column(name)
+        if isinstance(values, bytes):
+            return np.frombuffer(values)
+        array = np.array(values)
+        return array if array.dtype.kind in "ib" else np.array(values, dtype=object)
+
+    def __arrow_c_stream__(self, requested_schema: object | None = None) -> object:
+        """Return the stream of Arrow, for programs that read it."""
+        return self._core.__arrow_c_stream__(requested_schema)
+
+    def to_arrow(self) -> pyarrow.Table:
+        """Return a table of pyarrow, which must be installed."""
+        import pyarrow
+
+        return pyarrow.table(self)
+
+    def to_polars(self) -> polars.DataFrame:
+        """Return a data frame of Polars, which must be installed."""
+        import polars
+
+        return polars.DataFrame(self)
+
+    def to_pandas(self) -> pandas.DataFrame:
+        """Return a data frame of pandas, which must be installed, with pyarrow."""
+        frame: pandas.DataFrame = self.to_arrow().to_pandas()
+        return frame
+
+    def to_dict(self) -> dict[str, list[float | int | bool | str | None]]:
+        """Return the columns as lists by name; what is not known is ``None``."""
+        columns = json.loads(self._core.json())
+        return {column["name"]: next(iter(column["values"].values())) for column in columns}
+
+    def __reduce__(self) -> tuple[type[Table], tuple[_core.Table]]:
+        return (Table, (self._core,))
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Table) and self._core.json() == other._core.json()
+
+    __hash__ = None  # type: ignore[assignment]
+
+    def __repr__(self) -> str:
+        names = ", ".join(column.name for column in self.columns)
+        return f"<bouncelab.Table: {len(self)} rows of {names}>"
+
+    def _repr_html_(self) -> str:
+        """Return the first rows as HTML, for notebooks."""
+        from html import escape
+
+        def cell(value: object) -> str:
+            shown = "" if value is None else f"{value:.6g}" if isinstance(value, float) else str(value)
+            return f"<td>{escape(shown)}</td>"
+
+        columns = self.to_dict()
+        head = "".join(f"<th>{escape(name)}</th>" for name in columns)
+        rows = zip(*(values[:MOST_ROWS] for values in columns.values()), strict=True)
+        body = "".join(f"<tr>{''.join(map(cell, row))}</tr>" for row in rows)
+        more = f"<p>{len(self)} rows</p>" if len(self) > MOST_ROWS else ""
+        return f"<table><thead><tr>{head}</tr></thead><tbody>{body}</tbody></table>{more}"
+
+
+#: A notebook shows so many rows of a table.
+MOST_ROWS = 20
+
+

@@ -1,0 +1,56 @@
+//! bouncelab for Python: the module `bouncelab._core`.
+//!
+//! The package in `python/` is what people see: typed and documented. What crosses over is plain: settings
+//! and results as JSON (the schema `bouncelab.analysis/2`), tables as streams of Arrow, numbers as bytes.
+//! Whatever takes long runs without the lock of the interpreter, and asks between two steps whether to go on.
+//! No thread is started here: whoever calls has the threads, so that the module is safe after a fork.
+//!
+//! | module | question it answers |
+//! |---|---|
+//! | `failure` | which exception is it? |
+//! | `watch` | shall the work go on? |
+//! | `samples` | how do arrays become samples? |
+//! | `table` | how does a table cross over? |
+//! | `chart` | how is a figure drawn? |
+//! | `analyzer` | what does sound say, or a list of times? |
+//! | `detector` | what does sound say that is still coming? |
+//! | `recording` | what is there to know of a result? |
+//! | `physics` | what do the formulas give? |
+//! | `simulation` | what would a drop do, and how would it sound? |
+
+#![allow(missing_debug_implementations, reason = "Python shows its own objects")]
+
+mod analyzer;
+mod chart;
+mod detector;
+mod failure;
+mod physics;
+mod recording;
+mod samples;
+mod simulation;
+mod table;
+mod watch;
+
+#[pyo3::pymodule]
+mod _core {
+    #[pymodule_export]
+    use super::analyzer::Analyzer;
+    #[pymodule_export]
+    use super::chart::{Chart, colour};
+    #[pymodule_export]
+    use super::detector::Detector;
+    #[pymodule_export]
+    use super::physics::{
+        air, balls, code_names, drag_coefficient, drag_laws, gravity_m_s2, languages, message,
+    };
+    #[pymodule_export]
+    use super::recording::Recording;
+    #[pymodule_export]
+    use super::simulation::{Simulation, write_wav};
+    #[pymodule_export]
+    use super::table::Table;
+
+    #[pymodule_export]
+    #[expect(non_upper_case_globals, reason = "the name is that of Python modules")]
+    const __version__: &str = env!("CARGO_PKG_VERSION");
+}

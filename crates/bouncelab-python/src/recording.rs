@@ -1,0 +1,268 @@
+//! What is there to know of a result?
+
+use std::sync::OnceLock;
+
+use bouncelab::analysis::{Drop, DropCandidate, Plan, Source, StrongestBand};
+use bouncelab::detection::Envelope;
+use bouncelab::{Diagnostic, Options};
+use bouncelab_report::chart::Chart as Data;
+use bouncelab_report::document::Document;
+use bouncelab_report::figure::{self, Mark, Subject};
+use bouncelab_report::messages::Translator;
+use bouncelab_report::report::{self, Block, Provenance};
+use bouncelab_session::RecordingTables;
+use pyo3::prelude::*;
+use pyo3::types::PyBytes;
+use serde::{Deserialize, Serialize};
+
+use crate::analyzer::Analyzer;
+use crate::chart::Chart;
+use crate::failure::{Failure, Result};
+use crate::physics::translator;
+use crate::table::Table;
+
+/// A recording, or a list of times, and what it says.
+#[pyclass(frozen, module = "bouncelab._core")]
+pub(crate) struct Recording {
+    name: String,
+    analyzer: Analyzer,
+    result: OnceLock<bouncelab::Recording>,
+    /// What the result is made of again after a pickle.
+    kept: Option<Kept>,
+}
+
+/// All of a result but what follows from its impacts and the settings, to the last digit.
+#[derive(Clone, Serialize, Deserialize)]
+struct Kept {
+    source: Source,
+    strongest_band: Option<StrongestBand>,
+    drops: Vec<DropCandidate>,
+    no_drop: Option<Diagnostic>,
+    diagnostics: Vec<Diagnostic>,
+    /// Length of a step, least and greatest sample of each.
+    envelope: Option<(f64, Vec<f32>, Vec<f32>)>,
+}
+
+impl Kept {
+    fn of(result: &bouncelab::Recording) -> Self {
+        let drops = result.drops.iter().map(|drop| DropCandidate {
+            impacts: drop.impacts.clone(),
+            probability: drop.probability,
+        });
+        let envelope = result.envelope.as_ref().map(|it| {
+            let (least, greatest) = (it.least().to_vec(), it.greatest().to_vec());
+            (it.step_s(), least, greatest)
+        });
+        Self {
+            source: result.source.clone(),
+            strongest_band: result.strongest_band,
+            drops: drops.collect(),
+            no_drop: result.no_drop.clone(),
+            diagnostics: result.diagnostics.clone(),
+            envelope,
+        }
+    }
+
+    /// The same result again: the random numbers have their seed.
+    fn analyze(&self, options: &Options) -> bouncelab::Recording {
+        let mut options = options.clone();
+        // The impacts are those after the edits.
+        options.edits = bouncelab::analysis::Edits::default();
+        let plan = Plan::of_candidates(self.source.clone(), self.drops.clone(), &options);
+        let mut result = plan.run();
+        result.strongest_band = self.strongest_band;
+        result.no_drop.clone_from(&self.no_drop);
+        result.diagnostics.clone_from(&self.diagnostics);
+        let envelope = self.envelope.clone();
+        result.envelope =
+            envelope.map(|(step_s, least, greatest)| Envelope::of_steps(step_s, least, greatest));
+        result
+    }
+}
+
+impl Recording {
+    pub(crate) fn new(name: &str, analyzer: Analyzer, result: bouncelab::Recording) -> Self {
+        Self {
+            name: name.to_owned(),
+            analyzer,
+            result: result.into(),
+            kept: None,
+        }
+    }
+
+    pub(crate) fn result(&self) -> &bouncelab::Recording {
+        self.result.get_or_init(|| match &self.kept {
+            Some(kept) => kept.analyze(&self.analyzer.setup.options),
+            None => unreachable!("a result is there, or what it is made of"),
+        })
+    }
+
+    fn at(&self, drop: usize) -> &Drop {
+        &self.result().drops[drop]
+    }
+
+    fn subject(&self, drop: usize) -> Subject<'_> {
+        Subject::new(self.at(drop), &self.analyzer.setup.options)
+    }
+
+    /// The figures of the recording as a whole, with their names.
+    fn own_charts(&self, words: &Translator) -> Vec<(&'static str, Data)> {
+        let result = self.result();
+        let waveform = result.envelope.as_ref().map(|sound| {
+            let marks = Mark::of_drops(&result.drops);
+            ("waveform", figure::waveform(sound, &marks, words))
+        });
+        let of_air = figure::of_air(&result.drops, &self.analyzer.setup.options, words);
+        waveform.into_iter().chain(of_air).collect()
+    }
+}
+
+#[pymethods]
+impl Recording {
+    /// A recording from what `kept` gives.
+    #[new]
+    fn restore(name: String, analyzer: &Analyzer, kept: &str) -> Result<Self> {
+        Ok(Self {
+            name,
+            analyzer: analyzer.clone(),
+            result: OnceLock::new(),
+            kept: Some(serde_json::from_str(kept)?),
+        })
+    }
+
+    fn __getnewargs__(&self) -> Result<(String, Analyzer, String)> {
+        let kept = serde_json::to_string(&Kept::of(self.result()))?;
+        Ok((self.name.clone(), self.analyzer.clone(), kept))
+    }
+
+    /// The document of the schema `bouncelab.analysis/2`, with sentences in a language.
+    fn document(&self, language: &str) -> Result<String> {
+        let words = translator(language)?;
+        let mut result = self.result().clone();
+        words.complete(&mut result);
+        let setup = &self.analyzer.setup;
+        let mut assumptions = setup.assumptions.clone();
+        words.complete_each(&mut assumptions);
+        let document = Document::new(&self.name, &result, &setup.options, &assumptions);
+        Ok(serde_json::to_string(&document)?)
+    }
+
+    /// The tables of drops, impacts and flights.
+    fn tables(&self) -> Result<(Table, Table, Table)> {
+        let tables = RecordingTables::of(self.result());
+        let of = Table::of;
+        Ok((
+            of(&tables.drops)?,
+            of(&tables.impacts)?,
+            of(&tables.flights)?,
+        ))
+    }
+
+    /// Raises why a drop has no posterior, if it has none.
+    fn require_posterior(&self, drop: usize) -> Result<()> {
+        let posterior = self.at(drop).posterior.as_ref();
+        posterior.map(|_| ()).map_err(|why| why.clone().into())
+    }
+
+    /// Raises why a drop has no log-linear fit, if it has none.
+    fn require_fit(&self, drop: usize) -> Result<()> {
+        let fit = self.at(drop).log_linear_fit.as_ref();
+        fit.map(|_| ()).map_err(|why| why.clone().into())
+    }
+
+    /// The draws of the posterior of a drop.
+    fn draws(&self, drop: usize) -> Result<Table> {
+        let posterior = self.at(drop).posterior.as_ref().map_err(Clone::clone)?;
+        let draws = &posterior.draws;
+        let columns = [
+            (["restitution", "", "restitution"], &draws.restitution),
+            (["drop_height_m", "m", "drop height"], &draws.drop_height_m),
+            (
+                ["drag_coefficient", "", "drag coefficient"],
+                &draws.drag_coefficient,
+            ),
+        ];
+        let known = columns.into_iter().filter(|(_, values)| !values.is_empty());
+        Table::of_numbers(
+            known.map(|(about, values)| (about, values.iter().copied().map(Some).collect())),
+        )
+    }
+
+    /// The answer in a few sentences, of a drop or of all.
+    #[pyo3(signature = (language, drop = None))]
+    fn summary(&self, language: &str, drop: Option<usize>) -> Result<Vec<String>> {
+        let words = translator(language)?;
+        let drops = match drop {
+            Some(drop) => std::slice::from_ref(self.at(drop)),
+            None => &self.result().drops,
+        };
+        let blocks = drops.iter().flat_map(|drop| report::in_words(drop, &words));
+        let sentences = blocks.filter_map(|block| match block {
+            Block::Lead(text) | Block::Text(text) | Block::Note(text) => Some(text),
+            _ => None,
+        });
+        let no_drop = self.result().no_drop.iter();
+        Ok(sentences
+            .chain(no_drop.map(|why| words.diagnostic(why)))
+            .collect())
+    }
+
+    /// Names of the figures of a drop, or of the recording as a whole.
+    #[pyo3(signature = (drop = None))]
+    fn figure_names(&self, drop: Option<usize>) -> Vec<&'static str> {
+        match drop {
+            Some(drop) => figure::of_drop(&self.subject(drop))
+                .map(|it| it.name)
+                .collect(),
+            None => {
+                let charts = self.own_charts(&Translator::english()).into_iter();
+                charts.map(|(name, _)| name).collect()
+            }
+        }
+    }
+
+    /// A figure of a drop, or of the recording as a whole.
+    #[pyo3(signature = (name, language, drop = None))]
+    fn figure(&self, name: &str, language: &str, drop: Option<usize>) -> Result<Chart> {
+        let words = translator(language)?;
+        let chart = match drop {
+            Some(drop) => figure::chart(name, &self.subject(drop), &words),
+            None => {
+                let mut charts = self.own_charts(&words).into_iter();
+                charts.find(|(own, _)| *own == name).map(|(_, chart)| chart)
+            }
+        };
+        let unknown = || {
+            let known = self.figure_names(drop);
+            Failure::from(bouncelab::Error::unknown_name("figure", name, &known))
+        };
+        chart.map(Chart).ok_or_else(unknown)
+    }
+
+    /// The report as HTML, or as Markdown with its figures.
+    fn report(&self, py: Python<'_>, markdown: bool, language: &str) -> Result<String> {
+        let words = translator(language)?;
+        let subject = report::Recording {
+            name: &self.name,
+            setup: &self.analyzer.setup,
+            result: self.result(),
+        };
+        Ok(py.detach(|| {
+            let page = report::of_recording(&subject, &Provenance::default(), &words);
+            if markdown {
+                page.markdown("figures").text
+            } else {
+                page.html()
+            }
+        }))
+    }
+}
+
+/// Numbers as the bytes of 64-bit floats.
+pub(crate) fn bytes<'py>(py: Python<'py>, values: &[f64]) -> Bound<'py, PyBytes> {
+    let bytes: Vec<u8> = values
+        .iter()
+        .flat_map(|value| value.to_ne_bytes())
+        .collect();
+    PyBytes::new(py, &bytes)
+}

@@ -1,0 +1,58 @@
+//! How do arrays become samples?
+
+use std::ops::Range;
+
+use pyo3::buffer::PyBuffer;
+use pyo3::prelude::*;
+use pyo3::types::PySlice;
+
+use crate::failure::Result;
+
+/// So many samples are copied at once: a few milliseconds of work, in 4 MB.
+const MOST_COPIED: usize = 1 << 20;
+
+/// An array of frames, each with a sample of every channel: 32-bit floats in the order of C. It is read in
+/// blocks, so that it is never copied as a whole, and another thread that writes to it does no harm.
+pub(crate) struct Frames<'py> {
+    array: Bound<'py, PyAny>,
+    pub(crate) frames: usize,
+    pub(crate) channels: usize,
+}
+
+impl<'py> Frames<'py> {
+    pub(crate) fn new(array: Bound<'py, PyAny>) -> Result<Self> {
+        let (frames, channels) = array.getattr("shape")?.extract()?;
+        Ok(Self {
+            array,
+            frames,
+            channels,
+        })
+    }
+
+    /// The blocks in which to read.
+    pub(crate) fn blocks(&self) -> impl Iterator<Item = Range<usize>> + use<> {
+        let frames = self.frames;
+        let length = (MOST_COPIED / self.channels.max(1)).max(1);
+        (0..frames)
+            .step_by(length)
+            .map(move |start| start..frames.min(start + length))
+    }
+
+    /// The samples of a block, one list for each channel.
+    pub(crate) fn read(&self, block: Range<usize>) -> Result<Vec<Vec<f32>>> {
+        let py = self.array.py();
+        let part = PySlice::new(py, block.start as isize, block.end as isize, 1);
+        let part = PyBuffer::<f32>::get(&self.array.get_item(part)?)?.to_vec(py)?;
+        if self.channels == 1 {
+            return Ok(vec![part]);
+        }
+        let channel = |own: usize| {
+            part.iter()
+                .skip(own)
+                .step_by(self.channels)
+                .copied()
+                .collect()
+        };
+        Ok((0..self.channels).map(channel).collect())
+    }
+}

@@ -1,0 +1,192 @@
+//! What would a drop do, and how would it sound?
+
+use std::path::PathBuf;
+
+use bouncelab::drop::{Start, Stop};
+use bouncelab::impact::{Restitution, Strike};
+use bouncelab::synth::{self, BitDepth, Clicks, Hum, Lost, Noise, Reverb, Scene, Voice};
+use bouncelab_audio::{SampleFormat, encode_wav};
+use bouncelab_report::document::simulation::{Document, Run};
+use bouncelab_report::figure;
+use bouncelab_report::file::write_whole;
+use bouncelab_report::theme::Meaning;
+use pyo3::prelude::*;
+use pyo3::types::PyBytes;
+use serde::Deserialize;
+
+use crate::analyzer::Analyzer;
+use crate::chart::Chart;
+use crate::failure::{Failure, Result};
+use crate::physics::translator;
+use crate::recording::bytes;
+use crate::samples::Frames;
+use crate::table::Table;
+
+/// How a drop begins, bounces and ends.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Request {
+    height_m: f64,
+    launch_speed_m_s: Option<f64>,
+    restitution: f64,
+    restitution_slope_s_m: f64,
+    until_m: Option<f64>,
+    bounces: Option<usize>,
+}
+
+/// How it is recorded.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct SceneRequest {
+    sample_rate_hz: u32,
+    seed: u64,
+    voice: String,
+    snr_db: Option<f64>,
+    noise: String,
+    hum_hz: Option<f64>,
+    reverb_s: Option<f64>,
+    clicks_per_s: Option<f64>,
+    lost: Option<f64>,
+    clip_at: Option<f64>,
+    lead_in_s: f64,
+    tail_s: f64,
+}
+
+impl Request {
+    fn run(&self, analyzer: &Analyzer) -> Result<Run> {
+        let restitution = if self.restitution_slope_s_m == 0.0 {
+            Restitution::constant(self.restitution)?
+        } else {
+            Restitution::linear(self.restitution, self.restitution_slope_s_m)?
+        };
+        let launched = self.launch_speed_m_s.map(Start::Launch);
+        let start = launched.unwrap_or(Start::Height(self.height_m));
+        let stop = Stop::asked(self.until_m, self.bounces);
+        let options = &analyzer.setup.options;
+        let law = options.environment.drag;
+        Ok(Run::simulate(law, options, restitution, start, stop)?)
+    }
+}
+
+impl SceneRequest {
+    fn scene(&self) -> Result<Scene> {
+        let unknown = |kind, name: &str, known: &[&str]| {
+            Failure::from(bouncelab::Error::unknown_name(kind, name, known))
+        };
+        let voice = Voice::named(&self.voice);
+        let noise = match self.noise.as_str() {
+            "white" => Noise::white,
+            "pink" => Noise::pink,
+            other => return Err(unknown("noise", other, &["white", "pink"])),
+        };
+        Ok(Scene {
+            sample_rate_hz: self.sample_rate_hz,
+            lead_in_s: self.lead_in_s,
+            tail_s: self.tail_s,
+            voice: voice.ok_or_else(|| unknown("voice", &self.voice, &Voice::NAMES))?,
+            noise: self.snr_db.map(noise),
+            hum: self.hum_hz.map(Hum::mains),
+            reverb: self.reverb_s.map(Reverb::of_a_room),
+            clicks: self.clicks_per_s.map(Clicks::often),
+            lost: self.lost.map_or(Lost::None, Lost::Chance),
+            clip_at: self.clip_at,
+            bit_depth: BitDepth::Float,
+            ..Scene::default()
+        })
+    }
+}
+
+/// A simulated drop.
+#[pyclass(frozen, module = "bouncelab._core")]
+pub(crate) struct Simulation {
+    analyzer: Analyzer,
+    request: String,
+    run: Run,
+}
+
+#[pymethods]
+impl Simulation {
+    #[new]
+    fn new(analyzer: &Analyzer, request: String) -> Result<Self> {
+        let asked: Request = serde_json::from_str(&request)?;
+        Ok(Self {
+            analyzer: analyzer.clone(),
+            run: asked.run(analyzer)?,
+            request,
+        })
+    }
+
+    fn __getnewargs__(&self) -> (Analyzer, String) {
+        (self.analyzer.clone(), self.request.clone())
+    }
+
+    /// The document of the schema `bouncelab.simulation/2`.
+    fn document(&self, language: &str) -> Result<String> {
+        let setup = &self.analyzer.setup;
+        let mut assumptions = setup.assumptions.clone();
+        translator(language)?.complete_each(&mut assumptions);
+        let document = Document::new(std::slice::from_ref(&self.run), &setup.options, assumptions);
+        Ok(serde_json::to_string(&document)?)
+    }
+
+    /// The bounces.
+    fn bounces(&self) -> Result<Table> {
+        Table::of_bounces(&self.run)
+    }
+
+    /// The height at each time.
+    fn height_m<'py>(&self, py: Python<'py>, times_s: Vec<f64>) -> Bound<'py, PyBytes> {
+        let heights = times_s
+            .into_iter()
+            .map(|time_s| self.run.history.height_at(time_s));
+        bytes(py, &heights.collect::<Vec<f64>>())
+    }
+
+    /// Height against time.
+    fn figure(&self, name: &str, language: &str) -> Result<Chart> {
+        let words = translator(language)?;
+        let drawn = figure::Run {
+            name: self.run.law.to_string(),
+            meaning: Meaning::Drag,
+            history: &self.run.history,
+        };
+        let [height, flight_times] = figure::runs(&[drawn], &words);
+        match name {
+            "height" => Ok(Chart(height)),
+            "flight-times" => Ok(Chart(flight_times)),
+            _ => Err(
+                bouncelab::Error::unknown_name("figure", name, &["height", "flight-times"]).into(),
+            ),
+        }
+    }
+
+    /// How it sounds: samples as the bytes of 32-bit floats, and the true impacts.
+    fn sound<'py>(&self, py: Python<'py>, scene: &str) -> Result<(Bound<'py, PyBytes>, Table)> {
+        let asked: SceneRequest = serde_json::from_str(scene)?;
+        let scene = asked.scene()?;
+        let strikes: Vec<Strike> = self.run.history.strikes().collect();
+        let sound = py.detach(|| synth::render(&strikes, &scene, asked.seed))?;
+        let samples = sound.samples.iter().flat_map(|sample| sample.to_ne_bytes());
+        let samples = PyBytes::new(py, &samples.collect::<Vec<u8>>());
+        Ok((samples, Table::of_truth(&sound)?))
+    }
+}
+
+/// Saves samples of one channel as WAV, of 16 bits.
+#[pyfunction]
+pub(crate) fn write_wav(
+    path: PathBuf,
+    samples: Bound<'_, PyAny>,
+    sample_rate_hz: u32,
+) -> Result<()> {
+    let frames = Frames::new(samples)?;
+    let samples = frames.read(0..frames.frames)?;
+    let channels: Vec<&[f32]> = samples.iter().map(Vec::as_slice).collect();
+    let wav = encode_wav(sample_rate_hz, SampleFormat::Int16, &channels)?;
+    write_whole(&path, &wav).map_err(|reason| {
+        Failure::Output(format!(
+            "{}: {reason}; choose another place",
+            path.display()
+        ))
+    })
+}

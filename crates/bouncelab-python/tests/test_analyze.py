@@ -1,0 +1,104 @@
+"""What goes in: paths, bytes, files, arrays, lists of times."""
+
+from __future__ import annotations
+
+import io
+from pathlib import Path
+
+import numpy as np
+import pytest
+from conftest import TIMES_S
+
+import bouncelab as bl
+
+
+def restitution(recording: bl.Recording) -> float:
+    found = recording.drops[0].per_impact
+    assert found is not None and found.restitution is not None
+    return found.restitution.value
+
+
+def test_every_kind_of_source_says_the_same(sound: bl.Sound, tmp_path: Path) -> None:
+    file = tmp_path / "drop.wav"
+    sound.save(file)
+    with file.open("rb") as opened:
+        given = [str(file), file, file.read_bytes(), io.BytesIO(file.read_bytes()), opened]
+        found = [bl.analyze(source, draws=None) for source in given]
+    assert len({restitution(recording) for recording in found}) == 1
+    assert found[0].source.format == "WAV, 16-bit integer" or found[0].source.format
+
+
+def test_an_array_says_what_it_was_made_of(sound: bl.Sound) -> None:
+    recording = bl.analyze(sound.samples, sound.sample_rate_hz, ball="table-tennis-38", draws=500)
+    drop = recording.drops[0]
+    assert abs(drop.restitution.value - 0.95) < 4 * drop.restitution.sd + 0.002
+    # The first fall is not heard: its height is that before the first impact.
+    assert drop.drop_height_m.interval95[0] < 0.305 < drop.drop_height_m.interval95[1]
+    truth = sound.impacts["time_s"][: len(drop.impacts)]
+    assert np.allclose(drop.impacts["time_s"], truth, atol=1e-3)
+
+
+@pytest.mark.parametrize("dtype", ["float64", ">f4", "float16", "int16", "int32", "uint8"])
+def test_types_of_samples_make_no_difference(sound: bl.Sound, dtype: str) -> None:
+    scale = {"int16": 2**15, "int32": 2**31, "uint8": 2**7}.get(dtype, 1)
+    offset = 128 if dtype == "uint8" else 0
+    samples = np.clip(sound.samples * (scale * 0.99) + offset, -(2**31), 2**31 - 1).astype(dtype)
+    recording = bl.analyze(samples, sound.sample_rate_hz, draws=None)
+    expected = bl.analyze(sound.samples, sound.sample_rate_hz, draws=None)
+    assert restitution(recording) == pytest.approx(restitution(expected), abs=0.005)
+
+
+def test_the_channel_with_the_drop_is_found(sound: bl.Sound) -> None:
+    both = np.stack([np.zeros_like(sound.samples), sound.samples], axis=1)
+    recording = bl.analyze(both, sound.sample_rate_hz, draws=None)
+    assert recording.source.channel == 2
+    assert bl.analyze(both, sound.sample_rate_hz, draws=None, channel=1).no_drop is not None
+
+
+def test_strided_and_read_only_arrays_are_read(sound: bl.Sound) -> None:
+    expected = bl.analyze(sound.samples, sound.sample_rate_hz, draws=None)
+    twice = np.repeat(sound.samples, 2)[::2]
+    fixed = sound.samples.copy()
+    fixed.flags.writeable = False
+    for samples in (twice, fixed, memoryview(fixed)):
+        assert restitution(bl.analyze(samples, sound.sample_rate_hz, draws=None)) == restitution(expected)
+
+
+def test_settings_reach_the_physics() -> None:
+    known = dict(mass_kg=0.0025, diameter_m=0.038, gravity_m_s2=9.81, drag="constant:0.4", contact_time_s=5e-4)
+    used = bl.analyze_times(TIMES_S, draws=None, air=bl.air(300.0), **known).settings
+    assert (used.ball_mass_kg, used.ball_diameter_m, used.gravity_m_s2) == (0.0025, 0.038, 9.81)
+    assert (used.drag, used.contact_time_s) == ("constant:0.4", 5e-4)
+    assert used.air_density_kg_m3 == bl.air(300.0).density_kg_m3
+    assert used.assumptions == ()
+
+
+def test_edits_and_questions_are_heeded() -> None:
+    extra = sorted([*TIMES_S, 0.8])
+    recording = bl.analyze_times(extra, draws=200, exclude_s=[0.8], reach=[(2, 0.2)], first_heard=True)
+    assert recording.impacts["time_s"].tolist() == TIMES_S
+    [prediction] = recording.drops[0].posterior.predictions
+    assert prediction.drop_height_m is not None
+    assert 0.2 < prediction.drop_height_m.value < 0.4
+
+
+def test_progress_is_that_of_tqdm(sound: bl.Sound) -> None:
+    class Bar:
+        made: list[Bar] = []
+
+        def __init__(self, *, total: float | None, desc: str, unit: str) -> None:
+            self.total, self.unit, self.done, self.closed = total, unit, 0.0, False
+            self.made.append(self)
+
+        def update(self, n: float) -> None:
+            assert n >= 0
+            self.done += n
+
+        def close(self) -> None:
+            self.closed = True
+
+    long = np.tile(sound.samples, 80)
+    bl.analyze(long, sound.sample_rate_hz, draws=None, progress=Bar)
+    assert all(bar.closed for bar in Bar.made)
+    assert [bar.unit for bar in Bar.made][:1] == ["s"]
+    assert 0 < Bar.made[0].done <= len(long) / sound.sample_rate_hz

@@ -1,0 +1,80 @@
+"""Blocks, threads, forks and interruptions."""
+
+from __future__ import annotations
+
+import multiprocessing
+import os
+import signal
+import subprocess
+import sys
+import threading
+import time
+
+import numpy as np
+import pytest
+from conftest import TIMES_S
+
+import bouncelab as bl
+
+
+def test_a_detector_gives_each_drop_once_when_it_is_over(sound: bl.Sound) -> None:
+    silence = np.zeros(6 * sound.sample_rate_hz, dtype=np.float32)
+    both = np.concatenate([sound.samples, silence, sound.samples, silence])
+    detector = bl.Detector(sound.sample_rate_hz, draws=None)
+    drops = [drop for block in np.array_split(both, 301) for drop in detector.push(block)]
+    whole = detector.finish()
+    assert len(drops) == len(whole.drops) == 2
+    for drop, other in zip(drops, whole.drops, strict=True):
+        assert drop.impacts["time_s"].tolist() == other.impacts["time_s"].tolist()
+
+
+def test_threads_analyse_side_by_side(sound: bl.Sound) -> None:
+    expected = bl.analyze(sound.samples, sound.sample_rate_hz, draws=200)
+    found: list[bl.Recording] = []
+
+    def work() -> None:
+        found.append(bl.analyze(sound.samples, sound.sample_rate_hz, draws=200))
+
+    threads = [threading.Thread(target=work) for _ in range(4)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert found == [expected] * 4
+
+
+def _forked(_: int) -> float:
+    return bl.analyze_times(TIMES_S, draws=100).drops[0].restitution.value
+
+
+@pytest.mark.skipif(not hasattr(os, "fork"), reason="the system has no fork")
+@pytest.mark.filterwarnings("ignore:.*fork.*:DeprecationWarning")
+def test_a_pool_forked_after_use_works() -> None:
+    expected = _forked(0)
+    with multiprocessing.get_context("fork").Pool(2) as pool:
+        assert pool.map_async(_forked, range(8)).get(timeout=120) == [expected] * 8
+
+
+INTERRUPTED = """
+import bouncelab as bl, numpy as np, sys, time
+sound = bl.synthesize(bounces=20, restitution=0.9)
+hour = np.tile(sound.samples, 1 + 3600 * sound.sample_rate_hz // len(sound.samples))
+print("ready", flush=True)
+try:
+    bl.analyze(hour, sound.sample_rate_hz)
+    print("finished")
+except KeyboardInterrupt:
+    print("interrupted")
+"""
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="signals are sent in another way")
+def test_an_interruption_ends_an_hour_of_sound() -> None:
+    with subprocess.Popen([sys.executable, "-c", INTERRUPTED], stdout=subprocess.PIPE, text=True) as child:
+        assert child.stdout is not None
+        assert child.stdout.readline() == "ready\n"
+        time.sleep(0.5)
+        sent = time.perf_counter()
+        child.send_signal(signal.SIGINT)
+        assert child.stdout.readline() == "interrupted\n"
+        print(f"{time.perf_counter() - sent:.2f} s from the signal to the exception")

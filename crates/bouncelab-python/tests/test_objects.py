@@ -1,0 +1,106 @@
+"""Public objects can be pickled, copied, compared and shown."""
+
+from __future__ import annotations
+
+import copy
+import dataclasses
+import pickle
+import subprocess
+import sys
+
+import cloudpickle
+import numpy as np
+import pytest
+from conftest import TIMES_S
+
+import bouncelab as bl
+
+
+def everything() -> dict[str, object]:
+    """An object of every public class."""
+    recording = bl.analyze_times(TIMES_S, draws=200, reach=[(2, 0.2)])
+    sound = bl.synthesize(bounces=5, restitution=0.8)
+    drop = recording.drops[0]
+    posterior = drop.posterior
+    band = bl.analyze(sound.samples, sound.sample_rate_hz, draws=None).strongest_band
+    exceptions = [getattr(bl, name)("what was wrong") for name in bl.__all__ if name.endswith("Error")]
+    objects = [
+        *exceptions, bl.air(), bl.presets()[0], bl.drag_laws()[0], recording, recording.source,
+        recording.settings, recording.drops, recording.impacts, recording.impacts.columns[0], drop, drop.draws,
+        drop.figure("height"), drop.log_linear_fit, drop.per_impact, posterior, posterior.restitution,
+        posterior.drag_coefficient_prior, posterior.impacts[0], posterior.models[0], posterior.budget,
+        posterior.budget.restitution[0], posterior.predictions[0], posterior.prior_contraction[0],
+        posterior.correlations, posterior.sampling, posterior.band[0], posterior.priors[0], band, sound,
+        sound.simulation,
+    ]  # fmt: skip
+    assert drop.per_impact is not None
+    objects.append(drop.per_impact.impacts[0])
+    return {type(it).__name__: it for it in objects}
+
+
+OBJECTS = everything()
+#: Kinds of arguments, which have no objects of their own, and what holds sound that is still coming.
+WITHOUT = {"Options", "Surroundings", "Progress", "ProgressBar", "Detector"}
+
+
+def test_every_public_class_is_among_them() -> None:
+    classes = {name for name in bl.__all__ if isinstance(getattr(bl, name), type)}
+    assert classes - WITHOUT == OBJECTS.keys()
+
+
+@pytest.mark.parametrize("name", OBJECTS)
+def test_a_copy_is_equal(name: str) -> None:
+    it = OBJECTS[name]
+    for protocol in range(2, pickle.HIGHEST_PROTOCOL + 1):
+        assert pickle.loads(pickle.dumps(it, protocol)) == it
+    assert pickle.loads(cloudpickle.dumps(it)) == it
+    assert copy.copy(it) == it and copy.deepcopy(it) == it
+    assert it != "something else"
+    assert type(it).__name__ in repr(it)
+
+
+def test_a_pickle_keeps_every_digit() -> None:
+    recording = bl.analyze_times(TIMES_S, draws=300, ball="tennis", exclude_s=[0.8877])
+    again = pickle.loads(pickle.dumps(recording))
+    assert again.to_dict() == recording.to_dict()
+    assert again.drops[0].draws == recording.drops[0].draws
+    assert again.drops[0].figure("posterior").svg() == recording.drops[0].figure("posterior").svg()
+
+
+def test_a_recording_of_sound_keeps_its_waveform(sound: bl.Sound) -> None:
+    recording = bl.analyze(sound.samples, sound.sample_rate_hz, draws=None)
+    again = pickle.loads(pickle.dumps(recording))
+    assert again == recording
+    assert again.figure("waveform").svg() == recording.figure("waveform").svg()
+
+
+def test_results_cannot_be_changed(times: bl.Recording) -> None:
+    with pytest.raises(dataclasses.FrozenInstanceError):
+        times.drops[0].restitution.value = 1.0  # type: ignore[misc]
+    with pytest.raises(ValueError, match="read-only"):
+        np.asarray(times.impacts["time_s"])[0] = 1.0
+
+
+def test_a_detector_is_copied_but_not_pickled(sound: bl.Sound) -> None:
+    detector = bl.Detector(sound.sample_rate_hz, draws=None)
+    detector.push(sound.samples)
+    copied = copy.deepcopy(detector)
+    assert copied.finish() == detector.finish()
+    with pytest.raises(bl.InputError, match="cannot be pickled"):
+        pickle.dumps(detector)
+
+
+def test_importing_it_imports_nothing_but_the_standard_library() -> None:
+    code = (
+        "import sys; before = set(sys.modules); import bouncelab; "
+        "new = {name.split('.')[0] for name in set(sys.modules) - before}; "
+        "print(new - set(sys.stdlib_module_names) - {'bouncelab'})"
+    )
+    shown = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert shown.stdout.strip() == "set()"
+
+
+def test_every_public_name_is_documented() -> None:
+    for name in bl.__all__:
+        if name != "__version__":
+            assert getattr(bl, name).__doc__, name

@@ -1,0 +1,92 @@
+"""What comes out."""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path
+
+import pytest
+from conftest import TIMES_S
+
+import bouncelab as bl
+
+
+def test_a_posterior_has_the_numbers_of_the_document(times: bl.Recording) -> None:
+    drop = times.drops[0]
+    document = times.to_dict()
+    assert document["schema"] == "bouncelab.analysis/2"
+    posterior = document["drops"][0]["posterior"]  # type: ignore[index,call-overload]
+    assert drop.posterior.restitution.value == posterior["restitution"]["value"]  # type: ignore[index,call-overload]
+    assert drop.posterior.restitution.interval68 == tuple(posterior["restitution"]["interval68"])  # type: ignore[index,call-overload]
+    assert len(drop.posterior.impacts) == len(TIMES_S)
+    assert drop.posterior.models[0].probability >= drop.posterior.models[-1].probability
+    assert drop.draws["restitution"].mean() == pytest.approx(drop.restitution.value, abs=3 * drop.restitution.sd)
+
+
+def test_what_cannot_be_told_is_said() -> None:
+    two = bl.analyze_times([0.0, 0.5], draws=200).drops[0]
+    with pytest.raises(bl.PhysicsError, match="at least 3 impacts"):
+        _ = two.log_linear_fit
+    without = bl.analyze_times(TIMES_S, draws=None).drops[0]
+    assert not without.has_posterior
+    with pytest.raises(bl.InferenceError, match="no inference was asked for") as raised:
+        _ = without.restitution
+    assert raised.value.code == "inference-off"
+    assert bl.analyze_times([0.0], draws=None).no_drop is not None
+
+
+def test_an_estimate_without_bounds_is_infinite() -> None:
+    fit = bl.analyze_times([0.0, 0.5, 0.95], draws=None).drops[0].log_linear_fit
+    assert math.isinf(fit.restitution.sd) and fit.restitution.interval95 == (-math.inf, math.inf)
+
+
+def test_diagnostics_have_a_code_and_a_sentence_in_every_language(times: bl.Recording) -> None:
+    for known in (*times.settings.assumptions, *times.drops[0].diagnostics):
+        assert known.code in bl.diagnostic_codes()
+        assert len({known.message(language) for language in bl.languages()}) == len(bl.languages())
+        assert str(known) == known.message("en")
+
+
+def test_every_figure_is_drawn_saved_and_given_as_data(recording: bl.Recording, tmp_path: Path) -> None:
+    drop = recording.drops[0]
+    figures = [*map(recording.figure, recording.figures), *map(drop.figure, drop.figures)]
+    assert {"waveform", "posterior", "restitution"} <= {figure.name for figure in figures}
+    for figure in figures:
+        assert figure._repr_svg_() == figure.svg()
+        assert figure.caption and figure.title
+        assert len(figure.data) > 0
+        assert figure.save(tmp_path / f"{figure.name}.svg").read_text().startswith("<svg")
+    assert drop.figure("height").save(tmp_path / "height.png").read_bytes()[1:4] == b"PNG"
+    assert drop.figure("height", "de").title != drop.figure("height").title
+    with pytest.raises(bl.UnknownNameError, match="posterior"):
+        drop.figure("posteriors")
+
+
+def test_matplotlib_draws_every_panel_of_every_figure(recording: bl.Recording) -> None:
+    matplotlib = pytest.importorskip("matplotlib")
+    matplotlib.use("agg")
+    from matplotlib import pyplot
+
+    drop = recording.drops[0]
+    for figure in [*map(recording.figure, recording.figures), *map(drop.figure, drop.figures)]:
+        for panel in range(len(figure.to_dict()["panels"])):  # type: ignore[arg-type]
+            axes = figure.to_matplotlib(panel=panel)
+            assert axes.has_data()
+            pyplot.close(axes.figure)
+
+
+def test_reports_and_answers_are_in_the_language_of_the_reader(times: bl.Recording) -> None:
+    assert times.report().startswith("<!DOCTYPE html>")
+    assert times.report("markdown", "de").startswith("# times")
+    assert "kept" in times._repr_html_() and "<p>" in times.drops[0]._repr_html_()
+
+
+def test_the_air_slows_a_simulated_ball() -> None:
+    drop = bl.simulate(height_m=1.0, restitution=0.8, bounces=4, ball="table-tennis-40")
+    free = bl.simulate(height_m=1.0, restitution=0.8, bounces=4, drag="none")
+    assert (drop.bounces["apex_m"] < free.bounces["apex_m"]).all()
+    assert free.bounces["apex_m"] == pytest.approx([0.64, 0.4096, 0.262144, 0.16777216], rel=1e-4)
+    kept = drop.initial_energy_j - drop.lost_to_surface_j - drop.lost_to_air_j
+    assert 0 < kept < drop.initial_energy_j
+    assert drop.height_m([[0.0, 0.1]]).shape == (1, 2)
+    assert drop.height_m(0.0) == pytest.approx(1.0)

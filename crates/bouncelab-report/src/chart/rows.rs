@@ -1,0 +1,109 @@
+//! The data of a chart as rows of one table, for whoever draws it with other means.
+
+use super::{Chart, Shape};
+
+/// A point, a bar, a piece of a band, a rule or a text of a chart. What does not apply is `None`.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Row {
+    /// The panel, from 0.
+    pub panel: usize,
+    /// Name of the layer, as in the legend; may be empty.
+    pub layer: String,
+    /// What it is: "line", "points", "band", "boxes", "rule", "labels" or "marks".
+    pub kind: &'static str,
+    /// Horizontal value, or the left end.
+    pub x: Option<f64>,
+    /// Right end of a box.
+    pub x_high: Option<f64>,
+    /// Vertical value, or the lower end.
+    pub y: Option<f64>,
+    /// Upper end of a band or a box.
+    pub y_high: Option<f64>,
+    /// Standard error of the vertical value.
+    pub y_sd: Option<f64>,
+    /// A text at a point.
+    pub text: Option<String>,
+}
+
+impl Chart {
+    /// Its data, panel by panel and layer by layer.
+    ///
+    /// ```
+    /// use bouncelab_report::figure::{self, TimedFlight};
+    /// use bouncelab_report::messages::Translator;
+    ///
+    /// let flights = [1, 2, 3].map(|number| TimedFlight { number, time_s: 0.5, used: true });
+    /// let chart = figure::flight_times(&flights, None, &Translator::english());
+    /// assert_eq!(chart.rows().iter().filter(|row| row.kind == "points").count(), 3);
+    /// ```
+    pub fn rows(&self) -> Vec<Row> {
+        let panels = self.panels.iter().enumerate();
+        let layers = panels.flat_map(|(panel, it)| it.layers.iter().map(move |it| (panel, it)));
+        let rows = layers.flat_map(|(panel, layer)| {
+            rows_of(&layer.shape).into_iter().map(move |row| Row {
+                panel,
+                layer: layer.name.clone(),
+                ..row
+            })
+        });
+        rows.collect()
+    }
+}
+
+fn rows_of(shape: &Shape) -> Vec<Row> {
+    let at = |kind, [x, y]: [f64; 2]| Row {
+        kind,
+        x: Some(x),
+        y: Some(y),
+        ..Row::default()
+    };
+    match shape {
+        Shape::Line { points, .. } => points.iter().map(|&point| at("line", point)).collect(),
+        Shape::Points { points, errors, .. } => {
+            let points = points.iter().enumerate();
+            let row = |(place, &point)| Row {
+                y_sd: errors.get(place).copied(),
+                ..at("points", point)
+            };
+            points.map(row).collect()
+        }
+        Shape::Band { points } => {
+            let row = |&[x, low, high]: &[f64; 3]| Row {
+                y_high: Some(high),
+                ..at("band", [x, low])
+            };
+            points.iter().map(row).collect()
+        }
+        Shape::Boxes { boxes } => {
+            let row = |&[left, right, bottom, top]: &[f64; 4]| Row {
+                x_high: Some(right),
+                y_high: Some(top),
+                ..at("boxes", [left, bottom])
+            };
+            boxes.iter().map(row).collect()
+        }
+        &Shape::Rule {
+            at: place, upright, ..
+        } => vec![Row {
+            kind: "rule",
+            x: upright.then_some(place),
+            y: (!upright).then_some(place),
+            ..Row::default()
+        }],
+        Shape::Labels { points, texts } => {
+            let row = |(&point, text): (_, &String)| Row {
+                text: Some(text.clone()),
+                ..at("labels", point)
+            };
+            points.iter().zip(texts).map(row).collect()
+        }
+        Shape::Marks { places, .. } => {
+            let row = |&place: &f64| Row {
+                kind: "marks",
+                x: Some(place),
+                ..Row::default()
+            };
+            places.iter().map(row).collect()
+        }
+    }
+}

@@ -1,0 +1,219 @@
+//! Which ball bounced: what the impact times of a drop say of each preset.
+
+use super::{Drop, Options, analyze_impacts};
+use crate::ball::{self, Preset};
+use crate::diagnostic::{Code, Diagnostic};
+use crate::estimate::Estimate;
+use crate::inference::SamplerConfig;
+use crate::restitution::PerImpact;
+use crate::setup::{BallInput, SetupInput};
+
+/// Odds from which on another ball is worth a remark: "strong" evidence on the scale of H. Jeffreys,
+/// *Theory of Probability*, appendix B.
+const STRONG: f64 = 10.0;
+
+/// What a drop says if a preset ball made it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
+#[non_exhaustive]
+pub struct BallComparison {
+    /// The name of the preset.
+    pub ball: &'static str,
+    /// Natural logarithm of the Bayes factor: the evidence of this ball over that of the ball that was
+    /// stated or assumed.
+    pub log_bayes_factor: f64,
+    /// The restitution, if it was this ball.
+    pub restitution: Estimate,
+    /// The drop height in metres, if it was this ball.
+    pub drop_height_m: Estimate,
+}
+
+impl Options {
+    /// The same, comparing what a drop says of each preset ball: that takes as long as ten inferences.
+    ///
+    /// ```
+    /// use bouncelab::{Options, analyze_times, ball, demo};
+    ///
+    /// let times_s: Vec<f64> = demo::history()?.strikes().map(|strike| strike.time_s).collect();
+    /// let options = Options::default().with_ball_comparison();
+    /// let balls = &analyze_times(&times_s, &options).drops[0].balls;
+    /// assert_eq!(balls.len(), ball::presets().len());
+    /// assert!(balls[0].ball.starts_with("table-tennis"));
+    /// # Ok::<(), bouncelab::Error>(())
+    /// ```
+    #[must_use]
+    pub fn with_ball_comparison(mut self) -> Self {
+        self.compares_balls = true;
+        self
+    }
+
+    /// The same with a preset ball: mass, diameter and contact time, and how well they and its drag
+    /// are known.
+    ///
+    /// ```
+    /// use bouncelab::{Options, ball};
+    ///
+    /// let tennis = Options::default().with_preset(ball::preset("tennis")?);
+    /// assert_eq!(tennis.ball.mass_kg(), 57.7e-3);
+    /// # Ok::<(), bouncelab::Error>(())
+    /// ```
+    #[must_use]
+    pub fn with_preset(self, preset: &Preset) -> Self {
+        self.with_ball_of(&Self::new(preset))
+    }
+
+    /// The same with the ball of others.
+    fn with_ball_of(mut self, other: &Self) -> Self {
+        self.ball = other.ball;
+        self.contact_time_s = other.contact_time_s;
+        self.priors.mass_rel_sd = other.priors.mass_rel_sd;
+        self.priors.diameter_rel_sd = other.priors.diameter_rel_sd;
+        self.priors.drag_rel_sd = other.priors.drag_rel_sd;
+        self
+    }
+}
+
+/// What a drop would say if it was a ball that the air slows little: for those who did not say which.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct BallContrast {
+    /// The ball, as it is stated.
+    pub ball: &'static str,
+    /// The restitution, if it was this ball.
+    pub restitution: Estimate,
+    /// The drop height in metres, if it was this ball.
+    pub drop_height_m: Estimate,
+}
+
+impl Drop {
+    /// How the answers depend on the ball: what they would be for a tennis ball and for a steel ball of
+    /// 20 mm. Nothing without a posterior.
+    ///
+    /// With few draws of the most probable law alone, which takes a few milliseconds: the intervals are
+    /// good to a tenth.
+    ///
+    /// ```
+    /// use bouncelab::{Options, analyze_times, demo};
+    ///
+    /// let times_s: Vec<f64> = demo::history()?.strikes().map(|strike| strike.time_s).collect();
+    /// let options = Options::default();
+    /// let drop = &analyze_times(&times_s, &options).drops[0];
+    /// let steel = drop.ball_contrasts(&options)[1];
+    /// // Air takes nearly nothing from steel, so that the impacts must have taken more.
+    /// assert!(steel.restitution.value < drop.posterior.as_ref().unwrap().restitution.value);
+    /// # Ok::<(), bouncelab::Error>(())
+    /// ```
+    pub fn ball_contrasts(&self, options: &Options) -> Vec<BallContrast> {
+        const DRAWS: usize = 200;
+        let Some(model) = self
+            .posterior
+            .as_ref()
+            .ok()
+            .and_then(|found| found.models.first())
+        else {
+            return Vec::new();
+        };
+        let with = |(ball, stated): (&'static str, BallInput)| {
+            let stated = SetupInput {
+                ball: Some(stated),
+                ..SetupInput::default()
+            };
+            let mut options = options
+                .clone()
+                .with_ball_of(&stated.resolve().ok()?.options);
+            options.priors.restitution_laws = vec![model.restitution_law];
+            options.compares_balls = false;
+            let sampler = SamplerConfig {
+                draws: DRAWS,
+                ..SamplerConfig::default()
+            };
+            let drop = analyze_impacts(self.impacts.clone(), &options.with_sampler(sampler));
+            let found = drop.posterior.ok()?;
+            Some(BallContrast {
+                ball,
+                restitution: found.restitution,
+                drop_height_m: found.drop_height_m,
+            })
+        };
+        let balls = [
+            ("tennis", BallInput::Named("tennis".to_owned())),
+            ("steel:20mm", BallInput::Steel(0.02)),
+        ];
+        balls.into_iter().filter_map(with).collect()
+    }
+}
+
+/// The inference with each preset ball, the best first; nothing without a posterior.
+///
+/// The Bayes factor weighs whole set-ups: mass, diameter, drag and contact time as the preset states
+/// them. Balls that the air slows alike cannot be told apart.
+pub(super) fn compare(drop: &Drop, options: &Options) -> Vec<BallComparison> {
+    let Ok(stated) = &drop.posterior else {
+        return Vec::new();
+    };
+    let with = |preset: &Preset| {
+        let mut options = options.clone().with_preset(preset);
+        options.compares_balls = false;
+        let found = analyze_impacts(drop.impacts.clone(), &options)
+            .posterior
+            .ok()?;
+        Some(BallComparison {
+            ball: preset.name,
+            log_bayes_factor: found.log_evidence - stated.log_evidence,
+            restitution: found.restitution,
+            drop_height_m: found.drop_height_m,
+        })
+    };
+    let mut balls: Vec<BallComparison> = ball::presets().iter().filter_map(with).collect();
+    balls.sort_by(|a, b| b.log_bayes_factor.total_cmp(&a.log_bayes_factor));
+    balls
+}
+
+/// A diagnostic if the first of the compared balls explains the times much better than the one that was
+/// stated or assumed; none where nothing can be told.
+pub(super) fn better(balls: &[BallComparison]) -> Option<Diagnostic> {
+    /// Odds beyond this are certainty for people.
+    const GREATEST_ODDS: f64 = 1000.0;
+    let best = balls.first()?.log_bayes_factor;
+    let odds = best.exp().min(GREATEST_ODDS);
+    // Those that are nearly as good as the best cannot be told from it.
+    let good = |ball: &&BallComparison| best - ball.log_bayes_factor < STRONG.ln();
+    let names: Vec<&str> = balls.iter().filter(good).map(|ball| ball.ball).collect();
+    (odds >= STRONG).then(|| {
+        let better = Diagnostic::new(Code::OtherBallFitsBetter);
+        better
+            .with("balls", names.join(", "))
+            .with("odds", odds.floor())
+    })
+}
+
+/// A diagnostic if the corrected restitution rises with the speed: real balls lose the same share or a
+/// greater one the faster they are (W. Goldsmith, *Impact*, 1960, chapter 6), so the air was made
+/// responsible for what the impacts took.
+pub(super) fn rising(found: &PerImpact) -> Option<Diagnostic> {
+    /// A rise of less is no concern of anybody.
+    const LEAST_RISE: f64 = 0.01;
+    /// As many standard errors of the slope; fewer come by chance among many drops.
+    const STANDARD_ERRORS: f64 = 4.0;
+    const FEWEST_IMPACTS: usize = 5;
+    if found.impacts.len() < FEWEST_IMPACTS {
+        return None;
+    }
+    let count = found.impacts.len() as f64;
+    let impacts = || found.impacts.iter();
+    let mean_v = impacts().map(|i| i.impact_speed_m_s).sum::<f64>() / count;
+    let mean_e = impacts().map(|i| i.restitution.value).sum::<f64>() / count;
+    let off = || impacts().map(|i| (i.impact_speed_m_s - mean_v, i.restitution.value - mean_e));
+    let spread: f64 = off().map(|(v, _)| v * v).sum();
+    let slope = off().map(|(v, e)| v * e).sum::<f64>() / spread;
+    let unexplained: f64 = off().map(|(v, e)| (e - slope * v).powi(2)).sum();
+    let slope_sd = (unexplained / (count - 2.0) / spread).sqrt();
+    let [slow, fast] =
+        [found.slowest_m_s?, found.fastest_m_s?].map(|v| mean_e + slope * (v - mean_v));
+    let rises = fast > (1.0 + LEAST_RISE) * slow && slope > STANDARD_ERRORS * slope_sd;
+    rises.then(|| {
+        let rises = Diagnostic::new(Code::RestitutionRises);
+        rises.with("slow", slow).with("fast", fast)
+    })
+}

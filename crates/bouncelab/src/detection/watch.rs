@@ -1,0 +1,254 @@
+//! Which drops are over, while sound still comes?
+
+use super::{Detection, DetectionOptions, Detector};
+use crate::Result;
+use crate::train::{Train, TrainSearch, latest_next_s};
+
+/// How often is looked whether something is to be told, in seconds of sound.
+const LOOK_S: f64 = 0.1;
+/// All sounds are judged anew this often at most, in seconds of sound, while no drop is known.
+const JUDGE_S: f64 = 1.0;
+/// Sounds this much later than a drop, in seconds, no longer change how it is judged: no sound is
+/// compared with others farther away than 3 s, and none is noticed more than half a second late.
+const SETTLED_S: f64 = 3.6;
+
+/// Watches sound that still comes, and tells of each drop once, when it is over.
+///
+/// What it tells depends on the sound alone, never on the blocks in which it comes, and is what the
+/// whole recording says of the drop.
+///
+/// ```
+/// use bouncelab::demo;
+/// use bouncelab::detection::{DetectionOptions, DropWatch};
+///
+/// let mut sound = demo::sound(&demo::history()?, 1)?;
+/// sound.samples.resize(sound.samples.len() + 6 * sound.sample_rate_hz as usize, 0.0);
+/// let mut watch = DropWatch::new(sound.sample_rate_hz, 1, &DetectionOptions::default())?;
+/// let over: Vec<_> = sound.samples.chunks(1024).flat_map(|block| watch.push(&[block])).collect();
+/// assert_eq!(over.len(), 1);
+/// # Ok::<(), bouncelab::Error>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct DropWatch {
+    detector: Detector,
+    sample_rate_hz: f64,
+    /// How many frames were heard, and how many will have been at the next look.
+    frames: u64,
+    next_look: u64,
+    /// What was heard when all was last judged, when that was, and how many sounds there were.
+    heard: Option<Detection>,
+    judged_s: f64,
+    judged_onsets: usize,
+    told: Vec<Train>,
+    /// What had been heard when a drop was last told of.
+    last: Reported,
+}
+
+/// What is counted from drop to drop.
+#[derive(Clone, Copy, Debug, Default)]
+struct Reported {
+    time_s: f64,
+    clipped_samples: u64,
+}
+
+impl DropWatch {
+    /// A watch for this many channels at this rate.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`Detector::with_options`].
+    pub fn new(sample_rate_hz: u32, channels: usize, options: &DetectionOptions) -> Result<Self> {
+        let mut watch = Self {
+            detector: Detector::with_options(sample_rate_hz, channels, options)?,
+            sample_rate_hz: f64::from(sample_rate_hz),
+            frames: 0,
+            next_look: 0,
+            heard: None,
+            judged_s: 0.0,
+            judged_onsets: 0,
+            told: Vec::new(),
+            last: Reported::default(),
+        };
+        watch.set_next_look();
+        Ok(watch)
+    }
+
+    /// How much sound came, in seconds.
+    pub fn now_s(&self) -> f64 {
+        self.frames as f64 / self.sample_rate_hz
+    }
+
+    /// How many frames there are until the next look.
+    pub fn frames_until_look(&self) -> usize {
+        (self.next_look - self.frames) as usize
+    }
+
+    /// Takes the next samples of every channel, and returns the drops that are over since: each as a
+    /// recording of its own.
+    ///
+    /// # Panics
+    ///
+    /// As [`Detector::push`].
+    pub fn push(&mut self, channels: &[&[f32]]) -> Vec<Detection> {
+        let frames = channels.first().map_or(0, |samples| samples.len());
+        let mut over = Vec::new();
+        let mut from = 0;
+        while from < frames {
+            let to = frames.min(from + self.frames_until_look());
+            let part: Vec<&[f32]> = channels.iter().map(|samples| &samples[from..to]).collect();
+            self.detector.push(&part);
+            self.frames += (to - from) as u64;
+            if self.frames >= self.next_look {
+                self.set_next_look();
+                over.extend(self.look());
+            }
+            from = to;
+        }
+        over
+    }
+
+    /// What detects the sounds.
+    pub const fn detector(&self) -> &Detector {
+        &self.detector
+    }
+
+    /// Whether a drop was told of.
+    pub fn was_told(&self, train: &Train) -> bool {
+        self.told.iter().any(|told| told.overlaps(train))
+    }
+
+    /// Looks are at fixed times, so that the same sound gives the same answers whatever the
+    /// blocks in which it comes.
+    fn set_next_look(&mut self) {
+        let looks = (self.now_s() / LOOK_S + 0.5).floor() + 1.0;
+        let frame = (looks * LOOK_S * self.sample_rate_hz).round() as u64;
+        self.next_look = frame.max(self.frames + 1);
+    }
+
+    fn look(&mut self) -> Vec<Detection> {
+        let now_s = self.now_s();
+        let onsets = self.detector.onsets();
+        let is_new = onsets != self.judged_onsets && now_s >= self.judged_s + JUDGE_S;
+        let is_over = self
+            .untold(self.trains())
+            .any(|train| self.is_settled(train));
+        if !is_new && !is_over {
+            return Vec::new();
+        }
+        self.heard = Some(self.detector.so_far());
+        (self.judged_s, self.judged_onsets) = (now_s, onsets);
+        self.tell()
+    }
+
+    /// The drops that are over and were not told of, each as a recording of its own.
+    fn tell(&mut self) -> Vec<Detection> {
+        let over: Vec<Train> = self
+            .untold(self.trains())
+            .filter(|train| self.is_settled(train))
+            .cloned()
+            .collect();
+        let Some(heard) = &self.heard else {
+            return Vec::new();
+        };
+        let (before, now_s) = (self.last, self.now_s());
+        let as_recording = |train: &Train| Detection {
+            found: TrainSearch {
+                trains: vec![train.clone()],
+                distant: heard
+                    .found
+                    .distant
+                    .iter()
+                    .filter(|distant| distant.end_s() > before.time_s)
+                    .cloned()
+                    .collect(),
+                periodic: Vec::new(),
+            },
+            duration_s: now_s,
+            clipped_samples: heard.clipped_samples.saturating_sub(before.clipped_samples),
+            ..heard.clone()
+        };
+        let recordings: Vec<Detection> = over.iter().map(as_recording).collect();
+        if !over.is_empty() {
+            self.last = Reported {
+                time_s: now_s,
+                clipped_samples: heard.clipped_samples,
+            };
+            self.told.extend(over);
+        }
+        recordings
+    }
+
+    fn trains(&self) -> &[Train] {
+        self.heard.as_ref().map_or(&[], |heard| &heard.found.trains)
+    }
+
+    /// Those of these drops that were not told of yet.
+    fn untold<'a>(&'a self, trains: &'a [Train]) -> impl Iterator<Item = &'a Train> {
+        trains.iter().filter(|train| !self.was_told(train))
+    }
+
+    fn is_settled(&self, train: &Train) -> bool {
+        self.now_s() > latest_next_s(train.impacts()).max(train.end_s() + SETTLED_S)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::impact::Strike;
+    use crate::synth::{self, Scene};
+
+    /// Two drops of fifteen impacts each, 6 s apart.
+    fn two_drops() -> Vec<f32> {
+        let mut strikes = Vec::new();
+        for start_s in [0.0, 9.0] {
+            let mut time_s = start_s;
+            for n in 0..15 {
+                let speed_m_s = 2.4 * 0.88_f64.powi(n);
+                strikes.push(Strike { time_s, speed_m_s });
+                time_s += 2.0 * 0.88 * speed_m_s / 9.81;
+            }
+        }
+        let scene = Scene {
+            tail_s: 6.0,
+            ..Scene::default()
+        };
+        synth::render(&strikes, &scene, 2).unwrap().samples
+    }
+
+    /// What is told of, and after how many seconds, if the sound comes in blocks of this size.
+    fn told(samples: &[f32], block: usize) -> Vec<(Train, f64)> {
+        let mut watch = DropWatch::new(44_100, 1, &DetectionOptions::default()).unwrap();
+        let mut told = Vec::new();
+        for block in samples.chunks(block) {
+            for heard in watch.push(&[block]) {
+                told.push((heard.found.trains[0].clone(), heard.duration_s));
+            }
+        }
+        told
+    }
+
+    #[test]
+    fn each_drop_is_told_of_once_and_as_the_whole_recording_has_it() {
+        let samples = two_drops();
+        let told = told(&samples, 1024);
+        let mut detector = Detector::new(44_100, 1);
+        detector.push(&[&samples]);
+        let whole = detector.finish().found.trains;
+        assert_eq!(whole.len(), 2);
+        assert_eq!(told.len(), 2);
+        for ((train, time_s), whole) in told.iter().zip(&whole) {
+            assert_eq!(train.impacts(), whole.impacts());
+            assert!(*time_s > train.end_s() && *time_s < train.end_s() + SETTLED_S + 2.0 * LOOK_S);
+        }
+    }
+
+    #[test]
+    fn the_blocks_in_which_sound_comes_make_no_difference() {
+        let samples = two_drops();
+        let expected = told(&samples, 4096);
+        for block in [1, 777, 1_000_000] {
+            assert_eq!(told(&samples, block), expected, "blocks of {block}");
+        }
+    }
+}

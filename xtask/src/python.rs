@@ -1,0 +1,191 @@
+//! `cargo xtask wheel` and the check `python`: the Python package, as one wheel.
+//!
+//! Everything goes into virtual environments in the target folder. The wheel of the check is built in the
+//! profile of the other checks, without link-time optimisation, and shares their compiled dependencies.
+
+use std::env;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+use crate::Result;
+use crate::cargo::{cargo, cargo_all, root, run as run_command, succeeds, target};
+
+pub(crate) const ABOUT: &str = "Build the wheel of the Python package into target/wheels";
+
+/// The interpreters that must pass all tests with the same wheel; the first that is there builds it.
+const VERSIONS: [&str; 3] = ["3.11", "3.12", "3.13"];
+
+/// What builds and checks the package, pinned; the other interpreters take the second list.
+const REQUIREMENTS: &str = "requirements-test.txt";
+const REQUIREMENTS_OF_OTHERS: &str = "requirements-other.txt";
+
+/// The chore: the wheel for users.
+pub(crate) fn run(_: &[String]) -> Result {
+    let venv = Venv::of(&interpreters().first().ok_or(MISSING)?.1, REQUIREMENTS)?;
+    run_command(&mut cargo(["build", "--release", "--bin", "bouncelab"]))?;
+    let wheel = venv.wheel("release")?;
+    println!("built {}", wheel.display());
+    Ok(())
+}
+
+const MISSING: &str = "it takes Python 3.11, 3.12 or 3.13, as python3.11 or in the folder of pyenv";
+
+/// Whether there is an interpreter, and what the check needs could be installed.
+pub(crate) fn have_package_index() -> bool {
+    let found = interpreters();
+    let made = found.first().ok_or(MISSING.to_owned());
+    let made = made.and_then(|(_, python)| Venv::of(python, REQUIREMENTS));
+    if let Err(reason) = &made {
+        println!("the Python package cannot be checked: {reason}");
+    }
+    made.is_ok()
+}
+
+/// The check.
+pub(crate) fn check() -> Result {
+    let found = interpreters();
+    let (first, others) = found.split_first().ok_or(MISSING)?;
+    let venv = Venv::of(&first.1, REQUIREMENTS)?;
+    let mut program = cargo_all(&["build"]);
+    run_command(program.args(["--bin", "bouncelab"]))?;
+    let wheel = venv.wheel("dev")?;
+    venv.test(&wheel)?;
+    venv.check_types()?;
+    run_command(venv.tool("abi3audit").arg("--strict").arg(&wheel))?;
+    for (_, python) in others {
+        Venv::of(python, REQUIREMENTS_OF_OTHERS)?.test(&wheel)?;
+    }
+    let missing = VERSIONS
+        .iter()
+        .filter(|&version| found.iter().all(|(it, _)| it != version));
+    for version in missing {
+        println!("SKIPPED for want of it: the tests with Python {version}");
+    }
+    Ok(())
+}
+
+/// Version and place of the interpreters that there are.
+fn interpreters() -> Vec<(&'static str, PathBuf)> {
+    let found = VERSIONS
+        .iter()
+        .filter_map(|&version| Some((version, interpreter(version)?)));
+    found.collect()
+}
+
+fn interpreter(version: &str) -> Option<PathBuf> {
+    let name = format!("python{version}");
+    if succeeds(&[&name, "-c", "import venv"]) {
+        return Some(name.into());
+    }
+    let home = env::var_os("PYENV_ROOT").map(PathBuf::from);
+    let home = home.or_else(|| Some(env::home_dir()?.join(".pyenv")))?;
+    let installed = fs::read_dir(home.join("versions")).ok()?.flatten();
+    let mut installed = installed.map(|entry| entry.path().join("bin").join(&name));
+    installed.find(|python| python.is_file())
+}
+
+/// A virtual environment with what is pinned in a list.
+struct Venv(PathBuf);
+
+impl Venv {
+    fn of(python: &Path, requirements: &str) -> Result<Self> {
+        let name = python.file_name().unwrap_or_default().to_string_lossy();
+        let venv = Self(target().join(format!("{name}-venv")));
+        if !venv.program("python").is_file() {
+            run_command(Command::new(python).args(["-m", "venv"]).arg(&venv.0))?;
+        }
+        let mut uv = venv.python(&["-m", "pip", "install", "--quiet", "uv==0.13.9"]);
+        run_command(uv.arg("--disable-pip-version-check"))?;
+        let mut install = venv.install();
+        run_command(
+            install
+                .arg("--requirement")
+                .arg(package().join(requirements)),
+        )?;
+        Ok(venv)
+    }
+
+    fn program(&self, name: &str) -> PathBuf {
+        if cfg!(windows) {
+            self.0.join("Scripts").join(format!("{name}.exe"))
+        } else {
+            self.0.join("bin").join(name)
+        }
+    }
+
+    fn tool(&self, name: &str) -> Command {
+        let mut command = Command::new(self.program(name));
+        command.current_dir(package());
+        command
+    }
+
+    fn python(&self, words: &[&str]) -> Command {
+        let mut command = self.tool("python");
+        command.args(words);
+        command
+    }
+
+    fn install(&self) -> Command {
+        let mut command = self.tool("uv");
+        command.args(["pip", "install", "--quiet", "--python"]);
+        command.arg(self.program("python"));
+        command
+    }
+
+    /// Builds the wheel, with the program that was built in the same profile.
+    fn wheel(&self, profile: &str) -> Result<PathBuf> {
+        let folder = target().join("wheels").join(profile);
+        fs::remove_dir_all(&folder).ok();
+        let built = if profile == "dev" { "debug" } else { profile };
+        add_program(&target().join(built))?;
+        let mut build = self.tool("maturin");
+        build.args(["build", "--profile", profile, "--interpreter"]);
+        build.arg(self.program("python")).arg("--out").arg(&folder);
+        run_command(build.env("CARGO_TARGET_DIR", target()))?;
+        let mut wheels = fs::read_dir(&folder).map_err(|reason| reason.to_string())?;
+        let wheel = wheels.find_map(|entry| Some(entry.ok()?.path()));
+        wheel.ok_or_else(|| "maturin built no wheel".to_owned())
+    }
+
+    /// Runs the tests and the examples of the documentation on what the wheel installs.
+    fn test(&self, wheel: &Path) -> Result {
+        let mut install = self.install();
+        run_command(install.args(["--force-reinstall", "--no-deps"]).arg(wheel))?;
+        let mut tests = self.python(&["-m", "pytest", "tests"]);
+        run_command(tests.env("BOUNCELAB_ROOT", root()))?;
+        run_command(&mut self.python(&[
+            "-m",
+            "pytest",
+            "--doctest-modules",
+            "--pyargs",
+            "bouncelab",
+        ]))
+    }
+
+    fn check_types(&self) -> Result {
+        run_command(self.tool("mypy").args(["--strict", "python/bouncelab"]))?;
+        run_command(self.tool("stubtest").args(["bouncelab._core"]))?;
+        run_command(self.tool("pyright").args(["python/bouncelab"]))
+    }
+}
+
+/// The folder of the package.
+fn package() -> PathBuf {
+    root().join("crates/bouncelab-python")
+}
+
+/// Puts the program where maturin takes the scripts of a wheel from, without what a debugger needs.
+fn add_program(built: &Path) -> Result {
+    let name = if cfg!(windows) {
+        "bouncelab.exe"
+    } else {
+        "bouncelab"
+    };
+    let folder = package().join("bouncelab.data/scripts");
+    let said = |reason: std::io::Error| format!("{}: {reason}", folder.display());
+    fs::create_dir_all(&folder).map_err(said)?;
+    fs::copy(built.join(name), folder.join(name)).map_err(said)?;
+    succeeds(&["strip", &folder.join(name).display().to_string()]);
+    Ok(())
+}
