@@ -4,7 +4,7 @@ use symphonia::core::codecs::audio::AudioDecoder;
 use symphonia::core::errors::{Error, Result};
 use symphonia::core::packet::Packet;
 
-use super::codec::{self, Layout};
+use super::codec::{self, Layout, has_run};
 
 /// A decoder for one stream.
 pub(super) struct Alac {
@@ -47,11 +47,4 @@ impl Alac {
         let packet = Packet::new(packet.track_id, packet.pts, packet.dur, data);
         self.inner.decode(&packet).is_err()
     }
-}
-
-/// Whether a value stands so often in a row that it is none of a sound with noise.
-fn has_run<T: PartialEq>(values: &[T], value: &T) -> bool {
-    const LONG: usize = 64;
-    let mut runs = values.split(|other| other != value);
-    runs.any(|run| run.len() >= LONG)
 }

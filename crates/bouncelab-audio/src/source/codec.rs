@@ -175,6 +175,13 @@ pub(super) fn opus_head(params: &AudioCodecParameters) -> Result<opus::Head, Str
     opus::Head::parse(params.extra_data.as_deref().unwrap_or_default())
 }
 
+/// Whether a value stands so often in a row that it is none of a sound with noise.
+pub(super) fn has_run<T: PartialEq>(values: &[T], value: &T) -> bool {
+    const LONG: usize = 64;
+    let mut runs = values.split(|other| other != value);
+    runs.any(|run| run.len() >= LONG)
+}
+
 /// Whether it is a number for each sample, or a codec without checksum that gives back every sample.
 pub(super) fn is_plain(codec: AudioCodecId) -> bool {
     codec == CODEC_ID_ALAC || (CODEC_ID_PCM_S32LE..=CODEC_ID_PCM_F64BE).contains(&codec)

@@ -3,6 +3,8 @@
 use opus_pure::OpusDecoder;
 use symphonia::core::errors::{Error, Result as SymphoniaResult};
 
+use super::codec::has_run;
+
 /// Opus always decodes to this rate, whatever the microphone ran at.
 pub(super) const SAMPLE_RATE_HZ: u16 = 48_000;
 
@@ -80,6 +82,11 @@ impl Decoder {
         // To the decoder an empty packet means a lost one, to be guessed; here it is damage.
         if packet.is_empty() {
             return Err(Error::DecodeError("empty Opus packet"));
+        }
+        // Only padding, which the first two bytes announce (RFC 6716 section 3.2.5), is a row of zeros.
+        let is_padded = packet[0] & 3 == 3 && packet.get(1).is_some_and(|count| count & 0x40 != 0);
+        if has_run(packet, &0) && !is_padded {
+            return Err(Error::DecodeError("overwritten Opus packet"));
         }
         let channels = self.head.channels;
         let frames = self

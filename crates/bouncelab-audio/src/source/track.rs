@@ -226,6 +226,7 @@ impl Track {
     pub(super) fn step(&mut self, name: &str, planes: &mut Vec<Vec<f32>>) -> Result<Step> {
         let mut lost: Option<Lost> = None;
         let mut warm_ups = 0;
+        let has_clock = self.container.has_clock();
         loop {
             let packet = match self.pull(name)? {
                 Pulled::Packet(packet) => packet,
@@ -245,6 +246,10 @@ impl Track {
             match contain(|| self.decoder.decode(&packet, planes)) {
                 Ok(layout) => {
                     let frames = planes.first().map_or(0, Vec::len) as u64;
+                    if let (Some(lost), 0, false) = (&mut lost, frames, has_clock) {
+                        // Vorbis begins with a packet that gives nothing.
+                        lost.frames += self.frames_in(&packet);
+                    }
                     self.packet_frames = frames;
                     self.clock.advance(&self.info, &packet, frames, layout);
                     match &mut lost {
@@ -270,7 +275,7 @@ impl Track {
                         });
                     }
                     // A clock tells with the next packet how long this one was.
-                    let frames = if self.container.has_clock() {
+                    let frames = if has_clock {
                         0
                     } else {
                         self.frames_in(&packet)

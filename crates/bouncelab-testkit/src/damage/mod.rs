@@ -73,7 +73,8 @@ pub fn drop(sample_rate_hz: u32) -> Rendered {
     let mut number = 0.0;
     let restitution = |_| {
         number += 1.0;
-        0.86 * (1.0 + 0.007 * f64::sin(7.0 * number))
+        // Without order from one impact to the next.
+        0.86 * (1.0 + 0.007 * f64::sin(2.4 * number * number))
     };
     let strikes = crate::bouncing(model, options.contact_time_s, 2.6, restitution);
     let strikes: Vec<_> = strikes.take(16).collect();
