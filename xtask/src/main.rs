@@ -6,6 +6,7 @@
 mod bench;
 mod calibrate;
 mod cargo;
+mod damage;
 mod detection;
 mod fresh;
 mod fuzz;
@@ -30,7 +31,7 @@ struct Chore {
     run: fn(&[String]) -> Result,
 }
 
-const CHORES: [Chore; 9] = [
+const CHORES: [Chore; 10] = [
     Chore {
         name: "test",
         arguments: "[CHECK...]",
@@ -72,6 +73,12 @@ const CHORES: [Chore; 9] = [
         arguments: "[PART...] [drops=20] [hours=1] [only=SOUND] [wav=FOLDER]",
         about: detection::ABOUT,
         run: detection::run,
+    },
+    Chore {
+        name: "damage",
+        arguments: "[FORMAT] [quick]",
+        about: damage::ABOUT,
+        run: damage::run,
     },
     Chore {
         name: "fuzz",

@@ -83,7 +83,9 @@ impl Input {
             watch(frames as f64 / f64::from(rate_hz))?;
         }
         let warnings = source.warnings().iter().map(Warning::diagnostic);
-        let plan = Plan::of_detection(detector.finish(), options);
+        let mut options = options.clone();
+        options.edits.gaps.extend_from_slice(source.gaps());
+        let plan = Plan::of_detection(detector.finish(), &options);
         Ok(plan.of_file(&source.format(), warnings))
     }
 

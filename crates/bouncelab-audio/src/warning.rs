@@ -1,3 +1,4 @@
+use bouncelab::analysis::Gap;
 use bouncelab::diagnostic::{Code, Diagnostic};
 
 /// A fault in a recording that did not stop it from being read.
@@ -15,14 +16,6 @@ pub enum Warning {
         /// How much was announced, where the file says so.
         expected_s: Option<f64>,
     },
-    /// Packets that could not be decoded. Silence of the same length stands in their place, so
-    /// that all later times hold.
-    Damaged {
-        /// How many packets.
-        packets: u64,
-        /// Where the first one starts.
-        first_s: f64,
-    },
     /// Samples that are no numbers (NaN or infinite). Each was replaced by zero.
     NonFinite {
         /// How many samples, over all channels.
@@ -30,14 +23,35 @@ pub enum Warning {
         /// Where the first one is.
         first_s: f64,
     },
-    /// The file's clock runs ahead of its samples: sound was lost while recording, and all times
-    /// after the gap are too early.
-    Gap {
-        /// Where the sound is missing.
-        at_s: f64,
-        /// How much is missing.
+    /// Sound was lost, in recording or by damage to the file. Silence of the same length stands in
+    /// its place, so that all later times hold.
+    Missing {
+        /// In how many places.
+        places: u64,
+        /// Where the first one is.
+        first_s: f64,
+        /// How much is missing in all of them.
         missing_s: f64,
     },
+    /// Sound was lost, and the file does not say how much: times before and after such a place do not
+    /// belong together.
+    ClockLost {
+        /// In how many places.
+        places: u64,
+        /// Where the first one is.
+        first_s: f64,
+    },
+    /// The sound is exactly zero for a while, and not elsewhere: it may have been lost or overwritten.
+    Blank {
+        /// In how many places.
+        places: u64,
+        /// Where the first one is.
+        first_s: f64,
+        /// How long all of them are.
+        blank_s: f64,
+    },
+    /// The decoded sound is not that of which the file has the checksum.
+    Altered,
     /// The rate or the number of channels changes on the way; the sound after the change was not
     /// read.
     FormatChange {
@@ -50,6 +64,38 @@ pub enum Warning {
 }
 
 impl Warning {
+    /// Adds a gap to those that are noted.
+    pub(crate) fn note_gap(noted: &mut Vec<Self>, gap: Gap) {
+        for warning in &mut *noted {
+            match warning {
+                Self::Missing {
+                    places, missing_s, ..
+                } if gap.certain => {
+                    *places += 1;
+                    *missing_s += gap.duration_s;
+                    return;
+                }
+                Self::ClockLost { places, .. } if !gap.certain => {
+                    *places += 1;
+                    return;
+                }
+                _ => {}
+            }
+        }
+        noted.push(if gap.certain {
+            Self::Missing {
+                places: 1,
+                first_s: gap.start_s,
+                missing_s: gap.duration_s,
+            }
+        } else {
+            Self::ClockLost {
+                places: 1,
+                first_s: gap.start_s,
+            }
+        });
+    }
+
     /// The same as data, for those who show it.
     pub fn diagnostic(&self) -> Diagnostic {
         let new = Diagnostic::new;
@@ -61,15 +107,29 @@ impl Warning {
                     None => truncated,
                 }
             }
-            Self::Damaged { packets, first_s } => new(Code::PacketsDamaged)
-                .with("packets", packets)
-                .with("first_s", first_s),
             Self::NonFinite { samples, first_s } => new(Code::SamplesNotFinite)
                 .with("samples", samples)
                 .with("first_s", first_s),
-            Self::Gap { at_s, missing_s } => new(Code::SoundMissing)
-                .with("at_s", at_s)
+            Self::Missing {
+                places,
+                first_s,
+                missing_s,
+            } => new(Code::SoundMissing)
+                .with("places", places)
+                .with("first_s", first_s)
                 .with("missing_s", missing_s),
+            Self::ClockLost { places, first_s } => new(Code::ClockLost)
+                .with("places", places)
+                .with("first_s", first_s),
+            Self::Blank {
+                places,
+                first_s,
+                blank_s,
+            } => new(Code::SoundBlank)
+                .with("places", places)
+                .with("first_s", first_s)
+                .with("blank_s", blank_s),
+            Self::Altered => new(Code::ChecksumWrong),
             Self::FormatChange { at_s } => new(Code::FormatChanges).with("at_s", at_s),
             Self::EditsIgnored => new(Code::EditListIgnored),
         }

@@ -3,6 +3,7 @@
 //! Only dev-dependencies point here, so no user of the other crates builds it. It panics where a
 //! library would return an error: only tests call it.
 
+pub mod damage;
 pub mod fuzz;
 
 use std::iter::successors;

@@ -80,4 +80,9 @@ impl Decoder {
         let warnings: Vec<Diagnostic> = warnings.map(Warning::diagnostic).collect();
         Ok(serde_json::to_string(&warnings)?)
     }
+
+    /// Where sound was lost so far, as a list of gaps.
+    pub fn gaps(&self) -> Result<String> {
+        Ok(serde_json::to_string(self.source.gaps())?)
+    }
 }

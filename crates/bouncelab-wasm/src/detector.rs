@@ -1,6 +1,6 @@
 //! Detects the drops of a recording.
 
-use bouncelab::analysis::{DetectionOptions, DropTask, Plan};
+use bouncelab::analysis::{DetectionOptions, DropTask, Gap, Plan};
 use bouncelab::onset::OnsetDetector;
 use bouncelab::{Detector, Diagnostic, Impact, Options, Recording, train};
 use bouncelab_audio::times;
@@ -74,15 +74,19 @@ impl RecordingDetector {
         &self.found
     }
 
-    /// Ends the recording: what was detected, and the loudness of the channel with the drops. Format
-    /// and warnings are those of the file.
-    pub fn finish(mut self, format: &str, warnings: Vec<Diagnostic>) -> (Recording, Vec<Level>) {
+    /// Ends the recording: what was detected, and the loudness of the channel with the drops. Format,
+    /// warnings and gaps are those of the file.
+    pub fn finish(
+        mut self,
+        format: &str,
+        warnings: Vec<Diagnostic>,
+        gaps: Vec<Gap>,
+    ) -> (Recording, Vec<Level>) {
+        self.options.edits.gaps = gaps;
         let detection = self.detector.finish();
         let levels = self.pyramids.swap_remove(detection.channel).levels();
-        let mut recording = Plan::of_detection(detection, &self.options).run();
-        recording.source = recording.source.with_format(format);
-        recording.diagnostics.splice(0..0, warnings);
-        (recording, levels)
+        let plan = Plan::of_detection(detection, &self.options);
+        (plan.of_file(format, warnings).run(), levels)
     }
 }
 

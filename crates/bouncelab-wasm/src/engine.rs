@@ -105,12 +105,12 @@ impl JsDetector {
         json(&self.detector.as_mut().map(RecordingDetector::so_far))
     }
 
-    /// Ends the recording: what was detected. The format and the warnings, a list of diagnostics, are
-    /// those of its file.
-    pub fn finish(&mut self, format: &str, warnings: &str) -> Result<String> {
-        let warnings = read(warnings)?;
+    /// Ends the recording: what was detected. The format, the warnings, a list of diagnostics, and the
+    /// gaps are those of its file.
+    pub fn finish(&mut self, format: &str, warnings: &str, gaps: &str) -> Result<String> {
+        let (warnings, gaps) = (read(warnings)?, read(gaps)?);
         let found = self.detector.take().map(|detector| {
-            let (recording, levels) = detector.finish(format, warnings);
+            let (recording, levels) = detector.finish(format, warnings, gaps);
             self.levels = levels;
             recording
         });

@@ -217,12 +217,16 @@ codes! {
     FileUnreadable = "file-unreadable", Error, [];
     /// The file ends before its header says, or in the middle of something.
     FileTruncated = "file-truncated", Warning, ["read_s", "expected_s?"];
-    /// Packets could not be decoded and were replaced by silence.
-    PacketsDamaged = "packets-damaged", Warning, ["packets", "first_s"];
     /// Samples are not numbers and were replaced by zero.
     SamplesNotFinite = "samples-not-finite", Warning, ["samples", "first_s"];
-    /// Sound is missing: later times are too early.
-    SoundMissing = "sound-missing", Warning, ["at_s", "missing_s"];
+    /// Sound was lost, and silence of the same length stands in its place: times hold.
+    SoundMissing = "sound-missing", Warning, ["places", "first_s", "missing_s"];
+    /// Sound of unknown length was lost: times before and after do not belong together.
+    ClockLost = "clock-lost", Warning, ["places", "first_s"];
+    /// The sound is exactly zero for a while, and not elsewhere: it may have been lost or overwritten.
+    SoundBlank = "sound-blank", Warning, ["places", "first_s", "blank_s"];
+    /// The decoded sound is not that of which the file has the checksum.
+    ChecksumWrong = "checksum-wrong", Warning, [];
     /// The rate or number of channels changes; the recording was read up to there.
     FormatChanges = "format-changes", Warning, ["at_s"];
     /// The edit list of the file was ignored.

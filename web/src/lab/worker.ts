@@ -76,7 +76,8 @@ const handlers: Handlers = {
       }
     }
     const planes = channels.map((samples) => samples.all());
-    return detected(detector, decoder.format(), decoder.warnings(), planes, sampleRateHz);
+    const file = { format: decoder.format(), warnings: decoder.warnings(), gaps: decoder.gaps() };
+    return detected(detector, file, planes, sampleRateHz);
   },
 
   detect: ({ channels, sampleRateHz, format }, { progress }) => {
@@ -88,7 +89,7 @@ const handlers: Handlers = {
       });
       progress(Math.min(1, (at + sampleRateHz) / frames));
     }
-    return detected(detector, format, '[]', channels, sampleRateHz);
+    return detected(detector, { format, warnings: '[]', gaps: '[]' }, channels, sampleRateHz);
   },
 
   demo: ({ seed }) => {
@@ -113,7 +114,7 @@ const handlers: Handlers = {
   finish: ({ session, format }) => {
     const detector = known(session);
     sessions.delete(session);
-    const result: RecordingResult = JSON.parse(detector.finish(format, '[]'));
+    const result: RecordingResult = JSON.parse(detector.finish(format, '[]', '[]'));
     const levels = levelsOf(detector);
     const transfer = buffers(levels.map((level) => level.extremes));
     return { response: { result, levels }, transfer };
@@ -247,12 +248,13 @@ class Samples {
 
 function detected(
   detector: science.Detector,
-  format: string,
-  warnings: string,
+  file: { format: string; warnings: string; gaps: string },
   channels: Float32Array[],
   sampleRateHz: number,
 ): { response: { result: RecordingResult; sound: Sound }; transfer: Transferable[] } {
-  const result: RecordingResult = JSON.parse(detector.finish(format, warnings));
+  const result: RecordingResult = JSON.parse(
+    detector.finish(file.format, file.warnings, file.gaps),
+  );
   const levels = levelsOf(detector);
   return {
     response: { result, sound: { sampleRateHz, channels, levels } },

@@ -13,6 +13,7 @@ use symphonia::core::codecs::audio::{
 use symphonia::core::errors::{Error as SymphoniaError, Result as SymphoniaResult};
 use symphonia::core::packet::Packet;
 
+use super::alac::Alac;
 use super::opus;
 
 /// More channels than any recorder has, and few enough to hold a block of each.
@@ -23,7 +24,8 @@ pub(super) const MAX_PACKET_FRAMES: u64 = 1 << 16;
 
 /// A decoder for one track.
 pub(super) enum Decoder {
-    Symphonia(Box<dyn AudioDecoder>),
+    Symphonia(Box<dyn AudioDecoder>, AudioCodecId),
+    Alac(Alac),
     Opus(Box<opus::Decoder>),
 }
 
@@ -58,9 +60,12 @@ impl Decoder {
         // Vorbis decodes one packet less than it is given, which only its own trimming knows. All
         // other encoder delays are taken out here, from what the container says: the trimming of
         // MP3 would also cut the end of files whose length is merely estimated.
-        let options = AudioDecoderOptions::default().gapless(params.codec == CODEC_ID_VORBIS);
+        let options = AudioDecoderOptions::default()
+            .gapless(params.codec == CODEC_ID_VORBIS)
+            .verify(params.codec == CODEC_ID_FLAC);
         match codecs.make_audio_decoder(params, &options) {
-            Ok(decoder) => Ok(Self::Symphonia(decoder)),
+            Ok(decoder) if params.codec == CODEC_ID_ALAC => Ok(Self::Alac(Alac::new(decoder))),
+            Ok(decoder) => Ok(Self::Symphonia(decoder, params.codec)),
             Err(SymphoniaError::Unsupported(why)) => {
                 Err(Refusal::Codec(format!("{} ({why})", name(params.codec))))
             }
@@ -76,15 +81,8 @@ impl Decoder {
         planes: &mut Vec<Vec<f32>>,
     ) -> SymphoniaResult<Layout> {
         match self {
-            Self::Symphonia(decoder) => {
-                let decoded = decoder.decode(packet)?;
-                decoded.copy_to_vecs_planar(planes);
-                let spec = decoded.spec();
-                Ok(Layout {
-                    sample_rate_hz: spec.rate(),
-                    channels: spec.channels().count(),
-                })
-            }
+            Self::Symphonia(decoder, _) => decode(decoder.as_mut(), packet, planes),
+            Self::Alac(decoder) => decoder.decode(packet, planes),
             Self::Opus(decoder) => {
                 decoder.decode(&packet.data, planes)?;
                 let frames = planes.first().map_or(0, Vec::len);
@@ -99,6 +97,54 @@ impl Decoder {
             }
         }
     }
+}
+
+impl Decoder {
+    /// Forgets the packets before, which the next one does not follow.
+    pub(super) fn forget(&mut self) {
+        // One of Vorbis would give nothing then, and lasts as long as the one before says.
+        if let Self::Symphonia(decoder, CODEC_ID_AAC | CODEC_ID_MP3) = self {
+            decoder.reset();
+        }
+    }
+
+    /// Whether this first sound after a loss, or the one after so many more, still lacks what was lost.
+    pub(super) fn is_cold(&self, planes: &[Vec<f32>], warm_ups: u32) -> bool {
+        /// MP3 takes up to 511 bytes of the packets before, and is silent while it lacks them.
+        const MOST: u32 = 4;
+        let has_memory = match self {
+            Self::Symphonia(_, codec) => {
+                matches!(*codec, CODEC_ID_AAC | CODEC_ID_MP3 | CODEC_ID_VORBIS)
+            }
+            Self::Opus(_) => true,
+            Self::Alac(_) => false,
+        };
+        let begins_silent = || planes.iter().all(|plane| plane.first() == Some(&0.0));
+        has_memory && (warm_ups == 0 || warm_ups < MOST && begins_silent())
+    }
+
+    /// Whether a checksum says that the decoded sound is not what was encoded.
+    pub(super) fn is_altered(&mut self) -> bool {
+        match self {
+            Self::Symphonia(decoder, _) => decoder.finalize().verify_ok == Some(false),
+            Self::Opus(_) | Self::Alac(_) => false,
+        }
+    }
+}
+
+/// Decodes one packet into one plane for each channel.
+pub(super) fn decode(
+    decoder: &mut dyn AudioDecoder,
+    packet: &Packet,
+    planes: &mut Vec<Vec<f32>>,
+) -> SymphoniaResult<Layout> {
+    let decoded = decoder.decode(packet)?;
+    decoded.copy_to_vecs_planar(planes);
+    let spec = decoded.spec();
+    Ok(Layout {
+        sample_rate_hz: spec.rate(),
+        channels: spec.channels().count(),
+    })
 }
 
 /// Refuses headers that would make a decoder claim absurd amounts of memory.
@@ -127,6 +173,18 @@ fn check_sizes(params: &AudioCodecParameters) -> Result<(), Refusal> {
 /// The header of an Opus track, which holds its delay and gain.
 pub(super) fn opus_head(params: &AudioCodecParameters) -> Result<opus::Head, String> {
     opus::Head::parse(params.extra_data.as_deref().unwrap_or_default())
+}
+
+/// Whether a value stands so often in a row that it is none of a sound with noise.
+pub(super) fn has_run<T: PartialEq>(values: &[T], value: &T) -> bool {
+    const LONG: usize = 64;
+    let mut runs = values.split(|other| other != value);
+    runs.any(|run| run.len() >= LONG)
+}
+
+/// Whether it is a number for each sample, or a codec without checksum that gives back every sample.
+pub(super) fn is_plain(codec: AudioCodecId) -> bool {
+    codec == CODEC_ID_ALAC || (CODEC_ID_PCM_S32LE..=CODEC_ID_PCM_F64BE).contains(&codec)
 }
 
 /// What people call a codec.

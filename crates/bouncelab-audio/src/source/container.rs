@@ -62,7 +62,7 @@ impl Container {
 
     /// Whether packets carry times of their own, by which lost sound is noticed.
     pub(super) fn has_clock(self) -> bool {
-        matches!(self, Self::WebM | Self::Matroska)
+        self.has_edit_lists() || matches!(self, Self::Flac | Self::WebM | Self::Matroska)
     }
 
     /// Whether the file is best read from front to back, as a stream of unknown length. These

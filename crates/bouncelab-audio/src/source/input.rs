@@ -1,6 +1,7 @@
 //! What a recording is read from.
 
 use std::io::{self, Read, Seek, SeekFrom};
+use std::ops::Range;
 
 use symphonia::core::io::MediaSource;
 
@@ -12,6 +13,8 @@ pub(super) struct Input<R> {
     is_stream: bool,
     /// Where sizes stand that were never written.
     unwritten: Vec<u64>,
+    /// The only parts that are read, one after the other, each with its place among them.
+    parts: Vec<(u64, Range<u64>)>,
 }
 
 /// Bytes of a size in a WAV.
@@ -27,7 +30,27 @@ impl<R: Read + Seek> Input<R> {
             position: 0,
             is_stream: false,
             unwritten: Vec::new(),
+            parts: Vec::new(),
         })
+    }
+
+    /// From here on only these parts of the file are there, and the first of them comes next.
+    pub(super) fn read_only(&mut self, parts: Vec<Range<u64>>) -> io::Result<()> {
+        self.len = 0;
+        for part in parts {
+            let len = part.end - part.start;
+            self.parts.push((self.len, part));
+            self.len += len;
+        }
+        self.rewind()
+    }
+
+    /// Where in the file a place in its parts is, and how many bytes follow there.
+    fn in_parts(&self, place: u64) -> (u64, u64) {
+        let next = self.parts.partition_point(|(start, _)| *start <= place);
+        let (start, part) = &self.parts[next.saturating_sub(1)];
+        let at = (part.start + (place - start)).min(part.end);
+        (at, part.end - at)
     }
 
     /// A stream is read from the beginning to the end.
@@ -78,9 +101,15 @@ impl<R: Read + Seek> Input<R> {
     }
 }
 
-impl<R: Read> Read for Input<R> {
+impl<R: Read + Seek> Read for Input<R> {
     fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
-        let count = self.reader.read(buffer)?;
+        let mut most = buffer.len();
+        if !self.parts.is_empty() {
+            let (at, follow) = self.in_parts(self.position);
+            self.reader.seek(SeekFrom::Start(at))?;
+            most = most.min(usize::try_from(follow).unwrap_or(usize::MAX));
+        }
+        let count = self.reader.read(&mut buffer[..most])?;
         for byte in self.unwritten.iter().flat_map(|&at| at..at + SIZE as u64) {
             if let Some(index) = byte.checked_sub(self.position)
                 && index < count as u64
@@ -95,7 +124,17 @@ impl<R: Read> Read for Input<R> {
 
 impl<R: Seek> Seek for Input<R> {
     fn seek(&mut self, to: SeekFrom) -> io::Result<u64> {
-        self.position = self.reader.seek(to)?;
+        if self.parts.is_empty() {
+            self.position = self.reader.seek(to)?;
+            return Ok(self.position);
+        }
+        let (from, by) = match to {
+            SeekFrom::Start(place) => (place, 0),
+            SeekFrom::Current(by) => (self.position, by),
+            SeekFrom::End(by) => (self.len, by),
+        };
+        let before_start = || io::Error::from(io::ErrorKind::InvalidInput);
+        self.position = from.checked_add_signed(by).ok_or_else(before_start)?;
         Ok(self.position)
     }
 }

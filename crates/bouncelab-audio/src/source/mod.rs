@@ -1,10 +1,14 @@
 //! A recording as a stream of blocks of samples.
 
+mod alac;
+mod blank;
 mod codec;
 mod contain;
 mod container;
 mod edits;
+mod framing;
 mod input;
+mod lost;
 mod opus;
 mod presentation;
 mod track;
@@ -16,13 +20,17 @@ use std::ops::Range;
 use std::path::Path;
 use std::sync::Arc;
 
+use bouncelab::analysis::Gap;
+
+use self::blank::Blanks;
 use self::codec::{Layout, MAX_CHANNELS};
 use self::container::{Container, Content};
 use self::input::Input;
+use self::lost::Lost;
 use self::presentation::Presentation;
-use self::track::{Step, Track};
+use self::track::{Next, Step, Track};
 use crate::error::{Error, Result};
-use crate::problem::{LayoutProblem, MissingContent};
+use crate::problem::{LayoutProblem, MissingContent, Stage};
 use crate::warning::Warning;
 
 /// The lowest sample rate that is read, in hertz. Below it there is nothing left of a click, and
@@ -80,6 +88,11 @@ pub struct Source {
     planes_start: u64,
     /// The frames in `planes` that were not yet looked at.
     pending: Range<u64>,
+    /// What comes before: frames that were lost, for which silence is handed out.
+    hole: Range<u64>,
+    silence: Vec<Vec<f32>>,
+    gaps: Vec<Gap>,
+    blanks: Blanks,
     /// How many frames were handed out.
     presented: u64,
     ended: bool,
@@ -190,7 +203,17 @@ impl Source {
         if container == Container::Wav {
             reader.mend_wav().map_err(fail)?;
         }
-        let track = Track::open(container, Box::new(reader), name)?;
+        let surveyed = framing::survey(container, &mut reader).map_err(fail)?;
+        let mut framing = surveyed.ok_or_else(|| Error::Malformed {
+            name: name.to_owned(),
+            format: container.name(),
+            stage: Stage::Sound,
+            detail: "it is damaged in too many places".to_owned(),
+        })?;
+        if let Some(sound) = framing.sound.take() {
+            reader.read_only(sound).map_err(fail)?;
+        }
+        let track = Track::open(container, Box::new(reader), framing, name)?;
         Self::start(track, name)
     }
 
@@ -198,28 +221,20 @@ impl Source {
     /// the sound, not of a header that may differ.
     fn start(mut track: Track, name: &str) -> Result<Self> {
         let mut planes = Vec::new();
-        let mut damaged = 0;
-        let mut detail = None;
-        let layout = loop {
-            match track.step(name, &mut planes)? {
-                Step::Sound { layout, .. } if !planes.iter().all(Vec::is_empty) => break layout,
-                Step::Sound { .. } => {}
-                Step::Damaged { detail: fault, .. } => {
-                    damaged += 1;
-                    detail = Some(fault);
-                }
-                Step::Broken { detail: fault } => {
-                    return Err(track.undecodable(name, Some(fault)));
-                }
-                Step::End => return Err(track.undecodable(name, detail)),
-            }
+        let Step { lost, next } = track.step(name, &mut planes)?;
+        let Next::Sound(layout) = next else {
+            return Err(track.undecodable(name));
         };
         check_layout(layout.sample_rate_hz, layout.channels, name)?;
         let edited = track.presentation(layout);
         let mut source = Self {
             name: name.to_owned(),
             layout,
-            pending: 0..planes[0].len() as u64,
+            pending: 0..0,
+            hole: 0..0,
+            silence: vec![vec![0.0; MAX_BLOCK_FRAMES]; layout.channels],
+            gaps: Vec::new(),
+            blanks: Blanks::default(),
             planes,
             planes_start: 0,
             presented: 0,
@@ -231,13 +246,8 @@ impl Source {
         if edited.is_none() {
             source.warnings.push(Warning::EditsIgnored);
         }
-        // Silence in front of the first sound would only move all times.
-        if damaged > 0 {
-            source.warnings.push(Warning::Damaged {
-                packets: damaged,
-                first_s: 0.0,
-            });
-        }
+        let begins = source.lose(0, lost);
+        source.take_planes(begins);
         source.scrub();
         Ok(source)
     }
@@ -275,6 +285,11 @@ impl Source {
         &self.warnings
     }
 
+    /// Where sound was lost, as far as it was read: silence stands in its place.
+    pub fn gaps(&self) -> &[Gap] {
+        &self.gaps
+    }
+
     /// The next samples, or `None` at the end.
     ///
     /// # Errors
@@ -283,23 +298,39 @@ impl Source {
     /// be decoded is, and the rest is in [`Source::warnings`].
     pub fn next_block(&mut self) -> Result<Option<Block<'_>>> {
         loop {
+            if let Some(part) = self.presentation.first_within(&self.hole) {
+                let end = part.end.min(part.start + MAX_BLOCK_FRAMES as u64);
+                self.hole.start = end;
+                let len = (end - part.start) as usize;
+                return Ok(Some(self.block(0..len, true)));
+            }
+            self.hole = 0..0;
             if let Some(part) = self.presentation.first_within(&self.pending) {
                 let end = part.end.min(part.start + MAX_BLOCK_FRAMES as u64);
                 self.pending.start = end;
-                let start_frame = self.presented;
-                self.presented += end - part.start;
                 let place = |frame| (frame - self.planes_start) as usize;
                 let within = place(part.start)..place(end);
-                return Ok(Some(Block {
-                    planes: &self.planes,
-                    within,
-                    start_frame,
-                }));
+                return Ok(Some(self.block(within, false)));
             }
             if self.ended {
                 return Ok(None);
             }
             self.decode_more()?;
+        }
+    }
+
+    /// The next block: these frames of the planes, or as many of silence.
+    fn block(&mut self, within: Range<usize>, is_silence: bool) -> Block<'_> {
+        let start_frame = self.presented;
+        self.presented += within.len() as u64;
+        Block {
+            planes: if is_silence {
+                &self.silence
+            } else {
+                &self.planes
+            },
+            within,
+            start_frame,
         }
     }
 
@@ -310,42 +341,58 @@ impl Source {
             self.ended = true;
             return Ok(());
         }
-        match self.track.step(&self.name, &mut self.planes)? {
-            Step::Sound { layout, .. } if layout != self.layout => {
+        let Step { lost, next } = self.track.step(&self.name, &mut self.planes)?;
+        let at = self.lose(at, lost);
+        match next {
+            _ if self.gaps.len() > MOST_GAPS => self.end(at, true),
+            Next::Sound(layout) if layout != self.layout => {
                 self.warnings.push(Warning::FormatChange {
                     at_s: self.presented_s(at),
                 });
                 self.stop(at);
             }
-            Step::Sound { missing_s, .. } => {
-                if let Some(missing_s) = missing_s {
-                    self.warnings.push(Warning::Gap {
-                        at_s: self.presented_s(at),
-                        missing_s,
-                    });
-                }
+            Next::Sound(_) => {
                 self.take_planes(at);
                 self.scrub();
             }
-            Step::Damaged { frames, .. } => {
-                self.note_damage(at);
-                self.planes.resize(self.layout.channels, Vec::new());
-                for plane in &mut self.planes {
-                    plane.clear();
-                    plane.resize(frames as usize, 0.0);
+            Next::End => self.end(at, false),
+            Next::Broken => self.end(at, true),
+            Next::Altered => {
+                let known = self.warnings.len();
+                self.end(at, false);
+                if self.warnings.len() == known {
+                    self.warnings.push(Warning::Altered);
                 }
-                self.take_planes(at);
             }
-            Step::End => self.end(at, false),
-            Step::Broken { .. } => self.end(at, true),
         }
         Ok(())
+    }
+
+    /// Notes that sound was lost from this decoded frame on; where it sets in again.
+    fn lose(&mut self, at: u64, lost: Option<Lost>) -> u64 {
+        let Some(Lost { frames, certain }) = lost else {
+            return at;
+        };
+        let end = at + frames;
+        self.hole = at..end;
+        let start_s = self.presented_s(at);
+        let gap = Gap {
+            start_s,
+            duration_s: self.presented_s(end) - start_s,
+            certain,
+        };
+        self.gaps.push(gap);
+        Warning::note_gap(&mut self.warnings, gap);
+        end
     }
 
     /// The planes now hold the decoded stream from this frame on.
     fn take_planes(&mut self, at: u64) {
         self.planes_start = at;
         self.pending = at..at + self.planes[0].len() as u64;
+        if self.track.is_plain() {
+            self.blanks.take(at, &self.planes);
+        }
     }
 
     fn stop(&mut self, at: u64) {
@@ -357,12 +404,19 @@ impl Source {
     /// it says.
     fn end(&mut self, at: u64, broken: bool) {
         self.stop(at);
+        if let Some((places, first, frames)) = self.blanks.odd() {
+            self.warnings.push(Warning::Blank {
+                places,
+                first_s: self.presented_s(first),
+                blank_s: self.seconds(frames),
+            });
+        }
         let read_s = self.presented_s(at);
         let announced = self.track.announced(self.layout, &self.presentation);
-        let expected_s = announced
-            .filter(|it| it.exact)
-            .map(|it| self.seconds(it.frames));
-        if broken || expected_s.is_some_and(|expected_s| expected_s - read_s > TRUNCATION_S) {
+        let counted = announced.and_then(|it| Some((self.seconds(it.frames), it.tolerance_s?)));
+        let is_short = |(expected_s, tolerance_s)| expected_s - read_s > tolerance_s;
+        if broken || counted.is_some_and(is_short) {
+            let expected_s = counted.map(|(expected_s, _)| expected_s);
             self.warnings
                 .push(Warning::Truncated { read_s, expected_s });
         }
@@ -374,7 +428,8 @@ impl Source {
         let mut first = usize::MAX;
         for plane in &mut self.planes {
             for (place, sample) in plane.iter_mut().enumerate() {
-                if !sample.is_finite() {
+                // A damaged number may be anything; no other sound is ten million times full scale.
+                if !(sample.abs() < 1e7) {
                     *sample = 0.0;
                     count += 1;
                     first = first.min(place);
@@ -399,21 +454,6 @@ impl Source {
         }
     }
 
-    fn note_damage(&mut self, at: u64) {
-        let noted = self.warnings.iter_mut().find_map(|warning| match warning {
-            Warning::Damaged { packets, .. } => Some(packets),
-            _ => None,
-        });
-        if let Some(packets) = noted {
-            *packets += 1;
-        } else {
-            self.warnings.push(Warning::Damaged {
-                packets: 1,
-                first_s: self.presented_s(at),
-            });
-        }
-    }
-
     /// The presented time of a decoded frame.
     fn presented_s(&self, decoded: u64) -> f64 {
         self.seconds(self.presentation.count(decoded))
@@ -424,9 +464,8 @@ impl Source {
     }
 }
 
-/// A file that is shorter than announced by less than this is not cut short: headers count in
-/// packets or in milliseconds.
-const TRUNCATION_S: f64 = 0.05;
+/// More gaps than this are no recording: it is read up to there.
+const MOST_GAPS: usize = 1_000;
 
 /// Whether sound of so many samples a second and channels is of use; samples that come from no file are
 /// held to the same limits.

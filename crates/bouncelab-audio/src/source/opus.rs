@@ -3,6 +3,8 @@
 use opus_pure::OpusDecoder;
 use symphonia::core::errors::{Error, Result as SymphoniaResult};
 
+use super::codec::has_run;
+
 /// Opus always decodes to this rate, whatever the microphone ran at.
 pub(super) const SAMPLE_RATE_HZ: u16 = 48_000;
 
@@ -55,6 +57,8 @@ pub(super) struct Decoder {
     inner: OpusDecoder,
     head: Head,
     interleaved: Vec<f32>,
+    /// How many frames the latest packet had, and how many packets in a row had as many.
+    usual: (usize, u32),
 }
 
 impl Decoder {
@@ -65,6 +69,7 @@ impl Decoder {
             inner,
             head,
             interleaved: vec![0.0; MAX_FRAMES * head.channels],
+            usual: (0, 0),
         })
     }
 
@@ -78,17 +83,35 @@ impl Decoder {
         if packet.is_empty() {
             return Err(Error::DecodeError("empty Opus packet"));
         }
+        // Only padding, which the first two bytes announce (RFC 6716 section 3.2.5), is a row of zeros.
+        let is_padded = packet[0] & 3 == 3 && packet.get(1).is_some_and(|count| count & 0x40 != 0);
+        if has_run(packet, &0) && !is_padded {
+            return Err(Error::DecodeError("overwritten Opus packet"));
+        }
         let channels = self.head.channels;
         let frames = self
             .inner
             .decode(packet, MAX_FRAMES, &mut self.interleaved)
             .map_err(|_| Error::DecodeError("damaged Opus packet"))?;
+        self.check_length(frames)?;
         let samples = &self.interleaved[..frames * channels];
         planes.resize(channels, Vec::new());
         for (channel, plane) in planes.iter_mut().enumerate() {
             plane.clear();
             let own = samples.iter().skip(channel).step_by(channels);
             plane.extend(own.map(|sample| sample * self.head.gain));
+        }
+        Ok(())
+    }
+
+    /// Any bytes are a packet of some length to the decoder; recorders keep to one.
+    fn check_length(&mut self, frames: usize) -> SymphoniaResult<()> {
+        /// After so many equal packets another length is damage.
+        const MANY: u32 = 8;
+        match &mut self.usual {
+            (usual, count) if *usual == frames => *count += 1,
+            (_, MANY..) => return Err(Error::DecodeError("Opus packet of another length")),
+            usual => *usual = (frames, 1),
         }
         Ok(())
     }

@@ -1,5 +1,6 @@
 //! The one audio track of a file that is read: packets in, decoded frames out.
 
+use std::collections::VecDeque;
 use std::io::{self, SeekFrom};
 
 use symphonia::core::codecs::CodecParameters;
@@ -16,13 +17,11 @@ use super::codec::{self, Decoder, Layout, MAX_PACKET_FRAMES, Refusal};
 use super::contain::{contain, is_panic};
 use super::container::Container;
 use super::edits::{self, Edit};
+use super::framing::{Framing, Missing};
+use super::lost::{Clock, Lost};
 use super::presentation::Presentation;
 use crate::error::{Error, Result};
 use crate::problem::{MissingContent, Stage};
-
-/// Packets that follow each other further apart than this have lost sound between them. Browsers
-/// write whole milliseconds, and packets last 20 ms.
-const GAP_S: f64 = 0.015;
 
 pub(super) struct Track {
     container: Container,
@@ -33,31 +32,51 @@ pub(super) struct Track {
     edits: Vec<Edit>,
     itunes: Option<Presentation>,
     clock: Clock,
+    framing: Framing,
+    /// What was read but not yet decoded.
+    ahead: VecDeque<Pulled>,
+    /// How many packets were decoded, or could not be.
+    packets: u64,
     /// How many frames the latest packet held.
     packet_frames: u64,
+    /// Whether anything was lost so far.
+    has_lost: bool,
+    /// The last complaint of demuxer or decoder.
+    fault: Option<String>,
 }
 
-/// What came of the next packet.
-pub(super) enum Step {
-    /// It was decoded. `missing_s` of sound were lost in front of it.
-    Sound {
-        layout: Layout,
-        missing_s: Option<f64>,
-    },
-    /// It could not be decoded, and would have held about so many frames.
-    Damaged { frames: u64, detail: String },
-    /// There are no more. Whether there should be is told by what the container announced.
+/// What came of the next packets.
+pub(super) struct Step {
+    /// What was lost in front of it.
+    pub(super) lost: Option<Lost>,
+    pub(super) next: Next,
+}
+
+/// What came behind what was lost.
+pub(super) enum Next {
+    /// Sound of this layout.
+    Sound(Layout),
+    /// There is no more. Whether there should be is told by what the container announced.
     End,
-    /// There are more, but they cannot be read.
-    Broken { detail: String },
+    /// There is more, but it cannot be read.
+    Broken,
+    /// There is no more, and what there was is not what was encoded.
+    Altered,
+}
+
+/// What the container gave.
+enum Pulled {
+    Packet(Packet),
+    End,
+    Broken,
 }
 
 /// How much sound the container announces.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Announced {
     pub(super) frames: u64,
-    /// Whether it is counted, not estimated from the size of the file.
-    pub(super) exact: bool,
+    /// By how many seconds less is not less; `None` if it is estimated from the size of the file.
+    pub(super) tolerance_s: Option<f64>,
 }
 
 impl Track {
@@ -66,6 +85,7 @@ impl Track {
     pub(super) fn open(
         container: Container,
         mut source: Box<dyn MediaSource>,
+        mut framing: Framing,
         name: &str,
     ) -> Result<Self> {
         let mut edits = Vec::new();
@@ -78,16 +98,25 @@ impl Track {
         let mut reader = open_reader(container, source, name)?;
         let (info, params, decoder) = choose(reader.tracks(), container, name)?;
         let edits = edits.into_iter().find(|track| track.track_id == info.id);
+        let is_own = |track: Option<u32>| track.is_none_or(|track| track == info.id);
+        framing.breaks.retain(|place| is_own(place.track));
+        // The next one is the last of them.
+        framing.breaks.reverse();
         Ok(Self {
             container,
             itunes: itunes_gapless(reader.as_mut()),
             reader,
             edits: edits.map_or_else(Vec::new, |track| track.edits),
             info,
+            clock: Clock::of(container, &params),
             params,
             decoder,
-            clock: Clock::default(),
+            framing,
+            ahead: VecDeque::new(),
+            packets: 0,
             packet_frames: 0,
+            has_lost: false,
+            fault: None,
         })
     }
 
@@ -100,6 +129,11 @@ impl Track {
             (codec, _) if codec.ends_with("float") => format!("{codec} {container}"),
             (codec, _) => format!("{codec} in {container}"),
         }
+    }
+
+    /// Whether the file holds the samples as they are, without anything that would show damage.
+    pub(super) fn is_plain(&self) -> bool {
+        codec::is_plain(self.params.codec)
     }
 
     /// Which decoded frames are heard; `None` if the edit list cannot be followed.
@@ -157,20 +191,25 @@ impl Track {
                 .or_else(|| frames_lasting(layout, self.info.time_base, self.info.duration))
                 .map(|decoded| presented.count(decoded)),
         };
-        let exact = match self.container {
-            Container::Mpeg => self.info.delay.is_some(),
-            Container::Adts => false,
-            _ => true,
+        /// Headers that count in packets or in milliseconds.
+        const ROUGH_S: f64 = 0.05;
+        let tolerance_s = match self.container {
+            Container::Mpeg => self.info.delay.map(|_| ROUGH_S),
+            Container::Adts => None,
+            Container::Wav | Container::Aiff | Container::Flac => Some(0.0),
+            _ => Some(ROUGH_S),
         };
         // A file written as a stream announces nothing, which some readers turn into zero.
-        frames
-            .filter(|frames| *frames > 0)
-            .map(|frames| Announced { frames, exact })
+        let frames = frames.filter(|frames| *frames > 0)?;
+        Some(Announced {
+            frames,
+            tolerance_s,
+        })
     }
 
-    /// The error for a track that ended before anything was decoded, with the last complaint.
-    pub(super) fn undecodable(&self, name: &str, complaint: Option<String>) -> Error {
-        match complaint {
+    /// The error for a track that ended before anything was decoded.
+    pub(super) fn undecodable(&self, name: &str) -> Error {
+        match self.fault.clone() {
             Some(detail) => malformed(self.container, name, Stage::Sound, detail),
             None => Error::Empty {
                 name: name.to_owned(),
@@ -179,59 +218,175 @@ impl Track {
         }
     }
 
-    /// Reads and decodes the next packet into the planes.
+    /// Reads and decodes up to the next sound and puts it into the planes.
     ///
     /// # Errors
     ///
     /// Only [`Error::Io`]: the system failed to read.
     pub(super) fn step(&mut self, name: &str, planes: &mut Vec<Vec<f32>>) -> Result<Step> {
-        let packet = loop {
-            match contain(|| self.reader.next_packet()) {
-                Ok(Some(packet)) if packet.track_id == self.info.id => break packet,
-                Ok(Some(_)) => {}
-                // The last page of an Ogg file is marked, and tells the length.
-                Ok(None) if self.container == Container::Ogg && self.info.num_frames.is_none() => {
-                    let detail = "the last page is missing".to_owned();
-                    return Ok(Step::Broken { detail });
+        let mut lost: Option<Lost> = None;
+        let mut warm_ups = 0;
+        let has_clock = self.container.has_clock();
+        loop {
+            let packet = match self.pull(name)? {
+                Pulled::Packet(packet) => packet,
+                Pulled::End => return Ok(self.ended(lost)),
+                Pulled::Broken => {
+                    return Ok(Step {
+                        lost,
+                        next: Next::Broken,
+                    });
                 }
-                Ok(None) => return Ok(Step::End),
+            };
+            if let Some(more) = self.lost_before(&packet, lost.is_some(), name)? {
+                lost = Some(more.after(lost));
+                self.decoder.forget();
+            }
+            self.has_lost |= lost.is_some();
+            match contain(|| self.decoder.decode(&packet, planes)) {
+                Ok(layout) => {
+                    let frames = planes.first().map_or(0, Vec::len) as u64;
+                    if let (Some(lost), 0, false) = (&mut lost, frames, has_clock) {
+                        // Vorbis begins with a packet that gives nothing.
+                        lost.frames += self.frames_in(&packet);
+                    }
+                    self.packet_frames = frames;
+                    self.clock.advance(&self.info, &packet, frames, layout);
+                    match &mut lost {
+                        _ if frames == 0 => {}
+                        Some(lost) if self.decoder.is_cold(planes, warm_ups) => {
+                            lost.frames += frames;
+                            warm_ups += 1;
+                        }
+                        _ => {
+                            return Ok(Step {
+                                lost,
+                                next: Next::Sound(layout),
+                            });
+                        }
+                    }
+                }
+                Err(fault) => {
+                    self.fault = Some(fault.to_string());
+                    if is_panic(&fault) {
+                        return Ok(Step {
+                            lost,
+                            next: Next::Broken,
+                        });
+                    }
+                    // A clock tells with the next packet how long this one was.
+                    let frames = if has_clock {
+                        0
+                    } else {
+                        self.frames_in(&packet)
+                    };
+                    lost = Some(Lost::certain(frames).after(lost));
+                    warm_ups = 0;
+                }
+            }
+        }
+    }
+
+    fn ended(&mut self, lost: Option<Lost>) -> Step {
+        let next = if self.framing.is_cut {
+            Next::Broken
+        } else if lost.is_none() && !self.has_lost && self.decoder.is_altered() {
+            Next::Altered
+        } else {
+            Next::End
+        };
+        Step { lost, next }
+    }
+
+    /// The next packet of the track.
+    fn pull(&mut self, name: &str) -> Result<Pulled> {
+        match self.ahead.pop_front() {
+            Some(pulled) => Ok(pulled),
+            None => self.read_on(name),
+        }
+    }
+
+    fn read_on(&mut self, name: &str) -> Result<Pulled> {
+        let fault = loop {
+            match contain(|| self.reader.next_packet()) {
+                Ok(Some(packet)) if packet.track_id == self.info.id => {
+                    return Ok(Pulled::Packet(packet));
+                }
+                Ok(Some(_)) => {}
+                Ok(None) => return Ok(self.ends()),
                 // Files that were written as a stream just stop, in the view of some readers.
                 Err(SymphoniaError::IoError(fault))
                     if fault.kind() == io::ErrorKind::UnexpectedEof =>
                 {
-                    return Ok(Step::End);
+                    return Ok(self.ends());
                 }
                 // Readers report damage as made-up system errors too; the real ones have a number.
                 Err(SymphoniaError::IoError(fault)) if fault.raw_os_error().is_some() => {
                     return Err(Error::io(name, fault));
                 }
-                Err(fault) => {
-                    return Ok(Step::Broken {
-                        detail: fault.to_string(),
-                    });
-                }
+                Err(fault) => break fault,
             }
         };
-        match contain(|| self.decoder.decode(&packet, planes)) {
-            Ok(layout) => {
-                let frames = planes.first().map_or(0, Vec::len);
-                self.packet_frames = frames as u64;
-                let missing_s = self.clock.advance(&self.info, &packet, frames, layout);
-                let missing_s = missing_s.filter(|_| self.container.has_clock());
-                Ok(Step::Sound { layout, missing_s })
+        self.fault = Some(fault.to_string());
+        Ok(Pulled::Broken)
+    }
+
+    /// The last page of an Ogg file is marked, and tells the length.
+    fn ends(&self) -> Pulled {
+        if self.container == Container::Ogg && self.info.num_frames.is_none() {
+            Pulled::Broken
+        } else {
+            Pulled::End
+        }
+    }
+
+    /// What was lost before this packet; something was before if it `is_pending`.
+    fn lost_before(
+        &mut self,
+        packet: &Packet,
+        is_pending: bool,
+        name: &str,
+    ) -> Result<Option<Lost>> {
+        if self.container.has_clock() {
+            return Ok(self.clock.lost_before(&self.info, packet, is_pending));
+        }
+        let packets = self.packets;
+        self.packets += 1;
+        let breaks = &mut self.framing.breaks;
+        let Some(place) = breaks.pop_if(|place| place.packet <= packets) else {
+            return Ok(None);
+        };
+        Ok(Some(match place.missing {
+            Missing::Packets { count, certain } => Lost {
+                frames: count * self.packet_frames,
+                certain,
+            },
+            Missing::Ticks {
+                passed,
+                page_packets,
+            } => {
+                let ticks = ticks(packet) + self.ticks_ahead(page_packets - 1, name)?;
+                Lost::certain(passed.saturating_sub(ticks))
             }
-            Err(fault) if is_panic(&fault) => Ok(Step::Broken {
-                detail: fault.to_string(),
-            }),
-            Err(fault) => {
-                self.clock = Clock::default();
-                let frames = self.frames_in(&packet);
-                Ok(Step::Damaged {
-                    frames,
-                    detail: fault.to_string(),
-                })
+        }))
+    }
+
+    /// How long the next packets last.
+    fn ticks_ahead(&mut self, packets: u64, name: &str) -> Result<u64> {
+        while (self.ahead.len() as u64) < packets {
+            let pulled = self.read_on(name)?;
+            let is_packet = matches!(pulled, Pulled::Packet(_));
+            self.ahead.push_back(pulled);
+            if !is_packet {
+                break;
             }
         }
+        let packets = self.ahead.iter().take(packets as usize);
+        let ticks = packets.map(|pulled| match pulled {
+            Pulled::Packet(packet) => ticks(packet),
+            _ => 0,
+        });
+        Ok(ticks.sum())
     }
 
     /// How many frames a packet holds that cannot be decoded: as the container has it, or, as
@@ -249,30 +404,9 @@ impl Track {
     }
 }
 
-/// Compares the container's clock with the count of frames.
-#[derive(Default)]
-struct Clock {
-    /// When the next packet is due.
-    due_s: Option<f64>,
-}
-
-impl Clock {
-    /// Takes note of a decoded packet; how much sound is missing in front of it, if any.
-    fn advance(
-        &mut self,
-        info: &TrackInfo,
-        packet: &Packet,
-        frames: usize,
-        layout: Layout,
-    ) -> Option<f64> {
-        let time_s = info.time_base?.calc_time(packet.pts)?.as_secs_f64();
-        let missing_s = self
-            .due_s
-            .map(|due_s| time_s - due_s)
-            .filter(|gap| *gap > GAP_S);
-        self.due_s = Some(time_s + frames as f64 / f64::from(layout.sample_rate_hz.max(1)));
-        missing_s
-    }
+/// How long a packet of Ogg lasts by the clock of its page, which counts what is cut off in front.
+fn ticks(packet: &Packet) -> u64 {
+    packet.dur.saturating_add(packet.trim_start).get()
 }
 
 fn frames_lasting(
@@ -365,28 +499,6 @@ fn malformed(container: Container, name: &str, stage: Stage, detail: String) -> 
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn lost_sound_shows_as_a_jump_of_the_clock() {
-        // Matroska: milliseconds, rounded; packets of 960 frames at 48 kHz last 20 ms.
-        let mut info = TrackInfo::new(1);
-        info.with_time_base(TimeBase::try_new(1, 1_000).unwrap());
-        let layout = Layout {
-            sample_rate_hz: 48_000,
-            channels: 1,
-        };
-        let mut clock = Clock::default();
-        let mut missing_before = |time_ms: i64| {
-            let packet = Packet::new(1, time_ms.into(), Duration::new(20), Vec::new());
-            clock.advance(&info, &packet, 960, layout)
-        };
-        for time_ms in [-7, 13, 34, 53] {
-            assert_eq!(missing_before(time_ms), None, "{time_ms} ms");
-        }
-        let missing_s = missing_before(133).unwrap();
-        assert!((missing_s - 0.06).abs() < 1e-9, "{missing_s} s");
-        assert_eq!(missing_before(153), None);
-    }
 
     #[test]
     fn the_itunes_tag_gives_both_ends() {

@@ -4,7 +4,7 @@ use std::path::Path;
 use std::time::Duration;
 
 use bouncelab::analysis::{DropTask, Plan};
-use bouncelab::{Diagnostic, Options, Recording};
+use bouncelab::{Options, Recording};
 use bouncelab_audio::Input;
 use indicatif::{ProgressBar, ProgressStyle};
 use rayon::prelude::*;
@@ -34,13 +34,12 @@ pub(crate) fn read(file: &Path, options: &Options, quiet: bool) -> Result<Analys
         Failure::Usage(reason) => Failure::Usage(format!("{name}: {reason}")),
         other => other,
     })?;
-    Ok(Analysed::new(name, run(plan, options), Vec::new()))
+    Ok(Analysed::new(name, run(plan, options)))
 }
 
 impl Analysed {
-    /// The result with the warnings of its file, and the sentences of all diagnostics.
-    pub(crate) fn new(name: String, mut result: Recording, warnings: Vec<Diagnostic>) -> Self {
-        result.diagnostics.splice(0..0, warnings);
+    /// The result with the sentences of all diagnostics.
+    pub(crate) fn new(name: String, mut result: Recording) -> Self {
         translator().complete(&mut result);
         Self { name, result }
     }

@@ -132,7 +132,12 @@ impl<'a> Session<'a> {
         let mut planes = Vec::new();
         while !stop.requested() && !self.has_enough() {
             match sound.next(&mut planes)? {
-                Arrival::Sound => self.read(&planes)?,
+                Arrival::Sound => {
+                    if let Some(gaps) = sound.gaps() {
+                        self.physics.options.edits.gaps = gaps.to_vec();
+                    }
+                    self.read(&planes)?;
+                }
                 Arrival::Lost(frames) => self.lose(frames)?,
                 Arrival::Nothing => thread::sleep(PAUSE),
                 Arrival::End => break,
@@ -200,7 +205,8 @@ impl<'a> Session<'a> {
         self.read(&vec![silence; self.recording.channels])?;
         let gap = Gap {
             start_s: from_s,
-            end_s: self.watch.drops.now_s(),
+            duration_s: self.watch.drops.now_s() - from_s,
+            certain: (1..=LONGEST_S * rate_hz).contains(&frames),
         };
         self.physics.options.edits.gaps.push(gap);
         self.lost_frames += frames;
@@ -244,9 +250,9 @@ impl<'a> Session<'a> {
         warnings: Vec<Diagnostic>,
         options: &Options,
     ) -> Analysed {
-        let mut result = Plan::of_detection(detection, options).run();
-        result.source = result.source.with_format(&self.recording.format);
-        Analysed::new(self.recording.name.clone(), result, warnings)
+        let plan = Plan::of_detection(detection, options);
+        let result = plan.of_file(&self.recording.format, warnings).run();
+        Analysed::new(self.recording.name.clone(), result)
     }
 
     /// What is stated of a drop among those that were reported.
@@ -366,7 +372,7 @@ impl<'a> Session<'a> {
 
     fn report_losses(&self) {
         let (count, frames) = (self.gaps().len(), self.lost_frames);
-        if count > 0 {
+        if self.arguments.from.is_none() && count > 0 {
             let lost_s = frames as f64 / f64::from(self.recording.sample_rate_hz);
             let lost = [
                 ("frames", frames.into()),

@@ -5,6 +5,7 @@ use std::thread;
 use std::time::{Duration, Instant};
 
 use bouncelab::Diagnostic;
+use bouncelab::analysis::Gap;
 #[cfg(feature = "microphone")]
 use bouncelab_audio::microphone::{self, Microphone};
 use bouncelab_audio::{Input, SampleFormat, Source, Warning};
@@ -116,6 +117,15 @@ impl Sound {
                 microphone::Arrival::Lost { frames } => Arrival::Lost(frames),
                 microphone::Arrival::Nothing => Arrival::Nothing,
             }),
+        }
+    }
+
+    /// Where a file lacks sound, as far as it was read; what a microphone lost has arrived as such.
+    pub(super) fn gaps(&self) -> Option<&[Gap]> {
+        match self {
+            Self::File(player) => Some(player.source.gaps()),
+            #[cfg(feature = "microphone")]
+            Self::Microphone(_) => None,
         }
     }
 

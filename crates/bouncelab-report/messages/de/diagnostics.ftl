@@ -22,17 +22,25 @@ diagnostic-height-of-another-unit = Als Höhe sind { $stated_m } angegeben, aber
 diagnostic-file-unreadable = Die Datei lässt sich nicht lesen.
 diagnostic-file-truncated = { $expected_s ->
     [none] Die Datei ist abgeschnitten oder beschädigt: Sie wurde bis { $read_s } s gelesen.
-   *[other] Die Datei ist abgeschnitten: { $read_s } s von { $expected_s } s waren lesbar.
-  }
-diagnostic-packets-damaged = { $packets ->
-    [one] 1 beschädigtes Stück wurde durch Stille ersetzt, bei { $first_s } s.
-   *[other] { $packets } beschädigte Stücke wurden durch Stille ersetzt, das erste bei { $first_s } s.
+   *[other] Die Datei ist abgeschnitten: { $read_s } s von { $expected_s } s waren lesbar. Fehlt der Rest nicht am Ende, sind spätere Zeiten zu früh.
   }
 diagnostic-samples-not-finite = { $samples ->
     [one] 1 Abtastwert war keine Zahl und wurde zu null, bei { $first_s } s.
    *[other] { $samples } Abtastwerte waren keine Zahlen und wurden zu null, der erste bei { $first_s } s.
   }
-diagnostic-sound-missing = { $missing_s } s Ton fehlen bei { $at_s } s: Spätere Zeiten sind zu früh.
+diagnostic-sound-missing = { $places ->
+    [one] { $missing_s } s Ton fehlen bei { $first_s } s
+   *[other] { $missing_s } s Ton fehlen an { $places } Stellen, der ersten bei { $first_s } s
+  }: Dort steht Stille, und kein Flug darüber zählt.
+diagnostic-clock-lost = { $places ->
+    [one] Die Datei ist bei { $first_s } s beschädigt
+   *[other] Die Datei ist an { $places } Stellen beschädigt, der ersten bei { $first_s } s
+  } und sagt nicht, wie viel Ton fehlt: Zeiten davor und danach gehören nicht zusammen, und kein Flug darüber zählt.
+diagnostic-sound-blank = { $places ->
+    [one] Der Ton ist bei { $first_s } s für { $blank_s } s genau null
+   *[other] Der Ton ist an { $places } Stellen, der ersten bei { $first_s } s, für zusammen { $blank_s } s genau null
+  } und sonst nicht: Dort ging er vielleicht verloren oder wurde überschrieben.
+diagnostic-checksum-wrong = Der Ton ist nicht der, von dem die Datei die Prüfsumme hat: Er wurde irgendwo verändert.
 diagnostic-format-changes = Der Ton wechselt bei { $at_s } s Rate oder Kanäle; er wurde bis dort gelesen.
 diagnostic-edit-list-ignored = Die Schnittliste der Datei ordnet den Ton um; er wurde gelesen, wie er aufgenommen ist.
 

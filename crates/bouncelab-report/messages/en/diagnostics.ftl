@@ -25,19 +25,27 @@ diagnostic-height-of-another-unit = The stated height is { $stated_m }, but the 
 diagnostic-file-unreadable = The file cannot be read.
 diagnostic-file-truncated = { $expected_s ->
     [none] The file is truncated or damaged: it was read up to { $read_s } s.
-   *[other] The file is truncated: { $read_s } s of { $expected_s } s could be read.
+   *[other] The file is truncated: { $read_s } s of { $expected_s } s could be read. If the rest is not missing at the end, later times are too early.
   }
-diagnostic-packets-damaged = { $packets ->
-    [one] 1 damaged packet was
-   *[other] { $packets } damaged packets were
-  } replaced by silence, the first at { $first_s } s.
 diagnostic-samples-not-finite = { $samples ->
     [one] 1 sample was not a number
    *[other] { $samples } samples were not numbers
   } and replaced by zero, the first at { $first_s } s.
-diagnostic-sound-missing = { $missing_s } s of sound are missing at { $at_s } s: later times are too early.
-diagnostic-format-changes = The sample rate or the number of channels changes at { $at_s } s; the file was read up to there.
-diagnostic-edit-list-ignored = The file's edit list reorders the sound or changes its speed; it was ignored.
+diagnostic-sound-missing = { $places ->
+    [one] { $missing_s } s of sound are missing at { $first_s } s
+   *[other] { $missing_s } s of sound are missing in { $places } places, the first at { $first_s } s
+  }: silence stands there, and no flight across it is used.
+diagnostic-clock-lost = { $places ->
+    [one] The file is damaged at { $first_s } s
+   *[other] The file is damaged in { $places } places, the first at { $first_s } s
+  }, and does not say how much sound is missing: times before and after do not belong together, and no flight across is used.
+diagnostic-sound-blank = { $places ->
+    [one] The sound is exactly zero for { $blank_s } s at { $first_s } s
+   *[other] The sound is exactly zero for { $blank_s } s in { $places } places, the first at { $first_s } s
+  }, and not elsewhere: it may have been lost or overwritten there.
+diagnostic-checksum-wrong = The sound is not that of which the file has the checksum: it was changed somewhere.
+diagnostic-format-changes = The sound changes its rate or channels at { $at_s } s; it was read up to there.
+diagnostic-edit-list-ignored = The file's edit list reorders or warps the sound; it was read as recorded.
 
 diagnostic-impacts-missed = { $count ->
     [one] One impact in between was not detected; it is counted.

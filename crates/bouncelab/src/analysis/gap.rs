@@ -7,15 +7,18 @@ use crate::impact::Impact;
 /// to a gap, in seconds, are not believed.
 const EDGE_S: f64 = 0.02;
 
-/// An interval of a recording of which the sound was lost, in seconds. How long the gap really was is
-/// not known well enough for physics.
+/// An interval of a recording of which the sound was lost, in seconds: silence stands in its place.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 pub struct Gap {
     /// Where the sound breaks off.
     pub start_s: f64,
-    /// Where it sets in again.
-    pub end_s: f64,
+    /// How long the silence is that stands in its place; 0 if nothing is known.
+    pub duration_s: f64,
+    /// Whether that is how long the lost sound was. If not, times after it are on another clock than
+    /// those before.
+    pub certain: bool,
 }
 
 /// Keeps of a drop the longest part without a gap, numbered anew: no flight across a gap is right, nor
@@ -24,7 +27,7 @@ pub(super) fn cut(impacts: &mut Vec<Impact>, gaps: &[Gap]) -> Option<Diagnostic>
     let (first_s, last_s) = (impacts.first()?.time_s, impacts.last()?.time_s);
     let within: Vec<&Gap> = gaps
         .iter()
-        .filter(|gap| gap.end_s + EDGE_S > first_s && gap.start_s - EDGE_S < last_s)
+        .filter(|gap| gap.end_s() + EDGE_S > first_s && gap.start_s - EDGE_S < last_s)
         .collect();
     let gap = within.first()?;
     let all = impacts.len();
@@ -51,12 +54,17 @@ pub(super) fn cut(impacts: &mut Vec<Impact>, gaps: &[Gap]) -> Option<Diagnostic>
 }
 
 impl Gap {
-    fn is_near(&self, time_s: f64) -> bool {
-        (self.start_s - EDGE_S..=self.end_s + EDGE_S).contains(&time_s)
+    /// Where the sound sets in again.
+    pub fn end_s(&self) -> f64 {
+        self.start_s + self.duration_s
     }
 
-    fn lies_between(&self, earlier_s: f64, later_s: f64) -> bool {
-        earlier_s < self.start_s && self.end_s < later_s
+    fn is_near(&self, time_s: f64) -> bool {
+        (self.start_s - EDGE_S..=self.end_s() + EDGE_S).contains(&time_s)
+    }
+
+    pub(super) fn lies_between(&self, earlier_s: f64, later_s: f64) -> bool {
+        earlier_s < self.end_s() && self.start_s < later_s
     }
 }
 
@@ -67,7 +75,11 @@ mod tests {
 
     /// The times that are left, and where the first gap is.
     fn cut_at(times_s: &[f64], gaps: &[(f64, f64)]) -> (Vec<f64>, Option<f64>) {
-        let gaps = gaps.iter().map(|&(start_s, end_s)| Gap { start_s, end_s });
+        let gaps = gaps.iter().map(|&(start_s, end_s)| Gap {
+            start_s,
+            duration_s: end_s - start_s,
+            certain: true,
+        });
         let mut impacts = impacts_of_times(times_s);
         let lost = cut(&mut impacts, &gaps.collect::<Vec<_>>());
         let numbers = impacts.iter().map(|impact| impact.number);

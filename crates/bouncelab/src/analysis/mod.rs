@@ -236,12 +236,15 @@ impl Options {
     }
 
     /// The same for the drop that begins at a time, given when the others begin: a release is of the
-    /// drop that begins next after it.
+    /// drop that begins next after it, if no sound was lost in between.
     #[must_use]
     pub fn for_drop(&self, start_s: f64, other_starts_s: &[f64]) -> Self {
         let is_its_own = |released_s: f64| {
             let is_between = |&start: &f64| released_s < start && start < start_s;
-            released_s < start_s && !other_starts_s.iter().any(is_between)
+            let is_apart = |gap: &Gap| gap.lies_between(released_s, start_s);
+            released_s < start_s
+                && !other_starts_s.iter().any(is_between)
+                && !self.edits.gaps.iter().any(is_apart)
         };
         let mut options = self.clone();
         let release = options.priors.release_s;

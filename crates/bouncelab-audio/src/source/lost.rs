@@ -1,0 +1,143 @@
+//! How much sound is missing where some is.
+
+use symphonia::core::codecs::audio::AudioCodecParameters;
+use symphonia::core::formats::Track as TrackInfo;
+use symphonia::core::packet::Packet;
+
+use super::codec::Layout;
+use super::container::Container;
+
+/// Sound that is missing.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Lost {
+    /// How many frames, as far as is known.
+    pub(super) frames: u64,
+    /// Whether that is certain.
+    pub(super) certain: bool,
+}
+
+impl Lost {
+    pub(super) fn certain(frames: u64) -> Self {
+        Self {
+            frames,
+            certain: true,
+        }
+    }
+
+    pub(super) fn unknown() -> Self {
+        Self {
+            frames: 0,
+            certain: false,
+        }
+    }
+
+    /// Together with what was lost in front of it.
+    pub(super) fn after(self, before: Option<Self>) -> Self {
+        let before = before.unwrap_or(Self::certain(0));
+        Self {
+            frames: self.frames.saturating_add(before.frames),
+            certain: self.certain && before.certain,
+        }
+    }
+}
+
+/// Compares the container's clock with the count of frames.
+pub(super) struct Clock {
+    /// When the next packet is due.
+    due_s: Option<f64>,
+    is_first: bool,
+    /// Packets that follow each other further apart than this have lost sound between them.
+    tolerance_s: f64,
+    rate_hz: f64,
+}
+
+/// Browsers write whole milliseconds, and packets last 20 ms.
+const TOLERANCE_S: f64 = 0.015;
+
+/// A clock that jumps further than this is damaged itself.
+const LONGEST_S: f64 = 600.0;
+
+/// A recording whose clock begins later than this was cut out of a longer one.
+const LATE_START_S: f64 = 1.0;
+
+impl Clock {
+    pub(super) fn of(container: Container, params: &AudioCodecParameters) -> Self {
+        // A frame of FLAC says which sample it begins with, and the first one with sample 0.
+        let is_exact = container == Container::Flac;
+        Self {
+            due_s: is_exact.then_some(0.0),
+            is_first: true,
+            tolerance_s: if is_exact { 0.0 } else { TOLERANCE_S },
+            rate_hz: f64::from(params.sample_rate.unwrap_or(0)),
+        }
+    }
+
+    /// What was lost before this packet; something was before if it `is_pending`.
+    pub(super) fn lost_before(
+        &self,
+        info: &TrackInfo,
+        packet: &Packet,
+        is_pending: bool,
+    ) -> Option<Lost> {
+        let late_s = time_s(info, packet)? - self.due_s?;
+        let tolerance_s = if is_pending { 0.0 } else { self.tolerance_s };
+        let frames = (late_s * self.rate_hz).round();
+        if self.is_first && late_s > LATE_START_S {
+            None
+        } else if late_s > LONGEST_S || late_s < -TOLERANCE_S {
+            Some(Lost::unknown())
+        } else {
+            (late_s > tolerance_s && frames > 0.0).then(|| Lost::certain(frames as u64))
+        }
+    }
+
+    /// Takes note of a packet of so many frames.
+    pub(super) fn advance(
+        &mut self,
+        info: &TrackInfo,
+        packet: &Packet,
+        frames: u64,
+        layout: Layout,
+    ) {
+        self.is_first = false;
+        self.rate_hz = f64::from(layout.sample_rate_hz.max(1));
+        self.due_s = time_s(info, packet).map(|time_s| time_s + frames as f64 / self.rate_hz);
+    }
+}
+
+fn time_s(info: &TrackInfo, packet: &Packet) -> Option<f64> {
+    Some(info.time_base?.calc_time(packet.pts)?.as_secs_f64())
+}
+
+#[cfg(test)]
+mod tests {
+    use symphonia::core::units::{Duration, TimeBase};
+
+    use super::*;
+
+    #[test]
+    fn lost_sound_shows_as_a_jump_of_the_clock() {
+        // Matroska: milliseconds, rounded; packets of 960 frames at 48 kHz last 20 ms.
+        let mut info = TrackInfo::new(1);
+        info.with_time_base(TimeBase::try_new(1, 1_000).unwrap());
+        let layout = Layout {
+            sample_rate_hz: 48_000,
+            channels: 1,
+        };
+        let mut clock = Clock::of(Container::WebM, &AudioCodecParameters::new());
+        let mut lost_before = |time_ms: i64| {
+            let packet = Packet::new(1, time_ms.into(), Duration::new(20), Vec::new());
+            let lost = clock.lost_before(&info, &packet, false);
+            clock.advance(&info, &packet, 960, layout);
+            lost
+        };
+        for time_ms in [-7, 13, 34, 53] {
+            assert_eq!(lost_before(time_ms), None, "{time_ms} ms");
+        }
+        assert_eq!(lost_before(133), Some(Lost::certain(2_880)));
+        assert_eq!(lost_before(153), None);
+        // Back, or by hours: the clock is damaged.
+        assert_eq!(lost_before(53), Some(Lost::unknown()));
+        assert_eq!(lost_before(10_000_000), Some(Lost::unknown()));
+    }
+}

@@ -1,0 +1,116 @@
+//! No damage to a file of any format makes a wrong result that looks like a right one. `cargo xtask damage`
+//! tries every percent of each file, with the inference; here it is four places without.
+
+use bouncelab::Options;
+use bouncelab::analysis::Gap;
+use bouncelab_audio::{Source, Warning};
+use bouncelab_testkit::damage::{Damage, Verdict, analyse, files, is_warned, judge, words};
+
+#[test]
+fn no_damage_makes_a_wrong_result_that_looks_right() {
+    let options = Options::default().without_inference();
+    for (name, file) in files() {
+        let whole = analyse(&file, &name, &options).expect(&name);
+        assert_eq!(whole.drops.len(), 1, "{name}");
+        assert!(!is_warned(&whole), "{name}: {:?}", whole.diagnostics);
+        for (damage, percent) in Damage::ALL.into_iter().zip([22, 45, 37, 81]) {
+            let damaged = analyse(&damage.at(percent, &file), &name, &options);
+            let verdict = judge(&whole, damaged.as_ref().ok());
+            let numbers = words(&damaged);
+            assert_ne!(
+                verdict,
+                Verdict::Wrong,
+                "{name}, {damage:?} at {percent} %: {numbers}"
+            );
+        }
+    }
+}
+
+/// How long the sound of a file is, and where it lacks some.
+fn read(file: &[u8], name: &str) -> (f64, Vec<Gap>) {
+    let mut source = Source::from_bytes(file, name).expect(name);
+    let mut frames = 0;
+    while let Some(block) = source.next_block().expect(name) {
+        assert_eq!(block.start_frame(), frames, "{name}");
+        frames += block.frames() as u64;
+    }
+    let duration_s = frames as f64 / f64::from(source.sample_rate_hz());
+    (duration_s, source.gaps().to_vec())
+}
+
+/// Clocks that say where a packet belongs, and frames of constant length: times after a gap hold.
+#[test]
+fn where_the_length_is_known_silence_of_that_length_stands_in_the_gap() {
+    let exact = [
+        "sound.flac",
+        "flac.ogg",
+        "vorbis.ogg",
+        "opus.ogg",
+        "aac.m4a",
+        "constant.mp3",
+        "constant-no-tag.mp3",
+    ];
+    for (name, file) in files() {
+        if !exact.contains(&name.as_str()) {
+            continue;
+        }
+        let (whole_s, gaps) = read(&file, &name);
+        assert_eq!(gaps, [], "{name}");
+        let (damaged_s, gaps) = read(&Damage::Zeros.at(50, &file), &name);
+        assert!(
+            (damaged_s - whole_s).abs() < 2e-3,
+            "{name}: {damaged_s} s of {whole_s} s"
+        );
+        let [gap] = gaps[..] else {
+            panic!("{name}: {gaps:?}");
+        };
+        assert!(gap.certain, "{name}");
+        assert!(
+            (gap.start_s..gap.end_s()).contains(&(whole_s / 2.0)) || gap.duration_s < 0.2,
+            "{name}: {gap:?}"
+        );
+    }
+}
+
+/// Without a clock nothing tells how much was where bytes are missing.
+#[test]
+fn where_the_length_is_not_known_the_clock_is_another_one() {
+    for (name, file) in files() {
+        if ["aac.aac", "constant-no-tag.mp3", "variable-no-tag.mp3"].contains(&name.as_str()) {
+            let (_, gaps) = read(&Damage::Removed.at(50, &file), &name);
+            assert!(
+                matches!(gaps[..], [Gap { certain: false, .. }]),
+                "{name}: {gaps:?}"
+            );
+        }
+    }
+}
+
+/// The demuxer in use gives up on one.
+#[test]
+fn an_early_page_of_ogg_that_is_damaged_costs_no_more_than_itself() {
+    for (name, file) in files() {
+        if name.ends_with(".ogg") {
+            let (whole_s, _) = read(&file, &name);
+            let (damaged_s, gaps) = read(&Damage::Bit.at(15, &file), &name);
+            assert!(
+                (damaged_s - whole_s).abs() < 2e-3,
+                "{name}: {damaged_s} s of {whole_s} s"
+            );
+            assert_eq!(gaps.len(), 1, "{name}: {gaps:?}");
+        }
+    }
+}
+
+#[test]
+fn a_flac_whose_checksum_is_wrong_is_said_to_be_altered() {
+    let (name, mut file) = files()
+        .into_iter()
+        .find(|(name, _)| name == "sound.flac")
+        .unwrap();
+    // The checksum is the end of the first block, which has 34 bytes behind marker and header.
+    file[8 + 33] ^= 1;
+    let mut source = Source::from_bytes(file, &name).unwrap();
+    while source.next_block().unwrap().is_some() {}
+    assert_eq!(source.warnings(), [Warning::Altered]);
+}

@@ -1,0 +1,99 @@
+//! Whether the result of a damaged file is right, warned of, refused or wrong.
+
+use std::error::Error;
+
+use bouncelab::diagnostic::Code;
+use bouncelab::{Estimate, Options, Recording};
+use bouncelab_audio::Input;
+
+/// What a result is worth.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Verdict {
+    /// The undamaged one within its uncertainties.
+    Right,
+    /// Another one, with a diagnostic that names the place.
+    Warned,
+    /// None.
+    Refused,
+    /// Another one, as if nothing were.
+    Wrong,
+}
+
+/// What the file says.
+pub fn analyse(
+    file: &[u8],
+    name: &str,
+    options: &Options,
+) -> Result<Recording, Box<dyn Error + Send + Sync>> {
+    let input = Input::from_bytes(file, name)?;
+    let plan = input.plan::<Box<dyn Error + Send + Sync>>(options, |_| Ok(()))?;
+    Ok(plan.run())
+}
+
+/// What the result of a damaged file is worth, given that of the whole one.
+pub fn judge(whole: &Recording, damaged: Option<&Recording>) -> Verdict {
+    let Some(damaged) = damaged.filter(|it| it.no_drop.is_none()) else {
+        return Verdict::Refused;
+    };
+    if agree(whole, damaged) {
+        Verdict::Right
+    } else if is_warned(damaged) {
+        Verdict::Warned
+    } else {
+        Verdict::Wrong
+    }
+}
+
+/// Whether every answer is within three standard uncertainties of the damaged one.
+fn agree(whole: &Recording, damaged: &Recording) -> bool {
+    let (whole, damaged) = (numbers(whole), numbers(damaged));
+    let within = |(of_whole, of_damaged): (&Estimate, &Estimate)| {
+        (of_damaged.value - of_whole.value).abs() <= 3.0 * of_damaged.sd
+    };
+    whole.len() == damaged.len() && whole.iter().zip(&damaged).all(within)
+}
+
+/// What is said of all drops.
+fn numbers(recording: &Recording) -> Vec<Estimate> {
+    let of_drop =
+        recording
+            .drops
+            .iter()
+            .flat_map(|drop| match (&drop.posterior, &drop.log_linear_fit) {
+                (Ok(posterior), _) => vec![
+                    posterior.restitution,
+                    posterior.drop_height_m,
+                    posterior.total_time_s.unwrap_or(posterior.gravity_m_s2),
+                ],
+                (_, Ok(fit)) => vec![
+                    fit.restitution,
+                    fit.drop_height_m,
+                    fit.total_time_s.unwrap_or(fit.drop_height_m),
+                ],
+                _ => Vec::new(),
+            });
+    of_drop.collect()
+}
+
+/// The numbers in words.
+pub fn words<E>(recording: &Result<Recording, E>) -> String {
+    let numbers = recording.as_ref().map_or_else(|_| Vec::new(), numbers);
+    let words = numbers
+        .iter()
+        .map(|it| format!("{:.4} ± {:.4}", it.value, it.sd));
+    words.collect::<Vec<_>>().join(", ")
+}
+
+/// Whether a diagnostic names the place of the damage.
+pub fn is_warned(recording: &Recording) -> bool {
+    recording.diagnostics.iter().any(|known| {
+        matches!(
+            known.code,
+            Code::FileTruncated
+                | Code::SoundMissing
+                | Code::ClockLost
+                | Code::SoundBlank
+                | Code::SamplesNotFinite
+        )
+    })
+}
