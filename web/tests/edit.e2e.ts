@@ -131,7 +131,7 @@ test('an impact can be removed from the list, and a double click adds one', asyn
   await press('Enter');
   await counts(all);
   await page.getByText('edited by hand').waitFor();
-  await page.getByRole('button', { name: 'As heard' }).click();
+  await page.getByRole('button', { name: 'As detected' }).click();
   await counts(all);
   await page.getByText('edited by hand').waitFor({ state: 'detached' });
 });

@@ -156,7 +156,7 @@ test('a call ends the listening with what was heard; until then nothing comes be
   await page.goto(site.url);
   await listen(page);
   await follow(page, 'Simulate');
-  expect(await page.getByRole('button', { name: 'Analyse it as if' }).isDisabled()).toBe(true);
+  expect(await page.getByRole('button', { name: 'Analyse its sound' }).isDisabled()).toBe(true);
   const beside = await context.newPage();
   await beside.goto(site.url);
   await beside.getByRole('button', { name: 'Listen' }).waitFor();
@@ -165,11 +165,11 @@ test('a call ends the listening with what was heard; until then nothing comes be
   await page.getByText(/(\d\d) impacts so far/).waitFor();
   await page.getByRole('button', { name: 'Stop' }).focus();
   await page.evaluate(() => dispatchEvent(new Event('call')));
-  await page.getByText(/was taken away/).waitFor();
+  await page.getByText(/was disconnected/).waitFor();
   await settled(page);
   // The keyboard goes on where the next drop begins.
   expect(await page.locator(':focus').innerText()).toBe('Listen again');
-  expect(await beside.getByText(/was cut short|not in the table/).count()).toBe(0);
+  expect(await beside.getByText(/was interrupted|not in the table/).count()).toBe(0);
 });
 
 test('a page that is closed while it listens loses nothing', async () => {
@@ -177,7 +177,7 @@ test('a page that is closed while it listens loses nothing', async () => {
   await listen(page);
   await page.getByText(/(\d\d) impacts so far/).waitFor();
   await page.reload();
-  await page.getByText(/was cut short/).waitFor();
+  await page.getByText(/was interrupted/).waitFor();
   await page.getByRole('button', { name: 'Open it' }).click();
   await settled(page);
   expect(await page.getByText(/\d+ impacts/).count()).toBeGreaterThan(0);

@@ -67,7 +67,7 @@ test('a browser that may keep nothing opens the page too', async () => {
   });
   const on = await context.newPage();
   await on.goto(`${site.url}#drops`);
-  await on.getByText(/keeps nothing|cannot keep/).waitFor();
+  await on.getByText(/stores nothing|cannot keep/).waitFor();
   await context.close();
 });
 

@@ -1,4 +1,4 @@
-/** Drops that do not exist, and the paper as a toy. */
+/** Simulated drops, and the interactive part of the paper. */
 import { readFileSync } from 'node:fs';
 import type { Browser, Page } from 'playwright-core';
 import { afterAll, afterEach, beforeAll, beforeEach, expect, test } from 'vitest';
@@ -33,7 +33,7 @@ test('a slider changes the words and the address, and the address the sliders', 
   await page.waitForURL(/height_cm=100/);
   await page.getByText(/It bounces 29 times/).waitFor();
   await page.getByLabel('Where').selectOption('moon');
-  await page.getByText('There is no air to slow it down.').waitFor();
+  await page.getByText('There is no air, so there is no terminal speed.').waitFor();
   expect(await page.getByLabel('Air pressure').isDisabled()).toBe(true);
   await page.goto(`${site.url}#simulate?e=0.8&world=mars`);
   await expect.poll(() => page.getByLabel(/^Restitution/).inputValue()).toBe('0.8');
@@ -54,15 +54,15 @@ test('runs are kept, compared and removed', async () => {
 
 test('a simulated drop is analysed as if it were real, and says what was put in', async () => {
   await page.getByText(/It bounces/).waitFor();
-  await page.getByRole('button', { name: 'Analyse it as if it were real' }).click();
+  await page.getByRole('button', { name: 'Analyse its sound' }).click();
   const { kept, fell } = await said(page);
   expect(Math.abs(kept.value - 90)).toBeLessThan(3.5 * kept.sd);
   expect(Math.abs(fell.value - 30.5)).toBeLessThan(3.5 * fell.sd);
 
   await follow(page, 'Simulate');
   await page.getByLabel(/^Restitution/).fill('0.85');
-  await page.getByRole('button', { name: 'Lay it over the measurement' }).click();
-  await page.getByText(/It lies over the measurement now/).click();
+  await page.getByRole('button', { name: 'Compare with the measurement' }).click();
+  await page.getByText(/It is compared with the measurement now/).click();
   await page.getByRole('tab', { name: 'Compare' }).click();
   await page.getByText('The same as numbers').click();
   await page.getByRole('cell', { name: 'your simulation' }).first().waitFor();
@@ -89,18 +89,18 @@ test('a ball that floats is refused in words, and forgetting the settings helps'
   await page.locator('.links button').nth(2).click();
   await page.getByText(/so it floats/).waitFor();
   await page.locator('.settings summary').click();
-  await page.getByRole('button', { name: 'Forget all settings' }).click();
+  await page.getByRole('button', { name: 'Reset all settings' }).click();
   expect((await said(page)).kept.value).toBeCloseTo(95.29, 1);
 });
 
-test('the puzzle of the paper: drag alone misses its height, a falling restitution meets it', async () => {
+test('the discrepancy of the paper: drag alone does not explain the height, a falling restitution does', async () => {
   await page.goto(`${site.url}#paper`);
   await page.getByRole('button', { name: 'constant e, ten flights' }).click();
-  await page.getByText(/The line says e = 0.9375 and h₀ = 28.8.cm/).waitFor();
-  const hit = page.getByText('That is the paper’s result, to its last digit.');
+  await page.getByText(/The fit gives e = 0.9375 and h₀ = 28.8.cm/).waitFor();
+  const hit = page.getByText('That is the result of the paper, to its last digit.');
   expect(await hit.count()).toBe(0);
   await page.getByRole('button', { name: 'e falls with speed, ten flights' }).click();
-  await page.getByText(/The line says e = 0.9375 and h₀ = 26.7.cm/).waitFor();
+  await page.getByText(/The fit gives e = 0.9375 and h₀ = 26.7.cm/).waitFor();
   await hit.waitFor();
   const met = page.getByRole('row').filter({ hasText: 'yes' });
   await expect.poll(() => met.count()).toBe(6);

@@ -145,7 +145,7 @@ describe('whatever the fonts', () => {
 
   test('a part of the address that makes no sense is named', async () => {
     const { page } = await open(browser, `${site.url}#lab?height_cm=tall`);
-    await page.getByText(/not understood and is left out: height_cm/).waitFor();
+    await page.getByText(/are not valid and were ignored: height_cm/).waitFor();
     await page.context().close();
   });
 

@@ -1,4 +1,4 @@
-//! `cargo xtask bench`: how fast it is.
+//! `cargo xtask bench`: benchmarks.
 
 use crate::Result;
 use crate::cargo::{cargo, run as run_command};

@@ -1,4 +1,4 @@
-//! `cargo xtask calibrate`: whether the stated uncertainties hold.
+//! `cargo xtask calibrate`: calibration of the inference.
 
 use crate::Result;
 use crate::cargo::run_example;

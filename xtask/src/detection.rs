@@ -1,4 +1,4 @@
-//! `cargo xtask detection`: how well impacts are detected.
+//! `cargo xtask detection`: the detection benchmark.
 
 use crate::Result;
 use crate::cargo::run_example;

@@ -1,4 +1,4 @@
-//! How long the commands of a chore take, so that it can say in the end which of them take longest.
+//! Measures the commands of a task, and reports the slowest.
 
 use std::fs;
 use std::process::Command;

@@ -1,4 +1,4 @@
-//! `cargo xtask verdicts`: how often verdicts by rule books are wrong.
+//! `cargo xtask verdicts`: rate of wrong verdicts.
 
 use crate::Result;
 use crate::cargo::run_example;

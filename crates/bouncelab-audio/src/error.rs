@@ -6,7 +6,7 @@ use crate::problem::{LayoutProblem, LooksLike, MissingContent, Stage, TimesProbl
 /// What can go wrong between a file and its samples or times.
 ///
 /// Each message says which file, what was wrong with it and what to do next. Faults that leave
-/// something worth hearing are no errors: see [`Warning`](crate::Warning).
+/// something worth knowing are no errors: see [`Warning`](crate::Warning).
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum Error {

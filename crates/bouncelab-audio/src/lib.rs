@@ -1,4 +1,4 @@
-//! Files and microphones to samples.
+//! Reads files and microphones as samples.
 //!
 //! [`Source`] reads a recording of nearly any format as a stream of blocks of `f32` samples, in
 //! memory that does not grow with its length; [`times`] reads impact times that something else

@@ -1,4 +1,4 @@
-//! Samples to a WAV file while they come.
+//! Writes samples to a WAV file during recording.
 
 use std::fs::File;
 use std::io::{self, Seek, SeekFrom, Write};

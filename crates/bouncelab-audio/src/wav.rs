@@ -1,4 +1,4 @@
-//! Samples to WAV files.
+//! Writes WAV files.
 
 use std::fs;
 use std::path::Path;

@@ -31,7 +31,7 @@ fn salvage(bytes: Vec<u8>, name: &str) -> (f64, Vec<Warning>) {
 }
 
 #[test]
-fn a_missing_file_and_a_folder_are_told_apart() {
+fn a_missing_file_and_a_folder_are_distinguished() {
     let missing = Input::open("no/such/file.wav").err().unwrap();
     assert!(matches!(missing, Error::NotFound { .. }));
     assert!(
@@ -139,7 +139,7 @@ fn too_many_channels_are_refused() {
 }
 
 #[test]
-fn of_a_file_cut_short_the_front_is_read_with_a_warning() {
+fn of_a_truncated_file_the_beginning_is_read_with_a_warning() {
     for name in [
         "pcm8.wav",
         "pcm16.wav",

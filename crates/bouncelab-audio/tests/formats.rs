@@ -164,7 +164,7 @@ fn a_source_can_move_to_another_thread() {
 }
 
 #[test]
-fn a_stream_without_lengths_has_no_duration_and_is_not_called_cut_short() {
+fn a_stream_without_lengths_has_no_duration_and_is_not_called_truncated() {
     let (_, source) = decode("browser.webm");
     assert_eq!(source.duration_s(), None);
     assert_eq!(source.warnings(), []);

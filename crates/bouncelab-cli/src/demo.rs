@@ -1,4 +1,4 @@
-//! `bouncelab demo`: a drop from end to end, with the truth beside the result.
+//! `bouncelab demo`: a drop synthesised and analysed, with a comparison of truth and result.
 
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
@@ -18,17 +18,17 @@ use crate::failure::Failure;
 use crate::language::{text, text_with, translator};
 use crate::report::wrote;
 
-/// Make, hear and analyse a drop, and print the truth beside the result
+/// Synthesise and analyse a known drop, and compare the result with the truth
 ///
 /// The drop is that of the paper: a 38 mm table-tennis ball from 30.5 cm, with drag. Its sound is
-/// written to a WAV file, analysed as if it had been recorded, and drawn.
+/// written to a WAV file and analysed like a recording; figures are drawn.
 #[derive(Args)]
 #[command(after_help = EXAMPLES)]
 pub(crate) struct Arguments {
     /// Folder for the recording and the figures
     #[arg(long, value_name = "DIR", default_value = "bouncelab-demo")]
     output: PathBuf,
-    /// Seed of the noise and of the small differences between impacts
+    /// Seed of the noise and of the differences between impacts
     #[arg(long, default_value_t = 1)]
     seed: u64,
 }
@@ -140,14 +140,14 @@ fn comparison(analysed: &Analysed, history: &History, sound: &Rendered) -> Table
     table
 }
 
-/// The largest difference between a flight time heard and the true one.
+/// The largest difference between a measured flight time and the true one.
 fn largest_error(analysed: &Analysed, sound: &Rendered) -> Quantity {
     let truth = sound
         .impacts
         .windows(2)
         .map(|pair| pair[1].time_s - pair[0].time_s);
-    let heard = &analysed.result.drops[0].flights;
-    let errors = heard.iter().map(|flight| {
+    let measured = &analysed.result.drops[0].flights;
+    let errors = measured.iter().map(|flight| {
         let true_s = truth.clone().nth(flight.number - 1).unwrap_or(f64::NAN);
         (flight.time_s - true_s).abs()
     });

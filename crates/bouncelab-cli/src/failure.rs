@@ -1,4 +1,4 @@
-//! How a command fails: what it says on stderr, and its exit status.
+//! Failures of a command: message on stderr and exit status.
 
 use std::io;
 use std::path::Path;
@@ -93,7 +93,7 @@ impl From<bouncelab_session::Error> for Failure {
             )),
             Error::UnknownField { name, known } => {
                 let known = match known.as_slice() {
-                    [] => "nothing noted at all".to_owned(),
+                    [] => "no metadata".to_owned(),
                     _ => known.join(", "),
                 };
                 Self::Usage(format!(
@@ -109,7 +109,7 @@ impl From<bouncelab_session::Error> for Failure {
 mod tests {
     use super::*;
 
-    /// Who has read enough of a CSV hears no complaint, as with any other result.
+    /// A reader that closes the pipe early gets no error, as with any other result.
     #[test]
     fn a_closed_pipe_is_known_behind_csv() {
         let closed = csv::Error::from(io::Error::from(io::ErrorKind::BrokenPipe));

@@ -1,4 +1,4 @@
-//! The arguments that say how a drop begins, bounces and ends.
+//! The arguments for the release, the surface and the end of a simulated drop.
 
 use bouncelab::drag::DragLaw;
 use bouncelab::drop::{Start, Stop};
@@ -35,7 +35,7 @@ pub(crate) struct HistoryArguments {
         help_heading = "Drop"
     )]
     restitution: f64,
-    /// How much the restitution falls for each m/s of impact speed, as in 0.01
+    /// Decrease of restitution per m/s of impact speed, as in 0.01
     #[arg(
         long,
         value_name = "SLOPE",
@@ -50,7 +50,7 @@ pub(crate) struct HistoryArguments {
         help_heading = "Drop"
     )]
     until: Option<f64>,
-    /// Stop after so many bounces
+    /// Stop after this number of bounces
     #[arg(long, value_name = "N", help_heading = "Drop")]
     bounces: Option<usize>,
 }

@@ -1,4 +1,4 @@
-//! The command `bouncelab`: drop a ball near a microphone, get the physics.
+//! The program `bouncelab`: from a recording of a bouncing ball to the physics.
 
 mod analyze;
 mod demo;
@@ -42,11 +42,11 @@ struct Cli {
 
 const EXAMPLES: &str = "\
 Examples:
-  bouncelab demo                                   hear, analyse and draw a made-up drop
-  bouncelab analyze drop.wav                       what a recording says
+  bouncelab demo                                   synthesise, analyse and draw a drop
+  bouncelab analyze drop.wav                       the drops of a recording
   bouncelab analyze drop.m4a --ball tennis --figures figures
-  bouncelab listen                                 hear drops while they happen
-  bouncelab session recordings                     what many drops say together
+  bouncelab listen                                 analyse drops live
+  bouncelab session recordings                     mean and scatter of many drops
   bouncelab verdict --rule ittf-ball drop.wav      does the ball obey the rule?
   bouncelab simulate --height 30.5cm --restitution 0.935";
 

@@ -13,7 +13,7 @@ use crate::failure::Failure;
 use crate::language::{text, translator};
 use crate::report::wrote_figure;
 
-/// Compute every number and figure of the paper, and what it did not say
+/// Recompute every number and figure of the paper, with further results
 ///
 /// The paper is M. Nagurka, "Aerodynamic Effects in a Dropped Ping-Pong Ball Experiment".
 #[derive(Args)]

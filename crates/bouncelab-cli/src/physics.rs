@@ -1,4 +1,4 @@
-//! The arguments that say what falls, through what, and how hard it is pulled.
+//! The arguments for ball, air and gravity.
 
 use bouncelab::ball::Ball;
 use bouncelab::drag::DragLaw;
@@ -19,13 +19,13 @@ pub(crate) struct PhysicsArguments {
     /// (default: table-tennis-40)
     #[arg(long, value_name = "NAME", help_heading = "Ball", conflicts_with_all = ["mass", "diameter"])]
     ball: Option<String>,
-    /// Mass of the ball, as in 2.5g; goes with --diameter
+    /// Mass of the ball, as in 2.5g; requires --diameter
     #[arg(long, allow_hyphen_values = true, value_parser = units::mass, help_heading = "Ball", requires = "diameter")]
     mass: Option<f64>,
-    /// Diameter of the ball, as in 38mm; goes with --mass
+    /// Diameter of the ball, as in 38mm; requires --mass
     #[arg(long, allow_hyphen_values = true, value_parser = units::length, help_heading = "Ball", requires = "mass")]
     diameter: Option<f64>,
-    /// How long the ball touches the surface, as in 1ms (default: typical of the ball)
+    /// Contact time of ball and surface, as in 1ms (default: typical of the ball)
     #[arg(long, value_name = "TIME", allow_hyphen_values = true, value_parser = units::time, help_heading = "Ball")]
     contact_time: Option<f64>,
 
@@ -47,42 +47,42 @@ pub(crate) struct PhysicsArguments {
     /// Relative humidity of the air, as in 50%
     #[arg(long, allow_hyphen_values = true, value_parser = units::share, help_heading = "Air")]
     humidity: Option<f64>,
-    /// Density of the air instead, as in 1.2kg/m3; 0 is vacuum
+    /// Density of the air, instead of the three above, as in 1.2kg/m3; 0 is vacuum
     #[arg(
         long, value_name = "DENSITY", allow_hyphen_values = true, value_parser = units::density, help_heading = "Air",
         conflicts_with_all = ["temperature", "pressure", "humidity"]
     )]
     air_density: Option<f64>,
-    /// Viscosity of the air, as in 18.1uPa.s; goes with --air-density
+    /// Viscosity of the air, as in 18.1uPa.s; requires --air-density
     #[arg(
         long, value_name = "VISCOSITY", allow_hyphen_values = true, value_parser = units::viscosity, help_heading = "Air",
         requires = "air_density"
     )]
     air_viscosity: Option<f64>,
-    /// Leave out the buoyancy of the ball in air
+    /// Neglect the buoyancy of the ball in air
     #[arg(long, help_heading = "Air")]
     no_buoyancy: bool,
-    /// Leave out the mass of the air that moves with the ball
+    /// Neglect the added mass of the air that moves with the ball
     #[arg(long, help_heading = "Air")]
     no_added_mass: bool,
 
-    /// Gravity, as in 9.81 (default: the standard 9.80665 m/s2)
+    /// Acceleration of gravity, as in 9.81 (default: standard gravity, 9.80665 m/s2)
     #[arg(
         long, allow_hyphen_values = true, value_parser = units::acceleration, help_heading = "Gravity",
         conflicts_with_all = ["latitude", "altitude"]
     )]
     gravity: Option<f64>,
-    /// Latitude, from which gravity follows, as in 47.5 or 33.9S
+    /// Latitude, from which gravity is computed, as in 47.5 or 33.9S
     #[arg(long, value_parser = units::latitude, allow_hyphen_values = true, help_heading = "Gravity")]
     latitude: Option<f64>,
-    /// Height above the sea, as in 500m; goes with --latitude
+    /// Height above sea level, as in 500m; requires --latitude
     #[arg(
         long, allow_hyphen_values = true, value_parser = units::length, help_heading = "Gravity",
         requires = "latitude"
     )]
     altitude: Option<f64>,
 
-    /// Believe also what looks like a mistake of units, as a drop from 30.5m or a ball of 2.5kg
+    /// Accept values that look like a wrong unit, as a drop from 30.5m or a ball of 2.5kg
     #[arg(long)]
     allow_implausible: bool,
 }
@@ -130,12 +130,12 @@ impl PhysicsArguments {
         }
     }
 
-    /// Whether to believe what looks like a mistake of units.
+    /// Whether to accept what looks like a wrong unit.
     pub(crate) fn allow_implausible(&self) -> bool {
         self.allow_implausible
     }
 
-    /// What looks like a mistake of units.
+    /// Values that look like a wrong unit.
     fn questions(&self) -> Vec<Diagnostic> {
         let of_ball = self.mass.zip(self.diameter).and_then(|(mass, diameter)| {
             // What is no ball at all is refused as such.

@@ -1,4 +1,4 @@
-//! The arguments that say what is known besides the sounds, and what to ask of the inference.
+//! The arguments for measured quantities, priors and options of the inference.
 
 use bouncelab::Diagnostic;
 use bouncelab::analysis::Options;
@@ -13,7 +13,7 @@ use crate::units;
 
 /// Measurements, priors and questions.
 #[derive(Args, Clone, Debug)]
-#[command(next_help_heading = "Posterior")]
+#[command(next_help_heading = "Inference")]
 pub(crate) struct PriorArguments {
     /// Measured drop height, floor to lowest point of the ball, as in 30.5cm
     #[arg(long, value_name = "LENGTH", allow_hyphen_values = true, value_parser = units::length)]
@@ -21,40 +21,40 @@ pub(crate) struct PriorArguments {
     /// Standard uncertainty of the measured height [default: 2mm]
     #[arg(long, value_name = "LENGTH", allow_hyphen_values = true, value_parser = units::length, requires = "height")]
     height_sd: Option<f64>,
-    /// When the ball was released, in the time of the recording; of several drops, that of the next
+    /// Time of the release in the recording; it applies to the next drop
     #[arg(long, value_name = "TIME", allow_hyphen_values = true, value_parser = units::time)]
     release: Option<f64>,
     /// Standard uncertainty of the release time [default: 5ms]
     #[arg(long, value_name = "TIME", allow_hyphen_values = true, value_parser = units::time, requires = "release")]
     release_sd: Option<f64>,
     /// Restitution laws to consider: constant, linear, power, viscoelastic, knee [default: all that the
-    /// impacts can tell apart]
+    /// number of impacts allows]
     #[arg(long, value_name = "LAWS", value_delimiter = ',', value_parser = law)]
     law: Vec<LawKind>,
-    /// How well an input is known, as in mass=0.1% or drag=0: mass, diameter, air-density, gravity,
-    /// added-mass, drag (around its law), contact-time, timing (the stated errors); scatter=2% is
-    /// what the restitution of this surface typically scatters by
+    /// Relative standard uncertainty of an input, as in mass=0.1% or drag=0: mass, diameter,
+    /// air-density, gravity, added-mass, drag (around its law), contact-time, timing (of the stated
+    /// errors); scatter=2% is the typical scatter of restitution on this surface
     #[arg(long, value_name = "WHAT=SHARE", value_delimiter = ',', value_parser = known)]
     known: Vec<(Input, f64)>,
-    /// Leave this to the data, as if nothing were known of it
+    /// Infer this quantity from the data, with an uninformative prior
     #[arg(long, value_name = "WHAT", value_delimiter = ',', value_enum)]
     infer: Vec<Inferred>,
-    /// State the restitution at this impact speed, as in 2.4m/s [default: the middle of those heard]
+    /// State the restitution at this impact speed, as in 2.4m/s [default: the middle of those detected]
     #[arg(long, value_name = "SPEED", allow_hyphen_values = true, value_parser = impact_speed)]
     at_speed: Option<f64>,
     /// Predict the drop height from which a bounce reaches an apex, as in 2:28cm
     #[arg(long, value_name = "BOUNCE:APEX", value_parser = reach)]
     reach: Vec<ApexTarget>,
-    /// The first impact heard is the first there was
+    /// The first impact detected is the first impact of the drop
     #[arg(long)]
     first_heard: bool,
-    /// Independent draws of the posterior to aim at
+    /// Target number of independent draws of the posterior
     #[arg(long, value_name = "N", default_value_t = 4000, value_parser = clap::value_parser!(u32).range(100..=100_000))]
     draws: u32,
     /// Seed of the random numbers of the inference
     #[arg(long, value_name = "N", default_value_t = 1)]
     seed: u64,
-    /// Leave the inference out, for speed
+    /// Skip the inference, for speed
     #[arg(long, conflicts_with_all = ["reach", "at_speed", "infer"])]
     no_inference: bool,
 }
@@ -62,7 +62,7 @@ pub(crate) struct PriorArguments {
 /// What may be left to the data.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 enum Inferred {
-    /// The acceleration of gravity; the first impact heard then counts as the first
+    /// The acceleration of gravity; implies --first-heard
     Gravity,
     /// The drag coefficient
     Drag,

@@ -1,4 +1,4 @@
-//! `bouncelab rules`: which rules there are, and what each says.
+//! `bouncelab rules`: the known rules, and the contents of each.
 
 use std::io::{self, Write};
 use std::path::PathBuf;
@@ -11,7 +11,7 @@ use unicode_width::UnicodeWidthStr;
 use crate::failure::Failure;
 use crate::language::{text, text_with, translator};
 
-/// List the rules that verdicts know, or show one
+/// List the rules for verdicts, or show one
 #[derive(Args)]
 #[command(after_help = EXAMPLES)]
 pub(crate) struct Arguments {
@@ -27,14 +27,14 @@ Examples:
 
 #[derive(Subcommand)]
 enum What {
-    /// One line for each rule
+    /// List the rules, one per line
     List {
         #[command(flatten)]
         files: Files,
     },
-    /// Everything about a rule
+    /// Show all of a rule
     Show {
-        /// Its name
+        /// Name of the rule
         #[arg(value_name = "RULE")]
         name: String,
         #[command(flatten)]
@@ -45,7 +45,7 @@ enum What {
 /// Rules of one's own.
 #[derive(Args, Clone, Debug)]
 pub(crate) struct Files {
-    /// Rules of your own, beside those built in; the format is in docs/rulebooks.md
+    /// A file with rules of your own, used besides those built in; see docs/rulebooks.md
     #[arg(long, value_name = "FILE.toml")]
     rules: Vec<PathBuf>,
 }
@@ -54,18 +54,7 @@ impl Files {
     /// The rules that are built in, and those of the files; a rule of a file replaces one of the same
     /// name.
     pub(crate) fn read(&self) -> Result<Vec<Rule>, Failure> {
-        let mut all = rules::built_in()?;
-        for path in &self.rules {
-            let name = path.display().to_string();
-            let text = std::fs::read_to_string(path).map_err(|reason| {
-                Failure::Input(format!("cannot read the rules {name}: {reason}"))
-            })?;
-            for rule in rules::read(&text, &name)? {
-                all.retain(|other| other.name != rule.name);
-                all.push(rule);
-            }
-        }
-        Ok(all)
+        Ok(rules::all(&self.rules)?)
     }
 }
 

@@ -8,17 +8,17 @@ use tiny_http::{Header, Method, Request, Response, Server, StatusCode};
 
 use crate::failure::Failure;
 
-/// Serve the laboratory to the browser of this computer
+/// Serve the browser laboratory on this computer
 ///
-/// The page runs in the browser; nothing leaves the computer, and no other one can reach it. Ends
-/// with Ctrl-C.
+/// The page runs in the browser; no data leave the computer, and other computers cannot reach it.
+/// Ctrl-C stops it.
 #[derive(Args)]
 #[command(after_help = EXAMPLES)]
 pub(crate) struct Arguments {
-    /// The port to serve at; 0 takes any that is free
+    /// Port of the server; 0 takes any free port
     #[arg(long, value_name = "PORT", default_value_t = 7878)]
     port: u16,
-    /// Only serve: do not open the browser
+    /// Do not open the browser
     #[arg(long)]
     no_open: bool,
 }

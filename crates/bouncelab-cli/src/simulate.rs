@@ -1,4 +1,4 @@
-//! `bouncelab simulate`: from ball, air and surface to the history of a drop.
+//! `bouncelab simulate`: from ball, air and surface to the trajectory of a drop.
 
 use std::io::{self, Write};
 use std::path::PathBuf;
@@ -24,7 +24,7 @@ use crate::report::wrote_figure;
 pub(crate) struct Arguments {
     #[command(flatten)]
     history: HistoryArguments,
-    /// Simulate with this drag law too, for comparison; may be repeated
+    /// Simulate also with this drag law, for comparison; may be repeated
     #[arg(long, value_name = "LAW", value_parser = drag_law)]
     compare: Vec<DragLaw>,
     /// How to print the result; JSON is documented in docs/json.md

@@ -1,4 +1,4 @@
-//! `bouncelab synth`: a recording of a drop, without a microphone.
+//! `bouncelab synth`: the synthetic recording of a drop.
 
 use std::ffi::OsStr;
 use std::io::{self, Write};
@@ -18,29 +18,29 @@ use crate::language::text_with;
 use crate::physics::PhysicsArguments;
 use crate::units;
 
-/// Make a recording of a drop as a WAV file, without a microphone
+/// Synthesise the recording of a drop as a WAV file
 ///
-/// The same arguments and seed give the same recording. The true impact times can be written
-/// beside it, in a form that `analyze` reads.
+/// The same arguments and seed give the same recording. `--truth` writes the true impact times in a
+/// form that `analyze` reads.
 #[derive(Args)]
 #[command(after_help = EXAMPLES)]
 pub(crate) struct Arguments {
     /// The recording to write
     #[arg(value_name = "OUT.wav", value_parser = wav())]
     output: PathBuf,
-    /// Write the true impact times too, as .txt, .csv or .json
+    /// Write the true impact times, as .txt, .csv or .json
     #[arg(long, value_name = "FILE")]
     truth: Option<PathBuf>,
-    /// Overwrite files that exist
+    /// Overwrite existing files
     #[arg(long)]
     force: bool,
-    /// Seed of everything random
+    /// Seed of the random numbers
     #[arg(long, default_value_t = 1, help_heading = "Sound")]
     seed: u64,
-    /// What an impact sounds like: table-tennis, steel-ball, basketball or tennis
+    /// Sound of an impact: table-tennis, steel-ball, basketball or tennis
     #[arg(long, default_value = "table-tennis", help_heading = "Sound", value_parser = voice)]
     voice: Voice,
-    /// How far the first impact stands above the noise, in dB
+    /// Signal-to-noise ratio of the first impact, in dB
     #[arg(
         long,
         value_name = "DB",
@@ -49,7 +49,7 @@ pub(crate) struct Arguments {
         help_heading = "Sound"
     )]
     snr: f64,
-    /// Colour of the background noise
+    /// Spectrum of the background noise
     #[arg(long, value_enum, default_value_t = Background::Pink, help_heading = "Sound")]
     noise: Background,
     /// Mains hum of this frequency in Hz, 20 dB below the first impact
@@ -60,10 +60,10 @@ pub(crate) struct Arguments {
         help_heading = "Sound"
     )]
     hum: Option<f64>,
-    /// Reverberation that falls by 60 dB in this time, as in 0.4s
+    /// Reverberation time (decay by 60 dB), as in 0.4s
     #[arg(long, value_name = "TIME", allow_hyphen_values = true, value_parser = units::time, help_heading = "Sound")]
     reverb: Option<f64>,
-    /// Clicks that are no impact, so many a second
+    /// Clicks per second that are not impacts
     #[arg(
         long,
         value_name = "RATE",
@@ -71,10 +71,10 @@ pub(crate) struct Arguments {
         help_heading = "Sound"
     )]
     clicks: Option<f64>,
-    /// Share of the impacts that is not heard, as in 10%
+    /// Share of the impacts left out of the sound, as in 10%
     #[arg(long, value_name = "SHARE", allow_hyphen_values = true, value_parser = units::share, help_heading = "Sound")]
     lost: Option<f64>,
-    /// Cut the signal off at this share of full scale, as in 50%
+    /// Clip the signal at this share of full scale, as in 50%
     #[arg(long, value_name = "SHARE", allow_hyphen_values = true, value_parser = units::share, help_heading = "Sound")]
     clip: Option<f64>,
     /// Time before the release, as in 0.5s
@@ -83,7 +83,7 @@ pub(crate) struct Arguments {
     /// Time after the last impact, as in 0.5s
     #[arg(long, value_name = "TIME", default_value = "0.5s", allow_hyphen_values = true, value_parser = units::time, help_heading = "Sound")]
     tail: f64,
-    /// Samples a second
+    /// Sample rate
     #[arg(
         long,
         value_name = "HZ",
@@ -91,7 +91,7 @@ pub(crate) struct Arguments {
         help_heading = "Sound"
     )]
     sample_rate: u32,
-    /// Bits of a sample
+    /// Sample format
     #[arg(long, value_enum, default_value_t = Bits::Sixteen, help_heading = "Sound")]
     bits: Bits,
     #[command(flatten)]
@@ -109,9 +109,9 @@ Examples:
 
 #[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
 enum Background {
-    /// The same power in every hertz
+    /// Equal power per hertz
     White,
-    /// The same power in every octave, as most rooms
+    /// Equal power per octave, as in most rooms
     Pink,
 }
 
@@ -205,10 +205,10 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
         write(file, format.text(&sound).as_bytes())?;
     }
     let seconds = sound.samples.len() as f64 / f64::from(sound.sample_rate_hz);
-    let heard = sound.impacts.iter().filter(|impact| !impact.lost).count();
+    let audible = sound.impacts.iter().filter(|impact| !impact.lost).count();
     let made = [
         ("file", arguments.output.display().to_string().into()),
-        ("count", heard.into()),
+        ("count", audible.into()),
         ("seconds", Value::fixed(seconds, 1)),
         ("rate", sound.sample_rate_hz.into()),
         ("seed", arguments.seed.into()),

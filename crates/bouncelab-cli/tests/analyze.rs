@@ -168,12 +168,12 @@ fn a_drop_left_out_by_hand_is_gone_and_another_may_come() {
 }
 
 #[test]
-fn what_was_chosen_in_listening_is_told_and_can_be_overridden() {
+fn the_detected_channel_and_band_are_stated_and_can_be_overridden() {
     let folder = TempDir::new().unwrap();
     let file = recording(&folder);
     let details = analyze(&file).arg("--details").assert().success();
     details.stdout(predicate::str::contains(
-        "20 impacts were detected, clearest from ",
+        "20 impacts were detected, with the highest contrast from ",
     ));
     let low = json(analyze(&file).args(["--band", "..1500"]));
     let fit = &low["drops"][0]["log_linear_fit"];
@@ -319,7 +319,7 @@ fn sounds_without_a_drop_say_why() {
         })
         .collect();
     let clock = synth::render(&clock, &Scene::default(), 5).unwrap();
-    no_drop(&quiet("clock.wav", &clock.samples), "keep time");
+    no_drop(&quiet("clock.wav", &clock.samples), "are periodic");
 }
 
 /// A recording of which every sample is NaN, as no writer would make it.

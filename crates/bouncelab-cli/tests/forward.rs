@@ -210,7 +210,7 @@ fn paper_prints_the_numbers_and_draws_the_figures() {
 }
 
 #[test]
-fn demo_hears_what_it_made() {
+fn demo_recovers_the_drop_that_it_synthesised() {
     let folder = TempDir::new().unwrap();
     bouncelab(&["demo", "--output"])
         .arg(folder.path())

@@ -101,7 +101,7 @@ fn what_is_wrong_with_a_played_file_is_said_though_its_drop_is_over() {
     play(&file)
         .assert()
         .success()
-        .stderr(predicate::str::contains("drop.wav: The file is cut short"));
+        .stderr(predicate::str::contains("drop.wav: The file is truncated"));
 }
 
 #[test]
@@ -163,7 +163,7 @@ fn a_release_after_every_drop_is_of_none() {
 }
 
 #[test]
-fn each_drop_is_told_of_in_turn_and_stands_in_the_table() {
+fn each_drop_is_reported_in_turn_and_in_the_table() {
     let folder = TempDir::new().unwrap();
     let file = three_drops(&folder);
     let output = play(&file).args(["--format", "json"]).output().unwrap();
@@ -211,7 +211,7 @@ fn in_real_time_it_takes_as_long_as_it_sounded() {
 }
 
 #[test]
-fn what_is_heard_is_saved_as_it_was_and_never_over_another_file() {
+fn the_sound_is_saved_unchanged_and_never_over_another_file() {
     let folder = TempDir::new().unwrap();
     let file = one_drop(&folder);
     let saved = folder.path().join("saved here.wav");
@@ -390,7 +390,7 @@ mod unix {
             .assert()
             .success()
             .stdout(predicate::str::contains("15 impacts"))
-            .stderr(predicate::str::contains("saved no more").count(1));
+            .stderr(predicate::str::contains("saving the sound failed").count(1));
         let saved = samples(&saved);
         assert!(saved.len() > RATE_HZ as usize / 3, "{}", saved.len());
         assert_eq!(saved, samples(&file)[..saved.len()]);
@@ -426,7 +426,7 @@ mod microphone {
     }
 
     #[test]
-    fn a_drop_is_heard_through_the_microphone_and_saved_bit_by_bit() {
+    fn a_drop_is_detected_through_the_microphone_and_saved_bit_by_bit() {
         let folder = TempDir::new().unwrap();
         let samples = sound(&[0.0], 0.88, 5.0);
         let system = sound_system(&folder, &samples);
@@ -448,7 +448,7 @@ mod microphone {
     }
 
     #[test]
-    fn the_sound_goes_to_a_file_named_by_the_date_unless_told_otherwise() {
+    fn the_sound_goes_to_a_file_named_by_the_date_by_default() {
         let folder = TempDir::new().unwrap();
         let system = sound_system(&folder, &sound(&[0.0], 0.88, 1.0));
         let recordings = || {
@@ -473,7 +473,7 @@ mod microphone {
     }
 
     #[test]
-    fn a_killed_listener_leaves_a_recording_of_what_it_heard() {
+    fn a_killed_program_leaves_its_recording() {
         let folder = TempDir::new().unwrap();
         let samples = sound(&[0.0], 0.88, 1.0);
         let system = sound_system(&folder, &samples);

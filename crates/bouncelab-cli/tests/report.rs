@@ -68,5 +68,5 @@ fn what_cannot_be_written_is_said_before_any_work() {
         .args(["analyze", "drop.txt", "drop.txt", "--report", "a.html"])
         .assert()
         .code(2)
-        .stderr(predicate::str::contains("a report is of one recording"));
+        .stderr(predicate::str::contains("a report is for one recording"));
 }

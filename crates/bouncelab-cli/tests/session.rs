@@ -143,7 +143,7 @@ fn a_broken_session_file_has_a_line_and_a_column() {
 }
 
 #[test]
-fn mistakes_of_units_are_questioned_and_can_be_insisted_on() {
+fn implausible_units_are_rejected_unless_allowed() {
     let notes = "[all]\nheight = \"30.5 m\"\nball = \"own\"\n[balls.own]\nmass = \"2.5kg\"\ndiameter = \"38mm\"\n";
     let workspace = Workspace::new(&[("session.toml", notes)]);
     workspace.record("a.wav", 1);
@@ -270,7 +270,7 @@ fn an_output_that_cannot_be_written_is_said_at_once() {
 }
 
 #[test]
-fn what_has_changed_is_heard_again() {
+fn a_changed_recording_is_analysed_again() {
     let workspace = Workspace::new(&[]);
     workspace.record("a.wav", 1).record("b.wav", 2);
     let again = |more: &[&str], kept: &str| {

@@ -66,7 +66,7 @@ fn every_command_asks() {
 }
 
 #[test]
-fn who_insists_is_believed() {
+fn implausible_values_can_be_allowed() {
     bouncelab()
         .args(["simulate", "--height", "100m", "--allow-implausible"])
         .assert()
@@ -86,9 +86,9 @@ fn a_recording_knows_a_wrong_height() {
         String::from_utf8(output.stdout).unwrap()
     };
     for slip in ["3.05m", "3.05cm"] {
-        assert!(said(slip).contains("as if 30.5"), "{slip}");
+        assert!(said(slip).contains("; 30.5"), "{slip}");
     }
     for right in ["30.5cm", "33cm", "27cm"] {
-        assert!(!said(right).contains("was meant"), "{right}");
+        assert!(!said(right).contains("may be meant"), "{right}");
     }
 }

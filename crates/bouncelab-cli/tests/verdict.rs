@@ -110,7 +110,7 @@ fn a_report_says_what_the_screen_says() {
     let (html, markdown) = (read("verdict.html"), read("verdict.md"));
     for words in [
         decided,
-        "guarded acceptance",
+        "Guarded acceptance",
         "ITTF, rules for balls",
         "24 to 26 cm",
         "contact time, which is no flight",
@@ -164,7 +164,7 @@ fn a_floor_takes_a_reference() {
         .assert()
         .code(4)
         .stdout(predicate::str::contains(
-            "recordings of the same ball on it",
+            "recordings of the same ball on that surface",
         ));
     verdict(
         &folder,
@@ -227,7 +227,7 @@ fn wrong_input_is_questioned() {
     );
     refused(
         &["--rule", "futsal-ball", "good.txt"],
-        "names no ball that is known",
+        "names no known ball",
     );
     refused(
         &["--rule", "ittf-ball", "good.txt", "./good.txt"],
@@ -250,7 +250,7 @@ fn wrong_input_is_questioned() {
     .assert()
     .code(4)
     .stdout(predicate::str::contains(
-        "The rule takes 5 drops, and there is 1",
+        "The rule needs 5 drops, and there is 1",
     ));
     verdict(
         &folder,
@@ -259,7 +259,7 @@ fn wrong_input_is_questioned() {
     .assert()
     .code(4)
     .stdout(predicate::str::contains(
-        "10.0 \u{b0}C is not a temperature at which",
+        "10.0 \u{b0}C is outside the temperature range",
     ));
     verdict(&folder, &["--rule", "ittf-ball", "nothing.wav"])
         .assert()
@@ -352,5 +352,5 @@ fn a_rule_of_heights_takes_no_reference() {
     verdict(&folder, &arguments)
         .assert()
         .code(2)
-        .stderr(predicate::str::contains("leave out --reference"));
+        .stderr(predicate::str::contains("omit --reference"));
 }

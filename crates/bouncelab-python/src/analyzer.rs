@@ -140,7 +140,7 @@ impl Analyzer {
             Detector::with_options(sample_rate_hz, frames.channels, &options.detection)?;
         let mut watch = Watch::new(report);
         let seconds = |frames: usize| frames as f64 / f64::from(sample_rate_hz);
-        let whole_s = Some(seconds(frames.frames));
+        let whole_s = Some(seconds(frames.length));
         for part in frames.blocks() {
             let end = part.end;
             let block = frames.read(part)?;

@@ -20,6 +20,16 @@ pub(crate) fn colour(meaning: &str) -> Result<String> {
 
 #[pymethods]
 impl Chart {
+    /// A chart from what `json` gives.
+    #[new]
+    fn from_json(json: &str) -> Result<Self> {
+        Ok(Self(serde_json::from_str(json)?))
+    }
+
+    fn __getnewargs__(&self) -> Result<(String,)> {
+        Ok((self.json()?,))
+    }
+
     /// What it shows, as data.
     fn json(&self) -> Result<String> {
         Ok(serde_json::to_string(&self.0)?)

@@ -63,12 +63,13 @@ impl From<serde_json::Error> for Failure {
 impl From<Failure> for PyErr {
     fn from(failure: Failure) -> Self {
         match failure {
-            Failure::Science(error) => of_science(&error),
+            Failure::Science(error) | Failure::Report(bouncelab_report::Error::Physics(error)) => {
+                of_science(&error)
+            }
             Failure::Audio(error @ bouncelab_audio::Error::NotFound { .. }) => {
                 RecordingNotFoundError::new_err(error.to_string())
             }
             Failure::Audio(error) => RecordingError::new_err(error.to_string()),
-            Failure::Report(bouncelab_report::Error::Physics(error)) => of_science(&error),
             Failure::Report(error) => OutputError::new_err(error.to_string()),
             Failure::Session(error) => SessionError::new_err(error.to_string()),
             Failure::Output(reason) => OutputError::new_err(reason),

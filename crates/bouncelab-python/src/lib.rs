@@ -3,7 +3,8 @@
 //! The package in `python/` is what people see: typed and documented. What crosses over is plain: settings
 //! and results as JSON (the schema `bouncelab.analysis/2`), tables as streams of Arrow, numbers as bytes.
 //! Whatever takes long runs without the lock of the interpreter, and asks between two steps whether to go on.
-//! No thread is started here: whoever calls has the threads, so that the module is safe after a fork.
+//! Whoever calls has the threads; those of a session end before it returns, so that the module is safe after
+//! a fork.
 //!
 //! | module | question it answers |
 //! |---|---|
@@ -17,8 +18,15 @@
 //! | `recording` | what is there to know of a result? |
 //! | `physics` | what do the formulas give? |
 //! | `simulation` | what would a drop do, and how would it sound? |
+//! | `session` | what do many recordings say together? |
+//! | `verdict` | does a ball or a floor obey a rule? |
 
+#![forbid(unsafe_code)]
 #![allow(missing_debug_implementations, reason = "Python shows its own objects")]
+#![allow(
+    clippy::needless_pass_by_value,
+    reason = "what Python hands over is converted into values"
+)]
 
 mod analyzer;
 mod chart;
@@ -27,8 +35,10 @@ mod failure;
 mod physics;
 mod recording;
 mod samples;
+mod session;
 mod simulation;
 mod table;
+mod verdict;
 mod watch;
 
 #[pyo3::pymodule]
@@ -42,13 +52,18 @@ mod _core {
     #[pymodule_export]
     use super::physics::{
         air, balls, code_names, drag_coefficient, drag_laws, gravity_m_s2, languages, message,
+        require_known,
     };
     #[pymodule_export]
     use super::recording::Recording;
     #[pymodule_export]
+    use super::session::Session;
+    #[pymodule_export]
     use super::simulation::{Simulation, write_wav};
     #[pymodule_export]
     use super::table::Table;
+    #[pymodule_export]
+    use super::verdict::{Judge, Verdict, rules_built_in};
 
     #[pymodule_export]
     #[expect(non_upper_case_globals, reason = "the name is that of Python modules")]

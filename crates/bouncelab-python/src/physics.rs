@@ -20,6 +20,21 @@ pub(crate) fn translator(language: &str) -> Result<Translator> {
     })
 }
 
+/// Refuses a name that is not among those that are known.
+#[pyfunction]
+pub(crate) fn require_known(kind: &str, name: &str, known: Vec<String>) -> Result<()> {
+    let kind = if kind == "language" {
+        "language"
+    } else {
+        "figure"
+    };
+    let known: Vec<&str> = known.iter().map(String::as_str).collect();
+    if known.contains(&name) {
+        return Ok(());
+    }
+    Err(bouncelab::Error::unknown_name(kind, name, &known).into())
+}
+
 /// The languages of messages.
 #[pyfunction]
 pub(crate) fn languages() -> Vec<&'static str> {

@@ -90,6 +90,10 @@ impl Recording {
         }
     }
 
+    pub(crate) fn name(&self) -> &str {
+        &self.name
+    }
+
     pub(crate) fn result(&self) -> &bouncelab::Recording {
         self.result.get_or_init(|| match &self.kept {
             Some(kept) => kept.analyze(&self.analyzer.setup.options),
@@ -210,27 +214,23 @@ impl Recording {
     /// Names of the figures of a drop, or of the recording as a whole.
     #[pyo3(signature = (drop = None))]
     fn figure_names(&self, drop: Option<usize>) -> Vec<&'static str> {
-        match drop {
-            Some(drop) => figure::of_drop(&self.subject(drop))
-                .map(|it| it.name)
-                .collect(),
-            None => {
-                let charts = self.own_charts(&Translator::english()).into_iter();
-                charts.map(|(name, _)| name).collect()
-            }
+        if let Some(drop) = drop {
+            let subject = self.subject(drop);
+            return figure::of_drop(&subject).map(|it| it.name).collect();
         }
+        let charts = self.own_charts(&Translator::english()).into_iter();
+        charts.map(|(name, _)| name).collect()
     }
 
     /// A figure of a drop, or of the recording as a whole.
     #[pyo3(signature = (name, language, drop = None))]
     fn figure(&self, name: &str, language: &str, drop: Option<usize>) -> Result<Chart> {
         let words = translator(language)?;
-        let chart = match drop {
-            Some(drop) => figure::chart(name, &self.subject(drop), &words),
-            None => {
-                let mut charts = self.own_charts(&words).into_iter();
-                charts.find(|(own, _)| *own == name).map(|(_, chart)| chart)
-            }
+        let chart = if let Some(drop) = drop {
+            figure::chart(name, &self.subject(drop), &words)
+        } else {
+            let mut charts = self.own_charts(&words).into_iter();
+            charts.find(|(own, _)| *own == name).map(|(_, chart)| chart)
         };
         let unknown = || {
             let known = self.figure_names(drop);

@@ -8,40 +8,41 @@ use pyo3::types::PySlice;
 
 use crate::failure::Result;
 
-/// So many samples are copied at once: a few milliseconds of work, in 4 MB.
-const MOST_COPIED: usize = 1 << 20;
+/// So many samples are copied at once: a few milliseconds of work, in 1 MB.
+const MOST_COPIED: usize = 1 << 18;
 
 /// An array of frames, each with a sample of every channel: 32-bit floats in the order of C. It is read in
 /// blocks, so that it is never copied as a whole, and another thread that writes to it does no harm.
 pub(crate) struct Frames<'py> {
     array: Bound<'py, PyAny>,
-    pub(crate) frames: usize,
+    pub(crate) length: usize,
     pub(crate) channels: usize,
 }
 
 impl<'py> Frames<'py> {
     pub(crate) fn new(array: Bound<'py, PyAny>) -> Result<Self> {
-        let (frames, channels) = array.getattr("shape")?.extract()?;
+        let (length, channels) = array.getattr("shape")?.extract()?;
         Ok(Self {
             array,
-            frames,
+            length,
             channels,
         })
     }
 
     /// The blocks in which to read.
     pub(crate) fn blocks(&self) -> impl Iterator<Item = Range<usize>> + use<> {
-        let frames = self.frames;
-        let length = (MOST_COPIED / self.channels.max(1)).max(1);
-        (0..frames)
-            .step_by(length)
-            .map(move |start| start..frames.min(start + length))
+        let length = self.length;
+        let step = (MOST_COPIED / self.channels.max(1)).max(1);
+        (0..length)
+            .step_by(step)
+            .map(move |start| start..length.min(start + step))
     }
 
     /// The samples of a block, one list for each channel.
     pub(crate) fn read(&self, block: Range<usize>) -> Result<Vec<Vec<f32>>> {
         let py = self.array.py();
-        let part = PySlice::new(py, block.start as isize, block.end as isize, 1);
+        let (start, end) = (block.start.cast_signed(), block.end.cast_signed());
+        let part = PySlice::new(py, start, end, 1);
         let part = PyBuffer::<f32>::get(&self.array.get_item(part)?)?.to_vec(py)?;
         if self.channels == 1 {
             return Ok(vec![part]);

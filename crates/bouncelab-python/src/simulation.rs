@@ -180,7 +180,7 @@ pub(crate) fn write_wav(
     sample_rate_hz: u32,
 ) -> Result<()> {
     let frames = Frames::new(samples)?;
-    let samples = frames.read(0..frames.frames)?;
+    let samples = frames.read(0..frames.length)?;
     let channels: Vec<&[f32]> = samples.iter().map(Vec::as_slice).collect();
     let wav = encode_wav(sample_rate_hz, SampleFormat::Int16, &channels)?;
     write_whole(&path, &wav).map_err(|reason| {

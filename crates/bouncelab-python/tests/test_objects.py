@@ -7,6 +7,8 @@ import dataclasses
 import pickle
 import subprocess
 import sys
+import tempfile
+from pathlib import Path
 
 import cloudpickle
 import numpy as np
@@ -14,6 +16,14 @@ import pytest
 from conftest import TIMES_S
 
 import bouncelab as bl
+
+
+def study() -> bl.Study:
+    with tempfile.TemporaryDirectory() as folder:
+        for seed in range(2):
+            sound = bl.synthesize(bounces=8, restitution=0.8, seed=seed)
+            sound.save(Path(folder) / f"{seed}.wav")
+        return bl.session(folder, ball="table-tennis-40", draws=100)
 
 
 def everything() -> dict[str, object]:
@@ -31,7 +41,8 @@ def everything() -> dict[str, object]:
         posterior.drag_coefficient_prior, posterior.impacts[0], posterior.models[0], posterior.budget,
         posterior.budget.restitution[0], posterior.predictions[0], posterior.prior_contraction[0],
         posterior.correlations, posterior.sampling, posterior.band[0], posterior.priors[0], band, sound,
-        sound.simulation,
+        sound.simulation, bl.rules()[0],
+        bl.verdict([sound.samples], "ittf-ball", sample_rate_hz=44_100, draws=100), study(),
     ]  # fmt: skip
     assert drop.per_impact is not None
     objects.append(drop.per_impact.impacts[0])

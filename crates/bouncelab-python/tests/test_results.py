@@ -75,6 +75,16 @@ def test_matplotlib_draws_every_panel_of_every_figure(recording: bl.Recording) -
             pyplot.close(axes.figure)
 
 
+@pytest.mark.filterwarnings("ignore")
+def test_arviz_takes_the_draws(times: bl.Recording) -> None:
+    pytest.importorskip("arviz")
+    drop = times.drops[0]
+    posterior = drop.draws.to_arviz().posterior
+    assert set(posterior.data_vars) == set(drop.draws.names)
+    assert dict(posterior.sizes) == {"chain": 1, "draw": len(drop.draws)}
+    assert (posterior["restitution"].values[0] == drop.draws["restitution"]).all()
+
+
 def test_reports_and_answers_are_in_the_language_of_the_reader(times: bl.Recording) -> None:
     assert times.report().startswith("<!DOCTYPE html>")
     assert times.report("markdown", "de").startswith("# times")

@@ -1,6 +1,6 @@
 //! Calibration of the inference by simulation.
 //!
-//! Thousands of drops are drawn from the priors, heard with noise, and inferred. If the inference is
+//! Thousands of drops are drawn from the priors, observed with noise, and inferred. If the inference is
 //! honest, the truth lies within its 68 and 95 % intervals that often, and its rank among the draws
 //! of the posterior is uniform (S. Talts et al., arXiv 1804.06788).
 //!
@@ -35,7 +35,7 @@ use rand_distr::StandardNormal;
 enum Scenario {
     /// Times good to 50 µs, normal scatter.
     Clean,
-    /// Times good to 1 ms, one impact in ten unheard.
+    /// Times good to 1 ms, one impact in ten missed.
     NoisyWithGaps,
     /// Scatter with two exponential tails.
     HeavyTails,
@@ -103,7 +103,7 @@ fn environment() -> Environment {
     }
 }
 
-/// A drop from the priors; `None` if it is too short to be heard as one.
+/// A drop from the priors; `None` if it is too short to be detected as one.
 fn drawn(scenario: Scenario, rng: &mut ChaCha8Rng) -> Option<Drop> {
     let settings = Options::default();
     let (known, nominal) = (priors(), environment());
@@ -134,9 +134,9 @@ fn drawn(scenario: Scenario, rng: &mut ChaCha8Rng) -> Option<Drop> {
     let mut time_s = 0.0;
     let mut impacts = Vec::new();
     for number in 1..=MOST_IMPACTS {
-        let unheard = scenario == Scenario::NoisyWithGaps && rng.random::<f64>() < 0.1;
+        let missed = scenario == Scenario::NoisyWithGaps && rng.random::<f64>() < 0.1;
         let off = normal(rng);
-        if number == 1 || !unheard {
+        if number == 1 || !missed {
             impacts.push(
                 Impact::new(number, time_s + sigma_s * off).with_time_sd_s(scenario.sigma_s()),
             );

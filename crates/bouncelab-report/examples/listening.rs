@@ -1,4 +1,4 @@
-//! Draws how well the listener hears: from what `benchmarks/compare.py` printed, the comparison of
+//! Draws the detection benchmark: from what `benchmarks/compare.py` printed, the comparison of
 //! detectors; from what `cargo xtask detection timing` printed, the errors of the times.
 //!
 //! ```sh

@@ -1,4 +1,4 @@
-//! How signs and exponents of numbers are written.
+//! Formats signs and exponents of numbers.
 
 /// A number with a true minus sign, and none before zero.
 pub(crate) fn with_minus(number: &str) -> String {

@@ -1,4 +1,4 @@
-//! What can go wrong when results are drawn, saved and judged.
+//! Errors of drawing, saving and reading rules.
 
 use std::path::PathBuf;
 
@@ -29,7 +29,15 @@ pub enum Error {
         /// What the drawing library said.
         problem: String,
     },
-    /// A file of rules cannot be read.
+    /// A file of rules cannot be opened.
+    #[error("cannot read the rules {file}: {source}; check the name")]
+    Unreadable {
+        /// The file.
+        file: String,
+        /// What the operating system said.
+        source: std::io::Error,
+    },
+    /// A file of rules makes no sense.
     #[error("{file}, line {line}, column {column}: {problem}")]
     Rules {
         /// The file, or what the rules are called.

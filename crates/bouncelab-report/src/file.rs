@@ -1,4 +1,4 @@
-//! Files that appear whole or not at all.
+//! Writes files completely or not at all.
 //!
 //! A file is written beside its place under a hidden name, and renamed when it is on the disk. A reader
 //! sees the old file or the new one, never a part, whatever interrupts the program.

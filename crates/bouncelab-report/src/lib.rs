@@ -1,4 +1,4 @@
-//! Figures, tables, documents and reports: how bouncelab shows what it found.
+//! Figures, tables, documents and reports of the results of bouncelab.
 //!
 //! A figure is a [`Chart`]: data that describes what is shown. One renderer draws any chart as SVG or
 //! PNG, and the page draws the same description so that it can be zoomed.
@@ -26,25 +26,25 @@
 //!
 //! The modules, each using only those before it:
 //!
-//! | module | question it answers |
+//! | module | what it does |
 //! |---|---|
-//! | [`error`](Error) | what can go wrong |
-//! | [`messages`] | what people read, by id and language |
-//! | [`units`] | which quantity somebody wrote down |
-//! | `digits` | how signs and exponents are written |
-//! | [`quantity`](Quantity) | how many digits, and which prefix |
-//! | [`table`](Table) | how numbers stand under each other |
-//! | [`theme`] | what a colour means |
-//! | `scale` | where a value lies on an axis, and which values get a tick |
-//! | [`chart`] | what a chart shows, as data |
-//! | `render` | how a chart is drawn |
-//! | [`figure`] | which chart shows what: one file a figure |
-//! | [`file`](mod@file) | files that appear whole or not at all |
+//! | [`error`](Error) | errors |
+//! | [`messages`] | messages by id and language |
+//! | [`units`] | reads quantities with units |
+//! | `digits` | signs and exponents |
+//! | [`quantity`](Quantity) | digits and prefixes |
+//! | [`table`](Table) | plain-text tables |
+//! | [`theme`] | meanings of colours |
+//! | `scale` | scales and ticks |
+//! | [`chart`] | charts as data |
+//! | `render` | draws charts |
+//! | [`figure`] | the figures, one file each |
+//! | [`file`](mod@file) | writes files completely or not at all |
 //! | [`save()`] | charts as files |
-//! | [`rules`] | which rules there are, built in and in files |
-//! | [`tables`] | which tables an analysis has |
+//! | [`rules`] | rules, built in and in files |
+//! | [`tables`] | tables of an analysis |
 //! | [`document`] | an analysis as data for other programs |
-//! | [`paper`] | what the paper says, and what its numbers are |
+//! | [`paper`] | the paper, recomputed |
 //! | [`report`] | an analysis as a page to read, print and repeat |
 //!
 //! All but [`file`](mod@file) and [`save()`] work in a browser. The feature `png` (on by default) adds

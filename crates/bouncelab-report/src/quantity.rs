@@ -1,4 +1,4 @@
-//! How many digits a number deserves, and which prefix its unit.
+//! Rounds numbers according to their uncertainty, and chooses the prefix of their unit.
 //!
 //! The rule for an uncertainty: one significant digit, or two when it begins with 1 or 2
 //! (there one digit would change it by up to half); the value ends at the same place. So a

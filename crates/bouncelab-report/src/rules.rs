@@ -1,4 +1,4 @@
-//! Rules as files: which there are, built in and written by others.
+//! Rules as files: those built in and those of users.
 //!
 //! The format is TOML, `bouncelab.rules/1`; docs/rulebooks.md describes it.
 //!
@@ -22,6 +22,8 @@
 //! ```
 
 use std::ops::Range;
+#[cfg(not(target_family = "wasm"))]
+use std::path::PathBuf;
 
 use bouncelab::rulebook::{Averaging, Evenness, Formula, Limits, Point, Requirement, Rule, Status};
 use serde::Deserialize;
@@ -57,6 +59,28 @@ pub fn built_in() -> Result<Vec<Rule>> {
         rules.extend(read(text, file)?);
     }
     Ok(rules)
+}
+
+/// The rules that are built in, and those of files; a rule of a file replaces one of the same name.
+///
+/// # Errors
+///
+/// [`Error::Unreadable`] for a file that cannot be read, and those of [`read`].
+#[cfg(not(target_family = "wasm"))]
+pub fn all(files: &[PathBuf]) -> Result<Vec<Rule>> {
+    let mut all = built_in()?;
+    for path in files {
+        let file = path.display().to_string();
+        let text = std::fs::read_to_string(path).map_err(|source| Error::Unreadable {
+            file: file.clone(),
+            source,
+        })?;
+        for rule in read(&text, &file)? {
+            all.retain(|other| other.name != rule.name);
+            all.push(rule);
+        }
+    }
+    Ok(all)
 }
 
 /// The rules of a file.

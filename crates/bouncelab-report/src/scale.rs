@@ -1,6 +1,6 @@
-//! Where a value lies on an axis, and which values get a tick.
+//! The scale of an axis, and its ticks.
 
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 use crate::digits::{superscript, with_minus};
 
@@ -12,7 +12,7 @@ const MOST_TICKS: usize = 60;
 const LARGEST: f64 = 1e100;
 
 /// Which values an axis shows, and how they lie on it.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 pub struct Scale {
     kind: Kind,
@@ -20,7 +20,7 @@ pub struct Scale {
     high: f64,
 }
 
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 #[serde(rename_all = "kebab-case")]
 enum Kind {

@@ -1,4 +1,4 @@
-//! Which tables an analysis has: the same numbers in the terminal, in reports and in the browser.
+//! The tables of an analysis, for terminal, reports and browser.
 
 use bouncelab::Estimate;
 use bouncelab::analysis::{CONFIDENT_PROBABILITY, Drop};

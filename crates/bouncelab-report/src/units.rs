@@ -1,4 +1,4 @@
-//! Quantities with units, as people write them: `30.5cm`, `2.7 g`, `1013 hPa`, `-5C`.
+//! Reads quantities with units: `30.5cm`, `2.7 g`, `1013 hPa`, `-5C`.
 //!
 //! A number without a unit is in SI. In arguments, files and forms alike; what is wrong is said in
 //! words that can be shown as they are.

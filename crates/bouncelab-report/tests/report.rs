@@ -171,7 +171,7 @@ fn a_recording_without_a_drop_says_why() {
     };
     let html =
         report::of_recording(&recording, &Provenance::default(), &Translator::english()).html();
-    assert!(html.contains("No drop was found: No sound stands out of the background."));
+    assert!(html.contains("No drop was found: No sound stands out from the background."));
 }
 
 /// The text of an HTML file without its head, its code and the title.

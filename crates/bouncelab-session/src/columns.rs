@@ -1,4 +1,4 @@
-//! The tables of a session and of one recording: what their columns are, and what stands in them.
+//! The columns of the tables of a session and of one recording.
 
 #![expect(
     clippy::type_complexity,
@@ -130,10 +130,10 @@ const SETTINGS: &[Fixed<fn(&DropRow<'_>) -> Cell>] = columns! { |row: DropRow<'_
     settings_sha256: Text [""] "hash of the settings" = Some(row.key.settings.to_string());
 };
 
-/// What a drop says of itself, up to its restitution.
+/// The columns of a drop, up to its restitution.
 const OF_A_DROP: &[Fixed<fn(&DropRecord) -> Cell>] = columns! { |row: DropRecord|
-    start_s: Number ["s"] "time of the first impact heard" = Some(row.impacts.first()?.impact.time_s);
-    impacts: Count [""] "impacts heard" = Some(row.impacts.len());
+    start_s: Number ["s"] "time of the first impact detected" = Some(row.impacts.first()?.impact.time_s);
+    impacts: Count [""] "impacts detected" = Some(row.impacts.len());
     probability: Number [""] "that it is a drop" = Some(row.probability);
     speed_m_s: Number ["m/s"] "impact speed of `restitution`: the middle of this drop"
         = Some(row.known()?.at_speed_m_s);
@@ -165,7 +165,7 @@ const MORE_OF_A_DROP: &[Fixed<fn(&DropRecord) -> Cell>] = columns! { |row: DropR
         = Some(row.known()?.restitution_scatter.value);
     scatter_sd: Number [""] "its standard uncertainty" = row.known()?.restitution_scatter.known_sd();
     timing_s: Number ["s"] "root mean square error of the times" = Some(row.known()?.timing_s.value);
-    missed_first: Count [""] "most probable number of impacts missed before the first one heard"
+    missed_first: Count [""] "most probable number of impacts missed before the first one detected"
         = row.known()?.missed_first();
     converged: Flag [""] "whether the sampling can be trusted" = Some(row.known()?.converged);
     height_contradicts: Flag [""] "whether the noted height contradicts the flight times"

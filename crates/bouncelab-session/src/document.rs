@@ -1,4 +1,4 @@
-//! What a session says as data for other programs: the schema `bouncelab.session/2`.
+//! The result of a session as data for programs: the schema `bouncelab.session/2`.
 //!
 //! The study is that of [`bouncelab::groups`], with names where that has places.
 
@@ -30,7 +30,7 @@ pub struct AboutSession {
     pub title: Option<String>,
     /// How many recordings there are.
     pub recordings: usize,
-    /// How many drops were heard.
+    /// How many drops were detected.
     pub drops: usize,
     /// Recordings without a drop, with the reason.
     pub without_drop: Vec<Reason>,

@@ -1,4 +1,4 @@
-//! What can go wrong with a session.
+//! Errors of a session.
 
 use std::path::{Path, PathBuf};
 
@@ -46,7 +46,7 @@ pub enum Error {
         /// All that is wrong, one line for each.
         problem: String,
     },
-    /// There is nothing to hear.
+    /// There are no recordings.
     #[error("{what}; name recordings, a folder that holds some, or a session.toml")]
     NoRecordings {
         /// Where was looked.
@@ -86,7 +86,7 @@ pub enum Error {
         name: String,
     },
     /// Nothing is noted of a field by which drops were to be grouped.
-    #[error("nothing is noted of \"{name}\"")]
+    #[error("there are no metadata of \"{name}\"")]
     UnknownField {
         /// The field.
         name: String,

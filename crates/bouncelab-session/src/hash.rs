@@ -1,4 +1,4 @@
-//! Hashes: of the content of recordings, and of whatever else a result depends on.
+//! Hashes of the content of recordings, and of the settings.
 
 use std::fmt;
 use std::fs::File;

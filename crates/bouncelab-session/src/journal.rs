@@ -1,4 +1,4 @@
-//! Results as they come, in a file that survives being killed.
+//! A journal of results that survives a crash.
 //!
 //! Every result is one line: a checksum and a JSON object. A line that was cut off, or damaged, does
 //! not fit its checksum and counts as never written; all others are as good as new. A result is

@@ -1,27 +1,29 @@
-//! Many recordings with what was noted of each, and their results as tables.
+//! Many recordings with their metadata, and their results as tables.
 //!
-//! | module | question it answers |
+//! | module | what it does |
 //! |---|---|
-//! | [`Error`] | what can go wrong? |
-//! | [`name`](name()) | what is a file called, whatever bytes its name is made of? |
-//! | [`Pattern`] | what does a file name say? |
-//! | `notes` | what does a TOML file or a CSV say? |
-//! | [`Session`] | which recordings are there, and what was said of each? |
-//! | [`Metadata`] | what do the notes mean? |
-//! | [`hash`] | what tells contents and settings apart? |
-//! | [`Record`] | what does one recording say? |
-//! | [`journal`] | which results are there already? |
-//! | [`complete`] | what is left to do for one recording? |
-//! | [`Outcome`] | what do the drops say together? |
-//! | [`SessionDocument`] | what do they say, for other programs? |
-//! | [`table`] | how is a table written as Parquet, CSV and JSON lines? |
-//! | [`write_tables`], [`tables`], [`RecordingTables`] | what stands in the tables of a session, or of one recording? |
+//! | [`Error`] | the errors |
+//! | [`name`](name()) | file names as text |
+//! | [`Pattern`] | metadata in file names |
+//! | `notes` | metadata in a TOML file or a CSV |
+//! | [`Session`] | the recordings and their metadata |
+//! | [`Metadata`] | metadata as quantities |
+//! | [`hash`] | hashes of contents and settings |
+//! | [`Record`] | the result of one recording |
+//! | [`journal`] | the results so far |
+//! | [`complete`] | analyses one recording if needed |
+//! | [`Outcome`] | statistics of the drops |
+//! | [`figures()`] | figures of the statistics |
+//! | [`SessionDocument`] | the statistics as JSON |
+//! | [`table`] | tables as Parquet, CSV and JSON lines |
+//! | [`write_tables`], [`tables`], [`RecordingTables`] | the tables of a session, and of one recording |
 
 #![warn(missing_docs)]
 
 mod columns;
 mod document;
 mod error;
+mod figures;
 pub mod hash;
 pub mod journal;
 mod metadata;
@@ -38,6 +40,7 @@ mod work;
 pub use columns::{RecordingTables, tables, write_tables};
 pub use document::{AboutSession, Reason, SessionDocument};
 pub use error::{Error, Result};
+pub use figures::figures;
 pub use metadata::{Advice, KnownRecording, Metadata, MetadataOptions, Noted};
 pub use name::{name, some_of};
 pub use notes::{Note, Notes};

@@ -1,9 +1,9 @@
-//! What the notes of recordings mean, and what is wrong with them.
+//! The metadata of recordings as quantities, and their checks.
 
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 use std::sync::Arc;
 
-use bouncelab::setup::Setup;
+use bouncelab::setup::{Settings, Setup};
 use bouncelab::{Diagnostic, Options, ball, plausibility};
 use bouncelab_report::messages::Translator;
 use bouncelab_report::units;
@@ -110,6 +110,47 @@ pub struct Noted {
     pub height_m: Option<f64>,
     /// Standard uncertainty of the drop height, m.
     pub height_sd_m: Option<f64>,
+}
+
+impl Noted {
+    /// What holds for all recordings, with what was noted of this one, which goes before.
+    ///
+    /// # Errors
+    /// If the diameter of a ball of steel or glass is none.
+    ///
+    /// ```
+    /// use bouncelab::setup::Settings;
+    /// use bouncelab_session::Noted;
+    ///
+    /// let of_all = Settings { height_m: Some(0.3), height_sd_m: Some(0.01), ..Settings::default() };
+    /// let noted = Noted { height_m: Some(0.4), ball: Some("steel:10mm".to_owned()), ..Noted::default() };
+    /// let both = noted.complete(&of_all)?;
+    /// assert_eq!((both.height_m, both.height_sd_m), (Some(0.4), None));
+    /// assert_eq!(both.ball.as_deref(), Some("steel:0.01"));
+    /// # Ok::<(), String>(())
+    /// ```
+    pub fn complete(&self, of_all: &Settings) -> std::result::Result<Settings, String> {
+        let mut both = of_all.clone();
+        if let Some(name) = &self.ball {
+            both.ball = Some(match name.split_once(':') {
+                Some((material, diameter)) => format!("{material}:{}", units::length(diameter)?),
+                None => name.clone(),
+            });
+            both.mass_kg = None;
+            both.diameter_m = None;
+        }
+        both.mass_kg = self.mass_kg.or(both.mass_kg);
+        both.diameter_m = self.diameter_m.or(both.diameter_m);
+        both.contact_time_s = self.contact_time_s.or(both.contact_time_s);
+        both.temperature_k = self.temperature_k.or(both.temperature_k);
+        both.pressure_pa = self.pressure_pa.or(both.pressure_pa);
+        both.relative_humidity = self.relative_humidity.or(both.relative_humidity);
+        // The uncertainty of one height is not that of another.
+        let of_all_sd_m = both.height_sd_m.filter(|_| self.height_m.is_none());
+        both.height_sd_m = self.height_sd_m.or(of_all_sd_m);
+        both.height_m = self.height_m.or(both.height_m);
+        Ok(both)
+    }
 }
 
 /// How notes are read.

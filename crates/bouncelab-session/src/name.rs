@@ -1,4 +1,4 @@
-//! Names of files as text, whatever bytes they are made of.
+//! File names as text, for any bytes.
 
 use std::fmt::Write as _;
 use std::path::Path;

@@ -1,4 +1,4 @@
-//! What was noted of recordings, in a TOML file or a CSV.
+//! Reads metadata of recordings from a TOML file or a CSV.
 
 use std::borrow::Cow;
 use std::collections::{BTreeMap, BTreeSet};

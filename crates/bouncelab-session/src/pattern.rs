@@ -1,4 +1,4 @@
-//! What a file name says, by a pattern such as `{ball}_{surface}_{height}_{}`.
+//! Reads metadata from file names, by a pattern such as `{ball}_{surface}_{height}_{}`.
 
 use crate::error::{Error, Result};
 

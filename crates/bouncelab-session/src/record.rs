@@ -1,4 +1,4 @@
-//! What is kept of one recording, and the work that makes it.
+//! The record of one recording, and the analysis that makes it.
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::Path;
@@ -86,7 +86,7 @@ pub struct PosteriorRecord {
     pub restitution_scatter: Estimate,
     /// Root mean square standard error of the times, s.
     pub timing_s: Estimate,
-    /// Probabilities of 0, 1, 2, ... impacts before the first one heard.
+    /// Probabilities of 0, 1, 2, ... impacts before the first one detected.
     pub missed_first_impacts: Option<Vec<f64>>,
     /// Whether the sampling can be trusted.
     pub converged: bool,
@@ -225,7 +225,7 @@ impl From<&Posterior> for PosteriorRecord {
 }
 
 impl PosteriorRecord {
-    /// The most probable number of impacts missed before the first one heard.
+    /// The most probable number of impacts missed before the first one detected.
     pub fn missed_first(&self) -> Option<usize> {
         let numbered = self.missed_first_impacts.as_ref()?.iter().enumerate();
         let likeliest = numbered.max_by(|a, b| a.1.total_cmp(b.1))?;

@@ -1,4 +1,4 @@
-//! Which recordings there are, and what was noted of each.
+//! Finds the recordings and their metadata.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
@@ -202,7 +202,7 @@ impl Index {
                 "\"{named}\" is the name of several recordings; write the folder too"
             )),
             None => Err(format!(
-                "speaks of \"{named}\", but there is no such recording; is it misspelt, or in \
+                "names \"{named}\", but there is no such recording; is it misspelt, or in \
                  another folder?"
             )),
         }
@@ -411,7 +411,7 @@ mod tests {
     }
 
     #[test]
-    fn nothing_to_hear_is_said() {
+    fn no_recordings_are_an_error() {
         let empty = folder(&[("notes.txt", "")]);
         assert!(matches!(gather(&empty), Err(Error::NoRecordings { .. })));
         let missing = Sources {

@@ -1,4 +1,4 @@
-//! What the drops of a session say together.
+//! Statistics of the drops of a session.
 
 use std::cmp::Ordering;
 use std::collections::BTreeMap;

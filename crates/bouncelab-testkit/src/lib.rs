@@ -1,4 +1,4 @@
-//! What the tests, benchmarks and fuzz targets of the workspace share.
+//! Code shared by the tests, benchmarks and fuzz targets of the workspace.
 //!
 //! Only dev-dependencies point here, so no user of the other crates builds it. It panics where a
 //! library would return an error: only tests call it.

@@ -1,4 +1,4 @@
-//! What do the impacts say?
+//! Analyses impacts.
 
 use bouncelab::Recording;
 use bouncelab::analysis::{Drop, DropTask, Plan};

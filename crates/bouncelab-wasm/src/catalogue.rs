@@ -1,4 +1,4 @@
-//! What is there to choose from?
+//! The choices of the settings: balls, laws and others.
 
 use bouncelab::air::{Air, Conditions};
 use bouncelab::analysis::CONFIDENT_PROBABILITY;

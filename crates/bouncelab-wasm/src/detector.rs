@@ -1,4 +1,4 @@
-//! Which drops are in a recording?
+//! Detects the drops of a recording.
 
 use bouncelab::analysis::{DetectionOptions, DropTask, Gap, Plan};
 use bouncelab::onset::OnsetDetector;

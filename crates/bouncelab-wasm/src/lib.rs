@@ -1,23 +1,23 @@
-//! bouncelab for the browser: the laboratory's engine.
+//! The engine of the browser laboratory.
 //!
-//! The page never sees this crate: a worker does, and hands on what a page asks for. What is asked
-//! and answered is plain data: the result types of the science, and [`wire`]. The example
-//! `types` writes them as types of TypeScript. The modules answer in Rust, so that they are tested like everything
-//! else; `engine` and `decoders`, which exist on wasm only, turn their answers into JSON and arrays.
+//! A worker of the page calls this crate. Requests and responses are plain data: the result types of the
+//! science, and [`wire`]. The example `types` writes them as types of TypeScript. The modules have Rust
+//! interfaces, so that they are tested like all other code; `engine` and `decoders`, on wasm only, convert
+//! to JSON and arrays.
 //!
-//! It is compiled twice, with the feature `engine` and with the feature `decoders`: nearly half of it
-//! all are decoders, which a page needs only once a file is opened.
+//! It is compiled twice, with the feature `engine` and with the feature `decoders`: nearly half of
+//! the size are decoders, which a page needs only when a file is opened.
 //!
-//! | module | question it answers |
+//! | module | what it does |
 //! |---|---|
-//! | [`wire`] | what does the page ask, and what is answered besides results? |
-//! | [`refusal`] | why was it not done? |
-//! | [`catalogue`] | what is there to choose from? |
-//! | [`pyramid`] | how loud is it, at any zoom? |
-//! | [`spectrogram`] | how does the energy lie over time and frequency? |
-//! | [`detector`] | which drops are in a recording? |
-//! | [`analyst`] | what do the impacts say? |
-//! | [`simulator`] | what would a drop do, and how would it sound? |
+//! | [`wire`] | requests and responses |
+//! | [`refusal`] | reasons for a refused request |
+//! | [`catalogue`] | choices of the settings |
+//! | [`pyramid`] | envelope at any zoom |
+//! | [`spectrogram`] | spectrogram |
+//! | [`detector`] | drops of a recording |
+//! | [`analyst`] | analysis of impacts |
+//! | [`simulator`] | simulated drops and their sound |
 
 #![allow(
     missing_debug_implementations,

@@ -1,4 +1,4 @@
-//! How loud is it, at any zoom?
+//! The envelope of a sound, at any zoom.
 
 /// Samples in a bin of the finest level.
 const FINEST: usize = 64;

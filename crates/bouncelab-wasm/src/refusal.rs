@@ -1,4 +1,4 @@
-//! Why was it not done?
+//! Reasons for a refused request.
 
 use bouncelab::Diagnostic;
 use bouncelab_audio::{Error, LayoutProblem, LooksLike, MissingContent, Stage, TimesProblem};

@@ -1,4 +1,4 @@
-//! What would a drop do, and how would it sound?
+//! Simulates drops and their sound.
 
 use bouncelab::analysis::Options;
 use bouncelab::demo;

@@ -1,4 +1,4 @@
-//! How does the energy lie over time and frequency?
+//! Computes spectrograms.
 
 use rustfft::algorithm::Radix4;
 use rustfft::num_complex::Complex;

@@ -1,4 +1,4 @@
-//! What goes between the page and the science, as data.
+//! Requests and responses between the page and the science, as data.
 //!
 //! Everything is SI with the unit in the name, and `null` is what cannot be told. The page has the
 //! same types in `web/src/lab/engine/types.ts`, which is made from these.

@@ -29,7 +29,7 @@ fn main() -> Result<(), Box<dyn Error>> {
             drop.probability
         );
         let line = drop.log_linear_fit.clone()?;
-        println!("straight line  e = {:.4}", line.restitution.value);
+        println!("log-linear fit e = {:.4}", line.restitution.value);
         let posterior = drop.posterior.clone()?;
         let (e, height_m) = (posterior.restitution, posterior.drop_height_m);
         println!("posterior      e = {:.4} ± {:.4}", e.value, e.sd);

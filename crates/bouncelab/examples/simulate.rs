@@ -23,7 +23,7 @@ fn main() -> Result<()> {
     let times_s: Vec<f64> = history.strikes().map(|strike| strike.time_s).collect();
     for drop in analyze_times(&times_s, &options).drops {
         println!(
-            "straight line: e = {:.4}",
+            "log-linear fit: e = {:.4}",
             drop.log_linear_fit?.restitution.value
         );
         println!(

@@ -1,4 +1,4 @@
-//! What it falls through: density and viscosity of air.
+//! Density and viscosity of air.
 //!
 //! ```
 //! use bouncelab::air::{Air, Conditions};

@@ -1,4 +1,4 @@
-//! What falls: mass, diameter, presets with their source.
+//! The ball: mass, diameter, presets with their source.
 //!
 //! ```
 //! use bouncelab::ball::{self, Ball};

@@ -1,4 +1,4 @@
-//! A drop to try things with, of which the truth is known: the one of the paper, made of sound.
+//! A synthesised drop with known truth: that of the paper.
 //!
 //! ```
 //! use bouncelab::demo;
@@ -21,9 +21,9 @@ use crate::synth::{self, Noise, Rendered, Scene};
 pub const BALL: &str = "table-tennis-38";
 /// The paper's drop height in metres.
 pub const DROP_HEIGHT_M: f64 = 0.305;
-/// With drag, this restitution gives the paper's straight line its slope over ten flights.
+/// With drag, this restitution gives the paper's log-linear fit its slope over ten flights.
 pub const RESTITUTION: f64 = 0.9529;
-/// First and last flight of the paper's straight line.
+/// First and last flight of the paper's log-linear fit.
 pub const FLIGHTS: (u32, u32) = (1, 10);
 /// A quiet room, in dB.
 const SNR_DB: f64 = 40.0;

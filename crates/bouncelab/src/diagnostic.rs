@@ -1,4 +1,4 @@
-//! What there is to know about a result, as data.
+//! Warnings, assumptions and reasons, as data.
 //!
 //! Every warning, note, reason and question of the science is a [`Diagnostic`]: a stable [`Code`], a
 //! [`Severity`] and named arguments. Programs filter by the code; the words for people, in any
@@ -185,7 +185,7 @@ codes! {
     // Of a recording.
     /// The recording holds no sound: all samples have the same value.
     RecordingSilent = "recording-silent", Error, [];
-    /// No sound stands out of the background.
+    /// No sound stands out from the background.
     NoSound = "no-sound", Error, [];
     /// Fewer sounds stand out than it takes to distinguish a drop from chance.
     TooFewSounds = "too-few-sounds", Error, ["count", "needed"];

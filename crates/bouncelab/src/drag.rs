@@ -1,4 +1,4 @@
-//! C<sub>D</sub> at a Reynolds number: one enum of named laws.
+//! Drag laws: C<sub>D</sub> against the Reynolds number.
 //!
 //! All named laws are for a smooth sphere in a steady stream. Those that reach Reynolds numbers from
 //! 1e3 to 1e4, where small balls bounce, scatter there by about 3 % (standard deviation): that is how

@@ -1,4 +1,4 @@
-//! A whole history: release to rest.
+//! The motion of a drop from release to rest.
 //!
 //! ```
 //! use bouncelab::drop::{self, Start, Stop};

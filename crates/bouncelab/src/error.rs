@@ -1,4 +1,4 @@
-//! What can go wrong in the science.
+//! The errors of this crate.
 
 use std::ops::Range;
 
@@ -51,7 +51,7 @@ pub enum Error {
 
     /// The ball is faster than the chosen drag law knows.
     #[error(
-        "the drag law {law} is known up to Reynolds number {max_reynolds:.3e}, but the ball reaches \
+        "the drag law {law} is valid up to Reynolds number {max_reynolds:.3e}, but the ball reaches \
          {reynolds:.3e}; choose a law with a wider range (clift-grace-weber has no upper end) or a \
          slower ball"
     )]
@@ -68,7 +68,7 @@ pub enum Error {
     /// The air that the ball displaces weighs as much as the ball, so it never comes down.
     #[error(
         "the ball weighs {mass_kg} kg and displaces {displaced_kg} kg of air, so it floats; check \
-         mass and diameter, or switch buoyancy off"
+         mass and diameter, or neglect buoyancy"
     )]
     #[non_exhaustive]
     Floats {
@@ -91,9 +91,9 @@ pub enum Error {
         apex_m: f64,
     },
 
-    /// A straight line needs two points.
+    /// A log-linear fit needs two flights.
     #[error(
-        "a straight line through log flight time needs at least 2 flights, but there are {flights}; \
+        "a log-linear fit of the flight times needs at least 2 flights, but there are {flights}; \
          use a recording with at least 3 impacts, or a wider range of flights"
     )]
     #[non_exhaustive]
@@ -103,7 +103,7 @@ pub enum Error {
     },
 
     /// A mean of no drops, or more means than drops can tell.
-    #[error("this takes {needed} drops or more, and there are {drops}")]
+    #[error("this needs {needed} drops or more, and there are {drops}")]
     #[non_exhaustive]
     TooFewDrops {
         /// How many it takes.
@@ -139,7 +139,7 @@ pub enum Error {
     },
 
     /// A rule that judges each drop cannot compare with a reference.
-    #[error("a share of a reference is one of means: single drops have none")]
+    #[error("a share of a reference compares means: single drops have no share")]
     EachOfReference,
 
     /// Two flights carry the same number, or impacts are not in order.
@@ -160,10 +160,10 @@ pub enum Error {
 #[non_exhaustive]
 pub enum InferenceFailure {
     /// No inference was asked for.
-    #[error("no inference was asked for")]
+    #[error("no inference was requested")]
     NotRequested,
     /// There is no flight.
-    #[error("an inference takes a flight, and a flight takes two impacts; there are {impacts}")]
+    #[error("an inference needs at least one flight, that is two impacts; there are {impacts}")]
     TooFewImpacts {
         /// How many impacts there are.
         impacts: usize,
@@ -184,23 +184,21 @@ pub enum InferenceFailure {
     FlightTooLong,
     /// The ball would gain speed in most impacts.
     #[error(
-        "the ball would gain speed at each impact, which no surface at rest gives; are the times in \
+        "the ball would gain speed at most impacts, which is impossible on a surface at rest; are the times in \
          order, in seconds, and of one drop?"
     )]
     GainsSpeed,
     /// No physical model explains the times.
     #[error(
-        "no physical model explains these times; are they of one drop, in seconds, and is the ball \
-         the right one?"
+        "no physical model fits these times; are they of one drop, in seconds, and is the ball \
+         right?"
     )]
     NoModelFits,
     /// No draw of the posterior explains the times.
-    #[error(
-        "the posterior could not be sampled: no draw explains the times; are they of one drop?"
-    )]
+    #[error("the posterior could not be sampled: no draw fits the times; are they of one drop?")]
     SamplingFailed,
     /// All drops stand in one group, or the groups cannot be separated.
-    #[error("the variances of these groups cannot be told apart")]
+    #[error("the variances of these groups cannot be separated")]
     Confounded,
 }
 

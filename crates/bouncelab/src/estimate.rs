@@ -1,4 +1,4 @@
-//! A number found from data, with its uncertainty.
+//! An estimate: a value with its uncertainty.
 
 use statrs::distribution::{ContinuousCDF, Normal, StudentsT};
 

@@ -1,4 +1,4 @@
-//! One flight: launch speed to time, apex and impact speed, and back.
+//! One flight: duration, apex and impact speed from the launch speed, and the inverse.
 //!
 //! A [`FlightModel`] is a ball in its surroundings. Where the drag coefficient is constant (or there
 //! is no drag) every answer is the exact closed form of the paper (Eqs. 11 to 17), written so that
@@ -25,7 +25,7 @@
 //! // Dropped from 30.5 cm it arrives with 2.405 m/s (Eq. 15).
 //! assert_eq!(format!("{:.3}", model.fall(0.305)?.impact_speed_m_s), "2.405");
 //!
-//! // The silence between two impacts tells the launch speed.
+//! // The time between two impacts gives the launch speed.
 //! let flight = model.from_flight_time(0.4272)?;
 //! assert!((flight.time_s() - 0.4272).abs() < 1e-15);
 //! assert!(flight.impact_speed_m_s < flight.launch_speed_m_s);

@@ -1,4 +1,4 @@
-//! How hard it is pulled.
+//! Acceleration of gravity.
 
 use crate::error::{Result, require};
 

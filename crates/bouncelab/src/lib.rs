@@ -1,5 +1,5 @@
-//! The physics of a bouncing ball from its sound: a recording in, and out come the impacts, the
-//! coefficient of restitution, the drop height and the drag of the air, each with its uncertainty.
+//! Estimates the physics of a bouncing ball from its sound: the impact times, the coefficient of
+//! restitution, the drop height and the air drag, each with its uncertainty.
 //!
 //! ```
 //! use bouncelab::{Options, analyze, ball};
@@ -21,32 +21,32 @@
 //! | from | to | by |
 //! |---|---|---|
 //! | samples | a [`Recording`] with its drops | [`analyze`], [`analyze_channels`] |
-//! | samples as they come | the same, and what they say so far | [`Detector`], then [`analysis::Plan`] |
+//! | samples as they come | the same, and the result so far | [`Detector`], then [`analysis::Plan`] |
 //! | impact times | the same | [`analyze_times`] |
 //! | ball, air and surface | flights, heights and times | [`drop::simulate`](drop::simulate()) |
 //! | impacts | samples | [`synth::render`] |
 //!
 //! It implements the experiment of M. Nagurka ("Aerodynamic Effects in a Dropped Ping-Pong Ball
-//! Experiment", 2003): a ball is heard only when it hits, yet the pauses between the hits tell how high it
-//! rose, how much of its speed each impact kept, from what height it was dropped and how much the air held
-//! it back. This crate computes both ways, from the physics to the sound and back.
+//! Experiment", 2003): the times between the impacts give the apex of each flight, the restitution of each
+//! impact, the drop height and the air drag. This crate computes in both directions, from the physics to the
+//! sound and back.
 //!
 //! # Modules
 //!
-//! An **impact** is a contact with the surface, a **flight** the time between two, a **drop** the
-//! whole history, a **train** the impacts of one drop as detected, an **onset** a candidate for an
-//! impact. Data passes through the modules in this order, and a module uses only those above it:
+//! An **impact** is a contact with the surface, a **flight** the motion between two impacts, a **drop** the
+//! motion from release to rest, a **train** the impacts of one drop as detected, an **onset** a candidate
+//! for an impact. Data passes through the modules in this order, and a module uses only those above it:
 //!
-//! | module | question that it answers |
+//! | module | what it computes |
 //! |---|---|
-//! | [`diagnostic`], [`Estimate`] | what there is to know about a result; a number with its uncertainty |
-//! | [`ball`] | what falls: mass, diameter, presets with their source |
-//! | [`air`], [`gravity`] | what it falls through and how hard it is pulled |
+//! | [`diagnostic`], [`Estimate`] | warnings and assumptions as data; a value with its uncertainty |
+//! | [`ball`] | mass and diameter of the ball, presets with their source |
+//! | [`air`], [`gravity`] | density and viscosity of the air, acceleration of gravity |
 //! | [`drag`] | C<sub>D</sub> at a Reynolds number |
-//! | [`flight`] | launch speed to time, apex and impact speed; and back |
-//! | [`impact`] | what a bounce keeps |
-//! | [`drop`](mod@drop) | release to rest; height at any time; totals |
-//! | [`synth`] | a history as sound, with noise of known strength |
+//! | [`flight`] | duration, apex and impact speed from the launch speed; and the inverse |
+//! | [`impact`] | restitution laws and contact time |
+//! | [`drop`](mod@drop) | motion from release to rest; height at any time; totals |
+//! | [`synth`] | sound of a drop, with noise of known level |
 //! | [`onset`] | samples to onset candidates |
 //! | [`train`] | which candidates are the impacts of one drop |
 //! | [`detection`] | a stream of samples to trains |
@@ -54,11 +54,11 @@
 //! | [`restitution`] | the restitution of each impact, corrected for drag |
 //! | [`inference`] | the posterior of everything that the impacts determine |
 //! | [`analysis`] | the pipeline: samples or times to a [`Recording`] |
-//! | [`plausibility`] | which stated values look like mistakes of units |
-//! | [`groups`] | what many drops say together |
-//! | [`rulebook`] | whether a ball or a floor obeys a rule |
-//! | [`setup`] | what a person states, and what is assumed |
-//! | [`demo`] | a drop whose truth is known |
+//! | [`plausibility`] | stated values that look like wrong units |
+//! | [`groups`] | statistics of many drops |
+//! | [`rulebook`] | conformity of a ball or a floor with a rule |
+//! | [`setup`] | stated quantities and assumptions |
+//! | [`demo`] | a drop with known truth |
 //!
 //! # Features
 //!
@@ -69,7 +69,7 @@
 //!
 //! # Conventions
 //!
-//! Quantities are in SI units and say so in their names (`height_m`, `speed_m_s`). Bad input is an
+//! Quantities are in SI units, given in their names (`height_m`, `speed_m_s`). Bad input is an
 //! [`Error`] that says what to do, never a panic. There are no files, clocks, threads or prints in
 //! here: the same crate runs in a browser. Spin, sideways motion and uneven surfaces are out of
 //! scope: the ball goes straight up and down.

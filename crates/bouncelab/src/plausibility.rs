@@ -1,4 +1,4 @@
-//! Stated values that look like mistakes of units.
+//! Finds stated values that look like wrong units.
 //!
 //! What is out of the ordinary is questioned by a [`Diagnostic`], before anything is computed from it.
 //!

@@ -1,4 +1,4 @@
-//! The paper's straight line, Eqs. 4 to 8.
+//! The log-linear fit of the paper, Eqs. 4 to 8.
 //!
 //! Without drag and with a constant coefficient of restitution e, the flight times of a drop shrink
 //! by the same factor: log T<sub>n</sub> = n log e + log(2 v₀/g) (Eq. 4). A straight line through

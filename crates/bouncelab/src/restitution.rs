@@ -1,4 +1,4 @@
-//! Drag-per_impact restitution of each impact.
+//! The restitution of each impact, corrected for drag.
 //!
 //! A flight time gives the launch speed and the impact speed of its flight exactly, once ball and
 //! air are known. Every impact between two heard flights so has its own coefficient of restitution,

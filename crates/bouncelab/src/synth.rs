@@ -1,4 +1,4 @@
-//! A history as sound, with noise of known strength.
+//! Synthesises the sound of a drop, with noise of known level.
 //!
 //! [`render`] turns a list of [`Strike`]s into a recording as a microphone would have made it,
 //! and keeps the truth beside it: when each impact began (to a small fraction of a sample), how

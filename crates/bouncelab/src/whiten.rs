@@ -1,4 +1,4 @@
-//! What a sound brings that the sound before it did not foretell.
+//! Whitening by linear prediction.
 //!
 //! A linear prediction learnt from the background takes hum, rumble and ringing out of a signal;
 //! what is left, the prediction error, is white where only the background is heard.
@@ -127,7 +127,7 @@ mod tests {
     }
 
     #[test]
-    fn a_tone_with_an_offset_is_foretold() {
+    fn a_tone_with_an_offset_is_predicted() {
         let tone: Vec<f32> = (0..600)
             .map(|n| 0.3 + 0.5 * (0.2 * n as f32).sin())
             .collect();

@@ -598,7 +598,7 @@ fn a_rhythm_that_speeds_up_is_no_drop() {
 
 /// A ball that hops off a table reaches the floor 0.4 s after its last impact there: two trains.
 #[test]
-fn a_ball_that_falls_off_a_table_is_heard_on_both() {
+fn a_ball_that_falls_off_a_table_is_detected_on_both() {
     let bounces = |start_s: f64, first_flight_s: f64, count: i32| {
         let ends = (0..count).map(move |n| first_flight_s * (1.0 - 0.8_f64.powi(n)) / 0.2);
         ends.map(move |time_s| start_s + time_s)

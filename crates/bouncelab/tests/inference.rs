@@ -181,7 +181,7 @@ fn a_known_height_stays_as_given() {
 /// The answer must not depend on how many flights are used. The straight line's does, by many of
 /// its standard errors.
 #[test]
-fn the_answer_does_not_depend_on_the_cut() {
+fn the_answer_does_not_depend_on_the_truncation() {
     let truth = Truth::new();
     let impacts = truth.impacts(3);
     let gravity = truth.environment.gravity_m_s2;

@@ -30,7 +30,7 @@ pub(crate) fn run(words: &[&str]) -> Result {
         }
     }
     if !system::has_browser() {
-        return Err("the end-to-end tests take a Chromium".into());
+        return Err("the end-to-end tests need Chromium".into());
     }
     page()?;
     let program = built("--bin", "bouncelab")?;
@@ -73,7 +73,7 @@ struct Load {
 impl Load {
     fn start() -> Self {
         let count = thread::available_parallelism().map_or(1, usize::from);
-        println!("{count} processors are kept busy meanwhile");
+        println!("{count} processors are loaded during the tests");
         let is_over = Arc::new(AtomicBool::new(false));
         for _ in 0..count {
             let is_over = Arc::clone(&is_over);

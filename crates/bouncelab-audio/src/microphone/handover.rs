@@ -1,4 +1,4 @@
-//! Samples from the thread that must never wait to the one that may.
+//! Passes samples from the real-time thread of the sound system to the reading thread.
 //!
 //! The system calls the feeder at the pace of the sound. It must neither wait nor allocate, or
 //! sound is lost; so between the two threads lie two rings without locks, one for samples and one
@@ -193,7 +193,7 @@ mod tests {
     }
 
     #[test]
-    fn a_fault_of_unknown_length_is_told_too() {
+    fn a_fault_of_unknown_length_is_reported_too() {
         let (mut feeder, mut taker) = with_room(8, 1);
         feed(&mut feeder, &[1.0]);
         feeder.lose(0);

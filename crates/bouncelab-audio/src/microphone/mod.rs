@@ -237,7 +237,7 @@ fn description(device: &cpal::Device) -> String {
 }
 
 /// The size of the device's buffers that is asked for: a tenth of a second, where the device can.
-/// Nobody hears the delay, and a computer that is late by less loses nothing.
+/// The delay does not matter, and a computer that is late by less loses nothing.
 fn buffer(config: &SupportedStreamConfig) -> BufferSize {
     match *config.buffer_size() {
         SupportedBufferSize::Range { min, max } if min <= max => {

@@ -1,4 +1,4 @@
-//! Answers, and what the inference says, for people.
+//! The estimates, and the result of the inference, as text.
 
 use bouncelab::Estimate;
 use bouncelab::analysis::Drop;

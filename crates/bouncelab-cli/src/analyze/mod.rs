@@ -1,4 +1,4 @@
-//! `bouncelab analyze`: what recordings, or lists of impact times, say.
+//! `bouncelab analyze`: recordings, or lists of impact times, to results.
 
 mod answers;
 mod figures;
@@ -29,11 +29,11 @@ use crate::priors::PriorArguments;
 use crate::report::ReportFile;
 use crate::units;
 
-/// Find the drops in recordings, or in lists of impact times
+/// Detect and analyse the drops in recordings, or in lists of impact times
 ///
 /// Reads WAV, AIFF, FLAC, MP3, AAC, Ogg, Opus, WebM, M4A, MP4 and MOV, and impact times in seconds
-/// as .txt (one a line), .csv (one a line, or a column `time` or `time_s`) or .json (an array). Exit
-/// status: 0 if every file holds a drop, 1 if one does not or cannot be read, 2 for wrong usage.
+/// as .txt (one per line), .csv (one per line, or a column `time` or `time_s`) or .json (an array).
+/// Exit status: 0 if every file has a drop, 1 if a file has none or cannot be read, 2 for wrong usage.
 #[derive(Args)]
 #[command(after_help = EXAMPLES)]
 pub(crate) struct Arguments {
@@ -46,28 +46,27 @@ pub(crate) struct Arguments {
     /// Write figures as SVG and PNG into this folder
     #[arg(long, value_name = "DIR")]
     figures: Option<PathBuf>,
-    /// Write a report of one recording: .html (one file, to read and print) or .md (its figures in a
-    /// folder beside it)
+    /// Write a report of one recording: .html (one file) or .md (with its figures in a folder)
     #[arg(long, value_name = "FILE")]
     report: Option<PathBuf>,
-    /// Flights for the straight line, as in 1..10, ..20 or 3..
+    /// Flights of the log-linear fit, as in 1..10, ..20 or 3..
     #[arg(long, value_name = "A..B", value_parser = flight_range)]
     flights: Option<(usize, usize)>,
-    /// Listen to this channel only, the first being 1 (default: the one that tells most)
+    /// Use this channel only, counted from 1 (default: the one with the clearest impacts)
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
     channel: Option<u16>,
-    /// Listen for sounds between these frequencies only, in Hz, as in 400..6000 (default: all bands,
-    /// each against its own background)
+    /// Use this frequency range only, in Hz, as in 400..6000 (default: all bands, each against its own
+    /// background)
     #[arg(long, value_name = "LOW..HIGH", value_parser = frequency_range)]
     band: Option<Range<f64>>,
-    /// Leave out the impacts at these times, as in 1.234s,2.5s
+    /// Exclude the impacts at these times, as in 1.234s,2.5s
     #[arg(long, value_name = "TIMES", value_delimiter = ',', allow_hyphen_values = true, value_parser = units::time)]
     exclude: Vec<f64>,
     /// Add impacts at these times
     #[arg(long, value_name = "TIMES", value_delimiter = ',', allow_hyphen_values = true, value_parser = units::time)]
     include: Vec<f64>,
-    /// Print also how sure each impact is, where the impacts stand out, the laws that were weighed,
-    /// where the uncertainty comes from and what was assumed before the data
+    /// Print also the probability of each impact, the frequency band, the compared laws, the
+    /// uncertainty budget and the priors
     #[arg(long)]
     details: bool,
     /// Compare what the impact times say of each known ball
@@ -89,7 +88,7 @@ Examples:
   bouncelab analyze drop.wav --which-ball               which of the known balls fits best?
   bouncelab analyze drop.wav --reach 2:28cm             from which height does bounce 2 reach 28 cm?
   bouncelab analyze drop.wav --flights 1..10            the paper's ten flights
-  bouncelab analyze drop.wav --report drop.html         to read, print and keep; or drop.md
+  bouncelab analyze drop.wav --report drop.html         or drop.md
   bouncelab analyze drop.wav --exclude 2.317 --include 4.1,4.25
   bouncelab analyze times.csv --format json
   bouncelab analyze class/*.wav --format csv > class.csv";
@@ -98,7 +97,7 @@ Examples:
 enum Format {
     /// For people
     Text,
-    /// For programs: one object; several files, one object a line
+    /// For programs: one object; for several files, one object per line
     Json,
     /// One row for each impact
     Csv,

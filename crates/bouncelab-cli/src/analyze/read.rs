@@ -1,4 +1,4 @@
-//! A file to its result.
+//! Reads and analyses a file.
 
 use std::path::Path;
 use std::time::Duration;

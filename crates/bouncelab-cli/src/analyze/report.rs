@@ -11,15 +11,15 @@ use crate::language::translator;
 use crate::physics::Physics;
 use crate::report::provenance;
 
-/// The page of what was heard in a file.
-pub(super) fn page(heard: &Path, analysed: &Analysed, physics: &Physics) -> Result<Page, Failure> {
+/// The page of the result of a file.
+pub(super) fn page(path: &Path, analysed: &Analysed, physics: &Physics) -> Result<Page, Failure> {
     let recording = Recording {
         name: &analysed.name,
         setup: physics,
         result: &analysed.result,
     };
     let provenance = Provenance {
-        files: vec![(analysed.name.clone(), hash_of_file(heard)?.to_string())],
+        files: vec![(analysed.name.clone(), hash_of_file(path)?.to_string())],
         ..provenance()
     };
     Ok(report::of_recording(&recording, &provenance, translator()))

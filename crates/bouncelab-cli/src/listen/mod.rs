@@ -1,8 +1,8 @@
-//! `bouncelab listen`: drops while they happen.
+//! `bouncelab listen`: live detection and analysis.
 //!
 //! Sound comes from a microphone or, by the same path, from a file (`sound`). It is saved as it
-//! comes (`save`) and heard (`watch`); what is going on shows on the terminal (`screen`), and each
-//! drop is analysed once it is over (`session`).
+//! comes (`save`) and searched for drops (`watch`); the progress shows on the terminal (`screen`), and
+//! each drop is analysed once it is over (`session`).
 
 mod save;
 mod screen;
@@ -24,51 +24,51 @@ use crate::priors::PriorArguments;
 use crate::synth::wav;
 use crate::units;
 
-/// Hear drops while they happen, one after the other, until Ctrl-C
+/// Record with the microphone and analyse drops live, until Ctrl-C
 ///
-/// Each drop is analysed when the ball rests, as `analyze` would; at the end comes a table of all
-/// of them. Everything heard is saved as WAV while it comes. Exit status: 0 if a drop was heard, 1
-/// if none was or the sound broke off, 2 for wrong usage.
+/// Each drop is analysed when the ball rests, with the results of `analyze`; a table of all drops
+/// follows at the end. The sound is saved as WAV while it is recorded. Exit status: 0 if a drop was
+/// detected, 1 if none was or the sound was interrupted, 2 for wrong usage.
 #[derive(Args)]
 #[command(after_help = EXAMPLES)]
 #[expect(clippy::struct_excessive_bools, reason = "each is a flag of its own")]
 pub(crate) struct Arguments {
-    /// Play a recording instead of listening to the microphone
+    /// Play a recording instead of using the microphone
     #[arg(long, value_name = "FILE")]
     from: Option<PathBuf>,
-    /// Play it as fast as it goes, not as slowly as it sounded
+    /// Play it as fast as possible instead of in real time
     #[arg(long, requires = "from")]
     fast: bool,
     /// The microphone, by its name in --devices or a part of it (default: that of the system)
     #[arg(long, value_name = "NAME", conflicts_with = "from")]
     device: Option<String>,
-    /// List the microphones and end
+    /// List the microphones and exit
     #[arg(long, conflicts_with_all = ["from", "device", "save"])]
     devices: bool,
-    /// The WAV file to save the sound in; nothing is overwritten (default: bouncelab- and the
-    /// date; with --from, none)
+    /// The WAV file to save the sound in; no file is overwritten (default: bouncelab- and the date;
+    /// with --from, none)
     #[arg(long, value_name = "FILE.wav", conflicts_with = "no_save", value_parser = wav())]
     save: Option<PathBuf>,
     /// Do not save the sound
     #[arg(long)]
     no_save: bool,
-    /// End after so many drops
+    /// Stop after this number of drops
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
     drops: Option<u64>,
-    /// End after this time, as in 60s or 5min
+    /// Stop after this time, as in 60s or 5min
     #[arg(long, value_name = "TIME", value_parser = duration)]
     seconds: Option<f64>,
     /// How to print the result; JSON is documented in docs/json.md
     #[arg(long, value_enum, default_value_t = Format::Text)]
     format: Format,
-    /// Flights for the straight line, as in 1..10, ..20 or 3..
+    /// Flights of the log-linear fit, as in 1..10, ..20 or 3..
     #[arg(long, value_name = "A..B", value_parser = analyze::flight_range)]
     flights: Option<(usize, usize)>,
-    /// Listen to this channel only, the first being 1 (default: the one that tells most)
+    /// Use this channel only, counted from 1 (default: the one with the clearest impacts)
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
     channel: Option<u16>,
-    /// Print also how sure each impact is, the laws that were weighed, where the uncertainty comes from
-    /// and what was assumed before the data
+    /// Print also the probability of each impact, the compared laws, the uncertainty budget and the
+    /// priors
     #[arg(long)]
     details: bool,
     #[command(flatten)]
@@ -81,16 +81,16 @@ const EXAMPLES: &str = "\
 Examples:
   bouncelab listen                                 until Ctrl-C
   bouncelab listen --ball tennis --drops 10 --save class.wav
-  bouncelab listen --devices                       which microphones are there?
+  bouncelab listen --devices                       the microphones of this computer
   bouncelab listen --device USB --seconds 5min --format json
-  bouncelab listen --from drop.wav                 as if it happened now
+  bouncelab listen --from drop.wav                 play a recording in real time
   bouncelab listen --from drop.wav --fast";
 
 #[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
 enum Format {
     /// For people
     Text,
-    /// For programs: one object a line, for each drop
+    /// For programs: one object per line, for each drop
     Json,
 }
 

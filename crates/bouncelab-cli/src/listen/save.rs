@@ -1,4 +1,4 @@
-//! Everything that is heard, saved as it comes.
+//! Saves the sound while it is recorded.
 
 use std::path::{Path, PathBuf};
 
@@ -13,7 +13,7 @@ use crate::language::text_with;
 
 /// Saves the sound in a WAV file, and in further ones when that is full.
 pub(super) struct Saver {
-    /// Where the sound goes; `None` once that failed, or if it is not wanted.
+    /// Where the sound goes; `None` once that failed, or if it is not requested.
     recorder: Option<Recorder>,
     has_failed: bool,
     /// The files so far.
@@ -49,7 +49,7 @@ impl Saver {
                     .map_err(|fault| {
                         Failure::Input(format!(
                             "{fault}\n  The sound cannot be saved in the current folder: name a \
-                             file in another with --save, or do without it with --no-save."
+                             file in another with --save, or use --no-save."
                         ))
                     })?;
             }
@@ -69,7 +69,7 @@ impl Saver {
         &self.files
     }
 
-    /// Whether saving was wanted but broke off.
+    /// Whether saving was requested but failed.
     pub(super) fn has_failed(&self) -> bool {
         self.has_failed
     }

@@ -1,4 +1,4 @@
-//! What shows on the terminal while the sound comes; nothing if stderr is none.
+//! The live display on the terminal; nothing if stderr is not a terminal.
 
 use std::io::{self, Write};
 use std::time::{Duration, Instant};
@@ -66,7 +66,7 @@ impl Screen {
     }
 
     /// Measures how loud these samples are.
-    pub(super) fn hear(&mut self, channels: &[&[f32]]) {
+    pub(super) fn measure(&mut self, channels: &[&[f32]]) {
         if self.bar.is_hidden() {
             return;
         }

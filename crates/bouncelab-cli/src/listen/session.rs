@@ -1,4 +1,4 @@
-//! A session: sound comes, is saved and heard, and drops are analysed one after the other.
+//! A live session: sound is read, saved and searched for drops, and each drop is analysed.
 
 use std::thread;
 use std::time::Duration;
@@ -49,14 +49,14 @@ struct Session<'a> {
     /// How many frames were lost, as far as is known; where is among the edits of the options.
     lost_frames: u64,
     screen: Screen,
-    /// How many frames were heard, and after how many to end.
+    /// How many frames were read, and after how many to end.
     frames: u64,
     last_frame: u64,
     drops: Vec<Reported>,
     sameness: Sameness,
 }
 
-/// A drop that was told of.
+/// A drop that was reported.
 struct Reported {
     train: Train,
     analysis: Drop,
@@ -93,7 +93,7 @@ impl<'a> Session<'a> {
         })
     }
 
-    /// Says what is listened to.
+    /// Prints the source of the sound.
     fn begin(&self) {
         let SoundInfo {
             format,
@@ -127,7 +127,7 @@ impl<'a> Session<'a> {
         Some(text_with("listen-saved-in", &[("file", file.into())]))
     }
 
-    /// Listens until the sound ends, somebody wants it to end, or enough was heard.
+    /// Reads until the sound ends, a signal stops it, or a limit is reached.
     fn listen(&mut self, sound: &mut Sound, stop: &Stop) -> Result<(), Failure> {
         let mut planes = Vec::new();
         while !stop.requested() && !self.has_enough() {
@@ -136,7 +136,7 @@ impl<'a> Session<'a> {
                     if let Some(gaps) = sound.gaps() {
                         self.physics.options.edits.gaps = gaps.to_vec();
                     }
-                    self.hear(&planes)?;
+                    self.read(&planes)?;
                 }
                 Arrival::Lost(frames) => self.lose(frames)?,
                 Arrival::Nothing => thread::sleep(PAUSE),
@@ -159,7 +159,7 @@ impl<'a> Session<'a> {
     }
 
     /// Takes samples of every channel, from one look of the watch to the next.
-    fn hear(&mut self, planes: &[Vec<f32>]) -> Result<(), Failure> {
+    fn read(&mut self, planes: &[Vec<f32>]) -> Result<(), Failure> {
         let frames = planes.first().map_or(0, Vec::len);
         let mut from = 0;
         while from < frames && !self.has_enough() {
@@ -180,19 +180,19 @@ impl<'a> Session<'a> {
             Some(channel) => &channels[channel - 1..channel],
             None => channels,
         };
-        self.screen.hear(used);
+        self.screen.measure(used);
         let rate_hz = self.recording.sample_rate_hz;
         if self.arguments.from.is_none() && self.sameness.shows(used, rate_hz) {
             self.screen.say(&text("listen-silence"));
         }
         self.frames += channels.first().map_or(0, |samples| samples.len()) as u64;
-        for heard in self.watch.drops.push(channels) {
-            self.report(heard, Vec::new())?;
+        for detection in self.watch.drops.push(channels) {
+            self.report(detection, Vec::new())?;
         }
         Ok(())
     }
 
-    /// Puts silence in the place of sound that was lost, so that later times hold.
+    /// Replaces lost sound by silence, so that later times stay right.
     fn lose(&mut self, frames: u64) -> Result<(), Failure> {
         /// No more than this: no drop goes on after it, in seconds.
         const LONGEST_S: u64 = 10;
@@ -202,7 +202,7 @@ impl<'a> Session<'a> {
         let rate_hz = u64::from(self.recording.sample_rate_hz);
         let from_s = self.watch.drops.now_s();
         let silence = vec![0.0; frames.min(LONGEST_S * rate_hz) as usize];
-        self.hear(&vec![silence; self.recording.channels])?;
+        self.read(&vec![silence; self.recording.channels])?;
         let gap = Gap {
             start_s: from_s,
             duration_s: self.watch.drops.now_s() - from_s,
@@ -283,14 +283,14 @@ impl<'a> Session<'a> {
         Ok(format!("{line}\n"))
     }
 
-    /// Tells of what was not over when the sound ended, judges all of it once more as a whole,
-    /// and sums up.
+    /// Reports drops that were not over when the sound ended, evaluates the whole recording once
+    /// more, and prints the summary.
     fn conclude(mut self, warnings: Vec<Diagnostic>) -> Result<(), Failure> {
         self.screen.clear();
         if let Some(trouble) = self.saver.finish() {
             self.screen.say(&trouble);
         }
-        // The drops that were told of before the file ended do not have them.
+        // The drops that were reported before the file ended do not have them.
         for warning in &warnings {
             let warning = translator().diagnostic(warning);
             self.screen
@@ -343,11 +343,11 @@ impl<'a> Session<'a> {
                     trains: vec![train.clone()],
                     ..whole.found.clone()
                 };
-                let heard = Detection {
+                let detection = Detection {
                     found: only,
                     ..whole.clone()
                 };
-                self.report(heard, warnings.to_vec())?;
+                self.report(detection, warnings.to_vec())?;
             }
         }
         let (drops, screen) = (&mut self.drops, &self.screen);
@@ -391,7 +391,7 @@ impl<'a> Session<'a> {
         }
     }
 
-    /// There was no drop: says why.
+    /// There was no drop: gives the reason.
     fn report_nothing(&self, whole: Detection, warnings: Vec<Diagnostic>) -> Result<(), Failure> {
         let analysed = self.analysed(whole, warnings, &self.physics.options);
         self.screen.say(&analysed.no_drop().unwrap_or_default());
@@ -472,11 +472,11 @@ mod tests {
         };
         let saver = Saver::create(&arguments, &recording, SampleFormat::Int16).unwrap();
         let mut session = Session::new(&arguments, physics, recording, saver).unwrap();
-        session.hear(&[samples[..lost.start].to_vec()]).unwrap();
+        session.read(&[samples[..lost.start].to_vec()]).unwrap();
         if let Some(frames) = reported {
             session.lose(frames).unwrap();
         }
-        session.hear(&[samples[lost.end..].to_vec()]).unwrap();
+        session.read(&[samples[lost.end..].to_vec()]).unwrap();
         assert_eq!(session.drops.len(), 1);
         session.drops.remove(0).analysis
     }

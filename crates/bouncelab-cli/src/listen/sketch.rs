@@ -1,4 +1,4 @@
-//! Figures made of letters: a level meter, and the flights of a drop.
+//! Text figures: a level meter, and the flights of a drop.
 
 /// The eighths of a block, from the bottom and from the left.
 const RISING: [char; 9] = [' ', '▁', '▂', '▃', '▄', '▅', '▆', '▇', '█'];

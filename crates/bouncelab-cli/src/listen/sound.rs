@@ -1,4 +1,4 @@
-//! Where the sound comes from: a microphone, or a file that is played.
+//! The source of the sound: a microphone, or a file that is played.
 
 use std::path::Path;
 use std::thread;
@@ -158,7 +158,7 @@ impl Player {
                 frames: 0,
             }))),
             Input::Times(_) => Err(Failure::Usage(format!(
-                "{} is a list of times, which make no sound; analyze reads it",
+                "{} is a list of times without sound; use analyze",
                 file.display()
             ))),
         }
@@ -176,9 +176,9 @@ impl Player {
         }
         self.frames += block.frames() as u64;
         if let Some(start) = self.pace {
-            // A block has been heard when its last sample has.
-            let heard_by = start + Duration::from_secs_f64(self.frames as f64 / rate_hz);
-            thread::sleep(heard_by.saturating_duration_since(Instant::now()));
+            // A block has been played when its last sample has.
+            let played_by = start + Duration::from_secs_f64(self.frames as f64 / rate_hz);
+            thread::sleep(played_by.saturating_duration_since(Instant::now()));
         }
         Ok(Arrival::Sound)
     }
@@ -230,6 +230,6 @@ fn no_microphone() -> Failure {
     };
     Failure::Usage(format!(
         "this bouncelab was built without the microphone. Play a recording with --from FILE, or \
-         build it anew:{headers}\n  cargo install --path crates/bouncelab-cli --features microphone"
+         rebuild it:{headers}\n  cargo install --path crates/bouncelab-cli --features microphone"
     ))
 }

@@ -1,4 +1,4 @@
-//! Ctrl-C, or a polite request of the system to end.
+//! Stops on Ctrl-C or a termination signal.
 
 use std::process;
 use std::sync::Arc;

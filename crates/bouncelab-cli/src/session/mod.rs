@@ -1,6 +1,5 @@
-//! `bouncelab session`: what many drops say together.
+//! `bouncelab session`: statistics of many drops.
 
-mod figures;
 mod report;
 mod tables;
 mod text;
@@ -13,7 +12,8 @@ use bouncelab_report::file::{remove_drafts, write_whole};
 use bouncelab_session::journal::Journal;
 use bouncelab_session::table::Form;
 use bouncelab_session::{
-    Advice, MetadataOptions, Noted, Outcome, Results, Session, Sources, StudyOptions, write_tables,
+    Advice, MetadataOptions, Noted, Outcome, Results, Session, Sources, StudyOptions, figures,
+    write_tables,
 };
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Args, ValueEnum};
@@ -22,15 +22,15 @@ use crate::failure::Failure;
 use crate::language::{text as message, text_with, translator};
 use crate::physics::PhysicsArguments;
 use crate::priors::{PriorArguments, impact_speed};
-use crate::report::ReportFile;
+use crate::report::{ReportFile, wrote_figure};
 use bouncelab::setup::Setup;
 
-/// Hear many recordings and say what their drops say together
+/// Analyse many recordings: means, scatter and differences of their drops
 ///
-/// Takes recordings, folders of recordings, or a session.toml with what was noted of them (see
-/// docs/session.md). Results are kept as they come: a run that was stopped goes on where it was when
-/// it is started again. Exit status: 0 if there is a result, 1 if no drop was found, 2 for wrong
-/// usage or notes that are not clear.
+/// Takes recordings, folders of recordings, or a session.toml with their metadata (see
+/// docs/session.md). Results are saved after each recording: a stopped run continues when it is
+/// started again. Exit status: 0 if there is a result, 1 if no drop was found, 2 for wrong usage or
+/// contradictory metadata.
 #[derive(Args)]
 #[command(after_help = EXAMPLES)]
 pub(crate) struct Arguments {
@@ -40,17 +40,17 @@ pub(crate) struct Arguments {
     /// Folder for tables, journal and figures
     #[arg(long, value_name = "DIR", default_value = "bouncelab-session")]
     output: PathBuf,
-    /// What the names of the files say, as in {ball}_{surface}_{height}_{}; {} says nothing, and
-    /// {height:cm} is a height without its unit
-    #[arg(long, value_name = "PATTERN", help_heading = "Notes")]
+    /// Metadata in the file names, as in {ball}_{surface}_{height}_{}; {} is ignored, and {height:cm}
+    /// is a height without its unit
+    #[arg(long, value_name = "PATTERN", help_heading = "Metadata")]
     pattern: Option<String>,
-    /// CSV with a column `file` and one for each thing noted
-    #[arg(long, value_name = "FILE", help_heading = "Notes")]
+    /// CSV with a column `file` and one for each metadata field
+    #[arg(long, value_name = "FILE", help_heading = "Metadata")]
     table: Option<PathBuf>,
-    /// Go on where some recordings lack what is noted of others
-    #[arg(long, help_heading = "Notes")]
+    /// Accept recordings that lack a metadata field which others have
+    #[arg(long, help_heading = "Metadata")]
     allow_missing: bool,
-    /// Group the drops by these [default: ball, surface and what else was noted, but for operator,
+    /// Group the drops by these fields [default: ball, surface and other fields, except operator,
     /// height and temperature]
     #[arg(
         long,
@@ -59,11 +59,11 @@ pub(crate) struct Arguments {
         help_heading = "Comparison"
     )]
     by: Vec<String>,
-    /// Compare the drops at this impact speed, as in 1.5m/s [default: what most drops know]
+    /// Compare the drops at this impact speed, as in 1.5m/s [default: a speed that most drops cover]
     #[arg(long, value_name = "SPEED", allow_hyphen_values = true, value_parser = impact_speed, help_heading = "Comparison")]
     compare_at: Option<f64>,
-    /// How many drops would give a mean this half width of its 95 % interval, as in 0.001 [default:
-    /// half of what it has]
+    /// State the number of drops needed for this half width of the 95 % interval of a mean, as in
+    /// 0.001 [default: half of the present width]
     #[arg(
         long,
         value_name = "HALF_WIDTH",
@@ -72,14 +72,13 @@ pub(crate) struct Arguments {
         help_heading = "Comparison"
     )]
     want: Option<f64>,
-    /// Leave this out of the comparison: a recording, or recording#2 for its second drop; may be
-    /// repeated
+    /// Exclude a recording from the comparison, or with recording#2 its second drop; may be repeated
     #[arg(long, value_name = "NAME", help_heading = "Comparison")]
     exclude: Vec<String>,
     /// How to print the result; JSON is documented in docs/json.md
     #[arg(long, value_enum, default_value_t = Format::Text)]
     format: Format,
-    /// Print also intervals, all differences and every remark
+    /// Print also intervals, all differences and all remarks
     #[arg(long)]
     details: bool,
     /// Tables to write
@@ -97,7 +96,7 @@ pub(crate) struct Arguments {
     /// Write a report as one HTML file, or as Markdown
     #[arg(long, value_name = "FILE.html|FILE.md")]
     report: Option<PathBuf>,
-    /// Recordings heard side by side [default: as many as there are processors]
+    /// Recordings analysed in parallel [default: the number of processors]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
     jobs: Option<u16>,
     #[command(flatten)]
@@ -184,7 +183,9 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let place = folder.join("session.json");
     write_whole(&place, json.as_bytes()).map_err(|reason| Failure::unwritable(&place, &reason))?;
     if arguments.figures {
-        figures::save(&outcome, &results, folder)?;
+        for (name, figure) in figures(&outcome, &results, translator())? {
+            wrote_figure(&bouncelab_report::save(&figure, folder, name)?);
+        }
     }
     if let Some(file) = report_file {
         file.write(&report::page(&outcome, &results)?)?;

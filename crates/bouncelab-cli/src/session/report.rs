@@ -6,9 +6,8 @@ use bouncelab_report::messages::Value;
 use bouncelab_report::report::{
     Block, Language, Page, Provenance, Section, ended, made_by, repeat,
 };
-use bouncelab_session::{AboutSession, Outcome, Reason, Results, some_of};
+use bouncelab_session::{AboutSession, Outcome, Reason, Results, figures, some_of};
 
-use super::figures;
 use super::{tables, text};
 use crate::failure::Failure;
 use crate::language::{text as message, text_with, translator};
@@ -25,7 +24,7 @@ pub(super) fn page(outcome: &Outcome<'_>, results: &Results<'_>) -> Result<Page,
         ..provenance()
     };
     let mut sections = match &outcome.study {
-        Ok(study) => of_study(outcome, study, figures::figures(outcome, results)?),
+        Ok(study) => of_study(outcome, study, figures(outcome, results, translator())?),
         Err(_) => Vec::new(),
     };
     sections.extend([

@@ -1,4 +1,4 @@
-//! What the drops say together, as tables for the screen and for reports.
+//! The statistics of the drops, as tables for the terminal and for reports.
 
 use bouncelab::groups::{Difference, Group, Mean, MeanAtSpeed, Study};
 use bouncelab_report::messages::Value;

@@ -1,4 +1,4 @@
-//! A session for people: what matters at a glance.
+//! The result of a session as text.
 
 use std::fmt::Write;
 

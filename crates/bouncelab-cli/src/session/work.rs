@@ -1,4 +1,4 @@
-//! The analysis of many recordings, side by side, once each.
+//! The analysis of many recordings, in parallel, once each.
 
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::Duration;

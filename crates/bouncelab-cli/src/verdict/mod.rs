@@ -1,4 +1,4 @@
-//! `bouncelab verdict`: whether a ball or a floor obeys a rule.
+//! `bouncelab verdict`: whether a ball or a floor conforms to a rule.
 
 mod report;
 mod tables;
@@ -8,9 +8,6 @@ use std::collections::BTreeMap;
 use std::io::{self, Write};
 use std::path::PathBuf;
 
-use bouncelab::Diagnostic;
-use bouncelab::diagnostic::Code;
-use bouncelab::inference::Measured;
 use bouncelab::rulebook::{self, Decision, Outcome, Place, Rule, Verdict};
 use bouncelab_report::document::verdict::VerdictDocument;
 use bouncelab_session::hash::hash_of_file;
@@ -25,9 +22,9 @@ use crate::report::ReportFile;
 use crate::rules::Files;
 use crate::units;
 
-/// Judge drops by the rule of a sport: pass, fail, or cannot decide
+/// Test drops against the rule of a sport: pass, fail, or cannot decide
 ///
-/// Every file is one place on the surface, with one drop or several. Ball and height are those of the
+/// Each file is one place on the surface, with one or more drops. Ball and height are those of the
 /// rule unless you state others. Exit status: 0 pass, 1 a file cannot be read or holds no drop, 2 wrong
 /// usage, 3 fail, 4 cannot decide.
 #[derive(Args)]
@@ -44,7 +41,7 @@ pub(crate) struct Arguments {
     reference: Vec<PathBuf>,
     #[command(flatten)]
     rules: Files,
-    /// How a verdict follows from a probability
+    /// Decision rule
     #[arg(long, value_enum, default_value_t = DecisionRule::Guarded)]
     decision: DecisionRule,
     /// Greatest probability of a wrong decision, as in 5% [default: 5%]
@@ -53,7 +50,7 @@ pub(crate) struct Arguments {
     /// How to print the result; JSON is documented in docs/json.md
     #[arg(long, value_enum, default_value_t = Format::Text)]
     format: Format,
-    /// Write a report: .html (one file, to read and print) or .md (its figure in a folder beside it)
+    /// Write a report: .html (one file) or .md (with its figures in a folder)
     #[arg(long, value_name = "FILE")]
     report: Option<PathBuf>,
     #[command(flatten)]
@@ -72,9 +69,9 @@ Examples:
 
 #[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
 enum DecisionRule {
-    /// Pass only if a pass is wrong with at most the risk, fail only if a fail is (JCGM 106)
+    /// Guarded acceptance (JCGM 106): pass or fail only if it is wrong with at most the risk
     Guarded,
-    /// Whatever is more probable
+    /// Simple acceptance: the more probable outcome
     Simple,
 }
 
@@ -141,7 +138,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let physics = physics(arguments, rule)?;
     if !rule.needs_reference() && !arguments.reference.is_empty() {
         return Err(Failure::Usage(format!(
-            "the rule {} compares with no other surface; leave out --reference",
+            "the rule {} compares with no other surface; omit --reference",
             rule.name
         )));
     }
@@ -223,7 +220,7 @@ fn once_each<'a>(
         hashes.push((file.display().to_string(), content.to_string()));
         if let Some(first) = seen.insert(content, file) {
             return Err(Failure::Usage(format!(
-                "{} and {} are the same recording; every drop counts once",
+                "{} and {} are the same recording; give each recording once",
                 first.display(),
                 file.display()
             )));
@@ -237,51 +234,26 @@ fn physics(arguments: &Arguments, rule: &Rule) -> Result<Physics, Failure> {
     let (of_ball, unstated) = arguments.physics.clone().or_ball(rule.ball.as_deref());
     if unstated && rule.ball.is_none() {
         return Err(Failure::Usage(format!(
-            "the rule {} names no ball that is known: state it with --ball, or with --mass and \
+            "the rule {} names no known ball: state it with --ball, or with --mass and \
              --diameter",
             rule.name
         )));
     }
     let mut physics = analyze::physics(&of_ball, &arguments.priors, None)?;
-    if unstated {
-        let ball = Diagnostic::new(Code::AssumedRuleBall);
-        let ball = ball.with("ball", physics.ball_label.as_str());
-        physics.assumptions.insert(0, ball);
-    }
     if physics.options.inference.is_none() {
         return Err(Failure::Usage(
-            "a verdict rests on the inference; leave out --no-inference".to_owned(),
+            "a verdict needs the inference; omit --no-inference".to_owned(),
         ));
     }
-    let diameter_m = physics.options.ball.diameter_m();
-    let of_rule = rule.fall_m(diameter_m, None);
-    match (physics.options.priors.drop_height_m, of_rule) {
-        (Some(stated), Some(of_rule)) if !arguments.physics.allow_implausible() => {
-            check_height(stated.value, of_rule)?;
-        }
-        (None, Some(of_rule)) => {
-            let height = of_the_rule(rule, of_rule);
-            physics.assumptions.push(
-                Diagnostic::new(Code::AssumedRuleHeight)
-                    .with("height_m", height.value)
-                    .with("sd_m", height.sd),
-            );
-            physics.options.priors.drop_height_m = Some(height);
-        }
-        _ => {}
+    let of_rule = rule.fall_m(physics.options.ball.diameter_m(), None);
+    let stated = physics.options.priors.drop_height_m;
+    if let (Some(stated), Some(of_rule)) = (stated, of_rule)
+        && !arguments.physics.allow_implausible()
+    {
+        check_height(stated.value, of_rule)?;
     }
+    physics.assume(rule, unstated);
     Ok(physics)
-}
-
-/// The height of the rule, as well as one can keep to it.
-fn of_the_rule(rule: &Rule, fall_m: f64) -> Measured {
-    /// A ruler and a hand.
-    const SD_M: f64 = 0.002;
-    let sd = rule.drop_tolerance_m.map_or(SD_M, |tolerance| {
-        // Anywhere within the tolerance.
-        tolerance / 3.0_f64.sqrt()
-    });
-    Measured { value: fall_m, sd }
 }
 
 /// A height far from that of the rule is probably in another unit.
@@ -293,7 +265,7 @@ fn check_height(stated_m: f64, of_rule_m: f64) -> Result<(), Failure> {
     }
     Err(Failure::Usage(format!(
         "--height {stated_m} m is {} times the rule's {of_rule_m:.3} m: is the unit right? Correct it, or \
-         insist by --allow-implausible",
+         accept it with --allow-implausible",
         (factor * 1000.0).round() / 1000.0
     )))
 }

@@ -1,10 +1,8 @@
 //! The report of a verdict, as a page.
 
-use bouncelab::Estimate;
-use bouncelab::rulebook::{Limits, Rebound, Requirement, Status};
-use bouncelab_report::Chart;
-use bouncelab_report::figure::{self, Judged};
-use bouncelab_report::messages::{Translator, capital};
+use bouncelab::rulebook::Status;
+use bouncelab_report::figure;
+use bouncelab_report::messages::capital;
 use bouncelab_report::report::{
     Block, Language, Page, Provenance, Section, ended, method, repeat, shared_conditions,
 };
@@ -50,7 +48,8 @@ fn lead(told: &Told<'_>) -> Vec<Block> {
     if told.rule.status == Status::Unverified {
         lead.push(Block::Note(message("rule-nobody-read")));
     }
-    lead.push(Block::figure("verdict", chart(told, translator())));
+    let chart = figure::verdict(told.rule, verdict, told.files, translator());
+    lead.push(Block::figure("verdict", chart));
     lead
 }
 
@@ -93,44 +92,4 @@ fn decision() -> Section {
     let ids = ["verdict-method-predicted", "verdict-method-decided"];
     let blocks = ids.map(|id| Block::text(message(id)));
     Section::new(message("verdict-method"), blocks.into())
-}
-
-/// What the decision is about, and every drop that led to it, against the limits.
-fn chart(told: &Told<'_>, translator: &Translator) -> Chart {
-    /// Metres to centimetres, shares to percent.
-    const SHOWN: f64 = 100.0;
-    let verdict = told.verdict;
-    let (limits, decides, (quantity, unit)) = match &told.rule.requirement {
-        Requirement::Height(limits) => (*limits, verdict.rebound, ("axis-rebound", "cm")),
-        Requirement::About(_) => (Limits::default(), verdict.rebound, ("axis-rebound", "cm")),
-        Requirement::Share { limits, .. } => {
-            (*limits, verdict.share, ("axis-share-of-reference", "%"))
-        }
-    };
-    let scaled = |limits: Limits| [limits.least, limits.greatest].map(|end| Some(end? * SHOWN));
-    let judged = |name: String, found: &Estimate, decides: bool| Judged {
-        name,
-        value: found.value * SHOWN,
-        interval95: Some(found.interval95.map(|end| end * SHOWN)),
-        decides,
-    };
-    let mut rows: Vec<Judged> = decides
-        .iter()
-        .map(|found| judged(message("verdict-all-drops"), found, true))
-        .collect();
-    if verdict.share.is_none() {
-        let name = |drop: &Rebound| told.files.get(drop.place).cloned().unwrap_or_default();
-        let drops = verdict.drops.iter();
-        rows.extend(
-            drops.filter_map(|drop| Some(judged(name(drop), drop.predicted_m.as_ref()?, false))),
-        );
-    }
-    let accepted = verdict.accepted.map_or([None; 2], scaled);
-    figure::limits(
-        &rows,
-        scaled(limits),
-        accepted,
-        (translator.text(quantity), unit),
-        translator,
-    )
 }

@@ -1,4 +1,4 @@
-//! What the drops say of the rebound, as tables for the screen and for reports.
+//! The rebound of the drops, as tables for the terminal and for reports.
 
 use bouncelab::rulebook::{Correction, Rebound, Step, Verdict};
 use bouncelab_report::{Align, Quantity, Table, Unit};

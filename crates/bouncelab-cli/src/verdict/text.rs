@@ -1,4 +1,4 @@
-//! The verdict for people.
+//! The verdict as text.
 
 use std::fmt::Write;
 

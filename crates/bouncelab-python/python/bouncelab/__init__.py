@@ -6,7 +6,7 @@
 >>> print(f"restitution {drop.restitution.value:.3f}, from {drop.drop_height_m.value:.2f} m")
 restitution 0.950, from 0.30 m
 
-Quantities are in SI and say so in their names. Bad input is a :class:`BouncelabError` that says what to do.
+Quantities are in SI, with the unit in the name. Invalid input raises a :class:`BouncelabError` that states a remedy.
 """
 
 from __future__ import annotations
@@ -64,9 +64,11 @@ if TYPE_CHECKING:
         presets,
     )
     from bouncelab._recording import Draws, Drop, Drops, Recording
+    from bouncelab._session import Study, session
     from bouncelab._settings import Air, Ball, Options, Surroundings
     from bouncelab._simulation import Simulation, Sound, simulate, synthesize
     from bouncelab._table import Column, Table
+    from bouncelab._verdict import Rule, Verdict, rules, verdict
 
 #: Where each name is. A module is imported when something of it is used: the import itself takes little.
 _PLACES = {
@@ -84,9 +86,11 @@ _PLACES = {
     "_figure": "Figure",
     "_physics": "DragLaw air diagnostic_codes drag_coefficient drag_laws gravity_m_s2 languages presets",
     "_recording": "Draws Drop Drops Recording",
+    "_session": "Study session",
     "_settings": "Air Ball Options Surroundings",
     "_simulation": "Simulation Sound simulate synthesize",
     "_table": "Column Table",
+    "_verdict": "Rule Verdict rules verdict",
 }
 _MODULES = {name: module for module, names in _PLACES.items() for name in names.split()}
 
@@ -126,6 +130,7 @@ __all__ = [
     "Recording",
     "RecordingError",
     "RecordingNotFoundError",
+    "Rule",
     "Sampling",
     "SessionError",
     "Settings",
@@ -134,9 +139,11 @@ __all__ = [
     "Sound",
     "Source",
     "StrongestBand",
+    "Study",
     "Surroundings",
     "Table",
     "UnknownNameError",
+    "Verdict",
     "__version__",
     "air",
     "analyze",
@@ -147,8 +154,11 @@ __all__ = [
     "gravity_m_s2",
     "languages",
     "presets",
+    "rules",
+    "session",
     "simulate",
     "synthesize",
+    "verdict",
 ]
 
 

@@ -1,4 +1,4 @@
-"""From sound, or impact times, to what they say."""
+"""Analysis of recordings and of impact times."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ def analyze(
     progress: Progress | None = None,
     **options: Unpack[Options],
 ) -> Recording:
-    """Find the drops in a recording, and say what they say.
+    """Find the drops in a recording, and analyse them.
 
     Parameters
     ----------
@@ -101,7 +101,7 @@ def analyze(
     Returns
     -------
     Recording
-        Without a drop it has no ``drops``, and says why in ``no_drop``.
+        Without a drop, ``drops`` is empty and ``no_drop`` gives the reason.
 
     Raises
     ------
@@ -114,8 +114,8 @@ def analyze(
 
     Notes
     -----
-    Ctrl-C ends it between two blocks of sound, or two drops. No thread is started; the interpreter is free
-    for others meanwhile, so that several threads may analyse side by side.
+    Ctrl-C interrupts it between two blocks of samples, or two drops. It starts no thread and releases the GIL,
+    so several threads can analyse in parallel.
 
     Examples
     --------
@@ -126,27 +126,28 @@ def analyze(
     True
     """
     prepared = analyzer(**options)
-    report = None if progress is None else _Bars(progress)
+    report = None if progress is None else Bars(progress)
     try:
-        return Recording(_analyzed(prepared, source, sample_rate_hz, name, report))
+        return Recording(analyzed(prepared, source, sample_rate_hz, name, report))
     finally:
         if report is not None:
             report.close()
 
 
-def _analyzed(
+def analyzed(
     prepared: _core.Analyzer,
     source: object,
     sample_rate_hz: float | None,
     name: str | None,
-    report: _Bars | None,
+    report: Bars | None,
 ) -> _core.Recording:
+    """Analyse whatever a recording may be."""
     called = None if name is None else text("name", name)
     if hasattr(source, "__array__") or isinstance(source, memoryview):
         samples = as_samples(source)
         return prepared.samples(samples, as_rate(sample_rate_hz), called or "samples", report)
     if sample_rate_hz is not None:
-        raise InputError("sample_rate_hz goes with an array of samples; a file says it itself")
+        raise InputError("sample_rate_hz is for arrays of samples; omit it for a file, which contains it")
     if isinstance(source, str | PathLike):
         path = fspath(source)
         if not isinstance(path, str):
@@ -171,7 +172,7 @@ def analyze_times(
     name: str = "times",
     **options: Unpack[Options],
 ) -> Recording:
-    """Say what a list of impact times says.
+    """Analyse a list of impact times.
 
     Parameters
     ----------
@@ -236,7 +237,7 @@ def as_samples(source: object) -> NDArray[np.float32]:
 def as_rate(sample_rate_hz: object) -> int:
     """Return a sample rate as a whole number."""
     if sample_rate_hz is None:
-        raise InputError("an array does not say its sample rate; give sample_rate_hz")
+        raise InputError("the sample rate of an array is missing; give sample_rate_hz")
     rate = number("sample_rate_hz", sample_rate_hz)
     if rate != round(rate) or not 0 < rate < 2**32:
         raise InputError(f"sample_rate_hz is {rate:g}; it must be a whole number above 0, such as 44100")
@@ -263,7 +264,7 @@ def as_numbers(name: str, values: object) -> list[float]:
     return numbers
 
 
-class _Bars:
+class Bars:
     """A bar for each kind of work, moved on as it is done."""
 
     def __init__(self, make: Progress) -> None:

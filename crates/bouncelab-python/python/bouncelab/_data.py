@@ -59,7 +59,7 @@ class Measured:
 
 @dataclass(frozen=True)
 class Diagnostic:
-    """Something to know about a result.
+    """A remark on a result.
 
     Parameters
     ----------
@@ -222,7 +222,7 @@ class Prediction:
 
 @dataclass(frozen=True, slots=True)
 class PriorContraction:
-    """How much of the width of an unknown remains after the data: 1 says that they told nothing."""
+    """Width of an unknown after the data relative to before: 1 means that the data contain no information on it."""
 
     unknown: str
     remaining: float
@@ -255,7 +255,7 @@ class BandPoint:
 
 @dataclass(frozen=True)
 class Posterior:
-    """What the impact times of one drop say, all priors and models considered.
+    """The posterior of one drop, over all priors and models.
 
     The attributes are described in ``docs/json.md`` of the project, under ``drops[].posterior``. What is
     not defined, such as drag in vacuum, is ``None``.

@@ -1,4 +1,4 @@
-"""Sound that is still coming."""
+"""Detection in live sound."""
 
 from __future__ import annotations
 
@@ -17,10 +17,10 @@ if TYPE_CHECKING:
 
 
 class Detector:
-    """Takes sound in blocks, from any recorder, and gives each drop when it is over.
+    """Detects drops in blocks of samples from any recorder, and returns each drop once it is complete.
 
-    The result depends on the sound alone, never on the blocks in which it comes. A detector may be copied
-    (``copy.copy``); as it holds sound that is still coming, it cannot be pickled.
+    The result does not depend on the size of the blocks. A detector can be copied (``copy.copy``), but as it
+    holds an unfinished recording it cannot be pickled.
 
     Parameters
     ----------
@@ -61,7 +61,7 @@ class Detector:
         self._core = _core.Detector(analyzer(**options), rate, number, text("name", name))
 
     def push(self, samples: NDArray[np.generic]) -> Iterator[Drop]:
-        """Take the next samples, and give the drops that are over since.
+        """Process the next samples, and return the drops completed since.
 
         Parameters
         ----------
@@ -71,7 +71,7 @@ class Detector:
         Returns
         -------
         iterator of Drop
-            Mostly empty. The samples are taken at once, whether or not the drops are asked for.
+            Usually empty. The samples are processed at once, whether or not it is iterated.
 
         Raises
         ------
@@ -83,15 +83,15 @@ class Detector:
 
     @property
     def duration_s(self) -> float:
-        """How much sound came, in s."""
+        """Length of the samples so far, in s."""
         return self._core.duration_s()
 
     def so_far(self) -> Recording:
-        """Return what the sound says, as if it ended here."""
+        """Return the analysis of the samples so far."""
         return Recording(self._core.so_far())
 
     def finish(self) -> Recording:
-        """Return what all of the sound says, each drop anew: the same as :func:`analyze`."""
+        """Return the analysis of all samples, as :func:`analyze` does."""
         return self.so_far()
 
     def __copy__(self) -> Detector:
@@ -103,7 +103,7 @@ class Detector:
         return self.__copy__()
 
     def __reduce__(self) -> str:
-        raise InputError("a detector holds sound that is still coming, and cannot be pickled; send its result")
+        raise InputError("a detector holds an unfinished recording and cannot be pickled; send its result")
 
     def __repr__(self) -> str:
         return f"<bouncelab.Detector: {self.duration_s:.3f} s>"

@@ -11,7 +11,7 @@ class BouncelabError(Exception):
     Parameters
     ----------
     message : str
-        What was wrong and what to do about it, in English.
+        The problem and a remedy, in English.
     diagnostic : str, optional
         The same as data, as JSON; empty where there is none.
 
@@ -102,7 +102,7 @@ class PhysicsError(BouncelabError, ValueError):
 
 
 class InferenceError(BouncelabError):
-    """Nothing can be inferred from these impacts; the message says why."""
+    """Nothing can be inferred from these impacts; the message gives the reason."""
 
 
 class RecordingError(BouncelabError):

@@ -7,8 +7,9 @@ from dataclasses import dataclass
 from functools import cached_property
 from os import PathLike, fspath
 from pathlib import Path
-from typing import TYPE_CHECKING, Protocol
+from typing import TYPE_CHECKING, Protocol, TypeVar
 
+from bouncelab import _core
 from bouncelab._data import JSON
 from bouncelab._errors import InputError, OutputError
 from bouncelab._settings import text
@@ -17,7 +18,7 @@ from bouncelab._table import Table
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-    from bouncelab import _core
+T = TypeVar("T")
 
 
 class Charted(Protocol):
@@ -28,7 +29,7 @@ class Charted(Protocol):
 
 @dataclass(frozen=True)
 class Figure:
-    """A figure, which a notebook shows as it is.
+    """A figure, which a notebook displays.
 
     Attributes
     ----------
@@ -63,7 +64,7 @@ class Figure:
 
     @property
     def caption(self) -> str:
-        """One sentence that says what to see in it."""
+        """One sentence that explains the figure."""
         return str(self.to_dict()["caption"])
 
     def svg(self) -> str:
@@ -108,7 +109,7 @@ class Figure:
 
     @property
     def data(self) -> Table:
-        """What it shows, one row for each point, bar and rule: for other plotting libraries."""
+        """Its data, one row for each point, bar and line, for other plotting libraries."""
         return Table(self._drawn.table())
 
     def to_dict(self) -> dict[str, JSON]:
@@ -168,3 +169,17 @@ def figure(owner: Charted, name: str, language: str) -> Figure:
     made = Figure(owner, name, language)
     made.__dict__["_drawn"] = drawn
     return made
+
+
+def in_language(by_language: dict[str, T], language: str) -> T:
+    """Return what there is in a language."""
+    if language not in by_language:
+        _core.require_known("language", text("language", language), list(by_language))
+    return by_language[language]
+
+
+def named(charts: dict[str, _core.Chart], name: str) -> _core.Chart:
+    """Return the chart of a name."""
+    if name not in charts:
+        _core.require_known("figure", name, list(charts))
+    return charts[name]

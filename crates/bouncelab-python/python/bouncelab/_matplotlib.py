@@ -27,6 +27,9 @@ def draw(panel: Any, ax: Axes | None) -> Axes:
         label(f"{axis['quantity']} ({axis['unit']})" if axis["unit"] else axis["quantity"])
         scale("log" if axis["scale"]["kind"] == "log" else "linear")
         limits(axis["scale"]["low"], axis["scale"]["high"])
+    if names := panel["y"]["names"]:
+        # The first stands on top, in rows of the height 1.
+        ax.set_yticks([len(names) - 0.5 - place for place in range(len(names))], names)
     ax.set_title(panel["title"])
     named = False
     for layer in panel["layers"]:

@@ -1,4 +1,4 @@
-"""What a recording says."""
+"""Results of an analysis."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ if TYPE_CHECKING:
 
 
 class Recording:
-    """What a recording, or a list of impact times, says.
+    """The analysis of a recording, or of a list of impact times.
 
     It comes from :func:`bouncelab.analyze`, :func:`bouncelab.analyze_times` and
     :meth:`bouncelab.Detector.finish`.
@@ -101,7 +101,7 @@ class Recording:
 
     @property
     def diagnostics(self) -> tuple[Diagnostic, ...]:
-        """What is odd about the recording as a whole."""
+        """Warnings and remarks on the recording as a whole."""
         return _diagnostics(self._document)
 
     @property
@@ -170,7 +170,7 @@ class Recording:
 
 
 class Drop:
-    """What the impact times of one drop say.
+    """The analysis of one drop.
 
     Examples
     --------
@@ -232,7 +232,7 @@ class Drop:
 
     @cached_property
     def posterior(self) -> Posterior:
-        """What all of it says together.
+        """The posterior of restitution, drop height, drag and the rest.
 
         Raises
         ------
@@ -264,12 +264,12 @@ class Drop:
 
     @property
     def draws(self) -> Draws:
-        """Equally likely values of the answers together."""
+        """Draws of the posterior."""
         return Draws(self)
 
     @property
     def diagnostics(self) -> tuple[Diagnostic, ...]:
-        """What is odd about the drop, and what to know before believing it."""
+        """Warnings and remarks on the drop."""
         return _diagnostics(self._document)
 
     @property
@@ -363,7 +363,7 @@ class Draws(Table):
 
     @property
     def names(self) -> tuple[str, ...]:
-        """The answers that were drawn."""
+        """The quantities that were drawn."""
         return tuple(column.name for column in self.columns)
 
     def to_arviz(self) -> InferenceData:

@@ -146,9 +146,7 @@ def _plain(name: str, value: object) -> object:
     if name in _TEXTS:
         return text(name, value)
     if name in _FLAGS:
-        if isinstance(value, bool):
-            return value
-        raise InputError(f"{name} must be True or False, not {_kind(value)}")
+        return flag(name, value)
     if name in _COUNTS:
         return count(name, value)
     if name in _LISTS_OF_TEXTS:
@@ -193,6 +191,13 @@ def count(name: str, value: object) -> int:
     if isinstance(value, bool) or not isinstance(value, Integral) or not 0 <= int(value) < 2**63:
         raise InputError(f"{name} must be a whole number, not negative; it is {value!r:.50}")
     return int(value)
+
+
+def flag(name: str, value: object) -> bool:
+    """Return a truth value."""
+    if not isinstance(value, bool):
+        raise InputError(f"{name} must be True or False, not {_kind(value)}")
+    return value
 
 
 def text(name: str, value: object) -> str:

@@ -71,8 +71,8 @@ diagnostic-law-needs-impacts = Das Gesetz der Stoßzahl „{ $law }“ braucht {
    *[other] { $seen }
   }: Wie sich die Stoßzahl ändert, ist angenommen.
 diagnostic-impacts-odd = { $count ->
-    [one] Aufprall { $impacts } fällt aus der Reihe und zählt weniger: Der Ball ist vielleicht weggesprungen, traf eine Kante, oder der Laut ist etwas anderes.
-   *[other] Die Aufpralle { $impacts } fallen aus der Reihe und zählen weniger: Der Ball ist vielleicht weggesprungen, traf eine Kante, oder die Laute sind etwas anderes.
+    [one] Aufprall { $impacts } ist ein Ausreißer und zählt weniger: Der Ball ist vielleicht weggesprungen, traf eine Kante, oder der Laut ist etwas anderes.
+   *[other] Die Aufpralle { $impacts } sind Ausreißer und zählen weniger: Der Ball ist vielleicht weggesprungen, traf eine Kante, oder die Laute sind etwas anderes.
   }
 diagnostic-height-contradicts-times = Die gemessene Höhe von { $measured_m } widerspricht den Flugzeiten, aus denen { $detected_m } folgen; beides stimmte bei einer Fallbeschleunigung von { $gravity_m_s2 }. Falsche Abtastrate, falscher Ball oder falsche Höhe?
 diagnostic-first-impacts-missed = Mit der Wahrscheinlichkeit { $probability } fehlen Aufpralle vor dem ersten erkannten.
@@ -97,7 +97,7 @@ diagnostic-unknown-name = { $kind } „{ $name }“ gibt es nicht; am nächsten 
 diagnostic-reynolds-too-high = Das Widerstandsgesetz { $law } ist bis zur Reynolds-Zahl { $max_reynolds } bekannt, der Ball erreicht aber { $reynolds }; wähle ein Gesetz, das weiter reicht (clift-grace-weber hat kein Ende), oder einen langsameren Ball.
 diagnostic-ball-floats = Der Ball wiegt { $mass_kg } und verdrängt { $displaced_kg } Luft, er schwebt also; prüfe Masse und Durchmesser, oder lass den Auftrieb weg.
 diagnostic-endless-drop = Der Ball steigt noch { $apex_m } nach { $bounces } Sprüngen; senke die Stoßzahl, höre bei größerer Höhe auf, oder begnüge dich mit { $bounces } Sprüngen.
-diagnostic-too-few-flights = Eine Gerade durch die Logarithmen der Flugzeiten braucht mindestens 2 Flüge, hier { $flights ->
+diagnostic-too-few-flights = Eine Ausgleichsgerade durch die Logarithmen der Flugzeiten braucht mindestens 2 Flüge, hier { $flights ->
     [0] ist es keiner
     [one] ist es einer
    *[other] sind es { $flights }

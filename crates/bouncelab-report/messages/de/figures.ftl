@@ -10,7 +10,7 @@ axis-flight-time = Flugzeit
 axis-height = Höhe
 axis-impact = Aufprall
 axis-impact-speed = Aufpralltempo
-axis-off-line = neben der Geraden
+axis-off-line = Abweichung von der Geraden
 axis-rebound = Rückprallhöhe
 axis-restitution = Stoßzahl: Tempo nachher / vorher
 axis-restitution-at = Stoßzahl bei { $speed }
@@ -38,7 +38,7 @@ figure-budget-others = alles andere
 figure-budget-restitution = Stoßzahl: { $value }
 
 figure-calibration-title = Wo die Wahrheit unter den Ziehungen liegt
-figure-calibration-caption = Flache Balken: Die Bereiche treffen so oft, wie sie sagen. Ein Hügel hieße zu breite Bereiche, ein Tal zu schmale, ein Hang einen systematischen Fehler.
+figure-calibration-caption = Flache Balken: Die Bereiche treffen so oft wie angegeben. Ein Hügel hieße zu breite Bereiche, ein Tal zu schmale, ein Hang einen systematischen Fehler.
 figure-calibration-empty = Hier gibt es keine Ränge zu zeigen.
 figure-calibration-drops = simulierte Versuche
 figure-calibration-expected = 99 % der Balken enden hier, wenn alles stimmt
@@ -48,7 +48,7 @@ figure-comparison-title = Der Versuch und eine Simulation davon
 figure-comparison-caption = Wo sich die Kurven trennen, fehlt dem Modell etwas, oder ein Aufprall ist keiner.
 figure-comparison-empty = Hier gibt es keine Höhen zu zeigen.
 figure-comparison-best-fit = bestes Modell
-figure-comparison-measured = wie gehört
+figure-comparison-measured = gemessen
 figure-comparison-simulation = deine Simulation
 
 figure-detection-found-title = Im Rauschen gefundene Aufpralle
@@ -86,14 +86,14 @@ figure-drag-log-caption = Ein gleichbleibender Beiwert ist hier eine Gerade; die
 figure-drag-log-reached = Ein gleichbleibender Beiwert ist hier eine Gerade; die Gesetze trennen sich bei kleinem Tempo, wo der Luftwiderstand nichts mehr ausmacht; dieser Versuch erreichte { $speed }.
 figure-drag-log-empty = Hier gibt es keine Widerstandskurven zu zeigen.
 
-figure-flight-times-title = Die Flugzeiten und die Gerade
+figure-flight-times-title = Die Flugzeiten und die Ausgleichsgerade
 figure-flight-times-caption = Ohne Luft dauerte jeder Flug denselben Anteil des vorigen, nach der Geraden { $ratio }; ein Bogen im unteren Feld zeigt Luftwiderstand oder eine Stoßzahl, die sich mit dem Tempo ändert.
 figure-flight-times-no-line = { $count ->
     [one] 1 Flug
    *[other] { $count } Flüge
 }, ohne eine Gerade.
 figure-flight-times-empty = Hier gibt es keine Flüge zu zeigen.
-figure-flight-times-line = Gerade: jedes Mal × { $ratio }
+figure-flight-times-line = Ausgleichsgerade: jedes Mal × { $ratio }
 figure-flight-times-all = gemessene Flüge
 figure-flight-times-unused = nicht benutzt
 figure-flight-times-used = benutzte Flüge
@@ -121,7 +121,7 @@ figure-intervals-count = { $count ->
 figure-intervals-drops = Versuche
 figure-intervals-mean = Mittel, 95 %
 figure-intervals-next = nächster Versuch, 95 %
-figure-intervals-outliers = gehört nicht dazu
+figure-intervals-outliers = Ausreißer
 
 figure-limits-title = Die Rückprallhöhe und die Grenzen
 figure-limits-caption = Ein Wert, dessen Balken zwischen den Grenzen liegt, hält sie mit einer Wahrscheinlichkeit von mindestens 95 % ein.
@@ -136,26 +136,26 @@ figure-models-empty = Hier gibt es keine Modelle zu vergleichen.
 figure-models-interval = Fallhöhe, 68 %
 figure-models-probability = Wahrscheinlichkeit
 
-figure-posterior-title = Was man von allen zusammen weiß
+figure-posterior-title = Gemeinsame Verteilung nach den Daten
 figure-posterior-caption = Eine runde Wolke: Die Daten unterscheiden die beiden Größen. Eine schräge: Was man der einen zugibt, lässt sich der anderen nehmen. Ein Histogramm so breit wie die graue Kurve: Die Daten sagen nichts Neues.
 figure-posterior-empty = Hier gibt es keine Größen zu zeigen.
 figure-posterior-posterior = nach den Daten: 68 % dunkel, 95 % hell
 figure-posterior-prior = vor den Daten
 
-figure-residuals-title = Wie weit fällt jeder Aufprall aus der Reihe?
+figure-residuals-title = Residuum jedes Aufpralls
 figure-residuals-caption = Zwei von drei Aufprallen sollten im dunklen Band liegen, 19 von 20 im hellen; einer weit außerhalb traf eine Kante oder ist kein Aufprall.
 figure-residuals-empty = Hier gibt es keine Abweichungen zu zeigen.
 figure-residuals-axis = Abweichung (in Standardabweichungen)
 figure-residuals-impact = Aufprall
-figure-residuals-odd = aus der Reihe, zählt weniger
+figure-residuals-odd = Ausreißer, zählt weniger
 
 figure-restitution-title = Die Stoßzahl bei jedem Aufprall
 figure-restitution-caption = Was der Ball bei jedem Aufprall von seinem Tempo behält; die Lücke zwischen Grau und Blau nimmt die Luft, und eine Gerade hält sie für Verlust beim Aufprall.
 figure-restitution-empty = Hier gibt es keinen Aufprall mit bekannter Stoßzahl.
 figure-restitution-corrected = Luft herausgerechnet
 figure-restitution-law = angepasstes Gesetz, 68 und 95 %
-figure-restitution-line = Gerade: { $value }
-figure-restitution-odd = aus der Reihe, zählt weniger
+figure-restitution-line = Ausgleichsgerade: { $value }
+figure-restitution-odd = Ausreißer, zählt weniger
 figure-restitution-raw = ohne Luft gerechnet
 
 figure-run-title = Wandert etwas?
@@ -163,15 +163,15 @@ figure-run-caption = Jeder Versuch ohne den Median seiner Gruppe, der Reihe nach
 figure-run-empty = Hier gibt es keine Versuche zu zeigen.
 figure-run-off = Stoßzahl ohne den Median der Gruppe
 figure-run-order = Versuch, der Reihe nach
-figure-run-outlier = gehört nicht dazu
+figure-run-outlier = Ausreißer
 figure-run-unchanged = wenn sich nichts ändert
 
 figure-truncation-title = Hängt die Antwort an der Zahl der benutzten Flüge?
-figure-truncation-caption = Ein richtiges Modell gibt dieselbe Antwort, wie viele Flüge es auch benutzt; die einer Geraden wandert, weil sie keine Luft kennt.
+figure-truncation-caption = Ein richtiges Modell gibt für jede Zahl von Flügen dasselbe Ergebnis; das der Ausgleichsgeraden ändert sich, weil sie die Luft vernachlässigt.
 figure-truncation-empty = Hier gibt es keine Antworten zu vergleichen.
 figure-truncation-flights = benutzte Flüge
 figure-truncation-inference = Inferenz, mit Luft
-figure-truncation-line = Gerade
+figure-truncation-line = Ausgleichsgerade
 figure-truncation-stated = angegeben
 
 figure-waveform-title = Der Ton und seine Aufpralle
@@ -202,7 +202,7 @@ figure-drops-title = Die Stoßzahl jedes Versuchs
 figure-drops-caption = Wie viel der Ball von seinem Tempo behält, Versuch für Versuch; die Balken sind eine Standardabweichung.
 figure-drops-empty = Hier gibt es keine Versuche zu zeigen.
 
-figure-lesson-title = Die Fallhöhe nach der Geraden
+figure-lesson-title = Die Fallhöhe nach der Ausgleichsgeraden
 figure-lesson-caption = Ohne Luft findet die Gerade mit jeder Zahl von Flügen die wahre Höhe; mit Luft sinkt die gefundene Höhe mit jedem weiteren Flug.
 figure-lesson-empty = Hier gibt es keine Flüge zu zeigen.
 figure-lesson-air = mit Luft
@@ -219,7 +219,7 @@ figure-lesson-height-empty = Hier gibt es keine Höhen zu zeigen.
 figure-lesson-line-title = Flugzeiten ohne Luft
 figure-lesson-line-caption = Auf dieser Achse liegen Flüge, von denen jeder denselben Anteil des vorigen dauert, auf einer Geraden.
 figure-lesson-line-empty = Hier gibt es keine Flüge zu zeigen.
-figure-lesson-line-line = Gerade
+figure-lesson-line-line = Ausgleichsgerade
 
 figure-run-flight-times-title = Flugzeiten
 figure-run-flight-times-caption = Auf dieser Achse ist eine gleichbleibende Stoßzahl ohne Luft eine Gerade; wo die Punkte abbiegen, wirken Luft oder Tempo mit.

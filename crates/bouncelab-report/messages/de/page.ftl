@@ -27,7 +27,7 @@ page-app-number-wanted = Hier wird eine Zahl{ $most ->
       }
    *[other] {" "}von { $least } bis { $most }
   } erwartet.
-page-app-drop-here = Loslassen, dann wird zugehört
+page-app-drop-here = Loslassen, um die Datei zu öffnen
 page-app-unreadable-link = Einiges an den Einstellungen in der Adresse war nicht zu verstehen und bleibt weg: { $parts }.
 
 page-lab-invite = Lass einen Ball neben dem Mikrofon fallen.
@@ -40,7 +40,7 @@ page-lab-paste = Zeiten einfügen
 page-lab-demo = Beispiel ansehen
 page-lab-open-label = Aufnahme oder Liste von Aufprallzeiten
 page-lab-paste-label = Aufprallzeiten in Sekunden, eine je Zeile
-page-lab-paste-hint = Aus einer Tabelle, vom Oszilloskop oder nach Gehör. Was dazwischen liegt, sind die Flüge.
+page-lab-paste-hint = Aus einer Tabelle oder vom Oszilloskop. Zwischen den Aufprallen liegen die Flüge.
 page-lab-paste-do = Auswerten
 page-lab-pasted-name = eingefügte Zeiten
 page-lab-demo-name = Beispiel
@@ -57,7 +57,7 @@ page-lab-result = Ergebnis
 page-lab-opening = Lese { $name } …
 page-lab-kept = Der Ball behielt bei jedem Aufprall { $share } seines Tempos.
 page-lab-fell = Er fiel aus { $height } Höhe.
-page-lab-cannot-tell = Das sind zu wenige Aufpralle, um zu sagen, wie gut der Ball springt.
+page-lab-cannot-tell = Das sind zu wenige Aufpralle, um die Stoßzahl zu bestimmen.
 page-lab-impacts = { $count ->
     [one] 1 Aufprall
    *[other] { $count } Aufpralle
@@ -66,25 +66,25 @@ page-lab-uncertain = { $count } unsicher
 page-lab-edited = von Hand geändert
 page-lab-drop-of = Versuch { $index } von { $count }
 page-lab-drops-heard = Versuche in dieser Aufnahme
-page-lab-air-explains = Der Luftwiderstand erklärt { $points } Prozentpunkte dessen, was eine Ausgleichsgerade für verlorene Sprungkraft hielte.
-page-lab-line-height = Die Fallhöhe wäre nach dieser Geraden { $height }.
-page-lab-air-nothing = Der Luftwiderstand macht hier fast nichts aus: Die Gerade sagt dasselbe.
-page-lab-why-air-1 = Eine Gerade durch die Logarithmen der Flugzeiten ist der klassische Weg zur Sprungkraft. Doch auch die Luft bremst den Ball, und die Gerade hält das für Verlust beim Aufprall.
-page-lab-why-air-2 = Die grauen Punkte lassen die Luft weg; die blauen rechnen sie heraus. Was bleibt, sind Ball und Untergrund.
-page-lab-refining = Wäge ab, was Luft und Ball vermögen …
+page-lab-air-explains = Der Luftwiderstand erklärt { $points } Prozentpunkte dessen, was eine Ausgleichsgerade den Aufprallen zuschreibt.
+page-lab-line-height = Diese Ausgleichsgerade ergibt eine Fallhöhe von { $height }.
+page-lab-air-nothing = Der Luftwiderstand macht hier fast nichts aus: Die Ausgleichsgerade ergibt dasselbe.
+page-lab-why-air-1 = Eine Ausgleichsgerade durch die Logarithmen der Flugzeiten ist der klassische Weg zur Stoßzahl. Doch auch die Luft bremst den Ball, und die Gerade schreibt das den Aufprallen zu.
+page-lab-why-air-2 = Die grauen Punkte vernachlässigen die Luft; aus den blauen ist sie herausgerechnet. Sie zeigen Ball und Untergrund allein.
+page-lab-refining = Rechne die Schätzung mit Luft …
 page-lab-more = Alle Zahlen
-page-lab-tells = Was diese Stille sagen kann, und was nicht
-page-lab-narrowed-lead = Wie weit der Ton eingegrenzt hat, was man vorher schon wusste:
+page-lab-tells = Was diese Aufnahme bestimmt, und was nicht
+page-lab-narrowed-lead = Wie weit die Aufnahme die Unsicherheit verringert hat:
 page-lab-narrowed = { $unknown }: { $share } der Breite bleiben
 page-lab-assumed = angenommen
-page-lab-no-drop-title = Kein springender Ball gehört.
+page-lab-no-drop-title = Kein springender Ball gefunden.
 page-lab-no-drop-hint = Stell das Mikrofon nah an die Stelle, wo der Ball aufkommt, nimm einen harten Untergrund und lass den Ball ausspringen. Siehst du die Aufpralle im Bild, dann markiere sie von Hand: Doppelklick, oder Eingabetaste am Zeiger.
 page-lab-interrupted-title = Eine Aufnahme vom { $date } wurde unterbrochen.
-page-lab-progress = Wie weit es ist
+page-lab-progress = Fortschritt
 page-lab-unkept-title = Die Aufnahme vom { $date } steht nicht in der Tabelle der Versuche.
 page-lab-interrupted-hint = Nichts davon ist verloren.
 page-lab-interrupted-open = Öffnen
-page-lab-interrupted-drop = Wegwerfen
+page-lab-interrupted-drop = Löschen
 
 page-words-restitution = Die Stoßzahl ist das Tempo gleich nach einem Aufprall geteilt durch das Tempo gleich davor.
 
@@ -104,7 +104,7 @@ page-faults-unsupported-what = Dieser Browser gibt keinen unbearbeiteten Ton her
 page-faults-unsupported-do = Nimm einen aktuellen Firefox, Chrome, Edge oder Safari, oder öffne eine Aufnahme.
 
 page-faults-ended-what = Das Mikrofon ist weg: ausgesteckt, oder ein Anruf braucht es.
-page-faults-ended-do = Was bis dahin zu hören war, ist aufgehoben und ausgewertet.
+page-faults-ended-do = Der bis dahin aufgenommene Ton ist aufgehoben und ausgewertet.
 
 page-faults-unknown-what = Das Mikrofon ließ sich nicht öffnen.
 page-faults-unknown-do = Stecke es neu an oder starte den Browser neu. Du kannst stattdessen eine Aufnahme öffnen.
@@ -127,16 +127,16 @@ page-faults-unsupported-file-do = Ton: WAV, AIFF, FLAC, MP3, Ogg, Opus, WebM, M4
 page-faults-damaged-what = Die Datei ist beschädigt.
 page-faults-damaged-do = Kopiere oder lade sie neu. Eine Datei, an der das Handy noch schreibt, ist noch nicht lesbar.
 
-page-faults-times-what = Diese Zeiten ergeben als Aufpralle keinen Sinn.
+page-faults-times-what = Das können keine Aufprallzeiten sein.
 page-faults-times-do = Eine Zeit in Sekunden je Zeile, aufsteigend; Komma oder Punkt für Nachkommastellen.
 
 page-faults-huge-what = Die Datei ist zu groß für einen Browser.
 page-faults-huge-do = Bis 500 MB und etwa vierzig Minuten Ton. Schneide sie auf die Minuten mit dem Ball, oder nimm die Kommandozeile: bouncelab analyze.
 
-page-faults-setting-what = Eine Einstellung passt nicht zu den anderen.
+page-faults-setting-what = Eine Einstellung widerspricht den anderen.
 page-faults-setting-do = Siehe unten bei den Einstellungen.
 
-page-faults-fault-what = Darüber ist das Labor gestolpert.
+page-faults-fault-what = Die Auswertung ist fehlgeschlagen.
 page-faults-fault-do = Was aufgenommen wurde, ist aufgehoben. Lade die Seite neu und öffne es wieder; eine Meldung an das Projekt hilft.
 
 page-faults-keep-what = Der Versuch ließ sich nicht aufheben.
@@ -155,19 +155,19 @@ page-wave-snap = Am Ton einrasten
 page-wave-zoom-in = Näher
 page-wave-zoom-out = Weiter
 page-wave-all = Alles
-page-wave-play = Anhören
+page-wave-play = Abspielen
 page-wave-stop = Stopp
 page-wave-speed = Tempo
 page-wave-slower = { $speed } ×
 page-wave-spectrogram = Spektrogramm
 page-wave-spectrogram-label = Spektrogramm: Zeit nach rechts, Tonhöhe nach oben, lauter ist dunkler
 page-wave-overview = Die ganze Aufnahme; ziehen verschiebt
-page-wave-restore = Wie gehört
+page-wave-restore = Wie erkannt
 page-wave-list = Liste der Aufpralle
 page-wave-number = Nr.
 page-wave-time = Zeit
 page-wave-flight = Flug danach
-page-wave-probability = Sicher
+page-wave-probability = Wahrscheinlichkeit
 page-wave-level = Pegel
 page-wave-restitution = Stoßzahl
 page-wave-actions = Ändern
@@ -215,10 +215,10 @@ page-quantities-total-path = Weg bis zur Ruhe
 page-quantities-scatter = Streuung von Aufprall zu Aufprall
 page-quantities-timing = Fehler der Zeiten
 page-quantities-contact = Kontaktzeit
-page-quantities-line-restitution = Gerade: e
-page-quantities-line-height = Gerade: Fallhöhe
-page-quantities-line-flights = Gerade: Flüge
-page-quantities-energy-kept = Gerade: behaltene Energie
+page-quantities-line-restitution = Ausgleichsgerade: e
+page-quantities-line-height = Ausgleichsgerade: Fallhöhe
+page-quantities-line-flights = Ausgleichsgerade: Flüge
+page-quantities-energy-kept = Ausgleichsgerade: behaltene Energie
 page-quantities-corrected = Jeder Aufprall ohne Luft, Median von e
 page-quantities-interval = 95 %: { $range }
 
@@ -226,7 +226,7 @@ page-settings-ball = Ball
 page-settings-air = Luft
 page-settings-gravity = g
 page-settings-change = ändern
-page-settings-title = Was bekannt ist
+page-settings-title = Bekannte Größen
 page-settings-assumed-hint = Was niemand angegeben hat, ist angenommen und so gekennzeichnet.
 page-settings-own = eigener Ball
 page-settings-mass = Masse
@@ -247,18 +247,18 @@ page-settings-restitution-law = Stoßzahl
 page-settings-restitution-any = jedes Gesetz, das passt
 
 page-settings-laws-constant = bei jedem Tempo gleich
-page-settings-laws-linear = Gerade im Tempo
+page-settings-laws-linear = linear im Tempo
 page-settings-laws-power = Potenzgesetz
 page-settings-laws-viscoelastic = viskoelastisch
 page-settings-laws-knee = gleich bis zu einem Knick
 page-settings-measured = Der Versuch, falls gemessen
 page-settings-height = Fallhöhe
 page-settings-height-sd = ± der Höhe
-page-settings-flights = Flüge in der Geraden
+page-settings-flights = Flüge der Ausgleichsgeraden
 page-settings-flights-from = von
 page-settings-flights-to = bis
 page-settings-reset = Alle Einstellungen vergessen
-page-settings-refused = Diese Einstellungen passen nicht zusammen:
+page-settings-refused = Diese Einstellungen widersprechen sich:
 
 page-settings-balls-table-tennis-40 = Tischtennis 40+
 page-settings-balls-table-tennis-38 = Tischtennis 38 mm
@@ -285,7 +285,7 @@ page-keep-shared = Die Adresse mit diesen Einstellungen ist kopiert.
 page-keep-share-by-hand = Diese Adresse kopieren:
 page-keep-report = Bericht (HTML)
 
-page-simulate-title = Lass einen Ball fallen, den es nicht gibt
+page-simulate-title = Einen Versuch simulieren
 page-simulate-lead = Schieb einen Regler und sieh, was sich ändert; behalte einen Lauf, um ihn mit dem nächsten zu vergleichen.
 page-simulate-height = Fallhöhe
 page-simulate-restitution = Stoßzahl (bei 1 m/s)
@@ -303,71 +303,71 @@ page-simulate-worlds-venus = Venus
 page-simulate-worlds-titan = Titan
 page-simulate-worlds-jupiter = Jupiter
 page-simulate-keep-run = Diesen Lauf behalten
-page-simulate-hear = Anhören
+page-simulate-hear = Ton abspielen
 page-simulate-stop = Stopp
 page-simulate-lay = Über die Messung legen
 page-simulate-take-off = Nicht mehr über die Messung legen
 page-simulate-laid = Er liegt jetzt über der Messung, in der Abbildung „Vergleich“.
-page-simulate-analyse = Auswerten, als wäre er echt
+page-simulate-analyse = Seinen Ton auswerten
 page-simulate-runs = Läufe
 page-simulate-this-run = dieser Lauf
 page-simulate-run = Lauf { $index }
 page-simulate-remove = { $name } entfernen
 page-simulate-says = Er springt { $bounces } Mal in { $time } und legt { $path } zurück.
-page-simulate-terminal = Schneller als { $speed } könnte er hier nie fallen.
-page-simulate-no-terminal = Keine Luft bremst ihn.
+page-simulate-terminal = Seine Endgeschwindigkeit ist hier { $speed }.
+page-simulate-no-terminal = Ohne Luft gibt es keine Endgeschwindigkeit.
 page-simulate-losses = Von seiner Energie gehen { $surface } in die Aufpralle, { $air } in die Luft.
 page-simulate-impossible = Das lässt sich nicht simulieren:
 page-simulate-address = Die Regler stehen in der Adresse: Teile sie, und andere sehen denselben Lauf.
 
-page-paper-title = Der Aufsatz, lebendig
+page-paper-title = Der Aufsatz
 page-paper-source = M. Nagurka, „Aerodynamic Effects in a Dropped Ping-Pong Ball Experiment“
-page-paper-lead = Lass einen Tischtennisball fallen. Hör zu. Die Stille zwischen den Aufprallen sagt, wie gut er springt und aus welcher Höhe er fiel, und sie liegt um 12 % daneben. Hier ist der Gedankengang, jede Zahl und jede Abbildung beim Lesen neu berechnet.
+page-paper-lead = Lass einen Tischtennisball fallen und hör zu. Die Zeiten zwischen den Aufprallen ergeben Stoßzahl und Fallhöhe, doch die Höhe gerät um 12 % zu klein. Diese Seite erklärt, warum, und berechnet jede Zahl und jede Abbildung beim Lesen.
 
-page-paper-one-title = 1. Stille als Maßstab
+page-paper-one-title = 1. Von Zeiten zu Höhen
 page-paper-one-text-1 = Zwischen zwei Aufprallen steigt und fällt der Ball eine Zeit T lang. Ohne Luft flog er mit dem Tempo gT/2 los und stieg auf gT²/8. Mehr als eine Uhr braucht man nicht.
-page-paper-one-text-2 = Behält jeder Aufprall den Anteil e des Tempos, so dauert jeder Flug e-mal so lang wie der vorige. Auf logarithmischer Skala liegen die Flugzeiten auf einer Geraden: Ihre Steigung ist log e, und wo sie beginnt, sagt die Fallhöhe.
+page-paper-one-text-2 = Behält jeder Aufprall den Anteil e des Tempos, so dauert jeder Flug e-mal so lang wie der vorige. Auf logarithmischer Skala liegen die Flugzeiten auf einer Geraden: Ihre Steigung ist log e, und ihr Achsenabschnitt ergibt die Fallhöhe.
 page-paper-one-equation = log Tₙ = n log e + log (2v₀/g),   h₀ = v₀²/2g
 page-paper-one-see = Die Flugzeiten eines Balls aus 30,5 cm, ohne Luft. Jeder Punkt auf der Geraden; sie findet e und 30,5 cm genau.
 
-page-paper-two-title = 2. Der Versuch und sein Rätsel
-page-paper-two-text-1 = Im Aufsatz fiel ein Ball von 2,5 g und 38 mm aus 30,5 cm. Die Gerade durch die ersten zehn Flüge ergab e = 0,9375 und eine Fallhöhe von 26,7 cm.
+page-paper-two-title = 2. Der Versuch und eine Abweichung
+page-paper-two-text-1 = Im Aufsatz fiel ein Ball von 2,5 g und 38 mm aus 30,5 cm. Die Ausgleichsgerade durch die ersten zehn Flüge ergab e = 0,9375 und eine Fallhöhe von 26,7 cm.
 page-paper-two-text-2 = Das sind 3,8 cm zu wenig, 12,3 %: weit mehr, als ein Maßband irrt. Der Aufsatz nennt den Luftwiderstand als wahrscheinlichen Grund.
 
-page-paper-three-title = 3. Wie stark die Luft zieht
+page-paper-three-title = 3. Wie stark die Luft bremst
 page-paper-three-text = Bei den 2,4 m/s des ersten Aufpralls ist der Luftwiderstand nur 6 % des Gewichts, und er schwindet mit dem Quadrat des Tempos. Der Aufsatz erprobt zwei Gesetze: einen gleichbleibenden Beiwert von 0,4 und einen, der vom Tempo abhängt. Wo es darauf ankommt, stimmen sie überein.
 page-paper-three-equation = F/W = ½ ρ A C_D v² / mg
 page-paper-three-see = Luftwiderstand durch Gewicht über dem Tempo, nach beiden Gesetzen. Auf der log. Skala gibt ein gleichbleibender Beiwert eine Gerade der Steigung 2.
 page-paper-three-see-height = Der ganze Fall mit e = 0,935, mit Luft und ohne: sechs Prozent des Gewichts, und der Ball ruht Sekunden früher.
 
-page-paper-four-title = 4. Löst der Luftwiderstand das Rätsel?
-page-paper-four-text = Tun wir, was der Aufsatz nicht konnte: Bälle in Luft springen lassen, dieselbe Gerade hindurchlegen und sehen, was sie sagt. Wähle, wie gut der Ball springt und wie viele Flüge in die Gerade gehen.
+page-paper-four-title = 4. Erklärt der Luftwiderstand die Abweichung?
+page-paper-four-text = Simuliere Bälle in Luft, lege dieselbe Ausgleichsgerade hindurch und vergleiche mit dem Aufsatz. Wähle die Stoßzahl des Balls und die Zahl der Flüge.
 page-paper-four-e = Wahre Stoßzahl des Balls, bei 1 m/s
 page-paper-four-slope = Fällt mit dem Tempo um
 page-paper-four-flights = Flüge in der Geraden
-page-paper-four-line-says = Die Gerade sagt e = { $e } und h₀ = { $h }.
-page-paper-four-paper-says = Die Gerade des Aufsatzes sagt e = 0,9375 und h₀ = 26,7 cm.
+page-paper-four-line-says = Die Gerade ergibt e = { $e } und h₀ = { $h }.
+page-paper-four-paper-says = Die Gerade des Aufsatzes ergibt e = 0,9375 und h₀ = 26,7 cm.
 page-paper-four-truth = Wahre Fallhöhe: 30,5 cm.
 page-paper-four-hit = Das ist das Ergebnis des Aufsatzes, auf die letzte Stelle.
 page-paper-four-solve-drag = e gleich, zehn Flüge
 page-paper-four-solve-many = e gleich, 21 Flüge
 page-paper-four-solve-slope = e fällt mit dem Tempo, zehn Flüge
-page-paper-four-see = Fallhöhe nach der Geraden über der Zahl ihrer Flüge. Grau: Ohne Luft bleibt sie gleich, solange der Ball bei jedem Tempo gleich gut springt. Orangerot: Mit Luft sinkt sie mit jedem Flug. Blau: was die Gerade des Aufsatzes sagte.
+page-paper-four-see = Fallhöhe nach der Ausgleichsgeraden über der Zahl ihrer Flüge. Grau: Ohne Luft bleibt sie gleich, solange die Stoßzahl konstant ist. Orangerot: Mit Luft sinkt sie mit jedem Flug. Blau: das Ergebnis des Aufsatzes.
 
-page-paper-five-title = 5. Die Auflösung
+page-paper-five-title = 5. Die Erklärung
 page-paper-five-text-1 = Luftwiderstand mit gleichbleibender Stoßzahl erklärt etwa die Hälfte der Lücke: Ein Ball mit e = 0,953 gäbe die 0,9375 des Aufsatzes, aber 28,8 cm.
-page-paper-five-text-2 = Der Rest braucht eines von zweien. Entweder springt der Ball etwas schlechter, wenn er schnell ist, wie echte Bälle es tun; oder es gingen mehr als zehn Flüge in die Gerade. Eine Gerade kann beides nicht unterscheiden, denn ihre Antwort hängt davon ab, wie viele Flüge in sie eingehen.
-page-paper-five-text-3 = Darum zieht das Labor auf dieser Seite keine Gerade. Es fragt, welche Fallhöhe, Luft und Sprungkraft genau diese Stille gemacht haben können, und wie sicher.
+page-paper-five-text-2 = Für den Rest gibt es zwei Erklärungen: Die Stoßzahl fällt etwas mit dem Tempo, wie bei echten Bällen, oder es gingen mehr als zehn Flüge in die Gerade ein. Die Ausgleichsgerade kann beides nicht unterscheiden, denn ihr Ergebnis hängt von der Zahl der Flüge ab.
+page-paper-five-text-3 = Darum schätzt das Labor auf dieser Seite Fallhöhe, Luftwiderstand und Stoßzahl gemeinsam aus den Aufprallzeiten, mit ihren Unsicherheiten.
 page-paper-five-law = Stoßzahl
 page-paper-five-drag = Luft
 page-paper-five-flights = Flüge
 page-paper-five-first = e bei 2,4 m/s
 page-paper-five-slow = e bei 0,5 m/s
-page-paper-five-height = Die Gerade sagt h₀
+page-paper-five-height = h₀ der Geraden
 page-paper-five-same = Die 26,7 cm des Aufsatzes?
 page-paper-five-yes = ja
 page-paper-five-no = nein
-page-paper-five-caption = Wege, auf denen die Gerade e = 0,9375 sagt
+page-paper-five-caption = Modelle, für die die Ausgleichsgerade e = 0,9375 ergibt
 
 page-paper-six-title = 6. Alle Zahlen des Aufsatzes
 page-paper-six-lead = Wie gedruckt und wie hier berechnet. Druckfehler der Gleichungen sind berichtigt.

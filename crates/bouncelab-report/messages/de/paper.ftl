@@ -1,8 +1,8 @@
 paper-chapter-numbers = Die Zahlen des Aufsatzes
 paper-chapter-series = Stoßzahl, Zeit und Weg ohne Luftwiderstand
 paper-chapter-equations = Gleichungen, wie gedruckt und wie sie sein müssen
-paper-chapter-beyond = Was der Aufsatz nicht sagt
-paper-chapter-flights = Der Ball, den seine Gerade sieht: e = 0,9529 mit Luftwiderstand
+paper-chapter-beyond = Ergebnisse über den Aufsatz hinaus
+paper-chapter-flights = Ein Ball mit der Ausgleichsgeraden des Aufsatzes: e = 0,9529 mit Luftwiderstand
 paper-weight = Gewicht
 paper-buoyancy = Auftrieb
 paper-buoyancy-note = legt die Dichte der Luft fest, 1,2276 kg/m³

@@ -24,16 +24,16 @@ report-impacts = { $count ->
    *[other] { $uncertain } davon unsicher.
   }
 report-restitution = Die Stoßzahl, Tempo nach dem Aufprall durch Tempo davor, ist { $value } bei { $speed }, die Luft herausgerechnet.
-report-line-says = Eine Gerade durch die Logarithmen der Flugzeiten, die keine Luft kennt, ergibt { $share } ({ $difference ->
+report-line-says = Die Ausgleichsgerade durch die Logarithmen der Flugzeiten, ohne Luft, ergibt { $share } ({ $difference ->
     [less] { $points } Prozentpunkte weniger
     [more] { $points } Prozentpunkte mehr
    *[none] dasselbe
   }) und { $height }.
 
-report-answers = Schätzung mit Luft, und Gerade ohne
+report-answers = Schätzung mit Luft, und Ausgleichsgerade ohne
 report-impacts-heading = Die Aufpralle
 report-impacts-table = Aufpralle, jeder mit dem Flug danach und seiner Stoßzahl, ohne Luft gerechnet und mit ihr (? heißt unsicher)
-report-line-heading = Die Gerade
+report-line-heading = Die Ausgleichsgerade
 report-line-flights = Sie geht durch { $count ->
     [one] einen Flug.
    *[other] { $count } Flüge.
@@ -41,20 +41,20 @@ report-line-flights = Sie geht durch { $count ->
 report-line-fits = Sie geht durch { $count } Flüge, mit einem Bestimmtheitsmaß von { $determination }.
 report-no-line = Es gibt keine: { $reason }
 
-report-uncertainty = Woher die Unsicherheit kommt
+report-uncertainty = Unsicherheitsbudget
 report-budget-restitution = Beiträge zur Unsicherheit der Stoßzahl
 report-budget-drop-height = Beiträge zur Unsicherheit der Fallhöhe
-report-laws = Welche Gesetze wahr sein können
+report-laws = Vergleich der Gesetze
 report-laws-table = Gesetze, vor den Daten gleich wahrscheinlich
 report-contraction = Was diese Aufnahme festlegt
-report-correlations = Korrelationen der Antworten
+report-correlations = Korrelationen der Schätzwerte
 report-uninformative = { $unknown }: Diese Daten sagen fast nichts darüber; es bleibt bei dem, was man vorher wusste.
 report-little-informative = { $unknown }: Die Daten helfen ein wenig; { $left } % der vorigen Unsicherheit bleiben.
 report-informative = { $unknown }: Das legen die Daten fest; { $left } % der vorigen Unsicherheit bleiben.
 report-fit = Wie gut es passt
 report-fit-table = Die Aufpralle, wie die Schätzung sie sieht, mit der Energie, die jeder nahm, und seinem Gewicht darin
 report-sampling = Die Stichprobe ist { $draws } unabhängige Ziehungen wert; ihre Pareto-Form ist { $shape } (gut unter 0,7).
-report-truncation = Ein richtiges Verfahren sagt dasselbe, wie viele Flüge es auch benutzt:
+report-truncation = Ein richtiges Modell gibt für jede Zahl benutzter Flüge dasselbe Ergebnis:
 
 report-air = Die Luft bei diesem Tempo
 report-conditions = Bedingungen und Annahmen
@@ -90,7 +90,7 @@ report-repeat-version = Version { $version } von bouncelab gibt aus derselben Da
 report-repeat-files = Die gelesenen Dateien mit ihrer SHA-256-Summe (sha256sum zeigt sie):
 
 report-method = Verfahren
-report-method-flight = Einen Ball hört man nur, wenn er aufprallt. Die Stille zwischen zwei Aufprallen ist ein Flug, und ihre Dauer T ergibt die Höhe h des Flugs, fast unabhängig von der Luft:
+report-method-flight = Nur die Aufpralle machen einen Laut. Die Zeit T zwischen zwei Aufprallen ist die eines Flugs und ergibt seine Höhe h fast unabhängig von der Luft:
 report-method-line = Behielte jeder Aufprall denselben Anteil e des Tempos und gäbe es keine Luft, so lägen die Logarithmen der Flugzeiten über der Nummer n des Aufpralls auf einer Geraden. Ihre Steigung gibt die Stoßzahl e, ihr Achsenabschnitt b die Fallhöhe (Nagurka, Gl. 4 und 6):
 report-method-motion = Auch die Luft nimmt Tempo, und sie trägt den Ball ein wenig und bewegt sich mit ihm. Mit Masse m, Volumen V und Querschnitt A des Balls, Dichte ρ der Luft und einem Widerstandsbeiwert, der der Reynolds-Zahl folgt, ändert sich die Geschwindigkeit v so:
 report-method-restitution = Aus jeder Flugzeit folgt, mit welchem Tempo v der Ball den Untergrund verließ und mit welchem Tempo v′ er wiederkam, und aus zwei benachbarten Flügen die Stoßzahl des Aufpralls zwischen ihnen:

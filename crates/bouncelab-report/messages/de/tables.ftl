@@ -15,7 +15,7 @@ column-ratio = e ohne Luft
 column-time-error = ± Zeit µs
 column-level = Pegel dB
 column-probability = Wahrscheinlichkeit
-column-line = Gerade %
+column-line = Residuum %
 column-law = Gesetz der Stoßzahl
 column-drag = Luftwiderstand
 column-evidence = ln Evidenz
@@ -33,7 +33,7 @@ column-weight = Gewicht
 column-inference = Schätzung, mit Luft
 column-plain = g T²/8
 column-95 = 95 %
-column-straight-line = Gerade, ohne Luft
+column-straight-line = Ausgleichsgerade, ohne Luft
 
 quantity-restitution = Stoßzahl
 quantity-restitution-e = Stoßzahl e

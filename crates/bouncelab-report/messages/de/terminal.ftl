@@ -24,8 +24,8 @@ analyze-drop = { $drops ->
     [none] {""}
    *[other] {" "}(mit Wahrscheinlichkeit { $probability } ein springender Ball)
   }
-analyze-line = Gerade
-analyze-line-heading = Gerade durch die Logarithmen der Flugzeiten, als gäbe es keine Luft:
+analyze-line = Ausgleichsgerade
+analyze-line-heading = Ausgleichsgerade durch die Logarithmen der Flugzeiten, ohne Luft:
 analyze-line-flights = (vor dem ersten erkannten Aufprall; { $count ->
     [one] 1 Flug
    *[other] { $count } Flüge
@@ -46,12 +46,12 @@ analyze-reach = Sprung { $bounce } erreicht { $apex } aus
 analyze-interval = 95 %: { $interval }
 
 analyze-details-models = Modelle, vor den Daten gleich wahrscheinlich:
-analyze-details-budget-restitution = Woher die Unsicherheit von e kommt:
-analyze-details-budget-height = Woher die Unsicherheit von h0 kommt:
-analyze-details-contraction = Wie weit die Daten eingegrenzt haben, was bekannt war:
-analyze-details-correlations = Korrelationen der Antworten:
+analyze-details-budget-restitution = Unsicherheitsbudget von e:
+analyze-details-budget-height = Unsicherheitsbudget von h0:
+analyze-details-contraction = Wie weit die Daten die Unsicherheit verringert haben:
+analyze-details-correlations = Korrelationen der Schätzwerte:
 analyze-details-impacts = Aufpralle in der Schätzung:
-analyze-details-priors = Vor den Daten:
+analyze-details-priors = Annahmen vor den Daten:
 analyze-details-sampling = Stichprobe: { $draws } unabhängige Ziehungen, Pareto-Form { $shape } (gut unter 0,7).
 analyze-no-drop = { $name }: kein springender Ball gefunden: { $reason }
 analyze-one-report = ein Bericht gilt einer Aufnahme, hier sind es mehrere: bouncelab session macht einen aus vielen
@@ -62,16 +62,16 @@ terminal-all-shown = ... und { $count } weitere; --format csv hat alle.
 
 demo-heading = Ein Versuch aus 30,5 cm, erzeugt, erkannt und ausgewertet ({ $file })
 demo-truth = Wahrheit
-demo-detected = erkannt
+demo-detected = gemessen
 demo-flight-time-error = größter Fehler einer Flugzeit
-demo-restitution-line = e, Gerade durch zehn Flüge
+demo-restitution-line = e, Ausgleichsgerade, 10 Flüge
 demo-restitution-inference = e, Schätzung
-demo-height-line = Fallhöhe, Gerade
+demo-height-line = Fallhöhe, Ausgleichsgerade
 demo-height-inference = Fallhöhe, Schätzung
 demo-second-speed = Tempo des zweiten Aufpralls
 demo-conclusion =
-    Die Gerade hält den Luftwiderstand für verlorene Sprungkraft und bleibt unter der Höhe;
-    die Schätzung rechnet die Luft heraus und findet Stoßzahl und Höhe wieder.
+    Die Ausgleichsgerade vernachlässigt den Luftwiderstand: Stoßzahl und Fallhöhe sind zu klein.
+    Die Schätzung berücksichtigt die Luft und findet beide wieder.
 
 simulate-heading = Ein Versuch mit einem Ball ({ $ball }), simuliert
 simulate-bounces = Sprünge
@@ -93,7 +93,7 @@ synth-made = { $file }: { $count ->
    *[other] { $count } Aufpralle
   } in { $seconds } s, { $rate } Hz, Startwert { $seed }
 
-puzzle-question = Das Rätsel: Was lässt die Gerade e = 0,9375 und h0 = 26,7 cm von einem Ball sagen, der aus 30,5 cm fällt?
+puzzle-question = Die Abweichung: Was lässt die Ausgleichsgerade e = 0,9375 und h0 = 26,7 cm ergeben, wenn der Ball aus 30,5 cm fällt?
 puzzle-flights = Flüge
 puzzle-first = e bei 2,4 m/s
 puzzle-slow = e bei 0,5 m/s
@@ -104,8 +104,8 @@ puzzle-no = nein
 puzzle-answer =
     Jedes Gesetz ist so gewählt, dass die Gerade e = 0,9375 ergibt. Luftwiderstand mit gleichbleibender
     Stoßzahl gibt 26,7 cm erst mit etwa 21 Flügen in der Geraden; mit zehn Flügen muss die Stoßzahl auch
-    mit dem Tempo fallen. Eine Gerade kann beides nicht unterscheiden; wie viele Flüge in sie eingehen,
-    entscheidet über ihr Ergebnis.
+    mit dem Tempo fallen. Die Ausgleichsgerade kann beides nicht unterscheiden, denn ihr Ergebnis hängt
+    von der Zahl der Flüge ab.
 puzzle-quantity = Größe
 puzzle-printed = gedruckt
 puzzle-computed = berechnet
@@ -282,10 +282,10 @@ session-legend =
        *[other] nötig: Versuche insgesamt für ein auf ± { $wanted } bekanntes Mittel (95 %)
       }
 session-intervals = 95-%-Bereiche der Stoßzahl:
-session-varies = Was streut (Standardabweichung der Stoßzahl):
+session-varies = Varianzkomponenten (Standardabweichung der Stoßzahl):
 session-trends = Wie sich die Stoßzahl ändert, alles andere gleich:
 session-laws = Stoßzahl über dem Aufpralltempo, gemittelt über die Versuche, die es kennen:
-session-outliers = Diese gehören nicht in ihre Gruppe; stimmt, was von ihnen vermerkt ist?
+session-outliers = Ausreißer in ihrer Gruppe; stimmt, was zu ihnen notiert ist?
 session-outlier = { $name }: { $off } { $side ->
     [above] über
    *[below] unter
@@ -309,17 +309,17 @@ session-known = { $kept } von { $all } Aufnahmen sind aus einem früheren Lauf a
 session-restitution = Stoßzahl
 
 session-compared = Verglichen wird die Stoßzahl der Versuche bei einem Aufpralltempo von { $speed } m/s, das die meisten kennen, die Luft herausgerechnet.
-session-unlike = Anders als die übrigen ihrer Gruppe und doch mitgezählt: { $names }.
+session-unlike = Ausreißer in ihrer Gruppe, überall mitgezählt: { $names }.
 session-incomparable = Nichts lässt sich vergleichen: { $reason }
 session-groups-table = Stoßzahl nach Gruppen: Mittel und sein Standardfehler, was alle Versuche teilen, Streuung zwischen Versuchen und zwischen Aufprallen, und wie viele Versuche den Bereich halbieren würden
 session-intervals-table = 95-%-Bereiche des Mittels, des nächsten Versuchs und der Streuung zwischen Versuchen
-session-without-table = Mit den Versuchen, die anders sind als die übrigen ihrer Gruppe, und ohne sie
-session-varies-table = Standardabweichung der Stoßzahl nach dem, was streut
+session-without-table = Mit den Ausreißern jeder Gruppe und ohne sie
+session-varies-table = Varianzkomponenten: Standardabweichung der Stoßzahl nach Faktor
 session-differences-table = Unterschiede nach { $factor }, alles andere gleich
 session-trends-table = Änderung der Stoßzahl mit dem, was in Zahlen vermerkt ist, alles andere gleich
 session-groups = Gruppen
 session-against-speed = Stoßzahl über dem Tempo
-session-what-varies = Was streut
+session-what-varies = Varianzkomponenten
 session-differences-heading = Unterschiede
 session-in-order = Der Reihe nach
 session-troubles = Was nicht gelang

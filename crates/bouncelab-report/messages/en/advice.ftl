@@ -1,6 +1,6 @@
 # What to do about a diagnostic in one of the front ends: it is added to the sentence of the diagnostic.
 
-terminal-advice-impact-gains-energy = Leave it out by hand (--exclude TIME).
+terminal-advice-impact-gains-energy = Exclude it with --exclude TIME.
 terminal-advice-height-of-first-detected = State it with --height.
 terminal-advice-drag-or-slope = State it with --height.
 terminal-advice-ball-floats = The option is --no-buoyancy.
@@ -10,6 +10,6 @@ terminal-advice-temperature-not-stated = State it with --temperature.
 terminal-advice-altitude-not-stated = State it with --altitude.
 terminal-advice-no-channel = Choose another with --channel.
 
-advice-allow-implausible = Correct it, or insist by --allow-implausible
+advice-allow-implausible = Correct it, or accept it with --allow-implausible
 
 page-advice-impact-gains-energy = Remove it if it looks wrong in the waveform.

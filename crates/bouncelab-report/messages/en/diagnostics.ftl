@@ -2,30 +2,30 @@
 # Advice that names an option or a button of a front end is in advice.ftl.
 
 diagnostic-recording-silent = The recording is silent: all samples have the same value.
-diagnostic-no-sound = No sound stands out of the background.
+diagnostic-no-sound = No sound stands out from the background.
 diagnostic-too-few-sounds = { $count ->
-    [one] Only 1 sound stands out of the background
-   *[other] Only { $count } sounds stand out of the background
-  }; a drop is told from chance by at least { $needed } impacts.
-diagnostic-periodic-sounds = { $count } sounds keep time, about every { $interval_s } s, as of a clock, of steps or a drum; the flights of a ball shrink.
-diagnostic-no-pattern = { $count } sounds stand out of the background, but no { $needed } of them come at shrinking intervals as the impacts of a ball do.
+    [one] Only 1 sound stands out from the background
+   *[other] Only { $count } sounds stand out from the background
+  }; the detection of a drop needs at least { $needed } impacts.
+diagnostic-periodic-sounds = { $count } sounds are periodic, about every { $interval_s } s, like those of a clock, steps or a drum; the flights of a ball become shorter.
+diagnostic-no-pattern = { $count } sounds stand out from the background, but no { $needed } of them have the decreasing intervals of a bouncing ball.
 diagnostic-too-few-times = A flight needs two impact times, and there are fewer.
-diagnostic-nothing-left = So many impacts were left out that no flight remains.
-diagnostic-distant-ball = A far fainter ball was detected from { $start_s } s to { $end_s } s ({ $impacts } impacts) and left out.
+diagnostic-nothing-left = So many impacts were excluded that no flight remains.
+diagnostic-distant-ball = A far fainter ball was detected from { $start_s } s to { $end_s } s ({ $impacts } impacts) and excluded.
 diagnostic-clipped = { $samples ->
     [one] 1 sample is clipped
    *[other] { $samples } samples are clipped
-  }: the recorder was too loud; times suffer little, levels do.
-diagnostic-nothing-to-exclude = No impact lies near { $time_s } s, so none was left out there.
+  }: the recording level was too high; impact times are hardly affected, levels are.
+diagnostic-nothing-to-exclude = No impact lies near { $time_s } s, so none was excluded there.
 diagnostic-too-far-to-include = { $time_s } s lies more than { $reach_s } away from every drop, so it was not added.
-diagnostic-sound-lost = Sound was lost at { $at_s } s: no flight across a gap is used, and of { $impacts } impacts the { $kept } of the longest part without one.
+diagnostic-sound-lost = Sound was lost at { $at_s } s: of { $impacts } impacts, the { $kept } of the longest part without a gap are used.
 diagnostic-release-without-drop = No drop begins after the stated release at { $time_s } s.
-diagnostic-height-of-another-unit = The height is stated as { $stated_m }, but the ball was detected to fall from about { $detected_m }, as if { $meant_m } was meant.
+diagnostic-height-of-another-unit = The stated height is { $stated_m }, but the detected fall is about { $detected_m }; { $meant_m } may be meant.
 
 diagnostic-file-unreadable = The file cannot be read.
 diagnostic-file-truncated = { $expected_s ->
-    [none] The file is cut short or damaged: it was read up to { $read_s } s.
-   *[other] The file is cut short: { $read_s } s of { $expected_s } s could be read. If the rest is not missing at the end, later times are too early.
+    [none] The file is truncated or damaged: it was read up to { $read_s } s.
+   *[other] The file is truncated: { $read_s } s of { $expected_s } s could be read. If the rest is not missing at the end, later times are too early.
   }
 diagnostic-samples-not-finite = { $samples ->
     [one] 1 sample was not a number
@@ -52,60 +52,60 @@ diagnostic-impacts-missed = { $count ->
    *[other] { $count } impacts in between were not detected; they are counted.
   }
 diagnostic-impact-gains-energy = { $count ->
-    [one] Impact { $impacts } would give energy to the ball
-   *[other] Impacts { $impacts } would give energy to the ball
-  } (restitution above 1): a double trigger, a moving surface, or a sound that is no impact.
-diagnostic-restitution-rises = The restitution corrected for drag rises with the impact speed, from { $slow } to { $fast }: real balls do not do that, so the ball is probably another one, heavier for its size.
+    [one] Impact { $impacts } has a restitution above 1
+   *[other] Impacts { $impacts } have a restitution above 1
+  }: a double detection, a moving surface, or another sound.
+diagnostic-restitution-rises = The restitution corrected for drag rises with the impact speed, from { $slow } to { $fast }, unlike that of real balls; the ball is probably another one, heavier for its size.
 diagnostic-impacts-doubtful = { $count ->
     [one] 1 impact is
    *[other] { $count } impacts are
   } more likely something else (probability below 1/2).
-diagnostic-flight-grows = Flight { $flight } is longer than the one before it, which no surface at rest does.
-diagnostic-times-in-milliseconds = Flights of more than 30 s: times are read in seconds; are these milliseconds?
+diagnostic-flight-grows = Flight { $flight } is longer than the flight before it, which is impossible on a surface at rest.
+diagnostic-times-in-milliseconds = There are flights of more than 30 s: times are read in seconds; are these milliseconds?
 
-diagnostic-sampling-not-converged = The sampling did not converge (Pareto shape { $pareto_shape }; it should be below { $greatest }), so the intervals cannot be trusted; the impacts may not be of one drop.
+diagnostic-sampling-not-converged = The sampling did not converge (Pareto shape { $pareto_shape }; it should be below { $greatest }), so the intervals are unreliable; the impacts may not be of one drop.
 diagnostic-few-impacts = { $count ->
     [2] 2 impacts show a single flight and no restitution of the ball
     [3] 3 impacts show a single restitution, taken to be the same at every speed, of the ball
    *[other] { $count } impacts show few restitutions of the ball
-  }; the rest of the answer is what is known of balls in general.
-diagnostic-law-needs-impacts = The { $law } restitution law takes { $needed } impacts between two flights to be told from a constant, and there { $seen ->
+  }; the rest of the result comes from the priors.
+diagnostic-law-needs-impacts = The { $law } restitution law needs { $needed } impacts between two flights to be distinguished from a constant, and there { $seen ->
     [one] is 1
    *[other] are { $seen }
-  }: how restitution changes is what was assumed.
+  }: the change of restitution with speed comes from the prior.
 diagnostic-impacts-odd = { $count ->
-    [one] Impact { $impacts } is odd and counts less: the ball may have drifted, hit an edge, or the sound is something else.
-   *[other] Impacts { $impacts } are odd and count less: the ball may have drifted, hit an edge, or the sounds are something else.
+    [one] Impact { $impacts } is an outlier and has less weight: the ball may have drifted or hit an edge, or the sound is something else.
+   *[other] Impacts { $impacts } are outliers and have less weight: the ball may have drifted or hit an edge, or the sounds are something else.
   }
-diagnostic-height-contradicts-times = The measured height of { $measured_m } contradicts the flight times, which indicate { $detected_m }: both would be true if gravity were { $gravity_m_s2 }; a wrong sample rate, a wrong ball, or a wrong height.
+diagnostic-height-contradicts-times = The measured height of { $measured_m } contradicts the flight times, which indicate { $detected_m }; both would agree with a gravity of { $gravity_m_s2 }. The sample rate, the ball or the height may be wrong.
 diagnostic-first-impacts-missed = Impacts before the first one detected were missed, with probability { $probability }.
-diagnostic-height-of-first-detected = The drop height is of the fall before the first impact detected; with a measured height missed impacts would show.
-diagnostic-drag-from-prior = These flight times say next to nothing about drag: the drag coefficient is what is known of spheres.
-diagnostic-drag-or-slope = Drag and falling restitution cannot be told apart from this recording; a measured drop height or a denser ball would help.
-diagnostic-no-law-wins = No restitution law wins; the answer is averaged over those that may be true.
+diagnostic-height-of-first-detected = The drop height is that of the fall before the first impact detected; a measured height would show whether impacts were missed.
+diagnostic-drag-from-prior = These flight times hardly constrain drag: the drag coefficient is that of the prior for spheres.
+diagnostic-drag-or-slope = This recording cannot separate drag from restitution that falls with speed; a measured drop height or a denser ball would help.
+diagnostic-no-law-wins = No restitution law dominates; the result is averaged over the possible laws.
 diagnostic-other-ball-fits-better = These times fit another ball better, at least { $odds } to 1: { $balls }.
-diagnostic-never-rests = With so little loss the ball does not come to rest in any reasonable time.
-diagnostic-inference-off = No inference was asked for.
-diagnostic-inference-needs-impacts = An inference takes a flight, and a flight takes two impacts.
-diagnostic-no-model-fits = No physical model explains these times; are they of one drop, in seconds, and is the ball the right one?
-diagnostic-sampling-failed = The posterior could not be sampled: no draw explains the times; are they of one drop?
+diagnostic-never-rests = With so little energy loss the ball does not come to rest in a reasonable time.
+diagnostic-inference-off = No inference was requested.
+diagnostic-inference-needs-impacts = An inference needs at least one flight, that is two impacts.
+diagnostic-no-model-fits = No physical model fits these times; are they of one drop, in seconds, and is the ball right?
+diagnostic-sampling-failed = The posterior could not be sampled: no draw fits the times; are they of one drop?
 diagnostic-missed-in-a-row = { $missed } impacts in a row were missed after impact { $after }.
 diagnostic-flight-too-long = Air drag makes so long a flight impossible for this ball; check mass, diameter and the unit of the times.
-diagnostic-gains-speed = The ball would gain speed at each impact, which no surface at rest gives; are the times in order, in seconds, and of one drop?
-diagnostic-variances-confounded = The variances of these groups cannot be told apart.
-diagnostic-height-out-of-reach = The rule's height is far beyond those from which the ball was detected to fall.
+diagnostic-gains-speed = The ball would gain speed at most impacts, which is impossible on a surface at rest; are the times in order, in seconds, and of one drop?
+diagnostic-variances-confounded = The variances of these groups cannot be separated.
+diagnostic-height-out-of-reach = The height of the rule is far greater than the detected drop heights.
 
 diagnostic-out-of-range = { $quantity } is { $value }; it must be { $allowed }
 diagnostic-unknown-name = No { $kind } is called “{ $name }”; the nearest is “{ $nearest }” (known: { $known }).
-diagnostic-reynolds-too-high = The drag law { $law } is known up to Reynolds number { $max_reynolds }, but the ball reaches { $reynolds }; choose a law with a wider range (clift-grace-weber has no upper end) or a slower ball.
-diagnostic-ball-floats = The ball weighs { $mass_kg } and displaces { $displaced_kg } of air, so it floats; check mass and diameter, or leave buoyancy out.
+diagnostic-reynolds-too-high = The drag law { $law } is valid up to Reynolds number { $max_reynolds }, but the ball reaches { $reynolds }; choose a law with a wider range (clift-grace-weber has no upper end) or a slower ball.
+diagnostic-ball-floats = The ball weighs { $mass_kg } and displaces { $displaced_kg } of air, so it floats; check mass and diameter, or neglect buoyancy.
 diagnostic-endless-drop = The ball still rises { $apex_m } after { $bounces } bounces; lower the restitution, stop at a greater height, or ask for at most { $bounces } bounces.
-diagnostic-too-few-flights = A straight line through the logarithms of the flight times needs at least 2 flights, and there { $flights ->
+diagnostic-too-few-flights = A log-linear fit of the flight times needs at least 2 flights, and there { $flights ->
     [0] are none
     [one] is 1
    *[other] are { $flights }
   }; use a recording with at least 3 impacts, or a wider range of flights.
-diagnostic-too-few-drops = This takes { $needed } drops or more, and there { $drops ->
+diagnostic-too-few-drops = This needs { $needed } drops or more, and there { $drops ->
     [0] are none
     [one] is 1
    *[other] are { $drops }
@@ -116,7 +116,7 @@ diagnostic-no-channel = There is no channel { $channel }: the recording has { $c
     [one] only one
    *[other] { $channels }, the first being 1
   }.
-diagnostic-each-of-reference = A share of a reference is one of means: single drops have none.
+diagnostic-each-of-reference = A share of a reference compares means: single drops have no share.
 diagnostic-implausible-quantity = { $quantity }: { $value } { $unit }?{ $meant_unit ->
     [none] {""}
    *[other] {" "}Did you mean { $meant } { $meant_unit }?
@@ -142,56 +142,56 @@ diagnostic-assumed-rule-height = Its lowest point fell { $height_m } ± { $sd_m 
 diagnostic-assumed-air = Air of { $temperature_k } °C, { $pressure_pa } hPa, { $relative_humidity } % humidity.
 diagnostic-assumed-gravity = Gravity { $gravity_m_s2 }.
 
-diagnostic-prior-restitution = Restitution: anything from 0 to 1.
+diagnostic-prior-restitution = Restitution: uniform from 0 to 1.
 diagnostic-prior-scatter = Scatter of restitution: about { $relative_sd } %, within a factor of two.
 diagnostic-prior-exact = { $input }: exact.
 diagnostic-prior-unknown = { $input }: unknown (a factor e either way).
 diagnostic-prior-input = { $input }: known to { $relative_sd } %.
 diagnostic-prior-height = Drop height: measured, { $height_m } ± { $sd_m }.
-diagnostic-prior-height-flat = Drop height: anything (flat in its logarithm).
+diagnostic-prior-height-flat = Drop height: uniform in its logarithm.
 diagnostic-prior-release = Release: measured, { $release_s } s ± { $sd_s }.
 diagnostic-prior-constant-drag = A constant drag coefficient: as probable as the law.
 diagnostic-prior-missed = Each further impact missed at the start: half as likely.
 
-diagnostic-rule-needs-drops = The rule takes { $needed } drops, and there { $given ->
+diagnostic-rule-needs-drops = The rule needs { $needed } drops, and there { $given ->
     [0] are none
     [one] is 1
    *[other] are { $given }
   }.
-diagnostic-rule-needs-reference-drops = The rule takes { $needed } drops on the reference, and there { $given ->
+diagnostic-rule-needs-reference-drops = The rule needs { $needed } drops on the reference, and there { $given ->
     [0] are none
     [one] is 1
    *[other] are { $given }
   }.
-diagnostic-rule-needs-reference = The rule compares with a reference surface: it takes recordings of the same ball on it.
-diagnostic-rule-needs-places = The rule wants places to be alike, and there is one: it takes one recording for each place.
-diagnostic-rule-without-limits = The rule names no limits.
-diagnostic-rule-needs-height = The rule names no height, and nobody stated from which the ball fell.
-diagnostic-rule-temperature = { $temperature_k } °C is not a temperature at which the rule holds.
-diagnostic-rule-altitude = { $altitude_m } above the sea is not where the rule holds.
+diagnostic-rule-needs-reference = The rule compares with a reference surface: it needs recordings of the same ball on that surface.
+diagnostic-rule-needs-places = The rule compares places, and there is one: it needs one recording for each place.
+diagnostic-rule-without-limits = The rule states no limits.
+diagnostic-rule-needs-height = The rule states no height, and the drop height was not stated.
+diagnostic-rule-temperature = { $temperature_k } °C is outside the temperature range of the rule.
+diagnostic-rule-altitude = { $altitude_m } above sea level is outside the altitude range of the rule.
 diagnostic-drop-without-rebound = Drop { $drop } does not determine its rebound: { $reason }
 diagnostic-limit-within-uncertainty = A limit lies within the uncertainty; more or better drops would help.
-diagnostic-rule-unverified = This rule is unverified: nobody has read it in its source; do not rely on it.
-diagnostic-formula-unverified = The formula of this rule is unverified: nobody has read it in its source.
-diagnostic-rule-other-ball = The rule is for a ball of the kind { $ball }, and that stated is another by mass or diameter: is it the right rule?
-diagnostic-rule-without-point = It is not noted where on the ball this rule measures; the lowest point is taken.
+diagnostic-rule-unverified = This rule is unverified: it was not checked against its source; do not rely on it.
+diagnostic-formula-unverified = The formula of this rule is unverified: it was not checked against its source.
+diagnostic-rule-other-ball = The rule is for a ball of the kind { $ball }, and the stated ball has another mass or diameter: is it the right rule?
+diagnostic-rule-without-point = The rule does not state at which point of the ball it measures; the lowest point is taken.
 diagnostic-temperature-not-stated = The rule holds { $least_k ->
     [none] up to { $greatest_k } °C
    *[other] { $greatest_k ->
         [none] from { $least_k } °C
        *[other] from { $least_k } to { $greatest_k } °C
       }
-  }, and nobody stated the temperature.
+  }, and the temperature was not stated.
 diagnostic-altitude-not-stated = The rule holds { $least_m ->
-    [none] up to { $greatest_m } above the sea
+    [none] up to { $greatest_m } above sea level
    *[other] { $greatest_m ->
-        [none] from { $least_m } above the sea
-       *[other] from { $least_m } to { $greatest_m } above the sea
+        [none] from { $least_m } above sea level
+       *[other] from { $least_m } to { $greatest_m } above sea level
       }
-  }, and nobody stated the altitude.
-diagnostic-rule-other-height = The ball fell { $dropped_m }, the rule drops it { $rule_m }: the rebound is predicted for the rule's height.
-diagnostic-rule-extrapolated = The rule's impact is { $factor } % faster than any that was detected: its rebound rests on how restitution depends on speed.
+  }, and the altitude was not stated.
+diagnostic-rule-other-height = The ball fell { $dropped_m }, and the rule requires { $rule_m }: the rebound is predicted for the height of the rule.
+diagnostic-rule-extrapolated = The rule's impact is { $factor } % faster than any detected: its rebound depends on the extrapolated restitution.
 diagnostic-verdict-of-few-drops = { $drops ->
-    [one] The verdict is of this one drop: it does not show how much drops differ; three or more would.
-   *[other] Two drops hardly show how much drops differ, which makes their mean uncertain; a third would help much.
+    [one] The verdict is for this one drop: it does not show the scatter between drops; three or more would.
+   *[other] Two drops hardly show the scatter between drops, so their mean is uncertain; a third would help much.
   }

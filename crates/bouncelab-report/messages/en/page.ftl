@@ -29,8 +29,8 @@ page-app-number-wanted = A number{ $most ->
       }
    *[other] {" "}from { $least } to { $most }
   } is expected here.
-page-app-drop-here = Let go to hear it
-page-app-unreadable-link = Some of the set-up in the address was not understood and is left out: { $parts }.
+page-app-drop-here = Release to open the file
+page-app-unreadable-link = Some settings in the address are not valid and were ignored: { $parts }.
 
 page-lab-invite = Drop a ball near your microphone.
 page-lab-invite-touch = Drop a ball near your phone.
@@ -42,7 +42,7 @@ page-lab-paste = paste times
 page-lab-demo = try the demo
 page-lab-open-label = Recording or list of impact times
 page-lab-paste-label = Impact times in seconds, one on each line
-page-lab-paste-hint = From a spreadsheet, an oscilloscope or your own ears. Flights are what lies between.
+page-lab-paste-hint = From a spreadsheet or an oscilloscope. The flights are between the impacts.
 page-lab-paste-do = Analyse
 page-lab-pasted-name = pasted times
 page-lab-demo-name = demo
@@ -54,12 +54,12 @@ page-lab-so-far = { $count ->
    *[other] { $count } impacts so far
   }
 page-lab-so-far-keeps = it keeps about { $share } of its speed
-page-lab-ends-itself = It ends by itself when the ball rests.
+page-lab-ends-itself = Listening ends when the ball rests.
 page-lab-result = Result
 page-lab-opening = Reading { $name } …
 page-lab-kept = The ball kept { $share } of its speed at each bounce.
 page-lab-fell = It fell from { $height }.
-page-lab-cannot-tell = These impacts are too few to tell how bouncy the ball is.
+page-lab-cannot-tell = There are too few impacts to determine the restitution.
 page-lab-impacts = { $count ->
     [one] 1 impact
    *[other] { $count } impacts
@@ -68,25 +68,25 @@ page-lab-uncertain = { $count } uncertain
 page-lab-edited = edited by hand
 page-lab-drop-of = Drop { $index } of { $count }
 page-lab-drops-heard = Drops in this recording
-page-lab-air-explains = Air drag explains { $points } points of what a straight-line fit would call lost bounciness.
-page-lab-line-height = That line would put the drop height at { $height }.
-page-lab-air-nothing = Air drag makes next to no difference here: the straight line says the same.
-page-lab-why-air-1 = A straight line through the logarithm of the flight times is the classic way to measure bounciness. But air slows the ball too, and the line takes that for energy lost in the bounce.
-page-lab-why-air-2 = The grey points leave the air out; the blue ones give the air its share. What remains is the ball and the surface.
-page-lab-refining = Weighing what the air and the ball can do …
+page-lab-air-explains = Air drag explains { $points } percentage points of what a log-linear fit would attribute to the impacts.
+page-lab-line-height = That fit gives a drop height of { $height }.
+page-lab-air-nothing = Air drag makes almost no difference here: the log-linear fit gives the same.
+page-lab-why-air-1 = A straight line through the logarithms of the flight times (log-linear fit) is the classic way to measure restitution. But air also slows the ball, and the fit attributes this to the impacts.
+page-lab-why-air-2 = The grey points neglect the air; the blue ones are corrected for drag. They show the ball and the surface alone.
+page-lab-refining = Computing the inference with air …
 page-lab-more = All numbers
-page-lab-tells = What these silences can tell, and what not
-page-lab-narrowed-lead = How much the sound narrowed down what was known before it:
-page-lab-narrowed = { $unknown }: { $share } of its width remains
+page-lab-tells = What this recording determines, and what not
+page-lab-narrowed-lead = How much the recording reduced the prior uncertainty:
+page-lab-narrowed = { $unknown }: { $share } of the width remains
 page-lab-assumed = assumed
 page-lab-no-drop-title = No drop found.
 page-lab-no-drop-hint = Put the microphone close to where the ball lands, on a hard surface, and let it bounce until it rests. If you can see the impacts in the waveform, mark them by hand: double-click, or press Enter at the cursor.
-page-lab-interrupted-title = A recording of { $date } was cut short.
-page-lab-progress = How far it is
+page-lab-interrupted-title = A recording of { $date } was interrupted.
+page-lab-progress = Progress
 page-lab-unkept-title = The recording of { $date } is not in the table of drops.
 page-lab-interrupted-hint = Nothing of it is lost.
 page-lab-interrupted-open = Open it
-page-lab-interrupted-drop = Throw it away
+page-lab-interrupted-drop = Delete it
 
 page-words-restitution = Restitution is the speed just after an impact over the speed just before it.
 
@@ -102,23 +102,23 @@ page-faults-busy-do = Close calls and recorders, then tap Listen again.
 page-faults-insecure-what = Browsers give the microphone only to pages with https, or from this computer itself.
 page-faults-insecure-do = Open this page with https or through localhost. Recordings can be opened as it is.
 
-page-faults-unsupported-what = This browser cannot hand over raw sound.
+page-faults-unsupported-what = This browser does not provide unprocessed sound.
 page-faults-unsupported-do = Use a current Firefox, Chrome, Edge or Safari, or open a recording.
 
-page-faults-ended-what = The microphone was taken away: unplugged, or needed for a call.
-page-faults-ended-do = What was heard until then is kept and analysed.
+page-faults-ended-what = The microphone was disconnected: unplugged, or used by a call.
+page-faults-ended-do = The sound recorded until then is kept and analysed.
 
 page-faults-unknown-what = The microphone could not be opened.
 page-faults-unknown-do = Unplug and plug it in again, or restart the browser. You can open a recording instead.
 
-page-faults-silent-what = The microphone gives silence.
+page-faults-silent-what = The microphone gives only silence.
 page-faults-silent-do = It may be muted by a switch or in the system settings.
 
 page-faults-full-what = The storage of the browser is full.
-page-faults-full-do = What you hear is whole in memory: save it as WAV now. Then delete drops that you do not need.
+page-faults-full-do = The sound is complete in memory: save it as WAV now. Then delete drops that you do not need.
 
-page-faults-unavailable-what = The browser keeps nothing here (a private window?).
-page-faults-unavailable-do = What you hear is whole in memory, until this page closes: save it as WAV.
+page-faults-unavailable-what = The browser stores nothing here (a private window?).
+page-faults-unavailable-do = The sound is complete in memory until this page closes: save it as WAV.
 
 page-faults-empty-what = The file is empty.
 page-faults-empty-do = Nothing was written into it. Was the recording stopped before it began? Record again or choose another file.
@@ -129,23 +129,23 @@ page-faults-unsupported-file-do = Sounds: WAV, AIFF, FLAC, MP3, Ogg, Opus, WebM,
 page-faults-damaged-what = The file is damaged.
 page-faults-damaged-do = Copy or download it again. A file that a phone still writes cannot be read yet.
 
-page-faults-times-what = These times make no sense as impacts.
-page-faults-times-do = One time in seconds on each line, growing; a comma or a dot for decimals.
+page-faults-times-what = These times cannot be impact times.
+page-faults-times-do = Give one time in seconds on each line, in increasing order, with a comma or a point for decimals.
 
 page-faults-huge-what = The file is too large for a browser.
 page-faults-huge-do = Up to 500 MB, and some forty minutes of sound. Cut it to the minutes with the drop, or use the command line: bouncelab analyze.
 
-page-faults-setting-what = A setting does not go with the others.
+page-faults-setting-what = A setting contradicts the others.
 page-faults-setting-do = See below, at the settings.
 
-page-faults-fault-what = The laboratory stumbled over this.
+page-faults-fault-what = The analysis failed.
 page-faults-fault-do = What was recorded is kept. Reload the page and open it again; a report to the project helps.
 
 page-faults-keep-what = The drop could not be kept.
-page-faults-keep-do = The storage of the browser is full or closed. Save the sound and the numbers as files instead.
+page-faults-keep-do = The storage of the browser is full or not available. Save the sound and the numbers as files instead.
 
 page-wave-title = Waveform
-page-wave-label = Waveform, place of the cursor
+page-wave-label = Waveform, position of the cursor
 page-wave-seconds = { $value } seconds
 page-wave-impact-at = impact { $number }, { $seconds }{ $certain ->
     [yes] {""}
@@ -154,22 +154,22 @@ page-wave-impact-at = impact { $number }, { $seconds }{ $certain ->
 page-wave-add = Add impact
 page-wave-remove = Remove
 page-wave-snap = Snap to the sound
-page-wave-zoom-in = Closer
-page-wave-zoom-out = Wider
+page-wave-zoom-in = Zoom in
+page-wave-zoom-out = Zoom out
 page-wave-all = All
-page-wave-play = Hear it
+page-wave-play = Play
 page-wave-stop = Stop
 page-wave-speed = Speed
 page-wave-slower = { $speed } ×
 page-wave-spectrogram = Spectrogram
-page-wave-spectrogram-label = Spectrogram: time to the right, pitch upwards, louder is darker
+page-wave-spectrogram-label = Spectrogram: time to the right, frequency upwards, louder is darker
 page-wave-overview = The whole recording; drag to move
-page-wave-restore = As heard
+page-wave-restore = As detected
 page-wave-list = List of impacts
 page-wave-number = No.
 page-wave-time = Time
 page-wave-flight = Flight after it
-page-wave-probability = Sure
+page-wave-probability = Probability
 page-wave-level = Level
 page-wave-restitution = Restitution
 page-wave-actions = Change
@@ -179,10 +179,10 @@ page-wave-added = Impact added at { $seconds } s.
 page-wave-removed = Impact { $number } removed.
 page-wave-moved = Impact { $number } moved to { $seconds } s.
 page-wave-undone = Undone.
-page-wave-redone = Done again.
-page-wave-keys = Arrow keys move the cursor, with Shift finely; Page Up and Page Down go from impact to impact; plus and minus zoom, 0 shows all; Enter adds an impact, Delete removes the chosen one, comma and full stop move it, S snaps it to the sound; Space plays; Ctrl+Z undoes.
-page-wave-pointer = Drag to move, pinch or turn the wheel to zoom (click first), tap an impact to choose it, drag it to move it, double-tap to add one.
-page-wave-times = These are times only: there is no sound to show.
+page-wave-redone = Redone.
+page-wave-keys = Arrow keys move the cursor, with Shift in small steps; Page Up and Page Down go from impact to impact; plus and minus zoom, 0 shows all; Enter adds an impact, Delete removes the selected one, comma and full stop move it, S snaps it to the sound; Space plays; Ctrl+Z undoes.
+page-wave-pointer = Drag to move, pinch or turn the wheel to zoom (click first), tap an impact to select it, drag it to move it, double-tap to add one.
+page-wave-times = There are only times: no sound to show.
 
 page-figures-title = Figures
 page-figures-against = { $y } against { $x }
@@ -208,28 +208,28 @@ page-figures-tabs-drag-log = Drag (log)
 
 page-quantities-restitution = Restitution e
 page-quantities-at-speed = at { $speed }
-page-quantities-slope = Falls with speed by (−d ln e / d ln v)
+page-quantities-slope = Fall of restitution with speed (−d ln e / d ln v)
 page-quantities-drop-height = Drop height
 page-quantities-drag = Drag coefficient
 page-quantities-terminal = Terminal speed
 page-quantities-total-time = From release to rest
 page-quantities-total-path = Path until rest
-page-quantities-scatter = Scatter from bounce to bounce
+page-quantities-scatter = Scatter from impact to impact
 page-quantities-timing = Error of the times
 page-quantities-contact = Contact time
-page-quantities-line-restitution = Straight line: e
-page-quantities-line-height = Straight line: drop height
-page-quantities-line-flights = Straight line: flights
-page-quantities-energy-kept = Straight line: energy kept
-page-quantities-corrected = Each bounce corrected for air, median e
+page-quantities-line-restitution = Log-linear fit: e
+page-quantities-line-height = Log-linear fit: drop height
+page-quantities-line-flights = Log-linear fit: flights
+page-quantities-energy-kept = Log-linear fit: energy kept
+page-quantities-corrected = Each impact corrected for drag, median e
 page-quantities-interval = 95 %: { $range }
 
 page-settings-ball = Ball
 page-settings-air = Air
 page-settings-gravity = g
 page-settings-change = change
-page-settings-title = What is known
-page-settings-assumed-hint = What nobody stated is assumed, and marked so.
+page-settings-title = Known quantities
+page-settings-assumed-hint = Quantities that are not stated are assumed, and marked so.
 page-settings-own = own ball
 page-settings-mass = Mass
 page-settings-diameter = Diameter
@@ -241,26 +241,26 @@ page-settings-vacuum = vacuum
 page-settings-no-drag = no air
 page-settings-gravity-field = Gravity
 page-settings-latitude = Latitude
-page-settings-altitude = Above sea level
+page-settings-altitude = Altitude above sea level
 page-settings-drag-law = Drag of the air
-page-settings-drag-none = none, as if there were no air
+page-settings-drag-none = none, air neglected
 page-settings-drag-constant = constant, C_D = 0.4
 page-settings-restitution-law = Restitution
-page-settings-restitution-any = any law that fits
+page-settings-restitution-any = all laws
 
 page-settings-laws-constant = the same at every speed
-page-settings-laws-linear = straight line in speed
+page-settings-laws-linear = linear in speed
 page-settings-laws-power = power law
 page-settings-laws-viscoelastic = viscoelastic
 page-settings-laws-knee = constant below a knee
 page-settings-measured = The drop, if measured
 page-settings-height = Drop height
 page-settings-height-sd = ± of the height
-page-settings-flights = Flights in the straight line
+page-settings-flights = Flights of the log-linear fit
 page-settings-flights-from = from
 page-settings-flights-to = to
-page-settings-reset = Forget all settings
-page-settings-refused = These settings do not go together:
+page-settings-reset = Reset all settings
+page-settings-refused = These settings contradict each other:
 
 page-settings-balls-table-tennis-40 = table tennis 40+
 page-settings-balls-table-tennis-38 = table tennis 38 mm
@@ -287,7 +287,7 @@ page-keep-shared = The address with this set-up was copied.
 page-keep-share-by-hand = Copy this address:
 page-keep-report = Report (HTML)
 
-page-simulate-title = Drop a ball that does not exist
+page-simulate-title = Simulate a drop
 page-simulate-lead = Move a slider and see what changes; keep a run to compare it with the next.
 page-simulate-height = Drop height
 page-simulate-restitution = Restitution (at 1 m/s)
@@ -305,71 +305,71 @@ page-simulate-worlds-venus = Venus
 page-simulate-worlds-titan = Titan
 page-simulate-worlds-jupiter = Jupiter
 page-simulate-keep-run = Keep this run
-page-simulate-hear = Hear it
+page-simulate-hear = Play the sound
 page-simulate-stop = Stop
-page-simulate-lay = Lay it over the measurement
-page-simulate-take-off = Take it off the measurement
-page-simulate-laid = It lies over the measurement now, in the figure “Compare”.
-page-simulate-analyse = Analyse it as if it were real
+page-simulate-lay = Compare with the measurement
+page-simulate-take-off = Remove from the comparison
+page-simulate-laid = It is compared with the measurement now, in the figure “Compare”.
+page-simulate-analyse = Analyse its sound
 page-simulate-runs = Runs
 page-simulate-this-run = this run
 page-simulate-run = run { $index }
 page-simulate-remove = Remove { $name }
 page-simulate-says = It bounces { $bounces } times in { $time } and travels { $path }.
-page-simulate-terminal = It could never fall faster than { $speed } here.
-page-simulate-no-terminal = There is no air to slow it down.
-page-simulate-losses = Of its energy { $surface } goes into the bounces, { $air } into the air.
+page-simulate-terminal = Its terminal speed here is { $speed }.
+page-simulate-no-terminal = There is no air, so there is no terminal speed.
+page-simulate-losses = Of its energy { $surface } is lost in the impacts, { $air } to the air.
 page-simulate-impossible = This cannot be simulated:
-page-simulate-address = The sliders are in the address: share it, and others see the same run.
+page-simulate-address = The address contains the settings: share it, and others see the same run.
 
-page-paper-title = The paper, live
+page-paper-title = The paper
 page-paper-source = M. Nagurka, “Aerodynamic Effects in a Dropped Ping-Pong Ball Experiment”
-page-paper-lead = Drop a table-tennis ball. Listen. The silences between the bounces tell how bouncy it is and from how high it fell, and they are off by 12 %. Here is the argument, with every number and figure computed as you read.
+page-paper-lead = Drop a table-tennis ball and listen. The times between the impacts give its restitution and its drop height, but the height comes out 12 % too low. This page explains why, and computes every number and figure while you read.
 
-page-paper-one-title = 1. Silence as a ruler
-page-paper-one-text-1 = Between two impacts the ball rises and falls for a time T. Without air it left with the speed gT/2 and rose to gT²/8. Nothing but a clock is needed.
-page-paper-one-text-2 = If each bounce keeps the share e of the speed, each flight is e times as long as the one before. On a logarithmic scale the flight times lie on a straight line: its slope is log e, and where it begins tells the drop height.
+page-paper-one-title = 1. From times to heights
+page-paper-one-text-1 = Between two impacts the ball rises and falls for a time T. Without air it leaves the surface with the speed gT/2 and rises to gT²/8. Only a clock is needed.
+page-paper-one-text-2 = If each impact keeps the share e of the speed, each flight is e times as long as the one before. On a logarithmic scale the flight times lie on a straight line: its slope is log e, and its intercept gives the drop height. This is the log-linear fit.
 page-paper-one-equation = log Tₙ = n log e + log (2v₀/g),   h₀ = v₀²/2g
-page-paper-one-see = The flight times of a drop from 30.5 cm, without air. Every point on the line; the line finds e and 30.5 cm exactly.
+page-paper-one-see = The flight times of a drop from 30.5 cm, without air. Every point is on the line; the fit gives e and 30.5 cm exactly.
 
-page-paper-two-title = 2. The experiment, and its puzzle
-page-paper-two-text-1 = The paper dropped a ball of 2.5 g and 38 mm from 30.5 cm. The straight line through its first ten flights said e = 0.9375 and a drop height of 26.7 cm.
-page-paper-two-text-2 = That is 3.8 cm too low, 12.3 %: far more than a tape measure errs. The paper names the drag of the air as the likely reason.
+page-paper-two-title = 2. The experiment, and a discrepancy
+page-paper-two-text-1 = The paper dropped a ball of 2.5 g and 38 mm from 30.5 cm. The log-linear fit to its first ten flights gave e = 0.9375 and a drop height of 26.7 cm.
+page-paper-two-text-2 = That is 3.8 cm or 12.3 % too low, far more than the error of a tape measure. The paper names air drag as the likely reason.
 
-page-paper-three-title = 3. How hard the air pulls
-page-paper-three-text = At the 2.4 m/s of the first impact, drag is only 6 % of the weight, and it fades with the square of the speed. The paper tries two laws: a constant coefficient of 0.4, and one that depends on the speed. They agree wherever it matters.
+page-paper-three-title = 3. The strength of air drag
+page-paper-three-text = At the 2.4 m/s of the first impact, drag is only 6 % of the weight, and it decreases with the square of the speed. The paper tries two laws: a constant coefficient of 0.4, and one that depends on the speed. They agree where drag matters.
 page-paper-three-equation = F/W = ½ ρ A C_D v² / mg
 page-paper-three-see = Drag over weight against speed, by both laws. On the log scale a constant coefficient is a straight line of slope 2.
-page-paper-three-see-height = The whole drop with e = 0.935, with air and without: six per cent of the weight, and the ball rests seconds earlier.
+page-paper-three-see-height = The whole drop with e = 0.935, with air and without: with a drag of six per cent of the weight, the ball rests seconds earlier.
 
-page-paper-four-title = 4. Does drag solve the puzzle?
-page-paper-four-text = Let us do what the paper could not: make drops with air, run the same straight line over them, and see what it says. Choose the bounciness of the ball and how many flights go into the line.
+page-paper-four-title = 4. Does drag explain the discrepancy?
+page-paper-four-text = Simulate drops with air, apply the same log-linear fit, and compare with the paper. Choose the restitution of the ball and the number of flights in the fit.
 page-paper-four-e = True restitution of the ball, at 1 m/s
 page-paper-four-slope = Falls with speed by
-page-paper-four-flights = Flights in the straight line
-page-paper-four-line-says = The line says e = { $e } and h₀ = { $h }.
-page-paper-four-paper-says = The paper’s line says e = 0.9375 and h₀ = 26.7 cm.
+page-paper-four-flights = Flights in the fit
+page-paper-four-line-says = The fit gives e = { $e } and h₀ = { $h }.
+page-paper-four-paper-says = The fit of the paper gives e = 0.9375 and h₀ = 26.7 cm.
 page-paper-four-truth = True drop height: 30.5 cm.
-page-paper-four-hit = That is the paper’s result, to its last digit.
+page-paper-four-hit = That is the result of the paper, to its last digit.
 page-paper-four-solve-drag = constant e, ten flights
 page-paper-four-solve-many = constant e, 21 flights
 page-paper-four-solve-slope = e falls with speed, ten flights
-page-paper-four-see = Drop height by the straight line, against the number of flights in it. Grey: without air, it never changes as long as the ball is equally bouncy at every speed. Vermilion: with air it sinks with every flight. Blue: what the paper’s line said.
+page-paper-four-see = Drop height by the log-linear fit, against the number of flights in it. Grey: without air it is the same for all numbers, if restitution is constant. Vermilion: with air it decreases with every flight. Blue: the result of the paper.
 
-page-paper-five-title = 5. The resolution
-page-paper-five-text-1 = Drag with a constant restitution explains about half of the gap: a ball of e = 0.953 would give the paper’s 0.9375, but 28.8 cm.
-page-paper-five-text-2 = The rest takes one of two things. Either the ball is a little less bouncy when it is fast, as real balls are; or more flights went into the line than ten. A straight line cannot tell these apart, because its answer depends on how many flights go into it.
-page-paper-five-text-3 = So the laboratory on this page does not draw a line. It asks which falls, air and bounciness could have made these very silences, and how surely.
+page-paper-five-title = 5. The explanation
+page-paper-five-text-1 = Drag with a constant restitution explains about half of the difference: a ball of e = 0.953 gives the 0.9375 of the paper, but 28.8 cm.
+page-paper-five-text-2 = There are two explanations of the rest: restitution falls a little with speed, as for real balls, or more than ten flights were used in the fit. The log-linear fit cannot distinguish them, because its result depends on the number of flights.
+page-paper-five-text-3 = So the laboratory on this page infers drop height, drag and restitution together from the impact times, with their uncertainties.
 page-paper-five-law = Restitution
 page-paper-five-drag = Air
 page-paper-five-flights = Flights
 page-paper-five-first = e at 2.4 m/s
 page-paper-five-slow = e at 0.5 m/s
-page-paper-five-height = The line says h₀
+page-paper-five-height = h₀ of the fit
 page-paper-five-same = The paper’s 26.7 cm?
 page-paper-five-yes = yes
 page-paper-five-no = no
-page-paper-five-caption = Ways to make the straight line say e = 0.9375
+page-paper-five-caption = Models for which the log-linear fit gives e = 0.9375
 
 page-paper-six-title = 6. Every number of the paper
 page-paper-six-lead = As printed, and as computed here. Misprints of the equations are corrected.
@@ -421,7 +421,7 @@ page-drops-of-drops = { $count ->
     [one] of 1 drop
    *[other] of { $count } drops
   }
-page-drops-scatter-sentence = On average the ball kept { $mean } of its speed. From drop to drop this scattered by { $scatter }; each single drop claims ± { $inside }.
+page-drops-scatter-sentence = On average the ball kept { $mean } of its speed. The standard deviation between drops was { $scatter }; each single drop states ± { $inside }.
 page-drops-csv = Save the table (CSV)
 page-drops-json = Save all (JSON)
 page-drops-delete-all = Delete all
@@ -429,9 +429,9 @@ page-drops-deleted-all = { $count ->
     [one] 1 drop was deleted.
    *[other] { $count } drops were deleted.
   }
-page-drops-unavailable = The browser keeps nothing here (a private window?).
+page-drops-unavailable = The browser stores nothing here (a private window?).
 
-page-reason-empty-content = Not a single byte of sound is in it.
+page-reason-empty-content = It contains no data.
 page-reason-empty-sound = It has a header, but no sound.
 page-reason-empty-time = There is no time in it.
 page-reason-not-sound = It looks like { $kind }.
@@ -458,13 +458,13 @@ page-reason-layout-too-fast = Its header claims { $sample_rate_hz } samples a se
 page-reason-layout-too-many-channels = It has { $channels } channels; at most { $most } are read.
 page-reason-times-line = Line { $line }: { $problem }
 page-reason-times-ending = The name of a list ends in .txt, .csv or .json.
-page-reason-times-not-text = This is no text. Save the list as UTF-8.
-page-reason-times-not-table = This is no table ({ $detail }).
+page-reason-times-not-text = It is not text. Save the list as UTF-8.
+page-reason-times-not-table = It is not a table ({ $detail }).
 page-reason-times-not-array = A list of numbers was expected, as in [0.1, 0.45] ({ $detail }).
 page-reason-times-no-time-column = No column is named time or time_s. There are: { $found }.
 page-reason-times-nameless-columns = There are { $columns } columns. Name the one with the times in a first line: time_s.
 page-reason-times-missing = The time is missing.
-page-reason-times-not-number = “{ $text }” is no time in seconds, such as 0.125.
+page-reason-times-not-number = “{ $text }” is not a time in seconds, such as 0.125.
 page-reason-times-not-later = { $time_s } does not come after { $before_s }. List the impacts in order.
 page-reason-too-large = It has { $megabytes } MB.
 page-reason-too-long = It has more than { $minutes } minutes in { $channels ->
@@ -472,5 +472,5 @@ page-reason-too-long = It has more than { $minutes } minutes in { $channels ->
    *[other] { $channels } channels
   }.
 page-reason-no-memory = This device has not enough memory for it.
-page-reason-breaks-decoder = It is damaged in a way that its decoder does not survive.
+page-reason-breaks-decoder = It is damaged, and its decoder fails on it.
 page-reason-unreadable = The browser cannot read it. Was it moved or deleted?

@@ -3,8 +3,8 @@
 paper-chapter-numbers = The numbers of the paper
 paper-chapter-series = Restitution, time and distance without drag
 paper-chapter-equations = Equations as printed, and as they must be
-paper-chapter-beyond = What the paper did not say
-paper-chapter-flights = The drop that its straight line sees: e = 0.9529 with drag
+paper-chapter-beyond = Results beyond the paper
+paper-chapter-flights = A drop whose log-linear fit is that of the paper: e = 0.9529 with drag
 paper-weight = weight
 paper-buoyancy = buoyancy
 paper-buoyancy-note = it fixes the density of air, 1.2276 kg/m3
@@ -37,16 +37,16 @@ paper-equation-13 = Eq. 13 at the first impact
 paper-equation-13-note = the drop height: its left side is the distance y, not v
 paper-equation-14 = Eq. 14 at the first impact
 paper-equation-14-note = the same
-paper-drag-twice = e = 0.935 with drag (Fig. 8) regresses to
+paper-drag-twice = e of the fit for e = 0.935 with drag (Fig. 8)
 paper-drag-twice-note = Fig. 8 takes the drag into account twice
-paper-drag-twice-height = drop height of that straight line
-paper-behind-line = e that regresses to 0.9375 with drag
+paper-drag-twice-height = drop height of that fit
+paper-behind-line = e whose fit is 0.9375 with drag
 paper-behind-line-note = over ten flights
-paper-behind-line-height = drop height of its straight line
-paper-explained = share of the gap to 30.5 cm that drag explains
+paper-behind-line-height = drop height of its fit
+paper-explained = share of the difference to 30.5 cm due to drag
 paper-explained-note = the rest: restitution that falls with speed, or more flights in the fit
 paper-twenty-flights-height = drop height, same e, twenty flights
-paper-twenty-flights-height-note = the straight line depends on how many flights it is drawn through
+paper-twenty-flights-height-note = the fit depends on the number of flights
 paper-lost-gravity = gravity lost to buoyancy and added mass
 paper-lost-gravity-note = buoyancy alone 1.4 %; every height shrinks with it
 paper-flight-time = T{ $of }

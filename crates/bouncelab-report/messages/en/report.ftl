@@ -26,42 +26,42 @@ report-impacts = { $count ->
    *[other] { $uncertain } of them uncertain.
   }
 report-restitution = The restitution, speed after an impact over speed before it, is { $value } at { $speed }, with the air accounted for.
-report-line-says = A straight line through the logarithms of the flight times, which takes no account of the air, gives { $share } ({ $difference ->
+report-line-says = The log-linear fit of the flight times, which neglects the air, gives { $share } ({ $difference ->
     [less] { $points } percentage points less
     [more] { $points } percentage points more
    *[none] the same
   }) and { $height }.
 
-report-answers = Inference with air, and straight line without
+report-answers = Inference with air, and log-linear fit without
 report-impacts-heading = The impacts
-report-impacts-table = Impacts, each with the flight after it and its restitution, without and with correction for drag (? marks uncertain ones)
-report-line-heading = The straight line
-report-line-flights = It goes through { $count ->
+report-impacts-table = Impacts with the following flight, and restitution without and with correction for drag (? marks uncertain impacts)
+report-line-heading = The log-linear fit
+report-line-flights = It uses { $count ->
     [one] one flight.
    *[other] { $count } flights.
   }
-report-line-fits = It goes through { $count } flights, with a coefficient of determination of { $determination }.
-report-no-line = There is none: { $reason }
+report-line-fits = It uses { $count } flights; its coefficient of determination is { $determination }.
+report-no-line = There is no fit: { $reason }
 
-report-uncertainty = Where the uncertainty comes from
+report-uncertainty = Uncertainty budget
 report-budget-restitution = Budget of the restitution
 report-budget-drop-height = Budget of the drop height
-report-laws = Which laws may be true
-report-laws-table = Laws of equal probability before the data
+report-laws = Comparison of the laws
+report-laws-table = Laws, with equal prior probability
 report-contraction = What this recording determines
-report-correlations = Correlations of the answers
-report-uninformative = { $unknown }: these data say next to nothing; it is what was known before.
-report-little-informative = { $unknown }: the data help a little; { $left } % of the prior uncertainty is left.
+report-correlations = Correlations of the estimates
+report-uninformative = { $unknown }: the data add almost no information to the prior.
+report-little-informative = { $unknown }: the data add some information; { $left } % of the prior uncertainty remains.
 report-informative = { $unknown }: determined by the data; { $left } % of the prior uncertainty is left.
-report-fit = How well it fits
-report-fit-table = The impacts as the inference has them, with the energy that each took and its weight in the fit
-report-sampling = The sampling is worth { $draws } independent draws; its Pareto shape is { $shape } (good below 0.7).
-report-truncation = A method that is right does not change its answer with the number of flights it uses:
+report-fit = Goodness of fit
+report-fit-table = Impacts in the inference: energy losses, residual and weight in the fit
+report-sampling = The sampling has { $draws } effective draws; its Pareto shape is { $shape } (good below 0.7).
+report-truncation = A correct model gives the same result for any number of flights used:
 
 report-air = The air at these speeds
 report-conditions = Conditions and assumptions
-report-assumed = Nobody stated these, so they were assumed:
-report-priors = Before it saw the data, the inference knew this:
+report-assumed = Not stated, and therefore assumed:
+report-priors = Priors of the inference:
 report-source = Source
 report-source-times = a list of impact times
 report-source-sound = { $format }, { $rate } kHz, { $duration } s
@@ -92,12 +92,12 @@ report-repeat-version = Version { $version } of bouncelab gives the same numbers
 report-repeat-files = The files that were read, by their SHA-256 (sha256sum shows it):
 
 report-method = Method
-report-method-flight = A ball is heard only when it hits. The silence between two impacts is a flight, and its length T gives the height h of the flight, nearly independently of the air:
+report-method-flight = Only the impacts make a sound. The time T between two impacts is that of a flight, and gives its height h nearly independently of the air:
 report-method-line = If each impact kept the same share e of the speed and there were no air, the logarithms of the flight times would lie on a straight line against the number n of the impact. Its slope gives the restitution e and its intercept b the drop height (Nagurka, Eqs. 4 and 6):
-report-method-motion = The air takes speed as well, and pushes and carries the ball a little. With mass m, volume V and cross-section A of the ball, density ρ of the air, and a drag coefficient that follows the Reynolds number, the velocity v changes as
+report-method-motion = Drag also reduces the speed, buoyancy acts against the weight, and the ball accelerates some of the air (added mass). With mass m, volume V and cross-section A of the ball, density ρ of the air, and a drag coefficient that depends on the Reynolds number, the velocity v changes as
 report-method-restitution = From each flight time follows the speed v at which the ball left the surface and the speed v′ at which it came back, and from two neighbouring flights the restitution of the impact between them:
-report-method-noise = Two kinds of noise are kept apart: impacts scatter by a share σₑ of their restitution, and times have errors σₜ, which neighbouring impacts share through the derivatives J. Odd impacts count less (Student's t).
-report-method-posterior = The inference weighs all values θ of what is unknown, under every restitution law and drag law M, by how well they explain the times t and by what was known before. Each quantity is stated as the median of that, ± its standard deviation; an interval of 95 % holds the truth with that probability if the assumptions hold.
+report-method-noise = Two kinds of noise are modelled: restitution scatters between impacts by a relative standard deviation σₑ, and times have errors σₜ, which neighbouring impacts share through the derivatives J. Outlying impacts have less weight (Student's t).
+report-method-posterior = The inference computes the posterior of all unknowns θ, given the times t and the priors, under every restitution law and drag law M. Each quantity is stated as the median ± standard deviation of its posterior; a 95 % credible interval contains the true value with that probability if the assumptions hold.
 report-references = References:
 report-reference-drag = { $work }: the standard drag curve.
 report-reference-scatter = { $work }: the scatter of impacts.

@@ -15,7 +15,7 @@ column-ratio = e no drag
 column-time-error = ± time µs
 column-level = level dB
 column-probability = probability
-column-line = line %
+column-line = residual %
 column-law = restitution law
 column-drag = drag
 column-evidence = ln evidence
@@ -33,7 +33,7 @@ column-weight = weight
 column-inference = inference, with air
 column-plain = g T²/8
 column-95 = 95 %
-column-straight-line = straight line, no air
+column-straight-line = log-linear fit, no air
 
 quantity-restitution = restitution
 quantity-restitution-e = restitution e

@@ -15,7 +15,7 @@ analyze-sound = { $name }: { $format }, { $rate } kHz{ $channels ->
     [1] {""}
    *[other] , channel { $channel } of { $channels }
   }, { $duration } s
-analyze-listening = { $onsets } sounds stand out of the background and { $impacts } impacts were detected, clearest from { $low } to { $high } Hz, { $above } dB above the sound before them (--channel, --band).
+analyze-listening = { $onsets } sounds stand out from the background and { $impacts } impacts were detected, with the highest contrast from { $low } to { $high } Hz, { $above } dB above the preceding sound (--channel, --band).
 analyze-drop = { $drops ->
     [1] Drop
    *[other] Drop { $number } of { $drops }
@@ -26,8 +26,8 @@ analyze-drop = { $drops ->
     [none] {""}
    *[other] {" "}(a drop with probability { $probability })
   }
-analyze-line = Straight line
-analyze-line-heading = Straight line through log flight time, as if there were no air:
+analyze-line = Log-linear fit
+analyze-line-heading = Log-linear fit of the flight times, neglecting the air:
 analyze-line-flights = (before the first impact detected; { $count ->
     [one] 1 flight
    *[other] { $count } flights
@@ -36,7 +36,7 @@ analyze-until-rest = until rest
 analyze-corrected = Corrected for drag
 analyze-corrected-heading = Corrected for drag ({ $ball }, { $law }):
 analyze-corrected-impacts = (median of { $count } impacts at { $slowest } to { $fastest } m/s)
-analyze-corrected-too-few = Corrected for drag: cannot tell a mean: { $count } of the impacts lie between two flights, and it takes 3.
+analyze-corrected-too-few = Corrected for drag: no mean: { $count } of the impacts lie between two flights, and 3 are needed.
 analyze-inference = Inference
 analyze-inference-heading = Inference, with air ({ $ball }):
 analyze-at-speed = at { $speed }
@@ -47,33 +47,33 @@ analyze-missed = impacts missed before: { $list }
 analyze-reach = bounce { $bounce } reaches { $apex } from
 analyze-interval = 95 %: { $interval }
 
-analyze-details-models = Models, of equal probability before the data:
-analyze-details-budget-restitution = Where the uncertainty of e comes from:
-analyze-details-budget-height = Where the uncertainty of h0 comes from:
-analyze-details-contraction = How much the data narrowed what was known:
-analyze-details-correlations = Correlations of the answers:
+analyze-details-models = Models, with equal prior probability:
+analyze-details-budget-restitution = Uncertainty budget of e:
+analyze-details-budget-height = Uncertainty budget of h0:
+analyze-details-contraction = Prior contraction by the data:
+analyze-details-correlations = Correlations of the estimates:
 analyze-details-impacts = Impacts in the fit:
-analyze-details-priors = Before the data:
+analyze-details-priors = Priors:
 analyze-details-sampling = Sampling: { $draws } independent draws, Pareto shape { $shape } (good below 0.7).
 analyze-no-drop = { $name }: no drop found: { $reason }
-analyze-one-report = a report is of one recording, and there are several: bouncelab session makes one of many
+analyze-one-report = a report is for one recording, and several were given; bouncelab session reports on several
 
 terminal-wrote = wrote { $file }
 terminal-wrote-figure = wrote { $file } and .png
 terminal-all-shown = ... and { $count } more; --format csv has them all.
 
-demo-heading = A drop from 30.5 cm, made, detected and analysed ({ $file })
+demo-heading = A drop from 30.5 cm, synthesised, detected and analysed ({ $file })
 demo-truth = truth
-demo-detected = detected
+demo-detected = measured
 demo-flight-time-error = largest error of a flight time
-demo-restitution-line = e, straight line of ten flights
+demo-restitution-line = e, log-linear fit, 10 flights
 demo-restitution-inference = e, inference
-demo-height-line = drop height, straight line
+demo-height-line = drop height, log-linear fit
 demo-height-inference = drop height, inference
 demo-second-speed = speed of the second impact
 demo-conclusion =
-    The straight line takes the drag for lost bounciness and falls short in height;
-    the inference accounts for the air, and finds the restitution and the height again.
+    The log-linear fit neglects the drag: its restitution and drop height are too low.
+    The inference includes the air and recovers both.
 
 simulate-heading = A drop of a ball ({ $ball }), simulated
 simulate-bounces = bounces
@@ -95,19 +95,19 @@ synth-made = { $file }: { $count ->
    *[other] { $count } impacts
   } in { $seconds } s, { $rate } Hz, seed { $seed }
 
-puzzle-question = The puzzle: what makes the straight line say e = 0.9375 and h0 = 26.7 cm of a ball dropped from 30.5 cm?
+puzzle-question = The discrepancy: what makes the log-linear fit give e = 0.9375 and h0 = 26.7 cm for a drop from 30.5 cm?
 puzzle-flights = flights
 puzzle-first = e at 2.4 m/s
 puzzle-slow = e at 0.5 m/s
-puzzle-height = line says h0 cm
+puzzle-height = fitted h0 cm
 puzzle-solved = the paper's 26.7?
 puzzle-yes = yes
 puzzle-no = no
 puzzle-answer =
-    Each law was chosen so that the line says e = 0.9375. Drag with a constant restitution
-    gives 26.7 cm only with some 21 flights in the line; with ten flights the restitution must
-    also fall with speed. A straight line cannot tell the two; how many flights go into it
-    decides what it says.
+    Each law was chosen so that the fit gives e = 0.9375. Drag with a constant restitution
+    gives 26.7 cm only with about 21 flights in the fit; with ten flights the restitution must
+    also fall with speed. The log-linear fit cannot distinguish the two, because its result
+    depends on the number of flights.
 puzzle-quantity = quantity
 puzzle-printed = printed
 puzzle-computed = computed
@@ -119,8 +119,8 @@ verdict-pass = pass
 verdict-fail = fail
 verdict-cannot-decide = cannot decide
 verdict-sure = { $outcome }. Within the limits with a probability of { $within }; a pass would be wrong with { $outside }.
-verdict-guarded = Decision rule: guarded acceptance, wrong with at most { $risk } either way (JCGM 106).
-verdict-simple = Decision rule: simple acceptance, whatever is more probable (JCGM 106).
+verdict-guarded = Decision rule: guarded acceptance, risk of a wrong decision at most { $risk } (JCGM 106).
+verdict-simple = Decision rule: simple acceptance, the more probable outcome (JCGM 106).
 verdict-accepted = At this uncertainty { $accepted } would pass.
 verdict-more-than = more than { $share }
 verdict-less-than = less than { $share }
@@ -128,7 +128,7 @@ verdict-from = { $least } and more
 verdict-up-to = { $greatest } and less
 verdict-anything = anything
 verdict-steps = From g T²/8 to the rebound of the rule, mean over the drops
-verdict-steps-why = The formula takes the whole time between two impacts as flight in a vacuum. The time of contact is no flight; buoyancy and added mass make gravity weaker; drag shortens the flight a little; and this drop fell from its own height, with an impact of its own.
+verdict-steps-why = The formula takes the whole time between two impacts as flight in a vacuum. But the contact time is not flight; buoyancy and added mass reduce the acceleration; drag shortens the flight a little; and this drop had its own height and its own first impact.
 verdict-on-reference = On the reference:
 verdict-rebound = rebound
 verdict-value = value
@@ -138,7 +138,7 @@ verdict-share = share of the reference
 verdict-unevenness = unevenness of the places
 verdict-plain = g T²/8 of the first flight
 verdict-formula = the rule's formula from T
-verdict-reason = because of
+verdict-reason = due to
 verdict-centimetres = cm
 verdict-file = file
 verdict-first-flight = first flight s
@@ -147,21 +147,21 @@ verdict-formula-short = formula
 verdict-step-contact = contact time, which is no flight
 verdict-step-buoyancy = buoyancy and added mass of the air
 verdict-step-drag = drag in the flight
-verdict-step-this-drop = this drop's own height and single impact against the rule's
+verdict-step-this-drop = height and single impact of this drop against those of the rule
 verdict-rule-line = drop from { $drop }{ $surface ->
     [none] {""}
    *[other] {" "}on { $surface }
   }; rebound wanted: { $wanted }; measured at the { $point } of the ball
 verdict-the-rule = The rule
-verdict-ways = The rebound by each way to work it out
+verdict-ways = The rebound by each method
 verdict-the-rebound = The rebound
 verdict-drops = The drops
-verdict-every-drop = Every drop
-verdict-every-reference-drop = Every drop on the reference
+verdict-every-drop = Each drop
+verdict-every-reference-drop = Each drop on the reference
 verdict-all-drops = all drops
-verdict-method = How it was decided
-verdict-method-predicted = What is judged is the apex after the first impact of a drop from the height of the rule, at the point of the ball at which the rule measures. It is predicted from all that the drops show, at the impact speed of the rule, with the scatter of single impacts averaged out.
-verdict-method-decided = A pass is given only if the probability of being outside the limits is at most the stated risk, and a fail only if that of being within is (guarded acceptance, JCGM 106:2012, The role of measurement uncertainty in conformity assessment). In between the drops cannot decide. What is not known of ball, air and drag is the same for all drops and does not average out.
+verdict-method = Decision
+verdict-method-predicted = The verdict is on the apex after the first impact of a drop from the height of the rule, at the point of the ball at which the rule measures. It is predicted from all drops, at the impact speed of the rule, with the scatter of single impacts averaged out.
+verdict-method-decided = Guarded acceptance (JCGM 106:2012, The role of measurement uncertainty in conformity assessment): a pass is given only if the probability of being outside the limits is at most the stated risk, and a fail only if the probability of being within is. Otherwise the drops cannot decide. The uncertainty of ball, air and drag is common to all drops and does not average out.
 
 rule-name = name
 rule-title = rule
@@ -171,27 +171,27 @@ rule-edition = edition
 rule-status = status
 rule-verified = verified
 rule-unverified = unverified
-rule-not-noted = not noted
+rule-not-noted = not stated
 rule-ball = ball
 rule-surface = surface
 rule-drop = drop
-rule-wants = wants
+rule-wants = requires
 rule-measured-at = measured at
 rule-point = the { $point } of the ball
 rule-point-bottom = bottom
 rule-point-centre = centre
 rule-point-top = top
-rule-point-not-noted = not noted; the bottom of the ball is taken
+rule-point-not-noted = not stated; the bottom of the ball is taken
 rule-drops = drops
 rule-drops-mean = { $count } or more; their mean counts
-rule-drops-each = { $count } or more; each must obey
+rule-drops-each = { $count } or more; each must conform
 rule-places = places
 rule-temperature = temperature
 rule-altitude = altitude
 rule-formula = formula
 rule-formula-text = H = { $factor } (T - { $offset })² in m and s, T from the first impact to the second ({ $status })
 rule-note = note
-rule-nobody-read = This rule is unverified: nobody has read it in its source.
+rule-nobody-read = This rule is unverified: it was not checked against its source.
 rule-any-height = any height
 rule-or-more = { $height } or more
 rule-about = about { $height }
@@ -213,26 +213,26 @@ listen-begins = listening to { $source }, { $rate } kHz, { $channels ->
   }
 listen-saved-in = saved in { $file }
 listen-not-saved = NOT SAVED
-listen-silence = the microphone gives nothing but silence: is it muted, or the wrong one (--devices)?
-listen-lost = sound was lost: the computer was too slow, or the microphone had a fault; flights across the gap are left out
+listen-silence = the microphone gives only silence: is it muted, or the wrong one (--devices)?
+listen-lost = sound was lost: the computer was too slow, or the microphone had a fault; flights across the gap are excluded
 listen-lost-in-all = { $frames } samples of each channel ({ $seconds } s) were lost in { $count ->
     [one] 1 place
    *[other] { $count } places
   }
 listen-not-analysed = a drop cannot be analysed: { $reason }
-listen-once-more = drop { $number } once more, now that all is known
+listen-once-more = drop { $number } again, from the whole recording
 listen-heading = drop { $number }
 listen-all-drops = All drops:
 listen-saved = the sound is in { $file }; to analyse it again: { $command }
 listen-left-out = the drop at { $start } s { $reason ->
-    [distant] is a ball far fainter than the others
-   *[unlikely] does not stand up to the whole recording
-  }, now that all is known, and left out
+    [distant] is of a ball far fainter than the others
+   *[unlikely] is not confirmed by the whole recording
+  } and is excluded
 listen-impact = drop { $drop }: impact { $impact } at { $time } s after { $flight } ms{ $rests ->
     [yes] ; the ball rests
    *[no] {""}
   }
-listen-line = e = { $restitution }, h0 = { $height } without air
+listen-line = e = { $restitution }, h0 = { $height } neglecting air
 listen-corrected = e = { $restitution } corrected for drag
 listen-too-loud = TOO LOUD: clipped
 listen-level = level
@@ -246,14 +246,14 @@ listen-sounds = { $count ->
    *[other] { $count } sounds
   }
 listen-lost-so-far = { $count } samples LOST
-listen-ends = Ctrl-C ends
+listen-ends = Ctrl-C stops
 listen-at = at s
 listen-e-line = e, no air
 listen-h0-line = h0, no air
 listen-mean = mean
 listen-scatter = scatter
-listen-save-failed = the sound is saved no more: { $fault }; { $seconds } s are in the file. Listening goes on
-listen-end-not-saved = the end of the sound may not be saved: { $fault }
+listen-save-failed = saving the sound failed: { $fault }; { $seconds } s are in the file. Listening continues
+listen-end-not-saved = the end of the sound may be missing from the file: { $fault }
 listen-device = name
 listen-device-kind = what it is
 listen-device-default = default
@@ -278,22 +278,22 @@ session-counts = { $drops ->
   }
 session-speed = Restitution at an impact speed of { $speed } m/s:
 session-legend =
-    ±: standard error of the mean; shared: what all drops have in common (drag law, air, ball), which
-    no number of drops makes smaller; { $wanted ->
+    ±: standard error of the mean; shared: uncertainty common to all drops (drag law, air, ball), which
+    more drops do not reduce; { $wanted ->
         [none] needed: drops in all that would halve the interval
        *[other] needed: drops in all for a mean known to ± { $wanted } (95 %)
       }
 session-intervals = 95 % intervals of restitution:
-session-varies = What varies (standard deviation of restitution):
+session-varies = Variance components (standard deviation of restitution):
 session-trends = How restitution changes, all else equal:
-session-laws = Restitution against impact speed, pooled over the drops that know it:
-session-outliers = These do not belong to their group; is what was noted of them right?
+session-laws = Restitution against impact speed, pooled over the drops that cover it:
+session-outliers = Outliers in their group; are their metadata right?
 session-outlier = { $name }: { $off } { $side ->
     [above] above
    *[below] below
   } the others of { $group }, { $score } standard deviations
-session-outliers-count = They count in all of the above. With and without them:
-session-exclude = --exclude NAME leaves one out of everything.
+session-outliers-count = They are included in all results above. With and without them:
+session-exclude = --exclude NAME excludes one from everything.
 session-differences = Differences by { $factor }{ $others ->
     [yes] , all else equal
    *[no] {""}
@@ -301,37 +301,37 @@ session-differences = Differences by { $factor }{ $others ->
 session-more = and { $count } more (--details)
 session-without-drop = Without a drop
 session-failed = Not readable
-session-duplicates = The same sound as another, which counts
+session-duplicates = Same content as another recording, which is used
 session-left-out = Not compared
-session-odd = To be looked at
+session-odd = Remarks on drops
 session-tables = Tables: { $list }
 session-no-drop = no recording holds a drop
-session-damaged-journal = { $count } lines of the journal are cut off or damaged, and do not count
+session-damaged-journal = { $count } lines of the journal are truncated or damaged, and are ignored
 session-known = { $kept } of { $all } recordings were analysed in an earlier run
 session-restitution = Restitution
 
-session-compared = Drops are compared by their restitution at an impact speed of { $speed } m/s, which most of them know, with the drag of the air taken out.
-session-unlike = Not like the others of their group, and counted all the same: { $names }.
+session-compared = Drops are compared by their restitution at an impact speed of { $speed } m/s, which most of them cover, corrected for drag.
+session-unlike = Outliers in their group, included in all results: { $names }.
 session-incomparable = Nothing can be compared: { $reason }
-session-groups-table = Restitution by group: mean and its standard error, what all drops share, scatter between drops and between impacts, and how many drops would halve the interval
+session-groups-table = Restitution by group: mean and its standard error, shared uncertainty, scatter between drops and between impacts, and the number of drops that would halve the interval
 session-intervals-table = 95 % intervals of the mean, of the next drop, and of the scatter between drops
-session-without-table = With and without the drops that are not like the others of their group
-session-varies-table = Standard deviation of the restitution by what varies
+session-without-table = With and without the outliers of each group
+session-varies-table = Variance components: standard deviation of the restitution by factor
 session-differences-table = Differences by { $factor }, all else equal
-session-trends-table = Change of restitution with what is noted in numbers, all else equal
+session-trends-table = Change of restitution with numeric metadata, all else equal
 session-groups = Groups
 session-against-speed = Restitution against speed
-session-what-varies = What varies
+session-what-varies = Variance components
 session-differences-heading = Differences
-session-in-order = In order
+session-in-order = In order of time
 session-troubles = What did not work
 session-conditions = Conditions
-session-assumed = Nobody noted these, so they were assumed:
+session-assumed = Not stated, and therefore assumed:
 session-method = Method
-session-method-drop = Each drop is inferred by itself: fall, drag, impacts that scatter, times with errors. Its restitution at the common speed has an uncertainty of its own (timing, scatter of the impacts) and one that it shares with all drops of the ball (drag law, air, mass, diameter, contact). Only the first kind averages out over drops.
+session-method-drop = Each drop is inferred separately: fall, drag, scatter of the impacts, errors of the times. Its restitution at the common speed has an uncertainty of its own (timing, scatter of the impacts) and one that it shares with all drops of the ball (drag law, air, mass, diameter, contact time). Only the first averages out over drops.
 session-method-group = A group is described by a random-effects model, a scatter between drops beside the error of each: restricted maximum likelihood (Viechtbauer 2005), standard error of Hartung and Knapp (2001) in the form of Röver, Knapp and Friede (2015), Student's t, Q-profile interval for the scatter (Viechtbauer 2007), interval for the next drop (Higgins, Thompson and Spiegelhalter 2009).
-session-method-factors = What varies, and differences with all else equal, come from a mixed model with crossed random factors (Patterson and Thompson 1971), degrees of freedom after Satterthwaite (Giesbrecht and Burns 1985); with a single factor from Welch (1947). Probabilities are adjusted for the number of differences (Holm 1979). Outliers are named by modified z-scores above 3.5 (Iglewicz and Hoaglin 1993), and left in.
-session-hashes = The SHA-256 of every recording stands in the table of drops (content_sha256).
+session-method-factors = Variance components, and differences with all else equal, come from a mixed model with crossed random factors (Patterson and Thompson 1971), degrees of freedom after Satterthwaite (Giesbrecht and Burns 1985); with a single factor from Welch (1947). Probabilities are adjusted for the number of differences (Holm 1979). Outliers are identified by modified z-scores above 3.5 (Iglewicz and Hoaglin 1993) and not removed.
+session-hashes = The table of drops has the SHA-256 of every recording (content_sha256).
 
 session-column-difference = difference
 session-column-interval = 95 % interval

@@ -4,9 +4,10 @@
 //! A figure makes a [`Chart`] and draws nothing. [`Chart::svg`] and `Chart::png` draw it; the page
 //! draws the same description so that it can be zoomed.
 
+mod nullable;
 mod rows;
 
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 use crate::messages::Translator;
 pub use crate::scale::Scale;
@@ -18,7 +19,7 @@ pub use rows::Row;
 pub type Point = [f64; 2];
 
 /// A chart. Without panels there is nothing to show, and the caption says why.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 pub struct Chart {
     /// The title.
@@ -34,7 +35,7 @@ pub struct Chart {
 }
 
 /// A region with two axes.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 pub struct Panel {
     /// What stands above it; empty for nothing.
@@ -55,7 +56,7 @@ pub struct Panel {
 }
 
 /// An axis.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 pub struct Axis {
     /// The quantity.
@@ -72,7 +73,7 @@ pub struct Axis {
 }
 
 /// What is drawn of an axis.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 #[serde(rename_all = "kebab-case")]
 pub enum Ticks {
@@ -85,7 +86,7 @@ pub enum Ticks {
 }
 
 /// Something shown in a panel.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 pub struct Layer {
     /// Its name in the legend; empty if it has none. Layers of the same name share an entry.
@@ -101,7 +102,7 @@ pub struct Layer {
 }
 
 /// What a layer draws.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 #[serde(tag = "kind", rename_all = "kebab-case")]
 pub enum Shape {
@@ -109,6 +110,7 @@ pub enum Shape {
     Line {
         /// Its points in the order of drawing.
         #[cfg_attr(feature = "typescript", ts(type = "[number | null, number | null][]"))]
+        #[serde(deserialize_with = "nullable::rows")]
         points: Vec<Point>,
         /// Width in figure pixels.
         width: f64,
@@ -119,9 +121,11 @@ pub enum Shape {
     Points {
         /// Where they lie.
         #[cfg_attr(feature = "typescript", ts(type = "[number | null, number | null][]"))]
+        #[serde(deserialize_with = "nullable::rows")]
         points: Vec<Point>,
         /// Standard error of each vertical value; empty if none is known.
         #[cfg_attr(feature = "typescript", ts(type = "(number | null)[]"))]
+        #[serde(deserialize_with = "nullable::numbers")]
         errors: Vec<f64>,
         /// How they look.
         marker: Marker,
@@ -133,6 +137,7 @@ pub enum Shape {
             feature = "typescript",
             ts(type = "[number | null, number | null, number | null][]")
         )]
+        #[serde(deserialize_with = "nullable::rows")]
         points: Vec<[f64; 3]>,
     },
     /// Rectangles: bars, cells and ranges.
@@ -142,12 +147,14 @@ pub enum Shape {
             feature = "typescript",
             ts(type = "[number | null, number | null, number | null, number | null][]")
         )]
+        #[serde(deserialize_with = "nullable::rows")]
         boxes: Vec<[f64; 4]>,
     },
     /// A line across the panel. An upright one has its name beside it.
     Rule {
         /// Its value.
         #[cfg_attr(feature = "typescript", ts(type = "number | null"))]
+        #[serde(deserialize_with = "nullable::number")]
         at: f64,
         /// Whether it is upright, at a horizontal value.
         upright: bool,
@@ -160,6 +167,7 @@ pub enum Shape {
     Labels {
         /// The points.
         #[cfg_attr(feature = "typescript", ts(type = "[number | null, number | null][]"))]
+        #[serde(deserialize_with = "nullable::rows")]
         points: Vec<Point>,
         /// A text for each.
         texts: Vec<String>,
@@ -168,6 +176,7 @@ pub enum Shape {
     Marks {
         /// The horizontal values, in ascending order.
         #[cfg_attr(feature = "typescript", ts(type = "(number | null)[]"))]
+        #[serde(deserialize_with = "nullable::numbers")]
         places: Vec<f64>,
         /// The number of each that may be written above it.
         numbers: Vec<u32>,
@@ -179,7 +188,7 @@ pub enum Shape {
 }
 
 /// How a point looks.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 #[serde(rename_all = "kebab-case")]
 pub enum Marker {
@@ -208,7 +217,7 @@ impl Marker {
 }
 
 /// The dashes of a line.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 #[serde(rename_all = "kebab-case")]
 pub enum Dashes {

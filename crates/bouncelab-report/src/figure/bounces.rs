@@ -1,4 +1,4 @@
-//! What each bounce reaches, and what it loses.
+//! Height and energy loss of each bounce.
 
 use super::Subject;
 use crate::chart::{Axis, Chart, Layer, Marker, Panel, Point, Scale, xs, ys};

@@ -1,4 +1,4 @@
-//! Where an uncertainty comes from.
+//! The uncertainty budget.
 
 use bouncelab::inference::{Posterior, Share};
 

@@ -1,4 +1,4 @@
-//! Whether stated uncertainties hold: ranks of the truth among the draws.
+//! Calibration of stated uncertainties: ranks of the truth among the draws.
 
 use crate::chart::{Axis, Chart, Layer, Panel, Scale, Ticks};
 use crate::messages::Translator;

@@ -1,4 +1,4 @@
-//! How well impacts are detected, against the noise.
+//! Accuracy of the detection against the noise.
 
 use super::{Curve, curve_layers};
 use crate::chart::{Axis, Chart, Panel, Scale, xs, ys};

@@ -1,4 +1,4 @@
-//! Drops beside each other, one by one.
+//! Comparison of single drops.
 
 use crate::chart::{Axis, Chart, Layer, Marker, Panel, Point, Scale, xs, ys};
 use crate::messages::Translator;

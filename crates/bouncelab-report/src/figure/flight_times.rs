@@ -1,4 +1,4 @@
-//! Flight time against bounce number, with the straight line of the paper (Fig. 5).
+//! Flight time against bounce number, with the log-linear fit of the paper (Fig. 5).
 
 use super::Subject;
 use crate::chart::{Axis, Chart, Dashes, Layer, Marker, Panel, Point, Scale, xs, ys};

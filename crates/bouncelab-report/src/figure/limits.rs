@@ -1,4 +1,7 @@
-//! Values with their intervals, and the limits that they must keep.
+//! Values with their intervals, and the limits of a rule.
+
+use bouncelab::Estimate;
+use bouncelab::rulebook::{Limits, Rebound, Requirement, Rule, Verdict};
 
 use crate::chart::{Axis, Chart, Layer, Marker, Panel, Scale, row_middle, xs};
 use crate::messages::Translator;
@@ -85,4 +88,44 @@ pub fn limits(
     let layers = shades.into_iter().flatten().chain(layers).collect();
     let panel = Panel::new(ROW * rows as f64, x, y, layers);
     Chart::new(translator, "limits", text("caption"), vec![panel])
+}
+
+/// What a verdict is about, and every drop that led to it, against the limits of the rule. `files` names
+/// the places in order.
+pub fn verdict(rule: &Rule, verdict: &Verdict, files: &[String], translator: &Translator) -> Chart {
+    /// Metres to centimetres, shares to percent.
+    const SHOWN: f64 = 100.0;
+    let (wanted, decides, (quantity, unit)) = match &rule.requirement {
+        Requirement::Height(limits) => (*limits, verdict.rebound, ("axis-rebound", "cm")),
+        Requirement::About(_) => (Limits::default(), verdict.rebound, ("axis-rebound", "cm")),
+        Requirement::Share { limits, .. } => {
+            (*limits, verdict.share, ("axis-share-of-reference", "%"))
+        }
+    };
+    let scaled = |limits: Limits| [limits.least, limits.greatest].map(|end| Some(end? * SHOWN));
+    let judged = |name: String, found: &Estimate, decides: bool| Judged {
+        name,
+        value: found.value * SHOWN,
+        interval95: Some(found.interval95.map(|end| end * SHOWN)),
+        decides,
+    };
+    let mut rows: Vec<Judged> = decides
+        .iter()
+        .map(|found| judged(translator.text("verdict-all-drops"), found, true))
+        .collect();
+    if verdict.share.is_none() {
+        let name = |drop: &Rebound| files.get(drop.place).cloned().unwrap_or_default();
+        let drops = verdict.drops.iter();
+        rows.extend(
+            drops.filter_map(|drop| Some(judged(name(drop), drop.predicted_m.as_ref()?, false))),
+        );
+    }
+    let accepted = verdict.accepted.map_or([None; 2], scaled);
+    limits(
+        &rows,
+        scaled(wanted),
+        accepted,
+        (translator.text(quantity), unit),
+        translator,
+    )
 }

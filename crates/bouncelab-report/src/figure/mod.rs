@@ -49,7 +49,7 @@ pub use flight_times::{Line, TimedFlight, flight_times};
 pub use groups::{GroupCurve, GroupPoint, groups};
 pub use height::height;
 pub use intervals::{GroupInterval, intervals};
-pub use limits::{Judged, limits};
+pub use limits::{Judged, limits, verdict};
 pub use run_chart::{RunPoint, run_chart};
 pub(crate) use runs::flight_times as flight_times_of;
 pub use runs::{Run, curve_of, runs};
@@ -178,7 +178,7 @@ fn of_inference(
     }
 }
 
-/// The figures that there are of a drop: of what was heard, and of the inference if there is one.
+/// The figures that there are of a drop: of what was detected, and of the inference if there is one.
 pub fn of_drop(subject: &Subject<'_>) -> impl Iterator<Item = Figure> {
     OF_DROP
         .into_iter()

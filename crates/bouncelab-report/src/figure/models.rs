@@ -1,4 +1,4 @@
-//! Which law may be true, and what each says.
+//! The probability of each law, and its result.
 
 use bouncelab::inference::{Model, Posterior};
 

@@ -1,4 +1,4 @@
-//! What is known of several quantities together.
+//! The joint posterior of several quantities.
 
 use bouncelab::inference::Posterior;
 

@@ -1,4 +1,4 @@
-//! How far each impact lies from what the ones before predict.
+//! The residual of each impact from the prediction of the previous ones.
 
 use bouncelab::inference::Posterior;
 

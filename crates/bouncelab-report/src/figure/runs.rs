@@ -1,4 +1,4 @@
-//! Simulated drops side by side.
+//! Comparison of simulated drops.
 
 use bouncelab::drop::History;
 

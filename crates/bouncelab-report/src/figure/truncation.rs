@@ -1,4 +1,4 @@
-//! An answer against how many flights it uses.
+//! A result against the number of flights that it uses.
 
 use bouncelab::Estimate;
 use bouncelab::analysis::Truncation;

@@ -63,7 +63,7 @@ fn height_without_drag(translator: &Translator) -> Result<Chart> {
     ))
 }
 
-/// Fig. 4: the sound of the drop, synthesised, with the impacts that are heard in it.
+/// Fig. 4: the sound of the drop, synthesised, with the impacts that are detected in it.
 fn sound(translator: &Translator) -> Result<Chart> {
     let history = dropped(
         &model(CONSTANT)?,
@@ -76,10 +76,10 @@ fn sound(translator: &Translator) -> Result<Chart> {
         ..Scene::default()
     };
     let recording = synth::render(&strikes, &scene, 1)?;
-    let mut listener = Detector::new(recording.sample_rate_hz, 1);
-    listener.push(&[&recording.samples]);
-    let heard = listener.finish();
-    let marks: Vec<Mark> = heard
+    let mut detector = Detector::new(recording.sample_rate_hz, 1);
+    detector.push(&[&recording.samples]);
+    let detection = detector.finish();
+    let marks: Vec<Mark> = detection
         .found
         .trains
         .iter()
@@ -90,7 +90,7 @@ fn sound(translator: &Translator) -> Result<Chart> {
             drop: 1,
         })
         .collect();
-    Ok(figure::waveform(&heard.envelope, &marks, translator))
+    Ok(figure::waveform(&detection.envelope, &marks, translator))
 }
 
 /// Fig. 5: ten flights of the drop that regresses to the paper's e.

@@ -1,5 +1,5 @@
-//! What the paper teaches, for readers who try it: the straight line without air, what the air does,
-//! and the puzzle to play with.
+//! The argument of the paper with free parameters: the log-linear fit without air, the effect of the air,
+//! and the discrepancy.
 
 use bouncelab::Result;
 use bouncelab::drag::DragLaw;

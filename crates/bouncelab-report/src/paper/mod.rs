@@ -1,4 +1,4 @@
-//! The paper that started it, computed again: its numbers, its figures, its puzzle.
+//! The underlying paper, recomputed: its numbers, its figures, its discrepancy.
 //!
 //! M. Nagurka, "Aerodynamic Effects in a Dropped Ping-Pong Ball Experiment".
 //!

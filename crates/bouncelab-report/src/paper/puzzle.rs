@@ -1,5 +1,5 @@
-//! The puzzle of the paper and its resolution: the straight line says e = 0.9375 and h0 = 26.7 cm of
-//! a ball dropped from 30.5 cm. Which laws and which numbers of flights make it say so?
+//! The discrepancy of the paper: the log-linear fit gives e = 0.9375 and h0 = 26.7 cm for a drop from
+//! 30.5 cm. This module finds the laws and the numbers of flights that reproduce it.
 
 use bouncelab::Result;
 use bouncelab::drag::DragLaw;

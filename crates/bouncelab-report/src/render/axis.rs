@@ -1,4 +1,4 @@
-//! Where values lie in a panel, and its axes.
+//! The axes of a panel, and the positions of values in it.
 
 use super::canvas::{Anchor, Canvas, Pen, Style};
 use super::clip::{Place, Rect};

@@ -1,4 +1,4 @@
-//! Where lines, areas, circles and texts are drawn.
+//! A canvas for lines, areas, circles and texts.
 //!
 //! The only module besides `picture` that knows the drawing library. It adds what the library leaves
 //! out: points that are not numbers are skipped instead of drawn, dashes run on across the points of a

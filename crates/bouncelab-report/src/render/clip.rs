@@ -1,4 +1,4 @@
-//! Which parts of a curve are drawn: those within a frame, and those between the gaps of a dashed line.
+//! Clips curves to the parts that are drawn: those within a frame, and those between the gaps of a dashed line.
 
 /// A place in the drawing, in figure pixels from the upper left corner.
 pub(super) type Place = (f64, f64);

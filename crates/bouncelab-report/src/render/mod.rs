@@ -1,4 +1,4 @@
-//! How a chart is drawn: as SVG that scales with its page, and as a PNG picture.
+//! Draws a chart as SVG and PNG.
 //!
 //! Everything is measured in figure pixels: a chart is [`theme::WIDTH`] of them wide and as high as its
 //! legend and its panels need.

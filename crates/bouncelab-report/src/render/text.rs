@@ -1,4 +1,4 @@
-//! How wide texts are, and where long ones are broken.
+//! Widths and line breaks of texts.
 
 use std::borrow::Cow;
 

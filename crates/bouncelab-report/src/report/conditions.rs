@@ -1,4 +1,4 @@
-//! What was known, what was assumed, and what it was detected with.
+//! Conditions, assumptions and settings of the detection.
 
 use bouncelab::analysis::Source;
 use bouncelab::inference::Measured;

@@ -1,4 +1,4 @@
-//! A page as one HTML file that asks nothing of anybody.
+//! A page as one HTML file that loads nothing.
 //!
 //! The policy in its head forbids the browser every request, so that a figure or a font can never
 //! come from elsewhere, nor a script run.

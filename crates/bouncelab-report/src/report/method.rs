@@ -1,4 +1,4 @@
-//! How the numbers were found, with formulas and references.
+//! The method, with formulas and references.
 
 use super::equation::Equation;
 use super::page::{Block, Section};

@@ -1,4 +1,4 @@
-//! A page before it has a form: headings, words, tables, figures and equations in order.
+//! A page without a format: headings, words, tables, figures and equations in order.
 
 use std::fmt;
 

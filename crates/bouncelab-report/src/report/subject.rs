@@ -1,4 +1,4 @@
-//! What a page is about, and where it comes from.
+//! The subject of a page, and its source.
 
 use bouncelab::setup::Setup;
 

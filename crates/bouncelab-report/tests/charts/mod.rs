@@ -62,21 +62,21 @@ fn of_drops(translator: &Translator) -> Vec<Named> {
             "flight-times" => &[
                 "flight time (s)",
                 "number of the flight",
-                "off the line (%)",
+                "residual of the fit (%)",
             ],
             "height" => &["time (s)", "height (cm)", "measured apexes"],
             "bounce-heights" => &["bounce", "height (cm)"],
             "bounce-energies" => &["bounce", "energy lost (µJ)", "the bounce"],
-            "comparison" => &["time (s)", "height (cm)", "as heard"],
+            "comparison" => &["time (s)", "height (cm)", "measured"],
             "posterior" => &["restitution", "height (cm)", "before the data"],
             "residuals" => &[
                 "impact",
                 "residual (standard deviations)",
-                "odd, counts less",
+                "outlier, less weight",
             ],
             "budget" => &["choice of law"],
             "models" => &["probability", "drop height (cm)"],
-            "truncation" => &["flights used", "drop height (cm)", "straight line"],
+            "truncation" => &["flights used", "drop height (cm)", "log-linear fit"],
             _ => &["speed (m/s)", "drag / weight"],
         }
     };
@@ -340,7 +340,10 @@ fn of_many_drops(translator: &Translator) -> Unnamed {
         (
             "run",
             run,
-            &["drop, in order", "restitution less the median of the group"],
+            &[
+                "drop, in order",
+                "restitution minus the median of the group",
+            ],
         ),
         (
             "calibration",

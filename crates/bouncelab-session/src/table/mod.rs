@@ -1,4 +1,4 @@
-//! Tables in three forms: Parquet, CSV and JSON lines.
+//! Tables in three formats: Parquet, CSV and JSON lines.
 //!
 //! A table has columns with a type, a unit and a sentence of meaning; rows are written as they come,
 //! so that a table of any length takes little memory. Each file is written under another name and

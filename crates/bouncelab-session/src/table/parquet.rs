@@ -1,4 +1,4 @@
-//! Tables as Parquet: the one room that knows the Parquet library.
+//! Tables as Parquet: the only module that uses the Parquet library.
 //!
 //! Its plain column writers are enough, so that Arrow stays out.
 

@@ -35,16 +35,16 @@ pub fn detect(bytes: &[u8]) {
         other[half..].iter_mut().for_each(|sample| *sample *= 0.5);
     }
     let channels = 1 + usize::from(channels & 1);
-    let whole = hear(&samples, &other, rate_hz, channels, usize::MAX);
+    let whole = detections(&samples, &other, rate_hz, channels, usize::MAX);
     // Never more blocks than a machine of today can take in a moment.
     let block = (1 + usize::from(block) * 7).max(samples.len() / 300);
-    let parts = hear(&samples, &other, rate_hz, channels, block);
+    let parts = detections(&samples, &other, rate_hz, channels, block);
     check(&whole);
     assert_eq!(times(&whole), times(&parts), "the blocks make a difference");
     assert_eq!(whole.onsets, parts.onsets);
 }
 
-fn hear(a: &[f32], b: &[f32], rate_hz: u32, channels: usize, block: usize) -> Detection {
+fn detections(a: &[f32], b: &[f32], rate_hz: u32, channels: usize, block: usize) -> Detection {
     let mut listener = Detector::new(rate_hz, channels);
     let block = block.min(a.len()).max(1);
     for (number, (a, b)) in a.chunks(block).zip(b.chunks(block)).enumerate() {
@@ -56,8 +56,8 @@ fn hear(a: &[f32], b: &[f32], rate_hz: u32, channels: usize, block: usize) -> De
     listener.finish()
 }
 
-fn check(heard: &Detection) {
-    for train in &heard.found.trains {
+fn check(detection: &Detection) {
+    for train in &detection.found.trains {
         let impacts = train.impacts();
         assert!(
             impacts
@@ -71,8 +71,8 @@ fn check(heard: &Detection) {
     }
 }
 
-fn times(heard: &Detection) -> Vec<f64> {
-    let impacts = heard.found.trains.iter().flat_map(Train::impacts);
+fn times(detection: &Detection) -> Vec<f64> {
+    let impacts = detection.found.trains.iter().flat_map(Train::impacts);
     impacts.map(|impact| impact.onset.time_s).collect()
 }
 

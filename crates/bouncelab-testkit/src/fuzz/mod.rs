@@ -1,4 +1,4 @@
-//! What the fuzz targets do with their bytes, and the inputs worth keeping.
+//! The fuzz targets, and their corpus.
 //!
 //! The tests of the workspace do the same with the corpus, so that a stable compiler checks it too.
 

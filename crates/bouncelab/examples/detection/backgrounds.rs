@@ -5,7 +5,7 @@ use rand::{Rng, RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use std::f64::consts::TAU;
 
-/// What else is heard.
+/// The other sounds.
 #[derive(Clone, Copy)]
 pub(crate) enum Kind {
     /// Syllables of voiced sound with three formants, between hisses and pauses.

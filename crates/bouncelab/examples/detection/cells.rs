@@ -4,7 +4,7 @@ use crate::drops::{Cell, Recording, cells};
 use bouncelab::detection::Detection;
 
 /// An impact is found if the times agree within this, in seconds, after the middle of the errors
-/// of the drop is taken out: a soft ball is heard a while after first contact.
+/// of the drop is taken out: the sound of a soft ball begins after first contact.
 const SAME_S: f64 = 0.003;
 const SAME_BEFORE_S: f64 = 0.008;
 
@@ -15,7 +15,7 @@ struct Tally {
     found: usize,
     made_up: usize,
     drops: usize,
-    heard: usize,
+    detected: usize,
     false_drops: usize,
     errors_s: Vec<f64>,
 }
@@ -26,7 +26,7 @@ pub(crate) fn print(drops: u64) {
         if cell.group != group {
             group = cell.group;
             println!(
-                "\n| {group} | F1 | precision | recall | drops heard | false drops | median error |"
+                "\n| {group} | F1 | precision | recall | drops detected | false drops | median error |"
             );
             println!("|---|---|---|---|---|---|---|");
         }
@@ -38,17 +38,17 @@ fn row(cell: &Cell, drops: u64) -> String {
     let mut tally = Tally::default();
     for seed in 0..drops {
         let recording = cell.record(seed);
-        tally.add(&recording, &recording.hear());
+        tally.add(&recording, &recording.detect());
     }
     if tally.audible == 0 {
         let Tally {
             drops,
-            heard,
+            detected,
             false_drops,
             ..
         } = tally;
         return format!(
-            "| {} | - | - | - | {heard}/{drops} | {false_drops} | - |",
+            "| {} | - | - | - | {detected}/{drops} | {false_drops} | - |",
             cell.name
         );
     }
@@ -58,7 +58,7 @@ fn row(cell: &Cell, drops: u64) -> String {
     format!(
         "| {} | {f1:.3} | {precision:.3} | {recall:.3} | {}/{} | {} | {} |",
         cell.name,
-        tally.heard,
+        tally.detected,
         tally.drops,
         tally.false_drops,
         median(&mut tally.errors_s).map_or("-".into(), |e| format!("{:.1} us", 1e6 * e)),
@@ -80,12 +80,12 @@ pub(crate) fn median(values: &mut [f64]) -> Option<f64> {
 }
 
 impl Tally {
-    fn add(&mut self, recording: &Recording, heard: &Detection) {
+    fn add(&mut self, recording: &Recording, detection: &Detection) {
         let truth: Vec<f64> = recording.sound.impacts.iter().map(|i| i.time_s).collect();
         let audible = recording.audible();
         self.audible += audible.len();
         self.drops += 1;
-        let trains = &heard.found.trains;
+        let trains = &detection.found.trains;
         let is_true =
             |start_s: f64, end_s: f64| truth.iter().any(|t| (start_s..=end_s).contains(t));
         let true_trains = trains
@@ -93,7 +93,7 @@ impl Tally {
             .filter(|t| is_true(t.start_s(), t.end_s()))
             .count();
         self.false_drops += trains.len() - true_trains;
-        self.heard += usize::from(true_trains == 1);
+        self.detected += usize::from(true_trains == 1);
         for train in trains {
             let mut errors: Vec<f64> = train
                 .impacts()

@@ -184,8 +184,8 @@ impl Cell {
 /// Root mean square of the loudest impact over its first 5 ms.
 fn loudest_rms(sound: &Rendered) -> f64 {
     let rate = f64::from(sound.sample_rate_hz);
-    let heard = sound.impacts.iter().filter(|impact| !impact.lost);
-    heard
+    let audible = sound.impacts.iter().filter(|impact| !impact.lost);
+    audible
         .map(|impact| {
             let first = (impact.time_s * rate).ceil() as usize;
             let samples = &sound.samples[first..first + (0.005 * rate) as usize];
@@ -196,27 +196,27 @@ fn loudest_rms(sound: &Rendered) -> f64 {
 }
 
 impl Recording {
-    /// Times of the impacts that can be heard: those as loud as the background.
+    /// Times of the impacts that are audible: those as loud as the background.
     pub(crate) fn audible(&self) -> Vec<f64> {
         let loudest = self.sound.impacts.iter().filter(|i| !i.lost);
         let loudest_db = loudest.map(|i| i.snr_db).fold(f64::NEG_INFINITY, f64::max);
-        let heard = self
+        let audible = self
             .sound
             .impacts
             .iter()
             .filter(|i| !i.lost && i.snr_db - loudest_db + self.snr_db >= 0.0);
-        heard.map(|i| i.time_s).collect()
+        audible.map(|i| i.time_s).collect()
     }
 
-    /// What the listener says.
-    pub(crate) fn hear(&self) -> Detection {
-        hear(&self.sound.samples, self.sound.sample_rate_hz)
+    /// The detections.
+    pub(crate) fn detect(&self) -> Detection {
+        detect(&self.sound.samples, self.sound.sample_rate_hz)
     }
 }
 
-/// What the listener says of these samples.
-pub(crate) fn hear(samples: &[f32], sample_rate_hz: u32) -> Detection {
-    let mut listener = Detector::new(sample_rate_hz, 1);
-    listener.push(&[samples]);
-    listener.finish()
+/// The detections in these samples.
+pub(crate) fn detect(samples: &[f32], sample_rate_hz: u32) -> Detection {
+    let mut detector = Detector::new(sample_rate_hz, 1);
+    detector.push(&[samples]);
+    detector.finish()
 }

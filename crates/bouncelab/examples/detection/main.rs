@@ -1,4 +1,4 @@
-//! How well the listener hears, on sounds whose truth is known: `cargo xtask detection [PART...]`.
+//! Detection benchmark on sounds with known truth: `cargo xtask detection [PART...]`.
 //!
 //! Parts: `cells` (impacts found, false drops, by what disturbs), `timing` (errors of the times
 //! against the Cramer-Rao bound and against the stated standard errors), `silence` (false drops in

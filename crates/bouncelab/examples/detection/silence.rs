@@ -1,7 +1,7 @@
 //! False drops in sound without a drop.
 
 use crate::backgrounds::Kind;
-use crate::drops::{hear, usual};
+use crate::drops::{detect, usual};
 use bouncelab::synth::{self, Clicks, Hum, Noise, Scene};
 
 /// Seconds rendered at a time.
@@ -66,8 +66,8 @@ fn row(name: &str, scene: &Scene, background: Option<Kind>, hours: f64) {
         if let Some(kind) = background {
             kind.add(&mut sound, 0.1, seed);
         }
-        let heard = hear(&sound.samples, sound.sample_rate_hz);
-        false_drops += heard.found.trains.len() as u32;
+        let detection = detect(&sound.samples, sound.sample_rate_hz);
+        false_drops += detection.found.trains.len() as u32;
     }
     let hours = pieces as f64 * PIECE_S / 3600.0;
     let (least, most) = poisson_interval(false_drops);

@@ -2,7 +2,7 @@
 //! against loudness.
 
 use crate::cells::median;
-use crate::drops::{hear, strikes, usual};
+use crate::drops::{detect, strikes, usual};
 use crate::recorder::record;
 use bouncelab::synth::{BitDepth, Scene, Voice};
 use std::collections::BTreeMap;
@@ -18,7 +18,7 @@ const THRESHOLD: f64 = 5.0;
 /// Median of the size of a normal error, in standard deviations.
 const MEDIAN_OF_NORMAL: f64 = 0.6745;
 
-/// One impact that was heard.
+/// One impact that was detected.
 struct Timed {
     number: usize,
     error_s: f64,
@@ -53,26 +53,26 @@ pub(crate) fn print(drops: u64) {
     let mut quietest = Vec::new();
     for voice in Voice::NAMES {
         for snr_db in NOISES_DB {
-            let heard: Vec<Vec<Timed>> = (0..drops)
+            let timed: Vec<Vec<Timed>> = (0..drops)
                 .map(|seed| time(voice, snr_db, 0.0, seed))
                 .collect();
-            println!("| {voice} | {snr_db} dB | {}", summary(&heard));
+            println!("| {voice} | {snr_db} dB | {}", summary(&timed));
             if snr_db == NOISES_DB[3] {
-                quietest.push((voice, heard));
+                quietest.push((voice, timed));
             }
         }
     }
     println!("\n| ball | level | impacts | late | late by a threshold |");
     println!("|---|---|---|---|---|");
-    for (voice, heard) in quietest {
-        print_lateness(voice, &heard);
+    for (voice, timed) in quietest {
+        print_lateness(voice, &timed);
     }
     println!("\n| ball | phases differ by | median error | within one sigma | beyond three |");
     println!("|---|---|---|---|---|");
     for voice in Voice::NAMES {
         for phase_scatter_rad in PHASES_RAD {
-            let heard = (0..drops).map(|seed| time(voice, DIFFERING_DB, phase_scatter_rad, seed));
-            let halves = halves(&heard.collect::<Vec<_>>());
+            let timed = (0..drops).map(|seed| time(voice, DIFFERING_DB, phase_scatter_rad, seed));
+            let halves = halves(&timed.collect::<Vec<_>>());
             println!("| {voice} | {phase_scatter_rad} rad | {halves} |");
         }
     }
@@ -89,8 +89,13 @@ fn time(voice: &str, snr_db: f64, phase_scatter_rad: f64, seed: u64) -> Vec<Time
     let recorded = record(&strikes(seed, &scene.voice), &scene, seed);
     let sound = &recorded.noisy;
     let rate = f64::from(sound.sample_rate_hz);
-    let heard = hear(&sound.samples, sound.sample_rate_hz);
-    let Some(train) = heard.found.trains.iter().max_by_key(|t| t.impacts().len()) else {
+    let detection = detect(&sound.samples, sound.sample_rate_hz);
+    let Some(train) = detection
+        .found
+        .trains
+        .iter()
+        .max_by_key(|t| t.impacts().len())
+    else {
         return Vec::new();
     };
     let mut timed: Vec<Timed> = Vec::new();
@@ -129,10 +134,10 @@ fn time(voice: &str, snr_db: f64, phase_scatter_rad: f64, seed: u64) -> Vec<Time
 
 /// How late impacts are found, against the loudest of the same drop, by how loud they are: with
 /// the whole sound, and by the first sample above a fixed level.
-fn print_lateness(voice: &str, heard: &[Vec<Timed>]) {
+fn print_lateness(voice: &str, timed: &[Vec<Timed>]) {
     const STEP_DB: f64 = 5.0;
     let mut later: BTreeMap<i32, (Vec<f64>, Vec<f64>)> = BTreeMap::new();
-    for drop in heard {
+    for drop in timed {
         let Some(loudest) = drop.iter().max_by(|a, b| a.level_db.total_cmp(&b.level_db)) else {
             continue;
         };
@@ -175,8 +180,8 @@ fn slope(samples: &[f32], first: usize, end: usize) -> f64 {
         .sum()
 }
 
-fn summary(heard: &[Vec<Timed>]) -> String {
-    let flights: Vec<Flight> = heard.iter().flat_map(|drop| flights(drop)).collect();
+fn summary(timed: &[Vec<Timed>]) -> String {
+    let flights: Vec<Flight> = timed.iter().flat_map(|drop| flights(drop)).collect();
     let mut errors: Vec<f64> = flights.iter().map(|t| t.error.abs()).collect();
     let mut over: Vec<f64> = flights.iter().map(|t| t.error.abs() / t.bound).collect();
     let within = flights.iter().filter(|t| t.error.abs() < t.sigma).count();
@@ -189,15 +194,15 @@ fn summary(heard: &[Vec<Timed>]) -> String {
         1e6 * error_s,
         over / MEDIAN_OF_NORMAL,
         100.0 * within as f64 / flights.len() as f64,
-        drift(heard)
+        drift(timed)
     )
 }
 
 /// The median error of flight times, and how many are within one and beyond three standard errors,
 /// of the first and of the second half of each drop.
-fn halves(heard: &[Vec<Timed>]) -> String {
+fn halves(timed: &[Vec<Timed>]) -> String {
     let (mut first, mut second): (Vec<Flight>, Vec<Flight>) = Default::default();
-    for drop in heard {
+    for drop in timed {
         let (early, late) = drop.split_at(drop.len() / 2);
         first.extend(flights(early));
         second.extend(flights(late));
@@ -231,9 +236,9 @@ fn flights(drop: &[Timed]) -> impl Iterator<Item = Flight> {
 
 /// Microseconds later for each 10 dB louder, and the standard error of that: the mean over the
 /// drops of a straight line through the errors, each weighted by its bound.
-fn drift(heard: &[Vec<Timed>]) -> String {
+fn drift(timed: &[Vec<Timed>]) -> String {
     let (mut weights, mut sum) = (0.0, 0.0);
-    for drop in heard.iter().filter(|drop| drop.len() > 2) {
+    for drop in timed.iter().filter(|drop| drop.len() > 2) {
         let weighted = |value: fn(&Timed) -> f64| {
             let weight: f64 = drop.iter().map(|t| t.bound_s.powi(-2)).sum();
             drop.iter()

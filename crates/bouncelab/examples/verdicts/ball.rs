@@ -1,4 +1,4 @@
-//! Balls whose rebound is known, dropped and heard.
+//! Balls of known rebound, and simulated drops of them.
 
 use bouncelab::Impact;
 use bouncelab::analysis::{self, Drop, Options};
@@ -19,7 +19,7 @@ pub(crate) const LIMITS: Limits = Limits::between(0.24, 0.26);
 
 /// The ball is held by hand beside a ruler.
 const HEIGHT_SD_M: f64 = 0.001;
-/// What the listener achieves in a quiet room.
+/// The timing error of the detector in a quiet room.
 const TIMING_S: f64 = 5e-5;
 /// Scatter of a good surface.
 const SCATTER: f64 = 0.004;
@@ -120,7 +120,7 @@ impl RealBall {
         }
     }
 
-    /// A drop of it, heard and analysed.
+    /// A drop of it, detected and analysed.
     fn dropped(&self, between: f64, settings: &Options, chance: &mut ChaCha8Rng) -> Drop {
         let height_m = DROP_M + HEIGHT_SD_M * normal(chance);
         let livelier = (between * normal(chance)).exp();
@@ -131,11 +131,11 @@ impl RealBall {
             bouncing(self.model, self.contact_time_s, first_m_s, restitution)
                 .take(MOST_IMPACTS)
                 .collect();
-        let heard = strikes.iter().zip(1..).map(|(strike, number)| {
+        let impacts = strikes.iter().zip(1..).map(|(strike, number)| {
             let time_s = strike.time_s + TIMING_S * normal(chance);
             Impact::new(number, time_s).with_time_sd_s(TIMING_S)
         });
-        analysis::analyze_impacts(heard.collect(), settings)
+        analysis::analyze_impacts(impacts.collect(), settings)
     }
 }
 

@@ -1,4 +1,4 @@
-//! How often verdicts are wrong: balls of known rebound, dropped, heard and judged.
+//! The rate of wrong verdicts on simulated drops of balls with known rebound.
 //!
 //! ```text
 //! cargo xtask verdicts 1000

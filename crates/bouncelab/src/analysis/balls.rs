@@ -176,7 +176,9 @@ pub(super) fn better(balls: &[BallComparison]) -> Option<Diagnostic> {
     /// Odds beyond this are certainty for people.
     const GREATEST_ODDS: f64 = 1000.0;
     let best = balls.first()?.log_bayes_factor;
-    let odds = best.exp().min(GREATEST_ODDS);
+    // That the right ball was stated is as probable as all others together.
+    let others = balls.len().max(2) - 1;
+    let odds = (best.exp() / others as f64).min(GREATEST_ODDS);
     // Those that are nearly as good as the best cannot be told from it.
     let good = |ball: &&BallComparison| best - ball.log_bayes_factor < STRONG.ln();
     let names: Vec<&str> = balls.iter().filter(good).map(|ball| ball.ball).collect();

@@ -1,4 +1,4 @@
-//! Sound that was lost, and what of a drop can be trusted in spite of it.
+//! Gaps of lost sound, and the part of a drop that can be used.
 
 use crate::diagnostic::{Code, Diagnostic};
 use crate::impact::Impact;

@@ -1,4 +1,4 @@
-//! The pipeline: from samples, or impact times, to what they say.
+//! The pipeline: from samples, or impact times, to the result.
 //!
 //! [`analyze`] and [`analyze_times`] do all of it. A stream goes through a
 //! [`Detector`](crate::Detector) first and then, as a [`Plan`], to its result; drops are then analysed

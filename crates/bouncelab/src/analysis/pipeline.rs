@@ -1,4 +1,4 @@
-//! From samples, or times, to the result.
+//! The steps from samples, or times, to the result.
 
 use super::result::{Recording, Source, StrongestBand};
 use super::{Drop, Edits, Options, analyze_impacts, edit, gap, impacts_of_times};

@@ -1,4 +1,4 @@
-//! What a recording and its drops say: the result types, which are the JSON schema
+//! The result types of a recording and its drops, which are the JSON schema
 //! `bouncelab.analysis/2`.
 
 use super::{BallComparison, Options};
@@ -69,7 +69,7 @@ pub enum Source {
         channel: usize,
         /// Length in seconds.
         duration_s: f64,
-        /// How many sounds stand out of the background.
+        /// How many sounds stand out from the background.
         onsets: usize,
     },
 }
@@ -85,7 +85,7 @@ impl Source {
     }
 }
 
-/// A band in which impacts stand out of the background.
+/// A band in which impacts stand out from the background.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
@@ -114,7 +114,7 @@ pub struct Drop {
     pub impacts: Vec<Impact>,
     /// The flights between successive impacts.
     pub flights: Vec<MeasuredFlight>,
-    /// The paper's straight line through the logarithms of the flight times.
+    /// The paper's log-linear fit of the flight times.
     #[cfg_attr(feature = "serde", serde(serialize_with = "ok_or_null"))]
     #[cfg_attr(feature = "typescript", ts(as = "Option<LogLinearFit>"))]
     pub log_linear_fit: Result<LogLinearFit>,

@@ -1,7 +1,7 @@
-//! The listener: samples in, drops out.
+//! The detector: samples in, drops out.
 //!
 //! It takes a recording of any length in blocks of any size, channel by channel, and remembers no
-//! more of it than the longest drop lasts. All channels are heard; the one whose drops have the
+//! more of it than the longest drop lasts. All channels are analysed; the one whose drops have the
 //! most evidence against chance is believed, and the result says which that is.
 //!
 //! ```
@@ -20,13 +20,13 @@
 //!     .collect();
 //! let recording = synth::render(&strikes, &Scene::default(), 7)?;
 //!
-//! let mut listener = Detector::new(recording.sample_rate_hz, 1);
+//! let mut detector = Detector::new(recording.sample_rate_hz, 1);
 //! for block in recording.samples.chunks(1024) {
-//!     listener.push(&[block]);
+//!     detector.push(&[block]);
 //! }
-//! let heard = listener.finish();
-//! assert_eq!(heard.found.trains.len(), 1);
-//! assert_eq!(heard.found.trains[0].impacts().len(), 20);
+//! let detection = detector.finish();
+//! assert_eq!(detection.found.trains.len(), 1);
+//! assert_eq!(detection.found.trains[0].impacts().len(), 20);
 //! # Ok::<(), bouncelab::Error>(())
 //! ```
 
@@ -37,15 +37,18 @@ use crate::error::{Error, Result};
 use crate::onset::{self, Onset, OnsetDetector};
 use crate::simd::dispatch;
 use crate::stats::median;
-use crate::train::{self, Span, TrainSearch};
+use crate::train::{self, Recording, Span, TrainSearch};
 use std::ops::Range;
 
 pub use watch::DropWatch;
 
 /// No drop lasts longer than this many seconds: what is older is forgotten.
 const MEMORY_S: f64 = 120.0;
-/// In a recording full of sounds the past is judged whenever this many more seconds were heard.
+/// In a recording full of sounds the past is evaluated after each further this many seconds.
 const SLACK_S: f64 = 60.0;
+/// So many sounds are remembered at most, and the past is judged when there are as many: ten times
+/// the impacts of the longest drop (e = 0.99, from a metre to a tenth of a millimetre).
+const MOST_ONSETS: usize = 4000;
 /// Sounds farther apart than this, in seconds, have nothing to do with each other: no flight is
 /// as long, and no sound is compared with others as far away.
 const GAP_S: f64 = 3.2;
@@ -53,7 +56,7 @@ const GAP_S: f64 = 3.2;
 const DELAY_S: f64 = 0.3;
 /// Seconds before and after a train in which more of its impacts may be found.
 const AROUND_S: f64 = 2.5;
-/// A train goes on if its last impact was heard less than this many seconds ago.
+/// A train continues if its last impact was detected less than this many seconds ago.
 const OPEN_S: f64 = 10.0;
 
 /// Where in a recording to look for impacts.
@@ -76,7 +79,7 @@ pub struct Detector {
     of_channels: usize,
 }
 
-/// What was heard in a recording.
+/// The detections in a recording.
 #[derive(Clone, Debug)]
 pub struct Detection {
     /// Samples a second.
@@ -232,7 +235,7 @@ impl Detector {
         }
     }
 
-    /// How many sounds have stood out of the background so far, in all channels that differ.
+    /// How many sounds have stood out from the background so far, in all channels that differ.
     pub fn onsets(&self) -> usize {
         let channels = self.channels.iter().flatten();
         channels
@@ -240,7 +243,7 @@ impl Detector {
             .sum()
     }
 
-    /// What was heard so far, as if the recording ended here. It takes as long as the judgement of
+    /// The detections so far, as if the recording ended here. It takes as long as the judgement of
     /// the sounds that are not yet judged: some milliseconds.
     ///
     /// ```
@@ -286,7 +289,7 @@ impl Detector {
     }
 }
 
-/// Hears one channel.
+/// Detects the onsets of one channel.
 #[derive(Clone, Debug)]
 struct ChannelDetector {
     sample_rate_hz: f64,
@@ -354,7 +357,9 @@ impl ChannelDetector {
                 |onset: Option<&Onset>, now: &Onset| onset.map_or(0.0, |o| now.time_s - o.time_s);
             if far_s(self.onsets.last(), &onset) > GAP_S {
                 self.judge_all(onset.time_s);
-            } else if far_s(self.onsets.first(), &onset) > MEMORY_S + SLACK_S {
+            } else if far_s(self.onsets.first(), &onset) > MEMORY_S + SLACK_S
+                || self.onsets.len() >= MOST_ONSETS
+            {
                 self.judge_the_past(onset.time_s);
             }
             self.onsets.push(onset);
@@ -363,31 +368,53 @@ impl ChannelDetector {
 
     /// Judges all onsets; what comes next comes at this time.
     fn judge_all(&mut self, end_s: f64) {
-        let mut found = TrainSearch::default();
-        train::search(&self.onsets, self.span(end_s), &mut found);
+        let found = self.search(end_s);
         self.take(found);
         self.onsets_judged += standing_out(&self.onsets);
         self.onsets.clear();
     }
 
-    /// The time of the onsets that are not yet judged.
-    fn span(&self, end_s: f64) -> Span {
-        Span {
+    /// What is found among the onsets that are not yet judged, if all is known up to this time.
+    fn search(&self, end_s: f64) -> TrainSearch {
+        let span = Span {
             start_s: self.judged_s,
             end_s,
+        };
+        let mut found = TrainSearch::default();
+        train::search(
+            &self.onsets,
+            span,
+            &|range_s| self.read(range_s),
+            &mut found,
+        );
+        found
+    }
+
+    /// The samples of these seconds that are remembered.
+    fn read(&self, range_s: Range<f64>) -> Recording {
+        let number = |time_s: f64| (time_s * self.sample_rate_hz).max(0.0) as u64;
+        let range = number(range_s.start)..number(range_s.end);
+        let mut samples = Vec::new();
+        let first = self.detector.history().read(range, &mut samples);
+        Recording {
+            samples,
+            start_s: first as f64 / self.sample_rate_hz,
+            rate_hz: self.sample_rate_hz,
         }
     }
 
-    /// Judges the onsets that no sound later than `now_s` can change, and forgets them.
+    /// Judges the onsets that no sound later than `now_s` can change, and forgets them; as many at
+    /// least as keep the memory bounded.
     fn judge_the_past(&mut self, now_s: f64) {
-        let mut found = TrainSearch::default();
-        train::search(&self.onsets, self.span(now_s), &mut found);
+        let mut found = self.search(now_s);
         let open = found.trains.iter().position(|t| t.end_s() > now_s - OPEN_S);
         let open_from_s = open.map_or(f64::INFINITY, |index| found.trains[index].start_s());
         found.trains.truncate(open.unwrap_or(found.trains.len()));
         // A train that has yet to show itself may have begun at any time since the last one.
         let last_end_s = found.trains.last().map_or(0.0, train::Train::end_s);
-        let past_s = last_end_s.max(now_s - MEMORY_S).min(open_from_s - 1e-3);
+        let past_s = last_end_s.max(self.forgotten_before_s(now_s, 2));
+        // Nothing that goes on for longer than is remembered is a drop.
+        let past_s = past_s.min((open_from_s - 1e-3).max(self.forgotten_before_s(now_s, 4)));
         found.periodic.retain(|r| r.start_s <= past_s);
         self.take(found);
         let judged = self.onsets.partition_point(|o| o.time_s <= past_s);
@@ -396,15 +423,20 @@ impl ChannelDetector {
         self.judged_s = past_s;
     }
 
+    /// The time before which nothing is remembered, if this part of the most onsets is forgotten.
+    fn forgotten_before_s(&self, now_s: f64, part: usize) -> f64 {
+        let crowd_s = match self.onsets.len() {
+            MOST_ONSETS.. => self.onsets[MOST_ONSETS / part].time_s,
+            _ => f64::NEG_INFINITY,
+        };
+        crowd_s.max(now_s - MEMORY_S)
+    }
+
     /// Sharpens the times of these trains while their samples are at hand, and keeps them.
     fn take(&mut self, mut found: TrainSearch) {
-        let mut samples = Vec::new();
         for train in &mut found.trains {
-            let number = |time_s: f64| (time_s * self.sample_rate_hz).max(0.0) as u64;
-            let around = number(train.start_s() - AROUND_S)..number(train.end_s() + AROUND_S);
-            let first = self.detector.history().read(around, &mut samples);
-            let start_s = first as f64 / self.sample_rate_hz;
-            train.align(&samples, start_s, self.sample_rate_hz as u32);
+            let heard = self.read(train.start_s() - AROUND_S..train.end_s() + AROUND_S);
+            train.align(&heard.samples, heard.start_s, self.sample_rate_hz as u32);
         }
         self.found.trains.append(&mut found.trains);
         self.found.periodic.append(&mut found.periodic);
@@ -441,7 +473,7 @@ fn check_channel(channel: Option<usize>, channels: usize) -> Result<Option<usize
     }
 }
 
-/// How many of these are sounds that stand out of the background.
+/// How many of these are sounds that stand out from the background.
 fn standing_out(onsets: &[Onset]) -> usize {
     onsets.iter().filter(|onset| onset.stands_out()).count()
 }
@@ -657,5 +689,61 @@ impl Clipping {
 
     fn count(&self) -> u64 {
         self.count
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Clicks at 40 Hz for so many seconds, with a drop of fifteen loud impacts from this time on.
+    fn clicks_and_drop(duration_s: f64, drop_s: f64) -> Vec<Onset> {
+        let clicks = (0..(40.0 * duration_s) as u32).map(|n| Onset {
+            strength: 5.0,
+            level_db: -40.0,
+            ..Onset::click(f64::from(n) / 40.0)
+        });
+        let mut time_s = drop_s;
+        let impacts = (0..15).map(|n| {
+            time_s += 0.4 * 0.9_f64.powi(n);
+            let level_db = -10.0 + 20.0 * f64::from(n) * 0.9_f64.log10();
+            Onset {
+                strength: 60.0,
+                level_db,
+                ..Onset::click(time_s)
+            }
+        });
+        let mut onsets: Vec<Onset> = clicks.chain(impacts).collect();
+        onsets.sort_by(|a, b| a.time_s.total_cmp(&b.time_s));
+        onsets
+    }
+
+    /// What is found among these onsets as they come one by one; never are many remembered.
+    fn judged(onsets: &[Onset]) -> TrainSearch {
+        let mut channel = ChannelDetector::new(OnsetDetector::new(44_100), 44_100);
+        for onset in onsets {
+            channel.onsets.push(*onset);
+            channel.judge_onsets_from(channel.onsets.len() - 1);
+            assert!(channel.onsets.len() <= MOST_ONSETS);
+        }
+        channel.judge_all(onsets[onsets.len() - 1].time_s);
+        channel.found
+    }
+
+    #[test]
+    fn steady_clicks_are_no_drop_however_long_they_go_on() {
+        let found = judged(&clicks_and_drop(250.0, 300.0)[..10_000]);
+        assert_eq!(found.trains, []);
+    }
+
+    /// The past is judged whenever four thousand sounds are remembered, first after 100 s.
+    #[test]
+    fn a_drop_is_found_wherever_the_past_is_cut() {
+        for drop_s in [95.0, 98.0, 99.0, 100.5] {
+            let found = judged(&clicks_and_drop(110.0, drop_s));
+            let starts_s: Vec<f64> = found.trains.iter().map(train::Train::start_s).collect();
+            assert_eq!(starts_s, [drop_s + 0.4]);
+            assert_eq!(found.trains[0].impacts().len(), 15, "{drop_s}");
+        }
     }
 }

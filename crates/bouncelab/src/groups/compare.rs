@@ -1,4 +1,4 @@
-//! By how much groups differ.
+//! Differences between groups.
 
 use super::mean::Mean;
 use super::mixed::{Drop, Factor, Mixed};

@@ -1,4 +1,4 @@
-//! Which factors can be told apart, and what each of them does.
+//! Which factors can be separated, and the effect of each.
 
 use super::compare::{Difference, compare, compare_means};
 use super::mean::Mean;

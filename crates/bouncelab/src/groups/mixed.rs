@@ -1,4 +1,4 @@
-//! Who varies: variances of several crossed factors at once.
+//! Variance components of several crossed factors.
 
 use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
 

@@ -1,4 +1,4 @@
-//! What many drops say together: by ball, surface, operator, or whatever else was noted.
+//! Statistics of many drops: by ball, surface, operator, or other metadata.
 //!
 //! Every drop has one value, say the restitution at a speed, with a standard error of its own. But
 //! drops differ by more than their errors: each finds another spot of the surface. So the mean of a

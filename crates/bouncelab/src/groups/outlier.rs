@@ -1,4 +1,4 @@
-//! Drops that do not belong to their group.
+//! Outliers: drops that are unlike the others of their group.
 
 use std::collections::BTreeMap;
 

@@ -1,9 +1,9 @@
-//! How many drops a wanted uncertainty takes, and where the next ones should lie.
+//! The number of drops needed for an uncertainty, and the limit for a drift.
 
 use super::mean::Mean;
 use super::quantile::student;
 
-/// Nobody drops a ball more often.
+/// Upper limit of the number of drops.
 pub const MOST_DROPS: usize = 100_000;
 
 /// How many drops of this kind, those made included, give the mean a 95 % interval of plus or minus

@@ -1,4 +1,4 @@
-//! Quantiles that intervals need. The numbers come from `statrs`, which only this room knows.
+//! Quantiles for intervals. They come from `statrs`, which only this module uses.
 
 use statrs::distribution::{ChiSquared, ContinuousCDF, StudentsT};
 

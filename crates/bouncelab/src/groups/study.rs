@@ -1,4 +1,4 @@
-//! Everything that the drops of a session say, at once.
+//! All statistics of the drops of a session.
 
 use std::collections::{BTreeMap, BTreeSet};
 

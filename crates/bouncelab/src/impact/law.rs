@@ -1,4 +1,4 @@
-//! Restitution laws: how much of its speed a ball keeps, by how fast it hits.
+//! Restitution laws: restitution against impact speed.
 
 use crate::error::{Result, finite, not_negative, positive, require};
 use crate::stats::{logistic, softplus};

@@ -1,4 +1,4 @@
-//! What a bounce keeps: restitution laws and contact time.
+//! Impacts: restitution laws and contact time.
 
 mod law;
 

@@ -1,4 +1,4 @@
-//! From the draws of the posterior to the answers.
+//! From the draws of the posterior to the estimates.
 
 use super::likelihood::{Evaluator, Innovation};
 use super::posterior::{Draws, ImpactPosterior, Model, Posterior, Sampling};
@@ -105,7 +105,7 @@ impl Answers {
             total_path_m: Estimate::of_draws(rest.iter().map(|rest| rest.path_m)),
             missed_first_impacts: missed_first(&posterior),
             predictions: predictions(&posterior, &inference.reach),
-            impacts: heard(&posterior, &innovations),
+            impacts: detected(&posterior, &innovations),
             models: self.models(&posterior),
             log_evidence: posterior.log_evidence(),
             prior_contraction,
@@ -239,7 +239,7 @@ impl Answers {
     }
 }
 
-/// The Reynolds number of the fastest impact heard, where drag shows most.
+/// The Reynolds number of the fastest impact detected, where drag is strongest.
 fn fastest_reynolds(posterior: &SampledPosterior) -> f64 {
     let air = &posterior.environment.air;
     air.reynolds(&posterior.ball, posterior.middle.fastest_m_s)
@@ -289,8 +289,8 @@ fn terminal_speed(model: &FlightModel, drag_strength: f64) -> Option<f64> {
     Some(speed)
 }
 
-/// The impacts heard, with what each did to the speed and the energy of the ball.
-fn heard(posterior: &SampledPosterior, innovations: &[Innovation]) -> Vec<ImpactPosterior> {
+/// The impacts detected, with what each did to the speed and the energy of the ball.
+fn detected(posterior: &SampledPosterior, innovations: &[Innovation]) -> Vec<ImpactPosterior> {
     let state = posterior.each(THINNED, |evaluator: &mut Evaluator, point| {
         let state = evaluator.state(point)?;
         let table = evaluator.table(point)?;

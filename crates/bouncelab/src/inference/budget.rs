@@ -1,4 +1,4 @@
-//! Where the uncertainty comes from: a budget in the form of the GUM.
+//! The uncertainty budget, in the form of the GUM.
 //!
 //! At the best fit the estimate is a linear function of everything that went into it: the errors of
 //! the times, the scatter of the impacts, and each prior, which is an input like any other. So its

@@ -1,4 +1,4 @@
-//! What a person should know about an inference before believing it.
+//! The diagnostics of an inference.
 
 use super::GREATEST_PARETO_SHAPE;
 use super::LawKind;
@@ -15,7 +15,7 @@ pub(super) const ODD_WEIGHT: f64 = 0.55;
 /// Fewer impacts than this leave most to the priors.
 const FEW: usize = 5;
 
-/// So many standard deviations between what was measured and what was heard are no chance.
+/// More standard deviations than this between the measured and the detected height are not chance.
 const CONTRADICTION: f64 = 3.5;
 
 /// Every diagnostic that applies.
@@ -145,19 +145,19 @@ fn contradiction(
     if off.max(first) < CONTRADICTION {
         return None;
     }
-    let heard_m = heard_height_m(posterior, candidate.law, candidate.media)?;
+    let detected_m = detected_height_m(posterior, candidate.law, candidate.media)?;
     // A height from a flight time goes as gravity.
-    let gravity_m_s2 = posterior.environment.gravity_m_s2 * measured.value / heard_m;
+    let gravity_m_s2 = posterior.environment.gravity_m_s2 * measured.value / detected_m;
     Some(
         Diagnostic::new(Code::HeightContradictsTimes)
             .with("measured_m", measured.value)
-            .with("detected_m", heard_m)
+            .with("detected_m", detected_m)
             .with("gravity_m_s2", gravity_m_s2),
     )
 }
 
-/// The height of the fall before the first impact heard, as the times alone have it.
-fn heard_height_m(posterior: &SampledPosterior, law: LawKind, media: usize) -> Option<f64> {
+/// The height of the fall before the first impact detected, from the times alone.
+fn detected_height_m(posterior: &SampledPosterior, law: LawKind, media: usize) -> Option<f64> {
     let without = SampledPosterior {
         priors: Priors {
             drop_height_m: None,

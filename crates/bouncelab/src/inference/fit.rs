@@ -1,4 +1,4 @@
-//! The best fit of a model, and how sharp it is.
+//! The best fit of a model, and its curvature.
 
 use std::cell::RefCell;
 use std::convert::Infallible;

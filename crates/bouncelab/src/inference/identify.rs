@@ -1,4 +1,4 @@
-//! What the data state, and what only the priors did.
+//! Prior contraction: what the data determine, and what the priors.
 
 use super::model::{Model, Slot};
 use super::priors::LawKind;
@@ -40,7 +40,7 @@ impl Unknown {
     }
 }
 
-/// How much the data narrowed what was known of something.
+/// How much the data contracted the prior of an unknown.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "typescript", derive(ts_rs::TS))]

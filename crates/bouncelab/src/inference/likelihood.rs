@@ -1,4 +1,4 @@
-//! How well an explanation fits the times: the likelihood, in one pass over the impacts.
+//! The likelihood of the times, in one pass over the impacts.
 //!
 //! Two kinds of noise make the data. The times carry errors, known up to a common factor. The
 //! impacts carry scatter: ln e = ln e(v') + ε, and on a good recording that is the larger of the
@@ -31,7 +31,7 @@ const ODD: f64 = 3.0;
 /// An innovation: what one impact adds.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Innovation {
-    /// The impact it belongs to, by its place among those heard; the first is the drop itself.
+    /// The impact it belongs to, by its place among those detected; the first is the drop itself.
     pub(super) impact: usize,
     /// In units of its standard deviation.
     pub(super) standardised: f64,
@@ -64,11 +64,11 @@ struct Factor {
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct DropState {
     pub(super) drop_height_m: f64,
-    /// From the release to the first impact heard, s.
+    /// From the release to the first impact detected, s.
     pub(super) release_to_first_s: f64,
-    /// Speed at each impact heard, m/s.
+    /// Speed at each impact detected, m/s.
     pub(super) impact_speeds: Vec<f64>,
-    /// Launch speed after each impact heard but the last, m/s.
+    /// Launch speed after each impact detected but the last, m/s.
     pub(super) launch_speeds: Vec<f64>,
 }
 
@@ -111,7 +111,7 @@ impl<'a> Evaluator<'a> {
         table.launch_leading_to(point.impact_before(launch)?)
     }
 
-    /// About the standard deviation of ln(launch speed) after the first impact heard, given the fall.
+    /// About the standard deviation of ln(launch speed) after the first impact detected, given the fall.
     fn first_noise(&self, point: &Point) -> f64 {
         let observed = self.model.observed;
         let sigma_s = observed.sigma_s[0].hypot(observed.sigma_s[1]);

@@ -1,7 +1,7 @@
-//! What the silences can tell, with uncertainties one can defend.
+//! Inference of a whole drop from its impact times: the posterior of restitution, drop height and drag.
 //!
-//! The paper fits a straight line to the logarithms of the flight times. Its answer depends on how
-//! many flights go into it, because a straight line knows no air, and its standard errors know
+//! The paper fits a straight line to the logarithms of the flight times. Its result depends on the
+//! number of flights, because it neglects the air, and its standard errors know
 //! neither that the errors of neighbouring flights are linked nor that the impacts themselves
 //! scatter. Here a physical model of the whole drop explains the times: a fall from a height, air
 //! that drags, impacts that obey a restitution law but for scatter, and times with errors. The
@@ -35,7 +35,7 @@
 //!
 //! # How it is done
 //!
-//! For each restitution law, drag law and number of impacts missed before the first one heard, the
+//! For each restitution law, drag law and number of impacts missed before the first one detected, the
 //! best fit is found by quasi-Newton search, and the posterior around it by importance sampling;
 //! the Pareto shape of the weights says whether that worked. The evidence of each model is its
 //! weight in the average. The likelihood is that of two kinds of noise, errors of the times and
@@ -82,7 +82,7 @@ use sampled::SampledPosterior;
 #[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 pub struct InferenceOptions {
     /// The impact speed at which to state the restitution, m/s; if `None`, the middle of those
-    /// heard, where it is known best.
+    /// detected, where it is known best.
     pub at_speed_m_s: Option<f64>,
     /// From which height does the flight after a bounce (1 for the first) rise to an apex, in m?
     pub reach: Vec<ApexTarget>,
@@ -158,7 +158,7 @@ pub fn infer(
 pub struct BestFit {
     /// The restitution law.
     pub law: Restitution,
-    /// Height of the fall before the first impact heard, m.
+    /// Height of the fall before the first impact detected, m.
     pub drop_height_m: f64,
     /// Factor on the drag coefficient of the drag law.
     pub drag_scale: f64,
@@ -167,7 +167,7 @@ pub struct BestFit {
 /// The best fit alone: a hundred times faster than [`infer`], for those who watch while it bounces.
 ///
 /// It takes the first restitution law of the priors (constant if it names none) and the drag law
-/// of the environment, and every impact from the first one heard.
+/// of the environment, and every impact from the first one detected.
 ///
 /// # Errors
 ///

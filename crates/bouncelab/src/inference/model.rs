@@ -29,7 +29,7 @@ const UNSTATED_TIMING_SD: f64 = 1.0;
 const TABLE_STEPS: f64 = 26.0;
 
 /// One physical explanation of a drop: which restitution law, which drag law, and how many impacts
-/// went before the first one heard.
+/// went before the first one detected.
 #[derive(Debug, Clone)]
 pub(super) struct Model<'a> {
     pub(super) observed: &'a Observed,
@@ -68,7 +68,7 @@ pub(super) struct Inputs {
     drag_sd: f64,
 }
 
-/// The middle of what was heard, at which laws are pinned.
+/// The middle of what was detected, at which laws are pinned.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct ReferenceSpeed {
     /// v*, the geometric mean of the impact speeds, m/s.
@@ -78,7 +78,7 @@ pub(super) struct ReferenceSpeed {
     pub(super) fastest_m_s: f64,
     /// Median of the restitutions, or a guess.
     pub(super) restitution: f64,
-    /// Launch speed after the first impact heard, m/s.
+    /// Launch speed after the first impact detected, m/s.
     pub(super) first_launch_m_s: f64,
     /// Robust standard deviation of ln e, if any impact shows one.
     pub(super) scatter: Option<f64>,
@@ -108,7 +108,7 @@ pub(super) enum Slot {
 }
 
 /// What the coordinate of the drop height means: each keeps the height out of the correlations of
-/// everything else, which are crooked where the height is known well or few impacts were heard.
+/// everything else, which are crooked where the height is known well or few impacts were detected.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Height {
     /// A standard normal: how far the height is from the measured one.
@@ -406,10 +406,10 @@ impl<'a> Model<'a> {
     pub(super) fn start(&self) -> Vec<f64> {
         let e = self.middle.restitution.clamp(0.05, 0.995);
         // One missed impact more means a fall 1/e faster.
-        let heard = self.middle.first_launch_m_s / e.powf(self.missed_first as f64 + 1.0);
+        let first = self.middle.first_launch_m_s / e.powf(self.missed_first as f64 + 1.0);
         let height = match self.height() {
             Height::Measured(_) | Height::FromFirstFlight => 0.0,
-            Height::Speed => heard.ln(),
+            Height::Speed => first.ln(),
         };
         let scatter = self.middle.scatter.map_or(0.0, |scatter| {
             (scatter / self.typical_scatter).ln() / LOG_SCATTER_SD

@@ -1,9 +1,9 @@
-//! The impact times as the inference sees them: intervals between impacts that were heard.
+//! The impact times as the inference sees them: intervals between impacts that were detected.
 
 use crate::error::{Error, InferenceFailure, Result, in_order, not_negative, require};
 use crate::impact::Impact;
 
-/// The time from one heard impact to the next; more than one flight if impacts were missed.
+/// The time from one detected impact to the next; more than one flight if impacts were missed.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Interval {
     /// Time between the two, contact included, s.

@@ -1,4 +1,4 @@
-//! What is known after the data: the answers, as those who ask get them.
+//! The posterior as a result: estimates and their diagnostics.
 
 use super::Prediction;
 use super::budget::{self, Budget};
@@ -24,7 +24,7 @@ pub struct Posterior {
     /// -d ln e/d ln v at that speed: by how many per cent restitution falls when speed grows by one.
     pub restitution_slope: Estimate,
     /// Height of the fall: before the first impact if a height or release was given, else before
-    /// the first impact heard, m.
+    /// the first impact detected, m.
     pub drop_height_m: Estimate,
     /// The drag coefficient at [`Self::drag_reynolds`], if there is drag.
     pub drag_coefficient: Option<Estimate>,
@@ -46,12 +46,12 @@ pub struct Posterior {
     pub total_time_s: Option<Estimate>,
     /// Path from the release until the ball rests, m.
     pub total_path_m: Option<Estimate>,
-    /// Probabilities of 0, 1, 2, ... impacts before the first one heard, if a height or a release
+    /// Probabilities of 0, 1, 2, ... impacts before the first one detected, if a height or a release
     /// time tells.
     pub missed_first_impacts: Option<Vec<f64>>,
     /// The answers to [`InferenceOptions::reach`](super::InferenceOptions::reach).
     pub predictions: Vec<Prediction>,
-    /// The impacts heard.
+    /// The impacts detected.
     pub impacts: Vec<ImpactPosterior>,
     /// The models that were weighed, most probable first.
     pub models: Vec<Model>,
@@ -59,7 +59,7 @@ pub struct Posterior {
     /// difference between two posteriors of the same times is the logarithm of their Bayes factor.
     #[cfg_attr(feature = "serde", serde(skip))]
     pub log_evidence: f64,
-    /// How much the data narrowed what was known.
+    /// How much the data contracted the priors.
     pub prior_contraction: Vec<PriorContraction>,
     /// Correlations between the answers.
     pub correlations: Correlations,
@@ -82,7 +82,7 @@ pub struct Posterior {
     pub(super) sampled: SampledPosterior,
 }
 
-/// An impact heard, and the flight after it.
+/// An impact detected, and the flight after it.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
@@ -180,7 +180,7 @@ impl ImpactPosterior {
 }
 
 impl Posterior {
-    /// The impact of this number, if it was heard.
+    /// The impact of this number, if it was detected.
     pub fn impact(&self, number: usize) -> Option<&ImpactPosterior> {
         self.impacts.iter().find(|impact| impact.number == number)
     }
@@ -208,7 +208,7 @@ impl Posterior {
     /// The apex after the first impact of a drop of this ball from a height, both of the lowest point
     /// of the ball, m: one for each draw, with the restitution that the law expects.
     ///
-    /// Empty if the height is so far beyond what was heard that nothing can be said.
+    /// Empty if the height is so far beyond the detected heights that nothing can be stated.
     ///
     /// ```
     /// use bouncelab::inference::SamplerConfig;
@@ -277,7 +277,7 @@ impl Posterior {
         budget::shared_sd(&self.sampled, speeds_m_s)
     }
 
-    /// Whether the first impact heard was taken to be the first.
+    /// Whether the first impact detected was taken to be the first.
     pub fn first_was_heard(&self) -> bool {
         let priors = &self.sampled.priors;
         priors.drop_height_m.is_some() && self.missed_first_impacts.is_none()

@@ -1,4 +1,4 @@
-//! What the drop goes on to do, and what another drop of the same ball would do.
+//! Predictions: the rest of the drop, and other drops of the same ball.
 
 use super::likelihood::Evaluator;
 use super::model::Point;
@@ -16,21 +16,22 @@ pub(super) struct Rest {
     pub(super) path_m: f64,
 }
 
-/// The drop to its end: as heard, and after the last impact by the law.
+/// The drop to its end: as detected, and after the last impact by the law.
 ///
 /// `None` if it does not come to rest.
 pub(super) fn until_rest(evaluator: &mut Evaluator, point: &Point) -> Option<Rest> {
     let state = evaluator.state(point)?;
     let observed = evaluator.model.observed;
     let missed_first = evaluator.model.missed_first;
-    let heard_s = observed.impacts[observed.impacts.len() - 1].time_s - observed.impacts[0].time_s;
+    let detected_s =
+        observed.impacts[observed.impacts.len() - 1].time_s - observed.impacts[0].time_s;
     let gravity = point.gravity_m_s2;
     let table = evaluator.table(point)?;
     let mut rest = Rest {
-        time_s: state.release_to_first_s + heard_s,
+        time_s: state.release_to_first_s + detected_s,
         path_m: state.drop_height_m,
     };
-    // The flights before the first impact heard obey the law too.
+    // The flights before the first impact detected obey the law too.
     let mut impact = table.launch(point.fall_launch_m_s)?.impact;
     for _ in 0..missed_first {
         let launch = impact * point.law.at(impact);

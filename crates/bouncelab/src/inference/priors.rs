@@ -1,4 +1,4 @@
-//! What is known besides the sounds: measurements, and how well each input is known.
+//! Measurements and priors besides the impact times.
 
 use crate::ball::Preset;
 use crate::diagnostic::{Code, Diagnostic};
@@ -28,13 +28,13 @@ pub struct Priors {
     pub drop_height_m: Option<Measured>,
     /// When the ball was released, s, in the time of the impacts.
     pub release_s: Option<Measured>,
-    /// Whether the first impact heard is the first there was. With gravity unknown it must be: a
+    /// Whether the first impact detected is the first there was. With gravity unknown it must be: a
     /// missed impact and a weaker gravity look alike.
     pub first_was_heard: bool,
     /// Restitution laws to consider; if empty, all that so many impacts can tell from a constant.
     pub restitution_laws: Vec<LawKind>,
     /// Whether to consider a constant drag coefficient too, beside a law of the Reynolds number: what
-    /// the law says at the fastest impact heard.
+    /// the law says at the fastest impact detected.
     pub constant_drag_too: bool,
     /// Drag coefficient: how far a real ball may lie from the law. The laws of smooth spheres
     /// scatter by about 3 % at Reynolds numbers of 1,000 to 10,000; 4 % leaves room for a ball.
@@ -163,7 +163,7 @@ impl Priors {
         laws
     }
 
-    /// Whether something would show impacts missed before the first one heard.
+    /// Whether something would show impacts missed before the first one detected.
     pub(super) fn tells_missed(&self) -> bool {
         let state = self.drop_height_m.is_some() || self.release_s.is_some();
         state && !self.first_was_heard && self.gravity_rel_sd < UNKNOWN

@@ -1,4 +1,4 @@
-//! What the times make of each impact, and how the two noises reach it.
+//! The residual of each impact, and its derivatives by the two noises.
 //!
 //! A residual compares the launch after an impact with what the law makes of the speed before it.
 //! Neighbours share times, and the scatter of the impacts that were missed between them; here is

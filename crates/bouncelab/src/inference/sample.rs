@@ -1,4 +1,4 @@
-//! The full posterior, by importance sampling.
+//! Importance sampling of the posterior of one model.
 //!
 //! The best fit and its curvature give a normal distribution; draws from a Student's t of that
 //! shape, weighted by what the posterior really is, are the posterior. A first round corrects the

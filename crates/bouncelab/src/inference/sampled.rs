@@ -1,4 +1,4 @@
-//! All explanations of a drop, weighed against each other.
+//! All models of a drop, weighted by their evidence.
 
 use nalgebra::DVector;
 use rand::{RngExt, SeedableRng};

@@ -1,4 +1,4 @@
-//! How far an impact may be off before it counts as odd.
+//! The heavy-tailed density of residuals.
 
 /// Degrees of freedom of the scatter: nearly normal in the middle, with the fourth moment (an excess
 /// of 3) of the two exponentials that were measured.

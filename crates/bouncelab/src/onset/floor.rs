@@ -123,10 +123,11 @@ impl QuantisationStep {
         self.last = *last;
     }
 
-    /// Power of the noise that rounding to such steps makes.
+    /// The most noise that rounding to such steps makes: a sound smaller than a step, or the tail of one,
+    /// toggles the last bit as it comes and goes.
     pub(super) fn power(&self) -> f64 {
         if self.smallest.is_finite() {
-            f64::from(self.smallest).powi(2) / 12.0
+            f64::from(self.smallest).powi(2) / 4.0
         } else {
             0.0
         }
@@ -167,10 +168,10 @@ mod tests {
         let mut step = QuantisationStep::new();
         assert!(step.power() < f64::MIN_POSITIVE);
         step.see(&[0.5, 0.5, 0.25, 0.375, 0.375]);
-        assert!((step.power() - 0.125f64.powi(2) / 12.0).abs() < f64::EPSILON);
+        assert!((step.power() - 0.125f64.powi(2) / 4.0).abs() < f64::EPSILON);
         let mut long = vec![0.5; 100];
         long[63] += 0.01;
         step.see(&long);
-        assert!((step.power() - 1e-4 / 12.0).abs() < 1e-8);
+        assert!((step.power() - 1e-4 / 4.0).abs() < 1e-8);
     }
 }

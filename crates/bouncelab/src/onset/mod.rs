@@ -114,6 +114,9 @@ pub fn bands_hz(sample_rate_hz: u32) -> Vec<Range<f64>> {
 
 /// A candidate is the strongest moment this far to both sides.
 const SPACING_S: f64 = 0.006;
+/// A codec lets a sound be heard this long before it begins, in seconds: half a block of MP3 or AAC
+/// at 48 kHz. A microphone close to the surface hears the ball or the hand before the impact.
+const PRECURSOR_S: f64 = 0.010;
 /// The bar for a candidate. White noise reaches it about once a second, other backgrounds more often.
 const BAR: f64 = 1.5;
 /// The steps of the format are sought in one sample of so many.
@@ -127,6 +130,7 @@ const STEP_SHARE: usize = 8;
 pub struct OnsetDetector {
     sample_rate_hz: f64,
     spacing: u64,
+    precursor: u64,
     bank: FilterBank,
     energies: HopEnergies,
     step: QuantisationStep,
@@ -178,6 +182,7 @@ impl OnsetDetector {
         Self {
             sample_rate_hz,
             spacing: novelty::hops(SPACING_S, hop_s) as u64,
+            precursor: novelty::hops(PRECURSOR_S, hop_s) as u64,
             energies: HopEnergies::new(&bank, hop_s),
             step: QuantisationStep::new(),
             picker: Picker::new(sample_rate_hz),
@@ -259,7 +264,8 @@ impl OnsetDetector {
         let mut last = Vec::new();
         self.history.read(end.saturating_sub(1)..end, &mut last);
         let hold = last.first().copied().unwrap_or(0.0);
-        let hops = self.spacing as usize + self.energies.look_ahead() + 1 + FRAME_HOPS;
+        let look_ahead = (self.spacing + self.precursor) as usize;
+        let hops = look_ahead + self.energies.look_ahead() + 1 + FRAME_HOPS;
         let length = hops * self.bank.hop + self.bank.delay();
         self.push_finite(&vec![hold; length], onsets);
         // Where the sound breaks off is not an onset.
@@ -285,13 +291,13 @@ impl OnsetDetector {
 
     /// Makes candidates of the moments that are the strongest nearby.
     fn settle(&mut self, onsets: &mut Vec<Onset>) {
-        let settled = self.energies.judged().saturating_sub(self.spacing);
+        let look_ahead = self.spacing + self.precursor;
+        let settled = self.energies.judged().saturating_sub(look_ahead);
         let first = self.moments.partition_point(|m| m.hop < self.open);
         let end = self.moments.partition_point(|m| m.hop < settled);
         for at in first..end {
-            let moment = self.moments[at];
             if self.is_strongest(at) {
-                let onset = self.onset(&moment);
+                let onset = self.onset(self.moments[at]);
                 // Two peaks may share one onset, as of an impact with a loud echo.
                 if onset.time_s > self.last_onset_s + SPACING_S / 2.0 {
                     self.last_onset_s = onset.time_s;
@@ -305,23 +311,37 @@ impl OnsetDetector {
         self.moments.drain(..past);
     }
 
+    /// Whether this moment is the strongest nearby, but for those that only announce another.
     fn is_strongest(&self, at: usize) -> bool {
         let (before, rest) = self.moments.split_at(at);
         let Some((moment, after)) = rest.split_first() else {
             return false;
         };
-        let earlier = before
+        let mut earlier = before
             .iter()
+            .enumerate()
             .rev()
-            .take_while(|m| m.hop + self.spacing >= moment.hop);
-        let later = after
-            .iter()
-            .take_while(|m| m.hop <= moment.hop + self.spacing);
-        earlier.map(|m| m.strength).all(|s| s < moment.strength)
-            && later.map(|m| m.strength).all(|s| s <= moment.strength)
+            .take_while(|(_, m)| m.hop + self.spacing >= moment.hop)
+            .filter(|(_, m)| m.strength >= moment.strength);
+        let mut later = (at + 1..)
+            .zip(after)
+            .take_while(|(_, m)| m.hop <= moment.hop + self.spacing)
+            .filter(|(_, m)| m.strength > moment.strength);
+        !self.is_precursor(at)
+            && earlier.all(|(at, _)| self.is_precursor(at))
+            && later.all(|(at, _)| self.is_precursor(at))
     }
 
-    fn onset(&mut self, moment: &Novelty) -> Onset {
+    /// Whether a far louder sound begins soon after this moment.
+    fn is_precursor(&self, at: usize) -> bool {
+        let moment = &self.moments[at];
+        let mut soon = self.moments[at + 1..]
+            .iter()
+            .take_while(|m| m.hop <= moment.hop + self.precursor);
+        soon.any(|later| later.dwarfs(moment))
+    }
+
+    fn onset(&mut self, moment: Novelty) -> Onset {
         let delay = self.bank.delay() as u64;
         let rough = (moment.hop * self.bank.hop as u64).saturating_sub(delay);
         let from = rough.saturating_sub(self.picker.history() as u64);
@@ -372,4 +392,54 @@ pub(crate) fn finite(samples: &[f32]) -> Cow<'_, [f32]> {
 
 fn decibels(power: f64) -> f64 {
     10.0 * power.max(1e-14).log10()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A second at 48 kHz of noise at -100 dB, louder by so much in the milliseconds before a click
+    /// at 0.5 s: pre-echo of a codec.
+    fn click_after(pre_echo_s: f64, pre_echo: f32) -> Vec<f32> {
+        let mut state = 1_u32;
+        (0..48_000)
+            .map(|n| {
+                state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+                let noise = 1e-5 * ((state >> 8) as f32 / 8e6 - 1.0);
+                let t = f64::from(n) / 48_000.0 - 0.5;
+                let click = (-t / 0.004).exp() * (6e3 * std::f64::consts::TAU * t).cos();
+                match t {
+                    0.0.. => noise + 0.5 * click as f32,
+                    _ if t > -pre_echo_s => pre_echo * noise,
+                    _ => noise,
+                }
+            })
+            .collect()
+    }
+
+    fn onsets(samples: &[f32]) -> Vec<Onset> {
+        let mut onsets = Vec::new();
+        let mut detector = OnsetDetector::new(48_000);
+        detector.push(samples, &mut onsets);
+        detector.finish(&mut onsets);
+        onsets.retain(|onset| onset.time_s > 0.45);
+        onsets
+    }
+
+    /// Pre-echo 40 dB above the noise and 50 dB below the click: nothing begins there.
+    #[test]
+    fn an_impact_begins_where_its_sound_does_not_where_a_codec_announces_it() {
+        let clean = onsets(&click_after(0.0, 1.0));
+        assert_eq!(clean.len(), 1, "{clean:?}");
+        for pre_echo_s in [0.002, 0.003, 0.005, 0.008] {
+            let heard = onsets(&click_after(pre_echo_s, 100.0));
+            assert_eq!(heard.len(), 1, "{pre_echo_s}: {heard:?}");
+            assert!(
+                (heard[0].time_s - 0.5).abs() < 1e-4,
+                "{pre_echo_s}: {heard:?}"
+            );
+            let louder_db = heard[0].level_db - clean[0].level_db;
+            assert!(louder_db.abs() < 4.0, "{pre_echo_s}: {louder_db}");
+        }
+    }
 }

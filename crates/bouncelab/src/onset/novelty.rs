@@ -38,6 +38,20 @@ pub(super) struct Novelty {
     pub(super) before: [f64; BANDS],
 }
 
+impl Novelty {
+    /// Whether this is so much louder than an earlier moment, in the band that it fills best, that the
+    /// earlier one only announced it.
+    pub(super) fn dwarfs(&self, earlier: &Self) -> bool {
+        /// Coders keep pre-echo below what an ear hears, 10 dB and more below the sound.
+        const FAR: f64 = 10.0;
+        let mut rises = (0..BANDS).map(|band| {
+            let heard = earlier.gain[band].max(earlier.before[band]);
+            self.gain[band] > FAR * heard
+        });
+        rises.any(|rise| rise)
+    }
+}
+
 /// The latest energies of one band, and what is expected of them.
 #[derive(Clone, Debug)]
 struct Band {

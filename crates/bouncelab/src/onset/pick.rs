@@ -13,6 +13,10 @@ const LEARN_S: f64 = 0.020;
 /// Seconds to both sides of the rough time in which the onset is sought.
 const BEFORE_S: f64 = 0.005;
 const AFTER_S: f64 = 0.004;
+/// Where a sound begins so long before it grows by so much in power, in seconds, something announces it:
+/// pre-echo of a codec, the air that the ball pushes, a noise gate that opens.
+const PRECURSOR_S: f64 = 0.001;
+const FAR: f64 = 10.0;
 /// The variance on either side is estimated from at least so many samples.
 const LEAST: usize = 4;
 /// A moment that is less likely than the best by so much does not count.
@@ -34,6 +38,7 @@ pub(super) struct Picker {
     learn: usize,
     before: usize,
     after: usize,
+    precursor: usize,
     error_energy: Vec<f64>,
     score: Vec<f32>,
 }
@@ -45,6 +50,7 @@ impl Picker {
             learn: samples(LEARN_S, 4 * ORDER),
             before: samples(BEFORE_S, 2 * LEAST),
             after: samples(AFTER_S, 2 * LEAST),
+            precursor: samples(PRECURSOR_S, 2 * LEAST),
             error_energy: Vec::new(),
             score: Vec::new(),
         }
@@ -84,19 +90,43 @@ impl Picker {
             sum += f64::from(error).powi(2) + noise_power;
             self.error_energy.push(sum);
         }
-        self.change_point(start)
+        let pick = self.change_point(start, 0);
+        if end - pick.sample < 2 * self.precursor {
+            return pick;
+        }
+        let later = self.change_point(start, pick.sample + pick.after as usize - start);
+        if self.announces(start, &pick, &later) {
+            later
+        } else {
+            pick
+        }
     }
 
+    /// Whether one change is so soon followed by so much louder a sound that it only announces it.
+    fn announces(&self, start: usize, change: &Pick, later: &Pick) -> bool {
+        let end = self.error_energy.len() - 1;
+        let place = |pick: &Pick| (pick.sample + pick.after as usize - start).min(end);
+        let power = |from: usize, to: usize| {
+            (self.error_energy[to] - self.error_energy[from]) / (to - from).max(1) as f64
+        };
+        let (from, to) = (place(change), place(later));
+        to >= from + self.precursor && power(to, end) > FAR * power(from, to)
+    }
+
+    /// Where the variance changes among the errors from `first` on, the first of which is that of
+    /// sample `start`.
     #[inline(always)]
-    fn change_point(&mut self, start: usize) -> Pick {
-        let n = self.error_energy.len() - 1;
-        let total = self.error_energy[n];
-        let first = LEAST;
+    fn change_point(&mut self, start: usize, first: usize) -> Pick {
+        let energy = &self.error_energy[first..];
+        let n = energy.len() - 1;
+        let base = energy[0];
+        let total = energy[n] - base;
+        let (start, first) = (start + first, LEAST);
         let mean_energy = total / n as f64;
         let variance = |energy: f64, count: f32| (energy / mean_energy) as f32 / count;
         self.score.clear();
         self.score.extend((first..=n - LEAST).map(|k| {
-            let before = self.error_energy[k];
+            let before = energy[k] - base;
             let (a, b) = (k as f32, (n - k) as f32);
             0.5 * (a * ln(variance(before, a)) + b * ln(variance(total - before, b)))
         }));

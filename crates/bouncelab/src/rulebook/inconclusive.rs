@@ -1,4 +1,4 @@
-//! Why a verdict cannot be given, and what to know of one that can.
+//! Reasons for an inconclusive verdict, and remarks.
 
 use crate::diagnostic::{Code, Diagnostic};
 

@@ -1,4 +1,4 @@
-//! Whether a ball or a floor obeys a rule, and how surely.
+//! Conformity of a ball or a floor with a rule, and its probability.
 //!
 //! A rule says from which height a ball is dropped and how high it must rebound, or how high compared
 //! with a reference surface. What counts is the **rebound**: the apex after the first impact of a drop

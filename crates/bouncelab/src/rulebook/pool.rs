@@ -1,4 +1,4 @@
-//! Several drops together, on the safe side.
+//! The mean of several drops, with conservative uncertainty.
 //!
 //! Drops of the same ball share what is not known of the ball, the air and the drag law, so that a
 //! mean does not make that smaller; what differs between drops shows in their scatter. How much of the

@@ -1,4 +1,4 @@
-//! The rebound of one drop: as the rule means it, and as simpler formulas have it.
+//! The rebound of one drop: by the rule, and by simpler formulas.
 
 use std::fmt;
 

@@ -1,4 +1,4 @@
-//! A rule: what is dropped from where, and how high it must rebound.
+//! A rule: drop height, and limits of the rebound.
 
 use std::fmt;
 

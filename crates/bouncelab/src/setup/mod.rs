@@ -1,4 +1,4 @@
-//! What a person states of a drop, and what is assumed of the rest.
+//! Stated quantities of a drop, and assumptions for the others.
 //!
 //! Whoever asks (a command line, a page) fills in what is known and leaves the rest out. What is
 //! left out is assumed, every assumption is told in words, and what is stated counts as measured
@@ -26,6 +26,7 @@ use crate::drag::DragLaw;
 use crate::flight::Environment;
 use crate::gravity;
 use crate::inference::{LawKind, Measured, Priors, UNKNOWN};
+use crate::rulebook::Rule;
 
 pub use settings::Settings;
 
@@ -130,6 +131,41 @@ pub struct Setup {
     pub ball_label: String,
     /// What was assumed, one diagnostic for each.
     pub assumptions: Vec<Diagnostic>,
+}
+
+impl Setup {
+    /// Assumes what a rule says of the drops that it judges: their height, unless one is known, and, where
+    /// nobody stated a ball and this is of that of the rule, that it is.
+    ///
+    /// ```
+    /// use bouncelab::rulebook::Rule;
+    /// use bouncelab::setup::SetupInput;
+    ///
+    /// let mut setup = SetupInput::default().resolve()?;
+    /// setup.assume(&Rule::new("a", "A rule", 0.305), false);
+    /// assert_eq!(setup.options.priors.drop_height_m.map(|height| height.value), Some(0.305));
+    /// # Ok::<(), bouncelab::Error>(())
+    /// ```
+    pub fn assume(&mut self, rule: &Rule, is_its_ball: bool) {
+        if is_its_ball {
+            let ball = Diagnostic::new(Code::AssumedRuleBall);
+            let ball = ball.with("ball", self.ball_label.as_str());
+            self.assumptions.insert(0, ball);
+        }
+        let fall_m = rule.fall_m(self.options.ball.diameter_m(), None);
+        if let (None, Some(fall_m)) = (self.options.priors.drop_height_m, fall_m) {
+            let sd = rule.drop_tolerance_m.map_or(HEIGHT_SD_M, |tolerance| {
+                // Anywhere within the tolerance.
+                tolerance / 3.0_f64.sqrt()
+            });
+            self.assumptions.push(
+                Diagnostic::new(Code::AssumedRuleHeight)
+                    .with("height_m", fall_m)
+                    .with("sd_m", sd),
+            );
+            self.options.priors.drop_height_m = Some(Measured { value: fall_m, sd });
+        }
+    }
 }
 
 /// A ball and what goes with it.

@@ -172,7 +172,6 @@ impl Settings {
             no_buoyancy: self.buoyancy == Some(false),
             no_added_mass: self.added_mass == Some(false),
             gravity: self.gravity(),
-            ..SetupInput::default()
         })
     }
 

@@ -1,4 +1,4 @@
-//! What sounds all the time: noise and hum.
+//! Background: noise and hum.
 
 use std::f64::consts::TAU;
 

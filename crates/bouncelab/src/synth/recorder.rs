@@ -1,4 +1,4 @@
-//! The recorder's own marks: offset, clipping, rounding.
+//! Effects of the recorder: offset, clipping, rounding.
 
 use super::scene::{BitDepth, Scene};
 

@@ -1,4 +1,4 @@
-//! The room: a decaying tail of noise after every sound.
+//! Reverberation: a decaying tail of noise after every sound.
 
 use rand::{Rng, RngExt};
 use rand_distr::StandardNormal;

@@ -1,4 +1,4 @@
-//! Where and how the drop is recorded: every setting of [`render`](super::render).
+//! Recording conditions: every setting of [`render`](super::render).
 
 use super::checks::{positive_up_to, within};
 use super::voice::Voice;

@@ -1,4 +1,4 @@
-//! What an impact sounds like: the decaying modes of ball and surface.
+//! The sound of an impact: decaying modes of ball and surface.
 
 use super::checks::{positive_up_to, within};
 use crate::error::{Result, positive};

@@ -39,6 +39,8 @@ use crate::stats::{logistic, softplus};
 use chain::Chain;
 pub(crate) use evidence::Span;
 use rhythm::Beat;
+use statrs::function::beta::ln_beta;
+use std::ops::Range;
 
 /// The fewest impacts that can be told from chance: three set the ratio of the flights, two more
 /// confirm it.
@@ -46,6 +48,10 @@ pub const FEWEST_IMPACTS: usize = 5;
 
 /// Evidence in nats from which a train is believed: a drop is then more likely than other sounds.
 const BELIEVED: f64 = 0.0;
+
+/// Where the evidence is below this, in nats, for or against, the waveforms are asked too: they bring no
+/// more.
+const DOUBTFUL: f64 = 8.0;
 
 /// A train that is heard this much fainter than a surer one, at the same speed of impact, is
 /// another ball farther away: 12 dB is four times the distance.
@@ -229,7 +235,7 @@ impl TrainSearch {
 /// ```
 pub fn find(onsets: &[Onset]) -> TrainSearch {
     let mut found = TrainSearch::default();
-    search(onsets, Span::EVER, &mut found);
+    search(onsets, Span::EVER, &|_| Recording::default(), &mut found);
     found.set_distant_apart();
     found
 }
@@ -338,9 +344,20 @@ fn ratio_near(impacts: &[TrainImpact], index: usize) -> f64 {
 }
 
 /// Finds the trains among the onsets, which are all that was heard in this span.
-pub(crate) fn search(onsets: &[Onset], span: Span, found: &mut TrainSearch) {
-    search_among(&telling(onsets), span, found);
+pub(crate) fn search(onsets: &[Onset], span: Span, read: Read, found: &mut TrainSearch) {
+    search_among(&telling(onsets), span, read, found);
 }
+
+/// A part of a recording.
+#[derive(Default)]
+pub(crate) struct Recording {
+    pub(crate) samples: Vec<f32>,
+    pub(crate) start_s: f64,
+    pub(crate) rate_hz: f64,
+}
+
+/// Gives the recording between two times, in seconds.
+pub(crate) type Read<'a> = &'a dyn Fn(Range<f64>) -> Recording;
 
 /// Leaves out the faint onsets where they come thick: among so many some will always lie as the
 /// impacts of a drop.
@@ -366,7 +383,7 @@ fn telling(onsets: &[Onset]) -> Vec<Onset> {
 }
 
 /// Takes the best train and searches again before and after it.
-fn search_among(onsets: &[Onset], span: Span, found: &mut TrainSearch) {
+fn search_among(onsets: &[Onset], span: Span, read: Read, found: &mut TrainSearch) {
     if onsets.len() < FEWEST_IMPACTS {
         return;
     }
@@ -374,6 +391,9 @@ fn search_among(onsets: &[Onset], span: Span, found: &mut TrainSearch) {
         return;
     };
     chain.evidence += alone(onsets, &chain);
+    if chain.evidence.abs() < DOUBTFUL {
+        chain.evidence += alike(onsets, &chain, read);
+    }
     if chain.evidence < BELIEVED {
         return;
     }
@@ -383,17 +403,8 @@ fn search_among(onsets: &[Onset], span: Span, found: &mut TrainSearch) {
         chain.ln_flights(onsets) - rhythm::ln_likelihood(&beats) - rhythm::LN_USUAL;
     let evidence = against_both(chain.evidence, against_rhythm);
     if evidence < BELIEVED {
-        let ln_interval = beats.iter().map(|b| b.ln_interval).sum::<f64>() / beats.len() as f64;
-        found.periodic.push(PeriodicSequence {
-            start_s: onsets[chain.links[0].onset].time_s,
-            interval_s: ln_interval.exp(),
-            count: chain.links.len(),
-        });
-        let rest: Vec<Onset> = (0..onsets.len())
-            .filter(|index| chain.links.iter().all(|link| link.onset != *index))
-            .map(|index| onsets[index])
-            .collect();
-        search_among(&rest, span, found);
+        let rest = take_periodic(onsets, &chain, &beats, found);
+        search_among(&rest, span, read, found);
         return;
     }
     let best = Train {
@@ -411,9 +422,60 @@ fn search_among(onsets: &[Onset], span: Span, found: &mut TrainSearch) {
     };
     let first = onsets.partition_point(|o| o.time_s < before.end_s);
     let rest = onsets.partition_point(|o| o.time_s <= after.start_s);
-    search_among(&onsets[..first], before, found);
+    search_among(&onsets[..first], before, read, found);
     found.trains.push(best);
-    search_among(&onsets[rest..], after, found);
+    search_among(&onsets[rest..], after, read, found);
+}
+
+/// Takes out a sequence that keeps time, with what goes on with its beat before and after; returns the
+/// other sounds.
+fn take_periodic(
+    onsets: &[Onset],
+    chain: &Chain,
+    intervals: &[Beat],
+    found: &mut TrainSearch,
+) -> Vec<Onset> {
+    let mut is_beat = vec![false; onsets.len()];
+    for link in &chain.links {
+        is_beat[link.onset] = true;
+    }
+    let (first, last) = (chain.links[0], chain.links[chain.links.len() - 1]);
+    let interval_s = |index: usize| intervals[index].ln_interval.exp();
+    follow_beat(onsets, first.onset, -interval_s(0), &mut is_beat);
+    let last_s = interval_s(intervals.len() - 1);
+    follow_beat(onsets, last.onset, last_s, &mut is_beat);
+    let ln_interval = intervals.iter().map(|i| i.ln_interval).sum::<f64>() / intervals.len() as f64;
+    let beats = || onsets.iter().zip(&is_beat);
+    found.periodic.push(PeriodicSequence {
+        start_s: beats().find(|b| *b.1).map_or(0.0, |b| b.0.time_s),
+        interval_s: ln_interval.exp(),
+        count: beats().filter(|b| *b.1).count(),
+    });
+    beats().filter(|b| !b.1).map(|b| *b.0).collect()
+}
+
+/// Marks the onsets that go on with a beat from this one on, backwards if the interval is negative.
+fn follow_beat(onsets: &[Onset], from: usize, interval_s: f64, is_beat: &mut [bool]) {
+    /// A beat is found this share of the interval off at most.
+    const OFF: f64 = 0.08;
+    /// After so many that are not found it has ended.
+    const MOST_MISSED: u32 = 2;
+    let mut last_s = onsets[from].time_s;
+    let mut missed = 0;
+    while missed <= MOST_MISSED {
+        let next_s = last_s + f64::from(missed + 1) * interval_s;
+        let off_s = |index: usize| (onsets[index].time_s - next_s).abs();
+        let after = onsets.partition_point(|o| o.time_s < next_s);
+        let near = after.saturating_sub(1)..(after + 1).min(onsets.len());
+        match near.min_by(|&a, &b| off_s(a).total_cmp(&off_s(b))) {
+            Some(index) if off_s(index) < OFF * interval_s.abs() => {
+                is_beat[index] = true;
+                last_s = onsets[index].time_s;
+                missed = 0;
+            }
+            _ => missed += 1,
+        }
+    }
 }
 
 /// A ball that falls off a table needs more seconds to the floor, and a hand to the next drop: from
@@ -456,6 +518,54 @@ fn alone(onsets: &[Onset], chain: &Chain) -> f64 {
         .fold(0.0, f64::max)
 }
 
+/// Evidence from the waveforms: the impacts of a drop agree with each other where the other sounds around
+/// do not agree with them.
+///
+/// If it is a drop, some share of its impacts agrees, depending on ball and recorder, and one other in
+/// twenty by chance. If it is not, the same share of all does, as of drums that repeat.
+fn alike(onsets: &[Onset], chain: &Chain, read: Read) -> f64 {
+    /// Seconds before the first and after the last impact in which other sounds are compared, and
+    /// before and after those in which they may sound.
+    const AROUND_S: f64 = 1.0;
+    const SOUND_S: f64 = 0.1;
+    /// Beta distributions of a share of which nothing is known, of one that is rather small, because sounds
+    /// by chance are rather unlike, and of one that is small.
+    const ANY: (f64, f64) = (1.0, 1.0);
+    const RATHER_SMALL: (f64, f64) = (1.0, 2.0);
+    const ONE_IN_TWENTY: (f64, f64) = (1.0, 19.0);
+    /// So many others say enough.
+    const OTHERS: usize = 20;
+    let impacts: Vec<Onset> = chain.links.iter().map(|l| onsets[l.onset]).collect();
+    let start_s = impacts[0].time_s - AROUND_S;
+    let end_s = impacts[impacts.len() - 1].time_s + AROUND_S;
+    let near = onsets.partition_point(|o| o.time_s < start_s)
+        ..onsets.partition_point(|o| o.time_s <= end_s);
+    let is_other = |index: &usize| {
+        onsets[*index].stands_out() && chain.links.iter().all(|link| link.onset != *index)
+    };
+    let mut others: Vec<Onset> = near.filter(is_other).map(|index| onsets[index]).collect();
+    others.sort_by(|a, b| b.strength.total_cmp(&a.strength));
+    others.truncate(OTHERS);
+    let Recording {
+        samples,
+        start_s,
+        rate_hz,
+    } = read(start_s - SOUND_S..end_s + SOUND_S);
+    let agreement = align::agreement(&impacts, &others, &samples, start_s, rate_hz);
+    let (agree, of_impacts) = agreement.impacts;
+    let (agree_too, of_others) = agreement.others;
+    let all = (agree + agree_too, of_impacts + of_others);
+    ln_share((agree, of_impacts), ANY) + ln_share((agree_too, of_others), ONE_IN_TWENTY)
+        - ln_share(all, RATHER_SMALL)
+}
+
+/// Logarithm of how likely it is that just these of so many do something, if the share that does has
+/// a beta distribution of these parameters.
+fn ln_share((doing, of): (usize, usize), (a, b): (f64, f64)) -> f64 {
+    let (doing, not) = (doing as f64, (of - doing) as f64);
+    ln_beta(a + doing, b + not) - ln_beta(a, b)
+}
+
 /// Evidence for one explanation over two others that are equally usual.
 fn against_both(one: f64, other: f64) -> f64 {
     one - softplus(one - other)
@@ -482,4 +592,82 @@ fn beats(onsets: &[Onset], chain: &Chain) -> Vec<Beat> {
         }
     };
     chain.links.windows(2).map(beat).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::f64::consts::TAU;
+
+    const RATE_HZ: f64 = 44_100.0;
+
+    /// A faint drop of six impacts among ten other sounds.
+    fn times_s() -> (Vec<f64>, Vec<f64>) {
+        let impacts_s = (0..6).scan(1.0, |time_s, n| {
+            let now_s = *time_s;
+            *time_s += 0.4 * 0.85_f64.powi(n);
+            Some(now_s)
+        });
+        let others_s = (0..10).map(|n| 0.63 + 0.2817 * f64::from(n) + 0.01 * f64::from(n * n % 7));
+        (impacts_s.collect(), others_s.collect())
+    }
+
+    /// A sound of 5 ms at each of these times, in faint noise; those of one pitch are alike.
+    fn record(sounds: &[(f64, f64)]) -> Vec<f32> {
+        let mut state = 1_u32;
+        let mut samples: Vec<f32> = (0..4 * RATE_HZ as usize)
+            .map(|_| {
+                state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+                1e-4 * ((state >> 8) as f32 / 8e6 - 1.0)
+            })
+            .collect();
+        for &(time_s, pitch_hz) in sounds {
+            let first = (time_s * RATE_HZ).ceil() as usize;
+            for (n, sample) in samples[first..first + 220].iter_mut().enumerate() {
+                let t = (first + n) as f64 / RATE_HZ - time_s;
+                *sample += (0.1 * (-t / 0.001).exp() * (TAU * pitch_hz * t).sin()) as f32;
+            }
+        }
+        samples
+    }
+
+    /// What the waveforms say of the drop.
+    fn evidence(read: Read) -> f64 {
+        let (impacts_s, others_s) = times_s();
+        let mut times_s = [impacts_s, others_s].concat();
+        times_s.sort_by(f64::total_cmp);
+        let onsets: Vec<Onset> = times_s.into_iter().map(Onset::click).collect();
+        let chain = chain::best(&onsets, Span::EVER).unwrap();
+        assert_eq!(chain.links.len(), 6);
+        alike(&onsets, &chain, read)
+    }
+
+    /// The same if the other sounds have pitches this far apart.
+    fn evidence_in(apart_hz: f64) -> f64 {
+        let (impacts_s, others_s) = times_s();
+        let impacts = impacts_s.iter().map(|t| (*t, 3000.0));
+        let others = (1..).zip(&others_s);
+        let others = others.map(|(n, t)| (*t, 3000.0 + apart_hz * f64::from(n)));
+        let samples = record(&impacts.chain(others).collect::<Vec<_>>());
+        evidence(&|_| Recording {
+            samples: samples.clone(),
+            start_s: 0.0,
+            rate_hz: RATE_HZ,
+        })
+    }
+
+    #[test]
+    fn impacts_that_are_alike_among_others_that_are_not_are_more_likely_a_drop() {
+        assert!(evidence_in(1000.0) > 5.0);
+    }
+
+    #[test]
+    fn impacts_that_are_alike_among_others_like_them_are_less_likely_a_drop() {
+        assert!(evidence_in(0.0) < -5.0);
+    }
+
+    #[test]
+    fn without_a_sound_it_says_nothing() {
+        assert!(evidence(&|_| Recording::default()).abs() < 1e-12);
+    }
 }

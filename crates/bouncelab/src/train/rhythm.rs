@@ -4,8 +4,11 @@
 //! Their intervals differ from those of a ball in one thing: each is a fresh try at the same tempo, so
 //! their logarithms scatter about a line of time, while what a ball lost in one impact it lost for all
 //! flights to come. And a tempo changes slowly, if at all, where a ball's flights shrink by several
-//! percent.
+//! percent. An engine, a voice or a string gives pulses of its own rate, which wanders, up as well as
+//! down, where no flight of a ball is longer than the one before.
 
+use super::evidence;
+use crate::stats::softplus;
 use std::f64::consts::TAU;
 
 /// Rhythms are more usual than drops: logarithm of the ratio.
@@ -58,12 +61,35 @@ pub(super) struct Beat {
     pub(super) ln_interval: f64,
 }
 
-/// Logarithm of how likely these intervals are, given the first, if they keep time.
+/// By how much the interval of a pulse changes from one to the next, as a share of it: that of a
+/// machine hardly, of a voice by up to some percent. All are equally usual.
+const WANDERINGS: [f64; 4] = [0.001, 0.003, 0.01, 0.03];
+
+/// Logarithm of how likely these intervals are, given the first, if they keep time or are those of
+/// a pulse.
 pub(super) fn ln_likelihood(beats: &[Beat]) -> f64 {
     let keepers = KEEPERS.map(|keeper| keeper.ln_likelihood(beats.to_vec()));
-    let best = keepers.into_iter().fold(f64::NEG_INFINITY, f64::max);
-    let sum: f64 = keepers.iter().map(|ln| (ln - best).exp()).sum();
-    best + (sum / KEEPERS.len() as f64).ln()
+    let pulses = WANDERINGS.map(|wandering| ln_pulse(beats, wandering));
+    let (keepers, pulses) = (ln_mean(&keepers), ln_mean(&pulses));
+    keepers.max(pulses) + softplus(-(keepers - pulses).abs())
+}
+
+/// Logarithm of the mean of numbers that are known by their logarithms.
+fn ln_mean(logarithms: &[f64]) -> f64 {
+    let greatest = logarithms.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+    let sum: f64 = logarithms.iter().map(|ln| (ln - greatest).exp()).sum();
+    greatest + (sum / logarithms.len() as f64).ln()
+}
+
+/// Logarithm of how likely these intervals are for a pulse: each is like the last, give or take so
+/// much, and now and then quite another, as where an octave is sung.
+fn ln_pulse(beats: &[Beat], wandering: f64) -> f64 {
+    let changes = beats
+        .windows(2)
+        .map(|p| p[1].ln_interval - p[0].ln_interval);
+    changes
+        .map(|change| evidence::ln_ratio(change, wandering * wandering))
+        .sum()
 }
 
 impl TempoModel {
@@ -129,5 +155,45 @@ impl Line {
         let places = 0..beats.len();
         let farthest = places.max_by(|&a, &b| off(&beats[a]).total_cmp(&off(&beats[b])));
         farthest.unwrap_or_default()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::onset::Onset;
+    use crate::train::{TrainSearch, find};
+    use std::f64::consts::TAU;
+
+    /// Sounds at these intervals, each fainter than the last by half a decibel.
+    fn search(intervals_s: impl Iterator<Item = f64>) -> TrainSearch {
+        let mut time_s = 0.0;
+        let onsets = intervals_s.zip(0_u8..).map(|(interval_s, n)| {
+            time_s += interval_s;
+            let mut onset = Onset::click(time_s);
+            onset.level_db -= 0.5 * f64::from(n);
+            onset.strength -= 0.25 * f64::from(n);
+            onset
+        });
+        find(&onsets.collect::<Vec<_>>())
+    }
+
+    /// A bass whose rate swings by 3 % every 24 pulses.
+    #[test]
+    fn a_pulse_whose_rate_wanders_is_no_drop() {
+        let swing = |n: i32| 1.0 + 0.03 * (TAU * f64::from(n) / 24.0).cos();
+        let found = search((0..36).map(|n| 0.06 * swing(n)));
+        assert_eq!(found.trains.len(), 0);
+        assert!(!found.periodic.is_empty());
+    }
+
+    /// Steel on amorphous metal: the ratio of its flights is 0.984, and scatters by half a percent.
+    #[test]
+    fn a_ball_that_hardly_loses_height_is_a_drop() {
+        let found = search((0..60).map(|n| {
+            let scatter = 0.005 * (f64::from(n) * 2.4).sin();
+            0.18 * 0.984_f64.powi(n) * (1.0 + scatter)
+        }));
+        assert_eq!(found.trains.len(), 1);
+        assert!(found.trains[0].impacts().len() >= 58);
     }
 }

@@ -544,7 +544,7 @@ fn every_voice_sounds_at_every_rate_and_nothing_is_nan() {
 }
 
 #[test]
-fn without_strikes_only_the_disturbances_are_heard() {
+fn without_impacts_the_sound_is_the_background() {
     let empty = render(&[], &bare(), 1).unwrap();
     assert!(empty.impacts.is_empty());
     assert_eq!(empty.samples, vec![0.0; 44_100]);

@@ -142,7 +142,7 @@ fn absurd_disturbances_are_refused_by_name() {
 }
 
 #[test]
-fn absurd_strikes_are_refused_by_name() {
+fn impacts_out_of_range_are_refused_by_name() {
     let scene = Scene::default();
     let one = |time_s, speed_m_s| refused_strikes(&[strike(time_s, speed_m_s)], &scene);
     assert_eq!(one(-0.1, 1.0), "time of a strike in s");

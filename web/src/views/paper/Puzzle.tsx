@@ -13,7 +13,7 @@ const MOST_FLIGHTS = 40;
 const SOLVING_SLOPE = 0.02374;
 const FIRST: PuzzleChoice = { restitution: 0.935, loss_per_speed_s_m: 0, flights: 10 };
 
-/** The puzzle as a toy: make a drop with air, lay the paper's line through it, compare. */
+/** The discrepancy of the paper: simulate a drop with air, apply the log-linear fit of the paper, compare. */
 export function Puzzle() {
   const spoken = language.value;
   const [choice, setChoice] = useState<PuzzleChoice>(FIRST);

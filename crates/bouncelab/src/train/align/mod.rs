@@ -14,6 +14,7 @@ mod template;
 mod wave;
 
 use super::TrainImpact;
+use crate::onset::Onset;
 use sound::{Sound, Span, cut_out, noise_power, whitened};
 use template::{Doubt, Left, Template, middle_size, stack, usual_difference, weight};
 use wave::{convolve, running_energy, smoothing};
@@ -23,6 +24,8 @@ const LEAST_SHARE: f64 = 0.03;
 /// Each pass knows from the one before where the impacts are, and so how they ring. Times settle to
 /// well below their errors in so many rounds.
 const ROUNDS: [usize; 2] = [1, 3];
+/// The first round finds where the impacts agree, the second how many do.
+const AGREEMENT_ROUNDS: usize = 2;
 /// High frequencies are smoothed away while this share of the energy of the impacts is kept: what
 /// little they hold is steep.
 const LEAST_KEPT: f64 = 0.97;
@@ -43,6 +46,7 @@ pub(super) fn align(
         .iter()
         .map(|impact| (impact.onset.time_s - start_s) * rate_hz)
         .collect();
+    let onsets: Vec<Onset> = impacts.iter().map(|impact| impact.onset).collect();
     let mut span = Span::new(rate_hz);
     let mut sounds = Vec::new();
     for rounds in ROUNDS {
@@ -53,7 +57,7 @@ pub(super) fn align(
             return fits;
         }
         ringing::remove(&mut cuts, samples, &span);
-        sounds = whitened(&cuts, impacts, rate_hz, &span);
+        sounds = whitened(&cuts, &onsets, rate_hz, &span);
         lay_over(&mut sounds, &mut span, rounds);
         for sound in &sounds {
             fits[sound.impact] = sound.fits;
@@ -74,23 +78,98 @@ pub(super) fn align(
     fits
 }
 
+/// How many impacts agree with the stack of the others, and how many of some other sounds with the stack
+/// of all; of how many each.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(super) struct Agreement {
+    pub(super) impacts: (usize, usize),
+    pub(super) others: (usize, usize),
+}
+
+/// How far these impacts, and other sounds, agree with the impacts.
+pub(super) fn agreement(
+    impacts: &[Onset],
+    others: &[Onset],
+    samples: &[f32],
+    start_s: f64,
+    rate_hz: f64,
+) -> Agreement {
+    let onsets = [impacts, others].concat();
+    let positions: Vec<f64> = onsets
+        .iter()
+        .map(|onset| (onset.time_s - start_s) * rate_hz)
+        .collect();
+    let mut span = Span::new(rate_hz);
+    let cuts = cut_out(&positions, &vec![false; onsets.len()], samples, &span);
+    let mut sounds = whitened(&cuts, &onsets, rate_hz, &span);
+    let mut others: Vec<Sound> = sounds
+        .extract_if(.., |sound| sound.impact >= impacts.len())
+        .collect();
+    // With fewer there is no stack of others to speak of.
+    if sounds.len() < 3 {
+        return Agreement::default();
+    }
+    let smoothing = smooth(&mut sounds, &span);
+    smooth_by(&smoothing, &mut others, &span);
+    span.length = span.before + sounding(&sounds, &span);
+    for _ in 0..AGREEMENT_ROUNDS {
+        let stack = Stack::of(&sounds, &span);
+        for (index, sound) in sounds.iter_mut().enumerate() {
+            sound.find(&stack.without(index), &span);
+        }
+    }
+    let stack = Stack::of(&sounds, &span);
+    for sound in &mut others {
+        sound.find(&stack.sum, &span);
+    }
+    let count = |sounds: &[Sound]| (sounds.iter().filter(|s| s.fits).count(), sounds.len());
+    Agreement {
+        impacts: count(&sounds),
+        others: count(&others),
+    }
+}
+
+/// The waves of some sounds, and their sum.
+struct Stack {
+    waves: Vec<Vec<f32>>,
+    weights: Vec<f32>,
+    sum: Vec<f32>,
+}
+
+impl Stack {
+    fn of(sounds: &[Sound], span: &Span) -> Self {
+        let waves: Vec<Vec<f32>> = sounds.iter().map(|s| s.wave(span, s.shift)).collect();
+        let middle = middle_size(&waves);
+        Self {
+            weights: waves.iter().map(|wave| weight(wave, middle)).collect(),
+            sum: stack(&waves, middle),
+            waves,
+        }
+    }
+
+    /// The sum of all waves but one.
+    fn without(&self, index: usize) -> Vec<f32> {
+        let (wave, own) = (&self.waves[index], self.weights[index]);
+        let pairs = self.sum.iter().zip(wave);
+        pairs.map(|(sum, value)| sum - value * own).collect()
+    }
+}
+
 /// Lays the sounds over each other and shifts each to where it fits the stack of the others.
 fn lay_over(sounds: &mut [Sound], span: &mut Span, rounds: usize) {
     let smoothing = smooth(sounds, span);
     span.length = span.before + sounding(sounds, span);
     for round in 0..rounds {
-        let waves: Vec<Vec<f32>> = sounds.iter().map(|s| s.wave(span, s.shift)).collect();
-        let middle = middle_size(&waves);
+        let stack = Stack::of(sounds, span);
         // How much noise of one wave is in the stack.
-        let noise: f32 = waves.iter().map(|w| weight(w, middle).powi(2)).sum();
-        let stack = stack(&waves, middle);
-        let left = Left::new(&stack, &smoothing);
-        for (sound, wave) in sounds.iter_mut().zip(&waves) {
-            let own = weight(wave, middle);
-            let others: Vec<f32> = stack.iter().zip(wave).map(|(s, w)| s - w * own).collect();
+        let noise: f32 = stack.weights.iter().map(|weight| weight.powi(2)).sum();
+        let left = Left::new(&stack.sum, &smoothing);
+        for (index, sound) in sounds.iter_mut().enumerate() {
+            let (wave, own) = (&stack.waves[index], stack.weights[index]);
+            let others = stack.without(index);
             let template = Template::new(&others, noise - own * own, own);
             if round == 0 {
-                sound.find(&template, span);
+                sound.find(&others, span);
             } else if sound.fits {
                 sound.settle(&template, wave, &left, span);
             }
@@ -138,12 +217,16 @@ fn smooth(sounds: &mut [Sound], span: &Span) -> Vec<f32> {
     let Some(kernel) = kernels.find(|kernel| kept(kernel) > LEAST_KEPT) else {
         return vec![1.0];
     };
+    smooth_by(&kernel, sounds, span);
+    kernel
+}
+
+fn smooth_by(kernel: &[f32], sounds: &mut [Sound], span: &Span) {
     for sound in sounds {
-        sound.samples = convolve(&sound.samples, &kernel);
+        sound.samples = convolve(&sound.samples, kernel);
         sound.energy = running_energy(&sound.samples);
         sound.noise = noise_power(&sound.energy, span);
     }
-    kernel
 }
 
 /// How long the impacts sound, in samples after their times.

@@ -2,7 +2,7 @@
 
 use super::template::{Doubt, Left, Noise, Template};
 use super::wave::{KERNEL, dot, norm, resample, running_energy};
-use crate::train::TrainImpact;
+use crate::onset::Onset;
 use crate::whiten::{self, Autoregression};
 
 /// What is compared of each impact, in seconds before and after its time: as long as it sounds,
@@ -123,18 +123,13 @@ pub(super) fn cut_out(positions: &[f64], fits: &[bool], samples: &[f32], span: &
 }
 
 /// The cuts without what the noise before them foretells.
-pub(super) fn whitened(
-    cuts: &[Cut],
-    impacts: &[TrainImpact],
-    rate_hz: f64,
-    span: &Span,
-) -> Vec<Sound> {
+pub(super) fn whitened(cuts: &[Cut], onsets: &[Onset], rate_hz: f64, span: &Span) -> Vec<Sound> {
     let noises = cuts.iter().map(|cut| &cut.samples[..span.noise]);
     let model = Autoregression::learn_from_many(noises);
     cuts.iter()
         .map(|cut| {
             let errors = model.errors(&cut.samples[span.noise - whiten::ORDER..]);
-            let pick_sigma = impacts[cut.impact].onset.sigma_s * rate_hz;
+            let pick_sigma = onsets[cut.impact].sigma_s * rate_hz;
             let samples = resample(&errors, cut.at.fract(), span.origin + span.after());
             let energy = running_energy(&samples);
             let noise = noise_power(&energy, span);
@@ -175,8 +170,7 @@ impl Sound {
 
     /// Finds the shift at which the sound fits the stack of the others best: near where it was
     /// found before, or else anywhere.
-    pub(super) fn find(&mut self, template: &Template, span: &Span) {
-        let others = template.wave;
+    pub(super) fn find(&mut self, others: &[f32], span: &Span) {
         let found = if self.fits {
             let near = self.shift.round() as isize;
             self.best_shift(others, span, near, NEAR)

@@ -40,7 +40,7 @@ pub(super) fn stack(waves: &[Vec<f32>], middle: f32) -> Vec<f32> {
 
 /// What other impacts say an impact sounds like.
 pub(super) struct Template<'a> {
-    pub(super) wave: &'a [f32],
+    wave: &'a [f32],
     derivative: Vec<f32>,
     energy: f32,
     slope: f32,

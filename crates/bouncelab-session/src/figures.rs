@@ -1,39 +1,28 @@
 //! The figures of a session.
 
-use std::path::Path;
-
 use bouncelab::Estimate;
 use bouncelab::groups::{Group, MeanAtSpeed, Study, run_limit};
 use bouncelab_report::Chart;
 use bouncelab_report::figure::{self, GroupCurve, GroupInterval, GroupPoint, RunPoint};
 use bouncelab_report::messages::Translator;
-use bouncelab_session::{Outcome, Results};
 
-use crate::failure::Failure;
-use crate::language::translator;
+use crate::error::Result;
+use crate::results::Results;
+use crate::study::Outcome;
 
-/// Draws them into a folder.
-pub(super) fn save(
+/// The figures of a session with their names: the restitution of each group by impact speed, the
+/// intervals of the means, and the drops in the order of work. None if there is no study.
+///
+/// # Errors
+/// Those of [`Results::read`].
+pub fn figures(
     outcome: &Outcome<'_>,
     results: &Results<'_>,
-    folder: &Path,
-) -> Result<(), Failure> {
-    for (name, figure) in figures(outcome, results)? {
-        let saved = bouncelab_report::save(&figure, folder, name)?;
-        eprintln!("wrote {}", saved.svg.display());
-    }
-    Ok(())
-}
-
-/// Name and drawing of each.
-pub(super) fn figures(
-    outcome: &Outcome<'_>,
-    results: &Results<'_>,
-) -> Result<Vec<(&'static str, Chart)>, Failure> {
+    translator: &Translator,
+) -> Result<Vec<(&'static str, Chart)>> {
     let Ok(study) = &outcome.study else {
         return Ok(Vec::new());
     };
-    let translator = translator();
     Ok(vec![
         ("groups", laws(outcome, study, results, translator)?),
         ("intervals", intervals(outcome, study, translator)),
@@ -46,8 +35,8 @@ fn laws(
     study: &Study,
     results: &Results<'_>,
     translator: &Translator,
-) -> Result<Chart, Failure> {
-    let group = |group: &Group| -> Result<GroupCurve, Failure> {
+) -> Result<Chart> {
+    let group = |group: &Group| -> Result<GroupCurve> {
         let means = group
             .curve
             .iter()
@@ -62,16 +51,12 @@ fn laws(
             means: means.collect(),
         })
     };
-    let groups: Vec<GroupCurve> = study.groups.iter().map(group).collect::<Result<_, _>>()?;
+    let groups: Vec<GroupCurve> = study.groups.iter().map(group).collect::<Result<_>>()?;
     Ok(figure::groups(&groups, translator))
 }
 
 /// Impact speed and restitution of some impacts of a group, as many of each drop.
-fn impacts(
-    outcome: &Outcome<'_>,
-    group: &Group,
-    results: &Results<'_>,
-) -> Result<Vec<[f64; 2]>, Failure> {
+fn impacts(outcome: &Outcome<'_>, group: &Group, results: &Results<'_>) -> Result<Vec<[f64; 2]>> {
     /// Of a group.
     const SHOWN: usize = 600;
     let of_each = SHOWN.div_ceil(group.drops.len());

@@ -1,0 +1,235 @@
+"""Analysis of many recordings."""
+
+from __future__ import annotations
+
+import csv
+import json
+import os
+import tempfile
+from collections.abc import Iterable, Iterator, Mapping
+from contextlib import contextmanager
+from dataclasses import dataclass
+from os import PathLike, fspath
+from pathlib import Path
+from typing import TYPE_CHECKING, TypeAlias, Unpack
+
+from bouncelab import _core
+from bouncelab._analyze import Bars
+from bouncelab._data import JSON
+from bouncelab._errors import InputError
+from bouncelab._figure import Figure, figure, in_language, named
+from bouncelab._settings import Options, count, flag, number, split, text
+from bouncelab._table import Table
+
+if TYPE_CHECKING:
+    from bouncelab._analyze import Progress
+
+#: What was noted: a CSV file, notes by file, or rows with a column ``file``.
+Notes: TypeAlias = "str | PathLike[str] | Mapping[str, Mapping[str, object]] | Iterable[Mapping[str, object]]"
+
+
+@dataclass(frozen=True)
+class Study:
+    """Statistics of the drops of many recordings.
+
+    It comes from :func:`bouncelab.session`.
+
+    Attributes
+    ----------
+    drops, impacts : Table
+        One row for each drop, and for each impact, with what was noted of its recording: the tables that the
+        program ``bouncelab session`` writes.
+    """
+
+    drops: Table
+    impacts: Table
+    _documents: dict[str, str]
+    _charts: dict[str, dict[str, _core.Chart]]
+
+    @property
+    def groups(self) -> list[JSON]:
+        """The groups: levels, mean restitution, scatter; empty if the drops are not compared."""
+        study = self.to_dict()["study"]
+        groups = study["groups"] if isinstance(study, dict) else []
+        assert isinstance(groups, list)
+        return groups
+
+    @property
+    def no_study(self) -> str | None:
+        """Why the drops are not compared; ``None`` if they are."""
+        reason = self.to_dict()["no_study"]
+        return None if reason is None else str(reason)
+
+    @property
+    def figures(self) -> tuple[str, ...]:
+        """Names of its figures."""
+        return tuple(self._charts["en"])
+
+    def figure(self, name: str, language: str = "en") -> Figure:
+        """Return a figure; see :meth:`Recording.figure`."""
+        return figure(self, name, language)
+
+    def _chart(self, name: str, language: str) -> _core.Chart:
+        return named(in_language(self._charts, language), name)
+
+    def to_dict(self, language: str = "en") -> dict[str, JSON]:
+        """Return the document of the schema ``bouncelab.session/2``."""
+        document: dict[str, JSON] = json.loads(in_language(self._documents, language))
+        return document
+
+    __hash__ = None  # type: ignore[assignment]
+
+    def __eq__(self, other: object) -> bool:
+        return (
+            isinstance(other, Study)
+            and self._documents == other._documents
+            and self.drops == other.drops
+            and self.impacts == other.impacts
+        )
+
+    def __repr__(self) -> str:
+        return f"<bouncelab.Study: {len(self.drops)} drops in {len(self.groups)} groups>"
+
+
+def session(
+    files: str | PathLike[str] | Iterable[str | PathLike[str]],
+    metadata: Notes | None = None,
+    *,
+    pattern: str | None = None,
+    by: Iterable[str] = (),
+    compare_at_m_s: float | None = None,
+    wanted: float | None = None,
+    exclude: Iterable[str] = (),
+    allow_missing: bool = False,
+    allow_implausible: bool = False,
+    output: str | PathLike[str] | None = None,
+    jobs: int | None = None,
+    progress: Progress | None = None,
+    **options: Unpack[Options],
+) -> Study:
+    """Analyse many recordings, and compare their drops.
+
+    Parameters
+    ----------
+    files : path or iterable of paths
+        Recordings, folders of recordings, or a ``session.toml``.
+    metadata : path, mapping or iterable of mappings, optional
+        What was noted of each: a CSV file with a column ``file``; notes by file,
+        ``{"1.wav": {"surface": "steel", "height": "30 cm"}}``; or rows, such as
+        ``frame.to_dict("records")`` of pandas. Quantities are texts with their unit.
+    pattern : str, optional
+        What the names of the files say, as in ``"{ball}_{surface}_{height}_{}"``.
+    by : iterable of str
+        What makes groups; ball, surface and what else was noted if left out.
+    compare_at_m_s : float, optional
+        Impact speed at which drops are compared; what most drops know if left out.
+    wanted : float, optional
+        Half width of the 95 % interval that a mean should have.
+    exclude : iterable of str
+        Recordings, or ``"recording#2"`` for a second drop, to leave out of the comparison.
+    allow_missing, allow_implausible : bool
+        Whether recordings may lack what others have; whether to believe what looks like a mistake of units.
+    output : path, optional
+        Folder in which to keep the results of single recordings, so that a session that was ended goes on
+        where it was.
+    jobs : int, optional
+        Threads, which end before this returns; as many as there are processors if left out.
+    progress : optional
+        As of :func:`analyze`.
+    **options
+        What holds for all recordings, as of :func:`analyze`; what was noted of one goes before.
+
+    Returns
+    -------
+    Study
+
+    Raises
+    ------
+    SessionError
+        If there is no recording, a note makes no sense, or notes contradict each other.
+    InputError, OutOfRangeError, UnknownNameError, PhysicsError
+        If an argument makes no sense.
+
+    Examples
+    --------
+    >>> import bouncelab as bl
+    >>> import tempfile, pathlib
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     for number, restitution in enumerate([0.85, 0.86, 0.90, 0.91]):
+    ...         sound = bl.synthesize(restitution=restitution, bounces=12, seed=number)
+    ...         sound.save(pathlib.Path(folder) / f"{'wood' if number < 2 else 'steel'}_{number}.wav")
+    ...     study = bl.session(folder, pattern="{surface}_{}", ball="table-tennis-40", draws=200)
+    >>> study
+    <bouncelab.Study: 4 drops in 2 groups>
+    """
+    if not {"channel", "band_hz", "exclude_s", "include_s"}.isdisjoint(options):
+        raise InputError("channel, band_hz, exclude_s and include_s are of single recordings; use analyze")
+    settings, question = split(options)
+    report = None if progress is None else Bars(progress)
+    with _table(metadata) as table:
+        request = {
+            "inputs": paths("files", files),
+            "pattern": None if pattern is None else text("pattern", pattern),
+            "table": table,
+            "output": None if output is None else text("output", fspath(output)),
+            "by": [text("by", field) for field in by],
+            "compare_at_m_s": None if compare_at_m_s is None else number("compare_at_m_s", compare_at_m_s),
+            "wanted": None if wanted is None else number("wanted", wanted),
+            "exclude": [text("exclude", name) for name in exclude],
+            "allow_missing": flag("allow_missing", allow_missing),
+            "allow_implausible": flag("allow_implausible", allow_implausible),
+            "jobs": os.cpu_count() or 1 if jobs is None else count("jobs", jobs),
+            "inference": question["inference"],
+        }
+        try:
+            analysed = _core.Session(json.dumps(settings), json.dumps(request), report)
+        finally:
+            if report is not None:
+                report.close()
+    drops, impacts = analysed.tables()
+    languages = _core.languages()
+    return Study(
+        Table(drops),
+        Table(impacts),
+        {language: analysed.document(language) for language in languages},
+        {language: dict(analysed.charts(language)) for language in languages},
+    )
+
+
+@contextmanager
+def _table(metadata: Notes | None) -> Iterator[str | None]:
+    """Give notes as the path of a CSV file."""
+    if metadata is None or isinstance(metadata, str | PathLike):
+        yield None if metadata is None else text("metadata", fspath(metadata))
+        return
+    if isinstance(metadata, Mapping):
+        rows = [{"file": file, **_row(notes)} for file, notes in metadata.items()]
+    elif isinstance(metadata, Iterable):
+        rows = [_row(row) for row in metadata]
+    else:
+        raise InputError(f"metadata must be a path, a mapping or rows, not {type(metadata).__name__}")
+    if not all("file" in row for row in rows):
+        raise InputError("each row of metadata must have a field file, the name of its recording")
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder) / "metadata.csv"
+        with path.open("w", newline="", encoding="utf-8") as file:
+            fields = list(dict.fromkeys(field for row in rows for field in row))
+            writer = csv.DictWriter(file, fields)
+            writer.writeheader()
+            writer.writerows(rows)
+        yield str(path)
+
+
+def _row(row: object) -> dict[str, object]:
+    if not isinstance(row, Mapping):
+        raise InputError(f"the notes of a recording must be a mapping, not {type(row).__name__}")
+    return dict(row)
+
+
+def paths(name: str, given: object) -> list[str]:
+    """Return a path, or several, as texts."""
+    if isinstance(given, str | PathLike):
+        return [text(name, fspath(given))]
+    if not isinstance(given, Iterable) or isinstance(given, bytes):
+        raise InputError(f"{name} must be a path or a list of paths, not {type(given).__name__}")
+    return [text(name, fspath(path)) if isinstance(path, PathLike) else text(name, path) for path in given]

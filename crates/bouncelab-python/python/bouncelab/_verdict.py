@@ -1,0 +1,220 @@
+"""Whether a ball or a floor obeys a rule."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterable
+from dataclasses import dataclass
+from os import PathLike
+from typing import TYPE_CHECKING, Literal, Unpack
+
+from bouncelab import _core
+from bouncelab._analyze import analyzed
+from bouncelab._data import JSON, Diagnostic, Estimate, read
+from bouncelab._errors import InputError
+from bouncelab._figure import Figure, figure, in_language, named
+from bouncelab._recording import Recording
+from bouncelab._session import paths
+from bouncelab._settings import Options, analyzer, number, text
+
+if TYPE_CHECKING:
+    from typing import BinaryIO
+
+    import numpy as np
+    from numpy.typing import NDArray
+
+
+@dataclass(frozen=True, slots=True)
+class Rule:
+    """A rule of a sport, by its name for :func:`verdict`, its title and its source."""
+
+    name: str
+    title: str
+    source: str
+
+
+@dataclass(frozen=True)
+class Verdict:
+    """Whether drops obey a rule, and how certainly.
+
+    It comes from :func:`bouncelab.verdict`.
+    """
+
+    _documents: dict[str, str]
+    _charts: dict[str, dict[str, _core.Chart]]
+
+    @property
+    def outcome(self) -> Literal["pass", "fail", "cannot-decide"]:
+        """The verdict."""
+        outcome: Literal["pass", "fail", "cannot-decide"] = self._field("outcome")  # type: ignore[assignment]
+        return outcome
+
+    @property
+    def probability_within(self) -> float | None:
+        """Probability that everything is within the limits; ``None`` if nothing can be said."""
+        return read(float | None, self._field("probability_within"))  # type: ignore[arg-type]
+
+    @property
+    def rebound_m(self) -> Estimate | None:
+        """The mean rebound over the drops, in m, at the point at which the rule measures."""
+        found = self._field("rebound_m")
+        return None if found is None else read(Estimate, found)
+
+    @property
+    def share_of_reference(self) -> Estimate | None:
+        """The rebound as a share of that on the reference, for a rule that compares."""
+        found = self._field("share_of_reference")
+        return None if found is None else read(Estimate, found)
+
+    @property
+    def reasons(self) -> tuple[Diagnostic, ...]:
+        """Reasons why no decision is possible."""
+        return self._diagnostics("reasons")
+
+    @property
+    def remarks(self) -> tuple[Diagnostic, ...]:
+        """Further remarks."""
+        return self._diagnostics("remarks")
+
+    @property
+    def figures(self) -> tuple[str, ...]:
+        """Names of its figures."""
+        return tuple(self._charts["en"])
+
+    def figure(self, name: str = "limits", language: str = "en") -> Figure:
+        """Return a figure; see :meth:`Recording.figure`."""
+        return figure(self, name, language)
+
+    def _chart(self, name: str, language: str) -> _core.Chart:
+        return named(in_language(self._charts, language), name)
+
+    def _field(self, name: str) -> JSON:
+        return self.to_dict()[name]
+
+    def _diagnostics(self, name: str) -> tuple[Diagnostic, ...]:
+        known = self._field(name)
+        assert isinstance(known, list)
+        return tuple(read(Diagnostic, each) for each in known)
+
+    def to_dict(self, language: str = "en") -> dict[str, JSON]:
+        """Return the document of the schema ``bouncelab.verdict/2``."""
+        document: dict[str, JSON] = json.loads(in_language(self._documents, language))
+        return document
+
+    __hash__ = None  # type: ignore[assignment]
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Verdict) and self._documents == other._documents
+
+    def __repr__(self) -> str:
+        return f"<bouncelab.Verdict: {self.outcome}>"
+
+
+def rules() -> tuple[Rule, ...]:
+    """Return the rules that are built in.
+
+    Examples
+    --------
+    >>> import bouncelab as bl
+    >>> "ittf-ball" in [rule.name for rule in bl.rules()]
+    True
+    """
+    return tuple(Rule(*rule) for rule in _core.rules_built_in())
+
+
+def verdict(
+    places: Iterable[str | PathLike[str] | bytes | BinaryIO | NDArray[np.generic]],
+    rule: str,
+    *,
+    reference: Iterable[str | PathLike[str] | bytes | BinaryIO | NDArray[np.generic]] = (),
+    sample_rate_hz: float | None = None,
+    risk: float | None = 0.05,
+    rule_files: Iterable[str | PathLike[str]] = (),
+    **options: Unpack[Options],
+) -> Verdict:
+    """Judge drops by the rule of a sport.
+
+    Parameters
+    ----------
+    places : iterable
+        Recordings as of :func:`analyze`, each of one place on the surface, with one drop or several.
+    rule : str
+        One of :func:`rules`, or of ``rule_files``.
+    reference : iterable
+        Recordings of the same ball on the reference surface, for a rule that compares.
+    sample_rate_hz : float, optional
+        Samples a second, where recordings are arrays.
+    risk : float or None
+        Greatest probability of a wrong decision (JCGM 106), above 0, at most 0.5; ``None`` takes whatever is
+        more probable.
+    rule_files : iterable of paths
+        Rules of your own, as TOML.
+    **options
+        As of :func:`analyze`; ball and height are those of the rule unless you state others.
+
+    Returns
+    -------
+    Verdict
+
+    Raises
+    ------
+    InputError
+        If an argument makes no sense, a recording holds no drop, or one is given twice.
+    RecordingError, OutOfRangeError, UnknownNameError, PhysicsError
+        As of :func:`analyze`.
+
+    Examples
+    --------
+    >>> import bouncelab as bl
+    >>> sounds = [bl.synthesize(height_m=0.305, restitution=0.93, bounces=15, seed=seed) for seed in (1, 2, 3)]
+    >>> drops = [sound.samples for sound in sounds]
+    >>> found = bl.verdict(drops, "ittf-ball", sample_rate_hz=44_100, draws=500)
+    >>> found.outcome in ("pass", "fail", "cannot-decide")
+    True
+    """
+    judge = _core.Judge(text("rule", rule), paths("rule_files", rule_files))
+    options.setdefault("height_m", None)
+    is_its_ball = options.get("ball") is None and options.get("mass_kg") is None
+    if is_its_ball:
+        if judge.ball() is None:
+            raise InputError(f"the rule {rule} names no ball that is known; give ball=, or mass_kg= and diameter_m=")
+        options["ball"] = judge.ball()
+    if options.get("draws", 0) is None:
+        raise InputError("a verdict rests on the inference; give a number of draws")
+    completed = judge.complete(analyzer(**options), is_its_ball)
+
+    def surface(sources: Iterable[object]) -> list[_core.Recording]:
+        numbered = enumerate(sources, 1)
+        return [analyzed(completed, it, sample_rate_hz, _name(it, place), None) for place, it in numbered]
+
+    here, there = surface(places), surface(reference)
+    if there and not judge.needs_reference():
+        raise InputError(f"the rule {rule} compares with no other surface; leave out reference=")
+    _check([Recording(each) for each in (*here, *there)])
+    temperature_k, altitude_m = options.get("temperature_k"), options.get("altitude_m")
+    accepted = None if risk is None else number("risk", risk)
+    judged = judge.judge(completed, here, there, accepted, temperature_k, altitude_m)
+    languages = _core.languages()
+    return Verdict(
+        {language: judged.document(language) for language in languages},
+        {language: {"limits": judged.figure("limits", language)} for language in languages},
+    )
+
+
+def _name(source: object, place: int) -> str | None:
+    return None if isinstance(source, str | PathLike) or hasattr(source, "read") else f"place {place}"
+
+
+def _check(recordings: list[Recording]) -> None:
+    """Refuse recordings without a drop, and a drop that is given twice."""
+    if not recordings:
+        raise InputError("there is no recording to judge; give at least one")
+    seen: dict[bytes, str] = {}
+    for recording in recordings:
+        if recording.no_drop is not None:
+            raise InputError(f"{recording.name}: {recording.no_drop.message()}")
+        impacts = recording.impacts["time_s"].tobytes()
+        if impacts in seen:
+            first = seen[impacts]
+            raise InputError(f"{first} and {recording.name} are the same recording; every drop counts once")
+        seen[impacts] = recording.name

@@ -1,0 +1,202 @@
+//! What do many recordings say together?
+
+use std::path::PathBuf;
+use std::sync::Mutex;
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::thread;
+use std::time::Duration;
+
+use bouncelab::setup::Settings;
+use bouncelab_report::messages::Translator;
+use bouncelab_session::journal::Journal;
+use bouncelab_session::{
+    Advice, Done, KnownRecording, MetadataOptions, Outcome, Results, Session as Gathered, Sources,
+    StudyOptions, complete, figures, tables,
+};
+use pyo3::prelude::*;
+use serde::Deserialize;
+use tempfile::TempDir;
+
+use crate::chart::Chart;
+use crate::failure::{Failure, Result};
+use crate::physics::translator;
+use crate::table::Table;
+use crate::watch::Watch;
+
+/// What is asked of a session.
+#[derive(Clone, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Request {
+    inputs: Vec<PathBuf>,
+    pattern: Option<String>,
+    table: Option<PathBuf>,
+    output: Option<PathBuf>,
+    by: Vec<String>,
+    compare_at_m_s: Option<f64>,
+    wanted: Option<f64>,
+    exclude: Vec<String>,
+    allow_missing: bool,
+    allow_implausible: bool,
+    jobs: usize,
+    inference: bool,
+}
+
+/// The recordings of a session, analysed. What they say together is asked while they are there.
+#[pyclass(frozen, module = "bouncelab._core")]
+pub(crate) struct Session {
+    recordings: Vec<KnownRecording>,
+    done: Vec<Done>,
+    journal: Journal,
+    options: StudyOptions,
+    title: Option<String>,
+    remarks: Vec<String>,
+    /// Where the journal is, unless somebody wants to keep it.
+    _temporary: Option<TempDir>,
+}
+
+impl Session {
+    fn of(request: Request, settings: &Settings, mut watch: Watch) -> Result<Self> {
+        let mut session = Gathered::gather(&Sources {
+            inputs: request.inputs,
+            pattern: request.pattern,
+            table: request.table,
+        })?;
+        let (title, remarks) = (session.title.take(), std::mem::take(&mut session.remarks));
+        let english = Translator::english();
+        let recordings = MetadataOptions {
+            resolve: &|noted| {
+                let of_it = noted.complete(settings)?;
+                let setup = of_it.resolve(request.inference);
+                setup.map_err(|refusal| refusal.to_string())
+            },
+            ball_is_known: settings.ball.is_some() || settings.mass_kg.is_some(),
+            allow_implausible: request.allow_implausible,
+            allow_missing: request.allow_missing,
+            translator: &english,
+            advice: Advice {
+                implausible: "Correct it, or say allow_implausible=True.",
+                missing: "or go on without by allow_missing=True",
+                ball: "or give the kind of all balls by ball=",
+            },
+        }
+        .read(session)?;
+        let temporary = match &request.output {
+            Some(_) => None,
+            None => Some(tempfile::tempdir().map_err(|why| Failure::Output(why.to_string()))?),
+        };
+        let own = temporary.as_ref().map(|folder| folder.path().to_owned());
+        let folder = request.output.or(own).unwrap_or_default();
+        let journal = Journal::open(&folder)?;
+        let done = analyze_all(&recordings, &journal, request.jobs, &mut watch)?;
+        journal.sync()?;
+        Ok(Self {
+            recordings,
+            done,
+            journal,
+            options: StudyOptions {
+                by: request.by,
+                at_speed_m_s: request.compare_at_m_s,
+                wanted: request.wanted,
+                exclude: request.exclude,
+            },
+            title,
+            remarks,
+            _temporary: temporary,
+        })
+    }
+
+    fn results(&self) -> Results<'_> {
+        Results {
+            recordings: &self.recordings,
+            done: &self.done,
+            journal: &self.journal,
+        }
+    }
+
+    fn outcome(&self, words: &Translator) -> Result<Outcome<'_>> {
+        let mut outcome = Outcome::of(&self.results(), &self.options, words)?;
+        outcome.about.title.clone_from(&self.title);
+        outcome.about.remarks.extend(self.remarks.iter().cloned());
+        Ok(outcome)
+    }
+}
+
+/// Analyses every recording whose result is not in the journal yet, in threads that end here.
+fn analyze_all(
+    recordings: &[KnownRecording],
+    journal: &Journal,
+    jobs: usize,
+    watch: &mut Watch,
+) -> Result<Vec<Done>> {
+    let (next, finished) = (AtomicUsize::new(0), AtomicUsize::new(0));
+    let stop = AtomicBool::new(false);
+    let results = Mutex::new(Vec::new());
+    let work = || {
+        while !stop.load(Ordering::Relaxed) {
+            let place = next.fetch_add(1, Ordering::Relaxed);
+            let Some(recording) = recordings.get(place) else {
+                break;
+            };
+            let done = complete(recording, journal);
+            if let Ok(mut results) = results.lock() {
+                results.push((place, done));
+            }
+            finished.fetch_add(1, Ordering::Relaxed);
+        }
+    };
+    thread::scope(|threads| {
+        let workers: Vec<_> = (0..jobs.max(1)).map(|_| threads.spawn(work)).collect();
+        while workers.iter().any(|worker| !worker.is_finished()) {
+            let whole = Some(recordings.len() as f64);
+            let count = finished.load(Ordering::Relaxed) as f64;
+            if let Err(interruption) = watch.look("recordings", count, whole) {
+                stop.store(true, Ordering::Relaxed);
+                return Err(interruption);
+            }
+            thread::sleep(Duration::from_millis(2));
+        }
+        Ok(())
+    })?;
+    let mut results = results.into_inner().unwrap_or_default();
+    results.sort_by_key(|(place, _)| *place);
+    let done = results.into_iter().map(|(_, done)| done);
+    Ok(done.collect::<bouncelab_session::Result<_>>()?)
+}
+
+#[pymethods]
+impl Session {
+    #[new]
+    fn new(
+        py: Python<'_>,
+        settings: &str,
+        request: &str,
+        report: Option<Py<PyAny>>,
+    ) -> Result<Self> {
+        let settings: Settings = serde_json::from_str(settings)?;
+        let request: Request = serde_json::from_str(request)?;
+        py.detach(|| Self::of(request, &settings, Watch::new(report)))
+    }
+
+    /// The document of the schema `bouncelab.session/2`.
+    fn document(&self, language: &str) -> Result<String> {
+        let words = translator(language)?;
+        Ok(serde_json::to_string(&self.outcome(&words)?.document())?)
+    }
+
+    /// The tables of drops and impacts.
+    fn tables(&self) -> Result<(Table, Table)> {
+        let outcome = self.outcome(&Translator::english())?;
+        let [drops, impacts] = tables(&outcome, &self.results())?;
+        Ok((Table::of(&drops)?, Table::of(&impacts)?))
+    }
+
+    /// The figures, with their names.
+    fn charts(&self, language: &str) -> Result<Vec<(&'static str, Chart)>> {
+        let words = translator(language)?;
+        let charts = figures(&self.outcome(&words)?, &self.results(), &words)?;
+        Ok(charts
+            .into_iter()
+            .map(|(name, chart)| (name, Chart(chart)))
+            .collect())
+    }
+}

@@ -1,0 +1,159 @@
+//! Does a ball or a floor obey a rule?
+
+use std::path::PathBuf;
+
+use bouncelab::rulebook::{self, Conditions, Decision, Place, Rule, Verdict as Judged};
+use bouncelab_report::document::verdict::VerdictDocument;
+use bouncelab_report::figure;
+use bouncelab_report::rules;
+use pyo3::prelude::*;
+
+use crate::analyzer::Analyzer;
+use crate::chart::Chart;
+use crate::failure::{Failure, Result};
+use crate::physics::translator;
+use crate::recording::Recording;
+
+/// A rule, of those built in or of files.
+#[pyclass(frozen, module = "bouncelab._core")]
+pub(crate) struct Judge {
+    rule: Rule,
+}
+
+#[pymethods]
+impl Judge {
+    #[new]
+    fn new(name: &str, files: Vec<PathBuf>) -> Result<Self> {
+        let rules = rules::all(&files)?;
+        let rule = rulebook::find(&rules, name)?.clone();
+        Ok(Self { rule })
+    }
+
+    /// The ball of the rule, if it names one.
+    fn ball(&self) -> Option<String> {
+        self.rule.ball.clone()
+    }
+
+    /// Whether it compares with another surface.
+    fn needs_reference(&self) -> bool {
+        self.rule.needs_reference()
+    }
+
+    /// Settings with what the rule says of the drops that it judges.
+    fn complete(&self, analyzer: &Analyzer, is_its_ball: bool) -> Analyzer {
+        let mut completed = analyzer.clone();
+        completed.setup.assume(&self.rule, is_its_ball);
+        completed
+    }
+
+    /// Judges recordings, each of which is one place.
+    #[expect(
+        clippy::too_many_arguments,
+        reason = "they are those of the public function"
+    )]
+    fn judge(
+        &self,
+        py: Python<'_>,
+        analyzer: &Analyzer,
+        places: Vec<Py<Recording>>,
+        reference: Vec<Py<Recording>>,
+        risk: Option<f64>,
+        temperature_k: Option<f64>,
+        altitude_m: Option<f64>,
+    ) -> Result<Verdict> {
+        let decision = risk.map_or(Decision::Simple, |risk| Decision::Guarded { risk });
+        let conditions = Conditions {
+            temperature_k,
+            altitude_m,
+        };
+        let of = |recordings: &[Py<Recording>]| -> Vec<String> {
+            recordings
+                .iter()
+                .map(|it| it.get().name().to_owned())
+                .collect()
+        };
+        let (files, reference_files) = (of(&places), of(&reference));
+        let judged = py.detach(|| {
+            rulebook::judge(
+                &self.rule,
+                &analyzer.setup.options,
+                &conditions,
+                &drops(&places),
+                &drops(&reference),
+                decision,
+            )
+        })?;
+        Ok(Verdict {
+            rule: self.rule.clone(),
+            analyzer: analyzer.clone(),
+            decision,
+            judged,
+            files,
+            reference_files,
+        })
+    }
+}
+
+/// The drops of each recording.
+fn drops(recordings: &[Py<Recording>]) -> Vec<Place<'_>> {
+    let recordings = recordings.iter();
+    recordings
+        .map(|it| it.get().result().drops.iter().collect())
+        .collect()
+}
+
+/// A verdict.
+#[pyclass(frozen, module = "bouncelab._core")]
+pub(crate) struct Verdict {
+    rule: Rule,
+    analyzer: Analyzer,
+    decision: Decision,
+    judged: Judged,
+    files: Vec<String>,
+    reference_files: Vec<String>,
+}
+
+#[pymethods]
+impl Verdict {
+    /// The document of the schema `bouncelab.verdict/2`.
+    fn document(&self, language: &str) -> Result<String> {
+        let words = translator(language)?;
+        let document = VerdictDocument::new(
+            &self.rule,
+            &self.analyzer.setup,
+            self.decision,
+            &self.judged,
+            &self.files,
+            &self.reference_files,
+            &words,
+        );
+        Ok(serde_json::to_string(&document)?)
+    }
+
+    /// What it is about, against the limits of the rule.
+    fn figure(&self, name: &str, language: &str) -> Result<Chart> {
+        if name != "limits" {
+            return Err(Failure::from(bouncelab::Error::unknown_name(
+                "figure",
+                name,
+                &["limits"],
+            )));
+        }
+        let words = translator(language)?;
+        Ok(Chart(figure::verdict(
+            &self.rule,
+            &self.judged,
+            &self.files,
+            &words,
+        )))
+    }
+}
+
+/// Names and titles of the rules that are built in.
+#[pyfunction]
+pub(crate) fn rules_built_in() -> Result<Vec<(String, String, String)>> {
+    let rules = rules::all(&[])?.into_iter();
+    Ok(rules
+        .map(|rule| (rule.name, rule.title, rule.source))
+        .collect())
+}

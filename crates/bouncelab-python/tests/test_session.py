@@ -1,0 +1,151 @@
+"""Many recordings, and verdicts."""
+
+from __future__ import annotations
+
+import os
+import pickle
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+import bouncelab as bl
+from bouncelab._program import find
+
+#: So many recordings say the same to the program and to Python; `BOUNCELAB_LABORATORY=240` for all.
+RECORDINGS = int(os.environ.get("BOUNCELAB_LABORATORY", "24"))
+
+
+@pytest.fixture(scope="module")
+def laboratory(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    folder = tmp_path_factory.mktemp("laboratory")
+    for number in range(RECORDINGS):
+        surface, restitution = [("wood", 0.85), ("steel", 0.90), ("glass", 0.92)][number % 3]
+        sound = bl.synthesize(
+            height_m=0.2 + 0.01 * (number % 10),
+            restitution=restitution + 0.001 * (number % 7),
+            bounces=10,
+            seed=number,
+            sample_rate_hz=22_050,
+        )
+        sound.save(folder / f"{surface}_{20 + number % 10}cm_{number}.wav")
+    (folder / "wood_20cm_silent.wav").write_bytes((folder / f"wood_20cm_0.wav").read_bytes()[:44])
+    return folder
+
+
+@pytest.fixture(scope="module")
+def study(laboratory: Path) -> bl.Study:
+    return bl.session(laboratory, pattern="{surface}_{height}_{}", ball="table-tennis-40", draws=100, jobs=2)
+
+
+def test_the_tables_are_those_of_the_program(laboratory: Path, study: bl.Study, tmp_path: Path) -> None:
+    pyarrow_parquet = pytest.importorskip("pyarrow.parquet")
+    try:
+        program = find()
+    except FileNotFoundError:
+        pytest.skip("this wheel has no program")
+    command = [program, "session", laboratory, "--output", tmp_path, "--pattern", "{surface}_{height}_{}"]
+    command += ["--ball", "table-tennis-40", "--draws", "100", "--tables", "parquet"]
+    subprocess.run(command, check=True, capture_output=True)
+    cells = 0
+    for name in ("drops", "impacts"):
+        expected = pyarrow_parquet.read_table(tmp_path / f"{name}.parquet").to_pydict()
+        found = getattr(study, name).to_dict()
+        assert list(found) == list(expected)
+        differ = [column for column in expected if found[column] != expected[column]]
+        assert differ == []
+        cells += sum(len(column) for column in expected.values())
+    print(f"{RECORDINGS} recordings, {cells} cells, 0 differ")
+
+
+def test_a_study_compares_the_groups(study: bl.Study) -> None:
+    assert study.no_study is None
+    means = {group["levels"]["surface"]: group["restitution"]["value"] for group in study.groups}  # type: ignore[index,call-overload]
+    assert means["wood"] < means["steel"] < means["glass"]
+    assert study.figures == ("groups", "intervals", "run")
+    assert study.figure("groups").svg().startswith("<svg")
+    assert study.to_dict("de")["schema"] == "bouncelab.session/2"
+    with pytest.raises(bl.UnknownNameError, match="groups"):
+        study.figure("group")
+    with pytest.raises(bl.UnknownNameError):
+        study.to_dict("xx")
+
+
+def test_notes_come_as_rows_and_mappings(laboratory: Path) -> None:
+    files = sorted(laboratory.glob("*_2?cm_?.wav"))[:4]
+    notes = {str(file): {"surface": file.name.split("_")[0], "operator": "Ada, B."} for file in files}
+    rows = [{"file": file, **noted} for file, noted in notes.items()]
+    by_file = bl.session(files, notes, ball="table-tennis-40", draws=None)
+    assert by_file.drops.to_dict()["operator"] == ["Ada, B."] * 4
+    assert bl.session(files, rows, ball="table-tennis-40", draws=None) == by_file
+    assert by_file.no_study is not None
+
+
+def test_kept_results_are_taken_up(laboratory: Path, tmp_path: Path) -> None:
+    files = sorted(laboratory.glob("wood_2?cm_?.wav"))[:2]
+    known = dict(ball="table-tennis-40", draws=100, output=tmp_path)
+    first = bl.session(files, **known)  # type: ignore[arg-type]
+    assert bl.session(files, **known) == first  # type: ignore[arg-type]
+    assert any(tmp_path.iterdir())
+
+
+@pytest.mark.parametrize(
+    "wrong",
+    [
+        lambda folder: bl.session([]),
+        lambda folder: bl.session(3),
+        lambda folder: bl.session(b"x"),
+        lambda folder: bl.session(folder / "nowhere"),
+        lambda folder: bl.session(folder, pattern="{"),
+        lambda folder: bl.session(folder, [{"surface": "wood"}]),
+        lambda folder: bl.session(folder, [3]),
+        lambda folder: bl.session(folder, metadata=3),
+        lambda folder: bl.session(folder, ball="table-tennis-40", draws=None, by=["colour"]),
+        lambda folder: bl.session(folder, ball="table-tennis-40", draws=None, exclude=["nothing.wav"]),
+        lambda folder: bl.session(folder, channel=1),
+        lambda folder: bl.session(folder, jobs=-1),
+        lambda folder: bl.session(folder, height_m="high"),
+        lambda folder: bl.verdict([], "ittf-ball"),
+        lambda folder: bl.verdict([folder], "ittf-bal"),
+        lambda folder: bl.verdict([folder / "nowhere.wav"], "ittf-ball"),
+        lambda folder: bl.verdict([folder / "wood_20cm_silent.wav"], "ittf-ball"),
+        lambda folder: bl.verdict([folder / "wood_20cm_0.wav"] * 2, "ittf-ball", draws=100),
+        lambda folder: bl.verdict([folder / "wood_20cm_0.wav"], "ittf-ball", draws=None),
+        lambda folder: bl.verdict([folder / "wood_20cm_0.wav"], "ittf-ball", draws=100, risk=2.0),
+        lambda folder: bl.verdict([], "ittf-ball", rule_files=["nowhere.toml"]),
+    ],
+)
+def test_only_exceptions_of_the_package_come_out(wrong, laboratory: Path) -> None:  # type: ignore[no-untyped-def]
+    with pytest.raises(bl.BouncelabError) as raised:
+        wrong(laboratory)
+    assert len(str(raised.value)) > 15
+
+
+def test_a_verdict_says_how_certain_it_is() -> None:
+    sounds = [bl.synthesize(height_m=0.305, restitution=0.93, bounces=12, seed=seed) for seed in range(3)]
+    lively = bl.verdict([sound.samples for sound in sounds], "ittf-ball", sample_rate_hz=44_100, draws=200)
+    assert lively.rebound_m is not None and lively.probability_within is not None
+    assert 0.24 < lively.rebound_m.value < 0.27
+    assert lively.outcome in ("pass", "fail", "cannot-decide")
+    dull = bl.synthesize(height_m=0.305, restitution=0.6, bounces=8).samples
+    assert bl.verdict([dull], "ittf-ball", sample_rate_hz=44_100, draws=200).outcome != "pass"
+    assert lively.figure().svg().startswith("<svg")
+    again = pickle.loads(pickle.dumps(lively))
+    assert again == lively and again.figure().svg() == lively.figure().svg()
+
+
+def test_a_study_is_pickled_whole(study: bl.Study) -> None:
+    again = pickle.loads(pickle.dumps(study))
+    assert again == study
+    assert again.figure("groups", "de").svg() == study.figure("groups", "de").svg()
+
+
+def test_the_program_comes_along() -> None:
+    try:
+        program = find()
+    except FileNotFoundError:
+        pytest.skip("this wheel has no program")
+    for command in ([program], [sys.executable, "-m", "bouncelab"]):
+        shown = subprocess.run([*command, "--version"], capture_output=True, text=True, check=True)
+        assert shown.stdout.strip() == f"bouncelab {bl.__version__}"
