@@ -90,7 +90,7 @@ fn where_the_length_is_not_known_the_clock_is_another_one() {
 #[test]
 fn an_early_page_of_ogg_that_is_damaged_costs_no_more_than_itself() {
     for (name, file) in files() {
-        if name.ends_with(".ogg") {
+        if name.contains("ogg") {
             let (whole_s, _) = read(&file, &name);
             let (damaged_s, gaps) = read(&Damage::Bit.at(15, &file), &name);
             assert!(
