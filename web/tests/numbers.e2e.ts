@@ -28,7 +28,7 @@ function detected(path: string): RecordingResult {
       detector.push(channel, decoder.takeSamples(channel));
     }
   }
-  return JSON.parse(detector.finish(decoder.format(), decoder.warnings()));
+  return JSON.parse(detector.finish(decoder.format(), decoder.warnings(), decoder.gaps()));
 }
 
 function request(name: string, found: RecordingResult, settings: Settings): AnalysisRequest {

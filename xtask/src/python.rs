@@ -166,7 +166,9 @@ impl Venv {
     fn check_types(&self) -> Result {
         run_command(self.tool("mypy").args(["--strict", "python/bouncelab"]))?;
         run_command(self.tool("stubtest").args(["bouncelab._core"]))?;
-        run_command(self.tool("pyright").args(["python/bouncelab"]))
+        let mut pyright = self.tool("pyright");
+        pyright.arg("--pythonpath").arg(self.program("python"));
+        run_command(pyright.arg("python/bouncelab"))
     }
 }
 

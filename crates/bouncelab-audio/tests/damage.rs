@@ -65,10 +65,10 @@ fn where_the_length_is_known_silence_of_that_length_stands_in_the_gap() {
             panic!("{name}: {gaps:?}");
         };
         assert!(gap.certain, "{name}");
-        assert!(
-            (gap.start_s..gap.end_s()).contains(&(whole_s / 2.0)) || gap.duration_s < 0.2,
-            "{name}: {gap:?}"
-        );
+        // Half the bytes are not quite half the time: loud parts take more.
+        let middle = 0.3 * whole_s..0.7 * whole_s;
+        let is_there = gap.start_s < middle.end && middle.start < gap.end_s();
+        assert!(is_there, "{name}: {gap:?} of {whole_s} s");
     }
 }
 
@@ -90,7 +90,7 @@ fn where_the_length_is_not_known_the_clock_is_another_one() {
 #[test]
 fn an_early_page_of_ogg_that_is_damaged_costs_no_more_than_itself() {
     for (name, file) in files() {
-        if name.ends_with(".ogg") {
+        if name.contains("ogg") {
             let (whole_s, _) = read(&file, &name);
             let (damaged_s, gaps) = read(&Damage::Bit.at(15, &file), &name);
             assert!(

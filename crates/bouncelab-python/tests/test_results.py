@@ -29,7 +29,7 @@ def test_what_cannot_be_told_is_said() -> None:
         _ = two.log_linear_fit
     without = bl.analyze_times(TIMES_S, draws=None).drops[0]
     assert not without.has_posterior
-    with pytest.raises(bl.InferenceError, match="no inference was asked for") as raised:
+    with pytest.raises(bl.InferenceError, match="inference") as raised:
         _ = without.restitution
     assert raised.value.code == "inference-off"
     assert bl.analyze_times([0.0], draws=None).no_drop is not None

@@ -1,14 +1,4 @@
 import { Connection, type Modules, type Port } from './connection.ts';
-import { LabError } from './error.ts';
-import { listOf } from './pasted.ts';
-import {
-  ENGLISH,
-  type FigureRequest,
-  type Level,
-  type Messages,
-  type Spectrogram,
-} from './protocol.ts';
-import { Recording, type Services } from './recording.ts';
 import type {
   Analysed,
   AnalysisRequest,
@@ -28,6 +18,16 @@ import type {
   SimulationRun,
   SoFar,
 } from './engine/types.ts';
+import { LabError } from './error.ts';
+import { listOf } from './pasted.ts';
+import {
+  ENGLISH,
+  type FigureRequest,
+  type Level,
+  type Messages,
+  type Spectrogram,
+} from './protocol.ts';
+import { Recording, type Services } from './recording.ts';
 
 /** How a recording is opened. */
 export interface OpenOptions {

@@ -1,4 +1,3 @@
-import type { LabRefusal } from './error.ts';
 import type {
   Analysed,
   AnalysisRequest,
@@ -18,6 +17,7 @@ import type {
   SimulationRun,
   SoFar,
 } from './engine/types.ts';
+import type { LabRefusal } from './error.ts';
 
 /** The messages of a language: its code, and its files as they are. English is part of the engine. */
 export interface Messages {

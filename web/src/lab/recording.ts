@@ -1,5 +1,5 @@
-import type { Level, Sound, Spectrogram } from './protocol.ts';
 import type { Impact, RecordingResult } from './engine/types.ts';
+import type { Level, Sound, Spectrogram } from './protocol.ts';
 
 /** What a recording asks of the workers. */
 export interface Services {

@@ -7,6 +7,7 @@
 
 import * as decoding from './engine/decoders.js';
 import * as science from './engine/engine.js';
+import type { Demo, RecordingResult } from './engine/types.ts';
 import type { LabReason, LabRefusal } from './error.ts';
 import type {
   Call,
@@ -19,7 +20,6 @@ import type {
   Sound,
   ToWorker,
 } from './protocol.ts';
-import type { Demo, RecordingResult } from './engine/types.ts';
 
 /** Samples that do not fit into this memory cannot be kept, in bytes. */
 const MOST_SAMPLE_BYTES = 480e6;

@@ -101,7 +101,8 @@ mod tests {
                     expected,
                     "{start} in blocks of {block}"
                 );
-                assert_eq!(found(&[start..start + 63], block), None);
+                let fewer = start..start + 63;
+                assert_eq!(found(&[fewer], block), None);
             }
             assert_eq!(found(&[100..250, 400..470], block), Some((2, 100, 220)));
             // Silence at both ends is that of an editor.

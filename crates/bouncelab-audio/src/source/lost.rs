@@ -84,7 +84,7 @@ impl Clock {
         let frames = (late_s * self.rate_hz).round();
         if self.is_first && late_s > LATE_START_S {
             None
-        } else if late_s > LONGEST_S || late_s < -TOLERANCE_S {
+        } else if !(-TOLERANCE_S..=LONGEST_S).contains(&late_s) {
             Some(Lost::unknown())
         } else {
             (late_s > tolerance_s && frames > 0.0).then(|| Lost::certain(frames as u64))

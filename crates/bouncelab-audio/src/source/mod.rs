@@ -429,7 +429,7 @@ impl Source {
         for plane in &mut self.planes {
             for (place, sample) in plane.iter_mut().enumerate() {
                 // A damaged number may be anything; no other sound is ten million times full scale.
-                if !(sample.abs() < 1e7) {
+                if sample.is_nan() || sample.abs() >= 1e7 {
                     *sample = 0.0;
                     count += 1;
                     first = first.min(place);

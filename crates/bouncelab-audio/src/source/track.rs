@@ -177,6 +177,8 @@ impl Track {
 
     /// How much presented sound the container announces.
     pub(super) fn announced(&self, layout: Layout, presented: &Presentation) -> Option<Announced> {
+        /// Headers that count in packets or in milliseconds.
+        const ROUGH_S: f64 = 0.05;
         let media = self.reader.media_info();
         let frames = match self.container {
             // Counted in presented time.
@@ -191,8 +193,6 @@ impl Track {
                 .or_else(|| frames_lasting(layout, self.info.time_base, self.info.duration))
                 .map(|decoded| presented.count(decoded)),
         };
-        /// Headers that count in packets or in milliseconds.
-        const ROUGH_S: f64 = 0.05;
         let tolerance_s = match self.container {
             Container::Mpeg => self.info.delay.map(|_| ROUGH_S),
             Container::Adts => None,

@@ -3,7 +3,31 @@
 from collections.abc import Callable
 from typing import final
 
-__all__: list[str]
+__all__ = [
+    "Analyzer",
+    "Chart",
+    "Detector",
+    "Judge",
+    "Recording",
+    "Session",
+    "Simulation",
+    "Table",
+    "Verdict",
+    "__version__",
+    "air",
+    "balls",
+    "code_names",
+    "colour",
+    "drag_coefficient",
+    "drag_laws",
+    "gravity_m_s2",
+    "languages",
+    "message",
+    "require_known",
+    "rules_built_in",
+    "write_wav",
+]
+
 __version__: str
 
 _Report = Callable[[str, float, float | None], object]

@@ -20,6 +20,9 @@ pub enum Verdict {
 }
 
 /// What the file says.
+///
+/// # Errors
+/// What keeps the file from being read.
 pub fn analyse(
     file: &[u8],
     name: &str,

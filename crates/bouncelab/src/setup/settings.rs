@@ -81,7 +81,6 @@ pub struct Settings {
     /// Independent draws of the posterior to aim at, 100 to 100,000; 4,000 if left out.
     pub draws: Option<usize>,
     /// Seed of the random numbers of the inference; 1 if left out.
-    #[cfg_attr(feature = "typescript", ts(type = "number"))]
     pub seed: Option<u64>,
 }
 

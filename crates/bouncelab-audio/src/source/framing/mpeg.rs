@@ -60,7 +60,8 @@ pub(super) fn adts_frame(bytes: &[u8]) -> Option<Frame> {
     let word = u64::from_be_bytes(*bytes.first_chunk()?);
     let len = word >> 21 & 0x1fff;
     let blocks = word >> 8 & 3;
-    let is_frame = word >> 52 == 0xfff && word >> 49 & 3 == 0 && blocks == 0 && len > 7;
+    let layer = (word >> 49) % 4;
+    let is_frame = word >> 52 == 0xfff && layer == 0 && blocks == 0 && len > 7;
     // Version, protection, profile, rate and channels.
     let kind = (word >> 48 & 0xb) << 12 | (word >> 42 & 0x3d) << 4 | word >> 38 & 7;
     is_frame.then_some(Frame {

@@ -69,7 +69,7 @@ pub(super) fn survey<S: Read + Seek>(window: &mut Window<S>, start: u64) -> io::
             at += 1 + next.unwrap_or(rest.len().saturating_sub(3).max(1)) as u64;
         }
     }
-    let is_whole = sound == [start..window.len];
+    let is_whole = matches!(sound.as_slice(), [all] if *all == (start..window.len));
     Ok(Framing {
         sound: (!is_whole).then_some(sound),
         breaks,
