@@ -53,18 +53,19 @@ const documentOf = (path: string, settings: Settings) =>
   analyse(request(path, detected(path), settings)).document;
 
 /**
- * Asserts that two documents agree: codes to the letter, times to 10 ns, other numbers to seven
- * digits. The mathematical functions of the two machines differ in the last bit, which decoders of
+ * Asserts that two documents agree: codes to the letter, times to 10 ns, levels to six digits, other
+ * numbers to seven. The mathematical functions of the two machines differ in the last bit, which decoders of
  * lossy formats and the draws of the inference magnify: there, a value and its intervals must agree
- * to two hundredths of its standard deviation, other numbers to three digits. Correlations and
- * residuals are differences, of which what counts is the range.
+ * to two hundredths of its standard deviation, other numbers to three digits. What counts of
+ * correlations, residuals and shares of a variance is their range.
  */
 function expectSame(found: unknown, expected: unknown, path = '$', sd?: number): void {
   if (typeof expected === 'number') {
     expect(found, path).toBeTypeOf('number');
-    const share = /\.(posterior|diagnostics)\./.test(path) ? 1e-3 : 1e-7;
-    const isDifference = /\.correlations\.|standardised_residual/.test(path);
-    const allowed = sd === undefined ? share * (isDifference ? 5 : Math.abs(expected)) : 0.02 * sd;
+    const isDrawn = /\.(posterior|diagnostics)\./.test(path);
+    const share = isDrawn ? 1e-3 : path.endsWith('_db') ? 1e-6 : 1e-7;
+    const isInRange = /\.correlations\.|standardised_residual|\.share$/.test(path);
+    const allowed = sd === undefined ? share * (isInRange ? 5 : Math.abs(expected)) : 0.02 * sd;
     expect(
       Math.abs((found as number) - expected),
       `${path}: ${found}, ${expected}`,
