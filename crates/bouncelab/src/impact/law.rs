@@ -279,8 +279,9 @@ impl Restitution {
     }
 
     /// The coefficient of restitution of an impact at a speed, from 0 to 1.
+    #[inline]
     pub fn at(&self, impact_speed_m_s: f64) -> f64 {
-        self.unbounded(impact_speed_m_s).clamp(0.0, 1.0)
+        self.at_with_log_slope(impact_speed_m_s).0
     }
 
     /// d ln e / d ln v at an impact speed: how many per cent e changes when the speed changes by
@@ -292,57 +293,51 @@ impl Restitution {
     /// # Ok::<(), bouncelab::Error>(())
     /// ```
     pub fn log_slope(&self, impact_speed_m_s: f64) -> f64 {
-        let v = impact_speed_m_s;
-        let e = self.unbounded(v);
-        if !(e > 0.0 && e < 1.0) {
-            return 0.0;
-        }
-        match self.0 {
-            Law::Constant(_) => 0.0,
-            Law::Linear { loss_per_speed, .. } => -loss_per_speed * v / e,
-            Law::Power { exponent, .. } => -exponent,
-            // x goes as v^1/10.
-            Law::Viscoelastic { dissipation } => 0.1 * pade::log_slope(viscous(dissipation, v)),
-            Law::Knee {
-                knee_speed,
-                loss_per_speed,
-                ..
-            } => {
-                let past = logistic((v - knee_speed) / (KNEE_WIDTH * knee_speed));
-                -loss_per_speed * past * v / e
-            }
-            Law::Smooth {
-                log_speed,
-                slow,
-                fast,
-                ..
-            } => match v.ln() - log_speed {
-                faster if faster > 0.0 => fast.slope(faster),
-                slower => -slow.slope(-slower),
-            },
+        self.at_with_log_slope(impact_speed_m_s).1
+    }
+
+    /// Both [`Self::at`] and [`Self::log_slope`].
+    #[inline]
+    pub(crate) fn at_with_log_slope(&self, impact_speed_m_s: f64) -> (f64, f64) {
+        let (e, log_slope) = self.unbounded(impact_speed_m_s);
+        if e > 0.0 && e < 1.0 {
+            (e, log_slope)
+        } else {
+            (e.clamp(0.0, 1.0), 0.0)
         }
     }
 
-    fn unbounded(&self, v: f64) -> f64 {
+    /// The same, if e had no bounds.
+    #[inline]
+    fn unbounded(&self, v: f64) -> (f64, f64) {
         match self.0 {
-            Law::Constant(restitution) => restitution,
+            Law::Constant(restitution) => (restitution, 0.0),
             Law::Linear {
                 at_rest,
                 loss_per_speed,
-            } => at_rest - loss_per_speed * v,
+            } => {
+                let e = at_rest - loss_per_speed * v;
+                (e, -loss_per_speed * v / e)
+            }
             Law::Power {
                 reference,
                 reference_speed,
                 exponent,
-            } => reference * (v / reference_speed).powf(-exponent),
-            Law::Viscoelastic { dissipation } => pade::restitution(viscous(dissipation, v)),
+            } => (reference * (v / reference_speed).powf(-exponent), -exponent),
+            Law::Viscoelastic { dissipation } => {
+                let x = viscous(dissipation, v);
+                // x goes as v^1/10.
+                (pade::restitution(x), 0.1 * pade::log_slope(x))
+            }
             Law::Knee {
                 below,
                 knee_speed,
                 loss_per_speed,
             } => {
                 let width = KNEE_WIDTH * knee_speed;
-                below - loss_per_speed * width * softplus((v - knee_speed) / width)
+                let past = (v - knee_speed) / width;
+                let e = below - loss_per_speed * width * softplus(past);
+                (e, -loss_per_speed * logistic(past) * v / e)
             }
             Law::Smooth {
                 log_reference,
@@ -350,11 +345,11 @@ impl Restitution {
                 slow,
                 fast,
             } => {
-                let rise = match v.ln() - log_speed {
-                    faster if faster > 0.0 => fast.rise(faster),
-                    slower => slow.rise(-slower),
+                let (rise, log_slope) = match v.ln() - log_speed {
+                    faster if faster > 0.0 => (fast.rise(faster), fast.slope(faster)),
+                    slower => (slow.rise(-slower), -slow.slope(-slower)),
                 };
-                (log_reference + rise).exp()
+                ((log_reference + rise).exp(), log_slope)
             }
         }
     }

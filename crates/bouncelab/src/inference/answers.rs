@@ -39,7 +39,7 @@ impl Answers {
         let rms_s = (squares / sigma_s.len() as f64).sqrt();
         let rows = posterior.each(1, |evaluator, point| {
             let table = evaluator.table(point)?;
-            let (gravity_height, ..) = table.fall(point.fall_launch_m_s)?;
+            let (gravity_height, ..) = table.apex(point.fall_launch_m_s)?;
             Some([
                 point.law.at(at_speed_m_s),
                 -point.law.log_slope(at_speed_m_s),
@@ -297,7 +297,7 @@ fn detected(posterior: &SampledPosterior, innovations: &[Innovation]) -> Vec<Imp
         let apexes = state
             .launch_speeds
             .iter()
-            .map(|&launch| Some(table.fall(launch)?.0 / point.gravity_m_s2))
+            .map(|&launch| Some(table.apex(launch)?.0 / point.gravity_m_s2))
             .collect::<Option<Vec<f64>>>()?;
         Some((state, apexes))
     });

@@ -51,7 +51,7 @@ pub(super) fn budget(posterior: &SampledPosterior, at_speed_m_s: f64) -> Option<
     };
     let height = |evaluator: &mut Evaluator, vector: &[f64]| {
         let point = evaluator.point(vector)?;
-        let (gravity_height, ..) = evaluator.table(&point)?.fall(point.fall_launch_m_s)?;
+        let (gravity_height, ..) = evaluator.table(&point)?.apex(point.fall_launch_m_s)?;
         Some(gravity_height / point.gravity_m_s2)
     };
     let [between_laws, between_missed] = between(posterior, at_speed_m_s);
@@ -83,7 +83,7 @@ impl Linear {
     fn new(evaluator: &mut Evaluator, vector: &[f64]) -> Option<Self> {
         let model = evaluator.model;
         let point = evaluator.point(vector)?;
-        let slopes = evaluator.slopes(vector)?;
+        let slopes = evaluator.differences(vector)?.residuals;
         evaluator.log_posterior(vector)?;
         let weights: Vec<f64> = evaluator.innovations.iter().map(|i| i.weight).collect();
         let residuals = evaluator.residuals(&point)?;

@@ -124,13 +124,6 @@ pub(super) enum Height {
     Speed,
 }
 
-impl Slot {
-    /// Whether it is more than a size of the noise.
-    pub(super) fn moves_residuals(self) -> bool {
-        !matches!(self, Self::Scatter | Self::Timing)
-    }
-}
-
 /// Values of the unknowns.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Point {
@@ -156,19 +149,19 @@ impl Point {
         self.timing * self.timing * sigma_s * sigma_s
     }
 
-    /// The impact speed that the law turns into a launch speed.
-    pub(super) fn impact_before(&self, launch: f64) -> Option<f64> {
-        const STEPS: usize = 60;
+    /// The impact speed that the law turns into a launch speed, by at most so many steps of Newton's
+    /// method.
+    pub(super) fn impact_before(&self, launch: f64, steps: usize) -> Option<f64> {
         let mut impact = launch / self.law.at(launch);
-        for _ in 0..STEPS {
-            let step = (launch / (impact * self.law.at(impact))).ln()
-                / (1.0 + self.law.log_slope(impact)).max(0.1);
+        for _ in 0..steps {
+            let (restitution, log_slope) = self.law.at_with_log_slope(impact);
+            let step = (launch / (impact * restitution)).ln() / (1.0 + log_slope).max(0.1);
             impact *= step.exp();
             if step.abs() < 1e-9 {
-                return impact.is_finite().then_some(impact);
+                break;
             }
         }
-        None
+        impact.is_finite().then_some(impact)
     }
 }
 
