@@ -36,7 +36,14 @@ def test_the_document_is_that_of_the_program(sound: bl.Sound, tmp_path: Path) ->
     command = [program, "analyze", "drop.wav", "--ball", "tennis", "--draws", "500", "--format", "json"]
     shown = subprocess.run(command, cwd=tmp_path, capture_output=True, check=True)
     found = bl.analyze(tmp_path / "drop.wav", ball="tennis", draws=500, name="drop.wav")
-    assert found.to_dict() == json.loads(shown.stdout)
+    assert without_messages(found.to_dict()) == without_messages(json.loads(shown.stdout))
+
+
+def without_messages(document: object) -> object:
+    """Return a document without its sentences, to which the program adds its own options."""
+    if isinstance(document, dict):
+        return {name: without_messages(it) for name, it in document.items() if name != "message"}
+    return [without_messages(it) for it in document] if isinstance(document, list) else document
 
 
 def test_what_cannot_be_told_is_said() -> None:

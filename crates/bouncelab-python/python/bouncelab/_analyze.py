@@ -39,10 +39,27 @@ class ProgressBar(Protocol):
     total: float | None
 
     def update(self, n: float, /) -> object:
-        """Move the bar on by ``n``."""
+        """Move the bar on.
+
+        Parameters
+        ----------
+        n : float
+            By how much.
+
+        Returns
+        -------
+        object
+            Anything.
+        """
 
     def close(self) -> object:
-        """End the bar."""
+        """End the bar.
+
+        Returns
+        -------
+        object
+            Anything.
+        """
 
 
 class Progress(Protocol):

@@ -189,7 +189,7 @@ def air_density_kg_m3(
     --------
     >>> import bouncelab as bl
     >>> bl.air_density_kg_m3([283.15, 293.15, 303.15]).round(3)
-    array([1.244, 1.199, 1.155])
+    array([1.244, 1.199, 1.156])
     """
     return _moist(temperature_k, pressure_pa, relative_humidity)[0]
 
@@ -306,7 +306,7 @@ def flights(
     >>> import bouncelab as bl
     >>> with_air = bl.flights(flight_time_s=[0.2, 0.4], ball="table-tennis-40")
     >>> with_air["apex_m"].round(4)
-    array([0.0488, 0.1927])
+    array([0.0479, 0.1918])
     >>> bl.flights([1.0, 2.0], drag="none", gravity_m_s2=9.81)["apex_m"].round(4)
     array([0.051 , 0.2039])
     """
@@ -371,7 +371,7 @@ def terminal_speed_m_s(**surroundings: Unpack[Surroundings]) -> float:
     --------
     >>> import bouncelab as bl
     >>> round(bl.terminal_speed_m_s(ball="table-tennis-40"), 1)
-    9.3
+    8.8
     >>> bl.terminal_speed_m_s(drag="none")
     inf
     """

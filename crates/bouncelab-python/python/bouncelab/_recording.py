@@ -355,7 +355,7 @@ class Drops(Table):
     --------
     >>> import bouncelab as bl
     >>> drops = bl.analyze_times([0.0, 0.4605, 0.8877, 1.2854, 1.6568, 2.0045], draws=500).drops
-    >>> drops[0].restitution.value == drops["restitution"][0]
+    >>> bool(drops[0].restitution.value == drops["restitution"][0])
     True
     """
 

@@ -138,6 +138,10 @@ class Study:
         """Return the groups as a figure, or else the drops as a table, for notebooks."""
         return self.figure("groups").svg() if "groups" in self.figures else self.drops._repr_html_()
 
+    def _repr_html_(self) -> str:
+        """Return the groups as a figure, or else the drops as a table, for notebooks."""
+        return self.figure("groups").svg() if "groups" in self.figures else self.drops._repr_html_()
+
 
 def session(
     files: str | PathLike[str] | Iterable[str | PathLike[str]],

@@ -103,7 +103,7 @@ class Options(Surroundings, total=False):
     >>> import bouncelab as bl
     >>> options: bl.Options = {"ball": "tennis", "draws": None}
     >>> bl.analyze_times([0.0, 0.5, 0.9], **options).settings.ball_diameter_m
-    0.0667
+    0.066
     """
 
     height_m: float | None

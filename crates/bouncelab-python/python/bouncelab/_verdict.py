@@ -41,7 +41,7 @@ class Rule:
     --------
     >>> import bouncelab as bl
     >>> [rule.title for rule in bl.rules() if rule.name == "ittf-ball"]
-    ['XXX']
+    ['Table-tennis ball, 40 mm']
     """
 
     name: str
@@ -168,6 +168,10 @@ class Verdict:
 
     def __repr__(self) -> str:
         return f"<bouncelab.Verdict: {self.outcome}>"
+
+    def _repr_html_(self) -> str:
+        """Return the figure, which states the verdict, for notebooks."""
+        return self.figure().svg()
 
     def _repr_html_(self) -> str:
         """Return the figure, which states the verdict, for notebooks."""
