@@ -4,6 +4,7 @@
 //! profile of the other checks, without link-time optimisation, and shares their compiled dependencies.
 
 use std::env;
+use std::ffi::OsString;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -150,6 +151,14 @@ impl Venv {
         command
     }
 
+    /// The programs of the environment, before all others.
+    fn path(&self) -> Result<OsString> {
+        let own = self.program("python").parent().map(Path::to_owned);
+        let others = env::var_os("PATH").unwrap_or_default();
+        let folders = own.into_iter().chain(env::split_paths(&others));
+        env::join_paths(folders).map_err(|reason| reason.to_string())
+    }
+
     /// Builds the wheel, with the program that was built in the same profile.
     fn wheel(&self, profile: &str, options: &[&str]) -> Result<PathBuf> {
         let folder = target().join("wheels").join(profile);
@@ -182,9 +191,10 @@ impl Venv {
         let mut pyright = self.tool("pyright");
         pyright.arg("--pythonpath").arg(self.program("python"));
         run_command(pyright.arg("python/bouncelab"))?;
-        let mut complete = self.tool("pyright");
-        complete.arg("--pythonpath").arg(self.program("python"));
-        run_command(complete.args(["--ignoreexternal", "--verifytypes", "bouncelab"]))
+        // Of the installed package, which pyright finds by the Python that is first on the path.
+        let mut public = self.tool("pyright");
+        public.args(["--ignoreexternal", "--verifytypes", "bouncelab"]);
+        run_command(public.env("PATH", self.path()?).current_dir(&self.folder))
     }
 }
 

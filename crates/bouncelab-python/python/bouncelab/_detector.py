@@ -112,8 +112,6 @@ class Detector:
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Detector) and self._plain() == other._plain()
 
-    __hash__ = None  # type: ignore[assignment]
-
     def _plain(self) -> tuple[object, ...]:
         analyzer, *rest = self._core.state()
         return (analyzer.__getnewargs__(), *rest)

@@ -175,8 +175,6 @@ class Recording:
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Recording) and self._document == other._document
 
-    __hash__ = None  # type: ignore[assignment]
-
     def __repr__(self) -> str:
         return f"<bouncelab.Recording {self.name!r}: {_counted(len(self.drops), 'drop')}>"
 
@@ -333,8 +331,6 @@ class Drop:
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Drop) and self._document == other._document
-
-    __hash__ = None  # type: ignore[assignment]
 
     def __repr__(self) -> str:
         what = f"{_counted(len(self.impacts), 'impact')}"

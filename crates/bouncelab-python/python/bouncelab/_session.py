@@ -121,8 +121,6 @@ class Study:
         document: dict[str, JSON] = json.loads(in_language(self._documents, language))
         return document
 
-    __hash__ = None  # type: ignore[assignment]
-
     def __eq__(self, other: object) -> bool:
         return (
             isinstance(other, Study)
@@ -133,10 +131,6 @@ class Study:
 
     def __repr__(self) -> str:
         return f"<bouncelab.Study: {len(self.drops)} drops in {len(self.groups)} groups>"
-
-    def _repr_html_(self) -> str:
-        """Return the groups as a figure, or else the drops as a table, for notebooks."""
-        return self.figure("groups").svg() if "groups" in self.figures else self.drops._repr_html_()
 
     def _repr_html_(self) -> str:
         """Return the groups as a figure, or else the drops as a table, for notebooks."""

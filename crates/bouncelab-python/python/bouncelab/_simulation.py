@@ -158,8 +158,6 @@ class Simulation:
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Simulation) and self.to_dict() == other.to_dict()
 
-    __hash__ = None  # type: ignore[assignment]
-
     def __repr__(self) -> str:
         return f"<bouncelab.Simulation: {len(self.bounces)} bounces in {self.total_time_s:.3f} s>"
 
@@ -215,8 +213,6 @@ class Sound:
             and self.simulation == other.simulation
             and self.samples.tobytes() == other.samples.tobytes()
         )
-
-    __hash__ = None  # type: ignore[assignment]
 
     def __repr__(self) -> str:
         seconds = len(self.samples) / self.sample_rate_hz

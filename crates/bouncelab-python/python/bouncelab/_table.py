@@ -148,8 +148,6 @@ class Table:
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Table) and self._core.json() == other._core.json()
 
-    __hash__ = None  # type: ignore[assignment]
-
     def __repr__(self) -> str:
         names = ", ".join(column.name for column in self.columns)
         return f"<bouncelab.Table: {len(self)} rows of {names}>"

@@ -161,17 +161,11 @@ class Verdict:
         document: dict[str, JSON] = json.loads(in_language(self._documents, language))
         return document
 
-    __hash__ = None  # type: ignore[assignment]
-
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Verdict) and self._documents == other._documents
 
     def __repr__(self) -> str:
         return f"<bouncelab.Verdict: {self.outcome}>"
-
-    def _repr_html_(self) -> str:
-        """Return the figure, which states the verdict, for notebooks."""
-        return self.figure().svg()
 
     def _repr_html_(self) -> str:
         """Return the figure, which states the verdict, for notebooks."""
