@@ -98,10 +98,10 @@ pub(crate) fn drag_coefficient<'py>(
 
 /// Densities and viscosities of moist air, each of temperature, pressure and humidity.
 #[pyfunction]
-pub(crate) fn air<'py>(
-    py: Python<'py>,
+pub(crate) fn air(
+    py: Python<'_>,
     conditions: Vec<(f64, f64, f64)>,
-) -> Result<(Bound<'py, PyBytes>, Bound<'py, PyBytes>)> {
+) -> Result<(Bound<'_, PyBytes>, Bound<'_, PyBytes>)> {
     let air = |(temperature_k, pressure_pa, relative_humidity)| {
         let air = Air::moist(&Conditions {
             temperature_k,
@@ -117,10 +117,7 @@ pub(crate) fn air<'py>(
 
 /// Gravity at each place, of latitude and altitude.
 #[pyfunction]
-pub(crate) fn gravity_m_s2<'py>(
-    py: Python<'py>,
-    places: Vec<(f64, f64)>,
-) -> Result<Bound<'py, PyBytes>> {
+pub(crate) fn gravity_m_s2(py: Python<'_>, places: Vec<(f64, f64)>) -> Result<Bound<'_, PyBytes>> {
     let gravity = places
         .into_iter()
         .map(|(latitude_deg, altitude_m)| gravity::at(latitude_deg, altitude_m));
