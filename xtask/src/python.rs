@@ -4,6 +4,7 @@
 //! profile of the other checks, without link-time optimisation, and shares their compiled dependencies.
 
 use std::env;
+use std::ffi::OsString;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -12,6 +13,9 @@ use crate::Result;
 use crate::cargo::{cargo, cargo_all, root, run as run_command, succeeds, target};
 
 pub(crate) const ABOUT: &str = "Build the wheel of the Python package into target/wheels";
+
+/// What makes the environments, and installs into them; the first is made by Python itself.
+const UV: &str = "uv==0.13.9";
 
 /// The interpreters that must pass all tests with the same wheel; the first that is there builds it.
 const VERSIONS: [&str; 3] = ["3.11", "3.12", "3.13"];
@@ -22,9 +26,9 @@ const REQUIREMENTS_OF_OTHERS: &str = "requirements-other.txt";
 
 /// The chore: the wheel for users.
 pub(crate) fn run(_: &[String]) -> Result {
-    let venv = Venv::of(&interpreters().first().ok_or(MISSING)?.1, REQUIREMENTS)?;
+    let venv = Venv::first(&interpreters().first().ok_or(MISSING)?.1)?;
     run_command(&mut cargo(["build", "--release", "--bin", "bouncelab"]))?;
-    let wheel = venv.wheel("release")?;
+    let wheel = venv.wheel("release", &[])?;
     println!("built {}", wheel.display());
     Ok(())
 }
@@ -35,7 +39,7 @@ const MISSING: &str = "it takes Python 3.11, 3.12 or 3.13, as python3.11 or in t
 pub(crate) fn have_package_index() -> bool {
     let found = interpreters();
     let made = found.first().ok_or(MISSING.to_owned());
-    let made = made.and_then(|(_, python)| Venv::of(python, REQUIREMENTS));
+    let made = made.and_then(|(_, python)| Venv::first(python));
     if let Err(reason) = &made {
         println!("the Python package cannot be checked: {reason}");
     }
@@ -46,15 +50,15 @@ pub(crate) fn have_package_index() -> bool {
 pub(crate) fn check() -> Result {
     let found = interpreters();
     let (first, others) = found.split_first().ok_or(MISSING)?;
-    let venv = Venv::of(&first.1, REQUIREMENTS)?;
+    let venv = Venv::first(&first.1)?;
     let mut program = cargo_all(&["build"]);
     run_command(program.args(["--bin", "bouncelab"]))?;
-    let wheel = venv.wheel("dev")?;
+    let wheel = venv.wheel("dev", &["--features", "shared-build"])?;
     venv.test(&wheel)?;
     venv.check_types()?;
     run_command(venv.tool("abi3audit").arg("--strict").arg(&wheel))?;
     for (_, python) in others {
-        Venv::of(python, REQUIREMENTS_OF_OTHERS)?.test(&wheel)?;
+        venv.other(python)?.test(&wheel)?;
     }
     let missing = VERSIONS
         .iter()
@@ -85,33 +89,47 @@ fn interpreter(version: &str) -> Option<PathBuf> {
     installed.find(|python| python.is_file())
 }
 
-/// A virtual environment with what is pinned in a list.
-struct Venv(PathBuf);
+/// A virtual environment with what is pinned in a list, and the uv that installs it.
+struct Venv {
+    folder: PathBuf,
+    uv: PathBuf,
+}
 
 impl Venv {
-    fn of(python: &Path, requirements: &str) -> Result<Self> {
-        let name = python.file_name().unwrap_or_default().to_string_lossy();
-        let venv = Self(target().join(format!("{name}-venv")));
-        if !venv.program("python").is_file() {
-            run_command(Command::new(python).args(["-m", "venv"]).arg(&venv.0))?;
+    /// With everything that builds and checks the package.
+    fn first(python: &Path) -> Result<Self> {
+        let folder = folder_of(python);
+        let uv = program_in(&folder, "uv");
+        let venv = Self { folder, uv };
+        if !venv.uv.is_file() {
+            run_command(Command::new(python).args(["-m", "venv"]).arg(&venv.folder))?;
+            let mut pip = venv.python(&["-m", "pip", "install", "--quiet", UV]);
+            run_command(pip.arg("--disable-pip-version-check"))?;
         }
-        let mut uv = venv.python(&["-m", "pip", "install", "--quiet", "uv==0.13.9"]);
-        run_command(uv.arg("--disable-pip-version-check"))?;
-        let mut install = venv.install();
-        run_command(
-            install
-                .arg("--requirement")
-                .arg(package().join(requirements)),
-        )?;
+        venv.install_requirements(REQUIREMENTS)?;
         Ok(venv)
     }
 
+    /// With what the tests take, of another interpreter.
+    fn other(&self, python: &Path) -> Result<Self> {
+        let venv = Self {
+            folder: folder_of(python),
+            uv: self.uv.clone(),
+        };
+        let mut make = Command::new(&venv.uv);
+        make.args(["venv", "--quiet", "--clear", "--python"]);
+        run_command(make.arg(python).arg(&venv.folder))?;
+        venv.install_requirements(REQUIREMENTS_OF_OTHERS)?;
+        Ok(venv)
+    }
+
+    fn install_requirements(&self, list: &str) -> Result {
+        let mut install = self.install();
+        run_command(install.arg("--requirement").arg(package().join(list)))
+    }
+
     fn program(&self, name: &str) -> PathBuf {
-        if cfg!(windows) {
-            self.0.join("Scripts").join(format!("{name}.exe"))
-        } else {
-            self.0.join("bin").join(name)
-        }
+        program_in(&self.folder, name)
     }
 
     fn tool(&self, name: &str) -> Command {
@@ -127,14 +145,22 @@ impl Venv {
     }
 
     fn install(&self) -> Command {
-        let mut command = self.tool("uv");
+        let mut command = Command::new(&self.uv);
         command.args(["pip", "install", "--quiet", "--python"]);
         command.arg(self.program("python"));
         command
     }
 
+    /// The programs of the environment, before all others.
+    fn path(&self) -> Result<OsString> {
+        let own = self.program("python").parent().map(Path::to_owned);
+        let others = env::var_os("PATH").unwrap_or_default();
+        let folders = own.into_iter().chain(env::split_paths(&others));
+        env::join_paths(folders).map_err(|reason| reason.to_string())
+    }
+
     /// Builds the wheel, with the program that was built in the same profile.
-    fn wheel(&self, profile: &str) -> Result<PathBuf> {
+    fn wheel(&self, profile: &str, options: &[&str]) -> Result<PathBuf> {
         let folder = target().join("wheels").join(profile);
         fs::remove_dir_all(&folder).ok();
         let built = if profile == "dev" { "debug" } else { profile };
@@ -142,25 +168,21 @@ impl Venv {
         let mut build = self.tool("maturin");
         build.args(["build", "--profile", profile, "--interpreter"]);
         build.arg(self.program("python")).arg("--out").arg(&folder);
+        build.args(options);
         run_command(build.env("CARGO_TARGET_DIR", target()))?;
         let mut wheels = fs::read_dir(&folder).map_err(|reason| reason.to_string())?;
         let wheel = wheels.find_map(|entry| Some(entry.ok()?.path()));
         wheel.ok_or_else(|| "maturin built no wheel".to_owned())
     }
 
-    /// Runs the tests and the examples of the documentation on what the wheel installs.
+    /// Runs the tests and the examples of the documentation on what the wheel installs, a process for each core.
     fn test(&self, wheel: &Path) -> Result {
         let mut install = self.install();
         run_command(install.args(["--force-reinstall", "--no-deps"]).arg(wheel))?;
-        let mut tests = self.python(&["-m", "pytest", "tests"]);
-        run_command(tests.env("BOUNCELAB_ROOT", root()))?;
-        run_command(&mut self.python(&[
-            "-m",
-            "pytest",
-            "--doctest-modules",
-            "--pyargs",
-            "bouncelab",
-        ]))
+        let mut tests = self.python(&["-m", "pytest", "--numprocesses", "logical"]);
+        tests.args(["--dist", "worksteal", "--durations", "10"]);
+        tests.args(["--doctest-modules", "--pyargs", "./tests", "bouncelab"]);
+        run_command(tests.env("BOUNCELAB_ROOT", root()))
     }
 
     fn check_types(&self) -> Result {
@@ -168,7 +190,26 @@ impl Venv {
         run_command(self.tool("stubtest").args(["bouncelab._core"]))?;
         let mut pyright = self.tool("pyright");
         pyright.arg("--pythonpath").arg(self.program("python"));
-        run_command(pyright.arg("python/bouncelab"))
+        run_command(pyright.arg("python/bouncelab"))?;
+        // Of the installed package, which pyright finds by the Python that is first on the path.
+        let mut public = self.tool("pyright");
+        public.args(["--ignoreexternal", "--verifytypes", "bouncelab"]);
+        run_command(public.env("PATH", self.path()?).current_dir(&self.folder))
+    }
+}
+
+/// Where the environment of an interpreter is.
+fn folder_of(python: &Path) -> PathBuf {
+    let name = python.file_name().unwrap_or_default().to_string_lossy();
+    target().join(format!("{name}-venv"))
+}
+
+/// A program of an environment.
+fn program_in(folder: &Path, name: &str) -> PathBuf {
+    if cfg!(windows) {
+        folder.join("Scripts").join(format!("{name}.exe"))
+    } else {
+        folder.join("bin").join(name)
     }
 }
 

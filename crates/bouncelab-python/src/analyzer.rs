@@ -1,6 +1,7 @@
 //! What does sound say, or a list of times?
 
 use std::path::PathBuf;
+use std::sync::Arc;
 
 use bouncelab::Detector;
 use bouncelab::analysis::{DetectionOptions, Edits, Plan};
@@ -133,17 +134,25 @@ impl Analyzer {
         name: &str,
         report: Option<Py<PyAny>>,
     ) -> Result<Recording> {
-        let frames = Frames::new(samples)?;
+        let frames = Arc::new(Frames::new(&samples)?);
         check_layout(sample_rate_hz, frames.channels, name)?;
         let options = &self.setup.options;
+        let kept = Arc::clone(&frames);
         let mut detector =
-            Detector::with_options(sample_rate_hz, frames.channels, &options.detection)?;
+            Detector::with_options(sample_rate_hz, frames.channels, &options.detection)?.rereading(
+                move |channel, range| {
+                    let range = range.start as usize..range.end as usize;
+                    let read = Python::attach(|py| kept.read_channel(py, range, channel));
+                    // If the array was resized meanwhile, its samples are gone.
+                    read.unwrap_or_default()
+                },
+            );
         let mut watch = Watch::new(report);
         let seconds = |frames: usize| frames as f64 / f64::from(sample_rate_hz);
         let whole_s = Some(seconds(frames.length));
         for part in frames.blocks() {
             let end = part.end;
-            let block = frames.read(part)?;
+            let block = frames.read(py, part)?;
             py.detach(|| {
                 detector.push(&block.iter().map(Vec::as_slice).collect::<Vec<_>>());
                 watch.look("s", seconds(end), whole_s)

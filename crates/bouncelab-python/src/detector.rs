@@ -6,12 +6,16 @@ use bouncelab::analysis::Plan;
 use bouncelab::detection::{Detection, DropWatch};
 use bouncelab_audio::check_layout;
 use pyo3::prelude::*;
+use pyo3::types::PyBytes;
 
 use crate::analyzer::Analyzer;
 use crate::failure::{Failure, Result};
 use crate::recording::Recording;
 use crate::samples::Frames;
 use crate::watch::Watch;
+
+/// Settings, name, channels, and what was heard so far.
+type State<'py> = (Analyzer, String, usize, Bound<'py, PyBytes>);
 
 /// Takes sound in blocks, and tells of each drop when it is over.
 #[pyclass(frozen, module = "bouncelab._core")]
@@ -56,7 +60,7 @@ impl Detector {
 
     /// Takes the next frames; the drops that are over since, each as a recording of its own.
     fn push(&self, py: Python<'_>, samples: Bound<'_, PyAny>) -> Result<Vec<Recording>> {
-        let frames = Frames::new(samples)?;
+        let frames = Frames::new(&samples)?;
         if frames.channels != self.channels {
             let (given, expected) = (frames.channels, self.channels);
             return Err(Failure::Input(format!(
@@ -65,7 +69,7 @@ impl Detector {
         }
         let mut over = Vec::new();
         for part in frames.blocks() {
-            let block = frames.read(part)?;
+            let block = frames.read(py, part)?;
             py.detach(|| {
                 let block: Vec<&[f32]> = block.iter().map(Vec::as_slice).collect();
                 over.extend(self.with_drops(|drops| drops.push(&block)));
@@ -89,13 +93,30 @@ impl Detector {
         self.with_drops(|drops| drops.now_s())
     }
 
-    /// Another in the same state.
-    fn copied(&self) -> Self {
-        Self {
-            analyzer: self.analyzer.clone(),
-            name: self.name.clone(),
-            channels: self.channels,
-            drops: self.with_drops(|drops| drops.clone()).into(),
-        }
+    /// A detector in the state that `state` gives.
+    #[staticmethod]
+    fn restore(analyzer: &Analyzer, name: String, channels: usize, state: &[u8]) -> Result<Self> {
+        let drops: DropWatch = postcard::from_bytes(state).map_err(|_| {
+            Failure::Input("this is no detector of this version of bouncelab".to_owned())
+        })?;
+        Ok(Self {
+            analyzer: analyzer.clone(),
+            name,
+            channels,
+            drops: drops.into(),
+        })
+    }
+
+    /// What [`restore`](Self::restore) takes.
+    fn state<'py>(&self, py: Python<'py>) -> Result<State<'py>> {
+        let state = py.detach(|| self.with_drops(|drops| postcard::to_allocvec(&drops)));
+        let state = state.map_err(|fault| Failure::Input(fault.to_string()))?;
+        let state = PyBytes::new(py, &state);
+        Ok((
+            self.analyzer.clone(),
+            self.name.clone(),
+            self.channels,
+            state,
+        ))
     }
 }

@@ -51,8 +51,8 @@ mod _core {
     use super::detector::Detector;
     #[pymodule_export]
     use super::physics::{
-        air, balls, code_names, drag_coefficient, drag_laws, gravity_m_s2, languages, message,
-        require_known,
+        air, balls, code_names, drag_coefficient, drag_laws, falls, flights, gravity_m_s2,
+        languages, message, require_known, terminal_speed_m_s,
     };
     #[pymodule_export]
     use super::recording::Recording;

@@ -9,8 +9,10 @@ use bouncelab_report::messages::{self, Translator};
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
 
+use crate::analyzer::Analyzer;
 use crate::failure::{Failure, Result};
 use crate::recording::bytes;
+use crate::table::Table;
 
 /// The messages of a language.
 pub(crate) fn translator(language: &str) -> Result<Translator> {
@@ -94,23 +96,60 @@ pub(crate) fn drag_coefficient<'py>(
     Ok(bytes(py, &values.collect::<bouncelab::Result<Vec<f64>>>()?))
 }
 
-/// Density and viscosity of moist air.
+/// Densities and viscosities of moist air, each of temperature, pressure and humidity.
 #[pyfunction]
 pub(crate) fn air(
-    temperature_k: f64,
-    pressure_pa: f64,
-    relative_humidity: f64,
-) -> Result<(f64, f64)> {
-    let air = Air::moist(&Conditions {
-        temperature_k,
-        pressure_pa,
-        relative_humidity,
-    })?;
-    Ok((air.density_kg_m3(), air.viscosity_pa_s()))
+    py: Python<'_>,
+    conditions: Vec<(f64, f64, f64)>,
+) -> Result<(Bound<'_, PyBytes>, Bound<'_, PyBytes>)> {
+    let air = |(temperature_k, pressure_pa, relative_humidity)| {
+        let air = Air::moist(&Conditions {
+            temperature_k,
+            pressure_pa,
+            relative_humidity,
+        })?;
+        Ok((air.density_kg_m3(), air.viscosity_pa_s()))
+    };
+    let air = conditions.into_iter().map(air);
+    let (densities, viscosities): (Vec<f64>, Vec<f64>) = air.collect::<bouncelab::Result<_>>()?;
+    Ok((bytes(py, &densities), bytes(py, &viscosities)))
 }
 
-/// Gravity at a place.
+/// Gravity at each place, of latitude and altitude.
 #[pyfunction]
-pub(crate) fn gravity_m_s2(latitude_deg: f64, altitude_m: f64) -> Result<f64> {
-    Ok(gravity::at(latitude_deg, altitude_m)?)
+pub(crate) fn gravity_m_s2(py: Python<'_>, places: Vec<(f64, f64)>) -> Result<Bound<'_, PyBytes>> {
+    let gravity = places
+        .into_iter()
+        .map(|(latitude_deg, altitude_m)| gravity::at(latitude_deg, altitude_m));
+    Ok(bytes(
+        py,
+        &gravity.collect::<bouncelab::Result<Vec<f64>>>()?,
+    ))
+}
+
+/// The flights of a ball, by their launch speeds, flight times or apexes.
+#[pyfunction]
+pub(crate) fn flights(analyzer: &Analyzer, by: &str, values: Vec<f64>) -> Result<Table> {
+    let model = analyzer.setup.options.model()?;
+    let flight = |value| match by {
+        "launch_speed_m_s" => model.launch(value),
+        "flight_time_s" => model.from_flight_time(value),
+        _ => model.from_apex(value),
+    };
+    let flights = values.into_iter().map(flight);
+    Table::of_flights(&flights.collect::<bouncelab::Result<Vec<_>>>()?)
+}
+
+/// The falls of a ball from rest.
+#[pyfunction]
+pub(crate) fn falls(analyzer: &Analyzer, heights_m: Vec<f64>) -> Result<Table> {
+    let model = analyzer.setup.options.model()?;
+    let falls = heights_m.into_iter().map(|height_m| model.fall(height_m));
+    Table::of_falls(&falls.collect::<bouncelab::Result<Vec<_>>>()?)
+}
+
+/// The terminal speed of a ball, if there is drag.
+#[pyfunction]
+pub(crate) fn terminal_speed_m_s(analyzer: &Analyzer) -> Result<Option<f64>> {
+    Ok(analyzer.setup.options.model()?.terminal_speed_m_s())
 }

@@ -13,17 +13,17 @@ const MOST_COPIED: usize = 1 << 18;
 
 /// An array of frames, each with a sample of every channel: 32-bit floats in the order of C. It is read in
 /// blocks, so that it is never copied as a whole, and another thread that writes to it does no harm.
-pub(crate) struct Frames<'py> {
-    array: Bound<'py, PyAny>,
+pub(crate) struct Frames {
+    array: Py<PyAny>,
     pub(crate) length: usize,
     pub(crate) channels: usize,
 }
 
-impl<'py> Frames<'py> {
-    pub(crate) fn new(array: Bound<'py, PyAny>) -> Result<Self> {
+impl Frames {
+    pub(crate) fn new(array: &Bound<'_, PyAny>) -> Result<Self> {
         let (length, channels) = array.getattr("shape")?.extract()?;
         Ok(Self {
-            array,
+            array: array.clone().unbind(),
             length,
             channels,
         })
@@ -39,21 +39,33 @@ impl<'py> Frames<'py> {
     }
 
     /// The samples of a block, one list for each channel.
-    pub(crate) fn read(&self, block: Range<usize>) -> Result<Vec<Vec<f32>>> {
-        let py = self.array.py();
-        let (start, end) = (block.start.cast_signed(), block.end.cast_signed());
-        let part = PySlice::new(py, start, end, 1);
-        let part = PyBuffer::<f32>::get(&self.array.get_item(part)?)?.to_vec(py)?;
+    pub(crate) fn read(&self, py: Python<'_>, block: Range<usize>) -> Result<Vec<Vec<f32>>> {
+        let part = self.interleaved(py, block)?;
         if self.channels == 1 {
             return Ok(vec![part]);
         }
-        let channel = |own: usize| {
-            part.iter()
-                .skip(own)
-                .step_by(self.channels)
-                .copied()
-                .collect()
-        };
-        Ok((0..self.channels).map(channel).collect())
+        let of = |channel| self.of_channel(&part, channel);
+        Ok((0..self.channels).map(of).collect())
+    }
+
+    /// The samples of a block in one channel.
+    pub(crate) fn read_channel(
+        &self,
+        py: Python<'_>,
+        block: Range<usize>,
+        channel: usize,
+    ) -> Result<Vec<f32>> {
+        Ok(self.of_channel(&self.interleaved(py, block)?, channel))
+    }
+
+    fn interleaved(&self, py: Python<'_>, block: Range<usize>) -> Result<Vec<f32>> {
+        let (start, end) = (block.start.cast_signed(), block.end.cast_signed());
+        let part = PySlice::new(py, start, end, 1);
+        Ok(PyBuffer::<f32>::get(&self.array.bind(py).get_item(part)?)?.to_vec(py)?)
+    }
+
+    fn of_channel(&self, part: &[f32], channel: usize) -> Vec<f32> {
+        let own = part.iter().skip(channel).step_by(self.channels);
+        own.copied().collect()
     }
 }

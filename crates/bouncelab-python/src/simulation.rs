@@ -175,12 +175,13 @@ impl Simulation {
 /// Saves samples of one channel as WAV, of 16 bits.
 #[pyfunction]
 pub(crate) fn write_wav(
+    py: Python<'_>,
     path: PathBuf,
     samples: Bound<'_, PyAny>,
     sample_rate_hz: u32,
 ) -> Result<()> {
-    let frames = Frames::new(samples)?;
-    let samples = frames.read(0..frames.length)?;
+    let frames = Frames::new(&samples)?;
+    let samples = frames.read(py, 0..frames.length)?;
     let channels: Vec<&[f32]> = samples.iter().map(Vec::as_slice).collect();
     let wav = encode_wav(sample_rate_hz, SampleFormat::Int16, &channels)?;
     write_whole(&path, &wav).map_err(|reason| {

@@ -9,6 +9,7 @@ use arrow_array::{
     StringArray,
 };
 use arrow_schema::{DataType, Field, Schema};
+use bouncelab::flight::{Fall, Flight};
 use bouncelab::synth::{Rendered, SynthImpact};
 use bouncelab_report::chart::Row;
 use bouncelab_report::document::simulation::{Bounce, Run};
@@ -139,6 +140,61 @@ impl Table {
                 values: Values::Numbers(values),
             });
         Self::of_columns(columns.collect())
+    }
+
+    /// Flights.
+    pub(crate) fn of_flights(flights: &[Flight]) -> Result<Self> {
+        let column = |of: fn(&Flight) -> f64| flights.iter().map(of).map(Some).collect();
+        Self::of_numbers([
+            (
+                [
+                    "launch_speed_m_s",
+                    "m/s",
+                    "speed after the impact before it",
+                ],
+                column(|it| it.launch_speed_m_s),
+            ),
+            (
+                [
+                    "impact_speed_m_s",
+                    "m/s",
+                    "speed before the impact after it",
+                ],
+                column(|it| it.impact_speed_m_s),
+            ),
+            (["apex_m", "m", "greatest height"], column(|it| it.apex_m)),
+            (
+                ["rise_time_s", "s", "time up to the apex"],
+                column(|it| it.rise_time_s),
+            ),
+            (
+                ["fall_time_s", "s", "time down from the apex"],
+                column(|it| it.fall_time_s),
+            ),
+            (
+                ["flight_time_s", "s", "time between the impacts"],
+                column(Flight::time_s),
+            ),
+        ])
+    }
+
+    /// Falls from rest.
+    pub(crate) fn of_falls(falls: &[Fall]) -> Result<Self> {
+        let column = |of: fn(&Fall) -> f64| falls.iter().map(of).map(Some).collect();
+        Self::of_numbers([
+            (
+                ["height_m", "m", "height of the release"],
+                column(|it| it.height_m),
+            ),
+            (
+                ["fall_time_s", "s", "time from the release to the impact"],
+                column(|it| it.time_s),
+            ),
+            (
+                ["impact_speed_m_s", "m/s", "speed before the impact"],
+                column(|it| it.impact_speed_m_s),
+            ),
+        ])
     }
 
     /// The bounces of a simulated drop.

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import io
+import wave
 from pathlib import Path
 
 import numpy as np
@@ -10,6 +11,7 @@ import pytest
 from conftest import TIMES_S
 
 import bouncelab as bl
+from bouncelab._analyze import as_samples
 
 
 def restitution(recording: bl.Recording) -> float:
@@ -64,6 +66,31 @@ def test_strided_and_read_only_arrays_are_read(sound: bl.Sound) -> None:
         assert restitution(bl.analyze(samples, sound.sample_rate_hz, draws=None)) == restitution(expected)
 
 
+def test_contiguous_floats_are_read_in_place() -> None:
+    samples = np.zeros((44_100, 2), dtype=np.float32)
+    samples.flags.writeable = False
+    assert np.shares_memory(as_samples(samples), samples)
+    assert not np.shares_memory(as_samples(samples[:, 0]), samples)
+
+
+@pytest.mark.parametrize("channel", [None, 1, 2])
+def test_channels_of_an_array_are_those_of_its_file(sound: bl.Sound, tmp_path: Path, channel: int | None) -> None:
+    """Sound that goes on for longer than is remembered, in which the second channel parts company late."""
+    left = np.tile(sound.samples[::4], 25)
+    right = left.copy()
+    right[len(right) // 2 :] *= 0.5
+    both = (np.stack([left, right], axis=1) * 2**15).round().clip(-(2**15), 2**15 - 1).astype("<i2")
+    with wave.open(str(tmp_path / "both.wav"), "wb") as file:
+        file.setnchannels(2)
+        file.setsampwidth(2)
+        file.setframerate(11_025)
+        file.writeframes(both.tobytes())
+    from_file = bl.analyze(tmp_path / "both.wav", draws=None, channel=channel)
+    from_array = bl.analyze(both, 11_025, draws=None, channel=channel)
+    assert len(from_array.drops) > 10
+    assert from_array.drops == from_file.drops
+
+
 def test_settings_reach_the_physics() -> None:
     known = dict(mass_kg=0.0025, diameter_m=0.038, gravity_m_s2=9.81, drag="constant:0.4", contact_time_s=5e-4)
     used = bl.analyze_times(TIMES_S, draws=None, air=bl.air(300.0), **known).settings
@@ -80,6 +107,13 @@ def test_edits_and_questions_are_heeded() -> None:
     [prediction] = recording.drops[0].posterior.predictions
     assert prediction.drop_height_m is not None
     assert 0.2 < prediction.drop_height_m.value < 0.4
+
+
+def test_tqdm_shows_the_progress(sound: bl.Sound, capsys: pytest.CaptureFixture[str]) -> None:
+    tqdm = pytest.importorskip("tqdm").tqdm
+    long = np.tile(sound.samples, 80)
+    bl.analyze(long, sound.sample_rate_hz, draws=None, progress=tqdm)
+    assert "detecting" in capsys.readouterr().err
 
 
 def test_progress_is_that_of_tqdm(sound: bl.Sound) -> None:

@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
+import json
 import math
+import subprocess
 from pathlib import Path
 
+import numpy as np
 import pytest
 from conftest import TIMES_S
 
 import bouncelab as bl
+from bouncelab._program import find
 
 
 def test_a_posterior_has_the_numbers_of_the_document(times: bl.Recording) -> None:
@@ -21,6 +25,25 @@ def test_a_posterior_has_the_numbers_of_the_document(times: bl.Recording) -> Non
     assert len(drop.posterior.impacts) == len(TIMES_S)
     assert drop.posterior.models[0].probability >= drop.posterior.models[-1].probability
     assert drop.draws["restitution"].mean() == pytest.approx(drop.restitution.value, abs=3 * drop.restitution.sd)
+
+
+def test_the_document_is_that_of_the_program(sound: bl.Sound, tmp_path: Path) -> None:
+    try:
+        program = find()
+    except FileNotFoundError:
+        pytest.skip("this wheel has no program")
+    sound.save(tmp_path / "drop.wav")
+    command = [program, "analyze", "drop.wav", "--ball", "tennis", "--draws", "500", "--format", "json"]
+    shown = subprocess.run(command, cwd=tmp_path, capture_output=True, check=True)
+    found = bl.analyze(tmp_path / "drop.wav", ball="tennis", draws=500, name="drop.wav")
+    assert without_messages(found.to_dict()) == without_messages(json.loads(shown.stdout))
+
+
+def without_messages(document: object) -> object:
+    """Return a document without its sentences, to which the program adds its own options."""
+    if isinstance(document, dict):
+        return {name: without_messages(it) for name, it in document.items() if name != "message"}
+    return [without_messages(it) for it in document] if isinstance(document, list) else document
 
 
 def test_what_cannot_be_told_is_said() -> None:
@@ -100,3 +123,29 @@ def test_the_air_slows_a_simulated_ball() -> None:
     assert 0 < kept < drop.initial_energy_j
     assert drop.height_m([[0.0, 0.1]]).shape == (1, 2)
     assert drop.height_m(0.0) == pytest.approx(1.0)
+
+
+def test_forward_functions_take_arrays_of_any_shape() -> None:
+    temperatures_k = np.array([[283.15, 293.15], [303.15, 313.15]])
+    densities = bl.air_density_kg_m3(temperatures_k, [[90_000.0], [101_325.0]], 0.5)
+    assert densities.shape == (2, 2)
+    assert densities[1, 1] == bl.air(313.15, 101_325.0, 0.5).density_kg_m3
+    assert bl.air_viscosity_pa_s(293.15).shape == ()
+    assert float(bl.air_viscosity_pa_s(293.15)) == bl.air(293.15).viscosity_pa_s
+    assert bl.gravity_m_s2([0.0, 45.0], 100.0)[1] == bl.gravity_m_s2(45.0, 100.0)
+    assert bl.drag_coefficient([[1e3], [1e4]]).shape == (2, 1)
+    assert bl.drag_coefficient([]).shape == (0,)
+
+
+def test_a_flight_is_the_same_by_each_of_its_quantities() -> None:
+    known = bl.Options(ball="table-tennis-40", temperature_k=288.15)
+    by_speed = bl.flights([0.5, 2.0], **known)
+    for name in ("flight_time_s", "apex_m"):
+        again = bl.flights(**{name: by_speed[name]}, **known)
+        assert again["launch_speed_m_s"] == pytest.approx(by_speed["launch_speed_m_s"])
+    assert (by_speed["impact_speed_m_s"] < by_speed["launch_speed_m_s"]).all()
+    fall = bl.falls(by_speed["apex_m"], **known)
+    assert fall["impact_speed_m_s"] == pytest.approx(by_speed["impact_speed_m_s"])
+    assert fall["fall_time_s"] == pytest.approx(by_speed["fall_time_s"])
+    fast = bl.falls([1000.0], **known)["impact_speed_m_s"][0]
+    assert fast == pytest.approx(bl.terminal_speed_m_s(**known), rel=1e-3)

@@ -13,14 +13,13 @@ import pytest
 import bouncelab as bl
 from bouncelab._program import find
 
-#: So many recordings say the same to the program and to Python; `BOUNCELAB_LABORATORY=240` for all.
-RECORDINGS = int(os.environ.get("BOUNCELAB_LABORATORY", "24"))
+PATTERN = "{surface}_{height}_{}"
 
 
 @pytest.fixture(scope="module")
 def laboratory(tmp_path_factory: pytest.TempPathFactory) -> Path:
     folder = tmp_path_factory.mktemp("laboratory")
-    for number in range(RECORDINGS):
+    for number in range(24):
         surface, restitution = [("wood", 0.85), ("steel", 0.90), ("glass", 0.92)][number % 3]
         sound = bl.synthesize(
             height_m=0.2 + 0.01 * (number % 10),
@@ -36,16 +35,29 @@ def laboratory(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 @pytest.fixture(scope="module")
 def study(laboratory: Path) -> bl.Study:
-    return bl.session(laboratory, pattern="{surface}_{height}_{}", ball="table-tennis-40", draws=100, jobs=2)
+    return bl.session(laboratory, pattern=PATTERN, ball="table-tennis-40", draws=100, jobs=2)
 
 
 def test_the_tables_are_those_of_the_program(laboratory: Path, study: bl.Study, tmp_path: Path) -> None:
+    assert_equal_tables(laboratory, PATTERN, study, tmp_path)
+
+
+@pytest.mark.skipif("BOUNCELAB_LABORATORY" not in os.environ, reason="it is for recordings of the laboratory")
+def test_the_tables_of_the_laboratory_are_those_of_the_program(tmp_path: Path) -> None:
+    """Of the folder that `cargo xtask laboratory FOLDER 240` makes."""
+    folder, pattern = Path(os.environ["BOUNCELAB_LABORATORY"]), "{ball}_" + PATTERN
+    study = bl.session(folder, pattern=pattern, ball="table-tennis-40", draws=100)
+    assert_equal_tables(folder, pattern, study, tmp_path)
+
+
+def assert_equal_tables(folder: Path, pattern: str, study: bl.Study, tmp_path: Path) -> None:
+    """Compare all cells of the tables of Python and of the program."""
     pyarrow_parquet = pytest.importorskip("pyarrow.parquet")
     try:
         program = find()
     except FileNotFoundError:
         pytest.skip("this wheel has no program")
-    command = [program, "session", laboratory, "--output", tmp_path, "--pattern", "{surface}_{height}_{}"]
+    command = [program, "session", folder, "--output", tmp_path, "--pattern", pattern]
     command += ["--ball", "table-tennis-40", "--draws", "100", "--tables", "parquet"]
     subprocess.run(command, check=True, capture_output=True)
     cells = 0
@@ -56,7 +68,7 @@ def test_the_tables_are_those_of_the_program(laboratory: Path, study: bl.Study, 
         differ = [column for column in expected if found[column] != expected[column]]
         assert differ == []
         cells += sum(len(column) for column in expected.values())
-    print(f"{RECORDINGS} recordings, {cells} cells, 0 differ")
+    print(f"{len(list(folder.iterdir()))} recordings, {cells} cells, 0 differ")
 
 
 def test_a_study_compares_the_groups(study: bl.Study) -> None:
@@ -64,7 +76,8 @@ def test_a_study_compares_the_groups(study: bl.Study) -> None:
     means = {group["levels"]["surface"]: group["restitution"]["value"] for group in study.groups}  # type: ignore[index,call-overload]
     assert means["wood"] < means["steel"] < means["glass"]
     assert study.figures == ("groups", "intervals", "run")
-    assert study.figure("groups").svg().startswith("<svg")
+    assert study._repr_html_() == study.figure("groups").svg()
+    assert study._repr_html_().startswith("<svg")
     assert study.to_dict("de")["schema"] == "bouncelab.session/2"
     with pytest.raises(bl.UnknownNameError, match="groups"):
         study.figure("group")
@@ -80,6 +93,7 @@ def test_notes_come_as_rows_and_mappings(laboratory: Path) -> None:
     assert by_file.drops.to_dict()["operator"] == ["Ada, B."] * 4
     assert bl.session(files, rows, ball="table-tennis-40", draws=None) == by_file
     assert by_file.no_study is not None
+    assert by_file._repr_html_().startswith("<table>")
 
 
 def test_kept_results_are_taken_up(laboratory: Path, tmp_path: Path) -> None:
@@ -130,7 +144,7 @@ def test_a_verdict_says_how_certain_it_is() -> None:
     assert lively.outcome in ("pass", "fail", "cannot-decide")
     dull = bl.synthesize(height_m=0.305, restitution=0.6, bounces=8).samples
     assert bl.verdict([dull], "ittf-ball", sample_rate_hz=44_100, draws=200).outcome != "pass"
-    assert lively.figure().svg().startswith("<svg")
+    assert lively._repr_html_().startswith("<svg")
     again = pickle.loads(pickle.dumps(lively))
     assert again == lively and again.figure().svg() == lively.figure().svg()
 

@@ -475,6 +475,42 @@ fn a_long_recording_is_forgotten_but_its_drops_are_not() {
     assert!(offset.iter().all(|(error, _)| error.abs() < 100e-6));
 }
 
+/// Drops without a pause for longer than is remembered, in two channels that part company late.
+#[test]
+fn samples_that_are_read_again_say_what_remembered_ones_say() {
+    let starts_s = (0..45).map(|drop| 5.0 * f64::from(drop));
+    let strikes: Vec<Strike> = starts_s
+        .flat_map(|start_s| {
+            usual_strikes().into_iter().map(move |strike| Strike {
+                time_s: start_s + strike.time_s,
+                ..strike
+            })
+        })
+        .collect();
+    let quiet = Scene {
+        sample_rate_hz: 8_000,
+        ..scene(40.0)
+    };
+    let left = synth::render(&strikes, &quiet, 2).unwrap().samples;
+    let mut right = left.clone();
+    let half = right.len() / 2;
+    right[half..].iter_mut().for_each(|sample| *sample *= -0.5);
+    let detect = |mut detector: Detector| {
+        for (left, right) in left.chunks(5000).zip(right.chunks(5000)) {
+            detector.push(&[left, right]);
+        }
+        detector.finish()
+    };
+    let kept = [left.clone(), right.clone()];
+    let rereading = Detector::new(8_000, 2).rereading(move |channel, range| {
+        kept[channel][range.start as usize..range.end as usize].to_vec()
+    });
+    let (expected, found) = (detect(Detector::new(8_000, 2)), detect(rereading));
+    assert!(expected.found.trains.len() > 30);
+    assert_eq!(found.found, expected.found);
+    assert_eq!(found.channel, expected.channel);
+}
+
 #[test]
 fn sounds_that_are_no_drop_have_a_reason() {
     let reason = |samples: &[f32]| Some(detect_in(samples, 44_100).no_drop()?.code);

@@ -56,12 +56,17 @@ if TYPE_CHECKING:
     from bouncelab._physics import (
         DragLaw,
         air,
+        air_density_kg_m3,
+        air_viscosity_pa_s,
         diagnostic_codes,
         drag_coefficient,
         drag_laws,
+        falls,
+        flights,
         gravity_m_s2,
         languages,
         presets,
+        terminal_speed_m_s,
     )
     from bouncelab._recording import Draws, Drop, Drops, Recording
     from bouncelab._session import Study, session
@@ -84,7 +89,10 @@ _PLACES = {
         "RecordingError RecordingNotFoundError SessionError UnknownNameError"
     ),
     "_figure": "Figure",
-    "_physics": "DragLaw air diagnostic_codes drag_coefficient drag_laws gravity_m_s2 languages presets",
+    "_physics": (
+        "DragLaw air air_density_kg_m3 air_viscosity_pa_s diagnostic_codes drag_coefficient drag_laws falls "
+        "flights gravity_m_s2 languages presets terminal_speed_m_s"
+    ),
     "_recording": "Draws Drop Drops Recording",
     "_session": "Study session",
     "_settings": "Air Ball Options Surroundings",
@@ -146,11 +154,15 @@ __all__ = [
     "Verdict",
     "__version__",
     "air",
+    "air_density_kg_m3",
+    "air_viscosity_pa_s",
     "analyze",
     "analyze_times",
     "diagnostic_codes",
     "drag_coefficient",
     "drag_laws",
+    "falls",
+    "flights",
     "gravity_m_s2",
     "languages",
     "presets",
@@ -158,6 +170,7 @@ __all__ = [
     "session",
     "simulate",
     "synthesize",
+    "terminal_speed_m_s",
     "verdict",
 ]
 

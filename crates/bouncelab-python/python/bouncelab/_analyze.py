@@ -18,16 +18,62 @@ if TYPE_CHECKING:
 
 
 class ProgressBar(Protocol):
-    """A bar as those of tqdm: it has a total, is moved on, and closed."""
+    """A bar as those of tqdm: it is moved on, and closed.
+
+    Attributes
+    ----------
+    total : float or None
+        How much there is to do; ``None`` if that is not known.
+
+    Examples
+    --------
+    >>> import bouncelab as bl
+    >>> class Bar:
+    ...     def __init__(self, *, total, desc, unit):
+    ...         self.total = total
+    ...     def update(self, n): ...
+    ...     def close(self): ...
+    >>> bar: bl.ProgressBar = Bar(total=10.0, desc="detecting", unit="s")
+    """
 
     total: float | None
 
-    def update(self, n: float, /) -> object: ...
-    def close(self) -> object: ...
+    def update(self, n: float, /) -> object:
+        """Move the bar on.
+
+        Parameters
+        ----------
+        n : float
+            By how much.
+
+        Returns
+        -------
+        object
+            Anything.
+        """
+
+    def close(self) -> object:
+        """End the bar.
+
+        Returns
+        -------
+        object
+            Anything.
+        """
 
 
 class Progress(Protocol):
-    """What makes a bar: ``tqdm.tqdm``, ``tqdm.auto.tqdm`` or a function like them."""
+    """What makes a bar: ``tqdm.tqdm``, ``tqdm.auto.tqdm`` or a function like them.
+
+    Examples
+    --------
+    >>> import bouncelab as bl
+    >>> from tqdm import tqdm
+    >>> progress: bl.Progress = tqdm
+    >>> sound = bl.synthesize(bounces=8, seed=1)
+    >>> len(bl.analyze(sound.samples, sound.sample_rate_hz, draws=None, progress=progress).drops)
+    1
+    """
 
     def __call__(self, *, total: float | None, desc: str, unit: str) -> ProgressBar: ...
 
@@ -244,14 +290,16 @@ def as_rate(sample_rate_hz: object) -> int:
     return count("sample_rate_hz", round(rate))
 
 
-def as_numbers(name: str, values: object) -> list[float]:
-    """Return a list of finite numbers."""
+def as_numbers(name: str, values: object, *, flat: bool = False) -> list[float]:
+    """Return a list of finite numbers; flat ones may be of any shape."""
     import numpy as np
 
     try:
         array = np.asarray(values)
         if array.dtype.kind not in "iuf" and array.size:
             raise InputError(f"{name} must be numbers, not {array.dtype}")
+        if flat:
+            array = array.ravel()
         if array.ndim != 1:
             raise InputError(f"{name} must be a list of numbers, not of shape {array.shape}")
         numbers: list[float] = array.astype(np.float64).tolist()

@@ -21,7 +21,7 @@ T = TypeVar("T")
 class Estimate:
     """A number found from data, with its uncertainty.
 
-    Parameters
+    Attributes
     ----------
     value : float
         The median of the posterior, or the best value.
@@ -51,7 +51,22 @@ class Estimate:
 
 @dataclass(frozen=True, slots=True)
 class Measured:
-    """A value that was known before, with its standard uncertainty."""
+    """A value that was known before, with its standard uncertainty.
+
+    Attributes
+    ----------
+    value : float
+        The value.
+    sd : float
+        Standard uncertainty, in the unit of the value.
+
+    Examples
+    --------
+    >>> import bouncelab as bl
+    >>> posterior = bl.analyze_times([0.0, 0.4605, 0.8877, 1.2854, 1.6568, 2.0045], draws=500).drops[0].posterior
+    >>> posterior.drag_coefficient_prior.sd > 0
+    True
+    """
 
     value: float
     sd: float
@@ -61,7 +76,7 @@ class Measured:
 class Diagnostic:
     """A remark on a result.
 
-    Parameters
+    Attributes
     ----------
     code : str
         Stable name, one of :func:`bouncelab.diagnostic_codes`.
@@ -85,7 +100,22 @@ class Diagnostic:
     arguments: Mapping[str, float | str | list[float]]
 
     def message(self, language: str = "en") -> str:
-        """Return the sentence in a language, one of :func:`bouncelab.languages`."""
+        """Return the sentence in a language.
+
+        Parameters
+        ----------
+        language : str
+            One of :func:`bouncelab.languages`.
+
+        Returns
+        -------
+        str
+
+        Raises
+        ------
+        UnknownNameError
+            If there is no such language.
+        """
         from bouncelab import _core
 
         return _core.message(json.dumps(dataclasses.asdict(self)), language)
@@ -96,7 +126,32 @@ class Diagnostic:
 
 @dataclass(frozen=True, slots=True)
 class Source:
-    """Where impact times come from: ``kind`` is ``"sound"`` or ``"times"``, of which nothing else is known."""
+    """Where impact times come from.
+
+    Attributes
+    ----------
+    kind : str
+        ``"sound"`` or ``"times"``, of which nothing else is known.
+    format : str or None
+        Format of the file, for people.
+    sample_rate_hz : int or None
+        Samples a second.
+    channels : int or None
+        How many channels there are.
+    channel : int or None
+        The channel that was used, the first being 1.
+    duration_s : float or None
+        Length in s.
+    onsets : int or None
+        How many sounds stand out of the background.
+
+    Examples
+    --------
+    >>> import bouncelab as bl
+    >>> sound = bl.synthesize(bounces=8, seed=1)
+    >>> bl.analyze(sound.samples, sound.sample_rate_hz, draws=None).source.channels
+    1
+    """
 
     kind: str
     format: str | None = None
@@ -109,7 +164,23 @@ class Source:
 
 @dataclass(frozen=True, slots=True)
 class StrongestBand:
-    """The band in which the impacts stand out most, in Hz and dB."""
+    """The band of frequencies in which the impacts stand out most.
+
+    Attributes
+    ----------
+    low_hz, high_hz : float
+        Its ends in Hz.
+    above_background_db : float
+        By how much they stand out, in dB.
+
+    Examples
+    --------
+    >>> import bouncelab as bl
+    >>> sound = bl.synthesize(bounces=8, seed=1)
+    >>> band = bl.analyze(sound.samples, sound.sample_rate_hz, draws=None).strongest_band
+    >>> band.low_hz < band.high_hz
+    True
+    """
 
     low_hz: float
     high_hz: float
@@ -118,7 +189,32 @@ class StrongestBand:
 
 @dataclass(frozen=True)
 class Settings:
-    """What was known or assumed of ball, air and gravity, in SI."""
+    """What was known or assumed of ball, air and gravity.
+
+    Attributes
+    ----------
+    ball_mass_kg, ball_diameter_m : float
+        Mass in kg and diameter in m.
+    contact_time_s : float
+        How long the ball touches the surface, in s.
+    air_density_kg_m3, air_viscosity_pa_s : float
+        Density in kg/m³ and dynamic viscosity in Pa s.
+    drag : str
+        The drag law.
+    buoyancy, added_mass : bool
+        Whether these forces count.
+    gravity_m_s2 : float
+        Gravity in m/s².
+    assumptions : tuple of Diagnostic
+        What was assumed for want of an option.
+
+    Examples
+    --------
+    >>> import bouncelab as bl
+    >>> settings = bl.analyze_times([0.0, 0.5, 0.9], draws=None, ball="tennis").settings
+    >>> settings.ball_mass_kg
+    0.0577
+    """
 
     ball_mass_kg: float
     ball_diameter_m: float
@@ -134,7 +230,35 @@ class Settings:
 
 @dataclass(frozen=True, slots=True)
 class LogLinearFit:
-    """The straight line through log10 of the flight times (Nagurka 2003, Eqs. 4 to 8), as without drag."""
+    """The straight line through log10 of the flight times, as without drag (Nagurka 2003, Eqs. 4 to 8).
+
+    Attributes
+    ----------
+    flights : int
+        How many flights it goes through.
+    slope, intercept : Estimate
+        Of log10 of the flight time in s against the number of the flight.
+    r_squared : float or None
+        Coefficient of determination; ``None`` for two flights.
+    restitution : Estimate
+        Coefficient of restitution.
+    drop_height_m : Estimate
+        Height of the fall before the first impact, in m.
+    energy_kept : Estimate
+        Share of the energy that each impact leaves.
+    total_time_s, total_path_m : Estimate or None
+        From the release to rest, in s and m; ``None`` if the ball would not rest.
+    residuals : tuple of float
+        What the line leaves of each log10, in the order of the flights.
+
+    Examples
+    --------
+    >>> import bouncelab as bl
+    >>> drop = bl.analyze_times([0.0, 0.4605, 0.8877, 1.2854, 1.6568, 2.0045], draws=500).drops[0]
+    >>> fit = drop.log_linear_fit
+    >>> fit.flights, round(fit.restitution.value, 3)
+    (5, 0.932)
+    """
 
     flights: int
     slope: Estimate
@@ -150,7 +274,27 @@ class LogLinearFit:
 
 @dataclass(frozen=True, slots=True)
 class ImpactRestitution:
-    """The restitution of one impact, corrected for drag; ``flight_time_ratio`` is that without air."""
+    """The restitution of one impact, corrected for drag.
+
+    Attributes
+    ----------
+    number : int
+        Number of the impact, the first being 1.
+    impact_speed_m_s : float
+        Speed before it, in m/s.
+    restitution : Estimate
+        Speed after it over speed before it.
+    flight_time_ratio : float
+        The flight after it over that before it: the restitution if there were no air.
+
+    Examples
+    --------
+    >>> import bouncelab as bl
+    >>> drop = bl.analyze_times([0.0, 0.4605, 0.8877, 1.2854, 1.6568, 2.0045], draws=500).drops[0]
+    >>> first = drop.per_impact.impacts[0]
+    >>> first.restitution.value > first.flight_time_ratio
+    True
+    """
 
     number: int
     impact_speed_m_s: float
@@ -160,7 +304,24 @@ class ImpactRestitution:
 
 @dataclass(frozen=True, slots=True)
 class PerImpact:
-    """The restitution of single impacts, corrected for drag; ``restitution`` is the median over them."""
+    """The restitution of single impacts, corrected for drag.
+
+    Attributes
+    ----------
+    restitution : Estimate or None
+        The median over them.
+    slowest_m_s, fastest_m_s : float or None
+        Least and greatest impact speed, in m/s.
+    impacts : tuple of ImpactRestitution
+        The impacts.
+
+    Examples
+    --------
+    >>> import bouncelab as bl
+    >>> drop = bl.analyze_times([0.0, 0.4605, 0.8877, 1.2854, 1.6568, 2.0045], draws=500).drops[0]
+    >>> len(drop.per_impact.impacts)
+    4
+    """
 
     restitution: Estimate | None
     slowest_m_s: float | None
@@ -170,7 +331,32 @@ class PerImpact:
 
 @dataclass(frozen=True, slots=True)
 class ImpactPosterior:
-    """An impact, and the flight after it, as the inference has them."""
+    """An impact, and the flight after it, as the inference has them.
+
+    Attributes
+    ----------
+    number : int
+        Number of the impact, the first being 1.
+    impact_speed_m_s : Estimate
+        Speed before it, in m/s.
+    restitution : Estimate or None
+        Speed after it over speed before it; ``None`` for the last.
+    apex_m : Estimate or None
+        Apex of the flight after it, in m.
+    lost_to_surface_j, lost_to_air_j : Estimate or None
+        Energy that the impact and the flight after it took, in J.
+    standardised_residual : float or None
+        What the model leaves of its time, in standard deviations.
+    weight : float
+        From 1 down to 0 for an outlier.
+
+    Examples
+    --------
+    >>> import bouncelab as bl
+    >>> posterior = bl.analyze_times([0.0, 0.4605, 0.8877, 1.2854, 1.6568, 2.0045], draws=500).drops[0].posterior
+    >>> [impact.number for impact in posterior.impacts]
+    [1, 2, 3, 4, 5, 6]
+    """
 
     number: int
     impact_speed_m_s: Estimate
@@ -184,7 +370,26 @@ class ImpactPosterior:
 
 @dataclass(frozen=True, slots=True)
 class Model:
-    """A restitution law with a drag law, and how probable they are."""
+    """A restitution law with a drag law, and how probable they are.
+
+    Attributes
+    ----------
+    restitution_law, drag_law : str
+        Their names.
+    probability : float
+        Posterior probability of the two together.
+    log_evidence : float
+        Natural logarithm of the marginal likelihood.
+    restitution, drop_height_m : Estimate or None
+        What they alone would give; the height in m.
+
+    Examples
+    --------
+    >>> import bouncelab as bl
+    >>> posterior = bl.analyze_times([0.0, 0.4605, 0.8877, 1.2854, 1.6568, 2.0045], draws=500).drops[0].posterior
+    >>> round(sum(model.probability for model in posterior.models), 6)
+    1.0
+    """
 
     restitution_law: str
     drag_law: str
@@ -196,7 +401,25 @@ class Model:
 
 @dataclass(frozen=True, slots=True)
 class Share:
-    """The standard uncertainty that one source alone would leave, and its share of the variance."""
+    """The part of an uncertainty that comes from one source.
+
+    Attributes
+    ----------
+    source : str
+        Where it comes from.
+    sd : float
+        Standard uncertainty that this source alone would leave, in the unit of the quantity.
+    share : float
+        Its share of the variance.
+
+    Examples
+    --------
+    >>> import bouncelab as bl
+    >>> posterior = bl.analyze_times([0.0, 0.4605, 0.8877, 1.2854, 1.6568, 2.0045], draws=500).drops[0].posterior
+    >>> share = posterior.budget.drop_height_m[0]
+    >>> share.sd >= 0.0
+    True
+    """
 
     source: str
     sd: float
@@ -205,7 +428,20 @@ class Share:
 
 @dataclass(frozen=True, slots=True)
 class Budget:
-    """Where the uncertainty of restitution and drop height comes from."""
+    """Where the uncertainty of restitution and drop height comes from.
+
+    Attributes
+    ----------
+    restitution, drop_height_m : tuple of Share
+        The sources of each.
+
+    Examples
+    --------
+    >>> import bouncelab as bl
+    >>> posterior = bl.analyze_times([0.0, 0.4605, 0.8877, 1.2854, 1.6568, 2.0045], draws=500).drops[0].posterior
+    >>> len(posterior.budget.restitution) > 1
+    True
+    """
 
     restitution: tuple[Share, ...]
     drop_height_m: tuple[Share, ...]
@@ -213,7 +449,24 @@ class Budget:
 
 @dataclass(frozen=True, slots=True)
 class Prediction:
-    """The drop height from which a bounce reaches an apex."""
+    """The drop height from which a bounce reaches an apex.
+
+    Attributes
+    ----------
+    bounce : int
+        Number of the bounce, the first being 1.
+    apex_m : float
+        The apex in m.
+    drop_height_m : Estimate or None
+        The height in m; ``None`` if there is none.
+
+    Examples
+    --------
+    >>> import bouncelab as bl
+    >>> drop = bl.analyze_times([0.0, 0.4605, 0.8877, 1.2854, 1.6568, 2.0045], draws=500, reach=[(2, 0.2)]).drops[0]
+    >>> 0.2 < drop.posterior.predictions[0].drop_height_m.value < 0.4
+    True
+    """
 
     bounce: int
     apex_m: float
@@ -222,7 +475,22 @@ class Prediction:
 
 @dataclass(frozen=True, slots=True)
 class PriorContraction:
-    """Width of an unknown after the data relative to before: 1 means that the data contain no information on it."""
+    """How much the data tell of an unknown.
+
+    Attributes
+    ----------
+    unknown : str
+        Its name.
+    remaining : float
+        Its width after the data relative to before: 1 means that they contain no information on it.
+
+    Examples
+    --------
+    >>> import bouncelab as bl
+    >>> posterior = bl.analyze_times([0.0, 0.4605, 0.8877, 1.2854, 1.6568, 2.0045], draws=500).drops[0].posterior
+    >>> min(it.remaining for it in posterior.prior_contraction) < 0.5
+    True
+    """
 
     unknown: str
     remaining: float
@@ -230,7 +498,22 @@ class PriorContraction:
 
 @dataclass(frozen=True, slots=True)
 class Correlations:
-    """Correlations between the answers, a row of ``matrix`` for each of ``quantities``."""
+    """Correlations between the answers.
+
+    Attributes
+    ----------
+    quantities : tuple of str
+        Their names.
+    matrix : tuple of tuple of float
+        A row and a column for each.
+
+    Examples
+    --------
+    >>> import bouncelab as bl
+    >>> posterior = bl.analyze_times([0.0, 0.4605, 0.8877, 1.2854, 1.6568, 2.0045], draws=500).drops[0].posterior
+    >>> round(posterior.correlations.matrix[0][0], 6)
+    1.0
+    """
 
     quantities: tuple[str, ...]
     matrix: tuple[tuple[float, ...], ...]
@@ -238,7 +521,24 @@ class Correlations:
 
 @dataclass(frozen=True, slots=True)
 class Sampling:
-    """How the sampling went; ``pareto_shape`` is good below 0.7."""
+    """How the sampling went (Vehtari et al. 2024, Pareto smoothed importance sampling).
+
+    Attributes
+    ----------
+    effective_draws : float
+        How many independent draws the weighted ones are worth.
+    pareto_shape : float
+        Shape of the tail of the weights; good below 0.7.
+    converged : bool
+        Whether the result can be trusted.
+
+    Examples
+    --------
+    >>> import bouncelab as bl
+    >>> posterior = bl.analyze_times([0.0, 0.4605, 0.8877, 1.2854, 1.6568, 2.0045], draws=500).drops[0].posterior
+    >>> posterior.sampling.pareto_shape < 0.7
+    True
+    """
 
     effective_draws: float
     pareto_shape: float
@@ -247,7 +547,22 @@ class Sampling:
 
 @dataclass(frozen=True, slots=True)
 class BandPoint:
-    """The restitution law at one impact speed."""
+    """The restitution law at one impact speed.
+
+    Attributes
+    ----------
+    speed_m_s : float
+        Impact speed in m/s.
+    restitution : Estimate
+        The restitution there.
+
+    Examples
+    --------
+    >>> import bouncelab as bl
+    >>> posterior = bl.analyze_times([0.0, 0.4605, 0.8877, 1.2854, 1.6568, 2.0045], draws=500).drops[0].posterior
+    >>> [point.speed_m_s for point in posterior.band] == sorted(point.speed_m_s for point in posterior.band)
+    True
+    """
 
     speed_m_s: float
     restitution: Estimate
@@ -257,8 +572,57 @@ class BandPoint:
 class Posterior:
     """The posterior of one drop, over all priors and models.
 
-    The attributes are described in ``docs/json.md`` of the project, under ``drops[].posterior``. What is
-    not defined, such as drag in vacuum, is ``None``.
+    What is not defined, such as drag in vacuum, is ``None``. ``docs/json.md`` of the project says more, under
+    ``drops[].posterior``.
+
+    Attributes
+    ----------
+    at_speed_m_s : float
+        Impact speed in m/s at which ``restitution`` is stated.
+    restitution : Estimate
+        Coefficient of restitution there.
+    restitution_slope : Estimate
+        Its change with the natural logarithm of the impact speed, there.
+    drop_height_m : Estimate
+        Height of the fall before the first impact detected, in m.
+    drag_coefficient : Estimate or None
+        Drag coefficient at ``drag_reynolds``.
+    drag_reynolds : float or None
+        Reynolds number of the fastest impact.
+    drag_coefficient_prior : Measured or None
+        What was known of the drag coefficient before the data.
+    terminal_speed_m_s : Estimate or None
+        Terminal speed in m/s.
+    gravity_m_s2 : Estimate
+        Gravity in m/s².
+    restitution_scatter : Estimate
+        Standard deviation of the restitution from impact to impact.
+    timing_s : Estimate
+        Standard deviation of the impact times, in s.
+    contact_time_s : Estimate
+        Contact time in s.
+    total_time_s, total_path_m : Estimate or None
+        Time in s and path in m from the release to rest.
+    missed_first_impacts : tuple of float or None
+        Probabilities that 0, 1, 2, ... impacts went undetected before the first.
+    predictions : tuple of Prediction
+        Answers to ``reach=``.
+    impacts : tuple of ImpactPosterior
+        The impacts.
+    models : tuple of Model
+        The laws that were compared, the most probable first.
+    prior_contraction : tuple of PriorContraction
+        What the data tell of each unknown.
+    correlations : Correlations
+        Correlations between the answers.
+    budget : Budget
+        Where the uncertainty comes from.
+    sampling : Sampling
+        How the sampling went.
+    priors : tuple of Diagnostic
+        What was known before the data.
+    band : tuple of BandPoint
+        Restitution against impact speed.
 
     Examples
     --------
@@ -299,21 +663,20 @@ class Posterior:
 
 def read(kind: type[T], value: JSON) -> T:
     """Make a result of plain data; what it does not know is left out."""
-    made: T = _read(kind, value)
-    return made
+    return typing.cast("T", _read(kind, value))
 
 
-def _read(kind: object, value: typing.Any) -> typing.Any:
+def _read(kind: object, value: JSON) -> object:
     if kind is float and value is None:
         return math.inf
     if isinstance(kind, types.UnionType):
         return None if value is None else _read(typing.get_args(kind)[0], value)
-    if typing.get_origin(kind) is tuple:
+    if kind == tuple[float, float] and value is None:
+        return (-math.inf, math.inf)
+    if isinstance(value, list) and typing.get_origin(kind) is tuple:
         inner = typing.get_args(kind)[0]
-        if kind == tuple[float, float] and value is None:
-            return (-math.inf, math.inf)
         return tuple(_read(inner, each) for each in value)
-    if isinstance(kind, type) and dataclasses.is_dataclass(kind):
+    if isinstance(value, dict) and isinstance(kind, type) and dataclasses.is_dataclass(kind):
         fields = _fields(kind)
         return kind(**{name: _read(of, value[name]) for name, of in fields.items() if name in value})
     return value

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from typing import TYPE_CHECKING, Unpack
 
 from bouncelab import _core
@@ -19,8 +19,8 @@ if TYPE_CHECKING:
 class Detector:
     """Detects drops in blocks of samples from any recorder, and returns each drop once it is complete.
 
-    The result does not depend on the size of the blocks. A detector can be copied (``copy.copy``), but as it
-    holds an unfinished recording it cannot be pickled.
+    The result does not depend on the size of the blocks. A detector can be copied and pickled at any time, and
+    goes on where it was; the version of the package must be the same.
 
     Parameters
     ----------
@@ -87,23 +87,44 @@ class Detector:
         return self._core.duration_s()
 
     def so_far(self) -> Recording:
-        """Return the analysis of the samples so far."""
+        """Return the analysis of the samples so far.
+
+        Returns
+        -------
+        Recording
+            As if the recording ended here.
+        """
         return Recording(self._core.so_far())
 
     def finish(self) -> Recording:
-        """Return the analysis of all samples, as :func:`analyze` does."""
+        """Return the analysis of all samples.
+
+        Returns
+        -------
+        Recording
+            What :func:`analyze` returns for all of them together.
+        """
         return self.so_far()
 
-    def __copy__(self) -> Detector:
-        copied = Detector.__new__(Detector)
-        copied._core = self._core.copied()
-        return copied
+    def __reduce__(self) -> tuple[Callable[..., Detector], tuple[str, _core.Analyzer, str, int, bytes]]:
+        return (restored, (_core.__version__, *self._core.state()))
 
-    def __deepcopy__(self, memo: dict[int, object]) -> Detector:
-        return self.__copy__()
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Detector) and self._plain() == other._plain()
 
-    def __reduce__(self) -> str:
-        raise InputError("a detector holds an unfinished recording and cannot be pickled; send its result")
+    def _plain(self) -> tuple[object, ...]:
+        analyzer, *rest = self._core.state()
+        return (analyzer.__getnewargs__(), *rest)
 
     def __repr__(self) -> str:
         return f"<bouncelab.Detector: {self.duration_s:.3f} s>"
+
+
+def restored(version: str, analyzer: _core.Analyzer, name: str, channels: int, state: bytes) -> Detector:
+    """Return a detector from its pickle."""
+    if version != _core.__version__:
+        own = _core.__version__
+        raise InputError(f"this detector is of bouncelab {version}, not {own}; use the same version for both")
+    detector = Detector.__new__(Detector)
+    detector._core = _core.Detector.restore(analyzer, name, channels, state)
+    return detector

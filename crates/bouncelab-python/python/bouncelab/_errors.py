@@ -86,36 +86,145 @@ class BouncelabError(Exception):
 
 
 class InputError(BouncelabError, ValueError):
-    """An argument is of the wrong type or shape."""
+    """An argument is of the wrong type or shape.
+
+    Parameters and attributes are those of :class:`BouncelabError`.
+
+    Examples
+    --------
+    >>> import bouncelab as bl
+    >>> try:
+    ...     bl.analyze_times([1.0, 0.5])
+    ... except bl.InputError as error:
+    ...     print(error)
+    times_s must increase: sort them, and leave out doubles
+    """
 
 
 class OutOfRangeError(BouncelabError, ValueError):
-    """A number lies outside the values for which the calculation makes sense."""
+    """A number lies outside the values for which the calculation makes sense.
+
+    Parameters and attributes are those of :class:`BouncelabError`.
+
+    Examples
+    --------
+    >>> import bouncelab as bl
+    >>> try:
+    ...     bl.air(temperature_k=20.0)
+    ... except bl.OutOfRangeError as error:
+    ...     print(error.code)
+    out-of-range
+    """
 
 
 class UnknownNameError(BouncelabError, ValueError):
-    """A name (a ball, a drag law, a figure, a language, a rule) is not known; the message has the nearest."""
+    """A name (a ball, a drag law, a figure, a language, a rule) is not known; the message has the nearest.
+
+    Parameters and attributes are those of :class:`BouncelabError`.
+
+    Examples
+    --------
+    >>> import bouncelab as bl
+    >>> try:
+    ...     bl.simulate(ball="tenis")
+    ... except bl.UnknownNameError as error:
+    ...     print("tennis" in str(error))
+    True
+    """
 
 
 class PhysicsError(BouncelabError, ValueError):
-    """The physics refuses: a ball that floats, a drag law beyond its range, too few flights."""
+    """The physics refuses: a ball that floats, a drag law beyond its range, too few flights.
+
+    Parameters and attributes are those of :class:`BouncelabError`.
+
+    Examples
+    --------
+    >>> import bouncelab as bl
+    >>> try:
+    ...     bl.analyze_times([0.0, 0.5], draws=None).drops[0].log_linear_fit
+    ... except bl.PhysicsError as error:
+    ...     print("at least 3 impacts" in str(error))
+    True
+    """
 
 
 class InferenceError(BouncelabError):
-    """Nothing can be inferred from these impacts; the message gives the reason."""
+    """Nothing can be inferred from these impacts; the message gives the reason.
+
+    Parameters and attributes are those of :class:`BouncelabError`.
+
+    Examples
+    --------
+    >>> import bouncelab as bl
+    >>> try:
+    ...     bl.analyze_times([0.0, 0.5, 0.9], draws=None).drops[0].posterior
+    ... except bl.InferenceError as error:
+    ...     print(error.code)
+    inference-off
+    """
 
 
 class RecordingError(BouncelabError):
-    """A recording, or a list of times, cannot be read."""
+    """A recording, or a list of times, cannot be read.
+
+    Parameters and attributes are those of :class:`BouncelabError`.
+
+    Examples
+    --------
+    >>> import bouncelab as bl
+    >>> try:
+    ...     bl.analyze(b"no sound")
+    ... except bl.RecordingError:
+    ...     print("not a recording")
+    not a recording
+    """
 
 
 class RecordingNotFoundError(RecordingError, FileNotFoundError):
-    """There is no such file."""
+    """There is no such file.
+
+    Parameters and attributes are those of :class:`BouncelabError`.
+
+    Examples
+    --------
+    >>> import bouncelab as bl
+    >>> try:
+    ...     bl.analyze("nowhere.wav")
+    ... except FileNotFoundError as error:
+    ...     print(isinstance(error, bl.RecordingNotFoundError))
+    True
+    """
 
 
 class SessionError(BouncelabError):
-    """A session cannot be read, or its notes contradict each other."""
+    """A session cannot be read, or its notes contradict each other.
+
+    Parameters and attributes are those of :class:`BouncelabError`.
+
+    Examples
+    --------
+    >>> import bouncelab as bl
+    >>> try:
+    ...     bl.session([])
+    ... except bl.SessionError:
+    ...     print("no recordings")
+    no recordings
+    """
 
 
 class OutputError(BouncelabError):
-    """A figure or a report cannot be drawn or saved."""
+    """A figure or a report cannot be drawn or saved.
+
+    Parameters and attributes are those of :class:`BouncelabError`.
+
+    Examples
+    --------
+    >>> import bouncelab as bl
+    >>> figure = bl.simulate(bounces=3).figure("height")
+    >>> try:
+    ...     figure.save("no/such/folder/height.svg")
+    ... except bl.OutputError:
+    ...     print("not saved")
+    not saved
+    """

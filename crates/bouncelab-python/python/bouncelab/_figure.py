@@ -34,7 +34,7 @@ class Figure:
     Attributes
     ----------
     name : str
-        Its name.
+        Its name, as in ``figure(name)`` of its owner.
     language : str
         The language of its words.
 
@@ -68,11 +68,31 @@ class Figure:
         return str(self.to_dict()["caption"])
 
     def svg(self) -> str:
-        """Return the figure as SVG."""
+        """Return the figure as SVG.
+
+        Returns
+        -------
+        str
+        """
         return self._drawn.svg()
 
     def png(self, width_px: int = 1600) -> bytes:
-        """Return the figure as PNG, so many pixels wide."""
+        """Return the figure as PNG.
+
+        Parameters
+        ----------
+        width_px : int
+            Width in pixels.
+
+        Returns
+        -------
+        bytes
+
+        Raises
+        ------
+        OutputError
+            If it would be too large.
+        """
         return self._drawn.png(width_px)
 
     def save(self, path: str | PathLike[str], width_px: int = 1600) -> Path:
@@ -113,7 +133,13 @@ class Figure:
         return Table(self._drawn.table())
 
     def to_dict(self) -> dict[str, JSON]:
-        """Return the chart as data: panels with axes and layers."""
+        """Return the chart as data.
+
+        Returns
+        -------
+        dict
+            Panels with axes and layers.
+        """
         chart: dict[str, JSON] = json.loads(self._drawn.json())
         return chart
 

@@ -149,7 +149,23 @@ class Recording:
         return self._core.report(form == "markdown", language)
 
     def to_dict(self, language: str = "en") -> dict[str, JSON]:
-        """Return the document of the schema ``bouncelab.analysis/2``, with sentences in a language."""
+        """Return the document of the schema ``bouncelab.analysis/2``.
+
+        Parameters
+        ----------
+        language : str
+            Language of its sentences, one of :func:`bouncelab.languages`.
+
+        Returns
+        -------
+        dict
+            As JSON has it: lists, numbers, texts and ``None``.
+
+        Raises
+        ------
+        UnknownNameError
+            If there is no such language.
+        """
         document: dict[str, JSON] = json.loads(self._core.document(language))
         return document
 
@@ -158,8 +174,6 @@ class Recording:
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Recording) and self._document == other._document
-
-    __hash__ = None  # type: ignore[assignment]
 
     def __repr__(self) -> str:
         return f"<bouncelab.Recording {self.name!r}: {_counted(len(self.drops), 'drop')}>"
@@ -278,14 +292,38 @@ class Drop:
         return tuple(self._recording._core.figure_names(self._place))
 
     def figure(self, name: str, language: str = "en") -> Figure:
-        """Return a figure; see :meth:`Recording.figure`."""
+        """Return a figure.
+
+        Parameters
+        ----------
+        name : str
+            One of ``figures``.
+        language : str
+            One of :func:`bouncelab.languages`.
+
+        Returns
+        -------
+        Figure
+            In a notebook it shows itself.
+
+        Raises
+        ------
+        UnknownNameError
+            If there is no such figure or language.
+        """
         return figure(self, name, language)
 
     def _chart(self, name: str, language: str) -> _core.Chart:
         return self._recording._core.figure(name, language, self._place)
 
     def to_dict(self) -> dict[str, JSON]:
-        """Return the drop as in the document of the recording."""
+        """Return the drop as in the document of the recording.
+
+        Returns
+        -------
+        dict
+            As JSON has it: lists, numbers, texts and ``None``.
+        """
         return self._document
 
     def __reduce__(self) -> tuple[type[Drop], tuple[Recording, int]]:
@@ -293,8 +331,6 @@ class Drop:
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Drop) and self._document == other._document
-
-    __hash__ = None  # type: ignore[assignment]
 
     def __repr__(self) -> str:
         what = f"{_counted(len(self.impacts), 'impact')}"
@@ -309,7 +345,15 @@ class Drop:
 
 
 class Drops(Table):
-    """The drops of a recording: a sequence of :class:`Drop`, and a table with a row for each."""
+    """The drops of a recording: a sequence of :class:`Drop`, and a table with a row for each.
+
+    Examples
+    --------
+    >>> import bouncelab as bl
+    >>> drops = bl.analyze_times([0.0, 0.4605, 0.8877, 1.2854, 1.6568, 2.0045], draws=500).drops
+    >>> bool(drops[0].restitution.value == drops["restitution"][0])
+    True
+    """
 
     __slots__ = ("_recording",)
 
@@ -367,7 +411,13 @@ class Draws(Table):
         return tuple(column.name for column in self.columns)
 
     def to_arviz(self) -> InferenceData:
-        """Return the draws for ArviZ, which must be installed: one chain of independent draws."""
+        """Return the draws for ArviZ, which must be installed.
+
+        Returns
+        -------
+        arviz.InferenceData
+            One chain of independent draws, in the group ``posterior``.
+        """
         import arviz
 
         posterior = {name: self[name][None, :] for name in self.names}

@@ -39,6 +39,16 @@ class Study:
     drops, impacts : Table
         One row for each drop, and for each impact, with what was noted of its recording: the tables that the
         program ``bouncelab session`` writes.
+
+    Examples
+    --------
+    >>> import bouncelab as bl
+    >>> import tempfile
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     bl.synthesize(bounces=12, seed=1).save(f"{folder}/wood.wav")
+    ...     study = bl.session(folder, ball="table-tennis-40", draws=None)
+    >>> len(study.drops), study.no_study is None
+    (1, False)
     """
 
     drops: Table
@@ -66,18 +76,50 @@ class Study:
         return tuple(self._charts["en"])
 
     def figure(self, name: str, language: str = "en") -> Figure:
-        """Return a figure; see :meth:`Recording.figure`."""
+        """Return a figure.
+
+        Parameters
+        ----------
+        name : str
+            One of ``figures``.
+        language : str
+            One of :func:`bouncelab.languages`.
+
+        Returns
+        -------
+        Figure
+            In a notebook it shows itself.
+
+        Raises
+        ------
+        UnknownNameError
+            If there is no such figure or language.
+        """
         return figure(self, name, language)
 
     def _chart(self, name: str, language: str) -> _core.Chart:
         return named(in_language(self._charts, language), name)
 
     def to_dict(self, language: str = "en") -> dict[str, JSON]:
-        """Return the document of the schema ``bouncelab.session/2``."""
+        """Return the document of the schema ``bouncelab.session/2``.
+
+        Parameters
+        ----------
+        language : str
+            Language of its sentences, one of :func:`bouncelab.languages`.
+
+        Returns
+        -------
+        dict
+            As JSON has it: lists, numbers, texts and ``None``.
+
+        Raises
+        ------
+        UnknownNameError
+            If there is no such language.
+        """
         document: dict[str, JSON] = json.loads(in_language(self._documents, language))
         return document
-
-    __hash__ = None  # type: ignore[assignment]
 
     def __eq__(self, other: object) -> bool:
         return (
@@ -89,6 +131,10 @@ class Study:
 
     def __repr__(self) -> str:
         return f"<bouncelab.Study: {len(self.drops)} drops in {len(self.groups)} groups>"
+
+    def _repr_html_(self) -> str:
+        """Return the groups as a figure, or else the drops as a table, for notebooks."""
+        return self.figure("groups").svg() if "groups" in self.figures else self.drops._repr_html_()
 
 
 def session(

@@ -16,18 +16,25 @@ from bouncelab._errors import InputError
 class Ball:
     """A ball.
 
-    Parameters
+    Attributes
     ----------
     name : str
         As in ``ball=`` of :func:`bouncelab.analyze`.
     label : str
         For people.
     mass_kg, diameter_m : float
-        Mass and diameter.
+        Mass in kg and diameter in m.
     contact_time_s : float
-        How long it typically touches the surface.
+        How long it typically touches the surface, in s.
     source : str
         Where mass and diameter come from.
+
+    Examples
+    --------
+    >>> import bouncelab as bl
+    >>> ball = bl.presets()[0]
+    >>> ball.name, ball.mass_kg, ball.diameter_m
+    ('table-tennis-40', 0.0027, 0.04)
     """
 
     name: str
@@ -42,12 +49,19 @@ class Ball:
 class Air:
     """Air.
 
-    Parameters
+    Attributes
     ----------
     density_kg_m3 : float
-        Density; 0 is vacuum.
+        Density in kg/m³; 0 is vacuum.
     viscosity_pa_s : float
-        Dynamic viscosity.
+        Dynamic viscosity in Pa s.
+
+    Examples
+    --------
+    >>> import bouncelab as bl
+    >>> on_mars = bl.Air(density_kg_m3=0.02, viscosity_pa_s=1.3e-5)
+    >>> bl.terminal_speed_m_s(air=on_mars, gravity_m_s2=3.71) > bl.terminal_speed_m_s()
+    True
     """
 
     density_kg_m3: float
@@ -55,7 +69,15 @@ class Air:
 
 
 class Surroundings(TypedDict, total=False):
-    """What is known of ball, air and gravity; see :func:`bouncelab.analyze`."""
+    """What is known of ball, air and gravity: keyword arguments, which :func:`bouncelab.analyze` describes.
+
+    Examples
+    --------
+    >>> import bouncelab as bl
+    >>> known: bl.Surroundings = {"ball": "tennis", "temperature_k": 288.15}
+    >>> len(bl.simulate(bounces=3, **known).bounces)
+    3
+    """
 
     ball: str | Ball | None
     mass_kg: float | None
@@ -74,7 +96,15 @@ class Surroundings(TypedDict, total=False):
 
 
 class Options(Surroundings, total=False):
-    """What is known and asked; see :func:`bouncelab.analyze`."""
+    """What is known and asked: keyword arguments, which :func:`bouncelab.analyze` describes.
+
+    Examples
+    --------
+    >>> import bouncelab as bl
+    >>> options: bl.Options = {"ball": "tennis", "draws": None}
+    >>> bl.analyze_times([0.0, 0.5, 0.9], **options).settings.ball_diameter_m
+    0.066
+    """
 
     height_m: float | None
     height_sd_m: float | None

@@ -98,9 +98,8 @@ class Simulation:
         """
         import numpy as np
 
-        given = np.asarray(times_s)
-        heights = self._core.height_m(as_numbers("times_s", given.ravel()))
-        return np.frombuffer(heights).reshape(given.shape)
+        heights = self._core.height_m(as_numbers("times_s", times_s, flat=True))
+        return np.frombuffer(heights).reshape(np.shape(times_s))
 
     @property
     def figures(self) -> tuple[str, ...]:
@@ -108,14 +107,48 @@ class Simulation:
         return ("height", "flight-times")
 
     def figure(self, name: str, language: str = "en") -> Figure:
-        """Return a figure; see :meth:`Recording.figure`."""
+        """Return a figure.
+
+        Parameters
+        ----------
+        name : str
+            One of ``figures``.
+        language : str
+            One of :func:`bouncelab.languages`.
+
+        Returns
+        -------
+        Figure
+            In a notebook it shows itself.
+
+        Raises
+        ------
+        UnknownNameError
+            If there is no such figure or language.
+        """
         return figure(self, name, language)
 
     def _chart(self, name: str, language: str) -> _core.Chart:
         return self._core.figure(name, language)
 
     def to_dict(self, language: str = "en") -> dict[str, JSON]:
-        """Return the document of the schema ``bouncelab.simulation/2``."""
+        """Return the document of the schema ``bouncelab.simulation/2``.
+
+        Parameters
+        ----------
+        language : str
+            Language of its sentences, one of :func:`bouncelab.languages`.
+
+        Returns
+        -------
+        dict
+            As JSON has it: lists, numbers, texts and ``None``.
+
+        Raises
+        ------
+        UnknownNameError
+            If there is no such language.
+        """
         document: dict[str, JSON] = json.loads(self._core.document(language))
         return document
 
@@ -125,8 +158,6 @@ class Simulation:
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Simulation) and self.to_dict() == other.to_dict()
 
-    __hash__ = None  # type: ignore[assignment]
-
     def __repr__(self) -> str:
         return f"<bouncelab.Simulation: {len(self.bounces)} bounces in {self.total_time_s:.3f} s>"
 
@@ -135,7 +166,7 @@ class Simulation:
 class Sound:
     """A synthesised recording, and the truth about it.
 
-    Parameters
+    Attributes
     ----------
     samples : numpy.ndarray of float32, shape (frames,)
         The samples, 1 being full scale.
@@ -165,6 +196,7 @@ class Sound:
         Parameters
         ----------
         path : str or path-like
+            Where to; a name that ends in ``.wav``.
 
         Raises
         ------
@@ -181,8 +213,6 @@ class Sound:
             and self.simulation == other.simulation
             and self.samples.tobytes() == other.samples.tobytes()
         )
-
-    __hash__ = None  # type: ignore[assignment]
 
     def __repr__(self) -> str:
         seconds = len(self.samples) / self.sample_rate_hz
@@ -291,7 +321,9 @@ def synthesize(
         the impacts that is left out; level at which the sound is cut off.
     lead_in_s, tail_s : float
         Time before the release, and after the last impact.
-    height_m, launch_speed_m_s, restitution, restitution_slope_s_m, until_m, bounces
+    height_m, launch_speed_m_s, restitution, restitution_slope_s_m, until_m : float
+        As of :func:`simulate`.
+    bounces : int, optional
         As of :func:`simulate`.
     **surroundings
         Ball, air, drag and gravity, as of :func:`analyze`.

@@ -16,7 +16,23 @@ if TYPE_CHECKING:
 
 
 class Column(NamedTuple):
-    """Name, unit and meaning of a column."""
+    """Name, unit and meaning of a column.
+
+    Attributes
+    ----------
+    name : str
+        The name, as in ``table[name]``.
+    unit : str
+        The unit; empty for what has none.
+    about : str
+        The meaning.
+
+    Examples
+    --------
+    >>> import bouncelab as bl
+    >>> bl.analyze_times([0.0, 0.5, 0.9], draws=None).impacts.columns[2][:2]
+    ('time_s', 's')
+    """
 
     name: str
     unit: str
@@ -46,7 +62,7 @@ class Table:
 
     @property
     def columns(self) -> tuple[Column, ...]:
-        """Name, unit and meaning of each column."""
+        """Name, unit and meaning of each column, in their order."""
         return tuple(Column(*about) for about in self._core.about())
 
     def __len__(self) -> int:
@@ -83,25 +99,46 @@ class Table:
         """Return the stream of Arrow, for programs that read it."""
         return self._core.__arrow_c_stream__(requested_schema)
 
-    def to_arrow(self) -> pyarrow.Table:
-        """Return a table of pyarrow, which must be installed."""
+    def to_arrow(self) -> pyarrow.Table:  # type: ignore[no-any-unimported]  # pyarrow has no types
+        """Return a table of pyarrow, which must be installed.
+
+        Returns
+        -------
+        pyarrow.Table
+        """
         import pyarrow
 
         return pyarrow.table(self)
 
     def to_polars(self) -> polars.DataFrame:
-        """Return a data frame of Polars, which must be installed."""
+        """Return a data frame of Polars, which must be installed.
+
+        Returns
+        -------
+        polars.DataFrame
+        """
         import polars
 
         return polars.DataFrame(self)
 
     def to_pandas(self) -> pandas.DataFrame:
-        """Return a data frame of pandas, which must be installed, with pyarrow."""
+        """Return a data frame of pandas, which must be installed, with pyarrow.
+
+        Returns
+        -------
+        pandas.DataFrame
+        """
         frame: pandas.DataFrame = self.to_arrow().to_pandas()
         return frame
 
     def to_dict(self) -> dict[str, list[float | int | bool | str | None]]:
-        """Return the columns as lists by name; what is not known is ``None``."""
+        """Return the columns as lists.
+
+        Returns
+        -------
+        dict of list
+            By name; what is not known is ``None``.
+        """
         columns = json.loads(self._core.json())
         return {column["name"]: next(iter(column["values"].values())) for column in columns}
 
@@ -110,8 +147,6 @@ class Table:
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Table) and self._core.json() == other._core.json()
-
-    __hash__ = None  # type: ignore[assignment]
 
     def __repr__(self) -> str:
         names = ", ".join(column.name for column in self.columns)

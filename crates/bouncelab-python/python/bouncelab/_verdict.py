@@ -26,7 +26,23 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, slots=True)
 class Rule:
-    """A rule of a sport, by its name for :func:`verdict`, its title and its source."""
+    """A rule of a sport.
+
+    Attributes
+    ----------
+    name : str
+        As in ``rule=`` of :func:`verdict`.
+    title : str
+        For people.
+    source : str
+        The rule book, its edition and place.
+
+    Examples
+    --------
+    >>> import bouncelab as bl
+    >>> [rule.title for rule in bl.rules() if rule.name == "ittf-ball"]
+    ['Table-tennis ball, 40 mm']
+    """
 
     name: str
     title: str
@@ -38,6 +54,16 @@ class Verdict:
     """Whether drops obey a rule, and how certainly.
 
     It comes from :func:`bouncelab.verdict`.
+
+    Examples
+    --------
+    >>> import bouncelab as bl
+    >>> sound = bl.synthesize(height_m=0.305, restitution=0.6, bounces=8, seed=1)
+    >>> found = bl.verdict([sound.samples], "ittf-ball", sample_rate_hz=sound.sample_rate_hz, draws=500)
+    >>> found.outcome
+    'fail'
+    >>> found.rebound_m.value < 0.24
+    True
     """
 
     _documents: dict[str, str]
@@ -82,7 +108,25 @@ class Verdict:
         return tuple(self._charts["en"])
 
     def figure(self, name: str = "limits", language: str = "en") -> Figure:
-        """Return a figure; see :meth:`Recording.figure`."""
+        """Return a figure.
+
+        Parameters
+        ----------
+        name : str
+            One of ``figures``.
+        language : str
+            One of :func:`bouncelab.languages`.
+
+        Returns
+        -------
+        Figure
+            In a notebook it shows itself.
+
+        Raises
+        ------
+        UnknownNameError
+            If there is no such figure or language.
+        """
         return figure(self, name, language)
 
     def _chart(self, name: str, language: str) -> _core.Chart:
@@ -97,11 +141,25 @@ class Verdict:
         return tuple(read(Diagnostic, each) for each in known)
 
     def to_dict(self, language: str = "en") -> dict[str, JSON]:
-        """Return the document of the schema ``bouncelab.verdict/2``."""
+        """Return the document of the schema ``bouncelab.verdict/2``.
+
+        Parameters
+        ----------
+        language : str
+            Language of its sentences, one of :func:`bouncelab.languages`.
+
+        Returns
+        -------
+        dict
+            As JSON has it: lists, numbers, texts and ``None``.
+
+        Raises
+        ------
+        UnknownNameError
+            If there is no such language.
+        """
         document: dict[str, JSON] = json.loads(in_language(self._documents, language))
         return document
-
-    __hash__ = None  # type: ignore[assignment]
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Verdict) and self._documents == other._documents
@@ -109,9 +167,17 @@ class Verdict:
     def __repr__(self) -> str:
         return f"<bouncelab.Verdict: {self.outcome}>"
 
+    def _repr_html_(self) -> str:
+        """Return the figure, which states the verdict, for notebooks."""
+        return self.figure().svg()
+
 
 def rules() -> tuple[Rule, ...]:
     """Return the rules that are built in.
+
+    Returns
+    -------
+    tuple of Rule
 
     Examples
     --------

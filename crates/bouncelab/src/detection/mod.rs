@@ -38,7 +38,9 @@ use crate::onset::{self, Onset, OnsetDetector};
 use crate::simd::dispatch;
 use crate::stats::median;
 use crate::train::{self, Recording, Span, TrainSearch};
+use std::fmt;
 use std::ops::Range;
+use std::sync::Arc;
 
 pub use watch::DropWatch;
 
@@ -71,6 +73,7 @@ pub struct DetectionOptions {
 
 /// Detects the drops in a stream of samples, of one or more channels.
 #[derive(Clone, Debug)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Detector {
     /// Channels that were equal to the first so far are `None`: they share its detector.
     channels: Vec<Option<ChannelDetector>>,
@@ -81,6 +84,7 @@ pub struct Detector {
 
 /// The detections in a recording.
 #[derive(Clone, Debug)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Detection {
     /// Samples a second.
     pub sample_rate_hz: u32,
@@ -204,6 +208,38 @@ impl Detector {
         }
     }
 
+    /// The same detector, new, for samples that stay at hand elsewhere, as in an array: it remembers hardly
+    /// any of them, and reads older ones again when it needs them. `read` gives the samples of a channel,
+    /// counted from 0, whose numbers lie in a range; all of them were pushed before. The result is the
+    /// same.
+    ///
+    /// ```
+    /// use bouncelab::{Detector, demo};
+    ///
+    /// let sound = demo::sound(&demo::history()?, 1)?;
+    /// let kept = sound.samples.clone();
+    /// let mut detector = Detector::new(sound.sample_rate_hz, 1)
+    ///     .rereading(move |_, range| kept[range.start as usize..range.end as usize].to_vec());
+    /// detector.push(&[&sound.samples]);
+    /// assert_eq!(detector.finish().found.trains.len(), 1);
+    /// # Ok::<(), bouncelab::Error>(())
+    /// ```
+    #[must_use]
+    pub fn rereading(
+        mut self,
+        read: impl Fn(usize, Range<u64>) -> Vec<f32> + Send + Sync + 'static,
+    ) -> Self {
+        let read: Arc<ReadKept> = Arc::new(read);
+        for channel in self.channels.iter_mut().flatten() {
+            channel.detector.set_remembering(false);
+            channel.kept = Some(Kept {
+                channel: self.only.unwrap_or(0),
+                read: Arc::clone(&read),
+            });
+        }
+        self
+    }
+
     /// Takes the next samples of every channel.
     ///
     /// # Panics
@@ -225,7 +261,11 @@ impl Detector {
         };
         for (index, samples) in channels.iter().enumerate().skip(1) {
             if self.channels[index].is_none() && *samples != channels[0] {
-                self.channels[index] = self.channels[0].clone();
+                let mut channel = self.channels[0].clone();
+                if let Some(kept) = channel.as_mut().and_then(|it| it.kept.as_mut()) {
+                    kept.channel = index;
+                }
+                self.channels[index] = channel;
             }
         }
         for (channel, samples) in self.channels.iter_mut().zip(channels) {
@@ -291,6 +331,7 @@ impl Detector {
 
 /// Detects the onsets of one channel.
 #[derive(Clone, Debug)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 struct ChannelDetector {
     sample_rate_hz: f64,
     /// Remembers the samples from the first onset not yet judged on.
@@ -303,19 +344,42 @@ struct ChannelDetector {
     found: TrainSearch,
     envelope: Envelope,
     clipping: Clipping,
+    /// Where samples are that are not remembered, if they are kept.
+    #[cfg_attr(feature = "serde", serde(skip))]
+    kept: Option<Kept>,
+}
+
+/// The samples of a channel, which are kept elsewhere.
+#[derive(Clone)]
+struct Kept {
+    /// The channel, counted from 0, and the function that reads it.
+    channel: usize,
+    read: Arc<ReadKept>,
+}
+
+type ReadKept = dyn Fn(usize, Range<u64>) -> Vec<f32> + Send + Sync;
+
+impl fmt::Debug for Kept {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Kept")
+            .field("channel", &self.channel)
+            .finish_non_exhaustive()
+    }
 }
 
 impl ChannelDetector {
-    fn new(detector: OnsetDetector, sample_rate_hz: u32) -> Self {
+    fn new(mut detector: OnsetDetector, sample_rate_hz: u32) -> Self {
+        detector.set_remembering(true);
         Self {
             sample_rate_hz: f64::from(sample_rate_hz),
-            detector: detector.remembering(),
+            detector,
             onsets: Vec::new(),
             onsets_judged: 0,
             judged_s: 0.0,
             found: TrainSearch::default(),
             envelope: Envelope::new(sample_rate_hz),
             clipping: Clipping::default(),
+            kept: None,
         }
     }
 
@@ -395,7 +459,14 @@ impl ChannelDetector {
         let number = |time_s: f64| (time_s * self.sample_rate_hz).max(0.0) as u64;
         let range = number(range_s.start)..number(range_s.end);
         let mut samples = Vec::new();
-        let first = self.detector.history().read(range, &mut samples);
+        let mut first = self.detector.history().read(range.clone(), &mut samples);
+        if let Some(Kept { channel, read }) = &self.kept
+            && range.start < first.min(range.end)
+        {
+            let older = read(*channel, range.start..first.min(range.end));
+            samples.splice(..0, onset::finite(&older).iter().copied());
+            first = first.min(range.end) - older.len() as u64;
+        }
         Recording {
             samples,
             start_s: first as f64 / self.sample_rate_hz,
@@ -481,6 +552,7 @@ fn standing_out(onsets: &[Onset]) -> usize {
 /// Least and greatest sample in equal steps of time: a picture of a recording of any length, in
 /// constant memory.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Envelope {
     sample_rate_hz: f64,
     samples_per_step: usize,
@@ -645,6 +717,7 @@ fn greater(a: f32, b: f32) -> f32 {
 
 /// Counts samples cut off at the limit of the recorder: runs of the same extreme value.
 #[derive(Clone, Debug, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 struct Clipping {
     extreme: f32,
     last: f32,

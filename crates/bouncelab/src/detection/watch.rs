@@ -29,6 +29,7 @@ const SETTLED_S: f64 = 3.6;
 /// # Ok::<(), bouncelab::Error>(())
 /// ```
 #[derive(Clone, Debug)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct DropWatch {
     detector: Detector,
     sample_rate_hz: f64,
@@ -46,6 +47,7 @@ pub struct DropWatch {
 
 /// What is counted from drop to drop.
 #[derive(Clone, Copy, Debug, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 struct Reported {
     time_s: f64,
     clipped_samples: u64,

@@ -34,6 +34,7 @@ pub(super) type FrameEnergies = [[f32; FRAME_HOPS]; BANDS];
 
 /// The filters of all bands, and what they say of noise.
 #[derive(Clone, Debug)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub(super) struct FilterBank {
     /// How many bands lie below the Nyquist frequency; the rest have no energy.
     pub(super) bands: usize,
@@ -51,7 +52,6 @@ pub(super) struct FilterBank {
     /// The levels of the tree and the band each belongs to.
     levels: Vec<(usize, usize)>,
     low: LowBands,
-    energies: FrameEnergies,
     has_begun: bool,
 }
 
@@ -72,7 +72,6 @@ impl FilterBank {
             octaves: Octaves::new(halvings, hop * FRAME_HOPS),
             levels: Vec::new(),
             low: LowBands::new(),
-            energies: [[0.0; FRAME_HOPS]; BANDS],
             has_begun: false,
         };
         bank.set_low_bands(low_rate_hz);
@@ -145,19 +144,19 @@ impl FilterBank {
 
     /// Mean square of each band in each hop of the next frame of samples.
     #[inline(always)]
-    pub(super) fn energies(&mut self, frame: &[f32]) -> &FrameEnergies {
+    pub(super) fn energies(&mut self, frame: &[f32]) -> FrameEnergies {
         if !self.has_begun {
             self.has_begun = true;
             self.octaves.begin(frame[0]);
             self.low.offset = frame[0];
         }
-        self.energies = [[0.0; FRAME_HOPS]; BANDS];
+        let mut energies = [[0.0; FRAME_HOPS]; BANDS];
         let rest = self.octaves.push(frame);
-        self.low.energies(rest, &mut self.energies);
+        self.low.energies(rest, &mut energies);
         for &(level, band) in &self.levels {
-            self.octaves.add_energies(level, &mut self.energies[band]);
+            self.octaves.add_energies(level, &mut energies[band]);
         }
-        &self.energies
+        energies
     }
 }
 
@@ -168,6 +167,7 @@ const LANES: usize = 8;
 /// The filters of the lower bands, in direct form I. The sections of a band work on successive
 /// samples at a time, so that all of them can run side by side.
 #[derive(Clone, Debug)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 struct LowBands {
     offset: f32,
     gain: [f32; LOW],

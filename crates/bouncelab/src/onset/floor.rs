@@ -10,6 +10,7 @@ const BINS: usize = 1 << (31 - SHIFT);
 /// The values are counted in bins, and the bin of the quantile is sought from where it was: a new
 /// value costs the same however many there are.
 #[derive(Clone, Debug)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub(super) struct Quantile {
     share: f64,
     capacity: usize,
@@ -84,6 +85,7 @@ impl Quantile {
 /// The smallest step between samples. What the format cannot resolve is noise, even where a
 /// recording is digitally silent.
 #[derive(Clone, Debug)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub(super) struct QuantisationStep {
     last: f32,
     smallest: f32,

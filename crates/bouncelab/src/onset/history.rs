@@ -8,6 +8,7 @@ const PIECE_FRAMES: usize = 32;
 
 /// Remembers samples by their number in the stream. A frame lies in one piece.
 #[derive(Clone, Debug)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub(crate) struct History {
     frame: usize,
     pieces: VecDeque<Vec<f32>>,
@@ -15,6 +16,7 @@ pub(crate) struct History {
     first: u64,
     /// How many samples there have been.
     end: u64,
+    #[cfg_attr(feature = "serde", serde(skip))]
     spare: Vec<Vec<f32>>,
 }
 

@@ -53,6 +53,7 @@ use std::ops::Range;
 
 /// A candidate for an impact.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Onset {
     /// Time of the onset in seconds from the first sample.
     pub time_s: f64,
@@ -127,6 +128,7 @@ const STEP_SHARE: usize = 8;
 /// The samples are worked on in frames of some 30 ms, so a candidate comes up to a tenth of a
 /// second late, and does not depend on the blocks in which the samples come.
 #[derive(Clone, Debug)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct OnsetDetector {
     sample_rate_hz: f64,
     spacing: u64,
@@ -197,12 +199,9 @@ impl OnsetDetector {
         }
     }
 
-    /// The same detector, which forgets no sample by itself.
-    pub(crate) fn remembering(self) -> Self {
-        Self {
-            remembers: true,
-            ..self
-        }
+    /// Whether it forgets no sample by itself.
+    pub(crate) fn set_remembering(&mut self, remembers: bool) {
+        self.remembers = remembers;
     }
 
     /// The samples that are remembered.
@@ -284,7 +283,7 @@ impl OnsetDetector {
                 self.step.see(&frame[..frame.len() / STEP_SHARE]);
                 let energies = self.bank.energies(frame);
                 self.energies
-                    .push(energies, self.step.power(), BAR, &mut self.moments);
+                    .push(&energies, self.step.power(), BAR, &mut self.moments);
             },
         );
     }

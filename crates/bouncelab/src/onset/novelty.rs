@@ -27,6 +27,7 @@ const FRAMES_SUMMED: usize = 8;
 
 /// A moment and what begins there.
 #[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub(super) struct Novelty {
     /// Number of the hop that begins here.
     pub(super) hop: u64,
@@ -54,6 +55,7 @@ impl Novelty {
 
 /// The latest energies of one band, and what is expected of them.
 #[derive(Clone, Debug)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 struct Band {
     /// Hops after and before a moment that are compared.
     after: usize,
@@ -70,6 +72,7 @@ struct Band {
 
 /// The band energies of the latest hops.
 #[derive(Clone, Debug)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub(super) struct HopEnergies {
     bands: Vec<Band>,
     /// Of each band the sums of the energies before each hop.
@@ -82,8 +85,6 @@ pub(super) struct HopEnergies {
     look_ahead: usize,
     /// Number of the first hop of the next frame.
     next: u64,
-    /// How novel each moment of a frame can be at most: the square of its strength.
-    most: [f32; FRAME_HOPS],
 }
 
 /// So many hops make this time, nearly.
@@ -124,7 +125,6 @@ impl HopEnergies {
             history,
             look_ahead,
             next: 0,
-            most: [0.0; FRAME_HOPS],
         }
     }
 
@@ -153,34 +153,39 @@ impl HopEnergies {
             band.push(energies, noise_power);
         }
         let first = self.first + self.history - self.look_ahead;
+        // How novel each moment can be at most: the square of its strength.
+        let mut most = [0.0; FRAME_HOPS];
         // The first moments of a recording have little before them.
         if self.next < self.history as u64 {
-            self.most.fill(f32::INFINITY);
+            most.fill(f32::INFINITY);
         } else {
-            self.most.fill(0.0);
             for (band, sums) in self.bands.iter().zip(&self.sums) {
-                band.add_most(sums, first, &mut self.most);
+                band.add_most(sums, first, &mut most);
             }
         }
         // Rounding of the bound must not hide a moment.
         let screen = (0.99 * bar * bar) as f32;
         // Most stretches have no such moment; each is asked at once.
-        for (from, most) in (0..)
-            .step_by(STRETCH)
-            .zip(self.most.as_chunks::<STRETCH>().0)
-        {
+        for (from, most) in (0..).step_by(STRETCH).zip(most.as_chunks::<STRETCH>().0) {
             if most.iter().map(|m| u8::from(*m >= screen)).max() == Some(1) {
-                self.judge_stretch(from, screen, bar, moments);
+                self.judge_stretch(from, most, screen, bar, moments);
             }
         }
         self.next += FRAME_HOPS as u64;
     }
 
     /// Judges the moments from this one on that may be strong enough.
-    fn judge_stretch(&self, from: usize, screen: f32, bar: f64, moments: &mut Vec<Novelty>) {
+    fn judge_stretch(
+        &self,
+        from: usize,
+        most: &[f32; STRETCH],
+        screen: f32,
+        bar: f64,
+        moments: &mut Vec<Novelty>,
+    ) {
         let first = self.first + self.history - self.look_ahead;
-        for at in from..from + STRETCH {
-            if self.most[at] >= screen
+        for (at, &most) in (from..).zip(most) {
+            if most >= screen
                 && let Some(hop) = (self.next + at as u64).checked_sub(self.look_ahead as u64)
             {
                 let moment = self.judge(hop, first + at);

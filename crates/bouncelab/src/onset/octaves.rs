@@ -18,6 +18,7 @@ pub(super) const WHITE_SHARE: f64 = 0.4265;
 
 /// Splits a sound into octaves, one frame of samples after the other.
 #[derive(Clone, Debug)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub(super) struct Octaves {
     levels: Vec<Level>,
     last: LastLevel,
@@ -25,6 +26,7 @@ pub(super) struct Octaves {
 
 /// One level but the last: even and odd samples apart, the latest of the past in front.
 #[derive(Clone, Debug)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 struct Level {
     even: Vec<f32>,
     odd: Vec<f32>,
@@ -37,6 +39,7 @@ struct Level {
 
 /// The last level has an upper half only.
 #[derive(Clone, Debug)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 struct LastLevel {
     samples: Vec<f32>,
     squares: Vec<f32>,

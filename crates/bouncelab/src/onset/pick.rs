@@ -34,6 +34,7 @@ pub(super) struct Pick {
 
 /// Picks onsets; holds the sizes for one sample rate and scratch space.
 #[derive(Clone, Debug)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub(super) struct Picker {
     learn: usize,
     before: usize,

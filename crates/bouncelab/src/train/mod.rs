@@ -59,6 +59,7 @@ const DISTANT_DB: f64 = 12.0;
 
 /// An impact as heard.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct TrainImpact {
     /// Where and how it was heard.
     pub onset: Onset,
@@ -71,6 +72,7 @@ pub struct TrainImpact {
 
 /// The impacts of one drop, in order of time.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Train {
     impacts: Vec<TrainImpact>,
     evidence: f64,
@@ -163,6 +165,7 @@ impl Train {
 
 /// What was found among the onsets.
 #[derive(Clone, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct TrainSearch {
     /// The trains, in order of time; they do not overlap.
     pub trains: Vec<Train>,
@@ -174,6 +177,7 @@ pub struct TrainSearch {
 
 /// Sounds that keep time, though perhaps a little faster as they go on.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub struct PeriodicSequence {
     /// Time of the first sound in seconds.

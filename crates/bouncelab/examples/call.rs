@@ -1,0 +1,31 @@
+//! How long is a call? `cargo run --release --example call -- drop.f32 44100 1000 20` analyses the samples of a
+//! file, one channel as 32-bit floats, as often as that with so many draws, and prints the seconds of each.
+//! `crates/bouncelab-python/benchmarks/measure.py` compares them with those of Python.
+
+use std::error::Error;
+use std::time::Instant;
+
+use bouncelab::analyze;
+use bouncelab::setup::Settings;
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let arguments: Vec<String> = std::env::args().skip(1).collect();
+    let [file, sample_rate_hz, draws, times] = arguments.as_slice() else {
+        return Err("usage: call FILE SAMPLE_RATE_HZ DRAWS TIMES".into());
+    };
+    let bytes = std::fs::read(file)?;
+    let (words, _) = bytes.as_chunks();
+    let samples: Vec<f32> = words.iter().map(|&word| f32::from_le_bytes(word)).collect();
+    let known = Settings {
+        ball: Some("table-tennis-40".to_owned()),
+        draws: Some(draws.parse()?),
+        ..Settings::default()
+    };
+    let (options, rate) = (known.resolve(true)?.options, sample_rate_hz.parse()?);
+    for _ in 0..times.parse::<usize>()? {
+        let start = Instant::now();
+        analyze(&samples, rate, &options)?;
+        println!("{}", start.elapsed().as_secs_f64());
+    }
+    Ok(())
+}
