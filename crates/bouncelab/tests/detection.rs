@@ -475,10 +475,11 @@ fn a_long_recording_is_forgotten_but_its_drops_are_not() {
     assert!(offset.iter().all(|(error, _)| error.abs() < 100e-6));
 }
 
-/// Drops without a pause for longer than is remembered, in two channels that part company late.
+/// Drop after drop for longer than is remembered, in two channels that part company late.
 #[test]
 fn samples_that_are_read_again_say_what_remembered_ones_say() {
-    let starts_s = (0..45).map(|drop| 5.0 * f64::from(drop));
+    let pause_s = 2.0 + usual_strikes().last().unwrap().time_s;
+    let starts_s = (0..45).map(|drop| pause_s * f64::from(drop));
     let strikes: Vec<Strike> = starts_s
         .flat_map(|start_s| {
             usual_strikes().into_iter().map(move |strike| Strike {
