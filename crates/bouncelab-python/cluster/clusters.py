@@ -64,6 +64,8 @@ class Spark:
         self.folder = folder
         self.environment = environment | {"SPARK_HOME": str(self.home), "SPARK_LOCAL_IP": HOST}
         self.environment |= {"PYSPARK_PYTHON": sys.executable, "SPARK_LOCAL_DIRS": str(folder / "local")}
+        # Short jobs gain nothing from the second compiler.
+        self.environment["JAVA_TOOL_OPTIONS"] = "-XX:TieredStopAtLevel=1 -XX:+UseSerialGC"
         self.web = free_port()
         self.url = f"spark://{HOST}:{free_port()}"
         port = self.url.rsplit(":", 1)[1]

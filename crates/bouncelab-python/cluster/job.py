@@ -4,9 +4,14 @@ from __future__ import annotations
 
 import json
 import sys
+from typing import TYPE_CHECKING
 
 import faults
+
 from bouncelab import batch
+
+if TYPE_CHECKING:
+    from pyspark.sql import SparkSession
 
 
 def main() -> None:
@@ -14,26 +19,29 @@ def main() -> None:
     if request.pop("faulty", True):
         batch.kernel = faults.faulty  # type: ignore[assignment]
     engine, url = request.pop("engine"), request.pop("url")
-    print(spark(url, **request) if engine == "Spark" else ray(url, **request))
+    if engine == "Spark":
+        from bouncelab import spark
+
+        print(spark.analyze(spark_session(url), **request))
+    else:
+        import ray as engine_of_ray
+
+        from bouncelab import ray
+
+        engine_of_ray.init(address=url, log_to_driver=False)
+        ray.analyze(request.pop("source"), **request)
 
 
-def spark(url: str, memory: str = "600m", **request: object) -> int:
+def spark_session(url: str) -> SparkSession:
     from pyspark.sql import SparkSession
 
-    from bouncelab.spark import analyze
-
-    session = SparkSession.builder.master(url).config("spark.executor.memory", memory)
-    session = session.config("spark.ui.enabled", False).config("spark.driver.host", "127.0.0.1")
-    return analyze(session.getOrCreate(), **request)  # type: ignore[arg-type]
-
-
-def ray(url: str, source: str, **request: object) -> None:
-    import ray
-
-    from bouncelab.ray import analyze
-
-    ray.init(address=url, log_to_driver=False)
-    analyze(source, **request)  # type: ignore[arg-type]
+    settings = {
+        "spark.driver.host": "127.0.0.1",
+        "spark.executor.memory": "600m",
+        "spark.sql.shuffle.partitions": "4",
+        "spark.ui.enabled": "false",
+    }
+    return SparkSession.builder.master(url).config(map=settings).getOrCreate()
 
 
 if __name__ == "__main__":

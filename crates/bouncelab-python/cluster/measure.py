@@ -4,12 +4,15 @@ spark COUNT [WORKERS]    COUNT recordings on Spark: rows against `session`, file
 ray COUNT [WORKERS]      the same on Ray
 kernel COUNT             the kernel alone, in one process: files a second, memory
 study COUNT              a study of COUNT simulated drops: time and memory
-listing COUNT            COUNT simulated paths planned by Spark: memory of the driver
+listing COUNT            COUNT files without content planned by Spark, one trigger: memory of the driver
 """
 
 from __future__ import annotations
 
+import contextlib
+import json
 import os
+import random
 import resource
 import subprocess
 import sys
@@ -21,7 +24,7 @@ from pathlib import Path
 import psutil
 import pyarrow
 from clusters import Job, Ray, Spark, cluster
-from conftest import PATTERN, differences, listed, names, record
+from laboratory import PATTERN, differences, listed, names, record
 from pyarrow import parquet
 
 from bouncelab import batch
@@ -110,7 +113,7 @@ def kernel(count: int) -> None:
 
 
 def study(count: int) -> None:
-    """Simulated rows: the rows of a few recordings, many times under other names, values moved a little."""
+    """A study of simulated rows."""
     folder = TEMPORARY / f"simulated-{count}.parquet"
     if not folder.exists():
         simulate(folder, count)
@@ -121,35 +124,58 @@ def study(count: int) -> None:
 
 
 def simulate(folder: Path, count: int) -> None:
-    import json
-    import random
-
+    """Rows of sixty drops whose restitution is moved by a hundred random amounts, under names of their own."""
+    chance = random.Random(1)
     source = record(TEMPORARY / "recordings-60", 60)
     given = parquet.read_table(listed(source), columns=["path"])
-    [rows] = [table.to_pylist() for table in [pyarrow.Table.from_batches(batch.kernel(SETTINGS, root=source)(given.to_batches()))]]
-    schema = pyarrow.schema([(name, pyarrow.string()) for name in ("recording", "content_sha256", "settings_sha256", "metadata", "record")])
-    schema = schema.append(pyarrow.field("failure", pyarrow.struct([("code", pyarrow.string()), ("message", pyarrow.string())])))
-    chance = random.Random(1)
+    rows = pyarrow.Table.from_batches(batch.kernel(SETTINGS, root=source)(given.to_batches()))
+    templates = [row for row in rows.to_pylist() if row["drops"]]
+    records = []
+    for place in range(100 * len(templates)):
+        moved, off = json.loads(templates[place % len(templates)]["record"]), chance.gauss(0.0, 0.002)
+        for point in (point for drop in moved["drops"] for point in drop["posterior"]["curve"]):
+            point["value"] += off
+        records.append(json.dumps(moved, separators=(",", ":")))
+    same = ["settings_sha256", "metadata", "failure"]
+    schema = pyarrow.schema(rows.schema.field(name) for name in ["recording", "content_sha256", "record", *same])
     folder.mkdir(parents=True)
     with parquet.ParquetWriter(folder / "rows.parquet", schema) as writer:
-        for start in range(0, count, 5000):
-            made = []
-            for number in range(start, min(count, start + 5000)):
-                row = rows[number % len(rows)]
-                record_ = json.loads(row["record"])
-                off = chance.gauss(0.0, 0.002)
-                for drop in record_["drops"]:
-                    for point in drop["posterior"]["curve"]:
-                        point["value"] += off
-                made.append(
-                    {
-                        "recording": f"{number:08}.wav",
-                        "content_sha256": f"{number:064x}",
-                        "record": json.dumps(record_, separators=(",", ":")),
-                        **{name: row[name] for name in ("settings_sha256", "metadata", "failure")},
-                    }
-                )
-            writer.write_table(pyarrow.Table.from_pylist(made, schema))
+        for start in range(0, count, 10_000):
+            numbers = range(start, min(count, start + 10_000))
+            chosen = [chance.randrange(len(records)) for _ in numbers]
+            columns = {
+                "recording": [f"{number:08}.wav" for number in numbers],
+                "content_sha256": [f"{number:064x}" for number in numbers],
+                "record": [records[place] for place in chosen],
+            }
+            columns |= {name: [templates[place % len(templates)][name] for place in chosen] for name in same}
+            writer.write_table(pyarrow.table(columns, schema))
+
+
+def listing(count: int) -> None:
+    """The files hold nothing, and the kernel is not asked: only what the driver does is measured."""
+    source = TEMPORARY / f"listing-{count}"
+    for number in range(count):
+        path = source / f"{number // 1000:04}" / f"{number:07}.wav"
+        if number % 1000 == 0:
+            path.parent.mkdir(parents=True, exist_ok=True)
+        path.touch()
+    with tempfile.TemporaryDirectory(dir=TEMPORARY) as folder, cluster(Spark, Path(folder) / "c") as started:
+        job = Job(started, source, Path(folder) / "results.parquet", settings=SETTINGS, faulty=False)
+        most = 0.0
+
+        def is_planned() -> bool:
+            nonlocal most
+            for process in _family(job.process.pid):
+                with contextlib.suppress(psutil.Error):
+                    most = max(most, process.memory_info().rss / MB)
+            return (job.checkpoint / "commits" / "0").exists()
+
+        start = time.monotonic()
+        job.until(is_planned, "the first trigger")
+        job.kill()
+        print(f"{count} paths: first trigger of 10,000 done after {time.monotonic() - start:.0f} s")
+        print(f"driver: at most {most:.0f} MB")
 
 
 if __name__ == "__main__":
@@ -160,5 +186,6 @@ if __name__ == "__main__":
         "spark": lambda: engine(Spark, *counts),
         "ray": lambda: engine(Ray, *counts),
         "kernel": lambda: kernel(*counts),
+        "listing": lambda: listing(*counts),
         "study": lambda: study(*counts),
     }[what]()

@@ -2,92 +2,60 @@
 
 from __future__ import annotations
 
-import shutil
 from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from clusters import Job, Ray, cluster
-from conftest import SETTINGS, differences, listed, names, rows, work
+import ray as engine_of_ray
+from clusters import Ray, cluster
+from faults import faulty
+from laboratory import SETTINGS, differences, failures, listed, names, rows, with_faults, work
+
+from bouncelab import batch
+from bouncelab.ray import analyze
 
 #: For what is not about numbers.
-QUICK = {"draws": None}
-BLOCK = 50
+QUICK: batch.Settings = {"draws": None}
 
 
 @pytest.fixture(scope="module")
 def ray(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Ray]:
     with cluster(Ray, tmp_path_factory.mktemp("r")) as started:
         assert isinstance(started, Ray)
+        engine_of_ray.init(address=started.url, log_to_driver=False)
         yield started
+        engine_of_ray.shutdown()
 
 
 def test_rows_are_those_of_a_session(ray: Ray, recordings: Path, session: Path, tmp_path: Path) -> None:
     output = tmp_path / "results.parquet"
-    Job(ray, listed(recordings), output, settings=SETTINGS, faulty=False).finish()
+    analyze(listed(recordings), output, tmp_path / "checkpoint", SETTINGS)
     cells, different = differences(session, output, tmp_path / "tables")
     count = len(names(output))
     print(f"Ray: {count} recordings, {cells} cells, {different} differ")
     assert (count, different) == (len(list(recordings.iterdir())), 0)
 
 
-def blocks(output: Path) -> int:
-    return len(list(output.glob("*.parquet"))) if output.exists() else 0
+def test_rows_are_those_of_the_kernel_alone(ray: Ray, few: Path, tmp_path: Path) -> None:
+    analyze(listed(few), tmp_path / "results.parquet", tmp_path / "checkpoint", SETTINGS)
+    assert rows(tmp_path / "results.parquet") == alone(few)
 
 
-def test_a_driver_killed_at_five_moments_loses_nothing(ray: Ray, few: Path, tmp_path: Path) -> None:
-    before = len(work(ray.folder))
-    output, source = tmp_path / "results.parquet", listed(few)
-    for kill in range(5):
-        job = Job(ray, source, output, settings=QUICK)
-        job.until(lambda kill=kill: blocks(output) > kill, "a block")  # type: ignore[misc]
-        job.kill()
-    Job(ray, source, output, settings=QUICK).finish()
-    check(ray, few, output, before, kills=5)
-
-
-def test_a_worker_killed_at_five_moments_loses_nothing(ray: Ray, few: Path, tmp_path: Path) -> None:
-    before = len(work(ray.folder))
-    output, source = tmp_path / "results.parquet", listed(few)
-    job = Job(ray, source, output, settings=QUICK)
-    for kill in range(5):
-        job.until(lambda kill=kill: blocks(output) > kill, "a block")  # type: ignore[misc]
-        ray.kill_worker()
-        ray.add_worker()
-    job.finish()
-    check(ray, few, output, before, kills=5)
-
-
-def check(ray: Ray, source: Path, output: Path, before: int, kills: int) -> None:
-    expected = sorted(path.name for path in source.iterdir())
-    assert names(output) == expected
-    again = len(work(ray.folder)) - before - len(expected)
-    print(f"Ray: {kills} kills, 0 lost, 0 double, {again} recordings analysed again")
-    assert again <= kills * BLOCK * 2
-
-
-def test_what_fails_becomes_a_row(ray: Ray, few: Path, tmp_path: Path) -> None:
-    source = tmp_path / "recordings"
-    shutil.copytree(few, source)
-    broken = sorted(source.iterdir())[::100]
-    for path in broken:
-        path.write_bytes(path.read_bytes()[:30])
-    whole = next(few.iterdir())
-    for name in ("abort", "endless"):
-        shutil.copy(whole, source / f"{name}.wav")
+def test_what_fails_becomes_a_row(ray: Ray, few: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(batch, "kernel", faulty)
+    source, broken = with_faults(few, tmp_path / "recordings")
     output = tmp_path / "results.parquet"
-    Job(ray, listed(source), output, settings=QUICK | {"time_limit_s": 20.0}).finish()
-    failed = {row["recording"]: row["failure"]["code"] for row in rows(output).to_pylist() if row["failure"]}
-    expected = {path.name: "not-analysed" for path in broken}
-    assert failed == expected | {"abort.wav": "process-died", "endless.wav": "out-of-time"}
+    analyze(listed(source), output, tmp_path / "checkpoint", {**QUICK, "time_limit_s": 20.0})
+    expected = dict.fromkeys(broken, "not-analysed")
+    assert failures(output) == expected | {"abort.wav": "process-died", "endless.wav": "out-of-time"}
     assert len(names(output)) == 302
 
 
-def test_nothing_new_is_nothing_done(ray: Ray, few: Path, tmp_path: Path) -> None:
-    output, source = tmp_path / "results.parquet", listed(few)
-    counts = []
+def test_nothing_new_is_nothing_done(ray: Ray, few: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(batch, "kernel", faulty)
+    output, source, counts = tmp_path / "results.parquet", listed(few), []
     for _ in range(2):
         before = len(work(ray.folder))
-        Job(ray, source, output, settings=QUICK).finish()
+        analyze(source, output, tmp_path / "checkpoint", QUICK)
         counts.append(len(work(ray.folder)) - before)
     assert counts == [300, 0] and len(names(output)) == 300

@@ -7,14 +7,16 @@ Spark (:mod:`bouncelab.spark`) or Ray (:mod:`bouncelab.ray`) spreads them over a
 
 from __future__ import annotations
 
+import itertools
 import json
 import os
 import re
-from collections.abc import Iterable, Iterator, Mapping
+import tempfile
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import contextmanager
 from os import PathLike, fspath
 from pathlib import Path
-from typing import TYPE_CHECKING, NamedTuple, cast
+from typing import TYPE_CHECKING, Any, NamedTuple, cast
 
 from bouncelab import _core
 from bouncelab._errors import InputError
@@ -26,7 +28,7 @@ if TYPE_CHECKING:
 
     from bouncelab._data import JSON
 
-__all__ = ["Kernel", "Settings", "explode", "kernel", "manifest", "study"]
+__all__ = ["MEAN", "Kernel", "Settings", "explode", "kernel", "manifest", "mean", "study"]
 
 #: So many rows are given at once: a megabyte or two.
 ROWS_AT_ONCE = 50
@@ -274,6 +276,45 @@ def study(
     asked = {"by": by, "compare_at_m_s": compare_at_m_s, "wanted": wanted, "exclude": exclude}
     document: dict[str, JSON] = json.loads(_results(results, asked).document(language))
     return document
+
+
+#: What :func:`mean` says of a group, and where the document of a study has it.
+MEAN: dict[str, Callable[[Any], object]] = {
+    "restitution": lambda group: group["restitution"]["value"],
+    "standard_error": lambda group: group["restitution"]["standard_error"],
+    "drops": lambda group: group["restitution"]["drops"],
+    "between_drops": lambda group: group["restitution"]["between"],
+    "between_impacts": lambda group: group["between_impacts"],
+    "shared_sd": lambda group: group["shared_sd"],
+}
+
+
+def mean(rows: Iterable[pyarrow.RecordBatch], compare_at_m_s: float) -> dict[str, object]:
+    """Return the mean restitution of the drops of some rows, for engines that have the rows of a group.
+
+    Parameters
+    ----------
+    rows : iterable of pyarrow.RecordBatch
+        The rows of a kernel, without those of equal contents.
+    compare_at_m_s : float
+        Impact speed at which drops are compared.
+
+    Returns
+    -------
+    dict
+        The numbers of ``MEAN``, or the reason under ``no_study``.
+    """
+    from pyarrow import parquet
+
+    batches = iter(rows)
+    with tempfile.TemporaryDirectory() as folder:
+        path, first = Path(folder) / "rows.parquet", next(batches)
+        with parquet.ParquetWriter(path, first.schema) as writer:
+            for part in itertools.chain([first], batches):
+                writer.write_batch(part)
+        document: dict[str, Any] = study(path, compare_at_m_s=compare_at_m_s)
+    found = document["study"]
+    return {"no_study": document["no_study"]} | {name: found and of(found["all"]) for name, of in MEAN.items()}
 
 
 def _results(results: str | PathLike[str], options: Mapping[str, object]) -> _core.Results:

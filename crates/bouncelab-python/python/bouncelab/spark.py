@@ -3,15 +3,12 @@
 
 from __future__ import annotations
 
-import itertools
-import tempfile
 from collections.abc import Iterable, Iterator
+from contextlib import contextmanager
 from os import fspath
-from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import pyarrow
-from pyarrow import parquet
 from pyspark import TaskContext
 from pyspark.sql import functions
 from pyspark.sql.pandas.types import from_arrow_schema, to_arrow_schema
@@ -86,9 +83,25 @@ def analyze(
         rows.write.mode("overwrite").parquet(f"{fspath(output)}/{trigger:06}")
 
     query = rows.writeStream.foreachBatch(write).option("checkpointLocation", fspath(checkpoint))
-    running = query.trigger(availableNow=True).start()
+    with _configured(spark):
+        running = query.trigger(availableNow=True).start()
     running.awaitTermination()
     return sum(progress.numInputRows for progress in running.recentProgress)
+
+
+@contextmanager
+def _configured(spark: SparkSession) -> Iterator[None]:
+    """Let a listing take as many tasks as there are cores, not one for each file; and a batch few contents."""
+    cores = spark.sparkContext.defaultParallelism
+    options = {"sources.parallelPartitionDiscovery.parallelism": cores, "execution.arrow.maxRecordsPerBatch": 10}
+    before = {option: spark.conf.get(f"spark.sql.{option}") for option in options}
+    for option, value in options.items():
+        spark.conf.set(f"spark.sql.{option}", value)
+    try:
+        yield
+    finally:
+        for option, value in before.items():
+            spark.conf.set(f"spark.sql.{option}", value)
 
 
 class _Task:
@@ -121,37 +134,14 @@ def study(results: DataFrame, by: Iterable[str], *, compare_at_m_s: float) -> Da
     rows = results.where("record is not null").join(first, ["content_sha256", "recording"], "left_semi")
     groups = rows.groupBy(*(rows["noted"][field].alias(field) for field in fields))
     levels = [f"`{field}` string" for field in fields]
-    schema = StructType.fromDDL(", ".join([*levels, *(f"{name} double" for name in _MEAN), "no_study string"]))
-    return groups.applyInArrow(_Mean(fields, compare_at_m_s, to_arrow_schema(schema)).of, schema)
+    means = [f"{name} double" for name in batch.MEAN]
+    schema = StructType.fromDDL(", ".join([*levels, *means, "no_study string"]))
+    arrow = to_arrow_schema(schema)
 
-
-#: What is said of a group, and where the document of a study has it.
-_MEAN = {
-    "restitution": lambda group: group["restitution"]["value"],
-    "standard_error": lambda group: group["restitution"]["standard_error"],
-    "drops": lambda group: group["restitution"]["drops"],
-    "between_drops": lambda group: group["restitution"]["between"],
-    "between_impacts": lambda group: group["between_impacts"],
-    "shared_sd": lambda group: group["shared_sd"],
-}
-
-
-class _Mean:
-    """The mean of a group, from its rows."""
-
-    def __init__(self, fields: list[str], compare_at_m_s: float, schema: pyarrow.Schema) -> None:
-        self._fields, self._compare_at_m_s, self._schema = fields, compare_at_m_s, schema
-
-    def of(
-        self, key: tuple[pyarrow.Scalar, ...], rows: Iterator[pyarrow.RecordBatch]
+    def mean(
+        key: tuple[pyarrow.Scalar, ...], rows: Iterator[pyarrow.RecordBatch]
     ) -> Iterator[pyarrow.RecordBatch]:
-        with tempfile.TemporaryDirectory() as folder:
-            path, first = Path(folder) / "rows.parquet", next(rows)
-            with parquet.ParquetWriter(path, first.schema) as writer:
-                for part in itertools.chain([first], rows):
-                    writer.write_batch(part)
-            document: dict[str, Any] = batch.study(path, compare_at_m_s=self._compare_at_m_s)
-        row = dict(zip(self._fields, (level.as_py() for level in key), strict=True))
-        row["no_study"], found = document["no_study"], document["study"]
-        row |= {name: found and of(found["all"]) for name, of in _MEAN.items()}
-        yield pyarrow.RecordBatch.from_pylist([row], self._schema)
+        known = dict(zip(fields, (level.as_py() for level in key), strict=True))
+        yield pyarrow.RecordBatch.from_pylist([known | batch.mean(rows, compare_at_m_s)], arrow)
+
+    return groups.applyInArrow(mean, schema)
