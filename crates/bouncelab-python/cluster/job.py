@@ -40,6 +40,7 @@ def spark_session(url: str) -> SparkSession:
         "spark.executor.memory": "600m",
         "spark.sql.shuffle.partitions": "4",
         "spark.ui.enabled": "false",
+        "spark.ui.showConsoleProgress": "false",
     }
     return SparkSession.builder.master(url).config(map=settings).getOrCreate()
 

@@ -67,9 +67,9 @@ def test_contents_and_notes_go_along(session_of_spark: SparkSession, few: Path, 
     analyze(session_of_spark, few, by_content, tmp_path / "2", SETTINGS, notes=notes, with_content=True)
     assert rows(by_content) == rows(by_path)
     fields = ["surface", "operator"]
-    means = study(session_of_spark.read.parquet(f"{by_path}/*"), fields, compare_at_m_s=1.0).collect()
+    means = study(session_of_spark.read.parquet(f"{by_path}/*"), fields, compare_at_m_s=1.5).collect()
     found = {tuple(row[field] for field in fields): row["restitution"] for row in means}
-    groups = batch.study(by_path, by=fields, compare_at_m_s=1.0)["study"]["groups"]  # type: ignore[index,call-overload]
+    groups = batch.study(by_path, by=fields, compare_at_m_s=1.5)["study"]["groups"]  # type: ignore[index,call-overload]
     levels = [tuple(group["levels"][field] for field in fields) for group in groups]  # type: ignore[union-attr,index,call-overload]
     assert found == dict(zip(levels, [group["restitution"]["value"] for group in groups], strict=True))  # type: ignore[union-attr,index,call-overload]
 

@@ -6,6 +6,7 @@ import os
 import time
 
 from bouncelab import batch
+from bouncelab.batch import kernel as sound
 
 
 class Faulty(batch.Kernel):
@@ -28,4 +29,4 @@ class Faulty(batch.Kernel):
 
 def faulty(settings: batch.Settings | None = None, *, root: str = "", isolated: bool = False) -> Faulty:
     """Return it, as :func:`bouncelab.batch.kernel` does."""
-    return Faulty(*batch.kernel(settings, root=root, isolated=isolated).__reduce__()[1])
+    return Faulty(*sound(settings, root=root, isolated=isolated).__reduce__()[1])

@@ -83,8 +83,9 @@ class Isolated:
         if self._child is None:
             path = os.pathsep.join(filter(None, sys.path))
             command = [sys.executable, "-m", "bouncelab._isolated"]
-            pipes = {"stdin": subprocess.PIPE, "stdout": subprocess.PIPE}
-            self._child = subprocess.Popen(command, **pipes, env=os.environ | {"PYTHONPATH": path})
+            self._child = subprocess.Popen(
+                command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, env=os.environ | {"PYTHONPATH": path}
+            )
             assert self._child.stdin is not None and self._child.stdout is not None
             self._child.stdin.write(self._analyses)
             self._child.stdin.flush()

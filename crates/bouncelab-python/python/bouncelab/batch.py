@@ -77,8 +77,8 @@ class Kernel:
 
         A recording that ends its process then becomes a row that says so.
         """
-        *same, _ = self._arguments
-        return type(self)(*same, True)
+        settings, options, root, limit_s, _ = self._arguments
+        return type(self)(settings, options, root, limit_s, True)
 
     @property
     def schema(self) -> pyarrow.Schema:
@@ -207,7 +207,8 @@ def manifest(
     names = sorted(_found(root, ""))
     known = notes or {}
     fields = sorted({field for noted in known.values() for field in noted})
-    columns = {"path": [os.path.join(root, name) for name in names], "recording": names}
+    columns: dict[str, list[str | None]] = {"path": [os.path.join(root, name) for name in names]}
+    columns["recording"] = list(names)
     columns |= {field: [known.get(name, {}).get(field) for name in names] for field in fields}
     parquet.write_table(pyarrow.table(columns), fspath(path))
     return len(names)

@@ -1,4 +1,5 @@
 """Recordings by the million on Ray; ``pip install bouncelab[ray]``."""
+# pyright: reportMissingImports=false
 
 from __future__ import annotations
 

@@ -2,12 +2,14 @@
 
 ``spark-submit --master URL $(python -m bouncelab.spark_job --place) SOURCE OUTPUT CHECKPOINT --ball tennis``
 """
+# pyright: reportMissingImports=false
 
 from __future__ import annotations
 
 import argparse
 import json
 from pathlib import Path
+from typing import Any
 
 
 def main() -> None:
@@ -26,7 +28,7 @@ def main() -> None:
     parser.add_argument("--files-per-task", type=int, default=50)
     asked = vars(parser.parse_args())
     file, notes = asked.pop("settings"), asked.pop("notes")
-    settings = json.loads(file.read_text()) if file else {}
+    settings: Any = json.loads(file.read_text()) if file else {}
     settings |= {name: value for name in ("ball", "pattern") if (value := asked.pop(name)) is not None}
 
     from pyspark.sql import SparkSession
