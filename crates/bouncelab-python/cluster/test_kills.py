@@ -11,7 +11,10 @@ from laboratory import listed, names, work
 
 #: So many recordings of a trigger, or of a block of each worker, may be analysed again.
 AGAIN = {Spark: 50, Ray: 2 * 50}
-KILLS = 5
+
+#: So many recordings were analysed since the driver was started, when the driver or a worker is killed.
+OF_DRIVERS = (1, 20, 45, 60, 90)
+OF_WORKERS = (1, 60, 120, 170, 230)
 
 
 @pytest.fixture(scope="module", params=[Spark, Ray])
@@ -31,27 +34,26 @@ class Work:
         self.before = len(work(engine.folder))
 
     def start(self) -> Job:
+        self.started = len(work(self.engine.folder))
         return Job(self.engine, self.given, self.output, settings={"draws": None}, **self.counts)
 
-    def begun(self) -> int:
-        """How many triggers were begun, or blocks written."""
-        if isinstance(self.engine, Ray):
-            return len(list(self.output.glob("*.parquet")))
-        return sum(path.name.isdigit() for path in self.output.with_suffix(".checkpoint").glob("offsets/*"))
+    def until(self, job: Job, count: int) -> None:
+        """Wait until so many were analysed since the driver was started."""
+        job.until(lambda: len(work(self.engine.folder)) >= self.started + count, f"{count} recordings")
 
     def check(self) -> None:
         expected = sorted(path.name for path in self.source.iterdir())
         assert names(self.output) == expected
         again = len(work(self.engine.folder)) - self.before - len(expected)
-        print(f"{type(self.engine).__name__}: {KILLS} kills, 0 lost, 0 double, {again} recordings analysed again")
-        assert again <= KILLS * AGAIN[type(self.engine)]
+        print(f"{type(self.engine).__name__}: 5 kills, 0 lost, 0 double, {again} recordings analysed again")
+        assert again <= 5 * AGAIN[type(self.engine)]
 
 
 def test_a_driver_killed_at_five_moments_loses_nothing(engine: Spark | Ray, few: Path, tmp_path: Path) -> None:
     work = Work(engine, few, tmp_path)
-    for kill in range(KILLS):
+    for moment in OF_DRIVERS:
         job = work.start()
-        job.until(lambda kill=kill: work.begun() > kill, "a trigger")  # type: ignore[misc]
+        work.until(job, moment)
         job.kill()
     work.start().finish()
     work.check()
@@ -60,8 +62,8 @@ def test_a_driver_killed_at_five_moments_loses_nothing(engine: Spark | Ray, few:
 def test_a_worker_killed_at_five_moments_loses_nothing(engine: Spark | Ray, few: Path, tmp_path: Path) -> None:
     work = Work(engine, few, tmp_path)
     job = work.start()
-    for kill in range(KILLS):
-        job.until(lambda kill=kill: work.begun() > kill, "a trigger")  # type: ignore[misc]
+    for moment in OF_WORKERS:
+        work.until(job, moment)
         engine.kill_worker()
         engine.add_worker()
     job.finish()

@@ -10,7 +10,7 @@ import pytest
 from clusters import Spark, cluster
 from faults import faulty
 from job import spark_session
-from laboratory import SETTINGS, alone, differences, failures, names, rows, with_faults, work
+from laboratory import RECORDINGS, SETTINGS, alone, differences, failures, names, rows, with_faults, work
 from pyspark.sql import SparkSession
 
 from bouncelab import batch
@@ -18,6 +18,9 @@ from bouncelab.spark import analyze, study
 
 #: For what is not about numbers.
 QUICK: batch.Settings = {"draws": None}
+
+#: All in one trigger, of no more tasks than it needs.
+ONCE = 400
 
 
 @pytest.fixture(scope="module")
@@ -41,7 +44,7 @@ def test_rows_are_those_of_a_session(
     session_of_spark: SparkSession, recordings: Path, session: Path, tmp_path: Path
 ) -> None:
     output = tmp_path / "results.parquet"
-    count = analyze(session_of_spark, recordings, output, tmp_path / "checkpoint", SETTINGS)
+    count = analyze(session_of_spark, recordings, output, tmp_path / "checkpoint", SETTINGS, files_per_trigger=RECORDINGS)
     cells, different = differences(session, output, tmp_path / "tables")
     print(f"Spark: {count} recordings, {cells} cells, {different} differ")
     assert (count, different) == (len(list(recordings.iterdir())), 0)
@@ -63,8 +66,9 @@ def test_contents_and_notes_go_along(session_of_spark: SparkSession, few: Path, 
     operators = [(path.name, "Ada" if number % 2 else "Bob") for number, path in enumerate(sorted(few.iterdir()))]
     notes = session_of_spark.createDataFrame(operators, ["recording", "operator"])
     by_path, by_content = tmp_path / "path.parquet", tmp_path / "content.parquet"
-    analyze(session_of_spark, few, by_path, tmp_path / "1", SETTINGS, notes=notes)
-    analyze(session_of_spark, few, by_content, tmp_path / "2", SETTINGS, notes=notes, with_content=True)
+    analyze(session_of_spark, few, by_path, tmp_path / "1", SETTINGS, notes=notes, files_per_trigger=ONCE)
+    counts = {"with_content": True, "files_per_trigger": ONCE}
+    analyze(session_of_spark, few, by_content, tmp_path / "2", SETTINGS, notes=notes, **counts)  # type: ignore[arg-type]
     assert rows(by_content) == rows(by_path)
     fields = ["surface", "operator"]
     means = study(session_of_spark.read.parquet(f"{by_path}/*"), fields, compare_at_m_s=1.5).collect()
@@ -82,13 +86,13 @@ def test_what_fails_becomes_a_row(
     source, broken = with_faults(few, tmp_path / "recordings")
     output = tmp_path / "limited.parquet"
     limited: batch.Settings = {**QUICK, "time_limit_s": 20.0}
-    analyze(session_of_spark, source, output, tmp_path / "1", limited)
+    analyze(session_of_spark, source, output, tmp_path / "1", limited, files_per_trigger=ONCE)
     expected = dict.fromkeys(broken, "not-analysed") | {"abort.wav": "process-died"}
     assert failures(output) == expected | {"endless.wav": "out-of-time"}
     assert len(names(output)) == 302
     (source / "endless.wav").unlink()
     retried = tmp_path / "retried.parquet"
-    analyze(session_of_spark, source, retried, tmp_path / "2", QUICK)
+    analyze(session_of_spark, source, retried, tmp_path / "2", QUICK, files_per_trigger=ONCE)
     assert failures(retried) == expected
     assert len(names(retried)) == 301
 
@@ -104,6 +108,6 @@ def test_nothing_new_is_nothing_done(
         if new is not None:
             shutil.copy(next(few.iterdir()), source / new)
         before = len(work(spark.folder))
-        analyze(session_of_spark, source, output, tmp_path / "checkpoint", QUICK)
+        analyze(session_of_spark, source, output, tmp_path / "checkpoint", QUICK, files_per_trigger=ONCE)
         counts.append(len(work(spark.folder)) - before)
     assert counts == [20, 0, 1] and len(names(output)) == 21

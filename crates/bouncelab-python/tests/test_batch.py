@@ -174,6 +174,7 @@ def test_results_of_different_settings_are_not_mixed(folder: Path, results: Path
         lambda: batch.kernel({"colour": 1}),  # type: ignore[typeddict-unknown-key]
         lambda: batch.kernel({"channel": 1}),
         lambda: batch.kernel({"time_limit_s": "long"}),  # type: ignore[typeddict-item]
+        lambda: batch.kernel({"time_limit_s": 0.0}),
         lambda: list(batch.kernel()(pyarrow.table({"file": ["a.wav"]}).to_batches())),
         lambda: batch.study("nowhere.parquet"),
         lambda: batch.explode(__file__, "."),

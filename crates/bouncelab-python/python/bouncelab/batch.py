@@ -175,8 +175,10 @@ def kernel(settings: Settings | None = None, *, root: str | PathLike[str] = "", 
         "pattern": None if pattern is None else text("pattern", pattern),
         "allow_implausible": implausible,
     }
-    limit_s = None if limit_s is None else number("time_limit_s", limit_s)
-    return Kernel(json.dumps(stated), json.dumps(options), plain(fspath(root)), limit_s, isolated)
+    longest = None if limit_s is None else number("time_limit_s", limit_s)
+    if longest is not None and longest <= 0.0:
+        raise InputError(f"time_limit_s is {longest:g}; it must be above 0")
+    return Kernel(json.dumps(stated), json.dumps(options), plain(fspath(root)), longest, isolated)
 
 
 def manifest(
