@@ -17,7 +17,11 @@ const JAVA: &str = "openjdk-17-jre-headless";
 /// Whether Java and the engines are there, now that they were installed if that was possible.
 pub(crate) fn have_engines() -> bool {
     let has_java = || succeeds(&["java", "-version"]);
-    if !has_java() && !(install(&[JAVA], "Spark") && has_java()) {
+    if !has_java() {
+        install(&[JAVA], "Spark");
+    }
+    if !has_java() {
+        println!("Spark takes Java 17");
         return false;
     }
     println!("the check of clusters installs Spark and Ray into the target folder");

@@ -29,7 +29,8 @@ pub(crate) fn run(_: &[String]) -> Result {
     Ok(())
 }
 
-pub(crate) const MISSING: &str = "it takes Python 3.11, 3.12 or 3.13, as python3.11 or in the folder of pyenv";
+pub(crate) const MISSING: &str =
+    "it takes Python 3.11, 3.12 or 3.13, as python3.11 or in the folder of pyenv";
 
 /// Whether there is an interpreter, and what the check needs could be installed.
 pub(crate) fn have_package_index() -> bool {

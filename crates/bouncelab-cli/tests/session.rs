@@ -491,11 +491,17 @@ fn results_of_a_cluster_take_no_settings() {
     let from = |more: &[&str]| {
         let mut command = Command::cargo_bin("bouncelab").unwrap();
         let folder = workspace.recordings();
-        command.args(["session", "--output"]).arg(workspace.results());
+        command
+            .args(["session", "--output"])
+            .arg(workspace.results());
         command.arg("--from").arg(folder).args(more).assert()
     };
-    from(&["--ball", "tennis"]).code(2).stderr(contains("--ball"));
-    from(&["--draws", "200"]).code(2).stderr(contains("--draws"));
+    from(&["--ball", "tennis"])
+        .code(2)
+        .stderr(contains("--ball"));
+    from(&["--draws", "200"])
+        .code(2)
+        .stderr(contains("--draws"));
     from(&["drop.wav"]).code(2);
     from(&[]).failure().stderr(contains("no Parquet file"));
 }

@@ -9,7 +9,7 @@ import pytest
 import ray as engine_of_ray
 from clusters import Ray, cluster
 from faults import faulty
-from laboratory import SETTINGS, differences, failures, listed, names, rows, with_faults, work
+from laboratory import SETTINGS, alone, differences, failures, listed, names, rows, with_faults, work
 
 from bouncelab import batch
 from bouncelab.ray import analyze

@@ -224,9 +224,10 @@ fn read<const COLUMNS: usize>(
         for start in (0..rows).step_by(ROWS) {
             let count = ROWS.min(rows - start);
             let read = columns.iter_mut().map(|column| column.next(count));
-            let mut read: Vec<_> = read.collect::<Parquet<_>>().map_err(wrong)?;
-            for row in 0..count {
-                take(std::array::from_fn(|column| read[column][row].take()))?;
+            let read: Vec<_> = read.collect::<Parquet<_>>().map_err(wrong)?;
+            let mut cells: Vec<_> = read.into_iter().map(Vec::into_iter).collect();
+            for _ in 0..count {
+                take(std::array::from_fn(|column| cells[column].next().flatten()))?;
             }
         }
     }
