@@ -7,9 +7,8 @@ use crate::Result;
 use crate::cargo::{cargo_all, install, run as run_command, succeeds};
 use crate::python::{MISSING, Venv, interpreters};
 
-/// The newest versions that are supported, and the oldest.
-const NEWEST: &str = "requirements-cluster.txt";
-const OLDEST: &str = "requirements-cluster-oldest.txt";
+/// Versions are pinned here.
+const REQUIREMENTS: &str = "requirements-cluster.txt";
 
 /// What Spark runs on.
 const JAVA: &str = "openjdk-17-jre-headless";
@@ -25,30 +24,25 @@ pub(crate) fn have_engines() -> bool {
         return false;
     }
     println!("the check of clusters installs Spark and Ray into the target folder");
-    let made = venv("cluster", NEWEST).and_then(|_| venv("cluster-oldest", OLDEST));
+    let made = venv();
     if let Err(reason) = &made {
         println!("Spark and Ray could not be installed: {reason}");
     }
     made.is_ok()
 }
 
-fn venv(name: &str, requirements: &str) -> Result<Venv> {
+fn venv() -> Result<Venv> {
     let found = interpreters();
     let (_, python) = found.first().ok_or(MISSING)?;
-    Venv::named(name, python, requirements)
+    Venv::named("cluster", python, REQUIREMENTS)
 }
 
-/// All tests with the newest versions, and those that rows are right with the oldest.
+/// The tests in the folder `cluster` of the package.
 pub(crate) fn check() -> Result {
-    let (newest, oldest) = (venv("cluster", NEWEST)?, venv("cluster-oldest", OLDEST)?);
+    let venv = venv()?;
     let mut program = cargo_all(&["build"]);
     run_command(program.args(["--bin", "bouncelab"]))?;
-    let wheel = newest.wheel("dev")?;
-    let tests = ["-m", "pytest", "-s", "cluster"];
-    newest.take(&wheel)?;
-    run_command(&mut newest.python(&tests))?;
-    oldest.take(&wheel)?;
-    let mut few = oldest.python(&tests);
-    few.args(["-k", "session or nothing_new"]);
-    run_command(few.env("BOUNCELAB_CLUSTER_RECORDINGS", "200"))
+    let wheel = venv.wheel("dev")?;
+    venv.take(&wheel)?;
+    run_command(&mut venv.python(&["-m", "pytest", "-s", "cluster"]))
 }
