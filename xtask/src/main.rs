@@ -6,6 +6,7 @@
 mod bench;
 mod calibrate;
 mod cargo;
+mod cluster;
 mod damage;
 mod detection;
 mod fresh;
@@ -119,12 +120,16 @@ fn help() -> String {
         let usage = format!("{} {}", chore.name, chore.arguments);
         format!("  cargo xtask {usage}\n      {}\n", chore.about)
     });
-    let checks = test::CHECKS
-        .iter()
-        .map(|check| format!("  {:<10} {}\n", check.name, check.about));
+    let list = |checks: &[test::Check]| -> String {
+        let lines = checks.iter();
+        let lines = lines.map(|check| format!("  {:<10} {}\n", check.name, check.about));
+        lines.collect()
+    };
     format!(
-        "The project's chores:\n{}\nThe checks of `cargo xtask test`, in order:\n{}",
+        "The project's chores:\n{}\nThe checks of `cargo xtask test`, in order:\n{}\nOnly where it is \
+         named:\n{}",
         chores.collect::<String>(),
-        checks.collect::<String>()
+        list(&test::CHECKS),
+        list(&test::ON_REQUEST)
     )
 }

@@ -33,7 +33,8 @@ pub(crate) fn run(_: &[String]) -> Result {
     Ok(())
 }
 
-const MISSING: &str = "it takes Python 3.11, 3.12 or 3.13, as python3.11 or in the folder of pyenv";
+pub(crate) const MISSING: &str =
+    "it takes Python 3.11, 3.12 or 3.13, as python3.11 or in the folder of pyenv";
 
 /// Whether there is an interpreter, and what the check needs could be installed.
 pub(crate) fn have_package_index() -> bool {
@@ -51,9 +52,7 @@ pub(crate) fn check() -> Result {
     let found = interpreters();
     let (first, others) = found.split_first().ok_or(MISSING)?;
     let venv = Venv::first(&first.1)?;
-    let mut program = cargo_all(&["build"]);
-    run_command(program.args(["--bin", "bouncelab"]))?;
-    let wheel = venv.wheel("dev", &["--features", "shared-build"])?;
+    let wheel = venv.shared_wheel()?;
     venv.test(&wheel)?;
     venv.check_types()?;
     run_command(venv.tool("abi3audit").arg("--strict").arg(&wheel))?;
@@ -70,7 +69,7 @@ pub(crate) fn check() -> Result {
 }
 
 /// Version and place of the interpreters that there are.
-fn interpreters() -> Vec<(&'static str, PathBuf)> {
+pub(crate) fn interpreters() -> Vec<(&'static str, PathBuf)> {
     let found = VERSIONS
         .iter()
         .filter_map(|&version| Some((version, interpreter(version)?)));
@@ -90,7 +89,7 @@ fn interpreter(version: &str) -> Option<PathBuf> {
 }
 
 /// A virtual environment with what is pinned in a list, and the uv that installs it.
-struct Venv {
+pub(crate) struct Venv {
     folder: PathBuf,
     uv: PathBuf,
 }
@@ -98,7 +97,16 @@ struct Venv {
 impl Venv {
     /// With everything that builds and checks the package.
     fn first(python: &Path) -> Result<Self> {
-        let folder = folder_of(python);
+        Self::with_uv(folder_of(python), python, REQUIREMENTS)
+    }
+
+    /// One of this name in the target folder, with what is pinned in a list.
+    pub(crate) fn named(name: &str, python: &Path, requirements: &str) -> Result<Self> {
+        let folder = target().join(format!("{name}-venv"));
+        Self::with_uv(folder, python, requirements)
+    }
+
+    fn with_uv(folder: PathBuf, python: &Path, requirements: &str) -> Result<Self> {
         let uv = program_in(&folder, "uv");
         let venv = Self { folder, uv };
         if !venv.uv.is_file() {
@@ -106,7 +114,7 @@ impl Venv {
             let mut pip = venv.python(&["-m", "pip", "install", "--quiet", UV]);
             run_command(pip.arg("--disable-pip-version-check"))?;
         }
-        venv.install_requirements(REQUIREMENTS)?;
+        venv.install_requirements(requirements)?;
         Ok(venv)
     }
 
@@ -138,7 +146,7 @@ impl Venv {
         command
     }
 
-    fn python(&self, words: &[&str]) -> Command {
+    pub(crate) fn python(&self, words: &[&str]) -> Command {
         let mut command = self.tool("python");
         command.args(words);
         command
@@ -159,6 +167,13 @@ impl Venv {
         env::join_paths(folders).map_err(|reason| reason.to_string())
     }
 
+    /// Builds the wheel of the checks, which shares compiled dependencies with them.
+    pub(crate) fn shared_wheel(&self) -> Result<PathBuf> {
+        let mut program = cargo_all(&["build"]);
+        run_command(program.args(["--bin", "bouncelab"]))?;
+        self.wheel("dev", &["--features", "shared-build"])
+    }
+
     /// Builds the wheel, with the program that was built in the same profile.
     fn wheel(&self, profile: &str, options: &[&str]) -> Result<PathBuf> {
         let folder = target().join("wheels").join(profile);
@@ -177,12 +192,19 @@ impl Venv {
 
     /// Runs the tests and the examples of the documentation on what the wheel installs, a process for each core.
     fn test(&self, wheel: &Path) -> Result {
-        let mut install = self.install();
-        run_command(install.args(["--force-reinstall", "--no-deps"]).arg(wheel))?;
+        self.take(wheel)?;
         let mut tests = self.python(&["-m", "pytest", "--numprocesses", "logical"]);
         tests.args(["--dist", "worksteal", "--durations", "10"]);
-        tests.args(["--doctest-modules", "--pyargs", "./tests", "bouncelab"]);
+        // The examples of engines that are not installed are left out.
+        tests.args(["--doctest-modules", "--doctest-ignore-import-errors"]);
+        tests.args(["--pyargs", "./tests", "bouncelab"]);
         run_command(tests.env("BOUNCELAB_ROOT", root()))
+    }
+
+    /// Installs the wheel, in place of an earlier one.
+    pub(crate) fn take(&self, wheel: &Path) -> Result {
+        let mut install = self.install();
+        run_command(install.args(["--force-reinstall", "--no-deps"]).arg(wheel))
     }
 
     fn check_types(&self) -> Result {

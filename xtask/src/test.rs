@@ -4,7 +4,7 @@ use std::process::Command;
 
 use crate::cargo::{cargo, cargo_all, has, has_sound_headers, install, run as run_command};
 use crate::steps::{self, Step, Time, Watch};
-use crate::{Result, fresh, package, python, tables, web};
+use crate::{Result, cluster, fresh, package, python, tables, web};
 
 pub(crate) const ABOUT: &str = "Run every check, or only the named ones";
 
@@ -26,6 +26,8 @@ enum Needs {
     Python,
     /// Python with what builds and checks the package for it.
     PythonPackage,
+    /// Java, and Python with Spark and Ray.
+    Engines,
     /// Node.js, for the page.
     Node,
     /// Node.js and a browser, for the end-to-end tests of the page.
@@ -43,6 +45,7 @@ impl Needs {
             Self::Nothing => true,
             Self::Python => tables::have_readers(),
             Self::PythonPackage => python::have_package_index(),
+            Self::Engines => cluster::have_engines(),
             Self::Node => web::has_node(),
             Self::Browser => web::has_node() && web::has_browser(),
             Self::Git => fresh::has_repository(),
@@ -146,6 +149,14 @@ pub(crate) const CHECKS: [Check; 12] = [
     },
 ];
 
+/// Checks that run only where they are named.
+pub(crate) const ON_REQUEST: [Check; 1] = [Check {
+    name: "cluster",
+    about: "Spark and Ray on clusters of this machine",
+    needs: Needs::Engines,
+    run: cluster::check,
+}];
+
 /// Compiles them first, so that it is seen what takes how long. Benchmarks are left to
 /// `cargo xtask bench`.
 fn tests() -> Result {
@@ -180,7 +191,7 @@ struct Outcome {
     steps: Vec<Step>,
 }
 
-/// Runs the named checks, or all. A failure does not keep the later ones from running.
+/// Runs the named checks, or all but those on request. A failure does not keep the later ones from running.
 pub(crate) fn run(names: &[String]) -> Result {
     let mut checks = chosen(names)?;
     ensure_components()?;
@@ -188,6 +199,7 @@ pub(crate) fn run(names: &[String]) -> Result {
     for needs in [
         Needs::Python,
         Needs::PythonPackage,
+        Needs::Engines,
         Needs::Recordings,
         Needs::Node,
         Needs::Browser,
@@ -227,12 +239,13 @@ fn chosen(names: &[String]) -> Result<Vec<&'static Check>> {
     if names.is_empty() {
         return Ok(CHECKS.iter().collect());
     }
-    let known = CHECKS.map(|check| check.name).join(", ");
+    let all = || CHECKS.iter().chain(&ON_REQUEST);
+    let known: Vec<_> = all().map(|check| check.name).collect();
+    let known = known.join(", ");
     names
         .iter()
         .map(|name| {
-            CHECKS
-                .iter()
+            all()
                 .find(|check| check.name == name)
                 .ok_or_else(|| format!("there is no check '{name}'; there are {known}"))
         })

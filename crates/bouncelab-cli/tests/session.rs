@@ -483,3 +483,25 @@ fn wishes_that_make_no_sense_are_refused() {
     // More threads than there is work for are not even made.
     workspace.session().arg("--jobs=65535").assert().success();
 }
+
+/// How results of a cluster were analysed was decided there.
+#[test]
+fn results_of_a_cluster_take_no_settings() {
+    let workspace = Workspace::new(&[]);
+    let from = |more: &[&str]| {
+        let mut command = Command::cargo_bin("bouncelab").unwrap();
+        let folder = workspace.recordings();
+        command
+            .args(["session", "--output"])
+            .arg(workspace.results());
+        command.arg("--from").arg(folder).args(more).assert()
+    };
+    from(&["--ball", "tennis"])
+        .code(2)
+        .stderr(contains("--ball"));
+    from(&["--draws", "200"])
+        .code(2)
+        .stderr(contains("--draws"));
+    from(&["drop.wav"]).code(2);
+    from(&[]).failure().stderr(contains("no Parquet file"));
+}

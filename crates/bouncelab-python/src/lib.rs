@@ -19,6 +19,7 @@
 //! | `physics` | what do the formulas give? |
 //! | `simulation` | what would a drop do, and how would it sound? |
 //! | `session` | what do many recordings say together? |
+//! | `batch` | how does an engine analyse recordings, and what do its results say? |
 //! | `verdict` | does a ball or a floor obey a rule? |
 
 #![forbid(unsafe_code)]
@@ -29,6 +30,7 @@
 )]
 
 mod analyzer;
+mod batch;
 mod chart;
 mod detector;
 mod failure;
@@ -45,6 +47,8 @@ mod watch;
 mod _core {
     #[pymodule_export]
     use super::analyzer::Analyzer;
+    #[pymodule_export]
+    use super::batch::{Kernel, Results, batch_of_rows, endings};
     #[pymodule_export]
     use super::chart::{Chart, colour};
     #[pymodule_export]

@@ -11,7 +11,7 @@ use bouncelab_report::messages::Translator;
 use bouncelab_session::journal::Journal;
 use bouncelab_session::{
     Advice, Done, KnownRecording, MetadataOptions, Outcome, Results, Session as Gathered, Sources,
-    StudyOptions, complete, figures, tables,
+    Store, StudyOptions, complete, figures, tables,
 };
 use pyo3::prelude::*;
 use serde::Deserialize;
@@ -109,7 +109,7 @@ impl Session {
         Results {
             recordings: &self.recordings,
             done: &self.done,
-            journal: &self.journal,
+            store: Store::Journal(&self.journal),
         }
     }
 

@@ -23,7 +23,7 @@ use crate::failure::{Failure, Result};
 
 /// A table of Arrow.
 #[pyclass(frozen, module = "bouncelab._core")]
-pub(crate) struct Table(RecordBatch);
+pub(crate) struct Table(pub(crate) RecordBatch);
 
 /// A column as data: what a pickle holds.
 #[derive(Serialize, Deserialize)]

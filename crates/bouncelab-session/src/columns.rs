@@ -17,7 +17,7 @@ use bouncelab_report::messages::Translator;
 use crate::error::Result;
 use crate::journal::Key;
 use crate::metadata::{KnownRecording, Metadata};
-use crate::record::{DropRecord, FitRecord, ImpactRecord, PosteriorRecord};
+use crate::record::{DropRecord, FitRecord, ImpactRecord, PosteriorRecord, Record};
 use crate::results::Results;
 use crate::study::{Outcome, SessionDrop, left_out};
 use crate::table::{Cell, Column, Form, Kind, Schema, Table, TableWriter};
@@ -272,10 +272,12 @@ impl RecordingTables {
 
 /// The schemas of the tables of drops and impacts.
 fn schemas(results: &Results<'_>) -> [Schema; 2] {
-    let fields = fields(results);
-    let schema = |name, schema, of: Vec<Column>| {
-        schema_of(name, schema, [fixed(WHICH), noted(&fields), of].concat())
-    };
+    schemas_of(&[fixed(WHICH), noted(&fields(results))].concat())
+}
+
+/// The same with these columns at the beginning.
+fn schemas_of(head: &[Column]) -> [Schema; 2] {
+    let schema = |name, schema, of: Vec<Column>| schema_of(name, schema, [head, &of].concat());
     let of_drops = [
         fixed(SETTINGS),
         fixed(OF_A_DROP),
@@ -311,7 +313,7 @@ fn fields<'a>(results: &Results<'a>) -> BTreeSet<&'a String> {
 ///
 /// # Errors
 /// [`Error::Output`](crate::Error::Output) and [`Error::Table`](crate::Error::Table) if they cannot be
-/// written, and those of [`Results::read`].
+/// written, and those of [`Results::each`].
 pub fn write_tables(
     outcome: &Outcome<'_>,
     results: &Results<'_>,
@@ -333,7 +335,7 @@ pub fn write_tables(
 /// The tables of drops and impacts that [`write_tables`] writes, in memory.
 ///
 /// # Errors
-/// Those of [`Results::read`].
+/// Those of [`Results::each`].
 pub fn tables(outcome: &Outcome<'_>, results: &Results<'_>) -> Result<[Table; 2]> {
     let [mut drops, mut impacts] = schemas(results).map(Table::new);
     let take = |table: &mut Table, row| {
@@ -359,11 +361,11 @@ fn each_row(
     let fields = fields(results);
     let english = Translator::english();
     let study = outcome.study.as_ref().ok();
-    let mut place = 0;
-    while let Some(first) = outcome.drops.get(place) {
-        let recording = &results.recordings[first.recording];
-        let (key, record) = results.read(first.recording)?;
-        for drop_record in &record.drops {
+    let scores = outcome.outlier_scores();
+    let has_drops = |place: usize| !outcome.drops_of(place).is_empty();
+    results.each(has_drops, |place, key, record| {
+        let recording = &results.recordings[place];
+        for (place, drop_record) in std::iter::zip(outcome.drops_of(place), &record.drops) {
             let of = Which {
                 recording,
                 drop: &outcome.drops[place],
@@ -373,21 +375,58 @@ fn each_row(
             let head = [cells(WHICH, &of), fields.iter().map(factor).collect()].concat();
             let row = DropRow {
                 of,
-                key: &key,
+                key,
                 record: drop_record,
                 of_recording: &record.diagnostics,
                 translator: &english,
-                outlier_score: outcome.outlier_score(place),
+                outlier_score: scores.get(&place).copied(),
                 common_speed_m_s: study.map(|study| study.at_speed_m_s),
             };
             of_drop([head.clone(), row.cells()].concat())?;
             for impact in &drop_record.impacts {
                 of_impact([head.clone(), cells(OF_AN_IMPACT, impact)].concat())?;
             }
-            place += 1;
+        }
+        Ok(())
+    })
+}
+
+/// The tables of drops and impacts of one recording, with the columns of those of a session but for its name
+/// and what was noted. What takes other recordings is empty.
+pub(crate) fn tables_of_one(recording: &KnownRecording, key: &Key, record: &Record) -> [Table; 2] {
+    let [mut drops, mut impacts] = empty_tables_of_one();
+    let english = Translator::english();
+    for (number, drop_record) in (1..).zip(&record.drops) {
+        let row = DropRow {
+            of: Which {
+                recording,
+                drop: &SessionDrop {
+                    recording: 0,
+                    number,
+                    name: String::new(),
+                    by_hand: false,
+                },
+            },
+            key,
+            record: drop_record,
+            of_recording: &record.diagnostics,
+            translator: &english,
+            outlier_score: None,
+            common_speed_m_s: None,
+        };
+        let head = cells(NUMBER, &number);
+        drops.rows.push([head.clone(), row.cells()].concat());
+        for impact in &drop_record.impacts {
+            let of_impact = cells(OF_AN_IMPACT, impact);
+            impacts.rows.push([head.clone(), of_impact].concat());
         }
     }
-    Ok(())
+    [drops, impacts]
+}
+
+/// The same without rows.
+pub(crate) fn empty_tables_of_one() -> [Table; 2] {
+    schemas_of(&fixed(NUMBER)).map(Table::new)
 }
 
 fn cells<R>(columns: &[Fixed<fn(&R) -> Cell>], row: &R) -> Vec<Cell> {

@@ -1,5 +1,6 @@
 //! Errors of a session.
 
+use std::fmt;
 use std::path::{Path, PathBuf};
 
 use crate::name::shown;
@@ -79,6 +80,14 @@ pub enum Error {
         /// The name of the recording.
         name: String,
     },
+    /// The results of a cluster are not what they should be.
+    #[error("{}: {problem}", shown(path))]
+    Rows {
+        /// The file or folder.
+        path: PathBuf,
+        /// What is wrong, and what to do.
+        problem: String,
+    },
     /// A drop to be left out is not there.
     #[error("there is no drop \"{name}\"")]
     UnknownDrop {
@@ -112,6 +121,13 @@ impl Error {
         |source| Self::Read { path, source }
     }
 
+    pub(crate) fn rows(path: &Path, problem: impl fmt::Display) -> Self {
+        Self::Rows {
+            path: path.to_owned(),
+            problem: problem.to_string(),
+        }
+    }
+
     pub(crate) fn output(path: &Path) -> impl FnOnce(std::io::Error) -> Self {
         let path = path.to_owned();
         |source| Self::Output { path, source }
@@ -130,8 +146,8 @@ impl Error {
 /// ", line 3, column 5", ", line 3" or nothing.
 struct AtPlace(Option<usize>, Option<usize>);
 
-impl std::fmt::Display for AtPlace {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+impl fmt::Display for AtPlace {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match (self.0, self.1) {
             (Some(line), Some(column)) => write!(f, ", line {line}, column {column}"),
             (Some(line), None) => write!(f, ", line {line}"),

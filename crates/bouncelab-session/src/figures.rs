@@ -1,5 +1,7 @@
 //! The figures of a session.
 
+use std::collections::{BTreeMap, BTreeSet};
+
 use bouncelab::Estimate;
 use bouncelab::groups::{Group, MeanAtSpeed, Study, run_limit};
 use bouncelab_report::Chart;
@@ -7,6 +9,7 @@ use bouncelab_report::figure::{self, GroupCurve, GroupInterval, GroupPoint, RunP
 use bouncelab_report::messages::Translator;
 
 use crate::error::Result;
+use crate::record::DropRecord;
 use crate::results::Results;
 use crate::study::Outcome;
 
@@ -14,7 +17,7 @@ use crate::study::Outcome;
 /// intervals of the means, and the drops in the order of work. None if there is no study.
 ///
 /// # Errors
-/// Those of [`Results::read`].
+/// Those of [`Results::each`].
 pub fn figures(
     outcome: &Outcome<'_>,
     results: &Results<'_>,
@@ -62,23 +65,36 @@ fn impacts(outcome: &Outcome<'_>, group: &Group, results: &Results<'_>) -> Resul
     let of_each = SHOWN.div_ceil(group.drops.len());
     // Of very many drops some are enough.
     let every = group.drops.len().div_ceil(SHOWN);
-    let mut shown = Vec::new();
-    for &studied in group.drops.iter().step_by(every) {
-        let drop = &outcome.drops[outcome.studied[studied]];
-        let (_, record) = results.read(drop.recording)?;
-        let known: Vec<[f64; 2]> = record.drops[drop.number - 1]
-            .impacts
-            .iter()
-            .filter(|impact| impact.weight.unwrap_or(1.0) > 0.0)
-            .filter_map(|impact| {
-                let known = impact.restitution.as_ref()?;
-                Some([known.impact_speed_m_s, known.restitution.value])
-            })
-            .collect();
-        let step = known.len().div_ceil(of_each).max(1);
-        shown.extend(known.into_iter().step_by(step));
-    }
-    Ok(shown)
+    let drops = group.drops.iter().step_by(every);
+    let drops = drops.map(|&studied| &outcome.drops[outcome.studied[studied]]);
+    let wanted: BTreeSet<[usize; 2]> = drops.map(|drop| [drop.recording, drop.number]).collect();
+    let of = |recording: usize| wanted.range([recording, 0]..[recording + 1, 0]);
+    let mut shown = BTreeMap::new();
+    results.each(
+        |place| of(place).next().is_some(),
+        |place, _, record| {
+            for drop in of(place) {
+                let known = known_impacts(&record.drops[drop[1] - 1]);
+                let step = known.len().div_ceil(of_each).max(1);
+                let some: Vec<[f64; 2]> = known.into_iter().step_by(step).collect();
+                shown.insert(drop, some);
+            }
+            Ok(())
+        },
+    )?;
+    Ok(shown.into_values().flatten().collect())
+}
+
+/// Impact speed and restitution of the impacts that count.
+fn known_impacts(drop: &DropRecord) -> Vec<[f64; 2]> {
+    drop.impacts
+        .iter()
+        .filter(|impact| impact.weight.unwrap_or(1.0) > 0.0)
+        .filter_map(|impact| {
+            let known = impact.restitution.as_ref()?;
+            Some([known.impact_speed_m_s, known.restitution.value])
+        })
+        .collect()
 }
 
 fn intervals(outcome: &Outcome<'_>, study: &Study, translator: &Translator) -> Chart {

@@ -5,7 +5,7 @@ use std::fs::File;
 use std::io::Read;
 use std::path::Path;
 
-use serde::{Serialize, Serializer};
+use serde::{Deserialize, Deserializer, Serialize, Serializer, de};
 use sha2::{Digest, Sha256};
 
 use crate::error::{Error, Result};
@@ -80,6 +80,30 @@ impl Serialize for Hash {
     }
 }
 
+impl std::str::FromStr for Hash {
+    type Err = &'static str;
+
+    fn from_str(digits: &str) -> std::result::Result<Self, Self::Err> {
+        const WRONG: &str = "a SHA-256 hash has 64 hexadecimal digits";
+        let mut hash = [0; 32];
+        if digits.len() != 64 || !digits.is_ascii() {
+            return Err(WRONG);
+        }
+        for (place, byte) in hash.iter_mut().enumerate() {
+            let pair = &digits[2 * place..2 * place + 2];
+            *byte = u8::from_str_radix(pair, 16).map_err(|_| WRONG)?;
+        }
+        Ok(Self(hash))
+    }
+}
+
+impl<'de> Deserialize<'de> for Hash {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> std::result::Result<Self, D::Error> {
+        let digits = String::deserialize(deserializer)?;
+        digits.parse().map_err(de::Error::custom)
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use std::fs;
@@ -91,6 +115,10 @@ mod tests {
     fn hashes_are_those_of_the_standard() {
         let abc = "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad";
         assert_eq!(hash(b"abc").to_string(), abc);
+        assert_eq!(abc.parse(), Ok(hash(b"abc")));
+        assert!(
+            abc[1..].parse::<Hash>().is_err() && abc.replace('b', "g").parse::<Hash>().is_err()
+        );
         assert_eq!(hash(b"abc").number(), 0xba78_16bf_8f01_cfea);
         let nothing = "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855";
         let file = tempfile::NamedTempFile::new().unwrap();

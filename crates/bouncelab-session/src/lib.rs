@@ -12,6 +12,7 @@
 //! | [`Record`] | the result of one recording |
 //! | [`journal`] | the results so far |
 //! | [`complete`] | analyses one recording if needed |
+//! | [`batch`] | rows of recordings on a cluster |
 //! | [`Outcome`] | statistics of the drops |
 //! | [`figures()`] | figures of the statistics |
 //! | [`SessionDocument`] | the statistics as JSON |
@@ -20,6 +21,7 @@
 
 #![warn(missing_docs)]
 
+pub mod batch;
 mod columns;
 mod document;
 mod error;
@@ -47,6 +49,6 @@ pub use notes::{Note, Notes};
 pub use pattern::Pattern;
 pub use record::{DropRecord, FitRecord, ImpactRecord, PosteriorRecord, RECORD, Record};
 pub use recordings::{ENDINGS, Recording, SESSION_FILE, Session, Sources};
-pub use results::Results;
+pub use results::{Results, Store};
 pub use study::{Outcome, SessionDrop, StudyOptions};
 pub use work::{Done, complete};

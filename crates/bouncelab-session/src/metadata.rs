@@ -54,8 +54,13 @@ impl KnownRecording {
     pub fn key(&self, content: Hash) -> Key {
         Key {
             content,
-            settings: hash_of(&(RECORD, env!("CARGO_PKG_VERSION"), self.options())),
+            settings: self.settings(),
         }
+    }
+
+    /// Hash of the settings of its result, and of this version.
+    pub(crate) fn settings(&self) -> Hash {
+        hash_of(&(RECORD, env!("CARGO_PKG_VERSION"), self.options()))
     }
 
     /// How it is analysed.

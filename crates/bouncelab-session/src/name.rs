@@ -41,6 +41,14 @@ fn escaped(bytes: &[u8]) -> String {
     text
 }
 
+/// A message without the path of the recording with which it may begin, where that is named already.
+pub(crate) fn without_name<'a>(message: &'a str, name: &str) -> &'a str {
+    match message.split_once(": ") {
+        Some((path, rest)) if path.ends_with(name) => rest,
+        _ => message,
+    }
+}
+
 /// The first few of many names.
 pub fn some_of(names: &[String]) -> String {
     const SHOWN: usize = 4;

@@ -141,7 +141,7 @@ impl Record {
         }
     }
 
-    fn failed(reason: String) -> Self {
+    pub(crate) fn failed(reason: String) -> Self {
         Self {
             failure: Some(reason),
             ..Self::default()

@@ -109,6 +109,16 @@ impl Session {
         Ok(session)
     }
 
+    /// A single recording, of which its name and these notes say something.
+    pub(crate) fn of_one(recording: Recording, pattern: Option<Pattern>, notes: Notes) -> Self {
+        Self {
+            recordings: vec![recording],
+            pattern,
+            listed: BTreeMap::from([(0, vec![notes])]),
+            ..Self::default()
+        }
+    }
+
     /// All that was said of the recording at a place, by field. Several may have said something of
     /// the same; what is said of all counts only where nobody else says anything.
     ///

@@ -1,7 +1,8 @@
-//! The results of all recordings, read from the journal one at a time.
+//! The results of all recordings, read one at a time from where they are kept.
 
 use std::collections::BTreeMap;
 
+use crate::batch::Batch;
 use crate::error::{Error, Result};
 use crate::hash::Hash;
 use crate::journal::{Journal, Key};
@@ -17,22 +18,49 @@ pub struct Results<'a> {
     /// What came of the work on each, in their order.
     pub done: &'a [Done],
     /// Where their results are.
-    pub journal: &'a Journal,
+    pub store: Store<'a>,
+}
+
+/// Where results are kept.
+#[derive(Debug, Clone, Copy)]
+pub enum Store<'a> {
+    /// In the journal of this machine.
+    Journal(&'a Journal),
+    /// In the rows of a cluster.
+    Batch(&'a Batch),
 }
 
 impl Results<'_> {
-    /// The result of a recording, by its place, and what it is of.
+    /// Hands on the results of some recordings, with their places: those of a journal in this order, those of
+    /// a cluster in the order of its rows.
     ///
     /// # Errors
-    /// [`Error::NoResult`] if the journal has none, [`Error::Read`] if it cannot be read.
-    pub fn read(&self, place: usize) -> Result<(Key, Record)> {
+    /// [`Error::NoResult`] if there is none, [`Error::Read`] and [`Error::Rows`] if it cannot be read, and
+    /// those of `take`.
+    pub fn each(
+        &self,
+        is_wanted: impl Fn(usize) -> bool,
+        mut take: impl FnMut(usize, &Key, Record) -> Result<()>,
+    ) -> Result<()> {
+        let journal = match self.store {
+            Store::Journal(journal) => journal,
+            Store::Batch(batch) => return batch.each(is_wanted, take),
+        };
+        for place in (0..self.recordings.len()).filter(|&place| is_wanted(place)) {
+            let (key, record) = self.read(journal, place)?;
+            take(place, &key, record)?;
+        }
+        Ok(())
+    }
+
+    fn read(&self, journal: &Journal, place: usize) -> Result<(Key, Record)> {
         let recording = &self.recordings[place];
         let none = || Error::NoResult {
             name: recording.name().to_owned(),
         };
         let content = self.done[place].content.as_ref().map_err(|_| none())?;
         let key = recording.key(*content);
-        let record = self.journal.read(recording.name(), &key)?;
+        let record = journal.read(recording.name(), &key)?;
         Ok((key, record.ok_or_else(none)?))
     }
 

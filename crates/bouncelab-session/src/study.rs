@@ -2,6 +2,7 @@
 
 use std::cmp::Ordering;
 use std::collections::BTreeMap;
+use std::ops::Range;
 
 use bouncelab::groups::{Covariate, Factor, Study, StudyDrop};
 use bouncelab::inference::Measured;
@@ -10,6 +11,7 @@ use bouncelab_report::messages::Translator;
 use crate::document::{AboutSession, Reason, SessionDocument};
 use crate::error::{Error, Result};
 use crate::metadata::{KnownRecording, Metadata};
+use crate::name::without_name;
 use crate::record::{DropRecord, PosteriorRecord, Record};
 use crate::results::Results;
 
@@ -76,11 +78,11 @@ pub struct Outcome<'a> {
 }
 
 impl<'a> Outcome<'a> {
-    /// Reads every result once, and studies what they say together.
+    /// Reads every result once, in any order, and studies what they say together.
     ///
     /// # Errors
     /// [`Error::UnknownDrop`] and [`Error::UnknownField`] if the options name what is not there, and
-    /// those of [`Results::read`].
+    /// those of [`Results::each`].
     pub fn of(
         results: &Results<'a>,
         options: &StudyOptions,
@@ -103,93 +105,60 @@ impl<'a> Outcome<'a> {
             study: Err("there are no drops".to_owned()),
         };
         let mut excluded = Excluded::new(&options.exclude);
-        for (place, duplicate) in results.duplicates().into_iter().enumerate() {
+        let mut said = Said::default();
+        let duplicates = results.duplicates();
+        for (place, duplicate) in duplicates.iter().enumerate() {
             let recording = &recordings[place];
-            let about = &mut outcome.about;
-            match (&results.done[place].content, duplicate) {
-                (Err(why), _) => about.failed.push(reason(recording.name(), why)),
-                (Ok(_), Some(first)) => {
-                    let first = &recordings[first];
-                    about
-                        .duplicates
-                        .push(reason(recording.name(), first.name()));
-                    about.remarks.extend(noted_otherwise(recording, first));
-                }
-                (Ok(_), None) => {
-                    outcome.take(place, results.read(place)?.1, &mut excluded, translator);
-                }
+            if let Err(why) = &results.done[place].content {
+                said.failed.push((place, why.clone()));
+            } else if let Some(first) = duplicate {
+                let first = &recordings[*first];
+                let about = &mut outcome.about;
+                about
+                    .duplicates
+                    .push(reason(recording.name(), first.name()));
+                about.remarks.extend(noted_otherwise(recording, first));
             }
         }
-        outcome.about.drops = outcome.drops.len();
+        let counts =
+            |place: usize| results.done[place].content.is_ok() && duplicates[place].is_none();
+        results.each(counts, |place, _, record| {
+            said.take(place, &recordings[place], record, &mut excluded, translator);
+            Ok(())
+        })?;
+        outcome.sort(said);
         excluded.check()?;
         outcome.study(options)?;
         Ok(outcome)
     }
 
-    /// Takes what a recording says.
-    fn take(
-        &mut self,
-        place: usize,
-        record: Record,
-        excluded: &mut Excluded<'_>,
-        translator: &Translator,
-    ) {
-        let recording = &self.recordings[place];
-        let name = recording.name();
-        if let Some(why) = record.failure {
-            // It may begin with the path of the recording, which is named already.
-            let why = match why.split_once(": ") {
-                Some((path, rest)) if path.ends_with(name) => rest,
-                _ => &why,
-            };
-            self.about.failed.push(reason(name, why));
-            return;
-        }
-        if record.drops.is_empty() {
-            let why = record.no_drop.map(|why| translator.diagnostic(&why));
-            let why = reason(name, &why.unwrap_or_default());
-            self.about.without_drop.push(why);
-        }
-        let is_alone = record.drops.len() == 1;
-        for (number, of_drop) in (1..).zip(record.drops) {
-            let numbered = format!("{name}#{number}");
-            let by_hand = excluded.has(name, &numbered);
-            let drop = SessionDrop {
-                recording: place,
-                number,
-                name: if is_alone { name.to_owned() } else { numbered },
-                by_hand,
-            };
-            if !of_drop.diagnostics.is_empty() {
-                if is_doubtful(&of_drop) {
+    /// Takes what the recordings say in the order of their names, in whatever order they were read.
+    fn sort(&mut self, mut said: Said) {
+        let named = |(place, why): (usize, String)| reason(self.recordings[place].name(), &why);
+        said.failed.sort_by_key(|(place, _)| *place);
+        self.about.failed = said.failed.into_iter().map(named).collect();
+        said.without_drop.sort_by_key(|(place, _)| *place);
+        self.about.without_drop = said.without_drop.into_iter().map(named).collect();
+        said.drops
+            .sort_by_key(|said| (said.drop.recording, said.drop.number));
+        for said in said.drops {
+            let of_drop = |why: &str| reason(&said.drop.name, why);
+            if let Some((why, is_doubtful)) = &said.odd {
+                if *is_doubtful {
                     self.doubtful.push(self.about.odd.len());
                 }
-                let odd = of_drop.diagnostics.iter();
-                let why: Vec<String> = odd.map(|odd| translator.diagnostic(odd)).collect();
-                self.about.odd.push(reason(&drop.name, &why.join("; ")));
+                self.about.odd.push(of_drop(why));
             }
-            match (left_out(&of_drop, by_hand, translator), of_drop.posterior) {
-                (None, Some(posterior)) => {
-                    let scatter = posterior.restitution_scatter;
-                    self.studied.push(self.drops.len());
-                    self.curves.push(StudyDrop {
-                        curve: posterior.curve,
-                        scatter: scatter.known_sd().map(|sd| Measured {
-                            value: scatter.value,
-                            sd,
-                        }),
-                        levels: Vec::new(),
-                    });
-                }
-                // What was asked of no drop need not be said of each.
-                (Some(_), None) if !recording.metadata.asks_inference() && !by_hand => {}
-                (why, _) => {
-                    let why = why.unwrap_or_default();
-                    self.about.left_out.push(reason(&drop.name, &why));
-                }
+            self.about
+                .left_out
+                .extend(said.left_out.as_deref().map(of_drop));
+            if let Some(curve) = said.studied {
+                self.studied.push(self.drops.len());
+                self.curves.push(curve);
             }
-            self.drops.push(drop);
+            self.drops.push(said.drop);
         }
+        self.about.drops = self.drops.len();
     }
 
     fn study(&mut self, options: &StudyOptions) -> Result<()> {
@@ -259,12 +228,23 @@ impl<'a> Outcome<'a> {
         &self.drops[self.studied[studied]].name
     }
 
-    /// The outlier score of a drop, by its place in `drops`; `None` unless it is an outlier.
-    pub fn outlier_score(&self, place: usize) -> Option<f64> {
-        let studied = self.studied.binary_search(&place).ok()?;
-        let mut outliers = self.study.as_ref().ok()?.outliers.iter();
-        let outlier = outliers.find(|outlier| outlier.drop == studied)?;
-        Some(outlier.score)
+    /// The drops of a recording, as a range of places in `drops`.
+    pub(crate) fn drops_of(&self, recording: usize) -> Range<usize> {
+        let start = self
+            .drops
+            .partition_point(|drop| drop.recording < recording);
+        let end = self
+            .drops
+            .partition_point(|drop| drop.recording <= recording);
+        start..end
+    }
+
+    /// The scores of the outliers, by their place in `drops`.
+    pub(crate) fn outlier_scores(&self) -> BTreeMap<usize, f64> {
+        let outliers = self.study.iter().flat_map(|study| &study.outliers);
+        outliers
+            .map(|outlier| (self.studied[outlier.drop], outlier.score))
+            .collect()
     }
 
     /// The result for other programs.
@@ -282,6 +262,103 @@ impl<'a> Outcome<'a> {
         } else {
             words.join(", ")
         }
+    }
+}
+
+/// What recordings say, as it is read.
+#[derive(Default)]
+struct Said {
+    /// Recordings that failed, by their place, and why.
+    failed: Vec<(usize, String)>,
+    /// Recordings without a drop, by their place, and why.
+    without_drop: Vec<(usize, String)>,
+    drops: Vec<SaidDrop>,
+}
+
+struct SaidDrop {
+    drop: SessionDrop,
+    /// What it adds to the study, if it is in it.
+    studied: Option<StudyDrop>,
+    /// Why it is not, if that is to be said.
+    left_out: Option<String>,
+    /// What is odd about it, and whether its estimate can hardly be believed.
+    odd: Option<(String, bool)>,
+}
+
+impl Said {
+    /// Takes what a recording says.
+    fn take(
+        &mut self,
+        place: usize,
+        recording: &KnownRecording,
+        record: Record,
+        excluded: &mut Excluded<'_>,
+        translator: &Translator,
+    ) {
+        let name = recording.name();
+        if let Some(why) = record.failure {
+            self.failed
+                .push((place, without_name(&why, name).to_owned()));
+            return;
+        }
+        if record.drops.is_empty() {
+            let why = record.no_drop.map(|why| translator.diagnostic(&why));
+            self.without_drop.push((place, why.unwrap_or_default()));
+        }
+        let is_alone = record.drops.len() == 1;
+        for (number, of_drop) in (1..).zip(record.drops) {
+            let numbered = format!("{name}#{number}");
+            let drop = SessionDrop {
+                recording: place,
+                number,
+                by_hand: excluded.has(name, &numbered),
+                name: if is_alone { name.to_owned() } else { numbered },
+            };
+            let asks_inference = recording.metadata.asks_inference();
+            self.drops
+                .push(SaidDrop::of(drop, of_drop, asks_inference, translator));
+        }
+    }
+}
+
+impl SaidDrop {
+    fn of(
+        drop: SessionDrop,
+        record: DropRecord,
+        asks_inference: bool,
+        translator: &Translator,
+    ) -> Self {
+        let odd = (!record.diagnostics.is_empty()).then(|| {
+            let odd = record.diagnostics.iter();
+            let why: Vec<String> = odd.map(|odd| translator.diagnostic(odd)).collect();
+            (why.join("; "), is_doubtful(&record))
+        });
+        let left_out = left_out(&record, drop.by_hand, translator);
+        let (studied, left_out) = match (left_out, record.posterior) {
+            (None, Some(posterior)) => (Some(studied(posterior)), None),
+            // What was asked of no drop need not be said of each.
+            (Some(_), None) if !asks_inference && !drop.by_hand => (None, None),
+            (why, _) => (None, Some(why.unwrap_or_default())),
+        };
+        Self {
+            drop,
+            studied,
+            left_out,
+            odd,
+        }
+    }
+}
+
+/// What a drop adds to the study.
+fn studied(posterior: PosteriorRecord) -> StudyDrop {
+    let scatter = posterior.restitution_scatter;
+    StudyDrop {
+        curve: posterior.curve,
+        scatter: scatter.known_sd().map(|sd| Measured {
+            value: scatter.value,
+            sd,
+        }),
+        levels: Vec::new(),
     }
 }
 

@@ -5,15 +5,17 @@ mod tables;
 mod text;
 mod work;
 
+use std::fs;
 use std::io::{self, Write};
 use std::path::PathBuf;
 
 use bouncelab_report::file::{remove_drafts, write_whole};
+use bouncelab_session::batch::Batch;
 use bouncelab_session::journal::Journal;
 use bouncelab_session::table::Form;
 use bouncelab_session::{
-    Advice, MetadataOptions, Noted, Outcome, Results, Session, Sources, StudyOptions, figures,
-    write_tables,
+    Advice, MetadataOptions, Noted, Outcome, Results, Session, Sources, Store, StudyOptions,
+    figures, write_tables,
 };
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Args, ValueEnum};
@@ -35,8 +37,17 @@ use bouncelab::setup::Setup;
 #[command(after_help = EXAMPLES)]
 pub(crate) struct Arguments {
     /// Recordings, folders, or a session.toml
-    #[arg(required = true, value_name = "DIR|FILE|session.toml")]
+    #[arg(required_unless_present = "from", value_name = "DIR|FILE|session.toml")]
     inputs: Vec<PathBuf>,
+    /// Take the results of a cluster, a folder of Parquet, in place of recordings (see docs/cluster.md)
+    #[arg(
+        long,
+        value_name = "DIR",
+        conflicts_with_all = [
+            "inputs", "pattern", "table", "allow_missing", "jobs", "PhysicsArguments", "PriorArguments"
+        ]
+    )]
+    from: Option<PathBuf>,
     /// Folder for tables, journal and figures
     #[arg(long, value_name = "DIR", default_value = "bouncelab-session")]
     output: PathBuf,
@@ -112,6 +123,7 @@ Examples:
   bouncelab session session.toml --by surface --want 0.001
   bouncelab session session.toml --exclude red_steel_3.wav --details
   bouncelab session session.toml --report session.html
+  bouncelab session --from results.parquet
   bouncelab session session.toml --format json > session.json";
 
 #[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
@@ -123,6 +135,12 @@ enum Format {
 }
 
 pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
+    if let Some(from) = &arguments.from {
+        let folder = &arguments.output;
+        fs::create_dir_all(folder).map_err(|reason| Failure::unwritable(folder, &reason))?;
+        let targets = Targets::new(arguments)?;
+        return targets.write(arguments, &Batch::open(from)?.results(), None, Vec::new());
+    }
     arguments.physics.questioned(arguments.priors.questions())?;
     let mut session = Session::gather(&Sources {
         inputs: arguments.inputs.clone(),
@@ -149,14 +167,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
     }
     .read(session)?;
     let journal = Journal::open(&arguments.output)?;
-    let folder = &arguments.output;
-    remove_drafts(folder).map_err(|reason| Failure::unwritable(folder, &reason))?;
-    // It may lie in the same folder.
-    let report_file = arguments
-        .report
-        .as_deref()
-        .map(ReportFile::new)
-        .transpose()?;
+    let targets = Targets::new(arguments)?;
     if journal.damaged() > 0 {
         let count = [("count", journal.damaged().into())];
         eprintln!(
@@ -173,36 +184,68 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let results = Results {
         recordings: &recordings,
         done: &done,
-        journal: &journal,
+        store: Store::Journal(&journal),
     };
-    let mut outcome = Outcome::of(&results, &arguments.study(), translator())?;
-    outcome.about.title = title;
-    outcome.about.remarks.extend(remarks);
-    let written = write_tables(&outcome, &results, folder, &arguments.tables)?;
-    let json = serde_json::to_string_pretty(&outcome.document()).map_err(io::Error::from)? + "\n";
-    let place = folder.join("session.json");
-    write_whole(&place, json.as_bytes()).map_err(|reason| Failure::unwritable(&place, &reason))?;
-    if arguments.figures {
-        for (name, figure) in figures(&outcome, &results, translator())? {
-            wrote_figure(&bouncelab_report::save(&figure, folder, name)?);
+    targets.write(arguments, &results, title, remarks)
+}
+
+/// Where to write, opened before the long work.
+struct Targets {
+    report: Option<ReportFile>,
+}
+
+impl Targets {
+    fn new(arguments: &Arguments) -> Result<Self, Failure> {
+        let folder = &arguments.output;
+        remove_drafts(folder).map_err(|reason| Failure::unwritable(folder, &reason))?;
+        // It may lie in the same folder.
+        let report = arguments.report.as_deref().map(ReportFile::new);
+        Ok(Self {
+            report: report.transpose()?,
+        })
+    }
+
+    /// Studies results, and writes all that was asked for.
+    fn write(
+        self,
+        arguments: &Arguments,
+        results: &Results<'_>,
+        title: Option<String>,
+        remarks: Vec<String>,
+    ) -> Result<(), Failure> {
+        let folder = &arguments.output;
+        let mut outcome = Outcome::of(results, &arguments.study(), translator())?;
+        outcome.about.title = title;
+        outcome.about.remarks.extend(remarks);
+        let written = write_tables(&outcome, results, folder, &arguments.tables)?;
+        let json =
+            serde_json::to_string_pretty(&outcome.document()).map_err(io::Error::from)? + "\n";
+        let place = folder.join("session.json");
+        write_whole(&place, json.as_bytes())
+            .map_err(|reason| Failure::unwritable(&place, &reason))?;
+        if arguments.figures {
+            for (name, figure) in figures(&outcome, results, translator())? {
+                wrote_figure(&bouncelab_report::save(&figure, folder, name)?);
+            }
         }
-    }
-    if let Some(file) = report_file {
-        file.write(&report::page(&outcome, &results)?)?;
-    }
-    let mut out = io::stdout().lock();
-    match arguments.format {
-        Format::Json => out.write_all(json.as_bytes())?,
-        Format::Text => {
-            out.write_all(text::report(&outcome, arguments.details, arguments.want).as_bytes())?;
-            let list = [("list", shown(&written).into())];
-            writeln!(out, "  {}", text_with("session-tables", &list))?;
+        if let Some(file) = self.report {
+            file.write(&report::page(&outcome, results)?)?;
         }
+        let mut out = io::stdout().lock();
+        match arguments.format {
+            Format::Json => out.write_all(json.as_bytes())?,
+            Format::Text => {
+                let text = text::report(&outcome, arguments.details, arguments.want);
+                out.write_all(text.as_bytes())?;
+                let list = [("list", shown(&written).into())];
+                writeln!(out, "  {}", text_with("session-tables", &list))?;
+            }
+        }
+        if outcome.drops.is_empty() {
+            return Err(Failure::Input(message("session-no-drop")));
+        }
+        Ok(())
     }
-    if outcome.drops.is_empty() {
-        return Err(Failure::Input(message("session-no-drop")));
-    }
-    Ok(())
 }
 
 /// A form of a table by the ending of its file.

@@ -1,0 +1,191 @@
+"""Figures for docs/cluster.md; each is a command: `python measure.py FIGURE ...`, from this folder.
+
+spark COUNT [WORKERS]    COUNT recordings on Spark: rows against `session`, files a second, processor time
+ray COUNT [WORKERS]      the same on Ray
+kernel COUNT             the kernel alone, in one process: files a second, memory
+study COUNT              a study of COUNT simulated drops: time and memory
+listing COUNT            COUNT files without content planned by Spark, one trigger: memory of the driver
+"""
+
+from __future__ import annotations
+
+import contextlib
+import json
+import os
+import random
+import resource
+import subprocess
+import sys
+import tempfile
+import threading
+import time
+from pathlib import Path
+
+import psutil
+import pyarrow
+from clusters import Job, Ray, Spark, cluster
+from laboratory import PATTERN, differences, listed, names, record
+from pyarrow import parquet
+
+from bouncelab import batch
+from bouncelab._program import find
+
+SETTINGS: batch.Settings = {"ball": "table-tennis-40", "draws": 1000, "pattern": PATTERN}
+TEMPORARY = Path(os.environ.get("TMPDIR", "/tmp")) / "bouncelab-measure"
+MB = 1 << 20
+
+
+class Watch:
+    """Processor time of all processes below some, and the most memory of their Python workers."""
+
+    def __init__(self, roots: list[int]) -> None:
+        self.roots = roots
+        self.times: dict[tuple[int, float], float] = {}
+        self.memory: list[tuple[float, float]] = []
+        self.stopped = threading.Event()
+        self.thread = threading.Thread(target=self._watch)
+        self.thread.start()
+
+    def _watch(self) -> None:
+        start = time.monotonic()
+        while not self.stopped.wait(0.25):
+            most = 0.0
+            for root in self.roots:
+                for process in _family(root):
+                    try:
+                        times = process.cpu_times()
+                        self.times[process.pid, process.create_time()] = times.user + times.system
+                        if "python" in process.name() or "ray::" in process.name():
+                            most = max(most, process.memory_full_info().uss / MB)
+                    except psutil.Error:
+                        continue
+            self.memory.append((time.monotonic() - start, most))
+
+    def stop(self) -> tuple[float, list[tuple[float, float]]]:
+        self.stopped.set()
+        self.thread.join()
+        return sum(self.times.values()), self.memory
+
+
+def _family(root: int) -> list[psutil.Process]:
+    try:
+        process = psutil.Process(root)
+        return [process, *process.children(recursive=True)]
+    except psutil.Error:
+        return []
+
+
+def engine(kind: type[Spark] | type[Ray], count: int, workers: int = 2) -> None:
+    """Rows, speed, processor time and memory, warm."""
+    source = record(TEMPORARY / f"recordings-{count}", count)
+    given = listed(source) if kind is Ray else source
+    with tempfile.TemporaryDirectory(dir=TEMPORARY) as folder, cluster(kind, Path(folder) / "c", workers) as started:
+        output = Path(folder) / "results.parquet"
+        watch = Watch([process.pid for process in started.processes()])
+        start = time.monotonic()
+        Job(started, given, output, settings=SETTINGS, faulty=False).finish()
+        seconds = time.monotonic() - start
+        processors, memory = watch.stop()
+        print(f"{kind.__name__}: {len(set(names(output)))} of {count} recordings, {count / seconds:.1f} files/s")
+        print(f"processor time of the cluster: {processors:.1f} s, {1000 * processors / count:.1f} ms a recording")
+        quarters = [max(used for _, used in memory[i * len(memory) // 4 : (i + 1) * len(memory) // 4]) for i in range(4)]
+        print("largest Python worker by quarters of the time, MB:", *(f"{used:.0f}" for used in quarters))
+        session = TEMPORARY / f"session-{count}"
+        command = [find(), "session", source, "--output", session, "--pattern", PATTERN, "--tables", "parquet"]
+        command += ["--ball", SETTINGS["ball"], "--draws", str(SETTINGS["draws"])]
+        subprocess.run(command, check=True, capture_output=True)
+        cells, different = differences(session, output, Path(folder) / "tables")
+        print(f"{cells} cells, {different} differ from those of a session")
+
+
+def kernel(count: int) -> None:
+    """The kernel alone."""
+    source = record(TEMPORARY / f"recordings-{count}", count)
+    given = parquet.read_table(listed(source), columns=["path"])
+    start = time.process_time()
+    memory = []
+    for part in batch.kernel(SETTINGS, root=source)(given.to_batches()):
+        memory.append(psutil.Process().memory_full_info().uss / MB)
+        del part
+    seconds = time.process_time() - start
+    print(f"kernel: {1000 * seconds / count:.1f} ms of processor time a recording")
+    print(f"memory: {memory[0]:.0f} MB after 50 recordings, {memory[-1]:.0f} MB after {count}, at most {max(memory):.0f} MB")
+
+
+def study(count: int) -> None:
+    """A study of simulated rows."""
+    folder = TEMPORARY / f"simulated-{count}.parquet"
+    if not folder.exists():
+        simulate(folder, count)
+    start = time.monotonic()
+    document = batch.study(folder)
+    most = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024
+    print(f"{document['drops']} drops studied in {time.monotonic() - start:.0f} s with {most:.0f} MB")
+
+
+def simulate(folder: Path, count: int) -> None:
+    """Rows of sixty drops whose restitution is moved by a hundred random amounts, under names of their own."""
+    chance = random.Random(1)
+    source = record(TEMPORARY / "recordings-60", 60)
+    given = parquet.read_table(listed(source), columns=["path"])
+    rows = pyarrow.Table.from_batches(batch.kernel(SETTINGS, root=source)(given.to_batches()))
+    templates = [row for row in rows.to_pylist() if row["drops"]]
+    records = []
+    for place in range(100 * len(templates)):
+        moved, off = json.loads(templates[place % len(templates)]["record"]), chance.gauss(0.0, 0.002)
+        for point in (point for drop in moved["drops"] for point in drop["posterior"]["curve"]):
+            point["value"] += off
+        records.append(json.dumps(moved, separators=(",", ":")))
+    same = ["settings_sha256", "metadata", "failure"]
+    schema = pyarrow.schema(rows.schema.field(name) for name in ["recording", "content_sha256", "record", *same])
+    folder.mkdir(parents=True)
+    with parquet.ParquetWriter(folder / "rows.parquet", schema) as writer:
+        for start in range(0, count, 10_000):
+            numbers = range(start, min(count, start + 10_000))
+            chosen = [chance.randrange(len(records)) for _ in numbers]
+            columns = {
+                "recording": [f"{number:08}.wav" for number in numbers],
+                "content_sha256": [f"{number:064x}" for number in numbers],
+                "record": [records[place] for place in chosen],
+            }
+            columns |= {name: [templates[place % len(templates)][name] for place in chosen] for name in same}
+            writer.write_table(pyarrow.table(columns, schema))
+
+
+def listing(count: int) -> None:
+    """The files hold nothing, and the kernel is not asked: only what the driver does is measured."""
+    source = TEMPORARY / f"listing-{count}"
+    for number in range(count):
+        path = source / f"{number // 1000:04}" / f"{number:07}.wav"
+        if number % 1000 == 0:
+            path.parent.mkdir(parents=True, exist_ok=True)
+        path.touch()
+    with tempfile.TemporaryDirectory(dir=TEMPORARY) as folder, cluster(Spark, Path(folder) / "c") as started:
+        job = Job(started, source, Path(folder) / "results.parquet", settings=SETTINGS, faulty=False)
+        most = 0.0
+
+        def is_planned() -> bool:
+            nonlocal most
+            for process in _family(job.process.pid):
+                with contextlib.suppress(psutil.Error):
+                    most = max(most, process.memory_info().rss / MB)
+            return (job.checkpoint / "commits" / "0").exists()
+
+        start = time.monotonic()
+        job.until(is_planned, "the first trigger")
+        job.kill()
+        print(f"{count} paths: first trigger of 10,000 done after {time.monotonic() - start:.0f} s")
+        print(f"driver: at most {most:.0f} MB")
+
+
+if __name__ == "__main__":
+    TEMPORARY.mkdir(exist_ok=True)
+    what, *numbers = sys.argv[1:]
+    counts = [int(number) for number in numbers]
+    {
+        "spark": lambda: engine(Spark, *counts),
+        "ray": lambda: engine(Ray, *counts),
+        "kernel": lambda: kernel(*counts),
+        "listing": lambda: listing(*counts),
+        "study": lambda: study(*counts),
+    }[what]()

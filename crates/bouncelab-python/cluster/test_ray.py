@@ -1,0 +1,61 @@
+"""Ray on a head and one more node."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+import ray as engine_of_ray
+from clusters import Ray, cluster
+from faults import faulty
+from laboratory import SETTINGS, alone, differences, failures, listed, names, rows, with_faults, work
+
+from bouncelab import batch
+from bouncelab.ray import analyze
+
+#: For what is not about numbers.
+QUICK: batch.Settings = {"draws": None}
+
+
+@pytest.fixture(scope="module")
+def ray(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Ray]:
+    with cluster(Ray, tmp_path_factory.mktemp("r")) as started:
+        assert isinstance(started, Ray)
+        engine_of_ray.init(address=started.url, log_to_driver=False)
+        yield started
+        engine_of_ray.shutdown()
+
+
+def test_rows_are_those_of_a_session(ray: Ray, recordings: Path, session: Path, tmp_path: Path) -> None:
+    output = tmp_path / "results.parquet"
+    analyze(listed(recordings), output, tmp_path / "checkpoint", SETTINGS)
+    cells, different = differences(session, output, tmp_path / "tables")
+    count = len(names(output))
+    print(f"Ray: {count} recordings, {cells} cells, {different} differ")
+    assert (count, different) == (len(list(recordings.iterdir())), 0)
+
+
+def test_rows_are_those_of_the_kernel_alone(ray: Ray, few: Path, tmp_path: Path) -> None:
+    analyze(listed(few), tmp_path / "results.parquet", tmp_path / "checkpoint", SETTINGS)
+    assert rows(tmp_path / "results.parquet") == alone(few)
+
+
+def test_what_fails_becomes_a_row(ray: Ray, few: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(batch, "kernel", faulty)
+    source, broken = with_faults(few, tmp_path / "recordings")
+    output = tmp_path / "results.parquet"
+    analyze(listed(source), output, tmp_path / "checkpoint", {**QUICK, "time_limit_s": 20.0})
+    expected = dict.fromkeys(broken, "not-analysed")
+    assert failures(output) == expected | {"abort.wav": "process-died", "endless.wav": "out-of-time"}
+    assert len(names(output)) == 302
+
+
+def test_nothing_new_is_nothing_done(ray: Ray, few: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(batch, "kernel", faulty)
+    output, source, counts = tmp_path / "results.parquet", listed(few), []
+    for _ in range(2):
+        before = len(work(ray.folder))
+        analyze(source, output, tmp_path / "checkpoint", QUICK)
+        counts.append(len(work(ray.folder)) - before)
+    assert counts == [300, 0] and len(names(output)) == 300

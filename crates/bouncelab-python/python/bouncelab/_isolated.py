@@ -1,0 +1,137 @@
+"""A child process that analyses recordings, so that one that ends it harms no other."""
+
+from __future__ import annotations
+
+import os
+import pickle
+import signal
+import subprocess
+import sys
+import threading
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any, Protocol, TypeAlias
+
+if TYPE_CHECKING:
+    from types import TracebackType
+
+#: The row of a recording.
+Outcome: TypeAlias = "Callable[[Any], bytes]"
+
+
+class Analyses(Protocol):
+    """What analyses one recording; it can be pickled."""
+
+    def row(self, given: Any, /) -> bytes: ...
+
+
+class Isolated:
+    """A child process that analyses one recording after the other; it is replaced when it ends.
+
+    Parameters
+    ----------
+    analyses : Analyses
+        What the child does.
+    limit_s : float or None
+        Longest time for one recording.
+    """
+
+    def __init__(self, analyses: Analyses, limit_s: float | None) -> None:
+        self._analyses = pickle.dumps(analyses)
+        self._limit_s = limit_s
+        self._child: subprocess.Popen[bytes] | None = None
+
+    def row(self, given: object) -> bytes | tuple[str, str]:
+        """Return the row of a recording, or the kind of its failure and the reason.
+
+        A recording fails if it ends two children: the system may have ended the first for another.
+        """
+        outcome = self._try(given)
+        return self._try(given) if outcome[0] == "process-died" else outcome
+
+    def _try(self, given: object) -> bytes | tuple[str, str]:
+        child = self._running()
+        assert child.stdin is not None and child.stdout is not None
+        late = threading.Event()
+
+        def end() -> None:
+            late.set()
+            child.kill()
+
+        timer = threading.Timer(self._limit_s or 0.0, end)
+        try:
+            if self._limit_s is not None:
+                timer.start()
+            child.stdin.write(pickle.dumps(given))
+            child.stdin.flush()
+            outcome: bytes | Exception = pickle.load(child.stdout)
+        except (EOFError, OSError, pickle.UnpicklingError):
+            if late.is_set():
+                reason = ("out-of-time", f"it took longer than {self._limit_s:g} s")
+            else:
+                reason = ("process-died", f"it ended the process that analysed it, by {_cause(child.wait())}")
+            self._close()
+            return reason
+        finally:
+            timer.cancel()
+        if late.is_set():
+            self._close()
+        if isinstance(outcome, Exception):
+            raise outcome
+        return outcome
+
+    def _running(self) -> subprocess.Popen[bytes]:
+        if self._child is None:
+            path = os.pathsep.join(filter(None, sys.path))
+            command = [sys.executable, "-m", "bouncelab._isolated"]
+            self._child = subprocess.Popen(
+                command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, env=os.environ | {"PYTHONPATH": path}
+            )
+            assert self._child.stdin is not None and self._child.stdout is not None
+            self._child.stdin.write(self._analyses)
+            self._child.stdin.flush()
+            # The time to begin is not that of a recording.
+            pickle.load(self._child.stdout)
+        return self._child
+
+    def _close(self) -> None:
+        if self._child is not None:
+            self._child.kill()
+            self._child.communicate()
+            self._child = None
+
+    def __enter__(self) -> Isolated:
+        return self
+
+    def __exit__(self, kind: type[BaseException] | None, _: BaseException | None, __: TracebackType | None) -> None:
+        self._close()
+
+
+def _cause(status: int) -> str:
+    try:
+        return signal.Signals(-status).name if status < 0 else f"exit status {status}"
+    except ValueError:
+        return f"signal {-status}"
+
+
+def main() -> None:
+    """Analyse what comes in, until nothing comes any more."""
+    replies = os.fdopen(os.dup(1), "wb")
+    # Whatever else is printed must not come between the replies.
+    os.dup2(2, 1)
+    analyses: Analyses = pickle.load(sys.stdin.buffer)
+    outcome: bytes | Exception | None = None
+    while True:
+        pickle.dump(outcome, replies)
+        replies.flush()
+        try:
+            given = pickle.load(sys.stdin.buffer)
+        except EOFError:
+            return
+        try:
+            outcome = analyses.row(given)
+        except Exception as fault:
+            outcome = fault
+
+
+if __name__ == "__main__":
+    main()

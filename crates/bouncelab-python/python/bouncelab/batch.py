@@ -1,0 +1,375 @@
+"""Recordings by the million: one kernel for every engine.
+
+A :class:`Kernel` takes batches of recordings and gives batches of rows, one for each recording. An engine such as
+Spark (:mod:`bouncelab.spark`) or Ray (:mod:`bouncelab.ray`) spreads them over a cluster and writes them as Parquet;
+:func:`explode` and :func:`study` read that. It takes pyarrow.
+"""
+
+from __future__ import annotations
+
+import itertools
+import json
+import os
+import re
+import tempfile
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from contextlib import contextmanager
+from os import PathLike, fspath
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, NamedTuple, cast
+
+from bouncelab import _core
+from bouncelab._errors import InputError
+from bouncelab._isolated import Isolated, Outcome
+from bouncelab._settings import Options, flag, number, split, text
+
+if TYPE_CHECKING:
+    import pyarrow
+
+    from bouncelab._data import JSON
+
+__all__ = ["MEAN", "Kernel", "Settings", "explode", "kernel", "manifest", "mean", "study"]
+
+#: So many rows are given at once: a megabyte or two.
+ROWS_AT_ONCE = 50
+
+
+class Settings(Options, total=False):
+    """What holds for all recordings: the options of :func:`bouncelab.analyze`, and these.
+
+    pattern : str
+        What the names of the files say, as of :func:`bouncelab.session`.
+    allow_implausible : bool
+        Whether to believe notes that look like a mistake of units.
+    time_limit_s : float
+        Longest time for one recording; one that takes longer becomes a row that says so.
+    """
+
+    pattern: str | None
+    allow_implausible: bool
+    time_limit_s: float | None
+
+
+class Given(NamedTuple):
+    """A recording: name, place, content if that was read, and what was noted of it."""
+
+    name: str
+    path: str
+    content: bytes | None
+    notes: dict[str, str]
+
+
+class Kernel:
+    """Analyses batches of recordings; it comes from :func:`kernel`, and can be pickled."""
+
+    def __init__(self, settings: str, options: str, root: str, limit_s: float | None, isolates: bool) -> None:
+        self._arguments = (settings, options, root, limit_s, isolates)
+        self._core = _core.Kernel(settings, options)
+        self._root = root
+        self._limit_s = limit_s
+        self._isolates = isolates
+
+    def __reduce__(self) -> tuple[type[Kernel], tuple[str, str, str, float | None, bool]]:
+        return (type(self), self._arguments)
+
+    def isolated(self) -> Kernel:
+        """Return the same kernel that analyses each recording in a child process.
+
+        A recording that ends its process then becomes a row that says so.
+        """
+        settings, options, root, limit_s, _ = self._arguments
+        return type(self)(settings, options, root, limit_s, True)
+
+    @property
+    def schema(self) -> pyarrow.Schema:
+        """The schema of the rows."""
+        return _arrow([]).schema
+
+    def __call__(self, batches: Iterable[pyarrow.RecordBatch]) -> Iterator[pyarrow.RecordBatch]:
+        """Analyse recordings.
+
+        Parameters
+        ----------
+        batches : iterable of pyarrow.RecordBatch
+            A column ``path``; perhaps ``content``, of bytes, where the path is not one of this machine, and
+            ``recording``, the name. All other columns are notes: texts, quantities with their unit.
+
+        Yields
+        ------
+        pyarrow.RecordBatch
+            A row for each recording, at most 50 at once.
+        """
+        rows: list[bytes] = []
+        with self._one_by_one() as row:
+            for batch in batches:
+                for given in _recordings(batch, self._root):
+                    rows.append(row(given))
+                    if len(rows) == ROWS_AT_ONCE:
+                        yield from _arrow(rows).to_batches()
+                        rows = []
+        if rows:
+            yield from _arrow(rows).to_batches()
+
+    def row(self, given: Given) -> bytes:
+        """Analyse one recording in this process; return its row as JSON."""
+        return self._core.row(given)
+
+    @contextmanager
+    def _one_by_one(self) -> Iterator[Outcome]:
+        """Give what analyses one recording after the other, in this process or in a child."""
+        if not self._isolates and self._limit_s is None:
+            yield self.row
+            return
+        with Isolated(self, self._limit_s) as child:
+
+            def row(given: Given) -> bytes:
+                outcome = child.row(given)
+                return outcome if isinstance(outcome, bytes) else self._core.failed(given, *outcome)
+
+            yield row
+
+
+def kernel(settings: Settings | None = None, *, root: str | PathLike[str] = "", isolated: bool = False) -> Kernel:
+    """Return what analyses batches of recordings, the same way as :func:`bouncelab.session`.
+
+    Its rows depend on the recordings and the settings alone: not on batches, order, engine or machines.
+
+    Parameters
+    ----------
+    settings : Settings, optional
+        What holds for all recordings; what is noted of one goes before.
+    root : path
+        Folder of the recordings: names are relative to it.
+    isolated : bool
+        Whether to analyse in a child process, so that a recording that ends it becomes a row. A
+        ``time_limit_s`` does so anyway.
+
+    Returns
+    -------
+    Kernel
+
+    Raises
+    ------
+    InputError, OutOfRangeError, UnknownNameError, PhysicsError, SessionError
+        If a setting makes no sense.
+
+    Examples
+    --------
+    >>> import pyarrow
+    >>> from bouncelab import batch
+    >>> times = b"0 0.4605 0.8877 1.2854 1.6568".replace(b" ", b"\\n")
+    >>> recordings = pyarrow.table({"path": ["steel_1.txt"], "content": [times], "operator": ["Ada"]})
+    >>> [rows] = batch.kernel({"pattern": "{surface}_{}", "draws": None})(recordings.to_batches())
+    >>> row = rows.to_pylist()[0]
+    >>> row["noted"], len(row["impacts"]), row["failure"]
+    ([('operator', 'Ada'), ('surface', 'steel')], 5, None)
+    """
+    given = dict(settings or {})
+    pattern, limit_s = given.pop("pattern", None), given.pop("time_limit_s", None)
+    implausible = flag("allow_implausible", given.pop("allow_implausible", False))
+    if not {"channel", "band_hz", "exclude_s", "include_s"}.isdisjoint(given):
+        raise InputError("channel, band_hz, exclude_s and include_s are of single recordings; use analyze")
+    stated, question = split(cast(Options, given))
+    options = {
+        "inference": question["inference"],
+        "pattern": None if pattern is None else text("pattern", pattern),
+        "allow_implausible": implausible,
+    }
+    longest = None if limit_s is None else number("time_limit_s", limit_s)
+    if longest is not None and longest <= 0.0:
+        raise InputError(f"time_limit_s is {longest:g}; it must be above 0")
+    return Kernel(json.dumps(stated), json.dumps(options), plain(fspath(root)), longest, isolated)
+
+
+def manifest(
+    source: str | PathLike[str],
+    path: str | PathLike[str],
+    notes: Mapping[str, Mapping[str, str]] | None = None,
+) -> int:
+    """Write the list of the recordings of a folder as Parquet: ``path``, ``recording`` and what was noted.
+
+    Parameters
+    ----------
+    source : path
+        A folder, which is searched with the folders in it; names with a dot before them are left out.
+    path : path
+        The file to write.
+    notes : mapping, optional
+        What was noted, by the path of a recording relative to the folder.
+
+    Returns
+    -------
+    int
+        How many recordings there are.
+    """
+    import pyarrow
+    from pyarrow import parquet
+
+    root = fspath(source)
+    names = sorted(_found(root, ""))
+    known = notes or {}
+    fields = sorted({field for noted in known.values() for field in noted})
+    columns: dict[str, list[str | None]] = {"path": [os.path.join(root, name) for name in names]}
+    columns["recording"] = list(names)
+    columns |= {field: [known.get(name, {}).get(field) for name in names] for field in fields}
+    parquet.write_table(pyarrow.table(columns), fspath(path))
+    return len(names)
+
+
+def explode(
+    results: str | PathLike[str],
+    output: str | PathLike[str],
+    *,
+    forms: Iterable[str] = ("parquet",),
+    **options: object,
+) -> list[Path]:
+    """Write the tables of drops and impacts of :func:`bouncelab.session` from the rows of an engine.
+
+    Parameters
+    ----------
+    results : path
+        The folder of Parquet that an engine wrote.
+    output : path
+        The folder for ``drops`` and ``impacts``.
+    forms : iterable of str
+        ``"parquet"``, ``"csv"``, ``"jsonl"``.
+    **options
+        As of :func:`study`: they decide at which speed drops are compared.
+
+    Returns
+    -------
+    list of Path
+        The files. Their rows are in the order of the results.
+    """
+    folder = Path(output)
+    folder.mkdir(parents=True, exist_ok=True)
+    return _results(results, options).write_tables(fspath(folder), [text("forms", form) for form in forms])
+
+
+def study(
+    results: str | PathLike[str],
+    *,
+    by: Iterable[str] = (),
+    compare_at_m_s: float | None = None,
+    wanted: float | None = None,
+    exclude: Iterable[str] = (),
+    language: str = "en",
+) -> dict[str, JSON]:
+    """Compare the drops that an engine analysed: the mixed model of :func:`bouncelab.session`.
+
+    Parameters
+    ----------
+    results : path
+        The folder of Parquet that an engine wrote.
+    by, compare_at_m_s, wanted, exclude
+        As of :func:`bouncelab.session`.
+    language : str
+        Language of the reasons.
+
+    Returns
+    -------
+    dict
+        The document of the schema ``bouncelab.session/2``.
+
+    Raises
+    ------
+    SessionError
+        If the results cannot be read, or have two different rows of a recording.
+    """
+    asked = {"by": by, "compare_at_m_s": compare_at_m_s, "wanted": wanted, "exclude": exclude}
+    document: dict[str, JSON] = json.loads(_results(results, asked).document(language))
+    return document
+
+
+#: What :func:`mean` says of a group, and where the document of a study has it.
+MEAN: dict[str, Callable[[Any], object]] = {
+    "restitution": lambda group: group["restitution"]["value"],
+    "standard_error": lambda group: group["restitution"]["standard_error"],
+    "drops": lambda group: group["restitution"]["drops"],
+    "between_drops": lambda group: group["restitution"]["between"],
+    "between_impacts": lambda group: group["between_impacts"],
+    "shared_sd": lambda group: group["shared_sd"],
+}
+
+
+def mean(rows: Iterable[pyarrow.RecordBatch], compare_at_m_s: float) -> dict[str, object]:
+    """Return the mean restitution of the drops of some rows, for engines that have the rows of a group.
+
+    Parameters
+    ----------
+    rows : iterable of pyarrow.RecordBatch
+        The rows of a kernel, without those of equal contents.
+    compare_at_m_s : float
+        Impact speed at which drops are compared.
+
+    Returns
+    -------
+    dict
+        The numbers of ``MEAN``, or the reason under ``no_study``.
+    """
+    from pyarrow import parquet
+
+    batches = iter(rows)
+    with tempfile.TemporaryDirectory() as folder:
+        path, first = Path(folder) / "rows.parquet", next(batches)
+        with parquet.ParquetWriter(path, first.schema) as writer:
+            for part in itertools.chain([first], batches):
+                writer.write_batch(part)
+        document: dict[str, Any] = study(path, compare_at_m_s=compare_at_m_s)
+    found = document["study"]
+    return {"no_study": document["no_study"]} | {name: found and of(found["all"]) for name, of in MEAN.items()}
+
+
+def _results(results: str | PathLike[str], options: Mapping[str, object]) -> _core.Results:
+    unknown = options.keys() - {"by", "compare_at_m_s", "wanted", "exclude"}
+    if unknown:
+        raise InputError(f"there is no option {min(unknown)!r}")
+
+    def texts(name: str) -> list[str]:
+        return [text(name, each) for each in cast(Iterable[object], options.get(name, ()))]
+
+    def some(name: str) -> float | None:
+        value = options.get(name)
+        return None if value is None else number(name, value)
+
+    request = {name: texts(name) for name in ("by", "exclude")}
+    request |= {name: some(name) for name in ("compare_at_m_s", "wanted")}  # type: ignore[misc]
+    return _core.Results(fspath(results), json.dumps(request))
+
+
+def _arrow(rows: list[bytes]) -> pyarrow.Table:
+    import pyarrow
+
+    return pyarrow.table(_core.batch_of_rows(rows))
+
+
+def _recordings(batch: pyarrow.RecordBatch, root: str) -> Iterator[Given]:
+    columns = dict(zip(batch.schema.names, batch.columns, strict=True))
+    paths, contents, names = (columns.pop(name, None) for name in ("path", "content", "recording"))
+    if paths is None:
+        raise InputError("there is no column path")
+    for place in range(batch.num_rows):
+        path = plain(paths[place].as_py())
+        name = path.removeprefix(root.rstrip("/") + "/") if names is None else names[place].as_py()
+        content = None if contents is None else contents[place].as_py()
+        noted = ((field, column[place].as_py()) for field, column in columns.items())
+        yield Given(name, path, content, {field: str(value) for field, value in noted if value is not None})
+
+
+def plain(path: str) -> str:
+    """Return a path of this machine without ``file:``; any other as it is."""
+    return re.sub("^file:/+", "/", path)
+
+
+def _found(root: str, within: str) -> Iterator[str]:
+    """Find the recordings in a folder, by names relative to the root."""
+    endings = tuple(f".{ending}" for ending in _core.endings())
+    with os.scandir(os.path.join(root, within)) as entries:
+        for entry in entries:
+            name = os.path.join(within, entry.name)
+            if entry.name.startswith("."):
+                continue
+            if entry.is_dir(follow_symlinks=False):
+                yield from _found(root, name)
+            elif entry.name.lower().endswith(endings):
+                yield name

@@ -1,0 +1,187 @@
+"""The kernel of clusters, and what is made of its rows."""
+
+from __future__ import annotations
+
+import pickle
+import subprocess
+from pathlib import Path
+
+import pytest
+
+pyarrow = pytest.importorskip("pyarrow")
+
+from pyarrow import parquet  # noqa: E402
+
+import bouncelab as bl  # noqa: E402
+from bouncelab import batch  # noqa: E402
+from bouncelab._program import find  # noqa: E402
+from faults import faulty  # noqa: E402
+
+PATTERN = "{surface}_{height}_{}"
+SETTINGS: batch.Settings = {"ball": "table-tennis-40", "draws": 100, "pattern": PATTERN}
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Ten recordings: two are the same, one is damaged, one holds no drop."""
+    folder = tmp_path_factory.mktemp("recordings")
+    (folder / "monday").mkdir()
+    for number in range(8):
+        surface, restitution = [("wood", 0.85), ("steel", 0.90)][number % 2]
+        sound = bl.synthesize(restitution=restitution + 0.001 * number, bounces=10, seed=number, sample_rate_hz=22_050)
+        sound.save(folder / ("monday" if number > 5 else ".") / f"{surface}_30cm_{number}.wav")
+    whole = (folder / "wood_30cm_0.wav").read_bytes()
+    (folder / "wood_30cm_copy.wav").write_bytes(whole)
+    (folder / "wood_30cm_damaged.wav").write_bytes(whole[:30])
+    (folder / "wood_30cm_silent.wav").write_bytes(whole[:44] + bytes(len(whole) - 44))
+    return folder
+
+
+def recordings(folder: Path) -> pyarrow.Table:
+    path = folder.parent / f"{folder.name}.parquet"
+    batch.manifest(folder, path)
+    return parquet.read_table(path, columns=["path"])
+
+
+def rows(table: pyarrow.Table, kernel: batch.Kernel, chunk: int = 100) -> pyarrow.Table:
+    found = pyarrow.Table.from_batches(kernel(table.to_batches(max_chunksize=chunk)), kernel.schema)
+    return found.sort_by("recording")
+
+
+def bytes_of(table: pyarrow.Table) -> bytes:
+    stream = pyarrow.BufferOutputStream()
+    with pyarrow.ipc.new_stream(stream, table.schema) as writer:
+        writer.write_table(table.combine_chunks())
+    return stream.getvalue().to_pybytes()
+
+
+@pytest.fixture(scope="module")
+def results(folder: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The rows in two files, not in the order of the names; one file was written twice."""
+    found = rows(recordings(folder), batch.kernel(SETTINGS, root=folder))
+    results = tmp_path_factory.mktemp("results")
+    parquet.write_table(found[6:], results / "1.parquet")
+    (results / "more").mkdir()
+    parquet.write_table(found[:6], results / "more" / "2.parquet", row_group_size=2)
+    parquet.write_table(found[:6], results / "more" / "3.parquet")
+    (results / "_temporary").mkdir()
+    (results / "_temporary" / "4.parquet").write_bytes(b"cut off")
+    return results
+
+
+def test_rows_depend_on_no_batches_no_order_and_no_process(folder: Path) -> None:
+    table = recordings(folder)
+    expected = bytes_of(rows(table, batch.kernel(SETTINGS, root=folder)))
+    kernel = pickle.loads(pickle.dumps(batch.kernel(SETTINGS, root=f"file://{folder}")))
+    backwards = table.take(list(reversed(range(len(table)))))
+    assert bytes_of(rows(backwards, kernel, chunk=3)) == expected
+    assert bytes_of(rows(table, kernel.isolated())) == expected
+    contents = [Path(path).read_bytes() for path in table["path"].to_pylist()]
+    with_content = table.append_column("content", pyarrow.array(contents, pyarrow.binary()))
+    assert bytes_of(rows(with_content, kernel)) == expected
+
+
+def test_a_session_takes_the_rows_for_its_own_results(folder: Path, results: Path, tmp_path: Path) -> None:
+    try:
+        program = find()
+    except FileNotFoundError:
+        pytest.skip("this wheel has no program")
+    known = ["--pattern", PATTERN, "--ball", "table-tennis-40", "--draws", "100"]
+
+    def session(name: str, *arguments: object) -> dict[str, object]:
+        command = [program, "session", *arguments, "--output", tmp_path / name, "--tables", "parquet", "--figures"]
+        document = subprocess.run([*command, "--format", "json"], check=True, capture_output=True, text=True).stdout
+        tables = [parquet.read_table(tmp_path / name / f"{table}.parquet") for table in ("drops", "impacts")]
+        keys = [("recording", "ascending"), ("drop", "ascending")]
+        cells = [table.sort_by(keys + [("impact", "ascending")] * (table is tables[1])) for table in tables]
+        figures = [path.read_text() for path in sorted((tmp_path / name).glob("*.svg"))]
+        return {"document": document, "cells": [table.to_pydict() for table in cells], "figures": figures}
+
+    expected, found = session("own", folder, *known), session("from", "--from", results)
+    assert found["cells"] == expected["cells"]
+    assert found["document"] == expected["document"]
+    assert found["figures"] == expected["figures"]
+    batch.explode(results, tmp_path / "exploded", forms=["parquet", "csv"])
+    assert (tmp_path / "exploded" / "drops.csv").exists()
+    for table in ("drops", "impacts"):
+        exploded = (tmp_path / "exploded" / f"{table}.parquet").read_bytes()
+        assert exploded == (tmp_path / "from" / f"{table}.parquet").read_bytes()
+
+
+def test_lists_have_the_columns_of_the_tables(results: Path, tmp_path: Path) -> None:
+    batch.explode(results, tmp_path)
+    schema = parquet.read_schema(results / "1.parquet")
+    for name in ("drops", "impacts"):
+        listed = schema.field(name).type.value_type
+        tidy = parquet.read_schema(tmp_path / f"{name}.parquet").names
+        assert [field.name for field in listed] == [name for name in tidy if name not in ("recording", "surface", "height")]
+
+
+def test_a_study_is_that_of_a_session(folder: Path, results: Path) -> None:
+    expected = bl.session(folder, pattern=PATTERN, ball="table-tennis-40", draws=100).to_dict()
+    assert batch.study(results) == expected
+    assert batch.study(results, by=["surface"], compare_at_m_s=1.0)["study"]["at_speed_m_s"] == 1.0  # type: ignore[index,call-overload]
+
+
+def test_notes_are_columns(folder: Path, tmp_path: Path) -> None:
+    notes = {"wood_30cm_0.wav": {"operator": "Ada"}, "steel_30cm_1.wav": {"height": "40 cm"}}
+    assert batch.manifest(folder, tmp_path / "manifest.parquet", notes) == 11
+    table = parquet.read_table(tmp_path / "manifest.parquet")
+    found = {row["recording"]: row for row in rows(table, batch.kernel(SETTINGS)).to_pylist()}
+    assert ("operator", "Ada") in found["wood_30cm_0.wav"]["noted"]
+    failure = found["steel_30cm_1.wav"]["failure"]
+    assert failure["code"] == "metadata" and "30cm" in failure["message"] and "40 cm" in failure["message"]
+    assert "monday/wood_30cm_6.wav" in found
+
+
+def test_what_fails_becomes_a_row_and_harms_no_other(folder: Path, tmp_path: Path) -> None:
+    whole = (folder / "wood_30cm_0.wav").read_bytes()
+    names = ["a.wav", "abort.wav", "b.wav", "damaged.wav", "endless.wav", "missing.wav", "z.wav"]
+    for name in names:
+        if name != "missing.wav":
+            (tmp_path / name).write_bytes(whole[:30] if name == "damaged.wav" else whole)
+    table = pyarrow.table({"path": [str(tmp_path / name) for name in names]})
+    kernel = faulty({"draws": None, "time_limit_s": 5.0}, root=str(tmp_path))
+    found = {row["recording"]: row for row in rows(table, kernel).to_pylist()}
+    codes = {name: row["failure"] and row["failure"]["code"] for name, row in found.items()}
+    assert codes == {
+        "a.wav": None,
+        "abort.wav": "process-died",
+        "b.wav": None,
+        "damaged.wav": "not-analysed",
+        "endless.wav": "out-of-time",
+        "missing.wav": "unreadable",
+        "z.wav": None,
+    }
+    assert "SIGABRT" in found["abort.wav"]["failure"]["message"]
+    assert len(found["z.wav"]["drops"]) == 1
+    assert found["abort.wav"]["content_sha256"] == found["a.wav"]["content_sha256"]
+
+
+def test_results_of_different_settings_are_not_mixed(folder: Path, results: Path, tmp_path: Path) -> None:
+    other = rows(recordings(folder)[:1], batch.kernel({"draws": None}, root=folder))
+    parquet.write_table(other, tmp_path / "other.parquet")
+    parquet.write_table(parquet.read_table(results), tmp_path / "results.parquet")
+    with pytest.raises(bl.SessionError, match="two results of"):
+        batch.study(tmp_path)
+
+
+@pytest.mark.parametrize(
+    "wrong",
+    [
+        lambda: batch.kernel({"pattern": "{"}),
+        lambda: batch.kernel({"ball": "moon"}),
+        lambda: batch.kernel({"colour": 1}),  # type: ignore[typeddict-unknown-key]
+        lambda: batch.kernel({"channel": 1}),
+        lambda: batch.kernel({"time_limit_s": "long"}),  # type: ignore[typeddict-item]
+        lambda: batch.kernel({"time_limit_s": 0.0}),
+        lambda: list(batch.kernel()(pyarrow.table({"file": ["a.wav"]}).to_batches())),
+        lambda: batch.study("nowhere.parquet"),
+        lambda: batch.explode(__file__, "."),
+    ],
+)
+def test_only_exceptions_of_the_package_come_out(wrong, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:  # type: ignore[no-untyped-def]
+    monkeypatch.chdir(tmp_path)
+    with pytest.raises(bl.BouncelabError) as raised:
+        wrong()
+    assert len(str(raised.value)) > 15

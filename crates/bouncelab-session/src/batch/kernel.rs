@@ -1,0 +1,233 @@
+//! From a recording to its row.
+
+use std::cell::RefCell;
+use std::collections::BTreeMap;
+use std::path::PathBuf;
+use std::sync::Arc;
+
+use bouncelab::setup::Settings;
+use bouncelab_report::messages::Translator;
+use serde::{Deserialize, Serialize};
+
+use super::row::{Failure, FailureCode, Known, Row};
+use crate::error::{Error, Result};
+use crate::hash::{Hash, hash, hash_of_file};
+use crate::metadata::{Advice, KnownRecording, MetadataOptions};
+use crate::name::{name, without_name};
+use crate::notes::Note;
+use crate::pattern::Pattern;
+use crate::record::Record;
+use crate::recordings::{Recording, Session};
+
+/// How recordings are analysed, besides the settings that hold for all.
+#[derive(Debug, Clone, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct KernelOptions {
+    /// Whether there is to be an inference.
+    pub inference: bool,
+    /// What the names of the files say.
+    pub pattern: Option<String>,
+    /// Whether to believe notes that look like a mistake.
+    pub allow_implausible: bool,
+}
+
+/// A recording as it is given.
+#[derive(Debug, Clone)]
+pub struct Given {
+    /// What it is to be called: its path, relative to the folder of all.
+    pub name: String,
+    /// Where it is.
+    pub path: PathBuf,
+    /// Its content, if that was read already.
+    pub content: Option<Arc<[u8]>>,
+    /// What was noted of it, by field.
+    pub notes: BTreeMap<String, String>,
+}
+
+/// Analyses recordings one by one, each as a session does.
+#[derive(Debug, Clone)]
+pub struct Kernel {
+    settings: Settings,
+    options: KernelOptions,
+    pattern: Option<Pattern>,
+}
+
+/// What goes before the analysis.
+struct Begun {
+    recording: KnownRecording,
+    known: Known,
+    content: std::result::Result<Hash, String>,
+}
+
+impl Kernel {
+    /// A kernel with settings that hold for all recordings; what is noted of one goes before.
+    ///
+    /// # Errors
+    /// [`Error::Pattern`] if the pattern makes no sense, [`Error::Metadata`] if the settings do not.
+    ///
+    /// ```
+    /// use std::collections::BTreeMap;
+    /// use bouncelab::setup::Settings;
+    /// use bouncelab_session::batch::{Given, Kernel, KernelOptions};
+    ///
+    /// let options = KernelOptions { pattern: Some("{surface}_{}".to_owned()), ..KernelOptions::default() };
+    /// let row = Kernel::new(Settings::default(), options)?.row(Given {
+    ///     name: "steel_1.txt".to_owned(),
+    ///     path: "/recordings/steel_1.txt".into(),
+    ///     content: Some(b"0\n0.4605\n0.8877\n1.2854\n"[..].into()),
+    ///     notes: BTreeMap::new(),
+    /// });
+    /// assert_eq!(row.known.factors["surface"], "steel");
+    /// assert_eq!(row.record.unwrap().drops[0].impacts.len(), 4);
+    /// # Ok::<(), bouncelab_session::Error>(())
+    /// ```
+    pub fn new(settings: Settings, options: KernelOptions) -> Result<Self> {
+        settings
+            .resolve(options.inference)
+            .map_err(|refusal| Error::Metadata {
+                problem: refusal.to_string(),
+            })?;
+        Ok(Self {
+            pattern: options.pattern.as_deref().map(Pattern::new).transpose()?,
+            settings,
+            options,
+        })
+    }
+
+    /// Analyses a recording.
+    pub fn row(&self, given: Given) -> Row {
+        let bytes = given.content.clone();
+        let begun = match self.begin(given) {
+            Ok(begun) => begun,
+            Err(row) => return *row,
+        };
+        let name = begun.recording.name();
+        let content = match &begun.content {
+            Ok(content) => *content,
+            Err(reason) => {
+                let message = reason.clone();
+                return begun.row(Err(Failure {
+                    code: FailureCode::Unreadable,
+                    message,
+                }));
+            }
+        };
+        let options = begun.recording.options();
+        let record = match bytes {
+            Some(bytes) => Record::of_bytes(bytes, name, options),
+            None => Record::of_file(&begun.recording.recording.path, content, options),
+        };
+        let result = match &record.failure {
+            None => Ok(record),
+            Some(reason) => Err(Failure {
+                code: FailureCode::NotAnalysed,
+                message: without_name(reason, name).to_owned(),
+            }),
+        };
+        begun.row(result)
+    }
+
+    /// The row of a recording whose analysis ended otherwise.
+    pub fn failed(&self, given: Given, failure: Failure) -> Row {
+        match self.begin(given) {
+            Ok(begun) => begun.row(Err(failure)),
+            Err(row) => *row,
+        }
+    }
+
+    /// Reads the notes and the content; or gives the row that says what is wrong with the notes.
+    fn begin(&self, given: Given) -> std::result::Result<Begun, Box<Row>> {
+        let name = name(given.name.as_ref());
+        let (recording, known) =
+            self.known(name.clone(), given.path, given.notes)
+                .map_err(|refusal| {
+                    let message = without_name(&refusal.to_string(), &name).to_owned();
+                    Box::new(Row {
+                        recording: name,
+                        content: None,
+                        settings: None,
+                        failure: Some(Failure {
+                            code: FailureCode::Metadata,
+                            message,
+                        }),
+                        known: Known::default(),
+                        record: None,
+                    })
+                })?;
+        let content = match &given.content {
+            Some(content) => Ok(hash(content)),
+            None => hash_of_file(&recording.recording.path).map_err(|reason| reason.to_string()),
+        };
+        Ok(Begun {
+            recording,
+            known,
+            content,
+        })
+    }
+
+    /// What is known of a recording.
+    fn known(
+        &self,
+        name: String,
+        path: PathBuf,
+        notes: BTreeMap<String, String>,
+    ) -> Result<(KnownRecording, Known)> {
+        let notes = notes.into_iter().map(|(field, text)| {
+            let said_by = "its notes".to_owned();
+            let text = text.trim().to_owned();
+            (field, Note { text, said_by })
+        });
+        let recording = Recording { path, name };
+        let session = Session::of_one(recording, self.pattern.clone(), notes.collect());
+        let stated = RefCell::new(Settings::default());
+        let mut read = MetadataOptions {
+            resolve: &|noted| {
+                let settings = noted.complete(&self.settings)?;
+                let setup = settings.resolve(self.options.inference);
+                *stated.borrow_mut() = settings;
+                setup.map_err(|refusal| refusal.to_string())
+            },
+            ball_is_known: self.settings.ball.is_some() || self.settings.mass_kg.is_some(),
+            allow_implausible: self.options.allow_implausible,
+            allow_missing: true,
+            translator: &Translator::english(),
+            advice: Advice {
+                implausible: "Correct it, or say allow_implausible=True.",
+                missing: "",
+                ball: "or give the kind of all balls by ball=",
+            },
+        }
+        .read(session)?;
+        let recording = read.pop().ok_or_else(|| Error::Metadata {
+            problem: "nothing is known of it".to_owned(),
+        })?;
+        let metadata = &recording.metadata;
+        let known = Known {
+            settings: stated.take(),
+            inference: self.options.inference,
+            factors: metadata.factors.clone(),
+            height_m: metadata.height_m,
+            temperature_k: metadata.temperature_k,
+        };
+        Ok((recording, known))
+    }
+}
+
+impl Begun {
+    fn row(self, result: std::result::Result<Record, Failure>) -> Row {
+        let content = self.content.ok();
+        let settings = self.recording.settings();
+        let (record, failure) = match result {
+            Ok(record) => (Some(record), None),
+            Err(failure) => (None, Some(failure)),
+        };
+        Row {
+            recording: self.recording.recording.name,
+            content,
+            settings: Some(settings),
+            failure,
+            known: self.known,
+            record,
+        }
+    }
+}

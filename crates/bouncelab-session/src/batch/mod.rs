@@ -1,0 +1,15 @@
+//! Recordings whose work an engine spreads over a cluster.
+//!
+//! | module | what it does |
+//! |---|---|
+//! | `row` | the row of one recording |
+//! | `kernel` | from a recording to its row |
+//! | `kept` | the rows that an engine wrote as Parquet, as the results of a session |
+
+mod kept;
+mod kernel;
+mod row;
+
+pub use kept::Batch;
+pub use kernel::{Given, Kernel, KernelOptions};
+pub use row::{Failure, FailureCode, Known, Row, RowTables};
