@@ -49,12 +49,20 @@ pub struct KnownRecording {
     pub metadata: Arc<Metadata>,
 }
 
+/// The versions of the libraries, and the hash of their sources.
+const BUILD: [&str; 4] = [
+    env!("CARGO_PKG_VERSION"),
+    bouncelab::VERSION,
+    bouncelab_audio::VERSION,
+    env!("BOUNCELAB_BUILD"),
+];
+
 impl KnownRecording {
-    /// What its result depends on: its content, and the settings of this version.
+    /// What its result depends on: its content, the settings, and this very build of the science.
     pub fn key(&self, content: Hash) -> Key {
         Key {
             content,
-            settings: hash_of(&(RECORD, env!("CARGO_PKG_VERSION"), self.options())),
+            settings: hash_of(&(RECORD, BUILD, self.options())),
         }
     }
 
