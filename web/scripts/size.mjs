@@ -1,13 +1,10 @@
-// How large the page is, compressed as a web server sends it; fails beyond the limits.
+// How large the page is, compressed as a web server sends it; fails beyond the limit.
 import { readdirSync, readFileSync } from 'node:fs';
 import { join, relative } from 'node:path';
 import { brotliCompressSync, gzipSync } from 'node:zlib';
 
-/**
- * The most that may be taken, in bytes after gzip, the more modest of the two: by what the page loads at
- * once, and by all that it ever loads. `docs/laboratory.md` says what limits the second.
- */
-const LIMITS = { atOnce: 600_000, whole: 1_130_000 };
+/** The most that the page may load at once, in bytes after gzip; see `docs/decisions/006-page-size.md`. */
+const LIMIT = 600_000;
 const DIST_URL = new URL('../dist/', import.meta.url);
 const DIST = DIST_URL.pathname;
 
@@ -63,14 +60,9 @@ for (const { name, ...sizes } of rows) {
   const cells = Object.values(sizes).map((bytes) => kilobytes(bytes).padStart(11));
   process.stdout.write(`${name.padEnd(width)}${cells.join('')}\n`);
 }
-for (const [{ name, gzip }, limit] of [
-  [atOnce, LIMITS.atOnce],
-  [whole, LIMITS.whole],
-]) {
-  if (gzip > limit) {
-    process.stderr.write(
-      `${kilobytes(gzip)} compressed (${name}); the limit is ${kilobytes(limit)}.\n`,
-    );
-    process.exitCode = 1;
-  }
+if (atOnce.gzip > LIMIT) {
+  process.stderr.write(
+    `${kilobytes(atOnce.gzip)} compressed (at once); the limit is ${kilobytes(LIMIT)}.\n`,
+  );
+  process.exitCode = 1;
 }

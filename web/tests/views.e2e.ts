@@ -88,7 +88,7 @@ describe.each(FONT_SETS.map((fonts) => [nameOf(fonts), fonts] as const))(
       for (const drop of ['Anna', 'Ben', 'Chris']) {
         await page.locator('.keep form input').fill(drop);
         await page.locator('.keep form button').click();
-        await page.locator('.keep [role=status] a').waitFor();
+        await page.locator('.keep [role=status]', { hasText: drop }).waitFor();
       }
       await page.goto(`${site.url}#drops`);
       await page.locator('tbody tr').nth(2).waitFor();

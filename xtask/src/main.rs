@@ -48,7 +48,7 @@ const CHORES: [Chore; 10] = [
     },
     Chore {
         name: "calibrate",
-        arguments: "[DROPS [FOLDER]]",
+        arguments: "[DROPS [FOLDER]] | worlds [DROPS] [WORLD...] [LAW...]",
         about: calibrate::ABOUT,
         run: calibrate::run,
     },

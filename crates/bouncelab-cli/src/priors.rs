@@ -27,8 +27,8 @@ pub(crate) struct PriorArguments {
     /// Standard uncertainty of the release time [default: 5ms]
     #[arg(long, value_name = "TIME", allow_hyphen_values = true, value_parser = units::time, requires = "release")]
     release_sd: Option<f64>,
-    /// Restitution laws to consider: constant, linear, power, viscoelastic, knee [default: all that the
-    /// number of impacts allows]
+    /// Restitution laws to consider: constant, linear, power, viscoelastic, knee, smooth [default:
+    /// all that the number of impacts allows]
     #[arg(long, value_name = "LAWS", value_delimiter = ',', value_parser = law)]
     law: Vec<LawKind>,
     /// Relative standard uncertainty of an input, as in mass=0.1% or drag=0: mass, diameter,

@@ -51,19 +51,29 @@ export async function settled(page: Page): Promise<void> {
 /**
  * Waits until the page stands still: nothing is computed for it, nothing moves, and two frames in a
  * row leave it as it is.
+ *
+ * @throws After ten thousand frames, with what still moves.
  */
 export async function still(page: Page): Promise<void> {
   await page.waitForFunction(() => !document.querySelector('[aria-busy="true"], .waiting'));
   await page.evaluate(async () => {
     await document.fonts.ready;
     const frame = () => new Promise((next) => requestAnimationFrame(next));
-    let changed = true;
-    const watcher = new MutationObserver(() => {
-      changed = true;
+    let changes = ['not looked yet'];
+    const watcher = new MutationObserver((records) => {
+      changes = records.map(
+        ({ type, attributeName, target }) =>
+          `${type} ${attributeName ?? ''} of ${(target as Element).outerHTML.slice(0, 200)}`,
+      );
     });
     watcher.observe(document, { subtree: true, childList: true, attributes: true });
-    while (changed || document.getAnimations().some(({ playState }) => playState === 'running')) {
-      changed = false;
+    const running = () =>
+      document.getAnimations().filter(({ playState }) => playState === 'running');
+    for (let pair = 0; changes.length > 0 || running().length > 0; pair += 1) {
+      if (pair > 5_000) {
+        throw new Error(`the page moves on: ${changes.join('; ')}, ${running().length} animations`);
+      }
+      changes = [];
       await frame();
       await frame();
     }

@@ -80,7 +80,7 @@ pub(crate) fn assumed(assumptions: &[Diagnostic]) -> String {
     let assumptions = assumptions
         .iter()
         .map(|known| translator().diagnostic(known));
-    let list = [("list", assumptions.collect::<Vec<_>>().join("; ").into())];
+    let list = [("list", assumptions.collect::<Vec<_>>().join(" ").into())];
     format!("  {}", text_with("terminal-assumed", &list))
 }
 

@@ -181,7 +181,7 @@ impl Page {
             self.line(&note(remark));
         }
         if !about.assumptions.is_empty() {
-            let list = [("list", about.assumptions.join("; ").into())];
+            let list = [("list", about.assumptions.join(" ").into())];
             self.line(&format!("  {}", text_with("terminal-assumed", &list)));
         }
     }

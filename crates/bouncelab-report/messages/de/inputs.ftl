@@ -87,6 +87,7 @@ allowed-from-0-to-1-s = von 0 bis 1 s
 allowed-from-0-to-1-as-in-3 = von 0 bis 1, wie in 3%
 allowed-above-0-infinite-for-no-drag = größer als 0 (unendlich ohne Luftwiderstand)
 allowed-above-0-and-at-most-0-5-as-in-5 = größer als 0 und höchstens 0.5, wie in 5%
+allowed-above-0-and-above-the-speed-before = größer als 0 und größer als das Tempo davor
 allowed-above-0-and-not-above-1-lossless = größer als 0 und nicht größer als 1 (ohne Verlust)
 allowed-at-most-10000-no-ball-bounces-faster = höchstens 10000; kein Ball prallt schneller auf
 allowed-from-0-dry-to-1-saturated = von 0 (trocken) bis 1 (gesättigt)

@@ -251,6 +251,7 @@ page-settings-laws-linear = linear im Tempo
 page-settings-laws-power = Potenzgesetz
 page-settings-laws-viscoelastic = viskoelastisch
 page-settings-laws-knee = gleich bis zu einem Knick
+page-settings-laws-smooth = glatt, ohne Gesetz
 page-settings-measured = Der Versuch, falls gemessen
 page-settings-height = Fallhöhe
 page-settings-height-sd = ± der Höhe

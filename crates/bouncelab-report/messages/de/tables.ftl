@@ -76,6 +76,7 @@ restitution-law-linear = linear
 restitution-law-power = Potenzgesetz
 restitution-law-viscoelastic = viskoelastisch
 restitution-law-knee = mit Knick
+restitution-law-smooth = glatt, ohne Gesetz
 
 drag-none = keiner
 drag-constant = C_D = { $coefficient }

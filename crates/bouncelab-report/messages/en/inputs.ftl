@@ -90,6 +90,7 @@ allowed-from-0-to-1-s = from 0 to 1 s
 allowed-from-0-to-1-as-in-3 = from 0 to 1, as in 3%
 allowed-above-0-infinite-for-no-drag = above 0 (infinite for no drag)
 allowed-above-0-and-at-most-0-5-as-in-5 = above 0 and at most 0.5, as in 5%
+allowed-above-0-and-above-the-speed-before = above 0 and above the speed before
 allowed-above-0-and-not-above-1-lossless = above 0 and not above 1 (lossless)
 allowed-at-most-10000-no-ball-bounces-faster = at most 10000; no ball bounces faster
 allowed-from-0-dry-to-1-saturated = from 0 (dry) to 1 (saturated)

@@ -253,6 +253,7 @@ page-settings-laws-linear = linear in speed
 page-settings-laws-power = power law
 page-settings-laws-viscoelastic = viscoelastic
 page-settings-laws-knee = constant below a knee
+page-settings-laws-smooth = smooth, of no law
 page-settings-measured = The drop, if measured
 page-settings-height = Drop height
 page-settings-height-sd = ± of the height

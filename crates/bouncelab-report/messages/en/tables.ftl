@@ -76,6 +76,7 @@ restitution-law-linear = linear
 restitution-law-power = power
 restitution-law-viscoelastic = viscoelastic
 restitution-law-knee = knee
+restitution-law-smooth = smooth
 
 drag-none = none
 drag-constant = C_D = { $coefficient }

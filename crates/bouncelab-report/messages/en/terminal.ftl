@@ -1,7 +1,7 @@
 # What the command line prints. Names of options and commands are not translated.
 
 terminal-note = Note: { $text }
-terminal-assumed = Assumed: { $list }.
+terminal-assumed = Assumed: { $list }
 terminal-ball-contrast = The ball was not stated: { $assumed } is assumed. The answers would be { $contrasts }. State the ball with --ball, or compare all with --which-ball.
 terminal-if-ball = e = { $restitution } and h0 = { $height } for { $ball ->
         [tennis] a tennis ball

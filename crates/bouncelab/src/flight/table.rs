@@ -300,21 +300,27 @@ impl FlightTable<'_> {
         })
     }
 
-    /// Gravity times height and gravity times fall time of the fall that a launch with this speed
-    /// would begin, and d ln(height)/d ln(launch).
-    pub(crate) fn fall(&self, launch: f64) -> Option<(f64, f64, f64)> {
+    /// Gravity times the height to which a launch with this speed rises, and d ln(height)/d ln(launch).
+    #[inline]
+    pub(crate) fn apex(&self, launch: f64) -> Option<(f64, f64)> {
         let (node, t) = self.around(launch)?;
         let [free_fall, slope] = self.by_speed(node, t, |node| node.free_fall);
-        let [fall, _] = self.by_speed(node, t, |node| node.fall);
         let log_slope = 2.0 * slope * launch / free_fall;
-        Some((0.5 * free_fall * free_fall, fall, log_slope))
+        Some((0.5 * free_fall * free_fall, log_slope))
+    }
+
+    /// Gravity times the time of the fall from that height.
+    pub(crate) fn fall_time(&self, launch: f64) -> Option<f64> {
+        let (node, t) = self.around(launch)?;
+        let [fall, _] = self.by_speed(node, t, |node| node.fall);
+        Some(fall)
     }
 
     /// The launch that would rise to a height; takes gravity times the height.
     pub(crate) fn rising_to(&self, gravity_height: f64) -> Option<f64> {
         let mut speed = (2.0 * gravity_height).sqrt();
         for _ in 0..MAX_STEPS {
-            let (height, _, log_slope) = self.fall(speed)?;
+            let (height, log_slope) = self.apex(speed)?;
             let step = (gravity_height / height).ln() / log_slope;
             speed *= step.exp();
             if step.abs() <= SMALL_STEP {
@@ -324,10 +330,10 @@ impl FlightTable<'_> {
         Some(speed)
     }
 
-    /// The launch whose flight ends with an impact speed.
-    pub(crate) fn launch_leading_to(&self, impact: f64) -> Option<f64> {
+    /// The launch whose flight ends with an impact speed, by at most so many steps of Newton's method.
+    pub(crate) fn launch_leading_to(&self, impact: f64, steps: usize) -> Option<f64> {
         let mut speed = impact;
-        for _ in 0..MAX_STEPS {
+        for _ in 0..steps {
             let row = self.launch(speed)?;
             let step = (impact / row.impact).ln() / row.impact_slope.max(LEAST_SLOPE);
             speed *= step.exp();
@@ -366,7 +372,7 @@ impl FlightTable<'_> {
 
 /// Steps square the relative error, so after one this small nothing is left to gain.
 const SMALL_STEP: f64 = 1e-6;
-const MAX_STEPS: usize = 30;
+pub(crate) const MAX_STEPS: usize = 30;
 /// Near the terminal speed the impact speed hardly answers to the launch speed.
 const LEAST_SLOPE: f64 = 1e-3;
 
@@ -460,7 +466,10 @@ mod tests {
                     row.launch / launch - 1.0
                 );
                 assert!(near(row.impact, exact.impact_speed_m_s), "{drag} {launch}");
-                let (height, fall, _) = table.fall(launch).unwrap();
+                let ((height, _), fall) = (
+                    table.apex(launch).unwrap(),
+                    table.fall_time(launch).unwrap(),
+                );
                 assert!(near(height, gravity * exact.apex_m), "{drag} {launch}");
                 assert!(near(fall, gravity * exact.fall_time_s), "{drag} {launch}");
                 let slopes = model.launch_derivatives(&exact).unwrap();
@@ -473,7 +482,7 @@ mod tests {
                 );
                 let back = table.rising_to(gravity * exact.apex_m).unwrap();
                 assert!(near(back, launch), "{drag} {launch} {back}");
-                let back = table.launch_leading_to(row.impact).unwrap();
+                let back = table.launch_leading_to(row.impact, MAX_STEPS).unwrap();
                 assert!((back / launch - 1.0).abs() < 1e-4, "{drag} {launch} {back}");
             }
         }

@@ -12,6 +12,7 @@ use crate::stats::{logistic, softplus};
 /// | [power](Self::power) | e* (v/v*)^-p | p = 1/4: plastic contact (K. L. Johnson, Contact Mechanics, 1985, section 11.5) |
 /// | [viscoelastic](Self::viscoelastic) | 1 - 1.153 a v^1/5 + ... | P. Müller, T. Pöschel, Phys. Rev. E 84, 021302 (2011) |
 /// | [knee](Self::knee) | e0 at low speed, falling above a knee | a hollow ball buckles (R. Cross, Am. J. Phys. 82, 2014) |
+/// | [smooth](Self::smooth) | a power law whose exponent changes with speed | no law: what a real surface may do |
 ///
 /// Where a law leaves the range from 0 to 1, e stays at its end.
 ///
@@ -48,6 +49,35 @@ enum Law {
         knee_speed: f64,
         loss_per_speed: f64,
     },
+    Smooth {
+        log_reference: f64,
+        log_speed: f64,
+        slow: Half,
+        fast: Half,
+    },
+}
+
+/// A smooth law on one side of its reference speed, in the distance u from there in ln v.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Half {
+    /// d ln e / d ln v at the reference speed, and at the end.
+    from: f64,
+    to: f64,
+    /// Distance of the end, beyond which the slope stays.
+    end: f64,
+}
+
+impl Half {
+    /// The slope at a distance.
+    fn slope(&self, distance: f64) -> f64 {
+        self.from + (self.to - self.from) * (distance / self.end).min(1.0)
+    }
+
+    /// Its integral.
+    fn rise(&self, distance: f64) -> f64 {
+        let within = distance.min(self.end);
+        0.5 * (self.from + self.slope(within)) * within + self.to * (distance - within)
+    }
 }
 
 /// Numerator and denominator of the Padé form of Müller and Pöschel in x = (a v^1/5)^1/2. Expanded
@@ -174,12 +204,7 @@ impl Restitution {
     /// # Ok::<(), bouncelab::Error>(())
     /// ```
     pub fn viscoelastic_through(restitution: f64, speed_m_s: f64) -> Result<Self> {
-        require(
-            restitution > 0.0 && restitution <= 1.0,
-            "coefficient of restitution",
-            restitution,
-            "above 0 and not above 1 (lossless)",
-        )?;
+        lively(restitution)?;
         positive("reference speed in m/s", speed_m_s)?;
         let x = pade_argument(restitution);
         Self::viscoelastic(x * x / speed_m_s.powf(0.2))
@@ -208,9 +233,55 @@ impl Restitution {
         }))
     }
 
+    /// e* at the middle of three speeds in m/s, each with its slope d ln e / d ln v. Between them the
+    /// slope goes straight in ln v, beyond them it stays: a quadratic spline of ln e, flexible enough for
+    /// any law that changes slowly.
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`](crate::Error::OutOfRange) unless e* is above 0 and not above 1, the speeds
+    /// increase from above zero, and the slopes are finite.
+    ///
+    /// ```
+    /// let law = bouncelab::impact::Restitution::smooth(0.9, [0.5, 1.0, 2.0], [0.0, -0.02, -0.1])?;
+    /// assert!((law.at(1.0) - 0.9).abs() < 1e-12);
+    /// assert!((law.log_slope(4.0) + 0.1).abs() < 1e-12); // a power law beyond the last speed
+    /// # Ok::<(), bouncelab::Error>(())
+    /// ```
+    pub fn smooth(restitution: f64, speeds_m_s: [f64; 3], slopes: [f64; 3]) -> Result<Self> {
+        lively(restitution)?;
+        let [slow, middle, fast] = speeds_m_s;
+        for (speed_m_s, above) in [(slow, 0.0), (middle, slow), (fast, middle)] {
+            require(
+                speed_m_s > above && speed_m_s.is_finite(),
+                "reference speed in m/s",
+                speed_m_s,
+                "above 0 and above the speed before",
+            )?;
+        }
+        for slope in slopes {
+            finite("exponent of the restitution law", slope)?;
+        }
+        // Towards slower impacts the distance grows the other way.
+        Ok(Self(Law::Smooth {
+            log_reference: restitution.ln(),
+            log_speed: middle.ln(),
+            slow: Half {
+                from: -slopes[1],
+                to: -slopes[0],
+                end: (middle / slow).ln(),
+            },
+            fast: Half {
+                from: slopes[1],
+                to: slopes[2],
+                end: (fast / middle).ln(),
+            },
+        }))
+    }
+
     /// The coefficient of restitution of an impact at a speed, from 0 to 1.
+    #[inline]
     pub fn at(&self, impact_speed_m_s: f64) -> f64 {
-        self.unbounded(impact_speed_m_s).clamp(0.0, 1.0)
+        self.at_with_log_slope(impact_speed_m_s).0
     }
 
     /// d ln e / d ln v at an impact speed: how many per cent e changes when the speed changes by
@@ -222,48 +293,63 @@ impl Restitution {
     /// # Ok::<(), bouncelab::Error>(())
     /// ```
     pub fn log_slope(&self, impact_speed_m_s: f64) -> f64 {
-        let v = impact_speed_m_s;
-        let e = self.unbounded(v);
-        if !(e > 0.0 && e < 1.0) {
-            return 0.0;
-        }
-        match self.0 {
-            Law::Constant(_) => 0.0,
-            Law::Linear { loss_per_speed, .. } => -loss_per_speed * v / e,
-            Law::Power { exponent, .. } => -exponent,
-            // x goes as v^1/10.
-            Law::Viscoelastic { dissipation } => 0.1 * pade::log_slope(viscous(dissipation, v)),
-            Law::Knee {
-                knee_speed,
-                loss_per_speed,
-                ..
-            } => {
-                let past = logistic((v - knee_speed) / (KNEE_WIDTH * knee_speed));
-                -loss_per_speed * past * v / e
-            }
+        self.at_with_log_slope(impact_speed_m_s).1
+    }
+
+    /// Both [`Self::at`] and [`Self::log_slope`].
+    #[inline]
+    pub(crate) fn at_with_log_slope(&self, impact_speed_m_s: f64) -> (f64, f64) {
+        let (e, log_slope) = self.unbounded(impact_speed_m_s);
+        if e > 0.0 && e < 1.0 {
+            (e, log_slope)
+        } else {
+            (e.clamp(0.0, 1.0), 0.0)
         }
     }
 
-    fn unbounded(&self, v: f64) -> f64 {
+    /// The same, if e had no bounds.
+    #[inline]
+    fn unbounded(&self, v: f64) -> (f64, f64) {
         match self.0 {
-            Law::Constant(restitution) => restitution,
+            Law::Constant(restitution) => (restitution, 0.0),
             Law::Linear {
                 at_rest,
                 loss_per_speed,
-            } => at_rest - loss_per_speed * v,
+            } => {
+                let e = at_rest - loss_per_speed * v;
+                (e, -loss_per_speed * v / e)
+            }
             Law::Power {
                 reference,
                 reference_speed,
                 exponent,
-            } => reference * (v / reference_speed).powf(-exponent),
-            Law::Viscoelastic { dissipation } => pade::restitution(viscous(dissipation, v)),
+            } => (reference * (v / reference_speed).powf(-exponent), -exponent),
+            Law::Viscoelastic { dissipation } => {
+                let x = viscous(dissipation, v);
+                // x goes as v^1/10.
+                (pade::restitution(x), 0.1 * pade::log_slope(x))
+            }
             Law::Knee {
                 below,
                 knee_speed,
                 loss_per_speed,
             } => {
                 let width = KNEE_WIDTH * knee_speed;
-                below - loss_per_speed * width * softplus((v - knee_speed) / width)
+                let past = (v - knee_speed) / width;
+                let e = below - loss_per_speed * width * softplus(past);
+                (e, -loss_per_speed * logistic(past) * v / e)
+            }
+            Law::Smooth {
+                log_reference,
+                log_speed,
+                slow,
+                fast,
+            } => {
+                let (rise, log_slope) = match v.ln() - log_speed {
+                    faster if faster > 0.0 => (fast.rise(faster), fast.slope(faster)),
+                    slower => (slow.rise(-slower), -slow.slope(-slower)),
+                };
+                ((log_reference + rise).exp(), log_slope)
             }
         }
     }
@@ -293,6 +379,17 @@ fn pade_argument(restitution: f64) -> f64 {
         }
     }
     x
+}
+
+/// Of a ball that bounces at all.
+fn lively(restitution: f64) -> Result<f64> {
+    require(
+        restitution > 0.0 && restitution <= 1.0,
+        "coefficient of restitution",
+        restitution,
+        "above 0 and not above 1 (lossless)",
+    )?;
+    Ok(restitution)
 }
 
 fn fraction(quantity: &'static str, value: f64) -> Result<f64> {
@@ -332,6 +429,8 @@ mod tests {
         assert!(Restitution::linear(0.9, f64::NAN).is_err());
         assert!(Restitution::power(0.9, 0.0, 0.1).is_err());
         assert!(Restitution::viscoelastic(-1.0).is_err());
+        assert!(Restitution::smooth(0.9, [1.0, 1.0, 2.0], [0.0; 3]).is_err());
+        assert!(Restitution::smooth(0.9, [0.5, 1.0, 2.0], [0.0, f64::NAN, 0.0]).is_err());
         assert!(Restitution::knee(0.9, 1.0, f64::INFINITY).is_err());
     }
 
@@ -365,6 +464,7 @@ mod tests {
             Restitution::power(0.9, 2.0, 0.05),
             Restitution::viscoelastic_through(0.9, 2.0),
             Restitution::knee(0.95, 1.5, 0.02),
+            Restitution::smooth(0.9, [1.0, 1.5, 2.0], [0.03, -0.02, -0.1]),
         ];
         for law in laws.map(Result::unwrap) {
             for v in [0.5, 1.4, 1.6, 3.0_f64] {

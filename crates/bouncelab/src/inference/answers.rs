@@ -34,12 +34,12 @@ pub(super) struct Answers {
 
 impl Answers {
     pub(super) fn new(posterior: &SampledPosterior, at_speed_m_s: f64) -> Option<Self> {
-        let sigma_s = &posterior.observed.sigma_s;
+        let sigma_s = &posterior.observed().sigma_s;
         let squares: f64 = sigma_s.iter().map(|s| s * s).sum();
         let rms_s = (squares / sigma_s.len() as f64).sqrt();
         let rows = posterior.each(1, |evaluator, point| {
             let table = evaluator.table(point)?;
-            let (gravity_height, ..) = table.fall(point.fall_launch_m_s)?;
+            let (gravity_height, ..) = table.apex(point.fall_launch_m_s)?;
             Some([
                 point.law.at(at_speed_m_s),
                 -point.law.log_slope(at_speed_m_s),
@@ -297,7 +297,7 @@ fn detected(posterior: &SampledPosterior, innovations: &[Innovation]) -> Vec<Imp
         let apexes = state
             .launch_speeds
             .iter()
-            .map(|&launch| Some(table.fall(launch)?.0 / point.gravity_m_s2))
+            .map(|&launch| Some(table.apex(launch)?.0 / point.gravity_m_s2))
             .collect::<Option<Vec<f64>>>()?;
         Some((state, apexes))
     });
@@ -305,8 +305,8 @@ fn detected(posterior: &SampledPosterior, innovations: &[Innovation]) -> Vec<Imp
         .ok()
         .and_then(|model| model.moving_mass_kg())
         .unwrap_or(posterior.ball.mass_kg());
-    let intervals = &posterior.observed.intervals;
-    let impacts = posterior.observed.impacts.iter().enumerate();
+    let intervals = &posterior.observed().intervals;
+    let impacts = posterior.observed().impacts.iter().enumerate();
     impacts
         .filter_map(|(place, impact)| {
             let launches = intervals.get(place).is_some();

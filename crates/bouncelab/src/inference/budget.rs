@@ -51,7 +51,7 @@ pub(super) fn budget(posterior: &SampledPosterior, at_speed_m_s: f64) -> Option<
     };
     let height = |evaluator: &mut Evaluator, vector: &[f64]| {
         let point = evaluator.point(vector)?;
-        let (gravity_height, ..) = evaluator.table(&point)?.fall(point.fall_launch_m_s)?;
+        let (gravity_height, ..) = evaluator.table(&point)?.apex(point.fall_launch_m_s)?;
         Some(gravity_height / point.gravity_m_s2)
     };
     let [between_laws, between_missed] = between(posterior, at_speed_m_s);
@@ -83,7 +83,7 @@ impl Linear {
     fn new(evaluator: &mut Evaluator, vector: &[f64]) -> Option<Self> {
         let model = evaluator.model;
         let point = evaluator.point(vector)?;
-        let slopes = evaluator.slopes(vector)?;
+        let slopes = evaluator.differences(vector)?.residuals;
         evaluator.log_posterior(vector)?;
         let weights: Vec<f64> = evaluator.innovations.iter().map(|i| i.weight).collect();
         let residuals = evaluator.residuals(&point)?;
@@ -138,7 +138,7 @@ impl Linear {
         let of_slot = |slot: Slot| model.place(slot).map_or(0.0, |place| response[place]);
         sources.push((
             "restitution-slope",
-            of_slot(Slot::Shape(0)).powi(2) + of_slot(Slot::Shape(1)).powi(2),
+            (0..3).map(|n| of_slot(Slot::Shape(n)).powi(2)).sum(),
         ));
         if model.height_m.is_some() {
             sources.push(("measured-height", of_slot(Slot::Height).powi(2)));
@@ -219,7 +219,11 @@ fn between(posterior: &SampledPosterior, at_speed_m_s: f64) -> [[f64; 2]; 2] {
         .iter()
         .map(|candidate| {
             let law = candidate.law as usize * posterior.media.len() + candidate.media;
-            (law, candidate.missed_first)
+            let numberings = posterior.numberings.len();
+            (
+                law,
+                candidate.missed_first * numberings + candidate.numbering,
+            )
         })
         .collect();
     let values = posterior.each(THINNED, |evaluator, point| {

@@ -33,11 +33,11 @@ pub(super) fn diagnostics(
                 .with("greatest", GREATEST_PARETO_SHAPE),
         );
     }
-    let impacts = &posterior.observed.impacts;
+    let impacts = &posterior.observed().impacts;
     if impacts.len() < FEW {
         diagnostics.push(Diagnostic::new(Code::FewImpacts).with("count", impacts.len()));
     }
-    let seen = posterior.observed.restitutions();
+    let seen = posterior.observed().restitutions();
     let considered = posterior.priors.laws(seen).into_iter();
     diagnostics.extend(
         considered
@@ -164,13 +164,13 @@ fn detected_height_m(posterior: &SampledPosterior, law: LawKind, media: usize) -
             release_s: None,
             ..posterior.priors.clone()
         },
-        observed: posterior.observed.clone(),
+        numberings: vec![posterior.observed().clone()],
         media: posterior.media.clone(),
         candidates: Vec::new(),
         draws: Vec::new(),
         ..*posterior
     };
-    let model = without.model_of(law, media, 0);
+    let model = without.model_of(law, media, 0, 0);
     let mut evaluator = Evaluator::new(&model);
     let fit = fit::best_fit(&mut evaluator)?;
     let point = evaluator.point(fit.vector.as_slice())?;

@@ -15,7 +15,7 @@
 //! arXiv 1104.0049), so an innovation follows Student's t, and what an odd one seems to say of the
 //! times of its neighbours is taken back.
 
-use nalgebra::DMatrix;
+use nalgebra::{DMatrix, DVector};
 
 use super::banded::{BEFORE_THE_FIRST, next_factor};
 use super::model::{Height, LOG_SCATTER_SD, Model, Point, Slot};
@@ -27,6 +27,9 @@ use crate::flight::table::FlightTable;
 /// Beyond about so many standard deviations an innovation is odd, and says nothing of its
 /// neighbours.
 const ODD: f64 = 3.0;
+
+/// Steps of Newton's method for a value that need not be exact.
+const ROUGH: usize = 1;
 
 /// An innovation: what one impact adds.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -47,6 +50,14 @@ pub(super) struct Evaluator<'a> {
     residuals: Vec<Residual>,
     factors: Vec<Factor>,
     pub(super) innovations: Vec<Innovation>,
+}
+
+/// Derivatives by the unknowns.
+pub(super) struct Differences {
+    /// Of each residual, in a row.
+    pub(super) residuals: DMatrix<f64>,
+    /// Of the log posterior.
+    posterior: DVector<f64>,
 }
 
 /// A row of the Cholesky factors L D L' of the covariance of the residuals.
@@ -70,6 +81,39 @@ pub(super) struct DropState {
     pub(super) impact_speeds: Vec<f64>,
     /// Launch speed after each impact detected but the last, m/s.
     pub(super) launch_speeds: Vec<f64>,
+}
+
+/// A product of many factors, as its logarithm: a logarithm for each of them would take longer.
+#[derive(Debug, Clone, Copy)]
+struct Product {
+    /// What is not yet in the sum.
+    factor: f64,
+    log: f64,
+}
+
+impl Default for Product {
+    fn default() -> Self {
+        Self {
+            factor: 1.0,
+            log: 0.0,
+        }
+    }
+}
+
+impl Product {
+    #[inline]
+    fn multiply(&mut self, factor: f64) {
+        self.factor *= factor;
+        // One more factor, whatever it is, leaves this a normal number.
+        if !(1e-100..1e100).contains(&self.factor) {
+            self.log = self.ln();
+            self.factor = 1.0;
+        }
+    }
+
+    fn ln(self) -> f64 {
+        self.log + self.factor.ln()
+    }
 }
 
 impl<'a> Evaluator<'a> {
@@ -102,13 +146,14 @@ impl<'a> Evaluator<'a> {
         Some(point)
     }
 
-    /// The launch that would rise to the drop height, by the first flight and the law.
+    /// About the launch that would rise to the drop height, by the first flight and the law. Any smooth
+    /// function of the unknowns serves: one step of Newton's method is near enough.
     fn suggested_launch(&self, point: &Point) -> Option<f64> {
         let first = self.model.observed.intervals[0];
         let flight_s = first.duration_s / first.flights as f64 - point.contact_time_s;
         let table = self.table(point)?;
         let launch = table.lasting(point.gravity_m_s2 * flight_s)?.launch;
-        table.launch_leading_to(point.impact_before(launch)?)
+        table.launch_leading_to(point.impact_before(launch, ROUGH)?, ROUGH)
     }
 
     /// About the standard deviation of ln(launch speed) after the first impact detected, given the fall.
@@ -175,15 +220,15 @@ impl<'a> Evaluator<'a> {
             let residual = Residual::of_release(first_s, release_s, &opening);
             self.residuals.push(residual);
         }
-        let mut log_jacobian = 0.0;
+        let mut jacobian = Product::default();
         let mut before = opening.end();
         for (impact, after) in self.ends.iter().enumerate() {
             self.residuals
                 .push(Residual::between(&before, after, impact, point));
-            log_jacobian += after.launch_per_s.ln();
+            jacobian.multiply(after.launch_per_s);
             before = *after;
         }
-        Some((opening, log_jacobian))
+        Some((opening, jacobian.ln()))
     }
 
     /// Student's t of every innovation; notes the innovations.
@@ -191,13 +236,15 @@ impl<'a> Evaluator<'a> {
         self.factorise(point);
         self.innovations.clear();
         let mut sum = 0.0;
+        let mut widths = Product::default();
         // The innovations before, as far as they are believed.
         let mut before = [0.0; 2];
         for (residual, factor) in self.residuals.iter().zip(&self.factors) {
             let z = residual.value - factor.before[0] * before[0] - factor.before[1] * before[1];
             let square = z * z / factor.variance;
             let tail = Tail::of(factor.scatter_share);
-            sum += tail.log_density(square, factor.variance);
+            sum += tail.log_density(square);
+            widths.multiply(factor.variance * tail.width());
             self.innovations.push(Innovation {
                 impact: residual.impact,
                 standardised: z / factor.variance.sqrt(),
@@ -206,7 +253,7 @@ impl<'a> Evaluator<'a> {
             let odd = square / (ODD * ODD);
             before = [z / (1.0 + odd * odd), before[0]];
         }
-        sum
+        sum - 0.5 * widths.ln()
     }
 
     /// Cholesky factors of the covariance of the residuals.
@@ -239,16 +286,30 @@ impl<'a> Evaluator<'a> {
         }
     }
 
-    /// The information about the unknowns at a vector: how fast the log posterior falls off in each
-    /// direction. Exact for a normal posterior, and near enough for a search.
-    pub(super) fn information(&mut self, vector: &[f64]) -> Option<DMatrix<f64>> {
-        let columns = self.whitened_slopes(vector)?;
+    /// Slope and curvature of the log posterior at a vector.
+    pub(super) fn slope_and_information(
+        &mut self,
+        vector: &[f64],
+    ) -> Option<(DVector<f64>, DMatrix<f64>)> {
+        let Differences {
+            residuals,
+            posterior,
+        } = self.differences(vector)?;
+        self.log_posterior(vector)?;
+        Some((posterior, self.information(vector, residuals)))
+    }
+
+    /// The information about the unknowns at the vector of the last evaluation, by the derivatives of the
+    /// residuals: how fast the log posterior falls off in each direction. Exact for a normal posterior,
+    /// and near enough for a search.
+    fn information(&self, vector: &[f64], mut slopes: DMatrix<f64>) -> DMatrix<f64> {
+        self.whiten(&mut slopes);
         let model = self.model;
-        let mut weighted = columns.clone();
+        let mut weighted = slopes.clone();
         for (mut row, innovation) in weighted.row_iter_mut().zip(&self.innovations) {
             row *= innovation.weight;
         }
-        let mut information = columns.transpose() * weighted;
+        let mut information = slopes.transpose() * weighted;
         // The noise: the logarithm of a standard deviation is known to 1/2^1/2 from one residual,
         // less from one with tails.
         let tells = 2.0 * FREEDOM / (FREEDOM + 3.0);
@@ -264,14 +325,11 @@ impl<'a> Evaluator<'a> {
             }
             information[(i, i)] += model.prior_information(a, vector[i]);
         }
-        Some(information)
+        information
     }
 
-    /// Derivatives of the residuals by the unknowns, with the noise turned into independent noise of
-    /// unit variance.
-    fn whitened_slopes(&mut self, vector: &[f64]) -> Option<DMatrix<f64>> {
-        let mut slopes = self.slopes(vector)?;
-        self.log_posterior(vector)?;
+    /// Turns derivatives of the residuals into those of independent residuals of unit variance.
+    fn whiten(&self, slopes: &mut DMatrix<f64>) {
         for mut column in slopes.column_iter_mut() {
             for row in 0..self.factors.len() {
                 let Factor { before, .. } = self.factors[row];
@@ -283,39 +341,28 @@ impl<'a> Evaluator<'a> {
                 *entry /= factor.variance.sqrt();
             }
         }
-        Some(slopes)
     }
 
-    /// Derivatives of the residuals by the unknowns, by central differences.
-    pub(super) fn slopes(&mut self, vector: &[f64]) -> Option<DMatrix<f64>> {
+    /// Derivatives by the unknowns, by central differences.
+    pub(super) fn differences(&mut self, vector: &[f64]) -> Option<Differences> {
         const STEP: f64 = 1e-4;
         let mut moved = vector.to_vec();
-        let mut slopes = DMatrix::zeros(self.rows_of_data(), vector.len());
+        let mut differences = Differences {
+            residuals: DMatrix::zeros(self.rows_of_data(), vector.len()),
+            posterior: DVector::zeros(vector.len()),
+        };
         for i in 0..vector.len() {
-            if !self.model.slots()[i].moves_residuals() {
-                continue;
+            for step in [STEP, -STEP] {
+                moved[i] = vector[i] + step;
+                let share = 0.5 / step;
+                differences.posterior[i] += share * self.log_posterior(&moved)?;
+                for (row, residual) in self.residuals.iter().enumerate() {
+                    differences.residuals[(row, i)] += share * residual.value;
+                }
             }
-            moved[i] = vector[i] + STEP;
-            let above: Vec<f64> = self.residual_values(&moved)?;
-            moved[i] = vector[i] - STEP;
-            let below: Vec<f64> = self.residual_values(&moved)?;
             moved[i] = vector[i];
-            for (row, (a, b)) in above.iter().zip(&below).enumerate() {
-                slopes[(row, i)] = (a - b) / (2.0 * STEP);
-            }
         }
-        Some(slopes)
-    }
-
-    fn residual_values(&mut self, vector: &[f64]) -> Option<Vec<f64>> {
-        let point = self.point(vector)?;
-        self.residuals_at(&point)?;
-        Some(
-            self.residuals
-                .iter()
-                .map(|residual| residual.value)
-                .collect(),
-        )
+        Some(differences)
     }
 
     /// How many residuals the data make.
@@ -391,7 +438,9 @@ mod tests {
 
     fn values(impacts: &[Impact]) -> Vec<f64> {
         with_evaluator(impacts, |evaluator, vector| {
-            evaluator.residual_values(vector).unwrap()
+            let point = evaluator.point(vector).unwrap();
+            let residuals = evaluator.residuals(&point).unwrap();
+            residuals.iter().map(|residual| residual.value).collect()
         })
     }
 

@@ -50,6 +50,7 @@ mod fit;
 mod identify;
 mod likelihood;
 mod model;
+mod numbering;
 mod observed;
 mod posterior;
 mod predict;

@@ -18,6 +18,10 @@ pub(super) const LOG_SCATTER_SD: f64 = 0.7;
 const SLOPE_SD: f64 = 0.1;
 const KNEE_FALL: f64 = 0.05;
 
+/// Prior of the slope in the middle of a smooth law, and of its random walk for a factor e in speed.
+const SMOOTH_SLOPE: f64 = 0.03;
+const SLOPE_WALK: f64 = 0.05;
+
 /// Makes the logistic of a standard normal nearly uniform from 0 to 1.
 const KNEE_PLACE: f64 = 1.6;
 
@@ -120,13 +124,6 @@ pub(super) enum Height {
     Speed,
 }
 
-impl Slot {
-    /// Whether it is more than a size of the noise.
-    pub(super) fn moves_residuals(self) -> bool {
-        !matches!(self, Self::Scatter | Self::Timing)
-    }
-}
-
 /// Values of the unknowns.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Point {
@@ -152,19 +149,19 @@ impl Point {
         self.timing * self.timing * sigma_s * sigma_s
     }
 
-    /// The impact speed that the law turns into a launch speed.
-    pub(super) fn impact_before(&self, launch: f64) -> Option<f64> {
-        const STEPS: usize = 60;
+    /// The impact speed that the law turns into a launch speed, by at most so many steps of Newton's
+    /// method.
+    pub(super) fn impact_before(&self, launch: f64, steps: usize) -> Option<f64> {
         let mut impact = launch / self.law.at(launch);
-        for _ in 0..STEPS {
-            let step = (launch / (impact * self.law.at(impact))).ln()
-                / (1.0 + self.law.log_slope(impact)).max(0.1);
+        for _ in 0..steps {
+            let (restitution, log_slope) = self.law.at_with_log_slope(impact);
+            let step = (launch / (impact * restitution)).ln() / (1.0 + log_slope).max(0.1);
             impact *= step.exp();
             if step.abs() < 1e-9 {
-                return impact.is_finite().then_some(impact);
+                break;
             }
         }
-        None
+        impact.is_finite().then_some(impact)
     }
 }
 
@@ -303,6 +300,7 @@ impl<'a> Model<'a> {
             (Slot::Restitution, true),
             (Slot::Shape(0), law.shapes() > 0),
             (Slot::Shape(1), law.shapes() > 1),
+            (Slot::Shape(2), law.shapes() > 2),
             (Slot::Height, true),
             (Slot::Scatter, true),
             (Slot::Timing, timing_sd > 0.0),
@@ -358,7 +356,7 @@ impl<'a> Model<'a> {
     /// The values that a vector stands for, but for the fall, which takes flights to tell; `None` where
     /// the law makes no sense.
     pub(super) fn point(&self, vector: &[f64]) -> Option<Point> {
-        let mut values = [0.0; 10];
+        let mut values = [0.0; 11];
         for (slot, &value) in self.slots.iter().zip(vector) {
             values[index(*slot)] = value;
         }
@@ -368,7 +366,7 @@ impl<'a> Model<'a> {
         let drag_scale = (self.media.drag_sd * at(Slot::Drag)).exp();
         let log_inputs =
             inputs.drag_on_gravity * at(Slot::Gravity) + inputs.drag_sd * at(Slot::Inputs);
-        let shapes = [at(Slot::Shape(0)), at(Slot::Shape(1))];
+        let shapes = [0, 1, 2].map(|number| at(Slot::Shape(number)));
         Some(Point {
             law: self.restitution(restitution, shapes).ok()?,
             drag_scale,
@@ -382,7 +380,7 @@ impl<'a> Model<'a> {
         })
     }
 
-    fn restitution(&self, reference: f64, shapes: [f64; 2]) -> Result<Restitution> {
+    fn restitution(&self, reference: f64, shapes: [f64; 3]) -> Result<Restitution> {
         let speed = self.middle.speed_m_s;
         let (slow, fast) = (self.middle.slowest_m_s, self.middle.fastest_m_s);
         let slope = SLOPE_SD * shapes[0];
@@ -398,6 +396,16 @@ impl<'a> Model<'a> {
                 let knee = slow * (fast / slow).powf(logistic(KNEE_PLACE * shapes[0]));
                 let fall = KNEE_FALL * shapes[1].exp();
                 Restitution::knee(reference, knee, reference * fall / knee)
+            }
+            LawKind::Smooth => {
+                let middle = SMOOTH_SLOPE * shapes[0].sinh();
+                let walk = |range: f64| SLOPE_WALK * range.ln().sqrt();
+                let slopes = [
+                    middle + walk(speed / slow) * shapes[1],
+                    middle,
+                    middle + walk(fast / speed) * shapes[2],
+                ];
+                Restitution::smooth(reference, [slow, speed, fast], slopes)
             }
         }
     }
@@ -421,7 +429,7 @@ impl<'a> Model<'a> {
                 Slot::Height => height,
                 // A knee in the fast impacts, and not steep: from there the search can go anywhere.
                 Slot::Shape(0) if self.law == LawKind::Knee => 1.0,
-                Slot::Shape(1) => -1.0,
+                Slot::Shape(1) if self.law == LawKind::Knee => -1.0,
                 Slot::Scatter => scatter.clamp(-3.0, 3.0),
                 _ => 0.0,
             })
@@ -494,12 +502,12 @@ fn index(slot: Slot) -> usize {
     match slot {
         Slot::Restitution => 0,
         Slot::Shape(number) => 1 + number,
-        Slot::Height => 3,
-        Slot::Drag => 4,
-        Slot::Scatter => 5,
-        Slot::Timing => 6,
-        Slot::Contact => 7,
-        Slot::Gravity => 8,
-        Slot::Inputs => 9,
+        Slot::Height => 4,
+        Slot::Drag => 5,
+        Slot::Scatter => 6,
+        Slot::Timing => 7,
+        Slot::Contact => 8,
+        Slot::Gravity => 9,
+        Slot::Inputs => 10,
     }
 }

@@ -27,7 +27,7 @@ pub(super) struct Observed {
 const READ_OFF_S: f64 = 1e-4;
 
 /// More missed impacts in a row than this leave nothing to hold on to.
-const MOST_MISSED: usize = 8;
+pub(super) const MOST_MISSED: usize = 8;
 
 impl Observed {
     /// Checks the impacts and cuts the drop into intervals.
@@ -59,6 +59,21 @@ impl Observed {
             sigma_s: sigma_s.into_iter().map(|s| s.max(1e-9)).collect(),
             sigma_stated,
         })
+    }
+
+    /// The same impacts with other numbers of flights between them.
+    pub(super) fn renumbered(&self, flights: &[usize]) -> Self {
+        let mut other = self.clone();
+        for (interval, &flights) in other.intervals.iter_mut().zip(flights) {
+            interval.flights = flights;
+        }
+        other
+    }
+
+    /// How many impacts were missed between the first and the last one heard.
+    pub(super) fn missed(&self) -> usize {
+        let missed = |interval: &Interval| interval.flights - 1;
+        self.intervals.iter().map(missed).sum()
     }
 
     /// Ratio of the second flight to the first, a rough idea of the restitution; 0 if there is only

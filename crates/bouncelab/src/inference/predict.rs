@@ -2,6 +2,7 @@
 
 use super::likelihood::Evaluator;
 use super::model::Point;
+use crate::flight::table::MAX_STEPS;
 
 /// A drop that has not come to rest after so many bounces never will.
 const MOST_BOUNCES: usize = 20_000;
@@ -35,15 +36,16 @@ pub(super) fn until_rest(evaluator: &mut Evaluator, point: &Point) -> Option<Res
     let mut impact = table.launch(point.fall_launch_m_s)?.impact;
     for _ in 0..missed_first {
         let launch = impact * point.law.at(impact);
-        rest.path_m += 2.0 * table.fall(launch)?.0 / gravity;
+        rest.path_m += 2.0 * table.apex(launch)?.0 / gravity;
         impact = table.launch(launch)?.impact;
     }
     for (launch, interval) in state.launch_speeds.iter().zip(&observed.intervals) {
         let mut launch = *launch;
-        for _ in 0..interval.flights {
-            rest.path_m += 2.0 * table.fall(launch)?.0 / gravity;
+        rest.path_m += 2.0 * table.apex(launch)?.0 / gravity;
+        for _ in 1..interval.flights {
             let impact = table.launch(launch)?.impact;
             launch = impact * point.law.at(impact);
+            rest.path_m += 2.0 * table.apex(launch)?.0 / gravity;
         }
     }
     let mut impact = state.impact_speeds[state.impact_speeds.len() - 1];
@@ -57,7 +59,7 @@ pub(super) fn until_rest(evaluator: &mut Evaluator, point: &Point) -> Option<Res
         }
         let row = table.launch(launch)?;
         rest.time_s += row.time / gravity + point.contact_time_s;
-        rest.path_m += 2.0 * table.fall(launch)?.0 / gravity;
+        rest.path_m += 2.0 * table.apex(launch)?.0 / gravity;
         impact = row.impact;
     }
     None
@@ -84,10 +86,10 @@ pub(super) fn drop_height_for(
     let table = evaluator.table(point)?;
     let mut launch = table.rising_to(gravity * apex_m)?;
     for _ in 0..bounce {
-        let impact = point.impact_before(launch)?;
-        launch = table.launch_leading_to(impact)?;
+        let impact = point.impact_before(launch, MAX_STEPS)?;
+        launch = table.launch_leading_to(impact, MAX_STEPS)?;
     }
-    Some(table.fall(launch)?.0 / gravity)
+    Some(table.apex(launch)?.0 / gravity)
 }
 
 /// The apex after the first impact of a drop from a height, with the restitution that the law
@@ -103,7 +105,7 @@ pub(super) fn rebound_m(
     let impact = table
         .launch(table.rising_to(gravity * drop_height_m)?)?
         .impact;
-    let apex_m = table.fall(impact * point.law.at(impact))?.0 / gravity;
+    let apex_m = table.apex(impact * point.law.at(impact))?.0 / gravity;
     apex_m.is_finite().then_some(apex_m)
 }
 

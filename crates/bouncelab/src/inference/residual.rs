@@ -111,7 +111,8 @@ impl End {
 impl InitialFall {
     /// What the unknowns say of it, if so many impacts were missed.
     pub(super) fn new(table: &FlightTable, point: &Point, missed_first: usize) -> Option<Self> {
-        let (gravity_height, gravity_fall, height_slope) = table.fall(point.fall_launch_m_s)?;
+        let (gravity_height, height_slope) = table.apex(point.fall_launch_m_s)?;
+        let gravity_fall = table.fall_time(point.fall_launch_m_s)?;
         let fall = table.launch(point.fall_launch_m_s)?;
         let flights = chain(table, point, fall.impact, missed_first)?;
         let gravity = point.gravity_m_s2;
@@ -164,11 +165,12 @@ impl Residual {
 
     /// The residual of the impact between two intervals.
     pub(super) fn between(before: &End, after: &End, impact: usize, point: &Point) -> Self {
-        let keeps = 1.0 + point.law.log_slope(before.impact);
+        let (restitution, log_slope) = point.law.at_with_log_slope(before.impact);
+        let keeps = 1.0 + log_slope;
         let by_before = -keeps * before.impact_per_s;
         let by_after = after.launch_per_s;
         Self {
-            value: (after.launch / (before.impact * point.law.at(before.impact))).ln(),
+            value: (after.launch / (before.impact * restitution)).ln(),
             timing: [-by_before, by_before - by_after, by_after],
             scatter: 1.0 + after.launch_scatter + keeps * keeps * before.impact_scatter,
             scatter_before: -keeps * before.shared_scatter,

@@ -7,6 +7,7 @@ use rand_chacha::ChaCha8Rng;
 use super::fit::{self, Fit};
 use super::likelihood::{Evaluator, Innovation};
 use super::model::{Medium, Model, Point, ReferenceSpeed};
+use super::numbering;
 use super::observed::Observed;
 use super::priors::{LawKind, Priors};
 use super::sample::{self, GREATEST_PARETO_SHAPE, Sample};
@@ -15,6 +16,7 @@ use crate::drag::DragLaw;
 use crate::error::{Error, InferenceFailure, Result, require};
 use crate::flight::Environment;
 use crate::impact::Impact;
+use crate::train::LN_MISSED;
 
 /// Every so many draws go into answers that take long.
 pub(super) const THINNED: usize = 4;
@@ -59,6 +61,8 @@ pub(super) struct Candidate {
     /// Which of the media.
     pub(super) media: usize,
     pub(super) missed_first: usize,
+    /// Which of the numberings.
+    pub(super) numbering: usize,
     pub(super) fit: Fit,
     /// Logarithm of prior probability times evidence.
     pub(super) log_evidence: f64,
@@ -76,7 +80,8 @@ pub(super) struct Draw {
 /// Everything that the data and the priors say together.
 #[derive(Debug, Clone)]
 pub(super) struct SampledPosterior {
-    pub(super) observed: Observed,
+    /// The impacts, numbered as stated and otherwise.
+    pub(super) numberings: Vec<Observed>,
     pub(super) media: Vec<Medium>,
     pub(super) middle: ReferenceSpeed,
     pub(super) priors: Priors,
@@ -144,18 +149,25 @@ impl SampledPosterior {
                 "before the first impact",
             )?;
         }
-        let under = |law: DragLaw| Medium::new(ball, environment, law, &observed, priors);
-        let mut media = vec![under(environment.drag)?];
+        let mut media = vec![Medium::new(
+            ball,
+            environment,
+            environment.drag,
+            &observed,
+            priors,
+        )?];
         let middle = ReferenceSpeed::new(&observed, &media[0], contact_time_s)?;
+        let numberings = numbering::plausible(&observed);
         if priors.constant_drag_too && follows_reynolds(environment) {
             // Drag shows most at the fastest impact; four digits are more than anyone knows.
             let reynolds = environment.air.reynolds(ball, middle.fastest_m_s);
             let coefficient = environment.drag.coefficient(reynolds)?;
             let rounded = (coefficient * 1e4).round() / 1e4;
-            media.push(under(DragLaw::Constant(rounded))?);
+            let law = DragLaw::Constant(rounded);
+            media.push(Medium::new(ball, environment, law, &numberings[0], priors)?);
         }
         let mut posterior = Self {
-            observed,
+            numberings,
             media,
             middle,
             priors: priors.clone(),
@@ -165,6 +177,7 @@ impl SampledPosterior {
             candidates: Vec::new(),
             draws: Vec::new(),
         };
+        posterior.keep_likely_numberings();
         posterior.candidates = posterior.fitted();
         if posterior.candidates.is_empty() {
             return Err(Error::CannotInfer(InferenceFailure::NoModelFits));
@@ -173,15 +186,34 @@ impl SampledPosterior {
         Ok(posterior)
     }
 
+    /// The impacts as the most probable candidate numbers them.
+    pub(super) fn observed(&self) -> &Observed {
+        let best = self.candidates.first();
+        &self.numberings[best.map_or(0, |candidate| candidate.numbering)]
+    }
+
     /// The model of a candidate.
     pub(super) fn model(&self, candidate: &Candidate) -> Model<'_> {
-        self.model_of(candidate.law, candidate.media, candidate.missed_first)
+        let Candidate {
+            law,
+            media,
+            missed_first,
+            numbering,
+            ..
+        } = *candidate;
+        self.model_of(law, media, missed_first, numbering)
     }
 
     /// A model of these data.
-    pub(super) fn model_of(&self, law: LawKind, media: usize, missed_first: usize) -> Model<'_> {
+    pub(super) fn model_of(
+        &self,
+        law: LawKind,
+        media: usize,
+        missed_first: usize,
+        numbering: usize,
+    ) -> Model<'_> {
         Model::new(
-            &self.observed,
+            &self.numberings[numbering],
             &self.media[media],
             &self.middle,
             law,
@@ -189,6 +221,38 @@ impl SampledPosterior {
             &self.priors,
             self.contact_time_s,
         )
+    }
+
+    /// Leaves of the numberings those that are likely under one law, which stands for all.
+    fn keep_likely_numberings(&mut self) {
+        if self.numberings.len() == 1 {
+            return;
+        }
+        let laws = self.laws();
+        let law = if laws.contains(&LawKind::Power) {
+            LawKind::Power
+        } else {
+            laws[0]
+        };
+        let evidences: Vec<f64> = (0..self.numberings.len())
+            .map(|numbering| {
+                let mut fits = Vec::new();
+                self.fit_missed(law, 0, numbering, &mut fits);
+                best_evidence(&fits)
+            })
+            .collect();
+        let best = evidences.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+        let mut evidences = evidences.into_iter();
+        // Where none makes sense under this law, each may under another.
+        self.numberings.retain(|_| {
+            let evidence = evidences.next();
+            evidence.is_none_or(|evidence| evidence >= best - PRUNE_BELOW)
+        });
+    }
+
+    /// The laws to consider.
+    pub(super) fn laws(&self) -> Vec<LawKind> {
+        self.priors.laws(self.observed().restitutions())
     }
 
     /// Logarithm of the evidence of all models together, but for a constant of the times.
@@ -204,16 +268,24 @@ impl SampledPosterior {
     /// The best fit of every model, with the evidence that its curvature suggests (Laplace).
     fn fitted(&self) -> Vec<Candidate> {
         let mut candidates = Vec::new();
-        for law in self.priors.laws(self.observed.restitutions()) {
+        for law in self.laws() {
             for media in 0..self.media.len() {
-                self.fit_missed(law, media, &mut candidates);
+                for numbering in 0..self.numberings.len() {
+                    self.fit_missed(law, media, numbering, &mut candidates);
+                }
             }
         }
         candidates
     }
 
     /// Fits a model with 0, 1, 2, ... impacts before the first one heard, until more do not help.
-    fn fit_missed(&self, law: LawKind, media: usize, candidates: &mut Vec<Candidate>) {
+    fn fit_missed(
+        &self,
+        law: LawKind,
+        media: usize,
+        numbering: usize,
+        candidates: &mut Vec<Candidate>,
+    ) {
         let most = if self.priors.tells_missed() {
             MOST_MISSED_FIRST
         } else {
@@ -221,29 +293,37 @@ impl SampledPosterior {
         };
         let mut best = f64::NEG_INFINITY;
         for missed_first in 0..=most {
-            let model = self.model_of(law, media, missed_first);
+            let model = self.model_of(law, media, missed_first, numbering);
             let Some(fit) = fit::best_fit(&mut Evaluator::new(&model)) else {
                 continue;
             };
-            let log_evidence =
-                fit.log_laplace_evidence() + missed_first as f64 * LOG_PRIOR_OF_MISSED;
-            if !log_evidence.is_finite() {
-                continue;
-            }
-            candidates.push(Candidate {
+            let mut candidate = Candidate {
                 law,
                 media,
                 missed_first,
+                numbering,
+                log_evidence: fit.log_laplace_evidence(),
                 fit,
-                log_evidence,
                 weight: 0.0,
                 sample: None,
-            });
+            };
+            candidate.log_evidence += self.log_prior(&candidate);
+            let log_evidence = candidate.log_evidence;
+            if !log_evidence.is_finite() {
+                continue;
+            }
+            candidates.push(candidate);
             if log_evidence < best - 2.0 * PRUNE_BELOW {
                 break;
             }
             best = best.max(log_evidence);
         }
+    }
+
+    /// Logarithm of the prior probability of a candidate, but for a constant.
+    fn log_prior(&self, candidate: &Candidate) -> f64 {
+        candidate.missed_first as f64 * LOG_PRIOR_OF_MISSED
+            + self.numberings[candidate.numbering].missed() as f64 * LN_MISSED
     }
 
     /// Samples the candidates that matter, weighs them by their evidence and pools their draws.
@@ -265,8 +345,7 @@ impl SampledPosterior {
                 &mut rng,
             );
             if let Some(sample) = sample {
-                candidate.log_evidence =
-                    sample.log_evidence + candidate.missed_first as f64 * LOG_PRIOR_OF_MISSED;
+                candidate.log_evidence = sample.log_evidence + self.log_prior(candidate);
                 candidate.sample = Some(sample);
             }
         }

@@ -24,14 +24,18 @@ impl Tail {
         }
     }
 
-    /// Logarithm of the density of an innovation with a variance, at its square over that variance, but
-    /// for ln (2 π)^1/2.
-    pub(super) fn log_density(&self, square: f64, variance: f64) -> f64 {
+    /// Logarithm of the density of an innovation in units of its standard deviation, by its square, but for
+    /// ln (2 π)^1/2 and half the logarithm of [`Self::width`].
+    pub(super) fn log_density(&self, square: f64) -> f64 {
         let nu = self.freedom;
         // ln Γ((ν + 1)/2) - ln Γ(ν/2) - ½ ln(ν/2), to 1e-5 from 6 degrees on.
         let constant = -0.25 / nu + 1.0 / (24.0 * nu.powi(3));
-        let width = variance * (nu - 2.0) / nu;
-        constant - 0.5 * width.ln() - 0.5 * (nu + 1.0) * (square / (nu - 2.0)).ln_1p()
+        constant - 0.5 * (nu + 1.0) * (square / (nu - 2.0)).ln_1p()
+    }
+
+    /// Square of the scale of Student's t over the variance.
+    pub(super) fn width(&self) -> f64 {
+        (self.freedom - 2.0) / self.freedom
     }
 
     /// Weight in the fit: what is left of the pull of the deviation, against a normal distribution;
@@ -54,8 +58,8 @@ mod tests {
             let step = 0.01;
             for place in -20_000..=20_000 {
                 let z = f64::from(place) * step;
-                let density =
-                    tail.log_density(z * z, 1.0).exp() / (2.0 * std::f64::consts::PI).sqrt();
+                let density = tail.log_density(z * z).exp()
+                    / (2.0 * std::f64::consts::PI * tail.width()).sqrt();
                 total += step * density;
                 variance += step * density * z * z;
             }

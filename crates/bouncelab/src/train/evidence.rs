@@ -31,7 +31,7 @@ const APEX_M: f64 = 9.81 / 8.0;
 pub(super) const FIRST_RATIO_DENSITY: f64 = 1.1;
 
 /// Logarithm of the ratio for an impact that was not heard.
-pub(super) const LN_MISSED: f64 = -3.0;
+pub(crate) const LN_MISSED: f64 = -3.0;
 
 /// Other sounds do not come at random alone: people knock, clap and play at intervals of their own
 /// choice. So their rate is taken to be at least this many in the time of one flight.

@@ -1,0 +1,318 @@
+//! Worlds in which the model of the inference is not exactly true.
+//!
+//! Drops of balls that obey no law of the inference, of which impacts are missing or wild, whose times
+//! are rounded, and so on, are inferred from their times alone, with every default of `analyze`. What is
+//! asked is whether the intervals still hold the truth.
+//!
+//! ```text
+//! cargo xtask calibrate worlds 300
+//! ```
+//!
+//! prints the second table of `docs/validation.md`; the argument is the number of drops for each world,
+//! and names after it leave out all others. Names of restitution laws leave out the others of those.
+
+use std::thread;
+
+use bouncelab::analysis::{Options, impacts_of_times};
+use bouncelab::drag::DragLaw;
+use bouncelab::flight::{Environment, FlightModel};
+use bouncelab::impact::Restitution;
+use bouncelab::inference::{InferenceOptions, LawKind, Posterior, Priors, SamplerConfig, infer};
+use bouncelab::{Estimate, Impact};
+use rand::{RngExt, SeedableRng};
+use rand_chacha::ChaCha8Rng;
+use rand_distr::StandardNormal;
+
+/// What differs from the model.
+#[derive(Clone, Copy, PartialEq)]
+enum World {
+    /// Nothing: one of the five laws, each as likely.
+    True,
+    /// e0 - 0.03 v^(1/4), none of the five.
+    NoLaw,
+    /// One impact in ten is unheard, each by itself.
+    Missing,
+    /// As many, in runs of two on average.
+    MissingRuns,
+    /// 3 % of the impacts scatter ten times as much.
+    Wild,
+    /// Times rounded to a millisecond.
+    Rounded,
+    /// The ball drifts away from the microphone, or to it, at 10 cm/s or so.
+    Drifting,
+    /// From some impact on, the surface is another, 1 % better or worse or so.
+    TwoSurfaces,
+    /// The contact lasts twice as long as stated.
+    WrongContact,
+}
+
+impl World {
+    const ALL: [(Self, &str); 9] = [
+        (Self::True, "true"),
+        (Self::NoLaw, "no-law"),
+        (Self::Missing, "missing"),
+        (Self::MissingRuns, "missing-runs"),
+        (Self::Wild, "wild"),
+        (Self::Rounded, "rounded"),
+        (Self::Drifting, "drifting"),
+        (Self::TwoSurfaces, "two-surfaces"),
+        (Self::WrongContact, "wrong-contact"),
+    ];
+}
+
+/// Drops end at this many impacts, or when flights get as short as this, as they do in recordings.
+const MOST_IMPACTS: usize = 40;
+const SHORTEST_FLIGHT_S: f64 = 0.05;
+/// Fewer impacts make no drop for the listener.
+const FEWEST_IMPACTS: usize = 5;
+
+/// A drop as heard, and its truth.
+struct Drop {
+    times_s: Vec<f64>,
+    law: Law,
+    /// Of the second surface over the first, and from which impact on.
+    second: (f64, usize),
+    height_m: f64,
+    first_impact_m_s: f64,
+    /// Numbers of the impacts heard, the first 1.
+    numbers: Vec<usize>,
+}
+
+enum Law {
+    Known(Restitution),
+    QuarterPower(f64),
+}
+
+impl Law {
+    fn drawn(world: World, rng: &mut ChaCha8Rng) -> Option<Self> {
+        let e = 0.6 + 0.37 * rng.random::<f64>();
+        let slope = 0.1 * rng.sample::<f64, _>(StandardNormal);
+        if world == World::NoLaw {
+            return Some(Self::QuarterPower(e + 0.03));
+        }
+        let middle = 1.5;
+        let law = match rng.random_range(0..5) {
+            0 => Restitution::constant(e),
+            1 => Restitution::linear(e * (1.0 + slope * middle / 4.0), e * slope / 4.0),
+            2 => Restitution::power(e, middle, slope),
+            3 => Restitution::viscoelastic_through(e, middle),
+            _ => Restitution::knee(e, middle, 0.05 * e / middle),
+        };
+        law.ok().map(Self::Known)
+    }
+
+    fn at(&self, speed_m_s: f64) -> f64 {
+        match self {
+            Self::Known(law) => law.at(speed_m_s),
+            Self::QuarterPower(at_rest) => at_rest - 0.03 * speed_m_s.powf(0.25),
+        }
+    }
+}
+
+impl Drop {
+    /// `None` if it is too short to be heard as a drop.
+    fn drawn(world: World, rng: &mut ChaCha8Rng) -> Option<Self> {
+        let Options {
+            ball,
+            environment,
+            contact_time_s,
+            priors,
+            ..
+        } = Options::default();
+        let normal = |rng: &mut ChaCha8Rng| rng.sample::<f64, _>(StandardNormal);
+        let law = Law::drawn(world, rng)?;
+        let height_m = 0.15 * 10_f64.powf(rng.random());
+        let environment = Environment {
+            gravity_m_s2: environment.gravity_m_s2 * (priors.gravity_rel_sd * normal(rng)).exp(),
+            // Half of the balls have the drag of the law, half a constant coefficient.
+            drag: if rng.random::<bool>() {
+                environment.drag
+            } else {
+                DragLaw::Constant(0.4 * (priors.drag_rel_sd * normal(rng)).exp())
+            },
+            ..environment
+        };
+        let model = FlightModel::new(&ball, &environment).ok()?;
+        let scatter = 0.003 * (0.7 * normal(rng)).exp();
+        let sigma_s = 5e-5 * (0.7 * normal(rng)).exp();
+        let contact_s = match world {
+            World::WrongContact => 2.0 * contact_time_s,
+            _ => contact_time_s * (0.3 * normal(rng)).exp(),
+        };
+        // Sound takes 2.9 ms for each metre.
+        let delay_per_s = match world {
+            World::Drifting => 0.1 * normal(rng) / 343.0,
+            _ => 0.0,
+        };
+        let second = match world {
+            World::TwoSurfaces => ((0.01 * normal(rng)).exp(), rng.random_range(2..12)),
+            _ => (1.0, usize::MAX),
+        };
+        let first_impact_m_s = model.fall(height_m).ok()?.impact_speed_m_s;
+        let mut speed = first_impact_m_s;
+        let (mut time_s, mut missing) = (0.0, false);
+        let (mut times_s, mut numbers) = (Vec::new(), Vec::new());
+        for number in 1..=MOST_IMPACTS {
+            missing = match world {
+                World::Missing => rng.random::<f64>() < 0.1,
+                // In a run it goes on every other time: 10 % of all.
+                World::MissingRuns => rng.random::<f64>() < if missing { 0.5 } else { 0.055 },
+                _ => false,
+            };
+            let off = sigma_s * normal(rng);
+            if number == 1 || !missing {
+                let heard_s = time_s * (1.0 + delay_per_s) + off;
+                // So fine a grid is none.
+                let grid_s = if world == World::Rounded { 1e-3 } else { 1e-6 };
+                times_s.push((heard_s / grid_s).round() * grid_s);
+                numbers.push(number);
+            }
+            let wild = world == World::Wild && rng.random::<f64>() < 0.03;
+            let spread = if wild { 10.0 * scatter } else { scatter };
+            let surface = if number >= second.1 { second.0 } else { 1.0 };
+            let kept = surface * law.at(speed) * (spread * normal(rng)).exp();
+            let flight = model.launch(speed * kept.min(1.0)).ok()?;
+            if flight.time_s() < SHORTEST_FLIGHT_S {
+                break;
+            }
+            time_s += flight.time_s() + contact_s;
+            speed = flight.impact_speed_m_s;
+        }
+        (times_s.len() >= FEWEST_IMPACTS).then_some(Self {
+            times_s,
+            law,
+            second,
+            height_m,
+            first_impact_m_s,
+            numbers,
+        })
+    }
+
+    /// The truth of the restitution at a speed: of two surfaces, their mean over the impacts that show
+    /// one, those between two flights.
+    fn restitution(&self, speed_m_s: f64) -> f64 {
+        let (factor, from) = self.second;
+        let shown = &self.numbers[1..self.numbers.len() - 1];
+        let other = shown.iter().filter(|&&number| number >= from);
+        let share = other.count() as f64 / shown.len() as f64;
+        self.law.at(speed_m_s) * factor.powf(share)
+    }
+}
+
+/// What is asked: the restitution at the speed that the inference chooses and at that of the first
+/// impact, which no flight shows, and the drop height.
+const QUANTITIES: [&str; 3] = ["e", "e of the first", "h0"];
+
+/// How one drop fared.
+struct Fared {
+    /// Whether the intervals of 68 and 95 % hold the truth, and the relative standard uncertainty; `None`
+    /// where no model explains the times.
+    of: Option<[(bool, bool, f64); QUANTITIES.len()]>,
+    converged: bool,
+    numbered: bool,
+}
+
+fn fared(drop: &Drop, laws: &[LawKind], seed: u64) -> Fared {
+    let settings = Options::default();
+    let impacts: Vec<Impact> = impacts_of_times(&drop.times_s);
+    let inference = InferenceOptions {
+        sampler: SamplerConfig { draws: 2000, seed },
+        ..InferenceOptions::default()
+    };
+    let priors = Priors {
+        restitution_laws: laws.to_vec(),
+        ..settings.priors
+    };
+    let found = infer(
+        &impacts,
+        &settings.ball,
+        &settings.environment,
+        settings.contact_time_s,
+        &priors,
+        &inference,
+    );
+    let numbers = impacts.iter().map(|impact| impact.number);
+    Fared {
+        converged: found.as_ref().is_ok_and(|found| found.sampling.converged),
+        of: found.ok().and_then(|found| holds(drop, &found)),
+        numbered: numbers.eq(drop.numbers.iter().copied()),
+    }
+}
+
+fn holds(drop: &Drop, found: &Posterior) -> Option<[(bool, bool, f64); QUANTITIES.len()]> {
+    let fastest = drop.first_impact_m_s;
+    let held = |estimate: Estimate, truth: f64| {
+        let within = |[low, high]: [f64; 2]| low <= truth && truth <= high;
+        (
+            within(estimate.interval68),
+            within(estimate.interval95),
+            estimate.sd / truth,
+        )
+    };
+    Some([
+        held(found.restitution, drop.restitution(found.at_speed_m_s)),
+        held(found.restitution_at(fastest)?, drop.law.at(fastest)),
+        held(found.drop_height_m, drop.height_m),
+    ])
+}
+
+/// All drops of a world, on all cores.
+fn run(world: World, laws: &[LawKind], drops: usize) -> Vec<Fared> {
+    let threads = thread::available_parallelism().map_or(1, usize::from);
+    thread::scope(|scope| {
+        let workers: Vec<_> = (0..threads)
+            .map(|worker| {
+                scope.spawn(move || {
+                    (0..)
+                        .skip(worker)
+                        .step_by(threads)
+                        .filter_map(|seed| {
+                            let drop = Drop::drawn(world, &mut ChaCha8Rng::seed_from_u64(seed))?;
+                            Some(fared(&drop, laws, seed))
+                        })
+                        .take(drops.div_ceil(threads))
+                        .collect::<Vec<_>>()
+                })
+            })
+            .collect();
+        let joined = workers.into_iter().map(thread::ScopedJoinHandle::join);
+        joined.flat_map(Result::unwrap_or_default).collect()
+    })
+}
+
+fn report(name: &str, all: &[Fared]) {
+    let count = |test: fn(&Fared) -> bool| all.iter().filter(|fared| test(fared)).count();
+    for (place, quantity) in QUANTITIES.iter().enumerate() {
+        let of = all.iter().filter_map(|fared| Some(fared.of?[place]));
+        let mut sds: Vec<f64> = of.clone().map(|(.., sd)| sd).collect();
+        sds.sort_by(f64::total_cmp);
+        let percent = |held: usize| 100.0 * held as f64 / sds.len() as f64;
+        println!(
+            "| {name} | {} | {quantity} | {:.1} | {:.1} | {:.2} | {} | {} | {} |",
+            all.len(),
+            percent(of.clone().filter(|held| held.0).count()),
+            percent(of.filter(|held| held.1).count()),
+            100.0 * sds.get(sds.len() / 2).copied().unwrap_or(f64::NAN),
+            count(|fared| fared.of.is_none()),
+            count(|fared| fared.of.is_some() && !fared.converged),
+            count(|fared| !fared.numbered),
+        );
+    }
+}
+
+fn main() {
+    let arguments: Vec<String> = std::env::args().skip(1).collect();
+    let drops = arguments.iter().find_map(|word| word.parse().ok());
+    let laws: Vec<LawKind> = arguments.iter().filter_map(|w| w.parse().ok()).collect();
+    let named = |name: &str| arguments.iter().any(|word| word == name);
+    let all = !World::ALL.iter().any(|(_, name)| named(name));
+    println!(
+        "| world | drops | quantity | % in 68 | % in 95 | median sd, % | no answer | not converged | misnumbered |"
+    );
+    println!("|---|---|---|---|---|---|---|---|---|");
+    for (world, name) in World::ALL {
+        if all || named(name) {
+            report(name, &run(world, &laws, drops.unwrap_or(300)));
+        }
+    }
+}

@@ -1,0 +1,152 @@
+//! How many flights lie between two impacts that were heard?
+//!
+//! Where impacts are missing, the numbers of the others are a guess, and a wrong one is not seen in the
+//! uncertainty: after a long flight an impact may have been missed or the surface may be dull. So every
+//! numbering that may explain the intervals is a model of its own, weighed like the others.
+
+use super::observed::{MOST_MISSED, Observed};
+use crate::train::LN_MISSED;
+
+/// How far a flight may be from what the one before foretells, relative: drag changes the ratio of
+/// successive flights along a drop, and impacts scatter.
+const SPREAD: f64 = 0.06;
+
+/// A flight so much less likely than any other is no sign of a wrong number: an odd impact.
+const ODD_COST: f64 = 20.0;
+
+/// How fast the ratio of successive flights is taken to change along a drop: as the mean of so many.
+const MEMORY: f64 = 4.0;
+
+/// A numbering so much less likely than another is not fitted. Generous, because the ratio of two
+/// flights knows less than the fit.
+const HOPELESS: f64 = 14.0;
+
+/// At most so many numberings besides the one stated are fitted.
+const MOST: usize = 12;
+
+/// Where the first flights begin: any ratio, and up to so many missed after the first impact.
+const RATIOS: usize = 24;
+const FIRST_FLIGHTS: usize = 4;
+
+/// Numbers of flights in the intervals, and the logarithm of how unlikely they are.
+#[derive(Debug, Clone, PartialEq)]
+struct Numbering {
+    flights: Vec<usize>,
+    cost: f64,
+}
+
+/// The numberings that may explain the intervals, that stated first.
+pub(super) fn plausible(observed: &Observed) -> Vec<Observed> {
+    let durations_s: Vec<f64> = observed.intervals.iter().map(|i| i.duration_s).collect();
+    let stated: Vec<usize> = observed.intervals.iter().map(|i| i.flights).collect();
+    let mut ways: Vec<Numbering> = Vec::new();
+    for first in 1..=FIRST_FLIGHTS {
+        for step in 0..RATIOS {
+            // From a dead ball, 0.4, to a perfect one, evenly in the logarithm.
+            let ratio = 0.4_f64.powf((step as f64 + 0.5) / RATIOS as f64);
+            ways.push(follow(&durations_s, first, ratio));
+        }
+    }
+    ways.sort_by(|a, b| a.cost.total_cmp(&b.cost));
+    let least = ways[0].cost;
+    ways.retain(|way| way.cost < least + HOPELESS);
+    let nearby = neighbours(&ways[0]);
+    let mut kept = vec![stated];
+    for way in ways.into_iter().map(|way| way.flights).chain(nearby) {
+        if kept.len() <= MOST && !kept.contains(&way) {
+            kept.push(way);
+        }
+    }
+    kept.into_iter()
+        .map(|flights| observed.renumbered(&flights))
+        .collect()
+}
+
+/// Numbers the intervals one after the other, each as the flights before foretell it best.
+fn follow(durations_s: &[f64], first: usize, ratio: f64) -> Numbering {
+    let (mut flights, mut ratio) = (vec![first], ratio);
+    let mut cost = missed_cost(first);
+    let last_of = |duration_s: f64, flights: usize, ratio: f64| {
+        duration_s * ratio.powf((flights - 1) as f64) / series(flights, ratio)
+    };
+    let mut last_s = last_of(durations_s[0], first, ratio);
+    for &duration_s in &durations_s[1..] {
+        let off = |count: usize| (duration_s / (last_s * ratio * series(count, ratio))).ln();
+        let price = |count: usize| {
+            let sds = off(count) / SPREAD;
+            (0.5 * sds * sds).min(ODD_COST) + missed_cost(count)
+        };
+        let best = (1..=MOST_MISSED + 1).min_by(|&a, &b| price(a).total_cmp(&price(b)));
+        let count = best.unwrap_or(1);
+        cost += price(count);
+        if off(count).abs() < 3.0 * SPREAD {
+            ratio = (ratio * (off(count) / (MEMORY * count as f64)).exp()).min(0.999);
+        }
+        last_s = last_of(duration_s, count, ratio);
+        flights.push(count);
+    }
+    Numbering { flights, cost }
+}
+
+/// The same with one impact more or less in each interval of several flights.
+fn neighbours(numbering: &Numbering) -> Vec<Vec<usize>> {
+    let mut found = Vec::new();
+    for (place, &count) in numbering.flights.iter().enumerate() {
+        for other in [count - 1, count + 1] {
+            if count > 1 && other <= MOST_MISSED + 1 {
+                let mut flights = numbering.flights.clone();
+                flights[place] = other;
+                found.push(flights);
+            }
+        }
+    }
+    found
+}
+
+/// Minus the logarithm of the prior probability of the missed impacts in so many flights.
+fn missed_cost(flights: usize) -> f64 {
+    -LN_MISSED * (flights - 1) as f64
+}
+
+/// 1 + r + r² + ..., so many terms.
+fn series(terms: usize, ratio: f64) -> f64 {
+    (0..terms).map(|n| ratio.powf(n as f64)).sum()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::impact::Impact;
+
+    /// Impacts of a ball that keeps a share of its flight, of which some were missed.
+    fn numberings(ratio: f64, heard: &[i32]) -> Vec<Vec<usize>> {
+        let impacts: Vec<Impact> = (1..)
+            .zip(heard)
+            .map(|(number, &place)| {
+                Impact::new(number, 0.5 * (1.0 - ratio.powi(place)) / (1.0 - ratio))
+            })
+            .collect();
+        let found = plausible(&Observed::new(&impacts, 1e-3).unwrap());
+        let flights = |observed: &Observed| observed.intervals.iter().map(|i| i.flights).collect();
+        found.iter().map(flights).collect()
+    }
+
+    #[test]
+    fn several_successive_impacts_may_be_missing() {
+        let found = numberings(0.9, &[0, 1, 2, 6, 7, 8, 10, 11]);
+        assert!(found.contains(&vec![1, 1, 4, 1, 1, 2, 1]), "{found:?}");
+        assert_eq!(found[0], [1; 7], "as stated");
+    }
+
+    #[test]
+    fn the_second_impact_may_be_missing() {
+        let found = numberings(0.6, &[0, 2, 3, 4, 5]);
+        assert!(found.contains(&vec![2, 1, 1, 1]), "{found:?}");
+    }
+
+    #[test]
+    fn where_none_is_missing_there_is_one_numbering() {
+        let heard: Vec<i32> = (0..20).collect();
+        assert_eq!(numberings(0.9, &heard), [[1; 19]]);
+    }
+}
