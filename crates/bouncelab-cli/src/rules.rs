@@ -2,6 +2,7 @@
 
 use std::path::PathBuf;
 
+use bouncelab::Plain;
 use bouncelab::rulebook::{self, Averaging, Evenness, Limits, Point, Requirement, Rule, Status};
 use bouncelab_report::{Align, Table, rules};
 use clap::{Args, Subcommand};
@@ -66,7 +67,10 @@ impl Files {
 pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let page = match &arguments.what {
         What::List { files } => list(&files.read()?).to_string(),
-        What::Show { name, files } => show(rulebook::find(&files.read()?, name)?),
+        What::Show { name, files } => {
+            let name = String::from(Plain::of(name));
+            show(rulebook::find(&files.read()?, &name)?)
+        }
     };
     print(page)
 }

@@ -78,7 +78,6 @@ fn a_hostile_name_is_written_out_wherever_it_is_shown() {
         &["analyze", NAME, "--report", &absent],
         &["session", &absent],
         &["verdict", "--rule", &absent, NAME],
-        &["synth", &absent],
     ] {
         let (code, out, err) = run(&folder, words);
         assert_ne!(code, Some(0));

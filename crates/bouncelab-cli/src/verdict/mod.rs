@@ -126,7 +126,7 @@ const RISK: f64 = 0.05;
 
 pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let rules = arguments.rules.read()?;
-    let rule = rulebook::find(&rules, &arguments.rule)?;
+    let rule = rulebook::find(&rules, &String::from(Plain::of(&arguments.rule)))?;
     let decision = match (arguments.decision, arguments.risk) {
         (DecisionRule::Guarded, risk) => Decision::Guarded {
             risk: risk.unwrap_or(RISK),
