@@ -3,6 +3,8 @@
 //! What the page in a browser says by itself, it reads by itself. The engine in a browser gets English
 //! only, without what a terminal says; the page loads the other languages when a reader chooses them.
 
+#![expect(clippy::disallowed_methods, reason = "names of files of the project")]
+
 use std::env;
 use std::fmt::Write as _;
 use std::fs;

@@ -2,12 +2,13 @@ use std::path::Path;
 use std::sync::Arc;
 
 use bouncelab::analysis::Plan;
-use bouncelab::{Detector, Options};
+use bouncelab::{Detector, Options, Plain};
 
 use crate::error::{Error, Result};
 use crate::source::Source;
 use crate::times;
 use crate::warning::Warning;
+use crate::waveform::Waveform;
 
 /// What a file holds: a recording, or times that something else found in one.
 #[derive(Debug)]
@@ -20,7 +21,8 @@ pub enum Input {
 
 impl Input {
     /// Opens a file: as a list of times if its name ends in `.txt`, `.csv` or `.json`, otherwise
-    /// as sound, whose format is found from the content.
+    /// as sound, whose format is found from the content. A table of a sampled waveform (at least 1000 rows:
+    /// time at equal distances, and one column for each channel) is sound too.
     ///
     /// # Errors
     ///
@@ -28,7 +30,8 @@ impl Input {
     pub fn open(path: impl AsRef<Path>) -> Result<Self> {
         let path = path.as_ref();
         if times::is_list(&path.to_string_lossy()) {
-            return times::read(path).map(Self::Times);
+            let name = String::from(Plain::path(path));
+            return Self::of_text(&times::bytes(path)?, &name);
         }
         Source::open(path).map(|source| Self::Sound(Box::new(source)))
     }
@@ -41,9 +44,18 @@ impl Input {
     pub fn from_bytes(bytes: impl Into<Arc<[u8]>>, name: &str) -> Result<Self> {
         let bytes = bytes.into();
         if times::is_list(name) {
-            return times::parse(&bytes, name).map(Self::Times);
+            return Self::of_text(&bytes, name);
         }
         Source::from_bytes(bytes, name).map(|source| Self::Sound(Box::new(source)))
+    }
+
+    /// A text is a sampled waveform, if it is a table of one, else a list of times.
+    fn of_text(bytes: &[u8], name: &str) -> Result<Self> {
+        let text = std::str::from_utf8(bytes).unwrap_or_default();
+        match Waveform::find(text.trim_start_matches('\u{feff}')) {
+            Some(waveform) => Ok(Self::Sound(Box::new(waveform.source(name)?))),
+            None => times::parse(bytes, name).map(Self::Times),
+        }
     }
 
     /// Takes all of it through the detector; the drops are then analysed by whoever has the threads.

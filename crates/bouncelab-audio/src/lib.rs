@@ -27,6 +27,8 @@
 //! [`Source::from_bytes`] and [`Input::from_bytes`] take the place of files.
 
 #![warn(missing_docs)]
+// They panic when nobody reads.
+#![warn(clippy::print_stderr, clippy::print_stdout)]
 
 mod error;
 mod input;
@@ -38,11 +40,15 @@ mod source;
 pub mod times;
 mod warning;
 mod wav;
+mod waveform;
+
+/// The version of this library.
+pub const VERSION: &str = env!("CARGO_PKG_VERSION");
 
 pub use error::{Error, Result};
 pub use input::Input;
 pub use problem::{LayoutProblem, LooksLike, MissingContent, Stage, TimesProblem};
-pub use recorder::Recorder;
+pub use recorder::{Recorder, Store};
 pub use source::{
     Block, MAX_BLOCK_FRAMES, MAX_SAMPLE_RATE_HZ, MIN_SAMPLE_RATE_HZ, Source, check_layout,
 };

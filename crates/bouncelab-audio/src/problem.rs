@@ -142,6 +142,26 @@ pub enum TimesProblem {
     /// The name has none of the endings of lists.
     #[error("not a list of times: the name ends in none of .txt, .csv, .json")]
     Ending,
+    /// It is a device or a pipe.
+    #[error("not a file; save the list in one")]
+    NotFile,
+    /// It is longer than any list.
+    #[error("more than {most_mb} MB of text; save the sound as WAV")]
+    TooLong {
+        /// The most that is read, in MB.
+        most_mb: u64,
+    },
+    /// More times than impacts can be.
+    #[error(
+        "{found} times in {seconds} s are no impacts; a sampled waveform needs a column of times at equal \
+         distances and one for each channel"
+    )]
+    TooMany {
+        /// How many.
+        found: usize,
+        /// From the first to the last, in seconds.
+        seconds: f64,
+    },
     /// The content is not UTF-8.
     #[error("not text; save the list as UTF-8")]
     NotText,

@@ -3,15 +3,22 @@
 use std::fs::File;
 use std::io::{self, Seek, SeekFrom, Write};
 use std::path::Path;
+use std::time::{Duration, Instant};
+
+use bouncelab::Plain;
 
 use crate::error::{Error, Result};
 use crate::wav::{HEADER_LEN, Layout, MOST_DATA, SampleFormat, TOO_LONG};
 
+/// How long sound may be handed over without being on the disk.
+const SYNC_EVERY: Duration = Duration::from_secs(1);
+
 /// A WAV file that is written while the sound comes, and can be read at any time.
 ///
 /// Every second of sound is handed to the system together with a header that counts it, sound
-/// first. So after a crash of the program, or on a full disk, the file is a whole recording that
-/// lacks at most the last second. [`Recorder::finish`] hands over the rest and waits for the disk.
+/// first, and once a second it waits for the disk. So after a crash of the program or a loss of power,
+/// or on a full disk, the file is a whole recording that lacks at most the last two seconds.
+/// [`Recorder::finish`] hands over the rest and waits for the disk.
 ///
 /// ```
 /// use bouncelab_audio::{Recorder, SampleFormat, Source};
@@ -26,7 +33,7 @@ use crate::wav::{HEADER_LEN, Layout, MOST_DATA, SampleFormat, TOO_LONG};
 /// # Ok::<(), bouncelab_audio::Error>(())
 /// ```
 #[derive(Debug)]
-pub struct Recorder<W: Write + Seek = File> {
+pub struct Recorder<W: Store = File> {
     name: String,
     layout: Layout,
     file: W,
@@ -34,8 +41,25 @@ pub struct Recorder<W: Write + Seek = File> {
     waiting: Vec<u8>,
     /// How many bytes of samples the header counts.
     data_len: u32,
+    /// When all that was handed over was last on the disk.
+    synced: Instant,
     /// The file took no more.
     is_closed: bool,
+}
+
+/// Where a recording is kept.
+pub trait Store: Write + Seek {
+    /// Waits until all that was written is where it outlives a loss of power.
+    ///
+    /// # Errors
+    /// What the system reports.
+    fn sync(&self) -> io::Result<()>;
+}
+
+impl Store for File {
+    fn sync(&self) -> io::Result<()> {
+        self.sync_data()
+    }
 }
 
 impl Recorder {
@@ -53,7 +77,7 @@ impl Recorder {
         format: SampleFormat,
     ) -> Result<Self> {
         let path = path.as_ref();
-        let name = path.display().to_string();
+        let name = String::from(Plain::path(path));
         let layout = Layout::new(&name, sample_rate_hz, channels, format)?;
         let file = File::options().write(true).create_new(true).open(path);
         file.and_then(|file| Self::start(&name, layout, file))
@@ -70,13 +94,11 @@ impl Recorder {
             return Ok(());
         }
         self.hand_over()?;
-        self.file
-            .sync_all()
-            .map_err(|reason| Error::io(&self.name, reason))
+        self.sync()
     }
 }
 
-impl<W: Write + Seek> Recorder<W> {
+impl<W: Store> Recorder<W> {
     fn start(name: &str, layout: Layout, mut file: W) -> io::Result<Self> {
         file.write_all(&layout.header(0))?;
         Ok(Self {
@@ -85,6 +107,7 @@ impl<W: Write + Seek> Recorder<W> {
             file,
             waiting: Vec::new(),
             data_len: 0,
+            synced: Instant::now(),
             is_closed: false,
         })
     }
@@ -147,8 +170,19 @@ impl<W: Write + Seek> Recorder<W> {
         let second = self.layout.sample_rate_hz as usize * usize::from(self.layout.frame_len());
         if self.waiting.len() >= second {
             self.hand_over()?;
+            if self.synced.elapsed() >= SYNC_EVERY {
+                self.sync()?;
+            }
         }
         Ok(())
+    }
+
+    fn sync(&mut self) -> Result<()> {
+        self.synced = Instant::now();
+        self.file.sync().map_err(|reason| {
+            self.is_closed = true;
+            Error::io(&self.name, reason)
+        })
     }
 
     /// Hands over what waits, then a header that counts it.
@@ -192,7 +226,7 @@ impl<W: Write + Seek> Recorder<W> {
 }
 
 /// What waits is handed over even if the recorder is dropped on the way out of a failure.
-impl<W: Write + Seek> Drop for Recorder<W> {
+impl<W: Store> Drop for Recorder<W> {
     fn drop(&mut self) {
         if !self.is_closed && !self.waiting.is_empty() {
             // Nobody is left to be told.
@@ -224,6 +258,12 @@ mod tests {
         }
 
         fn flush(&mut self) -> io::Result<()> {
+            Ok(())
+        }
+    }
+
+    impl Store for Disk {
+        fn sync(&self) -> io::Result<()> {
             Ok(())
         }
     }

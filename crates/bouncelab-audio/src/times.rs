@@ -13,6 +13,8 @@
 use std::fs;
 use std::path::Path;
 
+use bouncelab::Plain;
+
 use crate::error::{Error, Result};
 use crate::problem::{MissingContent, TimesProblem};
 
@@ -33,13 +35,35 @@ pub fn is_list(name: &str) -> bool {
 /// [`Error::NotFound`], [`Error::Directory`] or [`Error::Io`] if the file cannot be read.
 pub fn read(path: impl AsRef<Path>) -> Result<Vec<f64>> {
     let path = path.as_ref();
-    let name = path.display().to_string();
-    if path.is_dir() {
+    parse(&bytes(path)?, &String::from(Plain::path(path)))
+}
+
+/// The content of a list, if it is a file and no longer than any list or waveform.
+pub(crate) fn bytes(path: &Path) -> Result<Vec<u8>> {
+    let name = String::from(Plain::path(path));
+    let failed = |reason| Error::io(&name, reason);
+    let about = fs::metadata(path).map_err(failed)?;
+    if about.is_dir() {
         return Err(Error::Directory { name });
     }
-    let bytes = fs::read(path).map_err(|reason| Error::io(&name, reason))?;
-    parse(&bytes, &name)
+    let list = List { name: &name };
+    if !about.is_file() {
+        return list.refuse(None, TimesProblem::NotFile);
+    }
+    if about.len() > MOST_BYTES {
+        let most_mb = MOST_BYTES >> 20;
+        return list.refuse(None, TimesProblem::TooLong { most_mb });
+    }
+    fs::read(path).map_err(failed)
 }
+
+/// More text than this is no list, and no waveform that fits in memory.
+const MOST_BYTES: u64 = 1 << 26;
+
+/// More impacts than this are none, nor are many that follow each other as closely as samples do.
+const MOST_TIMES: usize = 10_000;
+const MANY_TIMES: usize = 500;
+const CLOSEST_S: f64 = 1e-3;
 
 /// Reads the times in the content of a file; the extension of its name says how.
 ///
@@ -66,6 +90,7 @@ pub fn parse(content: &[u8], name: &str) -> Result<Vec<f64>> {
         Format::Csv => list.table(text)?,
         Format::Json => list.array(text)?,
     };
+    list.check_count(&entries)?;
     list.check(&entries)?;
     Ok(entries.into_iter().map(|(_, time_s)| time_s).collect())
 }
@@ -166,7 +191,7 @@ impl List<'_> {
             None if is_header => self.refuse(
                 Some(line),
                 TimesProblem::NoTimeColumn {
-                    found: first.iter().collect::<Vec<_>>().join(", "),
+                    found: Plain::of(&first.iter().collect::<Vec<_>>().join(", ")).into(),
                 },
             ),
             None if first.len() > 1 => self.refuse(
@@ -226,6 +251,17 @@ impl List<'_> {
             }
             _ => Ok(()),
         }
+    }
+
+    /// Whether there can be so many impacts in this time.
+    fn check_count(&self, entries: &[Entry]) -> Result<()> {
+        let found = entries.len();
+        let time_of = |entry: Option<&Entry>| entry.map_or(0.0, |(_, time_s)| *time_s);
+        let seconds = time_of(entries.last()) - time_of(entries.first());
+        if found > MOST_TIMES || (found > MANY_TIMES && seconds < found as f64 * CLOSEST_S) {
+            return self.refuse(None, TimesProblem::TooMany { found, seconds });
+        }
+        Ok(())
     }
 }
 

@@ -3,6 +3,8 @@
 use std::fs;
 use std::path::Path;
 
+use bouncelab::Plain;
+
 use crate::error::{Error, Result};
 
 /// How a sample is stored in a WAV file.
@@ -74,7 +76,7 @@ pub fn write_wav(
     channels: &[&[f32]],
 ) -> Result<()> {
     let path = path.as_ref();
-    let name = path.display().to_string();
+    let name = String::from(Plain::path(path));
     let sound = Sound::new(&name, sample_rate_hz, format, channels)?;
     fs::write(path, sound.encode()).map_err(|reason| Error::io(&name, reason))
 }

@@ -1,22 +1,23 @@
 //! `bouncelab demo`: a drop synthesised and analysed, with a comparison of truth and result.
 
-use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
 use bouncelab::Estimate;
+use bouncelab::Plain;
 use bouncelab::demo;
 use bouncelab::drop::History;
 use bouncelab::setup::{BallInput, SetupInput};
 use bouncelab::synth::Rendered;
 use bouncelab_audio::{SampleFormat, encode_wav};
-use bouncelab_report::file::write_whole;
+use bouncelab_report::file::Outputs;
 use bouncelab_report::{Align, Quantity, Table, Unit};
 use clap::Args;
 
 use crate::analyze::{Analysed, Stems, read, save_figures};
 use crate::failure::Failure;
 use crate::language::{text, text_with, translator};
-use crate::report::wrote;
+use crate::report::{OutputArguments, write};
+use crate::terminal::print as print_result;
 
 /// Synthesise and analyse a known drop, and compare the result with the truth
 ///
@@ -31,6 +32,8 @@ pub(crate) struct Arguments {
     /// Seed of the noise and of the differences between impacts
     #[arg(long, default_value_t = 1)]
     seed: u64,
+    #[command(flatten)]
+    outputs: OutputArguments,
 }
 
 const EXAMPLES: &str = "\
@@ -48,7 +51,8 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
     physics.options = demo::settings()?;
     let history = demo::history()?;
     let sound = demo::sound(&history, arguments.seed)?;
-    let recording = write_recording(&sound, &arguments.output)?;
+    let outputs = arguments.outputs.of_no_input();
+    let recording = write_recording(&sound, &arguments.output, &outputs)?;
     let analysed = read(&recording, &physics.options, false)?;
     print(&analysed, &history, &sound, &recording)?;
     save_figures(
@@ -56,21 +60,21 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
         &physics,
         &arguments.output,
         &mut Stems::default(),
+        &outputs,
     )
 }
 
-fn write_recording(sound: &Rendered, folder: &Path) -> Result<PathBuf, Failure> {
+fn write_recording(sound: &Rendered, folder: &Path, outputs: &Outputs) -> Result<PathBuf, Failure> {
     std::fs::create_dir_all(folder).map_err(|reason| {
         Failure::Input(format!(
             "cannot make the folder {}: {reason}",
-            folder.display()
+            Plain::path(folder)
         ))
     })?;
     let path = folder.join("demo.wav");
     let format = SampleFormat::Int16;
     let wav = encode_wav(sound.sample_rate_hz, format, &[&sound.samples])?;
-    write_whole(&path, &wav).map_err(|reason| Failure::unwritable(&path, &reason))?;
-    wrote(&path);
+    write(outputs, &path, "", &wav)?;
     Ok(path)
 }
 
@@ -80,12 +84,11 @@ fn print(
     sound: &Rendered,
     recording: &Path,
 ) -> Result<(), Failure> {
-    let file = recording.display().to_string();
+    let file = String::from(Plain::path(recording));
     let heading = text_with("demo-heading", &[("file", file.into())]);
     let table = comparison(analysed, history, sound);
     let conclusion = text("demo-conclusion");
-    let mut out = io::stdout().lock();
-    Ok(writeln!(out, "{heading}\n\n{table}\n{conclusion}")?)
+    print_result(format_args!("{heading}\n\n{table}\n{conclusion}\n"))
 }
 
 /// Truth and result side by side.

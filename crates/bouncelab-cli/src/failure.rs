@@ -4,7 +4,11 @@ use std::io;
 use std::path::Path;
 use std::process::ExitCode;
 
+use bouncelab::Plain;
+use bouncelab_report::advice;
+
 use crate::language::translated;
+use crate::terminal::say;
 
 /// Why a command did not do what was asked.
 #[derive(Debug, thiserror::Error)]
@@ -27,8 +31,9 @@ impl Failure {
     /// A file that the system does not let us write.
     pub(crate) fn unwritable(path: &Path, reason: &io::Error) -> Self {
         Self::Input(format!(
-            "cannot write {}: {reason}; does its folder exist, is it writable, and the disk not full?",
-            path.display()
+            "cannot write {}: {reason}{}",
+            Plain::path(path),
+            advice(reason)
         ))
     }
 
@@ -39,7 +44,7 @@ impl Failure {
             matches!(self, Self::Output(reason) if reason.kind() == io::ErrorKind::BrokenPipe);
         let message = self.to_string();
         if !unheard && !message.is_empty() {
-            eprintln!("bouncelab: {message}");
+            say(format_args!("bouncelab: {message}"));
         }
         match self {
             Self::Usage(_) => ExitCode::from(2),

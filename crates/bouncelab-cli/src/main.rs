@@ -1,9 +1,13 @@
 //! The program `bouncelab`: from a recording of a bouncing ball to the physics.
 
+// They panic when nobody reads: `terminal` prints instead.
+#![warn(clippy::print_stderr, clippy::print_stdout)]
+
 mod analyze;
 mod demo;
 mod failure;
 mod history;
+mod interrupt;
 mod language;
 mod listen;
 mod paper;
@@ -16,6 +20,7 @@ mod serve;
 mod session;
 mod simulate;
 mod synth;
+mod terminal;
 mod verdict;
 
 use std::process::ExitCode;
@@ -70,7 +75,12 @@ fn main() -> ExitCode {
     if let Some(language) = cli.language {
         language::choose(language);
     }
-    let result = match cli.command {
+    let result = interrupt::watch().and_then(|()| run(cli.command));
+    result.map_or_else(|failure| failure.report(), |()| ExitCode::SUCCESS)
+}
+
+fn run(command: Command) -> Result<(), failure::Failure> {
+    match command {
         Command::Analyze(arguments) => analyze::run(&arguments),
         Command::Listen(arguments) => listen::run(&arguments),
         Command::Session(arguments) => session::run(&arguments),
@@ -82,6 +92,5 @@ fn main() -> ExitCode {
         Command::Demo(arguments) => demo::run(&arguments),
         #[cfg(feature = "serve")]
         Command::Serve(arguments) => serve::run(&arguments),
-    };
-    result.map_or_else(|failure| failure.report(), |()| ExitCode::SUCCESS)
+    }
 }

@@ -2,7 +2,6 @@
 //!
 //! The paper is M. Nagurka, "Aerodynamic Effects in a Dropped Ping-Pong Ball Experiment".
 
-use std::io::{self, Write};
 use std::path::PathBuf;
 
 use bouncelab_report::paper::{self, Chapter, Document, Explanation, Fact};
@@ -11,7 +10,8 @@ use clap::{Args, ValueEnum};
 
 use crate::failure::Failure;
 use crate::language::{text, translator};
-use crate::report::wrote_figure;
+use crate::report::{OutputArguments, wrote_figure};
+use crate::terminal::{print, print_json};
 
 /// Recompute every number and figure of the paper, with further results
 ///
@@ -28,6 +28,8 @@ pub(crate) struct Arguments {
     /// How to print the numbers; JSON is documented in docs/json.md
     #[arg(long, value_enum, default_value_t = Format::Text)]
     format: Format,
+    #[command(flatten)]
+    outputs: OutputArguments,
 }
 
 const EXAMPLES: &str = "\
@@ -47,23 +49,21 @@ enum Format {
 pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let chapters = paper::chapters()?;
     let explanations = paper::explanations()?;
-    let mut out = io::stdout().lock();
     match arguments.format {
         Format::Text => {
-            out.write_all(numbers(&chapters).as_bytes())?;
-            write!(out, "\n{}", puzzle(&explanations))?;
+            let (numbers, puzzle) = (numbers(&chapters), puzzle(&explanations));
+            print(format_args!("{numbers}\n{puzzle}"))?;
         }
         Format::Json => {
-            let document = Document::new(&chapters, explanations, translator());
-            serde_json::to_writer_pretty(&mut out, &document).map_err(io::Error::from)?;
-            writeln!(out)?;
+            print_json(&Document::new(&chapters, explanations, translator()))?;
         }
     }
     if arguments.no_figures {
         return Ok(());
     }
+    let outputs = arguments.outputs.of_no_input();
     for (name, figure) in paper::figures(translator())? {
-        let saved = save(&figure, &arguments.figures, name)?;
+        let saved = save(&figure, &arguments.figures, name, &outputs)?;
         wrote_figure(&saved);
     }
     Ok(())

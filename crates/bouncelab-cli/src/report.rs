@@ -4,13 +4,36 @@ use std::ffi::OsStr;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use bouncelab_report::Saved;
-use bouncelab_report::file::{Draft, write_whole};
+use bouncelab::Plain;
+use bouncelab_report::file::Outputs;
 use bouncelab_report::report::{Markdown, Page, Provenance};
+use bouncelab_report::{MARK, Saved};
+use clap::Args;
 use jiff::Zoned;
 
 use crate::failure::Failure;
 use crate::language::text_with;
+use crate::terminal::say;
+
+/// Which files a command may replace.
+#[derive(Args, Clone, Debug)]
+pub(crate) struct OutputArguments {
+    /// Replace also files that bouncelab did not write; recordings that are read are never replaced
+    #[arg(long)]
+    force: bool,
+}
+
+impl OutputArguments {
+    /// What a command may write that reads these files.
+    pub(crate) fn outputs(&self, inputs: impl IntoIterator<Item = impl AsRef<Path>>) -> Outputs {
+        Outputs::new(inputs, self.force)
+    }
+
+    /// What a command may write that reads no files.
+    pub(crate) fn of_no_input(&self) -> Outputs {
+        self.outputs([""; 0])
+    }
+}
 
 /// How a report is written.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -20,14 +43,15 @@ enum Form {
 }
 
 /// A file for a report, known to be writable before any work is done.
-pub(crate) struct ReportFile {
+pub(crate) struct ReportFile<'a> {
     path: PathBuf,
     form: Form,
+    outputs: &'a Outputs,
 }
 
-impl ReportFile {
+impl<'a> ReportFile<'a> {
     /// A report at a path whose ending says its form.
-    pub(crate) fn new(path: &Path) -> Result<Self, Failure> {
+    pub(crate) fn new(path: &Path, outputs: &'a Outputs) -> Result<Self, Failure> {
         let ending = path.extension().map(OsStr::to_ascii_lowercase);
         let form = match ending.as_ref().and_then(|ending| ending.to_str()) {
             Some("html" | "htm") => Form::Html,
@@ -35,15 +59,17 @@ impl ReportFile {
             _ => {
                 return Err(Failure::Usage(format!(
                     "a report is HTML or Markdown, so {} must end in .html or .md",
-                    path.display()
+                    Plain::path(path)
                 )));
             }
         };
         // Gone at once: who interrupts the work finds nothing lying about.
-        drop(Draft::new(path).map_err(|reason| Failure::unwritable(path, &reason))?);
+        let draft = outputs.draft(path, MARK);
+        drop(draft.map_err(|reason| Failure::unwritable(path, &reason))?);
         Ok(Self {
             path: path.to_owned(),
             form,
+            outputs,
         })
     }
 
@@ -53,11 +79,7 @@ impl ReportFile {
             Form::Html => page.html(),
             Form::Markdown => self.markdown(page)?.text,
         };
-        let path = self.path;
-        write_whole(&path, text.as_bytes())
-            .map_err(|reason| Failure::unwritable(&path, &reason))?;
-        wrote(&path);
-        Ok(())
+        write(self.outputs, &self.path, MARK, text.as_bytes())
     }
 
     /// The page as Markdown, with its figures in a folder beside it.
@@ -68,26 +90,34 @@ impl ReportFile {
         let folder = self.path.with_file_name(&name);
         let written = fs::create_dir_all(&folder).and_then(|()| {
             let mut figures = markdown.figures.iter();
-            figures.try_for_each(|(name, svg)| write_whole(&folder.join(name), svg.as_bytes()))
+            figures.try_for_each(|(name, svg)| {
+                let path = folder.join(name);
+                self.outputs.write(&path, MARK, svg.as_bytes())
+            })
         });
         written.map_err(|reason| Failure::unwritable(&folder, &reason))?;
         Ok(markdown)
     }
 }
 
-/// Says on stderr that a file was written.
-pub(crate) fn wrote(path: &Path) {
-    let file = path.display().to_string();
-    eprintln!("{}", text_with("terminal-wrote", &[("file", file.into())]));
+/// Writes a file whole, and says so on stderr.
+pub(crate) fn write(
+    outputs: &Outputs,
+    path: &Path,
+    mark: &str,
+    bytes: &[u8],
+) -> Result<(), Failure> {
+    let written = outputs.write(path, mark, bytes);
+    written.map_err(|reason| Failure::unwritable(path, &reason))?;
+    let file = String::from(Plain::path(path));
+    say(text_with("terminal-wrote", &[("file", file.into())]));
+    Ok(())
 }
 
 /// Says on stderr that a figure was written.
 pub(crate) fn wrote_figure(saved: &Saved) {
-    let file = saved.svg.display().to_string();
-    eprintln!(
-        "{}",
-        text_with("terminal-wrote-figure", &[("file", file.into())])
-    );
+    let file = String::from(Plain::path(&saved.svg));
+    say(text_with("terminal-wrote-figure", &[("file", file.into())]));
 }
 
 /// The command of this run and the day.
@@ -111,6 +141,7 @@ fn command() -> String {
 
 /// A word as a shell reads it.
 pub(crate) fn quoted(word: &str) -> String {
+    let word = &String::from(Plain::of(word));
     let plain = |c: char| c.is_alphanumeric() || "-_./:=,+%@".contains(c);
     if !word.is_empty() && word.chars().all(plain) {
         word.to_owned()
@@ -126,9 +157,10 @@ mod tests {
     #[test]
     fn a_place_is_tried_and_nothing_left_there() {
         let folder = tempfile::tempdir().unwrap();
-        assert!(ReportFile::new(&folder.path().join("drop.html")).is_ok());
+        let outputs = Outputs::default();
+        assert!(ReportFile::new(&folder.path().join("drop.html"), &outputs).is_ok());
         assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 0);
-        assert!(ReportFile::new(&folder.path().join("nowhere/drop.html")).is_err());
+        assert!(ReportFile::new(&folder.path().join("nowhere/drop.html"), &outputs).is_err());
     }
 
     #[test]

@@ -1,8 +1,8 @@
 //! `bouncelab rules`: the known rules, and the contents of each.
 
-use std::io::{self, Write};
 use std::path::PathBuf;
 
+use bouncelab::Plain;
 use bouncelab::rulebook::{self, Averaging, Evenness, Limits, Point, Requirement, Rule, Status};
 use bouncelab_report::{Align, Table, rules};
 use clap::{Args, Subcommand};
@@ -10,6 +10,7 @@ use unicode_width::UnicodeWidthStr;
 
 use crate::failure::Failure;
 use crate::language::{text, text_with, translator};
+use crate::terminal::print;
 
 /// List the rules for verdicts, or show one
 #[derive(Args)]
@@ -51,6 +52,11 @@ pub(crate) struct Files {
 }
 
 impl Files {
+    /// The files.
+    pub(crate) fn paths(&self) -> &[PathBuf] {
+        &self.rules
+    }
+
     /// The rules that are built in, and those of the files; a rule of a file replaces one of the same
     /// name.
     pub(crate) fn read(&self) -> Result<Vec<Rule>, Failure> {
@@ -61,9 +67,12 @@ impl Files {
 pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let page = match &arguments.what {
         What::List { files } => list(&files.read()?).to_string(),
-        What::Show { name, files } => show(rulebook::find(&files.read()?, name)?),
+        What::Show { name, files } => {
+            let name = String::from(Plain::of(name));
+            show(rulebook::find(&files.read()?, &name)?)
+        }
     };
-    Ok(io::stdout().lock().write_all(page.as_bytes())?)
+    print(page)
 }
 
 fn list(rules: &[Rule]) -> Table {

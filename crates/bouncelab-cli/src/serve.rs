@@ -1,12 +1,13 @@
 //! `bouncelab serve`: the browser laboratory, on this computer only.
 
-use std::io::{self, Write};
+use std::io;
 
 use clap::Args;
 use rust_embed::{EmbeddedFile, RustEmbed};
 use tiny_http::{Header, Method, Request, Response, Server, StatusCode};
 
 use crate::failure::Failure;
+use crate::terminal::{print, say};
 
 /// Serve the browser laboratory on this computer
 ///
@@ -75,13 +76,15 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
         .map_or(port, |address| address.port());
     // By its name, not its number: browsers trust "localhost" with the microphone.
     let address = format!("http://localhost:{port}/");
-    let mut out = io::stdout().lock();
-    writeln!(out, "The laboratory is at {address} (Ctrl-C ends it)")?;
-    out.flush()?;
+    print(format_args!(
+        "The laboratory is at {address} (Ctrl-C ends it)\n"
+    ))?;
     if !arguments.no_open
         && let Err(reason) = open::that_detached(&address)
     {
-        eprintln!("bouncelab: no browser could be opened ({reason}); go to {address} yourself");
+        say(format_args!(
+            "bouncelab: no browser could be opened ({reason}); go to {address} yourself"
+        ));
     }
     for request in server.incoming_requests() {
         answer(request);

@@ -1,6 +1,5 @@
 //! `bouncelab simulate`: from ball, air and surface to the trajectory of a drop.
 
-use std::io::{self, Write};
 use std::path::PathBuf;
 
 use bouncelab::drag::DragLaw;
@@ -16,7 +15,8 @@ use crate::failure::Failure;
 use crate::history::HistoryArguments;
 use crate::language::{text, text_with, translator};
 use crate::physics::{Physics, PhysicsArguments, drag_law};
-use crate::report::wrote_figure;
+use crate::report::{OutputArguments, wrote_figure};
+use crate::terminal::{print, print_json, rows};
 
 /// Simulate a drop: a table of bounces, totals, and height against time
 #[derive(Args)]
@@ -33,6 +33,8 @@ pub(crate) struct Arguments {
     /// Write height against time as SVG and PNG into this folder
     #[arg(long, value_name = "DIR")]
     figures: Option<PathBuf>,
+    #[command(flatten)]
+    outputs: OutputArguments,
     #[command(flatten)]
     physics: PhysicsArguments,
 }
@@ -67,20 +69,21 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
         .map(|law| arguments.history.run(law, &physics.options))
         .collect::<Result<Vec<Run>, Failure>>()?;
     if let Some(folder) = &arguments.figures {
-        let saved = save(&height_chart(&runs, translator()), folder, "height")?;
+        let (chart, outputs) = (
+            height_chart(&runs, translator()),
+            arguments.outputs.of_no_input(),
+        );
+        let saved = save(&chart, folder, "height", &outputs)?;
         wrote_figure(&saved);
     }
-    let mut out = io::stdout().lock();
     match arguments.format {
-        Format::Text => Ok(out.write_all(report(&runs, &physics).as_bytes())?),
+        Format::Text => print(report(&runs, &physics)),
         Format::Json => {
             let mut assumptions = physics.assumptions.clone();
             translator().complete_each(&mut assumptions);
-            let document = Document::new(&runs, &physics.options, assumptions);
-            serde_json::to_writer_pretty(&mut out, &document).map_err(io::Error::from)?;
-            Ok(writeln!(out)?)
+            print_json(&Document::new(&runs, &physics.options, assumptions))
         }
-        Format::Csv => csv(&runs, out),
+        Format::Csv => csv(&runs),
     }
 }
 
@@ -206,8 +209,8 @@ fn height_chart(runs: &[Run], translator: &Translator) -> Chart {
     figure::height("height", &curves, &[], translator)
 }
 
-fn csv(runs: &[Run], out: impl Write) -> Result<(), Failure> {
-    let mut writer = csv::Writer::from_writer(out);
+fn csv(runs: &[Run]) -> Result<(), Failure> {
+    let mut writer = rows();
     for row in runs.iter().flat_map(Run::bounces) {
         writer.serialize(row)?;
     }

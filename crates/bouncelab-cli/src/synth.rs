@@ -1,13 +1,12 @@
 //! `bouncelab synth`: the synthetic recording of a drop.
 
 use std::ffi::OsStr;
-use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
+use bouncelab::Plain;
 use bouncelab::impact::Strike;
 use bouncelab::synth::{self, BitDepth, Clicks, Hum, Lost, Noise, Rendered, Reverb, Scene, Voice};
 use bouncelab_audio::{SampleFormat, encode_wav};
-use bouncelab_report::file::write_whole;
 use bouncelab_report::messages::Value;
 use clap::builder::{PathBufValueParser, TypedValueParser};
 use clap::{Args, ValueEnum};
@@ -16,6 +15,8 @@ use crate::failure::Failure;
 use crate::history::HistoryArguments;
 use crate::language::text_with;
 use crate::physics::PhysicsArguments;
+use crate::report::OutputArguments;
+use crate::terminal::print;
 use crate::units;
 
 /// Synthesise the recording of a drop as a WAV file
@@ -31,9 +32,8 @@ pub(crate) struct Arguments {
     /// Write the true impact times, as .txt, .csv or .json
     #[arg(long, value_name = "FILE")]
     truth: Option<PathBuf>,
-    /// Overwrite existing files
-    #[arg(long)]
-    force: bool,
+    #[command(flatten)]
+    outputs: OutputArguments,
     /// Seed of the random numbers
     #[arg(long, default_value_t = 1, help_heading = "Sound")]
     seed: u64,
@@ -181,18 +181,10 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
         .as_deref()
         .map(TruthFormat::of)
         .transpose()?;
+    let outputs = arguments.outputs.of_no_input();
     for file in std::iter::once(&arguments.output).chain(&arguments.truth) {
-        let name = file.display();
-        if file.is_dir() {
-            return Err(Failure::Input(format!(
-                "{name} is a folder; name a file in it"
-            )));
-        }
-        if file.exists() && !arguments.force {
-            return Err(Failure::Input(format!(
-                "{name} exists; use --force to overwrite it"
-            )));
-        }
+        let allowed = outputs.check(file, NO_MARK);
+        allowed.map_err(|reason| Failure::unwritable(file, &reason))?;
     }
     let options = &physics.options;
     let run = arguments.history.run(options.environment.drag, options)?;
@@ -200,6 +192,10 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let sound = synth::render(&strikes, &arguments.scene(), arguments.seed)?;
     let format = arguments.bits.format();
     let wav = encode_wav(sound.sample_rate_hz, format, &[&sound.samples])?;
+    let write = |file: &Path, bytes: &[u8]| {
+        let written = outputs.write(file, NO_MARK, bytes);
+        written.map_err(|reason| Failure::unwritable(file, &reason))
+    };
     write(&arguments.output, &wav)?;
     if let (Some(file), Some(format)) = (&arguments.truth, truth) {
         write(file, format.text(&sound).as_bytes())?;
@@ -207,22 +203,17 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let seconds = sound.samples.len() as f64 / f64::from(sound.sample_rate_hz);
     let audible = sound.impacts.iter().filter(|impact| !impact.lost).count();
     let made = [
-        ("file", arguments.output.display().to_string().into()),
+        ("file", String::from(Plain::path(&arguments.output)).into()),
         ("count", audible.into()),
         ("seconds", Value::fixed(seconds, 1)),
         ("rate", sound.sample_rate_hz.into()),
         ("seed", arguments.seed.into()),
     ];
-    Ok(writeln!(
-        io::stdout().lock(),
-        "{}",
-        text_with("synth-made", &made)
-    )?)
+    print(text_with("synth-made", &made) + "\n")
 }
 
-fn write(file: &Path, bytes: &[u8]) -> Result<(), Failure> {
-    write_whole(file, bytes).map_err(|reason| Failure::unwritable(file, &reason))
-}
+/// Recordings are never replaced unasked, nor are times.
+const NO_MARK: &str = "";
 
 impl Arguments {
     fn scene(&self) -> Scene {
@@ -263,7 +254,7 @@ impl TruthFormat {
             Some("json") => Ok(Self::Json),
             _ => Err(Failure::Usage(format!(
                 "--truth {}: the name must end in .txt, .csv or .json",
-                file.display()
+                Plain::path(file)
             ))),
         }
     }

@@ -1,5 +1,7 @@
 //! `bouncelab analyze` as its users meet it: good files, bad files, wrong arguments.
 
+#![expect(clippy::disallowed_methods, reason = "names of files of the project")]
+
 use std::fs;
 use std::path::{Path, PathBuf};
 

@@ -1,6 +1,8 @@
 //! `bouncelab listen` as its users meet it: played files, a microphone that is a file, and all that
 //! can go wrong.
 
+#![expect(clippy::disallowed_methods, reason = "names of files of the project")]
+
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
@@ -374,6 +376,19 @@ mod unix {
         assert_eq!(saved, original[..saved.len()]);
     }
 
+    /// Nobody reads what is said from the very beginning, and then nobody reads the results.
+    #[test]
+    fn the_recording_outlives_closed_outputs() {
+        let folder = TempDir::new().unwrap();
+        let (file, saved) = (one_drop(&folder), folder.path().join("saved.wav"));
+        let mut arguments = vec!["listen", "--fast", "--from", file.to_str().unwrap()];
+        arguments.extend(["--save", saved.to_str().unwrap()]);
+        let mut child = start(&arguments, &[]);
+        drop((child.stdout.take(), child.stderr.take()));
+        assert_eq!(child.wait().unwrap().code(), Some(1));
+        assert_eq!(samples(&saved), samples(&file));
+    }
+
     #[test]
     fn when_the_disk_is_full_listening_goes_on() {
         let folder = TempDir::new().unwrap();
@@ -388,7 +403,7 @@ mod unix {
             .args([&program, &file, &saved]);
         command
             .assert()
-            .success()
+            .code(1)
             .stdout(predicate::str::contains("15 impacts"))
             .stderr(predicate::str::contains("saving the sound failed").count(1));
         let saved = samples(&saved);
@@ -487,6 +502,34 @@ mod microphone {
         let common = saved.len().min(samples.len());
         assert!(common > 2 * RATE_HZ as usize);
         assert_eq!(saved[..common], samples[..common]);
+    }
+
+    /// A terminal that takes nothing: a pipe that is full before the program says its first word.
+    #[test]
+    fn a_reader_that_stalls_does_not_stop_the_recording() {
+        use std::io::Write;
+        use std::process::{Command as Plain, Stdio};
+
+        let folder = TempDir::new().unwrap();
+        let samples = sound(&[0.0], 0.88, 1.0);
+        let system = sound_system(&folder, &samples);
+        let saved = folder.path().join("mic.wav");
+        let (reader, mut writer) = std::io::pipe().unwrap();
+        let theirs = writer.try_clone().unwrap();
+        let filling = std::thread::spawn(move || while writer.write_all(b"....").is_ok() {});
+        let mut child = Plain::new(assert_cmd::cargo::cargo_bin("bouncelab"))
+            .args(["listen", "--seconds", "3", "--save"])
+            .arg(&saved)
+            .env("ALSA_CONFIG_PATH", &system)
+            .stdout(Stdio::null())
+            .stderr(theirs)
+            .spawn()
+            .unwrap();
+        wait_for(&saved, 44 + 3 * 8 * u64::from(RATE_HZ));
+        drop(reader);
+        child.wait().unwrap();
+        filling.join().unwrap();
+        assert_eq!(super::samples(&saved), samples[..3 * RATE_HZ as usize]);
     }
 
     #[test]

@@ -266,7 +266,7 @@ fn an_output_that_cannot_be_written_is_said_at_once() {
         .session()
         .assert()
         .code(1)
-        .stderr(contains("cannot write into").and(contains("--output DIR")));
+        .stderr(contains("cannot write").and(contains("--output DIR")));
 }
 
 #[test]

@@ -9,6 +9,7 @@ use arrow_array::{Array, ArrayRef, ListArray, RecordBatch, StringArray, StructAr
 use arrow_buffer::{NullBuffer, OffsetBuffer};
 use arrow_schema::{DataType, Field, Fields, Schema};
 use bouncelab::setup::Settings;
+use bouncelab_report::file::Outputs;
 use bouncelab_session::batch::{
     Batch, Failure as RowFailure, FailureCode, Given, Kernel as OneByOne, KernelOptions, Row,
     RowTables,
@@ -241,7 +242,8 @@ impl Results {
             let results = self.batch.results();
             let english = translator("en")?;
             let outcome = Outcome::of(&results, &self.options, &english)?;
-            Ok(write_tables(&outcome, &results, &folder, &forms)?)
+            let outputs = Outputs::default();
+            Ok(write_tables(&outcome, &results, &folder, &forms, &outputs)?)
         })
     }
 }

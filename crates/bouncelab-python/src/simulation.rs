@@ -8,7 +8,7 @@ use bouncelab::synth::{self, BitDepth, Clicks, Hum, Lost, Noise, Reverb, Scene, 
 use bouncelab_audio::{SampleFormat, encode_wav};
 use bouncelab_report::document::simulation::{Document, Run};
 use bouncelab_report::figure;
-use bouncelab_report::file::write_whole;
+use bouncelab_report::file::Outputs;
 use bouncelab_report::theme::Meaning;
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
@@ -184,10 +184,12 @@ pub(crate) fn write_wav(
     let samples = frames.read(py, 0..frames.length)?;
     let channels: Vec<&[f32]> = samples.iter().map(Vec::as_slice).collect();
     let wav = encode_wav(sample_rate_hz, SampleFormat::Int16, &channels)?;
-    write_whole(&path, &wav).map_err(|reason| {
+    // As every function of Python that writes a file of this name.
+    let outputs = Outputs::new([""; 0], true);
+    outputs.write(&path, "", &wav).map_err(|reason| {
         Failure::Output(format!(
             "{}: {reason}; choose another place",
-            path.display()
+            bouncelab::Plain::path(&path)
         ))
     })
 }

@@ -24,6 +24,7 @@ use bouncelab::inference::{
     InferenceOptions, LawKind, Measured, Posterior, Priors, SamplerConfig, infer,
 };
 use bouncelab_report::figure::{self, RankHistogram};
+use bouncelab_report::file::Outputs;
 use bouncelab_report::messages::Translator;
 use bouncelab_report::save;
 use rand::{RngExt, SeedableRng};
@@ -301,6 +302,7 @@ fn main() -> bouncelab_report::Result<()> {
             &figure::calibration(&histograms, &Translator::default()),
             &folder,
             "calibration",
+            &Outputs::default(),
         )?;
     }
     Ok(())

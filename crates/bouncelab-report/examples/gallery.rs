@@ -7,6 +7,7 @@
 
 use std::path::PathBuf;
 
+use bouncelab_report::file::Outputs;
 use bouncelab_report::messages::Translator;
 use bouncelab_report::save;
 
@@ -17,9 +18,13 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let folder = std::env::args_os().nth(1).map(PathBuf::from);
     let folder = folder.ok_or("give a folder: cargo run --example gallery -- FOLDER")?;
     for (name, chart, _) in charts::all(&Translator::default()) {
-        let saved = save(&chart, &folder, &name)?;
+        let saved = save(&chart, &folder, &name, &Outputs::default())?;
         std::fs::write(folder.join(format!("{name}-480.png")), chart.png(480)?)?;
-        println!("{}\n    {}", saved.svg.display(), chart.caption);
+        println!(
+            "{}\n    {}",
+            bouncelab::Plain::path(&saved.svg),
+            chart.caption
+        );
     }
     Ok(())
 }

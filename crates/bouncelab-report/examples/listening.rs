@@ -10,6 +10,7 @@ use std::path::{Path, PathBuf};
 
 use bouncelab_report::Chart;
 use bouncelab_report::figure::{self, Curve, Detection};
+use bouncelab_report::file::Outputs;
 use bouncelab_report::messages::Translator;
 use bouncelab_report::save;
 use bouncelab_report::theme::Meaning;
@@ -49,8 +50,12 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
 }
 
 fn draw(chart: &Chart, folder: &Path, name: &str) -> Result<(), Box<dyn std::error::Error>> {
-    let saved = save(chart, folder, name)?;
-    println!("{}\n    {}", saved.svg.display(), chart.caption);
+    let saved = save(chart, folder, name, &Outputs::default())?;
+    println!(
+        "{}\n    {}",
+        bouncelab::Plain::path(&saved.svg),
+        chart.caption
+    );
     Ok(())
 }
 

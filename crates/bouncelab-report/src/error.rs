@@ -1,5 +1,6 @@
 //! Errors of drawing, saving and reading rules.
 
+use bouncelab::Plain;
 use std::path::PathBuf;
 
 /// What can go wrong when results are drawn, saved and judged.
@@ -58,7 +59,10 @@ pub enum Error {
         name: String,
     },
     /// The folder for the figures cannot be used.
-    #[error("cannot use '{}' as a folder for figures: {source}; choose another folder", folder.display())]
+    #[error(
+        "cannot use '{}' as a folder for figures: {source}; choose another folder",
+        Plain::path(folder)
+    )]
     Folder {
         /// The folder.
         folder: PathBuf,
@@ -66,13 +70,26 @@ pub enum Error {
         source: std::io::Error,
     },
     /// A figure could not be written.
-    #[error("cannot write the figure '{}': {source}; is the folder writable, and the disk not full?", path.display())]
+    #[error(
+        "cannot write the figure '{}': {source}{}",
+        Plain::path(path),
+        advice(source)
+    )]
     Write {
         /// The file that was to be written.
         path: PathBuf,
         /// What the operating system said.
         source: std::io::Error,
     },
+}
+
+/// What to do about a file that the system does not let us write; nothing if the reason says it.
+pub fn advice(reason: &std::io::Error) -> &'static str {
+    use std::io::ErrorKind;
+    match reason.kind() {
+        ErrorKind::AlreadyExists | ErrorKind::InvalidInput | ErrorKind::IsADirectory => "",
+        _ => "; does its folder exist, is it writable, and the disk not full?",
+    }
 }
 
 /// A result whose error is [`Error`].

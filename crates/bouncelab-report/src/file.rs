@@ -1,32 +1,167 @@
-//! Writes files completely or not at all.
+//! Writes files: completely or not at all, and never over what a person would miss.
 //!
 //! A file is written beside its place under a hidden name, and renamed when it is on the disk. A reader
-//! sees the old file or the new one, never a part, whatever interrupts the program.
+//! sees the old file or the new one, never a part, whatever interrupts the program. [`Outputs`] decides
+//! which files may be replaced: never an input, and only files of bouncelab, known by a mark in them,
+//! unless replacing was asked for.
 //!
 //! ```
-//! use std::io::Write;
-//! use bouncelab_report::file::{Draft, write_whole};
+//! use bouncelab_report::file::Outputs;
 //!
 //! # let folder = tempfile::tempdir()?;
-//! let place = folder.path().join("notes.txt");
-//! write_whole(&place, b"a ball fell")?;
+//! let notes = folder.path().join("notes.txt");
+//! std::fs::write(&notes, "a ball fell")?;
+//! let outputs = Outputs::new([&notes], false);
 //!
-//! let draft = Draft::new(&place)?;
-//! draft.file().write_all(b"a ball fell twice")?;
-//! assert_eq!(std::fs::read(&place)?, b"a ball fell");
-//! draft.finish()?;
-//! assert_eq!(std::fs::read(&place)?, b"a ball fell twice");
+//! // An input is never replaced, by whatever name, nor is what something else wrote.
+//! assert!(outputs.write(&notes, "made by me", b"").is_err());
+//!
+//! let report = folder.path().join("report.txt");
+//! outputs.write(&report, "made by me", b"made by me: first")?;
+//! outputs.write(&report, "made by me", b"made by me: second")?;
+//! assert_eq!(std::fs::read(&report)?, b"made by me: second");
 //! # Ok::<(), std::io::Error>(())
 //! ```
 
+use std::collections::HashSet;
 use std::fs::{self, File};
-use std::io::{self, Write};
+use std::io::{self, Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
+use std::sync::{Mutex, MutexGuard, PoisonError};
 
+use file_id::FileId;
 use tempfile::NamedTempFile;
+
+/// So much at each end of a file is searched for its mark.
+const ENDS: u64 = 4096;
+
+/// Which files a command may write.
+#[derive(Debug, Default)]
+pub struct Outputs {
+    /// What it reads, by the place on the disk: a file may have several names.
+    inputs: HashSet<FileId>,
+    /// Whether files of others may be replaced too.
+    force: bool,
+}
+
+impl Outputs {
+    /// What a command may write that reads these files. With `force` it may replace any other.
+    pub fn new(inputs: impl IntoIterator<Item = impl AsRef<Path>>, force: bool) -> Self {
+        let ids = inputs
+            .into_iter()
+            .filter_map(|it| file_id::get_file_id(it).ok());
+        Self {
+            inputs: ids.collect(),
+            force,
+        }
+    }
+
+    /// Whether a file may be written; one that is there must have the mark at one of its ends. Without a
+    /// mark no file is replaced.
+    ///
+    /// # Errors
+    /// [`io::ErrorKind::AlreadyExists`] if it may not be replaced, [`io::ErrorKind::IsADirectory`] if a
+    /// folder has the name, [`io::ErrorKind::InvalidInput`] if a device or a pipe has it, and what the
+    /// system reports if it cannot be read.
+    pub fn check(&self, path: &Path, mark: &str) -> io::Result<()> {
+        let about = match fs::metadata(path) {
+            Err(reason) if is_absent(&reason) => return Ok(()),
+            about => about?,
+        };
+        if about.is_dir() {
+            let reason = "it is a folder; name a file in it";
+            return Err(io::Error::new(io::ErrorKind::IsADirectory, reason));
+        }
+        // The rename would replace a device with a file.
+        if !about.is_file() {
+            let reason = "it is a device or a pipe, not a file";
+            return Err(io::Error::new(io::ErrorKind::InvalidInput, reason));
+        }
+        let refused = |reason| Err(io::Error::new(io::ErrorKind::AlreadyExists, reason));
+        if self.inputs.contains(&file_id::get_file_id(path)?) {
+            return refused("it is an input of this command; name another file");
+        }
+        if self.force || about.len() == 0 || has_mark(path, mark)? {
+            return Ok(());
+        }
+        refused(
+            "it exists, and bouncelab did not write it; name another file, or replace it with --force",
+        )
+    }
+
+    /// Begins a file that may be written.
+    ///
+    /// # Errors
+    /// Those of [`Self::check`], and what the system reports if there is no such folder or it cannot be
+    /// written into.
+    pub fn draft(&self, path: &Path, mark: &str) -> io::Result<Draft> {
+        self.check(path, mark)?;
+        Draft::new(path)
+    }
+
+    /// Writes a file whole. One with the same content is left as it is.
+    ///
+    /// # Errors
+    /// Those of [`Self::draft`] and [`Draft::finish`].
+    pub fn write(&self, path: &Path, mark: &str, bytes: &[u8]) -> io::Result<()> {
+        if has_content(path, bytes) {
+            return Ok(());
+        }
+        let draft = self.draft(path, mark)?;
+        draft.file().write_all(bytes)?;
+        draft.finish()
+    }
+}
+
+/// Whether there is no such file, which leaves it to the writing to say what is in the way.
+fn is_absent(reason: &io::Error) -> bool {
+    matches!(
+        reason.kind(),
+        io::ErrorKind::NotFound | io::ErrorKind::NotADirectory
+    )
+}
+
+fn has_mark(path: &Path, mark: &str) -> io::Result<bool> {
+    if mark.is_empty() {
+        return Ok(false);
+    }
+    let mut file = File::open(path)?;
+    let length = file.metadata()?.len();
+    let mut ends = [0, length.saturating_sub(ENDS)].into_iter();
+    ends.try_fold(false, |found, start| {
+        let mut end = Vec::new();
+        file.seek(SeekFrom::Start(start))?;
+        (&file).take(ENDS).read_to_end(&mut end)?;
+        let mut windows = end.windows(mark.len());
+        Ok(found || windows.any(|window| window == mark.as_bytes()))
+    })
+}
+
+fn has_content(path: &Path, bytes: &[u8]) -> bool {
+    let is_as_long = |about: fs::Metadata| about.is_file() && about.len() == bytes.len() as u64;
+    fs::metadata(path).is_ok_and(is_as_long) && fs::read(path).is_ok_and(|found| found == bytes)
+}
 
 /// How names of drafts begin and end.
 const NAME: (&str, &str) = (".bouncelab-", ".part");
+
+/// The drafts of this program that are not finished.
+static UNFINISHED: Mutex<Vec<PathBuf>> = Mutex::new(Vec::new());
+
+fn unfinished() -> MutexGuard<'static, Vec<PathBuf>> {
+    UNFINISHED.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// Removes all drafts of this program, which is about to end: no draft can be begun or finished after
+/// it.
+pub fn abandon_drafts() {
+    let drafts = unfinished();
+    for draft in drafts.iter() {
+        // Nobody is left to be told.
+        let _ = fs::remove_file(draft);
+    }
+    std::mem::forget(drafts);
+}
 
 /// A file that does not have its name yet. Dropped before [`Draft::finish`], it is removed.
 #[derive(Debug)]
@@ -34,36 +169,42 @@ pub struct Draft {
     /// The name that it will have.
     path: PathBuf,
     file: NamedTempFile,
+    /// Only for its end.
+    _listed: Listed,
+}
+
+/// A draft in the list of those that are not finished.
+#[derive(Debug)]
+struct Listed(PathBuf);
+
+impl Drop for Listed {
+    fn drop(&mut self) {
+        unfinished().retain(|draft| *draft != self.0);
+    }
 }
 
 impl Draft {
     /// Begins a file, in the folder in which it will be, with the permissions of any new file. Where
     /// the place is a link, the file to which it leads is written, and the link remains.
-    ///
-    /// # Errors
-    /// What the system reports if there is no such folder or it cannot be written into,
-    /// [`io::ErrorKind::IsADirectory`] if a folder has the name, and [`io::ErrorKind::InvalidInput`]
-    /// if a device or a pipe has it.
-    pub fn new(path: &Path) -> io::Result<Self> {
+    fn new(path: &Path) -> io::Result<Self> {
         let path = match fs::canonicalize(path) {
             Ok(end) if path.is_symlink() => end,
             _ => path.to_owned(),
         };
-        if path.is_dir() {
-            return Err(io::ErrorKind::IsADirectory.into());
-        }
-        // The rename would replace a device with a file.
-        if path.exists() && !path.is_file() {
-            let reason = "it is a device or a pipe, not a file";
-            return Err(io::Error::new(io::ErrorKind::InvalidInput, reason));
-        }
         let mut builder = tempfile::Builder::new();
         builder.prefix(NAME.0).suffix(NAME.1);
         // Without this only the user could read it; the mask of the user still counts.
         #[cfg(unix)]
         builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
-        let file = builder.tempfile_in(path.parent().unwrap_or(Path::new("")))?;
-        Ok(Self { path, file })
+        let mut drafts = unfinished();
+        let file = builder.tempfile_in(folder_of(&path))?;
+        drafts.push(file.path().to_owned());
+        let listed = Listed(file.path().to_owned());
+        Ok(Self {
+            path,
+            file,
+            _listed: listed,
+        })
     }
 
     /// The file, to write into it.
@@ -72,25 +213,34 @@ impl Draft {
     }
 
     /// Makes sure that all of it is on the disk and gives it its name, in the place of a file that has
-    /// it already.
+    /// it already; when this returns, the name is on the disk too.
     ///
     /// # Errors
     /// What the system reports, as when the disk is full; a file of that name is then unchanged.
     pub fn finish(self) -> io::Result<()> {
         self.file().sync_all()?;
+        let folder = folder_of(&self.path).to_owned();
         self.file.persist(self.path)?;
-        Ok(())
+        sync_folder(&folder)
     }
 }
 
-/// Writes a file whole.
+fn folder_of(path: &Path) -> &Path {
+    match path.parent() {
+        Some(folder) if !folder.as_os_str().is_empty() => folder,
+        _ => Path::new("."),
+    }
+}
+
+/// Makes sure that the names in a folder are on the disk. Windows does so by itself.
 ///
 /// # Errors
-/// Those of [`Draft::new`] and [`Draft::finish`].
-pub fn write_whole(path: &Path, bytes: &[u8]) -> io::Result<()> {
-    let draft = Draft::new(path)?;
-    draft.file().write_all(bytes)?;
-    draft.finish()
+/// What the system reports.
+pub fn sync_folder(folder: &Path) -> io::Result<()> {
+    if cfg!(unix) {
+        File::open(folder)?.sync_all()?;
+    }
+    Ok(())
 }
 
 /// Removes the drafts that interrupted programs left in a folder. Nobody else may be writing there.
@@ -107,4 +257,85 @@ pub fn remove_drafts(folder: &Path) -> io::Result<()> {
         }
     }
     Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::MARK;
+
+    const CONTENT: &[u8] = b"made by bouncelab, and more";
+
+    fn place(content: &[u8]) -> (tempfile::TempDir, PathBuf) {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("file.md");
+        fs::write(&path, content).unwrap();
+        (folder, path)
+    }
+
+    #[test]
+    fn a_file_of_somebody_else_is_replaced_only_on_request() {
+        let (_folder, path) = place(b"my notes");
+        let refusal = Outputs::default().write(&path, MARK, CONTENT).unwrap_err();
+        assert!(refusal.to_string().contains("--force"), "{refusal}");
+        assert_eq!(fs::read(&path).unwrap(), b"my notes");
+        let force = Outputs::new([""; 0], true);
+        force.write(&path, MARK, CONTENT).unwrap();
+        assert_eq!(fs::read(&path).unwrap(), CONTENT);
+        Outputs::default()
+            .write(&path, MARK, b"made by bouncelab again")
+            .unwrap();
+        assert!(Outputs::default().write(&path, "", b"no mark").is_err());
+    }
+
+    #[test]
+    fn the_mark_may_be_at_either_end() {
+        let long = [vec![b'x'; 10_000], CONTENT.to_vec()].concat();
+        for (content, own) in [
+            (long, true),
+            (CONTENT.repeat(1_000), true),
+            (vec![b'x'; 9_000], false),
+        ] {
+            let (_folder, path) = place(&content);
+            assert_eq!(Outputs::default().check(&path, MARK).is_ok(), own);
+        }
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn an_input_is_never_replaced_by_whatever_name() {
+        let (folder, path) = place(CONTENT);
+        let at = |name: &str| folder.path().join(name);
+        std::os::unix::fs::symlink(&path, at("link")).unwrap();
+        std::os::unix::fs::symlink("link", at("link-to-link")).unwrap();
+        fs::hard_link(&path, at("hard")).unwrap();
+        for input in [path.clone(), at("link-to-link")] {
+            let outputs = Outputs::new([input], true);
+            for output in [
+                path.clone(),
+                at("link"),
+                at("link-to-link"),
+                at("hard"),
+                at("./file.md"),
+            ] {
+                let refusal = outputs
+                    .write(&output, MARK, b"made by bouncelab")
+                    .unwrap_err();
+                assert!(refusal.to_string().contains("input"), "{refusal}");
+            }
+        }
+        assert_eq!(fs::read(&path).unwrap(), CONTENT);
+    }
+
+    #[test]
+    fn a_draft_that_is_dropped_leaves_nothing_behind() {
+        let (folder, path) = place(b"");
+        drop(Outputs::default().draft(&path, MARK).unwrap());
+        assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 1);
+        assert!(
+            !unfinished()
+                .iter()
+                .any(|draft| draft.starts_with(folder.path()))
+        );
+    }
 }

@@ -39,7 +39,7 @@
 //! | [`chart`] | charts as data |
 //! | `render` | draws charts |
 //! | [`figure`] | the figures, one file each |
-//! | [`file`](mod@file) | writes files completely or not at all |
+//! | [`file`](mod@file) | which files may be written; completely or not at all |
 //! | [`save()`] | charts as files |
 //! | [`rules`] | rules, built in and in files |
 //! | [`tables`] | tables of an analysis |
@@ -51,6 +51,8 @@
 //! [`Chart::png`] and [`save()`].
 
 #![warn(missing_docs)]
+// They panic when nobody reads.
+#![warn(clippy::print_stderr, clippy::print_stdout)]
 
 pub mod chart;
 mod digits;
@@ -73,8 +75,11 @@ pub mod tables;
 pub mod theme;
 pub mod units;
 
+/// The mark in figures and reports, where it is not seen: files that have it may be replaced.
+pub const MARK: &str = "made by bouncelab";
+
 pub use chart::Chart;
-pub use error::{Error, Result};
+pub use error::{Error, Result, advice};
 pub use quantity::{CANNOT_TELL, Quantity, Unit};
 pub use render::{MAX_WIDTH_PX, MIN_WIDTH_PX};
 #[cfg(all(feature = "png", not(target_family = "wasm")))]

@@ -70,7 +70,7 @@ pub fn built_in() -> Result<Vec<Rule>> {
 pub fn all(files: &[PathBuf]) -> Result<Vec<Rule>> {
     let mut all = built_in()?;
     for path in files {
-        let file = path.display().to_string();
+        let file = String::from(bouncelab::Plain::path(path));
         let text = std::fs::read_to_string(path).map_err(|source| Error::Unreadable {
             file: file.clone(),
             source,

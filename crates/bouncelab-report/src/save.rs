@@ -3,9 +3,10 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use crate::MARK;
 use crate::chart::Chart;
 use crate::error::{Error, Result};
-use crate::file::write_whole;
+use crate::file::Outputs;
 
 /// Width of a saved picture in pixels: sharp on a page, and small enough to send.
 const PICTURE_WIDTH_PX: u32 = 1600;
@@ -21,14 +22,14 @@ pub struct Saved {
 
 /// Writes a figure as `NAME.svg` and `NAME.png` into a folder, which is made if needed.
 ///
-/// Each file appears whole or not at all. Existing files of these names are replaced.
+/// Each file appears whole or not at all. Whether files of these names are replaced, `outputs` says.
 ///
 /// # Errors
 ///
 /// [`Error::Name`] if the name could lead out of the folder or hide the file,
 /// [`Error::Folder`] if the folder cannot be made, [`Error::Write`] if a file cannot be
 /// written, [`Error::Picture`] if there is no picture to write.
-pub fn save(chart: &Chart, folder: &Path, name: &str) -> Result<Saved> {
+pub fn save(chart: &Chart, folder: &Path, name: &str, outputs: &Outputs) -> Result<Saved> {
     let allowed = |c: char| c.is_alphanumeric() || matches!(c, '-' | '_' | '.');
     if name.is_empty() || name.starts_with('.') || !name.chars().all(allowed) {
         let name = name.to_owned();
@@ -39,15 +40,15 @@ pub fn save(chart: &Chart, folder: &Path, name: &str) -> Result<Saved> {
         folder: folder.to_owned(),
         source,
     })?;
+    let written = |ending: &str, bytes: &[u8]| {
+        let path = folder.join(format!("{name}.{ending}"));
+        match outputs.write(&path, MARK, bytes) {
+            Ok(()) => Ok(path),
+            Err(source) => Err(Error::Write { path, source }),
+        }
+    };
     Ok(Saved {
-        svg: written(folder.join(format!("{name}.svg")), chart.svg().as_bytes())?,
-        png: written(folder.join(format!("{name}.png")), &picture)?,
+        svg: written("svg", chart.svg().as_bytes())?,
+        png: written("png", &picture)?,
     })
-}
-
-fn written(path: PathBuf, bytes: &[u8]) -> Result<PathBuf> {
-    match write_whole(&path, bytes) {
-        Ok(()) => Ok(path),
-        Err(source) => Err(Error::Write { path, source }),
-    }
 }

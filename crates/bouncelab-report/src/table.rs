@@ -5,6 +5,7 @@
 
 use std::fmt;
 
+use bouncelab::Plain;
 use unicode_width::UnicodeWidthStr;
 
 use crate::messages::Translator;
@@ -113,7 +114,7 @@ impl Table {
 }
 
 fn one_line(text: impl Into<String>) -> String {
-    text.into().replace(char::is_control, " ")
+    Plain::of(&text.into()).into()
 }
 
 /// The whole table; each line ends with a line break and without spaces.
@@ -163,6 +164,6 @@ mod tests {
         let mut table = Table::new([("a", Align::Left), ("b", Align::Left)]);
         table.row(["x"]);
         table.row(["1\n2", "y", "beyond"]);
-        assert_eq!(table.to_string(), "a    b\n───  ─\nx\n1 2  y\n");
+        assert_eq!(table.to_string(), "a     b\n────  ─\nx\n1\\n2  y\n");
     }
 }

@@ -6,6 +6,7 @@ use bouncelab_report::figure::{
     self, Curve, Detection, DragAxes, GroupCurve, GroupInterval, GroupPoint, Judged, Line, Mark,
     RunPoint, TimedFlight,
 };
+use bouncelab_report::file::Outputs;
 use bouncelab_report::messages::Translator;
 use bouncelab_report::theme::{self, Meaning};
 use bouncelab_report::{Chart, messages};
@@ -388,9 +389,9 @@ mod pictures {
         let folder = tempfile::tempdir().unwrap();
         let inner = folder.path().join("new/figures");
         let chart = figure::flight_times(&flights(5, 5), Some(LINE), &english());
-        let saved = save(&chart, &inner, "flight-times").unwrap();
+        let saved = save(&chart, &inner, "flight-times", &Outputs::default()).unwrap();
         // Again: files of the same name are replaced.
-        save(&chart, &inner, "flight-times").unwrap();
+        save(&chart, &inner, "flight-times", &Outputs::default()).unwrap();
         assert_eq!(std::fs::read_to_string(&saved.svg).unwrap(), chart.svg());
         assert_eq!(std::fs::read(&saved.png).unwrap(), chart.png(1600).unwrap());
         let mut names: Vec<_> = std::fs::read_dir(&inner)
@@ -406,7 +407,7 @@ mod pictures {
         let folder = tempfile::tempdir().unwrap();
         let file = folder.path().join("file");
         std::fs::write(&file, "here").unwrap();
-        let error = save(&empty(), &file, "restitution").unwrap_err();
+        let error = save(&empty(), &file, "restitution", &Outputs::default()).unwrap_err();
         assert!(matches!(error, Error::Folder { .. }), "{error}");
         assert!(
             error.to_string().contains(file.to_str().unwrap()),
@@ -420,7 +421,7 @@ mod pictures {
         let folder = tempfile::tempdir().unwrap();
         // A folder of that name cannot be replaced by a file.
         std::fs::create_dir(folder.path().join("height.svg")).unwrap();
-        let error = save(&empty(), folder.path(), "height").unwrap_err();
+        let error = save(&empty(), folder.path(), "height", &Outputs::default()).unwrap_err();
         assert!(matches!(error, Error::Write { .. }), "{error}");
         assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 1);
     }
@@ -429,7 +430,7 @@ mod pictures {
     fn a_name_cannot_lead_out_of_the_folder() {
         let folder = tempfile::tempdir().unwrap();
         for name in ["", "..", "../x", "a/b", ".hidden", "a\\b", "a b\n"] {
-            let error = save(&empty(), folder.path(), name).unwrap_err();
+            let error = save(&empty(), folder.path(), name, &Outputs::default()).unwrap_err();
             assert!(matches!(error, Error::Name { .. }), "{name}");
         }
         assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 0);

@@ -1,10 +1,18 @@
 //! What is seen of a file while it is written, and when that fails.
 
 use std::fs;
-use std::io::Write;
+use std::io::{self, Write};
 use std::path::Path;
 
-use bouncelab_report::file::{Draft, remove_drafts, write_whole};
+use bouncelab_report::file::{Draft, Outputs, remove_drafts};
+
+fn draft(path: &Path) -> io::Result<Draft> {
+    Outputs::new([""; 0], true).draft(path, "")
+}
+
+fn write_whole(path: &Path, bytes: &[u8]) -> io::Result<()> {
+    Outputs::new([""; 0], true).write(path, "", bytes)
+}
 
 fn names(folder: &Path) -> Vec<String> {
     let entries = fs::read_dir(folder).unwrap();
@@ -17,7 +25,7 @@ fn names(folder: &Path) -> Vec<String> {
 fn a_draft_that_is_given_up_leaves_nothing() {
     let folder = tempfile::tempdir().unwrap();
     let place = folder.path().join("table.csv");
-    let draft = Draft::new(&place).unwrap();
+    let draft = draft(&place).unwrap();
     draft.file().write_all(b"half").unwrap();
     assert_eq!(names(folder.path()).len(), 1);
     drop(draft);
@@ -28,7 +36,7 @@ fn a_draft_that_is_given_up_leaves_nothing() {
 fn two_drafts_of_one_file_do_not_disturb_each_other() {
     let folder = tempfile::tempdir().unwrap();
     let place = folder.path().join("table.csv");
-    let (first, second) = (Draft::new(&place).unwrap(), Draft::new(&place).unwrap());
+    let (first, second) = (draft(&place).unwrap(), draft(&place).unwrap());
     first.file().write_all(b"first").unwrap();
     second.file().write_all(b"second").unwrap();
     second.finish().unwrap();
@@ -41,7 +49,7 @@ fn two_drafts_of_one_file_do_not_disturb_each_other() {
 fn the_place_of_a_folder_is_refused_before_anything_is_written() {
     let folder = tempfile::tempdir().unwrap();
     assert!(write_whole(folder.path(), b"").is_err());
-    assert!(Draft::new(&folder.path().join("nowhere/table.csv")).is_err());
+    assert!(draft(&folder.path().join("nowhere/table.csv")).is_err());
     assert!(names(folder.path()).is_empty());
 }
 

@@ -3,6 +3,8 @@
 //! The languages are compared with English. The code is read as text: an id is a string literal, and a
 //! message is used if its id, or the beginning that a group of ids shares, is one.
 
+#![expect(clippy::disallowed_methods, reason = "names of files of the project")]
+
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};

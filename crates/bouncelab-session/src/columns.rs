@@ -12,6 +12,7 @@ use bouncelab::analysis::MeasuredFlight;
 use bouncelab::groups::CurvePoint;
 use bouncelab::restitution::ImpactRestitution;
 use bouncelab::{Diagnostic, Options};
+use bouncelab_report::file::Outputs;
 use bouncelab_report::messages::Translator;
 
 use crate::error::Result;
@@ -319,10 +320,11 @@ pub fn write_tables(
     results: &Results<'_>,
     folder: &Path,
     forms: &[Form],
+    outputs: &Outputs,
 ) -> Result<Vec<PathBuf>> {
     let [of_drops, of_impacts] = schemas(results);
-    let mut drops = TableWriter::new(folder, &of_drops, forms)?;
-    let mut impacts = TableWriter::new(folder, &of_impacts, forms)?;
+    let mut drops = TableWriter::new(folder, &of_drops, forms, outputs)?;
+    let mut impacts = TableWriter::new(folder, &of_impacts, forms, outputs)?;
     each_row(
         outcome,
         results,

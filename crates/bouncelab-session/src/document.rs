@@ -10,7 +10,7 @@ use serde::Serialize;
 use crate::study::Outcome;
 
 /// Name and version of the schema.
-const SCHEMA: &str = "bouncelab.session/2";
+pub const SCHEMA: &str = "bouncelab.session/2";
 
 /// What a session says.
 #[derive(Debug, Clone, Serialize)]

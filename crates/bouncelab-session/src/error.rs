@@ -3,6 +3,8 @@
 use std::fmt;
 use std::path::{Path, PathBuf};
 
+use bouncelab_report::advice;
+
 use crate::name::shown;
 
 /// What can go wrong between recordings with notes and tables with results.
@@ -55,9 +57,9 @@ pub enum Error {
     },
     /// The folder for the results cannot be used.
     #[error(
-        "cannot write into {}: {source}; is the folder writable, and the disk not full? (--output DIR \
-         names another)",
-        shown(path)
+        "cannot write {}: {source}{} (--output DIR names another folder)",
+        shown(path),
+        advice(source)
     )]
     Output {
         /// The folder or file.

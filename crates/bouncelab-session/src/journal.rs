@@ -19,6 +19,9 @@ use crate::hash::{Hash, hash};
 /// Name of the journal in the folder of the results.
 pub const JOURNAL: &str = "journal.jsonl";
 
+/// What is at the beginning of every journal, behind the checksum.
+pub const JOURNAL_MARK: &str = " {\"name\":";
+
 /// So many results are at most lost when the power fails.
 const SYNC_EVERY: usize = 50;
 

@@ -20,6 +20,8 @@
 //! | [`write_tables`], [`tables`], [`RecordingTables`] | the tables of a session, and of one recording |
 
 #![warn(missing_docs)]
+// They panic when nobody reads.
+#![warn(clippy::print_stderr, clippy::print_stdout)]
 
 pub mod batch;
 mod columns;
@@ -40,7 +42,7 @@ pub mod table;
 mod work;
 
 pub use columns::{RecordingTables, tables, write_tables};
-pub use document::{AboutSession, Reason, SessionDocument};
+pub use document::{AboutSession, Reason, SCHEMA, SessionDocument};
 pub use error::{Error, Result};
 pub use figures::figures;
 pub use metadata::{Advice, KnownRecording, Metadata, MetadataOptions, Noted};

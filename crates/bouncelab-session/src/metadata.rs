@@ -49,8 +49,16 @@ pub struct KnownRecording {
     pub metadata: Arc<Metadata>,
 }
 
+/// The versions of the libraries, and the hash of their sources.
+const BUILD: [&str; 4] = [
+    env!("CARGO_PKG_VERSION"),
+    bouncelab::VERSION,
+    bouncelab_audio::VERSION,
+    env!("BOUNCELAB_BUILD"),
+];
+
 impl KnownRecording {
-    /// What its result depends on: its content, and the settings of this version.
+    /// What its result depends on: its content, the settings, and this very build of the science.
     pub fn key(&self, content: Hash) -> Key {
         Key {
             content,
@@ -58,9 +66,9 @@ impl KnownRecording {
         }
     }
 
-    /// Hash of the settings of its result, and of this version.
+    /// Hash of the settings of its result, and of this build.
     pub(crate) fn settings(&self) -> Hash {
-        hash_of(&(RECORD, env!("CARGO_PKG_VERSION"), self.options()))
+        hash_of(&(RECORD, BUILD, self.options()))
     }
 
     /// How it is analysed.

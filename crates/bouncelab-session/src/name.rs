@@ -3,8 +3,10 @@
 use std::fmt::Write as _;
 use std::path::Path;
 
-/// A path as text that no other path has: bytes that are no UTF-8 are written as `\xff`, and folders
-/// are separated by `/`.
+use bouncelab::Plain;
+
+/// A path as text that no other path has: bytes that are no UTF-8 are written as `\xff`, what would
+/// not be seen as [`Plain`] writes it, and folders are separated by `/`.
 ///
 /// ```
 /// use std::path::Path;
@@ -18,13 +20,13 @@ pub fn name(path: &Path) -> String {
     parts.join("/").replace("//", "/")
 }
 
-/// A path as one line of a message: as [`name`], and without control characters.
+/// A path in a message; that of here has a name too.
 pub(crate) fn shown(path: &Path) -> String {
     let text = name(path);
     if text.is_empty() {
         ".".to_owned()
     } else {
-        text.replace(char::is_control, "?")
+        text
     }
 }
 
@@ -32,7 +34,8 @@ fn escaped(bytes: &[u8]) -> String {
     let mut text = String::new();
     for chunk in bytes.utf8_chunks() {
         // A backslash of the name itself is doubled, so that it is no escape.
-        text.push_str(&chunk.valid().replace('\\', "\\\\"));
+        let doubled = chunk.valid().replace('\\', "\\\\");
+        text.push_str(&String::from(Plain::of(&doubled)));
         for byte in chunk.invalid() {
             // Writing to a String cannot fail.
             let _ = write!(text, "\\x{byte:02x}");
@@ -69,7 +72,8 @@ mod tests {
         for path in ["drop.wav", "a/b/ü ñ.wav", "/tmp/x.wav"] {
             assert_eq!(name(Path::new(path)), path);
         }
-        assert_eq!(shown(Path::new("a\nb")), "a?b");
+        assert_eq!(name(Path::new("a\nb")), r"a\nb");
+        assert_eq!(name(Path::new(r"a\nb")), r"a\\nb");
     }
 
     #[cfg(unix)]

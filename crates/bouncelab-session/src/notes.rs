@@ -5,11 +5,16 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use bouncelab::Plain;
 use serde::Deserialize;
 use toml::Spanned;
 
 use crate::error::{Error, Result};
 use crate::name;
+
+/// No notes are longer, nor has a table of notes more columns.
+const MOST_BYTES: u64 = 1 << 24;
+const MOST_COLUMNS: usize = 1_000;
 
 /// A statement and who made it.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -79,7 +84,7 @@ impl SessionFile {
             Ok((name, Some(line), notes(table.into_inner())?))
         });
         Ok(Self {
-            title: written.title,
+            title: written.title.map(|title| Plain::of(&title).into()),
             pattern: written.pattern,
             table: written.table,
             folders: written.folders,
@@ -118,7 +123,7 @@ fn notes_of(path: &Path, text: &str, table: Table) -> Result<Notes> {
                 }
             };
             let said_by = format!("{}, line {line}", name::shown(path));
-            let text = said.trim().to_owned();
+            let text = Plain::of(said.trim()).into();
             Ok((field, Note { text, said_by }))
         })
         .collect()
@@ -155,6 +160,11 @@ pub(crate) fn read_csv(path: &Path) -> Result<Listed> {
         .iter()
         .map(heading)
         .collect();
+    if headings.len() > MOST_COLUMNS {
+        let columns = headings.len();
+        let problem = format!("has {columns} columns (at most {MOST_COLUMNS} are read)");
+        return Err(Error::notes(path, Some(1), problem));
+    }
     let mut fields = BTreeSet::new();
     for (field, _) in headings.iter().filter(|(field, _)| !field.is_empty()) {
         if !fields.insert(field) {
@@ -192,11 +202,12 @@ pub(crate) fn read_csv(path: &Path) -> Result<Listed> {
             cells
                 .filter(|(column, _)| *column != file)
                 .map(|(_, ((field, unit), cell))| {
+                    let cell = String::from(Plain::of(cell));
                     let note = Note {
                         text: if delimiter == Some(b',') {
                             format!("{cell}{unit}")
                         } else {
-                            format!("{}{unit}", with_point(cell))
+                            format!("{}{unit}", with_point(&cell))
                         },
                         said_by: said_by.clone(),
                     };
@@ -216,7 +227,9 @@ fn heading(text: &str) -> (String, String) {
     let open = text.find(['(', '[']);
     let (field, unit) = open.map_or((text, ""), |open| text.split_at(open));
     let unit = unit.trim_matches(|c: char| "()[] ".contains(c));
-    let field = field.trim().to_lowercase().replace([' ', '-'], "_");
+    let field = String::from(Plain::of(field.trim()))
+        .to_lowercase()
+        .replace([' ', '-'], "_");
     (field, unit.to_owned())
 }
 
@@ -251,6 +264,11 @@ fn csv_fault(path: &Path, fault: &csv::Error) -> Error {
 
 /// The text of a file of notes, without the mark that some programs put at its beginning.
 fn text_of(path: &Path) -> Result<String> {
+    let about = fs::metadata(path).map_err(Error::read(path))?;
+    if !about.is_file() || about.len() > MOST_BYTES {
+        let problem = "is no file of notes: a device, a folder, or more than 16 MB";
+        return Err(Error::notes(path, None, problem));
+    }
     let bytes = fs::read(path).map_err(Error::read(path))?;
     let text = String::from_utf8(bytes).map_err(|fault| {
         let valid = &fault.as_bytes()[..fault.utf8_error().valid_up_to()];
@@ -263,6 +281,24 @@ fn text_of(path: &Path) -> Result<String> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[cfg(unix)]
+    #[test]
+    fn what_can_be_no_notes_is_refused_at_once() {
+        let (_folder, link) = written("link.csv", b"");
+        fs::remove_file(&link).unwrap();
+        std::os::unix::fs::symlink("/dev/zero", &link).unwrap();
+        let refused = read_csv(&link).err().unwrap().to_string();
+        assert!(refused.contains("a device"), "{refused}");
+        let columns = (0..1_000_000).map(|n| format!("a{n},"));
+        let columns = columns.collect::<Vec<_>>().concat();
+        let (_folder, wide) = written("wide.csv", format!("file,{columns}\n").as_bytes());
+        let refused = read_csv(&wide).err().unwrap().to_string();
+        assert!(refused.contains("columns"), "{refused}");
+        let deep = format!("title = {}", "[".repeat(1_000_000));
+        let (_folder, deep) = written("deep.toml", deep.as_bytes());
+        assert!(SessionFile::read(&deep).is_err());
+    }
 
     fn written(name: &str, bytes: &[u8]) -> (tempfile::TempDir, PathBuf) {
         let folder = tempfile::tempdir().unwrap();

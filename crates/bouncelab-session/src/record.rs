@@ -9,7 +9,7 @@ use bouncelab::diagnostic::Code;
 use bouncelab::groups::RestitutionCurve;
 use bouncelab::inference::Posterior;
 use bouncelab::restitution::ImpactRestitution;
-use bouncelab::{Diagnostic, Estimate, Impact, Options};
+use bouncelab::{Diagnostic, Estimate, Impact, Options, Plain};
 use bouncelab_audio::Input;
 use serde::{Deserialize, Serialize};
 
@@ -115,7 +115,7 @@ impl Record {
 
     /// What a file with this content says.
     pub fn of_file(path: &Path, content: Hash, options: &Options) -> Self {
-        let name = path.display().to_string();
+        let name = String::from(Plain::path(path));
         Self::of(content, &name, options, || Input::open(path))
     }
 

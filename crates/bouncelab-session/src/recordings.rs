@@ -4,6 +4,8 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use bouncelab::Plain;
+
 use crate::error::{Error, Result};
 use crate::name::{name, shown, some_of};
 use crate::notes::{Listed, Note, Notes, SessionFile, read_csv};
@@ -55,6 +57,8 @@ pub struct Session {
     listed: BTreeMap<usize, Vec<Notes>>,
     /// What is said of all.
     all: Notes,
+    /// The files of notes that were read.
+    notes_files: Vec<PathBuf>,
 }
 
 impl Session {
@@ -84,7 +88,10 @@ impl Session {
         let mut seen = BTreeSet::new();
         paths.retain(|(path, name)| seen.insert((path.clone(), name.clone())));
         paths.sort_by(|a, b| a.1.cmp(&b.1));
-        let (folder, file) = file.map_or_else(Default::default, |(folder, file)| (folder, *file));
+        let (file_path, file) =
+            file.map_or_else(Default::default, |(path, file)| (Some(path), *file));
+        let folder = file_path.as_deref().and_then(Path::parent);
+        let folder = folder.unwrap_or(Path::new("")).to_owned();
         let mut session = Self {
             title: file.title,
             recordings: paths
@@ -96,6 +103,7 @@ impl Session {
             pattern: None,
             listed: BTreeMap::new(),
             all: file.all,
+            notes_files: file_path.into_iter().collect(),
         };
         if let Some(pattern) = sources.pattern.clone().or(file.pattern) {
             session.pattern = Some(Pattern::new(&pattern)?);
@@ -105,6 +113,7 @@ impl Session {
         let table = sources.table.clone();
         if let Some(table) = table.or_else(|| Some(folder.join(file.table?))) {
             session.take(read_csv(&table)?)?;
+            session.notes_files.push(table);
         }
         Ok(session)
     }
@@ -119,6 +128,12 @@ impl Session {
         }
     }
 
+    /// Every file that was read, or will be: recordings and notes. None of them may be written.
+    pub fn inputs(&self) -> impl Iterator<Item = &Path> {
+        let recordings = self.recordings.iter().map(|recording| &recording.path);
+        recordings.chain(&self.notes_files).map(PathBuf::as_path)
+    }
+
     /// All that was said of the recording at a place, by field. Several may have said something of
     /// the same; what is said of all counts only where nobody else says anything.
     ///
@@ -131,6 +146,7 @@ impl Session {
             None => drop(notes.insert(field.to_owned(), vec![note])),
         };
         for (field, text) in self.fields_of_name(place).unwrap_or_default() {
+            let text = Plain::of(&text).into();
             let said_by = "the file name".to_owned();
             say(field, Note { text, said_by });
         }
@@ -223,7 +239,7 @@ impl Index {
 struct Found {
     /// Whether a single input was named, so that names need not say in which folder.
     alone: bool,
-    /// The session file and its folder.
+    /// The session file.
     file: Option<(PathBuf, Box<SessionFile>)>,
     /// Where each is and what it is called.
     paths: Vec<(PathBuf, String)>,
@@ -267,7 +283,7 @@ impl Found {
             };
             self.add_folder(&folder, &within)?;
         }
-        self.file = Some((folder, Box::new(file)));
+        self.file = Some((path.to_owned(), Box::new(file)));
         Ok(())
     }
 

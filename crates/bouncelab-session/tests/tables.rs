@@ -3,6 +3,7 @@
 use std::fs::{self, File};
 use std::path::Path;
 
+use bouncelab_report::file::Outputs;
 use bouncelab_session::table::{Cell, Column, Form, Kind, Schema, TableWriter};
 use parquet::file::reader::{FileReader, SerializedFileReader};
 use parquet::record::Field;
@@ -45,7 +46,7 @@ fn rows() -> Vec<[Cell; 4]> {
 }
 
 fn write(folder: &Path, repeats: usize) -> Vec<std::path::PathBuf> {
-    let mut writer = TableWriter::new(folder, &schema(), &Form::ALL).unwrap();
+    let mut writer = TableWriter::new(folder, &schema(), &Form::ALL, &Outputs::default()).unwrap();
     for _ in 0..repeats {
         for row in rows() {
             writer.row(&row).unwrap();
@@ -146,7 +147,8 @@ fn long_tables_are_whole_and_repeatable() {
 #[test]
 fn a_table_that_was_not_finished_leaves_nothing() {
     let folder = TempDir::new().unwrap();
-    let mut writer = TableWriter::new(folder.path(), &schema(), &Form::ALL).unwrap();
+    let mut writer =
+        TableWriter::new(folder.path(), &schema(), &Form::ALL, &Outputs::default()).unwrap();
     writer.row(&rows()[0]).unwrap();
     assert!(
         writer
@@ -157,5 +159,13 @@ fn a_table_that_was_not_finished_leaves_nothing() {
     );
     drop(writer);
     assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 0);
-    assert!(TableWriter::new(&folder.path().join("nowhere"), &schema(), &Form::ALL).is_err());
+    assert!(
+        TableWriter::new(
+            &folder.path().join("nowhere"),
+            &schema(),
+            &Form::ALL,
+            &Outputs::default()
+        )
+        .is_err()
+    );
 }

@@ -54,6 +54,7 @@
 //! | [`restitution`] | the restitution of each impact, corrected for drag |
 //! | [`inference`] | the posterior of everything that the impacts determine |
 //! | [`analysis`] | the pipeline: samples or times to a [`Recording`] |
+//! | [`Plain`] | text of others, fit to be shown |
 //! | [`plausibility`] | stated values that look like wrong units |
 //! | [`groups`] | statistics of many drops |
 //! | [`rulebook`] | conformity of a ball or a floor with a rule |
@@ -75,6 +76,8 @@
 //! scope: the ball goes straight up and down.
 
 #![warn(missing_docs)]
+// They panic when nobody reads.
+#![warn(clippy::print_stderr, clippy::print_stdout)]
 
 pub mod air;
 pub mod analysis;
@@ -92,6 +95,7 @@ pub mod groups;
 pub mod impact;
 pub mod inference;
 pub mod onset;
+mod plain;
 pub mod plausibility;
 pub mod regression;
 pub mod restitution;
@@ -103,12 +107,16 @@ pub mod synth;
 pub mod train;
 mod whiten;
 
+/// The version of this library.
+pub const VERSION: &str = env!("CARGO_PKG_VERSION");
+
 pub use analysis::{Options, Recording, analyze, analyze_channels, analyze_times};
 pub use detection::Detector;
 pub use diagnostic::Diagnostic;
 pub use error::{Error, InferenceFailure, Result};
 pub use estimate::Estimate;
 pub use impact::Impact;
+pub use plain::Plain;
 
 /// The examples of the README compile.
 #[cfg(doctest)]

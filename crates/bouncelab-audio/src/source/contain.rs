@@ -11,8 +11,9 @@ use symphonia::core::errors::{Error, Result};
 
 /// Runs third-party code; a panic becomes [`PANICKED`].
 ///
-/// Nothing touched by the closure may be used again after a panic: its state is undefined (though
-/// never memory-unsafe). Callers end the stream.
+/// Nothing touched by the closure may be used again after a panic: its state is undefined.
+/// Callers end the stream. A fault of memory in unsafe code is not caught; of the decoders only `opus-pure`
+/// has such code.
 pub(super) fn contain<T>(work: impl FnOnce() -> Result<T>) -> Result<T> {
     catch_unwind(AssertUnwindSafe(work)).unwrap_or(Err(Error::LimitError(PANICKED)))
 }

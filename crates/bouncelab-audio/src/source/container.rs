@@ -9,6 +9,7 @@ use symphonia::default::formats::{
     AdtsReader, AiffReader, FlacReader, IsoMp4Reader, MkvReader, MpaReader, OggReader, WavReader,
 };
 
+use super::wave;
 use crate::problem::LooksLike;
 
 /// The containers that can be read.
@@ -134,7 +135,7 @@ fn id3_len(head: &[u8]) -> Option<u64> {
 fn container(head: &[u8]) -> Option<Container> {
     let form = head.get(8..12).unwrap_or_default();
     match head.get(..4)? {
-        b"RIFF" if form == b"WAVE" => Some(Container::Wav),
+        _ if wave::is_wave(head) => Some(Container::Wav),
         b"FORM" if form == b"AIFF" || form == b"AIFC" => Some(Container::Aiff),
         b"fLaC" => Some(Container::Flac),
         b"OggS" => Some(Container::Ogg),

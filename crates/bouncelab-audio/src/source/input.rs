@@ -11,14 +11,11 @@ pub(super) struct Input<R> {
     len: u64,
     position: u64,
     is_stream: bool,
-    /// Where sizes stand that were never written.
-    unwritten: Vec<u64>,
+    /// What is read in front of the parts.
+    header: Vec<u8>,
     /// The only parts that are read, one after the other, each with its place among them.
     parts: Vec<(u64, Range<u64>)>,
 }
-
-/// Bytes of a size in a WAV.
-const SIZE: usize = 4;
 
 impl<R: Read + Seek> Input<R> {
     pub(super) fn new(mut reader: R) -> io::Result<Self> {
@@ -29,7 +26,7 @@ impl<R: Read + Seek> Input<R> {
             len,
             position: 0,
             is_stream: false,
-            unwritten: Vec::new(),
+            header: Vec::new(),
             parts: Vec::new(),
         })
     }
@@ -45,6 +42,14 @@ impl<R: Read + Seek> Input<R> {
         self.rewind()
     }
 
+    /// From here on this header is there, and behind it only this part of the file.
+    pub(super) fn read_behind(&mut self, header: Vec<u8>, part: Range<u64>) -> io::Result<()> {
+        self.len = header.len() as u64 + (part.end - part.start);
+        self.parts = vec![(header.len() as u64, part)];
+        self.header = header;
+        self.rewind()
+    }
+
     /// Where in the file a place in its parts is, and how many bytes follow there.
     fn in_parts(&self, place: u64) -> (u64, u64) {
         let next = self.parts.partition_point(|(start, _)| *start <= place);
@@ -57,52 +62,16 @@ impl<R: Read + Seek> Input<R> {
     pub(super) fn set_stream(&mut self, is_stream: bool) {
         self.is_stream = is_stream;
     }
-
-    /// A recorder that was stopped hard has not said in its WAV how much sound there is: it says
-    /// none, and much follows. From here on its sizes read as unknown, up to the end of the file.
-    pub(super) fn mend_wav(&mut self) -> io::Result<()> {
-        let start = self.position;
-        self.unwritten = self.unwritten_sizes(start)?;
-        self.seek(SeekFrom::Start(start)).map(drop)
-    }
-
-    fn unwritten_sizes(&mut self, start: u64) -> io::Result<Vec<u64>> {
-        /// No recorder writes so many chunks in front of the sound.
-        const MOST_CHUNKS: usize = 64;
-        let (_, riff_size) = self.chunk(start)?;
-        let mut at = start + 12;
-        for _ in 0..MOST_CHUNKS {
-            let sound = at + 8;
-            if sound >= self.len {
-                break;
-            }
-            let (name, size) = self.chunk(at)?;
-            if &name == b"data" {
-                let says_nothing = size == 0 && start + 8 + riff_size <= sound;
-                let sizes = [start + 4, at + 4];
-                return Ok(if says_nothing {
-                    sizes.into()
-                } else {
-                    Vec::new()
-                });
-            }
-            at = sound + size + size % 2;
-        }
-        Ok(Vec::new())
-    }
-
-    /// Name and size of the chunk that begins here.
-    fn chunk(&mut self, at: u64) -> io::Result<([u8; 4], u64)> {
-        let (mut name, mut size) = ([0; 4], [0; SIZE]);
-        self.seek(SeekFrom::Start(at))?;
-        self.read_exact(&mut name)?;
-        self.read_exact(&mut size)?;
-        Ok((name, u32::from_le_bytes(size).into()))
-    }
 }
 
 impl<R: Read + Seek> Read for Input<R> {
     fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
+        let place = usize::try_from(self.position).unwrap_or(usize::MAX);
+        if let Some(header) = self.header.get(place..).filter(|it| !it.is_empty()) {
+            let count = (&*header).read(buffer)?;
+            self.position += count as u64;
+            return Ok(count);
+        }
         let mut most = buffer.len();
         if !self.parts.is_empty() {
             let (at, follow) = self.in_parts(self.position);
@@ -110,13 +79,6 @@ impl<R: Read + Seek> Read for Input<R> {
             most = most.min(usize::try_from(follow).unwrap_or(usize::MAX));
         }
         let count = self.reader.read(&mut buffer[..most])?;
-        for byte in self.unwritten.iter().flat_map(|&at| at..at + SIZE as u64) {
-            if let Some(index) = byte.checked_sub(self.position)
-                && index < count as u64
-            {
-                buffer[index as usize] = 0xff;
-            }
-        }
         self.position += count as u64;
         Ok(count)
     }

@@ -12,14 +12,16 @@ mod lost;
 mod opus;
 mod presentation;
 mod track;
+mod wave;
 
 use std::fmt;
 use std::fs::File;
-use std::io::{Cursor, Read, Seek};
+use std::io::{Cursor, Read, Seek, SeekFrom};
 use std::ops::Range;
 use std::path::Path;
 use std::sync::Arc;
 
+use bouncelab::Plain;
 use bouncelab::analysis::Gap;
 
 use self::blank::Blanks;
@@ -80,6 +82,7 @@ pub const MAX_BLOCK_FRAMES: usize = 4_096;
 /// ```
 pub struct Source {
     name: String,
+    description: Option<&'static str>,
     track: Track,
     layout: Layout,
     presentation: Presentation,
@@ -154,7 +157,7 @@ impl Source {
     /// there, not sound, damaged before the first sample, or of a kind that is not supported.
     pub fn open(path: impl AsRef<Path>) -> Result<Self> {
         let path = path.as_ref();
-        let name = path.display().to_string();
+        let name = String::from(Plain::path(path));
         // Opening a folder succeeds on some systems and fails with the strangest errors on others.
         if path.is_dir() {
             return Err(Error::Directory { name });
@@ -201,7 +204,12 @@ impl Source {
         };
         reader.set_stream(container.is_stream());
         if container == Container::Wav {
-            reader.mend_wav().map_err(fail)?;
+            let start = reader.stream_position().map_err(fail)?;
+            match wave::mended(&mut reader).map_err(fail)? {
+                Some(wave) => reader.read_behind(wave.header, wave.sound),
+                None => reader.seek(SeekFrom::Start(start)).map(drop),
+            }
+            .map_err(fail)?;
         }
         let surveyed = framing::survey(container, &mut reader).map_err(fail)?;
         let mut framing = surveyed.ok_or_else(|| Error::Malformed {
@@ -229,6 +237,7 @@ impl Source {
         let edited = track.presentation(layout);
         let mut source = Self {
             name: name.to_owned(),
+            description: None,
             layout,
             pending: 0..0,
             hole: 0..0,
@@ -264,7 +273,14 @@ impl Source {
 
     /// What the recording is, for people: for example "AAC in MOV" or "16-bit WAV".
     pub fn format(&self) -> String {
-        self.track.format()
+        let format = self.description.map(str::to_owned);
+        format.unwrap_or_else(|| self.track.format())
+    }
+
+    /// What it was before it was made a recording.
+    pub(crate) fn described_as(mut self, description: &'static str) -> Self {
+        self.description = Some(description);
+        self
     }
 
     /// The file, as the caller named it.

@@ -4,6 +4,7 @@ use std::collections::HashSet;
 use std::path::Path;
 
 use bouncelab_report::figure::{self, Mark, Subject};
+use bouncelab_report::file::Outputs;
 use bouncelab_report::messages::Translator;
 use bouncelab_report::{Chart, save};
 
@@ -11,6 +12,7 @@ use super::read::Analysed;
 use crate::failure::Failure;
 use crate::language::translator;
 use crate::physics::Physics;
+use crate::report::wrote_figure;
 
 /// Names for figures, another for each recording: those of different folders may have the same name.
 #[derive(Default)]
@@ -34,11 +36,12 @@ pub(crate) fn save_figures(
     physics: &Physics,
     folder: &Path,
     stems: &mut Stems,
+    outputs: &Outputs,
 ) -> Result<(), Failure> {
     let stem = stems.take(&analysed.name);
     for (name, chart) in figures(analysed, physics, translator()) {
-        let saved = save(&chart, folder, &format!("{stem}-{name}"))?;
-        eprintln!("wrote {} and .png", saved.svg.display());
+        let saved = save(&chart, folder, &format!("{stem}-{name}"), outputs)?;
+        wrote_figure(&saved);
     }
     Ok(())
 }

@@ -10,12 +10,13 @@ pub(crate) use figures::{Stems, save_figures};
 pub(crate) use read::{Analysed, read};
 pub(crate) use text::{assumed, note, report, shown};
 
-use std::io::{self, Write};
+use std::io;
 use std::ops::{Range, RangeInclusive};
 use std::path::PathBuf;
 use std::str::FromStr;
 
 use bouncelab::Diagnostic;
+use bouncelab::Plain;
 use bouncelab::analysis::{DetectionOptions, Edits};
 use bouncelab::diagnostic::Code;
 use bouncelab_report::document::{Document, FailedDocument, rows};
@@ -26,13 +27,15 @@ use crate::failure::Failure;
 use crate::language::{text, translator};
 use crate::physics::{Physics, PhysicsArguments};
 use crate::priors::PriorArguments;
-use crate::report::ReportFile;
+use crate::report::{OutputArguments, ReportFile};
+use crate::terminal::{print, print_data, print_json, rows as rows_to_stdout, say};
 use crate::units;
 
 /// Detect and analyse the drops in recordings, or in lists of impact times
 ///
 /// Reads WAV, AIFF, FLAC, MP3, AAC, Ogg, Opus, WebM, M4A, MP4 and MOV, and impact times in seconds
-/// as .txt (one per line), .csv (one per line, or a column `time` or `time_s`) or .json (an array).
+/// as .txt (one per line), .csv (one per line, or a column `time` or `time_s`) or .json (an array). A
+/// sampled waveform as .csv or .txt (times at equal distances, and a column for each channel) is sound.
 /// Exit status: 0 if every file has a drop, 1 if a file has none or cannot be read, 2 for wrong usage.
 #[derive(Args)]
 #[command(after_help = EXAMPLES)]
@@ -69,9 +72,14 @@ pub(crate) struct Arguments {
     /// uncertainty budget and the priors
     #[arg(long)]
     details: bool,
+    /// Leave names in CSV as they are, even if a spreadsheet would run them as formulas
+    #[arg(long)]
+    csv_raw: bool,
     /// Compare what the impact times say of each known ball
     #[arg(long)]
     which_ball: bool,
+    #[command(flatten)]
+    outputs: OutputArguments,
     #[command(flatten)]
     physics: PhysicsArguments,
     #[command(flatten)]
@@ -115,24 +123,25 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
         include_s: arguments.include.clone(),
         gaps: Vec::new(),
     };
+    let outputs = arguments.outputs.outputs(&arguments.files);
     let mut report_file = match (&arguments.report, arguments.files.as_slice()) {
         (None, _) => None,
-        (Some(path), [_]) => Some(ReportFile::new(path)?),
+        (Some(path), [_]) => Some(ReportFile::new(path, &outputs)?),
         (Some(_), _) => return Err(Failure::Usage(text("analyze-one-report"))),
     };
     let mut printer = Printer::new(arguments)?;
     let mut stems = Stems::default();
     let mut empty_handed = false;
     for file in &arguments.files {
-        let name = file.display().to_string();
+        let name = String::from(Plain::path(file));
         match read(file, &physics.options, false) {
             Ok(analysed) => {
                 empty_handed |= analysed.result.drops.is_empty();
                 if let Some(reason) = analysed.no_drop() {
-                    eprintln!("bouncelab: {reason}");
+                    say(format_args!("bouncelab: {reason}"));
                 }
                 if let Some(folder) = &arguments.figures {
-                    save_figures(&analysed, &physics, folder, &mut stems)?;
+                    save_figures(&analysed, &physics, folder, &mut stems, &outputs)?;
                 }
                 if let Some(report_file) = report_file.take() {
                     report_file.write(&report::page(file, &analysed, &physics)?)?;
@@ -144,7 +153,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
             }
             Err(Failure::Input(reason)) => {
                 empty_handed = true;
-                eprintln!("bouncelab: {reason}");
+                say(format_args!("bouncelab: {reason}"));
                 printer.print_failed(&name, &reason)?;
             }
         }
@@ -186,17 +195,18 @@ struct Printer {
     format: Format,
     details: bool,
     several: bool,
+    csv_raw: bool,
     rows: Option<csv::Writer<io::Stdout>>,
 }
 
 impl Printer {
     fn new(arguments: &Arguments) -> Result<Self, Failure> {
-        let rows =
-            (arguments.format == Format::Csv).then(|| csv::Writer::from_writer(io::stdout()));
+        let rows = (arguments.format == Format::Csv).then(rows_to_stdout);
         let mut printer = Self {
             format: arguments.format,
             details: arguments.details,
             several: arguments.files.len() > 1,
+            csv_raw: arguments.csv_raw,
             rows,
         };
         if let Some(rows) = &mut printer.rows {
@@ -208,14 +218,17 @@ impl Printer {
     fn print(&mut self, analysed: &Analysed, physics: &Physics) -> Result<(), Failure> {
         match self.format {
             Format::Text if analysed.result.drops.is_empty() => Ok(()),
-            Format::Text => {
-                let text = report(analysed, physics, self.details);
-                Ok(io::stdout().lock().write_all(text.as_bytes())?)
-            }
+            Format::Text => print(report(analysed, physics, self.details)),
             Format::Json => self.print_document(&document(analysed, physics)),
             Format::Csv => {
                 if let Some(rows) = &mut self.rows {
-                    for row in rows::of(&analysed.name, &analysed.result) {
+                    let name = analysed.name.clone();
+                    let name = if self.csv_raw {
+                        name
+                    } else {
+                        rows::guarded(name)
+                    };
+                    for row in rows::of(&name, &analysed.result) {
                         rows.write_record(&row)?;
                     }
                 }
@@ -236,13 +249,11 @@ impl Printer {
     }
 
     fn print_document(&self, document: &impl Serialize) -> Result<(), Failure> {
-        let mut out = io::stdout().lock();
-        if self.several {
-            serde_json::to_writer(&mut out, document).map_err(io::Error::from)?;
-        } else {
-            serde_json::to_writer_pretty(&mut out, document).map_err(io::Error::from)?;
+        if !self.several {
+            return print_json(document);
         }
-        Ok(writeln!(out)?)
+        let line = serde_json::to_string(document).map_err(io::Error::from)?;
+        print_data(line + "\n")
     }
 
     fn finish(self) -> Result<(), Failure> {

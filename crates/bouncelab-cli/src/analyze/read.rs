@@ -4,7 +4,7 @@ use std::path::Path;
 use std::time::Duration;
 
 use bouncelab::analysis::{DropTask, Plan};
-use bouncelab::{Options, Recording};
+use bouncelab::{Options, Plain, Recording};
 use bouncelab_audio::Input;
 use indicatif::{ProgressBar, ProgressStyle};
 use rayon::prelude::*;
@@ -22,7 +22,7 @@ pub(crate) struct Analysed {
 
 /// Reads a file and analyses every drop in it; `quiet` shows no progress, because somebody else does.
 pub(crate) fn read(file: &Path, options: &Options, quiet: bool) -> Result<Analysed, Failure> {
-    let name = file.display().to_string();
+    let name = String::from(Plain::path(file));
     let input = Input::open(file)?;
     let progress = progress(input.duration_s().filter(|_| !quiet));
     let plan = input.plan(options, |seconds| {

@@ -1,15 +1,16 @@
 //! `bouncelab listen`: live detection and analysis.
 //!
-//! Sound comes from a microphone or, by the same path, from a file (`sound`). It is saved as it
-//! comes (`save`) and searched for drops (`watch`); the progress shows on the terminal (`screen`), and
-//! each drop is analysed once it is over (`session`).
+//! Sound comes from a microphone or, by the same path, from a file (`sound`). A thread of its own
+//! (`recording`) saves it as it comes (`save`), whatever happens to the rest: it is searched for drops
+//! (`watch`), the progress shows on the terminal (`screen`), and each drop is analysed once it is over
+//! (`session`).
 
+mod recording;
 mod save;
 mod screen;
 mod session;
 mod sketch;
 mod sound;
-mod stop;
 mod summary;
 mod watch;
 

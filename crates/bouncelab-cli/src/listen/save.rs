@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use bouncelab_audio::{Error, Recorder, SampleFormat};
+use bouncelab_report::file::sync_folder;
 use bouncelab_report::messages::Value;
 use jiff::Zoned;
 
@@ -59,6 +60,10 @@ impl Saver {
 
     fn open(&mut self, file: PathBuf) -> Result<(), Error> {
         let recorder = Recorder::create(&file, self.sample_rate_hz, self.channels, self.format)?;
+        if let Some(folder) = file.parent() {
+            // Else the name may be lost with the power; some network drives cannot promise more.
+            let _ = sync_folder(folder);
+        }
         self.recorder = Some(recorder);
         self.files.push(file);
         Ok(())
@@ -101,6 +106,7 @@ impl Saver {
     /// Ends the file. If that fails, says why.
     pub(super) fn finish(&mut self) -> Option<String> {
         let finished = self.recorder.take().map_or(Ok(()), Recorder::finish);
+        self.has_failed |= finished.is_err();
         finished.err().map(|fault| {
             text_with(
                 "listen-end-not-saved",

@@ -1,6 +1,5 @@
 //! The live display on the terminal; nothing if stderr is not a terminal.
 
-use std::io::{self, Write};
 use std::time::{Duration, Instant};
 
 use bouncelab::Impact;
@@ -12,7 +11,9 @@ use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use super::sketch;
 use super::watch::{Going, Watch};
 use crate::analyze;
+use crate::failure::Failure;
 use crate::language::{text, text_with};
+use crate::terminal::{print, print_data, say};
 
 /// A few lines at the bottom of the terminal that are always up to date.
 pub(super) struct Screen {
@@ -129,16 +130,17 @@ impl Screen {
 
     /// Says something on stderr, above the lines.
     pub(super) fn say(&self, words: &str) {
-        self.bar.suspend(|| eprintln!("bouncelab: {words}"));
+        self.bar.suspend(|| say(format_args!("bouncelab: {words}")));
     }
 
     /// Prints a result on stdout, above the lines.
-    pub(super) fn print(&self, text: &str) -> io::Result<()> {
-        self.bar.suspend(|| {
-            let mut out = io::stdout().lock();
-            out.write_all(text.as_bytes())?;
-            out.flush()
-        })
+    pub(super) fn print(&self, text: &str) -> Result<(), Failure> {
+        self.bar.suspend(|| print(text))
+    }
+
+    /// Prints a result for programs on stdout, above the lines.
+    pub(super) fn print_data(&self, text: &str) -> Result<(), Failure> {
+        self.bar.suspend(|| print_data(text))
     }
 
     /// Clears the lines.

@@ -1,50 +1,81 @@
 //! A live session: sound is read, saved and searched for drops, and each drop is analysed.
 
-use std::thread;
-use std::time::Duration;
+use std::ops::ControlFlow;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::path::PathBuf;
 
 use bouncelab::analysis::{Drop, Gap, Plan};
 use bouncelab::detection::Detection;
 use bouncelab::train::{Train, TrainSearch};
-use bouncelab::{Diagnostic, Options};
+use bouncelab::{Diagnostic, Options, Plain};
 
+use super::recording::{Ended, Event, Recording, silence_for};
 use super::save::Saver;
 use super::screen::{Screen, Status};
-use super::sound::{Arrival, Sound, SoundInfo};
-use super::stop::Stop;
+use super::sound::{Sound, SoundInfo};
 use super::watch::Watch;
 use super::{Arguments, Format, summary};
 use bouncelab_report::messages::Value;
 
 use crate::analyze::{self, Analysed};
 use crate::failure::Failure;
+use crate::interrupt::Stop;
 use crate::language::{text, text_with, translator};
 use crate::physics::Physics;
 use crate::report::quoted;
-
-/// A pause while nothing comes.
-const PAUSE: Duration = Duration::from_millis(20);
+use crate::terminal::say;
 
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let priors = &arguments.priors;
     let mut physics = analyze::physics(&arguments.physics, priors, arguments.flights)?;
     physics.options.detection.channel = arguments.channel.map(usize::from);
-    let mut sound = Sound::open(arguments)?;
+    let sound = Sound::open(arguments)?;
     let recording = sound.info();
     let saver = Saver::create(arguments, &recording, sound.sample_format())?;
-    let stop = Stop::on_request()?;
-    let mut session = Session::new(arguments, physics, recording, saver)?;
+    let mut session = Session::new(arguments, physics, recording, saver.files().to_vec())?;
+    let recording = Recording::start(sound, saver, Stop::on_request(), session.last_frame)?;
     session.begin();
-    let broken = session.listen(&mut sound, &stop);
-    session.conclude(sound.warnings())?;
-    broken
+    let heard = outlived(&recording, |event| session.take(event, &recording));
+    session.conclude(heard, recording.ended())
+}
+
+/// Hands on what happens, until the sound ends or `take` has enough. A recording that is saved goes on
+/// though `take` fails or panics; then what comes is left to lie, and the failure told at the end.
+fn outlived(
+    recording: &Recording,
+    mut take: impl FnMut(Event) -> Result<ControlFlow<()>, Failure>,
+) -> Result<(), Failure> {
+    while let Some(event) = recording.next() {
+        let taken = catch_unwind(AssertUnwindSafe(|| take(event)));
+        let failure = match taken {
+            Ok(Ok(ControlFlow::Continue(()))) => continue,
+            Ok(Ok(ControlFlow::Break(()))) => {
+                recording.stop();
+                return Ok(());
+            }
+            Ok(Err(failure)) => failure,
+            Err(_) => Failure::Input(text("listen-fault")),
+        };
+        if recording.is_saved() {
+            say(format_args!(
+                "bouncelab: {failure}\n{}",
+                text("listen-goes-on")
+            ));
+            while recording.next().is_some() {}
+        }
+        recording.stop();
+        return Err(failure);
+    }
+    Ok(())
 }
 
 struct Session<'a> {
     arguments: &'a Arguments,
     physics: Physics,
     recording: SoundInfo,
-    saver: Saver,
+    /// Where the sound is saved, and whether that failed.
+    files: Vec<PathBuf>,
+    is_incomplete: bool,
     watch: Watch,
     /// How many frames were lost, as far as is known; where is among the edits of the options.
     lost_frames: u64,
@@ -67,20 +98,21 @@ impl<'a> Session<'a> {
         arguments: &'a Arguments,
         physics: Physics,
         mut recording: SoundInfo,
-        saver: Saver,
+        files: Vec<PathBuf>,
     ) -> Result<Self, Failure> {
         let rate_hz = recording.sample_rate_hz;
         let detection = &physics.options.detection;
         let watch = Watch::new(rate_hz, recording.channels, detection)?;
-        if let (None, Some(file)) = (&arguments.from, saver.files().first()) {
-            recording.name = file.display().to_string();
+        if let (None, Some(file)) = (&arguments.from, files.first()) {
+            recording.name = String::from(Plain::path(file));
         }
         let last_frame = arguments.seconds.map_or(u64::MAX, |seconds| {
             (seconds * f64::from(rate_hz)).round() as u64
         });
         Ok(Self {
             arguments,
-            saver,
+            files,
+            is_incomplete: false,
             watch,
             lost_frames: 0,
             screen: Screen::new(&physics.options),
@@ -103,11 +135,11 @@ impl<'a> Session<'a> {
         } = &self.recording;
         let rate_khz = f64::from(*sample_rate_hz) / 1000.0;
         let source = match &self.arguments.from {
-            Some(file) => file.display().to_string(),
+            Some(file) => String::from(Plain::path(file)),
             None => format.clone(),
         };
-        let file = self.saver.files().last();
-        let file = file.map_or("none".to_owned(), |file| file.display().to_string());
+        let file = self.files.last();
+        let file = file.map_or("none".to_owned(), |file| String::from(Plain::path(file)));
         self.screen.say(&text_with(
             "listen-begins",
             &[
@@ -120,37 +152,42 @@ impl<'a> Session<'a> {
     }
 
     fn saving(&self) -> Option<String> {
-        if self.saver.has_failed() {
+        if self.is_incomplete {
             return Some(text("listen-not-saved"));
         }
-        let file = self.saver.files().last()?.display().to_string();
+        let file = String::from(Plain::path(self.files.last()?));
         Some(text_with("listen-saved-in", &[("file", file.into())]))
     }
 
-    /// Reads until the sound ends, a signal stops it, or a limit is reached.
-    fn listen(&mut self, sound: &mut Sound, stop: &Stop) -> Result<(), Failure> {
-        let mut planes = Vec::new();
-        while !stop.requested() && !self.has_enough() {
-            match sound.next(&mut planes)? {
-                Arrival::Sound => {
-                    if let Some(gaps) = sound.gaps() {
-                        self.physics.options.edits.gaps = gaps.to_vec();
-                    }
-                    self.read(&planes)?;
+    /// Takes what happens next.
+    fn take(&mut self, event: Event, recording: &Recording) -> Result<ControlFlow<()>, Failure> {
+        match event {
+            Event::Sound(planes, gaps) => {
+                if let Some(gaps) = gaps {
+                    self.physics.options.edits.gaps = gaps;
                 }
-                Arrival::Lost(frames) => self.lose(frames)?,
-                Arrival::Nothing => thread::sleep(PAUSE),
-                Arrival::End => break,
+                self.read(&planes)?;
             }
-            let saving = self.saving();
-            self.screen.draw(&mut Status {
-                drops: self.drops.len(),
-                saving,
-                lost_frames: self.lost_frames,
-                watch: &mut self.watch,
-            });
+            Event::Lost(frames) => self.lose(frames)?,
+            Event::LeftOut(frames) => self.leave_out(frames)?,
+            Event::Nothing => {}
         }
-        Ok(())
+        for trouble in recording.troubles() {
+            self.is_incomplete = true;
+            self.screen.say(&trouble);
+        }
+        let saving = self.saving();
+        self.screen.draw(&mut Status {
+            drops: self.drops.len(),
+            saving,
+            lost_frames: self.lost_frames,
+            watch: &mut self.watch,
+        });
+        Ok(if self.has_enough() {
+            ControlFlow::Break(())
+        } else {
+            ControlFlow::Continue(())
+        })
     }
 
     fn has_enough(&self) -> bool {
@@ -173,9 +210,6 @@ impl<'a> Session<'a> {
     }
 
     fn hear_piece(&mut self, channels: &[&[f32]]) -> Result<(), Failure> {
-        if let Some(trouble) = self.saver.push(channels) {
-            self.screen.say(&trouble);
-        }
         let used = match self.physics.options.detection.channel {
             Some(channel) => &channels[channel - 1..channel],
             None => channels,
@@ -194,22 +228,41 @@ impl<'a> Session<'a> {
 
     /// Replaces lost sound by silence, so that later times stay right.
     fn lose(&mut self, frames: u64) -> Result<(), Failure> {
-        /// No more than this: no drop goes on after it, in seconds.
-        const LONGEST_S: u64 = 10;
+        let silence = silence_for(frames, self.recording.sample_rate_hz);
+        self.fill_gap(silence, silence as u64 == frames && frames > 0)?;
+        self.lost_frames += frames;
+        Ok(())
+    }
+
+    /// Replaces sound that is saved, but was not heard, by silence of the same length.
+    fn leave_out(&mut self, frames: u64) -> Result<(), Failure> {
+        self.fill_gap(usize::try_from(frames).unwrap_or(usize::MAX), true)?;
+        self.lost_frames += frames;
+        Ok(())
+    }
+
+    fn fill_gap(&mut self, frames: usize, certain: bool) -> Result<(), Failure> {
+        /// So much silence is made at once.
+        const BLOCK: usize = 1 << 16;
         if self.lost_frames == 0 && self.gaps().is_empty() {
             self.screen.say(&text("listen-lost"));
         }
-        let rate_hz = u64::from(self.recording.sample_rate_hz);
-        let from_s = self.watch.drops.now_s();
-        let silence = vec![0.0; frames.min(LONGEST_S * rate_hz) as usize];
-        self.read(&vec![silence; self.recording.channels])?;
+        let start_s = self.watch.drops.now_s();
+        let silence = vec![vec![0.0; frames.min(BLOCK)]; self.recording.channels];
+        for _ in 0..frames / BLOCK {
+            self.read(&silence)?;
+        }
+        let rest: Vec<Vec<f32>> = silence
+            .iter()
+            .map(|it| it[..frames % BLOCK].to_vec())
+            .collect();
+        self.read(&rest)?;
         let gap = Gap {
-            start_s: from_s,
-            duration_s: self.watch.drops.now_s() - from_s,
-            certain: (1..=LONGEST_S * rate_hz).contains(&frames),
+            start_s,
+            duration_s: self.watch.drops.now_s() - start_s,
+            certain,
         };
         self.physics.options.edits.gaps.push(gap);
-        self.lost_frames += frames;
         Ok(())
     }
 
@@ -265,16 +318,16 @@ impl<'a> Session<'a> {
     }
 
     fn print(&self, analysed: &Analysed, number: usize) -> Result<(), Failure> {
-        let page = match self.arguments.format {
+        match self.arguments.format {
             Format::Text => {
                 let report = analyze::report(analysed, &self.physics, self.arguments.details);
                 let space = if number == 1 { "" } else { "\n" };
                 let heading = text_with("listen-heading", &[("number", number.into())]);
-                format!("{space}── {heading} ──\n{report}")
+                let page = format!("{space}── {heading} ──\n{report}");
+                self.screen.print(&page)
             }
-            Format::Json => self.json_line(analysed)?,
-        };
-        Ok(self.screen.print(&page)?)
+            Format::Json => self.screen.print_data(&self.json_line(analysed)?),
+        }
     }
 
     fn json_line(&self, analysed: &Analysed) -> Result<String, Failure> {
@@ -283,13 +336,28 @@ impl<'a> Session<'a> {
         Ok(format!("{line}\n"))
     }
 
+    fn conclude(mut self, heard: Result<(), Failure>, ended: Ended) -> Result<(), Failure> {
+        self.screen.clear();
+        self.files = ended.files;
+        self.is_incomplete = ended.is_incomplete;
+        for trouble in &ended.troubles {
+            self.screen.say(trouble);
+        }
+        if let Err(failure) = heard {
+            self.report_saved();
+            return Err(failure);
+        }
+        self.evaluate(ended.warnings)?;
+        ended.result?;
+        if ended.is_incomplete {
+            return Err(Failure::Input(String::new()));
+        }
+        Ok(())
+    }
+
     /// Reports drops that were not over when the sound ended, evaluates the whole recording once
     /// more, and prints the summary.
-    fn conclude(mut self, warnings: Vec<Diagnostic>) -> Result<(), Failure> {
-        self.screen.clear();
-        if let Some(trouble) = self.saver.finish() {
-            self.screen.say(&trouble);
-        }
+    fn evaluate(&mut self, warnings: Vec<Diagnostic>) -> Result<(), Failure> {
         // The drops that were reported before the file ended do not have them.
         for warning in &warnings {
             let warning = translator().diagnostic(warning);
@@ -318,13 +386,13 @@ impl<'a> Session<'a> {
     }
 
     fn report_saved(&self) {
-        if self.saver.has_failed() {
+        if self.is_incomplete {
             return;
         }
-        for file in self.saver.files() {
+        for file in &self.files {
             let command = format!("bouncelab analyze {}", quoted(&file.to_string_lossy()));
             let saved = [
-                ("file", file.display().to_string().into()),
+                ("file", String::from(Plain::path(file)).into()),
                 ("command", command.into()),
             ];
             self.screen.say(&text_with("listen-saved", &saved));
@@ -396,7 +464,7 @@ impl<'a> Session<'a> {
         let analysed = self.analysed(whole, warnings, &self.physics.options);
         self.screen.say(&analysed.no_drop().unwrap_or_default());
         if self.arguments.format == Format::Json {
-            self.screen.print(&self.json_line(&analysed)?)?;
+            self.screen.print_data(&self.json_line(&analysed)?)?;
         }
         Err(Failure::Input(String::new()))
     }
@@ -445,7 +513,6 @@ mod tests {
 
     use bouncelab::impact::Strike;
     use bouncelab::synth::{self, Scene};
-    use bouncelab_audio::SampleFormat;
     use clap::Parser;
 
     use super::*;
@@ -470,8 +537,7 @@ mod tests {
             sample_rate_hz: RATE_HZ,
             channels: 1,
         };
-        let saver = Saver::create(&arguments, &recording, SampleFormat::Int16).unwrap();
-        let mut session = Session::new(&arguments, physics, recording, saver).unwrap();
+        let mut session = Session::new(&arguments, physics, recording, Vec::new()).unwrap();
         session.read(&[samples[..lost.start].to_vec()]).unwrap();
         if let Some(frames) = reported {
             session.lose(frames).unwrap();
@@ -497,6 +563,28 @@ mod tests {
             ..Scene::default()
         };
         synth::render(&strikes, &scene, 3).unwrap().samples
+    }
+
+    #[test]
+    fn a_fault_of_the_analysis_costs_nothing_of_the_recording() {
+        let folder = tempfile::tempdir().unwrap();
+        let place = |name: &str| folder.path().join(name).to_string_lossy().into_owned();
+        let (played, saved) = (place("played.wav"), place("saved.wav"));
+        let samples = drop_sound();
+        let format = bouncelab_audio::SampleFormat::Float32;
+        bouncelab_audio::write_wav(&played, RATE_HZ, format, &[&samples]).unwrap();
+        let words = ["listen", "--fast", "--from", &played, "--save", &saved];
+        let Only { arguments } = Only::parse_from(words);
+        let sound = Sound::open(&arguments).unwrap();
+        let saver = Saver::create(&arguments, &sound.info(), format).unwrap();
+        let recording = Recording::start(sound, saver, Stop::on_request(), u64::MAX).unwrap();
+        let failure = outlived(&recording, |_| panic!("a fault")).unwrap_err();
+        assert_eq!(failure.to_string(), text("listen-fault"));
+        assert!(!recording.ended().is_incomplete);
+        assert_eq!(
+            std::fs::read(saved).unwrap(),
+            std::fs::read(played).unwrap()
+        );
     }
 
     fn restitution(drop: &Drop) -> f64 {

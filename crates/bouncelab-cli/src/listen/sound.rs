@@ -5,6 +5,7 @@ use std::thread;
 use std::time::{Duration, Instant};
 
 use bouncelab::Diagnostic;
+use bouncelab::Plain;
 use bouncelab::analysis::Gap;
 #[cfg(feature = "microphone")]
 use bouncelab_audio::microphone::{self, Microphone};
@@ -120,6 +121,11 @@ impl Sound {
         }
     }
 
+    /// Whether it comes at its own pace, and what is not taken in time is lost.
+    pub(super) fn is_live(&self) -> bool {
+        !matches!(self, Self::File(_))
+    }
+
     /// Where a file lacks sound, as far as it was read; what a microphone lost has arrived as such.
     pub(super) fn gaps(&self) -> Option<&[Gap]> {
         match self {
@@ -159,7 +165,7 @@ impl Player {
             }))),
             Input::Times(_) => Err(Failure::Usage(format!(
                 "{} is a list of times without sound; use analyze",
-                file.display()
+                Plain::path(file)
             ))),
         }
     }
@@ -189,7 +195,6 @@ impl Player {
 pub(super) fn list_devices() -> Result<(), Failure> {
     use crate::language::{text, translator};
     use bouncelab_report::{Align, Table};
-    use std::io::{self, Write};
 
     let devices = microphone::devices()?;
     if devices.is_empty() {
@@ -213,7 +218,7 @@ pub(super) fn list_devices() -> Result<(), Failure> {
         };
         table.row([device.id, device.description, mark]);
     }
-    Ok(write!(io::stdout().lock(), "{table}")?)
+    crate::terminal::print(table)
 }
 
 #[cfg(not(feature = "microphone"))]

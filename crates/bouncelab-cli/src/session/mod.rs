@@ -6,16 +6,18 @@ mod text;
 mod work;
 
 use std::fs;
-use std::io::{self, Write};
+use std::io;
 use std::path::PathBuf;
 
-use bouncelab_report::file::{remove_drafts, write_whole};
+use bouncelab::Plain;
+use bouncelab_report::MARK;
+use bouncelab_report::file::{Outputs, remove_drafts};
 use bouncelab_session::batch::Batch;
-use bouncelab_session::journal::Journal;
+use bouncelab_session::journal::{JOURNAL, JOURNAL_MARK, Journal};
 use bouncelab_session::table::Form;
 use bouncelab_session::{
-    Advice, MetadataOptions, Noted, Outcome, Results, Session, Sources, Store, StudyOptions,
-    figures, write_tables,
+    Advice, MetadataOptions, Noted, Outcome, Results, SCHEMA, Session, Sources, Store,
+    StudyOptions, figures, write_tables,
 };
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Args, ValueEnum};
@@ -24,7 +26,8 @@ use crate::failure::Failure;
 use crate::language::{text as message, text_with, translator};
 use crate::physics::PhysicsArguments;
 use crate::priors::{PriorArguments, impact_speed};
-use crate::report::{ReportFile, wrote_figure};
+use crate::report::{OutputArguments, ReportFile, wrote_figure};
+use crate::terminal::{print, print_data, say};
 use bouncelab::setup::Setup;
 
 /// Analyse many recordings: means, scatter and differences of their drops
@@ -35,6 +38,7 @@ use bouncelab::setup::Setup;
 /// contradictory metadata.
 #[derive(Args)]
 #[command(after_help = EXAMPLES)]
+#[expect(clippy::struct_excessive_bools, reason = "each is a flag of its own")]
 pub(crate) struct Arguments {
     /// Recordings, folders, or a session.toml
     #[arg(required_unless_present = "from", value_name = "DIR|FILE|session.toml")]
@@ -101,6 +105,9 @@ pub(crate) struct Arguments {
         default_values = Form::ALL.map(Form::ending)
     )]
     tables: Vec<Form>,
+    /// Leave texts in CSV as they are, even if a spreadsheet would run them as formulas
+    #[arg(long)]
+    csv_raw: bool,
     /// Write figures as SVG and PNG into the output folder
     #[arg(long)]
     figures: bool,
@@ -110,6 +117,8 @@ pub(crate) struct Arguments {
     /// Recordings analysed in parallel [default: the number of processors]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
     jobs: Option<u16>,
+    #[command(flatten)]
+    outputs: OutputArguments,
     #[command(flatten)]
     physics: PhysicsArguments,
     #[command(flatten)]
@@ -138,7 +147,9 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
     if let Some(from) = &arguments.from {
         let folder = &arguments.output;
         fs::create_dir_all(folder).map_err(|reason| Failure::unwritable(folder, &reason))?;
-        let targets = Targets::new(arguments)?;
+        let outputs = arguments.outputs.outputs([from]);
+        arguments.check(&outputs)?;
+        let targets = Targets::new(arguments, &outputs)?;
         return targets.write(arguments, &Batch::open(from)?.results(), None, Vec::new());
     }
     arguments.physics.questioned(arguments.priors.questions())?;
@@ -147,6 +158,8 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
         pattern: arguments.pattern.clone(),
         table: arguments.table.clone(),
     })?;
+    let outputs = arguments.outputs.outputs(session.inputs());
+    arguments.check(&outputs)?;
     let title = session.title.take();
     let remarks = std::mem::take(&mut session.remarks);
     let recordings = MetadataOptions {
@@ -167,19 +180,18 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
     }
     .read(session)?;
     let journal = Journal::open(&arguments.output)?;
-    let targets = Targets::new(arguments)?;
+    let targets = Targets::new(arguments, &outputs)?;
     if journal.damaged() > 0 {
         let count = [("count", journal.damaged().into())];
-        eprintln!(
-            "bouncelab: {}",
-            text_with("session-damaged-journal", &count)
-        );
+        let damaged = text_with("session-damaged-journal", &count);
+        say(format_args!("bouncelab: {damaged}"));
     }
     let done = work::analyze_all(&recordings, &journal, arguments.jobs.map(usize::from))?;
     let kept = done.iter().filter(|done| done.kept).count();
     if kept > 0 {
         let counts = [("kept", kept.into()), ("all", recordings.len().into())];
-        eprintln!("bouncelab: {}", text_with("session-known", &counts));
+        let known = text_with("session-known", &counts);
+        say(format_args!("bouncelab: {known}"));
     }
     let results = Results {
         recordings: &recordings,
@@ -190,17 +202,20 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
 }
 
 /// Where to write, opened before the long work.
-struct Targets {
-    report: Option<ReportFile>,
+struct Targets<'a> {
+    outputs: &'a Outputs,
+    report: Option<ReportFile<'a>>,
 }
 
-impl Targets {
-    fn new(arguments: &Arguments) -> Result<Self, Failure> {
+impl<'a> Targets<'a> {
+    fn new(arguments: &Arguments, outputs: &'a Outputs) -> Result<Self, Failure> {
         let folder = &arguments.output;
         remove_drafts(folder).map_err(|reason| Failure::unwritable(folder, &reason))?;
         // It may lie in the same folder.
-        let report = arguments.report.as_deref().map(ReportFile::new);
+        let report = arguments.report.as_deref();
+        let report = report.map(|path| ReportFile::new(path, outputs));
         Ok(Self {
+            outputs,
             report: report.transpose()?,
         })
     }
@@ -213,32 +228,30 @@ impl Targets {
         title: Option<String>,
         remarks: Vec<String>,
     ) -> Result<(), Failure> {
-        let folder = &arguments.output;
+        let (folder, outputs) = (&arguments.output, self.outputs);
         let mut outcome = Outcome::of(results, &arguments.study(), translator())?;
         outcome.about.title = title;
         outcome.about.remarks.extend(remarks);
-        let written = write_tables(&outcome, results, folder, &arguments.tables)?;
+        let written = write_tables(&outcome, results, folder, &arguments.forms(), outputs)?;
         let json =
             serde_json::to_string_pretty(&outcome.document()).map_err(io::Error::from)? + "\n";
-        let place = folder.join("session.json");
-        write_whole(&place, json.as_bytes())
-            .map_err(|reason| Failure::unwritable(&place, &reason))?;
+        let place = folder.join(DOCUMENT);
+        let kept = outputs.write(&place, SCHEMA, json.as_bytes());
+        kept.map_err(|reason| Failure::unwritable(&place, &reason))?;
         if arguments.figures {
             for (name, figure) in figures(&outcome, results, translator())? {
-                wrote_figure(&bouncelab_report::save(&figure, folder, name)?);
+                wrote_figure(&bouncelab_report::save(&figure, folder, name, outputs)?);
             }
         }
         if let Some(file) = self.report {
             file.write(&report::page(&outcome, results)?)?;
         }
-        let mut out = io::stdout().lock();
         match arguments.format {
-            Format::Json => out.write_all(json.as_bytes())?,
+            Format::Json => print_data(&json)?,
             Format::Text => {
-                let text = text::report(&outcome, arguments.details, arguments.want);
-                out.write_all(text.as_bytes())?;
-                let list = [("list", shown(&written).into())];
-                writeln!(out, "  {}", text_with("session-tables", &list))?;
+                let report = text::report(&outcome, arguments.details, arguments.want);
+                let list = text_with("session-tables", &[("list", shown(&written).into())]);
+                print(format_args!("{report}  {list}\n"))?;
             }
         }
         if outcome.drops.is_empty() {
@@ -267,12 +280,44 @@ fn half_width(text: &str) -> Result<f64, String> {
 fn shown(files: &[PathBuf]) -> String {
     let names: Vec<String> = files
         .iter()
-        .map(|file| file.display().to_string())
+        .map(|file| String::from(Plain::path(file)))
         .collect();
     names.join(", ")
 }
 
+/// The result for programs, in the folder of the results.
+const DOCUMENT: &str = "session.json";
+
 impl Arguments {
+    /// The forms of tables.
+    fn forms(&self) -> Vec<Form> {
+        let raw = |form: &Form| match form {
+            Form::Csv if self.csv_raw => Form::RawCsv,
+            form => *form,
+        };
+        self.tables.iter().map(raw).collect()
+    }
+
+    /// Whether all that will be written may be: before the work, not after it.
+    fn check(&self, outputs: &Outputs) -> Result<(), Failure> {
+        let tables = self.tables.iter().flat_map(|form| {
+            ["drops", "impacts"].map(|table| (form.path(&self.output, table), form.mark()))
+        });
+        let pictures = ["groups", "intervals", "run"]
+            .into_iter()
+            .flat_map(|figure| {
+                ["svg", "png"].map(|ending| (self.output.join(format!("{figure}.{ending}")), MARK))
+            });
+        let pictures = pictures.filter(|_| self.figures);
+        let document = (self.output.join(DOCUMENT), SCHEMA);
+        let journal = (self.output.join(JOURNAL), JOURNAL_MARK);
+        let mut files = tables.chain(pictures).chain([document, journal]);
+        files.try_for_each(|(path, mark)| {
+            let allowed = outputs.check(&path, mark);
+            allowed.map_err(|reason| Failure::unwritable(&path, &reason))
+        })
+    }
+
     /// What was noted of a recording, completed by what the arguments say of all.
     fn setup(&self, noted: &Noted) -> Result<Setup, Failure> {
         let mut setup = self.physics.with(noted).physics()?;

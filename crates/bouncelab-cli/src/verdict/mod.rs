@@ -5,9 +5,9 @@ mod tables;
 mod text;
 
 use std::collections::BTreeMap;
-use std::io::{self, Write};
 use std::path::PathBuf;
 
+use bouncelab::Plain;
 use bouncelab::rulebook::{self, Decision, Outcome, Place, Rule, Verdict};
 use bouncelab_report::document::verdict::VerdictDocument;
 use bouncelab_session::hash::hash_of_file;
@@ -18,8 +18,9 @@ use crate::failure::Failure;
 use crate::language::translator;
 use crate::physics::{Physics, PhysicsArguments};
 use crate::priors::PriorArguments;
-use crate::report::ReportFile;
+use crate::report::{OutputArguments, ReportFile};
 use crate::rules::Files;
+use crate::terminal::{print, print_json};
 use crate::units;
 
 /// Test drops against the rule of a sport: pass, fail, or cannot decide
@@ -53,6 +54,8 @@ pub(crate) struct Arguments {
     /// Write a report: .html (one file) or .md (with its figures in a folder)
     #[arg(long, value_name = "FILE")]
     report: Option<PathBuf>,
+    #[command(flatten)]
+    outputs: OutputArguments,
     #[command(flatten)]
     physics: PhysicsArguments,
     #[command(flatten)]
@@ -123,7 +126,7 @@ const RISK: f64 = 0.05;
 
 pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let rules = arguments.rules.read()?;
-    let rule = rulebook::find(&rules, &arguments.rule)?;
+    let rule = rulebook::find(&rules, &String::from(Plain::of(&arguments.rule)))?;
     let decision = match (arguments.decision, arguments.risk) {
         (DecisionRule::Guarded, risk) => Decision::Guarded {
             risk: risk.unwrap_or(RISK),
@@ -143,10 +146,14 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
         )));
     }
     let hashes = once_each(arguments.files.iter().chain(&arguments.reference))?;
+    let inputs = arguments.files.iter().chain(&arguments.reference);
+    let outputs = arguments
+        .outputs
+        .outputs(inputs.chain(arguments.rules.paths()));
     let report_file = arguments
         .report
         .as_deref()
-        .map(ReportFile::new)
+        .map(|path| ReportFile::new(path, &outputs))
         .transpose()?;
     let surface = Surface::new(&arguments.files, &physics)?;
     let reference = Surface::new(&arguments.reference, &physics)?;
@@ -171,9 +178,8 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
     if let Some(file) = report_file {
         file.write(&report::page(&told, hashes))?;
     }
-    let mut out = io::stdout().lock();
     match arguments.format {
-        Format::Text => out.write_all(text::report(&told).as_bytes())?,
+        Format::Text => print(text::report(&told))?,
         Format::Json => {
             let document = VerdictDocument::new(
                 rule,
@@ -184,8 +190,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
                 &reference_files,
                 translator(),
             );
-            serde_json::to_writer_pretty(&mut out, &document).map_err(io::Error::from)?;
-            writeln!(out)?;
+            print_json(&document)?;
         }
     }
     match verdict.outcome {
@@ -217,12 +222,12 @@ fn once_each<'a>(
         let Ok(content) = hash_of_file(file) else {
             continue;
         };
-        hashes.push((file.display().to_string(), content.to_string()));
+        hashes.push((String::from(Plain::path(file)), content.to_string()));
         if let Some(first) = seen.insert(content, file) {
             return Err(Failure::Usage(format!(
                 "{} and {} are the same recording; give each recording once",
-                first.display(),
-                file.display()
+                Plain::path(first),
+                Plain::path(file)
             )));
         }
     }

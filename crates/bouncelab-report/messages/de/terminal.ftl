@@ -212,6 +212,8 @@ listen-begins = höre { $source }, { $rate } kHz, { $channels ->
 listen-saved-in = gespeichert in { $file }
 listen-not-saved = NICHT GESPEICHERT
 listen-silence = vom Mikrofon kommt nur Stille: Ist es stumm, oder das falsche (--devices)?
+listen-fault = die Auswertung scheiterte an einem Fehler des Programms; bitte melden
+listen-goes-on = Die Aufnahme läuft weiter, bis Sie sie beenden.
 listen-lost = Ton ging verloren: Der Rechner war zu langsam, oder das Mikrofon hatte einen Fehler; Flüge über die Lücke zählen nicht
 listen-lost-in-all = { $frames } Abtastwerte jedes Kanals ({ $seconds } s) gingen an { $count ->
     [one] einer Stelle

@@ -214,6 +214,8 @@ listen-begins = listening to { $source }, { $rate } kHz, { $channels ->
 listen-saved-in = saved in { $file }
 listen-not-saved = NOT SAVED
 listen-silence = the microphone gives only silence: is it muted, or the wrong one (--devices)?
+listen-fault = the analysis failed by a fault of the program; please report it
+listen-goes-on = The recording goes on until you end it.
 listen-lost = sound was lost: the computer was too slow, or the microphone had a fault; flights across the gap are excluded
 listen-lost-in-all = { $frames } samples of each channel ({ $seconds } s) were lost in { $count ->
     [one] 1 place

@@ -11,6 +11,7 @@ use kuva::render::render::{PathData, Primitive, Scene, TextAnchor, TextSpan};
 
 use super::clip::{Dash, Place, Rect, dashes, is_finite, within};
 use super::text::{escape, line_height, printable, wrapped};
+use crate::MARK;
 use crate::theme::{self, Colour};
 
 /// How a line looks.
@@ -207,7 +208,7 @@ impl Canvas {
             r#"<svg viewBox="0 0 {width} {height}" role="img" stroke-linejoin="round" stroke-linecap="round" "#,
         );
         let spoken = format!(
-            "><title>{}</title><desc>{}</desc>",
+            "><title>{}</title><desc>{}</desc><metadata>{MARK}</metadata>",
             escape(title),
             escape(description)
         );

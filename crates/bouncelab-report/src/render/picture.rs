@@ -8,6 +8,8 @@ use std::io::Cursor;
 use kuva::backend::raster::RasterBackend;
 use kuva::render::render::Scene;
 
+use crate::MARK;
+
 /// Up to this width, in pixels, it is worth drawing more finely than asked.
 const FINE_PX: u32 = 3200;
 /// Finer than this shows no more.
@@ -78,6 +80,7 @@ fn encode(pixels: &Pixels) -> Result<Vec<u8>, png::EncodingError> {
     let mut encoder = png::Encoder::new(&mut file, pixels.width as u32, pixels.height as u32);
     encoder.set_color(png::ColorType::Rgb);
     encoder.set_depth(png::BitDepth::Eight);
+    encoder.add_text_chunk("Software".to_owned(), MARK.to_owned())?;
     let mut writer = encoder.write_header()?;
     writer.write_image_data(pixels.rgb.as_flattened())?;
     writer.finish()?;

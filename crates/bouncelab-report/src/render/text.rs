@@ -1,5 +1,6 @@
 //! Widths and line breaks of texts.
 
+use bouncelab::Plain;
 use std::borrow::Cow;
 
 const SOFT_HYPHEN: char = '\u{ad}';
@@ -81,12 +82,12 @@ fn shortened(text: &str, size: u32, width: f64) -> Cow<'_, str> {
     Cow::Owned(short)
 }
 
-/// Without the control characters that XML forbids, nor hyphens for the end of a line: a drawing
-/// breaks none.
+/// Without hyphens for the end of a line, since a drawing breaks none. What must not be shown is left blank, so
+/// that a text is as long as it was when its place was found.
 pub(super) fn printable(text: &str) -> String {
     text.chars()
         .filter(|&c| c != SOFT_HYPHEN)
-        .map(|c| if c.is_control() { ' ' } else { c })
+        .map(|c| if Plain::hides(c) { ' ' } else { c })
         .collect()
 }
 

@@ -3,9 +3,11 @@
 //! The policy in its head forbids the browser every request, so that a figure or a font can never
 //! come from elsewhere, nor a script run.
 
+use bouncelab::Plain;
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 
 use super::page::{Block, Language, Page, Section};
+use crate::MARK;
 use crate::chart::Chart;
 use crate::table::{Align, Table};
 
@@ -30,7 +32,7 @@ impl Page {
                     meta http-equiv="Content-Security-Policy" content=(POLICY);
                     meta name="viewport" content="width=device-width, initial-scale=1";
                     meta name="color-scheme" content="light dark";
-                    meta name="generator" content={ "bouncelab " (env!("CARGO_PKG_VERSION")) };
+                    meta name="generator" content={ (MARK) " " (env!("CARGO_PKG_VERSION")) };
                     title { (self.title) }
                     link rel="icon" href="data:,";
                     style { (PreEscaped(STYLE)) }
@@ -49,7 +51,7 @@ impl Page {
                 }
             }
         };
-        page.into_string()
+        Plain::lines(&page.into_string()).into()
     }
 }
 

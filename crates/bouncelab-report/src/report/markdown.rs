@@ -3,7 +3,10 @@
 use std::collections::BTreeMap;
 use std::fmt::Write;
 
+use bouncelab::Plain;
+
 use super::page::{Block, Language, Page, Section};
+use crate::MARK;
 use crate::chart::Chart;
 use crate::table::{Align, Table};
 
@@ -35,6 +38,7 @@ impl Page {
         for section in &self.sections {
             form.section(section, 2);
         }
+        form.block(&format!("<!-- {MARK} -->"));
         Markdown {
             text: form.text,
             figures: form.figures,
@@ -156,11 +160,13 @@ fn of_table(table: &Table) -> String {
 fn fenced(text: &str) -> String {
     let longest = text.split(|c| c != '`').map(str::len).max().unwrap_or(0);
     let fence = "`".repeat(longest.max(2) + 1);
+    let text = Plain::lines(text);
     format!("{fence}\n{text}\n{fence}")
 }
 
 /// The text on one line, so that nothing in it is taken for markup.
 fn escaped(text: &str) -> String {
+    let text = String::from(Plain::of(text));
     let mut safe = String::with_capacity(text.len());
     for (place, letter) in text.char_indices() {
         match letter {
@@ -173,7 +179,6 @@ fn escaped(text: &str) -> String {
                 safe.push('\\');
                 safe.push(letter);
             }
-            _ if letter.is_control() => safe.push(' '),
             _ => safe.push(letter),
         }
     }
@@ -187,7 +192,7 @@ mod tests {
     #[test]
     fn nothing_in_a_text_is_markup() {
         assert_eq!(escaped("a_b *c* [d](e)"), r"a\_b \*c\* \[d\](e)");
-        assert_eq!(escaped("<script>\n# x | y"), r"\<script\> \# x \| y");
+        assert_eq!(escaped("<script>\n# x | y"), r"\<script\>\\n\# x \| y");
         assert_eq!(escaped("- 1"), r"\- 1");
     }
 

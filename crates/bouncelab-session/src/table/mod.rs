@@ -10,7 +10,7 @@ mod text;
 use std::fmt;
 use std::path::{Path, PathBuf};
 
-use bouncelab_report::file::Draft;
+use bouncelab_report::file::{Draft, Outputs};
 
 use crate::error::{Error, Result};
 use parquet::ParquetTable;
@@ -92,22 +92,38 @@ impl Table {
 pub enum Form {
     /// Apache Parquet, compressed by Snappy.
     Parquet,
-    /// Comma-separated values with a header.
+    /// Comma-separated values with a header. A text that a spreadsheet would run begins with `'`.
     Csv,
+    /// As CSV, with texts that a spreadsheet would run.
+    RawCsv,
     /// One JSON object a line.
     JsonLines,
 }
 
 impl Form {
-    /// Every form.
+    /// Every form but the raw one.
     pub const ALL: [Self; 3] = [Self::Parquet, Self::Csv, Self::JsonLines];
 
     /// How names of its files end.
     pub const fn ending(self) -> &'static str {
         match self {
             Self::Parquet => "parquet",
-            Self::Csv => "csv",
+            Self::Csv | Self::RawCsv => "csv",
             Self::JsonLines => "jsonl",
+        }
+    }
+
+    /// The file of a table in a folder.
+    pub fn path(self, folder: &Path, table: &str) -> PathBuf {
+        folder.join(format!("{table}.{}", self.ending()))
+    }
+
+    /// What every table of a session has at its beginning or end, by which it is known to be one.
+    pub const fn mark(self) -> &'static str {
+        match self {
+            Self::Parquet => "bouncelab.schema",
+            Self::Csv | Self::RawCsv => "recording,drop,",
+            Self::JsonLines => "{\"recording\":",
         }
     }
 }
@@ -145,15 +161,20 @@ impl TableWriter {
     /// Begins a table in a folder.
     ///
     /// # Errors
-    /// [`Error::Output`] if the folder cannot be written into.
-    pub fn new(folder: &Path, schema: &Schema, forms: &[Form]) -> Result<Self> {
+    /// [`Error::Output`] if the folder cannot be written into, or a file there may not be replaced.
+    pub fn new(folder: &Path, schema: &Schema, forms: &[Form], outputs: &Outputs) -> Result<Self> {
         let in_form = |&form: &Form| -> Result<InForm> {
-            let path = folder.join(format!("{}.{}", schema.name, form.ending()));
-            let draft = Draft::new(&path).map_err(Error::output(folder))?;
-            let file = draft.file().try_clone().map_err(Error::output(folder))?;
+            let path = form.path(folder, schema.name);
+            let draft = outputs
+                .draft(&path, form.mark())
+                .map_err(Error::output(&path))?;
+            let file = draft.file().try_clone().map_err(Error::output(&path))?;
             let rows: Box<dyn Rows> = match form {
                 Form::Parquet => Box::new(ParquetTable::new(file, schema).map_err(failed(&path))?),
-                Form::Csv => Box::new(CsvTable::new(file, schema).map_err(failed(&path))?),
+                Form::Csv | Form::RawCsv => {
+                    let is_raw = form == Form::RawCsv;
+                    Box::new(CsvTable::new(file, schema, is_raw).map_err(failed(&path))?)
+                }
                 Form::JsonLines => Box::new(JsonTable::new(file, schema)),
             };
             Ok(InForm { path, draft, rows })

@@ -3,29 +3,36 @@
 use std::fs::File;
 use std::io::{BufWriter, Write};
 
+use bouncelab_report::document::rows::guarded;
 use serde::Serializer;
 use serde_json::Value;
 
 use super::{Cell, Rows, Schema};
 
 /// Comma-separated values.
-pub(super) struct CsvTable(csv::Writer<File>);
+pub(super) struct CsvTable {
+    writer: csv::Writer<File>,
+    is_raw: bool,
+}
 
 impl CsvTable {
-    pub(super) fn new(file: File, schema: &Schema) -> Result<Self, String> {
+    /// A raw table has texts as they are, even those that a spreadsheet would run.
+    pub(super) fn new(file: File, schema: &Schema, is_raw: bool) -> Result<Self, String> {
         let mut writer = csv::Writer::from_writer(file);
-        let header = schema.columns.iter().map(|column| &column.name);
+        let names = schema.columns.iter().map(|column| column.name.clone());
+        let header = names.map(|name| if is_raw { name } else { guarded(name) });
         writer
             .write_record(header)
             .map_err(|fault| fault.to_string())?;
-        Ok(Self(writer))
+        Ok(Self { writer, is_raw })
     }
 }
 
 impl Rows for CsvTable {
     fn row(&mut self, row: &[Cell]) -> Result<(), String> {
         let known = |cell: &Cell| match cell {
-            Cell::Text(text) => text.clone(),
+            Cell::Text(text) if self.is_raw => text.clone(),
+            Cell::Text(text) => text.clone().map(guarded),
             Cell::Number(number) => number
                 .filter(|number| number.is_finite())
                 .map(|number| number.to_string()),
@@ -33,13 +40,13 @@ impl Rows for CsvTable {
             Cell::Flag(flag) => flag.map(|flag| flag.to_string()),
         };
         let cells = row.iter().map(|cell| known(cell).unwrap_or_default());
-        self.0
+        self.writer
             .write_record(cells)
             .map_err(|fault| fault.to_string())
     }
 
     fn finish(mut self: Box<Self>) -> Result<(), String> {
-        self.0.flush().map_err(|fault| fault.to_string())
+        self.writer.flush().map_err(|fault| fault.to_string())
     }
 }
 

@@ -100,7 +100,7 @@ pub fn files() -> Vec<(String, Vec<u8>)> {
     let mut files: Vec<(String, Vec<u8>)> = uncompressed();
     for entry in archive.entries().expect("an archive") {
         let mut entry = entry.expect("an entry");
-        let name = entry.path().expect("a name").display().to_string();
+        let name = entry.path().expect("a name").to_string_lossy().into_owned();
         let mut file = Vec::new();
         entry.read_to_end(&mut file).expect("its content");
         files.push((name, file));

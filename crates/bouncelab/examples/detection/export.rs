@@ -9,7 +9,7 @@ use std::path::Path;
 /// Writes `drops` recordings of each cell and `truth.json` beside them.
 pub(crate) fn write(folder: &str, drops: u64) -> Result<(), String> {
     let folder = Path::new(folder);
-    fs::create_dir_all(folder).map_err(|e| format!("{}: {e}", folder.display()))?;
+    fs::create_dir_all(folder).map_err(|e| format!("{}: {e}", bouncelab::Plain::path(folder)))?;
     let mut lines = Vec::new();
     for (number, cell) in cells().iter().enumerate() {
         for seed in 0..drops {
@@ -48,5 +48,5 @@ pub(crate) fn write(folder: &str, drops: u64) -> Result<(), String> {
     }
     let truth = format!("[\n{}\n]\n", lines.join(",\n"));
     let path = folder.join("truth.json");
-    fs::write(&path, truth).map_err(|e| format!("{}: {e}", path.display()))
+    fs::write(&path, truth).map_err(|e| format!("{}: {e}", bouncelab::Plain::path(&path)))
 }

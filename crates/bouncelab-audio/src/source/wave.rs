@@ -1,0 +1,186 @@
+//! Headers of WAV files that the demuxer cannot follow: those of long recordings, whose sizes have 64
+//! bits, and those of recorders that were stopped before they wrote the sizes.
+//!
+//! RF64 is EBU Tech 3306, BW64 its successor ITU-R BS.2088; W64 is the format of Sonic Foundry, with names
+//! of 16 bytes that begin with the four letters of WAV.
+
+use std::io::{self, Read, Seek, SeekFrom};
+use std::ops::Range;
+
+/// No recorder writes so many chunks in front of the sound, nor so long a description of it.
+const MOST_CHUNKS: usize = 64;
+const MOST_FORMAT: u64 = 1 << 10;
+
+/// The size that says that the real one stands elsewhere, or is not known.
+const UNKNOWN: u32 = u32::MAX;
+
+/// How the names of a W64 file and of its sound begin, and how they go on.
+const W64_FILE: &[u8; 16] = b"riff\x2e\x91\xcf\x11\xa5\xd6\x28\xdb\x04\xc1\x00\x00";
+
+/// Whether the first bytes are those of a WAV or one of its relatives.
+pub(super) fn is_wave(head: &[u8]) -> bool {
+    let is_long = head.starts_with(W64_FILE) && head.get(24..28) == Some(b"wave");
+    let has_marker = [b"RIFF", b"RF64", b"BW64"]
+        .iter()
+        .any(|it| head.starts_with(*it));
+    is_long || (has_marker && head.get(8..12) == Some(b"WAVE"))
+}
+
+/// A header that the demuxer can follow, and the bytes of the sound behind it.
+#[derive(Debug, PartialEq)]
+pub(super) struct Mended {
+    pub(super) header: Vec<u8>,
+    pub(super) sound: Range<u64>,
+}
+
+/// The header of a file that begins here, if it has to be another.
+pub(super) fn mended<S: Read + Seek>(source: &mut S) -> io::Result<Option<Mended>> {
+    let start = source.stream_position()?;
+    let file_len = source.seek(SeekFrom::End(0))?;
+    let mut chunks = Chunks::new(source, start)?;
+    let (mut format, mut sizes) = (Vec::new(), None);
+    for _ in 0..MOST_CHUNKS {
+        let Some((name, content)) = chunks.next(file_len)? else {
+            break;
+        };
+        match &name {
+            b"fmt " if content.end - content.start <= MOST_FORMAT => {
+                format = chunks.read(&content)?;
+            }
+            b"ds64" => {
+                sizes = chunks
+                    .read(&(content.start..content.start + 16))?
+                    .last_chunk()
+                    .copied();
+            }
+            b"data" => {
+                let Some(sound) = chunks.sound(content, sizes.map(u64::from_le_bytes), file_len)
+                else {
+                    return Ok(None);
+                };
+                return Ok((!format.is_empty()).then(|| Mended::new(&format, sound)));
+            }
+            _ => {}
+        }
+    }
+    Ok(None)
+}
+
+impl Mended {
+    fn new(format: &[u8], sound: Range<u64>) -> Self {
+        let len = u32::try_from(sound.end - sound.start);
+        let format_len = (format.len() as u32).to_le_bytes();
+        let mut header = b"RIFF\xff\xff\xff\xffWAVEfmt ".to_vec();
+        header.extend_from_slice(&format_len);
+        header.extend_from_slice(format);
+        header.extend_from_slice(&[0][..format.len() % 2]);
+        header.extend_from_slice(b"data");
+        header.extend_from_slice(&len.unwrap_or(UNKNOWN).to_le_bytes());
+        Self { header, sound }
+    }
+}
+
+/// The chunks of a file, one after the other.
+struct Chunks<'a, S> {
+    source: &'a mut S,
+    kind: Kind,
+    /// Where the next one begins.
+    at: u64,
+    /// The size that the file says it has, behind its first eight bytes.
+    said: u64,
+}
+
+#[derive(Clone, Copy, PartialEq)]
+enum Kind {
+    /// Sizes of 32 bits.
+    Riff,
+    /// Sizes of 32 bits, and those that do not fit in a chunk of their own.
+    Rf64,
+    /// Sizes of 64 bits that count their own header.
+    W64,
+}
+
+impl<'a, S: Read + Seek> Chunks<'a, S> {
+    fn new(source: &'a mut S, start: u64) -> io::Result<Self> {
+        source.seek(SeekFrom::Start(start))?;
+        let mut head = [0; 8];
+        source.read_exact(&mut head)?;
+        let [a, b, c, d, size @ ..] = head;
+        let (kind, header) = match &[a, b, c, d] {
+            b"RIFF" => (Kind::Riff, 12),
+            b"riff" => (Kind::W64, 40),
+            _ => (Kind::Rf64, 12),
+        };
+        Ok(Self {
+            source,
+            kind,
+            at: start + header,
+            said: u32::from_le_bytes(size).into(),
+        })
+    }
+
+    /// Name and content of the next chunk; `None` at the end of the file.
+    fn next(&mut self, file_len: u64) -> io::Result<Option<([u8; 4], Range<u64>)>> {
+        let (header, align) = if self.kind == Kind::W64 {
+            (24, 8)
+        } else {
+            (8, 2)
+        };
+        let start = self.at.saturating_add(header);
+        if start > file_len {
+            return Ok(None);
+        }
+        let bytes = self.read(&(self.at..start))?;
+        let (Some(&name), Some(size)) = (bytes.first_chunk(), bytes.get(header as usize - 4..))
+        else {
+            return Ok(None);
+        };
+        let len = match (self.kind, bytes.last_chunk(), size.first_chunk()) {
+            (Kind::W64, Some(&size), _) => u64::from_le_bytes(size).saturating_sub(header),
+            (_, _, Some(&size)) => u32::from_le_bytes(size).into(),
+            _ => return Ok(None),
+        };
+        let end = start.saturating_add(len);
+        self.at = end.checked_next_multiple_of(align).unwrap_or(end);
+        Ok(Some((name, start..end)))
+    }
+
+    fn read(&mut self, place: &Range<u64>) -> io::Result<Vec<u8>> {
+        let mut bytes = Vec::new();
+        self.source.seek(SeekFrom::Start(place.start))?;
+        (&mut *self.source)
+            .take(place.end - place.start)
+            .read_to_end(&mut bytes)?;
+        Ok(bytes)
+    }
+
+    /// Where the sound is, if the header does not say it in a way that the demuxer understands.
+    fn sound(&self, content: Range<u64>, size: Option<u64>, file_len: u64) -> Option<Range<u64>> {
+        let len = content.end - content.start;
+        let said = match self.kind {
+            // Nothing at all was said, though much follows: it was not known yet.
+            Kind::Riff if len == 0 && content.start >= self.said + 8 => 0,
+            Kind::Riff => return None,
+            Kind::Rf64 if len == u64::from(UNKNOWN) => size.unwrap_or(0),
+            Kind::Rf64 | Kind::W64 => len,
+        };
+        let end = match said {
+            0 => file_len,
+            len => content.start.saturating_add(len),
+        };
+        Some(content.start..end)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::io::Cursor;
+
+    use super::*;
+
+    #[test]
+    fn an_ordinary_header_stays_as_it_is() {
+        let wav = crate::encode_wav(8_000, crate::SampleFormat::Int16, &[&[0.5; 100]]).unwrap();
+        assert_eq!(mended(&mut Cursor::new(wav)).unwrap(), None);
+    }
+}

@@ -1,0 +1,165 @@
+//! Sampled waveforms in text, as oscilloscopes, data loggers and phone apps export them: a column of times and
+//! one for each channel.
+//!
+//! Lines in front of the numbers are headings. Commas, semicolons, tabs and spaces separate; where it is not the
+//! comma, numbers may have a decimal comma. A unit in the heading of the times (`ms`, `us`) holds, else they are
+//! seconds.
+
+use std::sync::Arc;
+
+use crate::error::Result;
+use crate::source::Source;
+use crate::wav::{SampleFormat, encode_wav};
+
+/// Fewer rows are no sound; no list of impacts has so many at equal distances.
+const FEWEST: usize = 1_000;
+/// Some instruments write a page of settings first.
+const MOST_HEADINGS: usize = 200;
+/// More columns than any recorder has channels.
+const MOST_COLUMNS: usize = 65;
+/// How far a time may be from its place, and from the one before, in sampling intervals or, if that is more, in
+/// steps of the written digits. Rounding moves each time by half a step, and the first and the last as well.
+const OUT_OF_PLACE: f64 = 1.25;
+const FAR: f64 = 1.5;
+
+/// A waveform that was found in a text.
+#[derive(Debug, PartialEq)]
+pub(crate) struct Waveform {
+    sample_rate_hz: u32,
+    channels: Vec<Vec<f32>>,
+}
+
+impl Waveform {
+    /// The waveform in a text; `None` if there is none: too few rows or columns, something else than numbers
+    /// among them, or times at unequal distances.
+    pub(crate) fn find(text: &str) -> Option<Self> {
+        let table = Table::find(text)?;
+        let (mut times, mut channels) = (Vec::new(), vec![Vec::new(); table.columns - 1]);
+        for line in table.rows {
+            let mut cells = numbers(line, table.separator);
+            times.push(cells.next()??);
+            for channel in &mut channels {
+                channel.push(cells.next()?? as f32);
+            }
+            if cells.next().is_some() {
+                return None;
+            }
+        }
+        let rate_hz = rate(&times)? / table.unit_s;
+        let is_rate = (1.0..=f64::from(u32::MAX)).contains(&rate_hz);
+        is_rate.then(|| Self {
+            sample_rate_hz: rate_hz.round() as u32,
+            channels,
+        })
+    }
+
+    /// The sound, in full scale at most: units of a voltage or of an app say nothing of loudness.
+    pub(crate) fn source(mut self, name: &str) -> Result<Source> {
+        let samples = || self.channels.iter().flatten();
+        let peak = samples().fold(1.0, |peak: f32, sample| peak.max(sample.abs()));
+        for sample in self.channels.iter_mut().flatten() {
+            *sample /= peak;
+        }
+        crate::check_layout(self.sample_rate_hz, self.channels.len(), name)?;
+        let channels: Vec<&[f32]> = self.channels.iter().map(Vec::as_slice).collect();
+        let wav = encode_wav(self.sample_rate_hz, SampleFormat::Float32, &channels)?;
+        let wav: Arc<[u8]> = wav.into();
+        Ok(Source::from_bytes(wav, name)?.described_as("waveform in text"))
+    }
+}
+
+/// Where the rows of numbers are in a text.
+struct Table<'a> {
+    separator: char,
+    columns: usize,
+    /// How many seconds the unit of the times is.
+    unit_s: f64,
+    rows: Vec<&'a str>,
+}
+
+impl<'a> Table<'a> {
+    fn find(text: &'a str) -> Option<Self> {
+        let mut lines = text.lines().filter(|line| !line.trim().is_empty());
+        let mut heading = "";
+        for line in lines.by_ref().take(MOST_HEADINGS) {
+            let Some((separator, columns)) = layout(line) else {
+                heading = line;
+                continue;
+            };
+            let rows: Vec<&str> = std::iter::once(line).chain(lines).collect();
+            return (rows.len() >= FEWEST).then(|| Self {
+                separator,
+                columns,
+                unit_s: unit_s(heading, separator),
+                rows,
+            });
+        }
+        None
+    }
+}
+
+/// Separator and number of columns of a row of numbers.
+fn layout(line: &str) -> Option<(char, usize)> {
+    let mut separators = [';', '\t', ',', ' '].into_iter();
+    separators.find_map(|separator| {
+        let columns = numbers(line, separator).take(MOST_COLUMNS + 1);
+        let columns = columns.collect::<Option<Vec<f64>>>()?.len();
+        (2..=MOST_COLUMNS)
+            .contains(&columns)
+            .then_some((separator, columns))
+    })
+}
+
+/// The numbers of a row; `None` for a cell that is none.
+fn numbers(line: &str, separator: char) -> impl Iterator<Item = Option<f64>> {
+    let cells = line.trim().split(separator).map(str::trim);
+    // Several spaces are one separator, and a separator at the end of a row means nothing.
+    let cells = cells.filter(move |cell| !cell.is_empty());
+    cells.map(move |cell| {
+        let cell = cell.trim_matches('"');
+        let number = if separator == ',' {
+            cell.parse()
+        } else {
+            cell.replace(',', ".").parse()
+        };
+        number.ok().filter(|number: &f64| number.is_finite())
+    })
+}
+
+/// The unit of the times, by their heading: "Time (ms)", "`time_us`".
+fn unit_s(heading: &str, separator: char) -> f64 {
+    let of_times = heading
+        .split(separator)
+        .next()
+        .unwrap_or_default()
+        .to_lowercase();
+    let mut words = of_times.split(|c: char| !c.is_alphabetic());
+    words
+        .find_map(|word| match word {
+            "ms" | "millisecond" | "milliseconds" => Some(1e-3),
+            "us" | "µs" | "μs" | "microsecond" | "microseconds" => Some(1e-6),
+            _ => None,
+        })
+        .unwrap_or(1.0)
+}
+
+/// How many times there are in a unit, if they are at equal distances.
+fn rate(times: &[f64]) -> Option<f64> {
+    let (first, last) = (times.first()?, times.last()?);
+    let step = (last - first) / (times.len() - 1) as f64;
+    // Times may have been written with too few digits: then their distances are multiples of the last one.
+    let written = times
+        .windows(2)
+        .map(|pair| pair[1] - pair[0])
+        .filter(|step| *step > 0.0);
+    let written = written.fold(f64::INFINITY, f64::min);
+    let grid = step.max(written);
+    let is_in_place = |(place, time): (usize, &f64)| {
+        (time - first - step * place as f64).abs() <= OUT_OF_PLACE * grid
+    };
+    let mut steps = times.windows(2).map(|pair| pair[1] - pair[0]);
+    let is_even = step > 0.0
+        && steps.all(|step| (0.0..=FAR * grid).contains(&step))
+        && times.iter().enumerate().all(is_in_place);
+    is_even.then_some(1.0 / step)
+}

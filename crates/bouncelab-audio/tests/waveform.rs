@@ -1,0 +1,160 @@
+//! Sampled waveforms in text, as instruments and apps export them.
+
+use bouncelab_audio::{Error, Input, LayoutProblem, TimesProblem};
+
+const RATE_HZ: f64 = 44_100.0;
+
+fn sample(n: usize) -> f32 {
+    ((n * 37 % 101) as f32 - 50.0) / 100.0
+}
+
+/// A table of two thousand rows: heading, and how a row is written.
+fn table(heading: &str, row: impl Fn(f64, f32) -> String) -> String {
+    let rows = (0..2_000).map(|n| row(n as f64 / RATE_HZ, sample(n)));
+    std::iter::once(heading.to_owned())
+        .chain(rows)
+        .collect::<Vec<_>>()
+        .join("\n")
+}
+
+fn read(text: &str, name: &str) -> (u32, Vec<Vec<f32>>) {
+    let Ok(Input::Sound(mut source)) = Input::from_bytes(text.as_bytes(), name) else {
+        panic!("{text:.80} is no sound");
+    };
+    assert_eq!(source.format(), "waveform in text");
+    let mut channels = vec![Vec::new(); source.channels()];
+    while let Some(block) = source.next_block().unwrap() {
+        for (number, channel) in channels.iter_mut().enumerate() {
+            channel.extend_from_slice(block.channel(number));
+        }
+    }
+    (source.sample_rate_hz(), channels)
+}
+
+fn refusal(text: &str) -> Error {
+    Input::from_bytes(text.as_bytes(), "drop.csv")
+        .map(drop)
+        .unwrap_err()
+}
+
+#[test]
+fn what_instruments_and_apps_export_is_sound() {
+    let expected: Vec<f32> = (0..2_000).map(sample).collect();
+    let comma = |number: String| number.replace('.', ",");
+    for text in [
+        table("time,amplitude", |t, a| format!("{t:.6},{a}")),
+        table("\"Time (s)\",\"Recording (a.u.)\"", |t, a| {
+            format!("{t:.9E},{a:E}")
+        }),
+        table("Time (ms)\tCH1", |t, a| format!("{:.4}\t{a}", t * 1e3)),
+        table("time_us;ch 1", |t, a| comma(format!("{:.2};{a};", t * 1e6))),
+        table("Source,CH1\nSecond,Volt", |t, a| {
+            format!("{:.7},{a}", t - 0.5)
+        }),
+        table("# of a logger", |t, a| format!("  {t:.6}   {a}")),
+        // Too few digits, so that several rows have one time.
+        table("t,a", |t, a| format!("{t:.4},{a}")),
+    ] {
+        let (rate_hz, channels) = read(&text, "drop.csv");
+        assert!(
+            (f64::from(rate_hz) / RATE_HZ - 1.0).abs() < 2e-3,
+            "{rate_hz}: {text:.60}"
+        );
+        assert_eq!(channels, std::slice::from_ref(&expected), "{text:.60}");
+        assert_eq!(read(&text, "drop.txt").1.len(), 1);
+    }
+    let (_, channels) = read(
+        &table("t,l,r", |t, a| format!("{t:.6},{a},{}", -2.0 * a)),
+        "drop.csv",
+    );
+    assert_eq!(channels.len(), 2);
+    assert!(channels[1].iter().all(|sample| sample.abs() <= 1.0));
+}
+
+#[test]
+fn a_waveform_that_is_too_slow_or_has_a_hole_is_refused() {
+    let slow = table("time,a", |t, a| format!("{},{a}", t * 441.0));
+    assert!(matches!(
+        refusal(&slow),
+        Error::UnsupportedLayout {
+            problem: LayoutProblem::TooSlow {
+                sample_rate_hz: 100,
+                ..
+            },
+            ..
+        }
+    ));
+    for hole in [700..701, 700..1_200] {
+        let rows = (0..2_000).filter(|n| !hole.contains(n));
+        let rows = rows.map(|n| format!("{},0.5\n", f64::from(n) / RATE_HZ));
+        let holed = std::iter::once("time,a\n".to_owned())
+            .chain(rows)
+            .collect::<Vec<_>>()
+            .concat();
+        let refused = refusal(&holed);
+        assert!(refused.to_string().contains("equal distances"), "{refused}");
+    }
+}
+
+#[test]
+fn lists_of_impacts_stay_lists() {
+    let truth = "time_s,speed_m_s,lost\n0.5,2.4,false\n0.93,2.2,false\n1.31,2.0,true\n";
+    let steady = (0..999)
+        .map(|n| format!("{},1\n", f64::from(n) * 0.5))
+        .collect::<Vec<_>>()
+        .concat();
+    for text in [truth.to_owned(), format!("time,n\n{steady}")] {
+        assert!(matches!(
+            Input::from_bytes(text.as_bytes(), "drop.csv"),
+            Ok(Input::Times(_))
+        ));
+    }
+}
+
+#[test]
+fn a_million_times_are_refused() {
+    let text = (0..1_000_000)
+        .map(|n| format!("{}\n", f64::from(n) * 0.1))
+        .collect::<Vec<_>>()
+        .concat();
+    for name in ["drop.txt", "drop.csv"] {
+        let refused = Input::from_bytes(text.as_bytes(), name)
+            .map(drop)
+            .unwrap_err();
+        let message = refused.to_string();
+        assert!(message.contains("1000000 times"), "{message}");
+    }
+}
+
+#[test]
+fn deep_json_is_refused() {
+    let deep = "[".repeat(1_000_000);
+    let refused = Input::from_bytes(deep.as_bytes(), "drop.json")
+        .map(drop)
+        .unwrap_err();
+    assert!(matches!(
+        refused,
+        Error::Times {
+            problem: TimesProblem::NotArray { .. },
+            ..
+        }
+    ));
+}
+
+#[cfg(unix)]
+#[test]
+fn a_device_is_no_list() {
+    let folder = std::env::temp_dir().join(format!("bouncelab-device-{}", std::process::id()));
+    std::fs::create_dir_all(&folder).unwrap();
+    let link = folder.join("drop.csv");
+    std::os::unix::fs::symlink("/dev/zero", &link).unwrap();
+    let refused = Input::open(&link).map(drop).unwrap_err();
+    std::fs::remove_dir_all(&folder).unwrap();
+    assert!(matches!(
+        refused,
+        Error::Times {
+            problem: TimesProblem::NotFile,
+            ..
+        }
+    ));
+}

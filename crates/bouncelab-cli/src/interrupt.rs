@@ -1,0 +1,56 @@
+//! Ctrl-C and the termination signals: nothing is left behind, and a recording ends in order.
+
+use std::process;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use bouncelab_report::file::abandon_drafts;
+
+use crate::failure::Failure;
+
+/// Whether the first signal only asks.
+static ONLY_ASKS: AtomicBool = AtomicBool::new(false);
+/// Whether a signal asked.
+static REQUESTED: AtomicBool = AtomicBool::new(false);
+
+/// From now on a signal removes unfinished files before it ends the program.
+pub(crate) fn watch() -> Result<(), Failure> {
+    /// What shells report of a program that ended by Ctrl-C.
+    const INTERRUPTED: i32 = 130;
+    if hangup_is_ignored() {
+        return Ok(());
+    }
+    ctrlc::set_handler(|| {
+        let asked_before = REQUESTED.swap(true, Ordering::Relaxed);
+        if asked_before || !ONLY_ASKS.load(Ordering::Relaxed) {
+            abandon_drafts();
+            process::exit(INTERRUPTED);
+        }
+    })
+    .map_err(|reason| Failure::Input(format!("cannot wait for Ctrl-C: {reason}")))
+}
+
+/// Whether the program was told to go on when its terminal is closed, as by `nohup`.
+fn hangup_is_ignored() -> bool {
+    let Ok(status) = std::fs::read_to_string("/proc/self/status") else {
+        return false;
+    };
+    let ignored = status.lines().find_map(|line| line.strip_prefix("SigIgn:"));
+    let ignored = ignored.and_then(|digits| u64::from_str_radix(digits.trim(), 16).ok());
+    // A hangup is signal 1, the lowest bit.
+    ignored.is_some_and(|signals| signals & 1 != 0)
+}
+
+/// Whether somebody wants the program to end.
+pub(crate) struct Stop(&'static AtomicBool);
+
+impl Stop {
+    /// From now on the first signal only asks; the second ends the program at once.
+    pub(crate) fn on_request() -> Self {
+        ONLY_ASKS.store(true, Ordering::Relaxed);
+        Self(&REQUESTED)
+    }
+
+    pub(crate) fn requested(&self) -> bool {
+        self.0.load(Ordering::Relaxed)
+    }
+}

@@ -1,0 +1,291 @@
+//! The sound as it is recorded: fetched and saved by a thread of its own.
+//!
+//! Nothing but the disk can hold it up. What the analysis makes of the sound, how long it takes, whether
+//! it fails and whether anybody reads what it prints are of no effect on what is saved.
+
+use std::path::PathBuf;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::mpsc::{self, Receiver, RecvTimeoutError, SyncSender, TrySendError};
+use std::sync::{Arc, Mutex, PoisonError};
+use std::thread::{self, JoinHandle};
+use std::time::Duration;
+
+use bouncelab::Diagnostic;
+use bouncelab::analysis::Gap;
+
+use super::save::Saver;
+use super::sound::{Arrival, Sound};
+use crate::failure::Failure;
+use crate::interrupt::Stop;
+
+/// So much sound may wait for the analysis, in bytes; of a stereo microphone three minutes.
+const WAITING: usize = 1 << 26;
+/// The most frames that come at once.
+const BLOCK: usize = 4096;
+/// A pause while nothing comes.
+const PAUSE: Duration = Duration::from_millis(20);
+
+/// What happens to the sound.
+pub(super) enum Event {
+    /// Samples of every channel; of a file also all gaps so far.
+    Sound(Vec<Vec<f32>>, Option<Vec<Gap>>),
+    /// So many frames are missing here, as far as is known.
+    Lost(u64),
+    /// The analysis was so far behind that it misses so many frames, which are saved.
+    LeftOut(u64),
+    /// Nothing yet.
+    Nothing,
+}
+
+type Troubles = Arc<Mutex<Vec<String>>>;
+
+/// A recording that goes on.
+pub(super) struct Recording {
+    events: Receiver<Event>,
+    /// Whether the analysis has heard enough.
+    enough: Arc<AtomicBool>,
+    /// What the person should know.
+    troubles: Troubles,
+    is_saved: bool,
+    thread: JoinHandle<Ended>,
+}
+
+/// A recording that has ended.
+pub(super) struct Ended {
+    /// The files.
+    pub(super) files: Vec<PathBuf>,
+    /// What the person should know that was not said yet.
+    pub(super) troubles: Vec<String>,
+    /// Whether some of the sound was not saved.
+    pub(super) is_incomplete: bool,
+    /// What was wrong with a file that was played.
+    pub(super) warnings: Vec<Diagnostic>,
+    /// Why it ended, if not because it was over.
+    pub(super) result: Result<(), Failure>,
+}
+
+impl Recording {
+    /// Starts to record so many frames at most.
+    pub(super) fn start(
+        sound: Sound,
+        saver: Saver,
+        stop: Stop,
+        last_frame: u64,
+    ) -> Result<Self, Failure> {
+        let block = BLOCK * sound.info().channels * size_of::<f32>();
+        let (sender, events) = mpsc::sync_channel((WAITING / block).max(1));
+        let enough = Arc::new(AtomicBool::new(false));
+        let troubles = Troubles::default();
+        let is_saved = !saver.files().is_empty();
+        let work = Work {
+            outlet: Outlet {
+                sender,
+                waits: !sound.is_live(),
+                left_out: 0,
+            },
+            sound,
+            saver,
+            stop,
+            enough: Arc::clone(&enough),
+            troubles: Arc::clone(&troubles),
+            frames: 0,
+            last_frame,
+        };
+        let thread = thread::Builder::new().name("recording".to_owned());
+        let thread = thread.spawn(|| work.run())?;
+        Ok(Self {
+            events,
+            enough,
+            troubles,
+            is_saved,
+            thread,
+        })
+    }
+
+    /// What happens next; `None` at the end.
+    pub(super) fn next(&self) -> Option<Event> {
+        match self.events.recv_timeout(PAUSE) {
+            Ok(event) => Some(event),
+            Err(RecvTimeoutError::Timeout) => Some(Event::Nothing),
+            Err(RecvTimeoutError::Disconnected) => None,
+        }
+    }
+
+    /// Whether the sound is saved.
+    pub(super) fn is_saved(&self) -> bool {
+        self.is_saved
+    }
+
+    /// What the person should know since the last call.
+    pub(super) fn troubles(&self) -> Vec<String> {
+        let mut troubles = self.troubles.lock().unwrap_or_else(PoisonError::into_inner);
+        std::mem::take(&mut troubles)
+    }
+
+    /// Ends it, because enough was heard.
+    pub(super) fn stop(&self) {
+        self.enough.store(true, Ordering::Relaxed);
+    }
+
+    /// Waits for its end.
+    pub(super) fn ended(self) -> Ended {
+        drop(self.events);
+        let mut ended = self.thread.join().unwrap_or_else(|_| Ended {
+            troubles: Vec::new(),
+            files: Vec::new(),
+            is_incomplete: true,
+            warnings: Vec::new(),
+            result: Err(Failure::Input(
+                "the recording ended by a fault of the program; please report it".to_owned(),
+            )),
+        });
+        ended.troubles =
+            std::mem::take(&mut self.troubles.lock().unwrap_or_else(PoisonError::into_inner));
+        ended
+    }
+}
+
+/// The way to the analysis.
+struct Outlet {
+    sender: SyncSender<Event>,
+    /// Whether the sound can wait for the analysis.
+    waits: bool,
+    /// How many frames found no room.
+    left_out: u64,
+}
+
+impl Outlet {
+    /// Hands on an event that stands for so many frames. If the analysis is too far behind, it is left
+    /// out, and counted; once nobody listens any more, that does not matter either.
+    fn send(&mut self, event: Event, frames: u64) {
+        if self.waits {
+            let _ = self.sender.send(event);
+            return;
+        }
+        if self.left_out > 0 {
+            match self.sender.try_send(Event::LeftOut(self.left_out)) {
+                Err(TrySendError::Full(_)) => {
+                    self.left_out += frames;
+                    return;
+                }
+                Ok(()) | Err(TrySendError::Disconnected(_)) => self.left_out = 0,
+            }
+        }
+        if let Err(TrySendError::Full(_)) = self.sender.try_send(event) {
+            self.left_out += frames;
+        }
+    }
+}
+
+/// What the thread does.
+struct Work {
+    sound: Sound,
+    saver: Saver,
+    outlet: Outlet,
+    stop: Stop,
+    enough: Arc<AtomicBool>,
+    troubles: Troubles,
+    frames: u64,
+    last_frame: u64,
+}
+
+impl Work {
+    fn run(mut self) -> Ended {
+        let result = self.record();
+        let trouble = self.saver.finish();
+        self.tell(trouble);
+        Ended {
+            troubles: Vec::new(),
+            files: self.saver.files().to_vec(),
+            is_incomplete: self.saver.has_failed(),
+            warnings: self.sound.warnings(),
+            result,
+        }
+    }
+
+    fn record(&mut self) -> Result<(), Failure> {
+        let mut planes = Vec::new();
+        while !self.is_over() {
+            match self.sound.next(&mut planes)? {
+                Arrival::Sound => {
+                    let left = usize::try_from(self.last_frame - self.frames);
+                    for plane in &mut planes {
+                        plane.truncate(left.unwrap_or(usize::MAX));
+                    }
+                    self.save(&planes);
+                    let gaps = self.sound.gaps().map(<[Gap]>::to_vec);
+                    let frames = planes.first().map_or(0, Vec::len) as u64;
+                    let event = Event::Sound(std::mem::take(&mut planes), gaps);
+                    self.outlet.send(event, frames);
+                }
+                Arrival::Lost(frames) => {
+                    let left = usize::try_from(self.last_frame - self.frames);
+                    let silence = silence_for(frames, self.sound.info().sample_rate_hz);
+                    let silence = silence.min(left.unwrap_or(usize::MAX));
+                    self.save(&vec![vec![0.0; silence]; self.sound.info().channels]);
+                    self.outlet.send(Event::Lost(frames), silence as u64);
+                }
+                Arrival::Nothing => thread::sleep(PAUSE),
+                Arrival::End => break,
+            }
+        }
+        Ok(())
+    }
+
+    fn is_over(&self) -> bool {
+        let has_enough = self.enough.load(Ordering::Relaxed);
+        has_enough || self.stop.requested() || self.frames >= self.last_frame
+    }
+
+    fn save(&mut self, planes: &[Vec<f32>]) {
+        self.frames += planes.first().map_or(0, Vec::len) as u64;
+        let channels: Vec<&[f32]> = planes.iter().map(Vec::as_slice).collect();
+        let trouble = self.saver.push(&channels);
+        self.tell(trouble);
+    }
+
+    fn tell(&self, trouble: Option<String>) {
+        let mut troubles = self.troubles.lock().unwrap_or_else(PoisonError::into_inner);
+        troubles.extend(trouble);
+    }
+}
+
+/// How many frames of silence stand for lost sound, so that later times stay right.
+pub(super) fn silence_for(lost_frames: u64, sample_rate_hz: u32) -> usize {
+    /// No more than this: no drop goes on after it, in seconds.
+    const LONGEST_S: u64 = 10;
+    lost_frames.min(LONGEST_S * u64::from(sample_rate_hz)) as usize
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn sound(frames: usize) -> Event {
+        Event::Sound(vec![vec![0.0; frames]], None)
+    }
+
+    #[test]
+    fn what_the_analysis_has_no_time_for_is_counted_where_it_is_missing() {
+        let (sender, events) = mpsc::sync_channel(2);
+        let mut outlet = Outlet {
+            sender,
+            waits: false,
+            left_out: 0,
+        };
+        for frames in [1, 2, 4, 8] {
+            outlet.send(sound(frames), frames as u64);
+        }
+        let heard = || match events.try_recv() {
+            Ok(Event::Sound(planes, _)) => (planes[0].len(), 0),
+            Ok(Event::LeftOut(frames)) => (0, frames),
+            _ => (0, 0),
+        };
+        assert_eq!([heard(), heard(), heard()], [(1, 0), (2, 0), (0, 0)]);
+        outlet.send(sound(16), 16);
+        assert_eq!([heard(), heard(), heard()], [(0, 12), (16, 0), (0, 0)]);
+        // Once nobody listens, nothing waits.
+        drop(events);
+        outlet.send(sound(32), 32);
+    }
+}

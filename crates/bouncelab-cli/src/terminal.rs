@@ -1,0 +1,41 @@
+//! What the program prints: the one place that writes to stdout and stderr.
+//!
+//! `print!` and `eprintln!` panic when the reader has gone or the disk is full. Here a line for people
+//! that nobody takes is left out, and a result that nobody takes is a failure of the command.
+
+use std::fmt::Display;
+use std::io::{self, Write};
+
+use bouncelab::Plain;
+use serde::Serialize;
+
+use crate::failure::Failure;
+
+/// Says a line on stderr, if somebody is there.
+pub(crate) fn say(line: impl Display) {
+    let line = Plain::lines(&line.to_string());
+    let _ = writeln!(io::stderr().lock(), "{line}");
+}
+
+/// Prints a result for people on stdout; it is handed over when this returns.
+pub(crate) fn print(result: impl Display) -> Result<(), Failure> {
+    print_data(Plain::lines(&result.to_string()))
+}
+
+/// Prints a result for programs, as it is.
+pub(crate) fn print_data(result: impl Display) -> Result<(), Failure> {
+    let mut out = io::stdout().lock();
+    write!(out, "{result}")?;
+    Ok(out.flush()?)
+}
+
+/// Prints a result on stdout as JSON of several lines.
+pub(crate) fn print_json(document: &impl Serialize) -> Result<(), Failure> {
+    let text = serde_json::to_string_pretty(document).map_err(io::Error::from)?;
+    print_data(text + "\n")
+}
+
+/// A writer of rows to stdout, to be flushed at the end.
+pub(crate) fn rows() -> csv::Writer<io::Stdout> {
+    csv::Writer::from_writer(io::stdout())
+}

@@ -1,0 +1,232 @@
+//! Nothing of the person's is lost: which files a command replaces, and what it does when nobody takes
+//! what it prints.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Command as Plain, Stdio};
+use std::time::Duration;
+
+use assert_cmd::Command;
+use predicates::prelude::*;
+use predicates::str::contains;
+use tempfile::TempDir;
+
+/// Impacts of a ball with restitution 0.9, dropped from 30.5 cm.
+const TIMES: &str = "0\n0.4489\n0.8529\n1.2165\n1.5437\n1.8383\n2.1034\n";
+
+struct Folder(TempDir);
+
+impl Folder {
+    fn new() -> Self {
+        let folder = Self(TempDir::new().unwrap());
+        fs::write(folder.path("drop.txt"), TIMES).unwrap();
+        folder
+    }
+
+    fn path(&self, name: &str) -> PathBuf {
+        self.0.path().join(name)
+    }
+
+    fn read(&self, name: &str) -> String {
+        fs::read_to_string(self.path(name)).unwrap()
+    }
+
+    fn run(&self, words: &str) -> Command {
+        let mut command = Command::cargo_bin("bouncelab").unwrap();
+        command.args(words.split(' ')).current_dir(self.0.path());
+        command.timeout(Duration::from_mins(2));
+        command
+    }
+}
+
+fn names(folder: &Path) -> Vec<String> {
+    let entries = fs::read_dir(folder).unwrap();
+    let mut names: Vec<String> = entries
+        .map(|entry| entry.unwrap().file_name().into_string().unwrap())
+        .collect();
+    names.sort();
+    names
+}
+
+#[cfg(unix)]
+#[test]
+fn a_report_never_replaces_the_recording_by_whatever_name() {
+    let folder = Folder::new();
+    fs::hard_link(folder.path("drop.txt"), folder.path("hard.html")).unwrap();
+    std::os::unix::fs::symlink("drop.txt", folder.path("link.md")).unwrap();
+    for report in ["hard.html", "link.md"] {
+        for force in ["", " --force"] {
+            let words = format!("analyze drop.txt --no-inference --report {report}{force}");
+            let refused = folder.run(&words).assert().code(1);
+            refused.stderr(contains("is an input of this command"));
+        }
+        folder
+            .run(&format!(
+                "verdict --rule ittf-ball drop.txt --report {report} --force"
+            ))
+            .assert()
+            .code(1);
+    }
+    assert_eq!(folder.read("drop.txt"), TIMES);
+}
+
+#[test]
+fn the_notes_of_a_session_survive_its_tables() {
+    let folder = Folder::new();
+    let notes = "file,ball,surface\ndrop.txt,tennis,steel\n";
+    fs::create_dir(folder.path("s")).unwrap();
+    fs::write(folder.path("s/drops.csv"), notes).unwrap();
+    folder
+        .run("session drop.txt --table s/drops.csv --output s --no-inference --force")
+        .assert()
+        .code(1)
+        .stderr(contains("s/drops.csv").and(contains("is an input")));
+    assert_eq!(folder.read("s/drops.csv"), notes);
+    assert_eq!(
+        names(&folder.path("s")),
+        ["drops.csv"],
+        "before the work, not after it"
+    );
+}
+
+#[test]
+fn files_of_others_are_replaced_only_by_force_and_own_ones_always() {
+    let cases = [
+        (
+            "session drop.txt --ball tennis --no-inference --output .",
+            "impacts.csv",
+        ),
+        (
+            "session drop.txt --ball tennis --no-inference --output .",
+            "drops.jsonl",
+        ),
+        (
+            "session drop.txt --ball tennis --no-inference --output .",
+            "drops.parquet",
+        ),
+        (
+            "session drop.txt --ball tennis --no-inference --output .",
+            "session.json",
+        ),
+        (
+            "session drop.txt --ball tennis --no-inference --output .",
+            "journal.jsonl",
+        ),
+        (
+            "analyze drop.txt --no-inference --report notes.md",
+            "notes.md",
+        ),
+        (
+            "analyze drop.txt --no-inference --report notes.html",
+            "notes.html",
+        ),
+        (
+            "analyze drop.txt --no-inference --figures .",
+            "drop-flight-times.svg",
+        ),
+        (
+            "analyze drop.txt --no-inference --figures .",
+            "drop-flight-times.png",
+        ),
+        ("simulate --figures .", "height.svg"),
+        ("demo --output .", "demo.wav"),
+    ];
+    for (words, name) in cases {
+        let folder = Folder::new();
+        fs::write(folder.path(name), "mine").unwrap();
+        let refused = folder.run(words).assert().code(1);
+        refused.stderr(contains("--force"));
+        assert_eq!(folder.read(name), "mine", "{words}");
+        if name != "journal.jsonl" {
+            folder.run(&format!("{words} --force")).assert().success();
+            folder.run(words).assert().success();
+            assert_ne!(fs::read(folder.path(name)).unwrap(), b"mine", "{words}");
+        }
+    }
+}
+
+/// Linux has a device that is always full.
+#[cfg(target_os = "linux")]
+#[test]
+fn a_full_disk_is_a_failure_of_every_command() {
+    let folder = Folder::new();
+    for words in [
+        "analyze drop.txt --no-inference",
+        "analyze drop.txt --no-inference --format json",
+        "analyze drop.txt --no-inference --format csv",
+        "verdict --rule ittf-ball drop.txt",
+        "verdict --rule ittf-ball drop.txt --format json",
+        "session drop.txt --ball tennis --no-inference",
+        "session drop.txt --ball tennis --no-inference --format json",
+        "rules list",
+        "rules show ittf-ball",
+        "simulate",
+        "simulate --format json",
+        "simulate --format csv",
+        "synth drop.wav --force",
+        "paper --no-figures",
+        "paper --no-figures --format json",
+        "demo",
+    ] {
+        let full = fs::File::options().write(true).open("/dev/full").unwrap();
+        let mut run = Plain::new(assert_cmd::cargo::cargo_bin("bouncelab"));
+        run.args(words.split(' ')).current_dir(folder.0.path());
+        let output = run.stdout(full).stderr(Stdio::piped()).output().unwrap();
+        let said = String::from_utf8_lossy(&output.stderr);
+        assert_eq!(output.status.code(), Some(1), "{words}: {said}");
+        assert!(said.contains("cannot write the result"), "{words}: {said}");
+    }
+}
+
+/// A reader of stderr that has gone is no reason to fail, whatever is to be said.
+#[cfg(unix)]
+#[test]
+fn a_closed_stderr_changes_nothing() {
+    let folder = Folder::new();
+    for (words, code) in [
+        ("analyze drop.txt --no-inference --figures figures", 0),
+        ("analyze nowhere.wav", 1),
+        (
+            "session drop.txt --ball tennis --no-inference --report s.html",
+            0,
+        ),
+        ("simulate --figures figures", 0),
+        ("analyze", 2),
+    ] {
+        let (reader, writer) = std::io::pipe().unwrap();
+        drop(reader);
+        let mut run = Plain::new(assert_cmd::cargo::cargo_bin("bouncelab"));
+        run.args(words.split(' ')).current_dir(folder.0.path());
+        let output = run.stderr(writer).stdout(Stdio::null()).status().unwrap();
+        assert_eq!(output.code(), Some(code), "{words}");
+    }
+}
+
+/// What is not finished is removed, as the library's own tests show; here, that Ctrl-C gets there.
+#[cfg(unix)]
+#[test]
+fn ctrl_c_ends_in_order_and_leaves_no_drafts() {
+    let folder = Folder::new();
+    let times = (0..400).map(|n| format!("{}\n", f64::from(n) * 0.3));
+    let times = times.collect::<Vec<_>>().concat();
+    fs::write(folder.path("long.txt"), times).unwrap();
+    let mut run = Plain::new(assert_cmd::cargo::cargo_bin("bouncelab"));
+    run.args(["session", "long.txt", "--ball", "tennis", "--output", "s"]);
+    run.current_dir(folder.0.path())
+        .stdout(Stdio::null())
+        .stderr(Stdio::null());
+    let mut child = run.spawn().unwrap();
+    while !folder.path("s/journal.jsonl").exists() {
+        assert!(
+            child.try_wait().unwrap().is_none(),
+            "it ended before it began"
+        );
+    }
+    let process = child.id().to_string();
+    Plain::new("kill")
+        .args(["-INT", &process])
+        .status()
+        .unwrap();
+    assert_eq!(child.wait().unwrap().code(), Some(130));
+    assert_eq!(names(&folder.path("s")), ["journal.jsonl"]);
+}
