@@ -253,7 +253,12 @@ proptest! {
             .collect();
         let marks: Vec<_> = numbers
             .iter()
-            .map(|&(time_s, other)| Mark { time_s, sure: other > 0.0, drop: time_s as usize })
+            .map(|&(time_s, other)| Mark {
+                time_s,
+                sure: other > 0.0,
+                // No recording has more drops.
+                drop: usize::from(time_s as u16),
+            })
             .collect();
         let lows = numbers.iter().map(|n| n.0 as f32).collect();
         let highs = numbers.iter().map(|n| n.1 as f32).collect();
