@@ -10,6 +10,7 @@ mod history;
 mod interrupt;
 mod language;
 mod listen;
+mod manual;
 mod paper;
 mod physics;
 mod priors;
@@ -66,6 +67,8 @@ enum Command {
     Synth(synth::Arguments),
     Paper(paper::Arguments),
     Demo(demo::Arguments),
+    Completions(manual::CompletionArguments),
+    Manual(manual::ManualArguments),
     #[cfg(feature = "serve")]
     Serve(serve::Arguments),
 }
@@ -90,6 +93,8 @@ fn run(command: Command) -> Result<(), failure::Failure> {
         Command::Synth(arguments) => synth::run(&arguments),
         Command::Paper(arguments) => paper::run(&arguments),
         Command::Demo(arguments) => demo::run(&arguments),
+        Command::Completions(arguments) => manual::completions(&arguments),
+        Command::Manual(arguments) => manual::manual(&arguments),
         #[cfg(feature = "serve")]
         Command::Serve(arguments) => serve::run(&arguments),
     }

@@ -1,0 +1,68 @@
+//! `bouncelab completions` and `bouncelab manual`: what shells and `man` know of the program, made from its
+//! arguments.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use bouncelab_report::MARK;
+use clap::{Args, Command, CommandFactory};
+use clap_complete::Shell;
+use clap_mangen::Man;
+
+use crate::Cli;
+use crate::failure::Failure;
+use crate::report::{OutputArguments, write};
+use crate::terminal::print_data;
+
+/// Print the completions for a shell
+#[derive(Args)]
+#[command(after_help = EXAMPLES)]
+pub(crate) struct CompletionArguments {
+    /// The shell
+    shell: Shell,
+}
+
+const EXAMPLES: &str = "\
+Examples:
+  bouncelab completions bash > ~/.local/share/bash-completion/completions/bouncelab
+  bouncelab completions zsh > ~/.zfunc/_bouncelab
+  bouncelab completions fish > ~/.config/fish/completions/bouncelab.fish";
+
+/// Write the manual pages, one for each command
+#[derive(Args)]
+pub(crate) struct ManualArguments {
+    /// Folder for the pages
+    #[arg(value_name = "DIR", default_value = "man1")]
+    folder: PathBuf,
+    #[command(flatten)]
+    outputs: OutputArguments,
+}
+
+pub(crate) fn completions(arguments: &CompletionArguments) -> Result<(), Failure> {
+    let mut command = Cli::command();
+    let name = command.get_name().to_owned();
+    let mut script = Vec::new();
+    clap_complete::generate(arguments.shell, &mut command, name, &mut script);
+    print_data(String::from_utf8_lossy(&script))
+}
+
+pub(crate) fn manual(arguments: &ManualArguments) -> Result<(), Failure> {
+    let folder = &arguments.folder;
+    fs::create_dir_all(folder).map_err(|reason| Failure::unwritable(folder, &reason))?;
+    let mut command = Cli::command().disable_help_subcommand(true);
+    command.build();
+    pages(&command, folder, &arguments.outputs)
+}
+
+/// Writes the page of a command, and those of its own commands.
+fn pages(command: &Command, folder: &Path, outputs: &OutputArguments) -> Result<(), Failure> {
+    let name = command.get_display_name().unwrap_or(command.get_name());
+    // A comment of the page tells it from what others wrote.
+    let mut page = format!(".\\\" {MARK}\n").into_bytes();
+    let man = Man::new(command.clone()).title(name.to_owned());
+    man.render(&mut page)?;
+    let path = folder.join(format!("{name}.1"));
+    write(&outputs.of_no_input(), &path, MARK, &page)?;
+    let own = command.get_subcommands().filter(|own| !own.is_hide_set());
+    own.into_iter().try_for_each(|own| pages(own, folder, outputs))
+}
