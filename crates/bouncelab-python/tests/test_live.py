@@ -72,7 +72,11 @@ def test_a_detector_goes_on_where_it_was_pickled(sound: bl.Sound) -> None:
 
 
 INTERRUPTED = """
+import signal
 import bouncelab as bl, numpy as np
+
+# What runs in the background of a shell may have been told to ignore it.
+signal.signal(signal.SIGINT, signal.default_int_handler)
 
 class Bar:
     def __init__(self, *, desc, **_):
