@@ -143,6 +143,22 @@ describe('whatever the fonts', () => {
     await page.context().close();
   });
 
+  test('a ball is chosen in the row, changes the result at once and is remembered; the demo has its own', async () => {
+    const { page } = await open(browser, site.url);
+    const chosen = (name: string) => page.getByRole('radio', { name, checked: true, exact: true });
+    await page.getByRole('radio', { name: 'tennis', exact: true }).check();
+    await page.getByRole('button', { name: 'try the demo' }).click();
+    await chosen('table tennis 40+').waitFor();
+    const { fell } = await said(page);
+    await page.getByRole('radio', { name: 'golf' }).check();
+    await expect.poll(async () => (await said(page)).fell.value).toBeLessThan(fell.value);
+    expect(page.url()).toContain('ball=golf');
+    await page.goto('about:blank');
+    await page.goto(site.url);
+    await chosen('golf').waitFor();
+    await page.context().close();
+  });
+
   test('a part of the address that makes no sense is named', async () => {
     const { page } = await open(browser, `${site.url}#lab?height_cm=tall`);
     await page.getByText(/are not valid and were ignored: height_cm/).waitFor();

@@ -5,6 +5,7 @@ import { lock } from '../store/locks.ts';
 import { getRecording, samplesOf } from '../store/recordings.ts';
 import { text } from '../text/language.ts';
 import { engine, faultOf } from './engine.ts';
+import { stateBall } from './settings.ts';
 import { busy, fail, fault, phase, put } from './workspace.ts';
 
 /** While something else is recorded or read, nothing is opened: the page offers it then nowhere. */
@@ -43,9 +44,16 @@ export function openFile(file: File): Promise<void> {
 export const openTimes = (times: string): Promise<void> =>
   load(text('page-lab-pasted-name'), () => engine().paste(times));
 
+/** The ball that is heard in the demo. */
+const DEMO_BALL = 'table-tennis-40';
+
 export function openDemo(): Promise<void> {
   const name = text('page-lab-demo-name');
-  return load(name, async () => (await engine().demo(name)).recording);
+  return load(name, async () => {
+    const { recording } = await engine().demo(name);
+    stateBall(DEMO_BALL);
+    return recording;
+  });
 }
 
 /** Samples that were made or kept. */

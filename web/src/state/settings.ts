@@ -1,5 +1,6 @@
 /** What the reader stated of ball, air, gravity and drop. The address holds the same. */
 import { computed, signal } from '@preact/signals';
+import { recall, remember } from '../address/memory.ts';
 import { hashOf, note, parseRoute } from '../address/route.ts';
 import { settingsFromParameters, settingsToParameters } from '../address/settings.ts';
 import type { Settings } from '../lab/index.ts';
@@ -15,10 +16,22 @@ export function goToLab(): void {
 /** Parts of the address that were not understood. */
 export const unreadable = signal<readonly string[]>([]);
 
-/** Takes the settings of the address, at the start and when a link changes it. */
+/** Under which name the browser remembers the ball that was chosen last. */
+const BALL = 'ball';
+
+/**
+ * Takes the settings of the address, at the start and when a link changes it. One without settings means
+ * the ball that was chosen last.
+ */
 export function readSettings(): void {
   const { view, parameters } = parseRoute(location.hash);
   if (view !== 'lab') return;
+  const ball = recall(BALL);
+  if (ball !== null && parameters.size === 0) {
+    if (settings.peek().ball !== ball) settings.value = { ball };
+    writeSettings();
+    return;
+  }
   const read = settingsFromParameters(parameters);
   unreadable.value = read.unreadable;
   const same =
@@ -37,7 +50,19 @@ export function change(changes: { [K in keyof Settings]?: Settings[K] | undefine
   writeSettings();
 }
 
+/** Chooses a ball by its name, and remembers it. */
+export function chooseBall(name: string): void {
+  remember(BALL, name);
+  stateBall(name);
+}
+
+/** States a ball by its name, this time. */
+export function stateBall(name: string): void {
+  change({ ball: name, mass_kg: undefined, diameter_m: undefined });
+}
+
 export function forgetSettings(): void {
+  remember(BALL, null);
   settings.value = {};
   writeSettings();
 }

@@ -261,6 +261,7 @@ page-settings-flights-to = bis
 page-settings-reset = Alle Einstellungen vergessen
 page-settings-refused = Diese Einstellungen widersprechen sich:
 
+page-ball-row = Welcher Ball?
 page-settings-balls-table-tennis-40 = Tischtennis 40+
 page-settings-balls-table-tennis-38 = Tischtennis 38 mm
 page-settings-balls-tennis = Tennis

@@ -263,6 +263,7 @@ page-settings-flights-to = to
 page-settings-reset = Reset all settings
 page-settings-refused = These settings contradict each other:
 
+page-ball-row = Which ball?
 page-settings-balls-table-tennis-40 = table tennis 40+
 page-settings-balls-table-tennis-38 = table tennis 38 mm
 page-settings-balls-tennis = tennis

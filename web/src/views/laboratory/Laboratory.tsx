@@ -1,5 +1,6 @@
 import { busy, workspace } from '../../state/workspace.ts';
 import { text } from '../../text/language.ts';
+import { BallRow } from './BallRow.tsx';
 import { FigureTabs } from './FigureTabs.tsx';
 import { Keep } from './Keep.tsx';
 import { ListenBar } from './ListenBar.tsx';
@@ -27,6 +28,7 @@ function Workspace() {
   return (
     <>
       <WaveEditor />
+      <BallRow />
       <div class="workspace">
         <ResultSummary />
         <FigureTabs />

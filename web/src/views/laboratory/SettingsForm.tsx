@@ -1,7 +1,7 @@
 import { Choice } from '../../app/Choice.tsx';
 import { NumberField } from '../../app/NumberField.tsx';
 import { catalogue } from '../../state/engine.ts';
-import { change, forgetSettings, settings } from '../../state/settings.ts';
+import { change, chooseBall, forgetSettings, settings } from '../../state/settings.ts';
 import { analysed } from '../../state/workspace.ts';
 import { text } from '../../text/language.ts';
 import { ballName, lawName, nameIn } from '../../text/names.ts';
@@ -50,7 +50,7 @@ function Ball() {
   const choose = (name: string): void => {
     if (name === OWN) {
       change({ ball: undefined, mass_kg: preset?.mass_kg, diameter_m: preset?.diameter_m });
-    } else change({ ball: name, mass_kg: undefined, diameter_m: undefined });
+    } else chooseBall(name);
   };
   return (
     <fieldset>

@@ -1,4 +1,5 @@
 import { text } from '../../text/language.ts';
+import { BallRow } from './BallRow.tsx';
 import { ListenButton } from './ListenButton.tsx';
 import { OtherWays } from './OtherWays.tsx';
 import { Paste } from './Paste.tsx';
@@ -7,12 +8,13 @@ import { Troubles } from './Troubles.tsx';
 
 const handheld = globalThis.matchMedia?.('(pointer: coarse)').matches ?? false;
 
-/** Before the first drop: a sentence, a button and three quiet links. */
+/** Before the first drop: a sentence, a button, the balls and three quiet links. */
 export function Welcome() {
   return (
     <div class="welcome">
       <h1>{handheld ? text('page-lab-invite-touch') : text('page-lab-invite')}</h1>
       <ListenButton />
+      <BallRow />
       <OtherWays />
       <Troubles />
       {pasting.value && <Paste />}
