@@ -64,5 +64,6 @@ fn pages(command: &Command, folder: &Path, outputs: &OutputArguments) -> Result<
     let path = folder.join(format!("{name}.1"));
     write(&outputs.of_no_input(), &path, MARK, &page)?;
     let own = command.get_subcommands().filter(|own| !own.is_hide_set());
-    own.into_iter().try_for_each(|own| pages(own, folder, outputs))
+    own.into_iter()
+        .try_for_each(|own| pages(own, folder, outputs))
 }

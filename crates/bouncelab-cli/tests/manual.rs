@@ -26,7 +26,10 @@ fn every_command_has_a_page() {
         bouncelab().arg("manual").arg(&pages).assert().success();
     }
     let page = fs::read_to_string(pages.join("bouncelab-analyze.1")).unwrap();
-    assert!(page.contains(".TH") && page.contains("which\\-ball"), "{page}");
+    assert!(
+        page.contains(".TH") && page.contains("which\\-ball"),
+        "{page}"
+    );
     assert!(pages.join("bouncelab-rules-show.1").is_file());
     fs::write(pages.join("bouncelab.1"), "a page of another program").unwrap();
     let refused = bouncelab().arg("manual").arg(&pages).assert();
