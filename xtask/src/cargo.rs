@@ -33,8 +33,7 @@ pub(crate) fn has_sound_headers() -> bool {
 /// Runs a command to its end, its output going where ours goes; how long it takes is noted.
 pub(crate) fn run(command: &mut Command) -> Result {
     let name = command.get_program().display().to_string();
-    let status = steps::timed(command, Command::status)
-        .map_err(|error| format!("cannot start {name}: {error}"))?;
+    let status = steps::run(command).map_err(|error| format!("cannot start {name}: {error}"))?;
     if status.success() {
         Ok(())
     } else {

@@ -1,15 +1,19 @@
-//! Measures the commands of a task, and reports the slowest.
+//! Runs and measures the commands of a task, and reports the slowest and what failed.
 
+use std::collections::VecDeque;
 use std::fs;
-use std::process::Command;
+use std::io::{self, BufRead, BufReader, IsTerminal, Read};
+use std::process::{Command, ExitStatus, Stdio};
 use std::sync::Mutex;
+use std::thread;
 use std::time::{Duration, Instant};
 
 /// What ran, and how long.
-#[derive(Clone)]
 pub(crate) struct Step {
     pub(crate) name: String,
     pub(crate) time: Time,
+    /// The end of what it printed, if it failed and nobody watched.
+    pub(crate) last_lines: Vec<String>,
 }
 
 impl Step {
@@ -29,15 +33,57 @@ pub(crate) struct Time {
 
 static STEPS: Mutex<Vec<Step>> = Mutex::new(Vec::new());
 
-/// Runs a command, and notes how long it takes.
-pub(crate) fn timed<T>(command: &mut Command, run: impl FnOnce(&mut Command) -> T) -> T {
+/// Runs a command, and notes how long it takes. In a log the end of what a command printed is soon far
+/// up: that of one which fails is kept for the summary.
+pub(crate) fn run(command: &mut Command) -> io::Result<ExitStatus> {
     let watch = Watch::start();
-    let outcome = run(command);
-    let name = name(command);
+    let (status, last_lines) = if io::stdout().is_terminal() {
+        (command.status()?, Vec::new())
+    } else {
+        run_logged(command)?
+    };
     let mut steps = STEPS.lock().expect("nothing panics while it holds this");
-    let time = watch.time();
-    steps.push(Step { name, time });
-    outcome
+    steps.push(Step {
+        name: name(command),
+        time: watch.time(),
+        last_lines: if status.success() {
+            Vec::new()
+        } else {
+            last_lines
+        },
+    });
+    Ok(status)
+}
+
+/// Both outputs go to ours, line by line.
+fn run_logged(command: &mut Command) -> io::Result<(ExitStatus, Vec<String>)> {
+    let mut child = command
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()?;
+    let tail = Mutex::new(VecDeque::new());
+    let (stdout, stderr) = (child.stdout.take(), child.stderr.take());
+    thread::scope(|scope| {
+        scope.spawn(|| stdout.map(|pipe| log(pipe, &tail)));
+        scope.spawn(|| stderr.map(|pipe| log(pipe, &tail)));
+    });
+    let tail = tail
+        .into_inner()
+        .expect("nothing panics while it holds this");
+    Ok((child.wait()?, tail.into()))
+}
+
+fn log(pipe: impl Read, tail: &Mutex<VecDeque<String>>) {
+    const LINES: usize = 60;
+    for line in BufReader::new(pipe).split(b'\n').map_while(Result::ok) {
+        let line = String::from_utf8_lossy(&line).into_owned();
+        println!("{line}");
+        let mut tail = tail.lock().expect("nothing panics while it holds this");
+        if tail.len() == LINES {
+            tail.pop_front();
+        }
+        tail.push_back(line);
+    }
 }
 
 /// The steps since the last call.

@@ -281,6 +281,12 @@ fn ensure_sound_headers() {
 
 /// Prints what became of each check, and what took how long; an error if any failed.
 fn conclude(outcomes: &[Outcome], total: Time) -> Result {
+    for step in outcomes.iter().flat_map(|outcome| &outcome.steps) {
+        if !step.last_lines.is_empty() {
+            println!("\n== the last lines of {}", step.name);
+            step.last_lines.iter().for_each(|line| println!("{line}"));
+        }
+    }
     println!("\n== summary: time, and that of the processors");
     for outcome in outcomes {
         let word = if outcome.result.is_ok() {
