@@ -7,6 +7,7 @@ Run it with a Python in which the wheel is installed, on a machine that does not
 from __future__ import annotations
 
 import argparse
+import multiprocessing
 import os
 import subprocess
 import sys
@@ -15,6 +16,7 @@ import threading
 import time
 import zipfile
 from collections.abc import Callable
+from multiprocessing.process import BaseProcess
 from pathlib import Path
 from statistics import median
 
@@ -76,22 +78,32 @@ def overhead(call: Path) -> None:
 
 
 def threads() -> None:
-    """What two threads do in the time of one."""
+    """What two threads do in the time of one, and two processes, which share nothing."""
     sound = ten_seconds()
 
     def work() -> None:
         for _ in range(10):
             analyze(sound)
 
-    def together(count: int) -> None:
-        workers = [threading.Thread(target=work) for _ in range(count)]
+    def together(kind: Callable[..., threading.Thread | BaseProcess], count: int) -> float:
+        workers = [kind(target=work) for _ in range(count)]
+        start = time.perf_counter()
         for worker in workers:
             worker.start()
         for worker in workers:
             worker.join()
+        return time.perf_counter() - start
 
-    ratios = [2 * timed(lambda: together(1)) / timed(lambda: together(2)) for _ in range(7)]
-    print(f"two threads: {median(ratios):.2f} times one (median of {len(ratios)})")
+    def ratio(kind: Callable[..., threading.Thread | BaseProcess]) -> float:
+        return 2 * together(kind, 1) / together(kind, 2)
+
+    process = multiprocessing.get_context("fork").Process
+    ratios = [(ratio(threading.Thread), ratio(process)) for _ in range(9)]
+    of_threads, of_processes = (median(each) for each in zip(*ratios, strict=True))
+    print(
+        f"two threads: {of_threads:.2f} times one; two processes: {of_processes:.2f} times one "
+        f"(medians of {len(ratios)})"
+    )
 
 
 def memory() -> None:
@@ -121,8 +133,6 @@ def memory() -> None:
 
 def forks() -> None:
     """Pools forked after use in the parent."""
-    import multiprocessing
-
     sound = ten_seconds()
     analyze(sound)
     finished = 0
