@@ -472,7 +472,7 @@ fn child_of(parent: u32) -> Option<String> {
     names.find(is_child)
 }
 
-/// Noise of a minute, all of which is remembered.
+/// A minute of bursts of noise, once a second, so that all of it is remembered.
 #[cfg(target_os = "linux")]
 #[test]
 fn a_recording_that_takes_too_much_memory_is_named_and_the_rest_goes_on() {
@@ -481,9 +481,10 @@ fn a_recording_that_takes_too_much_memory_is_named_and_the_rest_goes_on() {
     workspace.record("a.wav", 1).record("b.wav", 2);
     let mut dice = 1_u32;
     let mut noise = || -> Vec<f32> {
-        let next = |_| {
+        let next = |n| {
             dice = dice.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
-            (dice >> 16) as f32 / 65_536.0 - 0.5
+            let level = if n % RATE_HZ < 2_000 { 0.5 } else { 0.001 };
+            level * ((dice >> 16) as f32 / 32_768.0 - 1.0)
         };
         (0..60 * RATE_HZ).map(next).collect()
     };

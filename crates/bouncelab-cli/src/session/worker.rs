@@ -151,7 +151,7 @@ pub(super) fn serve(recordings: &[KnownRecording], memory_mb: u64) -> Result<(),
 /// does not know stays.
 #[cfg(target_os = "linux")]
 fn confine(memory_mb: u64) -> Result<(), Failure> {
-    use landlock::{ABI, Access, AccessFs, AccessNet, Ruleset, RulesetAttr};
+    use landlock::{ABI, Access, AccessFs, AccessNet, Ruleset, RulesetAttr, RulesetCreated};
     use rustix::process::{Resource, Rlimit, setrlimit};
 
     let bytes = Some(memory_mb << 20);
@@ -169,7 +169,7 @@ fn confine(memory_mb: u64) -> Result<(), Failure> {
         .handle_access(AccessFs::from_write(abi))
         .and_then(|rules| rules.handle_access(AccessNet::from_all(abi)))
         .and_then(Ruleset::create)
-        .and_then(|rules| rules.restrict_self())
+        .and_then(RulesetCreated::restrict_self)
         .map_err(|reason| Failure::Input(format!("cannot give up writing: {reason}")))?;
     Ok(())
 }
