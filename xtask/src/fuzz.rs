@@ -8,9 +8,10 @@ use std::process::Command;
 pub(crate) const ABOUT: &str = "Fuzz the decoders and the detector (nightly, cargo-fuzz)";
 
 /// The targets, and the ends of the names of the recordings they begin with.
-const TARGETS: [(&str, &[&str]); 10] = [
+const TARGETS: [(&str, &[&str]); 11] = [
     ("wav", &["wav"]),
     ("aiff", &["aiff"]),
+    ("caf", &["caf"]),
     ("flac", &["flac"]),
     ("mp3", &["mp3"]),
     ("aac", &["aac"]),
