@@ -11,7 +11,7 @@ use std::process::Command;
 use std::thread;
 
 use crate::Result;
-use crate::cargo::{cargo, cargo_all, root, run as run_command, succeeds, target};
+use crate::cargo::{built, cargo, root, run as run_command, succeeds, target};
 
 pub(crate) const ABOUT: &str = "Build the wheel of the Python package into target/wheels";
 
@@ -185,8 +185,7 @@ impl Venv {
 
     /// Builds the wheel of the checks, which shares compiled dependencies with them.
     pub(crate) fn shared_wheel(&self) -> Result<PathBuf> {
-        let mut program = cargo_all(&["build"]);
-        run_command(program.args(["--bin", "bouncelab"]))?;
+        built("--bin", "bouncelab")?;
         self.wheel("dev", &["--features", "shared-build"])
     }
 

@@ -43,7 +43,7 @@ pub enum Error {
     /// The content is none of the known sound formats, whatever the name of the file says.
     #[error(
         "{name}: not a sound file: it looks like {looks_like}; \
-         known are WAV, AIFF, FLAC, MP3, AAC, Ogg, WebM, Matroska, MP4, M4A and MOV"
+         known are WAV, AIFF, CAF, FLAC, MP3, AAC, Ogg, WebM, Matroska, MP4, M4A and MOV"
     )]
     NotSound {
         /// The file as the caller named it.
@@ -97,6 +97,17 @@ pub enum Error {
         name: String,
         /// What is wrong and what is expected.
         problem: LayoutProblem,
+    },
+
+    /// The recording goes on for longer than is read.
+    #[error(
+        "{name}: lasts longer than {most_h} hours, which is as much as is read; cut it into parts"
+    )]
+    TooLong {
+        /// The file as the caller named it.
+        name: String,
+        /// How many hours are read at most.
+        most_h: u64,
     },
 
     /// A list of impact times is not one.

@@ -9,7 +9,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use bouncelab::diagnostic::Code;
+use bouncelab::diagnostic::{Code, Diagnostic};
 use bouncelab_report::messages::{Translator, languages};
 use fluent_syntax::ast::{Entry, Expression, InlineExpression, Pattern, PatternElement, Resource};
 use fluent_syntax::parser;
@@ -190,6 +190,82 @@ fn literals(source: &str) -> Vec<(&str, bool, usize)> {
         at = start + 1 + length;
     }
     found
+}
+
+/// The words in the calls of these functions, each of which refuses a number outside a range: the quantity
+/// and what is allowed.
+fn words_of_refusals(source: &str) -> Vec<String> {
+    const REFUSING: [&str; 8] = [
+        " require(",
+        " finite(",
+        " positive(",
+        " not_negative(",
+        " of_a_size(",
+        " within(",
+        " positive_up_to(",
+        "Error::OutOfRange {",
+    ];
+    let code = source.split("#[cfg(test)]").next().unwrap();
+    let calls = REFUSING.iter().flat_map(|call| code.split(call).skip(1));
+    calls.flat_map(words_until_closed).collect()
+}
+
+/// The string literals until the bracket closes that was opened before.
+fn words_until_closed(source: &str) -> Vec<String> {
+    let mut words = Vec::new();
+    let mut depth = 1;
+    let mut letters = source.chars();
+    while let Some(letter) = letters.next() {
+        match letter {
+            '(' | '{' | '[' => depth += 1,
+            ')' | '}' | ']' => depth -= 1,
+            '"' => words.push(literal(&mut letters)),
+            _ => {}
+        }
+        if depth == 0 {
+            break;
+        }
+    }
+    words
+}
+
+/// A string literal after its first quotation mark.
+fn literal(letters: &mut std::str::Chars) -> String {
+    let mut text = String::new();
+    while let Some(letter) = letters.next() {
+        match letter {
+            '"' => break,
+            '\\' => text.extend(letters.next()),
+            _ => text.push(letter),
+        }
+    }
+    text
+}
+
+#[test]
+fn every_quantity_and_range_that_is_refused_has_words_in_every_language() {
+    let science = root().join("crates/bouncelab/src");
+    let sources = sources()
+        .into_iter()
+        .filter(|path| path.starts_with(&science));
+    let words: BTreeSet<String> = sources
+        .flat_map(|path| words_of_refusals(&fs::read_to_string(path).unwrap()))
+        .collect();
+    assert!(words.len() > 90, "the sources are elsewhere: {words:?}");
+    let german = Translator::new("de").unwrap();
+    let is_german = |key: &String| {
+        let refusal = |quantity: &str, allowed: &str| {
+            let refusal = Diagnostic::new(Code::OutOfRange)
+                .with("quantity", quantity)
+                .with("value", 1.0)
+                .with("allowed", allowed);
+            let sentence = german.diagnostic(&refusal).to_lowercase();
+            !sentence.contains(&key.to_lowercase())
+        };
+        refusal(key, "") || refusal("", key)
+    };
+    let missing: Vec<_> = words.iter().filter(|key| !is_german(key)).collect();
+    assert!(missing.is_empty(), "no message for these: {missing:#?}");
 }
 
 /// What looks like an id and is the name of a figure, a class or a colour.

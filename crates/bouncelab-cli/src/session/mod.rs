@@ -4,6 +4,7 @@ mod report;
 mod tables;
 mod text;
 mod work;
+mod worker;
 
 use std::fs;
 use std::io;
@@ -11,6 +12,7 @@ use std::path::PathBuf;
 
 use bouncelab::Plain;
 use bouncelab_report::MARK;
+use bouncelab_report::chart::CSV_HEADER;
 use bouncelab_report::file::{Outputs, remove_drafts};
 use bouncelab_session::batch::Batch;
 use bouncelab_session::journal::{JOURNAL, JOURNAL_MARK, Journal};
@@ -48,7 +50,8 @@ pub(crate) struct Arguments {
         long,
         value_name = "DIR",
         conflicts_with_all = [
-            "inputs", "pattern", "table", "allow_missing", "jobs", "PhysicsArguments", "PriorArguments"
+            "inputs", "pattern", "table", "allow_missing", "jobs", "memory", "PhysicsArguments",
+            "PriorArguments"
         ]
     )]
     from: Option<PathBuf>,
@@ -108,7 +111,7 @@ pub(crate) struct Arguments {
     /// Leave texts in CSV as they are, even if a spreadsheet would run them as formulas
     #[arg(long)]
     csv_raw: bool,
-    /// Write figures as SVG and PNG into the output folder
+    /// Write figures as SVG, PNG and CSV into the output folder
     #[arg(long)]
     figures: bool,
     /// Write a report as one HTML file, or as Markdown
@@ -117,6 +120,13 @@ pub(crate) struct Arguments {
     /// Recordings analysed in parallel [default: the number of processors]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
     jobs: Option<u16>,
+    /// Memory for the analysis of one recording, in MB; one that needs more is named, and the others go
+    /// on (Linux)
+    #[arg(long, value_name = "MB", default_value_t = 1024, value_parser = clap::value_parser!(u64).range(1..=1 << 20))]
+    memory: u64,
+    /// Analyse recordings for another process
+    #[arg(long = worker::WORKER, hide = true)]
+    worker: bool,
     #[command(flatten)]
     outputs: OutputArguments,
     #[command(flatten)]
@@ -179,6 +189,9 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
         },
     }
     .read(session)?;
+    if arguments.worker {
+        return worker::serve(&recordings, arguments.memory);
+    }
     let journal = Journal::open(&arguments.output)?;
     let targets = Targets::new(arguments, &outputs)?;
     if journal.damaged() > 0 {
@@ -306,7 +319,8 @@ impl Arguments {
         let pictures = ["groups", "intervals", "run"]
             .into_iter()
             .flat_map(|figure| {
-                ["svg", "png"].map(|ending| (self.output.join(format!("{figure}.{ending}")), MARK))
+                let marks = [("svg", MARK), ("png", MARK), ("csv", CSV_HEADER)];
+                marks.map(|(ending, mark)| (self.output.join(format!("{figure}.{ending}")), mark))
             });
         let pictures = pictures.filter(|_| self.figures);
         let document = (self.output.join(DOCUMENT), SCHEMA);
