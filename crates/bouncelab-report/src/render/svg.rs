@@ -1,12 +1,10 @@
 //! A drawing as SVG that scales with the page and can be read aloud.
 
-use kuva::backend::svg::SvgBackend;
-use kuva::render::color::Color;
-use kuva::render::render::{PathData, Primitive, Scene, TextAnchor, TextSpan};
+use maud::{Markup, html};
 
 use super::canvas::{Anchor, RIM, Shape};
 use super::clip::Place;
-use super::text::escape;
+use super::text::printable;
 use crate::MARK;
 use crate::theme::{self, Colour};
 
@@ -18,96 +16,71 @@ pub(super) fn svg(
     title: &str,
     description: &str,
 ) -> String {
-    let mut scene = Scene::new(width, height);
-    scene.background_color = Some(theme::PAPER.to_string());
-    scene.text_color = Some(theme::INK.to_string());
-    scene.font_family = Some(theme::FONT_FAMILY.to_owned());
-    for shape in shapes {
-        scene.add(primitive(shape));
+    html! {
+        svg xmlns="http://www.w3.org/2000/svg" width=(width) height=(height)
+            viewBox=(format_args!("0 0 {width} {height}")) role="img"
+            stroke-linejoin="round" stroke-linecap="round" font-family=(theme::FONT_FAMILY) fill=(theme::INK) {
+            title { (printable(title)) }
+            desc { (printable(description)) }
+            metadata { (MARK) }
+            rect width="100%" height="100%" fill=(theme::PAPER) {}
+            @for shape in shapes { (element(shape)) }
+        }
     }
-    let opening = format!(
-        r#"<svg viewBox="0 0 {width} {height}" role="img" stroke-linejoin="round" stroke-linecap="round" "#,
-    );
-    let spoken = format!(
-        "><title>{}</title><desc>{}</desc><metadata>{MARK}</metadata>",
-        escape(title),
-        escape(description)
-    );
-    SvgBackend::new()
-        .render_scene(&scene)
-        .replacen("<svg ", &opening, 1)
-        .replacen('>', &spoken, 1)
+    .into_string()
 }
 
-fn primitive(shape: &Shape) -> Primitive {
+fn element(shape: &Shape) -> Markup {
     match shape {
         Shape::Line {
             points,
             colour,
             width,
-        } => Primitive::PolyLine {
-            points: points.clone(),
-            stroke: color(*colour),
-            stroke_width: *width,
-            stroke_dasharray: None,
+        } => html! {
+            path d=(path(points)) stroke=(colour) stroke-width=(width) fill="none" {}
         },
-        Shape::Area { corners, colour } => Primitive::Path(Box::new(PathData {
-            d: outline(corners),
-            fill: Some(color(*colour)),
-            stroke: Color::None,
-            stroke_width: 0.0,
-            opacity: None,
-            stroke_dasharray: None,
-        })),
-        &Shape::Circle {
-            centre: (cx, cy),
+        Shape::Area { corners, colour } => html! {
+            path d=(path(corners) + "Z") fill=(colour) {}
+        },
+        Shape::Circle {
+            centre: (x, y),
             radius,
             fill,
             rim,
-        } => Primitive::Circle {
-            cx,
-            cy,
-            r: radius,
-            fill: color(fill),
-            fill_opacity: None,
-            stroke: rim.map(color),
-            stroke_width: rim.map(|_| RIM),
+        } => html! {
+            circle cx=(rounded(*x)) cy=(rounded(*y)) r=(radius) fill=(fill)
+                stroke=[rim] stroke-width=[rim.map(|_: Colour| RIM)] {}
         },
         Shape::Text {
             place: (x, y),
             words,
             style,
-        } => {
-            let mut span = TextSpan::plain(words.clone());
-            span.bold = style.bold;
-            Primitive::RichText {
-                x: *x,
-                y: *y,
-                spans: vec![span],
-                size: style.size,
-                anchor: match style.anchor {
-                    Anchor::Start => TextAnchor::Start,
-                    Anchor::Middle => TextAnchor::Middle,
-                    Anchor::End => TextAnchor::End,
-                },
-                color: Some(color(style.colour)),
-            }
-        }
+        } => html! {
+            text x=(rounded(*x)) y=(rounded(*y)) font-size=(style.size) text-anchor=(anchor(style.anchor))
+                font-weight=[style.bold.then_some("bold")] fill=(style.colour) { (words) }
+        },
     }
 }
 
-/// A closed path through the corners, as SVG writes it.
-fn outline(corners: &[Place]) -> String {
-    let corner = |(i, (x, y)): (usize, &Place)| {
-        let command = if i == 0 { 'M' } else { 'L' };
-        format!("{command}{x:.2} {y:.2}")
-    };
-    let mut path: String = corners.iter().enumerate().map(corner).collect();
-    path.push('Z');
+fn anchor(anchor: Anchor) -> &'static str {
+    match anchor {
+        Anchor::Start => "start",
+        Anchor::Middle => "middle",
+        Anchor::End => "end",
+    }
+}
+
+/// The straight lines from each point to the next.
+fn path(points: &[Place]) -> String {
+    let mut path = String::new();
+    for (index, (x, y)) in points.iter().enumerate() {
+        path.push(if index == 0 { 'M' } else { 'L' });
+        path.push_str(&format!("{} {}", rounded(*x), rounded(*y)));
+    }
     path
 }
 
-fn color(colour: Colour) -> Color {
-    let [red, green, blue] = colour.rgb;
-    Color::Rgb(red, green, blue)
+/// Hundredths of a pixel are seen by nobody.
+fn rounded(place: f64) -> f64 {
+    (place * 100.0).round() / 100.0
 }

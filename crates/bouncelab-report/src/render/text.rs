@@ -91,13 +91,6 @@ pub(super) fn printable(text: &str) -> String {
         .collect()
 }
 
-pub(super) fn escape(text: &str) -> String {
-    printable(text)
-        .replace('&', "&amp;")
-        .replace('<', "&lt;")
-        .replace('>', "&gt;")
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
