@@ -9,7 +9,7 @@ import { launch, newContext } from './harness/browser.ts';
 import { FONT_SETS, nameOf } from './harness/fonts.ts';
 import { folder } from './harness/program.ts';
 import { Site } from './harness/site.ts';
-import { overflow } from './support/layout.ts';
+import { overflow, unfold } from './support/layout.ts';
 import { open, settled } from './support/page.ts';
 
 const SHOTS = join(import.meta.dirname, 'screenshots');
@@ -42,10 +42,11 @@ async function saved(button: string): Promise<string> {
   return readFileSync(await (await coming).path(), 'utf8');
 }
 
-/** The report as a reader opens it. */
+/** The report as a reader opens it, with its details. */
 async function read(by: Browser): Promise<Page> {
   const shown = await (await newContext(by)).newPage();
   await shown.goto(pathToFileURL(report).href);
+  await unfold(shown);
   return shown;
 }
 

@@ -8,7 +8,7 @@ import { afterAll, beforeAll, describe, expect, test } from 'vitest';
 import { launch, newContext } from './harness/browser.ts';
 import { FONT_SETS, nameOf } from './harness/fonts.ts';
 import { bouncelab, folder, synth } from './harness/program.ts';
-import { overflow, violations } from './support/layout.ts';
+import { overflow, printedPages, unfold, violations } from './support/layout.ts';
 
 /** Whatever a file system allows in a name and a browser might obey. */
 const HOSTILE = `a"><img src=x onerror="alert(1)"> & 'b' \`c\` | $x$.wav`;
@@ -102,6 +102,8 @@ describe.each(
     for (const colorScheme of ['light', 'dark'] as const) {
       const viewport = { width: 360, height: 740 };
       const { page } = await open(browser, reportOf(command), { viewport, colorScheme });
+      expect(await violations(page)).toEqual([]);
+      await unfold(page);
       expect(await overflow(page)).toBeLessThanOrEqual(0);
       expect(await violations(page)).toEqual([]);
     }
@@ -111,6 +113,7 @@ describe.each(
     const { page } = await open(browser, reportOf(command), {
       viewport: { width: PAPER_PX, height: 1000 },
     });
+    await unfold(page);
     await page.emulateMedia({ media: 'print' });
     expect(await overflow(page)).toBeLessThanOrEqual(0);
     const wide = await page
@@ -124,6 +127,41 @@ describe.each(
       const pdf = await page.pdf({ format, preferCSSPageSize: false });
       expect(pdf.subarray(0, 5).toString()).toBe('%PDF-');
     }
+  });
+});
+
+describe('the report of one drop', () => {
+  let browser: Browser;
+  beforeAll(async () => {
+    browser = await launch({ microphone: 'missing' });
+  });
+  afterAll(() => browser.close());
+
+  /** How many pages it has on each paper, as written by the command with these options. */
+  async function pages(...options: string[]): Promise<number[]> {
+    const report = join(place, 'paper.html');
+    const ball = ['--ball', 'table-tennis-40', '--height', '40cm'];
+    bouncelab('analyze', join(place, 'drop.wav'), ...ball, '--report', report, ...options);
+    const { page } = await open(browser, report);
+    return [await printedPages(page, 'A4'), await printedPages(page, 'Letter')];
+  }
+
+  test.each(['en', 'de'])('is short on paper, in the language %s', async (language) => {
+    for (const count of await pages('--language', language)) {
+      expect(count).toBeGreaterThanOrEqual(3);
+      expect(count).toBeLessThanOrEqual(4);
+    }
+  });
+
+  test('prints its details if asked', async () => {
+    for (const count of await pages('--report-details')) expect(count).toBeGreaterThan(8);
+  });
+
+  test('prints the details that the reader unfolds', async () => {
+    const { page } = await open(browser, reportOf('analyze'));
+    const short = await printedPages(page, 'A4');
+    await page.getByRole('heading', { name: 'Details' }).click();
+    expect(await printedPages(page, 'A4')).toBeGreaterThan(2 * short);
   });
 });
 

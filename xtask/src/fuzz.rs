@@ -37,9 +37,10 @@ impl Target {
     }
 }
 
-const TARGETS: [Target; 10] = [
+const TARGETS: [Target; 11] = [
     Target::safe("wav", &["wav"]),
     Target::safe("aiff", &["aiff"]),
+    Target::safe("caf", &["caf"]),
     Target::safe("flac", &["flac"]),
     Target::safe("mp3", &["mp3"]),
     Target::safe("aac", &["aac"]),

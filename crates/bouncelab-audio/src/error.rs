@@ -43,7 +43,7 @@ pub enum Error {
     /// The content is none of the known sound formats, whatever the name of the file says.
     #[error(
         "{name}: not a sound file: it looks like {looks_like}; \
-         known are WAV, AIFF, FLAC, MP3, AAC, Ogg, WebM, Matroska, MP4, M4A and MOV"
+         known are WAV, AIFF, CAF, FLAC, MP3, AAC, Ogg, WebM, Matroska, MP4, M4A and MOV"
     )]
     NotSound {
         /// The file as the caller named it.

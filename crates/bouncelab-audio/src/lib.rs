@@ -2,12 +2,13 @@
 //!
 //! [`Source`] reads a recording of nearly any format as a stream of blocks of `f32` samples, in
 //! memory that does not grow with its length; [`times`] reads impact times that something else
-//! measured; [`Input`] takes either. [`write_wav`] writes a synthesised recording, a [`Recorder`]
+//! measured; [`Input`] takes either. [`write_wav`] writes a synthesised recording,
+//! [`encode_wav_with_cues`] one with its impacts marked, a [`Recorder`]
 //! one that is still going on. With the feature `microphone`, `microphone::Microphone` listens.
 //!
 //! | format | codecs |
 //! |---|---|
-//! | WAV, AIFF | 8, 16, 24 and 32 bit integers, 32 and 64 bit float, A-law, mu-law |
+//! | WAV, AIFF, CAF | 8, 16, 24 and 32 bit integers, 32 and 64 bit float, A-law, mu-law |
 //! | FLAC, also in Ogg and Matroska | FLAC |
 //! | MP3 | MPEG layer 3 |
 //! | MP4, M4A, MOV, with or without video | AAC-LC, ALAC, Opus, MP3, FLAC, integers and float |
@@ -15,7 +16,7 @@
 //! | Matroska and `.webm`, with or without video | Opus, Vorbis, AAC-LC, MP3, FLAC |
 //! | ADTS (`.aac`) | AAC-LC |
 //!
-//! Not read: HE-AAC, surround Opus, ADPCM, AC-3, CAF, WMA; the error says so and how to convert.
+//! Not read: HE-AAC, surround Opus, ADPCM, AC-3, WMA; the error says so and how to convert.
 //!
 //! What a program needs to know of a damaged recording is in [`Source::warnings`]; what makes it
 //! useless is an [`Error`]. No content of a file, however broken, makes this crate panic.
@@ -30,6 +31,7 @@
 // They panic when nobody reads.
 #![warn(clippy::print_stderr, clippy::print_stdout)]
 
+mod cues;
 mod error;
 mod input;
 #[cfg(feature = "microphone")]
@@ -45,6 +47,7 @@ mod waveform;
 /// The version of this library.
 pub const VERSION: &str = env!("CARGO_PKG_VERSION");
 
+pub use cues::{Cue, encode_wav_with_cues};
 pub use error::{Error, Result};
 pub use input::Input;
 pub use problem::{LayoutProblem, LooksLike, MissingContent, Stage, TimesProblem};

@@ -47,8 +47,6 @@ pub enum LooksLike {
     Gzip,
     /// RIFF without sound.
     Riff,
-    /// A Core Audio file.
-    Caf,
     /// Nothing but zeros.
     Zeros,
     /// Text.
@@ -67,7 +65,6 @@ impl fmt::Display for LooksLike {
             Self::Zip => "a ZIP archive or an office document",
             Self::Gzip => "a gzip archive",
             Self::Riff => "a RIFF file without sound, such as AVI or WebP",
-            Self::Caf => "a Core Audio (CAF) recording",
             Self::Zeros => "nothing but zeros",
             Self::Text => "text",
             Self::Unknown => "data of an unknown kind",
@@ -140,7 +137,7 @@ pub enum LayoutProblem {
 #[serde(tag = "code", rename_all = "kebab-case")]
 pub enum TimesProblem {
     /// The name has none of the endings of lists.
-    #[error("not a list of times: the name ends in none of .txt, .csv, .json")]
+    #[error("not a list of times: the name ends in none of .txt, .csv, .json, .TextGrid")]
     Ending,
     /// It is a device or a pipe.
     #[error("not a file; save the list in one")]
@@ -176,6 +173,17 @@ pub enum TimesProblem {
     NotArray {
         /// The complaint of the reader.
         detail: String,
+    },
+    /// It is no `TextGrid` of Praat, or only the beginning of one.
+    #[error("not a TextGrid of Praat, or not all of one; save it from Praat again")]
+    NotTextGrid,
+    /// No tier of the `TextGrid` can be taken for that of the impacts.
+    #[error(
+        "impacts are one point tier, or the one named impacts among several; point tiers: {found}"
+    )]
+    NoPointTier {
+        /// The names of the point tiers; may be empty.
+        found: String,
     },
     /// The first line names columns, none of which holds times.
     #[error("no column is named time or time_s; found: {found}")]

@@ -2,14 +2,21 @@
 //!
 //! | extension | content |
 //! |---|---|
-//! | `.txt` | one time a line; blank lines and lines that start with `#` are skipped |
-//! | `.csv` | one time a line, or columns with a header, one of them `time` or `time_s`; separated by commas or semicolons; `#` as above |
+//! | `.txt` | one time a line; blank lines and lines that start with `#` are skipped; or a label track of Audacity; or columns separated by tabs, as for `.csv` |
+//! | `.csv` | one time a line, or columns with a header, one of them `time` or `time_s`; separated by commas, semicolons or tabs; `#` as above |
 //! | `.json` | an array of numbers |
+//! | `.TextGrid` | a point tier of Praat: the only one, or the one named `impacts` |
+//!
+//! Decimals follow a point, or a comma where commas do not separate. Of a label with two ends the first counts.
 //!
 //! Times are in **seconds** on any clock: they may start anywhere, but must increase. Times in
 //! milliseconds cannot be told from times in seconds with certainty and are not guessed at: that
 //! is for the caller, who knows how long a flight can last.
 
+mod audacity;
+mod text_grid;
+
+use std::borrow::Cow;
 use std::fs;
 use std::path::Path;
 
@@ -30,7 +37,7 @@ pub fn is_list(name: &str) -> bool {
 ///
 /// # Errors
 ///
-/// [`Error::Times`] with the line at fault if the extension is none of the three, something is
+/// [`Error::Times`] with the line at fault if the extension is none of these, something is
 /// not a number, or the times do not increase; [`Error::Empty`] if there are none;
 /// [`Error::NotFound`], [`Error::Directory`] or [`Error::Io`] if the file cannot be read.
 pub fn read(path: impl AsRef<Path>) -> Result<Vec<f64>> {
@@ -81,24 +88,50 @@ pub fn parse(content: &[u8], name: &str) -> Result<Vec<f64>> {
     let Some(format) = Format::of(name) else {
         return list.refuse(None, TimesProblem::Ending);
     };
-    let content = content.strip_prefix(b"\xef\xbb\xbf").unwrap_or(content);
-    let Ok(text) = std::str::from_utf8(content) else {
+    let Some(text) = decoded(content) else {
         return list.refuse(None, TimesProblem::NotText);
     };
     let entries = match format {
-        Format::Txt => list.lines(text)?,
-        Format::Csv => list.table(text)?,
-        Format::Json => list.array(text)?,
+        Format::Txt if first_line(&text).contains('\t') => {
+            audacity::starts(&text).map_or_else(|| list.table(&text), Ok)?
+        }
+        Format::Txt => list.lines(&text)?,
+        Format::Csv => list.table(&text)?,
+        Format::Json => list.array(&text)?,
+        Format::TextGrid => list.points(&text)?,
     };
     list.check_count(&entries)?;
     list.check(&entries)?;
     Ok(entries.into_iter().map(|(_, time_s)| time_s).collect())
 }
 
+/// The text of a file in UTF-8, or in UTF-16 with a byte order mark, as Praat writes it.
+fn decoded(content: &[u8]) -> Option<Cow<'_, str>> {
+    let wide = |bytes: &[u8], unit: fn([u8; 2]) -> u16| {
+        let (pairs, rest) = bytes.as_chunks::<2>();
+        let units: Vec<u16> = pairs.iter().map(|&pair| unit(pair)).collect();
+        let text = String::from_utf16(&units).ok()?;
+        rest.is_empty().then_some(Cow::Owned(text))
+    };
+    match content {
+        [0xfe, 0xff, rest @ ..] => wide(rest, u16::from_be_bytes),
+        [0xff, 0xfe, rest @ ..] => wide(rest, u16::from_le_bytes),
+        [0xef, 0xbb, 0xbf, rest @ ..] | rest => str::from_utf8(rest).ok().map(Cow::Borrowed),
+    }
+}
+
+/// The first line with something on it that is no comment.
+fn first_line(text: &str) -> &str {
+    let mut lines = text.lines();
+    let has_content = |line: &&str| !line.trim().is_empty() && !line.starts_with('#');
+    lines.find(has_content).unwrap_or_default()
+}
+
 enum Format {
     Txt,
     Csv,
     Json,
+    TextGrid,
 }
 
 impl Format {
@@ -108,6 +141,7 @@ impl Format {
             "txt" => Some(Self::Txt),
             "csv" => Some(Self::Csv),
             "json" => Some(Self::Json),
+            "textgrid" => Some(Self::TextGrid),
             _ => None,
         }
     }
@@ -135,14 +169,14 @@ impl List<'_> {
             .map(str::trim)
             .zip(1..)
             .filter(|(content, _)| !content.is_empty() && !content.starts_with('#'))
-            .map(|(content, line)| self.number(content, line, '.'))
+            .map(|(content, line)| self.number(content, line, ','))
             .collect()
     }
 
     fn table(&self, text: &str) -> Result<Vec<Entry>> {
         let separator = separator(text);
-        // Where semicolons separate, a comma in a number is its decimal point.
-        let point = if separator == b';' { ',' } else { '.' };
+        // Where commas do not separate, one in a number is its decimal point.
+        let point = if separator == b',' { '.' } else { ',' };
         let mut reader = csv::ReaderBuilder::new()
             .has_headers(false)
             .flexible(true)
@@ -265,13 +299,13 @@ impl List<'_> {
     }
 }
 
-/// The separator of a table: the one its first line has more of.
+/// The separator of a table: a tab if its first line has one, else what that line has more of.
 fn separator(text: &str) -> u8 {
-    let first = text
-        .lines()
-        .find(|line| !line.trim().is_empty() && !line.starts_with('#'));
-    let count = |separator| first.unwrap_or_default().matches(separator).count();
-    if count(';') > 0 && count(';') >= count(',') {
+    let first = first_line(text);
+    let count = |separator| first.matches(separator).count();
+    if count('\t') > 0 {
+        b'\t'
+    } else if count(';') > 0 && count(';') >= count(',') {
         b';'
     } else {
         b','

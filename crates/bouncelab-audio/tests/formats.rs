@@ -76,6 +76,7 @@ fn lossless_formats_return_every_sample() {
         ("float32.wav", "32-bit float WAV", 8_000, 0.0),
         ("rate4000.wav", "16-bit WAV", 4_000, 1.0 / 32_768.0),
         ("pcm16.aiff", "16-bit AIFF", 8_000, 1.0 / 32_768.0),
+        ("pcm16.caf", "16-bit CAF", 8_000, 1.0 / 32_768.0),
         ("lossless.flac", "FLAC", 8_000, 1.0 / 32_768.0),
         ("alac.m4a", "ALAC in M4A", 8_000, 1.0 / 32_768.0),
     ] {
@@ -144,6 +145,29 @@ fn an_edit_list_that_starts_within_a_packet_is_followed_to_the_frame() {
     let expected: Vec<f64> = TIMES_S[1..].iter().map(|time_s| time_s - 0.2).collect();
     let late = lateness_s(&channels[0], 44_100, &expected);
     assert!(worst(&late) < 1e-4, "late by {late:?} s");
+}
+
+/// As encoders of AAC write it, which the encoder of the fixtures cannot: here in a table of ALAC, whose number of
+/// frames that encoder rounds up to whole packets.
+#[test]
+fn the_priming_that_a_caf_file_names_is_left_out() {
+    let mut caf = std::fs::read(fixture("alac.caf")).unwrap();
+    let table = caf.windows(4).position(|word| word == b"pakt").unwrap() + 12;
+    let heard = table + 8;
+    caf[heard..heard + 8].copy_from_slice(&4_700_i64.to_be_bytes());
+    caf[heard + 8..heard + 12].copy_from_slice(&100_i32.to_be_bytes());
+    let mut source = Source::from_bytes(caf, "primed.caf").unwrap();
+    assert_eq!(source.format(), "ALAC in CAF");
+    let mut samples = Vec::new();
+    while let Some(block) = source.next_block().unwrap() {
+        samples.extend_from_slice(block.channel(0));
+    }
+    let truth = signal(8_000);
+    assert_eq!(samples.len(), 4_700);
+    assert_eq!(source.warnings(), []);
+    for (sample, true_sample) in samples.iter().zip(&truth[100..]) {
+        assert!((sample - true_sample).abs() <= 1.0 / 32_768.0);
+    }
 }
 
 #[test]

@@ -44,6 +44,95 @@ fn semicolons_separate_tables_with_decimal_commas() {
 }
 
 #[test]
+fn what_is_pasted_from_a_spreadsheet_may_have_decimal_commas_and_tabs() {
+    assert_eq!(parse("0,10\n0,45\n", "pasted.txt"), [0.10, 0.45]);
+    let table = "n\ttime_s\tnote\n1\t0,10\tloud, near\n2\t0,45\t\n";
+    for name in ["pasted.txt", "pasted.csv"] {
+        assert_eq!(parse(table, name), [0.10, 0.45], "{name}");
+    }
+    // Which of the columns holds the times?
+    let (line, message) = blame("1\t0,10\t3\n2\t0,45\t4\n", "pasted.txt");
+    assert_eq!(line, Some(1));
+    assert!(message.contains("3 columns"), "{message}");
+}
+
+/// By the grammar of the Audacity manual: points, a region, an empty text, selected frequencies.
+#[test]
+fn a_label_track_of_audacity_is_a_list() {
+    let track = "0.100000\t0.100000\t1\n0.450000\t0.470000\tsecond, loud\n\\\t200.0\t4000.0\n\
+                 0.720000\t0.720000\t\n";
+    assert_eq!(parse(track, "Label Track.txt"), [0.10, 0.45, 0.72]);
+    assert_eq!(
+        parse(&track.replace('.', ","), "old.txt"),
+        [0.10, 0.45, 0.72]
+    );
+    let (line, _) = blame("0.5\t0.5\ta\n0.1\t0.1\tb\n", "disordered.txt");
+    assert_eq!(line, Some(2));
+}
+
+/// A tier of intervals and one of points, as Praat 6.3 writes them.
+const LONG: &str = r#"File type = "ooTextFile"
+Object class = "TextGrid"
+
+xmin = 0 
+xmax = 1.5 
+tiers? <exists> 
+size = 2 
+item []: 
+    item [1]:
+        class = "IntervalTier" 
+        name = "voice" 
+        xmin = 0 
+        xmax = 1.5 
+        intervals: size = 1 
+        intervals [1]:
+            xmin = 0 
+            xmax = 1.5 
+            text = "she said ""go"" 3 2" 
+    item [2]:
+        class = "TextTier" 
+        name = "taps" 
+        xmin = 0 
+        xmax = 1.5 
+        points: size = 2 
+        points [1]:
+            number = 0.1 
+            mark = "1" 
+        points [2]:
+            number = 0.45 
+            mark = "" 
+"#;
+
+#[test]
+fn a_point_tier_of_praat_is_a_list() {
+    assert_eq!(parse(LONG, "drop.TextGrid"), [0.1, 0.45]);
+    let short = "File type = \"ooTextFile\"\nObject class = \"TextGrid\"\n\n0\n1.5\n<exists>\n1\n\
+                 \"TextTier\"\n\"taps\"\n0 ! a comment 7\n1.5\n2\n0.1\n\"1\"\n0.45\n\"2\"\n";
+    assert_eq!(parse(short, "drop.textgrid"), [0.1, 0.45]);
+    for to_bytes in [u16::to_be_bytes, u16::to_le_bytes] {
+        let units = "\u{feff}".encode_utf16().chain(LONG.encode_utf16());
+        let wide: Vec<u8> = units.flat_map(to_bytes).collect();
+        assert_eq!(times::parse(&wide, "wide.TextGrid").unwrap(), [0.1, 0.45]);
+    }
+}
+
+#[test]
+fn a_text_grid_without_its_impacts_is_refused() {
+    let (_, message) = blame(&LONG.replace("TextTier", "IntervalTier"), "a.TextGrid");
+    assert!(message.contains("not a TextGrid of Praat"), "{message}");
+    let (line, message) = blame(&LONG[..LONG.len() - 20], "cut.TextGrid");
+    assert_eq!(line, Some(LONG.lines().count()));
+    assert!(message.contains("not all of one"), "{message}");
+    let none = "\"ooTextFile\" \"TextGrid\" 0 1 <absent>";
+    assert!(blame(none, "a.TextGrid").1.contains("point tiers: "));
+    let two = "\"ooTextFile\" \"TextGrid\" 0 1 <exists> 2 \"TextTier\" \"left\" 0 1 0 \
+               \"TextTier\" \"right\" 0 1 1 0.5 \"\"";
+    assert!(blame(two, "a.TextGrid").1.contains("left, right"));
+    assert_eq!(parse(&two.replace("right", "impacts"), "a.TextGrid"), [0.5]);
+    assert_eq!(blame("plain", "a.TextGrid").0, Some(1));
+}
+
+#[test]
 fn a_byte_order_mark_is_skipped() {
     assert_eq!(parse("\u{feff}time_s\n0.1\n", "excel.csv"), [0.1]);
 }
@@ -58,10 +147,10 @@ fn json_is_an_array_of_numbers() {
 
 #[test]
 fn the_line_with_the_fault_is_named() {
-    let (line, message) = blame("0.1\n\n# no\n0,45\n", "a.txt");
+    let (line, message) = blame("0.1\n\n# no\n0.45 s\n", "a.txt");
     assert_eq!(line, Some(4));
     assert!(
-        message.starts_with("a.txt, line 4: \"0,45\" is not a time"),
+        message.starts_with("a.txt, line 4: \"0.45 s\" is not a time"),
         "{message}"
     );
     assert_eq!(blame("time_s,n\n0.1,1\n,2\n", "a.csv").0, Some(3));

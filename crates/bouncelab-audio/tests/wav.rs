@@ -3,7 +3,9 @@
 use std::fs;
 use std::path::PathBuf;
 
-use bouncelab_audio::{Error, Recorder, SampleFormat, Source, encode_wav, write_wav};
+use bouncelab_audio::{
+    Cue, Error, Recorder, SampleFormat, Source, encode_wav, encode_wav_with_cues, write_wav,
+};
 
 /// A folder of its own for each test, removed at the end.
 struct Folder(PathBuf);
@@ -126,4 +128,59 @@ fn an_unfinished_recording_can_be_read_up_to_its_last_second() {
     let planes = read(Source::open(&path).unwrap());
     assert_eq!(planes.len(), 2);
     assert!(planes[0].len() > 30_000 - 8_000);
+}
+
+/// Name and content of the chunks of a RIFF file or a list, from this byte on.
+fn chunks(mut bytes: &[u8]) -> Vec<(&str, &[u8])> {
+    let mut chunks = Vec::new();
+    while let Some((head, rest)) = bytes.split_first_chunk::<8>() {
+        let name = str::from_utf8(&head[..4]).unwrap();
+        let len = u32::from_le_bytes(head[4..].try_into().unwrap()) as usize;
+        chunks.push((name, &rest[..len]));
+        bytes = &rest[len + len % 2..];
+    }
+    chunks
+}
+
+fn cue(time_s: f64, text: &str) -> Cue {
+    let text = text.to_owned();
+    Cue { time_s, text }
+}
+
+#[test]
+fn markers_stand_behind_the_samples_at_their_frames() {
+    // An odd number of bytes, and texts of odd and even length.
+    let sound = [0.25; 801];
+    let cues = [cue(0.01, "1"), cue(0.1, "2?")];
+    let wav = encode_wav_with_cues(8_000, SampleFormat::Int8, &[&sound], &cues).unwrap();
+    let [("RIFF", riff)] = chunks(&wav)[..] else {
+        panic!("one RIFF chunk is the whole file");
+    };
+    assert_eq!(&riff[..4], b"WAVE");
+    let parts = chunks(&riff[4..]);
+    let names: Vec<&str> = parts.iter().map(|(name, _)| *name).collect();
+    assert_eq!(names, ["fmt ", "data", "cue ", "LIST"]);
+    let (points, _) = parts[2].1[4..].as_chunks::<24>();
+    let frame = |point: &[u8; 24]| u32::from_le_bytes(point[20..].try_into().unwrap());
+    assert_eq!(points.iter().map(frame).collect::<Vec<_>>(), [80, 800]);
+    let texts = chunks(&parts[3].1[4..]);
+    assert_eq!(
+        texts,
+        [
+            ("labl", &b"\x01\0\0\x001\0"[..]),
+            ("labl", b"\x02\0\0\x002?\0")
+        ]
+    );
+    let source = Source::from_bytes(wav, "marked.wav").unwrap();
+    assert_eq!(source.warnings(), []);
+    assert_eq!(read(source), [sound]);
+}
+
+#[test]
+fn a_marker_outside_the_sound_is_refused() {
+    for time_s in [-0.001, 0.1, f64::NAN] {
+        let cues = [cue(time_s, "1")];
+        let wav = encode_wav_with_cues(8_000, SampleFormat::Int16, &[&[0.0; 800]], &cues);
+        assert!(matches!(wav, Err(Error::Unwritable { .. })), "{time_s}");
+    }
 }

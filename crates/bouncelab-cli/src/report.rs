@@ -100,6 +100,9 @@ impl<'a> ReportFile<'a> {
     }
 }
 
+/// Recordings are never replaced unasked, nor are times.
+pub(crate) const NO_MARK: &str = "";
+
 /// Writes a file whole, and says so on stderr.
 pub(crate) fn write(
     outputs: &Outputs,

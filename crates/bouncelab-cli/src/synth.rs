@@ -15,7 +15,7 @@ use crate::failure::Failure;
 use crate::history::HistoryArguments;
 use crate::language::text_with;
 use crate::physics::PhysicsArguments;
-use crate::report::OutputArguments;
+use crate::report::{NO_MARK, OutputArguments};
 use crate::terminal::print;
 use crate::units;
 
@@ -211,9 +211,6 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
     ];
     print(text_with("synth-made", &made) + "\n")
 }
-
-/// Recordings are never replaced unasked, nor are times.
-const NO_MARK: &str = "";
 
 impl Arguments {
     fn scene(&self) -> Scene {

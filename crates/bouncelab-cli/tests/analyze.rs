@@ -224,8 +224,11 @@ fn figures_are_written_whole() {
                 file.display()
             );
         }
+        let data = fs::read_to_string(figures.join(format!("drop-{name}.csv"))).unwrap();
+        assert!(data.starts_with("panel,x_axis,"), "{data}");
+        assert!(data.lines().count() > 1, "{name}");
     }
-    assert_eq!(fs::read_dir(&figures).unwrap().count(), 28);
+    assert_eq!(fs::read_dir(&figures).unwrap().count(), 42);
 }
 
 #[test]

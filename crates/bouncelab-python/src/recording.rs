@@ -9,7 +9,7 @@ use bouncelab_report::chart::Chart as Data;
 use bouncelab_report::document::Document;
 use bouncelab_report::figure::{self, Mark, Subject};
 use bouncelab_report::messages::Translator;
-use bouncelab_report::report::{self, Block, Provenance};
+use bouncelab_report::report::{self, Block, Page, Provenance};
 use bouncelab_session::RecordingTables;
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
@@ -239,8 +239,14 @@ impl Recording {
         chart.map(Chart).ok_or_else(unknown)
     }
 
-    /// The report as HTML, or as Markdown with its figures.
-    fn report(&self, py: Python<'_>, markdown: bool, language: &str) -> Result<String> {
+    /// The report as HTML, its details unfolded if wished, or as Markdown.
+    fn report(
+        &self,
+        py: Python<'_>,
+        markdown: bool,
+        language: &str,
+        details: bool,
+    ) -> Result<String> {
         let words = translator(language)?;
         let subject = report::Recording {
             name: &self.name,
@@ -252,7 +258,8 @@ impl Recording {
             if markdown {
                 page.markdown("figures").text
             } else {
-                page.html()
+                let unfolded = details;
+                Page { unfolded, ..page }.html()
             }
         }))
     }

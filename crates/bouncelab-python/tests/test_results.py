@@ -111,6 +111,7 @@ def test_arviz_takes_the_draws(times: bl.Recording) -> None:
 def test_reports_and_answers_are_in_the_language_of_the_reader(times: bl.Recording) -> None:
     assert times.report().startswith("<!DOCTYPE html>")
     assert times.report("markdown", "de").startswith("# times")
+    assert times.report(details=True) == times.report().replace("<details>", "<details open>")
     assert "kept" in times._repr_html_() and "<p>" in times.drops[0]._repr_html_()
 
 

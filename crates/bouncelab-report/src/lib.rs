@@ -30,6 +30,7 @@
 //! |---|---|
 //! | [`error`](Error) | errors |
 //! | [`messages`] | messages by id and language |
+//! | [`csv`] | lines of CSV |
 //! | [`units`] | reads quantities with units |
 //! | `digits` | signs and exponents |
 //! | [`quantity`](Quantity) | digits and prefixes |
@@ -55,6 +56,7 @@
 #![warn(clippy::print_stderr, clippy::print_stdout)]
 
 pub mod chart;
+pub mod csv;
 mod digits;
 pub mod document;
 mod error;

@@ -4,7 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use crate::MARK;
-use crate::chart::Chart;
+use crate::chart::{CSV_HEADER, Chart};
 use crate::error::{Error, Result};
 use crate::file::Outputs;
 
@@ -18,9 +18,11 @@ pub struct Saved {
     pub svg: PathBuf,
     /// The picture, 1600 pixels wide.
     pub png: PathBuf,
+    /// The data.
+    pub csv: PathBuf,
 }
 
-/// Writes a figure as `NAME.svg` and `NAME.png` into a folder, which is made if needed.
+/// Writes a figure as `NAME.svg`, `NAME.png` and `NAME.csv` into a folder, which is made if needed.
 ///
 /// Each file appears whole or not at all. Whether files of these names are replaced, `outputs` says.
 ///
@@ -40,15 +42,16 @@ pub fn save(chart: &Chart, folder: &Path, name: &str, outputs: &Outputs) -> Resu
         folder: folder.to_owned(),
         source,
     })?;
-    let written = |ending: &str, bytes: &[u8]| {
+    let written = |ending: &str, mark: &str, bytes: &[u8]| {
         let path = folder.join(format!("{name}.{ending}"));
-        match outputs.write(&path, MARK, bytes) {
+        match outputs.write(&path, mark, bytes) {
             Ok(()) => Ok(path),
             Err(source) => Err(Error::Write { path, source }),
         }
     };
     Ok(Saved {
-        svg: written("svg", chart.svg().as_bytes())?,
-        png: written("png", &picture)?,
+        svg: written("svg", MARK, chart.svg().as_bytes())?,
+        png: written("png", MARK, &picture)?,
+        csv: written("csv", CSV_HEADER, chart.csv().as_bytes())?,
     })
 }

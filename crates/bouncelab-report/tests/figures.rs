@@ -390,7 +390,7 @@ mod pictures {
     }
 
     #[test]
-    fn a_saved_chart_is_two_whole_files_and_nothing_else() {
+    fn a_saved_chart_is_three_whole_files_and_nothing_else() {
         let folder = tempfile::tempdir().unwrap();
         let inner = folder.path().join("new/figures");
         let chart = figure::flight_times(&flights(5, 5), Some(LINE), &english());
@@ -399,12 +399,27 @@ mod pictures {
         save(&chart, &inner, "flight-times", &Outputs::default()).unwrap();
         assert_eq!(std::fs::read_to_string(&saved.svg).unwrap(), chart.svg());
         assert_eq!(std::fs::read(&saved.png).unwrap(), chart.png(1600).unwrap());
+        assert_eq!(std::fs::read_to_string(&saved.csv).unwrap(), chart.csv());
         let mut names: Vec<_> = std::fs::read_dir(&inner)
             .unwrap()
             .map(|entry| entry.unwrap().file_name())
             .collect();
         names.sort();
-        assert_eq!(names, ["flight-times.png", "flight-times.svg"]);
+        assert_eq!(
+            names,
+            ["flight-times.csv", "flight-times.png", "flight-times.svg"]
+        );
+    }
+
+    #[test]
+    fn the_data_of_a_chart_are_a_table() {
+        let chart = figure::flight_times(&flights(5, 5), Some(LINE), &english());
+        let table = chart.csv();
+        let lines: Vec<&str> = table.lines().collect();
+        assert_eq!(lines.len(), 1 + chart.rows().len());
+        let first = flights(5, 5)[0].time_s;
+        let point = format!("0,,flight time (s),measured flights,points,1,,{first},,,");
+        assert!(lines.contains(&point.as_str()), "{table}");
     }
 
     #[test]

@@ -144,6 +144,27 @@ fn the_answer_comes_first_in_words() {
 }
 
 #[test]
+fn details_are_folded_unless_asked_for() {
+    let page = page("drop.txt", 1);
+    let (short, details) = (page.sections.len(), page.details.len());
+    assert!(short < details, "{short} sections, {details} folded");
+    let folded = page.html();
+    let (shown, hidden) = folded.split_once("<details>").unwrap();
+    assert!(shown.contains("<h2 id=\"section-1\">The drop</h2>"));
+    assert!(hidden.contains("<h3 id=\"section-5\">The impacts</h3>"));
+    let unfolded = Page {
+        unfolded: true,
+        ..page
+    };
+    assert_eq!(
+        unfolded.html(),
+        folded.replace("<details>", "<details open>")
+    );
+    let Markdown { text, .. } = unfolded.markdown("f");
+    assert!(text.contains("\n## Details\n\n### The impacts\n"));
+}
+
+#[test]
 fn a_notebook_refers_to_its_figures() {
     let markdown = page("two.wav", 2).markdown("two-figures");
     let names: BTreeSet<&String> = markdown.figures.iter().map(|(name, _)| name).collect();

@@ -4,11 +4,11 @@ use bouncelab::Recording;
 use bouncelab::analysis::{Drop, DropTask, Plan};
 use bouncelab::detection::Envelope;
 use bouncelab::setup::Setup;
-use bouncelab_report::Chart;
 use bouncelab_report::document::{Document, rows};
 use bouncelab_report::figure::{self, Mark, Subject};
 use bouncelab_report::messages::Translator;
 use bouncelab_report::report::{self, Provenance};
+use bouncelab_report::{Chart, csv};
 
 use crate::refusal::{Result, unknown};
 use crate::simulator;
@@ -168,22 +168,9 @@ impl Analysis<'_> {
     /// The impacts as CSV, its first line the names of the columns.
     pub fn csv(&self) -> String {
         let rows = rows::of(&self.request.name, &self.result);
-        let header = csv_line(&rows::HEADER);
-        header + &rows.iter().map(|row| csv_line(row)).collect::<String>()
+        let header = csv::line(&rows::HEADER);
+        header + &rows.iter().map(|row| csv::line(row)).collect::<String>()
     }
-}
-
-/// A row of a table, quoted where it must be.
-fn csv_line<T: AsRef<str>>(cells: &[T]) -> String {
-    let quoted = cells.iter().map(|cell| {
-        let cell = cell.as_ref();
-        if cell.contains([',', '"', '\n', '\r']) {
-            format!("\"{}\"", cell.replace('"', "\"\""))
-        } else {
-            cell.to_owned()
-        }
-    });
-    quoted.collect::<Vec<_>>().join(",") + "\n"
 }
 
 /// A figure as a picture.

@@ -20,7 +20,9 @@ test('a heading over one column keeps its line, so that errors name the right on
 
 test('tables and arrays are left to those who read them', () => {
   expect(listOf('n,time_s\n1,0.1').name).toBe('times.csv');
-  expect(listOf('n\ttime_s\n1\t0,1')).toEqual({ name: 'times.csv', text: 'n;time_s\n1;0,1' });
+  for (const text of ['n\ttime_s\n1\t0,1', '0.1\t0.1\t1\n0.5\t0.5\t2, loud']) {
+    expect(listOf(text)).toEqual({ name: 'times.txt', text });
+  }
   expect(listOf(' [0.1, 0.5]').name).toBe('times.json');
 });
 

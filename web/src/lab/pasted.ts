@@ -13,8 +13,9 @@ export function listOf(text: string): { readonly name: string; readonly text: st
     const times = lines.map((line) => (NUMBER.test(line) ? line.replace(',', '.') : ''));
     return { name: 'times.txt', text: times.join('\n') };
   }
-  const table = text.replaceAll('\t', ';');
-  return { name: /[,;]/.test(table) ? 'times.csv' : 'times.txt', text: table };
+  // With tabs it is a part of a spreadsheet or a label track.
+  const isCsv = /[,;]/.test(text) && !text.includes('\t');
+  return { name: isCsv ? 'times.csv' : 'times.txt', text };
 }
 
 /** Lines; or, if there is only one, what stands in it side by side. */

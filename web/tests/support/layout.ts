@@ -26,3 +26,16 @@ export async function violations(page: Page): Promise<string[]> {
 /** By how many pixels a page is wider than its window: it may scroll down, never sideways. */
 export const overflow = (page: Page): Promise<number> =>
   page.evaluate(() => document.documentElement.scrollWidth - document.documentElement.clientWidth);
+
+/** Opens everything that is folded. */
+export function unfold(page: Page): Promise<void> {
+  return page.locator('details').evaluateAll((folded) => {
+    for (const details of folded as HTMLDetailsElement[]) details.open = true;
+  });
+}
+
+/** On how many sheets a page prints. */
+export async function printedPages(page: Page, format: 'A4' | 'Letter'): Promise<number> {
+  const pdf = await page.pdf({ format, preferCSSPageSize: false });
+  return pdf.toString('latin1').match(/\/Type ?\/Page\b/g)?.length ?? 0;
+}

@@ -6,7 +6,8 @@ use symphonia::core::errors::Result as SymphoniaResult;
 use symphonia::core::formats::{FormatOptions, FormatReader};
 use symphonia::core::io::{MediaSource, MediaSourceStream, MediaSourceStreamOptions};
 use symphonia::default::formats::{
-    AdtsReader, AiffReader, FlacReader, IsoMp4Reader, MkvReader, MpaReader, OggReader, WavReader,
+    AdtsReader, AiffReader, CafReader, FlacReader, IsoMp4Reader, MkvReader, MpaReader, OggReader,
+    WavReader,
 };
 
 use super::wave;
@@ -17,6 +18,7 @@ use crate::problem::LooksLike;
 pub(super) enum Container {
     Wav,
     Aiff,
+    Caf,
     Flac,
     Mpeg,
     Adts,
@@ -44,6 +46,7 @@ impl Container {
         match self {
             Self::Wav => "WAV",
             Self::Aiff => "AIFF",
+            Self::Caf => "CAF",
             Self::Flac => "FLAC",
             Self::Mpeg => "MP3",
             Self::Adts => "AAC",
@@ -82,6 +85,7 @@ impl Container {
         Ok(match self {
             Self::Wav => Box::new(WavReader::try_new(stream, options)?),
             Self::Aiff => Box::new(AiffReader::try_new(stream, options)?),
+            Self::Caf => Box::new(CafReader::try_new(stream, options)?),
             Self::Flac => Box::new(FlacReader::try_new(stream, options)?),
             Self::Mpeg => Box::new(MpaReader::try_new(stream, options)?),
             Self::Adts => Box::new(AdtsReader::try_new(stream, options)?),
@@ -137,6 +141,7 @@ fn container(head: &[u8]) -> Option<Container> {
     match head.get(..4)? {
         _ if wave::is_wave(head) => Some(Container::Wav),
         b"FORM" if form == b"AIFF" || form == b"AIFC" => Some(Container::Aiff),
+        b"caff" => Some(Container::Caf),
         b"fLaC" => Some(Container::Flac),
         b"OggS" => Some(Container::Ogg),
         [0x1a, 0x45, 0xdf, 0xa3] => {
@@ -163,7 +168,7 @@ fn container(head: &[u8]) -> Option<Container> {
 
 /// A guess at what a file is that is not sound, for the message.
 fn looks_like(head: &[u8]) -> LooksLike {
-    const KNOWN: [(&[u8], LooksLike); 8] = [
+    const KNOWN: [(&[u8], LooksLike); 7] = [
         (b"\x89PNG", LooksLike::Png),
         (b"\xff\xd8\xff", LooksLike::Jpeg),
         (b"GIF8", LooksLike::Gif),
@@ -171,7 +176,6 @@ fn looks_like(head: &[u8]) -> LooksLike {
         (b"PK\x03\x04", LooksLike::Zip),
         (b"\x1f\x8b", LooksLike::Gzip),
         (b"RIFF", LooksLike::Riff),
-        (b"caff", LooksLike::Caf),
     ];
     if let Some((_, what)) = KNOWN.iter().find(|(magic, _)| head.starts_with(magic)) {
         return *what;

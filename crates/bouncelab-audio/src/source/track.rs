@@ -164,9 +164,10 @@ impl Track {
         if let Some(itunes) = &self.itunes {
             return itunes.clone();
         }
-        match (self.params.codec, self.info.delay, self.info.num_frames) {
-            // The tag of an MP3 file gives both ends.
-            (CODEC_ID_MP3, Some(delay), Some(frames)) => {
+        // The tag of an MP3 file gives both ends, and so does the packet table of a CAF file.
+        let has_ends = self.params.codec == CODEC_ID_MP3 || self.container == Container::Caf;
+        match (self.info.delay, self.info.num_frames) {
+            (Some(delay), Some(frames)) if has_ends => {
                 let delay = u64::from(delay);
                 Presentation::only(delay..delay.saturating_add(frames))
                     .unwrap_or_else(|| Presentation::from_frame(delay))

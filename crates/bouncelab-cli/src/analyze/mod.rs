@@ -1,13 +1,16 @@
 //! `bouncelab analyze`: recordings, or lists of impact times, to results.
 
 mod answers;
+mod cues;
 mod figures;
 mod read;
 mod report;
 mod text;
 
+use cues::write_cues;
 pub(crate) use figures::{Stems, save_figures};
 pub(crate) use read::{Analysed, read};
+use report::ReportArguments;
 pub(crate) use text::{assumed, note, report, shown};
 
 use std::io;
@@ -19,7 +22,8 @@ use bouncelab::Diagnostic;
 use bouncelab::Plain;
 use bouncelab::analysis::{DetectionOptions, Edits};
 use bouncelab::diagnostic::Code;
-use bouncelab_report::document::{Document, FailedDocument, rows};
+use bouncelab_report::csv::guarded;
+use bouncelab_report::document::{Document, FailedDocument, labels, rows, tracker};
 use clap::{Args, ValueEnum};
 use serde::Serialize;
 
@@ -27,14 +31,15 @@ use crate::failure::Failure;
 use crate::language::{text, translator};
 use crate::physics::{Physics, PhysicsArguments};
 use crate::priors::PriorArguments;
-use crate::report::{OutputArguments, ReportFile};
+use crate::report::OutputArguments;
 use crate::terminal::{print, print_data, print_json, rows as rows_to_stdout, say};
 use crate::units;
 
 /// Detect and analyse the drops in recordings, or in lists of impact times
 ///
-/// Reads WAV, AIFF, FLAC, MP3, AAC, Ogg, Opus, WebM, M4A, MP4 and MOV, and impact times in seconds
-/// as .txt (one per line), .csv (one per line, or a column `time` or `time_s`) or .json (an array). A
+/// Reads WAV, AIFF, CAF, FLAC, MP3, AAC, Ogg, Opus, WebM, M4A, MP4 and MOV, and impact times in seconds
+/// as .txt (one per line), .csv (one per line, or a column `time` or `time_s`) or .json (an array), a label track
+/// of Audacity (.txt) or a `TextGrid` of Praat. A
 /// sampled waveform as .csv or .txt (times at equal distances, and a column for each channel) is sound.
 /// Exit status: 0 if every file has a drop, 1 if a file has none or cannot be read, 2 for wrong usage.
 #[derive(Args)]
@@ -46,12 +51,14 @@ pub(crate) struct Arguments {
     /// How to print the result; JSON is documented in docs/json.md
     #[arg(long, value_enum, default_value_t = Format::Text)]
     format: Format,
-    /// Write figures as SVG and PNG into this folder
+    /// Write figures as SVG and PNG, and their data as CSV, into this folder
     #[arg(long, value_name = "DIR")]
     figures: Option<PathBuf>,
-    /// Write a report of one recording: .html (one file) or .md (with its figures in a folder)
+    #[command(flatten)]
+    report: ReportArguments,
+    /// Write a copy of one recording as WAV with a marker at each impact, which sound editors show
     #[arg(long, value_name = "FILE")]
-    report: Option<PathBuf>,
+    cues: Option<PathBuf>,
     /// Flights of the log-linear fit, as in 1..10, ..20 or 3..
     #[arg(long, value_name = "A..B", value_parser = flight_range)]
     flights: Option<(usize, usize)>,
@@ -99,6 +106,7 @@ Examples:
   bouncelab analyze drop.wav --report drop.html         or drop.md
   bouncelab analyze drop.wav --exclude 2.317 --include 4.1,4.25
   bouncelab analyze times.csv --format json
+  bouncelab analyze drop.wav --format audacity > labels.txt   or textgrid, tracker
   bouncelab analyze class/*.wav --format csv > class.csv";
 
 #[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
@@ -109,6 +117,20 @@ enum Format {
     Json,
     /// One row for each impact
     Csv,
+    /// The impacts of one recording as a label track of Audacity
+    Audacity,
+    /// The impacts of one recording as a `TextGrid` of Praat
+    #[value(name = "textgrid")]
+    TextGrid,
+    /// The height of the ball against time in one recording, for Tracker
+    Tracker,
+}
+
+impl Format {
+    /// Whether it has room for one recording only.
+    const fn is_of_one(self) -> bool {
+        matches!(self, Self::Audacity | Self::TextGrid | Self::Tracker)
+    }
 }
 
 pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
@@ -123,12 +145,12 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
         include_s: arguments.include.clone(),
         gaps: Vec::new(),
     };
+    let is_for_one = arguments.format.is_of_one() || arguments.cues.is_some();
+    if is_for_one && arguments.files.len() > 1 {
+        return Err(Failure::Usage(text("analyze-one-labelled")));
+    }
     let outputs = arguments.outputs.outputs(&arguments.files);
-    let mut report_file = match (&arguments.report, arguments.files.as_slice()) {
-        (None, _) => None,
-        (Some(path), [_]) => Some(ReportFile::new(path, &outputs)?),
-        (Some(_), _) => return Err(Failure::Usage(text("analyze-one-report"))),
-    };
+    let mut report_file = arguments.report.file(&arguments.files, &outputs)?;
     let mut printer = Printer::new(arguments)?;
     let mut stems = Stems::default();
     let mut empty_handed = false;
@@ -144,7 +166,11 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
                     save_figures(&analysed, &physics, folder, &mut stems, &outputs)?;
                 }
                 if let Some(report_file) = report_file.take() {
-                    report_file.write(&report::page(file, &analysed, &physics)?)?;
+                    let page = arguments.report.page(file, &analysed, &physics)?;
+                    report_file.write(&page)?;
+                }
+                if let Some(target) = &arguments.cues {
+                    write_cues(file, &analysed, target, &outputs)?;
                 }
                 printer.print(&analysed, &physics)?;
             }
@@ -220,14 +246,13 @@ impl Printer {
             Format::Text if analysed.result.drops.is_empty() => Ok(()),
             Format::Text => print(report(analysed, physics, self.details)),
             Format::Json => self.print_document(&document(analysed, physics)),
+            Format::Audacity => print_data(labels::audacity(&analysed.result)),
+            Format::TextGrid => print_data(labels::text_grid(&analysed.result)),
+            Format::Tracker => print_data(tracker(&analysed.result, &physics.options)),
             Format::Csv => {
                 if let Some(rows) = &mut self.rows {
                     let name = analysed.name.clone();
-                    let name = if self.csv_raw {
-                        name
-                    } else {
-                        rows::guarded(name)
-                    };
+                    let name = if self.csv_raw { name } else { guarded(name) };
                     for row in rows::of(&name, &analysed.result) {
                         rows.write_record(&row)?;
                     }
@@ -244,7 +269,9 @@ impl Printer {
                 unreadable.message = Some(reason.to_owned());
                 self.print_document(&FailedDocument::new(name, &unreadable))
             }
-            Format::Text | Format::Csv => Ok(()),
+            Format::Text | Format::Csv | Format::Audacity | Format::TextGrid | Format::Tracker => {
+                Ok(())
+            }
         }
     }
 

@@ -12,6 +12,7 @@ use std::path::PathBuf;
 
 use bouncelab::Plain;
 use bouncelab_report::MARK;
+use bouncelab_report::chart::CSV_HEADER;
 use bouncelab_report::file::{Outputs, remove_drafts};
 use bouncelab_session::batch::Batch;
 use bouncelab_session::journal::{JOURNAL, JOURNAL_MARK, Journal};
@@ -110,7 +111,7 @@ pub(crate) struct Arguments {
     /// Leave texts in CSV as they are, even if a spreadsheet would run them as formulas
     #[arg(long)]
     csv_raw: bool,
-    /// Write figures as SVG and PNG into the output folder
+    /// Write figures as SVG, PNG and CSV into the output folder
     #[arg(long)]
     figures: bool,
     /// Write a report as one HTML file, or as Markdown
@@ -318,7 +319,8 @@ impl Arguments {
         let pictures = ["groups", "intervals", "run"]
             .into_iter()
             .flat_map(|figure| {
-                ["svg", "png"].map(|ending| (self.output.join(format!("{figure}.{ending}")), MARK))
+                let marks = [("svg", MARK), ("png", MARK), ("csv", CSV_HEADER)];
+                marks.map(|(ending, mark)| (self.output.join(format!("{figure}.{ending}")), mark))
             });
         let pictures = pictures.filter(|_| self.figures);
         let document = (self.output.join(DOCUMENT), SCHEMA);

@@ -42,6 +42,8 @@ pub(super) fn page(outcome: &Outcome<'_>, results: &Results<'_>) -> Result<Page,
         subtitle: made_by(&provenance, translator()),
         lead: lead(outcome, about),
         sections,
+        details: Vec::new(),
+        unfolded: false,
         language: Language::new(translator()),
     })
 }

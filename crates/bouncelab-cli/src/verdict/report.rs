@@ -4,7 +4,7 @@ use bouncelab::rulebook::Status;
 use bouncelab_report::figure;
 use bouncelab_report::messages::capital;
 use bouncelab_report::report::{
-    Block, Language, Page, Provenance, Section, ended, method, repeat, shared_conditions,
+    Block, Language, Page, Provenance, Section, ended, method, priors, repeat, shared_conditions,
 };
 
 use super::{Told, tables, text};
@@ -32,10 +32,13 @@ pub(super) fn page(told: &Told<'_>, hashes: Vec<(String, String)>) -> Page {
             rebound(told),
             drops(told),
             shared_conditions(physics, translator()),
+            priors(&physics.options, translator()),
             decision(),
             method(translator()),
             repeat(&provenance, translator()),
         ],
+        details: Vec::new(),
+        unfolded: false,
         language: Language::new(translator()),
     }
 }

@@ -133,7 +133,13 @@ class Recording:
     def _chart(self, name: str, language: str) -> _core.Chart:
         return self._core.figure(name, language)
 
-    def report(self, form: Literal["html", "markdown"] = "html", language: str = "en") -> str:
+    def report(
+        self,
+        form: Literal["html", "markdown"] = "html",
+        language: str = "en",
+        *,
+        details: bool = False,
+    ) -> str:
         """Return a report to read and keep: one page of HTML, or Markdown without its figures.
 
         Parameters
@@ -141,12 +147,15 @@ class Recording:
         form : {"html", "markdown"}
         language : str
             One of :func:`bouncelab.languages`.
+        details : bool
+            Unfold the details of the HTML (every table and figure, the formulas), so that it prints them too.
+            Markdown does not fold them.
 
         Returns
         -------
         str
         """
-        return self._core.report(form == "markdown", language)
+        return self._core.report(form == "markdown", language, details)
 
     def to_dict(self, language: str = "en") -> dict[str, JSON]:
         """Return the document of the schema ``bouncelab.analysis/2``.

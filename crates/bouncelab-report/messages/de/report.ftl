@@ -2,6 +2,7 @@ report-made-by = Bericht von bouncelab { $version }
 report-made-on = Bericht von bouncelab { $version }, { $date }
 report-note = Hinweis
 report-figure = Abbildung
+report-details = Einzelheiten
 
 report-drop = Der Versuch
 report-drop-of = Versuch { $number } von { $count }
@@ -59,7 +60,7 @@ report-truncation = Ein richtiges Modell gibt für jede Zahl benutzter Flüge da
 report-air = Die Luft bei diesem Tempo
 report-conditions = Bedingungen und Annahmen
 report-assumed = Das hat niemand angegeben, darum ist es angenommen:
-report-priors = Ehe sie die Daten sah, wusste die Schätzung dies:
+report-priors = Was die Schätzung vor den Daten wusste
 report-source = Quelle
 report-source-times = eine Liste von Aufprallzeiten
 report-source-sound = { $format }, { $rate } kHz, { $duration } s
@@ -90,6 +91,9 @@ report-repeat-version = Version { $version } von bouncelab gibt aus derselben Da
 report-repeat-files = Die gelesenen Dateien mit ihrer SHA-256-Summe (sha256sum zeigt sie):
 
 report-method = Verfahren
+report-method-short = Die Aufpralle werden im Ton gefunden; die Zeit zwischen zweien ist die eines Flugs. Die Schätzung berechnet aus allen Flugzeiten Stoßzahl, Fallhöhe und Luftwiderstand, mit dem Fall durch die Luft, mit Stoßzahlen, die von Aufprall zu Aufprall streuen, und mit Fehlern der Zeiten. Von jeder Größe steht der Median da, ± ihre Standardabweichung; ein Bereich von 95 % enthält die Wahrheit mit dieser Wahrscheinlichkeit, wenn die Annahmen stimmen. Die Ausgleichsgerade durch die Logarithmen der Flugzeiten weiß nichts von der Luft. Formeln und Literatur stehen unter „Einzelheiten“.
+
+report-formulas = Das Verfahren mit seinen Formeln
 report-method-flight = Nur die Aufpralle machen einen Laut. Die Zeit T zwischen zwei Aufprallen ist die eines Flugs und ergibt seine Höhe h fast unabhängig von der Luft:
 report-method-line = Behielte jeder Aufprall denselben Anteil e des Tempos und gäbe es keine Luft, so lägen die Logarithmen der Flugzeiten über der Nummer n des Aufpralls auf einer Geraden. Ihre Steigung gibt die Stoßzahl e, ihr Achsenabschnitt b die Fallhöhe (Nagurka, Gl. 4 und 6):
 report-method-motion = Auch die Luft nimmt Tempo, und sie trägt den Ball ein wenig und bewegt sich mit ihm. Mit Masse m, Volumen V und Querschnitt A des Balls, Dichte ρ der Luft und einem Widerstandsbeiwert, der der Reynolds-Zahl folgt, ändert sich die Geschwindigkeit v so:

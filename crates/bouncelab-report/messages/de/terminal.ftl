@@ -55,6 +55,8 @@ analyze-details-priors = Annahmen vor den Daten:
 analyze-details-sampling = Stichprobe: { $draws } unabhängige Ziehungen, Pareto-Form { $shape } (gut unter 0,7).
 analyze-no-drop = { $name }: kein springender Ball gefunden: { $reason }
 analyze-one-report = ein Bericht gilt einer Aufnahme, hier sind es mehrere: bouncelab session macht einen aus vielen
+analyze-one-labelled = Textmarken, Marken im Ton und Bewegung gelten einer Aufnahme, hier sind es mehrere: eine nach der anderen angeben
+analyze-cues-need-sound = { $name } ist eine Liste von Zeiten ohne Ton, in dem Marken stehen könnten; --format audacity oder textgrid schreibt Textmarken
 
 terminal-wrote = { $file } geschrieben
 terminal-wrote-figure = { $file } und .png geschrieben

@@ -4,6 +4,7 @@ report-made-by = Report of bouncelab { $version }
 report-made-on = Report of bouncelab { $version }, { $date }
 report-note = Note
 report-figure = Figure
+report-details = Details
 
 report-drop = The drop
 report-drop-of = Drop { $number } of { $count }
@@ -61,7 +62,7 @@ report-truncation = A correct model gives the same result for any number of flig
 report-air = The air at these speeds
 report-conditions = Conditions and assumptions
 report-assumed = Not stated, and therefore assumed:
-report-priors = Priors of the inference:
+report-priors = Priors of the inference
 report-source = Source
 report-source-times = a list of impact times
 report-source-sound = { $format }, { $rate } kHz, { $duration } s
@@ -92,6 +93,9 @@ report-repeat-version = Version { $version } of bouncelab gives the same numbers
 report-repeat-files = The files that were read, by their SHA-256 (sha256sum shows it):
 
 report-method = Method
+report-method-short = The impacts are detected in the sound; the time between two of them is that of a flight. The inference computes the posterior of restitution, drop height and drag from all flight times, with the fall through the air, restitution that scatters between impacts, and errors of the times. Each quantity is stated as the median ± standard deviation of its posterior; a 95 % credible interval contains the true value with that probability if the assumptions hold. The log-linear fit is a straight line through the logarithms of the flight times and neglects the air. The formulas and the references are under Details.
+
+report-formulas = The method with its formulas
 report-method-flight = Only the impacts make a sound. The time T between two impacts is that of a flight, and gives its height h nearly independently of the air:
 report-method-line = If each impact kept the same share e of the speed and there were no air, the logarithms of the flight times would lie on a straight line against the number n of the impact. Its slope gives the restitution e and its intercept b the drop height (Nagurka, Eqs. 4 and 6):
 report-method-motion = Drag also reduces the speed, buoyancy acts against the weight, and the ball accelerates some of the air (added mass). With mass m, volume V and cross-section A of the ball, density ρ of the air, and a drag coefficient that depends on the Reynolds number, the velocity v changes as

@@ -57,6 +57,8 @@ analyze-details-priors = Priors:
 analyze-details-sampling = Sampling: { $draws } independent draws, Pareto shape { $shape } (good below 0.7).
 analyze-no-drop = { $name }: no drop found: { $reason }
 analyze-one-report = a report is for one recording, and several were given; bouncelab session reports on several
+analyze-one-labelled = labels, markers and motion are of one recording, and several were given; give one at a time
+analyze-cues-need-sound = { $name } is a list of times, which has no sound to mark; --format audacity or textgrid writes labels
 
 terminal-wrote = wrote { $file }
 terminal-wrote-figure = wrote { $file } and .png

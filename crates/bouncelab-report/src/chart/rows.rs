@@ -1,6 +1,7 @@
 //! The data of a chart as rows of one table, for whoever draws it with other means.
 
 use super::{Chart, Shape};
+use crate::csv;
 
 /// A point, a bar, a piece of a band, a rule or a text of a chart. What does not apply is `None`.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -48,7 +49,36 @@ impl Chart {
         });
         rows.collect()
     }
+
+    /// Its data as CSV: the [rows](Self::rows), each with the axes of its panel.
+    pub fn csv(&self) -> String {
+        let lines = self.rows().into_iter().map(|row| {
+            let panel = &self.panels[row.panel];
+            let text = |text: String| csv::guarded(text);
+            let number = |value: Option<f64>| {
+                let known = value.filter(|value| value.is_finite());
+                known.map_or_else(String::new, |value| value.to_string())
+            };
+            csv::line(&[
+                row.panel.to_string(),
+                text(panel.x.label()),
+                text(panel.y.label()),
+                text(row.layer),
+                row.kind.to_owned(),
+                number(row.x),
+                number(row.x_high),
+                number(row.y),
+                number(row.y_high),
+                number(row.y_sd),
+                text(row.text.unwrap_or_default()),
+            ])
+        });
+        format!("{CSV_HEADER}\n{}", lines.collect::<String>())
+    }
 }
+
+/// The first line of the data of a figure, by which bouncelab knows that the file is its own.
+pub const CSV_HEADER: &str = "panel,x_axis,y_axis,layer,kind,x,x_high,y,y_high,y_sd,text";
 
 fn rows_of(shape: &Shape) -> Vec<Row> {
     let at = |kind, [x, y]: [f64; 2]| Row {

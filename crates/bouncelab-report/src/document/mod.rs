@@ -20,12 +20,16 @@
 //! # Ok::<(), serde_json::Error>(())
 //! ```
 
+pub mod labels;
 pub mod rows;
 pub mod simulation;
+mod tracker;
 pub mod verdict;
 
 use bouncelab::{Diagnostic, Options, Recording};
 use serde::Serialize;
+
+pub use tracker::tracker;
 
 /// Name and version of the schema.
 pub const SCHEMA: &str = "bouncelab.analysis/2";

@@ -49,20 +49,3 @@ pub fn of(file: &str, recording: &Recording) -> Vec<[String; 14]> {
     }
     rows
 }
-
-/// A text in a cell of CSV that no spreadsheet runs: where it begins as a formula does, `'` is put in front.
-///
-/// ```
-/// use bouncelab_report::document::rows::guarded;
-///
-/// assert_eq!(guarded("=HYPERLINK(A1)".to_owned()), "'=HYPERLINK(A1)");
-/// assert_eq!(guarded("drop.wav".to_owned()), "drop.wav");
-/// ```
-pub fn guarded(text: String) -> String {
-    // The list of OWASP, "CSV Injection".
-    if text.starts_with(['=', '+', '-', '@', '\t', '\r']) {
-        format!("'{text}")
-    } else {
-        text
-    }
-}

@@ -1,4 +1,4 @@
-//! Conditions, assumptions and settings of the detection.
+//! Conditions, assumptions and priors.
 
 use bouncelab::analysis::Source;
 use bouncelab::inference::Measured;
@@ -14,13 +14,13 @@ use crate::tables::drag_law;
 /// A name and a value.
 type Fact = (String, String);
 
-/// Recording, ball, air and gravity, what of it nobody stated, and the priors.
+/// Recording, ball, air and gravity, and what of it nobody stated.
 pub fn conditions(recording: &Recording, words: &Translator) -> Section {
     let source = source(&recording.result.source, words);
     of_all(source, recording.setup, words)
 }
 
-/// Ball, air and gravity of several recordings, what of it nobody stated, and the priors.
+/// Ball, air and gravity of several recordings, and what of it nobody stated.
 pub fn shared_conditions(setup: &Setup, words: &Translator) -> Section {
     of_all(Vec::new(), setup, words)
 }
@@ -33,14 +33,16 @@ fn of_all(mut facts: Vec<Fact>, setup: &Setup, words: &Translator) -> Section {
         blocks.push(Block::text(words.text("report-assumed")));
         blocks.push(Block::List(sentences(assumptions, words)));
     }
-    if settings.inference.is_some() {
-        blocks.push(Block::text(words.text("report-priors")));
-        blocks.push(Block::List(sentences(
-            &settings.priors.diagnostics(),
-            words,
-        )));
-    }
     Section::new(words.text("report-conditions"), blocks)
+}
+
+/// What the inference knew before the data; empty without inference.
+pub fn priors(settings: &Options, words: &Translator) -> Section {
+    let known = settings.inference.as_ref().map(|_| {
+        let known = sentences(&settings.priors.diagnostics(), words);
+        Block::List(known)
+    });
+    Section::new(words.text("report-priors"), known.into_iter().collect())
 }
 
 fn sentences(diagnostics: &[Diagnostic], words: &Translator) -> Vec<String> {

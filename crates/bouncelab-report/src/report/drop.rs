@@ -116,7 +116,7 @@ fn against_the_line(found: &Posterior, line: &LogLinearFit, words: &Translator) 
     )
 }
 
-/// Everything about one drop; `in_words_too` puts the answer in words first.
+/// The answer of one drop and its main figures; `in_words_too` puts the answer in words first.
 pub fn drop(
     heading: &str,
     drop: &Drop,
@@ -137,6 +137,16 @@ pub fn drop(
         subject: &Subject::new(drop, settings),
         words,
     };
+    blocks.extend(part.figures(["height", "restitution"]));
+    Section::new(heading, blocks)
+}
+
+/// What else there is to say of one drop, part by part.
+pub fn drop_details(drop: &Drop, settings: &Options, words: &Translator) -> Vec<Section> {
+    let part = Part {
+        subject: &Subject::new(drop, settings),
+        words,
+    };
     let mut parts = vec![part.impacts(drop), part.straight_line(drop)];
     if let Ok(found) = &drop.posterior {
         parts.push(part.uncertainty(found));
@@ -144,11 +154,7 @@ pub fn drop(
         parts.push(part.contraction(found));
         parts.push(part.fit(found));
     }
-    Section {
-        heading: heading.to_owned(),
-        blocks,
-        parts,
-    }
+    parts
 }
 
 /// Inference and straight line side by side.
@@ -260,11 +266,13 @@ impl Part<'_> {
         Some(Block::figure(name, chart))
     }
 
+    fn figures(self, names: [&'static str; 2]) -> impl Iterator<Item = Block> {
+        names.into_iter().filter_map(move |name| self.figure(name))
+    }
+
     fn impacts(self, drop: &Drop) -> Section {
-        let names = ["height", "restitution", "bounce-heights", "bounce-energies"];
-        let mut blocks: Vec<Block> = names
-            .into_iter()
-            .filter_map(|name| self.figure(name))
+        let mut blocks: Vec<Block> = self
+            .figures(["bounce-heights", "bounce-energies"])
             .collect();
         let table = tables::impacts(drop, true, self.words);
         blocks.push(Block::table(self.words.text("report-impacts-table"), table));

@@ -47,6 +47,12 @@ impl Page {
                             div .lead { @for block in &self.lead { (form.block(block)) } }
                         }
                         @for section in &self.sections { (form.section(section, 2)) }
+                        @if !self.details.is_empty() {
+                            details open[self.unfolded] {
+                                summary { h2 { (self.language.details) } }
+                                @for section in &self.details { (form.section(section, 3)) }
+                            }
+                        }
                     }
                 }
             }

@@ -21,7 +21,7 @@ pub struct Markdown {
 
 impl Page {
     /// The page as Markdown that looks for its figures in `folder`, a relative path; if empty,
-    /// beside itself.
+    /// beside itself. Nothing of it is folded.
     pub fn markdown(&self, folder: &str) -> Markdown {
         let mut form = Form {
             language: &self.language,
@@ -37,6 +37,12 @@ impl Page {
         }
         for section in &self.sections {
             form.section(section, 2);
+        }
+        if !self.details.is_empty() {
+            form.block(&format!("## {}", escaped(&self.language.details)));
+            for section in &self.details {
+                form.section(section, 3);
+            }
         }
         form.block(&format!("<!-- {MARK} -->"));
         Markdown {

@@ -36,7 +36,13 @@ const REFERENCES: [(&str, Option<&str>); 6] = [
     ),
 ];
 
-/// The method in short: the same for every page.
+/// The method in a few sentences.
+pub fn method_in_short(words: &Translator) -> Section {
+    let told = Block::text(words.text("report-method-short"));
+    Section::new(words.text("report-method"), vec![told])
+}
+
+/// The method with its formulas and references: the same for every page.
 pub fn method(words: &Translator) -> Section {
     let steps = [
         ("report-method-flight", Equation::PlainHeight),
@@ -56,5 +62,5 @@ pub fn method(words: &Translator) -> Section {
     });
     blocks.push(Block::text(words.text("report-references")));
     blocks.push(Block::List(references.into()));
-    Section::new(words.text("report-method"), blocks)
+    Section::new(words.text("report-formulas"), blocks)
 }

@@ -29,11 +29,11 @@ mod page;
 mod recording;
 mod subject;
 
-pub use conditions::{conditions, shared_conditions};
-pub use drop::{drop, in_words};
+pub use conditions::{conditions, priors, shared_conditions};
+pub use drop::{drop, drop_details, in_words};
 pub use equation::Equation;
 pub use markdown::Markdown;
-pub use method::method;
+pub use method::{method, method_in_short};
 pub use page::{Block, Language, Page, Section, ended};
 pub use recording::{made_by, of_recording, repeat};
 pub use subject::{Provenance, Recording};

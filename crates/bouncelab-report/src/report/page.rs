@@ -19,8 +19,12 @@ pub struct Page {
     pub subtitle: String,
     /// What stands first: the answer in words.
     pub lead: Vec<Block>,
-    /// The rest.
+    /// What everybody may want to see.
     pub sections: Vec<Section>,
+    /// What only some want to see: folded, and then not on paper.
+    pub details: Vec<Section>,
+    /// Whether the details are unfolded from the start, so that paper has them too.
+    pub unfolded: bool,
     /// The language of all this.
     pub language: Language,
 }
@@ -34,6 +38,8 @@ pub struct Language {
     pub note: String,
     /// What stands before the number of a figure.
     pub figure: String,
+    /// What stands over the details.
+    pub details: String,
 }
 
 impl Language {
@@ -43,6 +49,7 @@ impl Language {
             code: translator.language().to_owned(),
             note: translator.text("report-note"),
             figure: translator.text("report-figure"),
+            details: translator.text("report-details"),
         }
     }
 }

@@ -3,9 +3,9 @@
 use bouncelab::Estimate;
 use bouncelab::analysis::Drop;
 
-use super::conditions::conditions;
-use super::drop::{drop, in_words, measured};
-use super::method::method;
+use super::conditions::{conditions, priors};
+use super::drop::{drop, drop_details, in_words, measured};
+use super::method::{method, method_in_short};
 use super::page::{Block, Language, Page, Section, ended, sentence};
 use super::subject::{Provenance, Recording};
 use crate::figure::{self, Mark};
@@ -13,39 +13,52 @@ use crate::messages::Translator;
 use crate::quantity::Unit;
 use crate::table::{Align, Table};
 
-/// The page of a recording: each drop in words and numbers, what was assumed, the method, and how to
-/// repeat it.
+/// The page of a recording: each drop in words, numbers and figures, what was assumed, the method, and
+/// how to repeat it; all else in its details, which are folded.
 pub fn of_recording(recording: &Recording, provenance: &Provenance, words: &Translator) -> Page {
     let drops = &recording.result.drops;
-    let mut sections = Vec::new();
-    for (found, number) in drops.iter().zip(1_usize..) {
-        let heading = match drops.len() {
-            1 => words.text("report-drop"),
-            count => {
-                let of = [("number", number.into()), ("count", count.into())];
-                words.text_with("report-drop-of", &of)
-            }
-        };
-        // With a single drop the page begins with the words already.
-        let in_words_too = drops.len() > 1;
+    let settings = &recording.setup.options;
+    let (mut sections, mut details) = (Vec::new(), Vec::new());
+    if let [only] = drops.as_slice() {
+        // The page begins with the words already.
         sections.push(drop(
-            &heading,
-            found,
-            &recording.setup.options,
-            in_words_too,
+            &words.text("report-drop"),
+            only,
+            settings,
+            false,
             words,
         ));
+        details.extend(drop_details(only, settings, words));
+    } else {
+        for (found, number) in drops.iter().zip(1_usize..) {
+            let of = [("number", number.into()), ("count", drops.len().into())];
+            let heading = words.text_with("report-drop-of", &of);
+            sections.push(drop(&heading, found, settings, true, words));
+            details.push(Section {
+                heading,
+                blocks: Vec::new(),
+                parts: drop_details(found, settings, words),
+            });
+        }
     }
-    sections.push(conditions(recording, words));
-    sections.push(air(recording, words));
-    sections.push(method(words));
-    sections.push(repeat(provenance, words));
-    sections.retain(|section| !section.is_empty());
+    sections.extend([
+        conditions(recording, words),
+        method_in_short(words),
+        repeat(provenance, words),
+    ]);
+    details.extend([
+        priors(settings, words),
+        air(recording, words),
+        method(words),
+    ]);
+    details.retain(|section| !section.is_empty());
     Page {
         title: file_name(recording.name),
         subtitle: made_by(provenance, words),
         lead: lead(recording, words),
         sections,
+        details,
+        unfolded: false,
         language: Language::new(words),
     }
 }

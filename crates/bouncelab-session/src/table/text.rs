@@ -3,7 +3,7 @@
 use std::fs::File;
 use std::io::{BufWriter, Write};
 
-use bouncelab_report::document::rows::guarded;
+use bouncelab_report::csv::guarded;
 use serde::Serializer;
 use serde_json::Value;
 

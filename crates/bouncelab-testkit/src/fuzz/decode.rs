@@ -47,7 +47,7 @@ pub fn decode_all(bytes: &[u8]) {
 ///
 /// If the times are not finite or do not increase.
 pub fn read_times(bytes: &[u8]) {
-    for name in ["fuzz.txt", "fuzz.csv", "fuzz.json"] {
+    for name in ["fuzz.txt", "fuzz.csv", "fuzz.json", "fuzz.TextGrid"] {
         if let Ok(times) = times::parse(bytes, name) {
             assert!(times.iter().all(|time| time.is_finite()));
             assert!(times.windows(2).all(|pair| pair[0] < pair[1]));

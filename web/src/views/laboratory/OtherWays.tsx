@@ -14,7 +14,7 @@ export function OtherWays() {
         type="file"
         hidden
         aria-label={text('page-lab-open-label')}
-        accept="audio/*,video/*,.txt,.csv,.json,.wav,.flac,.aiff,.m4a,.ogg,.opus,.webm,.mov,.mp4"
+        accept="audio/*,video/*,.txt,.csv,.json,.TextGrid,.wav,.flac,.aiff,.caf,.m4a,.ogg,.opus,.webm,.mov,.mp4"
         onChange={(event) => {
           const file = event.currentTarget.files?.[0];
           // The same file may be chosen again after it was changed.

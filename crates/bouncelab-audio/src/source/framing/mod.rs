@@ -60,7 +60,7 @@ pub(super) fn survey<S: Read + Seek>(
         Container::Ogg => ogg::survey(&mut window, start)?,
         Container::WebM | Container::Matroska => nested::matroska(&mut window, start)?,
         Container::Mp4 | Container::M4a | Container::Mov => nested::mp4(&mut window, start)?,
-        Container::Wav | Container::Aiff | Container::Flac => Framing::default(),
+        Container::Wav | Container::Aiff | Container::Caf | Container::Flac => Framing::default(),
     };
     source.seek(SeekFrom::Start(start))?;
     Ok((framing.breaks.len() < MOST_BREAKS).then_some(framing))

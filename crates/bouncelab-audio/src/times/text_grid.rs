@@ -1,0 +1,156 @@
+//! `TextGrid` files of Praat, long and short.
+//!
+//! Both are the same series of numbers, texts between quotation marks and flags between angle brackets; all other
+//! words are there for people, and so is what follows an exclamation mark (Praat manual, "`TextGrid` file formats").
+
+use bouncelab::Plain;
+
+use super::{Entry, List};
+use crate::error::Result;
+use crate::problem::TimesProblem;
+
+/// The name of the tier of the impacts among others.
+const TIER: &str = "impacts";
+
+/// A tier of points: its name, and time and line of each.
+type Tier = (String, Vec<Entry>);
+
+impl List<'_> {
+    /// The times of the points of a tier.
+    pub(super) fn points(&self, text: &str) -> Result<Vec<Entry>> {
+        let mut words = Words { text, line: 1 };
+        let Some(mut tiers) = tiers(&mut words) else {
+            return self.refuse(Some(words.line), TimesProblem::NotTextGrid);
+        };
+        let place = match tiers.len() {
+            1 => Some(0),
+            _ => tiers.iter().position(|(name, _)| name == TIER),
+        };
+        if let Some(place) = place {
+            return Ok(tiers.swap_remove(place).1);
+        }
+        let names: Vec<&str> = tiers.iter().map(|(name, _)| name.as_str()).collect();
+        let found = Plain::of(&names.join(", ")).into();
+        self.refuse(None, TimesProblem::NoPointTier { found })
+    }
+}
+
+/// The tiers of points; `None` if something else comes, or the end.
+fn tiers(words: &mut Words<'_>) -> Option<Vec<Tier>> {
+    words.text().filter(|kind| kind == "ooTextFile")?;
+    words.text().filter(|class| class == "TextGrid")?;
+    words.extent()?;
+    if words.word()? != Word::Flag("<exists>") {
+        return Some(Vec::new());
+    }
+    let mut tiers = Vec::new();
+    for _ in 0..words.count()? {
+        let (class, name) = (words.text()?, words.text()?);
+        words.extent()?;
+        let items = words.count()?;
+        if class == "TextTier" {
+            tiers.push((name, points(words, items)?));
+        } else {
+            for _ in 0..items {
+                words.extent()?;
+                words.text()?;
+            }
+        }
+    }
+    Some(tiers)
+}
+
+fn points(words: &mut Words<'_>, count: usize) -> Option<Vec<Entry>> {
+    let mut points = Vec::new();
+    for _ in 0..count {
+        let time_s = words.number()?;
+        points.push((Some(words.line), time_s));
+        words.text()?;
+    }
+    Some(points)
+}
+
+/// A word that means something.
+#[derive(Debug, PartialEq)]
+enum Word<'a> {
+    Number(f64),
+    Text(String),
+    Flag(&'a str),
+}
+
+/// What is left to read, and its line.
+struct Words<'a> {
+    text: &'a str,
+    line: usize,
+}
+
+impl<'a> Words<'a> {
+    fn word(&mut self) -> Option<Word<'a>> {
+        loop {
+            self.skip(self.text.len() - self.text.trim_start().len());
+            match self.text.chars().next()? {
+                '"' => return self.quoted().map(Word::Text),
+                '!' => {
+                    self.skip(self.text.find('\n').unwrap_or(self.text.len()));
+                }
+                _ => {
+                    let end = self.text.find(char::is_whitespace);
+                    let word = self.skip(end.unwrap_or(self.text.len()));
+                    if word.starts_with('<') {
+                        return Some(Word::Flag(word));
+                    }
+                    if let Some(number) = word.parse().ok().filter(|it: &f64| it.is_finite()) {
+                        return Some(Word::Number(number));
+                    }
+                }
+            }
+        }
+    }
+
+    /// The text up to the next quotation mark that is not doubled.
+    fn quoted(&mut self) -> Option<String> {
+        let mut text = String::new();
+        self.skip(1);
+        loop {
+            text.push_str(self.skip(self.text.find('"')?));
+            self.skip(1);
+            if !self.text.starts_with('"') {
+                return Some(text);
+            }
+            text.push('"');
+            self.skip(1);
+        }
+    }
+
+    /// Goes on by so many bytes, and returns them.
+    fn skip(&mut self, bytes: usize) -> &'a str {
+        let (skipped, rest) = self.text.split_at(bytes);
+        self.line += skipped.matches('\n').count();
+        self.text = rest;
+        skipped
+    }
+
+    fn text(&mut self) -> Option<String> {
+        match self.word()? {
+            Word::Text(text) => Some(text),
+            _ => None,
+        }
+    }
+
+    fn number(&mut self) -> Option<f64> {
+        match self.word()? {
+            Word::Number(number) => Some(number),
+            _ => None,
+        }
+    }
+
+    fn count(&mut self) -> Option<usize> {
+        let number = self.number()?;
+        (number >= 0.0).then_some(number as usize)
+    }
+
+    /// Where something begins and ends.
+    fn extent(&mut self) -> Option<[f64; 2]> {
+        Some([self.number()?, self.number()?])
+    }
+}

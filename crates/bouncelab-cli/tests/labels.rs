@@ -1,0 +1,149 @@
+//! Impacts as other programs read them, and back.
+
+use std::fs;
+use std::path::Path;
+use std::process::Command as Program;
+
+use assert_cmd::Command;
+use bouncelab_audio::{Source, times};
+use predicates::prelude::*;
+use tempfile::TempDir;
+
+const TIMES_S: [f64; 6] = [0.25, 0.7105, 1.1377, 1.5354, 1.9068, 2.2545];
+
+/// Runs the program in a folder that has the times above in `drop.txt`.
+fn analyze(folder: &TempDir, arguments: &[&str]) -> assert_cmd::assert::Assert {
+    let list = TIMES_S.map(|time_s| time_s.to_string()).join("\n");
+    fs::write(folder.path().join("drop.txt"), list).unwrap();
+    Command::cargo_bin("bouncelab")
+        .unwrap()
+        .current_dir(folder)
+        .args(["analyze", "--no-inference"])
+        .args(arguments)
+        .assert()
+}
+
+/// What a run prints.
+fn printed(folder: &TempDir, format: &str) -> String {
+    let run = analyze(folder, &["drop.txt", "--format", format]).success();
+    String::from_utf8(run.get_output().stdout.clone()).unwrap()
+}
+
+#[test]
+fn labels_of_audacity_and_praat_come_back() {
+    let folder = TempDir::new().unwrap();
+    for (format, name) in [("audacity", "labels.txt"), ("textgrid", "drop.TextGrid")] {
+        let labels = printed(&folder, format);
+        assert_eq!(
+            times::parse(labels.as_bytes(), name).unwrap(),
+            TIMES_S,
+            "{format}"
+        );
+    }
+}
+
+/// Praat reads the file, and what it saves again, long or short, has the same impacts.
+#[test]
+fn praat_reads_the_text_grid() {
+    if Program::new("praat").arg("--version").output().is_err() {
+        eprintln!("skipped: Praat is not installed (Debian: apt-get install praat)");
+        return;
+    }
+    let folder = TempDir::new().unwrap();
+    let place = folder.path();
+    fs::write(place.join("drop.TextGrid"), printed(&folder, "textgrid")).unwrap();
+    let script = [
+        r#"Read from file: "drop.TextGrid""#,
+        "name$ = Get tier name: 1",
+        "writeInfoLine: name$",
+        r#"Save as text file: "long.TextGrid""#,
+        r#"Save as short text file: "short.TextGrid""#,
+    ];
+    fs::write(place.join("again.praat"), script.join("\n")).unwrap();
+    let run = Program::new("praat")
+        .args(["--run", "--no-pref-files", "--no-plugins"])
+        .arg(place.join("again.praat"))
+        .output()
+        .unwrap();
+    assert!(
+        run.status.success(),
+        "{}",
+        String::from_utf8_lossy(&run.stderr)
+    );
+    assert_eq!(String::from_utf8_lossy(&run.stdout).trim(), "impacts");
+    for saved in ["long.TextGrid", "short.TextGrid"] {
+        assert_eq!(times::read(place.join(saved)).unwrap(), TIMES_S, "{saved}");
+    }
+}
+
+#[test]
+fn tracker_gets_the_motion_between_the_impacts() {
+    let folder = TempDir::new().unwrap();
+    let table = printed(&folder, "tracker");
+    let mut lines = table.lines();
+    assert_eq!(lines.next(), Some("t,x,y"));
+    let rows: Vec<[f64; 3]> = lines
+        .map(|line| {
+            let cells: Vec<f64> = line.split(',').map(|cell| cell.parse().unwrap()).collect();
+            cells.try_into().unwrap()
+        })
+        .collect();
+    // The flight of 0.4605 s rises to about g T^2/8 = 26 cm.
+    let highest = rows.iter().map(|[_, _, y]| *y).fold(0.0, f64::max);
+    assert!((0.24..0.28).contains(&highest), "{highest}");
+    assert!(
+        rows.iter()
+            .all(|[t, x, y]| (0.25..2.3).contains(t) && *x == 0.0 && *y > -1e-6)
+    );
+}
+
+#[test]
+fn a_copy_has_markers_at_the_impacts() {
+    let folder = TempDir::new().unwrap();
+    let inside = |name: &str| folder.path().join(name);
+    Command::cargo_bin("bouncelab")
+        .unwrap()
+        .current_dir(&folder)
+        .args([
+            "synth",
+            "drop.wav",
+            "--height",
+            "20cm",
+            "--restitution",
+            "0.8",
+        ])
+        .assert()
+        .success();
+    analyze(&folder, &["drop.wav", "--cues", "marked.wav"]).success();
+    let all = |path: &Path| {
+        let mut source = Source::open(path).unwrap();
+        let mut samples = Vec::new();
+        while let Some(block) = source.next_block().unwrap() {
+            samples.extend_from_slice(block.channel(0));
+        }
+        samples
+    };
+    assert_eq!(all(&inside("marked.wav")), all(&inside("drop.wav")));
+    let marked = fs::read(inside("marked.wav")).unwrap();
+    assert!(marked.windows(4).any(|chunk| chunk == b"cue "));
+    // A recording is not replaced.
+    analyze(&folder, &["drop.wav", "--cues", "marked.wav"]).success();
+    fs::write(inside("other.wav"), "another sound").unwrap();
+    for taken in ["drop.wav", "other.wav"] {
+        analyze(&folder, &["drop.wav", "--cues", taken]).failure();
+    }
+    assert_eq!(fs::read(inside("other.wav")).unwrap(), b"another sound");
+}
+
+#[test]
+fn what_is_of_one_recording_is_refused_for_several_and_without_sound() {
+    let folder = TempDir::new().unwrap();
+    for format in ["audacity", "textgrid", "tracker"] {
+        analyze(&folder, &["drop.txt", "drop.txt", "--format", format])
+            .code(2)
+            .stderr(predicate::str::contains("one at a time"));
+    }
+    analyze(&folder, &["drop.txt", "--cues", "marked.wav"])
+        .code(2)
+        .stderr(predicate::str::contains("has no sound to mark"));
+}
