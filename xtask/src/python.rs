@@ -24,13 +24,36 @@ const VERSIONS: [&str; 3] = ["3.11", "3.12", "3.13"];
 const REQUIREMENTS: &str = "requirements-test.txt";
 const REQUIREMENTS_OF_OTHERS: &str = "requirements-other.txt";
 
+/// The wheel of the checks shares what they compiled.
+const SHARED: &[&str] = &["--features", "shared-build"];
+
 /// The chore: the wheel for users.
 pub(crate) fn run(_: &[String]) -> Result {
-    let venv = Venv::first(&interpreters().first().ok_or(MISSING)?.1)?;
     run_command(&mut cargo(["build", "--release", "--bin", "bouncelab"]))?;
-    let wheel = venv.wheel("release", &[])?;
+    let wheel = wheel_of("release")?;
     println!("built {}", wheel.display());
     Ok(())
+}
+
+/// The wheel of a profile in which the program was built.
+pub(crate) fn wheel_of(profile: &str) -> Result<PathBuf> {
+    let venv = Venv::first(&interpreters().first().ok_or(MISSING)?.1)?;
+    let options: &[&str] = match profile {
+        "dev" => SHARED,
+        _ => &[],
+    };
+    venv.wheel(profile, options)
+}
+
+/// What installs a wheel into a folder of its own.
+pub(crate) fn installing(wheel: &Path, folder: &Path) -> Result<Command> {
+    let venv = Venv::first(&interpreters().first().ok_or(MISSING)?.1)?;
+    let mut install = venv.install();
+    install
+        .args(["--no-deps", "--target"])
+        .arg(folder)
+        .arg(wheel);
+    Ok(install)
 }
 
 pub(crate) const MISSING: &str =
@@ -171,7 +194,7 @@ impl Venv {
     pub(crate) fn shared_wheel(&self) -> Result<PathBuf> {
         let mut program = cargo_all(&["build"]);
         run_command(program.args(["--bin", "bouncelab"]))?;
-        self.wheel("dev", &["--features", "shared-build"])
+        self.wheel("dev", SHARED)
     }
 
     /// Builds the wheel, with the program that was built in the same profile.
