@@ -25,6 +25,19 @@ pub(crate) fn cargo_all(work: &[&str]) -> Command {
     command
 }
 
+/// A program or an example, built as the tests of the workspace build it.
+pub(crate) fn built(kind: &str, name: &str) -> Result<PathBuf> {
+    // With a test, the features of all dependencies are those of the tests: nothing is compiled anew.
+    run(cargo_all(&["build"]).args([kind, name, "--test", "tables"]))?;
+    let folder = target().join("debug");
+    let folder = if kind == "--example" {
+        folder.join("examples")
+    } else {
+        folder
+    };
+    Ok(folder.join([name, std::env::consts::EXE_SUFFIX].concat()))
+}
+
 /// Whether the microphone can be built in: Linux needs the headers of ALSA.
 pub(crate) fn has_sound_headers() -> bool {
     !cfg!(target_os = "linux") || succeeds(&["pkg-config", "--exists", "alsa"])

@@ -8,9 +8,10 @@ use std::ffi::OsString;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
+use std::thread;
 
 use crate::Result;
-use crate::cargo::{cargo, cargo_all, root, run as run_command, succeeds, target};
+use crate::cargo::{built, cargo, root, run as run_command, succeeds, target};
 
 pub(crate) const ABOUT: &str = "Build the wheel of the Python package into target/wheels";
 
@@ -24,25 +25,29 @@ const VERSIONS: [&str; 3] = ["3.11", "3.12", "3.13"];
 const REQUIREMENTS: &str = "requirements-test.txt";
 const REQUIREMENTS_OF_OTHERS: &str = "requirements-other.txt";
 
-/// The wheel of the checks shares what they compiled.
-const SHARED: &[&str] = &["--features", "shared-build"];
-
 /// The chore: the wheel for users.
 pub(crate) fn run(_: &[String]) -> Result {
-    run_command(&mut cargo(["build", "--release", "--bin", "bouncelab"]))?;
-    let wheel = wheel_of("release")?;
+    let wheel = released_wheel()?;
     println!("built {}", wheel.display());
     Ok(())
 }
 
-/// The wheel of a profile in which the program was built.
-pub(crate) fn wheel_of(profile: &str) -> Result<PathBuf> {
+/// The wheel for users.
+pub(crate) fn released_wheel() -> Result<PathBuf> {
     let venv = Venv::first(&interpreters().first().ok_or(MISSING)?.1)?;
-    let options: &[&str] = match profile {
-        "dev" => SHARED,
-        _ => &[],
-    };
-    venv.wheel(profile, options)
+    run_command(&mut cargo([
+        "build",
+        "--profile",
+        "python",
+        "--bin",
+        "bouncelab",
+    ]))?;
+    venv.wheel("python", &[])
+}
+
+/// The wheel of the checks.
+pub(crate) fn checked_wheel() -> Result<PathBuf> {
+    Venv::first(&interpreters().first().ok_or(MISSING)?.1)?.shared_wheel()
 }
 
 /// What installs a wheel into a folder of its own.
@@ -76,12 +81,21 @@ pub(crate) fn check() -> Result {
     let (first, others) = found.split_first().ok_or(MISSING)?;
     let venv = Venv::first(&first.1)?;
     let wheel = venv.shared_wheel()?;
-    venv.test(&wheel)?;
-    venv.check_types()?;
+    venv.take(&wheel)?;
+    // What checks types takes one processor, beside tests that wait now and then.
+    let (types, tests) = thread::scope(|threads| {
+        let types = threads.spawn(|| venv.check_types());
+        let tests = venv.test().and_then(|()| {
+            others.iter().try_for_each(|(_, python)| {
+                let other = venv.other(python)?;
+                other.take(&wheel)?;
+                other.test()
+            })
+        });
+        (types.join().expect("it returns what is wrong"), tests)
+    });
+    tests.and(types)?;
     run_command(venv.tool("abi3audit").arg("--strict").arg(&wheel))?;
-    for (_, python) in others {
-        venv.other(python)?.test(&wheel)?;
-    }
     let missing = VERSIONS
         .iter()
         .filter(|&version| found.iter().all(|(it, _)| it != version));
@@ -192,9 +206,8 @@ impl Venv {
 
     /// Builds the wheel of the checks, which shares compiled dependencies with them.
     pub(crate) fn shared_wheel(&self) -> Result<PathBuf> {
-        let mut program = cargo_all(&["build"]);
-        run_command(program.args(["--bin", "bouncelab"]))?;
-        self.wheel("dev", SHARED)
+        built("--bin", "bouncelab")?;
+        self.wheel("dev", &["--features", "shared-build"])
     }
 
     /// Builds the wheel, with the program that was built in the same profile.
@@ -213,9 +226,8 @@ impl Venv {
         wheel.ok_or_else(|| "maturin built no wheel".to_owned())
     }
 
-    /// Runs the tests and the examples of the documentation on what the wheel installs, a process for each core.
-    fn test(&self, wheel: &Path) -> Result {
-        self.take(wheel)?;
+    /// Runs the tests and the examples of the documentation on what the wheel installed, a process for each core.
+    fn test(&self) -> Result {
         let mut tests = self.python(&["-m", "pytest", "--numprocesses", "logical"]);
         tests.args(["--dist", "worksteal", "--durations", "10"]);
         // The examples of engines that are not installed are left out.

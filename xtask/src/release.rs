@@ -10,7 +10,7 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use crate::Result;
-use crate::cargo::{cargo, cargo_all, has, root, run as run_command, succeeds, target};
+use crate::cargo::{built, cargo, has, root, run as run_command, succeeds, target};
 use crate::{python, web};
 
 pub(crate) const ABOUT: &str =
@@ -88,7 +88,10 @@ fn make_all(folder: &Path, profile: &str) -> Result {
     if python::interpreters().is_empty() {
         println!("SKIPPED: the wheel; {}", python::MISSING);
     } else {
-        let wheel = python::wheel_of(profile)?;
+        let wheel = match profile {
+            "dev" => python::checked_wheel()?,
+            _ => python::released_wheel()?,
+        };
         copy(&wheel, &folder.join(wheel.file_name().unwrap_or_default()))?;
     }
     if web::web().join("dist/index.html").is_file() {
@@ -199,7 +202,7 @@ pub(crate) fn check() -> Result {
     } else {
         println!("SKIPPED for want of Node.js: the check of the workflow files");
     }
-    run_command(cargo_all(&["build"]).args(["--bin", "bouncelab"]))?;
+    built("--bin", "bouncelab")?;
     let folder = target().join("release-check/artefacts");
     emptied(&folder)?;
     make_all(&folder, "dev")?;

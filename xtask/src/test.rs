@@ -34,6 +34,8 @@ enum Needs {
     Browser,
     /// The history of the repository.
     Git,
+    /// cargo-deny.
+    Deny,
     /// The folder of real recordings, which is not part of the repository.
     Recordings,
 }
@@ -49,6 +51,7 @@ impl Needs {
             Self::Node => web::has_node(),
             Self::Browser => web::has_node() && web::has_browser(),
             Self::Git => fresh::has_repository(),
+            Self::Deny => has_deny(),
             Self::Recordings => has_recordings(),
         }
     }
@@ -58,7 +61,7 @@ impl Needs {
 /// features: clippy and the documentation use the same metadata of the dependencies, the tests and the
 /// program under the end-to-end tests the same code, so that a dependency is compiled at most twice;
 /// and once more for the browser.
-pub(crate) const CHECKS: [Check; 13] = [
+pub(crate) const CHECKS: [Check; 14] = [
     Check {
         name: "format",
         about: "rustfmt has nothing to change",
@@ -124,6 +127,12 @@ pub(crate) const CHECKS: [Check; 13] = [
         },
     },
     Check {
+        name: "deny",
+        about: "licences and sources of the dependencies, and what is known against them",
+        needs: Needs::Deny,
+        run: deny,
+    },
+    Check {
         name: "package",
         about: "the crates for users can be published",
         needs: Needs::Nothing,
@@ -180,6 +189,24 @@ fn tests() -> Result {
     run_command(&mut all(&[]))
 }
 
+fn has_deny() -> bool {
+    let installed = has("deny");
+    if !installed {
+        println!("cargo-deny is not installed: cargo install cargo-deny");
+    }
+    installed
+}
+
+/// What is known against the dependencies takes a database, which is fetched.
+fn deny() -> Result {
+    run_command(&mut cargo(["deny", "check", "licenses", "bans", "sources"]))?;
+    if run_command(&mut cargo(["deny", "fetch", "db"])).is_err() {
+        println!("SKIPPED for want of it: the database of advisories");
+        return Ok(());
+    }
+    run_command(&mut cargo(["deny", "check", "advisories"]))
+}
+
 /// Says how to name their folder if nobody did: the tests that read them are ignored then.
 fn has_recordings() -> bool {
     let named = std::env::var_os("BOUNCELAB_RECORDINGS").is_some();
@@ -206,6 +233,7 @@ pub(crate) fn run(names: &[String]) -> Result {
         Needs::Python,
         Needs::PythonPackage,
         Needs::Engines,
+        Needs::Deny,
         Needs::Recordings,
         Needs::Node,
         Needs::Browser,

@@ -10,7 +10,7 @@ use std::process::Command;
 use std::sync::OnceLock;
 
 use crate::Result;
-use crate::cargo::{cargo, cargo_all, root, run as run_command};
+use crate::cargo::{built, cargo, root, run as run_command};
 
 pub(crate) use e2e::run as e2e;
 pub(crate) use system::{has_browser, has_node};
@@ -108,19 +108,6 @@ fn types(file: &Path) -> Result {
     let made = Command::new(&program).output();
     let made = made.map_err(|reason| said(&program, &reason))?;
     fs::write(file, made.stdout).map_err(|reason| said(file, &reason))
-}
-
-/// A program or an example, built as the tests of the workspace build it.
-fn built(kind: &str, name: &str) -> Result<PathBuf> {
-    // With a test, the features of all dependencies are those of the tests: nothing is compiled anew.
-    run_command(cargo_all(&["build"]).args([kind, name, "--test", "tables"]))?;
-    let folder = crate::cargo::target().join("debug");
-    let folder = if kind == "--example" {
-        folder.join("examples")
-    } else {
-        folder
-    };
-    Ok(folder.join([name, std::env::consts::EXE_SUFFIX].concat()))
 }
 
 /// Compiles a part of the science as WebAssembly.

@@ -99,6 +99,17 @@ pub enum Error {
         problem: LayoutProblem,
     },
 
+    /// The recording goes on for longer than is read.
+    #[error(
+        "{name}: lasts longer than {most_h} hours, which is as much as is read; cut it into parts"
+    )]
+    TooLong {
+        /// The file as the caller named it.
+        name: String,
+        /// How many hours are read at most.
+        most_h: u64,
+    },
+
     /// A list of impact times is not one.
     #[error("{name}{}: {problem}", AtLine(*line))]
     Times {

@@ -423,6 +423,93 @@ fn a_killed_run_goes_on_and_ends_the_same() {
     assert!(went_on > 0, "no kill hit a run that had begun");
 }
 
+/// The process in which it analyses is killed, whatever that does then: what was lost is analysed again.
+#[cfg(target_os = "linux")]
+#[test]
+fn a_killed_worker_costs_nothing() {
+    let workspace = Workspace::new(&[]);
+    for seed in 0..10 {
+        workspace.record(format!("{seed}.wav"), seed);
+    }
+    workspace.session().assert().success();
+    let undisturbed = workspace.tables();
+    fs::remove_dir_all(workspace.results()).unwrap();
+    let program = Command::cargo_bin("bouncelab").unwrap();
+    let mut session = Plain::new(program.get_program())
+        .args(workspace.arguments())
+        .args(["--jobs", "1"])
+        .stdout(Stdio::null())
+        .spawn()
+        .unwrap();
+    let mut worker = None;
+    let status = loop {
+        if let Some(status) = session.try_wait().unwrap() {
+            break status;
+        }
+        if worker.is_none() {
+            worker = child_of(session.id());
+            if let Some(worker) = &worker {
+                Plain::new("kill").args(["-9", worker]).status().unwrap();
+            }
+        }
+    };
+    assert!(status.success() && worker.is_some());
+    assert!(workspace.tables() == undisturbed);
+}
+
+/// A process that was started by this one.
+#[cfg(target_os = "linux")]
+fn child_of(parent: u32) -> Option<String> {
+    let parent = parent.to_string();
+    let is_child = |process: &String| {
+        let about = fs::read_to_string(format!("/proc/{process}/stat")).unwrap_or_default();
+        // The name, which may be anything, then the state and the parent.
+        let after_name = about.rsplit_once(") ").map_or("", |(_, rest)| rest);
+        after_name.split(' ').nth(1) == Some(&parent)
+    };
+    let entries = fs::read_dir("/proc").unwrap().flatten();
+    let mut names = entries.filter_map(|entry| entry.file_name().into_string().ok());
+    names.find(is_child)
+}
+
+/// A minute of bursts of noise, once a second, so that all of it is remembered.
+#[cfg(target_os = "linux")]
+#[test]
+fn a_recording_that_takes_too_much_memory_is_named_and_the_rest_goes_on() {
+    const RATE_HZ: u32 = 96_000;
+    let workspace = Workspace::new(&[]);
+    workspace.record("a.wav", 1).record("b.wav", 2);
+    let mut dice = 1_u32;
+    let mut noise = || -> Vec<f32> {
+        let next = |n| {
+            dice = dice.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+            let level = if n % RATE_HZ < 2_000 { 0.5 } else { 0.001 };
+            level * ((dice >> 16) as f32 / 32_768.0 - 1.0)
+        };
+        (0..60 * RATE_HZ).map(next).collect()
+    };
+    let channels = [noise(), noise()];
+    let path = workspace.recordings().join("long.wav");
+    let channels: [&[f32]; 2] = [&channels[0], &channels[1]];
+    write_wav(path, RATE_HZ, SampleFormat::Int16, &channels).unwrap();
+    let with_memory = |mb: &str| {
+        workspace
+            .session()
+            .args(["--memory", mb])
+            .assert()
+            .success()
+    };
+    with_memory("40")
+        .stdout(contains("2 drops in 3 recordings, 1 not readable"))
+        .stdout(contains("long.wav: its analysis ended its process twice"));
+    // It is not held against it.
+    with_memory("256")
+        .stderr(contains(
+            "2 of 3 recordings were analysed in an earlier run",
+        ))
+        .stdout(contains("2 drops in 3 recordings").and(contains("not readable").not()));
+}
+
 /// Starts a session and kills it, if it is still there.
 fn kill_after(workspace: &Workspace, moment: Duration) {
     let program = Command::cargo_bin("bouncelab").unwrap();

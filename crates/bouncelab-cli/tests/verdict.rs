@@ -283,6 +283,16 @@ fn rules_are_listed_and_shown() {
         .stdout(predicate::str::contains("unverified"));
 }
 
+#[cfg(unix)]
+#[test]
+fn rules_without_end_are_refused() {
+    bouncelab()
+        .args(["rules", "list", "--rules", "/dev/zero"])
+        .assert()
+        .code(1)
+        .stderr(predicate::str::contains("cannot read the rules /dev/zero"));
+}
+
 #[test]
 fn a_copy_of_a_recording_is_no_second_drop() {
     let folder = TempDir::new().unwrap();

@@ -35,6 +35,34 @@ use tempfile::NamedTempFile;
 /// So much at each end of a file is searched for its mark.
 const ENDS: u64 = 4096;
 
+/// More bytes than any person writes, of notes or rules.
+const MOST_NOTED: u64 = 1 << 24;
+
+/// The content of a file that a person wrote: at most 16 MB, and no device or pipe, which may have no end.
+///
+/// # Errors
+///
+/// The reason of the system, or that it is no such file.
+///
+/// ```
+/// use bouncelab_report::file::read_noted;
+///
+/// assert!(read_noted(std::path::Path::new(".")).unwrap_err().to_string().contains("is no file"));
+/// ```
+pub fn read_noted(path: &Path) -> io::Result<Vec<u8>> {
+    let about = fs::metadata(path)?;
+    if !about.is_file() || about.len() > MOST_NOTED {
+        let problem = "it is no file of notes: a device, a pipe, a folder, or more than 16 MB";
+        return Err(io::Error::new(io::ErrorKind::InvalidInput, problem));
+    }
+    let mut content = Vec::new();
+    // It may grow meanwhile.
+    File::open(path)?
+        .take(MOST_NOTED)
+        .read_to_end(&mut content)?;
+    Ok(content)
+}
+
 /// Which files a command may write.
 #[derive(Debug, Default)]
 pub struct Outputs {

@@ -71,7 +71,9 @@ pub fn all(files: &[PathBuf]) -> Result<Vec<Rule>> {
     let mut all = built_in()?;
     for path in files {
         let file = String::from(bouncelab::Plain::path(path));
-        let text = std::fs::read_to_string(path).map_err(|source| Error::Unreadable {
+        let bytes = crate::file::read_noted(path);
+        let text = bytes.and_then(|bytes| String::from_utf8(bytes).map_err(std::io::Error::other));
+        let text = text.map_err(|source| Error::Unreadable {
             file: file.clone(),
             source,
         })?;

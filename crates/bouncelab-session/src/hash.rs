@@ -1,8 +1,8 @@
 //! Hashes of the content of recordings, and of the settings.
 
 use std::fmt;
-use std::fs::File;
-use std::io::Read;
+use std::fs::{self, File};
+use std::io::{self, Read};
 use std::path::Path;
 
 use serde::{Deserialize, Deserializer, Serialize, Serializer, de};
@@ -30,10 +30,14 @@ pub fn hash_of(settings: &impl Serialize) -> Hash {
 /// The hash of the content of a file, read in pieces.
 ///
 /// # Errors
-/// [`Error::Read`] if it cannot be read.
+/// [`Error::Read`] if it cannot be read, or is a device or a pipe, which may have no end.
 pub fn hash_of_file(path: &Path) -> Result<Hash> {
     const PIECE: usize = 1 << 16;
-    let read = || -> std::io::Result<Hash> {
+    let read = || -> io::Result<Hash> {
+        if !fs::metadata(path)?.is_file() {
+            let problem = "it is a folder, a device or a pipe";
+            return Err(io::Error::new(io::ErrorKind::InvalidInput, problem));
+        }
         let mut file = File::open(path)?;
         let mut sha = Sha256::new();
         let mut piece = vec![0; PIECE];
@@ -106,9 +110,16 @@ impl<'de> Deserialize<'de> for Hash {
 
 #[cfg(test)]
 mod tests {
-    use std::fs;
-
     use super::*;
+
+    #[cfg(unix)]
+    #[test]
+    fn what_has_no_end_is_refused() {
+        let refused = hash_of_file(Path::new("/dev/zero"))
+            .unwrap_err()
+            .to_string();
+        assert!(refused.contains("a device"), "{refused}");
+    }
 
     /// FIPS 180-2, appendix B.1, and the empty file of FIPS 180-4's example programs.
     #[test]

@@ -29,7 +29,7 @@ const SYNC_EVERY: usize = 50;
 const CHECK: usize = 16;
 
 /// What a result is of: the content of a recording and the settings.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Key {
     /// Hash of the content of the recording.
     pub content: Hash,

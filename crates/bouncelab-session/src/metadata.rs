@@ -13,7 +13,7 @@ use crate::hash::{Hash, hash_of};
 use crate::journal::Key;
 use crate::name::some_of;
 use crate::notes::{Note, Notes};
-use crate::record::RECORD;
+use crate::record::{RECORD, Record};
 use crate::recordings::{Recording, Session};
 
 /// Reads a quantity with its unit.
@@ -50,7 +50,7 @@ pub struct KnownRecording {
 }
 
 /// The versions of the libraries, and the hash of their sources.
-const BUILD: [&str; 4] = [
+pub(crate) const BUILD: [&str; 4] = [
     env!("CARGO_PKG_VERSION"),
     bouncelab::VERSION,
     bouncelab_audio::VERSION,
@@ -69,6 +69,11 @@ impl KnownRecording {
     /// Hash of the settings of its result, and of this build.
     pub(crate) fn settings(&self) -> Hash {
         hash_of(&(RECORD, BUILD, self.options()))
+    }
+
+    /// What it says, if this is its content.
+    pub fn record(&self, content: Hash) -> Record {
+        Record::of_file(&self.recording.path, content, self.options())
     }
 
     /// How it is analysed.

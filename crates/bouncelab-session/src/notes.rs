@@ -2,18 +2,17 @@
 
 use std::borrow::Cow;
 use std::collections::{BTreeMap, BTreeSet};
-use std::fs;
 use std::path::{Path, PathBuf};
 
 use bouncelab::Plain;
+use bouncelab_report::file::read_noted;
 use serde::Deserialize;
 use toml::Spanned;
 
 use crate::error::{Error, Result};
 use crate::name;
 
-/// No notes are longer, nor has a table of notes more columns.
-const MOST_BYTES: u64 = 1 << 24;
+/// No table of notes has more columns.
 const MOST_COLUMNS: usize = 1_000;
 
 /// A statement and who made it.
@@ -264,12 +263,7 @@ fn csv_fault(path: &Path, fault: &csv::Error) -> Error {
 
 /// The text of a file of notes, without the mark that some programs put at its beginning.
 fn text_of(path: &Path) -> Result<String> {
-    let about = fs::metadata(path).map_err(Error::read(path))?;
-    if !about.is_file() || about.len() > MOST_BYTES {
-        let problem = "is no file of notes: a device, a folder, or more than 16 MB";
-        return Err(Error::notes(path, None, problem));
-    }
-    let bytes = fs::read(path).map_err(Error::read(path))?;
+    let bytes = read_noted(path).map_err(Error::read(path))?;
     let text = String::from_utf8(bytes).map_err(|fault| {
         let valid = &fault.as_bytes()[..fault.utf8_error().valid_up_to()];
         let line = valid.split(|&byte| byte == b'\n').count();
@@ -280,6 +274,8 @@ fn text_of(path: &Path) -> Result<String> {
 
 #[cfg(test)]
 mod tests {
+    use std::fs;
+
     use super::*;
 
     #[cfg(unix)]

@@ -5,6 +5,7 @@
 
 pub mod damage;
 pub mod fuzz;
+pub mod hostile;
 
 use std::iter::successors;
 use std::path::PathBuf;

@@ -174,6 +174,7 @@ impl From<Error> for Refusal {
             | Error::UnsupportedCodec { .. }
             | Error::UnsupportedLayout { .. } => RefusalKind::Unsupported,
             Error::Times { .. } => RefusalKind::Times,
+            Error::TooLong { .. } => RefusalKind::TooLong,
             Error::Malformed { .. } | Error::Io { .. } => RefusalKind::Damaged,
             _ => RefusalKind::Fault,
         };

@@ -311,6 +311,10 @@ codes! {
     NotInOrder = "not-in-order", Error, ["what", "number"];
     /// The recording has no channel of this number.
     NoChannel = "no-channel", Error, ["channel", "channels"];
+    /// There are more drops than are analysed of one recording.
+    TooManyDrops = "too-many-drops", Warning, ["drops", "most", "end_s"];
+    /// There are more channels than can be analysed together.
+    TooManyChannels = "too-many-channels", Error, ["channels", "most"];
     /// A rule that judges each drop cannot compare with a reference.
     EachOfReference = "each-of-reference", Error, [];
     /// A quantity is implausible, and another unit may be meant.

@@ -138,6 +138,19 @@ pub enum Error {
         channels: usize,
     },
 
+    /// More channels than can be listened to together.
+    #[error(
+        "{channels} channels are more than can be analysed together: at this sample rate at most {most}; \
+         choose one of them"
+    )]
+    #[non_exhaustive]
+    TooManyChannels {
+        /// How many there are.
+        channels: usize,
+        /// How many can be analysed together.
+        most: usize,
+    },
+
     /// A rule that judges each drop cannot compare with a reference.
     #[error("a share of a reference compares means: single drops have no share")]
     EachOfReference,
@@ -262,6 +275,9 @@ impl Error {
             Self::NoChannel { channel, channels } => Diagnostic::new(Code::NoChannel)
                 .with("channel", *channel)
                 .with("channels", *channels),
+            Self::TooManyChannels { channels, most } => Diagnostic::new(Code::TooManyChannels)
+                .with("channels", *channels)
+                .with("most", *most),
             Self::EachOfReference => Diagnostic::new(Code::EachOfReference),
             Self::CannotInfer(reason) => reason.diagnostic(),
             Self::NotInOrder { what, number } => Diagnostic::new(Code::NotInOrder)

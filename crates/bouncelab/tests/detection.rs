@@ -3,7 +3,7 @@
 use bouncelab::Impact;
 use bouncelab::air::Air;
 use bouncelab::analysis::{self, CONFIDENT_PROBABILITY, Options};
-use bouncelab::detection::{Detection, Detector};
+use bouncelab::detection::{Detection, DetectionOptions, Detector};
 use bouncelab::diagnostic::Code;
 use bouncelab::flight::Environment;
 use bouncelab::gravity::STANDARD_M_S2;
@@ -510,6 +510,60 @@ fn samples_that_are_read_again_say_what_remembered_ones_say() {
     assert!(expected.found.trains.len() > 30);
     assert_eq!(found.found, expected.found);
     assert_eq!(found.channel, expected.channel);
+}
+
+/// The same sound at a rate so many times as high, on straight lines between its samples.
+fn finer(sound: &Rendered, times: u16) -> Rendered {
+    let between = |pair: &[f32]| {
+        let (from, to) = (pair[0], pair[1]);
+        (0..times).map(move |n| from + (to - from) * f32::from(n) / f32::from(times))
+    };
+    Rendered {
+        samples: sound.samples.windows(2).flat_map(between).collect(),
+        sample_rate_hz: sound.sample_rate_hz * u32::from(times),
+        ..sound.clone()
+    }
+}
+
+/// Rates above 96 kHz are lowered before anything is sought. The filter delays every impact alike, and the
+/// delay is taken out.
+#[test]
+fn high_rates_do_not_move_impacts() {
+    for (sample_rate_hz, times) in [(96_000, 1), (192_000, 1), (192_000, 2), (192_000, 4)] {
+        let scene = Scene {
+            sample_rate_hz,
+            ..scene(40.0)
+        };
+        let sound = synth::render(&usual_strikes(), &scene, 3).unwrap();
+        let sound = finer(&sound, times);
+        let rate_hz = sound.sample_rate_hz;
+        let detected = detect(&sound);
+        assert_eq!(detected.sample_rate_hz, rate_hz);
+        let seconds = sound.samples.len() as f64 / f64::from(rate_hz);
+        assert!((detected.duration_s - seconds).abs() < 1e-9);
+        let train = the_only_train(&detected);
+        assert!(train.impacts().len() >= 30, "{rate_hz} Hz");
+        for (error_s, sigma_s) in errors(train, &sound) {
+            let sigmas = error_s.abs() / sigma_s;
+            assert!(sigmas < 5.0, "{rate_hz} Hz: {error_s} s, {sigmas} sigma");
+        }
+        let first_s = train.impacts()[0].onset.time_s - sound.impacts[0].time_s;
+        assert!(first_s.abs() < 3e-5, "{rate_hz} Hz: {first_s} s");
+    }
+}
+
+#[test]
+fn more_channels_than_can_be_remembered_are_refused_unless_one_is_chosen() {
+    let refused = Detector::with_options(10_000_000, 64, &DetectionOptions::default());
+    let refused = refused.unwrap_err().diagnostic();
+    assert_eq!(refused.code, Code::TooManyChannels);
+    // 32 million samples, 40 s of each channel, at 10 MHz / 105.
+    assert_eq!(refused.number("most"), Some(8.0));
+    let second = DetectionOptions {
+        channel: Some(2),
+        ..DetectionOptions::default()
+    };
+    assert!(Detector::with_options(10_000_000, 64, &second).is_ok());
 }
 
 #[test]

@@ -5,9 +5,9 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::thread;
 
-use super::{built, npm_command, page, system};
+use super::{npm_command, page, system};
 use crate::Result;
-use crate::cargo::run as run_command;
+use crate::cargo::{built, run as run_command};
 use crate::steps::{Time, Watch};
 
 /// Runs the tests, or those whose file has one of the names in it; `--repeat N` times in a row, and with

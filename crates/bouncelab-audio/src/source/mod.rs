@@ -46,6 +46,9 @@ pub const MAX_SAMPLE_RATE_HZ: u32 = 10_000_000;
 /// The most frames in one [`Block`].
 pub const MAX_BLOCK_FRAMES: usize = 4_096;
 
+/// No recording is read for longer, in hours: a small file may claim any length.
+const MOST_H: u64 = 24;
+
 /// A recording being read, block by block, in memory that does not grow with its length.
 ///
 /// The first frame is time zero and the frame `i` is at `i / sample_rate_hz` seconds. What an
@@ -310,9 +313,15 @@ impl Source {
     ///
     /// # Errors
     ///
-    /// [`Error::Io`] if the system fails to read. Damage in the file is no error here: what can
+    /// [`Error::Io`] if the system fails to read, [`Error::TooLong`] after 24 hours. Damage in the file is no error here: what can
     /// be decoded is, and the rest is in [`Source::warnings`].
     pub fn next_block(&mut self) -> Result<Option<Block<'_>>> {
+        if self.presented > MOST_H * 3600 * u64::from(self.layout.sample_rate_hz) {
+            return Err(Error::TooLong {
+                name: self.name.clone(),
+                most_h: MOST_H,
+            });
+        }
         loop {
             if let Some(part) = self.presentation.first_within(&self.hole) {
                 let end = part.end.min(part.start + MAX_BLOCK_FRAMES as u64);

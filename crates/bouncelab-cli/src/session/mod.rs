@@ -4,6 +4,7 @@ mod report;
 mod tables;
 mod text;
 mod work;
+mod worker;
 
 use std::fs;
 use std::io;
@@ -49,7 +50,8 @@ pub(crate) struct Arguments {
         long,
         value_name = "DIR",
         conflicts_with_all = [
-            "inputs", "pattern", "table", "allow_missing", "jobs", "PhysicsArguments", "PriorArguments"
+            "inputs", "pattern", "table", "allow_missing", "jobs", "memory", "PhysicsArguments",
+            "PriorArguments"
         ]
     )]
     from: Option<PathBuf>,
@@ -118,6 +120,13 @@ pub(crate) struct Arguments {
     /// Recordings analysed in parallel [default: the number of processors]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
     jobs: Option<u16>,
+    /// Memory for the analysis of one recording, in MB; one that needs more is named, and the others go
+    /// on (Linux)
+    #[arg(long, value_name = "MB", default_value_t = 1024, value_parser = clap::value_parser!(u64).range(1..=1 << 20))]
+    memory: u64,
+    /// Analyse recordings for another process
+    #[arg(long = worker::WORKER, hide = true)]
+    worker: bool,
     #[command(flatten)]
     outputs: OutputArguments,
     #[command(flatten)]
@@ -180,6 +189,9 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
         },
     }
     .read(session)?;
+    if arguments.worker {
+        return worker::serve(&recordings, arguments.memory);
+    }
     let journal = Journal::open(&arguments.output)?;
     let targets = Targets::new(arguments, &outputs)?;
     if journal.damaged() > 0 {

@@ -9,7 +9,9 @@ use indicatif::{ProgressBar, ProgressStyle};
 use rayon::ThreadPoolBuilder;
 use rayon::prelude::*;
 
+use super::worker::{Request, Trouble, Workers};
 use crate::failure::Failure;
+use crate::language::text_with;
 
 /// Analyses every recording whose result is not in the journal yet.
 pub(super) fn analyze_all(
@@ -23,17 +25,41 @@ pub(super) fn analyze_all(
         .map_err(|fault| Failure::Input(format!("cannot start the work: {fault}")))?;
     let bar = progress(recordings.len());
     let without_drop = AtomicUsize::new(0);
-    let one = |recording: &KnownRecording| {
-        let done = complete(recording, journal)?;
+    let workers = Workers::default();
+    let analyze = |place: usize| {
+        let recording = &recordings[place];
+        complete(recording, journal, |content| {
+            let key = recording.key(content);
+            workers.record(Request { place, key })
+        })
+    };
+    let one = |place: usize| {
+        let done = match analyze(place) {
+            Ok(done) => done,
+            Err(Trouble::Died(_)) => return Ok(None),
+            Err(Trouble::Session(failure)) => return Err(failure),
+        };
         let without = usize::from(done.without_drop);
         let without = without_drop.fetch_add(without, Ordering::Relaxed) + without;
         if without > 0 {
             bar.set_message(format!(", {without} without a drop"));
         }
         bar.inc(1);
-        Ok::<Done, Failure>(done)
+        Ok(Some(done))
     };
-    let done = pool.install(|| recordings.par_iter().map(one).collect());
+    let places = (0..recordings.len()).into_par_iter();
+    let first: Result<Vec<Option<Done>>, Failure> = pool.install(|| places.map(one).collect());
+    // What ended a worker is tried once more, alone: it may have been short of memory for all.
+    let again = |(place, done): (usize, Option<Done>)| match done.map_or_else(|| analyze(place), Ok)
+    {
+        Ok(done) => Ok(done),
+        Err(Trouble::Died(how)) => {
+            let how = [("how", how.into())];
+            Ok(Done::failed(text_with("session-died", &how)))
+        }
+        Err(Trouble::Session(failure)) => Err(failure),
+    };
+    let done = first.and_then(|first| first.into_iter().enumerate().map(again).collect());
     bar.finish_and_clear();
     journal.sync()?;
     done

@@ -301,6 +301,10 @@ def flights(
     OutOfRangeError, UnknownNameError, PhysicsError
         If there is no such flight, ball or drag law.
 
+    Notes
+    -----
+    Nagurka 2003, Eqs. 11 to 17, where the drag coefficient is constant; else quadrature to 1e-11.
+
     Examples
     --------
     >>> import bouncelab as bl
@@ -340,6 +344,10 @@ def falls(height_m: ArrayLike, **surroundings: Unpack[Surroundings]) -> Table:
     OutOfRangeError, UnknownNameError, PhysicsError
         If there is no such fall, ball or drag law.
 
+    Notes
+    -----
+    As of :func:`flights`.
+
     Examples
     --------
     >>> import bouncelab as bl
@@ -360,7 +368,7 @@ def terminal_speed_m_s(**surroundings: Unpack[Surroundings]) -> float:
     Returns
     -------
     float
-        Terminal speed in m/s; infinite without drag.
+        Terminal speed in m/s; infinite without drag, and where the drag law ends below it.
 
     Raises
     ------

@@ -7,6 +7,7 @@ terminal-advice-rule-needs-height = Gib sie mit --height an.
 terminal-advice-temperature-not-stated = Gib sie mit --temperature an.
 terminal-advice-altitude-not-stated = Gib sie mit --altitude an.
 terminal-advice-no-channel = Wähle einen anderen mit --channel.
+terminal-advice-too-many-channels = Die Option ist --channel.
 
 advice-allow-implausible = Berichtige es, oder bestehe darauf mit --allow-implausible
 

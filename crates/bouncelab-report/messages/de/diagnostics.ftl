@@ -113,6 +113,8 @@ diagnostic-no-channel = Einen Kanal { $channel } gibt es nicht: Die Aufnahme hat
     [one] nur einen
    *[other] { $channels }, der erste ist 1
   }.
+diagnostic-too-many-drops = Es gibt { $drops } Versuche; nur die ersten { $most }, bis { $end_s } s, wurden ausgewertet. Schneide die Aufnahme dort, und werte den Rest für sich aus.
+diagnostic-too-many-channels = { $channels } Kanäle sind mehr, als sich zusammen auswerten lassen: bei dieser Abtastrate höchstens { $most }; wähle einen davon.
 diagnostic-each-of-reference = Ein Anteil an einer Referenz ist einer von Mittelwerten: Einzelne Versuche haben keinen.
 diagnostic-implausible-quantity = { $quantity }: { $value } { $unit }?{ $meant_unit ->
     [none] {""}

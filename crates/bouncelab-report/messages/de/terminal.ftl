@@ -309,6 +309,7 @@ session-odd = Genauer anzusehen
 session-tables = Tabellen: { $list }
 session-no-drop = keine Aufnahme enthält einen springenden Ball
 session-damaged-journal = { $count } Zeilen des Journals sind abgeschnitten oder beschädigt und zählen nicht
+session-died = ihre Auswertung hat ihren Prozess zweimal beendet, das zweite Mal allein ({ $how }); ist sie lang, gib ihr mehr mit --memory, sonst melde es bitte
 session-known = { $kept } von { $all } Aufnahmen sind aus einem früheren Lauf ausgewertet
 session-restitution = Stoßzahl
 

@@ -9,6 +9,7 @@ terminal-advice-rule-needs-height = State it with --height.
 terminal-advice-temperature-not-stated = State it with --temperature.
 terminal-advice-altitude-not-stated = State it with --altitude.
 terminal-advice-no-channel = Choose another with --channel.
+terminal-advice-too-many-channels = The option is --channel.
 
 advice-allow-implausible = Correct it, or accept it with --allow-implausible
 

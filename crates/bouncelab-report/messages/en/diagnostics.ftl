@@ -116,6 +116,8 @@ diagnostic-no-channel = There is no channel { $channel }: the recording has { $c
     [one] only one
    *[other] { $channels }, the first being 1
   }.
+diagnostic-too-many-drops = There are { $drops } drops; only the first { $most }, until { $end_s } s, were analysed. Cut the recording there, and analyse the rest by itself.
+diagnostic-too-many-channels = { $channels } channels are more than can be analysed together: at this sample rate at most { $most }; choose one of them.
 diagnostic-each-of-reference = A share of a reference compares means: single drops have no share.
 diagnostic-implausible-quantity = { $quantity }: { $value } { $unit }?{ $meant_unit ->
     [none] {""}

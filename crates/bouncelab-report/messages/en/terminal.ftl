@@ -311,6 +311,7 @@ session-odd = Remarks on drops
 session-tables = Tables: { $list }
 session-no-drop = no recording holds a drop
 session-damaged-journal = { $count } lines of the journal are truncated or damaged, and are ignored
+session-died = its analysis ended its process twice, the second time alone ({ $how }); if it is long, give it more --memory, else please report it
 session-known = { $kept } of { $all } recordings were analysed in an earlier run
 session-restitution = Restitution
 

@@ -1,17 +1,10 @@
 //! A canvas for lines, areas, circles and texts.
 //!
-//! The only module besides `picture` that knows the drawing library. It adds what the library leaves
-//! out: points that are not numbers are skipped instead of drawn, dashes run on across the points of a
-//! curve (the library starts them anew at each point when it makes a PNG), and the SVG scales with the
-//! page and can be read aloud.
-
-use kuva::backend::svg::SvgBackend;
-use kuva::render::color::Color;
-use kuva::render::render::{PathData, Primitive, Scene, TextAnchor, TextSpan};
+//! Points that are not numbers are skipped, and dashes run on across the points of a curve. What comes of it
+//! is drawn by `svg` and `picture`.
 
 use super::clip::{Dash, Place, Rect, dashes, is_finite, within};
-use super::text::{escape, line_height, printable, wrapped};
-use crate::MARK;
+use super::text::{line_height, printable, wrapped};
 use crate::theme::{self, Colour};
 
 /// How a line looks.
@@ -64,17 +57,47 @@ impl Style {
     }
 }
 
+/// What can be drawn. The coordinates are numbers.
+#[derive(Debug)]
+pub(super) enum Shape {
+    Line {
+        points: Vec<Place>,
+        colour: Colour,
+        width: f64,
+    },
+    Area {
+        corners: Vec<Place>,
+        colour: Colour,
+    },
+    Circle {
+        centre: Place,
+        radius: f64,
+        fill: Colour,
+        rim: Option<Colour>,
+    },
+    Text {
+        place: Place,
+        words: String,
+        style: Style,
+    },
+}
+
+/// Width of the rim of a circle.
+pub(super) const RIM: f64 = 1.5;
+
 /// A drawing.
 #[derive(Debug)]
-pub(super) struct Canvas(Scene);
+pub(super) struct Canvas {
+    size: (f64, f64),
+    shapes: Vec<Shape>,
+}
 
 impl Canvas {
     pub(super) fn new(width: f64, height: f64) -> Self {
-        let mut scene = Scene::new(width, height);
-        scene.background_color = Some(theme::PAPER.to_string());
-        scene.text_color = Some(theme::INK.to_string());
-        scene.font_family = Some(theme::FONT_FAMILY.to_owned());
-        Self(scene)
+        Self {
+            size: (width, height),
+            shapes: Vec::new(),
+        }
     }
 
     /// A curve through the points, without the parts outside a rectangle; it is interrupted where a
@@ -110,11 +133,10 @@ impl Canvas {
         if points.len() < 2 {
             return;
         }
-        self.0.add(Primitive::PolyLine {
+        self.shapes.push(Shape::Line {
             points,
-            stroke: color(pen.colour),
-            stroke_width: pen.width,
-            stroke_dasharray: None,
+            colour: pen.colour,
+            width: pen.width,
         });
     }
 
@@ -123,14 +145,10 @@ impl Canvas {
         if corners.len() < 3 || !corners.iter().copied().all(is_finite) {
             return;
         }
-        self.0.add(Primitive::Path(Box::new(PathData {
-            d: outline(corners),
-            fill: Some(color(colour)),
-            stroke: Color::None,
-            stroke_width: 0.0,
-            opacity: None,
-            stroke_dasharray: None,
-        })));
+        self.shapes.push(Shape::Area {
+            corners: corners.to_vec(),
+            colour,
+        });
     }
 
     /// A filled rectangle.
@@ -146,39 +164,26 @@ impl Canvas {
     }
 
     /// A circle: filled, or white inside so that lines do not run through it.
-    pub(super) fn circle(&mut self, (cx, cy): Place, r: f64, colour: Colour, filled: bool) {
-        if !is_finite((cx, cy)) {
+    pub(super) fn circle(&mut self, centre: Place, radius: f64, colour: Colour, filled: bool) {
+        if !is_finite(centre) {
             return;
         }
-        let fill = if filled { colour } else { theme::PAPER };
-        self.0.add(Primitive::Circle {
-            cx,
-            cy,
-            r,
-            fill: color(fill),
-            fill_opacity: None,
-            stroke: (!filled).then(|| color(colour)),
-            stroke_width: (!filled).then_some(1.5),
+        self.shapes.push(Shape::Circle {
+            centre,
+            radius,
+            fill: if filled { colour } else { theme::PAPER },
+            rim: (!filled).then_some(colour),
         });
     }
 
-    pub(super) fn text(&mut self, (x, y): Place, words: &str, style: Style) {
-        if !is_finite((x, y)) {
+    pub(super) fn text(&mut self, place: Place, words: &str, style: Style) {
+        if !is_finite(place) {
             return;
         }
-        let mut span = TextSpan::plain(printable(words));
-        span.bold = style.bold;
-        self.0.add(Primitive::RichText {
-            x,
-            y,
-            spans: vec![span],
-            size: style.size,
-            anchor: match style.anchor {
-                Anchor::Start => TextAnchor::Start,
-                Anchor::Middle => TextAnchor::Middle,
-                Anchor::End => TextAnchor::End,
-            },
-            color: Some(color(style.colour)),
+        self.shapes.push(Shape::Text {
+            place,
+            words: printable(words),
+            style,
         });
     }
 
@@ -202,40 +207,12 @@ impl Canvas {
     /// The drawing as SVG that scales with its container, with a title and a description for
     /// those who cannot see it.
     pub(super) fn svg(&self, title: &str, description: &str) -> String {
-        let drawn = SvgBackend::new().render_scene(&self.0);
-        let (width, height) = (self.0.width, self.0.height);
-        let opening = format!(
-            r#"<svg viewBox="0 0 {width} {height}" role="img" stroke-linejoin="round" stroke-linecap="round" "#,
-        );
-        let spoken = format!(
-            "><title>{}</title><desc>{}</desc><metadata>{MARK}</metadata>",
-            escape(title),
-            escape(description)
-        );
-        drawn
-            .replacen("<svg ", &opening, 1)
-            .replacen('>', &spoken, 1)
+        super::svg::svg(&self.shapes, self.size, title, description)
     }
 
     /// The drawing as a PNG picture of the given width in pixels.
     #[cfg(feature = "png")]
     pub(super) fn png(&self, width_px: u32) -> Result<Vec<u8>, String> {
-        super::picture::png(&self.0, width_px)
+        super::picture::png(&self.shapes, self.size, width_px)
     }
-}
-
-/// A closed path through the corners, as SVG writes it.
-fn outline(corners: &[Place]) -> String {
-    let corner = |(i, (x, y)): (usize, &Place)| {
-        let command = if i == 0 { 'M' } else { 'L' };
-        format!("{command}{x:.2} {y:.2}")
-    };
-    let mut path: String = corners.iter().enumerate().map(corner).collect();
-    path.push('Z');
-    path
-}
-
-fn color(colour: Colour) -> Color {
-    let [red, green, blue] = colour.rgb;
-    Color::Rgb(red, green, blue)
 }

@@ -9,6 +9,7 @@ mod clip;
 mod panel;
 #[cfg(feature = "png")]
 mod picture;
+mod svg;
 mod text;
 
 use std::borrow::Cow;

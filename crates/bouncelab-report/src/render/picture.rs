@@ -1,112 +1,228 @@
-//! A scene as a PNG picture.
-//!
-//! The drawing library does not smooth the edges of lines, which shows in small pictures. So
-//! it draws a larger one, and each pixel here is the mean of a square of its pixels.
+//! A drawing as a PNG picture.
 
-use std::io::Cursor;
+use tiny_skia::{
+    Color, FillRule, LineCap, LineJoin, Paint, Path, PathBuilder, Pixmap, Stroke, Transform,
+};
+use ttf_parser::{Face, GlyphId, OutlineBuilder};
 
-use kuva::backend::raster::RasterBackend;
-use kuva::render::render::Scene;
-
+use super::canvas::{Anchor, RIM, Shape, Style};
+use super::clip::Place;
 use crate::MARK;
+use crate::theme::{self, Colour};
 
-/// Up to this width, in pixels, it is worth drawing more finely than asked.
-const FINE_PX: u32 = 3200;
-/// Finer than this shows no more.
-const FINEST: u32 = 4;
+/// Areas are drawn wider by half of this on every side: without it, the paper would shine through between two
+/// that touch.
+const OVERLAP: f64 = 0.6;
 
-/// Rows of pixels, each with red, green and blue.
-struct Pixels {
-    width: usize,
-    height: usize,
-    rgb: Vec<[u8; 3]>,
+/// Draws shapes of a width and a height, in figure pixels, as a PNG file of the given width.
+pub(super) fn png(
+    shapes: &[Shape],
+    (width, height): Place,
+    width_px: u32,
+) -> Result<Vec<u8>, String> {
+    let scale = f64::from(width_px) / width;
+    let height_px = (height * scale).round() as u32;
+    let pixels = Pixmap::new(width_px, height_px).ok_or("there are too many pixels")?;
+    let mut picture = Picture {
+        pixels,
+        scale: Transform::from_scale(scale as f32, scale as f32),
+        font: Face::parse(dejavu::sans::regular(), 0).map_err(|error| error.to_string())?,
+    };
+    picture.pixels.fill(color(theme::PAPER));
+    for shape in shapes {
+        picture.draw(shape);
+    }
+    encode(&picture.pixels).map_err(|error| error.to_string())
 }
 
-/// Draws a scene in the given width, as a PNG file.
-pub(super) fn png(scene: &Scene, width_px: u32) -> Result<Vec<u8>, String> {
-    let finer = (FINE_PX / width_px).clamp(1, FINEST);
-    // The library rounds the size up; aiming a hair low hits the width exactly.
-    let scale = (f64::from(width_px * finer) - 0.01) / scene.width;
-    let drawn = RasterBackend::new()
-        .with_scale(scale as f32)
-        .render_scene(scene)?;
-    let fine = decode(&drawn).map_err(|error| error.to_string())?;
-    encode(&mean_of_squares(&fine, finer as usize)).map_err(|error| error.to_string())
+struct Picture {
+    pixels: Pixmap,
+    scale: Transform,
+    /// One of its own, since a picture needs none of the system.
+    font: Face<'static>,
 }
 
-fn decode(file: &[u8]) -> Result<Pixels, png::DecodingError> {
-    let mut reader = png::Decoder::new(Cursor::new(file)).read_info()?;
-    let size = reader
-        .output_buffer_size()
-        .ok_or(png::DecodingError::LimitsExceeded)?;
-    let mut bytes = vec![0; size];
-    let frame = reader.next_frame(&mut bytes)?;
-    // The library always writes opaque pixels of four bytes.
-    let (pixels, _) = bytes.as_chunks::<4>();
-    Ok(Pixels {
-        width: frame.width as usize,
-        height: frame.height as usize,
-        rgb: pixels.iter().map(|&[r, g, b, _]| [r, g, b]).collect(),
-    })
-}
-
-/// One pixel for each square of `side` times `side`; incomplete squares at the bottom are left
-/// out.
-fn mean_of_squares(fine: &Pixels, side: usize) -> Pixels {
-    let (width, height) = (fine.width / side, fine.height / side);
-    let pixel = |row: usize, column: usize| {
-        let mut sum = [0_usize; 3];
-        for y in row * side..(row + 1) * side {
-            let start = y * fine.width + column * side;
-            for rgb in &fine.rgb[start..start + side] {
-                for (sum, part) in sum.iter_mut().zip(rgb) {
-                    *sum += usize::from(*part);
+impl Picture {
+    fn draw(&mut self, shape: &Shape) {
+        match shape {
+            Shape::Line {
+                points,
+                colour,
+                width,
+            } => self.stroke(polyline(points, false), *colour, *width),
+            Shape::Area { corners, colour } => {
+                let area = polyline(corners, true);
+                self.stroke(area.clone(), *colour, OVERLAP);
+                self.fill(area, *colour);
+            }
+            &Shape::Circle {
+                centre: (x, y),
+                radius,
+                fill,
+                rim,
+            } => {
+                let circle = || PathBuilder::from_circle(x as f32, y as f32, radius as f32);
+                self.fill(circle(), fill);
+                if let Some(colour) = rim {
+                    self.stroke(circle(), colour, RIM);
                 }
             }
+            Shape::Text {
+                place,
+                words,
+                style,
+            } => {
+                let letters = outline(&self.font, *place, words, *style);
+                if style.bold {
+                    self.stroke(letters.clone(), style.colour, thicker(*style));
+                }
+                self.fill(letters, style.colour);
+            }
         }
-        let half = side * side / 2;
-        sum.map(|sum| ((sum + half) / (side * side)) as u8)
-    };
-    let rows = (0..height).flat_map(|row| (0..width).map(move |column| (row, column)));
-    Pixels {
-        width,
-        height,
-        rgb: rows.map(|(row, column)| pixel(row, column)).collect(),
+    }
+
+    /// Fills a path, if it holds anything.
+    fn fill(&mut self, path: Option<Path>, colour: Colour) {
+        if let Some(path) = path {
+            let (paint, rule) = (paint(colour), FillRule::Winding);
+            self.pixels.fill_path(&path, &paint, rule, self.scale, None);
+        }
+    }
+
+    /// Strokes a path, if it holds anything, with ends and corners as those of the SVG.
+    fn stroke(&mut self, path: Option<Path>, colour: Colour, width: f64) {
+        let stroke = Stroke {
+            width: width as f32,
+            line_cap: LineCap::Round,
+            line_join: LineJoin::Round,
+            ..Stroke::default()
+        };
+        if let Some(path) = path {
+            let paint = paint(colour);
+            self.pixels
+                .stroke_path(&path, &paint, &stroke, self.scale, None);
+        }
     }
 }
 
-fn encode(pixels: &Pixels) -> Result<Vec<u8>, png::EncodingError> {
+/// The path through points; back to the first if it is closed.
+fn polyline(points: &[Place], closed: bool) -> Option<Path> {
+    let mut path = PathBuilder::new();
+    let (&(x, y), others) = points.split_first()?;
+    path.move_to(x as f32, y as f32);
+    for &(x, y) in others {
+        path.line_to(x as f32, y as f32);
+    }
+    if closed {
+        path.close();
+    }
+    path.finish()
+}
+
+/// The letters of a text.
+fn outline(font: &Face, (x, y): Place, words: &str, style: Style) -> Option<Path> {
+    let scale = f64::from(style.size) / f64::from(font.units_per_em());
+    // A letter that the font lacks is shown as its sign for that, which is the first.
+    let glyphs = words
+        .chars()
+        .map(|letter| font.glyph_index(letter).unwrap_or(GlyphId(0)));
+    let advance = |glyph| {
+        let own = f64::from(font.glyph_hor_advance(glyph).unwrap_or(0));
+        scale * own + thicker(style)
+    };
+    let before = match style.anchor {
+        Anchor::Start => 0.0,
+        Anchor::Middle => 0.5,
+        Anchor::End => 1.0,
+    };
+    let width: f64 = glyphs.clone().map(advance).sum();
+    let mut letters = Letters {
+        path: PathBuilder::new(),
+        origin: ((x - before * width) as f32, y as f32),
+        scale: scale as f32,
+    };
+    for glyph in glyphs {
+        font.outline_glyph(glyph, &mut letters);
+        letters.origin.0 += advance(glyph) as f32;
+    }
+    letters.path.finish()
+}
+
+/// By how much the strokes of letters are thicker than those of the font, which has none that are bold: one
+/// that has would be as large again.
+fn thicker(style: Style) -> f64 {
+    let share = if style.bold { 0.05 } else { 0.0 };
+    share * f64::from(style.size)
+}
+
+/// Outlines of letters, in the units of a font with its vertical axis upwards, as a path.
+struct Letters {
+    path: PathBuilder,
+    origin: (f32, f32),
+    scale: f32,
+}
+
+impl Letters {
+    fn at(&self, x: f32, y: f32) -> (f32, f32) {
+        (
+            self.origin.0 + self.scale * x,
+            self.origin.1 - self.scale * y,
+        )
+    }
+}
+
+impl OutlineBuilder for Letters {
+    fn move_to(&mut self, x: f32, y: f32) {
+        let (x, y) = self.at(x, y);
+        self.path.move_to(x, y);
+    }
+
+    fn line_to(&mut self, x: f32, y: f32) {
+        let (x, y) = self.at(x, y);
+        self.path.line_to(x, y);
+    }
+
+    fn quad_to(&mut self, x1: f32, y1: f32, x: f32, y: f32) {
+        let ((x1, y1), (x, y)) = (self.at(x1, y1), self.at(x, y));
+        self.path.quad_to(x1, y1, x, y);
+    }
+
+    fn curve_to(&mut self, x1: f32, y1: f32, x2: f32, y2: f32, x: f32, y: f32) {
+        let ((x1, y1), (x2, y2)) = (self.at(x1, y1), self.at(x2, y2));
+        let (x, y) = self.at(x, y);
+        self.path.cubic_to(x1, y1, x2, y2, x, y);
+    }
+
+    fn close(&mut self) {
+        self.path.close();
+    }
+}
+
+fn paint(colour: Colour) -> Paint<'static> {
+    let mut paint = Paint::default();
+    paint.set_color(color(colour));
+    paint
+}
+
+fn color(colour: Colour) -> Color {
+    let [red, green, blue] = colour.rgb;
+    Color::from_rgba8(red, green, blue, u8::MAX)
+}
+
+/// The file; every pixel is opaque.
+fn encode(pixels: &Pixmap) -> Result<Vec<u8>, png::EncodingError> {
+    let (rgba, _) = pixels.data().as_chunks::<4>();
+    let rgb: Vec<[u8; 3]> = rgba
+        .iter()
+        .map(|&[red, green, blue, _]| [red, green, blue])
+        .collect();
     let mut file = Vec::new();
-    let mut encoder = png::Encoder::new(&mut file, pixels.width as u32, pixels.height as u32);
+    let mut encoder = png::Encoder::new(&mut file, pixels.width(), pixels.height());
     encoder.set_color(png::ColorType::Rgb);
     encoder.set_depth(png::BitDepth::Eight);
     encoder.add_text_chunk("Software".to_owned(), MARK.to_owned())?;
     let mut writer = encoder.write_header()?;
-    writer.write_image_data(pixels.rgb.as_flattened())?;
+    writer.write_image_data(rgb.as_flattened())?;
     writer.finish()?;
     Ok(file)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_pixel_is_the_mean_of_a_square() {
-        let black = [0; 3];
-        let white = [255; 3];
-        let fine = Pixels {
-            width: 4,
-            height: 3,
-            rgb: [
-                [black, black, white, black],
-                [black, white, white, white],
-                [white; 4],
-            ]
-            .concat(),
-        };
-        let mean = mean_of_squares(&fine, 2);
-        assert_eq!((mean.width, mean.height), (2, 1));
-        assert_eq!(mean.rgb, [[64; 3], [191; 3]]);
-    }
 }

@@ -115,7 +115,7 @@ impl Kernel {
         let options = begun.recording.options();
         let record = match bytes {
             Some(bytes) => Record::of_bytes(bytes, name, options),
-            None => Record::of_file(&begun.recording.recording.path, content, options),
+            None => begun.recording.record(content),
         };
         let result = match &record.failure {
             None => Ok(record),

@@ -78,6 +78,9 @@ pub fn analyze_times(times_s: &[f64], options: &Options) -> Recording {
     Plan::of_times(times_s, options).run()
 }
 
+/// So many drops of a recording are analysed at most: a tenth of a second each, and 50 kB.
+const MOST_DROPS: usize = 1_000;
+
 /// A recording whose drops are yet to be analysed, each of them by itself: side by side where there
 /// are threads, one after the other where there are none.
 ///
@@ -125,14 +128,22 @@ impl Plan {
             duration_s: detection.duration_s,
             onsets: detection.onsets,
         };
-        let trains = detection.found.trains.iter();
-        let recording = Recording {
+        let trains = &detection.found.trains;
+        let mut recording = Recording {
             strongest_band: strongest_band(&detection),
             no_drop: detection.no_drop(),
             diagnostics: detection.diagnostics(),
             ..Recording::of(source)
         };
-        let candidates = trains.map(DropCandidate::from).collect();
+        if trains.len() > MOST_DROPS {
+            let left_out = Diagnostic::new(Code::TooManyDrops)
+                .with("drops", trains.len())
+                .with("most", MOST_DROPS)
+                .with("end_s", trains[MOST_DROPS - 1].end_s());
+            recording.diagnostics.push(left_out);
+        }
+        let candidates = trains.iter().take(MOST_DROPS);
+        let candidates = candidates.map(DropCandidate::from).collect();
         let mut plan = Self::new(recording, candidates, options);
         plan.recording.envelope = Some(detection.envelope);
         plan

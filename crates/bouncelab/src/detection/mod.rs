@@ -1,8 +1,9 @@
 //! The detector: samples in, drops out.
 //!
 //! It takes a recording of any length in blocks of any size, channel by channel, and remembers no
-//! more of it than the longest drop lasts. All channels are analysed; the one whose drops have the
-//! most evidence against chance is believed, and the result says which that is.
+//! more of it than the longest drop lasts, and never more than 128 MB of samples. All channels are
+//! analysed; the one whose drops have the most evidence against chance is believed, and the result says
+//! which that is.
 //!
 //! ```
 //! use bouncelab::impact::Strike;
@@ -44,10 +45,16 @@ use std::sync::Arc;
 
 pub use watch::DropWatch;
 
-/// No drop lasts longer than this many seconds: what is older is forgotten.
-const MEMORY_S: f64 = 120.0;
-/// In a recording full of sounds the past is evaluated after each further this many seconds.
-const SLACK_S: f64 = 60.0;
+/// So many seconds are remembered at most; when they are full, the past is judged.
+const REMEMBERED_S: f64 = 180.0;
+/// No drop lasts longer than this share of them: what is older is forgotten then.
+const DROP_SHARE: f64 = 2.0 / 3.0;
+/// So many samples of all channels together are remembered at most (128 MB): nearly three minutes of two
+/// channels at 96 kHz, and less of more channels.
+const MOST_SAMPLES: f64 = 32e6;
+/// If less than this many seconds could be remembered, channels are refused: a drop may last two thirds of it,
+/// and balls of sports hardly last 20 s.
+const LEAST_REMEMBERED_S: f64 = 40.0;
 /// So many sounds are remembered at most, and the past is judged when there are as many: ten times
 /// the impacts of the longest drop (e = 0.99, from a metre to a tenth of a millimetre).
 const MOST_ONSETS: usize = 4000;
@@ -169,8 +176,8 @@ impl Detector {
     ///
     /// # Errors
     ///
-    /// [`Error::NoChannel`] and [`Error::NoBand`] if
-    /// there is none.
+    /// [`Error::NoChannel`] and [`Error::NoBand`] if there is none; [`Error::TooManyChannels`] if there
+    /// are so many that too little of each could be remembered, and none of them is chosen.
     ///
     /// ```
     /// use bouncelab::Detector;
@@ -191,6 +198,10 @@ impl Detector {
             Some(band_hz) => OnsetDetector::within(sample_rate_hz, band_hz)?,
         };
         let used = if only.is_some() { 1 } else { channels };
+        let most = (MOST_SAMPLES / (onsets.rate_hz() * LEAST_REMEMBERED_S)) as usize;
+        if used > most {
+            return Err(Error::TooManyChannels { channels, most });
+        }
         Ok(Self {
             only,
             of_channels: channels,
@@ -199,7 +210,9 @@ impl Detector {
     }
 
     fn with(onsets: OnsetDetector, sample_rate_hz: u32, channels: usize) -> Self {
-        let mut detectors = vec![Some(ChannelDetector::new(onsets, sample_rate_hz))];
+        let remembered_s = MOST_SAMPLES / (onsets.rate_hz() * channels.max(1) as f64);
+        let first = ChannelDetector::new(onsets, sample_rate_hz, remembered_s);
+        let mut detectors = vec![Some(first)];
         detectors.resize_with(channels.max(1), || None);
         Self {
             channels: detectors,
@@ -209,9 +222,9 @@ impl Detector {
     }
 
     /// The same detector, new, for samples that stay at hand elsewhere, as in an array: it remembers hardly
-    /// any of them, and reads older ones again when it needs them. `read` gives the samples of a channel,
-    /// counted from 0, whose numbers lie in a range; all of them were pushed before. The result is the
-    /// same.
+    /// any of them (but for rates above 96 kHz, which it lowers), and reads older ones again when it needs
+    /// them. `read` gives the samples of a channel, counted from 0, whose numbers lie in a range; all of them
+    /// were pushed before. The result is the same.
     ///
     /// ```
     /// use bouncelab::{Detector, demo};
@@ -230,7 +243,8 @@ impl Detector {
         read: impl Fn(usize, Range<u64>) -> Vec<f32> + Send + Sync + 'static,
     ) -> Self {
         let read: Arc<ReadKept> = Arc::new(read);
-        for channel in self.channels.iter_mut().flatten() {
+        let channels = self.channels.iter_mut().flatten();
+        for channel in channels.filter(|channel| channel.detector.is_plain()) {
             channel.detector.set_remembering(false);
             channel.kept = Some(Kept {
                 channel: self.only.unwrap_or(0),
@@ -333,7 +347,11 @@ impl Detector {
 #[derive(Clone, Debug)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 struct ChannelDetector {
-    sample_rate_hz: f64,
+    sample_rate_hz: u32,
+    /// How many samples there have been.
+    samples: u64,
+    /// How many seconds may be remembered.
+    remembered_s: f64,
     /// Remembers the samples from the first onset not yet judged on.
     detector: OnsetDetector,
     /// Onsets not yet judged.
@@ -368,10 +386,12 @@ impl fmt::Debug for Kept {
 }
 
 impl ChannelDetector {
-    fn new(mut detector: OnsetDetector, sample_rate_hz: u32) -> Self {
+    fn new(mut detector: OnsetDetector, sample_rate_hz: u32, most_s: f64) -> Self {
         detector.set_remembering(true);
         Self {
-            sample_rate_hz: f64::from(sample_rate_hz),
+            sample_rate_hz,
+            samples: 0,
+            remembered_s: most_s.min(REMEMBERED_S),
             detector,
             onsets: Vec::new(),
             onsets_judged: 0,
@@ -384,7 +404,7 @@ impl ChannelDetector {
     }
 
     fn now_s(&self) -> f64 {
-        self.detector.history().end() as f64 / self.sample_rate_hz
+        self.detector.history().end() as f64 / self.detector.rate_hz()
     }
 
     fn push(&mut self, samples: &[f32]) {
@@ -397,6 +417,7 @@ impl ChannelDetector {
                 samples
             },
         );
+        self.samples += samples.len() as u64;
         let heard = self.onsets.len();
         self.detector.push_finite(samples, &mut self.onsets);
         self.judge_onsets_from(heard);
@@ -408,7 +429,7 @@ impl ChannelDetector {
             self.judge_all(end_s);
         }
         let first_s = self.onsets.first().map_or(self.now_s(), |o| o.time_s);
-        let needed = (first_s - DELAY_S - AROUND_S) * self.sample_rate_hz;
+        let needed = (first_s - DELAY_S - AROUND_S) * self.detector.rate_hz();
         self.detector.history_mut().forget_before(needed as u64);
     }
 
@@ -421,7 +442,7 @@ impl ChannelDetector {
                 |onset: Option<&Onset>, now: &Onset| onset.map_or(0.0, |o| now.time_s - o.time_s);
             if far_s(self.onsets.last(), &onset) > GAP_S {
                 self.judge_all(onset.time_s);
-            } else if far_s(self.onsets.first(), &onset) > MEMORY_S + SLACK_S
+            } else if far_s(self.onsets.first(), &onset) > self.remembered_s
                 || self.onsets.len() >= MOST_ONSETS
             {
                 self.judge_the_past(onset.time_s);
@@ -456,7 +477,8 @@ impl ChannelDetector {
 
     /// The samples of these seconds that are remembered.
     fn read(&self, range_s: Range<f64>) -> Recording {
-        let number = |time_s: f64| (time_s * self.sample_rate_hz).max(0.0) as u64;
+        let rate_hz = self.detector.rate_hz();
+        let number = |time_s: f64| (time_s * rate_hz).max(0.0) as u64;
         let range = number(range_s.start)..number(range_s.end);
         let mut samples = Vec::new();
         let mut first = self.detector.history().read(range.clone(), &mut samples);
@@ -469,8 +491,8 @@ impl ChannelDetector {
         }
         Recording {
             samples,
-            start_s: first as f64 / self.sample_rate_hz,
-            rate_hz: self.sample_rate_hz,
+            start_s: first as f64 / rate_hz,
+            rate_hz,
         }
     }
 
@@ -500,28 +522,28 @@ impl ChannelDetector {
             MOST_ONSETS.. => self.onsets[MOST_ONSETS / part].time_s,
             _ => f64::NEG_INFINITY,
         };
-        crowd_s.max(now_s - MEMORY_S)
+        crowd_s.max(now_s - DROP_SHARE * self.remembered_s)
     }
 
     /// Sharpens the times of these trains while their samples are at hand, and keeps them.
     fn take(&mut self, mut found: TrainSearch) {
         for train in &mut found.trains {
             let heard = self.read(train.start_s() - AROUND_S..train.end_s() + AROUND_S);
-            train.align(&heard.samples, heard.start_s, self.sample_rate_hz as u32);
+            train.align(&heard.samples, heard.start_s, heard.rate_hz);
         }
         self.found.trains.append(&mut found.trains);
         self.found.periodic.append(&mut found.periodic);
     }
 
     fn finish(mut self, channel: usize, distinct_channels: usize) -> Detection {
-        let duration_s = self.now_s();
+        let duration_s = self.samples as f64 / f64::from(self.sample_rate_hz);
         let heard = self.onsets.len();
         self.detector.flush(&mut self.onsets);
         self.judge_onsets_from(heard);
         self.judge_all(duration_s);
         self.found.set_distant_apart();
         Detection {
-            sample_rate_hz: self.sample_rate_hz as u32,
+            sample_rate_hz: self.sample_rate_hz,
             channels: distinct_channels,
             channel,
             distinct_channels,
@@ -793,7 +815,7 @@ mod tests {
 
     /// What is found among these onsets as they come one by one; never are many remembered.
     fn judged(onsets: &[Onset]) -> TrainSearch {
-        let mut channel = ChannelDetector::new(OnsetDetector::new(44_100), 44_100);
+        let mut channel = ChannelDetector::new(OnsetDetector::new(44_100), 44_100, REMEMBERED_S);
         for onset in onsets {
             channel.onsets.push(*onset);
             channel.judge_onsets_from(channel.onsets.len() - 1);

@@ -2,16 +2,18 @@
 
 use std::collections::VecDeque;
 use std::ops::Range;
+use std::sync::Arc;
 
 /// Frames in a piece.
 const PIECE_FRAMES: usize = 32;
 
-/// Remembers samples by their number in the stream. A frame lies in one piece.
-#[derive(Clone, Debug)]
+/// Remembers samples by their number in the stream. A frame lies in one piece. A clone shares the pieces
+/// that are complete.
+#[derive(Debug)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub(crate) struct History {
     frame: usize,
-    pieces: VecDeque<Vec<f32>>,
+    pieces: VecDeque<Arc<Vec<f32>>>,
     /// Number of the first sample of the first piece.
     first: u64,
     /// How many samples there have been.
@@ -39,15 +41,16 @@ impl History {
     /// Takes as many of these samples as the last piece has room for; how many that is.
     pub(super) fn push(&mut self, samples: &[f32]) -> usize {
         let size = PIECE_FRAMES * self.frame;
-        let is_full = |piece: &Vec<f32>| piece.len() == size;
+        let is_full = |piece: &Arc<Vec<f32>>| piece.len() == size;
         if self.pieces.back().is_none_or(is_full) {
             let piece = self.spare.pop();
-            self.pieces
-                .push_back(piece.unwrap_or_else(|| Vec::with_capacity(size)));
+            let piece = piece.unwrap_or_else(|| Vec::with_capacity(size));
+            self.pieces.push_back(Arc::new(piece));
         }
         let Some(piece) = self.pieces.back_mut() else {
             return 0;
         };
+        let piece = Arc::make_mut(piece);
         let taken = samples.len().min(size - piece.len());
         piece.extend_from_slice(&samples[..taken]);
         self.end += taken as u64;
@@ -68,6 +71,7 @@ impl History {
         let size = (PIECE_FRAMES * self.frame) as u64;
         let start = range.start.max(self.first);
         let end = range.end.min(self.end);
+        samples.reserve_exact(end.saturating_sub(start) as usize);
         let mut at = start;
         while at < end {
             let piece = &self.pieces[((at - self.first) / size) as usize];
@@ -83,11 +87,32 @@ impl History {
     pub(crate) fn forget_before(&mut self, sample: u64) {
         let size = (PIECE_FRAMES * self.frame) as u64;
         while self.first + size <= sample.min(self.end)
-            && let Some(mut piece) = self.pieces.pop_front()
+            && let Some(piece) = self.pieces.pop_front()
         {
-            piece.clear();
-            self.spare.push(piece);
+            if let Some(mut piece) = Arc::into_inner(piece) {
+                piece.clear();
+                self.spare.push(piece);
+            }
             self.first += size;
+        }
+    }
+}
+
+impl Clone for History {
+    fn clone(&self) -> Self {
+        let mut pieces = self.pieces.clone();
+        if let Some(last) = pieces.back_mut() {
+            // Both go on.
+            let mut copy = Vec::with_capacity(PIECE_FRAMES * self.frame);
+            copy.extend_from_slice(last);
+            *last = Arc::new(copy);
+        }
+        Self {
+            frame: self.frame,
+            pieces,
+            first: self.first,
+            end: self.end,
+            spare: Vec::new(),
         }
     }
 }
@@ -95,6 +120,27 @@ impl History {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_clone_shares_what_is_complete_and_goes_on_by_itself() {
+        let mut history = History::new(4);
+        let samples: Vec<f32> = (0..300_u16).map(f32::from).collect();
+        let push = |history: &mut History, mut rest: &[f32]| {
+            while !rest.is_empty() {
+                rest = &rest[history.push(rest)..];
+            }
+        };
+        push(&mut history, &samples);
+        let mut clone = history.clone();
+        assert!(Arc::ptr_eq(&history.pieces[0], &clone.pieces[0]));
+        push(&mut history, &[-1.0]);
+        push(&mut clone, &[-2.0]);
+        let mut read = Vec::new();
+        history.read(299..400, &mut read);
+        assert_eq!(read, [299.0, -1.0]);
+        clone.read(299..400, &mut read);
+        assert_eq!(read, [299.0, -2.0]);
+    }
 
     #[test]
     fn what_is_remembered_is_what_was_heard() {

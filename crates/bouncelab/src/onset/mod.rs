@@ -33,6 +33,7 @@
 //! ```
 
 mod bands;
+mod decimate;
 mod floor;
 mod history;
 mod novelty;
@@ -45,6 +46,7 @@ pub(crate) use history::History;
 use crate::error::{Error, Result};
 use crate::simd::dispatch;
 use bands::{FRAME_HOPS, FilterBank};
+use decimate::Decimator;
 use floor::QuantisationStep;
 use novelty::{HopEnergies, Novelty};
 use pick::Picker;
@@ -110,7 +112,7 @@ const STANDS_OUT: f64 = 2.0;
 /// assert_eq!(bands_hz[4], 12_000.0..24_000.0);
 /// ```
 pub fn bands_hz(sample_rate_hz: u32) -> Vec<Range<f64>> {
-    FilterBank::new(f64::from(sample_rate_hz.max(1))).bands_hz()
+    FilterBank::new(Decimator::of_rate(sample_rate_hz).1).bands_hz()
 }
 
 /// A candidate is the strongest moment this far to both sides.
@@ -126,11 +128,14 @@ const STEP_SHARE: usize = 8;
 /// Finds onset candidates in a stream of samples, in constant memory.
 ///
 /// The samples are worked on in frames of some 30 ms, so a candidate comes up to a tenth of a
-/// second late, and does not depend on the blocks in which the samples come.
+/// second late, and does not depend on the blocks in which the samples come. Rates above 96 kHz are
+/// lowered to it first.
 #[derive(Clone, Debug)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct OnsetDetector {
-    sample_rate_hz: f64,
+    decimator: Option<Decimator>,
+    /// Samples a second that are left.
+    rate_hz: f64,
     spacing: u64,
     precursor: u64,
     bank: FilterBank,
@@ -154,8 +159,8 @@ pub struct OnsetDetector {
 impl OnsetDetector {
     /// A detector for samples at this rate.
     pub fn new(sample_rate_hz: u32) -> Self {
-        let sample_rate_hz = f64::from(sample_rate_hz.max(1));
-        Self::with(FilterBank::new(sample_rate_hz), sample_rate_hz)
+        let (decimator, rate_hz) = Decimator::of_rate(sample_rate_hz);
+        Self::with(FilterBank::new(rate_hz), rate_hz, decimator)
     }
 
     /// A detector that watches only the bands of which at least half lies between these frequencies.
@@ -170,24 +175,25 @@ impl OnsetDetector {
     /// assert!(OnsetDetector::within(48_000, &(30_000.0..40_000.0)).is_err());
     /// ```
     pub fn within(sample_rate_hz: u32, range_hz: &Range<f64>) -> Result<Self> {
-        let sample_rate_hz = f64::from(sample_rate_hz.max(1));
-        let mut bank = FilterBank::new(sample_rate_hz);
+        let (decimator, rate_hz) = Decimator::of_rate(sample_rate_hz);
+        let mut bank = FilterBank::new(rate_hz);
         if bank.watch(range_hz.start, range_hz.end) {
-            Ok(Self::with(bank, sample_rate_hz))
+            Ok(Self::with(bank, rate_hz, decimator))
         } else {
             Err(Error::no_band(range_hz, &bank.bands_hz()))
         }
     }
 
-    fn with(bank: FilterBank, sample_rate_hz: f64) -> Self {
-        let hop_s = bank.hop as f64 / sample_rate_hz;
+    fn with(bank: FilterBank, rate_hz: f64, decimator: Option<Decimator>) -> Self {
+        let hop_s = bank.hop as f64 / rate_hz;
         Self {
-            sample_rate_hz,
+            decimator,
+            rate_hz,
             spacing: novelty::hops(SPACING_S, hop_s) as u64,
             precursor: novelty::hops(PRECURSOR_S, hop_s) as u64,
             energies: HopEnergies::new(&bank, hop_s),
             step: QuantisationStep::new(),
-            picker: Picker::new(sample_rate_hz),
+            picker: Picker::new(rate_hz),
             moments: Vec::new(),
             open: 0,
             history: History::new(bank.frame()),
@@ -202,6 +208,16 @@ impl OnsetDetector {
     /// Whether it forgets no sample by itself.
     pub(crate) fn set_remembering(&mut self, remembers: bool) {
         self.remembers = remembers;
+    }
+
+    /// Samples a second that are remembered: fewer than come, if they come at a high rate.
+    pub(crate) fn rate_hz(&self) -> f64 {
+        self.rate_hz
+    }
+
+    /// Whether every sample is remembered as it comes.
+    pub(crate) fn is_plain(&self) -> bool {
+        self.decimator.is_none()
     }
 
     /// The samples that are remembered.
@@ -236,6 +252,16 @@ impl OnsetDetector {
 
     /// The same for samples known to be finite.
     pub(crate) fn push_finite(&mut self, samples: &[f32], onsets: &mut Vec<Onset>) {
+        match self.decimator.take() {
+            None => self.hear(samples, onsets),
+            Some(mut decimator) => {
+                self.hear(decimator.push(samples), onsets);
+                self.decimator = Some(decimator);
+            }
+        }
+    }
+
+    fn hear(&mut self, samples: &[f32], onsets: &mut Vec<Onset>) {
         let mut rest = samples;
         while !rest.is_empty() {
             let taken = self.history.push(rest);
@@ -257,6 +283,9 @@ impl OnsetDetector {
 
     /// Appends the last candidates; nothing can be pushed after this.
     pub(crate) fn flush(&mut self, onsets: &mut Vec<Onset>) {
+        if let Some(mut decimator) = self.decimator.take() {
+            self.hear(decimator.finish(), onsets);
+        }
         let end = self.history.end();
         let before = onsets.len();
         // As if the last value went on: the last moments get their look ahead.
@@ -266,9 +295,9 @@ impl OnsetDetector {
         let look_ahead = (self.spacing + self.precursor) as usize;
         let hops = look_ahead + self.energies.look_ahead() + 1 + FRAME_HOPS;
         let length = hops * self.bank.hop + self.bank.delay();
-        self.push_finite(&vec![hold; length], onsets);
+        self.hear(&vec![hold; length], onsets);
         // Where the sound breaks off is not an onset.
-        let end_s = (end as f64 - 2.0 * self.bank.hop as f64) / self.sample_rate_hz;
+        let end_s = (end as f64 - 2.0 * self.bank.hop as f64) / self.rate_hz;
         let last = onsets.partition_point(|o| o.time_s < end_s);
         onsets.truncate(last.max(before));
     }
@@ -352,8 +381,8 @@ impl OnsetDetector {
             || self.picker.pick(&self.around, at, self.step.power()),
         );
         Onset {
-            time_s: ((first + pick.sample as u64) as f64 + pick.after) / self.sample_rate_hz,
-            sigma_s: pick.sigma / self.sample_rate_hz,
+            time_s: ((first + pick.sample as u64) as f64 + pick.after) / self.rate_hz,
+            sigma_s: pick.sigma / self.rate_hz,
             strength: moment.strength,
             level_db: decibels(moment.gain.iter().sum()),
             band_levels_db: moment.gain.map(|g| decibels(g) as f32),

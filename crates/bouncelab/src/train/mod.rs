@@ -128,8 +128,7 @@ impl Train {
     ///
     /// `samples` are the recording from `start_s` on. Impacts outside them, or unlike the others,
     /// keep their times.
-    pub fn align(&mut self, samples: &[f32], start_s: f64, sample_rate_hz: u32) {
-        let rate_hz = f64::from(sample_rate_hz);
+    pub fn align(&mut self, samples: &[f32], start_s: f64, rate_hz: f64) {
         loop {
             let heard = self.impacts.len();
             let last = self.impacts[heard - 1].number;

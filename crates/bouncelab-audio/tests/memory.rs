@@ -1,0 +1,149 @@
+//! No recording, however it is made, takes more than a quarter of a gigabyte, from the file to its drops.
+//!
+//! The allocator of this test binary fails, and so ends the test, at that limit.
+
+use std::alloc::System;
+use std::io::{self, Read, Seek, SeekFrom};
+
+use bouncelab::analysis::Plan;
+use bouncelab::{Detector, Options};
+use bouncelab_audio::{Error, Input, Source};
+use bouncelab_testkit::hostile;
+use cap::Cap;
+
+const MEMORY_LIMIT: usize = 256 << 20;
+
+#[global_allocator]
+static ALLOCATOR: Cap<System> = Cap::new(System, MEMORY_LIMIT);
+
+/// A WAV of bursts of noise, different in all channels, that is made while it is read.
+struct Noise {
+    header: Vec<u8>,
+    samples: Vec<u8>,
+    length: u64,
+    at: u64,
+}
+
+impl Noise {
+    fn new(sample_rate_hz: u32, channels: u16, seconds: u32) -> Self {
+        let frame = 2 * channels;
+        let length = u64::from(seconds) * u64::from(sample_rate_hz) * u64::from(frame);
+        let size = u32::try_from(length).unwrap();
+        let mut header = b"RIFF".to_vec();
+        header.extend((36 + size).to_le_bytes());
+        header.extend(b"WAVEfmt \x10\0\0\0\x01\0");
+        header.extend(channels.to_le_bytes());
+        header.extend(sample_rate_hz.to_le_bytes());
+        header.extend((sample_rate_hz * u32::from(frame)).to_le_bytes());
+        header.extend(frame.to_le_bytes());
+        header.extend(b"\x10\0data");
+        header.extend(size.to_le_bytes());
+        let mut dice = 1_u64;
+        // A burst and quiet, over and over; a prime number, so that no channel has the samples of another.
+        let samples = (0..499_979).map(|n| {
+            dice = dice.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
+            let loud = (dice >> 48) as u16;
+            if n < 8_000 { loud } else { loud % 64 }
+        });
+        Self {
+            samples: samples.flat_map(u16::to_le_bytes).collect(),
+            length: header.len() as u64 + length,
+            header,
+            at: 0,
+        }
+    }
+}
+
+impl Read for Noise {
+    fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
+        let content = match self.header.get(self.at as usize..) {
+            Some(rest) if !rest.is_empty() => rest,
+            _ => &self.samples[(self.at % self.samples.len() as u64) as usize..],
+        };
+        let left = (self.length - self.at) as usize;
+        let length = content.len().min(buffer.len()).min(left);
+        buffer[..length].copy_from_slice(&content[..length]);
+        self.at += length as u64;
+        Ok(length)
+    }
+}
+
+impl Seek for Noise {
+    fn seek(&mut self, to: SeekFrom) -> io::Result<u64> {
+        let at = match to {
+            SeekFrom::Start(at) => i128::from(at),
+            SeekFrom::Current(by) => i128::from(self.at) + i128::from(by),
+            SeekFrom::End(by) => i128::from(self.length) + i128::from(by),
+        };
+        let at = u64::try_from(at).map_err(io::Error::other)?;
+        self.at = at.min(self.length);
+        Ok(self.at)
+    }
+}
+
+fn plan(source: Source) -> Result<Plan, Box<dyn std::error::Error>> {
+    let input = Input::Sound(Box::new(source));
+    input.plan(&Options::default(), |_| Ok(()))
+}
+
+/// All of it is remembered, because sounds that stand out follow each other without a break.
+#[test]
+fn sound_of_any_rate_and_number_of_channels_fits() {
+    // Long enough to fill what is remembered.
+    for (sample_rate_hz, channels, seconds) in [(48_000, 8, 100), (192_000, 2, 190)] {
+        let noise = Noise::new(sample_rate_hz, channels, seconds);
+        let source = Source::from_reader(noise, "noise.wav").unwrap();
+        assert_eq!(source.channels(), usize::from(channels));
+        assert!(plan(source).is_ok());
+    }
+}
+
+/// Steps of eight channels at 655 kHz for 20 s, in 8 kB: 420 MB of samples.
+#[test]
+fn a_small_file_that_claims_much_fits() {
+    let flac = hostile::flac(655_350, 8, 200);
+    assert!(flac.len() < 1 << 13);
+    let source = Source::from_bytes(flac, "small.flac").unwrap();
+    assert_eq!((source.sample_rate_hz(), source.channels()), (655_350, 8));
+    assert!(plan(source).is_ok());
+}
+
+#[test]
+fn more_channels_than_fit_are_refused_by_name() {
+    let source = Source::from_reader(Noise::new(10_000_000, 16, 1), "many.wav").unwrap();
+    let refused = plan(source).unwrap_err();
+    let refused = refused.downcast_ref::<bouncelab::Error>();
+    let expected = bouncelab::diagnostic::Code::TooManyChannels;
+    assert_eq!(
+        refused.map(|refused| refused.diagnostic().code),
+        Some(expected)
+    );
+}
+
+/// What is heard so far is judged again and again while a drop is watched.
+#[test]
+fn listening_takes_no_second_memory() {
+    let noise = Noise::new(96_000, 2, 180);
+    let mut source = Source::from_reader(noise, "noise.wav").unwrap();
+    let mut detector = Detector::new(96_000, 2);
+    while let Some(block) = source.next_block().unwrap() {
+        detector.push(&[block.channel(0), block.channel(1)]);
+    }
+    let copies = [detector.clone(), detector.clone(), detector.clone()];
+    assert!(copies.iter().all(|copy| copy.onsets() == detector.onsets()));
+}
+
+#[test]
+fn no_recording_is_read_for_more_than_a_day() {
+    // Frames of 16 s of silence at 4 kHz, 25 hours in 66 kB.
+    let flac = hostile::flac(4_000, 1, 5_500);
+    assert!(flac.len() < 1 << 17);
+    let mut source = Source::from_bytes(flac, "long.flac").unwrap();
+    let refused = loop {
+        match source.next_block() {
+            Ok(block) => assert!(block.is_some(), "it has an end"),
+            Err(refused) => break refused,
+        }
+    };
+    assert!(matches!(refused, Error::TooLong { most_h: 24, .. }));
+}

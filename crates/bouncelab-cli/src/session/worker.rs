@@ -1,0 +1,194 @@
+//! Processes that analyse one recording after the other for a session, each within a limit of memory: a
+//! recording that ends its process ends no other.
+//!
+//! A worker is this program with the same arguments, so that it knows the same recordings and settings. It is
+//! asked for them one by one, by lines of JSON on its stdin, and answers with their records on its stdout.
+
+use std::env;
+use std::ffi::OsString;
+use std::io::{self, BufRead, BufReader, Write};
+use std::process::{Child, ChildStdout, Command, Stdio};
+use std::sync::{Mutex, PoisonError};
+
+use bouncelab_session::journal::Key;
+use bouncelab_session::{KnownRecording, Record};
+use serde::{Deserialize, Serialize};
+
+use crate::failure::Failure;
+use crate::terminal::print_data;
+
+/// The argument that makes a worker of a session.
+pub(super) const WORKER: &str = "worker";
+
+/// A recording to be analysed.
+#[derive(Clone, Copy, Serialize, Deserialize)]
+pub(super) struct Request {
+    /// Its place among the recordings of the session.
+    pub(super) place: usize,
+    /// Content and settings.
+    pub(super) key: Key,
+}
+
+/// Why there is no record.
+pub(super) enum Trouble {
+    /// The worker ended; how.
+    Died(String),
+    /// The session cannot go on.
+    Session(Failure),
+}
+
+impl From<bouncelab_session::Error> for Trouble {
+    fn from(error: bouncelab_session::Error) -> Self {
+        Self::Session(error.into())
+    }
+}
+
+/// Workers, started when they are needed.
+#[derive(Default)]
+pub(super) struct Workers {
+    idle: Mutex<Vec<Worker>>,
+}
+
+impl Workers {
+    /// Has a recording analysed by a worker that has nothing else to do.
+    pub(super) fn record(&self, request: Request) -> Result<Record, Trouble> {
+        let mut worker = match self.idle().pop() {
+            Some(worker) => worker,
+            None => Worker::start().map_err(|reason| {
+                let problem = format!("cannot start another process of bouncelab: {reason}");
+                Trouble::Session(Failure::Input(problem))
+            })?,
+        };
+        match worker.ask(request) {
+            Ok(record) => {
+                self.idle().push(worker);
+                Ok(record)
+            }
+            Err(reason) => Err(Trouble::Died(worker.end(&reason))),
+        }
+    }
+
+    fn idle(&self) -> std::sync::MutexGuard<'_, Vec<Worker>> {
+        // A list of workers is whole at any time.
+        self.idle.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}
+
+struct Worker {
+    process: Child,
+    answers: BufReader<ChildStdout>,
+}
+
+impl Worker {
+    fn start() -> io::Result<Self> {
+        let mut process = Command::new(env::current_exe()?)
+            .args(arguments(env::args_os().skip(1)))
+            .stdin(Stdio::piped())
+            .stdout(Stdio::piped())
+            .spawn()?;
+        let answers = process.stdout.take().ok_or(io::ErrorKind::BrokenPipe)?;
+        Ok(Self {
+            process,
+            answers: BufReader::new(answers),
+        })
+    }
+
+    fn ask(&mut self, request: Request) -> io::Result<Record> {
+        let requests = self.process.stdin.as_mut();
+        let requests = requests.ok_or(io::ErrorKind::BrokenPipe)?;
+        writeln!(requests, "{}", serde_json::to_string(&request)?)?;
+        let mut answer = String::new();
+        self.answers.read_line(&mut answer)?;
+        Ok(serde_json::from_str(&answer)?)
+    }
+
+    /// Ends a worker that gave no answer; how it ended.
+    fn end(mut self, reason: &io::Error) -> String {
+        // One that failed has closed its end, and is gone or about to go.
+        drop(self.process.stdin.take());
+        match self.process.wait() {
+            Ok(status) => status.to_string(),
+            Err(_) => reason.to_string(),
+        }
+    }
+}
+
+impl Drop for Worker {
+    fn drop(&mut self) {
+        // It may be gone already; there is nothing in it to be lost.
+        let _ = self.process.kill();
+        let _ = self.process.wait();
+    }
+}
+
+/// The arguments of a worker, from those of its session.
+fn arguments(of_session: impl Iterator<Item = OsString>) -> Vec<OsString> {
+    let mut arguments: Vec<OsString> = of_session.collect();
+    // Behind the name of the command: further behind, there may be a `--`.
+    let command = arguments.iter().position(|word| word == "session");
+    let behind = command.map_or(arguments.len(), |place| place + 1);
+    arguments.insert(behind, format!("--{WORKER}").into());
+    arguments
+}
+
+/// Answers the requests of a session until there are no more.
+pub(super) fn serve(recordings: &[KnownRecording], memory_mb: u64) -> Result<(), Failure> {
+    confine(memory_mb)?;
+    for line in io::stdin().lock().lines() {
+        let request: Request = serde_json::from_str(&line?).map_err(io::Error::from)?;
+        let recording = recordings.get(request.place);
+        let same = recording.filter(|it| it.key(request.key.content) == request.key);
+        let recording = same.ok_or_else(|| {
+            Failure::Input("recordings or notes have changed since the session began".to_owned())
+        })?;
+        let record = serde_json::to_string(&recording.record(request.key.content));
+        print_data(record.map_err(io::Error::from)? + "\n")?;
+    }
+    Ok(())
+}
+
+/// Gives up what an analysis does not need: memory beyond a limit, writing files, the network. What the system
+/// does not know stays.
+#[cfg(target_os = "linux")]
+fn confine(memory_mb: u64) -> Result<(), Failure> {
+    use landlock::{ABI, Access, AccessFs, AccessNet, Ruleset, RulesetAttr, RulesetCreated};
+    use rustix::process::{Resource, Rlimit, setrlimit};
+
+    let bytes = Some(memory_mb << 20);
+    let limit = Rlimit {
+        current: bytes,
+        maximum: bytes,
+    };
+    setrlimit(Resource::Data, limit).map_err(|reason| {
+        Failure::Input(format!(
+            "cannot limit the memory to {memory_mb} MB: {reason}"
+        ))
+    })?;
+    let abi = ABI::V5;
+    Ruleset::default()
+        .handle_access(AccessFs::from_write(abi))
+        .and_then(|rules| rules.handle_access(AccessNet::from_all(abi)))
+        .and_then(Ruleset::create)
+        .and_then(RulesetCreated::restrict_self)
+        .map_err(|reason| Failure::Input(format!("cannot give up writing: {reason}")))?;
+    Ok(())
+}
+
+#[cfg(not(target_os = "linux"))]
+fn confine(_: u64) -> Result<(), Failure> {
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_worker_has_the_arguments_of_its_session() {
+        let of = |words: &[&str]| arguments(words.iter().map(OsString::from));
+        assert_eq!(
+            of(&["--language", "de", "session", "--", "-a"]),
+            ["--language", "de", "session", "--worker", "--", "-a"]
+        );
+    }
+}
