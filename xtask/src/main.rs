@@ -16,6 +16,7 @@ mod fuzz;
 mod laboratory;
 mod package;
 mod python;
+mod release;
 mod steps;
 mod tables;
 mod test;
@@ -34,7 +35,7 @@ struct Chore {
     run: fn(&[String]) -> Result,
 }
 
-const CHORES: [Chore; 10] = [
+const CHORES: [Chore; 11] = [
     Chore {
         name: "test",
         arguments: "[CHECK...]",
@@ -64,6 +65,12 @@ const CHORES: [Chore; 10] = [
         arguments: "",
         about: python::ABOUT,
         run: python::run,
+    },
+    Chore {
+        name: "release",
+        arguments: "[target=TRIPLE]",
+        about: release::ABOUT,
+        run: release::run,
     },
     Chore {
         name: "verdicts",

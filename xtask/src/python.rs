@@ -27,6 +27,13 @@ const REQUIREMENTS_OF_OTHERS: &str = "requirements-other.txt";
 
 /// The chore: the wheel for users.
 pub(crate) fn run(_: &[String]) -> Result {
+    let wheel = released_wheel()?;
+    println!("built {}", wheel.display());
+    Ok(())
+}
+
+/// The wheel for users.
+pub(crate) fn released_wheel() -> Result<PathBuf> {
     let venv = Venv::first(&interpreters().first().ok_or(MISSING)?.1)?;
     run_command(&mut cargo([
         "build",
@@ -35,9 +42,23 @@ pub(crate) fn run(_: &[String]) -> Result {
         "--bin",
         "bouncelab",
     ]))?;
-    let wheel = venv.wheel("python", &[])?;
-    println!("built {}", wheel.display());
-    Ok(())
+    venv.wheel("python", &[])
+}
+
+/// The wheel of the checks.
+pub(crate) fn checked_wheel() -> Result<PathBuf> {
+    Venv::first(&interpreters().first().ok_or(MISSING)?.1)?.shared_wheel()
+}
+
+/// What installs a wheel into a folder of its own.
+pub(crate) fn installing(wheel: &Path, folder: &Path) -> Result<Command> {
+    let venv = Venv::first(&interpreters().first().ok_or(MISSING)?.1)?;
+    let mut install = venv.install();
+    install
+        .args(["--no-deps", "--target"])
+        .arg(folder)
+        .arg(wheel);
+    Ok(install)
 }
 
 pub(crate) const MISSING: &str =

@@ -4,7 +4,7 @@ use std::process::Command;
 
 use crate::cargo::{cargo, cargo_all, has, has_sound_headers, install, run as run_command};
 use crate::steps::{self, Step, Time, Watch};
-use crate::{Result, cluster, fresh, package, python, tables, web};
+use crate::{Result, cluster, fresh, package, python, release, tables, web};
 
 pub(crate) const ABOUT: &str = "Run every check, or only the named ones";
 
@@ -61,7 +61,7 @@ impl Needs {
 /// features: clippy and the documentation use the same metadata of the dependencies, the tests and the
 /// program under the end-to-end tests the same code, so that a dependency is compiled at most twice;
 /// and once more for the browser.
-pub(crate) const CHECKS: [Check; 13] = [
+pub(crate) const CHECKS: [Check; 14] = [
     Check {
         name: "format",
         about: "rustfmt has nothing to change",
@@ -149,6 +149,12 @@ pub(crate) const CHECKS: [Check; 13] = [
         about: "end-to-end tests of the page and of the reports in a browser",
         needs: Needs::Browser,
         run: || web::e2e(&[]),
+    },
+    Check {
+        name: "release",
+        about: "what a release publishes runs from an empty folder; the workflow files are valid",
+        needs: Needs::Nothing,
+        run: release::check,
     },
     Check {
         name: "fresh",

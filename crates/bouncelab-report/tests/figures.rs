@@ -418,7 +418,8 @@ mod pictures {
         let lines: Vec<&str> = table.lines().collect();
         assert_eq!(lines.len(), 1 + chart.rows().len());
         let first = flights(5, 5)[0].time_s;
-        let point = format!("0,,flight time (s),measured flights,points,1,,{first},,,");
+        let axes = "0,number of the flight,flight time (s)";
+        let point = format!("{axes},measured flights,points,1,,{first},,,");
         assert!(lines.contains(&point.as_str()), "{table}");
     }
 

@@ -15,9 +15,9 @@ use crate::pattern::Pattern;
 pub const SESSION_FILE: &str = "session.toml";
 
 /// Endings of recordings that are looked for in folders; a recording that is named may have any.
-pub const ENDINGS: [&str; 16] = [
-    "aac", "aif", "aifc", "aiff", "flac", "m4a", "mka", "mkv", "mov", "mp3", "mp4", "oga", "ogg",
-    "opus", "wav", "webm",
+pub const ENDINGS: [&str; 17] = [
+    "aac", "aif", "aifc", "aiff", "caf", "flac", "m4a", "mka", "mkv", "mov", "mp3", "mp4", "oga",
+    "ogg", "opus", "wav", "webm",
 ];
 
 /// Where to look.

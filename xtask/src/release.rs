@@ -1,0 +1,305 @@
+//! `cargo xtask release` and the check `release`: all that is published of a version and can be made on this
+//! machine.
+//!
+//! The check makes the same of what the other checks compiled, without optimisation, installs each in an empty folder
+//! and runs the demo from there.
+
+use std::env::consts::EXE_SUFFIX;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+use crate::Result;
+use crate::cargo::{built, cargo, has, root, run as run_command, succeeds, target};
+use crate::{python, web};
+
+pub(crate) const ABOUT: &str =
+    "Make all that a release publishes and this machine can make, into target/release-artefacts";
+
+/// All crates and packages have the same one.
+const VERSION: &str = env!("CARGO_PKG_VERSION");
+
+/// What lies beside the program in its archive.
+const DOCUMENTS: [&str; 4] = ["README.md", "CHANGELOG.md", "LICENSE-MIT", "LICENSE-APACHE"];
+
+/// The completions, by the shell and the names that the shells look for.
+const COMPLETIONS: [(&str, &str); 3] = [
+    ("bash", "bouncelab.bash"),
+    ("zsh", "_bouncelab"),
+    ("fish", "bouncelab.fish"),
+];
+
+/// The chore: for this machine, or `target=TRIPLE`, of which there is the program only.
+pub(crate) fn run(words: &[String]) -> Result {
+    let folder = target().join("release-artefacts");
+    emptied(&folder)?;
+    match words {
+        [] => {
+            let page = make_page()?;
+            let mut build = cargo(["build", "--release", "--bin", "bouncelab"]);
+            build.args(features(page));
+            run_command(&mut build)?;
+            make_all(&folder, "release")?;
+        }
+        [word] => {
+            let triple = word.strip_prefix("target=").ok_or(USAGE)?;
+            let mut build = cargo(["build", "--release", "--bin", "bouncelab", "--target"]);
+            run_command(build.arg(triple))?;
+            let built = target().join(triple).join("release");
+            program(&folder, &built, triple)?;
+        }
+        _ => return Err(USAGE.into()),
+    }
+    checksums(&folder)?;
+    println!("made in {}", folder.display());
+    Ok(())
+}
+
+const USAGE: &str = "it takes at most one word, target=TRIPLE";
+
+/// The page is a part of the program where it can be built.
+fn make_page() -> Result<bool> {
+    if web::has_node() {
+        web::build()?;
+        return Ok(true);
+    }
+    println!("SKIPPED for want of Node.js: the page, and `bouncelab serve`");
+    Ok(false)
+}
+
+/// The microphone needs a library of the system on Linux only, which not every machine has.
+fn features(page: bool) -> Vec<&'static str> {
+    let mut features = Vec::new();
+    if page {
+        features.extend(["--features", "bouncelab-cli/serve"]);
+    }
+    if !cfg!(target_os = "linux") {
+        features.extend(["--features", "bouncelab-cli/microphone"]);
+    }
+    features
+}
+
+/// Everything of a profile whose program was built.
+fn make_all(folder: &Path, profile: &str) -> Result {
+    let host = host()?;
+    let built = target().join(if profile == "dev" { "debug" } else { profile });
+    let contents = program(folder, &built, &host)?;
+    debian(folder, &contents)?;
+    if python::interpreters().is_empty() {
+        println!("SKIPPED: the wheel; {}", python::MISSING);
+    } else {
+        let wheel = match profile {
+            "dev" => python::checked_wheel()?,
+            _ => python::released_wheel()?,
+        };
+        copy(&wheel, &folder.join(wheel.file_name().unwrap_or_default()))?;
+    }
+    if web::web().join("dist/index.html").is_file() {
+        let name = format!("bouncelab-page-{VERSION}");
+        archive(folder, &name, &web::web(), "dist")?;
+    } else {
+        println!("SKIPPED: the page, which was not built");
+    }
+    let notes = notes(&read(&root().join("CHANGELOG.md"))?)?;
+    write(&folder.join("release-notes.md"), &notes)
+}
+
+/// The archive of the program with its completions, manual pages and documents; returns the folder of its contents.
+fn program(folder: &Path, built: &Path, triple: &str) -> Result<PathBuf> {
+    let name = format!("bouncelab-{VERSION}-{triple}");
+    let staged = target().join("release-staged");
+    let contents = staged.join(&name);
+    emptied(&contents)?;
+    let executable = format!("bouncelab{EXE_SUFFIX}");
+    let program = contents.join(&executable);
+    copy(&built.join(&executable), &program)?;
+    succeeds(&["strip", &program.display().to_string()]);
+    for document in DOCUMENTS {
+        copy(&root().join(document), &contents.join(document))?;
+    }
+    let mut manual = Command::new(&program);
+    manual.arg("manual").arg(contents.join("man"));
+    run_command(&mut manual)?;
+    emptied(&contents.join("completions"))?;
+    for (shell, file) in COMPLETIONS {
+        let script = Command::new(&program).args(["completions", shell]).output();
+        let script = script.map_err(|reason| reason.to_string())?.stdout;
+        let path = contents.join("completions").join(file);
+        write(&path, &String::from_utf8_lossy(&script))?;
+    }
+    archive(folder, &name, &staged, &name)?;
+    Ok(contents)
+}
+
+/// The package for Debian and its kin, by cargo-deb, whose list of files is in the `Cargo.toml` of the program.
+fn debian(folder: &Path, contents: &Path) -> Result {
+    if !cfg!(target_os = "linux") || !has("deb") {
+        println!("SKIPPED for want of cargo-deb (cargo install cargo-deb): the Debian package");
+        return Ok(());
+    }
+    // The list names one place, whatever is built.
+    let listed = root().join("target/debian-package");
+    if listed.exists() {
+        fs::remove_dir_all(&listed).map_err(|reason| said(&listed, &reason))?;
+    }
+    fs::create_dir_all(root().join("target")).map_err(|reason| said(&listed, &reason))?;
+    fs::rename(contents, &listed).map_err(|reason| said(&listed, &reason))?;
+    let mut package = cargo([
+        "deb",
+        "--package",
+        "bouncelab-cli",
+        "--no-build",
+        "--no-strip",
+    ]);
+    run_command(package.arg("--output").arg(folder))
+}
+
+/// Packs a folder that lies in another.
+fn archive(folder: &Path, name: &str, parent: &Path, contents: &str) -> Result {
+    let mut tar = Command::new("tar");
+    tar.arg("-czf").arg(folder.join(format!("{name}.tar.gz")));
+    run_command(tar.arg("-C").arg(parent).arg(contents))
+}
+
+/// `SHA256SUMS`, as `sha256sum --check` reads it.
+fn checksums(folder: &Path) -> Result {
+    let mut names: Vec<String> = files(folder)?
+        .iter()
+        .filter_map(|path| Some(path.file_name()?.to_str()?.to_owned()))
+        .collect();
+    names.sort();
+    let words: &[&str] = if succeeds(&["sha256sum", "--version"]) {
+        &["sha256sum"]
+    } else {
+        &["shasum", "-a", "256"]
+    };
+    let mut sums = Command::new(words[0]);
+    sums.args(&words[1..]).args(names).current_dir(folder);
+    let sums = sums.output().map_err(|reason| reason.to_string())?;
+    if !sums.status.success() {
+        return Err(String::from_utf8_lossy(&sums.stderr).into_owned());
+    }
+    write(
+        &folder.join("SHA256SUMS"),
+        &String::from_utf8_lossy(&sums.stdout),
+    )
+}
+
+/// The section of the change log of this version, or that of what is not released yet.
+fn notes(changes: &str) -> Result<String> {
+    let sections = || changes.split("\n## ").skip(1);
+    let of = |heading: String| sections().find(|section| section.starts_with(&heading));
+    let section = of(format!("[{VERSION}]")).or_else(|| of("[Unreleased]".to_owned()));
+    let section = section.ok_or("CHANGELOG.md has no section of this version")?;
+    let (_, text) = section.split_once('\n').unwrap_or((section, ""));
+    Ok(text.trim().to_owned() + "\n")
+}
+
+/// The check.
+pub(crate) fn check() -> Result {
+    if web::has_node() {
+        web::check_workflows()?;
+    } else {
+        println!("SKIPPED for want of Node.js: the check of the workflow files");
+    }
+    built("--bin", "bouncelab")?;
+    let folder = target().join("release-check/artefacts");
+    emptied(&folder)?;
+    make_all(&folder, "dev")?;
+    checksums(&folder)?;
+    let installed = target().join("release-check/installed");
+    emptied(&installed)?;
+    for path in files(&folder)? {
+        let name = path.file_name().unwrap_or_default().to_string_lossy();
+        let place = installed.join(&*name);
+        emptied(&place)?;
+        if name.ends_with(".whl") {
+            run_command(&mut python::installing(&path, &place)?)?;
+            demo(&place.join("bin"))?;
+        } else if name.ends_with(".deb") {
+            run_command(Command::new("dpkg-deb").arg("-x").arg(&path).arg(&place))?;
+            demo(&place.join("usr/bin"))?;
+        } else if name.starts_with("bouncelab-page") {
+            unpack(&path, &place)?;
+            read(&place.join("dist/index.html"))?;
+        } else if name.ends_with(".tar.gz") {
+            unpack(&path, &place)?;
+            demo(&place.join(name.trim_end_matches(".tar.gz")))?;
+        }
+    }
+    Ok(())
+}
+
+fn unpack(path: &Path, place: &Path) -> Result {
+    run_command(
+        Command::new("tar")
+            .arg("-xzf")
+            .arg(path)
+            .arg("-C")
+            .arg(place),
+    )
+}
+
+/// Runs the demo of a program from its own folder, with an empty home.
+fn demo(folder: &Path) -> Result {
+    let mut demo = Command::new(folder.join(format!("bouncelab{EXE_SUFFIX}")));
+    demo.arg("demo").current_dir(folder).env("HOME", folder);
+    run_command(&mut demo)?;
+    read(&folder.join("bouncelab-demo/demo-waveform.svg")).map(drop)
+}
+
+/// What this machine compiles for.
+fn host() -> Result<String> {
+    let rustc = std::env::var_os("RUSTC").unwrap_or_else(|| "rustc".into());
+    let about = Command::new(rustc).arg("-vV").output();
+    let about = about.map_err(|reason| reason.to_string())?.stdout;
+    let about = String::from_utf8_lossy(&about);
+    let host = about.lines().find_map(|line| line.strip_prefix("host: "));
+    host.map(str::to_owned)
+        .ok_or_else(|| "rustc names no host".to_owned())
+}
+
+/// Makes a folder, without what an earlier run left.
+fn emptied(folder: &Path) -> Result {
+    if folder.exists() {
+        fs::remove_dir_all(folder).map_err(|reason| said(folder, &reason))?;
+    }
+    fs::create_dir_all(folder).map_err(|reason| said(folder, &reason))
+}
+
+fn files(folder: &Path) -> Result<Vec<PathBuf>> {
+    let entries = fs::read_dir(folder).map_err(|reason| said(folder, &reason))?;
+    Ok(entries.flatten().map(|entry| entry.path()).collect())
+}
+
+fn copy(from: &Path, to: &Path) -> Result {
+    fs::copy(from, to)
+        .map(drop)
+        .map_err(|reason| said(from, &reason))
+}
+
+fn read(path: &Path) -> Result<String> {
+    fs::read_to_string(path).map_err(|reason| said(path, &reason))
+}
+
+fn write(path: &Path, text: &str) -> Result {
+    fs::write(path, text).map_err(|reason| said(path, &reason))
+}
+
+fn said(path: &Path, reason: &std::io::Error) -> String {
+    format!("{}: {reason}", path.display())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{VERSION, notes};
+
+    #[test]
+    fn the_notes_are_the_section_of_the_version_or_of_what_comes() {
+        let coming = "# Changelog\n\n## [Unreleased]\n\n### Added\n\n- this\n\n## [0.0.1] - 2020-01-01\n\n- that\n";
+        assert_eq!(notes(coming).unwrap(), "### Added\n\n- this\n");
+        let released = coming.replace("[0.0.1]", &format!("[{VERSION}]"));
+        assert_eq!(notes(&released).unwrap(), "- that\n");
+        assert!(notes("# Changelog\n").is_err());
+    }
+}
