@@ -72,12 +72,11 @@ fn anchor(anchor: Anchor) -> &'static str {
 
 /// The straight lines from each point to the next.
 fn path(points: &[Place]) -> String {
-    let mut path = String::new();
-    for (index, (x, y)) in points.iter().enumerate() {
-        path.push(if index == 0 { 'M' } else { 'L' });
-        path.push_str(&format!("{} {}", rounded(*x), rounded(*y)));
-    }
-    path
+    let to = |(index, (x, y)): (usize, &Place)| {
+        let letter = if index == 0 { 'M' } else { 'L' };
+        format!("{letter}{} {}", rounded(*x), rounded(*y))
+    };
+    points.iter().enumerate().map(to).collect()
 }
 
 /// Hundredths of a pixel are seen by nobody.
