@@ -177,10 +177,10 @@ pub(crate) const ON_REQUEST: [Check; 1] = [Check {
 fn tests() -> Result {
     let all = |compile: &[&str]| {
         if has("nextest") {
-            cargo_all(&[&["nextest", "run"], compile].concat())
+            cargo_all(&[&["nextest", "run", "--no-fail-fast"], compile].concat())
         } else {
             println!("cargo-nextest is not installed: `cargo test` runs the same tests");
-            let mut command = cargo_all(&[&["test"], compile].concat());
+            let mut command = cargo_all(&[&["test", "--no-fail-fast"], compile].concat());
             command.args(["--lib", "--bins", "--tests", "--examples"]);
             command
         }
