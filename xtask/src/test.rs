@@ -177,16 +177,16 @@ pub(crate) const ON_REQUEST: [Check; 1] = [Check {
 fn tests() -> Result {
     let all = |compile: &[&str]| {
         if has("nextest") {
-            cargo_all(&[&["nextest", "run", "--no-fail-fast"], compile].concat())
+            cargo_all(&[&["nextest", "run"], compile].concat())
         } else {
             println!("cargo-nextest is not installed: `cargo test` runs the same tests");
-            let mut command = cargo_all(&[&["test", "--no-fail-fast"], compile].concat());
+            let mut command = cargo_all(&[&["test"], compile].concat());
             command.args(["--lib", "--bins", "--tests", "--examples"]);
             command
         }
     };
     run_command(&mut all(&["--no-run"]))?;
-    run_command(&mut all(&[]))
+    run_command(&mut all(&["--no-fail-fast"]))
 }
 
 fn has_deny() -> bool {
