@@ -137,7 +137,7 @@ fn analyze_all(
             let Some(recording) = recordings.get(place) else {
                 break;
             };
-            let done = complete(recording, journal, |content| Ok(recording.record(content)));
+            let done = complete(recording, journal, |key| Ok(recording.record(key.content)));
             if let Ok(mut results) = results.lock() {
                 results.push((place, done));
             }
