@@ -220,7 +220,8 @@ impl Venv {
         let scripts = package().join("bouncelab.data/scripts");
         copy_program(&target().join(built), &scripts)?;
         let mut build = self.tool("maturin");
-        build.args(["build", "--profile", profile, "--interpreter"]);
+        build.args(["build", "--profile", profile, "--compression-level", "9"]);
+        build.arg("--interpreter");
         build.arg(self.program("python")).arg("--out").arg(&folder);
         build.args(options);
         run_command(build.env("CARGO_TARGET_DIR", target()))?;
