@@ -18,7 +18,7 @@ const OF_TERMINAL: &str = "terminal.ftl";
 fn main() -> io::Result<()> {
     let out = env::var_os("OUT_DIR").expect("cargo names it");
     messages(Path::new(&out))?;
-    #[cfg(feature = "png")]
+    #[cfg(feature = "pictures")]
     fonts::write(Path::new(&out))?;
     Ok(())
 }
@@ -63,7 +63,7 @@ fn file_name(path: &Path) -> &str {
 }
 
 /// Whole, the fonts would be a tenth of the program.
-#[cfg(feature = "png")]
+#[cfg(feature = "pictures")]
 mod fonts {
     use std::fs;
     use std::io;
@@ -98,11 +98,14 @@ mod fonts {
         for (name, font, letters) in fonts {
             let face = Face::parse(font, 0).map_err(io::Error::other)?;
             let mut kept = GlyphRemapper::new();
-            let letters: Vec<(char, u16)> = letters
+            let letters: Vec<(u32, u16)> = letters
                 .iter()
                 .cloned()
                 .flatten()
-                .filter_map(|letter| Some((letter, kept.remap(face.glyph_index(letter)?.0))))
+                .filter_map(|letter| {
+                    let glyph = kept.remap(face.glyph_index(letter)?.0);
+                    Some((u32::from(letter), glyph))
+                })
                 .collect();
             let subset = subsetter::subset(font, 0, &kept).map_err(io::Error::other)?;
             fs::write(out.join(name).with_extension("ttf"), subset)?;

@@ -19,7 +19,7 @@ use crate::terminal::{print, print_json};
 #[derive(Args)]
 #[command(after_help = EXAMPLES)]
 pub(crate) struct Arguments {
-    /// Folder for the paper's Figs. 2, 4, 5, 6, 7 and 8, as SVG, PNG and CSV
+    /// Folder for the paper's Figs. 2, 4, 5, 6, 7 and 8, as SVG, PNG, PDF and CSV
     #[arg(long, value_name = "DIR", default_value = "bouncelab-paper")]
     figures: PathBuf,
     /// Write no figures

@@ -30,7 +30,7 @@ pub(crate) struct Arguments {
     /// How to print the result; JSON is documented in docs/json.md
     #[arg(long, value_enum, default_value_t = Format::Text)]
     format: Format,
-    /// Write height against time as SVG, PNG and CSV into this folder
+    /// Write height against time as SVG, PNG, PDF and CSV into this folder
     #[arg(long, value_name = "DIR")]
     figures: Option<PathBuf>,
     #[command(flatten)]

@@ -216,7 +216,7 @@ fn figures_are_written_whole() {
         "truncation",
         "comparison",
     ] {
-        for ending in ["svg", "png"] {
+        for ending in ["svg", "png", "pdf"] {
             let file = figures.join(format!("drop-{name}.{ending}"));
             assert!(
                 fs::metadata(&file).unwrap().len() > 1000,
@@ -228,7 +228,7 @@ fn figures_are_written_whole() {
         assert!(data.starts_with("panel,x_axis,"), "{data}");
         assert!(data.lines().count() > 1, "{name}");
     }
-    assert_eq!(fs::read_dir(&figures).unwrap().count(), 42);
+    assert_eq!(fs::read_dir(&figures).unwrap().count(), 56);
 }
 
 #[test]

@@ -198,8 +198,8 @@ fn paper_prints_the_numbers_and_draws_the_figures() {
         .stdout(
             predicate::str::contains("misprint").and(predicate::str::contains("differs").not()),
         );
-    // Each of six figures as SVG, PNG and CSV.
-    assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 18);
+    // Each of six figures as SVG, PNG, PDF and CSV.
+    assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 24);
     let result = json(&mut bouncelab(&[
         "paper",
         "--no-figures",

@@ -128,6 +128,10 @@ fn files_of_others_are_replaced_only_by_force_and_own_ones_always() {
             "analyze drop.txt --no-inference --figures .",
             "drop-flight-times.png",
         ),
+        (
+            "analyze drop.txt --no-inference --figures .",
+            "drop-flight-times.pdf",
+        ),
         ("simulate --figures .", "height.svg"),
         ("demo --output .", "demo.wav"),
     ];

@@ -50,4 +50,10 @@ impl Chart {
         let picture = py.detach(|| self.0.png(width_px))?;
         Ok(PyBytes::new(py, &picture))
     }
+
+    /// As PDF.
+    fn pdf<'py>(&self, py: Python<'py>) -> Result<Bound<'py, PyBytes>> {
+        let page = py.detach(|| self.0.pdf())?;
+        Ok(PyBytes::new(py, &page))
+    }
 }

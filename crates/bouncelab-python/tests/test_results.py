@@ -80,6 +80,7 @@ def test_every_figure_is_drawn_saved_and_given_as_data(recording: bl.Recording, 
         assert len(figure.data) > 0
         assert figure.save(tmp_path / f"{figure.name}.svg").read_text().startswith("<svg")
     assert drop.figure("height").save(tmp_path / "height.png").read_bytes()[1:4] == b"PNG"
+    assert drop.figure("height").save(tmp_path / "height.pdf").read_bytes()[1:4] == b"PDF"
     assert drop.figure("height", "de").title != drop.figure("height").title
     with pytest.raises(bl.UnknownNameError, match="posterior"):
         drop.figure("posteriors")

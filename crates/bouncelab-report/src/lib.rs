@@ -1,7 +1,7 @@
 //! Figures, tables, documents and reports of the results of bouncelab.
 //!
-//! A figure is a [`Chart`]: data that describes what is shown. One renderer draws any chart as SVG or
-//! PNG, and the page draws the same description so that it can be zoomed.
+//! A figure is a [`Chart`]: data that describes what is shown. One renderer draws any chart as SVG, PNG
+//! or PDF, and the page draws the same description so that it can be zoomed.
 //!
 //! ```
 //! use bouncelab_report::figure::{self, Line, TimedFlight};
@@ -48,8 +48,8 @@
 //! | [`paper`] | the paper, recomputed |
 //! | [`report`] | an analysis as a page to read, print and repeat |
 //!
-//! All but [`file`](mod@file) and [`save()`] work in a browser. The feature `png` (on by default) adds
-//! [`Chart::png`] and [`save()`].
+//! All but [`file`](mod@file) and [`save()`] work in a browser. The feature `pictures` (on by default)
+//! adds [`Chart::png`], [`Chart::pdf`] and [`save()`].
 
 #![warn(missing_docs)]
 // They panic when nobody reads.
@@ -69,7 +69,7 @@ mod quantity;
 mod render;
 pub mod report;
 pub mod rules;
-#[cfg(all(feature = "png", not(target_family = "wasm")))]
+#[cfg(all(feature = "pictures", not(target_family = "wasm")))]
 mod save;
 mod scale;
 mod table;
@@ -84,6 +84,6 @@ pub use chart::Chart;
 pub use error::{Error, Result, advice};
 pub use quantity::{CANNOT_TELL, Quantity, Unit};
 pub use render::{MAX_WIDTH_PX, MIN_WIDTH_PX};
-#[cfg(all(feature = "png", not(target_family = "wasm")))]
+#[cfg(all(feature = "pictures", not(target_family = "wasm")))]
 pub use save::{Saved, save};
 pub use table::{Align, Table};

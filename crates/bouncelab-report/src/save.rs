@@ -18,11 +18,13 @@ pub struct Saved {
     pub svg: PathBuf,
     /// The picture, 1600 pixels wide.
     pub png: PathBuf,
+    /// The drawing for papers and slides.
+    pub pdf: PathBuf,
     /// The data.
     pub csv: PathBuf,
 }
 
-/// Writes a figure as `NAME.svg`, `NAME.png` and `NAME.csv` into a folder, which is made if needed.
+/// Writes a figure as `NAME.svg`, `NAME.png`, `NAME.pdf` and `NAME.csv` into a folder, which is made if needed.
 ///
 /// Each file appears whole or not at all. Whether files of these names are replaced, `outputs` says.
 ///
@@ -37,7 +39,7 @@ pub fn save(chart: &Chart, folder: &Path, name: &str, outputs: &Outputs) -> Resu
         let name = name.to_owned();
         return Err(Error::Name { name });
     }
-    let picture = chart.png(PICTURE_WIDTH_PX)?;
+    let (picture, page) = (chart.png(PICTURE_WIDTH_PX)?, chart.pdf()?);
     fs::create_dir_all(folder).map_err(|source| Error::Folder {
         folder: folder.to_owned(),
         source,
@@ -52,6 +54,7 @@ pub fn save(chart: &Chart, folder: &Path, name: &str, outputs: &Outputs) -> Resu
     Ok(Saved {
         svg: written("svg", MARK, chart.svg().as_bytes())?,
         png: written("png", MARK, &picture)?,
+        pdf: written("pdf", MARK, &page)?,
         csv: written("csv", CSV_HEADER, chart.csv().as_bytes())?,
     })
 }

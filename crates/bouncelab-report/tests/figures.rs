@@ -75,7 +75,7 @@ fn check_drawing(chart: &Chart) -> Result<(), TestCaseError> {
     }
     prop_assert!(!chart.caption.is_empty());
     prop_assert!(serde_json::to_string(chart).is_ok());
-    #[cfg(feature = "png")]
+    #[cfg(feature = "pictures")]
     prop_assert!(pictures::rim_is_white(chart), "{:?}", texts(&svg));
     Ok(())
 }
@@ -331,7 +331,7 @@ proptest! {
     }
 }
 
-#[cfg(feature = "png")]
+#[cfg(feature = "pictures")]
 mod pictures {
     use super::*;
     use bouncelab_report::{Error, save};
@@ -375,6 +375,32 @@ mod pictures {
         }
     }
 
+    /// What is painted, as the operators of a PDF: all in numbers, and as many fills as there are texts and more.
+    #[test]
+    fn a_pdf_is_a_page_of_the_size_of_the_chart() {
+        for (name, chart, _) in charts::all(&english()) {
+            let pdf = chart.pdf().unwrap();
+            let text = String::from_utf8_lossy(&pdf);
+            assert!(
+                text.starts_with("%PDF-1.") && text.ends_with("%%EOF"),
+                "{name}"
+            );
+            let (width, height) = chart.size();
+            let size = format!("/MediaBox [0 0 {} {}]", 0.75 * width, 0.75 * height);
+            assert!(text.contains(&size), "{name}: {size}");
+            let start = pdf.windows(7).position(|at| at == b"stream\n").unwrap() + 7;
+            let painted = miniz_oxide::inflate::decompress_to_vec_zlib(&pdf[start..]).unwrap();
+            let painted = String::from_utf8(painted).unwrap();
+            let is_sound = |word: &str| word.parse().is_ok_and(f64::is_finite) || word.len() <= 2;
+            assert!(
+                painted.split_whitespace().all(is_sound),
+                "{name}: {painted}"
+            );
+            let fills = painted.lines().filter(|&line| line == "f").count();
+            assert!(fills >= texts(&chart.svg()).len(), "{name}: {fills}");
+        }
+    }
+
     #[test]
     fn a_picture_has_a_sensible_width() {
         let chart = empty();
@@ -390,7 +416,7 @@ mod pictures {
     }
 
     #[test]
-    fn a_saved_chart_is_three_whole_files_and_nothing_else() {
+    fn a_saved_chart_is_four_whole_files_and_nothing_else() {
         let folder = tempfile::tempdir().unwrap();
         let inner = folder.path().join("new/figures");
         let chart = figure::flight_times(&flights(5, 5), Some(LINE), &english());
@@ -399,6 +425,7 @@ mod pictures {
         save(&chart, &inner, "flight-times", &Outputs::default()).unwrap();
         assert_eq!(std::fs::read_to_string(&saved.svg).unwrap(), chart.svg());
         assert_eq!(std::fs::read(&saved.png).unwrap(), chart.png(1600).unwrap());
+        assert_eq!(std::fs::read(&saved.pdf).unwrap(), chart.pdf().unwrap());
         assert_eq!(std::fs::read_to_string(&saved.csv).unwrap(), chart.csv());
         let mut names: Vec<_> = std::fs::read_dir(&inner)
             .unwrap()
@@ -407,7 +434,12 @@ mod pictures {
         names.sort();
         assert_eq!(
             names,
-            ["flight-times.csv", "flight-times.png", "flight-times.svg"]
+            [
+                "flight-times.csv",
+                "flight-times.pdf",
+                "flight-times.png",
+                "flight-times.svg"
+            ]
         );
     }
 

@@ -51,7 +51,7 @@ pub(crate) struct Arguments {
     /// How to print the result; JSON is documented in docs/json.md
     #[arg(long, value_enum, default_value_t = Format::Text)]
     format: Format,
-    /// Write figures as SVG and PNG, and their data as CSV, into this folder
+    /// Write figures as SVG, PNG and PDF, and their data as CSV, into this folder
     #[arg(long, value_name = "DIR")]
     figures: Option<PathBuf>,
     #[command(flatten)]

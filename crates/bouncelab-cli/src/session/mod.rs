@@ -41,7 +41,10 @@ use bouncelab::setup::Setup;
 #[expect(clippy::struct_excessive_bools, reason = "each is a flag of its own")]
 pub(crate) struct Arguments {
     /// Recordings, folders, or a session.toml
-    #[arg(required_unless_present = "from", value_name = "DIR|FILE|session.toml")]
+    #[arg(
+        required_unless_present = "from",
+        value_name = "DIR|FILE|session.toml"
+    )]
     inputs: Vec<PathBuf>,
     /// Take the results of a cluster, a folder of Parquet, in place of recordings (see docs/cluster.md)
     #[arg(
@@ -109,7 +112,7 @@ pub(crate) struct Arguments {
     /// Leave texts in CSV as they are, even if a spreadsheet would run them as formulas
     #[arg(long)]
     csv_raw: bool,
-    /// Write figures as SVG, PNG and CSV into the output folder
+    /// Write figures as SVG, PNG and PDF, and their data as CSV, into the output folder
     #[arg(long)]
     figures: bool,
     /// Write a report as one HTML file, or as Markdown
@@ -317,8 +320,11 @@ impl Arguments {
         let pictures = ["groups", "intervals", "run"]
             .into_iter()
             .flat_map(|figure| {
-                let marks = [("svg", MARK), ("png", MARK), ("csv", CSV_HEADER)];
-                marks.map(|(ending, mark)| (self.output.join(format!("{figure}.{ending}")), mark))
+                let marks = ["svg", "png", "pdf"].map(|ending| (ending, MARK));
+                let marks = marks.into_iter().chain([("csv", CSV_HEADER)]);
+                marks.map(move |(ending, mark)| {
+                    (self.output.join(format!("{figure}.{ending}")), mark)
+                })
             });
         let pictures = pictures.filter(|_| self.figures);
         let document = (self.output.join(DOCUMENT), SCHEMA);

@@ -95,13 +95,22 @@ class Figure:
         """
         return self._drawn.png(width_px)
 
+    def pdf(self) -> bytes:
+        """Return the figure as a PDF of one page, for papers and slides.
+
+        Returns
+        -------
+        bytes
+        """
+        return self._drawn.pdf()
+
     def save(self, path: str | PathLike[str], width_px: int = 1600) -> Path:
-        """Save the figure as SVG or PNG, by the ending of the name.
+        """Save the figure as SVG, PNG or PDF, by the ending of the name.
 
         Parameters
         ----------
         path : str or path-like
-            A name that ends in ``.svg`` or ``.png``.
+            A name that ends in ``.svg``, ``.png`` or ``.pdf``.
         width_px : int
             Width of a PNG in pixels.
 
@@ -113,14 +122,16 @@ class Figure:
         Raises
         ------
         InputError
-            If the name ends in neither.
+            If the name ends in none of them.
         OutputError
             If the file cannot be written.
         """
         file = Path(fspath(path))
-        if file.suffix.lower() not in (".svg", ".png"):
-            raise InputError(f"{file}: a figure is saved as .svg or .png; end the name in one of them")
-        content = self.svg().encode() if file.suffix.lower() == ".svg" else self.png(width_px)
+        forms = {".svg": lambda: self.svg().encode(), ".png": lambda: self.png(width_px), ".pdf": self.pdf}
+        drawn = forms.get(file.suffix.lower())
+        if drawn is None:
+            raise InputError(f"{file}: a figure is saved as .svg, .png or .pdf; end the name in one of them")
+        content = drawn()
         try:
             file.write_bytes(content)
         except OSError as reason:

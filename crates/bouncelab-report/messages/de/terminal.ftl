@@ -59,7 +59,7 @@ analyze-one-labelled = Textmarken, Marken im Ton und Bewegung gelten einer Aufna
 analyze-cues-need-sound = { $name } ist eine Liste von Zeiten ohne Ton, in dem Marken stehen könnten; --format audacity oder textgrid schreibt Textmarken
 
 terminal-wrote = { $file } geschrieben
-terminal-wrote-figure = { $file }, .png und .csv geschrieben
+terminal-wrote-figure = { $file }, .png, .pdf und .csv geschrieben
 terminal-all-shown = ... und { $count } weitere; --format csv hat alle.
 
 demo-heading = Ein Versuch aus 30,5 cm, erzeugt, erkannt und ausgewertet ({ $file })

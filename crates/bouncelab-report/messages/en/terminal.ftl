@@ -61,7 +61,7 @@ analyze-one-labelled = labels, markers and motion are of one recording, and seve
 analyze-cues-need-sound = { $name } is a list of times, which has no sound to mark; --format audacity or textgrid writes labels
 
 terminal-wrote = wrote { $file }
-terminal-wrote-figure = wrote { $file }, .png and .csv
+terminal-wrote-figure = wrote { $file }, .png, .pdf and .csv
 terminal-all-shown = ... and { $count } more; --format csv has them all.
 
 demo-heading = A drop from 30.5 cm, synthesised, detected and analysed ({ $file })

@@ -1,7 +1,7 @@
 //! A canvas for lines, areas, circles and texts.
 //!
 //! Points that are not numbers are skipped, and dashes run on across the points of a curve. What comes of it
-//! is drawn by `svg` and `picture`.
+//! is drawn by `svg`, `picture` and `pdf`.
 
 use super::clip::{Dash, Place, Rect, dashes, is_finite, within};
 use super::text::{line_height, printable, wrapped};
@@ -211,8 +211,14 @@ impl Canvas {
     }
 
     /// The drawing as a PNG picture of the given width in pixels.
-    #[cfg(feature = "png")]
+    #[cfg(feature = "pictures")]
     pub(super) fn png(&self, width_px: u32) -> Result<Vec<u8>, String> {
         super::picture::png(&self.shapes, self.size, width_px)
+    }
+
+    /// The drawing as a PDF with this title.
+    #[cfg(feature = "pictures")]
+    pub(super) fn pdf(&self, title: &str) -> Result<Vec<u8>, String> {
+        super::pdf::pdf(&self.shapes, self.size, title)
     }
 }

@@ -1,4 +1,4 @@
-//! Draws a chart as SVG and PNG.
+//! Draws a chart as SVG, PNG and PDF.
 //!
 //! Everything is measured in figure pixels: a chart is [`theme::WIDTH`] of them wide and as high as its
 //! legend and its panels need.
@@ -6,10 +6,14 @@
 mod axis;
 mod canvas;
 mod clip;
-#[cfg(feature = "png")]
+#[cfg(feature = "pictures")]
 mod font;
 mod panel;
-#[cfg(feature = "png")]
+#[cfg(feature = "pictures")]
+mod paths;
+#[cfg(feature = "pictures")]
+mod pdf;
+#[cfg(feature = "pictures")]
 mod picture;
 mod svg;
 mod text;
@@ -61,16 +65,35 @@ impl Chart {
     /// [`Error::PictureWidth`](crate::Error::PictureWidth) if the width is not from
     /// [`MIN_WIDTH_PX`] to [`MAX_WIDTH_PX`], [`Error::Picture`](crate::Error::Picture) if the
     /// drawing library fails.
-    #[cfg(feature = "png")]
+    #[cfg(feature = "pictures")]
     pub fn png(&self, width_px: u32) -> crate::Result<Vec<u8>> {
         if !(MIN_WIDTH_PX..=MAX_WIDTH_PX).contains(&width_px) {
             return Err(crate::Error::PictureWidth { width_px });
         }
-        let drawn = self.drawn().png(width_px);
-        drawn.map_err(|problem| crate::Error::Picture {
+        self.drawn()
+            .png(width_px)
+            .map_err(|problem| self.not_drawn(problem))
+    }
+
+    /// The chart as a PDF of one page of its natural size, which scales to any. Letters are shapes, so that it looks
+    /// the same everywhere.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Picture`](crate::Error::Picture) if the drawing library fails.
+    #[cfg(feature = "pictures")]
+    pub fn pdf(&self) -> crate::Result<Vec<u8>> {
+        self.drawn()
+            .pdf(&self.title)
+            .map_err(|problem| self.not_drawn(problem))
+    }
+
+    #[cfg(feature = "pictures")]
+    fn not_drawn(&self, problem: String) -> crate::Error {
+        crate::Error::Picture {
             title: self.title.clone(),
             problem,
-        })
+        }
     }
 
     fn drawn(&self) -> Canvas {
