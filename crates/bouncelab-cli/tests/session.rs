@@ -131,6 +131,39 @@ fn a_folder_with_names_that_speak() {
     assert!(csv.contains("blue_25cm_1.wav,1,blue,25 cm,0.25,"));
 }
 
+/// With the same names, and by processes of their own, so that they find the same recordings.
+#[test]
+fn an_archive_gives_the_tables_of_its_folder() {
+    let workspace = Workspace::new(&[]);
+    for (seed, name) in ["red_25cm_1.wav", "blue_25cm_1.wav"].iter().enumerate() {
+        workspace.record(name, seed as u16);
+    }
+    let archive = workspace.0.path().join("class.zip");
+    let mut writer = zip::ZipWriter::new(fs::File::create(&archive).unwrap());
+    for entry in fs::read_dir(workspace.recordings()).unwrap() {
+        let entry = entry.unwrap();
+        let name = entry.file_name().into_string().unwrap();
+        let packed = zip::write::SimpleFileOptions::default();
+        writer.start_file(name, packed).unwrap();
+        std::io::copy(&mut fs::File::open(entry.path()).unwrap(), &mut writer).unwrap();
+    }
+    writer.finish().unwrap();
+    let words = [
+        "--pattern",
+        "{ball}_{height}_{}",
+        "--ball",
+        "table-tennis-40",
+    ];
+    workspace.session().args(words).assert().success();
+    let of_folder = workspace.tables();
+    fs::remove_dir_all(workspace.results()).unwrap();
+    let mut arguments = workspace.arguments();
+    arguments[1] = archive.into();
+    let mut session = Command::cargo_bin("bouncelab").unwrap();
+    session.args(arguments).args(words).assert().success();
+    assert_eq!(workspace.tables(), of_folder);
+}
+
 #[test]
 fn a_broken_session_file_has_a_line_and_a_column() {
     let workspace = Workspace::new(&[("session.toml", "title = \"x\"\n[all]\nheight = 30,5\n")]);

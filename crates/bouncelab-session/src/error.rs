@@ -21,6 +21,17 @@ pub enum Error {
         /// What the operating system said.
         source: std::io::Error,
     },
+    /// An archive of recordings cannot be read, or holds too much.
+    #[error(
+        "cannot read {}: {problem}; unpack it into a folder, and name that",
+        shown(path)
+    )]
+    Archive {
+        /// The archive.
+        path: PathBuf,
+        /// What is wrong with it.
+        problem: String,
+    },
     /// A file of notes is not what it should be.
     #[error("{}{}: {problem}", shown(path), AtPlace(*line, *column))]
     Notes {

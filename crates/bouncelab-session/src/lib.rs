@@ -6,6 +6,7 @@
 //! | [`name`](name()) | file names as text |
 //! | [`Pattern`] | metadata in file names |
 //! | `notes` | metadata in a TOML file or a CSV |
+//! | `archive` | recordings in a ZIP archive |
 //! | [`Session`] | the recordings and their metadata |
 //! | [`Metadata`] | metadata as quantities |
 //! | [`hash`] | hashes of contents and settings |
@@ -25,6 +26,7 @@
 // They panic when nobody reads.
 #![warn(clippy::print_stderr, clippy::print_stdout)]
 
+mod archive;
 pub mod batch;
 mod columns;
 mod document;
@@ -45,6 +47,7 @@ pub mod summary;
 pub mod table;
 mod work;
 
+pub use archive::Entry;
 pub use columns::{RecordingTables, tables, write_tables};
 pub use document::{AboutSession, Reason, SCHEMA, SessionDocument};
 pub use error::{Error, Result};

@@ -73,7 +73,7 @@ impl KnownRecording {
 
     /// What it says, if this is its content.
     pub fn record(&self, content: Hash) -> Record {
-        Record::of_file(&self.recording.path, content, self.options())
+        self.recording.record(content, self.options())
     }
 
     /// How it is analysed.

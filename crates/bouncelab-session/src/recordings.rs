@@ -4,12 +4,15 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use bouncelab::Plain;
+use bouncelab::{Options, Plain};
 
+use crate::archive::{self, Entry};
 use crate::error::{Error, Result};
+use crate::hash::{Hash, hash, hash_of_file};
 use crate::name::{name, shown, some_of};
 use crate::notes::{Listed, Note, Notes, SessionFile, read_csv};
 use crate::pattern::Pattern;
+use crate::record::Record;
 
 /// What a session file is called when only its folder is named.
 pub const SESSION_FILE: &str = "session.toml";
@@ -23,7 +26,7 @@ pub const ENDINGS: [&str; 17] = [
 /// Where to look.
 #[derive(Debug, Clone, Default)]
 pub struct Sources {
-    /// Recordings, folders with recordings, session files.
+    /// Recordings, folders or ZIP archives with recordings, session files.
     pub inputs: Vec<PathBuf>,
     /// What file names say; before that of a session file.
     pub pattern: Option<String>,
@@ -34,10 +37,38 @@ pub struct Sources {
 /// A recording.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Recording {
-    /// Where it is.
+    /// Where it is, or the archive that holds it.
     pub path: PathBuf,
+    /// Which file of the archive it is, if it is in one.
+    pub entry: Option<Entry>,
     /// What it is called in tables: relative to the folder of the session, as text.
     pub name: String,
+}
+
+impl Recording {
+    /// The name of its file, with folders.
+    fn file(&self) -> &Path {
+        self.entry.as_ref().map_or(&self.path, |entry| &entry.name)
+    }
+
+    /// The hash of its content.
+    pub(crate) fn content(&self) -> Result<Hash> {
+        match &self.entry {
+            None => hash_of_file(&self.path),
+            Some(entry) => Ok(hash(&archive::read(&self.path, entry)?)),
+        }
+    }
+
+    /// What it says, if this is its content.
+    pub(crate) fn record(&self, content: Hash, options: &Options) -> Record {
+        let Some(entry) = &self.entry else {
+            return Record::of_file(&self.path, content, options);
+        };
+        match archive::read(&self.path, entry) {
+            Ok(bytes) => Record::of_bytes(bytes, &self.name, options),
+            Err(reason) => Record::failed(reason.to_string()),
+        }
+    }
 }
 
 /// All recordings of a session.
@@ -71,33 +102,32 @@ impl Session {
         let mut found = Found {
             alone: sources.inputs.len() == 1,
             file: None,
-            paths: Vec::new(),
+            recordings: Vec::new(),
         };
         for input in &sources.inputs {
             found.add(input)?;
         }
         let Found {
-            file, mut paths, ..
+            file,
+            mut recordings,
+            ..
         } = found;
-        if paths.is_empty() {
+        if recordings.is_empty() {
             let looked: Vec<String> = sources.inputs.iter().map(|path| shown(path)).collect();
             return Err(Error::NoRecordings {
                 what: format!("there is no recording in {}", looked.join(", ")),
             });
         }
         let mut seen = BTreeSet::new();
-        paths.retain(|(path, name)| seen.insert((path.clone(), name.clone())));
-        paths.sort_by(|a, b| a.1.cmp(&b.1));
+        recordings.retain(|it| seen.insert((it.path.clone(), it.name.clone())));
+        recordings.sort_by(|a, b| a.name.cmp(&b.name));
         let (file_path, file) =
             file.map_or_else(Default::default, |(path, file)| (Some(path), *file));
         let folder = file_path.as_deref().and_then(Path::parent);
         let folder = folder.unwrap_or(Path::new("")).to_owned();
         let mut session = Self {
             title: file.title,
-            recordings: paths
-                .into_iter()
-                .map(|(path, name)| Recording { path, name })
-                .collect(),
+            recordings,
             balls: file.balls,
             remarks: Vec::new(),
             pattern: None,
@@ -163,7 +193,7 @@ impl Session {
 
     /// What the name of a file says; `None` if it does not fit the pattern, or there is none.
     fn fields_of_name(&self, place: usize) -> Option<Vec<(&str, String)>> {
-        let stem = self.recordings[place].path.file_stem()?.to_str()?;
+        let stem = self.recordings[place].file().file_stem()?.to_str()?;
         self.pattern.as_ref()?.fields(stem)
     }
 
@@ -210,8 +240,8 @@ impl Index {
             let short = |part: Option<&std::ffi::OsStr>| part.map(|part| name(Path::new(part)));
             let names = [
                 Some(recording.name.clone()),
-                short(recording.path.file_name()),
-                short(recording.path.file_stem()),
+                short(recording.file().file_name()),
+                short(recording.file().file_stem()),
             ];
             for name in names.into_iter().flatten().collect::<BTreeSet<_>>() {
                 places.entry(name).or_default().push(place);
@@ -241,8 +271,7 @@ struct Found {
     alone: bool,
     /// The session file.
     file: Option<(PathBuf, Box<SessionFile>)>,
-    /// Where each is and what it is called.
-    paths: Vec<(PathBuf, String)>,
+    recordings: Vec<Recording>,
 }
 
 impl Found {
@@ -258,10 +287,33 @@ impl Found {
             }
         } else if is_notes {
             self.add_session(input)
+        } else if archive::is_archive(input) {
+            self.add_archive(input)
         } else {
-            self.paths.push((input.to_owned(), name(input)));
+            self.recordings.push(Recording {
+                path: input.to_owned(),
+                entry: None,
+                name: name(input),
+            });
             Ok(())
         }
+    }
+
+    /// All recordings in an archive.
+    fn add_archive(&mut self, path: &Path) -> Result<()> {
+        for entry in archive::entries(path, is_recording)? {
+            let alone = name(&entry.name);
+            self.recordings.push(Recording {
+                path: path.to_owned(),
+                name: if self.alone {
+                    alone
+                } else {
+                    format!("{}/{alone}", name(path))
+                },
+                entry: Some(entry),
+            });
+        }
+        Ok(())
     }
 
     fn add_session(&mut self, path: &Path) -> Result<()> {
@@ -306,7 +358,11 @@ impl Found {
                 let relative = path.strip_prefix(base).unwrap_or(&path);
                 let relative = relative.strip_prefix(".").unwrap_or(relative);
                 let called = name(if self.alone { relative } else { &path });
-                self.paths.push((path, called));
+                self.recordings.push(Recording {
+                    path,
+                    entry: None,
+                    name: called,
+                });
             }
         }
         Ok(())

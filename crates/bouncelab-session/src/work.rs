@@ -1,7 +1,7 @@
 //! Work on many recordings.
 
 use crate::error::Error;
-use crate::hash::{Hash, hash_of_file};
+use crate::hash::Hash;
 use crate::journal::{Journal, Key};
 use crate::metadata::KnownRecording;
 use crate::record::Record;
@@ -32,7 +32,7 @@ pub fn complete<E: From<Error>>(
     journal: &Journal,
     analyze: impl FnOnce(Key) -> std::result::Result<Record, E>,
 ) -> std::result::Result<Done, E> {
-    let content = match hash_of_file(&recording.recording.path) {
+    let content = match recording.recording.content() {
         Ok(content) => content,
         Err(reason) => return Ok(Done::failed(reason.to_string())),
     };
@@ -84,6 +84,7 @@ mod tests {
         fs::write(&path, TIMES).unwrap();
         let recording = KnownRecording {
             recording: Recording {
+                entry: None,
                 path,
                 name: "drop.txt".to_owned(),
             },

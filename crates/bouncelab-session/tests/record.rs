@@ -67,6 +67,7 @@ fn settings(options: Options) -> Hash {
     };
     let known = KnownRecording {
         recording: Recording {
+            entry: None,
             path: "a.wav".into(),
             name: "a.wav".to_owned(),
         },

@@ -32,7 +32,7 @@ use bouncelab::setup::Setup;
 
 /// Analyse many recordings: means, scatter and differences of their drops
 ///
-/// Takes recordings, folders of recordings, or a session.toml with their metadata (see
+/// Takes recordings, folders or ZIP archives of recordings, or a session.toml with their metadata (see
 /// docs/session.md). Results are saved after each recording: a stopped run continues when it is
 /// started again. Exit status: 0 if there is a result, 1 if no drop was found, 2 for wrong usage or
 /// contradictory metadata.
@@ -40,10 +40,10 @@ use bouncelab::setup::Setup;
 #[command(after_help = EXAMPLES)]
 #[expect(clippy::struct_excessive_bools, reason = "each is a flag of its own")]
 pub(crate) struct Arguments {
-    /// Recordings, folders, or a session.toml
+    /// Recordings, folders, ZIP archives, or a session.toml
     #[arg(
         required_unless_present = "from",
-        value_name = "DIR|FILE|session.toml"
+        value_name = "DIR|FILE|FILE.zip|session.toml"
     )]
     inputs: Vec<PathBuf>,
     /// Take the results of a cluster, a folder of Parquet, in place of recordings (see docs/cluster.md)

@@ -167,6 +167,7 @@ impl Which {
         Ok(Self {
             recording: KnownRecording {
                 recording: Recording {
+                    entry: None,
                     path: PathBuf::from(&name),
                     name,
                 },

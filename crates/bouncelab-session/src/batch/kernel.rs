@@ -11,7 +11,7 @@ use serde::{Deserialize, Serialize};
 
 use super::row::{Failure, FailureCode, Known, Row};
 use crate::error::{Error, Result};
-use crate::hash::{Hash, hash, hash_of_file};
+use crate::hash::{Hash, hash};
 use crate::metadata::{Advice, KnownRecording, MetadataOptions};
 use crate::name::{name, without_name};
 use crate::notes::Note;
@@ -156,7 +156,10 @@ impl Kernel {
                 })?;
         let content = match &given.content {
             Some(content) => Ok(hash(content)),
-            None => hash_of_file(&recording.recording.path).map_err(|reason| reason.to_string()),
+            None => recording
+                .recording
+                .content()
+                .map_err(|reason| reason.to_string()),
         };
         Ok(Begun {
             recording,
@@ -177,7 +180,11 @@ impl Kernel {
             let text = text.trim().to_owned();
             (field, Note { text, said_by })
         });
-        let recording = Recording { path, name };
+        let recording = Recording {
+            path,
+            entry: None,
+            name,
+        };
         let session = Session::of_one(recording, self.pattern.clone(), notes.collect());
         let stated = RefCell::new(Settings::default());
         let mut read = MetadataOptions {

@@ -148,6 +148,7 @@ impl RowTables {
         let known = serde_json::to_string(&row.known).map_err(|fault| fault.to_string())?;
         let recording = KnownRecording {
             recording: Recording {
+                entry: None,
                 path: PathBuf::from(&row.recording),
                 name: row.recording.clone(),
             },

@@ -1,0 +1,207 @@
+//! Recordings in a ZIP archive, as a class hands them in.
+//!
+//! An archive is read in memory, one recording at a time. Nothing of it is written, so that the names in it are
+//! names and never places on the disk.
+
+use std::fmt;
+use std::fs::File;
+use std::io::{BufReader, Read};
+use std::path::{Path, PathBuf};
+
+use zip::ZipArchive;
+use zip::result::ZipError;
+
+use crate::error::{Error, Result};
+use crate::name::shown;
+
+/// Files in an archive, folders included.
+const MOST_FILES: usize = 10_000;
+/// Size of one recording, unpacked.
+const MOST_BYTES: u64 = 256 << 20;
+/// Size of all recordings together, unpacked.
+const MOST_BYTES_OF_ALL: u64 = 16 << 30;
+
+/// A recording in an archive.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Entry {
+    /// Its place in the archive.
+    number: usize,
+    /// Its name there.
+    pub(crate) name: PathBuf,
+}
+
+pub(crate) fn is_archive(path: &Path) -> bool {
+    path.extension()
+        .is_some_and(|ending| ending.eq_ignore_ascii_case("zip"))
+}
+
+/// The files in an archive that `wanted` asks for by their names, but for hidden ones.
+///
+/// # Errors
+/// If it is no archive, or holds more than can be read.
+pub(crate) fn entries(path: &Path, wanted: impl Fn(&Path) -> bool) -> Result<Vec<Entry>> {
+    let archive = open(path)?;
+    if archive.len() > MOST_FILES {
+        return Err(refused(path, &TooMuch("more than 10,000 files")));
+    }
+    let mut entries = Vec::new();
+    let mut bytes = 0_u64;
+    for number in 0..archive.len() {
+        let file = archive
+            .by_index_data(number)
+            .map_err(|reason| refused(path, &reason))?;
+        let name = file.name().map_err(|reason| refused(path, &reason))?;
+        let name = PathBuf::from(&*name);
+        let is_hidden = name
+            .iter()
+            .any(|part| part.as_encoded_bytes().starts_with(b"."));
+        if !file.is_file() || is_hidden || !wanted(&name) {
+            continue;
+        }
+        if file.size() > MOST_BYTES {
+            let problem = format!("\"{}\", which is larger than 256 MB", shown(&name));
+            return Err(refused(path, &TooMuch(&problem)));
+        }
+        bytes = bytes.saturating_add(file.size());
+        entries.push(Entry { number, name });
+    }
+    if bytes > MOST_BYTES_OF_ALL {
+        return Err(refused(path, &TooMuch("more than 16 GB of recordings")));
+    }
+    Ok(entries)
+}
+
+/// The content of a recording.
+///
+/// # Errors
+/// If it is damaged, encrypted, packed by another method than deflate, or larger than announced.
+pub(crate) fn read(path: &Path, entry: &Entry) -> Result<Vec<u8>> {
+    let mut archive = open(path)?;
+    let file = archive
+        .by_index(entry.number)
+        .map_err(|reason| refused(path, &reason))?;
+    let size = file.size().min(MOST_BYTES);
+    let mut content = Vec::new();
+    let read = file.take(size + 1).read_to_end(&mut content);
+    read.map_err(|reason| refused(path, &reason))?;
+    if content.len() as u64 > size {
+        let problem = format!("\"{}\", which is larger than announced", shown(&entry.name));
+        return Err(refused(path, &TooMuch(&problem)));
+    }
+    Ok(content)
+}
+
+fn open(path: &Path) -> Result<ZipArchive<BufReader<File>>> {
+    let file = File::open(path).map_err(Error::read(path))?;
+    ZipArchive::new(BufReader::new(file)).map_err(|reason: ZipError| refused(path, &reason))
+}
+
+fn refused(path: &Path, problem: &dyn fmt::Display) -> Error {
+    Error::Archive {
+        path: path.to_owned(),
+        problem: problem.to_string(),
+    }
+}
+
+struct TooMuch<'a>(&'a str);
+
+impl fmt::Display for TooMuch<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "it holds {}", self.0)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::io::Write;
+
+    use proptest::prelude::*;
+    use zip::ZipWriter;
+    use zip::write::SimpleFileOptions;
+
+    use super::*;
+
+    /// An archive of files with these names and contents.
+    fn archive(files: &[(String, Vec<u8>)]) -> tempfile::NamedTempFile {
+        let file = tempfile::Builder::new().suffix(".zip").tempfile().unwrap();
+        let mut writer = ZipWriter::new(file.reopen().unwrap());
+        for (name, content) in files {
+            writer
+                .start_file(name, SimpleFileOptions::default())
+                .unwrap();
+            writer.write_all(content).unwrap();
+        }
+        writer.finish().unwrap();
+        file
+    }
+
+    proptest! {
+        /// Whatever the names are: they are given as they stand, and none is a place on the disk.
+        #[test]
+        fn every_file_comes_back(contents in proptest::collection::btree_map("[a-z/]{0,3}(\\.\\./){0,2}[a-z]{1,8}\\.wav", proptest::collection::vec(any::<u8>(), 0..2000), 0..5)) {
+            let files: Vec<_> = contents.into_iter().collect();
+            let packed = archive(&files);
+            let found = entries(packed.path(), |_| true).unwrap();
+            let seen = files.iter().filter(|(name, _)| !Path::new(name).iter().any(|part| part == ".."));
+            prop_assert_eq!(found.len(), seen.clone().count());
+            for ((name, content), entry) in seen.zip(&found) {
+                prop_assert_eq!(Path::new(name), &*entry.name);
+                prop_assert_eq!(content, &read(packed.path(), entry).unwrap());
+            }
+        }
+
+        /// Damage is refused or harmless, and never a panic.
+        #[test]
+        fn damage_is_refused(at in any::<prop::sample::Index>(), bit in 0..8_u8) {
+            let content = b"0\n0.46\n0.89\n".repeat(20);
+            let packed = archive(&[("drop.wav".to_owned(), content.clone())]);
+            let mut bytes = std::fs::read(packed.path()).unwrap();
+            let at = at.index(bytes.len());
+            bytes[at] ^= 1_u8 << bit;
+            std::fs::write(packed.path(), bytes).unwrap();
+            for entry in entries(packed.path(), |_| true).unwrap_or_default() {
+                if let Ok(read) = read(packed.path(), &entry) {
+                    prop_assert_eq!(&read, &content);
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn what_is_no_archive_or_too_much_is_refused() {
+        let nothing = tempfile::NamedTempFile::new().unwrap();
+        assert!(matches!(
+            entries(nothing.path(), |_| true),
+            Err(Error::Archive { .. })
+        ));
+        let many: Vec<_> = (0..=MOST_FILES)
+            .map(|n| (format!("{n}.wav"), Vec::new()))
+            .collect();
+        let refused = entries(archive(&many).path(), |_| true)
+            .unwrap_err()
+            .to_string();
+        assert!(refused.contains("more than 10,000 files"), "{refused}");
+    }
+
+    /// The size that an archive announces is changed in its list of contents, as an archive that bursts does.
+    #[test]
+    fn a_file_larger_than_it_says_is_refused() {
+        let content = vec![0_u8; 100_000];
+        let packed = archive(&[("drop.wav".to_owned(), content.clone())]);
+        let bytes = std::fs::read(packed.path()).unwrap();
+        let said = (content.len() as u32).to_le_bytes();
+        let less = 10_u32.to_le_bytes();
+        let mut changed = bytes.clone();
+        for at in 0..bytes.len() - 3 {
+            if bytes[at..at + 4] == said {
+                changed[at..at + 4].copy_from_slice(&less);
+            }
+        }
+        std::fs::write(packed.path(), changed).unwrap();
+        let entry = &entries(packed.path(), |_| true).unwrap()[0];
+        assert!(matches!(
+            read(packed.path(), entry),
+            Err(Error::Archive { .. })
+        ));
+    }
+}
