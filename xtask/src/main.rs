@@ -6,6 +6,7 @@
 #![expect(clippy::disallowed_methods, reason = "names of files of the project")]
 
 mod bench;
+mod book;
 mod calibrate;
 mod cargo;
 mod cluster;
@@ -42,7 +43,7 @@ struct Chore {
     run: fn(&[String]) -> Result,
 }
 
-const CHORES: [Chore; 11] = [
+const CHORES: [Chore; 12] = [
     Chore {
         name: "test",
         arguments: "[CHECK...]",
@@ -78,6 +79,12 @@ const CHORES: [Chore; 11] = [
         arguments: "[target=TRIPLE]",
         about: release::ABOUT,
         run: release::run,
+    },
+    Chore {
+        name: "book",
+        arguments: "",
+        about: book::ABOUT,
+        run: book::run,
     },
     Chore {
         name: "verdicts",

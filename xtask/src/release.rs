@@ -10,7 +10,7 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use crate::cargo::{built, cargo, copy_program, has, root, run as run_command, succeeds, target};
-use crate::{Result, python, said, web};
+use crate::{Result, book, python, said, web};
 
 pub(crate) const ABOUT: &str =
     "Make all that a release publishes and this machine can make, into target/release-artefacts";
@@ -98,6 +98,13 @@ fn make_all(folder: &Path, profile: &str) -> Result {
         archive(folder, &name, &web::web(), "dist")?;
     } else {
         println!("SKIPPED: the page, which was not built");
+    }
+    if book::has_mdbook() {
+        book::build()?;
+        let name = format!("bouncelab-book-{VERSION}");
+        archive(folder, &name, &target(), "book")?;
+    } else {
+        println!("SKIPPED for want of mdBook: the book");
     }
     let notes = notes(&read(&root().join("CHANGELOG.md"))?)?;
     write(&folder.join("release-notes.md"), &notes)
@@ -215,6 +222,9 @@ pub(crate) fn check() -> Result {
         } else if name.starts_with("bouncelab-page") {
             unpack(&path, &place)?;
             read(&place.join("dist/index.html"))?;
+        } else if name.starts_with("bouncelab-book") {
+            unpack(&path, &place)?;
+            read(&place.join("book/tutorial.html"))?;
         } else if name.ends_with(".tar.gz") {
             unpack(&path, &place)?;
             demo(&place.join(name.trim_end_matches(".tar.gz")))?;

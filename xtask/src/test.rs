@@ -4,7 +4,7 @@ use std::process::Command;
 
 use crate::cargo::{cargo, cargo_all, has, has_sound_headers, install, run as run_command};
 use crate::steps::{self, Step, Time, Watch};
-use crate::{Result, cluster, fresh, package, python, release, tables, web};
+use crate::{Result, book, cluster, fresh, package, python, release, tables, web};
 
 pub(crate) const ABOUT: &str = "Run every check, or only the named ones";
 
@@ -36,6 +36,8 @@ enum Needs {
     Git,
     /// cargo-deny.
     Deny,
+    /// mdBook.
+    MdBook,
     /// The folder of real recordings, which is not part of the repository.
     Recordings,
 }
@@ -52,6 +54,7 @@ impl Needs {
             Self::Browser => web::has_node() && web::has_browser(),
             Self::Git => fresh::has_repository(),
             Self::Deny => has_deny(),
+            Self::MdBook => book::has_mdbook(),
             Self::Recordings => has_recordings(),
         }
     }
@@ -61,7 +64,7 @@ impl Needs {
 /// features: clippy and the documentation use the same metadata of the dependencies, the tests and the
 /// program under the end-to-end tests the same code, so that a dependency is compiled at most twice;
 /// and once more for the browser.
-pub(crate) const CHECKS: [Check; 14] = [
+pub(crate) const CHECKS: [Check; 15] = [
     Check {
         name: "format",
         about: "rustfmt has nothing to change",
@@ -151,6 +154,12 @@ pub(crate) const CHECKS: [Check; 14] = [
         run: || web::e2e(&[]),
     },
     Check {
+        name: "book",
+        about: "the documents make a book; its commands and links are part of the tests",
+        needs: Needs::MdBook,
+        run: || book::build().map(drop),
+    },
+    Check {
         name: "release",
         about: "what a release publishes runs from an empty folder; the workflow files are valid",
         needs: Needs::Nothing,
@@ -234,6 +243,7 @@ pub(crate) fn run(names: &[String]) -> Result {
         Needs::PythonPackage,
         Needs::Engines,
         Needs::Deny,
+        Needs::MdBook,
         Needs::Recordings,
         Needs::Node,
         Needs::Browser,

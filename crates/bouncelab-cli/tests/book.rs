@@ -1,0 +1,379 @@
+//! The book in `docs`: its commands run and print what it says, its links lead somewhere, its pictures and its
+//! reference of commands are made by the program.
+//!
+//! With `BOUNCELAB_BOOK=write` (`cargo xtask book`) pictures and reference are written instead of compared.
+
+#![cfg(unix)]
+
+use std::collections::BTreeSet;
+use std::fs;
+use std::path::{Component, Path, PathBuf};
+use std::process::{Command, Output};
+
+use pulldown_cmark::{CodeBlockKind, Event, Options, Parser, Tag, TagEnd};
+use tempfile::TempDir;
+
+/// Commands that need what a test does not have.
+const ELSEWHERE: [(&str, &str); 2] = [
+    ("bouncelab listen --devices", "a microphone"),
+    ("bouncelab session --from", "the rows of a cluster"),
+];
+
+/// What the pages assume to be there: recordings of these drops.
+const RECORDINGS: [(&str, &str); 4] = [
+    ("drop", "--height 30.5cm --restitution 0.91"),
+    (
+        "floor",
+        "--ball basketball --voice basketball --height 1.8m --restitution 0.76",
+    ),
+    (
+        "concrete",
+        "--ball basketball --voice basketball --height 1.8m --restitution 0.80",
+    ),
+    (
+        "recordings/tennis_wood_1m_",
+        "--ball tennis --voice tennis --height 1m --restitution 0.74",
+    ),
+];
+
+/// A page of the book.
+struct Page {
+    /// Relative to the folder of the book.
+    path: PathBuf,
+    text: String,
+}
+
+/// A block of code.
+struct Block {
+    language: String,
+    code: String,
+    /// Whether it stands right after the block before it.
+    follows: bool,
+}
+
+impl Page {
+    fn read(path: PathBuf) -> Self {
+        let text = fs::read_to_string(docs().join(&path));
+        let text = text.unwrap_or_else(|reason| panic!("{}: {reason}", name(&path)));
+        Self { path, text }
+    }
+
+    fn events(&self) -> Parser<'_> {
+        Parser::new_ext(&self.text, Options::ENABLE_TABLES)
+    }
+
+    fn blocks(&self) -> Vec<Block> {
+        let mut blocks: Vec<Block> = Vec::new();
+        let (mut inside, mut follows) = (false, false);
+        for event in self.events() {
+            match event {
+                Event::Start(Tag::CodeBlock(CodeBlockKind::Fenced(language))) => {
+                    let (language, code) = (language.to_string(), String::new());
+                    blocks.push(Block {
+                        language,
+                        code,
+                        follows,
+                    });
+                    inside = true;
+                }
+                Event::End(TagEnd::CodeBlock) => (inside, follows) = (false, true),
+                Event::Text(text) if inside => blocks.last_mut().unwrap().code += &text,
+                Event::Text(_) => follows = false,
+                _ => {}
+            }
+        }
+        blocks
+    }
+
+    /// Where its links and pictures lead.
+    fn links(&self) -> Vec<String> {
+        let links = self.events().filter_map(|event| match event {
+            Event::Start(Tag::Link { dest_url, .. } | Tag::Image { dest_url, .. }) => {
+                Some(dest_url.to_string())
+            }
+            _ => None,
+        });
+        links.collect()
+    }
+
+    /// The names of its headings in addresses, as mdBook and GitHub make them.
+    fn anchors(&self) -> BTreeSet<String> {
+        let mut anchors = BTreeSet::new();
+        let mut heading = None;
+        for event in self.events() {
+            match event {
+                Event::Start(Tag::Heading { .. }) => heading = Some(String::new()),
+                Event::Text(text) | Event::Code(text) => {
+                    if let Some(heading) = &mut heading {
+                        heading.push_str(&text);
+                    }
+                }
+                Event::End(TagEnd::Heading(_)) => {
+                    anchors.extend(heading.take().map(|text| anchor(&text)))
+                }
+                _ => {}
+            }
+        }
+        anchors
+    }
+}
+
+fn anchor(heading: &str) -> String {
+    let kept = heading.to_lowercase();
+    let kept = kept
+        .chars()
+        .filter(|c| c.is_alphanumeric() || " -_".contains(*c));
+    kept.map(|c| if c == ' ' { '-' } else { c }).collect()
+}
+
+fn docs() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs")
+}
+
+fn name(path: &Path) -> String {
+    path.to_string_lossy().into_owned()
+}
+
+/// A path without `..`; `None` if it leads out of the folder that it begins in.
+fn tidy(path: &Path) -> Option<PathBuf> {
+    let mut tidy = PathBuf::new();
+    for part in path.components() {
+        match part {
+            Component::ParentDir => tidy.pop().then_some(())?,
+            part => tidy.push(part),
+        }
+    }
+    Some(tidy)
+}
+
+/// The pages in the order of the book.
+fn pages() -> Vec<Page> {
+    let summary = Page::read("SUMMARY.md".into());
+    let listed = summary.links().into_iter();
+    listed.map(|link| Page::read(link.into())).collect()
+}
+
+/// The files below a folder of the book that end so.
+fn files(folder: &Path, ending: &str) -> BTreeSet<PathBuf> {
+    let mut found = BTreeSet::new();
+    for entry in fs::read_dir(docs().join(folder)).unwrap() {
+        let entry = entry.unwrap();
+        let path = folder.join(entry.file_name());
+        if entry.file_type().unwrap().is_dir() {
+            found.extend(files(&path, ending));
+        } else if path.extension().is_some_and(|is| is == ending) {
+            found.insert(path);
+        }
+    }
+    found
+}
+
+fn is_written() -> bool {
+    std::env::var_os("BOUNCELAB_BOOK").is_some_and(|word| word == "write")
+}
+
+/// Compares a file of the book with what the program makes of it, or writes it.
+fn made(path: &Path, content: &[u8]) {
+    let file = docs().join(path);
+    if is_written() {
+        fs::create_dir_all(file.parent().unwrap()).unwrap();
+        fs::write(&file, content).unwrap();
+    }
+    let is_current = fs::read(&file).is_ok_and(|there| there == content);
+    assert!(
+        is_current,
+        "{} is out of date: cargo xtask book",
+        name(path)
+    );
+}
+
+#[test]
+fn every_page_is_in_the_summary() {
+    let listed: BTreeSet<PathBuf> = pages().into_iter().map(|page| page.path).collect();
+    let mut there = files(Path::new(""), "md");
+    there.remove(Path::new("SUMMARY.md"));
+    assert_eq!(listed, there);
+}
+
+#[test]
+fn every_link_within_the_book_leads_somewhere() {
+    let mut broken = Vec::new();
+    for page in pages() {
+        for link in page
+            .links()
+            .into_iter()
+            .filter(|link| !link.contains("://"))
+        {
+            let (path, anchor) = link.split_once('#').unwrap_or((&link, ""));
+            let target = match path {
+                "" => Some(page.path.clone()),
+                path => tidy(&page.path.with_file_name(path)),
+            };
+            let target = target.filter(|target| docs().join(target).is_file());
+            let leads = target.is_some_and(|target| {
+                anchor.is_empty() || Page::read(target).anchors().contains(anchor)
+            });
+            if !leads {
+                broken.push(format!("{}: {link}", name(&page.path)));
+            }
+        }
+    }
+    assert!(broken.is_empty(), "{broken:#?}");
+}
+
+/// A folder with what the pages assume, and the program on the path.
+struct Scene(TempDir);
+
+impl Scene {
+    fn set() -> Self {
+        let scene = Self(TempDir::new().unwrap());
+        fs::create_dir(scene.0.path().join("recordings")).unwrap();
+        for (name, drop) in RECORDINGS {
+            for number in 1..=3 {
+                scene.run(&format!(
+                    "bouncelab synth {name}{number}.wav {drop} --seed {number}"
+                ));
+            }
+        }
+        scene.run("bouncelab synth drop.wav --height 30.5cm --seed 4");
+        scene
+    }
+
+    /// Runs a command; a verdict may go either way. What it prints.
+    fn run(&self, command: &str) -> String {
+        let program = Path::new(env!("CARGO_BIN_EXE_bouncelab")).parent().unwrap();
+        let paths = std::env::var_os("PATH").unwrap_or_default();
+        let paths = std::iter::once(program.to_owned()).chain(std::env::split_paths(&paths));
+        let mut shell = Command::new("sh");
+        shell
+            .args(["-c", command])
+            .current_dir(&self.0)
+            .env("LC_ALL", "C.UTF-8");
+        shell.env("PATH", std::env::join_paths(paths).unwrap());
+        let Output {
+            status,
+            stdout,
+            stderr,
+        } = shell.output().unwrap();
+        let verdicts: &[i32] = if command.contains("verdict") {
+            &[0, 3, 4]
+        } else {
+            &[0]
+        };
+        let said = String::from_utf8_lossy(&stderr);
+        assert!(
+            verdicts.contains(&status.code().unwrap()),
+            "{command}: {said}"
+        );
+        String::from_utf8(stdout).unwrap()
+    }
+
+    /// Runs the commands of a page in their order. A text right after them is part of what they print, a block of
+    /// TOML the file `own.toml`, and a picture that they draw that of the book.
+    fn follow(&self, page: &Page) {
+        let blocks = page.blocks();
+        for block in blocks.iter().filter(|block| block.language == "toml") {
+            fs::write(self.0.path().join("own.toml"), &block.code).unwrap();
+        }
+        let mut printed = String::new();
+        for block in blocks {
+            match block.language.as_str() {
+                "sh" => {
+                    printed = commands(&block.code)
+                        .map(|command| self.run(&command))
+                        .collect()
+                }
+                "text" if block.follows => has_lines(&printed, &block.code, &page.path),
+                _ => {}
+            }
+        }
+        for link in page.links() {
+            let drawn = tidy(&page.path.with_file_name(&link));
+            if let Some((path, Ok(content))) =
+                drawn.map(|path| (path.clone(), fs::read(self.0.path().join(path))))
+            {
+                made(&path, &content);
+            }
+        }
+    }
+}
+
+/// The commands of a block that are of this program, or make a file for it. Those of other programs (cargo, pip,
+/// spark-submit) are run by the checks of what they are for.
+fn commands(code: &str) -> impl Iterator<Item = String> {
+    let code = code.replace("\\\n", " ");
+    let lines: Vec<String> = code.lines().map(str::to_owned).collect();
+    let is_ours = |line: &String| line.starts_with("bouncelab ") || line.starts_with("printf ");
+    let is_elsewhere = |line: &String| {
+        ELSEWHERE
+            .iter()
+            .any(|(command, _)| line.starts_with(command))
+    };
+    lines
+        .into_iter()
+        .filter(move |line| is_ours(line) && !is_elsewhere(line))
+}
+
+/// Every line of an excerpt is printed, in this order.
+fn has_lines(printed: &str, excerpt: &str, page: &Path) {
+    let mut lines = printed.lines().map(str::trim_end);
+    for line in excerpt.lines().filter(|line| !line.trim().is_empty()) {
+        assert!(
+            lines.any(|printed| printed == line),
+            "{}: \"{line}\" is not printed:\n{printed}",
+            name(page)
+        );
+    }
+}
+
+#[test]
+fn the_tutorial_says_what_happens() {
+    let scene = Scene::set();
+    scene.follow(&Page::read("tutorial.md".into()));
+}
+
+#[test]
+fn the_commands_of_all_other_pages_run() {
+    for page in pages() {
+        let has_commands = page
+            .blocks()
+            .iter()
+            .any(|block| commands(&block.code).next().is_some());
+        if has_commands && page.path != Path::new("tutorial.md") {
+            Scene::set().follow(&page);
+        }
+    }
+}
+
+/// The reference has all commands, so it is compared where all are built in.
+#[cfg(feature = "serve")]
+#[test]
+fn the_reference_is_the_help_of_the_program() {
+    let mut page = "# Commands\n\nWhat `bouncelab COMMAND --help` prints.\n".to_owned();
+    describe(&[], &mut page);
+    made(Path::new("reference/commands.md"), page.as_bytes());
+}
+
+/// Adds the help of a command, then those of its own commands.
+#[cfg(feature = "serve")]
+fn describe(words: &[&str], page: &mut String) {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_bouncelab"));
+    command.args(words).arg("--help").env_remove("COLUMNS");
+    let help = String::from_utf8(command.output().unwrap().stdout).unwrap();
+    let lines = help
+        .lines()
+        .map(str::trim_end)
+        .collect::<Vec<_>>()
+        .join("\n");
+    let title = [&["bouncelab"], words].concat().join(" ");
+    *page += &format!("\n## `{title}`\n\n```text\n{lines}\n```\n");
+    let (_, list) = help.split_once("\nCommands:\n").unwrap_or_default();
+    let (list, _) = list.split_once("\n\n").unwrap_or((list, ""));
+    // The rest of a long description is indented further.
+    let own = list
+        .lines()
+        .filter_map(|line| line.strip_prefix("  ")?.split(' ').next());
+    for name in own.filter(|name| !name.is_empty() && *name != "help") {
+        describe(&[words, &[name]].concat(), page);
+    }
+}
