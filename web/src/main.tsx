@@ -9,6 +9,7 @@ import { keepAnalysed } from './state/analysing.ts';
 import { start } from './state/engine.ts';
 import { keepDrawn } from './state/figures.ts';
 import { loadKept } from './state/keeping.ts';
+import { followLink } from './state/linking.ts';
 import { findOrphans } from './state/orphans.ts';
 import { readSettings } from './state/settings.ts';
 import { keepSimulated, readSimulation } from './state/simulating.ts';
@@ -21,6 +22,7 @@ readSimulation();
 addEventListener('hashchange', () => {
   readSettings();
   readSimulation();
+  void followLink();
 });
 await speak(preferred());
 const place = document.getElementById('page');
@@ -29,6 +31,7 @@ keepAnalysed();
 keepDrawn();
 keepSimulated();
 void start();
+void followLink();
 void loadKept();
 // What another tab has kept meanwhile is kept here too.
 addEventListener('visibilitychange', () => {

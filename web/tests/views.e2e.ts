@@ -7,7 +7,7 @@ import { launch } from './harness/browser.ts';
 import { FONT_SETS, type FontSet, nameOf } from './harness/fonts.ts';
 import { Site } from './harness/site.ts';
 import { overflow, violations } from './support/layout.ts';
-import { open, said, settled, still } from './support/page.ts';
+import { follow, open, said, settled, still } from './support/page.ts';
 
 const SHOTS = join(import.meta.dirname, 'screenshots');
 
@@ -167,6 +167,33 @@ describe('whatever the fonts', () => {
     await page.context().close();
   });
 
+  test('a drop travels as a link', async () => {
+    const { page } = await open(browser, site.url);
+    await demo(page);
+    const sent = await said(page);
+    await page.getByRole('button', { name: 'Share this drop' }).click();
+    await page.getByRole('img', { name: /QR code/ }).waitFor();
+    const address = await page.locator('.shared code').last().innerText();
+    expect(address.length).toBeLessThanOrEqual(1500);
+    const other = await open(browser, address);
+    const { kept, fell } = await said(other.page);
+    expect(kept.value).toBeCloseTo(sent.kept.value, 1);
+    expect(fell.value).toBeCloseTo(sent.fell.value, 0);
+    expect(other.page.url()).toContain('ball=table-tennis-40');
+    await other.page.getByRole('button', { name: 'Keep this drop' }).click();
+    await other.page.getByText(/Kept as/).waitFor();
+    const changed = address.replace(/.$/, (last) => (last === 'A' ? 'Q' : 'A'));
+    const third = await open(browser, changed);
+    await third.page.getByText('This link of a drop cannot be used.').waitFor();
+    await follow(third.page, 'Drops');
+    await third.page.getByLabel(/^Links of other/).fill(`Anna ${address}\nBob ${changed}`);
+    await third.page.getByRole('button', { name: 'Add to this table' }).click();
+    await third.page.getByText('Drops added: 1. Links that cannot be used: 1.').waitFor();
+    expect(await third.page.getByLabel(/^Name of /).count()).toBe(1);
+    for (const { page } of [{ page: third.page }, other]) await page.context().close();
+    await page.context().close();
+  });
+
   test('exports: table, document and figures', async () => {
     const { page } = await open(browser, site.url);
     await demo(page);
@@ -185,6 +212,7 @@ describe('whatever the fonts', () => {
       expect(await saved('SVG'), await tab.innerText()).toContain('<svg');
     }
     expect((await saved('PNG')).slice(1, 4)).toBe('PNG');
+    expect(await saved('CSV')).toMatch(/^panel,x_axis,/);
     await page.context().close();
   });
 });

@@ -45,6 +45,7 @@
 //! | [`rules`] | rules, built in and in files |
 //! | [`tables`] | tables of an analysis |
 //! | [`document`] | an analysis as data for other programs |
+//! | [`link`] | a drop as the end of a link |
 //! | [`paper`] | the paper, recomputed |
 //! | [`report`] | an analysis as a page to read, print and repeat |
 //!
@@ -63,6 +64,7 @@ mod error;
 pub mod figure;
 #[cfg(not(target_family = "wasm"))]
 pub mod file;
+pub mod link;
 pub mod messages;
 pub mod paper;
 mod quantity;

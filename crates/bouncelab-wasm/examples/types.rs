@@ -9,6 +9,7 @@ use bouncelab::Recording;
 use bouncelab::diagnostic::Argument;
 use bouncelab_report::Chart;
 use bouncelab_report::document::simulation;
+use bouncelab_report::link::LinkedDrop;
 use bouncelab_report::paper;
 use bouncelab_report::paper::lesson::{PuzzleAnswer, PuzzleChoice};
 use bouncelab_wasm::refusal::Refusal;
@@ -66,6 +67,8 @@ fn declarations() -> String {
     all.declare::<wire::AnalysisRequest>();
     all.declare::<wire::Analysed<'static>>();
     all.declare::<wire::Drawn>();
+    all.declare::<LinkedDrop>();
+    all.declare::<wire::DropLink>();
     all.declare::<wire::SimulationRequest>();
     all.declare::<wire::SceneRequest>();
     all.declare::<wire::SimulationRun>();

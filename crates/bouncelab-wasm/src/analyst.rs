@@ -173,12 +173,13 @@ impl Analysis<'_> {
     }
 }
 
-/// A figure as a picture.
+/// A figure as a picture, and as data.
 pub fn drawn(name: &str, chart: &Chart) -> Drawn {
     let (width_px, height_px) = chart.size();
     Drawn {
         name: name.to_owned(),
         svg: chart.svg(),
+        csv: chart.csv(),
         width_px,
         height_px,
     }

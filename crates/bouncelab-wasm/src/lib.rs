@@ -16,6 +16,7 @@
 //! | [`pyramid`] | envelope at any zoom |
 //! | [`spectrogram`] | spectrogram |
 //! | [`detector`] | drops of a recording |
+//! | [`link`](mod@link) | a drop as a link and a QR code |
 //! | [`analyst`] | analysis of impacts |
 //! | [`simulator`] | simulated drops and their sound |
 
@@ -31,6 +32,7 @@ pub mod decoders;
 pub mod detector;
 #[cfg(all(target_family = "wasm", feature = "engine"))]
 pub mod engine;
+pub mod link;
 pub mod pyramid;
 pub mod refusal;
 pub mod simulator;

@@ -161,7 +161,7 @@ pub struct Analysed<'a> {
     pub figures: Vec<Vec<&'static str>>,
 }
 
-/// A figure as a picture.
+/// A figure as a picture, and as data.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(not(target_family = "wasm"), derive(TS))]
 pub struct Drawn {
@@ -169,10 +169,24 @@ pub struct Drawn {
     pub name: String,
     /// The picture.
     pub svg: String,
+    /// The data, for other programs.
+    pub csv: String,
     /// Its natural width.
     pub width_px: f64,
     /// Its natural height.
     pub height_px: f64,
+}
+
+/// A drop as a link.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(not(target_family = "wasm"), derive(TS))]
+pub struct DropLink {
+    /// The whole address.
+    pub address: String,
+    /// Modules on each side of its QR code.
+    pub modules: u32,
+    /// The dark modules, as a path of SVG.
+    pub path: String,
 }
 
 /// How a simulated drop begins, bounces and ends.

@@ -7,7 +7,9 @@ import type {
   ComparedDrop,
   Demo,
   Drawn,
+  DropLink,
   DropMarks,
+  LinkedDrop,
   PaperDocument,
   PuzzleAnswer,
   PuzzleChoice,
@@ -239,6 +241,16 @@ export class Lab {
   /** The impacts as CSV, as the program writes them. */
   csv(request: AnalysisRequest): Promise<string> {
     return this.#back.call('csv', { request });
+  }
+
+  /** A drop as a link and a QR code, for a page at this address, which ends where the drop begins. */
+  dropLink(drop: LinkedDrop, page: string): Promise<DropLink> {
+    return this.#front.call('dropLink', { drop, page });
+  }
+
+  /** The drop at the end of a link. */
+  linkedDrop(code: string): Promise<LinkedDrop> {
+    return this.#front.call('linkedDrop', { code });
   }
 
   /** Simulates a drop under one or more drag laws. */

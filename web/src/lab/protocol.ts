@@ -6,7 +6,9 @@ import type {
   ComparedDrop,
   Demo,
   Drawn,
+  DropLink,
   Impact,
+  LinkedDrop,
   PaperDocument,
   PuzzleAnswer,
   PuzzleChoice,
@@ -106,6 +108,8 @@ export interface Calls {
     response: string;
   };
   csv: { request: { request: AnalysisRequest }; response: string };
+  dropLink: { request: { drop: LinkedDrop; page: string }; response: DropLink };
+  linkedDrop: { request: { code: string }; response: LinkedDrop };
   onset: {
     request: { samples: Float32Array; sampleRateHz: number; startS: number; timeS: number };
     response: Impact | null;

@@ -149,6 +149,11 @@ const handlers: Handlers = {
     response: analyst().csv(JSON.stringify(request), translator),
   }),
 
+  dropLink: ({ drop, page }) => ({
+    response: JSON.parse(science.dropLink(JSON.stringify(drop), page)),
+  }),
+  linkedDrop: ({ code }) => ({ response: JSON.parse(science.linkedDrop(code)) }),
+
   onset: ({ samples, sampleRateHz, startS, timeS }) => ({
     response: JSON.parse(science.onsetNear(samples, sampleRateHz, startS, timeS)),
   }),

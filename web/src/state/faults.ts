@@ -18,6 +18,7 @@ export type FaultKey =
   | 'times'
   | 'huge'
   | 'setting'
+  | 'link'
   | 'fault'
   | 'keep';
 

@@ -1,5 +1,5 @@
 /** Ways into the workspace other than the microphone: a file, a list of times, the demo, the database. */
-import { LabError, type Recording } from '../lab/index.ts';
+import { LabError, type LinkedDrop, type Recording } from '../lab/index.ts';
 import { joined } from '../store/blocks.ts';
 import { lock } from '../store/locks.ts';
 import { getRecording, samplesOf } from '../store/recordings.ts';
@@ -43,6 +43,10 @@ export function openFile(file: File): Promise<void> {
 
 export const openTimes = (times: string): Promise<void> =>
   load(text('page-lab-pasted-name'), () => engine().paste(times));
+
+/** The drop of a link, which has times and no sound. */
+export const openLinked = ({ name, times_s }: LinkedDrop): Promise<void> =>
+  load(name, () => engine().paste(times_s.join('\n')));
 
 /** The ball that is heard in the demo. */
 const DEMO_BALL = 'table-tennis-40';

@@ -139,6 +139,9 @@ page-faults-setting-do = Siehe unten bei den Einstellungen.
 page-faults-fault-what = Die Auswertung ist fehlgeschlagen.
 page-faults-fault-do = Was aufgenommen wurde, ist aufgehoben. Lade die Seite neu und öffne es wieder; eine Meldung an das Projekt hilft.
 
+page-faults-link-what = Dieser Link eines Versuchs ist nicht zu gebrauchen.
+page-faults-link-do = Kopiere den ganzen Link, oder lies den Code noch einmal ein.
+
 page-faults-keep-what = Der Versuch ließ sich nicht aufheben.
 page-faults-keep-do = Der Speicher des Browsers ist voll oder gesperrt. Speichere stattdessen Ton und Zahlen als Dateien.
 
@@ -188,6 +191,7 @@ page-figures-reset = Seitwärts ziehen vergrößert, ein Doppelklick zeigt wiede
 page-figures-numbers = Dasselbe als Zahlen
 page-figures-save-svg = SVG
 page-figures-save-png = PNG
+page-figures-save-csv = CSV
 page-figures-save = Diese Abbildung speichern
 
 page-figures-tabs-restitution = Stoßzahl
@@ -286,6 +290,9 @@ page-keep-share = Einstellungen teilen
 page-keep-shared = Die Adresse mit diesen Einstellungen ist kopiert.
 page-keep-share-by-hand = Diese Adresse kopieren:
 page-keep-report = Bericht (HTML)
+page-keep-link = Diesen Versuch teilen
+page-keep-link-by-hand = Öffne diese Adresse anderswo, oder richte ein Handy auf den Code; sie zeigt diesen Versuch ohne seinen Ton:
+page-keep-link-qr = QR-Code der Adresse dieses Versuchs
 
 page-simulate-title = Einen Versuch simulieren
 page-simulate-lead = Schieb einen Regler und sieh, was sich ändert; behalte einen Lauf, um ihn mit dem nächsten zu vergleichen.
@@ -429,6 +436,9 @@ page-drops-deleted-all = { $count ->
     [one] 1 Versuch ist gelöscht.
    *[other] { $count } Versuche sind gelöscht.
   }
+page-drops-links = Links zu Versuchen anderer, beliebig viele
+page-drops-links-do = In diese Tabelle aufnehmen
+page-drops-links-done = Aufgenommene Versuche: { $kept }. Unbrauchbare Links: { $refused }.
 page-drops-unavailable = Der Browser hebt hier nichts auf (ein privates Fenster?).
 
 page-reason-empty-content = Kein einziges Byte Ton ist darin.

@@ -141,6 +141,9 @@ page-faults-setting-do = See below, at the settings.
 page-faults-fault-what = The analysis failed.
 page-faults-fault-do = What was recorded is kept. Reload the page and open it again; a report to the project helps.
 
+page-faults-link-what = This link of a drop cannot be used.
+page-faults-link-do = Copy the whole link, or scan the code again.
+
 page-faults-keep-what = The drop could not be kept.
 page-faults-keep-do = The storage of the browser is full or not available. Save the sound and the numbers as files instead.
 
@@ -190,6 +193,7 @@ page-figures-reset = Drag sideways to zoom, double-click to see all.
 page-figures-numbers = The same as numbers
 page-figures-save-svg = SVG
 page-figures-save-png = PNG
+page-figures-save-csv = CSV
 page-figures-save = Save this figure
 
 page-figures-tabs-restitution = Restitution
@@ -288,6 +292,9 @@ page-keep-share = Share this set-up
 page-keep-shared = The address with this set-up was copied.
 page-keep-share-by-hand = Copy this address:
 page-keep-report = Report (HTML)
+page-keep-link = Share this drop
+page-keep-link-by-hand = Open this address elsewhere, or point a phone at the code; it shows this drop, without its sound:
+page-keep-link-qr = QR code of the address of this drop
 
 page-simulate-title = Simulate a drop
 page-simulate-lead = Move a slider and see what changes; keep a run to compare it with the next.
@@ -431,6 +438,9 @@ page-drops-deleted-all = { $count ->
     [one] 1 drop was deleted.
    *[other] { $count } drops were deleted.
   }
+page-drops-links = Links of other people’s drops, as many as you like
+page-drops-links-do = Add to this table
+page-drops-links-done = Drops added: { $kept }. Links that cannot be used: { $refused }.
 page-drops-unavailable = The browser stores nothing here (a private window?).
 
 page-reason-empty-content = It contains no data.

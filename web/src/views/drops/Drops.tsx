@@ -17,6 +17,7 @@ import { language, parts, text } from '../../text/language.ts';
 import { Comparison } from './Comparison.tsx';
 import { DropTable } from './DropTable.tsx';
 import { saveDropsCsv, saveDropsJson } from './export.ts';
+import { Links } from './Links.tsx';
 
 /** The drops that were kept, side by side. */
 export function Drops() {
@@ -62,6 +63,7 @@ export function Drops() {
           <Comparison drops={chosen} />
         </>
       )}
+      {canKeep.value && <Links />}
     </div>
   );
 }

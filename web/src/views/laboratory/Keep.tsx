@@ -10,6 +10,7 @@ import { keepDrop } from '../../state/keeping.ts';
 import { settings } from '../../state/settings.ts';
 import { analysed, chosenDrop, drop, edits, workspace } from '../../state/workspace.ts';
 import { text } from '../../text/language.ts';
+import { DropLink } from './DropLink.tsx';
 import { SaveSound } from './SaveSound.tsx';
 
 /** Keep the drop here, save its numbers, share the set-up, print a report. */
@@ -36,6 +37,7 @@ export function Keep() {
           </>
         )}
         <Share />
+        {drop.value && <DropLink name={recording.name} />}
       </div>
     </section>
   );

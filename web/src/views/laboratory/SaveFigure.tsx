@@ -4,26 +4,33 @@ import { figureRequest } from '../../state/figures.ts';
 import { workspace } from '../../state/workspace.ts';
 import { text } from '../../text/language.ts';
 
-/** Saves a figure as the engine draws it: the picture of the command line, in the language of the page. */
+const FORMATS = ['svg', 'png', 'csv'] as const;
+
+/** Saves a figure as the engine draws it: picture or data of the command line, in the language of the page. */
 export function SaveFigure({ name }: { readonly name: string }) {
   return (
     <span class="row tight small">
       <span class="soft">{text('page-figures-save')}:</span>
-      <button type="button" class="quiet" onClick={() => void saveDrawn(name, 'svg')}>
-        {text('page-figures-save-svg')}
-      </button>
-      <button type="button" class="quiet" onClick={() => void saveDrawn(name, 'png')}>
-        {text('page-figures-save-png')}
-      </button>
+      {FORMATS.map((format) => (
+        <button
+          type="button"
+          class="quiet"
+          key={format}
+          onClick={() => void saveDrawn(name, format)}
+        >
+          {text(`page-figures-save-${format}`)}
+        </button>
+      ))}
     </span>
   );
 }
 
-async function saveDrawn(name: string, format: 'svg' | 'png'): Promise<void> {
+async function saveDrawn(name: string, format: (typeof FORMATS)[number]): Promise<void> {
   const asked = figureRequest(name, true);
   if (!asked) return;
   const drawn = await engine().figure(asked);
   const file = `${fileName(workspace.peek()?.name ?? '')}-${drawn.name}`;
   if (format === 'svg') saveText(drawn.svg, 'image/svg+xml', `${file}.svg`);
+  else if (format === 'csv') saveText(drawn.csv, 'text/csv', `${file}.csv`);
   else save(await rasterised(drawn.svg, drawn.width_px, drawn.height_px), `${file}.png`);
 }

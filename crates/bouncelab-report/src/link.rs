@@ -1,0 +1,180 @@
+//! A drop as the end of a link: its impact times, what was stated of it, and its name.
+//!
+//! ```
+//! use bouncelab::setup::Settings;
+//! use bouncelab_report::link::LinkedDrop;
+//!
+//! let drop = LinkedDrop {
+//!     name: "Anna, first try".to_owned(),
+//!     settings: Settings { ball: Some("tennis".to_owned()), ..Settings::default() },
+//!     times_s: vec![0.0, 0.4605, 0.8877, 1.2854],
+//! };
+//! let code = drop.code()?;
+//! assert_eq!(LinkedDrop::of_code(&code)?, drop);
+//! assert!(LinkedDrop::of_code(&code[1..]).is_err());
+//! # Ok::<(), bouncelab_report::Error>(())
+//! ```
+//!
+//! Times are counted in steps of 10 µs. Written is by how much each flight differs from the one before it: small
+//! numbers, each in as few bytes as it takes. What was stated is JSON without what was
+//! not. A CRC-32 over all of it tells what was changed on the way; the text is Base64 for addresses (RFC 4648, section 5).
+
+use std::fmt::Display;
+
+use base64::Engine;
+use base64::engine::general_purpose::URL_SAFE_NO_PAD;
+use bouncelab::setup::Settings;
+use crc::{CRC_32_ISO_HDLC, Crc};
+use serde::{Deserialize, Serialize, Serializer, ser};
+use serde_json::Value;
+
+use crate::error::Error;
+
+/// Steps of the times in a second.
+const STEPS_PER_S: f64 = 1e5;
+/// The last time in steps: ten days, while a recording lasts one at most.
+const LAST_STEP: i64 = 100_000_000_000;
+/// A drop has fewer impacts, and a QR code no room for more.
+const MOST_IMPACTS: usize = 1000;
+/// Letters of a name; the rest is left out.
+const MOST_LETTERS: usize = 60;
+/// The form of what is packed; another whenever it changes.
+const VERSION: u8 = 1;
+
+const CHECK: Crc<u32> = Crc::<u32>::new(&CRC_32_ISO_HDLC);
+
+/// A drop that is sent to others.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
+pub struct LinkedDrop {
+    /// What it is called.
+    pub name: String,
+    /// What was stated of ball, air, gravity and height.
+    #[serde(serialize_with = "as_stated")]
+    pub settings: Settings,
+    /// The impact times, increasing.
+    pub times_s: Vec<f64>,
+}
+
+/// What the text holds.
+#[derive(Serialize, Deserialize)]
+struct Packed<'a> {
+    version: u8,
+    name: &'a str,
+    settings: &'a str,
+    /// The differences of the differences of the times, in steps.
+    steps: Vec<i64>,
+}
+
+impl LinkedDrop {
+    /// The text at the end of a link: letters, digits, `-` and `_`.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Link`] if the times are none, do not increase by 10 µs at least, or are too many.
+    pub fn code(&self) -> Result<String, Error> {
+        let steps = self
+            .times_s
+            .iter()
+            .map(|time_s| (time_s * STEPS_PER_S).round() as i64);
+        let steps = train(steps.collect())?;
+        let name: String = self.name.chars().take(MOST_LETTERS).collect();
+        let settings = stated(&self.settings)
+            .map_err(|fault| refused(&fault))?
+            .to_string();
+        let packed = Packed {
+            version: VERSION,
+            name: &name,
+            settings: &settings,
+            steps: differences(&differences(&steps)),
+        };
+        let mut bytes = postcard::to_allocvec(&packed).map_err(|fault| refused(&fault))?;
+        bytes.extend(CHECK.checksum(&bytes).to_be_bytes());
+        Ok(URL_SAFE_NO_PAD.encode(bytes))
+    }
+
+    /// The drop of a text that [`code`](Self::code) made.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Link`] if a letter of it was changed, added or lost.
+    pub fn of_code(code: &str) -> Result<Self, Error> {
+        const CHANGED: &str = "it is not complete, or was changed; copy all of it";
+        let bytes = URL_SAFE_NO_PAD
+            .decode(code)
+            .map_err(|_| refused(&CHANGED))?;
+        let (packed, check) = bytes
+            .split_last_chunk::<4>()
+            .ok_or_else(|| refused(&CHANGED))?;
+        if CHECK.checksum(packed) != u32::from_be_bytes(*check) {
+            return Err(refused(&CHANGED));
+        }
+        let packed: Packed = postcard::from_bytes(packed).map_err(|fault| refused(&fault))?;
+        if packed.version != VERSION {
+            return Err(refused(
+                &"a newer version of the page made it; reload the page",
+            ));
+        }
+        let steps = train(sums(&sums(&packed.steps)?)?)?;
+        Ok(Self {
+            name: packed.name.to_owned(),
+            settings: serde_json::from_str(packed.settings).map_err(|fault| refused(&fault))?,
+            times_s: steps
+                .into_iter()
+                .map(|step| step as f64 / STEPS_PER_S)
+                .collect(),
+        })
+    }
+}
+
+/// The times of a drop, in steps, if they can be that.
+fn train(steps: Vec<i64>) -> Result<Vec<i64>, Error> {
+    let is_near = |step: &i64| (-LAST_STEP..=LAST_STEP).contains(step);
+    let is_train = (2..=MOST_IMPACTS).contains(&steps.len())
+        && steps.iter().all(is_near)
+        && steps.is_sorted_by(|a, b| a < b);
+    is_train.then_some(steps).ok_or_else(|| {
+        refused(&"it needs 2 to 1000 impacts, each at least 10 µs after the one before")
+    })
+}
+
+/// The first number, and by how much each differs from the one before it.
+fn differences(numbers: &[i64]) -> Vec<i64> {
+    let before = std::iter::once(0).chain(numbers.iter().copied());
+    numbers
+        .iter()
+        .zip(before)
+        .map(|(number, before)| number - before)
+        .collect()
+}
+
+/// The numbers with these differences.
+fn sums(differences: &[i64]) -> Result<Vec<i64>, Error> {
+    let sums = differences.iter().scan(0_i64, |sum, difference| {
+        let next = sum.checked_add(*difference);
+        *sum = next.unwrap_or_default();
+        Some(next)
+    });
+    let sums: Option<Vec<i64>> = sums.collect();
+    sums.ok_or_else(|| refused(&"its times are out of range"))
+}
+
+/// Settings as JSON, without what was not stated.
+fn stated(settings: &Settings) -> serde_json::Result<Value> {
+    let mut value = serde_json::to_value(settings)?;
+    if let Some(fields) = value.as_object_mut() {
+        fields.retain(|_, value| !value.is_null());
+    }
+    Ok(value)
+}
+
+fn as_stated<S: Serializer>(settings: &Settings, serializer: S) -> Result<S::Ok, S::Error> {
+    let stated = stated(settings).map_err(ser::Error::custom)?;
+    stated.serialize(serializer)
+}
+
+fn refused(problem: &dyn Display) -> Error {
+    Error::Link {
+        problem: problem.to_string(),
+    }
+}

@@ -1,0 +1,30 @@
+//! A drop as a link and a QR code.
+
+use bouncelab_report::link::LinkedDrop;
+use qrcodegen::{QrCode, QrCodeEcc};
+
+use crate::refusal::{Refusal, Result};
+use crate::wire::DropLink;
+
+/// The link of a drop, for a page at this address, which ends where the drop begins.
+///
+/// # Errors
+///
+/// If it is no drop, or too long for a QR code.
+pub fn link(drop: &LinkedDrop, page: &str) -> Result<DropLink> {
+    let address = [page, &drop.code()?].concat();
+    let code = QrCode::encode_text(&address, QrCodeEcc::Low);
+    let code = code.map_err(|problem| Refusal::fault(problem.to_string()))?;
+    Ok(DropLink {
+        address,
+        modules: code.size().unsigned_abs(),
+        path: path(&code),
+    })
+}
+
+/// The dark modules as squares of a path of SVG.
+fn path(code: &QrCode) -> String {
+    let places = (0..code.size()).flat_map(|y| (0..code.size()).map(move |x| (x, y)));
+    let dark = places.filter(|&(x, y)| code.get_module(x, y));
+    dark.map(|(x, y)| format!("M{x} {y}h1v1h-1z")).collect()
+}
