@@ -109,7 +109,7 @@ impl Page {
                     }
                 }
                 Event::End(TagEnd::Heading(_)) => {
-                    anchors.extend(heading.take().map(|text| anchor(&text)))
+                    anchors.extend(heading.take().map(|text| anchor(&text)));
                 }
                 _ => {}
             }
@@ -281,7 +281,7 @@ impl Scene {
                 "sh" => {
                     printed = commands(&block.code)
                         .map(|command| self.run(&command))
-                        .collect()
+                        .collect();
                 }
                 "text" if block.follows => has_lines(&printed, &block.code, &page.path),
                 _ => {}
@@ -366,7 +366,7 @@ fn describe(words: &[&str], page: &mut String) {
         .collect::<Vec<_>>()
         .join("\n");
     let title = [&["bouncelab"], words].concat().join(" ");
-    *page += &format!("\n## `{title}`\n\n```text\n{lines}\n```\n");
+    *page += &["\n## `", &title, "`\n\n```text\n", &lines, "\n```\n"].concat();
     let (_, list) = help.split_once("\nCommands:\n").unwrap_or_default();
     let (list, _) = list.split_once("\n\n").unwrap_or((list, ""));
     // The rest of a long description is indented further.

@@ -26,5 +26,6 @@ pub fn link(drop: &LinkedDrop, page: &str) -> Result<DropLink> {
 fn path(code: &QrCode) -> String {
     let places = (0..code.size()).flat_map(|y| (0..code.size()).map(move |x| (x, y)));
     let dark = places.filter(|&(x, y)| code.get_module(x, y));
-    dark.map(|(x, y)| format!("M{x} {y}h1v1h-1z")).collect()
+    let squares: Vec<String> = dark.map(|(x, y)| format!("M{x} {y}h1v1h-1z")).collect();
+    squares.concat()
 }
