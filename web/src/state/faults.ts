@@ -19,7 +19,10 @@ export type FaultKey =
   | 'huge'
   | 'setting'
   | 'fault'
-  | 'keep';
+  | 'keep'
+  | 'archive'
+  | 'archive-newer'
+  | 'archive-room';
 
 export interface Fault {
   readonly key: FaultKey;
