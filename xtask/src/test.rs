@@ -2,7 +2,9 @@
 
 use std::process::Command;
 
-use crate::cargo::{cargo, cargo_all, has, has_sound_headers, install, run as run_command};
+use crate::cargo::{
+    cargo, cargo_all, has, has_sound_headers, install, run as run_command, succeeds,
+};
 use crate::steps::{self, Step, Time, Watch};
 use crate::{Result, cluster, fresh, package, python, release, tables, web};
 
@@ -36,6 +38,8 @@ enum Needs {
     Git,
     /// cargo-deny.
     Deny,
+    /// A sound server that can have a card without hardware.
+    SoundServer,
     /// The folder of real recordings, which is not part of the repository.
     Recordings,
 }
@@ -52,6 +56,7 @@ impl Needs {
             Self::Browser => web::has_node() && web::has_browser(),
             Self::Git => fresh::has_repository(),
             Self::Deny => has_deny(),
+            Self::SoundServer => has_sound_server(),
             Self::Recordings => has_recordings(),
         }
     }
@@ -61,7 +66,7 @@ impl Needs {
 /// features: clippy and the documentation use the same metadata of the dependencies, the tests and the
 /// program under the end-to-end tests the same code, so that a dependency is compiled at most twice;
 /// and once more for the browser.
-pub(crate) const CHECKS: [Check; 14] = [
+pub(crate) const CHECKS: [Check; 15] = [
     Check {
         name: "format",
         about: "rustfmt has nothing to change",
@@ -124,6 +129,15 @@ pub(crate) const CHECKS: [Check; 14] = [
         run: || {
             let mut command = cargo_all(&["test"]);
             run_command(command.args(["--test", "recordings", "--", "--ignored"]))
+        },
+    },
+    Check {
+        name: "card",
+        about: "the microphone with a card that a sound server simulates",
+        needs: Needs::SoundServer,
+        run: || {
+            let mut command = cargo_all(&["test"]);
+            run_command(command.args(["--test", "listen", "--", "--ignored", "card"]))
         },
     },
     Check {
@@ -207,6 +221,20 @@ fn deny() -> Result {
     run_command(&mut cargo(["deny", "check", "advisories"]))
 }
 
+/// `PulseAudio` and what lets ALSA use it, which are installed if that is allowed.
+fn has_sound_server() -> bool {
+    let programs = ["pulseaudio", "pacat", "pactl"];
+    let are_there = || {
+        programs
+            .iter()
+            .all(|program| succeeds(&[program, "--version"]))
+    };
+    let packages = ["pulseaudio", "pulseaudio-utils", "libasound2-plugins"];
+    has_sound_headers()
+        && cfg!(target_os = "linux")
+        && (are_there() || install(&packages, "a sound card without hardware") && are_there())
+}
+
 /// Says how to name their folder if nobody did: the tests that read them are ignored then.
 fn has_recordings() -> bool {
     let named = std::env::var_os("BOUNCELAB_RECORDINGS").is_some();
@@ -234,6 +262,7 @@ pub(crate) fn run(names: &[String]) -> Result {
         Needs::PythonPackage,
         Needs::Engines,
         Needs::Deny,
+        Needs::SoundServer,
         Needs::Recordings,
         Needs::Node,
         Needs::Browser,
