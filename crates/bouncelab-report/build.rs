@@ -1,4 +1,5 @@
-//! Makes the message files part of the crate: every folder in `messages/` is a language.
+//! Makes the message files part of the crate, and the letters that figures need: every folder in `messages/` is
+//! a language.
 //!
 //! What the page in a browser says by itself, it reads by itself. The engine in a browser gets English
 //! only, without what a terminal says; the page loads the other languages when a reader chooses them.
@@ -15,6 +16,14 @@ const OF_PAGE: &str = "page.ftl";
 const OF_TERMINAL: &str = "terminal.ftl";
 
 fn main() -> io::Result<()> {
+    let out = env::var_os("OUT_DIR").expect("cargo names it");
+    messages(Path::new(&out))?;
+    #[cfg(feature = "png")]
+    fonts::write(Path::new(&out))?;
+    Ok(())
+}
+
+fn messages(out: &Path) -> io::Result<()> {
     println!("cargo::rerun-if-changed=messages");
     let folder =
         Path::new(&env::var("CARGO_MANIFEST_DIR").expect("cargo names it")).join("messages");
@@ -36,8 +45,7 @@ fn main() -> io::Result<()> {
         code.push_str("]), ");
     }
     code.push(']');
-    let out = Path::new(&env::var("OUT_DIR").expect("cargo names it")).join("messages.rs");
-    fs::write(out, code)
+    fs::write(out.join("messages.rs"), code)
 }
 
 fn sorted(folder: &Path) -> io::Result<Vec<PathBuf>> {
@@ -52,4 +60,54 @@ fn file_name(path: &Path) -> &str {
     path.file_name()
         .and_then(|name| name.to_str())
         .expect("names of languages and files are plain")
+}
+
+/// Whole, the fonts would be a tenth of the program.
+#[cfg(feature = "png")]
+mod fonts {
+    use std::fs;
+    use std::io;
+    use std::ops::RangeInclusive;
+    use std::path::Path;
+
+    use subsetter::GlyphRemapper;
+    use ttf_parser::Face;
+
+    /// Latin, Greek and Cyrillic, punctuation, and the signs of mathematics.
+    const LETTERS: [RangeInclusive<char>; 8] = [
+        ' '..='~',
+        '\u{a0}'..='\u{24f}',
+        '\u{300}'..='\u{36f}',
+        '\u{370}'..='\u{52f}',
+        '\u{1e00}'..='\u{1eff}',
+        '\u{2000}'..='\u{214f}',
+        '\u{2190}'..='\u{22ff}',
+        '\u{25a0}'..='\u{25ff}',
+    ];
+
+    /// What stands in titles, most of the time.
+    const BOLD_LETTERS: [RangeInclusive<char>; 3] =
+        [' '..='~', '\u{a0}'..='\u{17f}', '\u{2010}'..='\u{2044}'];
+
+    /// Each font as `NAME.ttf`, and as `NAME.rs` its letters with the numbers of their glyphs, in order.
+    pub(super) fn write(out: &Path) -> io::Result<()> {
+        let fonts = [
+            ("regular", dejavu::sans::regular(), LETTERS.as_slice()),
+            ("bold", dejavu::sans::bold(), BOLD_LETTERS.as_slice()),
+        ];
+        for (name, font, letters) in fonts {
+            let face = Face::parse(font, 0).map_err(io::Error::other)?;
+            let mut kept = GlyphRemapper::new();
+            let letters: Vec<(char, u16)> = letters
+                .iter()
+                .cloned()
+                .flatten()
+                .filter_map(|letter| Some((letter, kept.remap(face.glyph_index(letter)?.0))))
+                .collect();
+            let subset = subsetter::subset(font, 0, &kept).map_err(io::Error::other)?;
+            fs::write(out.join(name).with_extension("ttf"), subset)?;
+            fs::write(out.join(name).with_extension("rs"), format!("&{letters:?}"))?;
+        }
+        Ok(())
+    }
 }

@@ -1,10 +1,10 @@
 //! Running cargo, and other commands, in the root of the workspace.
 
+use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
-use crate::Result;
-use crate::steps;
+use crate::{Result, said, steps};
 
 /// The cargo that runs this chore, in the root of the workspace.
 pub(crate) fn cargo<'a>(words: impl IntoIterator<Item = &'a str>) -> Command {
@@ -36,6 +36,16 @@ pub(crate) fn built(kind: &str, name: &str) -> Result<PathBuf> {
         folder
     };
     Ok(folder.join([name, std::env::consts::EXE_SUFFIX].concat()))
+}
+
+/// Copies the program from where it was built, without what a debugger needs; where it is then.
+pub(crate) fn copy_program(built: &Path, folder: &Path) -> Result<PathBuf> {
+    let name = ["bouncelab", std::env::consts::EXE_SUFFIX].concat();
+    let program = folder.join(&name);
+    fs::create_dir_all(folder).map_err(|reason| said(folder, &reason))?;
+    fs::copy(built.join(name), &program).map_err(|reason| said(&program, &reason))?;
+    succeeds(&["strip", &program.display().to_string()]);
+    Ok(program)
 }
 
 /// Whether the microphone can be built in: Linux needs the headers of ALSA.

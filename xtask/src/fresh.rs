@@ -14,9 +14,8 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use crate::Result;
 use crate::cargo::{cargo_all, root, run as run_command, succeeds, target};
-use crate::web;
+use crate::{Result, said, web};
 
 /// Whether there is something to clone, and something to clone it with.
 pub(crate) fn has_repository() -> bool {
@@ -199,8 +198,4 @@ fn home_of(variable: &str, folder: &str) -> PathBuf {
         || PathBuf::from(env::var_os("HOME").unwrap_or_default()).join(folder),
         PathBuf::from,
     )
-}
-
-fn said(path: &Path, reason: &std::io::Error) -> String {
-    format!("{}: {reason}", path.display())
 }

@@ -7,48 +7,24 @@ use std::process::Command;
 
 pub(crate) const ABOUT: &str = "Fuzz the decoders and the detector (nightly, cargo-fuzz)";
 
-/// What reads bytes or sound.
-struct Target {
-    name: &'static str,
-    /// The ends of the names of the recordings that it begins with.
-    ends: &'static [&'static str],
-    /// What watches it: panics, hangs and memory are sought everywhere, faults of memory where code that is
-    /// not safe reads the bytes, which is Opus alone.
-    sanitizer: &'static str,
-}
+/// Code that is not safe reads the bytes, which is that of Opus alone: faults of memory are sought too.
+const ADDRESS: &str = "address";
+/// Panics, hangs and memory are sought, as everywhere.
+const NONE: &str = "none";
 
-impl Target {
-    const fn safe(name: &'static str, ends: &'static [&'static str]) -> Self {
-        let sanitizer = "none";
-        Self {
-            name,
-            ends,
-            sanitizer,
-        }
-    }
-
-    const fn with_opus(name: &'static str, ends: &'static [&'static str]) -> Self {
-        let sanitizer = "address";
-        Self {
-            name,
-            ends,
-            sanitizer,
-        }
-    }
-}
-
-const TARGETS: [Target; 11] = [
-    Target::safe("wav", &["wav"]),
-    Target::safe("aiff", &["aiff"]),
-    Target::safe("caf", &["caf"]),
-    Target::safe("flac", &["flac"]),
-    Target::safe("mp3", &["mp3"]),
-    Target::safe("aac", &["aac"]),
-    Target::with_opus("ogg", &["ogg"]),
-    Target::with_opus("mp4", &["m4a", "mp4", "mov"]),
-    Target::with_opus("mkv", &["webm"]),
-    Target::safe("times", &[]),
-    Target::safe("detection", &[]),
+/// The targets, the ends of the names of the recordings they begin with, and the sanitiser.
+const TARGETS: [(&str, &[&str], &str); 11] = [
+    ("wav", &["wav"], NONE),
+    ("aiff", &["aiff"], NONE),
+    ("caf", &["caf"], NONE),
+    ("flac", &["flac"], NONE),
+    ("mp3", &["mp3"], NONE),
+    ("aac", &["aac"], NONE),
+    ("ogg", &["ogg"], ADDRESS),
+    ("mp4", &["m4a", "mp4", "mov"], ADDRESS),
+    ("mkv", &["webm"], ADDRESS),
+    ("times", &[], NONE),
+    ("detection", &[], NONE),
 ];
 const FIXTURES: &str = "crates/bouncelab-audio/tests/fixtures";
 
@@ -64,15 +40,15 @@ pub(crate) fn run(words: &[String]) -> Result {
             None => targets.push(word.as_str()),
         }
     }
-    let known = |name: &&str| TARGETS.iter().any(|target| target.name == *name);
+    let known = |name: &&str| TARGETS.iter().any(|target| target.0 == *name);
     if let Some(unknown) = targets.iter().find(|name| !known(name)) {
-        let names = TARGETS.map(|target| target.name).join(", ");
+        let names = TARGETS.map(|target| target.0).join(", ");
         return Err(format!("'{unknown}' is none of: {names}"));
     }
     unpack_corpus()?;
-    for target in TARGETS {
-        if targets.is_empty() || targets.contains(&target.name) {
-            fuzz(&target, seconds)?;
+    for (target, ends, sanitizer) in TARGETS {
+        if targets.is_empty() || targets.contains(&target) {
+            fuzz(target, ends, sanitizer, seconds)?;
         }
     }
     Ok(())
@@ -86,12 +62,7 @@ fn unpack_corpus() -> Result {
 }
 
 /// What is new goes to `target/fuzz`; a finding, to `fuzz/artifacts`.
-fn fuzz(target: &Target, seconds: u32) -> Result {
-    let Target {
-        name: target,
-        ends,
-        sanitizer,
-    } = target;
+fn fuzz(target: &str, ends: &[&str], sanitizer: &str, seconds: u32) -> Result {
     let found = root().join("target/fuzz").join(target);
     fs::create_dir_all(&found).map_err(|reason| format!("{}: {reason}", found.display()))?;
     let recordings = fs::read_dir(root().join(FIXTURES)).map_err(|e| format!("{FIXTURES}: {e}"))?;
@@ -105,7 +76,7 @@ fn fuzz(target: &Target, seconds: u32) -> Result {
         }
     }
     // The sanitiser takes memory of its own.
-    let most_mb = if *sanitizer == "none" { 512 } else { 2048 };
+    let most_mb = if sanitizer == NONE { 512 } else { 2048 };
     let mut command = Command::new("cargo");
     command
         .current_dir(root())

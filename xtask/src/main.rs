@@ -23,10 +23,17 @@ mod test;
 mod verdicts;
 mod web;
 
+use std::io;
+use std::path::Path;
 use std::process::ExitCode;
 
 /// Why a chore did not succeed, ready to be printed.
 type Result<T = ()> = std::result::Result<T, String>;
+
+/// What the system says of a file.
+fn said(path: &Path, reason: &io::Error) -> String {
+    format!("{}: {reason}", path.display())
+}
 
 struct Chore {
     name: &'static str,

@@ -11,7 +11,7 @@ use std::process::Command;
 use std::thread;
 
 use crate::Result;
-use crate::cargo::{built, cargo, root, run as run_command, succeeds, target};
+use crate::cargo::{built, cargo, copy_program, root, run as run_command, succeeds, target};
 
 pub(crate) const ABOUT: &str = "Build the wheel of the Python package into target/wheels";
 
@@ -34,7 +34,7 @@ pub(crate) fn run(_: &[String]) -> Result {
 
 /// The wheel for users.
 pub(crate) fn released_wheel() -> Result<PathBuf> {
-    let venv = Venv::first(&interpreters().first().ok_or(MISSING)?.1)?;
+    let venv = first_venv()?;
     run_command(&mut cargo([
         "build",
         "--profile",
@@ -47,18 +47,21 @@ pub(crate) fn released_wheel() -> Result<PathBuf> {
 
 /// The wheel of the checks.
 pub(crate) fn checked_wheel() -> Result<PathBuf> {
-    Venv::first(&interpreters().first().ok_or(MISSING)?.1)?.shared_wheel()
+    first_venv()?.shared_wheel()
 }
 
-/// What installs a wheel into a folder of its own.
-pub(crate) fn installing(wheel: &Path, folder: &Path) -> Result<Command> {
-    let venv = Venv::first(&interpreters().first().ok_or(MISSING)?.1)?;
-    let mut install = venv.install();
-    install
-        .args(["--no-deps", "--target"])
-        .arg(folder)
-        .arg(wheel);
-    Ok(install)
+/// Installs a wheel into a folder of its own.
+pub(crate) fn install_into(folder: &Path, wheel: &Path) -> Result {
+    let mut install = first_venv()?.install();
+    install.args(["--no-deps", "--target"]).arg(folder);
+    run_command(install.arg(wheel))
+}
+
+/// The environment of the first interpreter, which builds and checks the package.
+fn first_venv() -> Result<Venv> {
+    let found = interpreters();
+    let (_, python) = found.first().ok_or(MISSING)?;
+    Venv::first(python)
 }
 
 pub(crate) const MISSING: &str =
@@ -66,9 +69,7 @@ pub(crate) const MISSING: &str =
 
 /// Whether there is an interpreter, and what the check needs could be installed.
 pub(crate) fn have_package_index() -> bool {
-    let found = interpreters();
-    let made = found.first().ok_or(MISSING.to_owned());
-    let made = made.and_then(|(_, python)| Venv::first(python));
+    let made = first_venv();
     if let Err(reason) = &made {
         println!("the Python package cannot be checked: {reason}");
     }
@@ -215,9 +216,12 @@ impl Venv {
         let folder = target().join("wheels").join(profile);
         fs::remove_dir_all(&folder).ok();
         let built = if profile == "dev" { "debug" } else { profile };
-        add_program(&target().join(built))?;
+        // Where maturin takes the scripts of a wheel from.
+        let scripts = package().join("bouncelab.data/scripts");
+        copy_program(&target().join(built), &scripts)?;
         let mut build = self.tool("maturin");
-        build.args(["build", "--profile", profile, "--interpreter"]);
+        build.args(["build", "--profile", profile, "--compression-level", "9"]);
+        build.arg("--interpreter");
         build.arg(self.program("python")).arg("--out").arg(&folder);
         build.args(options);
         run_command(build.env("CARGO_TARGET_DIR", target()))?;
@@ -273,19 +277,4 @@ fn program_in(folder: &Path, name: &str) -> PathBuf {
 /// The folder of the package.
 fn package() -> PathBuf {
     root().join("crates/bouncelab-python")
-}
-
-/// Puts the program where maturin takes the scripts of a wheel from, without what a debugger needs.
-fn add_program(built: &Path) -> Result {
-    let name = if cfg!(windows) {
-        "bouncelab.exe"
-    } else {
-        "bouncelab"
-    };
-    let folder = package().join("bouncelab.data/scripts");
-    let said = |reason: std::io::Error| format!("{}: {reason}", folder.display());
-    fs::create_dir_all(&folder).map_err(said)?;
-    fs::copy(built.join(name), folder.join(name)).map_err(said)?;
-    succeeds(&["strip", &folder.join(name).display().to_string()]);
-    Ok(())
 }

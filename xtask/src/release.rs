@@ -9,9 +9,8 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use crate::Result;
-use crate::cargo::{built, cargo, has, root, run as run_command, succeeds, target};
-use crate::{python, web};
+use crate::cargo::{built, cargo, copy_program, has, root, run as run_command, succeeds, target};
+use crate::{Result, python, said, web};
 
 pub(crate) const ABOUT: &str =
     "Make all that a release publishes and this machine can make, into target/release-artefacts";
@@ -110,10 +109,7 @@ fn program(folder: &Path, built: &Path, triple: &str) -> Result<PathBuf> {
     let staged = target().join("release-staged");
     let contents = staged.join(&name);
     emptied(&contents)?;
-    let executable = format!("bouncelab{EXE_SUFFIX}");
-    let program = contents.join(&executable);
-    copy(&built.join(&executable), &program)?;
-    succeeds(&["strip", &program.display().to_string()]);
+    let program = copy_program(built, &contents)?;
     for document in DOCUMENTS {
         copy(&root().join(document), &contents.join(document))?;
     }
@@ -139,10 +135,7 @@ fn debian(folder: &Path, contents: &Path) -> Result {
     }
     // The list names one place, whatever is built.
     let listed = root().join("target/debian-package");
-    if listed.exists() {
-        fs::remove_dir_all(&listed).map_err(|reason| said(&listed, &reason))?;
-    }
-    fs::create_dir_all(root().join("target")).map_err(|reason| said(&listed, &reason))?;
+    emptied(&listed)?;
     fs::rename(contents, &listed).map_err(|reason| said(&listed, &reason))?;
     let mut package = cargo([
         "deb",
@@ -214,7 +207,7 @@ pub(crate) fn check() -> Result {
         let place = installed.join(&*name);
         emptied(&place)?;
         if name.ends_with(".whl") {
-            run_command(&mut python::installing(&path, &place)?)?;
+            python::install_into(&place, &path)?;
             demo(&place.join("bin"))?;
         } else if name.ends_with(".deb") {
             run_command(Command::new("dpkg-deb").arg("-x").arg(&path).arg(&place))?;
@@ -284,10 +277,6 @@ fn read(path: &Path) -> Result<String> {
 
 fn write(path: &Path, text: &str) -> Result {
     fs::write(path, text).map_err(|reason| said(path, &reason))
-}
-
-fn said(path: &Path, reason: &std::io::Error) -> String {
-    format!("{}: {reason}", path.display())
 }
 
 #[cfg(test)]

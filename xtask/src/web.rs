@@ -9,8 +9,8 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::sync::OnceLock;
 
-use crate::Result;
 use crate::cargo::{built, cargo, root, run as run_command};
+use crate::{Result, said};
 
 pub(crate) use e2e::run as e2e;
 pub(crate) use system::{has_browser, has_node};
@@ -186,8 +186,4 @@ fn target() -> PathBuf {
 
 fn same_content(a: &Path, b: &Path) -> bool {
     matches!((fs::read(a), fs::read(b)), (Ok(a), Ok(b)) if a == b)
-}
-
-fn said(path: &Path, reason: &std::io::Error) -> String {
-    format!("{}: {reason}", path.display())
 }

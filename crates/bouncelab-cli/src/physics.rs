@@ -122,7 +122,7 @@ impl PhysicsArguments {
         (self, assumed)
     }
 
-    /// What was stated of the room.
+    /// What was stated of temperature and altitude.
     pub(crate) fn conditions(&self) -> rulebook::Conditions {
         rulebook::Conditions {
             temperature_k: self.temperature,

@@ -108,7 +108,11 @@ fn bind(port: u16) -> Result<Vec<TcpListener>, Failure> {
     match TcpListener::bind((Ipv6Addr::LOCALHOST, same_port)) {
         Ok(second) => Ok(vec![first, second]),
         // Browsers may try it first: another program must not answer there.
-        Err(reason) if reason.kind() == io::ErrorKind::AddrInUse => Err(taken(reason)),
+        Err(reason) if reason.kind() == io::ErrorKind::AddrInUse => match port {
+            // While the first is held, the system gives another one.
+            0 => bind(0),
+            _ => Err(taken(reason)),
+        },
         Err(_) => Ok(vec![first]),
     }
 }

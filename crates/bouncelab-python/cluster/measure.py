@@ -19,12 +19,14 @@ import sys
 import tempfile
 import threading
 import time
+from collections.abc import Callable
 from pathlib import Path
 
 import psutil
 import pyarrow
 from clusters import Job, Ray, Spark, cluster
-from laboratory import PATTERN, differences, listed, names, record
+from job import spark_session
+from laboratory import PATTERN, differences, listed, record
 from pyarrow import parquet
 
 from bouncelab import batch
@@ -36,35 +38,35 @@ MB = 1 << 20
 
 
 class Watch:
-    """Processor time of all processes below some, and the most memory of their Python workers."""
+    """Processor time of all processes below this one, driver and cluster, and the most memory of a Python worker."""
 
-    def __init__(self, roots: list[int]) -> None:
-        self.roots = roots
+    def __init__(self) -> None:
+        self.before: dict[tuple[int, float], float] = {}
         self.times: dict[tuple[int, float], float] = {}
-        self.memory: list[tuple[float, float]] = []
+        self.memory: list[float] = []
+        self._look(self.before)
         self.stopped = threading.Event()
         self.thread = threading.Thread(target=self._watch)
         self.thread.start()
 
-    def _watch(self) -> None:
-        start = time.monotonic()
-        while not self.stopped.wait(0.25):
-            most = 0.0
-            for root in self.roots:
-                for process in _family(root):
-                    try:
-                        times = process.cpu_times()
-                        self.times[process.pid, process.create_time()] = times.user + times.system
-                        if "python" in process.name() or "ray::" in process.name():
-                            most = max(most, process.memory_full_info().uss / MB)
-                    except psutil.Error:
-                        continue
-            self.memory.append((time.monotonic() - start, most))
+    def _look(self, times: dict[tuple[int, float], float]) -> None:
+        most = 0.0
+        for process in psutil.Process().children(recursive=True):
+            with contextlib.suppress(psutil.Error):
+                used = process.cpu_times()
+                times[process.pid, process.create_time()] = used.user + used.system
+                if "python" in process.name() or "ray::" in process.name():
+                    most = max(most, process.memory_full_info().uss / MB)
+        self.memory.append(most)
 
-    def stop(self) -> tuple[float, list[tuple[float, float]]]:
+    def _watch(self) -> None:
+        while not self.stopped.wait(0.25):
+            self._look(self.times)
+
+    def stop(self) -> tuple[float, list[float]]:
         self.stopped.set()
         self.thread.join()
-        return sum(self.times.values()), self.memory
+        return sum(used - self.before.get(process, 0.0) for process, used in self.times.items()), self.memory
 
 
 def _family(root: int) -> list[psutil.Process]:
@@ -76,26 +78,50 @@ def _family(root: int) -> list[psutil.Process]:
 
 
 def engine(kind: type[Spark] | type[Ray], count: int, workers: int = 2) -> None:
-    """Rows, speed, processor time and memory, warm."""
-    source = record(TEMPORARY / f"recordings-{count}", count)
-    given = listed(source) if kind is Ray else source
-    with tempfile.TemporaryDirectory(dir=TEMPORARY) as folder, cluster(kind, Path(folder) / "c", workers) as started:
-        output = Path(folder) / "results.parquet"
-        watch = Watch([process.pid for process in started.processes()])
-        start = time.monotonic()
-        Job(started, given, output, settings=SETTINGS, faulty=False).finish()
+    """Rows, speed, processor time and memory, after as many recordings as warm everything up."""
+    source, warm = record(TEMPORARY / f"recordings-{count}", count), record(TEMPORARY / "recordings-100", 100)
+    with tempfile.TemporaryDirectory(dir=TEMPORARY) as name, cluster(kind, Path(name) / "c", workers) as started:
+        folder = Path(name)
+        os.environ.update(started.environment)
+        analyze = _analyze(started)
+        analyze(warm, folder / "warm.parquet")
+        watch, start, own = Watch(), time.monotonic(), time.process_time()
+        analyze(source, folder / "results.parquet")
         seconds = time.monotonic() - start
         processors, memory = watch.stop()
-        print(f"{kind.__name__}: {len(set(names(output)))} of {count} recordings, {count / seconds:.1f} files/s")
-        print(f"processor time of the cluster: {processors:.1f} s, {1000 * processors / count:.1f} ms a recording")
-        quarters = [max(used for _, used in memory[i * len(memory) // 4 : (i + 1) * len(memory) // 4]) for i in range(4)]
+        print(f"{kind.__name__}, {workers} workers: {count} recordings, {count / seconds:.1f} files/s")
+        print(f"processor time of cluster and driver: {processors:.1f} s, {1000 * processors / count:.1f} ms a recording")
+        print(f"(of this process, which also watches: {time.process_time() - own:.1f} s)")
+        quarters = [max(memory[i * len(memory) // 4 : (i + 1) * len(memory) // 4]) for i in range(4)]
         print("largest Python worker by quarters of the time, MB:", *(f"{used:.0f}" for used in quarters))
-        session = TEMPORARY / f"session-{count}"
-        command = [find(), "session", source, "--output", session, "--pattern", PATTERN, "--tables", "parquet"]
-        command += ["--ball", SETTINGS["ball"], "--draws", str(SETTINGS["draws"])]
-        subprocess.run(command, check=True, capture_output=True)
-        cells, different = differences(session, output, Path(folder) / "tables")
+        cells, different = differences(_session(source), folder / "results.parquet", folder / "tables")
         print(f"{cells} cells, {different} differ from those of a session")
+
+
+def _analyze(started: Spark | Ray) -> Callable[[Path, Path], None]:
+    """One driver for several runs."""
+    if isinstance(started, Ray):
+        import ray as engine_of_ray
+
+        from bouncelab import ray
+
+        engine_of_ray.init(address=started.url, log_to_driver=False)
+        return lambda source, output: ray.analyze(listed(source), output, output.with_suffix(".checkpoint"), SETTINGS)
+    from bouncelab import spark
+
+    session = spark_session(started.url)
+    return lambda source, output: print(
+        spark.analyze(session, source, output, output.with_suffix(".checkpoint"), SETTINGS), "analysed"
+    )
+
+
+def _session(source: Path) -> Path:
+    """The tables of `bouncelab session`, made once."""
+    folder = source.with_name(source.name.replace("recordings", "session"))
+    command = [find(), "session", source, "--output", folder, "--pattern", PATTERN, "--tables", "parquet"]
+    command += ["--ball", SETTINGS["ball"], "--draws", str(SETTINGS["draws"])]
+    subprocess.run(command, check=True, capture_output=True)
+    return folder
 
 
 def kernel(count: int) -> None:

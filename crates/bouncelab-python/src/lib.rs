@@ -34,6 +34,7 @@ mod batch;
 mod chart;
 mod detector;
 mod failure;
+mod page;
 mod physics;
 mod recording;
 mod samples;
@@ -53,6 +54,8 @@ mod _core {
     use super::chart::{Chart, colour};
     #[pymodule_export]
     use super::detector::Detector;
+    #[pymodule_export]
+    use super::page::Page;
     #[pymodule_export]
     use super::physics::{
         air, balls, code_names, drag_coefficient, drag_laws, falls, flights, gravity_m_s2,

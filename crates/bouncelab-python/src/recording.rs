@@ -9,7 +9,7 @@ use bouncelab_report::chart::Chart as Data;
 use bouncelab_report::document::Document;
 use bouncelab_report::figure::{self, Mark, Subject};
 use bouncelab_report::messages::Translator;
-use bouncelab_report::report::{self, Block, Page, Provenance};
+use bouncelab_report::report::{self, Block, Provenance};
 use bouncelab_session::RecordingTables;
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
@@ -18,6 +18,7 @@ use serde::{Deserialize, Serialize};
 use crate::analyzer::Analyzer;
 use crate::chart::Chart;
 use crate::failure::{Failure, Result};
+use crate::page::Page;
 use crate::physics::translator;
 use crate::table::Table;
 
@@ -239,29 +240,18 @@ impl Recording {
         chart.map(Chart).ok_or_else(unknown)
     }
 
-    /// The report as HTML, its details unfolded if wished, or as Markdown.
-    fn report(
-        &self,
-        py: Python<'_>,
-        markdown: bool,
-        language: &str,
-        details: bool,
-    ) -> Result<String> {
+    /// The report, its details unfolded or not.
+    fn page(&self, py: Python<'_>, language: &str, unfolded: bool) -> Result<Page> {
         let words = translator(language)?;
         let subject = report::Recording {
             name: &self.name,
             setup: &self.analyzer.setup,
             result: self.result(),
         };
-        Ok(py.detach(|| {
-            let page = report::of_recording(&subject, &Provenance::default(), &words);
-            if markdown {
-                page.markdown("figures").text
-            } else {
-                let unfolded = details;
-                Page { unfolded, ..page }.html()
-            }
-        }))
+        Ok(Page(py.detach(|| report::Page {
+            unfolded,
+            ..report::of_recording(&subject, &Provenance::default(), &words)
+        })))
     }
 }
 

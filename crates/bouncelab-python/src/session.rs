@@ -8,10 +8,11 @@ use std::time::Duration;
 
 use bouncelab::setup::Settings;
 use bouncelab_report::messages::Translator;
+use bouncelab_report::report::Provenance;
 use bouncelab_session::journal::Journal;
 use bouncelab_session::{
     Advice, Done, KnownRecording, MetadataOptions, Outcome, Results, Session as Gathered, Sources,
-    Store, StudyOptions, complete, figures, tables,
+    Store, StudyOptions, complete, figures, report, tables,
 };
 use pyo3::prelude::*;
 use serde::Deserialize;
@@ -19,6 +20,7 @@ use tempfile::TempDir;
 
 use crate::chart::Chart;
 use crate::failure::{Failure, Result};
+use crate::page::Page;
 use crate::physics::translator;
 use crate::table::Table;
 use crate::watch::Watch;
@@ -137,7 +139,7 @@ fn analyze_all(
             let Some(recording) = recordings.get(place) else {
                 break;
             };
-            let done = complete(recording, journal, |content| Ok(recording.record(content)));
+            let done = complete(recording, journal, |key| Ok(recording.record(key.content)));
             if let Ok(mut results) = results.lock() {
                 results.push((place, done));
             }
@@ -188,6 +190,14 @@ impl Session {
         let outcome = self.outcome(&Translator::english())?;
         let [drops, impacts] = tables(&outcome, &self.results())?;
         Ok((Table::of(&drops)?, Table::of(&impacts)?))
+    }
+
+    /// The report.
+    fn page(&self, language: &str) -> Result<Page> {
+        let words = translator(language)?;
+        let outcome = self.outcome(&words)?;
+        let page = report(&outcome, &self.results(), Provenance::default(), &words)?;
+        Ok(Page(page))
     }
 
     /// The figures, with their names.

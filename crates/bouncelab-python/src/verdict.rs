@@ -3,14 +3,17 @@
 use std::path::PathBuf;
 
 use bouncelab::rulebook::{self, Conditions, Decision, Place, Rule, Verdict as Judged};
-use bouncelab_report::document::verdict::VerdictDocument;
+use bouncelab_report::document::verdict::{Judgement, VerdictDocument};
 use bouncelab_report::figure;
+use bouncelab_report::report::Provenance;
+use bouncelab_report::report::verdict::of_verdict;
 use bouncelab_report::rules;
 use pyo3::prelude::*;
 
 use crate::analyzer::Analyzer;
 use crate::chart::Chart;
 use crate::failure::{Failure, Result};
+use crate::page::Page;
 use crate::physics::translator;
 use crate::recording::Recording;
 
@@ -113,21 +116,33 @@ pub(crate) struct Verdict {
     reference_files: Vec<String>,
 }
 
+impl Verdict {
+    fn judgement(&self) -> Judgement<'_> {
+        Judgement {
+            rule: &self.rule,
+            setup: &self.analyzer.setup,
+            decision: self.decision,
+            verdict: &self.judged,
+            files: &self.files,
+            reference_files: &self.reference_files,
+        }
+    }
+}
+
 #[pymethods]
 impl Verdict {
     /// The document of the schema `bouncelab.verdict/2`.
     fn document(&self, language: &str) -> Result<String> {
         let words = translator(language)?;
-        let document = VerdictDocument::new(
-            &self.rule,
-            &self.analyzer.setup,
-            self.decision,
-            &self.judged,
-            &self.files,
-            &self.reference_files,
-            &words,
-        );
+        let document = VerdictDocument::new(&self.judgement(), &words);
         Ok(serde_json::to_string(&document)?)
+    }
+
+    /// The report.
+    fn page(&self, language: &str) -> Result<Page> {
+        let words = translator(language)?;
+        let provenance = Provenance::default();
+        Ok(Page(of_verdict(&self.judgement(), &provenance, &words)))
     }
 
     /// What it is about, against the limits of the rule.

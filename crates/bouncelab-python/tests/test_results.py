@@ -112,6 +112,10 @@ def test_reports_and_answers_are_in_the_language_of_the_reader(times: bl.Recordi
     assert times.report().startswith("<!DOCTYPE html>")
     assert times.report("markdown", "de").startswith("# times")
     assert times.report(details=True) == times.report().replace("<details>", "<details open>")
+    with pytest.raises(bl.InputError, match="'html' or 'markdown'"):
+        times.report("pdf")  # type: ignore[arg-type]
+    with pytest.raises(bl.UnknownNameError):
+        times.report(language="xx")
     assert "kept" in times._repr_html_() and "<p>" in times.drops[0]._repr_html_()
 
 

@@ -85,6 +85,17 @@ def test_a_study_compares_the_groups(study: bl.Study) -> None:
         study.to_dict("xx")
 
 
+def test_a_study_and_a_verdict_have_reports(study: bl.Study) -> None:
+    drop = bl.synthesize(height_m=0.305, restitution=0.93, bounces=15, seed=1)
+    judged = bl.verdict([drop.samples], "ittf-ball", sample_rate_hz=drop.sample_rate_hz, draws=100)
+    for reported, english, german in [(study, "Groups", "Gruppen"), (judged, "The rule", "Die Regel")]:
+        page, seite = reported.report(), reported.report("markdown", "de")
+        assert page.startswith("<!DOCTYPE html>") and page.count("<svg") == len(reported.figures)
+        assert f"<h2>{english}</h2>" in page and f"## {german}" in seite
+        again = pickle.loads(pickle.dumps(reported))
+        assert again.report() == page and again.report("markdown", "de") == seite
+
+
 def test_notes_come_as_rows_and_mappings(laboratory: Path) -> None:
     files = sorted(laboratory.glob("*_2?cm_?.wav"))[:4]
     notes = {str(file): {"surface": file.name.split("_")[0], "operator": "Ada, B."} for file in files}

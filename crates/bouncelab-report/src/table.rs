@@ -6,12 +6,13 @@
 use std::fmt;
 
 use bouncelab::Plain;
+use serde::{Deserialize, Serialize};
 use unicode_width::UnicodeWidthStr;
 
 use crate::messages::Translator;
 
 /// On which side of its column a text stands.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Align {
     /// For words.
     Left,
@@ -35,7 +36,7 @@ pub enum Align {
 ///      \u{20}    2     0.432\n"
 /// );
 /// ```
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Table {
     header: Vec<String>,
     align: Vec<Align>,

@@ -15,6 +15,8 @@
 //! | [`batch`] | rows of recordings on a cluster |
 //! | [`Outcome`] | statistics of the drops |
 //! | [`figures()`] | figures of the statistics |
+//! | [`summary`] | tables of the statistics, to read |
+//! | [`report()`] | the report as a page |
 //! | [`SessionDocument`] | the statistics as JSON |
 //! | [`table`] | tables as Parquet, CSV and JSON lines |
 //! | [`write_tables`], [`tables`], [`RecordingTables`] | the tables of a session, and of one recording |
@@ -36,8 +38,10 @@ mod notes;
 mod pattern;
 mod record;
 mod recordings;
+mod report;
 mod results;
 mod study;
+pub mod summary;
 pub mod table;
 mod work;
 
@@ -51,6 +55,7 @@ pub use notes::{Note, Notes};
 pub use pattern::Pattern;
 pub use record::{DropRecord, FitRecord, ImpactRecord, PosteriorRecord, RECORD, Record};
 pub use recordings::{ENDINGS, Recording, SESSION_FILE, Session, Sources};
+pub use report::report;
 pub use results::{Results, Store};
 pub use study::{Outcome, SessionDrop, StudyOptions};
 pub use work::{Done, complete};

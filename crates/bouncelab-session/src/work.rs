@@ -2,7 +2,7 @@
 
 use crate::error::Error;
 use crate::hash::{Hash, hash_of_file};
-use crate::journal::Journal;
+use crate::journal::{Journal, Key};
 use crate::metadata::KnownRecording;
 use crate::record::Record;
 
@@ -18,8 +18,8 @@ pub struct Done {
 }
 
 /// Makes sure that the journal has the result of a recording: the one that is there already, if
-/// content and settings are the same, else a new one, which `analyze` makes of the recording with this
-/// content ([`KnownRecording::record`], here or in another process).
+/// content and settings are the same, else a new one, which `analyze` makes of the recording with the
+/// content of this key ([`KnownRecording::record`], here or in another process).
 ///
 /// Each result depends on the content of its recording and the settings alone, never on the order of
 /// work, so any number of threads may do this side by side, and a run that was interrupted goes on
@@ -30,7 +30,7 @@ pub struct Done {
 pub fn complete<E: From<Error>>(
     recording: &KnownRecording,
     journal: &Journal,
-    analyze: impl FnOnce(Hash) -> std::result::Result<Record, E>,
+    analyze: impl FnOnce(Key) -> std::result::Result<Record, E>,
 ) -> std::result::Result<Done, E> {
     let content = match hash_of_file(&recording.recording.path) {
         Ok(content) => content,
@@ -40,7 +40,7 @@ pub fn complete<E: From<Error>>(
     let kept = journal.has(name, &key);
     let mut without_drop = false;
     if !kept {
-        let record = analyze(content)?;
+        let record = analyze(key)?;
         without_drop = record.drops.is_empty();
         journal.append(name, &key, &record)?;
     }
@@ -72,7 +72,6 @@ mod tests {
 
     use super::*;
     use crate::hash::{hash, hash_of};
-    use crate::journal::Key;
     use crate::metadata::{BUILD, Metadata};
     use crate::record::RECORD;
     use crate::recordings::Recording;
@@ -107,8 +106,8 @@ mod tests {
             journal.append("drop.txt", &key, &other).unwrap();
         }
         let done = || {
-            complete(&recording, &journal, |content| {
-                Ok::<_, Error>(recording.record(content))
+            complete(&recording, &journal, |key| {
+                Ok::<_, Error>(recording.record(key.content))
             })
         };
         assert!(!done().unwrap().kept);

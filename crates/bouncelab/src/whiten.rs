@@ -3,6 +3,8 @@
 //! A linear prediction learnt from the background takes hum, rumble and ringing out of a signal;
 //! what is left, the prediction error, is white where only the background is heard.
 
+use crate::simd::sum_of_products;
+
 /// How many samples a prediction looks back. Few, because it is learnt from a few milliseconds.
 pub(crate) const ORDER: usize = 10;
 
@@ -73,26 +75,9 @@ fn moments(samples: &[f32]) -> (f64, [f64; ORDER + 1]) {
     let centred: Vec<f64> = samples.iter().map(|&v| f64::from(v) - mean).collect();
     let covariance = std::array::from_fn(|lag| {
         let later = centred.get(lag..).unwrap_or_default();
-        dot(later, &centred) / n
+        sum_of_products::<8, _>(later, &centred) / n
     });
     (mean, covariance)
-}
-
-/// The sum of the products, many side by side; the longer one is cut.
-#[inline(always)]
-fn dot(a: &[f64], b: &[f64]) -> f64 {
-    const LANES: usize = 8;
-    let length = a.len().min(b.len());
-    let (a, rest_a) = a[..length].as_chunks::<LANES>();
-    let (b, rest_b) = b[..length].as_chunks::<LANES>();
-    let mut lanes = [0.0; LANES];
-    for (a, b) in a.iter().zip(b) {
-        for lane in 0..LANES {
-            lanes[lane] += a[lane] * b[lane];
-        }
-    }
-    let rest: f64 = rest_a.iter().zip(rest_b).map(|(x, y)| x * y).sum();
-    lanes.iter().sum::<f64>() + rest
 }
 
 /// Solves the Toeplitz system of linear prediction (Levinson-Durbin); the earliest weight first.

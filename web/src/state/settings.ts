@@ -26,18 +26,14 @@ const BALL = 'ball';
 export function readSettings(): void {
   const { view, parameters } = parseRoute(location.hash);
   if (view !== 'lab') return;
-  const ball = recall(BALL);
-  if (ball !== null && parameters.size === 0) {
-    if (settings.peek().ball !== ball) settings.value = { ball };
-    writeSettings();
-    return;
-  }
-  const read = settingsFromParameters(parameters);
+  const ball = parameters.size === 0 ? recall(BALL) : null;
+  const read = settingsFromParameters(ball === null ? parameters : new URLSearchParams({ ball }));
   unreadable.value = read.unreadable;
   const same =
     settingsToParameters(read.settings).toString() ===
     settingsToParameters(settings.peek()).toString();
   if (!same) settings.value = read.settings;
+  if (ball !== null) writeSettings();
 }
 
 /** Changes settings; `undefined` returns one to what is assumed. */

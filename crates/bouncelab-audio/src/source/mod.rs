@@ -313,8 +313,8 @@ impl Source {
     ///
     /// # Errors
     ///
-    /// [`Error::Io`] if the system fails to read, [`Error::TooLong`] after 24 hours. Damage in the file is no error here: what can
-    /// be decoded is, and the rest is in [`Source::warnings`].
+    /// [`Error::Io`] if the system fails to read, [`Error::TooLong`] after 24 hours. Damage in the file is no
+    /// error here: what can be decoded is, and the rest is in [`Source::warnings`].
     pub fn next_block(&mut self) -> Result<Option<Block<'_>>> {
         if self.presented > MOST_H * 3600 * u64::from(self.layout.sample_rate_hz) {
             return Err(Error::TooLong {

@@ -1,7 +1,5 @@
 //! `bouncelab session`: statistics of many drops.
 
-mod report;
-mod tables;
 mod text;
 mod work;
 mod worker;
@@ -19,7 +17,7 @@ use bouncelab_session::journal::{JOURNAL, JOURNAL_MARK, Journal};
 use bouncelab_session::table::Form;
 use bouncelab_session::{
     Advice, MetadataOptions, Noted, Outcome, Results, SCHEMA, Session, Sources, Store,
-    StudyOptions, figures, write_tables,
+    StudyOptions, figures, report, write_tables,
 };
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Args, ValueEnum};
@@ -28,7 +26,7 @@ use crate::failure::Failure;
 use crate::language::{text as message, text_with, translator};
 use crate::physics::PhysicsArguments;
 use crate::priors::{PriorArguments, impact_speed};
-use crate::report::{OutputArguments, ReportFile, wrote_figure};
+use crate::report::{OutputArguments, ReportFile, provenance, wrote_figure};
 use crate::terminal::{print, print_data, say};
 use bouncelab::setup::Setup;
 
@@ -257,7 +255,7 @@ impl<'a> Targets<'a> {
             }
         }
         if let Some(file) = self.report {
-            file.write(&report::page(&outcome, results)?)?;
+            file.write(&report(&outcome, results, provenance(), translator())?)?;
         }
         match arguments.format {
             Format::Json => print_data(&json)?,

@@ -5,11 +5,10 @@ use std::fmt::Write;
 use bouncelab::groups::{Difference, Study};
 use bouncelab_report::Table;
 use bouncelab_report::messages::Value;
-use bouncelab_session::{AboutSession, Outcome, Reason};
+use bouncelab_session::{AboutSession, Outcome, Reason, summary};
 
-use super::tables;
 use crate::analyze::note;
-use crate::language::{cannot_tell, text, text_with};
+use crate::language::{cannot_tell, text, text_with, translator};
 
 /// Lines of a list that may go on for long.
 const SHOWN: usize = 8;
@@ -31,19 +30,7 @@ pub(super) fn report(outcome: &Outcome<'_>, details: bool, wanted: Option<f64>) 
 
 fn headline(about: &AboutSession) -> String {
     let title = about.title.clone().unwrap_or_else(|| text("session-title"));
-    format!("{title}: {}", counts(about))
-}
-
-/// How many there are of what.
-pub(super) fn counts(about: &AboutSession) -> String {
-    let counts = [
-        ("drops", about.drops.into()),
-        ("recordings", about.recordings.into()),
-        ("without", about.without_drop.len().into()),
-        ("failed", about.failed.len().into()),
-        ("duplicates", about.duplicates.len().into()),
-    ];
-    text_with("session-counts", &counts)
+    format!("{title}: {}", summary::counts(about, translator()))
 }
 
 #[derive(Default)]
@@ -71,7 +58,7 @@ impl Page {
     fn study(&mut self, outcome: &Outcome<'_>, study: &Study, details: bool, wanted: Option<f64>) {
         let speed = [("speed", Value::fixed(study.at_speed_m_s, 2))];
         self.heading(&text_with("session-speed", &speed));
-        self.table(&tables::group_table(outcome, study, wanted));
+        self.table(&summary::group_table(outcome, study, wanted, translator()));
         self.line("");
         let wanted = wanted.map_or("none".into(), Value::from);
         for row in text_with("session-legend", &[("wanted", wanted)]).lines() {
@@ -79,11 +66,11 @@ impl Page {
         }
         if details {
             self.heading(&text("session-intervals"));
-            self.table(&tables::interval_table(outcome, study));
+            self.table(&summary::interval_table(outcome, study, translator()));
         }
         if study.varies.len() > 1 {
             self.heading(&text("session-varies"));
-            self.table(&tables::varies_table(outcome, study));
+            self.table(&summary::varies_table(outcome, study, translator()));
         }
         for (factor, differences) in &study.differences {
             let grouped = outcome.by.contains(factor);
@@ -93,11 +80,11 @@ impl Page {
         }
         if !study.trends.is_empty() {
             self.heading(&text("session-trends"));
-            self.table(&tables::trend_table(outcome, study));
+            self.table(&summary::trend_table(outcome, study, translator()));
         }
         if details {
             self.heading(&text("session-laws"));
-            self.table(&tables::law_table(outcome, study));
+            self.table(&summary::law_table(outcome, study, translator()));
         }
         if !study.outliers.is_empty() {
             self.heading(&text("session-outliers"));
@@ -118,7 +105,7 @@ impl Page {
                 self.line(&format!("  {}", text_with("session-outlier", &outlier)));
             }
             self.heading(&format!("  {}", text("session-outliers-count")));
-            self.table(&tables::without_table(outcome, study));
+            self.table(&summary::without_table(outcome, study, translator()));
             self.line(&format!("\n  {}", text("session-exclude")));
         }
     }
@@ -149,10 +136,11 @@ impl Page {
         } else {
             MOST.min(differences.len())
         };
-        self.table(&tables::difference_table(
+        self.table(&summary::difference_table(
             outcome,
             place,
             &differences[..most],
+            translator(),
         ));
         if differences.len() > most {
             let more = differences.len() - most;

@@ -27,11 +27,8 @@ pub(super) fn analyze_all(
     let without_drop = AtomicUsize::new(0);
     let workers = Workers::default();
     let analyze = |place: usize| {
-        let recording = &recordings[place];
-        complete(recording, journal, |content| {
-            let key = recording.key(content);
-            workers.record(Request { place, key })
-        })
+        let answer = |key| workers.record(Request { place, key });
+        complete(&recordings[place], journal, answer)
     };
     let one = |place: usize| {
         let done = match analyze(place) {

@@ -1,15 +1,15 @@
 //! `bouncelab verdict`: whether a ball or a floor conforms to a rule.
 
-mod report;
-mod tables;
 mod text;
 
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 
 use bouncelab::Plain;
-use bouncelab::rulebook::{self, Decision, Outcome, Place, Rule, Verdict};
-use bouncelab_report::document::verdict::VerdictDocument;
+use bouncelab::rulebook::{self, Decision, Outcome, Place, Rule};
+use bouncelab_report::document::verdict::{Judgement, VerdictDocument};
+use bouncelab_report::report::Provenance;
+use bouncelab_report::report::verdict::of_verdict;
 use bouncelab_session::hash::hash_of_file;
 use clap::{Args, ValueEnum};
 
@@ -18,7 +18,7 @@ use crate::failure::Failure;
 use crate::language::translator;
 use crate::physics::{Physics, PhysicsArguments};
 use crate::priors::PriorArguments;
-use crate::report::{OutputArguments, ReportFile};
+use crate::report::{OutputArguments, ReportFile, provenance};
 use crate::rules::Files;
 use crate::terminal::{print, print_json};
 use crate::units;
@@ -167,29 +167,25 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
         decision,
     )?;
     let (files, reference_files) = (surface.names(), reference.names());
-    let told = Told {
+    let judgement = Judgement {
         rule,
         verdict: &verdict,
         decision,
         files: &files,
         reference_files: &reference_files,
-        physics: &physics,
+        setup: &physics,
     };
     if let Some(file) = report_file {
-        file.write(&report::page(&told, hashes))?;
+        let provenance = Provenance {
+            files: hashes,
+            ..provenance()
+        };
+        file.write(&of_verdict(&judgement, &provenance, translator()))?;
     }
     match arguments.format {
-        Format::Text => print(text::report(&told))?,
+        Format::Text => print(text::report(&judgement))?,
         Format::Json => {
-            let document = VerdictDocument::new(
-                rule,
-                &physics,
-                decision,
-                &verdict,
-                &files,
-                &reference_files,
-                translator(),
-            );
+            let document = VerdictDocument::new(&judgement, translator());
             print_json(&document)?;
         }
     }
@@ -198,16 +194,6 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
         Outcome::Fail => Err(Failure::NoPass(3)),
         Outcome::CannotDecide => Err(Failure::NoPass(4)),
     }
-}
-
-/// A verdict and all that it rests on.
-struct Told<'a> {
-    rule: &'a Rule,
-    verdict: &'a Verdict,
-    decision: Decision,
-    files: &'a [String],
-    reference_files: &'a [String],
-    physics: &'a Physics,
 }
 
 /// Name and hash of each file, once each: the same drop counted twice would make a verdict look surer

@@ -2,26 +2,25 @@
 
 use std::fmt::Write;
 
-use bouncelab::rulebook::{Decision, Limits, Outcome, Rule, Verdict};
-use bouncelab_report::messages::Value;
-use bouncelab_report::report::ended;
-use bouncelab_report::{Quantity, Table, Unit};
+use bouncelab::rulebook::{Decision, Rule, Verdict};
+use bouncelab_report::Table;
+use bouncelab_report::document::verdict::Judgement;
+use bouncelab_report::report::verdict::{because, by_rule, differences, drop_table, outcome, ways};
+use bouncelab_report::rules::words;
 
-use super::{Told, tables};
 use crate::analyze::{assumed, note};
 use crate::language::{text, text_with, translator};
-use crate::rules;
 
 /// The verdict, the rebound in several ways and why they differ, and what to know.
-pub(super) fn report(told: &Told<'_>) -> String {
-    let Told {
+pub(super) fn report(judgement: &Judgement<'_>) -> String {
+    let Judgement {
         rule,
         verdict,
         decision,
         files,
         reference_files,
-        physics,
-    } = *told;
+        setup,
+    } = *judgement;
     let mut page = String::new();
     for line in of_rule(rule) {
         add(&mut page, &line);
@@ -30,20 +29,23 @@ pub(super) fn report(told: &Told<'_>) -> String {
     for line in decided(verdict, decision) {
         add(&mut page, &line);
     }
-    for because in because(verdict) {
+    for because in because(verdict, translator()) {
         add(&mut page, &format!("  {because}"));
     }
     add(&mut page, "");
-    add(&mut page, &indented(&tables::ways(verdict)));
-    if let Some(steps) = tables::differences(verdict) {
+    add(&mut page, &indented(&ways(verdict, translator())));
+    if let Some(steps) = differences(verdict, translator()) {
         add(&mut page, "");
         add(&mut page, &format!("  {}:", text("verdict-steps")));
         add(&mut page, &indented(&steps));
     }
     add(&mut page, "");
-    add(&mut page, &indented(&tables::drops(&verdict.drops, files)));
+    add(
+        &mut page,
+        &indented(&drop_table(&verdict.drops, files, translator())),
+    );
     if !verdict.reference_drops.is_empty() {
-        let drops = tables::drops(&verdict.reference_drops, reference_files);
+        let drops = drop_table(&verdict.reference_drops, reference_files, translator());
         add(&mut page, "");
         add(&mut page, &format!("  {}", text("verdict-on-reference")));
         add(&mut page, &indented(&drops));
@@ -54,18 +56,10 @@ pub(super) fn report(told: &Told<'_>) -> String {
     for remark in remarks.chain(rule.note.clone()) {
         add(&mut page, &note(remark));
     }
-    if !physics.assumptions.is_empty() {
-        add(&mut page, &assumed(&physics.assumptions));
+    if !setup.assumptions.is_empty() {
+        add(&mut page, &assumed(&setup.assumptions));
     }
     page
-}
-
-/// Why nothing can be decided.
-pub(super) fn because(verdict: &Verdict) -> impl Iterator<Item = String> {
-    verdict.doubts.iter().map(|doubt| {
-        let reason = ended(translator().diagnostic(&doubt.diagnostic()));
-        text_with("verdict-because", &[("reason", reason.into())])
-    })
 }
 
 fn add(text: &mut String, line: &str) {
@@ -89,12 +83,12 @@ fn of_rule(rule: &Rule) -> Vec<String> {
         .map_or_else(String::new, |edition| format!(", {edition}"));
     let surface = rule.surface.as_deref().unwrap_or("none");
     let wants = [
-        ("drop", rules::drop(rule).into()),
+        ("drop", words::drop(rule, translator()).into()),
         ("surface", surface.into()),
-        ("wanted", rules::wanted(rule).into()),
-        ("point", rules::point(rule.point()).into()),
+        ("wanted", words::wanted(rule, translator()).into()),
+        ("point", words::point(rule.point(), translator()).into()),
     ];
-    let status = rules::status(rule.status);
+    let status = words::status(rule.status, translator());
     vec![
         format!(
             "{}: {} ({}{edition}; {status})",
@@ -105,79 +99,8 @@ fn of_rule(rule: &Rule) -> Vec<String> {
 }
 
 fn decided(verdict: &Verdict, decision: Decision) -> Vec<String> {
-    let mut lines = vec![outcome(verdict)];
-    let decision_rule = by_rule(verdict, decision).into_iter();
+    let mut lines = vec![outcome(verdict, translator())];
+    let decision_rule = by_rule(verdict, decision, translator()).into_iter();
     lines.extend(decision_rule.map(|sentence| format!("  {sentence}")));
     lines
-}
-
-/// The decision in a few words.
-pub(super) fn outcome_name(outcome: Outcome) -> String {
-    text(match outcome {
-        Outcome::Pass => "verdict-pass",
-        Outcome::Fail => "verdict-fail",
-        Outcome::CannotDecide => "verdict-cannot-decide",
-    })
-}
-
-/// The decision, and how sure it is.
-pub(super) fn outcome(verdict: &Verdict) -> String {
-    let outcome = outcome_name(verdict.outcome).to_uppercase();
-    match verdict.within {
-        Some(within) => text_with(
-            "verdict-sure",
-            &[
-                ("outcome", outcome.into()),
-                ("within", percent(within).into()),
-                ("outside", percent(1.0 - within).into()),
-            ],
-        ),
-        None => format!("{outcome}."),
-    }
-}
-
-/// The decision rule, and what it accepts.
-pub(super) fn by_rule(verdict: &Verdict, decision: Decision) -> Vec<String> {
-    let mut lines = vec![match decision {
-        Decision::Guarded { risk } => {
-            text_with("verdict-guarded", &[("risk", percent(risk).into())])
-        }
-        Decision::Simple => text("verdict-simple"),
-    }];
-    if let (Some(accepted), Decision::Guarded { .. }) = (&verdict.accepted, decision) {
-        let unit = if verdict.share.is_some() {
-            Unit::Percent
-        } else {
-            Unit::Length
-        };
-        let accepted = [("accepted", ends(accepted, unit).into())];
-        lines.push(text_with("verdict-accepted", &accepted));
-    }
-    lines
-}
-
-/// A probability, without a claim to be certain.
-fn percent(share: f64) -> String {
-    const CERTAIN: f64 = 0.9995;
-    let percent = |share: f64| format!("{} %", translator().fixed(share * 100.0, 1));
-    if share > CERTAIN {
-        text_with("verdict-more-than", &[("share", percent(0.999).into())])
-    } else if share < 1.0 - CERTAIN {
-        text_with("verdict-less-than", &[("share", percent(0.001).into())])
-    } else {
-        percent(share)
-    }
-}
-
-fn ends(limits: &Limits, unit: Unit) -> String {
-    let shown = |end: f64| Value::from(Quantity::rounded(end, 4, unit));
-    match (limits.least, limits.greatest) {
-        (Some(least), Some(greatest)) => text_with(
-            "interval-ends",
-            &[("low", shown(least)), ("high", shown(greatest))],
-        ),
-        (Some(least), None) => text_with("verdict-from", &[("least", shown(least))]),
-        (None, Some(greatest)) => text_with("verdict-up-to", &[("greatest", shown(greatest))]),
-        (None, None) => text("verdict-anything"),
-    }
 }

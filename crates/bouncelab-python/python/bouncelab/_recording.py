@@ -22,6 +22,8 @@ from bouncelab._data import (
     read,
 )
 from bouncelab._figure import Figure, figure
+from bouncelab._report import written
+from bouncelab._settings import flag, text
 from bouncelab._table import Table
 
 if TYPE_CHECKING:
@@ -154,8 +156,15 @@ class Recording:
         Returns
         -------
         str
+
+        Raises
+        ------
+        InputError
+            If there is no such form.
+        UnknownNameError
+            If there is no such language.
         """
-        return self._core.report(form == "markdown", language, details)
+        return written(self._core.page(text("language", language), flag("details", details)), form)
 
     def to_dict(self, language: str = "en") -> dict[str, JSON]:
         """Return the document of the schema ``bouncelab.analysis/2``.

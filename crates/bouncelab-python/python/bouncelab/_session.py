@@ -17,7 +17,7 @@ from bouncelab import _core
 from bouncelab._analyze import Bars
 from bouncelab._data import JSON
 from bouncelab._errors import InputError
-from bouncelab._figure import Figure, figure, in_language, named
+from bouncelab._report import Reported
 from bouncelab._settings import Options, count, flag, number, split, text
 from bouncelab._table import Table
 
@@ -29,7 +29,7 @@ Notes: TypeAlias = "str | PathLike[str] | Mapping[str, Mapping[str, object]] | I
 
 
 @dataclass(frozen=True)
-class Study:
+class Study(Reported):
     """Statistics of the drops of many recordings.
 
     It comes from :func:`bouncelab.session`.
@@ -53,8 +53,6 @@ class Study:
 
     drops: Table
     impacts: Table
-    _documents: dict[str, str]
-    _charts: dict[str, dict[str, _core.Chart]]
 
     @property
     def groups(self) -> list[JSON]:
@@ -69,57 +67,6 @@ class Study:
         """Why the drops are not compared; ``None`` if they are."""
         reason = self.to_dict()["no_study"]
         return None if reason is None else str(reason)
-
-    @property
-    def figures(self) -> tuple[str, ...]:
-        """Names of its figures."""
-        return tuple(self._charts["en"])
-
-    def figure(self, name: str, language: str = "en") -> Figure:
-        """Return a figure.
-
-        Parameters
-        ----------
-        name : str
-            One of ``figures``.
-        language : str
-            One of :func:`bouncelab.languages`.
-
-        Returns
-        -------
-        Figure
-            In a notebook it shows itself.
-
-        Raises
-        ------
-        UnknownNameError
-            If there is no such figure or language.
-        """
-        return figure(self, name, language)
-
-    def _chart(self, name: str, language: str) -> _core.Chart:
-        return named(in_language(self._charts, language), name)
-
-    def to_dict(self, language: str = "en") -> dict[str, JSON]:
-        """Return the document of the schema ``bouncelab.session/2``.
-
-        Parameters
-        ----------
-        language : str
-            Language of its sentences, one of :func:`bouncelab.languages`.
-
-        Returns
-        -------
-        dict
-            As JSON has it: lists, numbers, texts and ``None``.
-
-        Raises
-        ------
-        UnknownNameError
-            If there is no such language.
-        """
-        document: dict[str, JSON] = json.loads(in_language(self._documents, language))
-        return document
 
     def __eq__(self, other: object) -> bool:
         return (
@@ -235,10 +182,11 @@ def session(
     drops, impacts = analysed.tables()
     languages = _core.languages()
     return Study(
-        Table(drops),
-        Table(impacts),
         {language: analysed.document(language) for language in languages},
         {language: dict(analysed.charts(language)) for language in languages},
+        {language: analysed.page(language) for language in languages},
+        Table(drops),
+        Table(impacts),
     )
 
 

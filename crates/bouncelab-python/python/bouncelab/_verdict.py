@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Iterable
 from dataclasses import dataclass
 from os import PathLike
@@ -12,8 +11,8 @@ from bouncelab import _core
 from bouncelab._analyze import analyzed
 from bouncelab._data import JSON, Diagnostic, Estimate, read
 from bouncelab._errors import InputError
-from bouncelab._figure import Figure, figure, in_language, named
 from bouncelab._recording import Recording
+from bouncelab._report import Reported
 from bouncelab._session import paths
 from bouncelab._settings import Options, analyzer, number, text
 
@@ -50,7 +49,7 @@ class Rule:
 
 
 @dataclass(frozen=True)
-class Verdict:
+class Verdict(Reported):
     """Whether drops obey a rule, and how certainly.
 
     It comes from :func:`bouncelab.verdict`.
@@ -65,9 +64,6 @@ class Verdict:
     >>> found.rebound_m.value < 0.24
     True
     """
-
-    _documents: dict[str, str]
-    _charts: dict[str, dict[str, _core.Chart]]
 
     @property
     def outcome(self) -> Literal["pass", "fail", "cannot-decide"]:
@@ -102,36 +98,6 @@ class Verdict:
         """Further remarks."""
         return self._diagnostics("remarks")
 
-    @property
-    def figures(self) -> tuple[str, ...]:
-        """Names of its figures."""
-        return tuple(self._charts["en"])
-
-    def figure(self, name: str = "limits", language: str = "en") -> Figure:
-        """Return a figure.
-
-        Parameters
-        ----------
-        name : str
-            One of ``figures``.
-        language : str
-            One of :func:`bouncelab.languages`.
-
-        Returns
-        -------
-        Figure
-            In a notebook it shows itself.
-
-        Raises
-        ------
-        UnknownNameError
-            If there is no such figure or language.
-        """
-        return figure(self, name, language)
-
-    def _chart(self, name: str, language: str) -> _core.Chart:
-        return named(in_language(self._charts, language), name)
-
     def _field(self, name: str) -> JSON:
         return self.to_dict()[name]
 
@@ -139,27 +105,6 @@ class Verdict:
         known = self._field(name)
         assert isinstance(known, list)
         return tuple(read(Diagnostic, each) for each in known)
-
-    def to_dict(self, language: str = "en") -> dict[str, JSON]:
-        """Return the document of the schema ``bouncelab.verdict/2``.
-
-        Parameters
-        ----------
-        language : str
-            Language of its sentences, one of :func:`bouncelab.languages`.
-
-        Returns
-        -------
-        dict
-            As JSON has it: lists, numbers, texts and ``None``.
-
-        Raises
-        ------
-        UnknownNameError
-            If there is no such language.
-        """
-        document: dict[str, JSON] = json.loads(in_language(self._documents, language))
-        return document
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Verdict) and self._documents == other._documents
@@ -264,6 +209,7 @@ def verdict(
     return Verdict(
         {language: judged.document(language) for language in languages},
         {language: {"limits": judged.figure("limits", language)} for language in languages},
+        {language: judged.page(language) for language in languages},
     )
 
 

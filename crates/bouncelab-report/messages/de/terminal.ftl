@@ -113,7 +113,6 @@ puzzle-printed = gedruckt
 puzzle-computed = berechnet
 puzzle-verdict = Urteil
 
-verdict-made-on = Urteil von bouncelab { $version }, { $date }
 verdict-because = Grund: { $reason }
 verdict-pass = bestanden
 verdict-fail = nicht bestanden

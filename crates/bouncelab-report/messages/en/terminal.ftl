@@ -115,7 +115,6 @@ puzzle-printed = printed
 puzzle-computed = computed
 puzzle-verdict = verdict
 
-verdict-made-on = Verdict of bouncelab { $version }, { $date }
 verdict-because = Because: { $reason }
 verdict-pass = pass
 verdict-fail = fail

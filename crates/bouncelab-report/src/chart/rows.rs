@@ -54,23 +54,22 @@ impl Chart {
     pub fn csv(&self) -> String {
         let lines = self.rows().into_iter().map(|row| {
             let panel = &self.panels[row.panel];
-            let text = |text: String| csv::guarded(text);
             let number = |value: Option<f64>| {
                 let known = value.filter(|value| value.is_finite());
                 known.map_or_else(String::new, |value| value.to_string())
             };
             csv::line(&[
                 row.panel.to_string(),
-                text(panel.x.label()),
-                text(panel.y.label()),
-                text(row.layer),
+                csv::guarded(panel.x.label()),
+                csv::guarded(panel.y.label()),
+                csv::guarded(row.layer),
                 row.kind.to_owned(),
                 number(row.x),
                 number(row.x_high),
                 number(row.y),
                 number(row.y_high),
                 number(row.y_sd),
-                text(row.text.unwrap_or_default()),
+                csv::guarded(row.text.unwrap_or_default()),
             ])
         });
         format!("{CSV_HEADER}\n{}", lines.collect::<String>())

@@ -87,18 +87,34 @@ struct Step {
     height_m: f64,
 }
 
+/// A verdict and all that it rests on.
+#[derive(Clone, Copy, Debug)]
+pub struct Judgement<'a> {
+    /// The rule that was applied.
+    pub rule: &'a Rule,
+    /// What was known or assumed.
+    pub setup: &'a Setup,
+    /// How it was decided.
+    pub decision: Decision,
+    /// What the drops say.
+    pub verdict: &'a rulebook::Verdict,
+    /// Names of the places, in order.
+    pub files: &'a [String],
+    /// Names of the places on the reference surface, in order.
+    pub reference_files: &'a [String],
+}
+
 impl VerdictDocument {
-    /// The document of a verdict, with the sentences of its diagnostics. `files` and `reference_files`
-    /// name the places in order.
-    pub fn new(
-        rule: &Rule,
-        setup: &Setup,
-        decision: Decision,
-        verdict: &rulebook::Verdict,
-        files: &[String],
-        reference_files: &[String],
-        words: &Translator,
-    ) -> Self {
+    /// The document of a verdict, with the sentences of its diagnostics.
+    pub fn new(judgement: &Judgement<'_>, words: &Translator) -> Self {
+        let Judgement {
+            rule,
+            setup,
+            decision,
+            verdict,
+            files,
+            reference_files,
+        } = *judgement;
         let mut document = Self {
             schema: SCHEMA,
             bouncelab: env!("CARGO_PKG_VERSION"),

@@ -6,6 +6,8 @@
 mod axis;
 mod canvas;
 mod clip;
+#[cfg(feature = "png")]
+mod font;
 mod panel;
 #[cfg(feature = "png")]
 mod picture;

@@ -3,10 +3,10 @@
 use tiny_skia::{
     Color, FillRule, LineCap, LineJoin, Paint, Path, PathBuilder, Pixmap, Stroke, Transform,
 };
-use ttf_parser::{Face, GlyphId, OutlineBuilder};
 
-use super::canvas::{Anchor, RIM, Shape, Style};
+use super::canvas::{RIM, Shape};
 use super::clip::Place;
+use super::font::Fonts;
 use crate::MARK;
 use crate::theme::{self, Colour};
 
@@ -26,7 +26,7 @@ pub(super) fn png(
     let mut picture = Picture {
         pixels,
         scale: Transform::from_scale(scale as f32, scale as f32),
-        font: Face::parse(dejavu::sans::regular(), 0).map_err(|error| error.to_string())?,
+        fonts: Fonts::parse().map_err(|error| error.to_string())?,
     };
     picture.pixels.fill(color(theme::PAPER));
     for shape in shapes {
@@ -38,8 +38,7 @@ pub(super) fn png(
 struct Picture {
     pixels: Pixmap,
     scale: Transform,
-    /// One of its own, since a picture needs none of the system.
-    font: Face<'static>,
+    fonts: Fonts,
 }
 
 impl Picture {
@@ -72,10 +71,7 @@ impl Picture {
                 words,
                 style,
             } => {
-                let letters = outline(&self.font, *place, words, *style);
-                if style.bold {
-                    self.stroke(letters.clone(), style.colour, thicker(*style));
-                }
+                let letters = self.fonts.outline(*place, words, *style);
                 self.fill(letters, style.colour);
             }
         }
@@ -117,85 +113,6 @@ fn polyline(points: &[Place], closed: bool) -> Option<Path> {
         path.close();
     }
     path.finish()
-}
-
-/// The letters of a text.
-fn outline(font: &Face, (x, y): Place, words: &str, style: Style) -> Option<Path> {
-    let scale = f64::from(style.size) / f64::from(font.units_per_em());
-    // A letter that the font lacks is shown as its sign for that, which is the first.
-    let glyphs = words
-        .chars()
-        .map(|letter| font.glyph_index(letter).unwrap_or(GlyphId(0)));
-    let advance = |glyph| {
-        let own = f64::from(font.glyph_hor_advance(glyph).unwrap_or(0));
-        scale * own + thicker(style)
-    };
-    let before = match style.anchor {
-        Anchor::Start => 0.0,
-        Anchor::Middle => 0.5,
-        Anchor::End => 1.0,
-    };
-    let width: f64 = glyphs.clone().map(advance).sum();
-    let mut letters = Letters {
-        path: PathBuilder::new(),
-        origin: ((x - before * width) as f32, y as f32),
-        scale: scale as f32,
-    };
-    for glyph in glyphs {
-        font.outline_glyph(glyph, &mut letters);
-        letters.origin.0 += advance(glyph) as f32;
-    }
-    letters.path.finish()
-}
-
-/// By how much the strokes of letters are thicker than those of the font, which has none that are bold: one
-/// that has would be as large again.
-fn thicker(style: Style) -> f64 {
-    let share = if style.bold { 0.05 } else { 0.0 };
-    share * f64::from(style.size)
-}
-
-/// Outlines of letters, in the units of a font with its vertical axis upwards, as a path.
-struct Letters {
-    path: PathBuilder,
-    origin: (f32, f32),
-    scale: f32,
-}
-
-impl Letters {
-    fn at(&self, x: f32, y: f32) -> (f32, f32) {
-        (
-            self.origin.0 + self.scale * x,
-            self.origin.1 - self.scale * y,
-        )
-    }
-}
-
-impl OutlineBuilder for Letters {
-    fn move_to(&mut self, x: f32, y: f32) {
-        let (x, y) = self.at(x, y);
-        self.path.move_to(x, y);
-    }
-
-    fn line_to(&mut self, x: f32, y: f32) {
-        let (x, y) = self.at(x, y);
-        self.path.line_to(x, y);
-    }
-
-    fn quad_to(&mut self, x1: f32, y1: f32, x: f32, y: f32) {
-        let ((x1, y1), (x, y)) = (self.at(x1, y1), self.at(x, y));
-        self.path.quad_to(x1, y1, x, y);
-    }
-
-    fn curve_to(&mut self, x1: f32, y1: f32, x2: f32, y2: f32, x: f32, y: f32) {
-        let ((x1, y1), (x2, y2)) = (self.at(x1, y1), self.at(x2, y2));
-        let (x, y) = self.at(x, y);
-        self.path.cubic_to(x1, y1, x2, y2, x, y);
-    }
-
-    fn close(&mut self) {
-        self.path.close();
-    }
 }
 
 fn paint(colour: Colour) -> Paint<'static> {

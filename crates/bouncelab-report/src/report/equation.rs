@@ -1,9 +1,10 @@
 //! The formulas of the method, as `MathML` for browsers and as LaTeX for notebooks.
 
 use maud::{Markup, html};
+use serde::{Deserialize, Serialize};
 
 /// A formula of the method.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[non_exhaustive]
 pub enum Equation {
     /// Height of a flight from its time, without air (paper, Eq. 5).

@@ -2,7 +2,8 @@
 //!
 //! A [`Page`] says what there is to say (headings, words, tables, figures, formulas); it becomes one
 //! HTML file that needs nothing else, or Markdown for a notebook. [`of_recording`] makes the page of
-//! a recording; the sections it is made of stand here one by one, for pages of other things.
+//! a recording and [`verdict::of_verdict`] that of a verdict; the sections they are made of stand here one
+//! by one, for pages of other things.
 //!
 //! ```
 //! use bouncelab::analyze_times;
@@ -28,6 +29,7 @@ mod method;
 mod page;
 mod recording;
 mod subject;
+pub mod verdict;
 
 pub use conditions::{conditions, priors, shared_conditions};
 pub use drop::{drop, drop_details, in_words};

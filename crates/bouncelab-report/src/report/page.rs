@@ -2,6 +2,8 @@
 
 use std::fmt;
 
+use serde::{Deserialize, Serialize};
+
 use super::equation::Equation;
 use crate::chart::Chart;
 use crate::messages::{Translator, capital};
@@ -11,7 +13,7 @@ use crate::table::Table;
 ///
 /// [`Page::html`] and [`Page::markdown`] give it a form. Texts are plain: whatever they contain is
 /// shown as it is, markup too.
-#[derive(Debug)]
+#[derive(Debug, Serialize, Deserialize)]
 pub struct Page {
     /// The heading of the whole page.
     pub title: String,
@@ -30,7 +32,7 @@ pub struct Page {
 }
 
 /// A language, and the words that stand on a page because of its form.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Language {
     /// Its code, as in "en" or "de-AT".
     pub code: String,
@@ -55,7 +57,7 @@ impl Language {
 }
 
 /// A heading and what belongs to it.
-#[derive(Debug)]
+#[derive(Debug, Serialize, Deserialize)]
 pub struct Section {
     /// The heading.
     pub heading: String,
@@ -82,7 +84,7 @@ impl Section {
 }
 
 /// A piece of a section.
-#[derive(Debug)]
+#[derive(Debug, Serialize, Deserialize)]
 #[non_exhaustive]
 pub enum Block {
     /// The sentence that everybody reads, in large letters.

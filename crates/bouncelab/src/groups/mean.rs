@@ -173,9 +173,9 @@ fn between_variance(drops: &[Measured], scale: f64) -> f64 {
         |tau2: f64| Pooled::new(drops, tau2).restricted_log_likelihood(drops, tau2);
     let at = |step: f64| 2.0 * scale * 10_f64.powf(-DECADES * step / f64::from(STEPS));
     let best = (0..=STEPS)
-        .map(f64::from)
-        .max_by(|&a, &b| log_likelihood(at(a)).total_cmp(&log_likelihood(at(b))))
-        .unwrap_or(0.0);
+        .map(|step| (f64::from(step), log_likelihood(at(step.into()))))
+        .max_by(|(_, one), (_, other)| one.total_cmp(other))
+        .map_or(0.0, |(step, _)| step);
     let tau2 = at(climb([best - 1.0, best + 1.0], |step| {
         log_likelihood(at(step))
     }));

@@ -5,8 +5,9 @@
 //! it delays all frequencies alike and its delay can be taken out exactly, lets through what is below a
 //! third of the new rate; what would fold back into it is 70 dB lower (window of Blackman).
 
-use crate::simd::dispatch;
 use std::f64::consts::PI;
+
+use crate::simd::{dispatch, sum_of_products};
 
 /// Rates above are divided by the least whole number that brings them down to it, in Hz.
 const MOST_RATE_HZ: u32 = 96_000;
@@ -65,7 +66,7 @@ impl Decimator {
             #[inline(always)]
             || {
                 while let Some(around) = self.latest.get(self.first..self.first + self.taps.len()) {
-                    self.kept.push(dot(around, &self.taps));
+                    self.kept.push(sum_of_products::<16, _>(around, &self.taps));
                     self.first += self.factor;
                 }
             },
@@ -95,22 +96,6 @@ fn low_pass(factor: usize) -> Vec<f32> {
     let weights: Vec<f64> = (0..=2 * REACH * factor).map(weight).collect();
     let sum: f64 = weights.iter().sum();
     weights.iter().map(|weight| (weight / sum) as f32).collect()
-}
-
-/// The sum of the products, many side by side.
-#[inline(always)]
-fn dot(a: &[f32], b: &[f32]) -> f32 {
-    const LANES: usize = 16;
-    let (a, rest_a) = a.as_chunks::<LANES>();
-    let (b, rest_b) = b.as_chunks::<LANES>();
-    let mut lanes = [0.0; LANES];
-    for (a, b) in a.iter().zip(b) {
-        for lane in 0..LANES {
-            lanes[lane] += a[lane] * b[lane];
-        }
-    }
-    let rest: f32 = rest_a.iter().zip(rest_b).map(|(x, y)| x * y).sum();
-    lanes.iter().sum::<f32>() + rest
 }
 
 #[cfg(test)]

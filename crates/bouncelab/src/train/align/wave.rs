@@ -1,6 +1,6 @@
 //! Arithmetic on waves: products, smoothing, values and slopes between samples.
 
-use crate::simd::dispatch;
+use crate::simd::{dispatch, sum_of_products};
 use std::f64::consts::PI;
 
 /// Half the length of the interpolation kernel in samples.
@@ -50,25 +50,9 @@ pub(super) fn derivative(samples: &[f32]) -> Vec<f32> {
 pub(super) fn dot(a: &[f32], b: &[f32]) -> f32 {
     dispatch(
         #[inline(always)]
-        || sum_of_products(a, b),
+        || sum_of_products::<16, _>(a, b),
     )
 }
-
-#[inline(always)]
-fn sum_of_products(a: &[f32], b: &[f32]) -> f32 {
-    let ((a, rest_a), (b, rest_b)) = (a.as_chunks::<LANES>(), b.as_chunks::<LANES>());
-    let mut lanes = [0.0_f32; LANES];
-    for (a, b) in a.iter().zip(b) {
-        for lane in 0..LANES {
-            lanes[lane] += a[lane] * b[lane];
-        }
-    }
-    let rest: f32 = rest_a.iter().zip(rest_b).map(|(x, y)| x * y).sum();
-    lanes.iter().sum::<f32>() + rest
-}
-
-/// So many products are added side by side.
-const LANES: usize = 16;
 
 pub(super) fn norm(a: &[f32]) -> f32 {
     dot(a, a).sqrt()

@@ -1,14 +1,15 @@
-//! The rebound of the drops, as tables for the terminal and for reports.
+//! The rebound of the drops, as tables.
 
 use bouncelab::rulebook::{Correction, Rebound, Step, Verdict};
-use bouncelab_report::{Align, Quantity, Table, Unit};
 
-use crate::language::{text, translator};
+use crate::messages::Translator;
+use crate::quantity::{Quantity, Unit};
+use crate::table::{Align, Table};
 
 /// The rebound by each way to work it out.
-pub(super) fn ways(verdict: &Verdict) -> Table {
+pub fn ways(verdict: &Verdict, words: &Translator) -> Table {
     let mut table = Table::with_headings(
-        translator(),
+        words,
         [
             ("verdict-rebound", Align::Left),
             ("verdict-value", Align::Right),
@@ -24,8 +25,8 @@ pub(super) fn ways(verdict: &Verdict) -> Table {
     for (id, estimate, unit) in estimated {
         if let Some(estimate) = estimate {
             let value = Quantity::measured(estimate.value, estimate.sd, unit);
-            let interval = value.interval_text(estimate.interval95, translator());
-            table.row([text(id), value.text(translator()), interval]);
+            let interval = value.interval_text(estimate.interval95, words);
+            table.row([words.text(id), value.text(words), interval]);
         }
     }
     let plain = [
@@ -34,24 +35,24 @@ pub(super) fn ways(verdict: &Verdict) -> Table {
     ];
     for (id, height_m) in plain {
         if let Some(height_m) = height_m {
-            table.row([text(id), length(height_m)]);
+            table.row([words.text(id), length(height_m, words)]);
         }
     }
     if table.is_empty() {
-        table.row([String::new(), text("unit-cannot-tell")]);
+        table.row([String::new(), words.text("unit-cannot-tell")]);
     }
     table
 }
 
 /// What lies between the plain height and the predicted one, if every drop says so.
-pub(super) fn differences(verdict: &Verdict) -> Option<Table> {
+pub fn differences(verdict: &Verdict, words: &Translator) -> Option<Table> {
     let drops = &verdict.drops;
     let first = drops.first()?;
     if drops.iter().any(|drop| drop.steps.is_empty()) {
         return None;
     }
     let mut table = Table::with_headings(
-        translator(),
+        words,
         [
             ("verdict-reason", Align::Left),
             ("verdict-centimetres", Align::Right),
@@ -67,20 +68,21 @@ pub(super) fn differences(verdict: &Verdict) -> Option<Table> {
             Correction::Drag => "verdict-step-drag",
             _ => "verdict-step-this-drop",
         };
-        table.row([text(why), signed(mean_m * 100.0)]);
+        table.row([words.text(why), signed(mean_m * 100.0, words)]);
     }
     Some(table)
 }
 
 /// With its sign, but for zero.
-fn signed(value: f64) -> String {
+fn signed(value: f64, words: &Translator) -> String {
     match format!("{value:+.2}").as_str() {
-        "-0.00" | "+0.00" => translator().fixed(0.0, 2),
-        number => translator().number(&number.replace('-', "\u{2212}")),
+        "-0.00" | "+0.00" => words.fixed(0.0, 2),
+        number => words.number(&number.replace('-', "\u{2212}")),
     }
 }
 
-pub(super) fn drops(drops: &[Rebound], files: &[String]) -> Table {
+/// What each drop says.
+pub fn drops(drops: &[Rebound], files: &[String], words: &Translator) -> Table {
     let with_formula = drops.iter().any(|drop| drop.formula_m.is_some());
     let mut columns = vec![
         ("verdict-file", Align::Left),
@@ -91,27 +93,29 @@ pub(super) fn drops(drops: &[Rebound], files: &[String]) -> Table {
         columns.push(("verdict-formula-short", Align::Right));
     }
     columns.push(("verdict-predicted", Align::Right));
-    let mut table = Table::with_headings(translator(), columns);
+    let mut table = Table::with_headings(words, columns);
     for drop in drops {
-        let shown = |height: Option<f64>| height.map_or_else(String::new, length);
+        let shown = |height: Option<f64>| {
+            height.map_or_else(String::new, |height_m| length(height_m, words))
+        };
         let mut row = vec![
             files.get(drop.place).cloned().unwrap_or_default(),
             drop.first_flight_s
-                .map_or_else(String::new, |time_s| translator().fixed(time_s, 4)),
+                .map_or_else(String::new, |time_s| words.fixed(time_s, 4)),
             shown(drop.plain_m),
         ];
         if with_formula {
             row.push(shown(drop.formula_m));
         }
         row.push(drop.predicted_m.map_or_else(
-            || text("unit-cannot-tell"),
-            |found| Quantity::measured(found.value, found.sd, Unit::Length).text(translator()),
+            || words.text("unit-cannot-tell"),
+            |found| Quantity::measured(found.value, found.sd, Unit::Length).text(words),
         ));
         table.row(row);
     }
     table
 }
 
-fn length(metres: f64) -> String {
-    Quantity::rounded(metres, 4, Unit::Length).text(translator())
+fn length(metres: f64, words: &Translator) -> String {
+    Quantity::rounded(metres, 4, Unit::Length).text(words)
 }

@@ -2,58 +2,70 @@
 
 use bouncelab::groups::Study;
 use bouncelab_report::Chart;
-use bouncelab_report::messages::Value;
+use bouncelab_report::messages::{Translator, Value};
 use bouncelab_report::report::{
     Block, Language, Page, Provenance, Section, ended, made_by, repeat,
 };
-use bouncelab_session::{AboutSession, Outcome, Reason, Results, figures, some_of};
 
-use super::{tables, text};
-use crate::failure::Failure;
-use crate::language::{text as message, text_with, translator};
-use crate::report::provenance;
+use crate::document::{AboutSession, Reason};
+use crate::error::Result;
+use crate::figures::figures;
+use crate::name::some_of;
+use crate::results::Results;
+use crate::study::Outcome;
+use crate::summary;
 
 /// With more recordings than this a list of their hashes is no use on paper.
 const LISTED: usize = 60;
 
-/// The page of a session.
-pub(super) fn page(outcome: &Outcome<'_>, results: &Results<'_>) -> Result<Page, Failure> {
+/// The page of a session: the groups in words, tables and figures, what is wrong with which recordings, what
+/// was assumed, the method, and how to repeat it. The hashes of few recordings go with the provenance.
+///
+/// # Errors
+///
+/// [`Error::Journal`](crate::Error::Journal) if results cannot be read back.
+pub fn report(
+    outcome: &Outcome<'_>,
+    results: &Results<'_>,
+    provenance: Provenance,
+    words: &Translator,
+) -> Result<Page> {
     let about = &outcome.about;
     let provenance = Provenance {
         files: files(results),
-        ..provenance()
+        ..provenance
     };
     let mut sections = match &outcome.study {
-        Ok(study) => of_study(outcome, study, figures(outcome, results, translator())?),
+        Ok(study) => of_study(outcome, study, figures(outcome, results, words)?, words),
         Err(_) => Vec::new(),
     };
     sections.extend([
-        troubles(about),
-        assumed(about),
-        method(),
-        to_repeat(&provenance),
+        troubles(about, words),
+        assumed(about, words),
+        method(words),
+        to_repeat(&provenance, words),
     ]);
     sections.retain(|section| !section.is_empty());
     Ok(Page {
         title: about
             .title
             .clone()
-            .unwrap_or_else(|| message("session-untitled")),
-        subtitle: made_by(&provenance, translator()),
-        lead: lead(outcome, about),
+            .unwrap_or_else(|| words.text("session-untitled")),
+        subtitle: made_by(&provenance, words),
+        lead: lead(outcome, about, words),
         sections,
         details: Vec::new(),
         unfolded: false,
-        language: Language::new(translator()),
+        language: Language::new(words),
     })
 }
 
-fn lead(outcome: &Outcome<'_>, about: &AboutSession) -> Vec<Block> {
-    let mut lead = vec![Block::Lead(ended(text::counts(about)))];
+fn lead(outcome: &Outcome<'_>, about: &AboutSession, words: &Translator) -> Vec<Block> {
+    let mut lead = vec![Block::Lead(ended(summary::counts(about, words)))];
     match &outcome.study {
         Ok(study) => {
             let speed = [("speed", Value::fixed(study.at_speed_m_s, 2))];
-            lead.push(Block::text(text_with("session-compared", &speed)));
+            lead.push(Block::text(words.text_with("session-compared", &speed)));
             if !study.outliers.is_empty() {
                 let names: Vec<&str> = study
                     .outliers
@@ -61,12 +73,14 @@ fn lead(outcome: &Outcome<'_>, about: &AboutSession) -> Vec<Block> {
                     .map(|outlier| outcome.name_of(outlier.drop))
                     .collect();
                 let names = [("names", names.join(", ").into())];
-                lead.push(Block::Note(text_with("session-unlike", &names)));
+                lead.push(Block::Note(words.text_with("session-unlike", &names)));
             }
         }
         Err(reason) => {
             let reason = [("reason", ended(reason).into())];
-            lead.push(Block::Note(text_with("session-incomparable", &reason)));
+            lead.push(Block::Note(
+                words.text_with("session-incomparable", &reason),
+            ));
         }
     }
     lead
@@ -76,6 +90,7 @@ fn of_study(
     outcome: &Outcome<'_>,
     study: &Study,
     drawn: Vec<(&'static str, Chart)>,
+    words: &Translator,
 ) -> Vec<Section> {
     let mut drawn = drawn.into_iter();
     let mut figure = || {
@@ -90,22 +105,22 @@ fn of_study(
     };
     let mut groups = vec![
         Block::table(
-            message("session-groups-table"),
-            tables::group_table(outcome, study, None),
+            words.text("session-groups-table"),
+            summary::group_table(outcome, study, None, words),
         ),
         Block::table(
-            message("session-intervals-table"),
-            tables::interval_table(outcome, study),
+            words.text("session-intervals-table"),
+            summary::interval_table(outcome, study, words),
         ),
     ];
-    let without = tables::without_table(outcome, study);
+    let without = summary::without_table(outcome, study, words);
     if !without.is_empty() {
-        groups.push(Block::table(message("session-without-table"), without));
+        groups.push(Block::table(words.text("session-without-table"), without));
     }
     let varies = if study.varies.len() > 1 {
         vec![Block::table(
-            message("session-varies-table"),
-            tables::varies_table(outcome, study),
+            words.text("session-varies-table"),
+            summary::varies_table(outcome, study, words),
         )]
     } else {
         Vec::new()
@@ -116,28 +131,28 @@ fn of_study(
         .filter(|(_, differences)| !differences.is_empty())
         .map(|(factor, differences)| {
             let name = outcome.factors[*factor].name.as_str();
-            let table = tables::difference_table(outcome, *factor, differences);
-            let caption = text_with("session-differences-table", &[("factor", name.into())]);
+            let table = summary::difference_table(outcome, *factor, differences, words);
+            let caption = words.text_with("session-differences-table", &[("factor", name.into())]);
             Block::table(caption, table)
         });
-    let trends = tables::trend_table(outcome, study);
+    let trends = summary::trend_table(outcome, study, words);
     let trends = (!trends.is_empty()).then(|| {
-        let caption = message("session-trends-table");
+        let caption = words.text("session-trends-table");
         Block::table(caption, trends)
     });
     vec![
-        Section::new(message("session-groups"), with(groups, intervals)),
-        Section::new(message("session-against-speed"), with(Vec::new(), laws)),
-        Section::new(message("session-what-varies"), varies),
+        Section::new(words.text("session-groups"), with(groups, intervals)),
+        Section::new(words.text("session-against-speed"), with(Vec::new(), laws)),
+        Section::new(words.text("session-what-varies"), varies),
         Section::new(
-            message("session-differences-heading"),
+            words.text("session-differences-heading"),
             differences.chain(trends).collect(),
         ),
-        Section::new(message("session-in-order"), with(Vec::new(), run)),
+        Section::new(words.text("session-in-order"), with(Vec::new(), run)),
     ]
 }
 
-fn troubles(about: &AboutSession) -> Section {
+fn troubles(about: &AboutSession, words: &Translator) -> Section {
     let parts = [
         ("session-without-drop", &about.without_drop),
         ("session-failed", &about.failed),
@@ -150,11 +165,11 @@ fn troubles(about: &AboutSession) -> Section {
         .filter(|(_, reasons)| !reasons.is_empty())
         .flat_map(|(id, reasons)| {
             [
-                Block::text(format!("{}:", message(id))),
+                Block::text(format!("{}:", words.text(id))),
                 Block::List(by_reason(reasons)),
             ]
         });
-    Section::new(message("session-troubles"), blocks.collect())
+    Section::new(words.text("session-troubles"), blocks.collect())
 }
 
 /// One line for each reason, with the first of those that it is true of.
@@ -170,35 +185,37 @@ fn by_reason(reasons: &[Reason]) -> Vec<String> {
     lines.into_iter().map(line).collect()
 }
 
-fn assumed(about: &AboutSession) -> Section {
+fn assumed(about: &AboutSession, words: &Translator) -> Section {
     let mut blocks: Vec<Block> = about
         .remarks
         .iter()
         .map(|remark| Block::Note(ended(remark)))
         .collect();
     if !about.assumptions.is_empty() {
-        blocks.push(Block::text(message("session-assumed")));
+        blocks.push(Block::text(words.text("session-assumed")));
         blocks.push(Block::List(about.assumptions.clone()));
     }
-    Section::new(message("session-conditions"), blocks)
+    Section::new(words.text("session-conditions"), blocks)
 }
 
-fn method() -> Section {
+fn method(words: &Translator) -> Section {
     let ids = [
         "session-method-drop",
         "session-method-group",
         "session-method-factors",
     ];
     Section::new(
-        message("session-method"),
-        ids.map(|id| Block::text(message(id))).into(),
+        words.text("session-method"),
+        ids.map(|id| Block::text(words.text(id))).into(),
     )
 }
 
-fn to_repeat(provenance: &Provenance) -> Section {
-    let mut section = repeat(provenance, translator());
+fn to_repeat(provenance: &Provenance, words: &Translator) -> Section {
+    let mut section = repeat(provenance, words);
     if provenance.files.is_empty() {
-        section.blocks.push(Block::text(message("session-hashes")));
+        section
+            .blocks
+            .push(Block::text(words.text("session-hashes")));
     }
     section
 }

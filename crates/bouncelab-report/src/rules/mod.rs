@@ -21,6 +21,8 @@
 //! # Ok::<(), bouncelab_report::Error>(())
 //! ```
 
+pub mod words;
+
 use std::ops::Range;
 #[cfg(not(target_family = "wasm"))]
 use std::path::PathBuf;
@@ -40,12 +42,12 @@ pub const SCHEMA: &str = "bouncelab.rules/1";
 const BUILT_IN: [(&str, &str); 5] = [
     (
         "table-tennis.toml",
-        include_str!("../rules/table-tennis.toml"),
+        include_str!("../../rules/table-tennis.toml"),
     ),
-    ("tennis.toml", include_str!("../rules/tennis.toml")),
-    ("football.toml", include_str!("../rules/football.toml")),
-    ("courts.toml", include_str!("../rules/courts.toml")),
-    ("floors.toml", include_str!("../rules/floors.toml")),
+    ("tennis.toml", include_str!("../../rules/tennis.toml")),
+    ("football.toml", include_str!("../../rules/football.toml")),
+    ("courts.toml", include_str!("../../rules/courts.toml")),
+    ("floors.toml", include_str!("../../rules/floors.toml")),
 ];
 
 /// The rules that come with bouncelab.

@@ -1,21 +1,34 @@
 //! The statistics of the drops, as tables for the terminal and for reports.
 
 use bouncelab::groups::{Difference, Group, Mean, MeanAtSpeed, Study};
-use bouncelab_report::messages::Value;
+use bouncelab_report::messages::{Translator, Value};
 use bouncelab_report::{Align, Quantity, Table, Unit};
-use bouncelab_session::Outcome;
 
-use crate::language::{text, text_with, translator};
+use crate::document::AboutSession;
+use crate::study::Outcome;
+
+/// How many there are of what, in a sentence without its full stop.
+pub fn counts(about: &AboutSession, words: &Translator) -> String {
+    let counts = [
+        ("drops", about.drops.into()),
+        ("recordings", about.recordings.into()),
+        ("without", about.without_drop.len().into()),
+        ("failed", about.failed.len().into()),
+        ("duplicates", about.duplicates.len().into()),
+    ];
+    words.text_with("session-counts", &counts)
+}
 
 /// Differences of the levels of a factor.
-pub(super) fn difference_table(
+pub fn difference_table(
     outcome: &Outcome<'_>,
     factor: usize,
     differences: &[Difference],
+    words: &Translator,
 ) -> Table {
     let factor = &outcome.factors[factor];
     let mut table = Table::with_headings(
-        translator(),
+        words,
         [
             ("", Align::Left),
             ("session-column-difference", Align::Right),
@@ -30,18 +43,23 @@ pub(super) fn difference_table(
                 "{} \u{2212} {}",
                 factor.levels[difference.of], factor.levels[difference.less]
             ),
-            shown.text(translator()),
-            shown.interval_text(difference.interval95, translator()),
-            probability(difference.p_value),
+            shown.text(words),
+            shown.interval_text(difference.interval95, words),
+            probability(difference.p_value, words),
         ]);
     }
     table
 }
 
 /// The groups, and all of them together.
-pub(super) fn group_table(outcome: &Outcome<'_>, study: &Study, wanted: Option<f64>) -> Table {
+pub fn group_table(
+    outcome: &Outcome<'_>,
+    study: &Study,
+    wanted: Option<f64>,
+    words: &Translator,
+) -> Table {
     let mut table = Table::with_headings(
-        translator(),
+        words,
         [
             ("session-column-group", Align::Left),
             ("session-column-drops", Align::Right),
@@ -52,31 +70,31 @@ pub(super) fn group_table(outcome: &Outcome<'_>, study: &Study, wanted: Option<f
             ("session-column-needed", Align::Right),
         ],
     );
-    for (name, group) in named_groups(outcome, study) {
+    for (name, group) in named_groups(outcome, study, words) {
         let mean = &group.mean;
         table.row([
             name,
             mean.drops.to_string(),
-            shown(group).text(translator()),
+            shown(group).text(words),
             format!(
                 "\u{b1} {}",
-                Quantity::rounded(group.shared_sd, 1, Unit::Number).text(translator())
+                Quantity::rounded(group.shared_sd, 1, Unit::Number).text(words)
             ),
             mean.between
-                .map_or_else(String::new, |between| translator().fixed(between, 4)),
+                .map_or_else(String::new, |between| words.fixed(between, 4)),
             group.between_impacts.map_or_else(String::new, |scatter| {
-                format!("{} %", translator().fixed(100.0 * scatter, 2))
+                format!("{} %", words.fixed(100.0 * scatter, 2))
             }),
-            needed(group, wanted),
+            needed(group, wanted, words),
         ]);
     }
     table
 }
 
 /// The groups with outliers, with and without them.
-pub(super) fn without_table(outcome: &Outcome<'_>, study: &Study) -> Table {
+pub fn without_table(outcome: &Outcome<'_>, study: &Study, words: &Translator) -> Table {
     let mut table = Table::with_headings(
-        translator(),
+        words,
         [
             ("session-column-group", Align::Left),
             ("session-column-with", Align::Right),
@@ -85,13 +103,13 @@ pub(super) fn without_table(outcome: &Outcome<'_>, study: &Study) -> Table {
             ("session-column-drops", Align::Right),
         ],
     );
-    for (name, group) in named_groups(outcome, study) {
+    for (name, group) in named_groups(outcome, study, words) {
         if let Some(without) = &group.without_outliers {
             table.row([
                 name,
-                restitution(&group.mean).text(translator()),
+                restitution(&group.mean).text(words),
                 group.mean.drops.to_string(),
-                restitution(without).text(translator()),
+                restitution(without).text(words),
                 without.drops.to_string(),
             ]);
         }
@@ -100,9 +118,9 @@ pub(super) fn without_table(outcome: &Outcome<'_>, study: &Study) -> Table {
 }
 
 /// Slopes against what is noted in numbers.
-pub(super) fn trend_table(outcome: &Outcome<'_>, study: &Study) -> Table {
+pub fn trend_table(outcome: &Outcome<'_>, study: &Study, words: &Translator) -> Table {
     let mut table = Table::with_headings(
-        translator(),
+        words,
         [
             ("session-column-factor", Align::Left),
             ("session-column-levels", Align::Right),
@@ -115,27 +133,27 @@ pub(super) fn trend_table(outcome: &Outcome<'_>, study: &Study) -> Table {
     for trend in &study.trends {
         let name = outcome.factors[trend.factor].name.as_str();
         let unit = match name {
-            "height" => text("session-per-metre"),
-            "temperature" => text("session-per-kelvin"),
+            "height" => words.text("session-per-metre"),
+            "temperature" => words.text("session-per-kelvin"),
             _ => String::new(),
         };
         let shown = Quantity::measured(trend.slope.value, trend.slope.sd, Unit::Number);
         table.row([
             name.to_owned(),
             trend.levels.to_string(),
-            shown.text(translator()),
+            shown.text(words),
             unit,
-            shown.interval_text(trend.interval95, translator()),
-            probability(trend.p_value),
+            shown.interval_text(trend.interval95, words),
+            probability(trend.p_value, words),
         ]);
     }
     table
 }
 
 /// Restitution of each group at several speeds.
-pub(super) fn law_table(outcome: &Outcome<'_>, study: &Study) -> Table {
+pub fn law_table(outcome: &Outcome<'_>, study: &Study, words: &Translator) -> Table {
     let mut table = Table::with_headings(
-        translator(),
+        words,
         [
             ("session-column-group", Align::Left),
             ("column-speed", Align::Right),
@@ -147,12 +165,12 @@ pub(super) fn law_table(outcome: &Outcome<'_>, study: &Study) -> Table {
     for group in &study.groups {
         for MeanAtSpeed { speed_m_s, mean } in &group.curve {
             let shown = restitution(mean);
-            let interval = |ends| shown.interval_text(ends, translator());
+            let interval = |ends| shown.interval_text(ends, words);
             table.row([
                 outcome.group_name(&group.levels),
-                translator().fixed(*speed_m_s, 3),
+                words.fixed(*speed_m_s, 3),
                 mean.drops.to_string(),
-                shown.text(translator()),
+                shown.text(words),
                 mean.interval95.map_or_else(String::new, interval),
             ]);
         }
@@ -161,9 +179,9 @@ pub(super) fn law_table(outcome: &Outcome<'_>, study: &Study) -> Table {
 }
 
 /// 95 % intervals of the groups.
-pub(super) fn interval_table(outcome: &Outcome<'_>, study: &Study) -> Table {
+pub fn interval_table(outcome: &Outcome<'_>, study: &Study, words: &Translator) -> Table {
     let mut table = Table::with_headings(
-        translator(),
+        words,
         [
             ("session-column-group", Align::Left),
             ("session-column-mean", Align::Right),
@@ -171,29 +189,32 @@ pub(super) fn interval_table(outcome: &Outcome<'_>, study: &Study) -> Table {
             ("session-column-between-drops", Align::Right),
         ],
     );
-    for (name, group) in named_groups(outcome, study) {
+    for (name, group) in named_groups(outcome, study, words) {
         let interval = |ends: Option<[f64; 2]>| {
-            ends.map_or_else(String::new, |ends| {
-                shown(group).interval_text(ends, translator())
-            })
+            ends.map_or_else(String::new, |ends| shown(group).interval_text(ends, words))
         };
         let mean = &group.mean;
         table.row([
             name,
             interval(mean.interval95),
             interval(mean.next95),
-            mean.between95.map_or_else(String::new, ends),
+            mean.between95
+                .map_or_else(String::new, |interval| ends(interval, words)),
         ]);
     }
     table
 }
 
 /// The groups with their names, and all drops as one where there are several.
-fn named_groups<'a>(outcome: &Outcome<'_>, study: &'a Study) -> Vec<(String, &'a Group)> {
+fn named_groups<'a>(
+    outcome: &Outcome<'_>,
+    study: &'a Study,
+    words: &Translator,
+) -> Vec<(String, &'a Group)> {
     let named = |group: &'a Group| (outcome.group_name(&group.levels), group);
     let mut groups: Vec<_> = study.groups.iter().map(named).collect();
     if groups.len() > 1 {
-        groups.push((text("session-all"), &study.all));
+        groups.push((words.text("session-all"), &study.all));
     }
     groups
 }
@@ -206,18 +227,18 @@ fn restitution(mean: &Mean) -> Quantity {
     Quantity::measured(mean.value, mean.standard_error, Unit::Number)
 }
 
-fn needed(group: &Group, wanted: Option<f64>) -> String {
+fn needed(group: &Group, wanted: Option<f64>, words: &Translator) -> String {
     match (group.drops_needed, wanted) {
         (Some(needed), _) => needed.to_string(),
-        (None, Some(_)) if group.mean.between.is_some() => text("session-too-many"),
+        (None, Some(_)) if group.mean.between.is_some() => words.text("session-too-many"),
         (None, _) => String::new(),
     }
 }
 
 /// Who varies.
-pub(super) fn varies_table(outcome: &Outcome<'_>, study: &Study) -> Table {
+pub fn varies_table(outcome: &Outcome<'_>, study: &Study, words: &Translator) -> Table {
     let mut table = Table::with_headings(
-        translator(),
+        words,
         [
             ("", Align::Left),
             ("session-column-count", Align::Right),
@@ -232,40 +253,40 @@ pub(super) fn varies_table(outcome: &Outcome<'_>, study: &Study) -> Table {
             .map(|&factor| outcome.factors[factor].name.as_str())
             .collect();
         let name = match names.as_slice() {
-            [] => text("session-drop"),
+            [] => words.text("session-drop"),
             [name] => (*name).to_owned(),
             [first @ .., last] => {
                 let (first, last) = (first.join(", "), *last);
                 let names = [("first", first.into()), ("last", last.into())];
-                let names = [("names", text_with("list-and", &names).into())];
-                text_with("session-together", &names)
+                let names = [("names", words.text_with("list-and", &names).into())];
+                words.text_with("session-together", &names)
             }
         };
         table.row([
             name,
             varies.levels.to_string(),
-            translator().fixed(varies.component.sd, 4),
+            words.fixed(varies.component.sd, 4),
             match varies.component.sd95 {
-                Some(interval) => ends(interval),
-                None => text("session-too-few"),
+                Some(interval) => ends(interval, words),
+                None => words.text("session-too-few"),
             },
         ]);
     }
     table
 }
 
-fn probability(p: f64) -> String {
+fn probability(p: f64, words: &Translator) -> String {
     if p < 1e-4 {
-        format!("< {}", translator().fixed(1e-4, 4))
+        format!("< {}", words.fixed(1e-4, 4))
     } else {
-        translator().fixed(p, 4)
+        words.fixed(p, 4)
     }
 }
 
-fn ends([low, high]: [f64; 2]) -> String {
+fn ends([low, high]: [f64; 2], words: &Translator) -> String {
     let ends = [
         ("low", Value::fixed(low, 4)),
         ("high", Value::fixed(high, 4)),
     ];
-    text_with("interval-ends", &ends)
+    words.text_with("interval-ends", &ends)
 }
