@@ -7,7 +7,9 @@ declare const self: ServiceWorkerGlobalScope;
 declare const __PRECACHE__: readonly string[];
 declare const __VERSION__: string;
 
-const CACHE = `bouncelab-${__VERSION__}`;
+/** Caches belong to the origin, which may have other deployments of the page in other folders. */
+const OWN = `bouncelab ${self.registration.scope} `;
+const CACHE = OWN + __VERSION__;
 
 self.addEventListener('install', (event) => {
   event.waitUntil(
@@ -27,7 +29,7 @@ async function forgetOld(): Promise<void> {
   const pages = await self.clients.matchAll({ type: 'window', includeUncontrolled: true });
   if (pages.length > 1) return;
   const names = await caches.keys();
-  const old = names.filter((name) => name.startsWith('bouncelab-') && name !== CACHE);
+  const old = names.filter((name) => name.startsWith(OWN) && name !== CACHE);
   await Promise.all(old.map((name) => caches.delete(name)));
 }
 

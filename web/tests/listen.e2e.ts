@@ -1,12 +1,9 @@
 /** Listening: a drop into the microphone, its result, its sound; and all that can go wrong with it. */
-import { mkdtempSync } from 'node:fs';
-import { tmpdir } from 'node:os';
-import { join } from 'node:path';
 import type { Browser, Page } from 'playwright-core';
 import { afterAll, afterEach, beforeAll, expect, test } from 'vitest';
 import { launch, type Microphone, newContext } from './harness/browser.ts';
 import { Site } from './harness/site.ts';
-import { follow, open, said, settled } from './support/page.ts';
+import { follow, open, said, savedWav, settled } from './support/page.ts';
 import { drop, hearing, samplesOf, TRUTH } from './support/sounds.ts';
 
 let site: Site;
@@ -43,14 +40,6 @@ const stored = (page: Page): Promise<number[]> =>
         };
       }),
   );
-
-async function savedWav(page: Page) {
-  const coming = page.waitForEvent('download');
-  await page.getByRole('button', { name: 'Sound (WAV)' }).first().click();
-  const file = join(mkdtempSync(join(tmpdir(), 'bouncelab-saved-')), 'saved.wav');
-  await (await coming).saveAs(file);
-  return samplesOf(file);
-}
 
 test('a drop is heard, ends by itself, and its result is true within its uncertainty', async () => {
   browser = await launch();

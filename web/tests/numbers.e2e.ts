@@ -28,7 +28,8 @@ function detected(path: string): RecordingResult {
       detector.push(channel, decoder.takeSamples(channel));
     }
   }
-  return JSON.parse(detector.finish(decoder.format(), decoder.warnings(), decoder.gaps()));
+  detector.lose(decoder.gaps());
+  return JSON.parse(detector.finish(decoder.format(), decoder.warnings()));
 }
 
 function request(name: string, found: RecordingResult, settings: Settings): AnalysisRequest {

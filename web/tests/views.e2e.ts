@@ -7,7 +7,7 @@ import { launch } from './harness/browser.ts';
 import { FONT_SETS, type FontSet, nameOf } from './harness/fonts.ts';
 import { Site } from './harness/site.ts';
 import { overflow, violations } from './support/layout.ts';
-import { follow, open, said, settled, still } from './support/page.ts';
+import { follow, keepAs, open, said, settled, still } from './support/page.ts';
 
 const SHOTS = join(import.meta.dirname, 'screenshots');
 
@@ -106,11 +106,7 @@ describe('whatever the fonts', () => {
     const { page } = await open(browser, `${site.url}#lab?height_cm=30.5`);
     await page.getByRole('button', { name: 'try the demo' }).click();
     await settled(page);
-    for (const name of ['Anna', 'Ben']) {
-      await page.getByLabel('Name').fill(name);
-      await page.getByRole('button', { name: 'Keep this drop' }).click();
-      await page.getByText(`Kept as “${name}”.`).waitFor();
-    }
+    for (const name of ['Anna', 'Ben']) await keepAs(page, name);
     await page.goto(`${site.url}#drops`);
     await page.reload();
     const rows = page.locator('tbody tr');

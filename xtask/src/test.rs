@@ -2,7 +2,9 @@
 
 use std::process::Command;
 
-use crate::cargo::{cargo, cargo_all, has, has_sound_headers, install, run as run_command};
+use crate::cargo::{
+    cargo, cargo_all, has, has_sound_headers, install, run as run_command, succeeds,
+};
 use crate::steps::{self, Step, Time, Watch};
 use crate::{Result, book, cluster, fresh, package, python, release, tables, web};
 
@@ -38,6 +40,8 @@ enum Needs {
     Deny,
     /// mdBook.
     MdBook,
+    /// A sound server that can have a card without hardware.
+    SoundServer,
     /// The folder of real recordings, which is not part of the repository.
     Recordings,
 }
@@ -55,6 +59,7 @@ impl Needs {
             Self::Git => fresh::has_repository(),
             Self::Deny => has_deny(),
             Self::MdBook => book::has_mdbook(),
+            Self::SoundServer => has_sound_server(),
             Self::Recordings => has_recordings(),
         }
     }
@@ -127,6 +132,15 @@ pub(crate) const CHECKS: [Check; 15] = [
         run: || {
             let mut command = cargo_all(&["test"]);
             run_command(command.args(["--test", "recordings", "--", "--ignored"]))
+        },
+    },
+    Check {
+        name: "card",
+        about: "the microphone with a card that a sound server simulates",
+        needs: Needs::SoundServer,
+        run: || {
+            let mut command = cargo_all(&["test"]);
+            run_command(command.args(["--test", "listen", "--", "--ignored", "card"]))
         },
     },
     Check {
@@ -216,6 +230,20 @@ fn deny() -> Result {
     run_command(&mut cargo(["deny", "check", "advisories"]))
 }
 
+/// `PulseAudio` and what lets ALSA use it, which are installed if that is allowed.
+fn has_sound_server() -> bool {
+    let programs = ["pulseaudio", "pacat", "pactl"];
+    let are_there = || {
+        programs
+            .iter()
+            .all(|program| succeeds(&[program, "--version"]))
+    };
+    let packages = ["pulseaudio", "pulseaudio-utils", "libasound2-plugins"];
+    has_sound_headers()
+        && cfg!(target_os = "linux")
+        && (are_there() || install(&packages, "a sound card without hardware") && are_there())
+}
+
 /// Says how to name their folder if nobody did: the tests that read them are ignored then.
 fn has_recordings() -> bool {
     let named = std::env::var_os("BOUNCELAB_RECORDINGS").is_some();
@@ -244,6 +272,7 @@ pub(crate) fn run(names: &[String]) -> Result {
         Needs::Engines,
         Needs::Deny,
         Needs::MdBook,
+        Needs::SoundServer,
         Needs::Recordings,
         Needs::Node,
         Needs::Browser,

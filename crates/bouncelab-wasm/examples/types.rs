@@ -6,6 +6,7 @@ use std::any::TypeId;
 use std::collections::{BTreeMap, HashSet};
 
 use bouncelab::Recording;
+use bouncelab::analysis::Gap;
 use bouncelab::diagnostic::Argument;
 use bouncelab_report::Chart;
 use bouncelab_report::document::simulation;
@@ -62,6 +63,7 @@ fn declarations() -> String {
     all.declare::<wire::Catalogue>();
     all.declare::<Recording>();
     all.declare::<Argument>();
+    all.declare::<Gap>();
     all.declare::<wire::SoFar>();
     all.declare::<wire::Demo>();
     all.declare::<wire::AnalysisRequest>();

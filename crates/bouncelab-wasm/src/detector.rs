@@ -57,6 +57,11 @@ impl RecordingDetector {
         self.frames += channels.first().map_or(0, |samples| samples.len()) as u64;
     }
 
+    /// Notes where sound was lost: silence is pushed in its place, and no flight across it counts.
+    pub fn lose(&mut self, gaps: Vec<Gap>) {
+        self.options.edits.gaps.extend(gaps);
+    }
+
     /// What was detected so far. Drops are searched again only if there are new onsets.
     pub fn so_far(&mut self) -> &SoFar {
         if self.detector.onsets() != self.searched_onsets {
@@ -74,15 +79,9 @@ impl RecordingDetector {
         &self.found
     }
 
-    /// Ends the recording: what was detected, and the loudness of the channel with the drops. Format,
-    /// warnings and gaps are those of the file.
-    pub fn finish(
-        mut self,
-        format: &str,
-        warnings: Vec<Diagnostic>,
-        gaps: Vec<Gap>,
-    ) -> (Recording, Vec<Level>) {
-        self.options.edits.gaps = gaps;
+    /// Ends the recording: what was detected, and the loudness of the channel with the drops. Format and
+    /// warnings are those of the file.
+    pub fn finish(mut self, format: &str, warnings: Vec<Diagnostic>) -> (Recording, Vec<Level>) {
         let detection = self.detector.finish();
         let levels = self.pyramids.swap_remove(detection.channel).levels();
         let plan = Plan::of_detection(detection, &self.options);

@@ -101,18 +101,27 @@ impl JsDetector {
         }
     }
 
+    /// Notes gaps of lost sound, a list of them; silence is pushed in their place.
+    pub fn lose(&mut self, gaps: &str) -> Result<()> {
+        let gaps = read(gaps)?;
+        if let Some(detector) = &mut self.detector {
+            detector.lose(gaps);
+        }
+        Ok(())
+    }
+
     /// What was detected so far.
     #[wasm_bindgen(js_name = soFar)]
     pub fn so_far(&mut self) -> Result<String> {
         json(&self.detector.as_mut().map(RecordingDetector::so_far))
     }
 
-    /// Ends the recording: what was detected. The format, the warnings, a list of diagnostics, and the
-    /// gaps are those of its file.
-    pub fn finish(&mut self, format: &str, warnings: &str, gaps: &str) -> Result<String> {
-        let (warnings, gaps) = (read(warnings)?, read(gaps)?);
+    /// Ends the recording: what was detected. The format, and the warnings, a list of diagnostics, are
+    /// those of its file.
+    pub fn finish(&mut self, format: &str, warnings: &str) -> Result<String> {
+        let warnings = read(warnings)?;
         let found = self.detector.take().map(|detector| {
-            let (recording, levels) = detector.finish(format, warnings, gaps);
+            let (recording, levels) = detector.finish(format, warnings);
             self.levels = levels;
             recording
         });

@@ -82,6 +82,11 @@ pub enum Reason {
         /// Why.
         problem: LayoutProblem,
     },
+    /// It goes on for longer than is read.
+    LastsTooLong {
+        /// How many hours are read at most.
+        most_h: u64,
+    },
     /// It is no list of times.
     Times {
         /// The line, counted from 1.
@@ -119,6 +124,7 @@ impl Reason {
             Error::UnsupportedLayout { problem, .. } => {
                 Self::UnsupportedLayout { problem: *problem }
             }
+            Error::TooLong { most_h, .. } => Self::LastsTooLong { most_h: *most_h },
             Error::Times { line, problem, .. } => Self::Times {
                 line: *line,
                 problem: problem.clone(),

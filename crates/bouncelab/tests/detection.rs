@@ -2,9 +2,9 @@
 
 use bouncelab::Impact;
 use bouncelab::air::Air;
-use bouncelab::analysis::{self, CONFIDENT_PROBABILITY, Options};
+use bouncelab::analysis::{self, CONFIDENT_PROBABILITY, Options, Plan};
 use bouncelab::detection::{Detection, DetectionOptions, Detector};
-use bouncelab::diagnostic::Code;
+use bouncelab::diagnostic::{Code, Diagnostic};
 use bouncelab::flight::Environment;
 use bouncelab::gravity::STANDARD_M_S2;
 use bouncelab::impact::Strike;
@@ -707,4 +707,25 @@ fn a_ball_that_falls_off_a_table_is_detected_on_both() {
     let found = train::find(&detected);
     let counts: Vec<usize> = found.trains.iter().map(|t| t.impacts().len()).collect();
     assert_eq!(counts, [6, 9]);
+}
+
+#[test]
+fn of_more_drops_than_the_limit_the_first_are_analysed_and_the_rest_is_said() {
+    let mut detection = detect(&synth::render(&usual_strikes(), &scene(40.0), 1).unwrap());
+    let train = detection.found.trains[0].clone();
+    let end_s = train.end_s();
+    detection.found.trains = vec![train; 1_001];
+    let plan = Plan::of_detection(detection, &Options::default().without_inference());
+    assert_eq!(plan.tasks().len(), 1_000);
+    let drop = plan.tasks()[0].run();
+    let result = plan.finish(vec![drop; 1_000]);
+    let limit = Diagnostic::new(Code::TooManyDrops)
+        .with("drops", 1_001_usize)
+        .with("most", 1_000_usize)
+        .with("end_s", end_s);
+    assert!(
+        result.diagnostics.contains(&limit),
+        "{:?}",
+        result.diagnostics
+    );
 }

@@ -9,6 +9,7 @@ import type {
   Drawn,
   DropLink,
   DropMarks,
+  Gap,
   LinkedDrop,
   PaperDocument,
   PuzzleAnswer,
@@ -123,16 +124,20 @@ export class Lab {
     return this.open({ name: list.name, blob: new Blob([list.text]) });
   }
 
-  /** Detects drops in samples that are in memory, as those of a simulation or of the database. */
+  /**
+   * Detects drops in samples that are in memory, as those of a simulation or of the database; in gaps
+   * sound was lost, and silence stands in its place.
+   */
   async detect(
     channels: Float32Array[],
     sampleRateHz: number,
     name: string,
     format = 'samples',
+    gaps: readonly Gap[] = [],
   ): Promise<Recording> {
     const transfer = channels.map((channel) => channel.buffer as ArrayBuffer);
     const { result, sound } = await this.#alone(false, undefined, (connection) =>
-      connection.call('detect', { channels, sampleRateHz, format }, { transfer }),
+      connection.call('detect', { channels, sampleRateHz, format, gaps }, { transfer }),
     );
     return new Recording(name, result, sound, this.#services);
   }
@@ -296,6 +301,13 @@ export class Lab {
     return this.#front.call('puzzleSolution', { choice });
   }
 
+  /** Samples of one or two channels as WAV, 32 bits each: exactly as they are. They are taken away. */
+  async wav(channels: Float32Array[], sampleRateHz: number): Promise<Blob> {
+    const transfer = channels.map((channel) => channel.buffer as ArrayBuffer);
+    const bytes = await this.#front.call('wav', { channels, sampleRateHz }, { transfer });
+    return new Blob([bytes], { type: 'audio/wav' });
+  }
+
   /** Ends all workers. */
   close(): void {
     this.#front.close();
@@ -364,12 +376,7 @@ export class Lab {
         { samples, sampleRateHz, columns, rows },
         { transfer: [samples.buffer as ArrayBuffer] },
       ),
-    wav: (channels: Float32Array[], sampleRateHz: number) =>
-      this.#front.call(
-        'wav',
-        { channels, sampleRateHz },
-        { transfer: channels.map((channel) => channel.buffer as ArrayBuffer) },
-      ),
+    wav: (channels: Float32Array[], sampleRateHz: number) => this.wav(channels, sampleRateHz),
   };
 }
 
@@ -380,6 +387,8 @@ export class Listening {
   readonly #session: number;
   readonly #services: Services;
   readonly #blocks: Float32Array[] = [];
+  /** Where sound was lost, and silence was pushed in its place. */
+  readonly gaps: Gap[] = [];
   #frames = 0;
 
   constructor(connection: Connection, session: number, sampleRateHz: number, services: Services) {
@@ -394,11 +403,12 @@ export class Listening {
     return this.#frames / this.sampleRateHz;
   }
 
-  /** Takes the next samples; answers what was detected so far. */
-  push(samples: Float32Array): Promise<SoFar> {
+  /** Takes the next samples, and the gaps that begin in them; answers what was detected so far. */
+  push(samples: Float32Array, gaps: readonly Gap[] = []): Promise<SoFar> {
     this.#blocks.push(samples);
     this.#frames += samples.length;
-    return this.#connection.call('push', { session: this.#session, samples });
+    this.gaps.push(...gaps);
+    return this.#connection.call('push', { session: this.#session, samples, gaps });
   }
 
   /** All samples so far. */
@@ -416,7 +426,8 @@ export class Listening {
   async finish(name: string, format = 'microphone'): Promise<Recording> {
     const request = { session: this.#session, format };
     const { result, levels } = await this.#connection.call('finish', request);
-    const sound = { sampleRateHz: this.sampleRateHz, channels: [this.samples()], levels };
+    const { sampleRateHz, gaps } = this;
+    const sound = { sampleRateHz, channels: [this.samples()], levels, gaps };
     return new Recording(name, result, sound, this.#services);
   }
 

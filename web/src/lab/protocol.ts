@@ -7,6 +7,7 @@ import type {
   Demo,
   Drawn,
   DropLink,
+  Gap,
   Impact,
   LinkedDrop,
   PaperDocument,
@@ -52,6 +53,8 @@ export interface Sound {
   channels: Float32Array[];
   /** Of the channel with the drops. */
   levels: Level[];
+  /** Where sound was lost, and silence stands in its place. */
+  gaps: readonly Gap[];
 }
 
 /** A spectrogram: one byte for each cell, rows from low to high frequency, columns one by one. */
@@ -73,7 +76,12 @@ export interface Calls {
     response: { result: RecordingResult; sound: Sound | null };
   };
   detect: {
-    request: { channels: Float32Array[]; sampleRateHz: number; format: string };
+    request: {
+      channels: Float32Array[];
+      sampleRateHz: number;
+      format: string;
+      gaps: readonly Gap[];
+    };
     response: { result: RecordingResult; sound: Sound };
   };
   demo: {
@@ -81,7 +89,10 @@ export interface Calls {
     response: { demo: Demo; samples: Float32Array; sampleRateHz: number };
   };
   listen: { request: { session: number; sampleRateHz: number }; response: null };
-  push: { request: { session: number; samples: Float32Array }; response: SoFar };
+  push: {
+    request: { session: number; samples: Float32Array; gaps: readonly Gap[] };
+    response: SoFar;
+  };
   finish: {
     request: { session: number; format: string };
     response: { result: RecordingResult; levels: Level[] };

@@ -15,7 +15,7 @@ export interface Services {
     columns: number,
     rows: number,
   ): Promise<Spectrogram>;
-  wav(channels: Float32Array[], sampleRateHz: number): Promise<Uint8Array<ArrayBuffer>>;
+  wav(channels: Float32Array[], sampleRateHz: number): Promise<Blob>;
 }
 
 /** How much sound before and after a time is searched for the onset next to it. */
@@ -103,7 +103,6 @@ export class Recording {
     }
     const { channels, sampleRateHz } = this.sound;
     const copies = channels.map((channel) => channel.slice());
-    const bytes = await this.#services.wav(copies, sampleRateHz);
-    return new Blob([bytes], { type: 'audio/wav' });
+    return this.#services.wav(copies, sampleRateHz);
   }
 }

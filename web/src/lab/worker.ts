@@ -7,7 +7,7 @@
 
 import * as decoding from './engine/decoders.js';
 import * as science from './engine/engine.js';
-import type { Demo, RecordingResult } from './engine/types.ts';
+import type { Demo, Gap, RecordingResult } from './engine/types.ts';
 import type { LabReason, LabRefusal } from './error.ts';
 import type {
   Call,
@@ -76,11 +76,15 @@ const handlers: Handlers = {
       }
     }
     const planes = channels.map((samples) => samples.all());
-    const file = { format: decoder.format(), warnings: decoder.warnings(), gaps: decoder.gaps() };
+    const file = {
+      format: decoder.format(),
+      warnings: decoder.warnings(),
+      gaps: JSON.parse(decoder.gaps()),
+    };
     return detected(detector, file, planes, sampleRateHz);
   },
 
-  detect: ({ channels, sampleRateHz, format }, { progress }) => {
+  detect: ({ channels, sampleRateHz, format, gaps }, { progress }) => {
     const detector = new science.Detector(sampleRateHz, channels.length, null);
     const frames = channels[0]?.length ?? 0;
     for (let at = 0; at < frames; at += sampleRateHz) {
@@ -89,7 +93,7 @@ const handlers: Handlers = {
       });
       progress(Math.min(1, (at + sampleRateHz) / frames));
     }
-    return detected(detector, { format, warnings: '[]', gaps: '[]' }, channels, sampleRateHz);
+    return detected(detector, { format, warnings: '[]', gaps }, channels, sampleRateHz);
   },
 
   demo: ({ seed }) => {
@@ -106,15 +110,16 @@ const handlers: Handlers = {
     sessions.set(session, new science.Detector(sampleRateHz, 1, null));
     return { response: null };
   },
-  push: ({ session, samples }) => {
+  push: ({ session, samples, gaps }) => {
     const detector = known(session);
+    detector.lose(JSON.stringify(gaps));
     detector.push(0, samples);
     return { response: JSON.parse(detector.soFar()) };
   },
   finish: ({ session, format }) => {
     const detector = known(session);
     sessions.delete(session);
-    const result: RecordingResult = JSON.parse(detector.finish(format, '[]', '[]'));
+    const result: RecordingResult = JSON.parse(detector.finish(format, '[]'));
     const levels = levelsOf(detector);
     const transfer = buffers(levels.map((level) => level.extremes));
     return { response: { result, levels }, transfer };
@@ -253,16 +258,15 @@ class Samples {
 
 function detected(
   detector: science.Detector,
-  file: { format: string; warnings: string; gaps: string },
+  file: { format: string; warnings: string; gaps: readonly Gap[] },
   channels: Float32Array[],
   sampleRateHz: number,
 ): { response: { result: RecordingResult; sound: Sound }; transfer: Transferable[] } {
-  const result: RecordingResult = JSON.parse(
-    detector.finish(file.format, file.warnings, file.gaps),
-  );
+  detector.lose(JSON.stringify(file.gaps));
+  const result: RecordingResult = JSON.parse(detector.finish(file.format, file.warnings));
   const levels = levelsOf(detector);
   return {
-    response: { result, sound: { sampleRateHz, channels, levels } },
+    response: { result, sound: { sampleRateHz, channels, levels, gaps: file.gaps } },
     transfer: buffers([...channels, ...levels.map((level) => level.extremes)]),
   };
 }

@@ -37,6 +37,8 @@ export interface Microphone {
 
 export interface MicrophoneEvents {
   block(samples: Float32Array<ArrayBuffer>): void;
+  /** So many frames are missing between the last block and the next. */
+  missing(frames: number): void;
   /** The device went away, or the browser stopped the sound, as for a call. */
   lost(): void;
   /** The device is there but gives silence, until it is unmuted. */
@@ -107,8 +109,9 @@ async function listenIn(
   await context.audioWorklet.addModule(tapUrl);
   const source = context.createMediaStreamSource(stream);
   const node = new AudioWorkletNode(context, 'tap', { numberOfOutputs: 1 });
-  node.port.onmessage = (message: MessageEvent<Float32Array<ArrayBuffer>>) => {
-    events.block(message.data);
+  node.port.onmessage = ({ data }: MessageEvent<Float32Array<ArrayBuffer> | number>) => {
+    if (typeof data === 'number') events.missing(data);
+    else events.block(data);
   };
   for (const track of stream.getAudioTracks()) {
     track.onended = () => events.lost();

@@ -1,19 +1,29 @@
 /**
  * Runs in the audio thread: hands every sample of the first channel over, untouched, in blocks of a
- * twentieth of a second. A file of its own, unbundled, because an audio worklet loads nothing else.
+ * twentieth of a second, and between them how many frames are missing. A file of its own, unbundled,
+ * because an audio worklet loads nothing else.
  */
 class Tap extends AudioWorkletProcessor {
   #block = new Float32Array(Math.max(128, Math.round(sampleRate / 20 / 128) * 128));
   #filled = 0;
+  /** The frame that comes next; unknown before the first. */
+  #next = Number.POSITIVE_INFINITY;
 
-  process([input]) {
-    const channel = input[0];
-    // Without a source there is no channel, and then there is nothing to keep.
-    if (!channel) return true;
+  process([[channel]]) {
+    // Without a source there is no channel: its frames are missing when sound comes again.
+    if (channel?.length > 0) this.#take(channel);
+    return true;
+  }
+
+  #take(channel) {
+    if (currentFrame > this.#next) {
+      this.#handOver();
+      this.port.postMessage(currentFrame - this.#next);
+    }
+    this.#next = currentFrame + channel.length;
     this.#block.set(channel, this.#filled);
     this.#filled += channel.length;
-    if (this.#filled + 128 > this.#block.length) this.#handOver();
-    return true;
+    if (this.#filled + channel.length > this.#block.length) this.#handOver();
   }
 
   #handOver() {

@@ -20,7 +20,10 @@ export type FaultKey =
   | 'setting'
   | 'link'
   | 'fault'
-  | 'keep';
+  | 'keep'
+  | 'archive'
+  | 'archive-newer'
+  | 'archive-room';
 
 export interface Fault {
   readonly key: FaultKey;

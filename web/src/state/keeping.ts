@@ -4,8 +4,9 @@ import type { Drop, Estimate } from '../lab/index.ts';
 import { allDrops, deleteDrop, type KeptDrop, type Known, putDrop } from '../store/drops.ts';
 import { newId } from '../store/id.ts';
 import { lock, locked } from '../store/locks.ts';
-import { deleteRecording, putBlock, putRecording } from '../store/recordings.ts';
+import { addRecording, deleteRecording } from '../store/recordings.ts';
 import { setMarks } from './editing.ts';
+import { askToLast, lookAtLasting } from './lasting.ts';
 import { dropNear, forEngine } from './marks.ts';
 import { openStored, openTimes } from './opening.ts';
 import { goToLab, settings } from './settings.ts';
@@ -34,6 +35,7 @@ export async function loadKept(): Promise<void> {
   try {
     kept.value = await allDrops();
     canKeep.value = true;
+    await lookAtLasting();
   } catch {
     canKeep.value = false;
   }
@@ -58,6 +60,7 @@ export async function keepDrop(name: string): Promise<boolean> {
       recording: sound,
     };
     await putDrop(keptDrop);
+    void askToLast();
     workspace.value = { ...recording, storedAs: sound };
     kept.value = [...kept.peek(), keptDrop];
     return true;
@@ -68,18 +71,13 @@ export async function keepDrop(name: string): Promise<boolean> {
 
 /** Puts the sound of an opened file or of the demo into the database. */
 async function storeSound(name: string): Promise<string | null> {
-  const pyramid = workspace.peek()?.pyramid;
-  if (!pyramid) return null;
+  const recording = workspace.peek()?.recording;
+  if (!recording?.sound) return null;
+  const { sampleRateHz: rateHz, gaps } = recording.sound;
   const id = newId();
-  await putBlock(id, 0, pyramid.samples.slice());
   lock(id);
-  await putRecording({
-    id,
-    name,
-    rateHz: pyramid.rateHz,
-    startedAt: Date.now(),
-    finished: true,
-  });
+  const stored = { id, name, rateHz, gaps, startedAt: Date.now(), finished: true };
+  await addRecording(stored, recording.dropChannel.slice());
   return id;
 }
 

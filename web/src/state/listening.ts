@@ -1,6 +1,6 @@
 /** Listening: the microphone to the engine, to the disk and to the screen, block by block. */
 import { signal } from '@preact/signals';
-import type { Listening, SoFar } from '../lab/index.ts';
+import type { Gap, Listening, SoFar } from '../lab/index.ts';
 import { keepAwake } from '../sound/awake.ts';
 import { LiveEnvelope } from '../sound/live-envelope.ts';
 import { type Microphone, MicrophoneError, openMicrophone } from '../sound/microphone.ts';
@@ -11,6 +11,7 @@ import { lock } from '../store/locks.ts';
 import { RecordingWriter } from '../store/recording-writer.ts';
 import { region, text } from '../text/language.ts';
 import { engine, faultOf } from './engine.ts';
+import { askToLast } from './lasting.ts';
 import { busy, fail, fault, phase, put } from './workspace.ts';
 
 /** What runs by while listening. */
@@ -18,6 +19,8 @@ export const live = signal<LiveEnvelope | null>(null);
 /** Loudness now, 0 to 1. */
 export const level = signal(0);
 export const soFar = signal<SoFar | null>(null);
+/** Seconds of sound that are on the disk. */
+export const savedS = signal(0);
 
 /** Seconds of silence before the page says so. */
 const SILENT_AFTER_S = 2;
@@ -37,6 +40,8 @@ interface LiveRecording {
   readonly rest: () => void;
   /** What the engine has not received yet, because it still works on what came before. */
   waiting: Float32Array<ArrayBuffer>[];
+  /** Where sound was lost in what is waiting. */
+  gaps: Gap[];
   asking: boolean;
   recordedS: number;
   hasSound: boolean;
@@ -51,14 +56,16 @@ export async function listen(): Promise<void> {
   fault.value = null;
   phase.value = { kind: 'starting' };
   // What comes before the engine is ready is not lost.
-  const early: Float32Array<ArrayBuffer>[] = [];
+  const early: ((now: LiveRecording) => void)[] = [];
+  const take = (work: (now: LiveRecording) => void): void => {
+    if (current) work(current);
+    else early.push(work);
+  };
   let microphone: Microphone | undefined;
   try {
     microphone = await openMicrophone({
-      block: (samples) => {
-        if (current) receive(current, samples);
-        else early.push(samples);
-      },
+      block: (samples) => take((now) => receive(now, samples)),
+      missing: (frames) => take((now) => lose(now, frames)),
       lost: () => {
         fault.value = { key: 'ended' };
         void stopListening();
@@ -69,7 +76,7 @@ export async function listen(): Promise<void> {
       },
     });
     current = await begin(microphone);
-    for (const samples of early) receive(current, samples);
+    for (const work of early) work(current);
     phase.value = { kind: 'listening' };
   } catch (error) {
     await microphone?.close();
@@ -92,15 +99,23 @@ async function begin(microphone: Microphone): Promise<LiveRecording> {
   soFar.value = null;
   live.value = new LiveEnvelope(rateHz, SHOWN_S, BINS_PER_SECOND);
   lock(recording.id);
-  const writer = new RecordingWriter(recording, (problem) => {
-    fault.value = { key: problem };
+  savedS.value = 0;
+  const writer = new RecordingWriter(recording, {
+    fault: (problem) => {
+      fault.value = { key: problem };
+    },
+    saved: (samples) => {
+      savedS.value += samples / rateHz;
+    },
   });
+  void askToLast();
   return {
     microphone,
     listening,
     writer,
     rest: keepAwake(),
     waiting: [],
+    gaps: [],
     asking: false,
     recordedS: 0,
     hasSound: false,
@@ -117,6 +132,16 @@ function receive(now: LiveRecording, samples: Float32Array<ArrayBuffer>): void {
   now.waiting.push(samples);
   if (!now.asking) void ask(now);
   if (now.recordedS > LONGEST_S) void stopListening();
+}
+
+/** Puts silence in the place of sound that the browser did not deliver, so that all later times hold. */
+function lose(now: LiveRecording, frames: number): void {
+  const duration_s = frames / now.microphone.rateHz;
+  if (now.recordedS + duration_s > LONGEST_S) return void stopListening();
+  const gap = { start_s: now.recordedS, duration_s, certain: true };
+  now.gaps.push(gap);
+  now.writer.lose(gap);
+  receive(now, new Float32Array(frames));
 }
 
 /**
@@ -136,9 +161,10 @@ async function ask(now: LiveRecording): Promise<void> {
 }
 
 function send(now: LiveRecording): Promise<SoFar> {
-  const samples = joined(now.waiting);
+  const [samples, gaps] = [joined(now.waiting), now.gaps];
   now.waiting = [];
-  return now.listening.push(samples);
+  now.gaps = [];
+  return now.listening.push(samples, gaps);
 }
 
 function noteSilence(now: LiveRecording, peak: number): void {
@@ -179,6 +205,7 @@ async function finished(listening: Listening, name: string) {
   try {
     return await listening.finish(name);
   } catch {
-    return engine().detect([listening.samples()], listening.sampleRateHz, name, 'microphone');
+    const { sampleRateHz, gaps } = listening;
+    return engine().detect([listening.samples()], sampleRateHz, name, 'microphone', gaps);
   }
 }

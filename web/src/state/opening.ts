@@ -60,14 +60,9 @@ export function openDemo(): Promise<void> {
   });
 }
 
-/** Samples that were made or kept. */
-export function openSamples(
-  samples: Float32Array,
-  rateHz: number,
-  name: string,
-  storedAs: string | null = null,
-): Promise<void> {
-  return load(name, () => engine().detect([samples], rateHz, name), storedAs);
+/** Samples that were made. */
+export function openSamples(samples: Float32Array, rateHz: number, name: string): Promise<void> {
+  return load(name, () => engine().detect([samples], rateHz, name));
 }
 
 /** A recording of the database. */
@@ -75,5 +70,7 @@ export async function openStored(id: string): Promise<void> {
   lock(id);
   const stored = await getRecording(id);
   if (!stored) return fail({ key: 'damaged' });
-  return openSamples(joined(await samplesOf(id)), stored.rateHz, stored.name, id);
+  const { name, rateHz, gaps } = stored;
+  const samples = joined(await samplesOf(id));
+  return load(name, () => engine().detect([samples], rateHz, name, 'samples', gaps), id);
 }

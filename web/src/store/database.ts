@@ -10,6 +10,11 @@ export type StoreName = 'recordings' | 'blocks' | 'drops';
 
 let opened: Promise<IDBDatabase> | undefined;
 
+/** The next transaction opens the database again. */
+function forget(): void {
+  opened = undefined;
+}
+
 function open(): Promise<IDBDatabase> {
   opened ??= new Promise<IDBDatabase>((resolve, reject) => {
     const request = indexedDB.open(NAME, VERSION);
@@ -20,32 +25,70 @@ function open(): Promise<IDBDatabase> {
       database.createObjectStore('drops', { keyPath: 'id' });
     };
     request.onsuccess = () => {
-      // Another tab with a newer page must be able to upgrade.
-      request.result.onversionchange = () => request.result.close();
-      resolve(request.result);
+      const database = request.result;
+      // Another tab with a newer page must be able to upgrade, and the reader to clear the storage.
+      database.onversionchange = () => {
+        database.close();
+        forget();
+      };
+      // The browser closed it, as when its storage is cleared or fails.
+      database.onclose = forget;
+      resolve(database);
     };
     request.onerror = () => reject(request.error ?? new Error('no database'));
   }).catch((error: unknown) => {
-    opened = undefined;
+    forget();
     throw error;
   });
   return opened;
 }
 
-/** Runs one transaction; resolves when it is on the disk, not before. */
+/**
+ * Runs one transaction; resolves when it is on the disk, not before. If the database was closed, before
+ * or on the way, nothing of it was done, and it is run once more.
+ */
 export async function transact<T>(
   stores: readonly StoreName[],
   mode: IDBTransactionMode,
   work: (transaction: IDBTransaction) => IDBRequest<T> | undefined,
 ): Promise<T | undefined> {
-  const database = await open();
+  const run = async () => attempt(await open(), stores, mode, work);
+  return run().catch((error: unknown) => {
+    if (!isClosed(error)) throw error;
+    forget();
+    return run();
+  });
+}
+
+function attempt<T>(
+  database: IDBDatabase,
+  stores: readonly StoreName[],
+  mode: IDBTransactionMode,
+  work: (transaction: IDBTransaction) => IDBRequest<T> | undefined,
+): Promise<T | undefined> {
   return new Promise((resolve, reject) => {
-    const transaction = database.transaction(stores, mode);
+    // Browsers may call a transaction complete before the disk has it, unless told not to.
+    const durability = mode === 'readwrite' ? 'strict' : 'default';
+    const transaction = database.transaction(stores, mode, { durability });
     const request = work(transaction);
     transaction.oncomplete = () => resolve(request?.result);
-    transaction.onabort = () => reject(transaction.error ?? new Error('aborted'));
-    transaction.onerror = () => reject(transaction.error ?? new Error('failed'));
+    transaction.onabort = () =>
+      reject(transaction.error ?? new DOMException('aborted', 'AbortError'));
   });
+}
+
+/** Adds a value, and does what goes with it, unless its id is there already. */
+export function addIfNew(
+  store: IDBObjectStore,
+  value: { readonly id: string },
+  also: () => void = () => undefined,
+): void {
+  const known = store.getKey(value.id);
+  known.onsuccess = () => {
+    if (known.result !== undefined) return;
+    store.add(value);
+    also();
+  };
 }
 
 /** Every key that begins with this recording. */
@@ -53,7 +96,11 @@ export function blocksOf(recording: string): IDBKeyRange {
   return IDBKeyRange.bound([recording, 0], [recording, Number.POSITIVE_INFINITY]);
 }
 
+const named = (error: unknown, ...names: readonly string[]): boolean =>
+  error instanceof DOMException && names.includes(error.name);
+
+/** Whether an error says that the database was closed. */
+const isClosed = (error: unknown): boolean => named(error, 'InvalidStateError', 'AbortError');
+
 /** Whether an error says that the disk is full. */
-export function isFull(error: unknown): boolean {
-  return error instanceof DOMException && error.name === 'QuotaExceededError';
-}
+export const isFull = (error: unknown): boolean => named(error, 'QuotaExceededError');

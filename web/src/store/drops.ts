@@ -1,6 +1,6 @@
 /** Drops that were kept: their results, with what set-up, and where their sound is. */
 import type { DropMarks, Impact, Settings } from '../lab/index.ts';
-import { transact } from './database.ts';
+import { addIfNew, transact } from './database.ts';
 
 /** A value with its standard deviation. */
 export interface Known {
@@ -27,6 +27,14 @@ export interface KeptDrop {
 
 export async function putDrop(drop: KeptDrop): Promise<void> {
   await transact(['drops'], 'readwrite', (t) => t.objectStore('drops').put(drop));
+}
+
+/** Puts drops beside those that are there; one that is there already stays as it is. */
+export async function addDrops(drops: readonly KeptDrop[]): Promise<void> {
+  await transact(['drops'], 'readwrite', (t) => {
+    for (const drop of drops) addIfNew(t.objectStore('drops'), drop);
+    return undefined;
+  });
 }
 
 export async function allDrops(): Promise<KeptDrop[]> {

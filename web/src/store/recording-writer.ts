@@ -2,14 +2,22 @@
  * Writes a recording to the database while it goes on. It never stops the recording: when the disk is
  * full it reports that once, and the sound stays in memory, whole.
  */
+import type { Gap } from '../lab/index.ts';
 import { joined } from './blocks.ts';
 import { isFull } from './database.ts';
-import { putBlock, putRecording, type StoredRecording } from './recordings.ts';
+import { countBlocks, putBlock, putRecording, type StoredRecording } from './recordings.ts';
 
 /** What can go wrong with keeping. */
 export type KeepFault = 'full' | 'unavailable';
 
+export interface WriterEvents {
+  fault(fault: KeepFault): void;
+  /** So many more samples are on the disk. */
+  saved(samples: number): void;
+}
+
 export class RecordingWriter {
+  #recording: StoredRecording;
   #waiting: Float32Array<ArrayBuffer>[] = [];
   #waitingSamples = 0;
   #index = 0;
@@ -17,10 +25,15 @@ export class RecordingWriter {
   #fault: KeepFault | undefined;
 
   constructor(
-    readonly recording: StoredRecording,
-    private readonly onFault: (fault: KeepFault) => void,
+    recording: StoredRecording,
+    private readonly events: WriterEvents,
   ) {
+    this.#recording = recording;
     this.#queue = this.#guarded(() => putRecording(recording));
+  }
+
+  get recording(): StoredRecording {
+    return this.#recording;
   }
 
   /** Takes a block; about once a second one goes to the disk. */
@@ -30,17 +43,32 @@ export class RecordingWriter {
     if (this.#waitingSamples >= this.recording.rateHz) this.#write();
   }
 
-  /** Writes the rest; true if all of it is on the disk. */
+  /** Notes that sound was lost; the silence in its place is added as sound is. */
+  lose(gap: Gap): void {
+    this.#note({ gaps: [...(this.#recording.gaps ?? []), gap] });
+  }
+
+  /** Writes the rest; true if all of it is on the disk, and was not deleted there meanwhile. */
   async finish(): Promise<boolean> {
     this.#write();
+    let blocks = 0;
+    this.#enqueue(async () => {
+      blocks = await countBlocks(this.#recording.id);
+    });
     await this.#queue;
-    return this.#fault === undefined;
+    return this.#fault === undefined && blocks === this.#index;
   }
 
   /** Notes that the recording came to its end and was opened, so that it is not offered again. */
   async close(): Promise<void> {
-    this.#enqueue(() => putRecording({ ...this.recording, finished: true }));
+    this.#note({ finished: true });
     await this.#queue;
+  }
+
+  #note(changes: Partial<StoredRecording>): void {
+    const changed = { ...this.#recording, ...changes };
+    this.#recording = changed;
+    this.#enqueue(() => putRecording(changed));
   }
 
   #write(): void {
@@ -50,7 +78,10 @@ export class RecordingWriter {
     this.#waiting = [];
     this.#waitingSamples = 0;
     this.#index += 1;
-    this.#enqueue(() => putBlock(this.recording.id, index, samples));
+    this.#enqueue(async () => {
+      await putBlock(this.#recording.id, index, samples);
+      this.events.saved(samples.length);
+    });
   }
 
   #enqueue(work: () => Promise<void>): void {
@@ -63,7 +94,7 @@ export class RecordingWriter {
       await work();
     } catch (error) {
       this.#fault = isFull(error) ? 'full' : 'unavailable';
-      this.onFault(this.#fault);
+      this.events.fault(this.#fault);
     }
   }
 }

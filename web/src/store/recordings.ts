@@ -1,5 +1,6 @@
 /** Sounds in the browser's database, written as they come, so that a crash loses a second at most. */
-import { blocksOf, transact } from './database.ts';
+import type { Gap } from '../lab/index.ts';
+import { addIfNew, blocksOf, transact } from './database.ts';
 
 /** What is known of a sound that was kept. */
 export interface StoredRecording {
@@ -10,6 +11,8 @@ export interface StoredRecording {
   readonly startedAt: number;
   /** False while it is being recorded; still false when the page comes back after a crash. */
   readonly finished: boolean;
+  /** Where sound was lost, and silence stands in its place. */
+  readonly gaps?: readonly Gap[];
 }
 
 interface Block {
@@ -31,10 +34,30 @@ export async function putBlock(
   await transact(['blocks'], 'readwrite', (t) => t.objectStore('blocks').put(block));
 }
 
+/** Stores a sound as a whole, unless it is there already. */
+export async function addRecording(
+  recording: StoredRecording,
+  samples: Float32Array<ArrayBuffer>,
+): Promise<void> {
+  const block: Block = { recording: recording.id, index: 0, samples };
+  await transact(['recordings', 'blocks'], 'readwrite', (t) => {
+    addIfNew(t.objectStore('recordings'), recording, () => t.objectStore('blocks').add(block));
+    return undefined;
+  });
+}
+
 export async function getRecording(id: string): Promise<StoredRecording | undefined> {
   return transact<StoredRecording>(['recordings'], 'readonly', (t) =>
     t.objectStore('recordings').get(id),
   );
+}
+
+/** How many blocks of a recording there are. */
+export async function countBlocks(id: string): Promise<number> {
+  const count = await transact(['blocks'], 'readonly', (t) =>
+    t.objectStore('blocks').count(blocksOf(id)),
+  );
+  return count ?? 0;
 }
 
 /** The sound of a recording, block by block. */

@@ -1,4 +1,7 @@
+import { spawn } from 'node:child_process';
+import { once } from 'node:events';
 import { existsSync } from 'node:fs';
+import { createInterface } from 'node:readline';
 import {
   type Browser,
   type BrowserContext,
@@ -41,13 +44,17 @@ interface Options {
   readonly fonts?: FontSet | undefined;
 }
 
-/** A Chromium with this microphone and these fonts. */
-export async function launch({ microphone = 'silence', fonts }: Options = {}): Promise<Browser> {
-  const executablePath =
-    process.env['BOUNCELAB_CHROMIUM'] ?? PLACES.find((place) => existsSync(place));
-  if (executablePath === undefined) {
+function chromiumHere(): string {
+  const found = process.env['BOUNCELAB_CHROMIUM'] ?? PLACES.find((place) => existsSync(place));
+  if (found === undefined) {
     throw new Error('there is no Chromium here; install it, or name it in BOUNCELAB_CHROMIUM');
   }
+  return found;
+}
+
+/** A Chromium with this microphone and these fonts. */
+export async function launch({ microphone = 'silence', fonts }: Options = {}): Promise<Browser> {
+  const executablePath = chromiumHere();
   const args = ['--no-sandbox', ...QUIET, ...sound(microphone)];
   const env = { ...process.env, ...(fonts && environment(fonts)) } as Record<string, string>;
   return chromium.launch({ executablePath, args, env, timeout: PATIENCE_MS });
@@ -61,6 +68,42 @@ export async function newContext(
   const context = await browser.newContext(options);
   context.setDefaultTimeout(PATIENCE_MS);
   return context;
+}
+
+/** A Chromium that can be killed. */
+export interface Mortal {
+  /** The context of its profile, which outlives it. */
+  readonly context: BrowserContext;
+  /** Ends all its processes at once, without a word. */
+  kill(): void;
+  /** When it is dead. */
+  readonly death: Promise<unknown>;
+}
+
+/** A Chromium with a profile in this folder, in a process group of its own. */
+export async function launchMortal(profile: string): Promise<Mortal> {
+  const args = ['--no-sandbox', '--headless=new', ...QUIET, ...sound('silence')];
+  const debugged = [
+    '--disable-breakpad',
+    '--remote-debugging-port=0',
+    `--user-data-dir=${profile}`,
+  ];
+  const started = spawn(chromiumHere(), [...args, ...debugged, 'about:blank'], {
+    detached: true,
+    stdio: ['ignore', 'ignore', 'pipe'],
+  });
+  const death = once(started, 'exit');
+  const address = await new Promise<string>((resolve, reject) => {
+    createInterface(started.stderr).on('line', (line) => {
+      const [, found] = /^DevTools listening on (ws:.*)$/.exec(line) ?? [];
+      if (found !== undefined) resolve(found);
+    });
+    death.then(() => reject(new Error('Chromium ended before it could be spoken to')), reject);
+  });
+  const browser = await chromium.connectOverCDP(address, { timeout: PATIENCE_MS });
+  const context = browser.contexts()[0] as BrowserContext;
+  context.setDefaultTimeout(PATIENCE_MS);
+  return { context, kill: () => process.kill(-(started.pid as number), 'SIGKILL'), death };
 }
 
 function sound(microphone: Microphone): string[] {

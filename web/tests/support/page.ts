@@ -1,6 +1,10 @@
 /** What tests do with the page, and read from it. */
+import { mkdtempSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
 import type { Browser, BrowserContextOptions, Page } from 'playwright-core';
 import { openPage, type Preparation } from '../harness/browser.ts';
+import { samplesOf } from './sounds.ts';
 
 /** The page in English on a desktop, unless other options are given, ready to be used. */
 export async function open(
@@ -46,6 +50,22 @@ export async function said(page: Page): Promise<{ kept: Said; fell: Said }> {
 /** Waits until the inference is done. */
 export async function settled(page: Page): Promise<void> {
   await page.locator('.summary[aria-busy="false"] .first').waitFor();
+}
+
+/** Keeps the drop in the workspace, until the page says so. */
+export async function keepAs(page: Page, name: string): Promise<void> {
+  await page.getByLabel('Name').fill(name);
+  await page.getByRole('button', { name: 'Keep this drop' }).click();
+  await page.getByText(`Kept as “${name}”.`).waitFor();
+}
+
+/** Saves the sound in the workspace. */
+export async function savedWav(page: Page) {
+  const coming = page.waitForEvent('download');
+  await page.getByRole('button', { name: 'Sound (WAV)' }).first().click();
+  const file = join(mkdtempSync(join(tmpdir(), 'bouncelab-saved-')), 'saved.wav');
+  await (await coming).saveAs(file);
+  return samplesOf(file);
 }
 
 /**

@@ -16,6 +16,7 @@ export function drop(name: string): string {
 /**
  * Makes the pages of a context hear a recording, then silence, whatever the microphone of the browser
  * gives: on a busy machine a browser loses samples between the two, as a computer that is too slow does.
+ * An event `unplug` takes the sound away for so many seconds of the sound, its detail.
  */
 export const hearing =
   (file: string): Preparation =>
@@ -30,6 +31,21 @@ export const hearing =
           const source = this.createBufferSource();
           source.buffer = buffer;
           source.start();
+          // What leads nowhere stands still: it plays on while it is unplugged.
+          source.connect(this.destination);
+          const connect = source.connect.bind(source) as (to: AudioNode) => AudioNode;
+          source.connect = ((to: AudioNode) => {
+            addEventListener('unplug', (event) => {
+              const pluggedAt = this.currentTime + (event as CustomEvent<number>).detail;
+              const plug = () => {
+                if (this.currentTime < pluggedAt) requestAnimationFrame(plug);
+                else connect(to);
+              };
+              source.disconnect(to);
+              plug();
+            });
+            return connect(to);
+          }) as AudioNode['connect'];
           return source as AudioNode as MediaStreamAudioSourceNode;
         };
       },
@@ -59,4 +75,28 @@ export function samplesOf(file: string): { rateHz: number; samples: Float32Array
     at += 8 + size + (size % 2);
   }
   throw new Error(`${file} holds no samples`);
+}
+
+/** Sound as samples. */
+export type Sound = ReturnType<typeof samplesOf>;
+
+const BIN_S = 0.001;
+
+/** The loudness of each millisecond. */
+function loudness({ rateHz, samples }: Sound): number[] {
+  const bins = Math.floor(samples.length / rateHz / BIN_S);
+  return Array.from({ length: bins }, (_, bin) => {
+    const [from, to] = [bin, bin + 1].map((edge) => Math.round(edge * BIN_S * rateHz));
+    const part = samples.subarray(from, to);
+    return Math.sqrt(part.reduce((sum, x) => sum + x * x, 0) / part.length);
+  });
+}
+
+/** Where in a sound a part of it begins, in seconds, by its loudness. */
+export function lagOf(part: Sound, whole: Sound): number {
+  const [some, all] = [loudness(part), loudness(whole)];
+  const distances = all.map((_, lag) =>
+    some.reduce((sum, level, bin) => sum + (level - (all[bin + lag] ?? 0)) ** 2, 0),
+  );
+  return distances.indexOf(Math.min(...distances)) * BIN_S;
 }

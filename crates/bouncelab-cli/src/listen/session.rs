@@ -347,8 +347,10 @@ impl<'a> Session<'a> {
             self.report_saved();
             return Err(failure);
         }
-        self.evaluate(ended.warnings)?;
+        let evaluated = self.evaluate(ended.warnings);
+        // Why the sound ended is said even if there is no drop in it.
         ended.result?;
+        evaluated?;
         if ended.is_incomplete {
             return Err(Failure::Input(String::new()));
         }

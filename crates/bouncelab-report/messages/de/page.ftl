@@ -53,6 +53,7 @@ page-lab-so-far = { $count ->
   }
 page-lab-so-far-keeps = er behält etwa { $share } seines Tempos
 page-lab-ends-itself = Es endet von selbst, wenn der Ball ruht.
+page-lab-saved = { $seconds } s sind gespeichert.
 page-lab-result = Ergebnis
 page-lab-opening = Lese { $name } …
 page-lab-kept = Der Ball behielt bei jedem Aufprall { $share } seines Tempos.
@@ -82,7 +83,7 @@ page-lab-no-drop-hint = Stell das Mikrofon nah an die Stelle, wo der Ball aufkom
 page-lab-interrupted-title = Eine Aufnahme vom { $date } wurde unterbrochen.
 page-lab-progress = Fortschritt
 page-lab-unkept-title = Die Aufnahme vom { $date } steht nicht in der Tabelle der Versuche.
-page-lab-interrupted-hint = Nichts davon ist verloren.
+page-lab-interrupted-hint = Sie ist aufgehoben, höchstens die letzte Sekunde oder zwei fehlen.
 page-lab-interrupted-open = Öffnen
 page-lab-interrupted-drop = Löschen
 
@@ -141,6 +142,15 @@ page-faults-fault-do = Was aufgenommen wurde, ist aufgehoben. Lade die Seite neu
 
 page-faults-link-what = Dieser Link eines Versuchs ist nicht zu gebrauchen.
 page-faults-link-do = Kopiere den ganzen Link, oder lies den Code noch einmal ein.
+
+page-faults-archive-what = Das ist keine vollständige Datei aufgehobener Versuche.
+page-faults-archive-do = Kopiere oder lade sie noch einmal und füge diese hinzu. Was hier aufgehoben ist, ist unverändert.
+
+page-faults-archive-newer-what = Eine neuere Fassung dieser Seite hat diese Datei gespeichert.
+page-faults-archive-newer-do = Lade die Seite neu und füge die Datei noch einmal hinzu. Was hier aufgehoben ist, ist unverändert.
+
+page-faults-archive-room-what = Nicht alles aus der Datei ließ sich aufheben.
+page-faults-archive-room-do = Der Speicher des Browsers ist voll oder nicht verfügbar. Lösche Versuche, die du nicht brauchst, und füge die Datei noch einmal hinzu; was schon aufgehoben war, ist unverändert.
 
 page-faults-keep-what = Der Versuch ließ sich nicht aufheben.
 page-faults-keep-do = Der Speicher des Browsers ist voll oder gesperrt. Speichere stattdessen Ton und Zahlen als Dateien.
@@ -283,6 +293,8 @@ page-keep-kept = Aufgehoben als „{ $name }“.
 page-keep-name = Name
 page-keep-name-hint = zum Beispiel: Anna, erster Versuch
 page-keep-see-all = Tabelle der Versuche
+page-keep-lasting = Der Browser hebt auf, was hier ist, bis du es löschst.
+page-keep-not-lasting = Wird der Platz knapp, darf der Browser löschen, was hier aufgehoben ist: Speichere eine Kopie als Datei.
 page-keep-wav = Ton (WAV)
 page-keep-csv = Tabelle (CSV)
 page-keep-json = Alle Daten (JSON)
@@ -431,6 +443,16 @@ page-drops-of-drops = { $count ->
 page-drops-scatter-sentence = Im Mittel behielt der Ball { $mean } seines Tempos. Von Versuch zu Versuch streute das um { $scatter }; jeder einzelne Versuch gibt ± { $inside } an.
 page-drops-csv = Tabelle speichern (CSV)
 page-drops-json = Alles speichern (JSON)
+page-drops-archive = Alles mit Ton speichern (ZIP)
+page-drops-add = Gespeicherte ZIP-Datei hinzufügen
+page-drops-add-label = Gespeicherte ZIP-Datei mit aufgehobenen Versuchen
+page-drops-archiving = Sammle die Töne …
+page-drops-adding = Lese { $name } …
+page-drops-added = { $count ->
+    [0] Nichts darin ist neu.
+    [one] 1 Versuch ist hinzugefügt.
+   *[other] { $count } Versuche sind hinzugefügt.
+  }
 page-drops-delete-all = Alle löschen
 page-drops-deleted-all = { $count ->
     [one] 1 Versuch ist gelöscht.
@@ -465,13 +487,14 @@ page-reason-unsupported-codec = Der Ton dieser Datei ({ $format }) lässt sich n
 page-reason-layout-too-slow = { $sample_rate_hz } Abtastwerte je Sekunde sind zu wenige für die Zeit eines Aufpralls: Es braucht mindestens { $least_hz }.
 page-reason-layout-too-fast = Ihr Kopf behauptet { $sample_rate_hz } Abtastwerte je Sekunde; gelesen werden höchstens { $most_hz }.
 page-reason-layout-too-many-channels = Sie hat { $channels } Kanäle; gelesen werden höchstens { $most }.
+page-reason-lasts-too-long = Sie dauert länger als { $most_h } Stunden; mehr wird nicht gelesen. Schneide sie in Teile.
 page-reason-times-line = Zeile { $line }: { $problem }
 page-reason-times-ending = Der Name einer Liste endet auf .txt, .csv, .json oder .TextGrid.
 page-reason-times-not-text = Das ist kein Text. Speichere die Liste als UTF-8.
 page-reason-times-not-table = Das ist keine Tabelle ({ $detail }).
-page-reason-times-not-file = Das ist ein Gerät oder eine Pipe; speichern Sie die Liste in einer Datei.
-page-reason-times-too-long = Das sind über { $most_mb } MB Text; speichern Sie den Ton als WAV.
-page-reason-times-too-many = { $found } Zeiten in { $seconds } s sind keine Aufschläge; eine abgetastete Wellenform braucht eine Spalte mit Zeiten in gleichen Abständen und eine für jeden Kanal.
+page-reason-times-not-file = Das ist ein Gerät oder eine Pipe; speichere die Liste in einer Datei.
+page-reason-times-too-long = Das sind über { $most_mb } MB Text; speichere den Ton als WAV.
+page-reason-times-too-many = { $found } Zeiten in { $seconds } s sind keine Aufpralle; eine abgetastete Wellenform braucht eine Spalte mit Zeiten in gleichen Abständen und eine für jeden Kanal.
 page-reason-times-not-array = Erwartet war eine Liste von Zahlen wie [0.1, 0.45] ({ $detail }).
 page-reason-times-not-text-grid = Das ist kein TextGrid von Praat oder nicht das ganze. Speichere es in Praat noch einmal.
 page-reason-times-no-point-tier = Die Aufpralle stehen in der einzigen Punktespur oder in der mit dem Namen „impacts“. Punktespuren: { $found }.

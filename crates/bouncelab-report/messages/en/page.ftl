@@ -55,6 +55,7 @@ page-lab-so-far = { $count ->
   }
 page-lab-so-far-keeps = it keeps about { $share } of its speed
 page-lab-ends-itself = Listening ends when the ball rests.
+page-lab-saved = { $seconds } s are saved.
 page-lab-result = Result
 page-lab-opening = Reading { $name } …
 page-lab-kept = The ball kept { $share } of its speed at each bounce.
@@ -84,7 +85,7 @@ page-lab-no-drop-hint = Put the microphone close to where the ball lands, on a h
 page-lab-interrupted-title = A recording of { $date } was interrupted.
 page-lab-progress = Progress
 page-lab-unkept-title = The recording of { $date } is not in the table of drops.
-page-lab-interrupted-hint = Nothing of it is lost.
+page-lab-interrupted-hint = It is kept, except perhaps for its last second or two.
 page-lab-interrupted-open = Open it
 page-lab-interrupted-drop = Delete it
 
@@ -143,6 +144,15 @@ page-faults-fault-do = What was recorded is kept. Reload the page and open it ag
 
 page-faults-link-what = This link of a drop cannot be used.
 page-faults-link-do = Copy the whole link, or scan the code again.
+
+page-faults-archive-what = This is no whole file of kept drops.
+page-faults-archive-do = Copy or download it again, and add that one. What is kept here has not changed.
+
+page-faults-archive-newer-what = A newer version of this page saved this file.
+page-faults-archive-newer-do = Reload the page, and add the file again. What is kept here has not changed.
+
+page-faults-archive-room-what = Not all of the file could be kept.
+page-faults-archive-room-do = The storage of the browser is full or not available. Delete drops that you do not need, and add the file again; what was kept before has not changed.
 
 page-faults-keep-what = The drop could not be kept.
 page-faults-keep-do = The storage of the browser is full or not available. Save the sound and the numbers as files instead.
@@ -285,6 +295,8 @@ page-keep-kept = Kept as “{ $name }”.
 page-keep-name = Name
 page-keep-name-hint = for example: Anna, first try
 page-keep-see-all = Table of drops
+page-keep-lasting = The browser keeps what is here until you delete it.
+page-keep-not-lasting = If space gets short, the browser may delete what is kept here: save a copy as a file.
 page-keep-wav = Sound (WAV)
 page-keep-csv = Table (CSV)
 page-keep-json = All data (JSON)
@@ -433,6 +445,16 @@ page-drops-of-drops = { $count ->
 page-drops-scatter-sentence = On average the ball kept { $mean } of its speed. The standard deviation between drops was { $scatter }; each single drop states ± { $inside }.
 page-drops-csv = Save the table (CSV)
 page-drops-json = Save all (JSON)
+page-drops-archive = Save all with sound (ZIP)
+page-drops-add = Add a saved ZIP
+page-drops-add-label = Saved ZIP with kept drops
+page-drops-archiving = Collecting the sounds …
+page-drops-adding = Reading { $name } …
+page-drops-added = { $count ->
+    [0] Nothing in it is new.
+    [one] 1 drop was added.
+   *[other] { $count } drops were added.
+  }
 page-drops-delete-all = Delete all
 page-drops-deleted-all = { $count ->
     [one] 1 drop was deleted.
@@ -467,6 +489,7 @@ page-reason-unsupported-codec = The sound in this { $format } file cannot be dec
 page-reason-layout-too-slow = { $sample_rate_hz } samples a second are too few to time an impact: it takes at least { $least_hz }.
 page-reason-layout-too-fast = Its header claims { $sample_rate_hz } samples a second; at most { $most_hz } are read.
 page-reason-layout-too-many-channels = It has { $channels } channels; at most { $most } are read.
+page-reason-lasts-too-long = It lasts longer than { $most_h } hours, which is as much as is read. Cut it into parts.
 page-reason-times-line = Line { $line }: { $problem }
 page-reason-times-ending = The name of a list ends in .txt, .csv, .json or .TextGrid.
 page-reason-times-not-text = It is not text. Save the list as UTF-8.

@@ -1,5 +1,6 @@
 import { useEffect } from 'preact/hooks';
 import { focusPage } from '../../app/focus.ts';
+import { Lasting } from '../../app/Lasting.tsx';
 import { Rich } from '../../app/Rich.tsx';
 import { PERCENT, plain, uncertain } from '../../format/quantity.ts';
 import {
@@ -14,6 +15,7 @@ import {
 import { labAddress } from '../../state/settings.ts';
 import { spreadOf } from '../../state/spread.ts';
 import { language, parts, text } from '../../text/language.ts';
+import { Archive } from './Archive.tsx';
 import { Comparison } from './Comparison.tsx';
 import { DropTable } from './DropTable.tsx';
 import { saveDropsCsv, saveDropsJson } from './export.ts';
@@ -37,6 +39,7 @@ export function Drops() {
               {text('page-drops-to-lab')}
             </a>
           </div>
+          <Archive />
         </>
       ) : (
         <>
@@ -60,6 +63,10 @@ export function Drops() {
               {text('page-drops-delete-all')}
             </button>
           </div>
+          <Archive />
+          <p class="small soft">
+            <Lasting />
+          </p>
           <Comparison drops={chosen} />
         </>
       )}

@@ -2,6 +2,7 @@ import { useRef, useState } from 'preact/hooks';
 import { addressOf, hashOf } from '../../address/route.ts';
 import { settingsToParameters } from '../../address/settings.ts';
 import { FaultNotice } from '../../app/FaultNotice.tsx';
+import { Lasting } from '../../app/Lasting.tsx';
 import { fileName, saveText } from '../../app/save.ts';
 import type { Recording } from '../../lab/index.ts';
 import { request } from '../../state/analysing.ts';
@@ -110,7 +111,7 @@ function KeepForm() {
       <p role="status" class="small">
         {attempt && attempt.name !== null && (
           <>
-            {text('page-keep-kept', { name: attempt.name })}{' '}
+            {text('page-keep-kept', { name: attempt.name })} <Lasting />{' '}
             <a href={hashOf('drops')}>{text('page-keep-see-all')}</a>
           </>
         )}

@@ -1,6 +1,6 @@
 import { useEffect, useRef } from 'preact/hooks';
 import { PERCENT, plain } from '../../format/quantity.ts';
-import { live, soFar } from '../../state/listening.ts';
+import { live, savedS, soFar } from '../../state/listening.ts';
 import { phase } from '../../state/workspace.ts';
 import { language, text } from '../../text/language.ts';
 import { paintLive } from '../../wave/live-painter.ts';
@@ -27,7 +27,10 @@ export function LiveStrip() {
       {phase.value.kind === 'reading' ? (
         <Progress share={phase.value.share} />
       ) : (
-        <p class="soft">{text('page-lab-ends-itself')}</p>
+        <p class="soft">
+          {text('page-lab-ends-itself')}{' '}
+          {savedS.value > 0 && text('page-lab-saved', { seconds: Math.floor(savedS.value) })}
+        </p>
       )}
     </section>
   );

@@ -3,6 +3,9 @@
 
 #![expect(clippy::disallowed_methods, reason = "names of files of the project")]
 
+#[cfg(all(feature = "microphone", target_os = "linux"))]
+mod card;
+
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
@@ -305,12 +308,14 @@ fn without_the_microphone_it_says_how_to_build_it_in() {
     }
 }
 
-/// Signals, and limits on files, as systems like Unix have them.
-#[cfg(unix)]
-mod unix {
+/// Signals, limits on files, and word of their changes, as Linux has them.
+#[cfg(target_os = "linux")]
+mod linux {
+    use std::mem::MaybeUninit;
     use std::process::{Child, Stdio};
-    use std::thread;
-    use std::time::Instant;
+
+    use rustix::event::{PollFd, PollFlags, Timespec, poll};
+    use rustix::fs::inotify::{self, CreateFlags, WatchFlags};
 
     use super::*;
 
@@ -326,12 +331,20 @@ mod unix {
             .unwrap()
     }
 
-    /// Waits until a file has so many bytes.
+    /// Waits until a file has so many bytes, woken by whatever is written in its folder.
     pub(crate) fn wait_for(file: &Path, bytes: u64) {
-        let start = Instant::now();
+        const PATIENCE: Timespec = Timespec {
+            tv_sec: 300,
+            tv_nsec: 0,
+        };
+        let watch = inotify::init(CreateFlags::CLOEXEC).unwrap();
+        let written = WatchFlags::CREATE | WatchFlags::MODIFY;
+        inotify::add_watch(&watch, file.parent().unwrap(), written).unwrap();
+        let mut buffer = [MaybeUninit::uninit(); 4096];
         while fs::metadata(file).map_or(0, |file| file.len()) < bytes {
-            assert!(start.elapsed() < Duration::from_mins(5), "nothing is saved");
-            thread::sleep(Duration::from_millis(20));
+            let changes = poll(&mut [PollFd::new(&watch, PollFlags::IN)], Some(&PATIENCE));
+            assert_eq!(changes, Ok(1), "nothing is saved");
+            inotify::Reader::new(&watch, &mut buffer).next().unwrap();
         }
     }
 
@@ -415,7 +428,7 @@ mod unix {
 /// The real path from the sound system on: ALSA takes a file for the microphone.
 #[cfg(all(feature = "microphone", target_os = "linux"))]
 mod microphone {
-    use super::unix::{signal, start, wait_for};
+    use super::linux::{signal, start, wait_for};
     use super::*;
 
     /// A sound system whose default input gives these samples, in stereo, as fast as they are

@@ -1,0 +1,45 @@
+/** All kept drops with their sounds as one file: to save it, and to add what was saved elsewhere. */
+import { ArchiveError, pack, unpack } from '../store/archive.ts';
+import { joined } from '../store/blocks.ts';
+import { addDrops, allDrops } from '../store/drops.ts';
+import { lock } from '../store/locks.ts';
+import { addRecording, allRecordings, samplesOf } from '../store/recordings.ts';
+import { engine } from './engine.ts';
+import type { Fault } from './faults.ts';
+import { loadKept } from './keeping.ts';
+import { askToLast } from './lasting.ts';
+
+/** Collects everything that was kept. */
+export async function archive(): Promise<Blob> {
+  const used = new Set((await allDrops()).map(({ recording }) => recording));
+  const recordings = (await allRecordings()).filter(({ id }) => used.has(id));
+  const stored = new Set(recordings.map(({ id }) => id));
+  const drops = (await allDrops()).map((drop) =>
+    // A drop whose sound is lost still has its impacts.
+    drop.recording !== null && stored.has(drop.recording) ? drop : { ...drop, recording: null },
+  );
+  return pack({ drops, recordings }, async ({ id, rateHz }) =>
+    engine().wav([joined(await samplesOf(id))], rateHz),
+  );
+}
+
+/** Adds the drops of a file to those that are here, which stay as they are; says how many are new. */
+export async function addArchive(file: Blob): Promise<number> {
+  const { drops, sounds } = await unpack(file);
+  for (const { recording, samples } of sounds) {
+    // Other windows shall not take it for one that nobody wants, until its drop is there.
+    lock(recording.id);
+    await addRecording(recording, await samples());
+  }
+  const before = await allDrops();
+  await addDrops(drops);
+  void askToLast();
+  await loadKept();
+  return (await allDrops()).length - before.length;
+}
+
+/** What the page says of a file that could not be added. */
+export function archiveFaultOf(error: unknown): Fault {
+  if (!(error instanceof ArchiveError)) return { key: 'archive-room' };
+  return { key: error.kind === 'newer' ? 'archive-newer' : 'archive' };
+}

@@ -1,0 +1,153 @@
+/**
+ * Kept drops as one file: a ZIP, not compressed, of `drops.json` and a WAV for each sound,
+ * `sounds/ID.wav`. docs/laboratory.md has the format.
+ */
+import type { KeptDrop } from './drops.ts';
+import type { StoredRecording } from './recordings.ts';
+import { floatsOf } from './wav.ts';
+
+export const FORMAT = 'bouncelab.archive';
+export const VERSION = 1;
+const LIST = 'drops.json';
+
+const nameOf = ({ id }: StoredRecording): string => `sounds/${id}.wav`;
+
+/** What is in the list. */
+interface Contents {
+  readonly drops: readonly KeptDrop[];
+  readonly recordings: readonly StoredRecording[];
+}
+
+/** A sound, read when it is due. */
+export interface ArchivedSound {
+  readonly recording: StoredRecording;
+  samples(): Promise<Float32Array<ArrayBuffer>>;
+}
+
+/** Why a file is not added. */
+export class ArchiveError extends Error {
+  constructor(
+    /** `newer`: by a later version of the page. `damaged`: it is no archive, or not a whole one. */
+    readonly kind: 'newer' | 'damaged',
+    cause?: unknown,
+  ) {
+    super(kind, { cause });
+  }
+
+  /** Whatever goes wrong when a file is read. */
+  static of(error: unknown): ArchiveError {
+    return error instanceof ArchiveError ? error : new ArchiveError('damaged', error);
+  }
+}
+
+/** What reads and writes ZIP files; it is loaded when it is needed. */
+const zipped = () => import('@zip.js/zip.js/lib/zip-core-custom.js');
+/** Nothing is compressed, so a second thread would have nothing to do. */
+const PLAIN = { level: 0, useWebWorkers: false } as const;
+const CHECKED = { checkSignature: true, useWebWorkers: false } as const;
+
+/** Writes an archive; each sound is asked for when it is its turn. */
+export async function pack(
+  { drops, recordings }: Contents,
+  wavOf: (recording: StoredRecording) => Promise<Blob>,
+): Promise<Blob> {
+  const { BlobReader, BlobWriter, TextReader, ZipWriter } = await zipped();
+  const zip = new ZipWriter(new BlobWriter('application/zip'), PLAIN);
+  const list = { schema: `${FORMAT}/${VERSION}`, drops, recordings };
+  await zip.add(LIST, new TextReader(JSON.stringify(list, null, 2)));
+  for (const recording of recordings) {
+    await zip.add(nameOf(recording), new BlobReader(await wavOf(recording)));
+  }
+  return zip.close();
+}
+
+/**
+ * Reads an archive, all of it, so that what is damaged is not added in part.
+ *
+ * @throws ArchiveError
+ */
+export async function unpack(
+  file: Blob,
+): Promise<{ drops: readonly KeptDrop[]; sounds: readonly ArchivedSound[] }> {
+  try {
+    const files = await checkedFiles(file);
+    const list: unknown = JSON.parse((await files.get(LIST)?.text()) ?? '');
+    const { drops, recordings } = contentsOf(list);
+    const sounds = recordings.map((recording) => {
+      const wav = files.get(nameOf(recording));
+      if (!wav) throw new ArchiveError('damaged');
+      return { recording, samples: () => samplesOf(wav) };
+    });
+    return { drops, sounds };
+  } catch (error) {
+    throw ArchiveError.of(error);
+  }
+}
+
+async function samplesOf(wav: Blob): Promise<Float32Array<ArrayBuffer>> {
+  try {
+    return floatsOf(await wav.arrayBuffer());
+  } catch (error) {
+    throw ArchiveError.of(error);
+  }
+}
+
+/** The files in a ZIP by their names, each with the checksum that it says. */
+async function checkedFiles(file: Blob): Promise<Map<string, Blob>> {
+  const { BlobReader, BlobWriter, ZipReader } = await zipped();
+  const files = new Map<string, Blob>();
+  for (const entry of await new ZipReader(new BlobReader(file), CHECKED).getEntries()) {
+    if (!entry.directory) files.set(entry.filename, await entry.getData(new BlobWriter()));
+  }
+  return files;
+}
+
+/** The list, if it is one that this version understands. */
+function contentsOf(list: unknown): Contents {
+  const { schema, drops, recordings } = list as { [K in 'schema' | keyof Contents]?: unknown };
+  const [format, version] = String(schema).split('/');
+  if (format === FORMAT && Number(version) > VERSION) throw new ArchiveError('newer');
+  if (format !== FORMAT || Number(version) !== VERSION) throw new ArchiveError('damaged');
+  if (!isListOf(drops, isDrop) || !isListOf(recordings, isRecording)) {
+    throw new ArchiveError('damaged');
+  }
+  const known = new Set<string | null>([null, ...recordings.map(({ id }) => id)]);
+  if (!drops.every(({ recording }) => known.has(recording))) throw new ArchiveError('damaged');
+  return { drops, recordings };
+}
+
+const isListOf = <T>(list: unknown, is: (value: unknown) => value is T): list is T[] =>
+  Array.isArray(list) && list.every(is);
+
+const isNumber = Number.isFinite;
+const isText = (value: unknown): value is string => typeof value === 'string';
+const isObject = (value: unknown): value is Record<string, unknown> =>
+  typeof value === 'object' && value !== null;
+const isKnown = (value: unknown): boolean =>
+  value === null || (isObject(value) && isNumber(value['value']));
+
+function isRecording(value: unknown): value is StoredRecording {
+  return (
+    isObject(value) &&
+    isText(value['id']) &&
+    isText(value['name']) &&
+    isNumber(value['rateHz']) &&
+    isNumber(value['startedAt']) &&
+    (value['gaps'] === undefined || isListOf(value['gaps'], isObject))
+  );
+}
+
+/** All that the page uses without asking whether it is there. */
+function isDrop(value: unknown): value is KeptDrop {
+  if (!isObject(value) || !isObject(value['settings']) || !isObject(value['marks'])) return false;
+  const { id, name, ball, keptAt, recording, restitution, dropHeightM, restitutions, marks } =
+    value;
+  return (
+    [id, name, ball].every(isText) &&
+    isNumber(keptAt) &&
+    (recording === null || isText(recording)) &&
+    [restitution, dropHeightM].every(isKnown) &&
+    isListOf(restitutions, isObject) &&
+    isListOf((marks as Record<string, unknown>)['impacts'], isObject)
+  );
+}

@@ -1,0 +1,219 @@
+/** What is kept stays: sounds while the storage fails, all of it as one file, and other deployments. */
+import { mkdtempSync, readFileSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import type { Browser, Page } from 'playwright-core';
+import { afterAll, beforeAll, expect, test } from 'vitest';
+import { launch, newContext, type Preparation } from './harness/browser.ts';
+import { Site } from './harness/site.ts';
+import { keepAs, open, said, savedWav, settled } from './support/page.ts';
+import { drop, hearing, lagOf, samplesOf } from './support/sounds.ts';
+
+let site: Site;
+let browser: Browser;
+let heard: string;
+
+beforeAll(async () => {
+  site = await Site.open();
+  browser = await launch();
+  heard = drop('kept');
+});
+afterAll(async () => {
+  await browser.close();
+  await site.close();
+});
+
+const demo = async (page: Page): Promise<void> => {
+  await page.getByRole('button', { name: 'try the demo' }).click();
+  await settled(page);
+};
+
+/** Adds a file to the table of drops. */
+const add = (page: Page, file: string) =>
+  page.getByLabel('Saved ZIP with kept drops').setInputFiles(file);
+
+const names = (page: Page) =>
+  page
+    .locator('tbody input.name')
+    .evaluateAll((inputs) => (inputs as HTMLInputElement[]).map(({ value }) => value));
+
+async function archived(page: Page): Promise<string> {
+  const coming = page.waitForEvent('download');
+  await page.getByRole('button', { name: 'Save all with sound (ZIP)' }).click();
+  const file = join(mkdtempSync(join(tmpdir(), 'bouncelab-archive-')), 'drops.zip');
+  await (await coming).saveAs(file);
+  return file;
+}
+
+test('all drops are saved with their sounds as one file, and added in another browser', async () => {
+  const { page, troubles } = await open(browser, site.url);
+  await demo(page);
+  const before = await said(page);
+  const sound = await savedWav(page);
+  for (const name of ['Anna', 'Ben']) await keepAs(page, name);
+  await page.goto(`${site.url}#drops`);
+  const file = await archived(page);
+  await page.getByLabel('Name of Anna').fill('Anna, renamed');
+  await page.getByLabel('Name of Anna').press('Enter');
+  await add(page, file);
+  await page.getByText('Nothing in it is new.').waitFor();
+  expect(await names(page)).toEqual(['Anna, renamed', 'Ben']);
+  await page.context().close();
+
+  const { page: elsewhere } = await open(browser, `${site.url}#drops`);
+  await add(elsewhere, file);
+  await elsewhere.getByText('2 drops were added.').waitFor();
+  await elsewhere.reload();
+  await elsewhere.getByRole('button', { name: 'Open Anna' }).click();
+  expect(await said(elsewhere)).toEqual(before);
+  expect(await savedWav(elsewhere)).toEqual(sound);
+  await elsewhere.context().close();
+  expect(troubles).toEqual([]);
+});
+
+test('a damaged file is refused, and what is kept stays', async () => {
+  const { page } = await open(browser, site.url);
+  await demo(page);
+  await keepAs(page, 'Anna');
+  await page.goto(`${site.url}#drops`);
+  const file = await archived(page);
+  const bytes = readFileSync(file);
+  writeFileSync(file, bytes.subarray(0, bytes.length / 2));
+  await add(page, file);
+  const notice = page.getByRole('alert');
+  await notice.getByText('This is no whole file of kept drops.').waitFor();
+  await notice.getByText(/Copy or download it again/).waitFor();
+  expect(await names(page)).toEqual(['Anna']);
+  writeFileSync(file, bytes);
+  await add(page, file);
+  await page.getByText('Nothing in it is new.').waitFor();
+  expect(await notice.count()).toBe(0);
+  await page.context().close();
+});
+
+test.each([
+  [true, /keeps what is here until you delete it/],
+  [false, /may delete what is kept here/],
+])('when the browser promises to keep (%s), the page says so', async (promise, words) => {
+  const prepare: Preparation = async (context) => {
+    await context.addInitScript((answer) => {
+      let asked = false;
+      navigator.storage.persisted = async () => asked && answer;
+      navigator.storage.persist = async () => {
+        asked = true;
+        return answer;
+      };
+    }, promise);
+  };
+  const { page } = await open(browser, site.url, {}, prepare);
+  await demo(page);
+  expect(await page.getByText(words).count()).toBe(0);
+  await keepAs(page, 'Anna');
+  await page.getByText(words).waitFor();
+  await page.getByRole('link', { name: 'Table of drops' }).click();
+  await page.getByText(words).waitFor();
+  await page.context().close();
+});
+
+const clearings: [string, (page: Page) => Promise<unknown>][] = [
+  [
+    'the reader',
+    (page) =>
+      page.evaluate(
+        () =>
+          new Promise((resolve, reject) => {
+            const request = indexedDB.deleteDatabase('bouncelab');
+            request.onsuccess = resolve;
+            request.onerror = reject;
+          }),
+      ),
+  ],
+  [
+    'the browser',
+    async (page) => {
+      const session = await page.context().newCDPSession(page);
+      const origin = new URL(site.url).origin;
+      await session.send('Storage.clearDataForOrigin', { origin, storageTypes: 'indexeddb' });
+    },
+  ],
+];
+
+test.each(clearings)(
+  '%s clears the storage: listening goes on, and all is kept',
+  async (_, clear) => {
+    const { page } = await open(browser, site.url, {}, hearing(heard));
+    await page.getByRole('button', { name: 'Listen' }).click();
+    await page.getByText('2 s are saved.').waitFor();
+    await clear(page);
+    await page.getByText('4 s are saved.').waitFor();
+    const before = await said(page);
+    expect(await page.getByRole('alert').count()).toBe(0);
+    await keepAs(page, 'Anna');
+    await page.goto(`${site.url}#drops`);
+    await page.reload();
+    await page.getByRole('button', { name: 'Open Anna' }).click();
+    expect(await said(page)).toEqual(before);
+    await page.context().close();
+  },
+);
+
+/** Where the database says that sound was lost. */
+const gapsOf = (page: Page): Promise<{ start_s: number; duration_s: number }[]> =>
+  page.evaluate(
+    () =>
+      new Promise((resolve, reject) => {
+        const request = indexedDB.open('bouncelab');
+        request.onerror = () => reject(request.error);
+        request.onsuccess = () => {
+          const all = request.result.transaction('recordings').objectStore('recordings').getAll();
+          all.onsuccess = () => resolve(all.result.flatMap(({ gaps = [] }) => gaps));
+        };
+      }),
+  );
+
+test('sound that the browser does not deliver is a gap, and later times hold', async () => {
+  const { page } = await open(browser, site.url, {}, hearing(heard));
+  await page.getByRole('button', { name: 'Listen' }).click();
+  await page.getByText(/1\d impacts so far/).waitFor();
+  await page.evaluate(() => dispatchEvent(new CustomEvent('unplug', { detail: 0.3 })));
+  await settled(page);
+  await page.getByText(/Sound was lost at/).waitFor();
+  const [{ rateHz, samples }, played] = [await savedWav(page), samplesOf(heard)];
+  const [gap] = await gapsOf(page);
+  const [from, to] = [gap?.start_s ?? 0, (gap?.start_s ?? 0) + (gap?.duration_s ?? 0)];
+  const part = (fromS: number, toS?: number) => ({
+    rateHz,
+    samples: samples.subarray(Math.round(fromS * rateHz), toS && Math.round(toS * rateHz)),
+  });
+  expect(to - from).toBeGreaterThan(0.25);
+  expect(part(from, to).samples.every((sample) => sample === 0)).toBe(true);
+  expect(Math.abs(lagOf(part(to), played) - to - lagOf(part(0, from), played))).toBeLessThan(0.003);
+
+  // A kept recording knows its gaps.
+  const then = await said(page);
+  await keepAs(page, 'Anna');
+  await page.goto(`${site.url}#drops`);
+  await page.reload();
+  await page.getByRole('button', { name: 'Open Anna' }).click();
+  expect(await said(page)).toEqual(then);
+  await page.getByText(/Sound was lost at/).waitFor();
+  await page.context().close();
+});
+
+test('the service worker deletes its own old caches only', async () => {
+  const context = await newContext(browser);
+  const page = await context.newPage();
+  await page.goto(`${site.url}icon.svg`);
+  const foreign = [`bouncelab ${site.url}elsewhere/ 0123`, 'bouncelab-0123', 'others'];
+  const old = `bouncelab ${site.url} 0123`;
+  await page.evaluate(
+    (caches_) => Promise.all(caches_.map((name) => caches.open(name))),
+    [...foreign, old],
+  );
+  await page.goto(site.url);
+  await page.waitForFunction(() => navigator.serviceWorker.controller !== null);
+  const left = await page.evaluate(() => caches.keys());
+  expect(left).toEqual(expect.arrayContaining(foreign));
+  expect(left).not.toContain(old);
+  await context.close();
+});
