@@ -23,7 +23,7 @@ const LISTED: usize = 60;
 ///
 /// # Errors
 ///
-/// [`Error::Journal`](crate::Error::Journal) if results cannot be read back.
+/// Those of [`Results::each`].
 pub fn report(
     outcome: &Outcome<'_>,
     results: &Results<'_>,
