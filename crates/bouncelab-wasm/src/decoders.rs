@@ -1,4 +1,4 @@
-//! The decoders as JavaScript sees them.
+//! The decoders as JavaScript sees them, and what else few pages need.
 //!
 //! What is thrown is a [`Refusal`](crate::refusal::Refusal) as JSON.
 
@@ -7,8 +7,10 @@
 
 use bouncelab::Diagnostic;
 use bouncelab_audio::{Source, Warning};
+use bouncelab_report::link::LinkedDrop;
 use wasm_bindgen::prelude::*;
 
+use crate::link;
 use crate::refusal::Result;
 
 /// A recording that is being decoded.
@@ -85,4 +87,17 @@ impl Decoder {
     pub fn gaps(&self) -> Result<String> {
         Ok(serde_json::to_string(self.source.gaps())?)
     }
+}
+
+/// A drop as a link to a page, and its QR code.
+#[wasm_bindgen(js_name = dropLink)]
+pub fn drop_link(drop: &str, page: &str) -> Result<String> {
+    let link = link::link(&serde_json::from_str(drop)?, page)?;
+    Ok(serde_json::to_string(&link)?)
+}
+
+/// The drop of a link.
+#[wasm_bindgen(js_name = linkedDrop)]
+pub fn linked_drop(code: &str) -> Result<String> {
+    Ok(serde_json::to_string(&LinkedDrop::of_code(code)?)?)
 }

@@ -9,7 +9,6 @@ use bouncelab::detection::Envelope;
 use bouncelab_audio::{SampleFormat, encode_wav, times};
 use bouncelab_report::Chart;
 use bouncelab_report::figure::{self, DropSummary};
-use bouncelab_report::link::LinkedDrop;
 use bouncelab_report::messages::Translator;
 use bouncelab_report::paper;
 use bouncelab_report::paper::lesson::{self, PuzzleChoice};
@@ -20,7 +19,6 @@ use wasm_bindgen::prelude::*;
 use crate::analyst::{self, Analyst};
 use crate::catalogue::catalogue;
 use crate::detector::{self, RecordingDetector};
-use crate::link;
 use crate::pyramid::Level;
 use crate::refusal::{Refusal, Result};
 use crate::simulator;
@@ -333,18 +331,6 @@ pub fn wav(left: &[f32], right: &[f32], sample_rate_hz: u32) -> Result<Vec<u8>> 
     let count = if right.is_empty() { 1 } else { 2 };
     let format = SampleFormat::Float32;
     Ok(encode_wav(sample_rate_hz, format, &channels[..count])?)
-}
-
-/// A drop as a link to a page, and its QR code.
-#[wasm_bindgen(js_name = dropLink)]
-pub fn drop_link(drop: &str, page: &str) -> Result<String> {
-    json(&link::link(&read(drop)?, page)?)
-}
-
-/// The drop of a link.
-#[wasm_bindgen(js_name = linkedDrop)]
-pub fn linked_drop(code: &str) -> Result<String> {
-    json(&LinkedDrop::of_code(code)?)
 }
 
 /// Simulates a drop.

@@ -6,7 +6,7 @@
 //! to JSON and arrays.
 //!
 //! It is compiled twice, with the feature `engine` and with the feature `decoders`: nearly half of
-//! the size are decoders, which a page needs only when a file is opened.
+//! the size are decoders, which a page needs only when a file is opened, or a drop becomes a link.
 //!
 //! | module | what it does |
 //! |---|---|

@@ -250,12 +250,14 @@ export class Lab {
 
   /** A drop as a link and a QR code, for a page at this address, which ends where the drop begins. */
   dropLink(drop: LinkedDrop, page: string): Promise<DropLink> {
-    return this.#front.call('dropLink', { drop, page });
+    return this.#alone(true, undefined, (connection) =>
+      connection.call('dropLink', { drop, page }),
+    );
   }
 
   /** The drop at the end of a link. */
   linkedDrop(code: string): Promise<LinkedDrop> {
-    return this.#front.call('linkedDrop', { code });
+    return this.#alone(true, undefined, (connection) => connection.call('linkedDrop', { code }));
   }
 
   /** Simulates a drop under one or more drag laws. */

@@ -155,9 +155,9 @@ const handlers: Handlers = {
   }),
 
   dropLink: ({ drop, page }) => ({
-    response: JSON.parse(science.dropLink(JSON.stringify(drop), page)),
+    response: JSON.parse(decoding.dropLink(JSON.stringify(drop), page)),
   }),
-  linkedDrop: ({ code }) => ({ response: JSON.parse(science.linkedDrop(code)) }),
+  linkedDrop: ({ code }) => ({ response: JSON.parse(decoding.linkedDrop(code)) }),
 
   onset: ({ samples, sampleRateHz, startS, timeS }) => ({
     response: JSON.parse(science.onsetNear(samples, sampleRateHz, startS, timeS)),
