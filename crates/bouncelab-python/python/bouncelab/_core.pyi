@@ -10,6 +10,7 @@ __all__ = [
     "Detector",
     "Judge",
     "Kernel",
+    "Page",
     "Recording",
     "Results",
     "Session",
