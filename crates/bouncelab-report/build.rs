@@ -73,15 +73,18 @@ mod fonts {
     use subsetter::GlyphRemapper;
     use ttf_parser::Face;
 
-    /// Latin, Greek and Cyrillic, punctuation, and the signs of mathematics.
-    const LETTERS: [RangeInclusive<char>; 8] = [
+    /// The letters of living languages in Latin, Greek and Cyrillic, punctuation, and the signs of mathematics.
+    const LETTERS: [RangeInclusive<char>; 11] = [
         ' '..='~',
-        '\u{a0}'..='\u{24f}',
-        '\u{300}'..='\u{36f}',
-        '\u{370}'..='\u{52f}',
-        '\u{1e00}'..='\u{1eff}',
-        '\u{2000}'..='\u{214f}',
-        '\u{2190}'..='\u{22ff}',
+        '\u{a0}'..='\u{17f}',
+        '\u{1a0}'..='\u{1b0}',
+        '\u{218}'..='\u{21b}',
+        '\u{300}'..='\u{328}',
+        '\u{384}'..='\u{3ce}',
+        '\u{400}'..='\u{45f}',
+        '\u{490}'..='\u{4bb}',
+        '\u{1e80}'..='\u{1ef9}',
+        '\u{2010}'..='\u{22ff}',
         '\u{25a0}'..='\u{25ff}',
     ];
 
