@@ -134,7 +134,7 @@ impl<W: Store> Recorder<W> {
     /// # Errors
     ///
     /// [`Error::Io`] if the system fails to write, for example because the disk is full;
-    /// [`Error::Unwritable`] if the file has no more room. The file then ends with the last whole
+    /// [`Error::Unwritable`] if the file cannot grow further. The file then ends with the last whole
     /// frame that it took, its header says so, and nothing more is written: later calls do
     /// nothing.
     ///

@@ -25,6 +25,9 @@ use crate::physics::translator;
 use crate::table::Table;
 use crate::watch::Watch;
 
+/// Figures with their names.
+type Charts = Vec<(&'static str, Chart)>;
+
 /// What is asked of a session.
 #[derive(Clone, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -179,12 +182,6 @@ impl Session {
         py.detach(|| Self::of(request, &settings, Watch::new(report)))
     }
 
-    /// The document of the schema `bouncelab.session/2`.
-    fn document(&self, language: &str) -> Result<String> {
-        let words = translator(language)?;
-        Ok(serde_json::to_string(&self.outcome(&words)?.document())?)
-    }
-
     /// The tables of drops and impacts.
     fn tables(&self) -> Result<(Table, Table)> {
         let outcome = self.outcome(&Translator::english())?;
@@ -192,21 +189,14 @@ impl Session {
         Ok((Table::of(&drops)?, Table::of(&impacts)?))
     }
 
-    /// The report.
-    fn page(&self, language: &str) -> Result<Page> {
+    /// In a language: the document of the schema `bouncelab.session/2`, the figures with their names, and the report.
+    fn reported(&self, language: &str) -> Result<(String, Charts, Page)> {
         let words = translator(language)?;
-        let outcome = self.outcome(&words)?;
-        let page = report(&outcome, &self.results(), Provenance::default(), &words)?;
-        Ok(Page(page))
-    }
-
-    /// The figures, with their names.
-    fn charts(&self, language: &str) -> Result<Vec<(&'static str, Chart)>> {
-        let words = translator(language)?;
-        let charts = figures(&self.outcome(&words)?, &self.results(), &words)?;
-        Ok(charts
-            .into_iter()
-            .map(|(name, chart)| (name, Chart(chart)))
-            .collect())
+        let (outcome, results) = (self.outcome(&words)?, self.results());
+        let charts = figures(&outcome, &results, &words)?;
+        let page = report(&outcome, &results, &charts, Provenance::default(), &words);
+        let document = serde_json::to_string(&outcome.document())?;
+        let charts = charts.into_iter().map(|(name, chart)| (name, Chart(chart)));
+        Ok((document, charts.collect(), Page(page)))
     }
 }

@@ -30,7 +30,7 @@ impl Pattern {
     /// Reads a pattern.
     ///
     /// # Errors
-    /// [`Error::Pattern`] for a brace without its partner, a field without room between it and the
+    /// [`Error::Pattern`] for a brace without its partner, a field with nothing between it and the
     /// next, or one named twice.
     pub fn new(text: &str) -> Result<Self> {
         let wrong = |problem: &str| Error::Pattern {

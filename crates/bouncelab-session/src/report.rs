@@ -8,8 +8,6 @@ use bouncelab_report::report::{
 };
 
 use crate::document::{AboutSession, Reason};
-use crate::error::Result;
-use crate::figures::figures;
 use crate::name::some_of;
 use crate::results::Results;
 use crate::study::Outcome;
@@ -18,25 +16,23 @@ use crate::summary;
 /// With more recordings than this a list of their hashes is no use on paper.
 const LISTED: usize = 60;
 
-/// The page of a session: the groups in words, tables and figures, what is wrong with which recordings, what
-/// was assumed, the method, and how to repeat it. The hashes of few recordings go with the provenance.
-///
-/// # Errors
-///
-/// Those of [`Results::each`].
+/// The page of a session: the groups in words, tables and figures ([`figures`](crate::figures()) makes them), what
+/// is wrong with which recordings, what was assumed, the method, and how to repeat it. The hashes of few recordings
+/// go with the provenance.
 pub fn report(
     outcome: &Outcome<'_>,
     results: &Results<'_>,
+    charts: &[(&'static str, Chart)],
     provenance: Provenance,
     words: &Translator,
-) -> Result<Page> {
+) -> Page {
     let about = &outcome.about;
     let provenance = Provenance {
         files: files(results),
         ..provenance
     };
     let mut sections = match &outcome.study {
-        Ok(study) => of_study(outcome, study, figures(outcome, results, words)?, words),
+        Ok(study) => of_study(outcome, study, charts, words),
         Err(_) => Vec::new(),
     };
     sections.extend([
@@ -46,7 +42,7 @@ pub fn report(
         to_repeat(&provenance, words),
     ]);
     sections.retain(|section| !section.is_empty());
-    Ok(Page {
+    Page {
         title: about
             .title
             .clone()
@@ -57,7 +53,7 @@ pub fn report(
         details: Vec::new(),
         unfolded: false,
         language: Language::new(words),
-    })
+    }
 }
 
 fn lead(outcome: &Outcome<'_>, about: &AboutSession, words: &Translator) -> Vec<Block> {
@@ -89,14 +85,13 @@ fn lead(outcome: &Outcome<'_>, about: &AboutSession, words: &Translator) -> Vec<
 fn of_study(
     outcome: &Outcome<'_>,
     study: &Study,
-    drawn: Vec<(&'static str, Chart)>,
+    charts: &[(&'static str, Chart)],
     words: &Translator,
 ) -> Vec<Section> {
-    let mut drawn = drawn.into_iter();
+    let mut charts = charts.iter();
     let mut figure = || {
-        drawn
-            .next()
-            .map(|(name, figure)| Block::figure(name, figure))
+        let (name, chart) = charts.next()?;
+        Some(Block::figure(*name, chart.clone()))
     };
     let (laws, intervals, run) = (figure(), figure(), figure());
     let with = |mut blocks: Vec<Block>, figure: Option<Block>| {

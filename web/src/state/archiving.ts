@@ -11,10 +11,11 @@ import { askToLast } from './lasting.ts';
 
 /** Collects everything that was kept. */
 export async function archive(): Promise<Blob> {
-  const used = new Set((await allDrops()).map(({ recording }) => recording));
+  const kept = await allDrops();
+  const used = new Set(kept.map(({ recording }) => recording));
   const recordings = (await allRecordings()).filter(({ id }) => used.has(id));
   const stored = new Set(recordings.map(({ id }) => id));
-  const drops = (await allDrops()).map((drop) =>
+  const drops = kept.map((drop) =>
     // A drop whose sound is lost still has its impacts.
     drop.recording !== null && stored.has(drop.recording) ? drop : { ...drop, recording: null },
   );
@@ -31,15 +32,14 @@ export async function addArchive(file: Blob): Promise<number> {
     lock(recording.id);
     await addRecording(recording, await samples());
   }
-  const before = await allDrops();
-  await addDrops(drops);
+  const added = await addDrops(drops);
   void askToLast();
   await loadKept();
-  return (await allDrops()).length - before.length;
+  return added;
 }
 
 /** What the page says of a file that could not be added. */
 export function archiveFaultOf(error: unknown): Fault {
-  if (!(error instanceof ArchiveError)) return { key: 'archive-room' };
+  if (!(error instanceof ArchiveError)) return { key: 'archive-storage' };
   return { key: error.kind === 'newer' ? 'archive-newer' : 'archive' };
 }

@@ -23,7 +23,7 @@ export type FaultKey =
   | 'keep'
   | 'archive'
   | 'archive-newer'
-  | 'archive-room';
+  | 'archive-storage';
 
 export interface Fault {
   readonly key: FaultKey;

@@ -81,7 +81,7 @@ function attempt<T>(
 export function addIfNew(
   store: IDBObjectStore,
   value: { readonly id: string },
-  also: () => void = () => undefined,
+  also: () => void,
 ): void {
   const known = store.getKey(value.id);
   known.onsuccess = () => {

@@ -29,12 +29,20 @@ export async function putDrop(drop: KeptDrop): Promise<void> {
   await transact(['drops'], 'readwrite', (t) => t.objectStore('drops').put(drop));
 }
 
-/** Puts drops beside those that are there; one that is there already stays as it is. */
-export async function addDrops(drops: readonly KeptDrop[]): Promise<void> {
+/** Puts drops beside those that are there, which stay as they are; says how many were new. */
+export async function addDrops(drops: readonly KeptDrop[]): Promise<number> {
+  let added = 0;
   await transact(['drops'], 'readwrite', (t) => {
-    for (const drop of drops) addIfNew(t.objectStore('drops'), drop);
+    // The transaction may be run once more.
+    added = 0;
+    for (const drop of drops) {
+      addIfNew(t.objectStore('drops'), drop, () => {
+        added += 1;
+      });
+    }
     return undefined;
   });
+  return added;
 }
 
 export async function allDrops(): Promise<KeptDrop[]> {

@@ -127,7 +127,7 @@ enum Format {
 }
 
 impl Format {
-    /// Whether it has room for one recording only.
+    /// Whether it describes one recording only.
     const fn is_of_one(self) -> bool {
         matches!(self, Self::Audacity | Self::TextGrid | Self::Tracker)
     }

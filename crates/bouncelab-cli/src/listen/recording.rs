@@ -150,7 +150,7 @@ struct Outlet {
     sender: SyncSender<Event>,
     /// Whether the sound can wait for the analysis.
     waits: bool,
-    /// How many frames found no room.
+    /// How many frames did not fit into the queue.
     left_out: u64,
 }
 

@@ -252,13 +252,19 @@ impl<'a> Targets<'a> {
         let place = folder.join(DOCUMENT);
         let kept = outputs.write(&place, SCHEMA, json.as_bytes());
         kept.map_err(|reason| Failure::unwritable(&place, &reason))?;
+        let charts = if arguments.figures || self.report.is_some() {
+            figures(&outcome, results, translator())?
+        } else {
+            Vec::new()
+        };
         if arguments.figures {
-            for (name, figure) in figures(&outcome, results, translator())? {
-                wrote_figure(&bouncelab_report::save(&figure, folder, name, outputs)?);
+            for (name, chart) in &charts {
+                wrote_figure(&bouncelab_report::save(chart, folder, name, outputs)?);
             }
         }
         if let Some(file) = self.report {
-            file.write(&report(&outcome, results, provenance(), translator())?)?;
+            let page = report(&outcome, results, &charts, provenance(), translator());
+            file.write(&page)?;
         }
         match arguments.format {
             Format::Json => print_data(&json)?,

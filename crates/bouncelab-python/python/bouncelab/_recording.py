@@ -22,7 +22,7 @@ from bouncelab._data import (
     read,
 )
 from bouncelab._figure import Figure, figure
-from bouncelab._report import written
+from bouncelab._report import Documented, written
 from bouncelab._settings import flag, text
 from bouncelab._table import Table
 
@@ -32,7 +32,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
 
-class Recording:
+class Recording(Documented):
     """The analysis of a recording, or of a list of impact times.
 
     It comes from :func:`bouncelab.analyze`, :func:`bouncelab.analyze_times` and
@@ -166,26 +166,8 @@ class Recording:
         """
         return written(self._core.page(text("language", language), flag("details", details)), form)
 
-    def to_dict(self, language: str = "en") -> dict[str, JSON]:
-        """Return the document of the schema ``bouncelab.analysis/2``.
-
-        Parameters
-        ----------
-        language : str
-            Language of its sentences, one of :func:`bouncelab.languages`.
-
-        Returns
-        -------
-        dict
-            As JSON has it: lists, numbers, texts and ``None``.
-
-        Raises
-        ------
-        UnknownNameError
-            If there is no such language.
-        """
-        document: dict[str, JSON] = json.loads(self._core.document(language))
-        return document
+    def _document_in(self, language: str) -> str:
+        return self._core.document(language)
 
     def __reduce__(self) -> tuple[type[Recording], tuple[_core.Recording]]:
         return (Recording, (self._core,))

@@ -21,8 +21,36 @@ def written(page: _core.Page, form: object) -> str:
     raise InputError(f"a report is 'html' or 'markdown', not {form!r}")
 
 
+class Documented:
+    """A result with a document in every language."""
+
+    def _document_in(self, language: str) -> str:
+        raise NotImplementedError
+
+    def to_dict(self, language: str = "en") -> dict[str, JSON]:
+        """Return the document, whose schema it names: what ``--format json`` of the program prints.
+
+        Parameters
+        ----------
+        language : str
+            Language of its sentences, one of :func:`bouncelab.languages`.
+
+        Returns
+        -------
+        dict
+            As JSON has it: lists, numbers, texts and ``None``.
+
+        Raises
+        ------
+        UnknownNameError
+            If there is no such language.
+        """
+        document: dict[str, JSON] = json.loads(self._document_in(language))
+        return document
+
+
 @dataclass(frozen=True)
-class Reported:
+class Reported(Documented):
     """A result of many drops, as it was when it was made."""
 
     _documents: dict[str, str]
@@ -81,23 +109,5 @@ class Reported:
         """
         return written(in_language(self._pages, language), form)
 
-    def to_dict(self, language: str = "en") -> dict[str, JSON]:
-        """Return the document: what ``--format json`` of the program prints.
-
-        Parameters
-        ----------
-        language : str
-            Language of its sentences, one of :func:`bouncelab.languages`.
-
-        Returns
-        -------
-        dict
-            As JSON has it: lists, numbers, texts and ``None``.
-
-        Raises
-        ------
-        UnknownNameError
-            If there is no such language.
-        """
-        document: dict[str, JSON] = json.loads(in_language(self._documents, language))
-        return document
+    def _document_in(self, language: str) -> str:
+        return in_language(self._documents, language)

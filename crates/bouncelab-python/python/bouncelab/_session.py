@@ -180,11 +180,11 @@ def session(
             if report is not None:
                 report.close()
     drops, impacts = analysed.tables()
-    languages = _core.languages()
+    reported = {language: analysed.reported(language) for language in _core.languages()}
     return Study(
-        {language: analysed.document(language) for language in languages},
-        {language: dict(analysed.charts(language)) for language in languages},
-        {language: analysed.page(language) for language in languages},
+        {language: document for language, (document, _, _) in reported.items()},
+        {language: dict(charts) for language, (_, charts, _) in reported.items()},
+        {language: page for language, (_, _, page) in reported.items()},
         Table(drops),
         Table(impacts),
     )

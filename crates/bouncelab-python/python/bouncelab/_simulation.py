@@ -12,6 +12,7 @@ from bouncelab import _core
 from bouncelab._analyze import as_numbers
 from bouncelab._data import JSON
 from bouncelab._figure import Figure, figure
+from bouncelab._report import Documented
 from bouncelab._settings import Surroundings, analyzer, count, number, text
 from bouncelab._table import Table
 
@@ -20,7 +21,7 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
 
 
-class Simulation:
+class Simulation(Documented):
     """A simulated drop.
 
     It comes from :func:`bouncelab.simulate`.
@@ -131,26 +132,8 @@ class Simulation:
     def _chart(self, name: str, language: str) -> _core.Chart:
         return self._core.figure(name, language)
 
-    def to_dict(self, language: str = "en") -> dict[str, JSON]:
-        """Return the document of the schema ``bouncelab.simulation/2``.
-
-        Parameters
-        ----------
-        language : str
-            Language of its sentences, one of :func:`bouncelab.languages`.
-
-        Returns
-        -------
-        dict
-            As JSON has it: lists, numbers, texts and ``None``.
-
-        Raises
-        ------
-        UnknownNameError
-            If there is no such language.
-        """
-        document: dict[str, JSON] = json.loads(self._core.document(language))
-        return document
+    def _document_in(self, language: str) -> str:
+        return self._core.document(language)
 
     def __reduce__(self) -> tuple[type[Simulation], tuple[_core.Simulation]]:
         return (Simulation, (self._core,))

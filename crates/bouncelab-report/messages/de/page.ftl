@@ -149,8 +149,8 @@ page-faults-archive-do = Kopiere oder lade sie noch einmal und füge diese hinzu
 page-faults-archive-newer-what = Eine neuere Fassung dieser Seite hat diese Datei gespeichert.
 page-faults-archive-newer-do = Lade die Seite neu und füge die Datei noch einmal hinzu. Was hier aufgehoben ist, ist unverändert.
 
-page-faults-archive-room-what = Nicht alles aus der Datei ließ sich aufheben.
-page-faults-archive-room-do = Der Speicher des Browsers ist voll oder nicht verfügbar. Lösche Versuche, die du nicht brauchst, und füge die Datei noch einmal hinzu; was schon aufgehoben war, ist unverändert.
+page-faults-archive-storage-what = Nicht alles aus der Datei ließ sich aufheben.
+page-faults-archive-storage-do = Der Speicher des Browsers ist voll oder nicht verfügbar. Lösche Versuche, die du nicht brauchst, und füge die Datei noch einmal hinzu; was schon aufgehoben war, ist unverändert.
 
 page-faults-keep-what = Der Versuch ließ sich nicht aufheben.
 page-faults-keep-do = Der Speicher des Browsers ist voll oder gesperrt. Speichere stattdessen Ton und Zahlen als Dateien.

@@ -151,8 +151,8 @@ page-faults-archive-do = Copy or download it again, and add that one. What is ke
 page-faults-archive-newer-what = A newer version of this page saved this file.
 page-faults-archive-newer-do = Reload the page, and add the file again. What is kept here has not changed.
 
-page-faults-archive-room-what = Not all of the file could be kept.
-page-faults-archive-room-do = The storage of the browser is full or not available. Delete drops that you do not need, and add the file again; what was kept before has not changed.
+page-faults-archive-storage-what = Not all of the file could be kept.
+page-faults-archive-storage-do = The storage of the browser is full or not available. Delete drops that you do not need, and add the file again; what was kept before has not changed.
 
 page-faults-keep-what = The drop could not be kept.
 page-faults-keep-do = The storage of the browser is full or not available. Save the sound and the numbers as files instead.

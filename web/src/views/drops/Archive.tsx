@@ -1,5 +1,6 @@
-import { useRef, useState } from 'preact/hooks';
+import { useState } from 'preact/hooks';
 import { FaultNotice } from '../../app/FaultNotice.tsx';
+import { FileButton } from '../../app/FileButton.tsx';
 import { save } from '../../app/save.ts';
 import { addArchive, archive, archiveFaultOf } from '../../state/archiving.ts';
 import { faultOf } from '../../state/engine.ts';
@@ -9,7 +10,6 @@ import { text } from '../../text/language.ts';
 
 /** Saves everything that was kept as one file, and adds such a file. */
 export function Archive() {
-  const input = useRef<HTMLInputElement>(null);
   const [said, say] = useState('');
   const [fault, setFault] = useState<Fault>();
   const [isBusy, setBusy] = useState(false);
@@ -50,30 +50,20 @@ export function Archive() {
             {text('page-drops-archive')}
           </button>
         )}
-        <input
-          ref={input}
-          type="file"
-          hidden
-          aria-label={text('page-drops-add-label')}
+        <FileButton
+          label={text('page-drops-add-label')}
           accept=".zip,application/zip"
-          onChange={(event) => {
-            const file = event.currentTarget.files?.[0];
-            if (file) {
-              const beginning = text('page-drops-adding', { name: file.name });
-              void work(beginning, () => add(file), archiveFaultOf);
-            }
-            // The same file may be chosen again.
-            event.currentTarget.value = '';
-          }}
-        />
-        <button
-          type="button"
-          class="quiet"
           disabled={isBusy}
-          onClick={() => input.current?.click()}
+          onFile={(file) =>
+            void work(
+              text('page-drops-adding', { name: file.name }),
+              () => add(file),
+              archiveFaultOf,
+            )
+          }
         >
           {text('page-drops-add')}
-        </button>
+        </FileButton>
       </div>
       <p role="status" class="small">
         {said}

@@ -1,4 +1,4 @@
-import { useRef } from 'preact/hooks';
+import { FileButton } from '../../app/FileButton.tsx';
 import { openDemo, openFile } from '../../state/opening.ts';
 import { busy } from '../../state/workspace.ts';
 import { text } from '../../text/language.ts';
@@ -6,30 +6,16 @@ import { PASTE, pasting } from './pasting.ts';
 
 /** A file, a list of times, the demo: three quiet links. */
 export function OtherWays() {
-  const input = useRef<HTMLInputElement>(null);
   return (
     <div class="links">
-      <input
-        ref={input}
-        type="file"
-        hidden
-        aria-label={text('page-lab-open-label')}
+      <FileButton
+        label={text('page-lab-open-label')}
         accept="audio/*,video/*,.txt,.csv,.json,.TextGrid,.wav,.flac,.aiff,.caf,.m4a,.ogg,.opus,.webm,.mov,.mp4"
-        onChange={(event) => {
-          const file = event.currentTarget.files?.[0];
-          // The same file may be chosen again after it was changed.
-          event.currentTarget.value = '';
-          if (file) void openFile(file);
-        }}
-      />
-      <button
-        type="button"
-        class="quiet"
         disabled={busy.value}
-        onClick={() => input.current?.click()}
+        onFile={(file) => void openFile(file)}
       >
         {text('page-lab-open')}
-      </button>
+      </FileButton>
       <button
         type="button"
         id={PASTE}
