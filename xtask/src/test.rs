@@ -42,6 +42,8 @@ enum Needs {
     MdBook,
     /// A sound server that can have a card without hardware.
     SoundServer,
+    /// strace, which makes calls to the system fail.
+    Strace,
     /// The folder of real recordings, which is not part of the repository.
     Recordings,
 }
@@ -60,6 +62,7 @@ impl Needs {
             Self::Deny => has_deny(),
             Self::MdBook => book::has_mdbook(),
             Self::SoundServer => has_sound_server(),
+            Self::Strace => has_strace(),
             Self::Recordings => has_recordings(),
         }
     }
@@ -69,7 +72,7 @@ impl Needs {
 /// features: clippy and the documentation use the same metadata of the dependencies, the tests and the
 /// program under the end-to-end tests the same code, so that a dependency is compiled at most twice;
 /// and once more for the browser.
-pub(crate) const CHECKS: [Check; 16] = [
+pub(crate) const CHECKS: [Check; 17] = [
     Check {
         name: "format",
         about: "rustfmt has nothing to change",
@@ -141,6 +144,15 @@ pub(crate) const CHECKS: [Check; 16] = [
         run: || {
             let mut command = cargo_all(&["test"]);
             run_command(command.args(["--test", "listen", "--", "--ignored", "card"]))
+        },
+    },
+    Check {
+        name: "faults",
+        about: "disks that fail and kills, for every command that writes",
+        needs: Needs::Strace,
+        run: || {
+            let mut command = cargo_all(&["test"]);
+            run_command(command.args(["--test", "faults", "--", "--ignored"]))
         },
     },
     Check {
@@ -244,6 +256,12 @@ fn has_sound_server() -> bool {
         && (are_there() || install(&packages, "a sound card without hardware") && are_there())
 }
 
+/// A container may forbid one process to watch another.
+fn has_strace() -> bool {
+    let works = || succeeds(&["strace", "-qq", "-e", "trace=none", "true"]);
+    cfg!(target_os = "linux") && (works() || install(&["strace"], "calls that fail") && works())
+}
+
 /// Says how to name their folder if nobody did: the tests that read them are ignored then.
 fn has_recordings() -> bool {
     let named = std::env::var_os("BOUNCELAB_RECORDINGS").is_some();
@@ -273,6 +291,7 @@ pub(crate) fn run(names: &[String]) -> Result {
         Needs::Deny,
         Needs::MdBook,
         Needs::SoundServer,
+        Needs::Strace,
         Needs::Recordings,
         Needs::Node,
         Needs::Browser,

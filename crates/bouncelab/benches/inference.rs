@@ -67,7 +67,7 @@ fn best_fit(bencher: Bencher, drag: DragLaw) {
     });
 }
 
-/// One law, 4000 independent draws, and every answer.
+/// One law with the default draws, and every answer.
 #[divan::bench(args = LAWS, sample_count = 10)]
 fn posterior(bencher: Bencher, drag: DragLaw) {
     let (impacts, settings) = (impacts(), Options::default());
@@ -85,7 +85,7 @@ fn posterior(bencher: Bencher, drag: DragLaw) {
 }
 
 /// As `analyze` does it: all laws, with the law of drag and a constant coefficient.
-#[divan::bench(args = [1000, 4000], sample_count = 10)]
+#[divan::bench(args = [1000, 2000, 4000], sample_count = 10)]
 fn all_models(bencher: Bencher, draws: usize) {
     let (impacts, settings) = (impacts(), Options::default());
     let environment = environment(DragLaw::CliftGraceWeber);

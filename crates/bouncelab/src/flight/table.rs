@@ -13,6 +13,7 @@
 //! the strengths through four of them. They are good to 1e-8, and to 1e-6 where drag is as much as the
 //! weight, far below any noise; the tests hold them against [`FlightModel`](super::FlightModel).
 
+use std::array;
 use std::sync::OnceLock;
 
 use super::FlightModel;
@@ -89,6 +90,20 @@ pub(crate) struct Row {
     pub(crate) impact_slope: f64,
 }
 
+impl Row {
+    /// From the launch speed, and from impact speed and g T with their slopes by it.
+    #[inline]
+    fn of_launch(launch: f64, [[impact, impact_slope], [time, time_slope]]: [[f64; 2]; 2]) -> Self {
+        Self {
+            launch,
+            impact,
+            time,
+            time_slope: time_slope * launch / time,
+            impact_slope: impact_slope * launch / impact,
+        }
+    }
+}
+
 /// Every flight of a ball, for every strength of drag.
 #[derive(Debug, Clone)]
 pub(crate) struct FlightTables {
@@ -97,7 +112,37 @@ pub(crate) struct FlightTables {
 }
 
 /// Strengths s lie at equal steps of s/(1 + s), so that weak drag and strong are told equally well.
-const STRENGTHS: usize = 64;
+pub(crate) const STRENGTHS: usize = 64;
+
+/// A strength of drag among the nodes: four of them, and how much of each.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Blend {
+    /// The first of the four nodes.
+    pub(crate) first: usize,
+    pub(crate) weights: [f64; 4],
+}
+
+impl Blend {
+    /// `None` for a strength below zero, and beyond the nodes.
+    pub(crate) fn of(strength: f64) -> Option<Self> {
+        let place = STRENGTHS as f64 * strength / (1.0 + strength);
+        if !(strength >= 0.0 && place + 2.0 < STRENGTHS as f64) {
+            return None;
+        }
+        let first = (place as usize).saturating_sub(1);
+        let t = place - first as f64;
+        Some(Self {
+            first,
+            // Lagrange, through the nodes 0, 1, 2 and 3.
+            weights: [
+                (1.0 - t) * (2.0 - t) * (3.0 - t) / 6.0,
+                t * (2.0 - t) * (3.0 - t) / 2.0,
+                t * (t - 1.0) * (3.0 - t) / 2.0,
+                t * (t - 1.0) * (t - 2.0) / 6.0,
+            ],
+        })
+    }
+}
 
 /// Every flight of a ball under one drag: a look at the tables.
 #[derive(Debug, Clone, Copy)]
@@ -117,18 +162,29 @@ struct March {
     by_time: Vec<TimeNode>,
 }
 
-/// Values and slopes by the launch speed at a node, all free of gravity.
-#[derive(Debug, Clone, Copy, Default)]
-struct SpeedNode {
-    /// Impact speed.
-    impact: [f64; 2],
-    /// g T.
-    time: [f64; 2],
-    /// (2 g h)^1/2, which is nearly straight where the height is not.
-    free_fall: [f64; 2],
-    /// g times the fall time.
-    fall: [f64; 2],
+/// A whole flight: up, and down again.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct RiseAndFall {
+    pub(crate) row: Row,
+    /// Gravity times the height of the apex, and d ln(height)/d ln(launch).
+    pub(crate) gravity_height: f64,
+    pub(crate) height_slope: f64,
+    /// Gravity times the time of the fall from the apex, m/s.
+    pub(crate) fall_time: f64,
 }
+
+/// Values and slopes by the launch speed at a node, all free of gravity: those of [`IMPACT`], [`TIME`],
+/// [`FREE_FALL`] and [`FALL`].
+type SpeedNode = [[f64; 2]; 4];
+
+/// Impact speed.
+const IMPACT: usize = 0;
+/// g T.
+const TIME: usize = 1;
+/// (2 g h)^1/2, which is nearly straight where the height is not.
+const FREE_FALL: usize = 2;
+/// g times the fall time.
+const FALL: usize = 3;
 
 /// Values and slopes by g T at a node.
 #[derive(Debug, Clone, Copy)]
@@ -149,26 +205,24 @@ impl FlightTables {
     /// The flights with so many times the drag of the profile; `None` for a drag below zero, and for
     /// one some thirty times too strong.
     pub(crate) fn at(&self, strength: f64) -> Option<FlightTable<'_>> {
-        let place = STRENGTHS as f64 * strength / (1.0 + strength);
-        if !(strength >= 0.0 && place + 2.0 < STRENGTHS as f64) {
-            return None;
-        }
-        let first = (place as usize).saturating_sub(1);
-        let t = place - first as f64;
-        let marches: [&March; 4] = std::array::from_fn(|node| self.march(first + node));
+        let Blend { first, weights } = Blend::of(strength)?;
+        let marches: [&March; 4] = array::from_fn(|node| self.march(first + node));
+        Some(self.between(marches, weights))
+    }
+
+    /// The flights with the drag of one node.
+    pub(crate) fn at_node(&self, node: usize) -> FlightTable<'_> {
+        self.between([self.march(node); 4], [1.0, 0.0, 0.0, 0.0])
+    }
+
+    fn between<'a>(&self, marches: [&'a March; 4], weights: [f64; 4]) -> FlightTable<'a> {
         let times = marches.iter().map(|march| march.by_time.len());
-        Some(FlightTable {
+        FlightTable {
             marches,
             times: times.min().unwrap_or(0),
-            // Lagrange, through the nodes 0, 1, 2 and 3.
-            weights: [
-                (1.0 - t) * (2.0 - t) * (3.0 - t) / 6.0,
-                t * (2.0 - t) * (3.0 - t) / 2.0,
-                t * (t - 1.0) * (3.0 - t) / 2.0,
-                t * (t - 1.0) * (t - 2.0) / 6.0,
-            ],
+            weights,
             step: self.profile.march_step(),
-        })
+        }
     }
 
     fn march(&self, node: usize) -> &March {
@@ -200,7 +254,7 @@ fn march_by_speed(profile: &DragProfile, strength: f64) -> Vec<SpeedNode> {
     let mut sums = [0.0; 3];
     // At rest the impact speed is the launch speed.
     let mut rates_here = [2.0, 0.0, 1.0];
-    let mut nodes = vec![SpeedNode::of([0.0, 1.0], sums, rates_here)];
+    let mut nodes = vec![speed_node([0.0, 1.0], sums, rates_here)];
     for node in 1..=profile.march {
         let v = step * (node - 1) as f64;
         let (middle, end) = (v + 0.5 * step, v + step);
@@ -219,7 +273,7 @@ fn march_by_speed(profile: &DragProfile, strength: f64) -> Vec<SpeedNode> {
         for (i, sum) in sums.iter_mut().enumerate() {
             *sum += step / 6.0 * (rates_here[i] + 4.0 * rates_middle[i] + rates_end[i]);
         }
-        nodes.push(SpeedNode::of([next, slope_end], sums, rates_end));
+        nodes.push(speed_node([next, slope_end], sums, rates_end));
         (impact, slope_here) = (next, slope_end);
         rates_here = rates_end;
     }
@@ -266,14 +320,31 @@ impl FlightTable<'_> {
     #[inline]
     pub(crate) fn launch(&self, speed: f64) -> Option<Row> {
         let (node, t) = self.around(speed)?;
-        let [impact, impact_slope] = self.by_speed(node, t, |node| node.impact);
-        let [time, time_slope] = self.by_speed(node, t, |node| node.time);
-        Some(Row {
-            launch: speed,
-            impact,
-            time,
-            time_slope: time_slope * speed / time,
-            impact_slope: impact_slope * speed / impact,
+        let values = [IMPACT, TIME].map(|value| self.by_speed(node, t, |node| node[value]));
+        Some(Row::of_launch(speed, values))
+    }
+
+    /// The same flight with its apex: one look at the table for all of it.
+    #[inline]
+    pub(crate) fn rise_and_fall(&self, speed: f64) -> Option<RiseAndFall> {
+        let (node, t) = self.around(speed)?;
+        let [low, high] = [node, node + 1].map(|node| {
+            let [a, b, c, d] = self
+                .marches
+                .map(|march| march.by_speed[node].as_flattened());
+            let [wa, wb, wc, wd] = self.weights;
+            array::from_fn::<f64, 8, _>(|i| wa * a[i] + wb * b[i] + wc * c[i] + wd * d[i])
+        });
+        let of = |value: usize| {
+            let pair = |node: &[f64; 8]| [node[2 * value], node[2 * value + 1]];
+            hermite(pair(&low), pair(&high), t, self.step)
+        };
+        let ([free_fall, slope], [fall_time, _]) = (of(FREE_FALL), of(FALL));
+        Some(RiseAndFall {
+            row: Row::of_launch(speed, [of(IMPACT), of(TIME)]),
+            gravity_height: 0.5 * free_fall * free_fall,
+            height_slope: 2.0 * slope * speed / free_fall,
+            fall_time,
         })
     }
 
@@ -304,16 +375,9 @@ impl FlightTable<'_> {
     #[inline]
     pub(crate) fn apex(&self, launch: f64) -> Option<(f64, f64)> {
         let (node, t) = self.around(launch)?;
-        let [free_fall, slope] = self.by_speed(node, t, |node| node.free_fall);
+        let [free_fall, slope] = self.by_speed(node, t, |node| node[FREE_FALL]);
         let log_slope = 2.0 * slope * launch / free_fall;
         Some((0.5 * free_fall * free_fall, log_slope))
-    }
-
-    /// Gravity times the time of the fall from that height.
-    pub(crate) fn fall_time(&self, launch: f64) -> Option<f64> {
-        let (node, t) = self.around(launch)?;
-        let [fall, _] = self.by_speed(node, t, |node| node.fall);
-        Some(fall)
     }
 
     /// The launch that would rise to a height; takes gravity times the height.
@@ -376,21 +440,19 @@ pub(crate) const MAX_STEPS: usize = 30;
 /// Near the terminal speed the impact speed hardly answers to the launch speed.
 const LEAST_SLOPE: f64 = 1e-3;
 
-impl SpeedNode {
-    fn of(impact: [f64; 2], [time, height, fall]: [f64; 3], rates: [f64; 3]) -> Self {
-        let free_fall = (2.0 * height).sqrt();
-        let free_fall_slope = if height > 0.0 {
-            rates[1] / free_fall
-        } else {
-            1.0
-        };
-        Self {
-            impact,
-            time: [time, rates[0]],
-            free_fall: [free_fall, free_fall_slope],
-            fall: [fall, rates[2]],
-        }
-    }
+fn speed_node(impact: [f64; 2], [time, height, fall]: [f64; 3], rates: [f64; 3]) -> SpeedNode {
+    let free_fall = (2.0 * height).sqrt();
+    let free_fall_slope = if height > 0.0 {
+        rates[1] / free_fall
+    } else {
+        1.0
+    };
+    [
+        impact,
+        [time, rates[0]],
+        [free_fall, free_fall_slope],
+        [fall, rates[2]],
+    ]
 }
 
 /// Value and slope of the cubic through two values with two slopes, at a share t of the step.
@@ -466,12 +528,21 @@ mod tests {
                     row.launch / launch - 1.0
                 );
                 assert!(near(row.impact, exact.impact_speed_m_s), "{drag} {launch}");
-                let ((height, _), fall) = (
-                    table.apex(launch).unwrap(),
-                    table.fall_time(launch).unwrap(),
+                let whole = table.rise_and_fall(launch).unwrap();
+                assert!(
+                    near(whole.gravity_height, gravity * exact.apex_m),
+                    "{drag} {launch}"
                 );
-                assert!(near(height, gravity * exact.apex_m), "{drag} {launch}");
-                assert!(near(fall, gravity * exact.fall_time_s), "{drag} {launch}");
+                assert!(
+                    near(whole.fall_time, gravity * exact.fall_time_s),
+                    "{drag} {launch}"
+                );
+                assert!(
+                    near(whole.row.impact, exact.impact_speed_m_s),
+                    "{drag} {launch}"
+                );
+                let apex = (whole.gravity_height, whole.height_slope);
+                assert_eq!(table.apex(launch), Some(apex), "{drag} {launch}");
                 let slopes = model.launch_derivatives(&exact).unwrap();
                 let expected = slopes.time * launch / exact.time_s();
                 assert!((row.time_slope - expected).abs() < 1e-3, "{drag} {launch}");

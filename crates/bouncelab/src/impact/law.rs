@@ -1,7 +1,7 @@
 //! Restitution laws: restitution against impact speed.
 
 use crate::error::{Result, finite, not_negative, positive, require};
-use crate::stats::{logistic, softplus};
+use crate::simd::Lanes;
 
 /// The coefficient of restitution e as a function of the impact speed.
 ///
@@ -27,56 +27,52 @@ use crate::stats::{logistic, softplus};
 /// # Ok::<(), bouncelab::Error>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Restitution(Law);
-
-#[derive(Debug, Clone, Copy, PartialEq)]
-enum Law {
-    Constant(f64),
-    Linear {
-        at_rest: f64,
-        loss_per_speed: f64,
-    },
-    Power {
-        reference: f64,
-        reference_speed: f64,
-        exponent: f64,
-    },
-    Viscoelastic {
-        dissipation: f64,
-    },
-    Knee {
-        below: f64,
-        knee_speed: f64,
-        loss_per_speed: f64,
-    },
-    Smooth {
-        log_reference: f64,
-        log_speed: f64,
-        slow: Half,
-        fast: Half,
-    },
+pub struct Restitution {
+    family: Family,
+    /// The numbers of the law, as its family says; the rest is zero.
+    numbers: [f64; NUMBERS],
 }
+
+/// The form of a law, with the meaning of its numbers.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Family {
+    /// e.
+    Constant,
+    /// e at rest, and the loss for each m/s.
+    Linear,
+    /// e at the reference speed, that speed, and the exponent.
+    Power,
+    /// The dissipation.
+    Viscoelastic,
+    /// e below the knee, the speed of the knee, and the loss for each m/s above it.
+    Knee,
+    /// ln e at the reference speed, the logarithm of that speed, and the two [`Half`]s, towards slower
+    /// impacts first.
+    Smooth,
+}
+
+/// As many numbers as the largest family has.
+const NUMBERS: usize = 8;
 
 /// A smooth law on one side of its reference speed, in the distance u from there in ln v.
-#[derive(Debug, Clone, Copy, PartialEq)]
-struct Half {
+#[derive(Clone, Copy)]
+struct Half<const L: usize> {
     /// d ln e / d ln v at the reference speed, and at the end.
-    from: f64,
-    to: f64,
+    from: Lanes<L>,
+    to: Lanes<L>,
     /// Distance of the end, beyond which the slope stays.
-    end: f64,
+    end: Lanes<L>,
 }
 
-impl Half {
-    /// The slope at a distance.
-    fn slope(&self, distance: f64) -> f64 {
-        self.from + (self.to - self.from) * (distance / self.end).min(1.0)
-    }
-
-    /// Its integral.
-    fn rise(&self, distance: f64) -> f64 {
-        let within = distance.min(self.end);
-        0.5 * (self.from + self.slope(within)) * within + self.to * (distance - within)
+impl<const L: usize> Half<L> {
+    /// ln e over that at the reference speed, and its slope, at a distance.
+    #[inline(always)]
+    fn rise(&self, distance: Lanes<L>) -> (Lanes<L>, Lanes<L>) {
+        let beyond = (distance - self.end).max(0.0);
+        let within = distance - beyond;
+        let slope = self.from + (self.to - self.from) * (within / self.end);
+        let rise = (self.from + slope) * within * 0.5 + self.to * beyond;
+        (rise, slope)
     }
 }
 
@@ -84,22 +80,21 @@ impl Half {
 /// it is 1 - 1.15345 x² + 0.79826 x⁴: the series 1 - C1 a v^1/5 + C2 a² v^2/5 with C2 = 3/5 C1²,
 /// but it stays between 0 and 1 where the series runs away.
 mod pade {
+    use crate::simd::Lanes;
+
     const C1: f64 = 0.501_086;
     const B: [f64; 4] = [0.501_086, 1.153_45, 0.577_977, 0.532_178];
 
-    /// e at x.
-    pub(super) fn restitution(x: f64) -> f64 {
-        (1.0 + C1 * x) / denominator(x)
-    }
-
-    /// d ln e / d ln x.
-    pub(super) fn log_slope(x: f64) -> f64 {
-        let slope = B[0] + x * (2.0 * B[1] + x * (3.0 * B[2] + x * 4.0 * B[3]));
-        x * (C1 / (1.0 + C1 * x) - slope / denominator(x))
-    }
-
-    fn denominator(x: f64) -> f64 {
-        1.0 + x * (B[0] + x * (B[1] + x * (B[2] + x * B[3])))
+    /// e and d ln e / d ln x at x.
+    #[inline(always)]
+    pub(super) fn restitution<const L: usize>(x: Lanes<L>) -> (Lanes<L>, Lanes<L>) {
+        let numerator = x * C1 + 1.0;
+        let denominator = x * (x * (x * (x * B[3] + B[2]) + B[1]) + B[0]) + 1.0;
+        let slope = x * (x * (x * (4.0 * B[3]) + 3.0 * B[2]) + 2.0 * B[1]) + B[0];
+        (
+            numerator / denominator,
+            x * (Lanes::all(C1) / numerator - slope / denominator),
+        )
     }
 }
 
@@ -123,10 +118,8 @@ impl Restitution {
     /// # Ok::<(), bouncelab::Error>(())
     /// ```
     pub fn constant(restitution: f64) -> Result<Self> {
-        Ok(Self(Law::Constant(fraction(
-            "coefficient of restitution",
-            restitution,
-        )?)))
+        let restitution = fraction("coefficient of restitution", restitution)?;
+        Ok(Self::new(Family::Constant, &[restitution]))
     }
 
     /// e(v) = e0 - k v: falling with the impact speed if k is above zero.
@@ -147,10 +140,8 @@ impl Restitution {
             at_rest,
             "from 0 to 2",
         )?;
-        Ok(Self(Law::Linear {
-            at_rest,
-            loss_per_speed: finite(LOSS, loss_per_speed_s_m)?,
-        }))
+        let loss = finite(LOSS, loss_per_speed_s_m)?;
+        Ok(Self::new(Family::Linear, &[at_rest, loss]))
     }
 
     /// e(v) = e* (v/v*)^-p; p = 1/4 for a contact that deforms for good.
@@ -167,11 +158,11 @@ impl Restitution {
     pub fn power(reference: f64, reference_speed_m_s: f64, exponent: f64) -> Result<Self> {
         fraction("coefficient of restitution", reference)?;
         positive("reference speed in m/s", reference_speed_m_s)?;
-        Ok(Self(Law::Power {
-            reference,
-            reference_speed: reference_speed_m_s,
-            exponent: finite("exponent of the restitution law", exponent)?,
-        }))
+        let exponent = finite("exponent of the restitution law", exponent)?;
+        Ok(Self::new(
+            Family::Power,
+            &[reference, reference_speed_m_s, exponent],
+        ))
     }
 
     /// A viscoelastic sphere: 1 - 1.15344 a v^1/5 + 0.79826 a² v^2/5 - ..., in the Padé form that
@@ -188,7 +179,7 @@ impl Restitution {
     /// ```
     pub fn viscoelastic(dissipation: f64) -> Result<Self> {
         let dissipation = not_negative("dissipation of a viscoelastic ball", dissipation)?;
-        Ok(Self(Law::Viscoelastic { dissipation }))
+        Ok(Self::new(Family::Viscoelastic, &[dissipation]))
     }
 
     /// The viscoelastic sphere that has a given restitution at a given speed.
@@ -226,11 +217,8 @@ impl Restitution {
     pub fn knee(below: f64, knee_speed_m_s: f64, loss_per_speed_s_m: f64) -> Result<Self> {
         fraction("coefficient of restitution below the knee", below)?;
         positive("speed of the knee in m/s", knee_speed_m_s)?;
-        Ok(Self(Law::Knee {
-            below,
-            knee_speed: knee_speed_m_s,
-            loss_per_speed: finite(LOSS, loss_per_speed_s_m)?,
-        }))
+        let loss = finite(LOSS, loss_per_speed_s_m)?;
+        Ok(Self::new(Family::Knee, &[below, knee_speed_m_s, loss]))
     }
 
     /// e* at the middle of three speeds in m/s, each with its slope d ln e / d ln v. Between them the
@@ -261,21 +249,21 @@ impl Restitution {
         for slope in slopes {
             finite("exponent of the restitution law", slope)?;
         }
-        // Towards slower impacts the distance grows the other way.
-        Ok(Self(Law::Smooth {
-            log_reference: restitution.ln(),
-            log_speed: middle.ln(),
-            slow: Half {
-                from: -slopes[1],
-                to: -slopes[0],
-                end: (middle / slow).ln(),
-            },
-            fast: Half {
-                from: slopes[1],
-                to: slopes[2],
-                end: (fast / middle).ln(),
-            },
-        }))
+        let (reference, slowest, fastest) = (middle.ln(), slow.ln(), fast.ln());
+        Ok(Self::new(
+            Family::Smooth,
+            &[
+                restitution.ln(),
+                reference,
+                // Towards slower impacts the distance grows the other way.
+                -slopes[1],
+                -slopes[0],
+                reference - slowest,
+                slopes[1],
+                slopes[2],
+                fastest - reference,
+            ],
+        ))
     }
 
     /// The coefficient of restitution of an impact at a speed, from 0 to 1.
@@ -299,65 +287,101 @@ impl Restitution {
     /// Both [`Self::at`] and [`Self::log_slope`].
     #[inline]
     pub(crate) fn at_with_log_slope(&self, impact_speed_m_s: f64) -> (f64, f64) {
-        let (e, log_slope) = self.unbounded(impact_speed_m_s);
-        if e > 0.0 && e < 1.0 {
-            (e, log_slope)
-        } else {
-            (e.clamp(0.0, 1.0), 0.0)
-        }
+        let (e, log_slope) =
+            Restitutions::of(&[*self]).at_with_log_slope(Lanes([impact_speed_m_s]));
+        (e.0[0], log_slope.0[0])
     }
 
-    /// The same, if e had no bounds.
-    #[inline]
-    fn unbounded(&self, v: f64) -> (f64, f64) {
-        match self.0 {
-            Law::Constant(restitution) => (restitution, 0.0),
-            Law::Linear {
-                at_rest,
-                loss_per_speed,
-            } => {
-                let e = at_rest - loss_per_speed * v;
-                (e, -loss_per_speed * v / e)
-            }
-            Law::Power {
-                reference,
-                reference_speed,
-                exponent,
-            } => (reference * (v / reference_speed).powf(-exponent), -exponent),
-            Law::Viscoelastic { dissipation } => {
-                let x = viscous(dissipation, v);
-                // x goes as v^1/10.
-                (pade::restitution(x), 0.1 * pade::log_slope(x))
-            }
-            Law::Knee {
-                below,
-                knee_speed,
-                loss_per_speed,
-            } => {
-                let width = KNEE_WIDTH * knee_speed;
-                let past = (v - knee_speed) / width;
-                let e = below - loss_per_speed * width * softplus(past);
-                (e, -loss_per_speed * logistic(past) * v / e)
-            }
-            Law::Smooth {
-                log_reference,
-                log_speed,
-                slow,
-                fast,
-            } => {
-                let (rise, log_slope) = match v.ln() - log_speed {
-                    faster if faster > 0.0 => (fast.rise(faster), fast.slope(faster)),
-                    slower => (slow.rise(-slower), -slow.slope(-slower)),
-                };
-                ((log_reference + rise).exp(), log_slope)
-            }
-        }
+    fn new(family: Family, own: &[f64]) -> Self {
+        let mut numbers = [0.0; NUMBERS];
+        numbers[..own.len()].copy_from_slice(own);
+        Self { family, numbers }
     }
 }
 
-/// The Padé argument at a speed.
-fn viscous(dissipation: f64, speed: f64) -> f64 {
-    (dissipation * speed.powf(0.2)).sqrt()
+/// Laws of one family, one in each lane.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Restitutions<const L: usize> {
+    family: Family,
+    numbers: [Lanes<L>; NUMBERS],
+}
+
+impl<const L: usize> Restitutions<L> {
+    /// These laws, all of the family of the first.
+    #[inline(always)]
+    pub(crate) fn of(laws: &[Restitution; L]) -> Self {
+        let family = laws[0].family;
+        debug_assert!(laws.iter().all(|law| law.family == family));
+        let number = |place: usize| Lanes::of(|lane| laws[lane].numbers[place]);
+        Self {
+            family,
+            numbers: std::array::from_fn(number),
+        }
+    }
+
+    /// e and d ln e/d ln v at an impact speed in each lane.
+    #[inline(always)]
+    pub(crate) fn at_with_log_slope(&self, speed: Lanes<L>) -> (Lanes<L>, Lanes<L>) {
+        let (e, log_slope) = self.unbounded(speed);
+        let bounded = Lanes::of(|lane| {
+            let e = e.0[lane];
+            let e = if e < 0.0 { 0.0 } else { e };
+            if e > 1.0 { 1.0 } else { e }
+        });
+        // Held at 0 or 1 it does not change.
+        let free = Lanes::of(|lane| bounded.0[lane] * (1.0 - bounded.0[lane]));
+        (bounded, free.if_positive(log_slope, Lanes::all(0.0)))
+    }
+
+    /// The same, if e had no bounds.
+    #[inline(always)]
+    fn unbounded(&self, v: Lanes<L>) -> (Lanes<L>, Lanes<L>) {
+        let [a, b, c, ..] = self.numbers;
+        match self.family {
+            Family::Constant => (a, Lanes::all(0.0)),
+            Family::Linear => {
+                let e = a - b * v;
+                (e, -(b * v) / e)
+            }
+            Family::Power => (a * ((v / b).ln() * -c).exp(), -c),
+            Family::Viscoelastic => {
+                // x = (a v^1/5)^1/2.
+                let x = a.sqrt() * (v.ln() * 0.1).exp();
+                let (e, log_slope) = pade::restitution(x);
+                (e, log_slope * 0.1)
+            }
+            Family::Knee => {
+                let width = b * KNEE_WIDTH;
+                let past = (v - b) / width;
+                // ln(1 + exp past) and 1/(1 + exp -past), without overflow.
+                let small = (-past.abs()).exp();
+                let softplus = past.max(0.0) + (small + 1.0).ln();
+                let logistic = past.if_positive(Lanes::all(1.0), small) / (small + 1.0);
+                let e = a - c * width * softplus;
+                (e, -(c * logistic * v) / e)
+            }
+            Family::Smooth => {
+                let [
+                    ..,
+                    slow_from,
+                    slow_to,
+                    slow_end,
+                    fast_from,
+                    fast_to,
+                    fast_end,
+                ] = self.numbers;
+                let faster = v.ln() - b;
+                let either = |fast, slow| faster.if_positive(fast, slow);
+                let half = Half {
+                    from: either(fast_from, slow_from),
+                    to: either(fast_to, slow_to),
+                    end: either(fast_end, slow_end),
+                };
+                let (rise, slope) = half.rise(faster.abs());
+                ((a + rise).exp(), either(slope, -slope))
+            }
+        }
+    }
 }
 
 /// The Padé argument at which e has a value: Newton on ln e over ln x, which is nearly straight.
@@ -370,8 +394,8 @@ fn pade_argument(restitution: f64) -> f64 {
     // 1 - 1.15 x² for a lively ball, about x^-3 for a dead one.
     let mut x = ((1.0 - restitution) / 1.153_45).sqrt() + restitution.powf(-1.0 / 3.0) - 1.0;
     for _ in 0..STEPS {
-        let log_e = pade::restitution(x).ln();
-        let step = (target - log_e) / pade::log_slope(x);
+        let (Lanes([e]), Lanes([log_slope])) = pade::restitution(Lanes([x]));
+        let step = (target - e.ln()) / log_slope;
         // At most a factor of e at once: the start is rough for balls that hardly bounce.
         x *= step.clamp(-1.0, 1.0).exp();
         if step.abs() < 1e-15 {

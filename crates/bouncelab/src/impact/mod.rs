@@ -3,6 +3,7 @@
 mod law;
 
 pub use law::Restitution;
+pub(crate) use law::Restitutions;
 
 use crate::error::{Result, not_negative};
 

@@ -1,9 +1,10 @@
 //! From the draws of the posterior to the estimates.
 
-use super::likelihood::{Evaluator, Innovation};
+use super::likelihood::{DropState, Innovation};
 use super::posterior::{Draws, ImpactPosterior, Model, Posterior, Sampling};
+use super::predict::Rest;
 use super::priors::Measured;
-use super::sampled::{SampledPosterior, THINNED};
+use super::sampled::{DrawnDrop, SampledPosterior, THINNED};
 use super::{ApexTarget, InferenceOptions, Prediction, budget, findings, identify, predict};
 use crate::drag::DragLaw;
 use crate::error::Result;
@@ -37,8 +38,8 @@ impl Answers {
         let sigma_s = &posterior.observed().sigma_s;
         let squares: f64 = sigma_s.iter().map(|s| s * s).sum();
         let rms_s = (squares / sigma_s.len() as f64).sqrt();
-        let rows = posterior.each(1, |evaluator, point| {
-            let table = evaluator.table(point)?;
+        let rows = posterior.each(1, |model, point| {
+            let table = model.table(point)?;
             let (gravity_height, ..) = table.apex(point.fall_launch_m_s)?;
             Some([
                 point.law.at(at_speed_m_s),
@@ -78,11 +79,10 @@ impl Answers {
         let of = |values: &[f64]| Estimate::of_draws(values.iter().copied());
         let innovations = posterior.innovations();
         let prior_contraction = identify::prior_contraction(&posterior);
-        let rest = posterior.each(THINNED, |evaluator, point| {
-            Some(predict::until_rest(evaluator, point))
-        });
-        let rests = rest.iter().filter(|rest| rest.is_some()).count() * 2 > rest.len();
-        let rest: Vec<predict::Rest> = rest.into_iter().flatten().filter(|_| rests).collect();
+        let drops = posterior.drops();
+        let rest: Vec<Rest> = drops.iter().filter_map(|drop| drop.rest).collect();
+        let rests = rest.len() * 2 > drops.len();
+        let rest = if rests { rest } else { Vec::new() };
         let drag_coefficient = self.drag_coefficients(&posterior);
         let drag = self.drag(&posterior, &drag_coefficient);
         let gravity_m_s2 = of(&self.environment_gravity(&posterior))?;
@@ -105,7 +105,7 @@ impl Answers {
             total_path_m: Estimate::of_draws(rest.iter().map(|rest| rest.path_m)),
             missed_first_impacts: missed_first(&posterior),
             predictions: predictions(&posterior, &inference.reach),
-            impacts: detected(&posterior, &innovations),
+            impacts: detected(&posterior, &drops, &innovations),
             models: self.models(&posterior),
             log_evidence: posterior.log_evidence(),
             prior_contraction,
@@ -117,7 +117,7 @@ impl Answers {
                 ("gravity", self.gravity_m_s2.clone()),
                 ("contact-time", self.contact_time_s.clone()),
             ]),
-            budget: budget::budget(&posterior, self.at_speed_m_s).unwrap_or_default(),
+            budget: budget::budget(&posterior, &drops, self.at_speed_m_s).unwrap_or_default(),
             sampling: Sampling {
                 effective_draws: posterior.effective_draws(),
                 pareto_shape: posterior.pareto_shape(),
@@ -247,8 +247,8 @@ fn fastest_reynolds(posterior: &SampledPosterior) -> f64 {
 
 fn predictions(posterior: &SampledPosterior, reach: &[ApexTarget]) -> Vec<Prediction> {
     let height = |reach: ApexTarget| {
-        posterior.each(THINNED, |evaluator, point| {
-            predict::drop_height_for(evaluator, point, reach.bounce, reach.apex_m)
+        posterior.each(THINNED, |model, point| {
+            predict::drop_height_for(model, point, reach.bounce, reach.apex_m)
         })
     };
     reach
@@ -290,17 +290,11 @@ fn terminal_speed(model: &FlightModel, drag_strength: f64) -> Option<f64> {
 }
 
 /// The impacts detected, with what each did to the speed and the energy of the ball.
-fn detected(posterior: &SampledPosterior, innovations: &[Innovation]) -> Vec<ImpactPosterior> {
-    let state = posterior.each(THINNED, |evaluator: &mut Evaluator, point| {
-        let state = evaluator.state(point)?;
-        let table = evaluator.table(point)?;
-        let apexes = state
-            .launch_speeds
-            .iter()
-            .map(|&launch| Some(table.apex(launch)?.0 / point.gravity_m_s2))
-            .collect::<Option<Vec<f64>>>()?;
-        Some((state, apexes))
-    });
+fn detected(
+    posterior: &SampledPosterior,
+    drops: &[DrawnDrop],
+    innovations: &[Innovation],
+) -> Vec<ImpactPosterior> {
     let mass_kg = FlightModel::new(&posterior.ball, &posterior.environment)
         .ok()
         .and_then(|model| model.moving_mass_kg())
@@ -314,23 +308,23 @@ fn detected(posterior: &SampledPosterior, innovations: &[Innovation]) -> Vec<Imp
             let innovation = innovations.iter().rfind(|i| i.impact == place && launches);
             let energy =
                 |faster: f64, slower: f64| 0.5 * mass_kg * (faster * faster - slower * slower);
-            let when = |possible: bool, value: &dyn Fn(usize) -> f64| {
+            let when = |possible: bool, value: &dyn Fn(&DropState) -> f64| {
                 if possible {
-                    Estimate::of_draws((0..state.len()).map(value))
+                    Estimate::of_draws(drops.iter().map(|drop| value(&drop.state)))
                 } else {
                     None
                 }
             };
-            let before = |draw: usize| state[draw].0.impact_speeds[place];
-            let after = |draw: usize| state[draw].0.launch_speeds[place];
+            let before = |state: &DropState| state.impact_speeds[place];
+            let after = |state: &DropState| state.launch_speeds[place];
             Some(ImpactPosterior {
                 number: impact.number,
-                impact_speed_m_s: Estimate::of_draws((0..state.len()).map(before))?,
-                restitution: when(launches, &|draw| after(draw) / before(draw)),
-                apex_m: when(launches, &|draw| state[draw].1[place]),
-                lost_to_surface_j: when(launches, &|draw| energy(before(draw), after(draw))),
-                lost_to_air_j: when(single, &|draw| {
-                    energy(after(draw), state[draw].0.impact_speeds[place + 1])
+                impact_speed_m_s: when(true, &before)?,
+                restitution: when(launches, &|state| after(state) / before(state)),
+                apex_m: when(launches, &|state| state.apexes_m[place]),
+                lost_to_surface_j: when(launches, &|state| energy(before(state), after(state))),
+                lost_to_air_j: when(single, &|state| {
+                    energy(after(state), state.impact_speeds[place + 1])
                 }),
                 standardised_residual: innovation.map(|i| i.standardised),
                 weight: innovation.map_or(1.0, |i| i.weight),

@@ -3,6 +3,8 @@
 //! A long train has thousands of residuals: as dense matrices their covariances would take
 //! gigabytes, and minutes to invert.
 
+use std::ops::{Div, Mul, Sub};
+
 use nalgebra::{DMatrix, DVector};
 
 /// A symmetric matrix that is zero more than two places from the diagonal.
@@ -65,7 +67,8 @@ impl Banded {
     /// Of each row of the factors the entries of L two and one place before the diagonal, and that of D.
     fn factors(&self) -> Option<Vec<[f64; 3]>> {
         let mut factors: Vec<[f64; 3]> = Vec::with_capacity(self.rows.len());
-        let [mut one, mut two] = BEFORE_THE_FIRST;
+        // Before the first row stands a matrix that is one.
+        let [mut one, mut two] = [[0.0, 0.0, 1.0]; 2];
         for (i, &[second, first, diagonal]) in self.rows.iter().enumerate() {
             let second = if i < 2 { 0.0 } else { second };
             let first = if i < 1 { 0.0 } else { first };
@@ -80,20 +83,27 @@ impl Banded {
     }
 }
 
-/// Before the first row stands a matrix that is one.
-pub(super) const BEFORE_THE_FIRST: [[f64; 3]; 2] = [[0.0, 0.0, 1.0]; 2];
+/// A row of the factors L D L' of a banded matrix: the entries of L two and one places before the diagonal,
+/// and that of D.
+pub(super) type FactorRow<T> = [T; 3];
 
-/// The next row of the factors L D L' of a banded matrix, from its row and the factors one and two rows
-/// before: the entries of L two and one places before the diagonal, and that of D.
-#[inline]
-pub(super) fn next_factor(
-    [second, first, diagonal]: [f64; 3],
-    [one, two]: [[f64; 3]; 2],
-) -> [f64; 3] {
-    let second = second / two[2];
-    let first = (first - second * one[1] * two[2]) / one[2];
-    let rest = diagonal - first * first * one[2] - second * second * two[2];
-    [second, first, rest]
+/// The next row of the factors of a banded matrix, from its row and the factors one and two rows before.
+#[inline(always)]
+pub(super) fn next_factor<T>(
+    [second, first, diagonal]: [T; 3],
+    [one, two]: [FactorRow<T>; 2],
+) -> FactorRow<T>
+where
+    T: Copy + Sub<Output = T> + Mul<Output = T> + Div<Output = T>,
+{
+    // As they stand in L D: a division later.
+    let (second_d, first_d) = (second, first - second * one[1]);
+    let (second, first) = (second_d / two[2], first_d / one[2]);
+    [
+        second,
+        first,
+        diagonal - first * first_d - second * second_d,
+    ]
 }
 
 #[cfg(test)]

@@ -7,10 +7,10 @@
 use nalgebra::{Cholesky, DMatrix, DVector};
 
 use super::banded::Banded;
-use super::likelihood::Evaluator;
+use super::likelihood::Details;
 use super::model::{Model, Slot};
-use super::residual::{covariance_by_time, variance_by_time};
-use super::sampled::{SampledPosterior, THINNED};
+use super::residual::Noise;
+use super::sampled::{DrawnDrop, SampledPosterior};
 
 /// What one source adds to the uncertainty of a quantity.
 #[derive(Debug, Clone, PartialEq)]
@@ -40,26 +40,27 @@ pub struct Budget {
 
 /// The budget at the best fit of the best model; what differs between models and between numbers of
 /// missed impacts comes from all of them. `None` if the fit is too odd to be taken apart.
-pub(super) fn budget(posterior: &SampledPosterior, at_speed_m_s: f64) -> Option<Budget> {
+pub(super) fn budget(
+    posterior: &SampledPosterior,
+    drops: &[DrawnDrop],
+    at_speed_m_s: f64,
+) -> Option<Budget> {
     let candidate = posterior.candidates.first()?;
     let model = posterior.model(candidate);
-    let mut evaluator = Evaluator::new(&model);
     let vector = candidate.fit.vector.as_slice();
-    let linear = Linear::new(&mut evaluator, vector)?;
-    let restitution = |evaluator: &mut Evaluator, vector: &[f64]| {
-        Some(evaluator.point(vector)?.law.at(at_speed_m_s))
-    };
-    let height = |evaluator: &mut Evaluator, vector: &[f64]| {
-        let point = evaluator.point(vector)?;
-        let (gravity_height, ..) = evaluator.table(&point)?.apex(point.fall_launch_m_s)?;
+    let linear = Linear::new(&model, vector)?;
+    let restitution =
+        |model: &Model, vector: &[f64]| Some(model.point(vector)?.law.at(at_speed_m_s));
+    let height = |model: &Model, vector: &[f64]| {
+        let point = model.point(vector)?;
+        let (gravity_height, ..) = model.table(&point)?.apex(point.fall_launch_m_s)?;
         Some(gravity_height / point.gravity_m_s2)
     };
-    let [between_laws, between_missed] = between(posterior, at_speed_m_s);
-    let mut of_restitution =
-        linear.sources(&gradient(&mut evaluator, vector, restitution)?, &model);
+    let [between_laws, between_missed] = between(posterior, drops, at_speed_m_s);
+    let mut of_restitution = linear.sources(&gradient(&model, vector, restitution)?, &model);
     of_restitution.push(("choice-of-law", between_laws[0]));
     of_restitution.push(("number-of-impacts", between_missed[0]));
-    let mut of_height = linear.sources(&gradient(&mut evaluator, vector, height)?, &model);
+    let mut of_height = linear.sources(&gradient(&model, vector, height)?, &model);
     of_height.push(("choice-of-law", between_laws[1]));
     of_height.push(("number-of-impacts", between_missed[1]));
     Some(Budget {
@@ -80,34 +81,33 @@ struct Linear {
 }
 
 impl Linear {
-    fn new(evaluator: &mut Evaluator, vector: &[f64]) -> Option<Self> {
-        let model = evaluator.model;
-        let point = evaluator.point(vector)?;
-        let slopes = evaluator.differences(vector)?.residuals;
-        evaluator.log_posterior(vector)?;
-        let weights: Vec<f64> = evaluator.innovations.iter().map(|i| i.weight).collect();
-        let residuals = evaluator.residuals(&point)?;
-        let variance = |impact: usize| point.time_variance_s2(model.observed, impact);
+    fn new(model: &Model, vector: &[f64]) -> Option<Self> {
+        let point = model.point(vector)?;
+        let slopes = model.differences(vector)?.residuals;
+        let Details {
+            residuals,
+            innovations,
+            ..
+        } = model.details(vector)?;
+        let noise = Noise::new(&model.observed.sigma_s, &[point]);
         let mut by_time = Banded::default();
         let mut by_scatter = Banded::default();
         let mut by_release = Banded::default();
-        let scatter = point.scatter * point.scatter;
+        let scatter = noise.scatter.0[0];
         for (row, residual) in residuals.iter().enumerate() {
             let shared = |places: usize| {
                 let earlier = row.checked_sub(places).map(|place| &residuals[place]);
-                earlier.map_or(0.0, |earlier| {
-                    covariance_by_time(earlier, residual, variance)
-                })
+                earlier.map_or(0.0, |earlier| noise.shared_by_time(earlier, residual).0[0])
             };
-            let own = variance_by_time(residual, variance);
+            let own = noise.by_time(residual).0[0];
             by_time.push([shared(2), shared(1), own]);
             // An odd impact counts less, as if its scatter were larger.
-            let own = scatter * residual.scatter / weights[row].max(1e-3);
-            by_scatter.push([0.0, scatter * residual.scatter_before, own]);
+            let own = scatter * residual.scatter.0[0] / innovations[row].weight.max(1e-3);
+            by_scatter.push([0.0, scatter * residual.scatter_before.0[0], own]);
             by_release.push([0.0, 0.0, residual.own_variance]);
         }
-        let noise = Banded::sum([&by_time, &by_scatter, &by_release]);
-        let precise = noise.solve(slopes.clone())?;
+        let covariance = Banded::sum([&by_time, &by_scatter, &by_release]);
+        let precise = covariance.solve(slopes.clone())?;
         let priors = model
             .slots()
             .iter()
@@ -170,14 +170,13 @@ impl Linear {
 pub(super) fn shared_sd(posterior: &SampledPosterior, speeds_m_s: &[f64]) -> Option<Vec<f64>> {
     let candidate = posterior.candidates.first()?;
     let model = posterior.model(candidate);
-    let mut evaluator = Evaluator::new(&model);
     let vector = candidate.fit.vector.as_slice();
-    let linear = Linear::new(&mut evaluator, vector)?;
+    let linear = Linear::new(&model, vector)?;
     speeds_m_s
         .iter()
         .map(|&speed_m_s| {
-            let gradient = gradient(&mut evaluator, vector, |evaluator, vector| {
-                Some(evaluator.point(vector)?.law.at(speed_m_s))
+            let gradient = gradient(&model, vector, |model, vector| {
+                Some(model.point(vector)?.law.at(speed_m_s))
             })?;
             let inputs = linear.inputs(&gradient, &model);
             Some(
@@ -193,18 +192,18 @@ pub(super) fn shared_sd(posterior: &SampledPosterior, speeds_m_s: &[f64]) -> Opt
 
 /// Derivatives of a quantity by the unknowns, by central differences.
 fn gradient(
-    evaluator: &mut Evaluator,
+    model: &Model,
     vector: &[f64],
-    quantity: impl Fn(&mut Evaluator, &[f64]) -> Option<f64>,
+    quantity: impl Fn(&Model, &[f64]) -> Option<f64>,
 ) -> Option<DVector<f64>> {
     const STEP: f64 = 1e-4;
     let mut moved = vector.to_vec();
     let mut gradient = DVector::zeros(vector.len());
     for i in 0..vector.len() {
         moved[i] = vector[i] + STEP;
-        let above = quantity(evaluator, &moved)?;
+        let above = quantity(model, &moved)?;
         moved[i] = vector[i] - STEP;
-        let below = quantity(evaluator, &moved)?;
+        let below = quantity(model, &moved)?;
         moved[i] = vector[i];
         gradient[i] = (above - below) / (2.0 * STEP);
     }
@@ -213,7 +212,7 @@ fn gradient(
 
 /// Variance of the means of restitution and height between laws, and between numbers of missed
 /// impacts.
-fn between(posterior: &SampledPosterior, at_speed_m_s: f64) -> [[f64; 2]; 2] {
+fn between(posterior: &SampledPosterior, drops: &[DrawnDrop], at_speed_m_s: f64) -> [[f64; 2]; 2] {
     let keys: Vec<(usize, usize)> = posterior
         .candidates
         .iter()
@@ -226,22 +225,15 @@ fn between(posterior: &SampledPosterior, at_speed_m_s: f64) -> [[f64; 2]; 2] {
             )
         })
         .collect();
-    let values = posterior.each(THINNED, |evaluator, point| {
-        let state = evaluator.state(point)?;
-        Some([point.law.at(at_speed_m_s), state.drop_height_m])
-    });
-    let of_draw: Vec<(usize, usize)> = posterior
-        .draws
-        .iter()
-        .step_by(THINNED)
-        .map(|draw| keys[draw.candidate])
-        .collect();
-    if of_draw.len() != values.len() {
+    if drops.is_empty() {
         return [[0.0; 2]; 2];
     }
+    let values = drops
+        .iter()
+        .map(|drop| [drop.law.at(at_speed_m_s), drop.state.drop_height_m]);
     let variance = |key: &dyn Fn(&(usize, usize)) -> usize, quantity: usize| {
-        let groups = of_draw.iter().map(key);
-        variance_of_means(groups.zip(values.iter().map(|value| value[quantity])))
+        let groups = drops.iter().map(|drop| key(&keys[drop.candidate]));
+        variance_of_means(groups.zip(values.clone().map(|value| value[quantity])))
     };
     [
         [0, 1].map(|quantity| variance(&|&(law, _)| law, quantity)),

@@ -4,7 +4,7 @@ use super::GREATEST_PARETO_SHAPE;
 use super::LawKind;
 use super::fit;
 use super::identify::{PriorContraction, UNINFORMATIVE, Unknown};
-use super::likelihood::{Evaluator, Innovation};
+use super::likelihood::Innovation;
 use super::priors::{Measured, Priors};
 use super::sampled::{MATTERS, SampledPosterior};
 use crate::diagnostic::{Code, Diagnostic};
@@ -133,9 +133,8 @@ fn contradiction(
 ) -> Option<Diagnostic> {
     let candidate = &posterior.candidates[0];
     let model = posterior.model(candidate);
-    let mut evaluator = Evaluator::new(&model);
-    let point = evaluator.point(candidate.fit.vector.as_slice())?;
-    let fitted_m = evaluator.state(&point)?.drop_height_m;
+    let point = model.point(candidate.fit.vector.as_slice())?;
+    let fitted_m = model.state(&point)?.drop_height_m;
     let off = ((fitted_m - measured.value) / measured.sd).abs();
     let first = innovations
         .iter()
@@ -164,15 +163,14 @@ fn detected_height_m(posterior: &SampledPosterior, law: LawKind, media: usize) -
             release_s: None,
             ..posterior.priors.clone()
         },
-        numberings: vec![posterior.observed().clone()],
+        numberings: vec![posterior.numbering().clone()],
         media: posterior.media.clone(),
         candidates: Vec::new(),
         draws: Vec::new(),
         ..*posterior
     };
     let model = without.model_of(law, media, 0, 0);
-    let mut evaluator = Evaluator::new(&model);
-    let fit = fit::best_fit(&mut evaluator)?;
-    let point = evaluator.point(fit.vector.as_slice())?;
-    Some(evaluator.state(&point)?.drop_height_m)
+    let fit = fit::best_fit(&model, model.start())?;
+    let point = model.point(fit.vector.as_slice())?;
+    Some(model.state(&point)?.drop_height_m)
 }

@@ -2,7 +2,7 @@
 
 use nalgebra::{Cholesky, DMatrix, DVector};
 
-use super::likelihood::Evaluator;
+use super::model::Model;
 
 /// The best vector of a model and the curvature there.
 #[derive(Debug, Clone)]
@@ -36,18 +36,18 @@ const MOST_HALVES: usize = 10;
 /// a least-squares fit with weights (M. R. Osborne, Int. Stat. Rev. 60, 99, 1992).
 ///
 /// `None` if no vector near the start makes sense.
-pub(super) fn best_fit(evaluator: &mut Evaluator) -> Option<Fit> {
-    let mut vector = DVector::from_vec(evaluator.model.start());
-    let mut log_posterior = evaluator.log_posterior(vector.as_slice())?;
+pub(super) fn best_fit(model: &Model, start: Vec<f64>) -> Option<Fit> {
+    let mut vector = DVector::from_vec(start);
+    let mut log_posterior = model.log_posterior(vector.as_slice())?;
     let mut steps = 0;
     loop {
-        let (slope, information) = evaluator.slope_and_information(vector.as_slice())?;
+        let (slope, information) = model.slope_and_information(vector.as_slice())?;
         let information = Cholesky::new(information)?;
         let step = information.solve(&slope);
         let better = if slope.dot(&step) < NEAR * NEAR || steps == MOST_STEPS {
             None
         } else {
-            uphill(evaluator, &vector, step, log_posterior)
+            uphill(model, &vector, step, log_posterior)
         };
         let Some(better) = better else {
             return Some(Fit {
@@ -63,14 +63,14 @@ pub(super) fn best_fit(evaluator: &mut Evaluator) -> Option<Fit> {
 
 /// The vector after a step, or the greatest part of it that leads to a better fit, and its log posterior.
 fn uphill(
-    evaluator: &mut Evaluator,
+    model: &Model,
     from: &DVector<f64>,
     mut step: DVector<f64>,
     log_posterior: f64,
 ) -> Option<(DVector<f64>, f64)> {
     for _ in 0..MOST_HALVES {
         let vector = from + &step;
-        match evaluator.log_posterior(vector.as_slice()) {
+        match model.log_posterior(vector.as_slice()) {
             Some(better) if better > log_posterior => return Some((vector, better)),
             _ => step *= 0.5,
         }

@@ -17,12 +17,15 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use super::banded::{BEFORE_THE_FIRST, next_factor};
+use super::banded::{FactorRow, next_factor};
 use super::model::{Height, LOG_SCATTER_SD, Model, Point, Slot};
 use super::priors::Measured;
-use super::residual::{End, InitialFall, Residual, covariance_by_time, variance_by_time};
+use super::residual::{End, InitialFall, Noise, Residual};
 use super::tail::{FREEDOM, Tail};
+use super::timed_flights::FlightsAtStrength;
 use crate::flight::table::FlightTable;
+use crate::impact::Restitutions;
+use crate::simd::{Lanes, dispatch};
 
 /// Beyond about so many standard deviations an innovation is odd, and says nothing of its
 /// neighbours.
@@ -30,6 +33,13 @@ const ODD: f64 = 3.0;
 
 /// Steps of Newton's method for a value that need not be exact.
 const ROUGH: usize = 1;
+
+/// So many vectors are evaluated side by side: most of an evaluation waits for the step before.
+const LANES: usize = 8;
+
+/// So many factors of a likelihood are multiplied before their logarithm is taken: none is so small or large
+/// that their product leaves the range of numbers.
+const FACTORS: usize = 8;
 
 /// An innovation: what one impact adds.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -42,14 +52,22 @@ pub(super) struct Innovation {
     pub(super) weight: f64,
 }
 
-/// Works out likelihoods for one model; keeps its room, so that thousands cost no allocation.
-#[derive(Debug, Clone)]
-pub(super) struct Evaluator<'a> {
-    pub(super) model: &'a Model<'a>,
-    ends: Vec<End>,
-    residuals: Vec<Residual>,
-    factors: Vec<Factor>,
+/// What each residual adds to a likelihood, in order.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Details {
+    pub(super) residuals: Vec<Residual<1>>,
     pub(super) innovations: Vec<Innovation>,
+    factors: Vec<Factor>,
+}
+
+/// A vector with what it stands for.
+#[derive(Debug, Clone, Copy)]
+struct Trial<'a, 'v> {
+    vector: &'v [f64],
+    point: Point,
+    fall: InitialFall,
+    table: FlightTable<'a>,
+    flights: FlightsAtStrength<'a>,
 }
 
 /// Derivatives by the unknowns.
@@ -63,12 +81,21 @@ pub(super) struct Differences {
 /// A row of the Cholesky factors L D L' of the covariance of the residuals.
 #[derive(Debug, Clone, Copy)]
 struct Factor {
-    /// Entries of L one and two places before the diagonal.
-    before: [f64; 2],
-    /// Entry of D: the variance of the innovation.
-    variance: f64,
+    /// Entries of L two and one places before the diagonal, and that of D: the variance of the innovation.
+    row: FactorRow<f64>,
     /// Which share of the variance of the residual is scatter.
     scatter_share: f64,
+}
+
+/// One step of the likelihood: a residual with what it adds.
+struct Step<'r, const L: usize> {
+    residual: &'r Residual<L>,
+    factor: FactorRow<Lanes<L>>,
+    scatter_share: Lanes<L>,
+    tail: Tail<L>,
+    /// Square of the innovation in units of its standard deviation, and the innovation itself.
+    square: Lanes<L>,
+    innovation: Lanes<L>,
 }
 
 /// A drop as the times tell it.
@@ -79,67 +106,31 @@ pub(super) struct DropState {
     pub(super) release_to_first_s: f64,
     /// Speed at each impact detected, m/s.
     pub(super) impact_speeds: Vec<f64>,
-    /// Launch speed after each impact detected but the last, m/s.
+    /// Launch speed after each impact detected but the last, m/s, and the height to which it rises, m.
     pub(super) launch_speeds: Vec<f64>,
+    pub(super) apexes_m: Vec<f64>,
 }
 
-/// A product of many factors, as its logarithm: a logarithm for each of them would take longer.
-#[derive(Debug, Clone, Copy)]
-struct Product {
-    /// What is not yet in the sum.
-    factor: f64,
-    log: f64,
-}
-
-impl Default for Product {
-    fn default() -> Self {
-        Self {
-            factor: 1.0,
-            log: 0.0,
-        }
-    }
-}
-
-impl Product {
-    #[inline]
-    fn multiply(&mut self, factor: f64) {
-        self.factor *= factor;
-        // One more factor, whatever it is, leaves this a normal number.
-        if !(1e-100..1e100).contains(&self.factor) {
-            self.log = self.ln();
-            self.factor = 1.0;
-        }
-    }
-
-    fn ln(self) -> f64 {
-        self.log + self.factor.ln()
-    }
-}
-
-impl<'a> Evaluator<'a> {
-    pub(super) fn new(model: &'a Model<'a>) -> Self {
-        Self {
-            model,
-            ends: Vec::new(),
-            residuals: Vec::new(),
-            factors: Vec::new(),
-            innovations: Vec::new(),
-        }
-    }
-
+impl<'a> Model<'a> {
     /// The values that a vector stands for; `None` where it makes no sense.
     pub(super) fn point(&self, vector: &[f64]) -> Option<Point> {
-        let mut point = self.model.point(vector)?;
-        let place = vector[self.model.place(Slot::Height)?];
-        match self.model.height() {
+        let point = self.values(vector)?;
+        self.with_fall(point, &self.table(&point)?, vector)
+    }
+
+    /// The same with the fall, which takes flights to tell.
+    fn with_fall(&self, mut point: Point, table: &FlightTable, vector: &[f64]) -> Option<Point> {
+        let place = vector[self.place(Slot::Height)?];
+        match self.height() {
             Height::Speed => point.fall_launch_m_s = place.exp(),
             Height::Measured(Measured { value, sd }) => {
                 let gravity_height = point.gravity_m_s2 * (value + sd * place);
-                point.fall_launch_m_s = self.table(&point)?.rising_to(gravity_height)?;
+                point.fall_launch_m_s = table.rising_to(gravity_height)?;
             }
             Height::FromFirstFlight => {
                 let noise = self.first_noise(&point);
-                point.fall_launch_m_s = self.suggested_launch(&point)? * (noise * place).exp();
+                let suggested = self.suggested_launch(&point, table)?;
+                point.fall_launch_m_s = suggested * (noise * place).exp();
                 point.log_height_unit = noise.ln();
             }
         }
@@ -148,165 +139,251 @@ impl<'a> Evaluator<'a> {
 
     /// About the launch that would rise to the drop height, by the first flight and the law. Any smooth
     /// function of the unknowns serves: one step of Newton's method is near enough.
-    fn suggested_launch(&self, point: &Point) -> Option<f64> {
-        let first = self.model.observed.intervals[0];
+    fn suggested_launch(&self, point: &Point, table: &FlightTable) -> Option<f64> {
+        let first = self.observed.intervals[0];
         let flight_s = first.duration_s / first.flights as f64 - point.contact_time_s;
-        let table = self.table(point)?;
         let launch = table.lasting(point.gravity_m_s2 * flight_s)?.launch;
         table.launch_leading_to(point.impact_before(launch, ROUGH)?, ROUGH)
     }
 
     /// About the standard deviation of ln(launch speed) after the first impact detected, given the fall.
     fn first_noise(&self, point: &Point) -> f64 {
-        let observed = self.model.observed;
-        let sigma_s = observed.sigma_s[0].hypot(observed.sigma_s[1]);
-        point
-            .scatter
-            .hypot(point.timing * sigma_s / observed.intervals[0].duration_s)
+        let observed = self.observed;
+        let square = |x: f64| x * x;
+        let sigma_s = square(observed.sigma_s[0]) + square(observed.sigma_s[1]);
+        let timing = square(point.timing / observed.intervals[0].duration_s) * sigma_s;
+        (square(point.scatter) + timing).sqrt()
     }
 
     /// Logarithm of prior times likelihood, but for a constant that all models of the same data
     /// share; `None` where the vector makes no sense.
-    pub(super) fn log_posterior(&mut self, vector: &[f64]) -> Option<f64> {
-        let point = self.point(vector)?;
-        let (opening, log_jacobian) = self.residuals_at(&point)?;
-        let prior = self.model.log_prior(vector, opening.height_slope);
-        let log_jacobian = log_jacobian + point.log_height_unit;
-        let total = prior + log_jacobian + self.log_density(&point);
-        total.is_finite().then_some(total)
+    pub(super) fn log_posterior(&self, vector: &[f64]) -> Option<f64> {
+        let trial = self.trial(vector)?;
+        self.log_posteriors_of([&trial], |_| {})[0]
     }
 
-    /// The residuals at a point, for those who want to take them apart.
-    pub(super) fn residuals(&mut self, point: &Point) -> Option<&[Residual]> {
-        self.residuals_at(point)?;
-        Some(&self.residuals)
+    /// The same of many vectors: several at once are faster than one after the other.
+    pub(super) fn log_posteriors<'v>(
+        &self,
+        vectors: impl Iterator<Item = &'v [f64]>,
+    ) -> Vec<Option<f64>> {
+        self.log_posteriors_and_residuals(vectors, |_, _, _| {})
+    }
+
+    /// The same, with each residual of each vector told by the numbers of both.
+    fn log_posteriors_and_residuals<'v>(
+        &self,
+        vectors: impl Iterator<Item = &'v [f64]>,
+        mut tell: impl FnMut(usize, usize, f64),
+    ) -> Vec<Option<f64>> {
+        let mut trials = vectors.map(|vector| self.trial(vector)).enumerate();
+        let mut logs = Vec::new();
+        loop {
+            let group: Vec<_> = trials.by_ref().take(LANES).collect();
+            if group.is_empty() {
+                return logs;
+            }
+            logs.resize(logs.len() + group.len(), None);
+            let sound = group.iter();
+            let sound: Vec<(usize, &Trial)> = sound
+                .filter_map(|(place, it)| Some((*place, it.as_ref()?)))
+                .collect();
+            let Some(last) = sound.len().checked_sub(1) else {
+                continue;
+            };
+            // The lanes that are left over do the work of the last vector again.
+            let lanes = std::array::from_fn::<_, LANES, _>(|lane| sound[lane.min(last)].1);
+            let mut row = 0;
+            let found = self.log_posteriors_of(lanes, |step| {
+                for (lane, (place, _)) in sound.iter().enumerate() {
+                    tell(*place, row, step.residual.value.0[lane]);
+                }
+                row += 1;
+            });
+            for ((place, _), log) in sound.iter().zip(found) {
+                logs[*place] = log;
+            }
+        }
+    }
+
+    /// What each impact adds to the likelihood at a vector; `None` where it makes no sense.
+    pub(super) fn details(&self, vector: &[f64]) -> Option<Details> {
+        self.details_of(&self.trial(vector)?)
+    }
+
+    fn details_of(&self, trial: &Trial) -> Option<Details> {
+        let mut details = Details::default();
+        self.log_posteriors_of([trial], |step| {
+            let [second, first, variance] = step.factor.map(|entry| entry.0[0]);
+            details.residuals.push(*step.residual);
+            details.factors.push(Factor {
+                row: [second, first, variance],
+                scatter_share: step.scatter_share.0[0],
+            });
+            details.innovations.push(Innovation {
+                impact: step.residual.impact,
+                standardised: step.innovation.0[0] / variance.sqrt(),
+                weight: step.tail.weight(step.square).0[0],
+            });
+        })[0]?;
+        Some(details)
     }
 
     /// The drop that the times tell, if the unknowns have these values.
-    pub(super) fn state(&mut self, point: &Point) -> Option<DropState> {
-        let (opening, _) = self.residuals_at(point)?;
-        let mut impact_speeds = vec![opening.impact];
-        impact_speeds.extend(self.ends.iter().map(|end| end.impact));
-        Some(DropState {
-            drop_height_m: opening.gravity_height / point.gravity_m_s2,
-            release_to_first_s: opening.time_s,
-            impact_speeds,
-            launch_speeds: self.ends.iter().map(|end| end.launch).collect(),
-        })
+    pub(super) fn state(&self, point: &Point) -> Option<DropState> {
+        let trial = self.trial_in(&[], *point, self.table(point)?)?;
+        let InitialFall {
+            gravity_height,
+            impact,
+            time_s,
+            ..
+        } = trial.fall;
+        let mut state = DropState {
+            drop_height_m: gravity_height / point.gravity_m_s2,
+            release_to_first_s: time_s,
+            impact_speeds: vec![impact],
+            launch_speeds: Vec::new(),
+            apexes_m: Vec::new(),
+        };
+        for interval in 0..self.observed.intervals.len() {
+            let end = self.end(interval, &[&trial]);
+            let launch = end.log_launch.0[0].exp();
+            let (gravity_height, _) = trial.table.apex(launch)?;
+            state.launch_speeds.push(launch);
+            state.apexes_m.push(gravity_height / point.gravity_m_s2);
+            state.impact_speeds.push(end.log_impact.0[0].exp());
+        }
+        Some(state)
     }
 
     /// The flights under the drag of a point; `None` if it is absurd.
     pub(super) fn table(&self, point: &Point) -> Option<FlightTable<'a>> {
-        self.model.media.flights.at(point.drag_strength)
+        self.media.flights.at(point.drag_strength)
     }
 
-    /// Fills the residuals; the opening and the logarithm of the Jacobian.
-    fn residuals_at(&mut self, point: &Point) -> Option<(InitialFall, f64)> {
-        let table = self.table(point)?;
-        let opening = InitialFall::new(&table, point, self.model.missed_first)?;
-        self.ends.clear();
-        for interval in &self.model.observed.intervals {
-            let contact_s = interval.flights as f64 * point.contact_time_s;
-            let gravity_time = point.gravity_m_s2 * (interval.duration_s - contact_s);
-            let end = match interval.flights {
-                1 => End::of_flight(&table.lasting(gravity_time)?, point.gravity_m_s2),
-                flights => End::of_gap(&table, gravity_time, flights, point)?,
-            };
-            self.ends.push(end);
-        }
-        self.residuals.clear();
-        if let Some(release_s) = self.model.release_s {
-            let first_s = self.model.observed.impacts[0].time_s;
-            let residual = Residual::of_release(first_s, release_s, &opening);
-            self.residuals.push(residual);
+    fn trial<'v>(&self, vector: &'v [f64]) -> Option<Trial<'a, 'v>> {
+        let point = self.values(vector)?;
+        let table = self.table(&point)?;
+        let point = self.with_fall(point, &table, vector)?;
+        self.trial_in(vector, point, table)
+    }
+
+    fn trial_in<'v>(
+        &self,
+        vector: &'v [f64],
+        point: Point,
+        table: FlightTable<'a>,
+    ) -> Option<Trial<'a, 'v>> {
+        let tables = &self.media.flights;
+        Some(Trial {
+            vector,
+            point,
+            fall: InitialFall::new(&table, &point, self.missed_first)?,
+            table,
+            flights: self.timed_flights.at(tables, point.drag_strength)?,
+        })
+    }
+
+    /// Logarithm of prior times likelihood of each trial, with every step told.
+    fn log_posteriors_of<const L: usize>(
+        &self,
+        trials: [&Trial; L],
+        tell: impl FnMut(&Step<L>),
+    ) -> [Option<f64>; L] {
+        let log_likelihood = dispatch(
+            #[inline(always)]
+            || self.log_likelihood(&trials, tell),
+        );
+        std::array::from_fn(|lane| {
+            let Trial {
+                vector,
+                point,
+                fall,
+                ..
+            } = trials[lane];
+            let prior = self.log_prior(vector, fall.height_slope);
+            let total = prior + point.log_height_unit + log_likelihood.0[lane];
+            total.is_finite().then_some(total)
+        })
+    }
+
+    /// Student's t of every innovation, in order of time, as a density of the times.
+    #[inline(always)]
+    fn log_likelihood<const L: usize>(
+        &self,
+        trials: &[&Trial; L],
+        mut tell: impl FnMut(&Step<L>),
+    ) -> Lanes<L> {
+        let observed = self.observed;
+        let points = trials.map(|trial| trial.point);
+        let laws = Restitutions::of(&points.map(|point| point.law));
+        let falls = trials.map(|trial| trial.fall);
+        let mut likelihood = Likelihood::new(Noise::new(&observed.sigma_s, &points));
+        if let Some(release_s) = self.release_s {
+            let first_s = observed.impacts[0].time_s;
+            tell(&likelihood.add(&Residual::of_release(first_s, release_s, &falls)));
         }
         let mut jacobian = Product::default();
-        let mut before = opening.end();
-        for (impact, after) in self.ends.iter().enumerate() {
-            self.residuals
-                .push(Residual::between(&before, after, impact, point));
+        let mut before = InitialFall::end(&falls);
+        for interval in 0..observed.intervals.len() {
+            let after = self.end(interval, trials);
+            tell(&likelihood.add(&Residual::between(&before, &after, interval, &laws)));
             jacobian.multiply(after.launch_per_s);
-            before = *after;
+            before = after;
         }
-        Some((opening, jacobian.ln()))
+        likelihood.log() + jacobian.ln()
     }
 
-    /// Student's t of every innovation; notes the innovations.
-    fn log_density(&mut self, point: &Point) -> f64 {
-        self.factorise(point);
-        self.innovations.clear();
-        let mut sum = 0.0;
-        let mut widths = Product::default();
-        // The innovations before, as far as they are believed.
-        let mut before = [0.0; 2];
-        for (residual, factor) in self.residuals.iter().zip(&self.factors) {
-            let z = residual.value - factor.before[0] * before[0] - factor.before[1] * before[1];
-            let square = z * z / factor.variance;
-            let tail = Tail::of(factor.scatter_share);
-            sum += tail.log_density(square);
-            widths.multiply(factor.variance * tail.width());
-            self.innovations.push(Innovation {
-                impact: residual.impact,
-                standardised: z / factor.variance.sqrt(),
-                weight: tail.weight(square),
-            });
-            let odd = square / (ODD * ODD);
-            before = [z / (1.0 + odd * odd), before[0]];
+    /// An interval under each of the trials.
+    #[inline(always)]
+    fn end<const L: usize>(&self, interval: usize, trials: &[&Trial; L]) -> End<L> {
+        let observed = &self.observed.intervals[interval];
+        let flights = observed.flights as f64;
+        let gravity = Lanes::of(|lane| trials[lane].point.gravity_m_s2);
+        let contact_s = Lanes::of(|lane| trials[lane].point.contact_time_s);
+        let gravity_time = gravity * (-(contact_s * flights) + observed.duration_s);
+        if observed.flights > 1 {
+            return End::gather(std::array::from_fn(|lane| {
+                let Trial { table, point, .. } = trials[lane];
+                End::of_gap(table, gravity_time.0[lane], observed.flights, point)
+            }));
         }
-        sum - 0.5 * widths.ln()
-    }
-
-    /// Cholesky factors of the covariance of the residuals.
-    fn factorise(&mut self, point: &Point) {
-        let observed = self.model.observed;
-        let scatter = point.scatter * point.scatter;
-        let variance = |impact: usize| point.time_variance_s2(observed, impact);
-        self.factors.clear();
-        let mut before = BEFORE_THE_FIRST;
-        for (row, residual) in self.residuals.iter().enumerate() {
-            let by_time = variance_by_time(residual, variance);
-            let by_scatter = scatter * residual.scatter;
-            let diagonal = residual.own_variance + by_scatter + by_time;
-            let (mut first, mut second) = (0.0, 0.0);
-            if row > 0 {
-                first = covariance_by_time(&self.residuals[row - 1], residual, variance)
-                    + scatter * residual.scatter_before;
+        let mut curves = [Lanes::all(0.0); 6];
+        for (lane, trial) in trials.iter().enumerate() {
+            let own = trial.flights.curves(interval);
+            for (curves, own) in curves.iter_mut().zip(own) {
+                curves.0[lane] = own;
             }
-            if row > 1 {
-                second = covariance_by_time(&self.residuals[row - 2], residual, variance);
-            }
-            let factor = next_factor([second, first, diagonal], before);
-            before = [factor, before[0]];
-            let [second, first, variance] = factor;
-            self.factors.push(Factor {
-                before: [first, second],
-                variance,
-                scatter_share: by_scatter / diagonal,
-            });
         }
+        let per_nominal = self.timed_flights.per_nominal(interval);
+        End::of_flight(&curves, gravity, gravity_time, per_nominal)
     }
 
     /// Slope and curvature of the log posterior at a vector.
     pub(super) fn slope_and_information(
-        &mut self,
+        &self,
         vector: &[f64],
     ) -> Option<(DVector<f64>, DMatrix<f64>)> {
         let Differences {
             residuals,
             posterior,
         } = self.differences(vector)?;
-        self.log_posterior(vector)?;
-        Some((posterior, self.information(vector, residuals)))
+        let details = self.details(vector)?;
+        Some((posterior, self.information(vector, residuals, &details)))
     }
 
-    /// The information about the unknowns at the vector of the last evaluation, by the derivatives of the
-    /// residuals: how fast the log posterior falls off in each direction. Exact for a normal posterior,
-    /// and near enough for a search.
-    fn information(&self, vector: &[f64], mut slopes: DMatrix<f64>) -> DMatrix<f64> {
-        self.whiten(&mut slopes);
-        let model = self.model;
+    /// The information about the unknowns at a vector, by the derivatives of the residuals: how fast the
+    /// log posterior falls off in each direction. Exact for a normal posterior, and near enough for a
+    /// search.
+    fn information(
+        &self,
+        vector: &[f64],
+        mut slopes: DMatrix<f64>,
+        details: &Details,
+    ) -> DMatrix<f64> {
+        details.whiten(&mut slopes);
         let mut weighted = slopes.clone();
-        for (mut row, innovation) in weighted.row_iter_mut().zip(&self.innovations) {
+        for (mut row, innovation) in weighted.row_iter_mut().zip(&details.innovations) {
             row *= innovation.weight;
         }
         let mut information = slopes.transpose() * weighted;
@@ -315,59 +392,175 @@ impl<'a> Evaluator<'a> {
         let tells = 2.0 * FREEDOM / (FREEDOM + 3.0);
         let shares = |slot: Slot, factor: &Factor| match slot {
             Slot::Scatter => LOG_SCATTER_SD * factor.scatter_share,
-            Slot::Timing => model.timing_sd * (1.0 - factor.scatter_share),
+            Slot::Timing => self.timing_sd * (1.0 - factor.scatter_share),
             _ => 0.0,
         };
-        for (i, &a) in model.slots().iter().enumerate() {
-            for (j, &b) in model.slots().iter().enumerate() {
+        for (i, &a) in self.slots().iter().enumerate() {
+            for (j, &b) in self.slots().iter().enumerate() {
                 let product = |factor: &Factor| shares(a, factor) * shares(b, factor);
-                information[(i, j)] += tells * self.factors.iter().map(product).sum::<f64>();
+                information[(i, j)] += tells * details.factors.iter().map(product).sum::<f64>();
             }
-            information[(i, i)] += model.prior_information(a, vector[i]);
+            information[(i, i)] += self.prior_information(a, vector[i]);
         }
         information
     }
 
-    /// Turns derivatives of the residuals into those of independent residuals of unit variance.
-    fn whiten(&self, slopes: &mut DMatrix<f64>) {
-        for mut column in slopes.column_iter_mut() {
-            for row in 0..self.factors.len() {
-                let Factor { before, .. } = self.factors[row];
-                let one = row.checked_sub(1).map_or(0.0, |r| column[r]);
-                let two = row.checked_sub(2).map_or(0.0, |r| column[r]);
-                column[row] -= before[0] * one + before[1] * two;
-            }
-            for (entry, factor) in column.iter_mut().zip(&self.factors) {
-                *entry /= factor.variance.sqrt();
-            }
-        }
-    }
-
     /// Derivatives by the unknowns, by central differences.
-    pub(super) fn differences(&mut self, vector: &[f64]) -> Option<Differences> {
+    pub(super) fn differences(&self, vector: &[f64]) -> Option<Differences> {
         const STEP: f64 = 1e-4;
-        let mut moved = vector.to_vec();
-        let mut differences = Differences {
-            residuals: DMatrix::zeros(self.rows_of_data(), vector.len()),
-            posterior: DVector::zeros(vector.len()),
-        };
-        for i in 0..vector.len() {
-            for step in [STEP, -STEP] {
-                moved[i] = vector[i] + step;
-                let share = 0.5 / step;
-                differences.posterior[i] += share * self.log_posterior(&moved)?;
-                for (row, residual) in self.residuals.iter().enumerate() {
-                    differences.residuals[(row, i)] += share * residual.value;
-                }
-            }
-            moved[i] = vector[i];
+        let step = |place: usize| if place.is_multiple_of(2) { STEP } else { -STEP };
+        let moved: Vec<Vec<f64>> = (0..2 * vector.len())
+            .map(|place| {
+                let mut moved = vector.to_vec();
+                moved[place / 2] += step(place);
+                moved
+            })
+            .collect();
+        let share = |place: usize| 0.5 / step(place);
+        let mut residuals = DMatrix::zeros(self.rows_of_data(), vector.len());
+        let moved = moved.iter().map(Vec::as_slice);
+        let logs = self.log_posteriors_and_residuals(moved, |place, row, value| {
+            residuals[(row, place / 2)] += share(place) * value;
+        });
+        let mut posterior = DVector::zeros(vector.len());
+        for (place, log) in logs.into_iter().enumerate() {
+            posterior[place / 2] += share(place) * log?;
         }
-        Some(differences)
+        Some(Differences {
+            residuals,
+            posterior,
+        })
     }
 
     /// How many residuals the data make.
     fn rows_of_data(&self) -> usize {
-        self.model.observed.intervals.len() + usize::from(self.model.release_s.is_some())
+        self.observed.intervals.len() + usize::from(self.release_s.is_some())
+    }
+}
+
+impl Details {
+    /// Turns derivatives of the residuals into those of independent residuals of unit variance.
+    fn whiten(&self, slopes: &mut DMatrix<f64>) {
+        for mut column in slopes.column_iter_mut() {
+            for (row, factor) in self.factors.iter().enumerate() {
+                let [second, first, _] = factor.row;
+                let one = row.checked_sub(1).map_or(0.0, |r| column[r]);
+                let two = row.checked_sub(2).map_or(0.0, |r| column[r]);
+                column[row] -= first * one + second * two;
+            }
+            for (entry, factor) in column.iter_mut().zip(&self.factors) {
+                *entry /= factor.row[2].sqrt();
+            }
+        }
+    }
+}
+
+/// A likelihood on the way from residual to residual.
+struct Likelihood<'o, const L: usize> {
+    noise: Noise<'o, L>,
+    /// The residuals before, with their factors and innovations as far as they are believed; the last
+    /// first.
+    before: [Option<Residual<L>>; 2],
+    factors: [FactorRow<Lanes<L>>; 2],
+    believed: [Lanes<L>; 2],
+    densities: Lanes<L>,
+    widths: Product<L>,
+}
+
+impl<'o, const L: usize> Likelihood<'o, L> {
+    #[inline(always)]
+    fn new(noise: Noise<'o, L>) -> Self {
+        let [zero, one] = [0.0, 1.0].map(Lanes::all);
+        Self {
+            noise,
+            before: [None; 2],
+            // Before the first row stands a matrix that is one.
+            factors: [[zero, zero, one]; 2],
+            believed: [zero; 2],
+            densities: zero,
+            widths: Product::default(),
+        }
+    }
+
+    /// Adds a residual.
+    #[inline(always)]
+    fn add<'r>(&mut self, residual: &'r Residual<L>) -> Step<'r, L> {
+        let noise = &self.noise;
+        let by_scatter = noise.scatter * residual.scatter;
+        let diagonal = by_scatter + noise.by_time(residual) + residual.own_variance;
+        // Only neighbours share the scatter of what was missed between them.
+        let first = match &self.before[0] {
+            Some(it) => {
+                noise.shared_by_time(it, residual) + noise.scatter * residual.scatter_before
+            }
+            None => Lanes::all(0.0),
+        };
+        let second = match &self.before[1] {
+            Some(it) => noise.shared_by_time(it, residual),
+            None => Lanes::all(0.0),
+        };
+        let scatter_share = by_scatter / diagonal;
+        let factor = next_factor([second, first, diagonal], self.factors);
+        let [second, first, variance] = factor;
+        let foretold = first * self.believed[0] + second * self.believed[1];
+        let innovation = residual.value - foretold;
+        let square = innovation * innovation / variance;
+        let tail = Tail::of(scatter_share);
+        self.densities = self.densities + tail.log_density(square);
+        self.widths.multiply(variance * tail.width());
+        let odd = square * (1.0 / (ODD * ODD));
+        self.believed = [innovation / (odd * odd + 1.0), self.believed[0]];
+        self.factors = [factor, self.factors[0]];
+        self.before = [Some(*residual), self.before[0]];
+        Step {
+            residual,
+            factor,
+            scatter_share,
+            tail,
+            square,
+            innovation,
+        }
+    }
+
+    #[inline(always)]
+    fn log(self) -> Lanes<L> {
+        self.densities - self.widths.ln() * 0.5
+    }
+}
+
+/// A product of many factors, as its logarithm: a logarithm for each of them would take longer.
+struct Product<const L: usize> {
+    /// What is not yet in the sum, and of how many factors.
+    factors: Lanes<L>,
+    count: usize,
+    log: Lanes<L>,
+}
+
+impl<const L: usize> Default for Product<L> {
+    #[inline(always)]
+    fn default() -> Self {
+        Self {
+            factors: Lanes::all(1.0),
+            count: 0,
+            log: Lanes::all(0.0),
+        }
+    }
+}
+
+impl<const L: usize> Product<L> {
+    #[inline(always)]
+    fn multiply(&mut self, factor: Lanes<L>) {
+        self.factors = self.factors * factor;
+        self.count += 1;
+        if self.count.is_multiple_of(FACTORS) {
+            self.log = self.log + self.factors.ln();
+            self.factors = Lanes::all(1.0);
+        }
+    }
+
+    #[inline(always)]
+    fn ln(self) -> Lanes<L> {
+        self.log + self.factors.ln()
     }
 }
 
@@ -381,6 +574,7 @@ mod tests {
     use crate::inference::model::{Medium, ReferenceSpeed};
     use crate::inference::observed::Observed;
     use crate::inference::priors::{LawKind, Measured, Priors};
+    use crate::inference::timed_flights::TimedFlights;
 
     /// Times of a drop with two gaps, one of them two impacts wide, and a release.
     fn impacts() -> Vec<Impact> {
@@ -399,7 +593,7 @@ mod tests {
     }
 
     /// Works with the likelihood of the times above, for a law that changes with speed.
-    fn with_evaluator<T>(impacts: &[Impact], work: impl FnOnce(&mut Evaluator, &[f64]) -> T) -> T {
+    fn with_model<T>(impacts: &[Impact], work: impl FnOnce(&Model, &[f64]) -> T) -> T {
         let settings = Options::default();
         let environment = Environment {
             drag: DragLaw::Constant(0.4),
@@ -417,31 +611,47 @@ mod tests {
             &settings.ball,
             &environment,
             environment.drag,
+            settings.contact_time_s,
             &observed,
             &priors,
         )
         .unwrap();
-        let middle = ReferenceSpeed::new(&observed, &media, settings.contact_time_s).unwrap();
+        let middle = ReferenceSpeed::new(&observed, &media).unwrap();
+        let timed_flights = TimedFlights::new(&observed, &media);
         let model = Model::new(
             &observed,
+            &timed_flights,
             &media,
             &middle,
             LawKind::Linear,
             1,
             &priors,
-            settings.contact_time_s,
         );
         let mut vector = model.start();
         vector[model.place(Slot::Shape(0)).unwrap()] = 0.6;
-        work(&mut Evaluator::new(&model), &vector)
+        work(&model, &vector)
     }
 
     fn values(impacts: &[Impact]) -> Vec<f64> {
-        with_evaluator(impacts, |evaluator, vector| {
-            let point = evaluator.point(vector).unwrap();
-            let residuals = evaluator.residuals(&point).unwrap();
-            residuals.iter().map(|residual| residual.value).collect()
+        with_model(impacts, |model, vector| {
+            let point = model.point(vector).unwrap();
+            values_at(model, point)
         })
+    }
+
+    fn values_at(model: &Model, point: Point) -> Vec<f64> {
+        let residuals = details_at(model, point).residuals;
+        residuals
+            .iter()
+            .map(|residual| residual.value.0[0])
+            .collect()
+    }
+
+    fn details_at(model: &Model, point: Point) -> Details {
+        let trial = model
+            .trial_in(&[], point, model.table(&point).unwrap())
+            .unwrap();
+        model.details_of(&trial).unwrap()
     }
 
     /// The derivatives by the times, gaps included, against moving each time a little. The middle of
@@ -450,21 +660,16 @@ mod tests {
     fn derivatives_by_the_times() {
         const STEP_S: f64 = 1e-6;
         let impacts = impacts();
-        let residuals = with_evaluator(&impacts, |evaluator, vector| {
-            let point = evaluator.point(vector).unwrap();
-            evaluator.residuals(&point).unwrap().to_vec()
+        let residuals = with_model(&impacts, |model, vector| {
+            let point = model.point(vector).unwrap();
+            details_at(model, point).residuals
         });
         let pinned = |moved: usize, by_s: f64| {
             let mut times = impacts.clone();
             times[moved].time_s += by_s;
             // The same law: the point of the unmoved times.
-            let point = with_evaluator(&impacts, |evaluator, vector| {
-                evaluator.point(vector).unwrap()
-            });
-            with_evaluator(&times, |evaluator, _| {
-                let residuals = evaluator.residuals(&point).unwrap();
-                residuals.iter().map(|r| r.value).collect::<Vec<f64>>()
-            })
+            let point = with_model(&impacts, |model, vector| model.point(vector).unwrap());
+            with_model(&times, |model, _| values_at(model, point))
         };
         for moved in 0..impacts.len() {
             let (above, below) = (pinned(moved, STEP_S), pinned(moved, -STEP_S));
@@ -473,8 +678,7 @@ mod tests {
                 let place = (moved + 1).checked_sub(residual.impact);
                 let stated = place
                     .and_then(|p| residual.timing.get(p))
-                    .copied()
-                    .unwrap_or(0.0);
+                    .map_or(0.0, |slope| slope.0[0]);
                 assert!(
                     (stated - expected).abs() < 2e-3,
                     "row {row} time {moved}: {stated} {expected}"
@@ -486,11 +690,12 @@ mod tests {
     /// The banded factors against the dense covariance of the same noise.
     #[test]
     fn factors_are_those_of_the_dense_covariance() {
-        with_evaluator(&impacts(), |evaluator, vector| {
-            let point = evaluator.point(vector).unwrap();
-            evaluator.log_posterior(vector).unwrap();
-            let residuals = evaluator.residuals(&point).unwrap().to_vec();
-            let (count, times) = (residuals.len(), evaluator.model.observed.sigma_s.len());
+        with_model(&impacts(), |model, vector| {
+            let point = model.point(vector).unwrap();
+            let Details {
+                residuals, factors, ..
+            } = model.details(vector).unwrap();
+            let (count, times) = (residuals.len(), model.observed.sigma_s.len());
             let mut by_time = DMatrix::zeros(count, times);
             for (row, residual) in residuals.iter().enumerate() {
                 for (place, slope) in residual.timing.iter().enumerate() {
@@ -498,24 +703,24 @@ mod tests {
                         && time < times
                     {
                         by_time[(row, time)] =
-                            slope * point.timing * evaluator.model.observed.sigma_s[time];
+                            slope.0[0] * point.timing * model.observed.sigma_s[time];
                     }
                 }
             }
             let mut dense = &by_time * by_time.transpose();
             let scatter = point.scatter * point.scatter;
             for (row, residual) in residuals.iter().enumerate() {
-                dense[(row, row)] += scatter * residual.scatter + residual.own_variance;
+                dense[(row, row)] += scatter * residual.scatter.0[0] + residual.own_variance;
                 if row > 0 {
-                    dense[(row, row - 1)] += scatter * residual.scatter_before;
-                    dense[(row - 1, row)] += scatter * residual.scatter_before;
+                    dense[(row, row - 1)] += scatter * residual.scatter_before.0[0];
+                    dense[(row - 1, row)] += scatter * residual.scatter_before.0[0];
                 }
             }
             let expected = nalgebra::Cholesky::new(dense).unwrap().l();
-            for (row, factor) in evaluator.factors.iter().enumerate() {
+            for (row, factor) in factors.iter().enumerate() {
                 let diagonal = expected[(row, row)];
                 assert!(
-                    (factor.variance / (diagonal * diagonal) - 1.0).abs() < 1e-9,
+                    (factor.row[2] / (diagonal * diagonal) - 1.0).abs() < 1e-9,
                     "row {row}"
                 );
             }
@@ -525,14 +730,41 @@ mod tests {
     /// What the scatter of a missed impact does, against a drop in which one scatters.
     #[test]
     fn missed_impacts_scatter() {
-        let residuals = with_evaluator(&impacts(), |evaluator, vector| {
-            let point = evaluator.point(vector).unwrap();
-            evaluator.residuals(&point).unwrap().to_vec()
+        let residuals = with_model(&impacts(), |model, vector| {
+            let point = model.point(vector).unwrap();
+            details_at(model, point).residuals
         });
+        let [scatter, before] = [
+            residuals
+                .iter()
+                .map(|r| r.scatter.0[0])
+                .collect::<Vec<f64>>(),
+            residuals.iter().map(|r| r.scatter_before.0[0]).collect(),
+        ];
         // The residuals beside a gap carry more than their own scatter, and share it.
-        assert!(residuals[1].scatter > 1.0, "a first impact was missed");
-        assert!(residuals[4].scatter > 1.1 && residuals[4].scatter_before != 0.0);
-        assert!((residuals[2].scatter - 1.0).abs() < 1e-12);
+        assert!(scatter[1] > 1.0, "a first impact was missed");
+        assert!(scatter[4] > 1.1 && before[4] != 0.0);
+        assert!((scatter[2] - 1.0).abs() < 1e-12);
         assert_eq!(values(&impacts()).len(), residuals.len());
+    }
+
+    /// Several vectors side by side, against one after the other; one of them makes no sense.
+    #[test]
+    fn vectors_side_by_side_are_as_probable_as_alone() {
+        with_model(&impacts(), |model, vector| {
+            let mut vectors: Vec<Vec<f64>> = (0..11)
+                .map(|number| {
+                    vector
+                        .iter()
+                        .map(|x| x + 0.01 * f64::from(number))
+                        .collect()
+                })
+                .collect();
+            vectors[4][0] = f64::NAN;
+            let together = model.log_posteriors(vectors.iter().map(Vec::as_slice));
+            for (vector, together) in vectors.iter().zip(together) {
+                assert_eq!(together, model.log_posterior(vector));
+            }
+        });
     }
 }

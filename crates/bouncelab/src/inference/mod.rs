@@ -59,6 +59,7 @@ mod residual;
 mod sample;
 mod sampled;
 mod tail;
+mod timed_flights;
 
 pub use budget::{Budget, Share};
 pub use identify::{Correlations, PriorContraction, UNINFORMATIVE, Unknown};
@@ -74,7 +75,6 @@ use crate::flight::Environment;
 use crate::impact::Impact;
 use crate::impact::Restitution;
 use answers::Answers;
-use likelihood::Evaluator;
 use sampled::SampledPosterior;
 
 /// What to ask of the posterior.
@@ -191,13 +191,12 @@ pub fn best_fit(
         SampledPosterior::fitted_only(impacts, ball, environment, contact_time_s, &priors)?;
     let candidate = &posterior.candidates[0];
     let model = posterior.model(candidate);
-    let mut evaluator = Evaluator::new(&model);
-    let point = evaluator.point(candidate.fit.vector.as_slice());
+    let point = model.point(candidate.fit.vector.as_slice());
     point
         .and_then(|point| {
             Some(BestFit {
                 law: point.law,
-                drop_height_m: evaluator.state(&point)?.drop_height_m,
+                drop_height_m: model.state(&point)?.drop_height_m,
                 drag_scale: point.drag_scale,
             })
         })

@@ -2,6 +2,7 @@
 
 use super::observed::Observed;
 use super::priors::{LawKind, Measured, Priors};
+use super::timed_flights::TimedFlights;
 use crate::ball::Ball;
 use crate::drag::DragLaw;
 use crate::error::{Error, InferenceFailure, Result};
@@ -37,6 +38,7 @@ const TABLE_STEPS: f64 = 26.0;
 #[derive(Debug, Clone)]
 pub(super) struct Model<'a> {
     pub(super) observed: &'a Observed,
+    pub(super) timed_flights: &'a TimedFlights,
     pub(super) law: LawKind,
     pub(super) missed_first: usize,
     pub(super) media: &'a Medium,
@@ -44,7 +46,6 @@ pub(super) struct Model<'a> {
     pub(super) height_m: Option<Measured>,
     pub(super) release_s: Option<Measured>,
     pub(super) timing_sd: f64,
-    pub(super) contact_time_s: f64,
     typical_scatter: f64,
     slots: Vec<Slot>,
 }
@@ -57,6 +58,8 @@ pub(super) struct Medium {
     /// Effective gravity, m/s².
     pub(super) gravity_m_s2: f64,
     pub(super) drag_sd: f64,
+    /// Contact time, s, and its relative standard uncertainty.
+    pub(super) contact_time_s: f64,
     pub(super) contact_sd: f64,
     pub(super) inputs: Inputs,
 }
@@ -142,13 +145,6 @@ pub(super) struct Point {
 }
 
 impl Point {
-    /// Variance of the time of an impact, s²; none beyond the last.
-    #[inline]
-    pub(super) fn time_variance_s2(&self, observed: &Observed, impact: usize) -> f64 {
-        let sigma_s = observed.sigma_s.get(impact).copied().unwrap_or(0.0);
-        self.timing * self.timing * sigma_s * sigma_s
-    }
-
     /// The impact speed that the law turns into a launch speed, by at most so many steps of Newton's
     /// method.
     pub(super) fn impact_before(&self, launch: f64, steps: usize) -> Option<f64> {
@@ -170,6 +166,7 @@ impl Medium {
         ball: &Ball,
         environment: &Environment,
         drag_law: DragLaw,
+        contact_time_s: f64,
         observed: &Observed,
         priors: &Priors,
     ) -> Result<Self> {
@@ -192,6 +189,7 @@ impl Medium {
             flights: FlightTables::new(DragProfile::new(&model, reach * fastest, steps)?),
             gravity_m_s2,
             drag_sd: if dragless { 0.0 } else { priors.drag_rel_sd },
+            contact_time_s,
             contact_sd: priors.contact_time_rel_sd,
             inputs: Inputs::new(ball, &environment, priors, dragless),
         })
@@ -280,12 +278,12 @@ impl Inputs {
 impl<'a> Model<'a> {
     pub(super) fn new(
         observed: &'a Observed,
+        timed_flights: &'a TimedFlights,
         media: &'a Medium,
         middle: &'a ReferenceSpeed,
         law: LawKind,
         missed_first: usize,
         priors: &Priors,
-        contact_time_s: f64,
     ) -> Self {
         let timing_sd = if observed.sigma_stated {
             priors.timing_rel_sd
@@ -304,7 +302,7 @@ impl<'a> Model<'a> {
             (Slot::Height, true),
             (Slot::Scatter, true),
             (Slot::Timing, timing_sd > 0.0),
-            (Slot::Contact, contact_time_s * media.contact_sd > 0.0),
+            (Slot::Contact, media.contact_time_s * media.contact_sd > 0.0),
         ];
         let slots = wanted
             .into_iter()
@@ -312,6 +310,7 @@ impl<'a> Model<'a> {
             .collect();
         Self {
             observed,
+            timed_flights,
             law,
             missed_first,
             media,
@@ -319,7 +318,6 @@ impl<'a> Model<'a> {
             height_m: priors.drop_height_m,
             release_s: priors.release_s,
             timing_sd,
-            contact_time_s,
             typical_scatter: priors.restitution_scatter,
             slots,
         }
@@ -355,7 +353,7 @@ impl<'a> Model<'a> {
 
     /// The values that a vector stands for, but for the fall, which takes flights to tell; `None` where
     /// the law makes no sense.
-    pub(super) fn point(&self, vector: &[f64]) -> Option<Point> {
+    pub(super) fn values(&self, vector: &[f64]) -> Option<Point> {
         let mut values = [0.0; 11];
         for (slot, &value) in self.slots.iter().zip(vector) {
             values[index(*slot)] = value;
@@ -376,7 +374,8 @@ impl<'a> Model<'a> {
             log_height_unit: 0.0,
             scatter: self.typical_scatter * (LOG_SCATTER_SD * at(Slot::Scatter)).exp(),
             timing: (self.timing_sd * at(Slot::Timing)).exp(),
-            contact_time_s: self.contact_time_s * (self.media.contact_sd * at(Slot::Contact)).exp(),
+            contact_time_s: self.media.contact_time_s
+                * (self.media.contact_sd * at(Slot::Contact)).exp(),
         })
     }
 
@@ -436,6 +435,17 @@ impl<'a> Model<'a> {
             .collect()
     }
 
+    /// Where a search may begin if another model of the same drop has been fitted: the nearer the fit, the
+    /// fewer steps.
+    pub(super) fn start_from(&self, fitted: &Self, fit: &[f64]) -> Vec<f64> {
+        let alike = |slot: &Slot| self.law == fitted.law || !matches!(slot, Slot::Shape(_));
+        let known = |slot: &Slot| fitted.place(*slot).filter(|_| alike(slot));
+        let usual = self.slots.iter().zip(self.start());
+        usual
+            .map(|(slot, usual)| known(slot).map_or(usual, |place| fit[place]))
+            .collect()
+    }
+
     /// Logarithm of the prior density of a vector whose fall has this d ln(height)/d ln(launch).
     pub(super) fn log_prior(&self, vector: &[f64], height_slope: f64) -> f64 {
         let mut sum = 0.0;
@@ -458,13 +468,13 @@ impl ReferenceSpeed {
     /// # Errors
     /// [`Error::CannotInfer`] if the ball gains speed in most impacts, or a flight is too long for
     /// a ball with so much drag.
-    pub(super) fn new(observed: &Observed, media: &Medium, contact_time_s: f64) -> Result<Self> {
+    pub(super) fn new(observed: &Observed, media: &Medium) -> Result<Self> {
         let nominal = media.flights.at(1.0);
         let rows = observed
             .intervals
             .iter()
             .map(|interval| {
-                let time_s = interval.duration_s / interval.flights as f64 - contact_time_s;
+                let time_s = interval.duration_s / interval.flights as f64 - media.contact_time_s;
                 nominal?.lasting(media.gravity_m_s2 * time_s)
             })
             .collect::<Option<Vec<Row>>>()

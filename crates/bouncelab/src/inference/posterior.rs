@@ -222,8 +222,8 @@ impl Posterior {
     /// # Ok::<(), bouncelab::Error>(())
     /// ```
     pub fn rebounds_m(&self, drop_height_m: f64) -> Vec<f64> {
-        let rebounds = self.sampled.each(1, |evaluator, point| {
-            predict::rebound_m(evaluator, point, drop_height_m)
+        let rebounds = self.sampled.each(1, |model, point| {
+            predict::rebound_m(model, point, drop_height_m)
         });
         // A draw that cannot be worked out would leave the others one-sided.
         if rebounds.len() == self.sampled.draws.len() {

@@ -1,7 +1,7 @@
 //! Predictions: the rest of the drop, and other drops of the same ball.
 
-use super::likelihood::Evaluator;
-use super::model::Point;
+use super::likelihood::DropState;
+use super::model::{Model, Point};
 use crate::flight::table::MAX_STEPS;
 
 /// A drop that has not come to rest after so many bounces never will.
@@ -20,14 +20,13 @@ pub(super) struct Rest {
 /// The drop to its end: as detected, and after the last impact by the law.
 ///
 /// `None` if it does not come to rest.
-pub(super) fn until_rest(evaluator: &mut Evaluator, point: &Point) -> Option<Rest> {
-    let state = evaluator.state(point)?;
-    let observed = evaluator.model.observed;
-    let missed_first = evaluator.model.missed_first;
+pub(super) fn until_rest(model: &Model, point: &Point, state: &DropState) -> Option<Rest> {
+    let observed = model.observed;
+    let missed_first = model.missed_first;
     let detected_s =
         observed.impacts[observed.impacts.len() - 1].time_s - observed.impacts[0].time_s;
     let gravity = point.gravity_m_s2;
-    let table = evaluator.table(point)?;
+    let table = model.table(point)?;
     let mut rest = Rest {
         time_s: state.release_to_first_s + detected_s,
         path_m: state.drop_height_m,
@@ -39,9 +38,9 @@ pub(super) fn until_rest(evaluator: &mut Evaluator, point: &Point) -> Option<Res
         rest.path_m += 2.0 * table.apex(launch)?.0 / gravity;
         impact = table.launch(launch)?.impact;
     }
+    rest.path_m += 2.0 * state.apexes_m.iter().sum::<f64>();
     for (launch, interval) in state.launch_speeds.iter().zip(&observed.intervals) {
         let mut launch = *launch;
-        rest.path_m += 2.0 * table.apex(launch)?.0 / gravity;
         for _ in 1..interval.flights {
             let impact = table.launch(launch)?.impact;
             launch = impact * point.law.at(impact);
@@ -57,10 +56,10 @@ pub(super) fn until_rest(evaluator: &mut Evaluator, point: &Point) -> Option<Res
             rest.path_m += last.path_m;
             return rest.time_s.is_finite().then_some(rest);
         }
-        let row = table.launch(launch)?;
-        rest.time_s += row.time / gravity + point.contact_time_s;
-        rest.path_m += 2.0 * table.apex(launch)?.0 / gravity;
-        impact = row.impact;
+        let flight = table.rise_and_fall(launch)?;
+        rest.time_s += flight.row.time / gravity + point.contact_time_s;
+        rest.path_m += 2.0 * flight.gravity_height / gravity;
+        impact = flight.row.impact;
     }
     None
 }
@@ -77,13 +76,13 @@ fn last_bounces(launch: f64, restitution: f64, gravity: f64) -> Rest {
 /// The height from which the flight after a bounce (1 for the first) rises to an apex, with the
 /// restitution that the law expects.
 pub(super) fn drop_height_for(
-    evaluator: &mut Evaluator,
+    model: &Model,
     point: &Point,
     bounce: usize,
     apex_m: f64,
 ) -> Option<f64> {
     let gravity = point.gravity_m_s2;
-    let table = evaluator.table(point)?;
+    let table = model.table(point)?;
     let mut launch = table.rising_to(gravity * apex_m)?;
     for _ in 0..bounce {
         let impact = point.impact_before(launch, MAX_STEPS)?;
@@ -94,13 +93,9 @@ pub(super) fn drop_height_for(
 
 /// The apex after the first impact of a drop from a height, with the restitution that the law
 /// expects.
-pub(super) fn rebound_m(
-    evaluator: &mut Evaluator,
-    point: &Point,
-    drop_height_m: f64,
-) -> Option<f64> {
+pub(super) fn rebound_m(model: &Model, point: &Point, drop_height_m: f64) -> Option<f64> {
     let gravity = point.gravity_m_s2;
-    let table = evaluator.table(point)?;
+    let table = model.table(point)?;
     // A fall is the second half of the flight that rises as high.
     let impact = table
         .launch(table.rising_to(gravity * drop_height_m)?)?

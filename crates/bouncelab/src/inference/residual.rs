@@ -7,31 +7,33 @@
 use super::model::Point;
 use super::priors::Measured;
 use crate::flight::table::{FlightTable, Row};
+use crate::impact::Restitutions;
+use crate::simd::Lanes;
 
-/// A interval as its ends see it.
-#[derive(Debug, Clone, Copy, Default)]
-pub(super) struct End {
-    /// Launch speed at its start and impact speed at its end.
-    pub(super) launch: f64,
-    pub(super) impact: f64,
-    /// Derivatives of their logarithms by its duration, 1/s.
-    pub(super) launch_per_s: f64,
-    impact_per_s: f64,
+/// An interval as its ends see it, for as many points as there are lanes.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct End<const L: usize> {
+    /// Logarithms of the launch speed at its start and of the impact speed at its end, in m/s.
+    pub(super) log_launch: Lanes<L>,
+    pub(super) log_impact: Lanes<L>,
+    /// Their derivatives by its duration, 1/s.
+    pub(super) launch_per_s: Lanes<L>,
+    impact_per_s: Lanes<L>,
     /// What the scatter of missed impacts does to the logarithms: squares and product.
-    launch_scatter: f64,
-    impact_scatter: f64,
-    shared_scatter: f64,
+    launch_scatter: Lanes<L>,
+    impact_scatter: Lanes<L>,
+    shared_scatter: Lanes<L>,
 }
 
-/// A residual with its noise.
-#[derive(Debug, Clone, Copy, Default)]
-pub(super) struct Residual {
-    pub(super) value: f64,
+/// A residual with its noise, for as many points as there are lanes.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Residual<const L: usize> {
+    pub(super) value: Lanes<L>,
     /// Derivatives by the time of the impact before, its own and the one after.
-    pub(super) timing: [f64; 3],
+    pub(super) timing: [Lanes<L>; 3],
     /// Variance by the scatter, for a scatter of one, and its covariance with the one before.
-    pub(super) scatter: f64,
-    pub(super) scatter_before: f64,
+    pub(super) scatter: Lanes<L>,
+    pub(super) scatter_before: Lanes<L>,
     /// The impact in the middle of `timing`.
     pub(super) impact: usize,
     /// Variance of its own, such as that of a release time.
@@ -39,6 +41,7 @@ pub(super) struct Residual {
 }
 
 /// The fall from the drop height, and the impacts before the first one heard.
+#[derive(Debug, Clone, Copy)]
 pub(super) struct InitialFall {
     pub(super) gravity_height: f64,
     pub(super) height_slope: f64,
@@ -51,20 +54,59 @@ pub(super) struct InitialFall {
     shared_scatter: f64,
 }
 
-impl End {
-    /// One flight.
-    pub(super) fn of_flight(row: &Row, gravity: f64) -> Self {
-        let launch_per_s = gravity / (row.time_slope * row.time);
+impl<const L: usize> End<L> {
+    const NO_SCATTER: Self = Self {
+        log_launch: Lanes::all(0.0),
+        log_impact: Lanes::all(0.0),
+        launch_per_s: Lanes::all(0.0),
+        impact_per_s: Lanes::all(0.0),
+        launch_scatter: Lanes::all(0.0),
+        impact_scatter: Lanes::all(0.0),
+        shared_scatter: Lanes::all(0.0),
+    };
+
+    /// One flight, from its curves and the time that it lasts, relative to the nominal one too.
+    #[inline(always)]
+    pub(super) fn of_flight(
+        curves: &[Lanes<L>; 6],
+        gravity: Lanes<L>,
+        gravity_time: Lanes<L>,
+        per_nominal: f64,
+    ) -> Self {
+        let [a, b, c, d, e, f] = *curves;
+        let nominals = gravity_time * per_nominal;
+        let x = nominals - 1.0;
+        let log_free = (gravity_time * 0.5).ln();
+        let per_s = gravity / gravity_time;
+        let slope = |b: Lanes<L>, c: Lanes<L>| (nominals * (b + x * c * 2.0) + 1.0) * per_s;
         Self {
-            launch: row.launch,
-            impact: row.impact,
-            launch_per_s,
-            impact_per_s: row.impact_slope * launch_per_s,
-            ..Self::default()
+            log_launch: log_free + a + x * (b + x * c),
+            log_impact: log_free + d + x * (e + x * f),
+            launch_per_s: slope(b, c),
+            impact_per_s: slope(e, f),
+            ..Self::NO_SCATTER
         }
     }
 
-    /// A interval with missed impacts, which are taken to obey the law; how far they may not is
+    /// The ends of one interval under each of the points; one that makes no sense is not a number.
+    pub(super) fn gather(ends: [Option<End<1>>; L]) -> Self {
+        let lanes = |number: fn(&End<1>) -> Lanes<1>| {
+            Lanes::of(|lane| ends[lane].as_ref().map_or(f64::NAN, |end| number(end).0[0]))
+        };
+        Self {
+            log_launch: lanes(|end| end.log_launch),
+            log_impact: lanes(|end| end.log_impact),
+            launch_per_s: lanes(|end| end.launch_per_s),
+            impact_per_s: lanes(|end| end.impact_per_s),
+            launch_scatter: lanes(|end| end.launch_scatter),
+            impact_scatter: lanes(|end| end.impact_scatter),
+            shared_scatter: lanes(|end| end.shared_scatter),
+        }
+    }
+}
+
+impl End<1> {
+    /// An interval with missed impacts, which are taken to obey the law; how far they may not is
     /// scatter.
     pub(super) fn of_gap(
         table: &FlightTable,
@@ -88,39 +130,40 @@ impl End {
         let rows = rows(table, log_launch.exp(), flights, point)?;
         let (slope, impact) = response(&rows, point);
         let launch_per_s = point.gravity_m_s2 / slope;
-        let mut end = Self {
-            launch: rows[0].launch,
-            impact: rows[rows.len() - 1].impact,
-            launch_per_s,
-            impact_per_s: impact * launch_per_s,
-            ..Self::default()
-        };
+        let mut scatter = [0.0; 3];
         for missed in 1..rows.len() {
             // The duration is given: what a missed impact adds later must come off the launch.
             let (later, on_impact) = response(&rows[missed..], point);
             let on_launch = -later / slope;
             let on_impact = on_impact + impact * on_launch;
-            end.launch_scatter += on_launch * on_launch;
-            end.impact_scatter += on_impact * on_impact;
-            end.shared_scatter += on_launch * on_impact;
+            scatter[0] += on_launch * on_launch;
+            scatter[1] += on_impact * on_impact;
+            scatter[2] += on_launch * on_impact;
         }
-        Some(end)
+        let [launch_scatter, impact_scatter, shared_scatter] = scatter.map(Lanes::all);
+        Some(Self {
+            log_launch: Lanes([rows[0].launch.ln()]),
+            log_impact: Lanes([rows[rows.len() - 1].impact.ln()]),
+            launch_per_s: Lanes([launch_per_s]),
+            impact_per_s: Lanes([impact * launch_per_s]),
+            launch_scatter,
+            impact_scatter,
+            shared_scatter,
+        })
     }
 }
 
 impl InitialFall {
     /// What the unknowns say of it, if so many impacts were missed.
     pub(super) fn new(table: &FlightTable, point: &Point, missed_first: usize) -> Option<Self> {
-        let (gravity_height, height_slope) = table.apex(point.fall_launch_m_s)?;
-        let gravity_fall = table.fall_time(point.fall_launch_m_s)?;
-        let fall = table.launch(point.fall_launch_m_s)?;
-        let flights = chain(table, point, fall.impact, missed_first)?;
+        let fall = table.rise_and_fall(point.fall_launch_m_s)?;
+        let flights = chain(table, point, fall.row.impact, missed_first)?;
         let gravity = point.gravity_m_s2;
         let mut opening = Self {
-            gravity_height,
-            height_slope,
-            impact: flights.last().map_or(fall.impact, |row| row.impact),
-            time_s: gravity_fall / gravity + flights.len() as f64 * point.contact_time_s,
+            gravity_height: fall.gravity_height,
+            height_slope: fall.height_slope,
+            impact: flights.last().map_or(fall.row.impact, |row| row.impact),
+            time_s: fall.fall_time / gravity + flights.len() as f64 * point.contact_time_s,
             impact_scatter: 0.0,
             time_scatter: 0.0,
             shared_scatter: 0.0,
@@ -137,74 +180,108 @@ impl InitialFall {
     }
 
     /// It as the impact at its end sees it.
-    pub(super) fn end(&self) -> End {
+    pub(super) fn end<const L: usize>(falls: &[Self; L]) -> End<L> {
+        let lanes = |number: fn(&Self) -> f64| Lanes::of(|lane| number(&falls[lane]));
         End {
-            impact: self.impact,
-            impact_scatter: self.impact_scatter,
-            shared_scatter: -self.shared_scatter,
-            ..End::default()
+            log_impact: lanes(|fall| fall.impact).ln(),
+            impact_scatter: lanes(|fall| fall.impact_scatter),
+            shared_scatter: lanes(|fall| -fall.shared_scatter),
+            ..End::NO_SCATTER
         }
     }
 }
 
-impl Residual {
+impl<const L: usize> Residual<L> {
     /// How far the first impact heard is from where a measured release puts it, s.
     pub(super) fn of_release(
         first_impact_s: f64,
         release_s: Measured,
-        opening: &InitialFall,
+        falls: &[InitialFall; L],
     ) -> Self {
+        let none = Lanes::all(0.0);
+        let due_s = |fall: &InitialFall| release_s.value + fall.time_s;
         Self {
-            value: first_impact_s - release_s.value - opening.time_s,
-            timing: [0.0, 1.0, 0.0],
-            scatter: opening.time_scatter,
+            value: Lanes::of(|lane| first_impact_s - due_s(&falls[lane])),
+            timing: [none, Lanes::all(1.0), none],
+            scatter: Lanes::of(|lane| falls[lane].time_scatter),
+            scatter_before: none,
+            impact: 0,
             own_variance: release_s.sd * release_s.sd,
-            ..Self::default()
         }
     }
 
     /// The residual of the impact between two intervals.
-    pub(super) fn between(before: &End, after: &End, impact: usize, point: &Point) -> Self {
-        let (restitution, log_slope) = point.law.at_with_log_slope(before.impact);
-        let keeps = 1.0 + log_slope;
-        let by_before = -keeps * before.impact_per_s;
+    #[inline(always)]
+    pub(super) fn between(
+        before: &End<L>,
+        after: &End<L>,
+        impact: usize,
+        laws: &Restitutions<L>,
+    ) -> Self {
+        let (restitution, log_slope) = laws.at_with_log_slope(before.log_impact.exp());
+        let keeps = log_slope + 1.0;
+        let by_before = -(keeps * before.impact_per_s);
         let by_after = after.launch_per_s;
         Self {
-            value: (after.launch / (before.impact * restitution)).ln(),
+            value: after.log_launch - before.log_impact - restitution.ln(),
             timing: [-by_before, by_before - by_after, by_after],
-            scatter: 1.0 + after.launch_scatter + keeps * keeps * before.impact_scatter,
-            scatter_before: -keeps * before.shared_scatter,
+            scatter: after.launch_scatter + keeps * keeps * before.impact_scatter + 1.0,
+            scatter_before: -(keeps * before.shared_scatter),
             impact,
             own_variance: 0.0,
         }
     }
 }
 
-/// Variance of a residual through its times, of which `variance` tells that of each.
-#[inline]
-pub(super) fn variance_by_time(residual: &Residual, variance: impl Fn(usize) -> f64) -> f64 {
-    let ([before, own, after], impact) = (residual.timing, residual.impact);
-    let mut sum = own * own * variance(impact) + after * after * variance(impact + 1);
-    if impact > 0 {
-        sum += before * before * variance(impact - 1);
-    }
-    sum
+/// The noise of the data at as many points as there are lanes.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Noise<'o, const L: usize> {
+    /// Standard errors of the times, s, and the square of the factor on them.
+    sigma_s: &'o [f64],
+    timing: Lanes<L>,
+    /// Variance of the scatter of ln e.
+    pub(super) scatter: Lanes<L>,
 }
 
-/// Covariance of two residuals through the times they share.
-#[inline]
-pub(super) fn covariance_by_time(
-    earlier: &Residual,
-    later: &Residual,
-    variance: impl Fn(usize) -> f64,
-) -> f64 {
-    let (a, b, own) = (earlier.timing, later.timing, later.impact);
-    match own - earlier.impact {
-        // The release and the first impact heard have the same one in the middle.
-        0 => a[1] * b[1] * variance(own),
-        1 => a[1] * b[0] * variance(own - 1) + a[2] * b[1] * variance(own),
-        2 => a[2] * b[0] * variance(own - 1),
-        _ => 0.0,
+impl<'o, const L: usize> Noise<'o, L> {
+    #[inline(always)]
+    pub(super) fn new(sigma_s: &'o [f64], points: &[Point; L]) -> Self {
+        let square = |x: f64| x * x;
+        Self {
+            sigma_s,
+            timing: Lanes::of(|lane| square(points[lane].timing)),
+            scatter: Lanes::of(|lane| square(points[lane].scatter)),
+        }
+    }
+
+    /// Variance of the time of an impact, s².
+    #[inline(always)]
+    fn of_time(&self, impact: usize) -> Lanes<L> {
+        self.timing * (self.sigma_s[impact] * self.sigma_s[impact])
+    }
+
+    /// Variance of a residual through its times.
+    #[inline(always)]
+    pub(super) fn by_time(&self, residual: &Residual<L>) -> Lanes<L> {
+        let ([before, own, after], impact) = (residual.timing, residual.impact);
+        let sum = own * own * self.of_time(impact) + after * after * self.of_time(impact + 1);
+        match impact {
+            0 => sum,
+            _ => sum + before * before * self.of_time(impact - 1),
+        }
+    }
+
+    /// Covariance of two residuals through the times they share.
+    #[inline(always)]
+    pub(super) fn shared_by_time(&self, earlier: &Residual<L>, later: &Residual<L>) -> Lanes<L> {
+        let (a, b, own) = (earlier.timing, later.timing, later.impact);
+        match own - earlier.impact {
+            // The release and the first impact heard have the same one in the middle.
+            0 => a[1] * b[1] * self.of_time(own),
+            1 => a[1] * b[0] * self.of_time(own - 1) + a[2] * b[1] * self.of_time(own),
+            2 => a[2] * b[0] * self.of_time(own - 1),
+            _ => Lanes::all(0.0),
+        }
     }
 }
 

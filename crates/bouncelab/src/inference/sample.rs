@@ -1,22 +1,27 @@
 //! Importance sampling of the posterior of one model.
 //!
 //! The best fit and its curvature give a normal distribution; draws from a Student's t of that
-//! shape, weighted by what the posterior really is, are the posterior. A first round corrects the
-//! centre and the shape, the second counts. The largest weights are smoothed by the generalised
+//! shape, weighted by what the posterior really is, are the posterior. Where a first round shows another
+//! centre or shape, it corrects them. The draws are those of a scrambled Sobol sequence: each of them is as
+//! random as any, but together they cover the distribution more evenly than independent ones, so that fewer
+//! do (A. Owen, Ann. Stat. 25, 1541, 1997). The largest weights are smoothed by the generalised
 //! Pareto distribution that their tail follows, whose shape k tells whether the weights can be
 //! trusted at all (A. Vehtari et al., Pareto smoothed importance sampling, JMLR 25, 2024).
 
-use nalgebra::{Cholesky, DMatrix, DVector};
+use nalgebra::{Cholesky, DMatrix, DVector, DVectorViewMut};
 use rand::RngExt;
 use rand_chacha::ChaCha8Rng;
-use rand_distr::{ChiSquared, Distribution, StandardNormal};
+use statrs::distribution::{ContinuousCDF, Normal};
 
 use super::fit::Fit;
-use super::likelihood::Evaluator;
+use super::model::Model;
 
 /// Degrees of freedom of the proposal: tails heavier than those of a posterior, so that no region
 /// is forgotten.
-const FREEDOM: f64 = 5.0;
+const FREEDOM: f64 = 2.0 * EXPONENTIALS as f64;
+
+/// Half of a chi-squared number with so many degrees of freedom is a sum of exponential ones.
+const EXPONENTIALS: usize = 3;
 
 /// The shape of the proposal is that of the posterior, a little wider.
 const WIDENING: f64 = 1.1;
@@ -27,7 +32,8 @@ pub const GREATEST_PARETO_SHAPE: f64 = 0.7;
 /// Weighted draws of the posterior of one model.
 #[derive(Debug, Clone)]
 pub(super) struct Sample {
-    pub(super) vectors: Vec<DVector<f64>>,
+    /// One in each column.
+    pub(super) vectors: DMatrix<f64>,
     /// Weights, which add up to one.
     pub(super) weights: Vec<f64>,
     /// How many independent draws would say as much.
@@ -39,9 +45,18 @@ pub(super) struct Sample {
 }
 
 impl Sample {
+    /// Whether its weights can be trusted more; of two that can be trusted, whether it says more.
+    fn is_better_than(&self, other: &Self) -> bool {
+        if self.pareto_shape.max(other.pareto_shape) < DOUBTFUL_SHAPE {
+            self.effective_draws > other.effective_draws
+        } else {
+            self.pareto_shape < other.pareto_shape
+        }
+    }
+
     /// Keeps only how good the draws were; they take a megabyte.
     pub(super) fn forget_draws(&mut self) {
-        self.vectors = Vec::new();
+        self.vectors = DMatrix::zeros(0, 0);
         self.weights = Vec::new();
     }
 }
@@ -59,16 +74,22 @@ impl Proposal {
         Some(Self { centre, root })
     }
 
-    /// A draw and the logarithm of its density, but for a constant.
-    fn draw(&self, rng: &mut ChaCha8Rng) -> (DVector<f64>, f64) {
-        let normal = DVector::<f64>::from_fn(self.centre.len(), |_, _| rng.sample(StandardNormal));
-        let chi_squared = chi_squared().sample(rng);
-        let interval = (FREEDOM / chi_squared).sqrt();
-        let square = normal.norm_squared() * interval * interval;
-        let dimensions = self.centre.len() as f64;
-        let density = -0.5 * (FREEDOM + dimensions) * (square / FREEDOM).ln_1p();
-        let offset = &self.root * normal * interval;
-        (&self.centre + offset, density)
+    /// Writes the draw that a point of the unit cube stands for; the logarithm of its density, but for a
+    /// constant.
+    fn draw(&self, point: &Point, mut draw: DVectorViewMut<f64>) -> f64 {
+        let dimensions = self.centre.len();
+        let normal = DVector::from_fn(dimensions, |dimension, _| {
+            Normal::standard().inverse_cdf(point.coordinate(dimension))
+        });
+        let product: f64 = (0..EXPONENTIALS)
+            .map(|number| point.coordinate(dimensions + number))
+            .product();
+        let chi_squared = -2.0 * product.ln();
+        let stretch = (FREEDOM / chi_squared).sqrt();
+        draw.copy_from(&self.centre);
+        draw.gemv(stretch, &self.root, &normal, 1.0);
+        let square = normal.norm_squared() * stretch * stretch;
+        -0.5 * (FREEDOM + dimensions as f64) * (square / FREEDOM).ln_1p()
     }
 
     /// Logarithm of the constant that [`Self::draw`] leaves out of the density.
@@ -82,9 +103,26 @@ impl Proposal {
     }
 }
 
-fn chi_squared() -> ChiSquared<f64> {
-    // FREEDOM is above zero, which is all it asks for.
-    ChiSquared::new(FREEDOM).unwrap_or_else(|_| unreachable!("a positive constant"))
+/// A point of a scrambled Sobol sequence.
+struct Point {
+    number: u32,
+    seed: u32,
+}
+
+impl Point {
+    /// A coordinate of the point, above 0 and below 1.
+    fn coordinate(&self, dimension: usize) -> f64 {
+        /// As many points as a sequence has; those beyond belong to another.
+        const LENGTH: u32 = 1 << 16;
+        /// Half of the last digit: the sequence has zero, but not one.
+        const HALF: f64 = 1.0 / (1 << 25) as f64;
+        let seed = self.seed.wrapping_add(self.number / LENGTH);
+        f64::from(sobol_burley::sample(
+            self.number % LENGTH,
+            dimension as u32,
+            seed,
+        )) + HALF
+    }
 }
 
 /// ln of the gamma function for arguments of half and whole numbers from 1/2 on.
@@ -107,74 +145,65 @@ fn log_gamma(x: f64) -> f64 {
 /// Draws from the posterior around a best fit, about as many as count as so many independent ones;
 /// `None` if no draw makes sense.
 pub(super) fn sample(
-    evaluator: &mut Evaluator,
+    model: &Model,
     fit: &Fit,
     effective_draws: usize,
     rng: &mut ChaCha8Rng,
 ) -> Option<Sample> {
-    let pilot_draws = 40 * fit.vector.len();
+    let enough = |share: f64| {
+        let draws = effective_draws as f64 / share.clamp(LEAST_SHARE, 1.0);
+        (draws as usize).max(FEWEST_DRAWS)
+    };
+    let pilot = PILOT_DRAWS * fit.vector.len();
     let mut proposal = Proposal::new(fit.vector.clone(), fit.covariance.clone())?;
-    let mut share = 0.0;
-    for _ in 0..MOST_PILOTS {
-        let pilot = round(evaluator, &proposal, pilot_draws, rng)?;
-        share = pilot.effective_draws / pilot_draws as f64;
-        if let Some(adapted) = adapted(&pilot) {
-            proposal = adapted;
+    let mut draws = enough(USUAL_SHARE).min(pilot);
+    let mut best: Option<Sample> = None;
+    for _ in 0..MOST_ROUNDS {
+        let found = round(model, &proposal, draws, rng)?;
+        let complete = found.effective_draws >= 0.8 * effective_draws as f64;
+        let done = complete && found.pareto_shape < DOUBTFUL_SHAPE;
+        let adapted = if done { None } else { adapted(&found) };
+        draws = enough(found.effective_draws / draws as f64).max(draws);
+        if best.as_ref().is_none_or(|best| found.is_better_than(best)) {
+            best = Some(found);
         }
-        if share > GOOD_SHARE {
-            break;
-        }
-    }
-    let wanted = (effective_draws as f64 / share.clamp(LEAST_SHARE, 1.0)) as usize;
-    let wanted = wanted.max(FEWEST_DRAWS);
-    let mut found = round(evaluator, &proposal, wanted, rng)?;
-    for _ in 0..MOST_RETRIES {
-        if found.pareto_shape < DOUBTFUL_SHAPE {
-            break;
-        }
-        // All these draws know the shape better than the pilots did.
-        let Some(adapted) = adapted(&found) else {
-            break;
-        };
-        let again = round(evaluator, &adapted, wanted, rng)?;
-        if again.pareto_shape < found.pareto_shape {
-            found = again;
+        match adapted {
+            Some(adapted) => proposal = adapted,
+            None if complete => break,
+            None => {}
         }
     }
-    Some(found)
+    best
 }
 
-/// Pilots that may correct the proposal, and the share of effective draws that needs no more. A normal
-/// posterior of ten unknowns would give 0.68; real ones give 0.45 however many pilots go before.
-const MOST_PILOTS: usize = 5;
-const GOOD_SHARE: f64 = 0.35;
+/// Draws of a first round for each unknown: enough to know centre and shape.
+const PILOT_DRAWS: usize = 40;
 
-/// Weights with a heavier tail than this are worth another try, but not for ever.
-const DOUBTFUL_SHAPE: f64 = 0.6;
-const MOST_RETRIES: usize = 2;
-
-/// The weights of fewer draws have no tail whose shape could tell anything.
-const FEWEST_DRAWS: usize = 25;
+/// Share of effective draws that proposals have. A normal posterior of ten unknowns would give 0.7.
+const USUAL_SHARE: f64 = 0.4;
 
 /// A proposal that fits badly is not drawn from for ever: at most three draws for one.
 const LEAST_SHARE: f64 = 0.33;
 
-fn round(
-    evaluator: &mut Evaluator,
-    proposal: &Proposal,
-    draws: usize,
-    rng: &mut ChaCha8Rng,
-) -> Option<Sample> {
-    let mut vectors = Vec::with_capacity(draws);
-    let mut logs = Vec::with_capacity(draws);
-    for _ in 0..draws {
-        let (vector, density) = proposal.draw(rng);
-        let log = evaluator
-            .log_posterior(vector.as_slice())
-            .map_or(f64::NEG_INFINITY, |log| log - density);
-        vectors.push(vector);
-        logs.push(log);
-    }
+/// Weights with a heavier tail than this are worth another try, but not for ever.
+const DOUBTFUL_SHAPE: f64 = 0.6;
+const MOST_ROUNDS: usize = 6;
+
+/// The weights of fewer draws have a tail too short to tell its shape.
+const FEWEST_DRAWS: usize = 128;
+
+fn round(model: &Model, proposal: &Proposal, draws: usize, rng: &mut ChaCha8Rng) -> Option<Sample> {
+    let seed = rng.random();
+    let mut vectors = DMatrix::zeros(proposal.centre.len(), draws);
+    let numbered = (0..).zip(vectors.column_iter_mut());
+    let densities: Vec<f64> = numbered
+        .map(|(number, draw)| proposal.draw(&Point { number, seed }, draw))
+        .collect();
+    let columns = vectors.as_slice().chunks_exact(vectors.nrows());
+    let logs = model.log_posteriors(columns).into_iter().zip(densities);
+    let logs: Vec<f64> = logs
+        .map(|(log, density)| log.map_or(f64::NEG_INFINITY, |log| log - density))
+        .collect();
     let greatest = logs.iter().copied().fold(f64::NEG_INFINITY, f64::max);
     if !greatest.is_finite() {
         return None;
@@ -204,7 +233,7 @@ fn effective_draws(weights: &[f64]) -> f64 {
 /// The proposal with the mean and covariance that a pilot found. Where few draws have all the
 /// weight, the weights are flattened until enough count: a step in the right direction.
 fn adapted(pilot: &Sample) -> Option<Proposal> {
-    let dimensions = pilot.vectors[0].len();
+    let dimensions = pilot.vectors.nrows();
     let flattened = [1.0, 0.5, 0.25]
         .into_iter()
         .map(|power| {
@@ -213,16 +242,17 @@ fn adapted(pilot: &Sample) -> Option<Proposal> {
             powers.iter().map(|w| w / total).collect::<Vec<f64>>()
         })
         .find(|weights| effective_draws(weights) > 8.0 * dimensions as f64)?;
-    let mut mean = DVector::zeros(dimensions);
-    for (vector, &weight) in pilot.vectors.iter().zip(&flattened) {
-        mean.axpy(weight, vector, 1.0);
+    let flattened = DVector::from_vec(flattened);
+    let mean = &pilot.vectors * &flattened;
+    let mut off = pilot.vectors.clone();
+    for mut column in off.column_iter_mut() {
+        column -= &mean;
     }
-    let mut covariance = DMatrix::zeros(dimensions, dimensions);
-    for (vector, &weight) in pilot.vectors.iter().zip(&flattened) {
-        let off = vector - &mean;
-        covariance.ger(weight, &off, &off, 1.0);
+    let mut weighted = off.clone();
+    for (mut column, &weight) in weighted.column_iter_mut().zip(&flattened) {
+        column *= weight;
     }
-    Proposal::new(mean, covariance)
+    Proposal::new(mean, weighted * off.transpose())
 }
 
 /// Replaces the largest weights by the quantiles of the generalised Pareto distribution that fits

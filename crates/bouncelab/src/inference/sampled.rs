@@ -5,21 +5,23 @@ use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
 use super::fit::{self, Fit};
-use super::likelihood::{Evaluator, Innovation};
+use super::likelihood::{DropState, Innovation};
 use super::model::{Medium, Model, Point, ReferenceSpeed};
 use super::numbering;
 use super::observed::Observed;
+use super::predict::{self, Rest};
 use super::priors::{LawKind, Priors};
 use super::sample::{self, GREATEST_PARETO_SHAPE, Sample};
+use super::timed_flights::TimedFlights;
 use crate::ball::Ball;
 use crate::drag::DragLaw;
 use crate::error::{Error, InferenceFailure, Result, require};
 use crate::flight::Environment;
-use crate::impact::Impact;
+use crate::impact::{Impact, Restitution};
 use crate::train::LN_MISSED;
 
 /// Every so many draws go into answers that take long.
-pub(super) const THINNED: usize = 4;
+pub(super) const THINNED: usize = 2;
 
 /// How much to compute.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -35,7 +37,7 @@ pub struct SamplerConfig {
 impl Default for SamplerConfig {
     fn default() -> Self {
         Self {
-            draws: 4000,
+            draws: 2000,
             seed: 1,
         }
     }
@@ -77,18 +79,24 @@ pub(super) struct Draw {
     pub(super) vector: DVector<f64>,
 }
 
+/// The impacts in one numbering, with their flights in each of the media.
+#[derive(Debug, Clone)]
+pub(super) struct Numbering {
+    pub(super) observed: Observed,
+    flights: Vec<TimedFlights>,
+}
+
 /// Everything that the data and the priors say together.
 #[derive(Debug, Clone)]
 pub(super) struct SampledPosterior {
     /// The impacts, numbered as stated and otherwise.
-    pub(super) numberings: Vec<Observed>,
+    pub(super) numberings: Vec<Numbering>,
     pub(super) media: Vec<Medium>,
     pub(super) middle: ReferenceSpeed,
     pub(super) priors: Priors,
     pub(super) ball: Ball,
     /// As stated, with the drag law of the first of the media.
     pub(super) environment: Environment,
-    pub(super) contact_time_s: f64,
     /// Most probable first.
     pub(super) candidates: Vec<Candidate>,
     /// Equally likely draws.
@@ -101,6 +109,10 @@ pub(super) const MATTERS: f64 = 0.05;
 /// A candidate whose logarithm of the evidence is so far below the best is not sampled: at most one
 /// draw in a thousand would come from it.
 const PRUNE_BELOW: f64 = 7.0;
+
+/// A candidate that is sampled gets at least this part of the draws, so that its evidence is known well enough
+/// for the little that it matters.
+const LEAST_PART: usize = 40;
 
 /// A prior for impacts before the first one heard: each more is half as likely.
 const LOG_PRIOR_OF_MISSED: f64 = -std::f64::consts::LN_2;
@@ -153,27 +165,41 @@ impl SampledPosterior {
             ball,
             environment,
             environment.drag,
+            contact_time_s,
             &observed,
             priors,
         )?];
-        let middle = ReferenceSpeed::new(&observed, &media[0], contact_time_s)?;
-        let numberings = numbering::plausible(&observed);
+        let middle = ReferenceSpeed::new(&observed, &media[0])?;
         if priors.constant_drag_too && follows_reynolds(environment) {
             // Drag shows most at the fastest impact; four digits are more than anyone knows.
             let reynolds = environment.air.reynolds(ball, middle.fastest_m_s);
             let coefficient = environment.drag.coefficient(reynolds)?;
             let rounded = (coefficient * 1e4).round() / 1e4;
             let law = DragLaw::Constant(rounded);
-            media.push(Medium::new(ball, environment, law, &numberings[0], priors)?);
+            media.push(Medium::new(
+                ball,
+                environment,
+                law,
+                contact_time_s,
+                &observed,
+                priors,
+            )?);
         }
+        let numberings = numbering::plausible(&observed).into_iter();
+        let numberings = numberings.map(|observed| Numbering {
+            flights: media
+                .iter()
+                .map(|media| TimedFlights::new(&observed, media))
+                .collect(),
+            observed,
+        });
         let mut posterior = Self {
-            numberings,
+            numberings: numberings.collect(),
             media,
             middle,
             priors: priors.clone(),
             ball: *ball,
             environment: *environment,
-            contact_time_s,
             candidates: Vec::new(),
             draws: Vec::new(),
         };
@@ -188,6 +214,11 @@ impl SampledPosterior {
 
     /// The impacts as the most probable candidate numbers them.
     pub(super) fn observed(&self) -> &Observed {
+        &self.numbering().observed
+    }
+
+    /// The numbering of the most probable candidate.
+    pub(super) fn numbering(&self) -> &Numbering {
         let best = self.candidates.first();
         &self.numberings[best.map_or(0, |candidate| candidate.numbering)]
     }
@@ -212,14 +243,15 @@ impl SampledPosterior {
         missed_first: usize,
         numbering: usize,
     ) -> Model<'_> {
+        let Numbering { observed, flights } = &self.numberings[numbering];
         Model::new(
-            &self.numberings[numbering],
+            observed,
+            &flights[media],
             &self.media[media],
             &self.middle,
             law,
             missed_first,
             &self.priors,
-            self.contact_time_s,
         )
     }
 
@@ -294,7 +326,9 @@ impl SampledPosterior {
         let mut best = f64::NEG_INFINITY;
         for missed_first in 0..=most {
             let model = self.model_of(law, media, missed_first, numbering);
-            let Some(fit) = fit::best_fit(&mut Evaluator::new(&model)) else {
+            let start = self.fitted_like(&model, numbering, candidates);
+            let fit = start.and_then(|start| fit::best_fit(&model, start));
+            let Some(fit) = fit.or_else(|| fit::best_fit(&model, model.start())) else {
                 continue;
             };
             let mut candidate = Candidate {
@@ -320,10 +354,29 @@ impl SampledPosterior {
         }
     }
 
+    /// A start for a fit from the last fit of the same impacts, of the same law if there is one.
+    fn fitted_like(
+        &self,
+        model: &Model,
+        numbering: usize,
+        candidates: &[Candidate],
+    ) -> Option<Vec<f64>> {
+        let fits = || {
+            candidates
+                .iter()
+                .rev()
+                .filter(|it| it.numbering == numbering && it.missed_first == model.missed_first)
+        };
+        let like = fits()
+            .find(|it| it.law == model.law)
+            .or_else(|| fits().next())?;
+        Some(model.start_from(&self.model(like), like.fit.vector.as_slice()))
+    }
+
     /// Logarithm of the prior probability of a candidate, but for a constant.
     fn log_prior(&self, candidate: &Candidate) -> f64 {
         candidate.missed_first as f64 * LOG_PRIOR_OF_MISSED
-            + self.numberings[candidate.numbering].missed() as f64 * LN_MISSED
+            + self.numberings[candidate.numbering].observed.missed() as f64 * LN_MISSED
     }
 
     /// Samples the candidates that matter, weighs them by their evidence and pools their draws.
@@ -339,9 +392,9 @@ impl SampledPosterior {
             let model = self.model(candidate);
             let draws = (sampler.draws as f64 * candidate.weight) as usize;
             let sample = sample::sample(
-                &mut Evaluator::new(&model),
+                &model,
                 &candidate.fit,
-                draws.max(sampler.draws / 16),
+                draws.max(sampler.draws / LEAST_PART),
                 &mut rng,
             );
             if let Some(sample) = sample {
@@ -376,12 +429,12 @@ impl SampledPosterior {
             let Some(sample) = &candidate.sample else {
                 continue;
             };
-            for (vector, weight) in sample.vectors.iter().zip(&sample.weights) {
+            for (vector, weight) in sample.vectors.column_iter().zip(&sample.weights) {
                 sum += candidate.weight * weight;
                 while next < sum && pooled.len() < draws {
                     pooled.push(Draw {
                         candidate: index,
-                        vector: vector.clone(),
+                        vector: vector.into_owned(),
                     });
                     next += tooth;
                 }
@@ -429,30 +482,60 @@ impl SampledPosterior {
     pub(super) fn innovations(&self) -> Vec<Innovation> {
         let candidate = &self.candidates[0];
         let model = self.model(candidate);
-        let mut evaluator = Evaluator::new(&model);
+        let details = model.details(candidate.fit.vector.as_slice());
         // Where the fit makes no sense there is nothing to report.
-        let sense = evaluator.log_posterior(candidate.fit.vector.as_slice());
-        sense.map_or_else(Vec::new, |_| evaluator.innovations)
+        details.map_or_else(Vec::new, |details| details.innovations)
+    }
+
+    /// The drops that every so many of the draws say the times tell.
+    pub(super) fn drops(&self) -> Vec<DrawnDrop> {
+        let thinned = self.draws.iter().step_by(THINNED);
+        let drops = self.each(THINNED, |model, point| {
+            let state = model.state(point)?;
+            let rest = predict::until_rest(model, point, &state);
+            Some((point.law, state, rest))
+        });
+        if drops.len() != thinned.len() {
+            return Vec::new();
+        }
+        let drops = thinned.zip(drops);
+        drops
+            .map(|(draw, (law, state, rest))| DrawnDrop {
+                candidate: draw.candidate,
+                law,
+                state,
+                rest,
+            })
+            .collect()
     }
 
     /// Works out a value for each of the draws, or for every so many of them.
     pub(super) fn each<T>(
         &self,
         every: usize,
-        mut value: impl FnMut(&mut Evaluator, &Point) -> Option<T>,
+        mut value: impl FnMut(&Model, &Point) -> Option<T>,
     ) -> Vec<T> {
         let models: Vec<Model> = self.candidates.iter().map(|c| self.model(c)).collect();
-        let mut evaluators: Vec<Evaluator> = models.iter().map(Evaluator::new).collect();
         self.draws
             .iter()
             .step_by(every.max(1))
             .filter_map(|draw| {
-                let evaluator = &mut evaluators[draw.candidate];
-                let point = evaluator.point(draw.vector.as_slice())?;
-                value(evaluator, &point)
+                let model = &models[draw.candidate];
+                let point = model.point(draw.vector.as_slice())?;
+                value(model, &point)
             })
             .collect()
     }
+}
+
+/// One draw as the drop that it says the times tell.
+#[derive(Debug, Clone)]
+pub(super) struct DrawnDrop {
+    pub(super) candidate: usize,
+    pub(super) law: Restitution,
+    pub(super) state: DropState,
+    /// Time and path to rest, if it comes to rest.
+    pub(super) rest: Option<Rest>,
 }
 
 /// Whether the drag coefficient is anything but constant.

@@ -1,5 +1,7 @@
 //! The heavy-tailed density of residuals.
 
+use crate::simd::Lanes;
+
 /// Degrees of freedom of the scatter: nearly normal in the middle, with the fourth moment (an excess
 /// of 3) of the two exponentials that were measured.
 pub(super) const FREEDOM: f64 = 6.0;
@@ -7,40 +9,46 @@ pub(super) const FREEDOM: f64 = 6.0;
 /// Student's t with variance one, of an innovation that is scatter only in part.
 ///
 /// The times have normal errors, so the tails are lighter the less of the innovation is scatter. The
-/// degrees of freedom are those that give it the fourth moment of the sum: excess 6/(ν - 4), times
+/// degrees of freedom ν are those that give it the fourth moment of the sum: excess 6/(ν - 4), times
 /// the square of the share.
-pub(super) struct Tail {
-    freedom: f64,
+pub(super) struct Tail<const L: usize> {
+    freedom: Lanes<L>,
+    per_freedom: Lanes<L>,
 }
 
-impl Tail {
+impl<const L: usize> Tail<L> {
     /// So light a tail is normal.
     const LIGHTEST: f64 = 1e6;
 
-    pub(super) fn of(scatter_share: f64) -> Self {
-        let freedom = 4.0 + (FREEDOM - 4.0) / (scatter_share * scatter_share);
+    #[inline(always)]
+    pub(super) fn of(scatter_share: Lanes<L>) -> Self {
+        let per_square = Lanes::all(FREEDOM - 4.0) / (scatter_share * scatter_share);
+        let freedom = (per_square + 4.0).min(Self::LIGHTEST);
         Self {
-            freedom: freedom.min(Self::LIGHTEST),
+            freedom,
+            per_freedom: Lanes::all(1.0) / freedom,
         }
     }
 
     /// Logarithm of the density of an innovation in units of its standard deviation, by its square, but for
     /// ln (2 π)^1/2 and half the logarithm of [`Self::width`].
-    pub(super) fn log_density(&self, square: f64) -> f64 {
-        let nu = self.freedom;
+    #[inline(always)]
+    pub(super) fn log_density(&self, square: Lanes<L>) -> Lanes<L> {
+        let (nu, per_nu) = (self.freedom, self.per_freedom);
         // ln Γ((ν + 1)/2) - ln Γ(ν/2) - ½ ln(ν/2), to 1e-5 from 6 degrees on.
-        let constant = -0.25 / nu + 1.0 / (24.0 * nu.powi(3));
-        constant - 0.5 * (nu + 1.0) * (square / (nu - 2.0)).ln_1p()
+        let constant = per_nu * (per_nu * per_nu * (1.0 / 24.0) - 0.25);
+        constant - (nu + 1.0) * 0.5 * (square / (nu - 2.0) + 1.0).ln()
     }
 
     /// Square of the scale of Student's t over the variance.
-    pub(super) fn width(&self) -> f64 {
-        (self.freedom - 2.0) / self.freedom
+    #[inline(always)]
+    pub(super) fn width(&self) -> Lanes<L> {
+        self.per_freedom * -2.0 + 1.0
     }
 
     /// Weight in the fit: what is left of the pull of the deviation, against a normal distribution;
     /// 1 in the middle.
-    pub(super) fn weight(&self, square: f64) -> f64 {
+    pub(super) fn weight(&self, square: Lanes<L>) -> Lanes<L> {
         ((self.freedom + 1.0) / (self.freedom - 2.0 + square)).min(1.0)
     }
 }
@@ -53,13 +61,13 @@ mod tests {
     #[test]
     fn the_tails_are_a_density() {
         for share in [1.0, 0.5, 0.1] {
-            let tail = Tail::of(share);
+            let tail = Tail::of(Lanes([share]));
             let (mut total, mut variance) = (0.0, 0.0);
             let step = 0.01;
             for place in -20_000..=20_000 {
                 let z = f64::from(place) * step;
-                let density = tail.log_density(z * z).exp()
-                    / (2.0 * std::f64::consts::PI * tail.width()).sqrt();
+                let density = tail.log_density(Lanes([z * z])).0[0].exp()
+                    / (2.0 * std::f64::consts::PI * tail.width().0[0]).sqrt();
                 total += step * density;
                 variance += step * density * z * z;
             }

@@ -1,0 +1,98 @@
+//! The flights between the impacts detected, whose durations the times tell.
+//!
+//! The inference asks for the same few flights under thousands of slightly different drags, gravities and
+//! contact times. Without drag a flight that lasts T starts and ends at g T/2; what drag makes of that changes
+//! little, and smoothly, with g T, so a parabola in g T for each flight and each strength of drag tells it:
+//! fewer steps than a look at the [tables](crate::flight::table), from which the parabolas are made.
+
+use std::sync::OnceLock;
+
+use super::model::Medium;
+use super::observed::Observed;
+use crate::flight::table::{Blend, FlightTables, STRENGTHS};
+
+/// How far from its nominal duration each parabola touches its flight, relative.
+const REACH: f64 = 0.02;
+
+/// What drag does to a flight, by the relative change x of g T: the logarithms of its launch speed and of its
+/// impact speed over g T/2, each as a + x (b + x c).
+pub(super) type Curves = [f64; 6];
+
+/// The flights of a drop under one drag law.
+#[derive(Debug, Clone)]
+pub(super) struct TimedFlights {
+    /// 1/(g T) of each interval at the nominal values, s/m; 0 where impacts were missed.
+    per_nominal: Vec<f64>,
+    nodes: Vec<OnceLock<Vec<Curves>>>,
+}
+
+/// The flights under the drag of one strength.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct FlightsAtStrength<'a> {
+    nodes: [&'a [Curves]; 4],
+    weights: [f64; 4],
+}
+
+impl TimedFlights {
+    pub(super) fn new(observed: &Observed, media: &Medium) -> Self {
+        let per_nominal = observed.intervals.iter().map(|interval| {
+            if interval.flights == 1 {
+                1.0 / (media.gravity_m_s2 * (interval.duration_s - media.contact_time_s))
+            } else {
+                0.0
+            }
+        });
+        Self {
+            per_nominal: per_nominal.collect(),
+            nodes: vec![OnceLock::new(); STRENGTHS],
+        }
+    }
+
+    /// Nominal 1/(g T) of an interval, s/m.
+    #[inline(always)]
+    pub(super) fn per_nominal(&self, interval: usize) -> f64 {
+        self.per_nominal[interval]
+    }
+
+    /// The flights with so many times the drag of the tables; `None` for a drag that they do not know.
+    pub(super) fn at(&self, tables: &FlightTables, strength: f64) -> Option<FlightsAtStrength<'_>> {
+        let Blend { first, weights } = Blend::of(strength)?;
+        Some(FlightsAtStrength {
+            nodes: std::array::from_fn(|node| self.node(tables, first + node)),
+            weights,
+        })
+    }
+
+    fn node(&self, tables: &FlightTables, node: usize) -> &[Curves] {
+        self.nodes[node].get_or_init(|| {
+            let table = tables.at_node(node);
+            let curves = self.per_nominal.iter().map(|per_nominal| {
+                let at = |x: f64| {
+                    let gravity_time = (1.0 + x) / per_nominal;
+                    let row = table.lasting(gravity_time);
+                    let over_free = |speed: f64| (2.0 * speed / gravity_time).ln();
+                    row.map_or([f64::NAN; 2], |row| [row.launch, row.impact].map(over_free))
+                };
+                let (before, here, after) = (at(-REACH), at(0.0), at(REACH));
+                let parabola = |i: usize| {
+                    let slope = (after[i] - before[i]) / (2.0 * REACH);
+                    let bend = (after[i] - 2.0 * here[i] + before[i]) / (2.0 * REACH * REACH);
+                    [here[i], slope, bend]
+                };
+                let ([a, b, c], [d, e, f]) = (parabola(0), parabola(1));
+                [a, b, c, d, e, f]
+            });
+            curves.collect()
+        })
+    }
+}
+
+impl FlightsAtStrength<'_> {
+    /// The curves of an interval of one flight; not numbers where the tables do not know it.
+    #[inline(always)]
+    pub(super) fn curves(&self, interval: usize) -> Curves {
+        let [a, b, c, d] = self.nodes.map(|node| &node[interval]);
+        let [wa, wb, wc, wd] = self.weights;
+        std::array::from_fn(|i| wa * a[i] + wb * b[i] + wc * c[i] + wd * d[i])
+    }
+}
