@@ -554,14 +554,49 @@ mod tests {
 
     #[test]
     fn locales_name_their_language() {
-        for locale in ["de", "de-AT", "de_DE.UTF-8", "DE", "de@euro"] {
+        let locales = [
+            ("de", "de-AT de_DE.UTF-8 DE de@euro"),
+            ("en", "en_GB.UTF-8 en-US"),
+            ("es", "es_ES.UTF-8 es-MX es_419"),
+            ("fr", "fr_FR.UTF-8 fr_CH fr_CA.UTF-8 fr-BE@euro"),
+        ];
+        for (code, names) in locales {
+            for locale in names.split(' ') {
+                let language = Translator::new(locale).map(|found| found.language);
+                assert_eq!(language.as_deref(), Some(code), "{locale}");
+            }
+        }
+        for locale in ["C.UTF-8", "pt_BR.UTF-8", "french", ""] {
+            assert!(Translator::new(locale).is_none(), "{locale}");
+        }
+    }
+
+    /// The rules of CLDR. Its newer versions give a million a form of its own in French and Spanish ("un million de"),
+    /// which a number in digits does not need.
+    #[test]
+    fn each_language_has_its_singular() {
+        let singular = |language: &str| {
+            let translator = Translator::new(language).unwrap();
+            ["0", "1", "1.5", "2"].map(|number| translator.plural_category(number) == "one")
+        };
+        for language in ["de", "en", "es"] {
             assert_eq!(
-                Translator::new(locale).unwrap().language(),
-                "de",
-                "{locale}"
+                singular(language),
+                [false, true, false, false],
+                "{language}"
             );
         }
-        assert!(Translator::new("C.UTF-8").is_none());
-        assert!(Translator::new("").is_none());
+        assert_eq!(singular("fr"), [true, true, true, false]);
+        let counted = |language: &str, count: usize| {
+            let translator = Translator::new(language).unwrap();
+            translator.text_with("figure-intervals-count", &[("count", count.into())])
+        };
+        let french = [0, 1, 2, 1_000_000].map(|count| counted("fr", count));
+        assert_eq!(french, ["0 essai", "1 essai", "2 essais", "1000000 essais"]);
+        let spanish = [0, 1, 2, 1_000_000].map(|count| counted("es", count));
+        assert_eq!(
+            spanish,
+            ["0 ensayos", "1 ensayo", "2 ensayos", "1000000 ensayos"]
+        );
     }
 }

@@ -97,7 +97,7 @@ input-time-of-a-strike-in-s = tiempo de un impacto en s
 input-number-of-samples-of-the-recording = número de muestras de la grabación
 input-rms-of-the-loudest-impact-heard-its-loudest-mode-being-1 = valor eficaz del impacto más fuerte oído, con su modo más fuerte igual a 1
 
-# Lo admitido concuerda con «valor».
+# What is allowed agrees with “valor”.
 
 allowed-a-share-as-in-80 = una parte, como 80%
 allowed-above-0 = mayor que 0

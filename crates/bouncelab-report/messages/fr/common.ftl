@@ -1,4 +1,4 @@
-# De 0 à moins de 2 c'est le singulier (« one ») : un message avec [one] montre son nombre.
+# The singular ([one]) is that of 0 too: where 0 may occur, it shows its number.
 
 decimal-point = ,
 unit-cannot-tell = indéterminé

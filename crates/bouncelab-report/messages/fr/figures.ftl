@@ -179,14 +179,14 @@ figure-waveform-caption = { $impacts ->
     [one] { $impacts } impact
    *[other] { $impacts } impacts
 } { $drops ->
-    [one] d’un essai
+    [1] d’un essai
    *[other] de { $drops } essais
 }{ $uncertain ->
     [0] {""}
     [1] {" "}(1 incertain, ouvert et orange)
    *[other] {" "}({ $uncertain } incertains, ouverts et orange)
 }{ $pattern ->
-    [yes] {"\u202F"}: leur intervalle se réduit chaque fois dans presque le même rapport
+    [yes] {" : "}leur intervalle se réduit chaque fois dans presque le même rapport
    *[no] {""}
 }.
 figure-waveform-no-impacts = Le son, dans lequel aucun impact n’a été trouvé.

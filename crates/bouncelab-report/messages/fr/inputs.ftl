@@ -97,7 +97,7 @@ input-time-of-a-strike-in-s = temps d’un impact en s
 input-number-of-samples-of-the-recording = nombre d’échantillons de l’enregistrement
 input-rms-of-the-loudest-impact-heard-its-loudest-mode-being-1 = valeur efficace de l’impact le plus fort entendu, son mode le plus fort valant 1
 
-# Ce qui est admis s'accorde avec « valeur ».
+# What is allowed agrees with “valeur”.
 
 allowed-a-share-as-in-80 = une part, comme 80%
 allowed-above-0 = supérieure à 0

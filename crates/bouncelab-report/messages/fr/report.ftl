@@ -17,7 +17,7 @@ report-kept-and-fell-first = La balle a gardé { $share } de sa vitesse à chaqu
 report-kept-without-air = S’il n’y avait pas d’air, la balle aurait gardé { $share } de sa vitesse à chaque rebond et serait tombée de { $height }.
 report-kept-unknown = Ce que la balle a gardé ne peut pas être déterminé : { $reason }
 report-impacts = { $count ->
-    [one] Un impact a été détecté, à { $first } s
+    [1] Un impact a été détecté, à { $first } s
    *[other] { $count } impacts ont été détectés de { $first } s à { $last } s
   }, { $uncertain ->
     [0] aucun n’est incertain.

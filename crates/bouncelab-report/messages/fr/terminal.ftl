@@ -231,7 +231,7 @@ listen-left-out = l’essai à { $start } s { $reason ->
    *[unlikely] n’est pas confirmé par l’enregistrement entier
   } et est exclu
 listen-impact = essai { $drop } : impact { $impact } à { $time } s après { $flight } ms{ $rests ->
-    [yes] {"\u202F"}; la balle est au repos
+    [yes] {" ; "}la balle est au repos
    *[no] {""}
   }
 listen-line = e = { $restitution }, h0 = { $height } air négligé
