@@ -101,14 +101,16 @@ fn every_figure_is_well_formed_and_names_its_axes_with_units() {
 /// In the font of pictures, which is wider than those of most systems.
 #[cfg(feature = "pictures")]
 #[test]
-fn no_text_leaves_its_figure_or_lies_over_another_in_any_language() {
+fn no_text_is_cut_or_lies_over_another_in_any_language() {
     for language in messages::languages() {
         for (name, chart, _) in charts::all(&Translator::new(language).unwrap()) {
             let texts = widths::boxes(&chart.svg());
             let (width, height) = chart.size();
-            let leaves = |text: &&widths::Text| text.leaves(width, height);
-            let outside: Vec<_> = texts.iter().filter(leaves).collect();
-            assert!(outside.is_empty(), "{language} {name}: {outside:?}");
+            let cut: Vec<_> = texts
+                .iter()
+                .filter(|text| text.is_cut(width, height))
+                .collect();
+            assert!(cut.is_empty(), "{language} {name}: {cut:?}");
             for (index, text) in texts.iter().enumerate() {
                 let over = texts[index + 1..]
                     .iter()
@@ -368,9 +370,12 @@ mod widths {
     }
 
     impl Text {
-        pub(super) fn leaves(&self, width: f64, height: f64) -> bool {
+        /// Outside of the drawing, or shortened.
+        pub(super) fn is_cut(&self, width: f64, height: f64) -> bool {
             let top = self.baseline - self.size;
-            self.left < 0.0 || self.right > width || top < 0.0 || self.baseline > height
+            let is_outside =
+                self.left < 0.0 || self.right > width || top < 0.0 || self.baseline > height;
+            is_outside || self.words.contains('…')
         }
 
         pub(super) fn lies_over(&self, other: &Self) -> bool {
