@@ -43,7 +43,10 @@ describe.each(FONT_SETS.map((fonts) => [nameOf(fonts), fonts] as const))(
         const path = join(SHOTS, `narrow-${language}-${set}-${name}.png`);
         await page.screenshot({ path, fullPage: true });
         if ((await overflow(page)) > 0) troubles.push('the page is wider than the screen');
-        const found = [...(await charts(page)).flatMap(troublesOf), ...(await crampedButtons(page))];
+        const found = [
+          ...(await charts(page)).flatMap(troublesOf),
+          ...(await crampedButtons(page)),
+        ];
         troubles.push(...found.map((trouble) => `${name}: ${trouble}`));
       }
 

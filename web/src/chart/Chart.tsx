@@ -64,6 +64,11 @@ function Plot({ panel }: { readonly panel: Panel }) {
   return (
     <div class="panel" style={{ gridColumn: panel.column + 1, gridRow: panel.row + 1 }}>
       {panel.title !== '' && <strong class="small">{panel.title}</strong>}
+      {panel.y.ticks === 'labelled' && panel.y.quantity !== '' && (
+        <div class="small soft" aria-hidden="true">
+          {labelOf(panel.y)}
+        </div>
+      )}
       <div ref={box} class="chart" role="img" aria-label={name} />
     </div>
   );

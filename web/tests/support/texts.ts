@@ -54,8 +54,8 @@ export const drawings = (page: Page): Promise<Drawing[]> =>
 type Watched = HTMLCanvasElement & { texts?: Text[] };
 
 /** Prepares a browser to remember what is written on canvases. */
-export function rememberTexts(context: BrowserContext): Promise<void> {
-  return context.addInitScript(() => {
+export async function rememberTexts(context: BrowserContext): Promise<void> {
+  await context.addInitScript(() => {
     const drawing = CanvasRenderingContext2D.prototype;
     const { fillText, clearRect } = drawing;
     drawing.clearRect = function clear(...area) {
@@ -105,7 +105,10 @@ export const crampedButtons = (page: Page): Promise<string[]> =>
       range.selectNodeContents(button);
       const sticksOut = [...range.getClientRects()].some(
         ({ left, top, right, bottom }) =>
-          left < box.left - 1 || right > box.right + 1 || top < box.top - 1 || bottom > box.bottom + 1,
+          left < box.left - 1 ||
+          right > box.right + 1 ||
+          top < box.top - 1 ||
+          bottom > box.bottom + 1,
       );
       const scrolls = (element: Element | null): boolean =>
         element !== null &&
