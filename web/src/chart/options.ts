@@ -27,11 +27,12 @@ const FIGURE_TEXT = 14;
 /** Like `Scale` in the science, which numbers whole ones only. */
 const COUNTS = [1, 2, 5, 10, 20, 50, 100, 200, 500, 1000];
 
-export function optionsOf(panel: Panel, width: number, language: string): uPlot.Options {
+/** Those of the first panel of a row, whose frame is as high as the names of the row need. */
+export function optionsOf(row: readonly Panel[], width: number, language: string): uPlot.Options {
+  const panel = row[0] as Panel;
   const { x, y } = panel;
   const inner = Math.min((panel.height / FIGURE_TEXT) * rem(), Math.max(0.7 * width, 6 * rem()));
-  const lines = y.names.map((name) => linesOf(name).length);
-  const named = y.names.length * (LINE_REM * Math.max(0, ...lines) + 0.8) * rem();
+  const named = Math.max(...row.map((beside) => heightOfNames(beside.y.names)));
   const beyond = beyondEnds(x, language);
   const below = (x.ticks === 'labelled' ? LABEL_REM : 0) * rem() + sizeOfX(x);
   return {
@@ -90,16 +91,21 @@ function axis(of: Axis, language: string, upright: boolean): uPlot.Axis {
 }
 
 /** Beside the frame: half of the number at the end of its axis. */
-function beyondEnds({ scale, ticks }: Axis, language: string): number {
+function beyondEnds({ scale }: Axis, language: string): number {
   const step = (scale.high - scale.low) / 5;
   const decimals = Math.max(0, Math.ceil(-Math.log10(step)));
-  const letters = ticks === 'labelled' ? fixed(scale.high, decimals, language).length : 0;
-  return Math.max(0.75, 0.25 * letters);
+  return Math.max(0.75, 0.25 * fixed(scale.high, decimals, language).length);
+}
+
+/** The names of rows one below the other, each with the room of the one with most lines. */
+function heightOfNames(names: readonly string[]): number {
+  const lines = names.map((name) => linesOf(name).length);
+  return names.length * (LINE_REM * Math.max(0, ...lines) + 0.8) * rem();
 }
 
 /** The room that the numbers below a panel take. */
 const sizeOfX = ({ ticks }: Axis): number =>
-  ({ labelled: 1.9, grid: 0.5, hidden: 0.5 })[ticks] * rem();
+  ({ labelled: 1.9, grid: 0.5, hidden: 0 })[ticks] * rem();
 
 /** The room before a panel: for names as much as the longest line takes. */
 function widthOf(of: Axis, size: number): number {
