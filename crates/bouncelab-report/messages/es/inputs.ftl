@@ -1,3 +1,5 @@
+# What is allowed (allowed-...) agrees with “valor”.
+
 input-drag = coeficiente de arrastre, en torno a la ley
 input-gravity = gravedad
 input-air-density = densidad del aire
@@ -96,8 +98,6 @@ input-chance-of-losing-an-impact = probabilidad de perder un impacto
 input-time-of-a-strike-in-s = tiempo de un impacto en s
 input-number-of-samples-of-the-recording = número de muestras de la grabación
 input-rms-of-the-loudest-impact-heard-its-loudest-mode-being-1 = valor eficaz del impacto más fuerte oído, con su modo más fuerte igual a 1
-
-# What is allowed agrees with “valor”.
 
 allowed-a-share-as-in-80 = una parte, como 80%
 allowed-above-0 = mayor que 0

@@ -1,3 +1,5 @@
+# What is allowed (allowed-...) agrees with “valeur”.
+
 input-drag = coefficient de traînée, autour de la loi
 input-gravity = pesanteur
 input-air-density = masse volumique de l’air
@@ -96,8 +98,6 @@ input-chance-of-losing-an-impact = probabilité de perdre un impact
 input-time-of-a-strike-in-s = temps d’un impact en s
 input-number-of-samples-of-the-recording = nombre d’échantillons de l’enregistrement
 input-rms-of-the-loudest-impact-heard-its-loudest-mode-being-1 = valeur efficace de l’impact le plus fort entendu, son mode le plus fort valant 1
-
-# What is allowed agrees with “valeur”.
 
 allowed-a-share-as-in-80 = une part, comme 80%
 allowed-above-0 = supérieure à 0
