@@ -32,7 +32,7 @@ use std::collections::HashMap;
 use std::fmt;
 
 use bouncelab::diagnostic::Argument;
-use bouncelab::{Diagnostic, Recording};
+use bouncelab::{Diagnostic, Recording, ball};
 use fluent_syntax::ast::{
     Entry, Expression, InlineExpression, Pattern, PatternElement, VariantKey,
 };
@@ -292,6 +292,25 @@ impl Translator {
             self.text(&id)
         } else {
             key.to_owned()
+        }
+    }
+
+    /// A ball by its label in a [`Setup`](bouncelab::setup::Setup): a preset, or what it is made of or weighs and
+    /// its diameter.
+    pub fn ball(&self, label: &str) -> String {
+        let mut presets = ball::presets().iter();
+        if let Some(preset) = presets.find(|preset| preset.label == label) {
+            return self.text(&format!("ball-{}", preset.name));
+        }
+        let sized = label.strip_suffix(" mm");
+        let Some((made_of, diameter)) = sized.and_then(|sized| sized.split_once(", ")) else {
+            return label.to_owned();
+        };
+        let number = |digits: &str| Value::Number(digits.to_owned());
+        let diameter = ("diameter", number(diameter));
+        match made_of.strip_suffix(" g") {
+            Some(mass) => self.text_with("ball-measured", &[("mass", number(mass)), diameter]),
+            None => self.text_with(&format!("ball-{made_of}"), &[diameter]),
         }
     }
 
@@ -569,6 +588,18 @@ mod tests {
         for locale in ["C.UTF-8", "pt_BR.UTF-8", "french", ""] {
             assert!(Translator::new(locale).is_none(), "{locale}");
         }
+    }
+
+    #[test]
+    fn a_ball_has_a_name_in_every_language() {
+        let named = |language: &str, label: &str| Translator::new(language).unwrap().ball(label);
+        for preset in ball::presets() {
+            assert_eq!(named("en", preset.label), preset.label);
+        }
+        assert_eq!(named("fr", "football, size 5"), "football, taille 5");
+        assert_eq!(named("es", "steel, 12.7 mm"), "acero, 12,7 mm");
+        assert_eq!(named("de", "2.5 g, 38 mm"), "2,5 g, 38 mm");
+        assert_eq!(named("fr", "of wood"), "of wood");
     }
 
     /// The rules of CLDR. Its newer versions give a million a form of its own in French and Spanish ("un million de"),
