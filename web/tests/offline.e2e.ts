@@ -4,7 +4,8 @@ import type { Browser } from 'playwright-core';
 import { afterAll, beforeAll, expect, test } from 'vitest';
 import { launch } from './harness/browser.ts';
 import { Site } from './harness/site.ts';
-import { open, said } from './support/page.ts';
+import { open, said, settled } from './support/page.ts';
+import { LANGUAGES, wordsOf } from './support/words.ts';
 
 let site: Site;
 let browser: Browser;
@@ -15,7 +16,7 @@ beforeAll(async () => {
 });
 afterAll(() => browser.close());
 
-test('it reloads, speaks German and analyses without a server', async () => {
+test('it reloads, speaks every language and analyses without a server', async () => {
   const { page } = await open(browser, site.url);
   await page.evaluate(async () => {
     await navigator.serviceWorker.ready;
@@ -25,9 +26,14 @@ test('it reloads, speaks German and analyses without a server', async () => {
   await site.close();
   await page.context().setOffline(true);
   await page.reload();
-  await page.getByLabel('Language').selectOption('de');
+  for (const language of LANGUAGES) {
+    const words = wordsOf(language);
+    await page.locator('.head select').selectOption(language);
+    await page.getByRole('button', { name: words('page-lab-demo') }).waitFor();
+  }
+  await page.locator('.head select').selectOption('de');
   await page.getByRole('button', { name: 'Beispiel ansehen' }).click();
-  await page.locator('.summary[aria-busy="false"] .first').waitFor();
+  await settled(page);
   await page.getByLabel('Sprache').selectOption('en');
   expect((await said(page)).kept.value).toBeCloseTo(95.29, 1);
 });

@@ -9,6 +9,7 @@ import { launch, newContext } from './harness/browser.ts';
 import { FONT_SETS, nameOf } from './harness/fonts.ts';
 import { bouncelab, folder, synth } from './harness/program.ts';
 import { overflow, printedPages, unfold, violations } from './support/layout.ts';
+import { LANGUAGES } from './support/words.ts';
 
 /** Whatever a file system allows in a name and a browser might obey. */
 const HOSTILE = `a"><img src=x onerror="alert(1)"> & 'b' \`c\` | $x$.wav`;
@@ -146,7 +147,7 @@ describe('the report of one drop', () => {
     return [await printedPages(page, 'A4'), await printedPages(page, 'Letter')];
   }
 
-  test.each(['en', 'de'])('is short on paper, in the language %s', async (language) => {
+  test.each(LANGUAGES)('is short on paper, in the language %s', async (language) => {
     for (const count of await pages('--language', language)) {
       expect(count).toBeGreaterThanOrEqual(3);
       expect(count).toBeLessThanOrEqual(4);

@@ -63,3 +63,32 @@ pub(crate) fn cannot_tell(id: &str, reason: impl Display) -> String {
     let why = [("what", text(id).into()), ("reason", reason)];
     text_with("terminal-cannot-tell", &why)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_locale_chooses_its_language_and_one_without_messages_leaves_it_to_the_next() {
+        let language = |locale| of_locale(locale).map(|found| found.language().to_owned());
+        let known = [
+            ("fr_FR.UTF-8", "fr"),
+            ("fr_CH", "fr"),
+            ("es-MX", "es"),
+            ("es_419", "es"),
+            ("de-AT", "de"),
+            ("C", "en"),
+            ("POSIX", "en"),
+        ];
+        for (locale, code) in known {
+            assert_eq!(language(locale).as_deref(), Some(code), "{locale}");
+        }
+        assert_eq!(language("pt_BR.UTF-8"), None);
+    }
+
+    #[test]
+    fn an_unknown_language_is_refused_with_those_that_are_known() {
+        assert_eq!(known("es-MX").as_deref(), Ok("es-MX"));
+        assert_eq!(known("pt").unwrap_err(), "known languages: de, en, es, fr");
+    }
+}

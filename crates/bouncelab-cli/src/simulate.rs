@@ -88,7 +88,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
 }
 
 fn report(runs: &[Run], physics: &Physics) -> String {
-    let ball = [("ball", physics.ball_label.as_str().into())];
+    let ball = [("ball", translator().ball(&physics.ball_label).into())];
     let mut parts = vec![text_with("simulate-heading", &ball)];
     parts.push(String::new());
     parts.push(totals(runs).to_string());

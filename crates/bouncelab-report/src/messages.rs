@@ -32,7 +32,7 @@ use std::collections::HashMap;
 use std::fmt;
 
 use bouncelab::diagnostic::Argument;
-use bouncelab::{Diagnostic, Recording};
+use bouncelab::{Diagnostic, Recording, ball};
 use fluent_syntax::ast::{
     Entry, Expression, InlineExpression, Pattern, PatternElement, VariantKey,
 };
@@ -295,6 +295,25 @@ impl Translator {
         }
     }
 
+    /// A ball by its label in a [`Setup`](bouncelab::setup::Setup): a preset, or what it is made of or weighs and
+    /// its diameter.
+    pub fn ball(&self, label: &str) -> String {
+        let mut presets = ball::presets().iter();
+        if let Some(preset) = presets.find(|preset| preset.label == label) {
+            return self.text(&format!("ball-{}", preset.name));
+        }
+        let sized = label.strip_suffix(" mm");
+        let Some((made_of, diameter)) = sized.and_then(|sized| sized.split_once(", ")) else {
+            return label.to_owned();
+        };
+        let number = |digits: &str| Value::Number(digits.to_owned());
+        let diameter = ("diameter", number(diameter));
+        match made_of.strip_suffix(" g") {
+            Some(mass) => self.text_with("ball-measured", &[("mass", number(mass)), diameter]),
+            None => self.text_with(&format!("ball-{made_of}"), &[diameter]),
+        }
+    }
+
     /// Adds the sentences of this language to all diagnostics of a result.
     pub fn complete(&self, result: &mut Recording) {
         let of_posteriors = |drop: &mut bouncelab::analysis::Drop| {
@@ -554,14 +573,61 @@ mod tests {
 
     #[test]
     fn locales_name_their_language() {
-        for locale in ["de", "de-AT", "de_DE.UTF-8", "DE", "de@euro"] {
+        let locales = [
+            ("de", "de-AT de_DE.UTF-8 DE de@euro"),
+            ("en", "en_GB.UTF-8 en-US"),
+            ("es", "es_ES.UTF-8 es-MX es_419"),
+            ("fr", "fr_FR.UTF-8 fr_CH fr_CA.UTF-8 fr-BE@euro"),
+        ];
+        for (code, names) in locales {
+            for locale in names.split(' ') {
+                let language = Translator::new(locale).map(|found| found.language);
+                assert_eq!(language.as_deref(), Some(code), "{locale}");
+            }
+        }
+        for locale in ["C.UTF-8", "pt_BR.UTF-8", "french", ""] {
+            assert!(Translator::new(locale).is_none(), "{locale}");
+        }
+    }
+
+    #[test]
+    fn a_ball_has_a_name_in_every_language() {
+        let named = |language: &str, label: &str| Translator::new(language).unwrap().ball(label);
+        for preset in ball::presets() {
+            assert_eq!(named("en", preset.label), preset.label);
+        }
+        assert_eq!(named("fr", "football, size 5"), "football, taille 5");
+        assert_eq!(named("es", "steel, 12.7 mm"), "acero, 12,7 mm");
+        assert_eq!(named("de", "2.5 g, 38 mm"), "2,5 g, 38 mm");
+        assert_eq!(named("fr", "of wood"), "of wood");
+    }
+
+    /// The rules of CLDR. Its newer versions give a million a form of its own in French and Spanish ("un million de"),
+    /// which a number in digits does not need.
+    #[test]
+    fn each_language_has_its_singular() {
+        let singular = |language: &str| {
+            let translator = Translator::new(language).unwrap();
+            ["0", "1", "1.5", "2"].map(|number| translator.plural_category(number) == "one")
+        };
+        for language in ["de", "en", "es"] {
             assert_eq!(
-                Translator::new(locale).unwrap().language(),
-                "de",
-                "{locale}"
+                singular(language),
+                [false, true, false, false],
+                "{language}"
             );
         }
-        assert!(Translator::new("C.UTF-8").is_none());
-        assert!(Translator::new("").is_none());
+        assert_eq!(singular("fr"), [true, true, true, false]);
+        let counted = |language: &str, count: usize| {
+            let translator = Translator::new(language).unwrap();
+            translator.text_with("figure-intervals-count", &[("count", count.into())])
+        };
+        let french = [0, 1, 2, 1_000_000].map(|count| counted("fr", count));
+        assert_eq!(french, ["0 essai", "1 essai", "2 essais", "1000000 essais"]);
+        let spanish = [0, 1, 2, 1_000_000].map(|count| counted("es", count));
+        assert_eq!(
+            spanish,
+            ["0 ensayos", "1 ensayo", "2 ensayos", "1000000 ensayos"]
+        );
     }
 }

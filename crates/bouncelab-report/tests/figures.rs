@@ -98,6 +98,29 @@ fn every_figure_is_well_formed_and_names_its_axes_with_units() {
     }
 }
 
+/// In the font of pictures, which is wider than those of most systems.
+#[cfg(feature = "pictures")]
+#[test]
+fn no_text_is_cut_or_lies_over_another_in_any_language() {
+    for language in messages::languages() {
+        for (name, chart, _) in charts::all(&Translator::new(language).unwrap()) {
+            let texts = widths::boxes(&chart.svg());
+            let (width, height) = chart.size();
+            let cut: Vec<_> = texts
+                .iter()
+                .filter(|text| text.is_cut(width, height))
+                .collect();
+            assert!(cut.is_empty(), "{language} {name}: {cut:?}");
+            for (index, text) in texts.iter().enumerate() {
+                let over = texts[index + 1..]
+                    .iter()
+                    .find(|other| text.lies_over(other));
+                assert!(over.is_none(), "{language} {name}: {text:?} and {over:?}");
+            }
+        }
+    }
+}
+
 /// Every text of every figure comes from the messages of its language, and numbers have the sign of
 /// that language between whole numbers and decimals.
 #[test]
@@ -328,6 +351,75 @@ proptest! {
             .collect();
         let sound = Envelope::of_steps(first_s / 500.0, vec![-0.5; 500], vec![0.5; 500]);
         check_drawing(&figure::waveform(&sound, &marks, &english()))?;
+    }
+}
+
+/// Where the texts of a drawing are.
+#[cfg(feature = "pictures")]
+mod widths {
+    use roxmltree::{Document, Node};
+    use ttf_parser::Face;
+
+    #[derive(Debug)]
+    pub(super) struct Text {
+        words: String,
+        left: f64,
+        right: f64,
+        baseline: f64,
+        size: f64,
+    }
+
+    impl Text {
+        /// Outside of the drawing, or shortened.
+        pub(super) fn is_cut(&self, width: f64, height: f64) -> bool {
+            let top = self.baseline - self.size;
+            let is_outside =
+                self.left < 0.0 || self.right > width || top < 0.0 || self.baseline > height;
+            is_outside || self.words.contains('…')
+        }
+
+        pub(super) fn lies_over(&self, other: &Self) -> bool {
+            let beside = self.right.min(other.right) - self.left.max(other.left);
+            let apart = (self.baseline - other.baseline).abs();
+            beside > 1.0 && apart < 0.75 * self.size.min(other.size)
+        }
+    }
+
+    pub(super) fn boxes(svg: &str) -> Vec<Text> {
+        let fonts = [dejavu::sans::regular(), dejavu::sans::bold()];
+        let faces = fonts.map(|font| Face::parse(font, 0).unwrap());
+        let document = Document::parse(svg).unwrap();
+        let texts = document.descendants();
+        let texts = texts.filter(|node| node.has_tag_name("text"));
+        texts.map(|node| text(&node, &faces)).collect()
+    }
+
+    fn text(node: &Node, [regular, bold]: &[Face; 2]) -> Text {
+        let number = |name| node.attribute(name).unwrap().parse::<f64>().unwrap();
+        let face = node.attribute("font-weight").map_or(regular, |_| bold);
+        let words = super::text_of(*node);
+        let size = number("font-size");
+        let scale = size / f64::from(face.units_per_em());
+        let advance = |letter| face.glyph_hor_advance(face.glyph_index(letter)?);
+        let width: f64 = words
+            .chars()
+            .filter_map(advance)
+            .map(f64::from)
+            .sum::<f64>()
+            * scale;
+        let before = match node.attribute("text-anchor") {
+            Some("middle") => 0.5,
+            Some("end") => 1.0,
+            _ => 0.0,
+        };
+        let left = number("x") - before * width;
+        Text {
+            words,
+            left,
+            right: left + width,
+            baseline: number("y"),
+            size,
+        }
     }
 }
 

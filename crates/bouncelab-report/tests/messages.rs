@@ -252,20 +252,92 @@ fn every_quantity_and_range_that_is_refused_has_words_in_every_language() {
         .flat_map(|path| words_of_refusals(&fs::read_to_string(path).unwrap()))
         .collect();
     assert!(words.len() > 90, "the sources are elsewhere: {words:?}");
-    let german = Translator::new("de").unwrap();
-    let is_german = |key: &String| {
-        let refusal = |quantity: &str, allowed: &str| {
-            let refusal = Diagnostic::new(Code::OutOfRange)
-                .with("quantity", quantity)
-                .with("value", 1.0)
-                .with("allowed", allowed);
-            let sentence = german.diagnostic(&refusal).to_lowercase();
-            !sentence.contains(&key.to_lowercase())
+    for language in languages().filter(|language| *language != "en") {
+        let translator = Translator::new(language).unwrap();
+        let is_translated = |key: &String| {
+            let refusal = |quantity: &str, allowed: &str| {
+                let refusal = Diagnostic::new(Code::OutOfRange)
+                    .with("quantity", quantity)
+                    .with("value", 1.0)
+                    .with("allowed", allowed);
+                let sentence = translator.diagnostic(&refusal).to_lowercase();
+                !sentence.contains(&key.to_lowercase())
+            };
+            refusal(key, "") || refusal("", key)
         };
-        refusal(key, "") || refusal("", key)
+        let missing: Vec<_> = words.iter().filter(|key| !is_translated(key)).collect();
+        assert!(
+            missing.is_empty(),
+            "{language}: no message for these: {missing:#?}"
+        );
+    }
+}
+
+/// The lines of the files of a language, without remarks.
+fn lines(language: &str) -> Vec<String> {
+    let folder = root()
+        .join("crates/bouncelab-report/messages")
+        .join(language);
+    let files = fs::read_dir(folder).unwrap();
+    let sources = files.map(|file| fs::read_to_string(file.unwrap().path()).unwrap());
+    let lines = sources.flat_map(|source| source.lines().map(str::to_owned).collect::<Vec<_>>());
+    lines.filter(|line| !line.starts_with('#')).collect()
+}
+
+/// A term of the glossary is the one that the messages of its language use.
+#[test]
+fn messages_use_the_terms_of_the_glossary() {
+    let page = fs::read_to_string(root().join("docs/glossary.md")).unwrap();
+    let mut tables = page.lines().filter(|line| line.starts_with("| "));
+    let said = ["en", "de", "fr", "es"].map(|language| lines(language).join(" ").to_lowercase());
+    let rows = tables.clone().filter(|row| !row.starts_with("| English"));
+    assert!(tables.any(|row| row.starts_with("| English | German | French | Spanish |")));
+    let mut unused = Vec::new();
+    for row in rows {
+        for (cell, said) in row.split('|').skip(1).zip(&said) {
+            let terms = cell.split('(').next().unwrap().split(',').map(str::trim);
+            unused.extend(terms.filter(|term| !said.contains(&term.to_lowercase())));
+        }
+    }
+    assert!(unused.is_empty(), "no message has these terms: {unused:#?}");
+}
+
+/// French has a narrow space that does not break before signs of two parts and within its quotation marks.
+#[test]
+fn french_signs_have_their_space() {
+    const SPACE: char = '\u{202f}';
+    let is_wrong = |line: &String| {
+        let letters: Vec<char> = format!("{line} ").chars().collect();
+        let mut signs = letters.windows(3);
+        signs.any(|three| match *three {
+            [before, ':' | ';' | '?' | '!' | '»', ' ' | ')'] => !matches!(before, SPACE | '('),
+            ['«', after, _] => after != SPACE,
+            _ => false,
+        })
     };
-    let missing: Vec<_> = words.iter().filter(|key| !is_german(key)).collect();
-    assert!(missing.is_empty(), "no message for these: {missing:#?}");
+    let wrong: Vec<String> = lines("fr").into_iter().filter(is_wrong).collect();
+    assert!(wrong.is_empty(), "{wrong:#?}");
+}
+
+/// Numbers in messages are written as the language writes them; only what the program reads has a point.
+#[test]
+fn messages_have_the_decimal_sign_of_their_language() {
+    const READ: [&str; 3] = ["constant:0.4", "[0.1, 0.45]", "0.125."];
+    for language in languages() {
+        let point = Translator::new(language).unwrap().text("decimal-point");
+        let has_other = |line: &String| {
+            let line = READ
+                .iter()
+                .fold(line.clone(), |line, read| line.replace(read, ""));
+            let letters: Vec<char> = line.chars().collect();
+            let mut parts = letters.windows(3);
+            let is_number = |three: &[char]| three[0].is_ascii_digit() && three[2].is_ascii_digit();
+            let other = if point == "," { '.' } else { ',' };
+            parts.any(|three| is_number(three) && three[1] == other)
+        };
+        let wrong: Vec<String> = lines(language).into_iter().filter(has_other).collect();
+        assert!(wrong.is_empty(), "{language}: {wrong:#?}");
+    }
 }
 
 /// What looks like an id and is the name of a figure, a class or a colour.

@@ -23,25 +23,30 @@ function standingAlone(panel: Panel, { panels }: Description): Panel {
 /** A chart of the engine that can be zoomed, with its legend; its sentence and its numbers stand beside it. */
 export function Chart({ chart }: { readonly chart: Description }) {
   const narrow = isNarrow.value && chart.columns.length > 1;
-  const panels = useMemo(
-    () => (narrow ? chart.panels.map((panel) => standingAlone(panel, chart)) : chart.panels),
-    [chart, narrow],
-  );
+  const panels = useMemo(() => {
+    const { panels: all } = chart;
+    if (narrow) return all.map((panel) => standingAlone(panel, chart)).map((alone) => [alone]);
+    return all.map((panel) => [panel, ...all.filter((it) => it !== panel && it.row === panel.row)]);
+  }, [chart, narrow]);
   const columns = chart.columns.map((share) => `minmax(min(100%, 11rem), ${share}fr)`).join(' ');
   return (
     <>
       <Legend layers={chart.panels.flatMap(({ layers }) => layers)} />
       <div class="panels" style={{ '--columns': columns }}>
-        {panels.map((panel, index) => (
-          <Plot key={index} panel={panel} />
+        {panels.map((row, index) => (
+          <Plot key={index} row={row} />
         ))}
       </div>
     </>
   );
 }
 
-/** A panel, named by its axes. */
-function Plot({ panel }: { readonly panel: Panel }) {
+/** Whether the upright axis has a name. */
+const isNamed = ({ y }: Panel): boolean => y.ticks === 'labelled' && y.quantity !== '';
+
+/** The first panel of a row, named by its axes, in line with the others. */
+function Plot({ row }: { readonly row: readonly Panel[] }) {
+  const panel = row[0] as Panel;
   const box = useRef<HTMLDivElement>(null);
   const isDark = dark.value;
   const spoken = language.value;
@@ -52,18 +57,23 @@ function Plot({ panel }: { readonly panel: Panel }) {
     let current = true;
     let clear = (): void => undefined;
     void import('./plot.ts').then(({ plot }) => {
-      if (current) clear = plot(panel, element, spoken);
+      if (current) clear = plot(row, element, spoken);
     });
     return () => {
       current = false;
       clear();
     };
-  }, [panel, isDark, spoken]);
+  }, [row, isDark, spoken]);
   const name =
     panel.title || text('page-figures-against', { y: labelOf(panel.y), x: labelOf(panel.x) });
   return (
     <div class="panel" style={{ gridColumn: panel.column + 1, gridRow: panel.row + 1 }}>
       {panel.title !== '' && <strong class="small">{panel.title}</strong>}
+      {row.some(isNamed) && (
+        <div class="small soft" aria-hidden="true">
+          {isNamed(panel) ? labelOf(panel.y) : '\u00a0'}
+        </div>
+      )}
       <div ref={box} class="chart" role="img" aria-label={name} />
     </div>
   );

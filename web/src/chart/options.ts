@@ -10,26 +10,35 @@ import { tip } from './tip.ts';
 /** Size of the text of the page, in CSS pixels. */
 const rem = (): number => Number.parseFloat(getComputedStyle(document.documentElement).fontSize);
 
-/** Above the frame, and of the names of the axes, in units of the width of text. */
+/** Above the frame, and of the name of the axis below it, in units of the width of text. */
 const PADDING_REM = 1;
 const LABEL_REM = 1.5;
+/** Size of numbers and names, and from line to line. */
+const NUMBERS_REM = 0.8125;
+const LINE_REM = 1.1;
+/** Between numbers or names and the frame. */
+const GAP_PX = 4;
 /** Names of rows are broken into lines of so many letters. */
 const NAME_LETTERS = 20;
+/** An equation is one word. */
+const BETWEEN_WORDS = /(?<!=) (?!=)/;
 /** Figure pixels are meant for text of this size. */
 const FIGURE_TEXT = 14;
 /** Like `Scale` in the science, which numbers whole ones only. */
 const COUNTS = [1, 2, 5, 10, 20, 50, 100, 200, 500, 1000];
 
-export function optionsOf(panel: Panel, width: number, language: string): uPlot.Options {
+/** Those of the first panel of a row, whose frame is as high as the names of the row need. */
+export function optionsOf(row: readonly Panel[], width: number, language: string): uPlot.Options {
+  const panel = row[0] as Panel;
   const { x, y } = panel;
   const inner = Math.min((panel.height / FIGURE_TEXT) * rem(), Math.max(0.7 * width, 6 * rem()));
-  const lines = y.names.map((name) => linesOf(name).length);
-  const named = y.names.length * (1.1 * Math.max(0, ...lines) + 0.8) * rem();
+  const named = Math.max(...row.map((beside) => heightOfNames(beside.y.names)));
+  const beyond = beyondEnds(x, language);
   const below = (x.ticks === 'labelled' ? LABEL_REM : 0) * rem() + sizeOfX(x);
   return {
     width,
     height: Math.max(inner, named) + PADDING_REM * rem() + below,
-    padding: [PADDING_REM * rem(), rem() * 0.75, 0, 0],
+    padding: [PADDING_REM * rem(), beyond * rem(), 0, y.ticks === 'labelled' ? 0 : beyond * rem()],
     legend: { show: false },
     cursor: { points: { show: false }, drag: { x: true, y: false, dist: 6 }, y: false, x: false },
     scales: {
@@ -43,7 +52,7 @@ export function optionsOf(panel: Panel, width: number, language: string): uPlot.
     },
     axes: [axis(x, language, false), axis(y, language, true)],
     series: [{}, { show: true, paths: () => null, points: { show: false } }],
-    hooks: { draw: [(plot) => drawLayers(plot, panel)] },
+    hooks: { draw: [(plot) => drawLayers(plot, panel), (plot) => drawNames(plot, y)] },
     plugins: [tip(panel, language)],
   };
 }
@@ -58,19 +67,20 @@ export function dataOf({ x, y }: Panel): uPlot.AlignedData {
 
 function axis(of: Axis, language: string, upright: boolean): uPlot.Axis {
   const size = rem();
-  const font = fontOf(0.8125);
+  const font = fontOf(NUMBERS_REM);
   const labelled = of.ticks === 'labelled';
   const rows = of.names.length;
   return {
     show: of.ticks !== 'hidden' || rows > 0,
-    ...(labelled && of.quantity !== '' ? { label: labelOf(of) } : {}),
+    // The name of the upright axis stands above the panel, where a long one has room for lines.
+    ...(labelled && !upright && of.quantity !== '' ? { label: labelOf(of) } : {}),
     labelFont: font,
     labelSize: LABEL_REM * size,
     font,
     stroke: colour('soft'),
     size: upright ? widthOf(of, size) : sizeOfX(of),
     space: (upright ? 2.2 : 4) * size,
-    gap: 4,
+    gap: GAP_PX,
     grid: { show: rows === 0 && of.ticks !== 'hidden', stroke: colour('line'), width: 1 },
     ticks: { show: false },
     ...(of.scale.kind === 'counting' ? { incrs: COUNTS } : {}),
@@ -80,9 +90,22 @@ function axis(of: Axis, language: string, upright: boolean): uPlot.Axis {
   };
 }
 
+/** Beside the frame: half of the number at the end of its axis. */
+function beyondEnds({ scale }: Axis, language: string): number {
+  const step = (scale.high - scale.low) / 5;
+  const decimals = Math.max(0, Math.ceil(-Math.log10(step)));
+  return Math.max(0.75, 0.25 * fixed(scale.high, decimals, language).length);
+}
+
+/** The names of rows one below the other, each with the room of the one with most lines. */
+function heightOfNames(names: readonly string[]): number {
+  const lines = names.map((name) => linesOf(name).length);
+  return names.length * (LINE_REM * Math.max(0, ...lines) + 0.8) * rem();
+}
+
 /** The room that the numbers below a panel take. */
 const sizeOfX = ({ ticks }: Axis): number =>
-  ({ labelled: 1.9, grid: 0.5, hidden: 0.5 })[ticks] * rem();
+  ({ labelled: 1.9, grid: 0.5, hidden: 0 })[ticks] * rem();
 
 /** The room before a panel: for names as much as the longest line takes. */
 function widthOf(of: Axis, size: number): number {
@@ -96,7 +119,7 @@ function linesOf(name: string): string[] {
   const lines: string[] = [];
   for (const part of name.split('\n')) {
     let line = '';
-    for (const word of part.split(' ')) {
+    for (const word of part.split(BETWEEN_WORDS)) {
       if (line !== '' && line.length + word.length >= NAME_LETTERS) {
         lines.push(line);
         line = word;
@@ -107,9 +130,27 @@ function linesOf(name: string): string[] {
   return lines;
 }
 
-/** Numbers along an axis, with as many decimals as they differ by, or the names of rows. */
+/** Writes the names of rows, each around the middle of its row: uPlot would begin there. */
+function drawNames(plot: uPlot, { names }: Axis): void {
+  const { ctx, bbox } = plot;
+  const pixel = devicePixelRatio;
+  ctx.font = fontOf(NUMBERS_REM * pixel);
+  ctx.fillStyle = colour('soft');
+  ctx.textAlign = 'right';
+  ctx.textBaseline = 'middle';
+  for (const [row, name] of names.entries()) {
+    const lines = linesOf(name);
+    const middle = plot.valToPos(names.length - row - 0.5, 'y', true);
+    for (const [index, line] of lines.entries()) {
+      const below = (index - (lines.length - 1) / 2) * LINE_REM * rem() * pixel;
+      ctx.fillText(line, bbox.left - GAP_PX * pixel, middle + below);
+    }
+  }
+}
+
+/** Numbers along an axis, with as many decimals as they differ by; names of rows are written apart. */
 function labels(splits: readonly (number | null)[], of: Axis, language: string): string[] {
-  if (of.names.length > 0) return of.names.map((name) => linesOf(name).join('\n'));
+  if (of.names.length > 0) return of.names.map(() => '');
   if (of.scale.kind === 'log') return splits.map((split) => logLabel(split, splits, language));
   const step = Math.abs((splits[1] ?? 1) - (splits[0] ?? 0)) || 1;
   const decimals = [0, 1, 2, 3, 4, 5, 6].find((places) => isWhole(step * 10 ** places)) ?? 6;

@@ -31,6 +31,8 @@ test('a value without uncertainty keeps the digits asked for', () => {
 
 test('numbers are written in the manner of the language', () => {
   expect(uncertain(0.946, 0.004, PERCENT, 'de')).toBe(`94,6 ± 0,4${THIN}%`);
+  expect(uncertain(0.946, 0.004, PERCENT, 'fr')).toBe(`94,6 ± 0,4${THIN}%`);
+  expect(uncertain(1234.5, 0.4, PLAIN, 'es')).toBe('1234,5 ± 0,4');
   expect(fixed(-1.5, 1, 'en')).toBe('\u22121.5');
 });
 

@@ -1,5 +1,5 @@
 import { afterEach, beforeAll, expect, test, vi } from 'vitest';
-import { languages, parts, speak, text } from './language.ts';
+import { languages, parts, preferred, speak, text } from './language.ts';
 
 // Whether every language has every message is tested together with the messages of the program.
 
@@ -13,6 +13,18 @@ test('a message has its plural form and its numbers without groups', async () =>
   expect(text('page-lab-impacts', { count: 12345 })).toBe('12345 impacts');
   await speak('de');
   expect(text('page-lab-impacts', { count: 2 })).toBe('2 Aufpralle');
+  await speak('fr');
+  expect([0, 1, 2].map((count) => text('page-lab-impacts', { count }))).toEqual([
+    '0 impact',
+    '1 impact',
+    '2 impacts',
+  ]);
+  await speak('es');
+  expect([0, 1, 1_000_000].map((count) => text('page-lab-impacts', { count }))).toEqual([
+    '0 impactos',
+    '1 impacto',
+    '1000000 impactos',
+  ]);
 });
 
 test('values can stand out of their message in every language', async () => {
@@ -25,6 +37,17 @@ test('values can stand out of their message in every language', async () => {
     await speak(code);
     expect(parts('page-lab-fell', { height: '30 cm' })[1], code).toBe('30 cm');
   }
+});
+
+test.each([
+  [['fr-CH', 'en'], 'fr'],
+  [['es-419'], 'es'],
+  [['pt-BR', 'es-MX', 'en'], 'es'],
+  [['frr', 'de'], 'de'],
+  [['pt-BR'], 'en'],
+])('a browser in %s is spoken to in %s', (wanted, code) => {
+  vi.stubGlobal('navigator', { languages: wanted });
+  expect(preferred()).toBe(code);
 });
 
 test('a message that does not exist is its id', () => {

@@ -92,7 +92,7 @@ export async function choose(code: string): Promise<void> {
 /** The language that was chosen before, else the first one of the browser that is there. */
 export function preferred(): string {
   const wanted = [recall(KEY) ?? '', ...navigator.languages];
-  const codes = wanted.map((tag) => tag.slice(0, 2).toLowerCase());
+  const codes = wanted.map((tag) => tag.toLowerCase().split(/[-_]/)[0] ?? '');
   return codes.find((code) => languages.includes(code)) ?? FALLBACK;
 }
 

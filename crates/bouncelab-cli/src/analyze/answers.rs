@@ -156,7 +156,7 @@ pub(super) fn lines(drop: &Drop, physics: &Physics) -> Vec<String> {
         ));
     }
     answers.extend(found.predictions.iter().map(predicted));
-    let ball = [("ball", physics.ball_label.as_str().into())];
+    let ball = [("ball", translator().ball(&physics.ball_label).into())];
     listed(text_with("analyze-inference-heading", &ball), &answers)
 }
 

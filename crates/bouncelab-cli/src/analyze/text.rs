@@ -100,7 +100,7 @@ fn ball_contrast(drop: &Drop, physics: &Physics) -> String {
     });
     let contrasts: Vec<String> = contrasts.collect();
     let contrast = [
-        ("assumed", physics.ball_label.as_str().into()),
+        ("assumed", translator().ball(&physics.ball_label).into()),
         ("contrasts", contrasts.join("; ").into()),
     ];
     note(text_with("terminal-ball-contrast", &contrast))
@@ -250,7 +250,7 @@ fn corrected_lines(drop: &Drop, physics: &Physics) -> Vec<String> {
         )];
     };
     let law = drag_law(physics.options.environment.drag, translator());
-    let ball = physics.ball_label.as_str();
+    let ball = translator().ball(&physics.ball_label);
     let heading = [("ball", ball.into()), ("law", law.into())];
     let impacts = [
         ("count", count.into()),

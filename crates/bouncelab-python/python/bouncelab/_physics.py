@@ -399,7 +399,7 @@ def languages() -> tuple[str, ...]:
     --------
     >>> import bouncelab as bl
     >>> bl.languages()
-    ('de', 'en')
+    ('de', 'en', 'es', 'fr')
     """
     return tuple(_core.languages())
 

@@ -106,7 +106,7 @@ fn known(settings: &Options, ball_label: &str, words: &Translator) -> Vec<Fact> 
     let (contact_s, gravity_m_s2) = (settings.contact_time_s, environment.gravity_m_s2);
     let density_kg_m3 = air.density_kg_m3();
     let mut facts = vec![
-        (words.text("report-ball"), ball_label.to_owned()),
+        (words.text("report-ball"), words.ball(ball_label)),
         known(
             "report-mass",
             ball.mass_kg(),

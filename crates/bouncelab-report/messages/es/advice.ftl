@@ -1,0 +1,14 @@
+terminal-advice-impact-gains-energy = Exclúyalo con --exclude TIME.
+terminal-advice-height-of-first-detected = Indíquela con --height.
+terminal-advice-drag-or-slope = Indíquela con --height.
+terminal-advice-ball-floats = La opción es --no-buoyancy.
+terminal-advice-rule-needs-reference = Délas después de --reference.
+terminal-advice-rule-needs-height = Indíquela con --height.
+terminal-advice-temperature-not-stated = Indíquela con --temperature.
+terminal-advice-altitude-not-stated = Indíquela con --altitude.
+terminal-advice-no-channel = Elija otro con --channel.
+terminal-advice-too-many-channels = La opción es --channel.
+
+advice-allow-implausible = Corrija el valor, o acéptelo con --allow-implausible
+
+page-advice-impact-gains-energy = Elimínelo si parece falso en la forma de onda.

@@ -1,0 +1,5 @@
+decimal-point = ,
+unit-cannot-tell = indeterminado
+interval-ends = { $low } a { $high }
+list-and = { $first } y { $last }
+list-more = { $first } y { $count } más

@@ -1,0 +1,177 @@
+diagnostic-recording-silent = La grabación está en silencio: todas las muestras tienen el mismo valor.
+diagnostic-no-sound = Ningún sonido destaca sobre el ruido de fondo.
+diagnostic-too-few-sounds = { $count ->
+    [one] Solo 1 sonido destaca
+   *[other] Solo { $count } sonidos destacan
+  } sobre el ruido de fondo; la detección de un ensayo necesita al menos { $needed } impactos.
+diagnostic-periodic-sounds = { $count } sonidos son periódicos, cada { $interval_s } s aproximadamente, como los de un reloj, unos pasos o un tambor; los vuelos de una pelota se acortan.
+diagnostic-no-pattern = { $count } sonidos destacan sobre el ruido de fondo, pero no hay { $needed } de ellos con los intervalos decrecientes de una pelota que rebota.
+diagnostic-too-few-times = Un vuelo necesita dos tiempos de impacto, y hay menos.
+diagnostic-nothing-left = Se excluyeron tantos impactos que no queda ningún vuelo.
+diagnostic-distant-ball = Se detectó una pelota mucho más débil de { $start_s } s a { $end_s } s ({ $impacts } impactos) y se excluyó.
+diagnostic-clipped = { $samples ->
+    [one] 1 muestra está recortada
+   *[other] { $samples } muestras están recortadas
+  }: el nivel de grabación era demasiado alto; los tiempos de impacto apenas se ven afectados, los niveles sí.
+diagnostic-nothing-to-exclude = No hay ningún impacto cerca de { $time_s } s, así que no se excluyó nada allí.
+diagnostic-too-far-to-include = { $time_s } s está a más de { $reach_s } de todo ensayo, así que no se añadió.
+diagnostic-sound-lost = Se perdió sonido en { $at_s } s: de { $impacts } impactos se usan los { $kept } de la parte más larga sin hueco.
+diagnostic-release-without-drop = Ningún ensayo empieza después de la suelta indicada en { $time_s } s.
+diagnostic-height-of-another-unit = La altura indicada es { $stated_m }, pero la caída detectada es de unos { $detected_m }; quizá quiso decir { $meant_m }.
+
+diagnostic-file-unreadable = El archivo no se puede leer.
+diagnostic-file-truncated = { $expected_s ->
+    [none] El archivo está truncado o dañado: se leyó hasta { $read_s } s.
+   *[other] El archivo está truncado: se pudieron leer { $read_s } s de { $expected_s } s. Si el resto no falta al final, los tiempos posteriores son demasiado cortos.
+  }
+diagnostic-samples-not-finite = { $samples ->
+    [one] 1 muestra no era un número y se sustituyó
+   *[other] { $samples } muestras no eran números y se sustituyeron
+  } por cero, la primera en { $first_s } s.
+diagnostic-sound-missing = { $places ->
+    [one] Faltan { $missing_s } s de sonido en { $first_s } s
+   *[other] Faltan { $missing_s } s de sonido en { $places } lugares, el primero en { $first_s } s
+  }: allí hay silencio, y no se usa ningún vuelo que lo cruce.
+diagnostic-clock-lost = { $places ->
+    [one] El archivo está dañado en { $first_s } s
+   *[other] El archivo está dañado en { $places } lugares, el primero en { $first_s } s
+  }, y no indica cuánto sonido falta: los tiempos de antes y de después no guardan relación, y no se usa ningún vuelo entre ellos.
+diagnostic-sound-blank = { $places ->
+    [one] El sonido es exactamente cero durante { $blank_s } s en { $first_s } s
+   *[other] El sonido es exactamente cero durante { $blank_s } s en { $places } lugares, el primero en { $first_s } s
+  }, y no en otra parte: quizá se perdió o se sobrescribió allí.
+diagnostic-checksum-wrong = El sonido no es aquel cuya suma de comprobación tiene el archivo: se cambió en alguna parte.
+diagnostic-format-changes = El sonido cambia de frecuencia de muestreo o de canales en { $at_s } s; se leyó hasta allí.
+diagnostic-edit-list-ignored = La lista de edición del archivo reordena o deforma el sonido; se leyó tal como se grabó.
+
+diagnostic-impacts-missed = { $count ->
+    [one] Un impacto intermedio no se detectó; está contado.
+   *[other] { $count } impactos intermedios no se detectaron; están contados.
+  }
+diagnostic-impact-gains-energy = { $count ->
+    [one] El impacto { $impacts } tiene un coeficiente de restitución
+   *[other] Los impactos { $impacts } tienen un coeficiente de restitución
+  } mayor que 1: una detección doble, una superficie en movimiento u otro sonido.
+diagnostic-restitution-rises = La restitución corregida por arrastre crece con la velocidad de impacto, de { $slow } a { $fast }, al contrario que la de las pelotas reales; la pelota es probablemente otra, más pesada para su tamaño.
+diagnostic-impacts-doubtful = { $count ->
+    [one] 1 impacto es
+   *[other] { $count } impactos son
+  } más probablemente otra cosa (probabilidad menor que 1/2).
+diagnostic-flight-grows = El vuelo { $flight } es más largo que el anterior, lo cual es imposible sobre una superficie en reposo.
+diagnostic-times-in-milliseconds = Hay vuelos de más de 30 s: los tiempos se leen en segundos; ¿son milisegundos?
+
+diagnostic-sampling-not-converged = El muestreo no convergió (índice de Pareto { $pareto_shape }; debería ser menor que { $greatest }), así que los intervalos no son fiables; quizá los impactos no son de un solo ensayo.
+diagnostic-few-impacts = { $count ->
+    [2] 2 impactos muestran un solo vuelo y ninguna restitución de la pelota
+    [3] 3 impactos muestran una sola restitución de la pelota, que se toma igual a toda velocidad
+   *[other] { $count } impactos muestran pocas restituciones de la pelota
+  }; el resto del resultado viene de las distribuciones a priori.
+diagnostic-law-needs-impacts = Para distinguirse de una constante, la ley de restitución «{ $law }» necesita { $needed } impactos entre dos vuelos, y hay { $seen }: el cambio de la restitución con la velocidad viene de la distribución a priori.
+diagnostic-impacts-odd = { $count ->
+    [one] El impacto { $impacts } es atípico y pesa menos: la pelota pudo desviarse o dar en un borde, o el sonido es otra cosa.
+   *[other] Los impactos { $impacts } son atípicos y pesan menos: la pelota pudo desviarse o dar en un borde, o los sonidos son otra cosa.
+  }
+diagnostic-height-contradicts-times = La altura medida de { $measured_m } contradice los tiempos de vuelo, que indican { $detected_m }; ambos concordarían con una gravedad de { $gravity_m_s2 }. La frecuencia de muestreo, la pelota o la altura puede ser errónea.
+diagnostic-first-impacts-missed = Se perdieron impactos antes del primero detectado, con probabilidad { $probability }.
+diagnostic-height-of-first-detected = La altura de caída es la de la caída antes del primer impacto detectado; una altura medida mostraría si se perdieron impactos.
+diagnostic-drag-from-prior = Estos tiempos de vuelo apenas limitan el arrastre: su coeficiente es el de la distribución a priori de las esferas.
+diagnostic-drag-or-slope = Esta grabación no puede separar el arrastre de una restitución que decrece con la velocidad; ayudaría una altura de caída medida o una pelota más densa.
+diagnostic-no-law-wins = Ninguna ley de restitución domina; el resultado es una media de las leyes posibles.
+diagnostic-other-ball-fits-better = Estos tiempos se ajustan mejor a otra pelota, al menos { $odds } a 1: { $balls }.
+diagnostic-never-rests = Con tan poca pérdida de energía, la pelota no llega al reposo en un tiempo razonable.
+diagnostic-inference-off = No se pidió ninguna inferencia.
+diagnostic-inference-needs-impacts = Una inferencia necesita al menos un vuelo, es decir, dos impactos.
+diagnostic-no-model-fits = Ningún modelo físico se ajusta a estos tiempos; ¿son de un solo ensayo, en segundos, y es correcta la pelota?
+diagnostic-sampling-failed = No se pudo muestrear la distribución a posteriori: ninguna extracción se ajusta a los tiempos; ¿son de un solo ensayo?
+diagnostic-missed-in-a-row = Se perdieron { $missed } impactos seguidos después del impacto { $after }.
+diagnostic-flight-too-long = El arrastre del aire hace imposible un vuelo tan largo con esta pelota; compruebe la masa, el diámetro y la unidad de los tiempos.
+diagnostic-gains-speed = La pelota ganaría velocidad en la mayoría de los impactos, lo cual es imposible sobre una superficie en reposo; ¿están los tiempos en orden, en segundos, y son de un solo ensayo?
+diagnostic-variances-confounded = Las varianzas de estos grupos no se pueden separar.
+diagnostic-height-out-of-reach = La altura de la regla es mucho mayor que las alturas de caída detectadas.
+
+diagnostic-out-of-range = { $quantity }: { $value }; valor admitido: { $allowed }
+diagnostic-unknown-name = Nombre desconocido ({ $kind }): «{ $name }»; el más próximo es «{ $nearest }» (conocidos: { $known }).
+diagnostic-reynolds-too-high = La ley de arrastre { $law } es válida hasta el número de Reynolds { $max_reynolds }, pero la pelota alcanza { $reynolds }; elija una ley de intervalo más amplio (clift-grace-weber no tiene límite superior) o una pelota más lenta.
+diagnostic-ball-floats = La pelota pesa { $mass_kg } y desplaza { $displaced_kg } de aire, así que flota; compruebe la masa y el diámetro, o no cuente el empuje.
+diagnostic-endless-drop = La pelota aún sube { $apex_m } después de { $bounces } rebotes; reduzca la restitución, pare a una altura mayor, o pida como mucho { $bounces } rebotes.
+diagnostic-too-few-flights = Un ajuste log-lineal de los tiempos de vuelo necesita al menos 2 vuelos, y hay { $flights }; use una grabación con al menos 3 impactos, o un intervalo más amplio de vuelos.
+diagnostic-too-few-drops = Esto necesita al menos { $needed } ensayos, y hay { $drops }.
+diagnostic-no-band = Ninguna banda está al menos por mitad { $range } Hz; con esta frecuencia de muestreo, las bandas son { $bands } Hz.
+diagnostic-not-in-order = { $what } número { $number }: este número no es mayor que el anterior; numere en orden, una vez cada uno.
+diagnostic-no-channel = No hay canal { $channel }: la grabación tiene { $channels ->
+    [one] solo uno
+   *[other] { $channels }, y el primero es el 1
+  }.
+diagnostic-too-many-drops = Hay { $drops } ensayos; solo se analizaron los primeros { $most }, hasta { $end_s } s. Corte la grabación allí, y analice el resto por separado.
+diagnostic-too-many-channels = { $channels } canales son más de los que se pueden analizar juntos: con esta frecuencia de muestreo, como mucho { $most }; elija uno de ellos.
+diagnostic-each-of-reference = Una parte de una referencia compara medias: los ensayos aislados no tienen parte.
+diagnostic-implausible-quantity = { $quantity }: ¿{ $value } { $unit }?{ $meant_unit ->
+    [none] {""}
+   *[other] {" "}¿Quiso decir { $meant } { $meant_unit }?
+  }
+diagnostic-implausible-ball = ¿Una pelota de { $mass_kg } y { $diameter_m } de diámetro?{ $meant_g ->
+    [none] { $meant_cm ->
+        [none] { $meant_mm ->
+            [none] {""}
+           *[other] {" "}¿Quiso decir { $meant_mm } mm?
+          }
+       *[other] {" "}¿Quiso decir { $meant_cm } cm?
+      }
+   *[other] { $meant_mm ->
+        [none] {" "}¿Quiso decir { $meant_g } g?
+       *[other] {" "}¿Quiso decir { $meant_g } g y { $meant_mm } mm?
+      }
+  }
+
+diagnostic-assumed-ball = La pelota es: { $ball }.
+diagnostic-assumed-contact-time = Toca la superficie durante { $contact_time_s }.
+diagnostic-assumed-rule-ball = La pelota es la de la regla: { $ball }.
+diagnostic-assumed-rule-height = Su punto más bajo cayó { $height_m } ± { $sd_m }, como en la regla.
+diagnostic-assumed-air = Aire a { $temperature_k } °C, { $pressure_pa } hPa, { $relative_humidity } % de humedad.
+diagnostic-assumed-gravity = Gravedad { $gravity_m_s2 }.
+
+diagnostic-prior-restitution = Restitución: uniforme de 0 a 1.
+diagnostic-prior-scatter = Dispersión de la restitución: alrededor del { $relative_sd } %, salvo un factor dos.
+diagnostic-prior-exact = { $input }: valor exacto.
+diagnostic-prior-unknown = { $input }: valor desconocido (un factor e en ambos sentidos).
+diagnostic-prior-input = { $input }: valor conocido al { $relative_sd } %.
+diagnostic-prior-height = Altura de caída: medida, { $height_m } ± { $sd_m }.
+diagnostic-prior-height-flat = Altura de caída: uniforme en su logaritmo.
+diagnostic-prior-release = Suelta: medida, { $release_s } s ± { $sd_s }.
+diagnostic-prior-constant-drag = Un coeficiente de arrastre constante: tan probable como la ley.
+diagnostic-prior-missed = Cada impacto más perdido al principio: la mitad de probable.
+
+diagnostic-rule-needs-drops = La regla necesita { $needed } ensayos, y hay { $given }.
+diagnostic-rule-needs-reference-drops = La regla necesita { $needed } ensayos sobre la referencia, y hay { $given }.
+diagnostic-rule-needs-reference = La regla compara con una superficie de referencia: necesita grabaciones de la misma pelota sobre esa superficie.
+diagnostic-rule-needs-places = La regla compara lugares, y hay uno solo: necesita una grabación de cada lugar.
+diagnostic-rule-without-limits = La regla no indica límites.
+diagnostic-rule-needs-height = La regla no indica altura, y la altura de caída no se indicó.
+diagnostic-rule-temperature = { $temperature_k } °C está fuera del intervalo de temperatura de la regla.
+diagnostic-rule-altitude = { $altitude_m } sobre el nivel del mar está fuera del intervalo de altitud de la regla.
+diagnostic-drop-without-rebound = El ensayo { $drop } no determina su altura de rebote: { $reason }
+diagnostic-limit-within-uncertainty = Un límite está dentro de la incertidumbre; ayudarían más ensayos, o mejores.
+diagnostic-rule-unverified = Esta regla no está verificada: no se cotejó con su fuente; no se fíe de ella.
+diagnostic-formula-unverified = La fórmula de esta regla no está verificada: no se cotejó con su fuente.
+diagnostic-rule-other-ball = La regla es para una pelota del tipo { $ball }, y la pelota indicada tiene otra masa u otro diámetro: ¿es la regla correcta?
+diagnostic-rule-without-point = La regla no indica en qué punto de la pelota mide; se toma el más bajo.
+diagnostic-temperature-not-stated = La regla vale { $least_k ->
+    [none] hasta { $greatest_k } °C
+   *[other] { $greatest_k ->
+        [none] desde { $least_k } °C
+       *[other] de { $least_k } a { $greatest_k } °C
+      }
+  }, y la temperatura no se indicó.
+diagnostic-altitude-not-stated = La regla vale { $least_m ->
+    [none] hasta { $greatest_m } sobre el nivel del mar
+   *[other] { $greatest_m ->
+        [none] desde { $least_m } sobre el nivel del mar
+       *[other] de { $least_m } a { $greatest_m } sobre el nivel del mar
+      }
+  }, y la altitud no se indicó.
+diagnostic-rule-other-height = La pelota cayó { $dropped_m }, y la regla exige { $rule_m }: el rebote se predice para la altura de la regla.
+diagnostic-rule-extrapolated = El impacto de la regla es un { $factor } % más rápido que todos los detectados: su rebote depende de la restitución extrapolada.
+diagnostic-verdict-of-few-drops = { $drops ->
+    [one] El veredicto es de este único ensayo: no muestra la dispersión entre ensayos; tres o más lo harían.
+   *[other] Dos ensayos apenas muestran la dispersión entre ensayos, así que su media es incierta; un tercero ayudaría mucho.
+  }

@@ -1,0 +1,516 @@
+page-to = a
+
+page-app-title = bouncelab: soltar una pelota, oír la física
+page-app-skip = Ir al contenido
+page-app-nav = Páginas
+page-app-lab = Escuchar
+page-app-simulate = Simular
+page-app-paper = Artículo
+page-app-drops = Ensayos
+page-app-language = Idioma
+page-app-to-dark = Oscuro
+page-app-to-light = Claro
+page-app-privacy = Nada sale de este dispositivo: sin cuenta, sin servidor, funciona sin conexión.
+page-app-version = bouncelab { $version }
+page-app-engine-failed = El laboratorio no pudo arrancar.
+page-app-engine-failed-hint = El navegador no cargó o no ejecutó la parte en WebAssembly. Recargue la página; si no sirve, use un Firefox, Chrome, Edge o Safari actual.
+page-app-newer = Hay una versión más nueva de esta página.
+page-app-reload = Recargar
+page-app-undo = Deshacer
+page-app-redo = Rehacer
+page-app-cancel = Cancelar
+page-app-why = ¿Por qué?
+page-app-number-wanted = Aquí se espera un número{ $most ->
+    [none] { $least ->
+        [none] {""}
+       *[other] {" "}de al menos { $least }
+      }
+   *[other] {" "}de { $least } a { $most }
+  }.
+page-app-drop-here = Suelte para abrir el archivo
+page-app-unreadable-link = Algunos ajustes de la dirección no son válidos y no se tuvieron en cuenta: { $parts }.
+
+page-lab-invite = Deje caer una pelota cerca de su micrófono.
+page-lab-invite-touch = Deje caer una pelota cerca de su teléfono.
+page-lab-listen = Escuchar
+page-lab-stop = Parar
+page-lab-again = Escuchar otra vez
+page-lab-open = abrir un archivo
+page-lab-paste = pegar tiempos
+page-lab-demo = ver un ejemplo
+page-lab-open-label = Grabación o lista de tiempos de impacto
+page-lab-paste-label = Tiempos de impacto en segundos, uno por línea
+page-lab-paste-hint = De una hoja de cálculo o un osciloscopio. Los vuelos están entre los impactos.
+page-lab-paste-do = Analizar
+page-lab-pasted-name = tiempos pegados
+page-lab-demo-name = ejemplo
+page-lab-recording-name = ensayo { $date }
+page-lab-starting = Solicitando el micrófono …
+page-lab-listening = Escuchando. Deje caer la pelota.
+page-lab-so-far = { $count ->
+    [one] 1 impacto hasta ahora
+   *[other] { $count } impactos hasta ahora
+  }
+page-lab-so-far-keeps = conserva alrededor de { $share } de su velocidad
+page-lab-ends-itself = La escucha termina cuando la pelota está en reposo.
+page-lab-saved = { $seconds } s están guardados.
+page-lab-result = Resultado
+page-lab-opening = Leyendo { $name } …
+page-lab-kept = La pelota conservó { $share } de su velocidad en cada rebote.
+page-lab-fell = Cayó desde { $height }.
+page-lab-cannot-tell = Hay demasiado pocos impactos para determinar el coeficiente de restitución.
+page-lab-impacts = { $count ->
+    [one] 1 impacto
+   *[other] { $count } impactos
+  }
+page-lab-uncertain = { $count ->
+    [one] 1 dudoso
+   *[other] { $count } dudosos
+  }
+page-lab-edited = editado a mano
+page-lab-drop-of = Ensayo { $index } de { $count }
+page-lab-drops-heard = Ensayos de esta grabación
+page-lab-air-explains = El arrastre del aire explica { $points } puntos porcentuales de lo que un ajuste log-lineal atribuiría a los impactos.
+page-lab-line-height = Ese ajuste da una altura de caída de { $height }.
+page-lab-air-nothing = El arrastre del aire casi no influye aquí: el ajuste log-lineal da lo mismo.
+page-lab-why-air-1 = Una recta por los logaritmos de los tiempos de vuelo (ajuste log-lineal) es la forma clásica de medir el coeficiente de restitución. Pero el aire también frena la pelota, y el ajuste lo atribuye a los impactos.
+page-lab-why-air-2 = Los puntos grises no cuentan el aire; los azules están corregidos por arrastre. Muestran solo la pelota y la superficie.
+page-lab-refining = Calculando la inferencia con aire …
+page-lab-more = Todos los números
+page-lab-tells = Lo que esta grabación determina y lo que no
+page-lab-narrowed-lead = Cuánto redujo la grabación la incertidumbre a priori:
+page-lab-narrowed = { $unknown }: queda { $share } de la anchura
+page-lab-assumed = supuesto
+page-lab-no-drop-title = No se halló ningún ensayo.
+page-lab-no-drop-hint = Ponga el micrófono cerca de donde cae la pelota, sobre una superficie dura, y déjela rebotar hasta el reposo. Si ve los impactos en la forma de onda, márquelos a mano: doble clic, o Intro en el cursor.
+page-lab-interrupted-title = Se interrumpió una grabación del { $date }.
+page-lab-progress = Progreso
+page-lab-unkept-title = La grabación del { $date } no está en la tabla de ensayos.
+page-lab-interrupted-hint = Está guardada, salvo quizá el último segundo o los dos últimos.
+page-lab-interrupted-open = Abrir
+page-lab-interrupted-drop = Eliminar
+
+page-words-restitution = El coeficiente de restitución es la velocidad justo después de un impacto entre la velocidad justo antes.
+
+page-faults-refused-what = El navegador no puede usar el micrófono.
+page-faults-refused-do = Permítalo en la barra de direcciones (candado o micrófono) y toque «Escuchar» otra vez. En un teléfono, mire también los ajustes de la aplicación del navegador. En su lugar puede abrir una grabación.
+
+page-faults-missing-what = No se encontró ningún micrófono.
+page-faults-missing-do = Conecte uno y toque «Escuchar» otra vez, o grabe con otro dispositivo y abra el archivo aquí.
+
+page-faults-busy-what = Otro programa está usando el micrófono.
+page-faults-busy-do = Cierre llamadas y grabadoras, y toque «Escuchar» otra vez.
+
+page-faults-insecure-what = Los navegadores dan el micrófono solo a páginas con https, o de este mismo ordenador.
+page-faults-insecure-do = Abra esta página con https o por localhost. Las grabaciones se pueden abrir así.
+
+page-faults-unsupported-what = Este navegador no da sonido sin procesar.
+page-faults-unsupported-do = Use un Firefox, Chrome, Edge o Safari actual, o abra una grabación.
+
+page-faults-ended-what = El micrófono se desconectó: desenchufado, o usado por una llamada.
+page-faults-ended-do = El sonido grabado hasta entonces se guardó y se analizó.
+
+page-faults-unknown-what = No se pudo abrir el micrófono.
+page-faults-unknown-do = Desenchúfelo y vuelva a enchufarlo, o reinicie el navegador. En su lugar puede abrir una grabación.
+
+page-faults-silent-what = El micrófono solo da silencio.
+page-faults-silent-do = Quizá está silenciado con un interruptor o en los ajustes del sistema.
+
+page-faults-full-what = El almacenamiento del navegador está lleno.
+page-faults-full-do = El sonido está completo en memoria: guárdelo ahora como WAV. Después elimine los ensayos que no necesite.
+
+page-faults-unavailable-what = El navegador no guarda nada aquí (¿una ventana privada?).
+page-faults-unavailable-do = El sonido está completo en memoria hasta que se cierre esta página: guárdelo como WAV.
+
+page-faults-empty-what = El archivo está vacío.
+page-faults-empty-do = No se escribió nada en él. ¿Se paró la grabación antes de empezar? Grabe otra vez o elija otro archivo.
+
+page-faults-unsupported-file-what = Esto no es ni una grabación ni una lista de tiempos.
+page-faults-unsupported-file-do = Sonidos: WAV, AIFF, FLAC, MP3, Ogg, Opus, WebM, M4A, MP4, MOV. Listas: un tiempo en segundos por línea.
+
+page-faults-damaged-what = El archivo está dañado.
+page-faults-damaged-do = Cópielo o descárguelo otra vez. Un archivo que un teléfono aún está escribiendo no se puede leer todavía.
+
+page-faults-times-what = Estos tiempos no pueden ser tiempos de impacto.
+page-faults-times-do = Dé un tiempo en segundos por línea, en orden creciente, con coma o punto decimal.
+
+page-faults-huge-what = El archivo es demasiado grande para un navegador.
+page-faults-huge-do = Hasta 500 MB, y unos cuarenta minutos de sonido. Córtelo a los minutos del ensayo, o use la línea de órdenes: bouncelab analyze.
+
+page-faults-setting-what = Un ajuste contradice a los demás.
+page-faults-setting-do = Vea abajo, en los ajustes.
+
+page-faults-fault-what = El análisis falló.
+page-faults-fault-do = Lo grabado está guardado. Recargue la página y ábralo otra vez; ayuda comunicarlo al proyecto.
+
+page-faults-link-what = Este enlace de un ensayo no se puede usar.
+page-faults-link-do = Copie el enlace entero, o lea el código otra vez.
+
+page-faults-archive-what = Esto no es un archivo completo de ensayos guardados.
+page-faults-archive-do = Cópielo o descárguelo otra vez, y añada ese. Lo guardado aquí no ha cambiado.
+
+page-faults-archive-newer-what = Una versión más nueva de esta página guardó este archivo.
+page-faults-archive-newer-do = Recargue la página y añada el archivo otra vez. Lo guardado aquí no ha cambiado.
+
+page-faults-archive-storage-what = No se pudo guardar todo el archivo.
+page-faults-archive-storage-do = El almacenamiento del navegador está lleno o no está disponible. Elimine los ensayos que no necesite y añada el archivo otra vez; lo guardado antes no ha cambiado.
+
+page-faults-keep-what = No se pudo guardar el ensayo.
+page-faults-keep-do = El almacenamiento del navegador está lleno o no está disponible. Guarde el sonido y los números como archivos.
+
+page-wave-title = Forma de onda
+page-wave-label = Forma de onda, posición del cursor
+page-wave-seconds = { $value } segundos
+page-wave-impact-at = impacto { $number }, { $seconds }{ $certain ->
+    [yes] {""}
+   *[no] , dudoso
+  }
+page-wave-add = Añadir impacto
+page-wave-remove = Eliminar
+page-wave-snap = Ajustar al sonido
+page-wave-zoom-in = Ampliar
+page-wave-zoom-out = Reducir
+page-wave-all = Todo
+page-wave-play = Reproducir
+page-wave-stop = Parar
+page-wave-speed = Velocidad
+page-wave-slower = { $speed } ×
+page-wave-spectrogram = Espectrograma
+page-wave-spectrogram-label = Espectrograma: tiempo hacia la derecha, frecuencia hacia arriba, más fuerte es más oscuro
+page-wave-overview = Toda la grabación; arrastre para moverse
+page-wave-restore = Como se detectó
+page-wave-list = Lista de impactos
+page-wave-number = N.º
+page-wave-time = Tiempo
+page-wave-flight = Vuelo siguiente
+page-wave-probability = Probabilidad
+page-wave-level = Nivel
+page-wave-restitution = Restitución
+page-wave-actions = Cambiar
+page-wave-remove-one = Eliminar el impacto { $number }
+page-wave-select = Mostrar el impacto { $number }
+page-wave-added = Impacto añadido en { $seconds } s.
+page-wave-removed = Impacto { $number } eliminado.
+page-wave-moved = Impacto { $number } movido a { $seconds } s.
+page-wave-undone = Deshecho.
+page-wave-redone = Rehecho.
+page-wave-keys = Las flechas mueven el cursor, con Mayús en pasos pequeños; Re Pág y Av Pág van de impacto en impacto; más y menos amplían y reducen, 0 muestra todo; Intro añade un impacto, Supr elimina el elegido, la coma y el punto lo mueven, S lo ajusta al sonido; la barra espaciadora reproduce; Ctrl+Z deshace.
+page-wave-pointer = Arrastre para moverse, pellizque o gire la rueda para ampliar (haga clic antes), toque un impacto para elegirlo, arrástrelo para moverlo, toque dos veces para añadir uno.
+page-wave-times = Solo hay tiempos: no hay sonido que mostrar.
+
+page-figures-title = Figuras
+page-figures-against = { $y } frente a { $x }
+page-figures-reset = Arrastre de lado para ampliar, doble clic para ver todo.
+page-figures-numbers = Lo mismo en números
+page-figures-save-svg = SVG
+page-figures-save-png = PNG
+page-figures-save-csv = CSV
+page-figures-save = Guardar esta figura
+
+page-figures-tabs-restitution = Restitución
+page-figures-tabs-flight-times = Vuelos
+page-figures-tabs-height = Altura
+page-figures-tabs-bounce-heights = Alturas
+page-figures-tabs-bounce-energies = Energía
+page-figures-tabs-comparison = Comparar
+page-figures-tabs-posterior = A posteriori
+page-figures-tabs-residuals = Residuos
+page-figures-tabs-budget = Balance
+page-figures-tabs-models = Leyes
+page-figures-tabs-truncation = Truncamiento
+page-figures-tabs-drag = Arrastre
+page-figures-tabs-drag-log = Arrastre (log)
+
+page-quantities-restitution = Coeficiente de restitución e
+page-quantities-at-speed = a { $speed }
+page-quantities-slope = Descenso de la restitución con la velocidad (−d ln e / d ln v)
+page-quantities-drop-height = Altura de caída
+page-quantities-drag = Coeficiente de arrastre
+page-quantities-terminal = Velocidad terminal
+page-quantities-total-time = De la suelta al reposo
+page-quantities-total-path = Recorrido hasta el reposo
+page-quantities-scatter = Dispersión de impacto a impacto
+page-quantities-timing = Error de los tiempos
+page-quantities-contact = Tiempo de contacto
+page-quantities-line-restitution = Ajuste log-lineal: e
+page-quantities-line-height = Ajuste log-lineal: altura de caída
+page-quantities-line-flights = Ajuste log-lineal: vuelos
+page-quantities-energy-kept = Ajuste log-lineal: energía conservada
+page-quantities-corrected = Cada impacto corregido por arrastre, e mediana
+page-quantities-interval = 95 %: { $range }
+
+page-settings-ball = Pelota
+page-settings-air = Aire
+page-settings-gravity = g
+page-settings-change = cambiar
+page-settings-title = Magnitudes conocidas
+page-settings-assumed-hint = Las magnitudes no indicadas se suponen, y se señalan así.
+page-settings-own = otra pelota
+page-settings-mass = Masa
+page-settings-diameter = Diámetro
+page-settings-contact = Tiempo de contacto
+page-settings-temperature = Temperatura
+page-settings-pressure = Presión
+page-settings-humidity = Humedad
+page-settings-vacuum = vacío
+page-settings-no-drag = sin aire
+page-settings-gravity-field = Gravedad
+page-settings-latitude = Latitud
+page-settings-altitude = Altitud
+page-settings-drag-law = Arrastre del aire
+page-settings-drag-none = ninguno, sin contar el aire
+page-settings-drag-constant = constante, C_D = 0,4
+page-settings-restitution-law = Restitución
+page-settings-restitution-any = todas las leyes
+
+page-settings-laws-constant = la misma a toda velocidad
+page-settings-laws-linear = lineal en la velocidad
+page-settings-laws-power = ley potencial
+page-settings-laws-viscoelastic = viscoelástica
+page-settings-laws-knee = constante bajo un codo
+page-settings-laws-smooth = suave, sin ley
+page-settings-measured = El ensayo, si se midió
+page-settings-height = Altura de caída
+page-settings-height-sd = ± de la altura
+page-settings-flights = Vuelos del ajuste log-lineal
+page-settings-flights-from = de
+page-settings-flights-to = a
+page-settings-reset = Restablecer los ajustes
+page-settings-refused = Estos ajustes se contradicen:
+
+page-ball-row = ¿Qué pelota?
+page-settings-balls-table-tennis-40 = tenis de mesa 40+
+page-settings-balls-table-tennis-38 = tenis de mesa 38 mm
+page-settings-balls-tennis = tenis
+page-settings-balls-football = fútbol
+page-settings-balls-basketball = baloncesto
+page-settings-balls-golf = golf
+page-settings-balls-squash = squash
+page-settings-balls-racquetball = racquetball
+page-settings-balls-pickleball = pickleball
+page-settings-balls-padel = pádel
+
+page-keep-title = Guardar
+page-keep-keep = Guardar este ensayo
+page-keep-kept = Guardado como «{ $name }».
+page-keep-name = Nombre
+page-keep-name-hint = por ejemplo: Anna, primer ensayo
+page-keep-see-all = Tabla de ensayos
+page-keep-lasting = El navegador guarda lo que hay aquí hasta que usted lo elimine.
+page-keep-not-lasting = Si falta espacio, el navegador puede eliminar lo guardado aquí: guarde una copia como archivo.
+page-keep-wav = Sonido (WAV)
+page-keep-csv = Tabla (CSV)
+page-keep-json = Todos los datos (JSON)
+page-keep-share = Compartir estos ajustes
+page-keep-shared = Se copió la dirección con estos ajustes.
+page-keep-share-by-hand = Copie esta dirección:
+page-keep-report = Informe (HTML)
+page-keep-link = Compartir este ensayo
+page-keep-link-by-hand = Abra esta dirección en otra parte, o apunte al código con un teléfono; muestra este ensayo, sin su sonido:
+page-keep-link-qr = Código QR de la dirección de este ensayo
+
+page-simulate-title = Simular un ensayo
+page-simulate-lead = Mueva un control y vea qué cambia; guarde una simulación para compararla con la siguiente.
+page-simulate-height = Altura de caída
+page-simulate-restitution = Restitución (a 1 m/s)
+page-simulate-slope = Decrece con la velocidad en
+page-simulate-slope-hint = 0: la misma a toda velocidad
+page-simulate-ball = Pelota
+page-simulate-drag = Arrastre del aire
+page-simulate-pressure = Presión del aire
+page-simulate-world = Dónde
+
+page-simulate-worlds-earth = Tierra
+page-simulate-worlds-moon = Luna
+page-simulate-worlds-mars = Marte
+page-simulate-worlds-venus = Venus
+page-simulate-worlds-titan = Titán
+page-simulate-worlds-jupiter = Júpiter
+page-simulate-keep-run = Guardar
+page-simulate-hear = Oír el sonido
+page-simulate-stop = Parar
+page-simulate-lay = Comparar con la medida
+page-simulate-take-off = Quitar de la comparación
+page-simulate-laid = Ahora se compara con la medida, en la figura «Comparar».
+page-simulate-analyse = Analizar su sonido
+page-simulate-runs = Simulaciones
+page-simulate-this-run = esta
+page-simulate-run = simulación { $index }
+page-simulate-remove = Eliminar { $name }
+page-simulate-says = Rebota { $bounces } veces en { $time } y recorre { $path }.
+page-simulate-terminal = Su velocidad terminal es aquí { $speed }.
+page-simulate-no-terminal = No hay aire, así que no hay velocidad terminal.
+page-simulate-losses = De su energía, { $surface } se pierde en los impactos, { $air } en el aire.
+page-simulate-impossible = Esto no se puede simular:
+page-simulate-address = La dirección contiene los ajustes: compártala, y otros verán la misma simulación.
+
+page-paper-title = El artículo
+page-paper-source = M. Nagurka, «Aerodynamic Effects in a Dropped Ping-Pong Ball Experiment»
+page-paper-lead = Deje caer una pelota de tenis de mesa y escuche. Los tiempos entre los impactos dan su restitución y su altura de caída, pero la altura sale un 12 % demasiado baja. Esta página explica por qué, y calcula cada número y cada figura mientras lee.
+
+page-paper-one-title = 1. De los tiempos a las alturas
+page-paper-one-text-1 = Entre dos impactos, la pelota sube y baja durante un tiempo T. Sin aire, deja la superficie con la velocidad gT/2 y sube hasta gT²/8. Basta un reloj.
+page-paper-one-text-2 = Si cada impacto conserva la fracción e de la velocidad, cada vuelo dura e veces el anterior. En escala logarítmica, los tiempos de vuelo están sobre una recta: su pendiente es log e, y su ordenada en el origen da la altura de caída. Este es el ajuste log-lineal.
+page-paper-one-equation = log Tₙ = n log e + log (2v₀/g),   h₀ = v₀²/2g
+page-paper-one-see = Los tiempos de vuelo de una caída desde 30,5 cm, sin aire. Cada punto está sobre la recta; el ajuste da exactamente e y 30,5 cm.
+
+page-paper-two-title = 2. El experimento, y una discrepancia
+page-paper-two-text-1 = El artículo dejó caer una pelota de 2,5 g y 38 mm desde 30,5 cm. El ajuste log-lineal de sus diez primeros vuelos dio e = 0,9375 y una altura de caída de 26,7 cm.
+page-paper-two-text-2 = Son 3,8 cm o un 12,3 % de menos, mucho más que el error de una cinta métrica. El artículo señala el arrastre del aire como causa probable.
+
+page-paper-three-title = 3. La intensidad del arrastre del aire
+page-paper-three-text = A los 2,4 m/s del primer impacto, el arrastre es solo un 6 % del peso, y decrece con el cuadrado de la velocidad. El artículo prueba dos leyes: un coeficiente constante de 0,4, y uno que depende de la velocidad. Coinciden donde el arrastre importa.
+page-paper-three-equation = F/P = ½ ρ A C_D v² / mg
+page-paper-three-see = Arrastre entre peso frente a la velocidad, según las dos leyes. En escala logarítmica, un coeficiente constante es una recta de pendiente 2.
+page-paper-three-see-height = El ensayo entero con e = 0,935, con aire y sin él: con un arrastre del seis por ciento del peso, la pelota llega al reposo segundos antes.
+
+page-paper-four-title = 4. ¿Explica el arrastre la discrepancia?
+page-paper-four-text = Simule ensayos con aire, aplique el mismo ajuste log-lineal, y compare con el artículo. Elija la restitución de la pelota y el número de vuelos del ajuste.
+page-paper-four-e = Restitución verdadera de la pelota, a 1 m/s
+page-paper-four-slope = Decrece con la velocidad en
+page-paper-four-flights = Vuelos en el ajuste
+page-paper-four-line-says = El ajuste da e = { $e } y h₀ = { $h }.
+page-paper-four-paper-says = El ajuste del artículo da e = 0,9375 y h₀ = 26,7 cm.
+page-paper-four-truth = Altura de caída verdadera: 30,5 cm.
+page-paper-four-hit = Es el resultado del artículo, hasta la última cifra.
+page-paper-four-solve-drag = e constante, diez vuelos
+page-paper-four-solve-many = e constante, 21 vuelos
+page-paper-four-solve-slope = e decrece con la velocidad, diez vuelos
+page-paper-four-see = Altura de caída según el ajuste log-lineal, frente a su número de vuelos. Gris: sin aire es igual para todos los números, si la restitución es constante. Bermellón: con aire decrece con cada vuelo. Azul: el resultado del artículo.
+
+page-paper-five-title = 5. La explicación
+page-paper-five-text-1 = El arrastre con restitución constante explica alrededor de la mitad de la diferencia: una pelota de e = 0,953 da el 0,9375 del artículo, pero 28,8 cm.
+page-paper-five-text-2 = Hay dos explicaciones del resto: la restitución decrece un poco con la velocidad, como la de las pelotas reales, o se usaron más de diez vuelos en el ajuste. El ajuste log-lineal no puede distinguirlas, porque su resultado depende del número de vuelos.
+page-paper-five-text-3 = Por eso el laboratorio de esta página infiere juntos la altura de caída, el arrastre y la restitución a partir de los tiempos de impacto, con sus incertidumbres.
+page-paper-five-law = Restitución
+page-paper-five-drag = Aire
+page-paper-five-flights = Vuelos
+page-paper-five-first = e a 2,4 m/s
+page-paper-five-slow = e a 0,5 m/s
+page-paper-five-height = h₀ del ajuste
+page-paper-five-same = ¿Los 26,7 cm del artículo?
+page-paper-five-yes = sí
+page-paper-five-no = no
+page-paper-five-caption = Modelos cuyo ajuste log-lineal da e = 0,9375
+
+page-paper-six-title = 6. Cada número del artículo
+page-paper-six-lead = Como está impreso, y como se calcula aquí. Las erratas de las ecuaciones están corregidas.
+page-paper-six-quantity = Magnitud
+page-paper-six-printed = Impreso
+page-paper-six-computed = Calculado
+page-paper-six-verdict = Veredicto
+
+page-paper-verdicts-agrees = coincide
+page-paper-verdicts-agrees-when-corrected = coincide corregido
+page-paper-verdicts-agrees-within-reading = coincide según lectura
+page-paper-verdicts-misprint = errata
+page-paper-verdicts-differs = difiere
+page-paper-verdicts- = {""}
+
+page-paper-air-names-none = sin aire
+page-paper-air-names-constant = C_D = 0,4
+page-paper-air-names-sphere = C_D(Re)
+page-paper-air-names-all-of-air = C_D(Re), empuje, masa añadida
+
+page-paper-law-names-constant = constante
+page-paper-law-names-viscoelastic = viscoelástica
+page-paper-law-names-linear = decreciente, lineal
+page-paper-law-names-power = decreciente, ley potencial
+page-paper-law-names-knee = decreciente sobre 1,5 m/s
+page-paper-try-it = Ahora deje caer usted una pelota
+
+page-drops-title = Tabla de ensayos
+page-drops-empty = Aún no hay ensayos guardados. Después de un ensayo, «Guardar este ensayo» lo pone aquí, solo en este navegador.
+page-drops-to-lab = Al laboratorio
+page-drops-name = Nombre
+page-drops-when = Fecha
+page-drops-ball = Pelota
+page-drops-e = Restitución e
+page-drops-h = Altura de caída
+page-drops-impacts = Impactos
+page-drops-actions = Cambiar
+page-drops-open = Abrir
+page-drops-open-one = Abrir { $name }
+page-drops-delete = Eliminar
+page-drops-delete-one = Eliminar { $name }
+page-drops-deleted = «{ $name }» se eliminó.
+page-drops-choose = Comparar { $name }
+page-drops-compare = Comparar
+page-drops-rename = Nombre de { $name }
+page-drops-mean = Media
+page-drops-scatter = Dispersión (desviación típica)
+page-drops-of-drops = { $count ->
+    [one] de 1 ensayo
+   *[other] de { $count } ensayos
+  }
+page-drops-scatter-sentence = En promedio, la pelota conservó { $mean } de su velocidad. La desviación típica entre ensayos fue { $scatter }; cada ensayo por separado indica ± { $inside }.
+page-drops-csv = Guardar la tabla (CSV)
+page-drops-json = Guardar todo (JSON)
+page-drops-archive = Guardar todo con sonido (ZIP)
+page-drops-add = Añadir un ZIP guardado
+page-drops-add-label = ZIP guardado con ensayos
+page-drops-archiving = Reuniendo los sonidos …
+page-drops-adding = Leyendo { $name } …
+page-drops-added = { $count ->
+    [0] No contiene nada nuevo.
+    [one] Se añadió 1 ensayo.
+   *[other] Se añadieron { $count } ensayos.
+  }
+page-drops-delete-all = Eliminar todo
+page-drops-deleted-all = { $count ->
+    [one] Se eliminó 1 ensayo.
+   *[other] Se eliminaron { $count } ensayos.
+  }
+page-drops-links = Enlaces de ensayos de otras personas, tantos como quiera
+page-drops-links-do = Añadir a esta tabla
+page-drops-links-done = Ensayos añadidos: { $kept }. Enlaces que no se pueden usar: { $refused }.
+page-drops-unavailable = El navegador no guarda nada aquí (¿una ventana privada?).
+
+page-reason-empty-content = No contiene datos.
+page-reason-empty-sound = Tiene una cabecera, pero ningún sonido.
+page-reason-empty-time = No contiene ningún tiempo.
+page-reason-not-sound = Parece { $kind }.
+page-looks-png = una imagen PNG
+page-looks-jpeg = una imagen JPEG
+page-looks-gif = una imagen GIF
+page-looks-pdf = un documento PDF
+page-looks-zip = un archivo ZIP o un documento de oficina
+page-looks-gzip = un archivo gzip
+page-looks-riff = un archivo RIFF sin sonido, como AVI o WebP
+page-looks-zeros = una serie de ceros
+page-looks-text = texto
+page-looks-unknown = datos de tipo desconocido
+page-reason-malformed = { $stage ->
+    [header] No se puede leer su cabecera
+    [codec] No se puede preparar su decodificador
+   *[sound] No se puede decodificar nada de su sonido
+  } ({ $format }: { $detail }).
+page-reason-no-audio-track = Este archivo { $format } no tiene sonido, o ninguno de tipo conocido. ¿Estaba apagado el micrófono?
+page-reason-unsupported-codec = El sonido de este archivo { $format } no se puede decodificar: { $codec }. Expórtelo como WAV o M4A.
+page-reason-layout-too-slow = { $sample_rate_hz } muestras por segundo son demasiado pocas para situar un impacto en el tiempo: se necesitan al menos { $least_hz }.
+page-reason-layout-too-fast = Su cabecera indica { $sample_rate_hz } muestras por segundo; se leen como mucho { $most_hz }.
+page-reason-layout-too-many-channels = Tiene { $channels } canales; se leen como mucho { $most }.
+page-reason-lasts-too-long = Dura más de { $most_h } horas, que es lo máximo que se lee. Córtelo en partes.
+page-reason-times-line = Línea { $line }: { $problem }
+page-reason-times-ending = El nombre de una lista termina en .txt, .csv, .json o .TextGrid.
+page-reason-times-not-text = No es texto. Guarde la lista como UTF-8.
+page-reason-times-not-table = No es una tabla ({ $detail }).
+page-reason-times-not-file = Es un dispositivo o una tubería; guarde la lista en un archivo.
+page-reason-times-too-long = Son más de { $most_mb } MB de texto; guarde el sonido como WAV.
+page-reason-times-too-many = { $found } tiempos en { $seconds } s no son impactos; una forma de onda muestreada necesita una columna de tiempos equidistantes y una por canal.
+page-reason-times-not-array = Se esperaba una lista de números, como [0.1, 0.45] ({ $detail }).
+page-reason-times-not-text-grid = No es un TextGrid de Praat, o no está entero. Guárdelo otra vez desde Praat.
+page-reason-times-no-point-tier = Los impactos son la única capa de puntos, o entre varias la llamada «impacts». Capas de puntos: { $found }.
+page-reason-times-no-time-column = Ninguna columna se llama time o time_s. Hay: { $found }.
+page-reason-times-nameless-columns = Hay { $columns } columnas. Dé nombre a la de los tiempos en una primera línea: time_s.
+page-reason-times-missing = Falta el tiempo.
+page-reason-times-not-number = «{ $text }» no es un tiempo en segundos, como 0.125.
+page-reason-times-not-later = { $time_s } no viene después de { $before_s }. Ponga los impactos en orden.
+page-reason-too-large = Tiene { $megabytes } MB.
+page-reason-too-long = Tiene más de { $minutes } minutos en { $channels ->
+    [one] 1 canal
+   *[other] { $channels } canales
+  }.
+page-reason-no-memory = Este dispositivo no tiene memoria suficiente para él.
+page-reason-breaks-decoder = Está dañado, y su decodificador falla con él.
+page-reason-unreadable = El navegador no puede leerlo. ¿Se movió o se eliminó?

@@ -1,0 +1,366 @@
+terminal-note = Nota: { $text }
+terminal-assumed = Supuesto: { $list }
+terminal-ball-contrast = No se indicó la pelota: se supone { $assumed }. Las respuestas serían { $contrasts }. Indique la pelota con --ball, o compárelas todas con --which-ball.
+terminal-if-ball = e = { $restitution } y h0 = { $height } para { $ball ->
+        [tennis] una pelota de tenis
+       *[steel] una bola de acero de 20 mm
+    }
+analyze-balls-heading = Lo que los tiempos dicen de cada pelota, frente a la indicada o supuesta:
+terminal-cannot-tell = { $what }: indeterminado: { $reason }
+
+analyze-times = { $name }: tiempos de impacto
+analyze-sound = { $name }: { $format }, { $rate } kHz{ $channels ->
+    [1] {""}
+   *[other] , canal { $channel } de { $channels }
+  }, { $duration } s
+analyze-listening = { $onsets } sonidos destacan sobre el ruido de fondo y se detectaron { $impacts } impactos, con el mayor contraste de { $low } a { $high } Hz, { $above } dB sobre el sonido anterior (--channel, --band).
+analyze-drop = { $drops ->
+    [1] Ensayo
+   *[other] Ensayo { $number } de { $drops }
+  }: { $count } impactos de { $first } s a { $last } s{ $uncertain ->
+    [0] {""}
+    [1] , 1 dudoso (?)
+   *[other] , { $uncertain } dudosos (?)
+  }{ $probability ->
+    [none] {""}
+   *[other] {" "}(un ensayo con probabilidad { $probability })
+  }
+analyze-line = Ajuste log-lineal
+analyze-line-heading = Ajuste log-lineal de los tiempos de vuelo, sin contar el aire:
+analyze-line-flights = (antes del primer impacto detectado; { $count ->
+    [one] 1 vuelo
+   *[other] { $count } vuelos
+  })
+analyze-until-rest = hasta el reposo
+analyze-corrected = Corregido por arrastre
+analyze-corrected-heading = Corregido por arrastre ({ $ball }, { $law }):
+analyze-corrected-impacts = (mediana de { $count } impactos de { $slowest } a { $fastest } m/s)
+analyze-corrected-too-few = Corregido por arrastre: sin media: { $count } de los impactos están entre dos vuelos, y hacen falta 3.
+analyze-inference = Inferencia
+analyze-inference-heading = Inferencia, con aire ({ $ball }):
+analyze-at-speed = a { $speed }
+analyze-before-data = { $value } antes de los datos
+analyze-known = se toma como conocido
+analyze-first-fall = antes del primer impacto detectado
+analyze-missed = impactos perdidos antes: { $list }
+analyze-reach = el rebote { $bounce } alcanza { $apex } desde
+analyze-interval = 95 %: { $interval }
+
+analyze-details-models = Modelos, con igual probabilidad a priori:
+analyze-details-budget-restitution = Balance de incertidumbre de e:
+analyze-details-budget-height = Balance de incertidumbre de h0:
+analyze-details-contraction = Reducción de lo a priori por los datos:
+analyze-details-correlations = Correlaciones de las estimaciones:
+analyze-details-impacts = Impactos en el ajuste:
+analyze-details-priors = Distribuciones a priori:
+analyze-details-sampling = Muestreo: { $draws } extracciones independientes, índice de Pareto { $shape } (bueno por debajo de 0,7).
+analyze-no-drop = { $name }: no se halló ningún ensayo: { $reason }
+analyze-one-report = un informe es de una grabación, y se dieron varias; bouncelab session informa sobre varias
+analyze-one-labelled = etiquetas, marcas y movimiento son de una grabación, y se dieron varias; dé una cada vez
+analyze-cues-need-sound = { $name } es una lista de tiempos, sin sonido que marcar; --format audacity o textgrid escribe etiquetas
+
+terminal-wrote = escrito: { $file }
+terminal-wrote-figure = escrito: { $file }, .png, .pdf y .csv
+terminal-all-shown = ... y { $count } más; --format csv los tiene todos.
+
+demo-heading = Un ensayo desde 30,5 cm, sintetizado, detectado y analizado ({ $file })
+demo-truth = verdadero
+demo-detected = medido
+demo-flight-time-error = mayor error de un tiempo de vuelo
+demo-restitution-line = e, ajuste log-lineal, 10 vuelos
+demo-restitution-inference = e, inferencia
+demo-height-line = altura de caída, ajuste log-lineal
+demo-height-inference = altura de caída, inferencia
+demo-second-speed = velocidad del segundo impacto
+demo-conclusion =
+    El ajuste log-lineal no cuenta el arrastre: su restitución y su altura son demasiado bajas.
+    La inferencia tiene en cuenta el aire y recupera ambas.
+
+simulate-heading = Una caída ({ $ball }), simulada
+simulate-bounces = rebotes
+simulate-first-speed = velocidad del primer impacto
+simulate-no-terminal-speed = ninguna
+simulate-total-time = tiempo hasta el final
+simulate-total-path = recorrido hasta el final
+simulate-initial-energy = energía al principio
+simulate-lost-to-surface = cedida a la superficie
+simulate-lost-to-air = cedida al aire
+simulate-each-bounce = Cada rebote, arrastre { $law }:
+simulate-bounce = rebote
+simulate-to-surface = al suelo µJ
+simulate-to-air = al aire µJ
+simulate-drag = arrastre { $law }
+
+synth-made = { $file }: { $count ->
+    [one] 1 impacto
+   *[other] { $count } impactos
+  } en { $seconds } s, { $rate } Hz, semilla { $seed }
+
+puzzle-question = La discrepancia: ¿qué hace que el ajuste log-lineal dé e = 0,9375 y h0 = 26,7 cm en una caída desde 30,5 cm?
+puzzle-flights = vuelos
+puzzle-first = e a 2,4 m/s
+puzzle-slow = e a 0,5 m/s
+puzzle-height = h0 ajustada cm
+puzzle-solved = ¿26,7 del artículo?
+puzzle-yes = sí
+puzzle-no = no
+puzzle-answer =
+    Cada ley se eligió de modo que el ajuste dé e = 0,9375. El arrastre con restitución constante
+    da 26,7 cm solo con unos 21 vuelos en el ajuste; con diez vuelos la restitución debe además
+    decrecer con la velocidad. El ajuste log-lineal no puede distinguir los dos casos, porque su
+    resultado depende del número de vuelos.
+puzzle-quantity = magnitud
+puzzle-printed = impreso
+puzzle-computed = calculado
+puzzle-verdict = veredicto
+
+verdict-because = Porque: { $reason }
+verdict-pass = conforme
+verdict-fail = no conforme
+verdict-cannot-decide = no concluyente
+verdict-sure = { $outcome }. Dentro de los límites con una probabilidad de { $within }; una aceptación sería errónea con { $outside }.
+verdict-guarded = Regla de decisión: aceptación con banda de guarda, riesgo de una decisión errónea de { $risk } como mucho (JCGM 106).
+verdict-simple = Regla de decisión: aceptación simple, el resultado más probable (JCGM 106).
+verdict-accepted = Con esta incertidumbre se aceptaría { $accepted }.
+verdict-more-than = más de { $share }
+verdict-less-than = menos de { $share }
+verdict-from = { $least } y más
+verdict-up-to = { $greatest } y menos
+verdict-anything = cualquier valor
+verdict-steps = De g T²/8 al rebote de la regla, media de los ensayos
+verdict-steps-why = La fórmula toma todo el tiempo entre dos impactos como vuelo en el vacío. Pero el tiempo de contacto no es vuelo; el empuje y la masa añadida reducen la aceleración; el arrastre acorta un poco el vuelo; y este ensayo tuvo su propia altura y su propio primer impacto.
+verdict-on-reference = Sobre la referencia:
+verdict-rebound = rebote
+verdict-value = valor
+verdict-predicted-air = predicho, con aire
+verdict-reference = sobre la referencia
+verdict-share = parte de la referencia
+verdict-unevenness = desigualdad de los lugares
+verdict-plain = g T²/8 del primer vuelo
+verdict-formula = la fórmula de la regla con T
+verdict-reason = debido a
+verdict-centimetres = cm
+verdict-file = archivo
+verdict-first-flight = primer vuelo s
+verdict-predicted = predicho
+verdict-formula-short = fórmula
+verdict-step-contact = tiempo de contacto, que no es vuelo
+verdict-step-buoyancy = empuje y masa añadida del aire
+verdict-step-drag = arrastre en el vuelo
+verdict-step-this-drop = altura e impacto concreto de este ensayo frente a los de la regla
+verdict-rule-line = caída desde { $drop }{ $surface ->
+    [none] {""}
+   *[other] {" "}sobre { $surface }
+  }; rebote exigido: { $wanted }; medido en: { $point } de la pelota
+verdict-the-rule = La regla
+verdict-ways = El rebote según cada método
+verdict-the-rebound = El rebote
+verdict-drops = Los ensayos
+verdict-every-drop = Cada ensayo
+verdict-every-reference-drop = Cada ensayo sobre la referencia
+verdict-all-drops = todos los ensayos
+verdict-method = Decisión
+verdict-method-predicted = El veredicto es sobre la altura máxima tras el primer impacto de una caída desde la altura de la regla, en el punto de la pelota en que mide la regla. Se predice a partir de todos los ensayos, a la velocidad de impacto de la regla, promediando la dispersión de los impactos individuales.
+verdict-method-decided = Aceptación con banda de guarda (JCGM 106:2012, The role of measurement uncertainty in conformity assessment): solo se declara conforme si la probabilidad de estar fuera de los límites es como mucho el riesgo indicado, y no conforme solo si lo es la de estar dentro. En otro caso, los ensayos no permiten decidir. La incertidumbre de la pelota, el aire y el arrastre es común a todos los ensayos y no se promedia.
+
+rule-name = nombre
+rule-title = regla
+rule-sport = de
+rule-source = fuente
+rule-edition = edición
+rule-status = estado
+rule-verified = verificada
+rule-unverified = no verificada
+rule-not-noted = no indicado
+rule-ball = pelota
+rule-surface = superficie
+rule-drop = caída
+rule-wants = exige
+rule-measured-at = punto de medida
+rule-point = { $point } de la pelota
+rule-point-bottom = punto más bajo
+rule-point-centre = centro
+rule-point-top = punto más alto
+rule-point-not-noted = no indicado; se toma el punto más bajo de la pelota
+rule-drops = ensayos
+rule-drops-mean = { $count } o más; cuenta su media
+rule-drops-each = { $count } o más; cada uno debe ser conforme
+rule-places = lugares
+rule-temperature = temperatura
+rule-altitude = altitud
+rule-formula = fórmula
+rule-formula-text = H = { $factor } (T - { $offset })² en m y s, T del primer impacto al segundo ({ $status })
+rule-note = nota
+rule-nobody-read = Esta regla no está verificada: no se cotejó con su fuente.
+rule-any-height = cualquier altura
+rule-or-more = { $height } o más
+rule-about = alrededor de { $height }
+rule-share-of = parte de la de { $surface }
+rule-limits-of = { $limits } de la de { $surface }
+rule-share-of-reference = parte de una referencia
+rule-limits-of-reference = { $limits } de una referencia
+rule-within-of-mean = cada lugar a menos del { $share } % de la media
+rule-places-apart = lugares separados como mucho { $share } puntos
+rule-at-least = al menos { $least }
+rule-at-most = como mucho { $greatest }
+
+listen-begins = escuchando { $source }, { $rate } kHz, { $channels ->
+    [one] 1 canal
+   *[other] { $channels } canales
+  }; { $file ->
+    [none] no se guarda nada
+   *[other] se guarda en { $file } según llega
+  }
+listen-saved-in = guardado en { $file }
+listen-not-saved = NO GUARDADO
+listen-silence = el micrófono solo da silencio: ¿está silenciado, o no es el correcto (--devices)?
+listen-fault = el análisis falló por un error del programa; comuníquelo, por favor
+listen-goes-on = La grabación sigue hasta que usted la termine.
+listen-lost = se perdió sonido: el ordenador fue demasiado lento, o el micrófono tuvo un fallo; los vuelos que cruzan el hueco se excluyen
+listen-lost-in-all = se perdieron { $frames } muestras de cada canal ({ $seconds } s) en { $count ->
+    [one] 1 lugar
+   *[other] { $count } lugares
+  }
+listen-not-analysed = no se puede analizar un ensayo: { $reason }
+listen-once-more = ensayo { $number } otra vez, con toda la grabación
+listen-heading = ensayo { $number }
+listen-all-drops = Todos los ensayos:
+listen-saved = el sonido está en { $file }; para analizarlo otra vez: { $command }
+listen-left-out = el ensayo en { $start } s { $reason ->
+    [distant] es de una pelota mucho más débil que las otras
+   *[unlikely] no lo confirma toda la grabación
+  } y se excluye
+listen-impact = ensayo { $drop }: impacto { $impact } en { $time } s tras { $flight } ms{ $rests ->
+    [yes] ; la pelota está en reposo
+   *[no] {""}
+  }
+listen-line = e = { $restitution }, h0 = { $height } sin contar el aire
+listen-corrected = e = { $restitution } corregido por arrastre
+listen-too-loud = DEMASIADO FUERTE: recortado
+listen-level = nivel
+listen-seconds = { $seconds } s
+listen-drops = { $count ->
+    [one] 1 ensayo
+   *[other] { $count } ensayos
+  }
+listen-sounds = { $count ->
+    [one] 1 sonido
+   *[other] { $count } sonidos
+  }
+listen-lost-so-far = { $count } muestras PERDIDAS
+listen-ends = Ctrl-C para
+listen-at = en s
+listen-e-line = e, sin aire
+listen-h0-line = h0, sin aire
+listen-mean = media
+listen-scatter = dispersión
+listen-save-failed = no se pudo guardar el sonido: { $fault }; { $seconds } s están en el archivo. La escucha sigue
+listen-end-not-saved = puede faltar en el archivo el final del sonido: { $fault }
+listen-device = nombre
+listen-device-kind = qué es
+listen-device-default = por defecto
+
+session-title = Serie
+session-untitled = Una serie
+session-counts = { $drops ->
+    [one] 1 ensayo
+   *[other] { $drops } ensayos
+  } en { $recordings ->
+    [one] 1 grabación
+   *[other] { $recordings } grabaciones
+  }{ $without ->
+    [0] {""}
+   *[other] , { $without } sin ensayo
+  }{ $failed ->
+    [0] {""}
+    [one] , 1 ilegible
+   *[other] , { $failed } ilegibles
+  }{ $duplicates ->
+    [0] {""}
+    [one] , 1 igual a otra
+   *[other] , { $duplicates } iguales a otra
+  }
+session-speed = Restitución a una velocidad de impacto de { $speed } m/s:
+session-legend =
+    ±: error típico de la media; común: incertidumbre común a todos los ensayos (ley de arrastre,
+    aire, pelota), que más ensayos no reducen; { $wanted ->
+        [none] hacen falta: ensayos en total que reducirían el intervalo a la mitad
+       *[other] hacen falta: ensayos en total para una media conocida a ± { $wanted } (95 %)
+      }
+session-intervals = Intervalos del 95 % de la restitución:
+session-varies = Componentes de la varianza (desviación típica de la restitución):
+session-trends = Cómo cambia la restitución, con todo lo demás igual:
+session-laws = Restitución frente a la velocidad de impacto, con todos los ensayos que la cubren:
+session-outliers = Valores atípicos de su grupo; ¿son correctos sus metadatos?
+session-outlier = { $name }: { $off } { $side ->
+    [above] por encima
+   *[below] por debajo
+  } de los demás de { $group }, { $score } desviaciones típicas
+session-outliers-count = Están incluidos en todos los resultados anteriores. Con ellos y sin ellos:
+session-exclude = --exclude NAME excluye uno de todo.
+session-differences = Diferencias según { $factor }{ $others ->
+    [yes] , con todo lo demás igual
+   *[no] {""}
+  }:
+session-more = y { $count } más (--details)
+session-without-drop = Sin ensayo
+session-failed = Ilegibles
+session-duplicates = Mismo contenido que otra grabación, que es la que se usa
+session-left-out = No comparados
+session-odd = Observaciones sobre los ensayos
+session-tables = Tablas: { $list }
+session-no-drop = ninguna grabación contiene un ensayo
+session-damaged-journal = { $count } líneas del diario están truncadas o dañadas, y no se tienen en cuenta
+session-died = su análisis terminó su proceso dos veces, la segunda a solas ({ $how }); si es larga, dele más --memory, y si no, comuníquelo, por favor
+session-known = { $kept } de { $all } grabaciones se analizaron en una ejecución anterior
+session-restitution = Restitución
+
+session-compared = Los ensayos se comparan por su restitución a una velocidad de impacto de { $speed } m/s, que la mayoría cubre, corregida por arrastre.
+session-unlike = Valores atípicos de su grupo, incluidos en todos los resultados: { $names }.
+session-incomparable = No se puede comparar nada: { $reason }
+session-groups-table = Restitución por grupo: media y su error típico, incertidumbre común, dispersión entre ensayos y entre impactos, y número de ensayos que reduciría el intervalo a la mitad
+session-intervals-table = Intervalos del 95 % de la media, del ensayo siguiente y de la dispersión entre ensayos
+session-without-table = Con y sin los valores atípicos de cada grupo
+session-varies-table = Componentes de la varianza: desviación típica de la restitución por factor
+session-differences-table = Diferencias según { $factor }, con todo lo demás igual
+session-trends-table = Cambio de la restitución con los metadatos numéricos, con todo lo demás igual
+session-groups = Grupos
+session-against-speed = Restitución frente a la velocidad
+session-what-varies = Componentes de la varianza
+session-differences-heading = Diferencias
+session-in-order = En orden temporal
+session-troubles = Lo que no funcionó
+session-conditions = Condiciones
+session-assumed = No indicado, y por tanto supuesto:
+session-method = Método
+session-method-drop = Cada ensayo se infiere por separado: caída, arrastre, dispersión de los impactos, errores de los tiempos. Su restitución a la velocidad común tiene una incertidumbre propia (tiempos, dispersión de los impactos) y otra que comparte con todos los ensayos de la pelota (ley de arrastre, aire, masa, diámetro, tiempo de contacto). Solo la primera se promedia entre ensayos.
+session-method-group = Un grupo se describe con un modelo de efectos aleatorios, una dispersión entre ensayos además del error de cada uno: máxima verosimilitud restringida (Viechtbauer 2005), error típico de Hartung y Knapp (2001) en la forma de Röver, Knapp y Friede (2015), t de Student, intervalo del perfil Q para la dispersión (Viechtbauer 2007), intervalo del ensayo siguiente (Higgins, Thompson y Spiegelhalter 2009).
+session-method-factors = Las componentes de la varianza, y las diferencias con todo lo demás igual, vienen de un modelo mixto con factores aleatorios cruzados (Patterson y Thompson 1971), grados de libertad según Satterthwaite (Giesbrecht y Burns 1985); con un solo factor, según Welch (1947). Las probabilidades se ajustan al número de diferencias (Holm 1979). Los valores atípicos se identifican con puntuaciones z modificadas mayores que 3,5 (Iglewicz y Hoaglin 1993) y no se eliminan.
+session-hashes = La tabla de ensayos tiene el SHA-256 de cada grabación (content_sha256).
+
+session-column-difference = diferencia
+session-column-interval = intervalo del 95 %
+session-column-p-holm = p (Holm)
+session-column-p = p
+session-column-group = grupo
+session-column-drops = ensayos
+session-column-shared = común
+session-column-between-drops = entre ensayos
+session-column-between-impacts = entre impactos
+session-column-needed = hacen falta
+session-column-with = con
+session-column-without = sin
+session-column-factor = con
+session-column-levels = niveles
+session-column-slope = pendiente
+session-column-mean = media
+session-column-next = ensayo siguiente
+session-column-count = cuántos
+session-column-varies = varía según
+session-per-metre = por m
+session-per-kelvin = por K
+session-all = todos
+session-too-many = demasiados
+session-drop = ensayo
+session-together = { $names } (siempre juntos)
+session-too-few = demasiado pocos para decirlo

@@ -1,0 +1,14 @@
+terminal-advice-impact-gains-energy = Excluez-le avec --exclude TIME.
+terminal-advice-height-of-first-detected = Indiquez-la avec --height.
+terminal-advice-drag-or-slope = Indiquez-la avec --height.
+terminal-advice-ball-floats = L’option est --no-buoyancy.
+terminal-advice-rule-needs-reference = Donnez-les après --reference.
+terminal-advice-rule-needs-height = Indiquez-la avec --height.
+terminal-advice-temperature-not-stated = Indiquez-la avec --temperature.
+terminal-advice-altitude-not-stated = Indiquez-la avec --altitude.
+terminal-advice-no-channel = Choisissez-en une autre avec --channel.
+terminal-advice-too-many-channels = L’option est --channel.
+
+advice-allow-implausible = Corrigez la valeur, ou acceptez-la avec --allow-implausible
+
+page-advice-impact-gains-energy = Supprimez-le s’il paraît faux dans la forme d’onde.

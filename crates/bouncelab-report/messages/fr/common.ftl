@@ -1,0 +1,7 @@
+# The singular ([one]) is that of 0 too: where 0 may occur, it shows its number.
+
+decimal-point = ,
+unit-cannot-tell = indéterminé
+interval-ends = { $low } à { $high }
+list-and = { $first } et { $last }
+list-more = { $first } et { $count } de plus

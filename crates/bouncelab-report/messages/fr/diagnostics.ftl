@@ -1,0 +1,177 @@
+diagnostic-recording-silent = L’enregistrement est silencieux : tous les échantillons ont la même valeur.
+diagnostic-no-sound = Aucun son ne se détache du bruit de fond.
+diagnostic-too-few-sounds = { $count ->
+    [one] Seul { $count } son se détache
+   *[other] Seuls { $count } sons se détachent
+  } du bruit de fond ; la détection d’un essai demande au moins { $needed } impacts.
+diagnostic-periodic-sounds = { $count } sons sont périodiques, toutes les { $interval_s } s environ, comme ceux d’une horloge, de pas ou d’un tambour ; les vols d’une balle, eux, raccourcissent.
+diagnostic-no-pattern = { $count } sons se détachent du bruit de fond, mais { $needed } d’entre eux n’ont nulle part les intervalles décroissants d’une balle qui rebondit.
+diagnostic-too-few-times = Un vol demande deux temps d’impact, et il y en a moins.
+diagnostic-nothing-left = Tant d’impacts ont été exclus qu’il ne reste aucun vol.
+diagnostic-distant-ball = Une balle bien plus faible a été détectée de { $start_s } s à { $end_s } s ({ $impacts } impacts) et exclue.
+diagnostic-clipped = { $samples ->
+    [one] { $samples } échantillon est écrêté
+   *[other] { $samples } échantillons sont écrêtés
+  } : le niveau d’enregistrement était trop élevé ; les temps d’impact n’en souffrent guère, les niveaux si.
+diagnostic-nothing-to-exclude = Aucun impact n’est proche de { $time_s } s : rien n’y a été exclu.
+diagnostic-too-far-to-include = { $time_s } s est à plus de { $reach_s } de tout essai, et n’a pas été ajouté.
+diagnostic-sound-lost = Du son a été perdu à { $at_s } s : des { $impacts } impacts, les { $kept } de la plus longue partie sans lacune sont utilisés.
+diagnostic-release-without-drop = Aucun essai ne commence après le lâcher indiqué à { $time_s } s.
+diagnostic-height-of-another-unit = La hauteur indiquée est { $stated_m }, mais la chute détectée est d’environ { $detected_m } ; peut-être vouliez-vous dire { $meant_m }.
+
+diagnostic-file-unreadable = Le fichier ne peut pas être lu.
+diagnostic-file-truncated = { $expected_s ->
+    [none] Le fichier est tronqué ou endommagé : il a été lu jusqu’à { $read_s } s.
+   *[other] Le fichier est tronqué : { $read_s } s sur { $expected_s } s ont pu être lues. Si le reste ne manque pas à la fin, les temps suivants sont trop courts.
+  }
+diagnostic-samples-not-finite = { $samples ->
+    [one] { $samples } échantillon n’était pas un nombre et a été remplacé
+   *[other] { $samples } échantillons n’étaient pas des nombres et ont été remplacés
+  } par zéro, le premier à { $first_s } s.
+diagnostic-sound-missing = { $places ->
+    [one] Il manque { $missing_s } s de son à { $first_s } s
+   *[other] Il manque { $missing_s } s de son en { $places } endroits, le premier à { $first_s } s
+  } : un silence les remplace, et aucun vol qui le traverse n’est utilisé.
+diagnostic-clock-lost = { $places ->
+    [one] Le fichier est endommagé à { $first_s } s
+   *[other] Le fichier est endommagé en { $places } endroits, le premier à { $first_s } s
+  }, et n’indique pas combien de son manque : les temps d’avant et d’après ne se rapportent pas l’un à l’autre, et aucun vol entre eux n’est utilisé.
+diagnostic-sound-blank = { $places ->
+    [one] Le son est exactement nul pendant { $blank_s } s à { $first_s } s
+   *[other] Le son est exactement nul pendant { $blank_s } s en { $places } endroits, le premier à { $first_s } s
+  }, et pas ailleurs : il y a peut-être été perdu ou écrasé.
+diagnostic-checksum-wrong = Le son n’est pas celui dont le fichier donne la somme de contrôle : il a été modifié quelque part.
+diagnostic-format-changes = Le son change de fréquence d’échantillonnage ou de nombre de voies à { $at_s } s ; il a été lu jusque-là.
+diagnostic-edit-list-ignored = La liste de montage du fichier réordonne ou déforme le son ; il a été lu tel qu’enregistré.
+
+diagnostic-impacts-missed = { $count ->
+    [1] Un impact intermédiaire n’a pas été détecté ; il est compté.
+   *[other] { $count } impacts intermédiaires n’ont pas été détectés ; ils sont comptés.
+  }
+diagnostic-impact-gains-energy = { $count ->
+    [one] L’impact { $impacts } a un coefficient de restitution
+   *[other] Les impacts { $impacts } ont un coefficient de restitution
+  } supérieur à 1 : double détection, surface mobile ou autre son.
+diagnostic-restitution-rises = La restitution corrigée de la traînée croît avec la vitesse d’impact, de { $slow } à { $fast }, contrairement à celle des balles réelles ; la balle est probablement une autre, plus lourde pour sa taille.
+diagnostic-impacts-doubtful = { $count ->
+    [one] { $count } impact est
+   *[other] { $count } impacts sont
+  } plutôt autre chose (probabilité inférieure à 1/2).
+diagnostic-flight-grows = Le vol { $flight } est plus long que le précédent, ce qui est impossible sur une surface au repos.
+diagnostic-times-in-milliseconds = Il y a des vols de plus de 30 s : les temps sont lus en secondes ; sont-ce des millisecondes ?
+
+diagnostic-sampling-not-converged = L’échantillonnage n’a pas convergé (indice de Pareto { $pareto_shape } ; il devrait être inférieur à { $greatest }) : les intervalles ne sont pas fiables ; les impacts ne sont peut-être pas d’un seul essai.
+diagnostic-few-impacts = { $count ->
+    [2] 2 impacts montrent un seul vol et aucune restitution de la balle
+    [3] 3 impacts montrent une seule restitution de la balle, supposée la même à toute vitesse
+   *[other] { $count } impacts montrent peu de restitutions de la balle
+  } ; le reste du résultat vient des lois a priori.
+diagnostic-law-needs-impacts = Pour se distinguer d’une constante, la loi de restitution « { $law } » demande { $needed } impacts entre deux vols, et il y en a { $seen } : la variation de la restitution avec la vitesse vient de la loi a priori.
+diagnostic-impacts-odd = { $count ->
+    [one] L’impact { $impacts } est aberrant et pèse moins : la balle a pu dévier ou toucher un bord, ou le son est autre chose.
+   *[other] Les impacts { $impacts } sont aberrants et pèsent moins : la balle a pu dévier ou toucher un bord, ou les sons sont autre chose.
+  }
+diagnostic-height-contradicts-times = La hauteur mesurée de { $measured_m } contredit les temps de vol, qui indiquent { $detected_m } ; les deux s’accorderaient avec une pesanteur de { $gravity_m_s2 }. La fréquence d’échantillonnage, la balle ou la hauteur est peut-être fausse.
+diagnostic-first-impacts-missed = Des impacts avant le premier détecté ont été manqués, avec une probabilité de { $probability }.
+diagnostic-height-of-first-detected = La hauteur de chute est celle de la chute avant le premier impact détecté ; une hauteur mesurée montrerait si des impacts ont été manqués.
+diagnostic-drag-from-prior = Ces temps de vol ne contraignent guère la traînée : son coefficient est celui de la loi a priori des sphères.
+diagnostic-drag-or-slope = Cet enregistrement ne peut pas séparer la traînée d’une restitution qui décroît avec la vitesse ; une hauteur de chute mesurée ou une balle plus dense aiderait.
+diagnostic-no-law-wins = Aucune loi de restitution ne domine ; le résultat est une moyenne sur les lois possibles.
+diagnostic-other-ball-fits-better = Ces temps conviennent mieux à une autre balle, à au moins { $odds } contre 1 : { $balls }.
+diagnostic-never-rests = Avec si peu de pertes d’énergie, la balle n’atteint pas le repos en un temps raisonnable.
+diagnostic-inference-off = Aucune inférence n’a été demandée.
+diagnostic-inference-needs-impacts = Une inférence demande au moins un vol, soit deux impacts.
+diagnostic-no-model-fits = Aucun modèle physique ne convient à ces temps ; sont-ils d’un seul essai, en secondes, et la balle est-elle la bonne ?
+diagnostic-sampling-failed = La loi a posteriori n’a pas pu être échantillonnée : aucun tirage ne convient aux temps ; sont-ils d’un seul essai ?
+diagnostic-missed-in-a-row = { $missed } impacts de suite ont été manqués après l’impact { $after }.
+diagnostic-flight-too-long = La traînée de l’air rend un vol aussi long impossible pour cette balle ; vérifiez la masse, le diamètre et l’unité des temps.
+diagnostic-gains-speed = La balle gagnerait de la vitesse à la plupart des impacts, ce qui est impossible sur une surface au repos ; les temps sont-ils dans l’ordre, en secondes, et d’un seul essai ?
+diagnostic-variances-confounded = Les variances de ces groupes ne peuvent pas être séparées.
+diagnostic-height-out-of-reach = La hauteur de la règle est très supérieure aux hauteurs de chute détectées.
+
+diagnostic-out-of-range = { $quantity } : { $value } ; valeur admise : { $allowed }
+diagnostic-unknown-name = Nom inconnu ({ $kind }) : « { $name } » ; le plus proche est « { $nearest } » (connus : { $known }).
+diagnostic-reynolds-too-high = La loi de traînée { $law } est valable jusqu’au nombre de Reynolds { $max_reynolds }, mais la balle atteint { $reynolds } ; choisissez une loi de plus large domaine (clift-grace-weber n’a pas de limite supérieure) ou une balle plus lente.
+diagnostic-ball-floats = La balle pèse { $mass_kg } et déplace { $displaced_kg } d’air : elle flotte ; vérifiez la masse et le diamètre, ou négligez la poussée d’Archimède.
+diagnostic-endless-drop = La balle monte encore à { $apex_m } après { $bounces } rebonds ; diminuez la restitution, arrêtez à une hauteur plus grande, ou demandez au plus { $bounces } rebonds.
+diagnostic-too-few-flights = Un ajustement log-linéaire des temps de vol demande au moins 2 vols, et il y en a { $flights } ; utilisez un enregistrement d’au moins 3 impacts, ou une plus large plage de vols.
+diagnostic-too-few-drops = Il faut au moins { $needed } essais, et il y en a { $drops }.
+diagnostic-no-band = Aucune bande n’est au moins pour moitié { $range } Hz ; à cette fréquence d’échantillonnage, les bandes sont { $bands } Hz.
+diagnostic-not-in-order = { $what } numéro { $number } : ce numéro ne dépasse pas le précédent ; numérotez dans l’ordre, une fois chacun.
+diagnostic-no-channel = Il n’y a pas de voie { $channel } : l’enregistrement { $channels ->
+    [1] n’en a qu’une
+   *[other] en a { $channels }, la première étant la 1
+  }.
+diagnostic-too-many-drops = Il y a { $drops } essais ; seuls les { $most } premiers, jusqu’à { $end_s } s, ont été analysés. Coupez l’enregistrement à cet endroit, et analysez le reste à part.
+diagnostic-too-many-channels = { $channels } voies sont plus qu’on ne peut en analyser ensemble : à cette fréquence d’échantillonnage, { $most } au plus ; choisissez l’une d’elles.
+diagnostic-each-of-reference = Une part d’une référence compare des moyennes : un essai isolé n’a pas de part.
+diagnostic-implausible-quantity = { $quantity } : { $value } { $unit } ?{ $meant_unit ->
+    [none] {""}
+   *[other] {" "}Vouliez-vous dire { $meant } { $meant_unit } ?
+  }
+diagnostic-implausible-ball = Une balle de { $mass_kg } et de { $diameter_m } de diamètre ?{ $meant_g ->
+    [none] { $meant_cm ->
+        [none] { $meant_mm ->
+            [none] {""}
+           *[other] {" "}Vouliez-vous dire { $meant_mm } mm ?
+          }
+       *[other] {" "}Vouliez-vous dire { $meant_cm } cm ?
+      }
+   *[other] { $meant_mm ->
+        [none] {" "}Vouliez-vous dire { $meant_g } g ?
+       *[other] {" "}Vouliez-vous dire { $meant_g } g et { $meant_mm } mm ?
+      }
+  }
+
+diagnostic-assumed-ball = La balle est : { $ball }.
+diagnostic-assumed-contact-time = Elle touche la surface pendant { $contact_time_s }.
+diagnostic-assumed-rule-ball = La balle est celle de la règle : { $ball }.
+diagnostic-assumed-rule-height = Son point le plus bas est tombé de { $height_m } ± { $sd_m }, comme dans la règle.
+diagnostic-assumed-air = Air à { $temperature_k } °C, { $pressure_pa } hPa, { $relative_humidity } % d’humidité.
+diagnostic-assumed-gravity = Pesanteur { $gravity_m_s2 }.
+
+diagnostic-prior-restitution = Restitution : uniforme de 0 à 1.
+diagnostic-prior-scatter = Dispersion de la restitution : environ { $relative_sd } %, à un facteur deux près.
+diagnostic-prior-exact = { $input } : exact.
+diagnostic-prior-unknown = { $input } : inconnu (un facteur e dans les deux sens).
+diagnostic-prior-input = { $input } : connu à { $relative_sd } % près.
+diagnostic-prior-height = Hauteur de chute : mesurée, { $height_m } ± { $sd_m }.
+diagnostic-prior-height-flat = Hauteur de chute : uniforme en logarithme.
+diagnostic-prior-release = Lâcher : mesuré, { $release_s } s ± { $sd_s }.
+diagnostic-prior-constant-drag = Un coefficient de traînée constant : aussi probable que la loi.
+diagnostic-prior-missed = Chaque impact de plus manqué au début : deux fois moins probable.
+
+diagnostic-rule-needs-drops = La règle demande { $needed } essais, et il y en a { $given }.
+diagnostic-rule-needs-reference-drops = La règle demande { $needed } essais sur la référence, et il y en a { $given }.
+diagnostic-rule-needs-reference = La règle compare à une surface de référence : il faut des enregistrements de la même balle sur cette surface.
+diagnostic-rule-needs-places = La règle compare des emplacements, et il n’y en a qu’un : il faut un enregistrement par emplacement.
+diagnostic-rule-without-limits = La règle n’indique pas de limites.
+diagnostic-rule-needs-height = La règle n’indique pas de hauteur, et la hauteur de chute n’a pas été indiquée.
+diagnostic-rule-temperature = { $temperature_k } °C est hors du domaine de température de la règle.
+diagnostic-rule-altitude = { $altitude_m } au-dessus du niveau de la mer est hors du domaine d’altitude de la règle.
+diagnostic-drop-without-rebound = L’essai { $drop } ne détermine pas sa hauteur de rebond : { $reason }
+diagnostic-limit-within-uncertainty = Une limite est à l’intérieur de l’incertitude ; des essais plus nombreux ou meilleurs aideraient.
+diagnostic-rule-unverified = Cette règle n’est pas vérifiée : elle n’a pas été comparée à sa source ; ne vous y fiez pas.
+diagnostic-formula-unverified = La formule de cette règle n’est pas vérifiée : elle n’a pas été comparée à sa source.
+diagnostic-rule-other-ball = La règle vaut pour une balle du type { $ball }, et la balle indiquée a une autre masse ou un autre diamètre : est-ce la bonne règle ?
+diagnostic-rule-without-point = La règle n’indique pas en quel point de la balle elle mesure ; c’est le plus bas qui est pris.
+diagnostic-temperature-not-stated = La règle vaut { $least_k ->
+    [none] jusqu’à { $greatest_k } °C
+   *[other] { $greatest_k ->
+        [none] à partir de { $least_k } °C
+       *[other] de { $least_k } à { $greatest_k } °C
+      }
+  }, et la température n’a pas été indiquée.
+diagnostic-altitude-not-stated = La règle vaut { $least_m ->
+    [none] jusqu’à { $greatest_m } au-dessus du niveau de la mer
+   *[other] { $greatest_m ->
+        [none] à partir de { $least_m } au-dessus du niveau de la mer
+       *[other] de { $least_m } à { $greatest_m } au-dessus du niveau de la mer
+      }
+  }, et l’altitude n’a pas été indiquée.
+diagnostic-rule-other-height = La balle est tombée de { $dropped_m }, et la règle demande { $rule_m } : le rebond est prédit pour la hauteur de la règle.
+diagnostic-rule-extrapolated = L’impact de la règle est plus rapide de { $factor } % que tout impact détecté : son rebond dépend de la restitution extrapolée.
+diagnostic-verdict-of-few-drops = { $drops ->
+    [one] Le verdict porte sur ce seul essai : il ne montre pas la dispersion entre essais ; trois ou plus le feraient.
+   *[other] Deux essais ne montrent guère la dispersion entre essais : leur moyenne est incertaine ; un troisième aiderait beaucoup.
+  }

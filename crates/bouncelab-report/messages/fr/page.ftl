@@ -1,0 +1,516 @@
+page-to = à
+
+page-app-title = bouncelab : lâcher une balle, entendre la physique
+page-app-skip = Aller au contenu
+page-app-nav = Pages
+page-app-lab = Écouter
+page-app-simulate = Simuler
+page-app-paper = Article
+page-app-drops = Essais
+page-app-language = Langue
+page-app-to-dark = Sombre
+page-app-to-light = Clair
+page-app-privacy = Rien ne quitte cet appareil : ni compte, ni serveur ; fonctionne hors ligne.
+page-app-version = bouncelab { $version }
+page-app-engine-failed = Le laboratoire n’a pas pu démarrer.
+page-app-engine-failed-hint = Le navigateur n’a pas chargé ou exécuté la partie WebAssembly. Rechargez la page ; si cela n’aide pas, utilisez un Firefox, Chrome, Edge ou Safari récent.
+page-app-newer = Une version plus récente de cette page est prête.
+page-app-reload = Recharger
+page-app-undo = Annuler
+page-app-redo = Rétablir
+page-app-cancel = Interrompre
+page-app-why = Pourquoi ?
+page-app-number-wanted = Un nombre{ $most ->
+    [none] { $least ->
+        [none] {""}
+       *[other] {" "}d’au moins { $least }
+      }
+   *[other] {" "}de { $least } à { $most }
+  } est attendu ici.
+page-app-drop-here = Relâchez pour ouvrir le fichier
+page-app-unreadable-link = Certains réglages de l’adresse ne sont pas valables et ont été ignorés : { $parts }.
+
+page-lab-invite = Faites tomber une balle près de votre microphone.
+page-lab-invite-touch = Faites tomber une balle près de votre téléphone.
+page-lab-listen = Écouter
+page-lab-stop = Arrêter
+page-lab-again = Écouter encore
+page-lab-open = ouvrir un fichier
+page-lab-paste = coller des temps
+page-lab-demo = voir un exemple
+page-lab-open-label = Enregistrement ou liste de temps d’impact
+page-lab-paste-label = Temps d’impact en secondes, un par ligne
+page-lab-paste-hint = D’un tableur ou d’un oscilloscope. Les vols sont entre les impacts.
+page-lab-paste-do = Analyser
+page-lab-pasted-name = temps collés
+page-lab-demo-name = exemple
+page-lab-recording-name = essai { $date }
+page-lab-starting = Demande d’accès au microphone …
+page-lab-listening = À l’écoute. Faites tomber la balle.
+page-lab-so-far = { $count ->
+    [one] { $count } impact jusqu’ici
+   *[other] { $count } impacts jusqu’ici
+  }
+page-lab-so-far-keeps = elle garde environ { $share } de sa vitesse
+page-lab-ends-itself = L’écoute se termine quand la balle est au repos.
+page-lab-saved = { $seconds } s sont enregistrées.
+page-lab-result = Résultat
+page-lab-opening = Lecture de { $name } …
+page-lab-kept = La balle a gardé { $share } de sa vitesse à chaque rebond.
+page-lab-fell = Elle est tombée de { $height }.
+page-lab-cannot-tell = Il y a trop peu d’impacts pour déterminer le coefficient de restitution.
+page-lab-impacts = { $count ->
+    [one] { $count } impact
+   *[other] { $count } impacts
+  }
+page-lab-uncertain = { $count ->
+    [one] { $count } incertain
+   *[other] { $count } incertains
+  }
+page-lab-edited = modifié à la main
+page-lab-drop-of = Essai { $index } sur { $count }
+page-lab-drops-heard = Essais de cet enregistrement
+page-lab-air-explains = La traînée de l’air explique { $points } points de pourcentage de ce qu’un ajustement log-linéaire attribuerait aux impacts.
+page-lab-line-height = Cet ajustement donne une hauteur de chute de { $height }.
+page-lab-air-nothing = La traînée de l’air ne compte presque pas ici : l’ajustement log-linéaire donne la même chose.
+page-lab-why-air-1 = Une droite à travers les logarithmes des temps de vol (ajustement log-linéaire) est la manière classique de mesurer le coefficient de restitution. Mais l’air aussi ralentit la balle, et l’ajustement attribue cela aux impacts.
+page-lab-why-air-2 = Les points gris négligent l’air ; les bleus sont corrigés de la traînée. Ils montrent la balle et la surface seules.
+page-lab-refining = Calcul de l’inférence avec air …
+page-lab-more = Tous les nombres
+page-lab-tells = Ce que cet enregistrement détermine, ou non
+page-lab-narrowed-lead = À quel point l’enregistrement a réduit l’incertitude a priori :
+page-lab-narrowed = { $unknown } : il reste { $share } de la largeur
+page-lab-assumed = supposé
+page-lab-no-drop-title = Aucun essai trouvé.
+page-lab-no-drop-hint = Placez le microphone près du point de chute, sur une surface dure, et laissez la balle rebondir jusqu’au repos. Si vous voyez les impacts dans la forme d’onde, marquez-les à la main : double clic, ou Entrée au curseur.
+page-lab-interrupted-title = Un enregistrement du { $date } a été interrompu.
+page-lab-progress = Progression
+page-lab-unkept-title = L’enregistrement du { $date } n’est pas dans le tableau des essais.
+page-lab-interrupted-hint = Il est conservé, sauf peut-être la dernière seconde ou les deux dernières.
+page-lab-interrupted-open = Ouvrir
+page-lab-interrupted-drop = Supprimer
+
+page-words-restitution = Le coefficient de restitution est le rapport de la vitesse juste après un impact à la vitesse juste avant.
+
+page-faults-refused-what = Le navigateur n’a pas le droit d’utiliser le microphone.
+page-faults-refused-do = Autorisez-le dans la barre d’adresse (cadenas ou microphone) et touchez « Écouter » à nouveau. Sur un téléphone, voyez aussi les réglages de l’application du navigateur. Vous pouvez ouvrir un enregistrement à la place.
+
+page-faults-missing-what = Aucun microphone n’a été trouvé.
+page-faults-missing-do = Branchez-en un et touchez « Écouter » à nouveau, ou enregistrez avec un autre appareil et ouvrez le fichier ici.
+
+page-faults-busy-what = Le microphone est utilisé par un autre programme.
+page-faults-busy-do = Fermez appels et enregistreurs, puis touchez « Écouter » à nouveau.
+
+page-faults-insecure-what = Les navigateurs ne donnent le microphone qu’aux pages en https, ou de cet ordinateur même.
+page-faults-insecure-do = Ouvrez cette page en https ou par localhost. Les enregistrements peuvent être ouverts ainsi.
+
+page-faults-unsupported-what = Ce navigateur ne fournit pas de son non traité.
+page-faults-unsupported-do = Utilisez un Firefox, Chrome, Edge ou Safari récent, ou ouvrez un enregistrement.
+
+page-faults-ended-what = Le microphone a été déconnecté : débranché, ou pris par un appel.
+page-faults-ended-do = Le son enregistré jusque-là est conservé et analysé.
+
+page-faults-unknown-what = Le microphone n’a pas pu être ouvert.
+page-faults-unknown-do = Débranchez-le et rebranchez-le, ou redémarrez le navigateur. Vous pouvez ouvrir un enregistrement à la place.
+
+page-faults-silent-what = Le microphone ne donne que du silence.
+page-faults-silent-do = Il est peut-être coupé par un interrupteur ou dans les réglages du système.
+
+page-faults-full-what = Le stockage du navigateur est plein.
+page-faults-full-do = Le son est complet en mémoire : enregistrez-le en WAV maintenant. Supprimez ensuite les essais inutiles.
+
+page-faults-unavailable-what = Le navigateur ne conserve rien ici (une fenêtre privée ?).
+page-faults-unavailable-do = Le son est complet en mémoire jusqu’à la fermeture de cette page : enregistrez-le en WAV.
+
+page-faults-empty-what = Le fichier est vide.
+page-faults-empty-do = Rien n’y a été écrit. L’enregistrement a-t-il été arrêté avant de commencer ? Enregistrez à nouveau ou choisissez un autre fichier.
+
+page-faults-unsupported-file-what = Ce n’est ni un enregistrement ni une liste de temps.
+page-faults-unsupported-file-do = Sons : WAV, AIFF, FLAC, MP3, Ogg, Opus, WebM, M4A, MP4, MOV. Listes : un temps en secondes par ligne.
+
+page-faults-damaged-what = Le fichier est endommagé.
+page-faults-damaged-do = Copiez-le ou téléchargez-le à nouveau. Un fichier qu’un téléphone écrit encore ne peut pas être lu.
+
+page-faults-times-what = Ces temps ne peuvent pas être des temps d’impact.
+page-faults-times-do = Donnez un temps en secondes par ligne, dans l’ordre croissant, avec une virgule ou un point décimal.
+
+page-faults-huge-what = Le fichier est trop grand pour un navigateur.
+page-faults-huge-do = Jusqu’à 500 Mo, et une quarantaine de minutes de son. Coupez-le aux minutes de l’essai, ou utilisez la ligne de commande : bouncelab analyze.
+
+page-faults-setting-what = Un réglage contredit les autres.
+page-faults-setting-do = Voyez ci-dessous, aux réglages.
+
+page-faults-fault-what = L’analyse a échoué.
+page-faults-fault-do = Ce qui a été enregistré est conservé. Rechargez la page et ouvrez-le à nouveau ; un rapport au projet est utile.
+
+page-faults-link-what = Ce lien d’un essai ne peut pas être utilisé.
+page-faults-link-do = Copiez le lien entier, ou lisez le code à nouveau.
+
+page-faults-archive-what = Ce n’est pas un fichier complet d’essais conservés.
+page-faults-archive-do = Copiez-le ou téléchargez-le à nouveau, et ajoutez celui-là. Ce qui est conservé ici n’a pas changé.
+
+page-faults-archive-newer-what = Une version plus récente de cette page a enregistré ce fichier.
+page-faults-archive-newer-do = Rechargez la page, et ajoutez le fichier à nouveau. Ce qui est conservé ici n’a pas changé.
+
+page-faults-archive-storage-what = Le fichier n’a pas pu être conservé en entier.
+page-faults-archive-storage-do = Le stockage du navigateur est plein ou indisponible. Supprimez les essais inutiles, et ajoutez le fichier à nouveau ; ce qui était conservé n’a pas changé.
+
+page-faults-keep-what = L’essai n’a pas pu être conservé.
+page-faults-keep-do = Le stockage du navigateur est plein ou indisponible. Enregistrez plutôt le son et les nombres dans des fichiers.
+
+page-wave-title = Forme d’onde
+page-wave-label = Forme d’onde, position du curseur
+page-wave-seconds = { $value } secondes
+page-wave-impact-at = impact { $number }, { $seconds }{ $certain ->
+    [yes] {""}
+   *[no] , incertain
+  }
+page-wave-add = Ajouter un impact
+page-wave-remove = Supprimer
+page-wave-snap = Caler sur le son
+page-wave-zoom-in = Agrandir
+page-wave-zoom-out = Réduire
+page-wave-all = Tout
+page-wave-play = Lire
+page-wave-stop = Arrêter
+page-wave-speed = Vitesse
+page-wave-slower = { $speed } ×
+page-wave-spectrogram = Spectrogramme
+page-wave-spectrogram-label = Spectrogramme : temps vers la droite, fréquence vers le haut, plus fort est plus sombre
+page-wave-overview = Tout l’enregistrement ; glissez pour déplacer
+page-wave-restore = Comme détecté
+page-wave-list = Liste des impacts
+page-wave-number = N°
+page-wave-time = Temps
+page-wave-flight = Vol suivant
+page-wave-probability = Probabilité
+page-wave-level = Niveau
+page-wave-restitution = Restitution
+page-wave-actions = Modifier
+page-wave-remove-one = Supprimer l’impact { $number }
+page-wave-select = Montrer l’impact { $number }
+page-wave-added = Impact ajouté à { $seconds } s.
+page-wave-removed = Impact { $number } supprimé.
+page-wave-moved = Impact { $number } déplacé à { $seconds } s.
+page-wave-undone = Annulé.
+page-wave-redone = Rétabli.
+page-wave-keys = Les flèches déplacent le curseur, avec Maj par petits pas ; Page précédente et Page suivante vont d’impact en impact ; plus et moins changent l’échelle, 0 montre tout ; Entrée ajoute un impact, Suppr supprime celui qui est choisi, virgule et point le déplacent, S le cale sur le son ; Espace lit ; Ctrl+Z annule.
+page-wave-pointer = Glissez pour déplacer, pincez ou tournez la molette pour agrandir (cliquez d’abord), touchez un impact pour le choisir, glissez-le pour le déplacer, touchez deux fois pour en ajouter un.
+page-wave-times = Il n’y a que des temps : aucun son à montrer.
+
+page-figures-title = Figures
+page-figures-against = { $y } en fonction de { $x }
+page-figures-reset = Glissez latéralement pour agrandir, double clic pour tout voir.
+page-figures-numbers = Les mêmes en nombres
+page-figures-save-svg = SVG
+page-figures-save-png = PNG
+page-figures-save-csv = CSV
+page-figures-save = Enregistrer cette figure
+
+page-figures-tabs-restitution = Restitution
+page-figures-tabs-flight-times = Vols
+page-figures-tabs-height = Hauteur
+page-figures-tabs-bounce-heights = Hauteurs
+page-figures-tabs-bounce-energies = Énergie
+page-figures-tabs-comparison = Comparer
+page-figures-tabs-posterior = A posteriori
+page-figures-tabs-residuals = Résidus
+page-figures-tabs-budget = Bilan
+page-figures-tabs-models = Lois
+page-figures-tabs-truncation = Troncature
+page-figures-tabs-drag = Traînée
+page-figures-tabs-drag-log = Traînée (log)
+
+page-quantities-restitution = Coefficient de restitution e
+page-quantities-at-speed = à { $speed }
+page-quantities-slope = Décroissance de la restitution avec la vitesse (−d ln e / d ln v)
+page-quantities-drop-height = Hauteur de chute
+page-quantities-drag = Coefficient de traînée
+page-quantities-terminal = Vitesse limite
+page-quantities-total-time = Du lâcher au repos
+page-quantities-total-path = Trajet jusqu’au repos
+page-quantities-scatter = Dispersion d’un impact à l’autre
+page-quantities-timing = Erreur des temps
+page-quantities-contact = Durée de contact
+page-quantities-line-restitution = Ajustement log-linéaire : e
+page-quantities-line-height = Ajustement log-linéaire : hauteur de chute
+page-quantities-line-flights = Ajustement log-linéaire : vols
+page-quantities-energy-kept = Ajustement log-linéaire : énergie conservée
+page-quantities-corrected = Chaque impact corrigé de la traînée, e médian
+page-quantities-interval = 95 % : { $range }
+
+page-settings-ball = Balle
+page-settings-air = Air
+page-settings-gravity = g
+page-settings-change = modifier
+page-settings-title = Grandeurs connues
+page-settings-assumed-hint = Les grandeurs non indiquées sont supposées, et signalées ainsi.
+page-settings-own = autre balle
+page-settings-mass = Masse
+page-settings-diameter = Diamètre
+page-settings-contact = Durée de contact
+page-settings-temperature = Température
+page-settings-pressure = Pression
+page-settings-humidity = Humidité
+page-settings-vacuum = vide
+page-settings-no-drag = sans air
+page-settings-gravity-field = Pesanteur
+page-settings-latitude = Latitude
+page-settings-altitude = Altitude
+page-settings-drag-law = Traînée de l’air
+page-settings-drag-none = aucune, air négligé
+page-settings-drag-constant = constante, C_D = 0,4
+page-settings-restitution-law = Restitution
+page-settings-restitution-any = toutes les lois
+
+page-settings-laws-constant = la même à toute vitesse
+page-settings-laws-linear = linéaire en vitesse
+page-settings-laws-power = loi de puissance
+page-settings-laws-viscoelastic = viscoélastique
+page-settings-laws-knee = constante avant un coude
+page-settings-laws-smooth = lisse, sans loi
+page-settings-measured = L’essai, s’il est mesuré
+page-settings-height = Hauteur de chute
+page-settings-height-sd = ± de la hauteur
+page-settings-flights = Vols de l’ajustement log-linéaire
+page-settings-flights-from = de
+page-settings-flights-to = à
+page-settings-reset = Réinitialiser les réglages
+page-settings-refused = Ces réglages se contredisent :
+
+page-ball-row = Quelle balle ?
+page-settings-balls-table-tennis-40 = tennis de table 40+
+page-settings-balls-table-tennis-38 = tennis de table 38 mm
+page-settings-balls-tennis = tennis
+page-settings-balls-football = football
+page-settings-balls-basketball = basket
+page-settings-balls-golf = golf
+page-settings-balls-squash = squash
+page-settings-balls-racquetball = racquetball
+page-settings-balls-pickleball = pickleball
+page-settings-balls-padel = padel
+
+page-keep-title = Conserver
+page-keep-keep = Conserver cet essai
+page-keep-kept = Conservé sous « { $name } ».
+page-keep-name = Nom
+page-keep-name-hint = par exemple : Anna, premier essai
+page-keep-see-all = Tableau des essais
+page-keep-lasting = Le navigateur garde ce qui est ici jusqu’à ce que vous le supprimiez.
+page-keep-not-lasting = Si la place manque, le navigateur peut supprimer ce qui est ici : enregistrez une copie dans un fichier.
+page-keep-wav = Son (WAV)
+page-keep-csv = Tableau (CSV)
+page-keep-json = Toutes les données (JSON)
+page-keep-share = Partager ces réglages
+page-keep-shared = L’adresse avec ces réglages a été copiée.
+page-keep-share-by-hand = Copiez cette adresse :
+page-keep-report = Rapport (HTML)
+page-keep-link = Partager cet essai
+page-keep-link-by-hand = Ouvrez cette adresse ailleurs, ou visez le code avec un téléphone ; elle montre cet essai, sans le son :
+page-keep-link-qr = Code QR de l’adresse de cet essai
+
+page-simulate-title = Simuler un essai
+page-simulate-lead = Déplacez un curseur et voyez ce qui change ; conservez une simulation pour la comparer à la suivante.
+page-simulate-height = Hauteur de chute
+page-simulate-restitution = Restitution (à 1 m/s)
+page-simulate-slope = Décroît avec la vitesse de
+page-simulate-slope-hint = 0 : la même à toute vitesse
+page-simulate-ball = Balle
+page-simulate-drag = Traînée de l’air
+page-simulate-pressure = Pression de l’air
+page-simulate-world = Où
+
+page-simulate-worlds-earth = Terre
+page-simulate-worlds-moon = Lune
+page-simulate-worlds-mars = Mars
+page-simulate-worlds-venus = Vénus
+page-simulate-worlds-titan = Titan
+page-simulate-worlds-jupiter = Jupiter
+page-simulate-keep-run = Conserver
+page-simulate-hear = Écouter le son
+page-simulate-stop = Arrêter
+page-simulate-lay = Comparer à la mesure
+page-simulate-take-off = Retirer de la comparaison
+page-simulate-laid = Elle est maintenant comparée à la mesure, dans la figure « Comparer ».
+page-simulate-analyse = Analyser son son
+page-simulate-runs = Simulations
+page-simulate-this-run = celle-ci
+page-simulate-run = simulation { $index }
+page-simulate-remove = Supprimer { $name }
+page-simulate-says = Elle rebondit { $bounces } fois en { $time } et parcourt { $path }.
+page-simulate-terminal = Sa vitesse limite est ici de { $speed }.
+page-simulate-no-terminal = Il n’y a pas d’air, donc pas de vitesse limite.
+page-simulate-losses = De son énergie, { $surface } sont perdus dans les impacts, { $air } dans l’air.
+page-simulate-impossible = Ceci ne peut pas être simulé :
+page-simulate-address = L’adresse contient les réglages : partagez-la, et d’autres verront la même simulation.
+
+page-paper-title = L’article
+page-paper-source = M. Nagurka, « Aerodynamic Effects in a Dropped Ping-Pong Ball Experiment »
+page-paper-lead = Faites tomber une balle de tennis de table et écoutez. Les temps entre les impacts donnent sa restitution et sa hauteur de chute, mais la hauteur est trop basse de 12 %. Cette page explique pourquoi, et calcule chaque nombre et chaque figure pendant que vous lisez.
+
+page-paper-one-title = 1. Des temps aux hauteurs
+page-paper-one-text-1 = Entre deux impacts, la balle monte et retombe pendant un temps T. Sans air, elle quitte la surface avec la vitesse gT/2 et monte à gT²/8. Il suffit d’une horloge.
+page-paper-one-text-2 = Si chaque impact garde la fraction e de la vitesse, chaque vol dure e fois le précédent. En échelle logarithmique, les temps de vol sont sur une droite : sa pente est log e, et son ordonnée à l’origine donne la hauteur de chute. C’est l’ajustement log-linéaire.
+page-paper-one-equation = log Tₙ = n log e + log (2v₀/g),   h₀ = v₀²/2g
+page-paper-one-see = Les temps de vol d’une chute de 30,5 cm, sans air. Chaque point est sur la droite ; l’ajustement donne exactement e et 30,5 cm.
+
+page-paper-two-title = 2. L’expérience, et un désaccord
+page-paper-two-text-1 = L’article a fait tomber une balle de 2,5 g et 38 mm de 30,5 cm. L’ajustement log-linéaire de ses dix premiers vols a donné e = 0,9375 et une hauteur de chute de 26,7 cm.
+page-paper-two-text-2 = C’est 3,8 cm ou 12,3 % de trop peu, bien plus que l’erreur d’un mètre ruban. L’article y voit l’effet probable de la traînée de l’air.
+
+page-paper-three-title = 3. L’intensité de la traînée de l’air
+page-paper-three-text = Aux 2,4 m/s du premier impact, la traînée n’est que 6 % du poids, et elle décroît comme le carré de la vitesse. L’article essaie deux lois : un coefficient constant de 0,4, et un qui dépend de la vitesse. Elles s’accordent là où la traînée compte.
+page-paper-three-equation = F/P = ½ ρ A C_D v² / mg
+page-paper-three-see = Traînée sur poids en fonction de la vitesse, d’après les deux lois. En échelle logarithmique, un coefficient constant est une droite de pente 2.
+page-paper-three-see-height = L’essai entier avec e = 0,935, avec air et sans : avec une traînée de six pour cent du poids, la balle est au repos des secondes plus tôt.
+
+page-paper-four-title = 4. La traînée explique-t-elle le désaccord ?
+page-paper-four-text = Simulez des essais avec air, appliquez le même ajustement log-linéaire, et comparez à l’article. Choisissez la restitution de la balle et le nombre de vols de l’ajustement.
+page-paper-four-e = Vraie restitution de la balle, à 1 m/s
+page-paper-four-slope = Décroît avec la vitesse de
+page-paper-four-flights = Vols dans l’ajustement
+page-paper-four-line-says = L’ajustement donne e = { $e } et h₀ = { $h }.
+page-paper-four-paper-says = L’ajustement de l’article donne e = 0,9375 et h₀ = 26,7 cm.
+page-paper-four-truth = Vraie hauteur de chute : 30,5 cm.
+page-paper-four-hit = C’est le résultat de l’article, jusqu’au dernier chiffre.
+page-paper-four-solve-drag = e constant, dix vols
+page-paper-four-solve-many = e constant, 21 vols
+page-paper-four-solve-slope = e décroît avec la vitesse, dix vols
+page-paper-four-see = Hauteur de chute d’après l’ajustement log-linéaire, en fonction de son nombre de vols. En gris : sans air, elle est la même pour tout nombre, si la restitution est constante. En vermillon : avec air, elle diminue à chaque vol. En bleu : le résultat de l’article.
+
+page-paper-five-title = 5. L’explication
+page-paper-five-text-1 = La traînée, avec une restitution constante, explique environ la moitié de l’écart : une balle de e = 0,953 donne le 0,9375 de l’article, mais 28,8 cm.
+page-paper-five-text-2 = Il y a deux explications du reste : la restitution décroît un peu avec la vitesse, comme celle des balles réelles, ou plus de dix vols ont servi à l’ajustement. L’ajustement log-linéaire ne peut pas les distinguer, car son résultat dépend du nombre de vols.
+page-paper-five-text-3 = Le laboratoire de cette page infère donc ensemble la hauteur de chute, la traînée et la restitution à partir des temps d’impact, avec leurs incertitudes.
+page-paper-five-law = Restitution
+page-paper-five-drag = Air
+page-paper-five-flights = Vols
+page-paper-five-first = e à 2,4 m/s
+page-paper-five-slow = e à 0,5 m/s
+page-paper-five-height = h₀ ajustée
+page-paper-five-same = Les 26,7 cm de l’article ?
+page-paper-five-yes = oui
+page-paper-five-no = non
+page-paper-five-caption = Modèles dont l’ajustement log-linéaire donne e = 0,9375
+
+page-paper-six-title = 6. Chaque nombre de l’article
+page-paper-six-lead = Tel qu’imprimé, et tel que calculé ici. Les coquilles des équations sont corrigées.
+page-paper-six-quantity = Grandeur
+page-paper-six-printed = Imprimé
+page-paper-six-computed = Calculé
+page-paper-six-verdict = Verdict
+
+page-paper-verdicts-agrees = concorde
+page-paper-verdicts-agrees-when-corrected = concorde une fois corrigé
+page-paper-verdicts-agrees-within-reading = concorde à la lecture près
+page-paper-verdicts-misprint = coquille
+page-paper-verdicts-differs = diffère
+page-paper-verdicts- = {""}
+
+page-paper-air-names-none = sans air
+page-paper-air-names-constant = C_D = 0,4
+page-paper-air-names-sphere = C_D(Re)
+page-paper-air-names-all-of-air = C_D(Re), poussée d’Archimède, masse ajoutée
+
+page-paper-law-names-constant = constante
+page-paper-law-names-viscoelastic = viscoélastique
+page-paper-law-names-linear = décroissante, linéaire
+page-paper-law-names-power = décroissante, loi de puissance
+page-paper-law-names-knee = décroissante au-delà de 1,5 m/s
+page-paper-try-it = À vous de faire tomber une balle
+
+page-drops-title = Tableau des essais
+page-drops-empty = Aucun essai n’est encore conservé. Après un essai, « Conserver cet essai » le place ici, dans ce navigateur seulement.
+page-drops-to-lab = Au laboratoire
+page-drops-name = Nom
+page-drops-when = Date
+page-drops-ball = Balle
+page-drops-e = Restitution e
+page-drops-h = Hauteur de chute
+page-drops-impacts = Impacts
+page-drops-actions = Modifier
+page-drops-open = Ouvrir
+page-drops-open-one = Ouvrir { $name }
+page-drops-delete = Supprimer
+page-drops-delete-one = Supprimer { $name }
+page-drops-deleted = « { $name } » a été supprimé.
+page-drops-choose = Comparer { $name }
+page-drops-compare = Comparer
+page-drops-rename = Nom de { $name }
+page-drops-mean = Moyenne
+page-drops-scatter = Dispersion (écart-type)
+page-drops-of-drops = { $count ->
+    [one] de { $count } essai
+   *[other] de { $count } essais
+  }
+page-drops-scatter-sentence = En moyenne, la balle a gardé { $mean } de sa vitesse. L’écart-type entre essais est de { $scatter } ; chaque essai isolé annonce ± { $inside }.
+page-drops-csv = Enregistrer le tableau (CSV)
+page-drops-json = Enregistrer tout (JSON)
+page-drops-archive = Enregistrer tout avec le son (ZIP)
+page-drops-add = Ajouter un ZIP enregistré
+page-drops-add-label = ZIP enregistré d’essais conservés
+page-drops-archiving = Collecte des sons …
+page-drops-adding = Lecture de { $name } …
+page-drops-added = { $count ->
+    [0] Il ne contient rien de nouveau.
+    [one] { $count } essai a été ajouté.
+   *[other] { $count } essais ont été ajoutés.
+  }
+page-drops-delete-all = Tout supprimer
+page-drops-deleted-all = { $count ->
+    [one] { $count } essai a été supprimé.
+   *[other] { $count } essais ont été supprimés.
+  }
+page-drops-links = Liens d’essais d’autres personnes, autant que vous voulez
+page-drops-links-do = Ajouter à ce tableau
+page-drops-links-done = Essais ajoutés : { $kept }. Liens inutilisables : { $refused }.
+page-drops-unavailable = Le navigateur ne conserve rien ici (une fenêtre privée ?).
+
+page-reason-empty-content = Il ne contient aucune donnée.
+page-reason-empty-sound = Il a un en-tête, mais aucun son.
+page-reason-empty-time = Il ne contient aucun temps.
+page-reason-not-sound = Il ressemble à { $kind }.
+page-looks-png = une image PNG
+page-looks-jpeg = une image JPEG
+page-looks-gif = une image GIF
+page-looks-pdf = un document PDF
+page-looks-zip = une archive ZIP ou un document bureautique
+page-looks-gzip = une archive gzip
+page-looks-riff = un fichier RIFF sans son, comme AVI ou WebP
+page-looks-zeros = une suite de zéros
+page-looks-text = du texte
+page-looks-unknown = des données d’un type inconnu
+page-reason-malformed = { $stage ->
+    [header] Son en-tête ne peut pas être lu
+    [codec] Son décodeur ne peut pas être préparé
+   *[sound] Rien de son contenu sonore ne peut être décodé
+  } ({ $format } : { $detail }).
+page-reason-no-audio-track = Ce fichier { $format } n’a pas de son, ou aucun d’un type connu. Le microphone était-il coupé ?
+page-reason-unsupported-codec = Le son de ce fichier { $format } ne peut pas être décodé : { $codec }. Exportez-le en WAV ou M4A.
+page-reason-layout-too-slow = { $sample_rate_hz } échantillons par seconde sont trop peu pour dater un impact : il en faut au moins { $least_hz }.
+page-reason-layout-too-fast = Son en-tête annonce { $sample_rate_hz } échantillons par seconde ; { $most_hz } au plus sont lus.
+page-reason-layout-too-many-channels = Il a { $channels } voies ; { $most } au plus sont lues.
+page-reason-lasts-too-long = Il dure plus de { $most_h } heures, le plus qui soit lu. Coupez-le en parties.
+page-reason-times-line = Ligne { $line } : { $problem }
+page-reason-times-ending = Le nom d’une liste se termine par .txt, .csv, .json ou .TextGrid.
+page-reason-times-not-text = Ce n’est pas du texte. Enregistrez la liste en UTF-8.
+page-reason-times-not-table = Ce n’est pas un tableau ({ $detail }).
+page-reason-times-not-file = C’est un périphérique ou un tube ; enregistrez la liste dans un fichier.
+page-reason-times-too-long = Il y a plus de { $most_mb } Mo de texte ; enregistrez le son en WAV.
+page-reason-times-too-many = { $found } temps en { $seconds } s ne sont pas des impacts ; une forme d’onde échantillonnée demande une colonne de temps équidistants et une par voie.
+page-reason-times-not-array = Une liste de nombres était attendue, comme [0.1, 0.45] ({ $detail }).
+page-reason-times-not-text-grid = Ce n’est pas un TextGrid de Praat, ou pas en entier. Enregistrez-le à nouveau depuis Praat.
+page-reason-times-no-point-tier = Les impacts sont l’unique couche de points, ou parmi plusieurs celle nommée « impacts ». Couches de points : { $found }.
+page-reason-times-no-time-column = Aucune colonne ne s’appelle time ou time_s. Il y a : { $found }.
+page-reason-times-nameless-columns = Il y a { $columns } colonnes. Nommez celle des temps dans une première ligne : time_s.
+page-reason-times-missing = Le temps manque.
+page-reason-times-not-number = « { $text } » n’est pas un temps en secondes, comme 0.125.
+page-reason-times-not-later = { $time_s } ne vient pas après { $before_s }. Listez les impacts dans l’ordre.
+page-reason-too-large = Il fait { $megabytes } Mo.
+page-reason-too-long = Il a plus de { $minutes } minutes en { $channels ->
+    [one] { $channels } voie
+   *[other] { $channels } voies
+  }.
+page-reason-no-memory = Cet appareil n’a pas assez de mémoire pour lui.
+page-reason-breaks-decoder = Il est endommagé, et son décodeur échoue.
+page-reason-unreadable = Le navigateur ne peut pas le lire. A-t-il été déplacé ou supprimé ?

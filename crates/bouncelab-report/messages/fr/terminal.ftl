@@ -1,0 +1,366 @@
+terminal-note = Note : { $text }
+terminal-assumed = Supposé : { $list }
+terminal-ball-contrast = La balle n’a pas été indiquée : supposée { $assumed }. Les réponses seraient { $contrasts }. Indiquez la balle avec --ball, ou comparez-les toutes avec --which-ball.
+terminal-if-ball = e = { $restitution } et h0 = { $height } pour { $ball ->
+        [tennis] une balle de tennis
+       *[steel] une bille d’acier de 20 mm
+    }
+analyze-balls-heading = Ce que les temps disent de chaque balle, par rapport à celle indiquée ou supposée :
+terminal-cannot-tell = { $what } : indéterminé : { $reason }
+
+analyze-times = { $name } : temps d’impact
+analyze-sound = { $name } : { $format }, { $rate } kHz{ $channels ->
+    [1] {""}
+   *[other] , voie { $channel } sur { $channels }
+  }, { $duration } s
+analyze-listening = { $onsets } sons se détachent du bruit de fond et { $impacts } impacts ont été détectés, avec le plus fort contraste de { $low } à { $high } Hz, { $above } dB au-dessus du son précédent (--channel, --band).
+analyze-drop = { $drops ->
+    [1] Essai
+   *[other] Essai { $number } sur { $drops }
+  } : { $count } impacts de { $first } s à { $last } s{ $uncertain ->
+    [0] {""}
+    [1] , 1 incertain (?)
+   *[other] , { $uncertain } incertains (?)
+  }{ $probability ->
+    [none] {""}
+   *[other] {" "}(un essai avec une probabilité de { $probability })
+  }
+analyze-line = Ajustement log-linéaire
+analyze-line-heading = Ajustement log-linéaire des temps de vol, air négligé :
+analyze-line-flights = (avant le premier impact détecté ; { $count ->
+    [one] { $count } vol
+   *[other] { $count } vols
+  })
+analyze-until-rest = jusqu’au repos
+analyze-corrected = Corrigé de la traînée
+analyze-corrected-heading = Corrigé de la traînée ({ $ball }, { $law }) :
+analyze-corrected-impacts = (médiane de { $count } impacts de { $slowest } à { $fastest } m/s)
+analyze-corrected-too-few = Corrigé de la traînée : pas de moyenne : { $count } des impacts sont entre deux vols, et il en faut 3.
+analyze-inference = Inférence
+analyze-inference-heading = Inférence, avec air ({ $ball }) :
+analyze-at-speed = à { $speed }
+analyze-before-data = { $value } avant les données
+analyze-known = pris comme connu
+analyze-first-fall = avant le premier impact détecté
+analyze-missed = impacts manqués avant : { $list }
+analyze-reach = le rebond { $bounce } atteint { $apex } depuis
+analyze-interval = 95 % : { $interval }
+
+analyze-details-models = Modèles, de même probabilité a priori :
+analyze-details-budget-restitution = Bilan d’incertitude de e :
+analyze-details-budget-height = Bilan d’incertitude de h0 :
+analyze-details-contraction = Réduction de l’a priori par les données :
+analyze-details-correlations = Corrélations des estimations :
+analyze-details-impacts = Impacts dans l’ajustement :
+analyze-details-priors = Lois a priori :
+analyze-details-sampling = Échantillonnage : { $draws } tirages indépendants, indice de Pareto { $shape } (bon au-dessous de 0,7).
+analyze-no-drop = { $name } : aucun essai trouvé : { $reason }
+analyze-one-report = un rapport porte sur un enregistrement, et plusieurs ont été donnés ; bouncelab session fait un rapport sur plusieurs
+analyze-one-labelled = étiquettes, marqueurs et mouvement sont d’un seul enregistrement, et plusieurs ont été donnés ; donnez-en un à la fois
+analyze-cues-need-sound = { $name } est une liste de temps, sans son à marquer ; --format audacity ou textgrid écrit des étiquettes
+
+terminal-wrote = écrit : { $file }
+terminal-wrote-figure = écrit : { $file }, .png, .pdf et .csv
+terminal-all-shown = ... et { $count } de plus ; --format csv les a tous.
+
+demo-heading = Un essai depuis 30,5 cm, synthétisé, détecté et analysé ({ $file })
+demo-truth = vrai
+demo-detected = mesuré
+demo-flight-time-error = plus grande erreur d’un temps de vol
+demo-restitution-line = e, ajustement log-linéaire, 10 vols
+demo-restitution-inference = e, inférence
+demo-height-line = hauteur de chute, ajustement log-linéaire
+demo-height-inference = hauteur de chute, inférence
+demo-second-speed = vitesse du deuxième impact
+demo-conclusion =
+    L’ajustement log-linéaire néglige la traînée : sa restitution et sa hauteur sont trop basses.
+    L’inférence tient compte de l’air et retrouve les deux.
+
+simulate-heading = Une chute ({ $ball }), simulée
+simulate-bounces = rebonds
+simulate-first-speed = vitesse du premier impact
+simulate-no-terminal-speed = aucune
+simulate-total-time = temps jusqu’à la fin
+simulate-total-path = trajet jusqu’à la fin
+simulate-initial-energy = énergie au départ
+simulate-lost-to-surface = cédée à la surface
+simulate-lost-to-air = cédée à l’air
+simulate-each-bounce = Chaque rebond, traînée { $law } :
+simulate-bounce = rebond
+simulate-to-surface = au sol µJ
+simulate-to-air = à l’air µJ
+simulate-drag = traînée { $law }
+
+synth-made = { $file } : { $count ->
+    [one] { $count } impact
+   *[other] { $count } impacts
+  } en { $seconds } s, { $rate } Hz, graine { $seed }
+
+puzzle-question = Le désaccord : pourquoi l’ajustement log-linéaire donne-t-il e = 0,9375 et h0 = 26,7 cm pour une chute de 30,5 cm ?
+puzzle-flights = vols
+puzzle-first = e à 2,4 m/s
+puzzle-slow = e à 0,5 m/s
+puzzle-height = h0 ajustée cm
+puzzle-solved = 26,7 de l’article ?
+puzzle-yes = oui
+puzzle-no = non
+puzzle-answer =
+    Chaque loi a été choisie pour que l’ajustement donne e = 0,9375. La traînée avec une
+    restitution constante ne donne 26,7 cm qu’avec environ 21 vols dans l’ajustement ; avec
+    dix vols, la restitution doit aussi décroître avec la vitesse. L’ajustement log-linéaire
+    ne peut pas distinguer les deux, car son résultat dépend du nombre de vols.
+puzzle-quantity = grandeur
+puzzle-printed = imprimé
+puzzle-computed = calculé
+puzzle-verdict = verdict
+
+verdict-because = Parce que : { $reason }
+verdict-pass = conforme
+verdict-fail = non conforme
+verdict-cannot-decide = non concluant
+verdict-sure = { $outcome }. Dans les limites avec une probabilité de { $within } ; une acceptation serait fausse avec { $outside }.
+verdict-guarded = Règle de décision : acceptation avec bande de garde, risque d’une décision fausse d’au plus { $risk } (JCGM 106).
+verdict-simple = Règle de décision : acceptation simple, l’issue la plus probable (JCGM 106).
+verdict-accepted = Avec cette incertitude, { $accepted } serait accepté.
+verdict-more-than = plus de { $share }
+verdict-less-than = moins de { $share }
+verdict-from = { $least } et plus
+verdict-up-to = { $greatest } et moins
+verdict-anything = tout
+verdict-steps = De g T²/8 au rebond de la règle, moyenne sur les essais
+verdict-steps-why = La formule prend tout le temps entre deux impacts pour un vol dans le vide. Mais la durée de contact n’est pas un vol ; la poussée d’Archimède et la masse ajoutée réduisent l’accélération ; la traînée abrège un peu le vol ; et cet essai avait sa propre hauteur et son propre premier impact.
+verdict-on-reference = Sur la référence :
+verdict-rebound = rebond
+verdict-value = valeur
+verdict-predicted-air = prédit, avec air
+verdict-reference = sur la référence
+verdict-share = part de la référence
+verdict-unevenness = inégalité des emplacements
+verdict-plain = g T²/8 du premier vol
+verdict-formula = la formule de la règle d’après T
+verdict-reason = dû à
+verdict-centimetres = cm
+verdict-file = fichier
+verdict-first-flight = premier vol s
+verdict-predicted = prédit
+verdict-formula-short = formule
+verdict-step-contact = durée de contact, qui n’est pas un vol
+verdict-step-buoyancy = poussée d’Archimède et masse ajoutée de l’air
+verdict-step-drag = traînée pendant le vol
+verdict-step-this-drop = hauteur et impact particulier de cet essai par rapport à ceux de la règle
+verdict-rule-line = chute de { $drop }{ $surface ->
+    [none] {""}
+   *[other] {" "}sur { $surface }
+  } ; rebond exigé : { $wanted } ; mesuré au { $point } de la balle
+verdict-the-rule = La règle
+verdict-ways = Le rebond d’après chaque méthode
+verdict-the-rebound = Le rebond
+verdict-drops = Les essais
+verdict-every-drop = Chaque essai
+verdict-every-reference-drop = Chaque essai sur la référence
+verdict-all-drops = tous les essais
+verdict-method = Décision
+verdict-method-predicted = Le verdict porte sur le sommet après le premier impact d’une chute de la hauteur de la règle, au point de la balle où la règle mesure. Il est prédit d’après tous les essais, à la vitesse d’impact de la règle, la dispersion des impacts individuels étant moyennée.
+verdict-method-decided = Acceptation avec bande de garde (JCGM 106:2012, The role of measurement uncertainty in conformity assessment) : la conformité n’est déclarée que si la probabilité d’être hors des limites est au plus le risque indiqué, et la non-conformité que si celle d’être dans les limites l’est. Sinon, les essais ne permettent pas de décider. L’incertitude de la balle, de l’air et de la traînée est commune à tous les essais et ne se moyenne pas.
+
+rule-name = nom
+rule-title = règle
+rule-sport = de
+rule-source = source
+rule-edition = édition
+rule-status = état
+rule-verified = vérifiée
+rule-unverified = non vérifiée
+rule-not-noted = non indiqué
+rule-ball = balle
+rule-surface = surface
+rule-drop = chute
+rule-wants = exige
+rule-measured-at = point de mesure
+rule-point = { $point } de la balle
+rule-point-bottom = bas
+rule-point-centre = centre
+rule-point-top = sommet
+rule-point-not-noted = non indiqué ; le bas de la balle est pris
+rule-drops = essais
+rule-drops-mean = { $count } ou plus ; leur moyenne compte
+rule-drops-each = { $count } ou plus ; chacun doit être conforme
+rule-places = emplacements
+rule-temperature = température
+rule-altitude = altitude
+rule-formula = formule
+rule-formula-text = H = { $factor } (T - { $offset })² en m et s, T du premier impact au deuxième ({ $status })
+rule-note = note
+rule-nobody-read = Cette règle n’est pas vérifiée : elle n’a pas été comparée à sa source.
+rule-any-height = toute hauteur
+rule-or-more = { $height } ou plus
+rule-about = environ { $height }
+rule-share-of = part de celui sur { $surface }
+rule-limits-of = { $limits } de celui sur { $surface }
+rule-share-of-reference = part d’une référence
+rule-limits-of-reference = { $limits } d’une référence
+rule-within-of-mean = chaque emplacement à { $share } % près de la moyenne
+rule-places-apart = emplacements écartés d’au plus { $share } points
+rule-at-least = au moins { $least }
+rule-at-most = au plus { $greatest }
+
+listen-begins = écoute de { $source }, { $rate } kHz, { $channels ->
+    [one] { $channels } voie
+   *[other] { $channels } voies
+  } ; { $file ->
+    [none] rien n’est enregistré
+   *[other] enregistré au fur et à mesure dans { $file }
+  }
+listen-saved-in = enregistré dans { $file }
+listen-not-saved = NON ENREGISTRÉ
+listen-silence = le microphone ne donne que du silence : est-il coupé, ou n’est-ce pas le bon (--devices) ?
+listen-fault = l’analyse a échoué par une erreur du programme ; merci de la signaler
+listen-goes-on = L’enregistrement continue jusqu’à ce que vous l’arrêtiez.
+listen-lost = du son a été perdu : l’ordinateur était trop lent, ou le microphone a eu un défaut ; les vols qui traversent la lacune sont exclus
+listen-lost-in-all = { $frames } échantillons de chaque voie ({ $seconds } s) ont été perdus en { $count ->
+    [one] { $count } endroit
+   *[other] { $count } endroits
+  }
+listen-not-analysed = un essai ne peut pas être analysé : { $reason }
+listen-once-more = essai { $number } à nouveau, d’après l’enregistrement entier
+listen-heading = essai { $number }
+listen-all-drops = Tous les essais :
+listen-saved = le son est dans { $file } ; pour l’analyser à nouveau : { $command }
+listen-left-out = l’essai à { $start } s { $reason ->
+    [distant] est d’une balle bien plus faible que les autres
+   *[unlikely] n’est pas confirmé par l’enregistrement entier
+  } et est exclu
+listen-impact = essai { $drop } : impact { $impact } à { $time } s après { $flight } ms{ $rests ->
+    [yes] {" ; "}la balle est au repos
+   *[no] {""}
+  }
+listen-line = e = { $restitution }, h0 = { $height } air négligé
+listen-corrected = e = { $restitution } corrigé de la traînée
+listen-too-loud = TROP FORT : écrêté
+listen-level = niveau
+listen-seconds = { $seconds } s
+listen-drops = { $count ->
+    [one] { $count } essai
+   *[other] { $count } essais
+  }
+listen-sounds = { $count ->
+    [one] { $count } son
+   *[other] { $count } sons
+  }
+listen-lost-so-far = { $count } échantillons PERDUS
+listen-ends = Ctrl-C arrête
+listen-at = à s
+listen-e-line = e, sans air
+listen-h0-line = h0, sans air
+listen-mean = moyenne
+listen-scatter = dispersion
+listen-save-failed = l’enregistrement du son a échoué : { $fault } ; { $seconds } s sont dans le fichier. L’écoute continue
+listen-end-not-saved = la fin du son manque peut-être dans le fichier : { $fault }
+listen-device = nom
+listen-device-kind = ce que c’est
+listen-device-default = par défaut
+
+session-title = Série
+session-untitled = Une série
+session-counts = { $drops ->
+    [one] { $drops } essai
+   *[other] { $drops } essais
+  } dans { $recordings ->
+    [one] { $recordings } enregistrement
+   *[other] { $recordings } enregistrements
+  }{ $without ->
+    [0] {""}
+   *[other] , { $without } sans essai
+  }{ $failed ->
+    [0] {""}
+    [1] , 1 illisible
+   *[other] , { $failed } illisibles
+  }{ $duplicates ->
+    [0] {""}
+    [1] , 1 identique à un autre
+   *[other] , { $duplicates } identiques à un autre
+  }
+session-speed = Restitution à une vitesse d’impact de { $speed } m/s :
+session-legend =
+    ± : erreur-type de la moyenne ; commune : incertitude commune à tous les essais (loi de traînée,
+    air, balle), que plus d’essais ne réduisent pas ; { $wanted ->
+        [none] requis : essais en tout qui réduiraient de moitié l’intervalle
+       *[other] requis : essais en tout pour une moyenne connue à ± { $wanted } (95 %)
+      }
+session-intervals = Intervalles à 95 % de la restitution :
+session-varies = Composantes de la variance (écart-type de la restitution) :
+session-trends = Comment la restitution change, toutes choses égales par ailleurs :
+session-laws = Restitution en fonction de la vitesse d’impact, pour l’ensemble des essais qui la couvrent :
+session-outliers = Valeurs aberrantes de leur groupe ; leurs métadonnées sont-elles justes ?
+session-outlier = { $name } : { $off } { $side ->
+    [above] au-dessus
+   *[below] au-dessous
+  } des autres de { $group }, { $score } écarts-types
+session-outliers-count = Elles sont comprises dans tous les résultats ci-dessus. Avec et sans elles :
+session-exclude = --exclude NAME en exclut une de tout.
+session-differences = Différences selon { $factor }{ $others ->
+    [yes] , toutes choses égales par ailleurs
+   *[no] {""}
+  } :
+session-more = et { $count } de plus (--details)
+session-without-drop = Sans essai
+session-failed = Illisibles
+session-duplicates = Même contenu qu’un autre enregistrement, qui est utilisé
+session-left-out = Non comparés
+session-odd = Remarques sur les essais
+session-tables = Tableaux : { $list }
+session-no-drop = aucun enregistrement ne contient d’essai
+session-damaged-journal = { $count } lignes du journal sont tronquées ou endommagées, et sont ignorées
+session-died = son analyse a terminé son processus deux fois, la seconde fois seule ({ $how }) ; s’il est long, donnez-lui plus de --memory, sinon merci de le signaler
+session-known = { $kept } enregistrements sur { $all } ont été analysés lors d’un passage précédent
+session-restitution = Restitution
+
+session-compared = Les essais sont comparés par leur restitution à une vitesse d’impact de { $speed } m/s, que la plupart couvrent, corrigée de la traînée.
+session-unlike = Valeurs aberrantes de leur groupe, comprises dans tous les résultats : { $names }.
+session-incomparable = Rien ne peut être comparé : { $reason }
+session-groups-table = Restitution par groupe : moyenne et son erreur-type, incertitude commune, dispersion entre essais et entre impacts, et nombre d’essais qui réduirait de moitié l’intervalle
+session-intervals-table = Intervalles à 95 % de la moyenne, de l’essai suivant, et de la dispersion entre essais
+session-without-table = Avec et sans les valeurs aberrantes de chaque groupe
+session-varies-table = Composantes de la variance : écart-type de la restitution par facteur
+session-differences-table = Différences selon { $factor }, toutes choses égales par ailleurs
+session-trends-table = Variation de la restitution avec les métadonnées numériques, toutes choses égales par ailleurs
+session-groups = Groupes
+session-against-speed = Restitution en fonction de la vitesse
+session-what-varies = Composantes de la variance
+session-differences-heading = Différences
+session-in-order = Dans l’ordre du temps
+session-troubles = Ce qui n’a pas marché
+session-conditions = Conditions
+session-assumed = Non indiqué, et donc supposé :
+session-method = Méthode
+session-method-drop = Chaque essai est inféré séparément : chute, traînée, dispersion des impacts, erreurs des temps. Sa restitution à la vitesse commune a une incertitude propre (datation, dispersion des impacts) et une autre qu’il partage avec tous les essais de la balle (loi de traînée, air, masse, diamètre, durée de contact). Seule la première se moyenne sur les essais.
+session-method-group = Un groupe est décrit par un modèle à effets aléatoires, une dispersion entre essais à côté de l’erreur de chacun : maximum de vraisemblance restreint (Viechtbauer 2005), erreur-type de Hartung et Knapp (2001) sous la forme de Röver, Knapp et Friede (2015), loi t de Student, intervalle du profil Q pour la dispersion (Viechtbauer 2007), intervalle de l’essai suivant (Higgins, Thompson et Spiegelhalter 2009).
+session-method-factors = Les composantes de la variance, et les différences toutes choses égales par ailleurs, viennent d’un modèle mixte à facteurs aléatoires croisés (Patterson et Thompson 1971), degrés de liberté d’après Satterthwaite (Giesbrecht et Burns 1985) ; avec un seul facteur, d’après Welch (1947). Les probabilités sont ajustées au nombre de différences (Holm 1979). Les valeurs aberrantes sont repérées par des cotes z modifiées supérieures à 3,5 (Iglewicz et Hoaglin 1993) et ne sont pas retirées.
+session-hashes = Le tableau des essais a le SHA-256 de chaque enregistrement (content_sha256).
+
+session-column-difference = différence
+session-column-interval = intervalle à 95 %
+session-column-p-holm = p (Holm)
+session-column-p = p
+session-column-group = groupe
+session-column-drops = essais
+session-column-shared = commune
+session-column-between-drops = entre essais
+session-column-between-impacts = entre impacts
+session-column-needed = requis
+session-column-with = avec
+session-column-without = sans
+session-column-factor = avec
+session-column-levels = niveaux
+session-column-slope = pente
+session-column-mean = moyenne
+session-column-next = essai suivant
+session-column-count = combien
+session-column-varies = varie selon
+session-per-metre = par m
+session-per-kelvin = par K
+session-all = tous
+session-too-many = trop
+session-drop = essai
+session-together = { $names } (toujours ensemble)
+session-too-few = trop peu pour le dire

@@ -1,0 +1,143 @@
+/** What a reader of another language saves: report and figures in it, whole and valid; data as in English. */
+import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { pathToFileURL } from 'node:url';
+import { HtmlValidate } from 'html-validate';
+import type { Browser, Page } from 'playwright-core';
+import { afterAll, beforeAll, describe, expect, test } from 'vitest';
+import { launch, newContext } from './harness/browser.ts';
+import { FONT_SETS, nameOf } from './harness/fonts.ts';
+import { folder } from './harness/program.ts';
+import { Site } from './harness/site.ts';
+import { overflow, unfold } from './support/layout.ts';
+import { open, settled } from './support/page.ts';
+import { drawings, troublesOf } from './support/texts.ts';
+import { LANGUAGES, wordsOf } from './support/words.ts';
+
+const SHOTS = join(import.meta.dirname, 'screenshots');
+/** The width that A4 leaves between the margins of the report, in CSS pixels. */
+const PAPER_PX = Math.floor(((210 - 2 * 17) / 25.4) * 96);
+/** English words that no text here has in another language. */
+const ENGLISH = /\b(the|and|of|which|with|from|flights?|drag|speed|height|law|drop)\b/i;
+
+/** What is said of a ball that floats in air. */
+const FLOATS: Readonly<Record<string, RegExp>> = {
+  de: /Der Ball wiegt .* er schwebt also/,
+  es: /La pelota pesa .* así que flota/,
+  fr: /La balle pèse .* elle flotte/,
+};
+
+let site: Site;
+
+beforeAll(async () => {
+  site = await Site.open();
+  mkdirSync(SHOTS, { recursive: true });
+});
+afterAll(() => site.close());
+
+describe.each(LANGUAGES.filter((code) => code !== 'en'))('in the language %s', (language) => {
+  const words = wordsOf(language);
+  let browser: Browser;
+  let page: Page;
+  let report: string;
+
+  beforeAll(async () => {
+    browser = await launch();
+    page = (await open(browser, site.url, { locale: language })).page;
+    await page.getByRole('button', { name: words('page-lab-demo') }).click();
+    await settled(page);
+    report = join(folder(), `report-${language}.html`);
+    writeFileSync(report, await saved(words('page-keep-report')));
+  });
+  afterAll(() => browser.close());
+
+  async function saved(button: string): Promise<string> {
+    const coming = page.waitForEvent('download');
+    await page.getByRole('button', { name: button, exact: true }).click();
+    return readFileSync(await (await coming).path(), 'utf8');
+  }
+
+  /** The report as a reader opens it, with its details. */
+  async function read(by: Browser): Promise<Page> {
+    const shown = await (await newContext(by)).newPage();
+    await shown.goto(pathToFileURL(report).href);
+    await unfold(shown);
+    return shown;
+  }
+
+  test('the report speaks it and is valid', async () => {
+    const validator = new HtmlValidate({ extends: ['html-validate:standard'] });
+    const { results } = await validator.validateFile(report);
+    expect(results.flatMap(({ messages }) => messages.map(({ message }) => message))).toEqual([]);
+    const shown = await read(browser);
+    expect(await shown.locator('html').getAttribute('lang')).toBe(language);
+    const said = await shown
+      .locator(
+        'main p, main li, main dt, main dd, main th, main td, main h2, main h3, caption, figcaption, text',
+      )
+      .allTextContents();
+    // Works are cited by their names.
+    const english = said.filter((text) => ENGLISH.test(text) && !/\(\d{4}\)|^JCGM/.test(text));
+    expect(english).toEqual([]);
+    expect(said.filter((text) => /\d\.\d/.test(text) && !/bouncelab/.test(text))).toEqual([]);
+  });
+
+  describe.each(FONT_SETS.map((fonts) => [nameOf(fonts), fonts] as const))(
+    'with %s',
+    (set, fonts) => {
+      let reader: Browser;
+      beforeAll(async () => {
+        reader = await launch({ fonts });
+      });
+      afterAll(() => reader.close());
+
+      test('the report fits a phone and its paper', async () => {
+        const shown = await read(reader);
+        const shot = (name: string) => join(SHOTS, `report-${language}-${set}${name}.png`);
+        await shown.screenshot({ path: shot(''), fullPage: true });
+        await shown.setViewportSize({ width: 360, height: 740 });
+        expect(await overflow(shown)).toBeLessThanOrEqual(0);
+        await shown.setViewportSize({ width: PAPER_PX, height: 1000 });
+        await shown.emulateMedia({ media: 'print' });
+        await shown.screenshot({ path: shot('-paper'), fullPage: true });
+        const wide = await shown.evaluate(
+          (width) =>
+            [...document.querySelectorAll('table')]
+              .filter((table) => table.scrollWidth > width)
+              .map((table) => `${table.caption?.textContent}: ${table.scrollWidth} px`),
+          PAPER_PX,
+        );
+        expect(wide).toEqual([]);
+      });
+
+      test('no words of its figures leave the sheet or lie over each other', async () => {
+        const found = await drawings(await read(reader));
+        expect(found.length).toBeGreaterThan(10);
+        expect(found.flatMap(troublesOf)).toEqual([]);
+      });
+    },
+  );
+
+  test('figures are saved in it, data stay as they are', async () => {
+    const tabs = await page.getByRole('tab').all();
+    for (const tab of tabs) {
+      await tab.click();
+      const svg = await saved('SVG');
+      const texts = [...svg.matchAll(/<(?:title|desc|text)[^>]*>(?:<tspan[^>]*>)?([^<]+)/g)];
+      expect(texts.length).toBeGreaterThan(5);
+      for (const [, said] of texts) expect(said).not.toMatch(ENGLISH);
+    }
+    expect((await saved('PNG')).slice(1, 4)).toBe('PNG');
+    expect(await saved(words('page-keep-csv'))).toMatch(/^file,drop,/);
+    const document = JSON.parse(await saved(words('page-keep-json')));
+    expect(document.drops[0].diagnostics[0].message).not.toMatch(ENGLISH);
+  });
+
+  test('what is refused is said in it, and in English when that is chosen', async () => {
+    await page.goto(`${site.url}#lab?mass_g=0.01&diameter_mm=100`);
+    await page.getByText(FLOATS[language] ?? '').waitFor();
+    const choice = page.getByRole('combobox', { name: words('page-app-language') });
+    await choice.selectOption('en');
+    await page.getByText(/The ball weighs .* so it floats/).waitFor();
+  });
+});
