@@ -184,7 +184,8 @@ describe('whatever the fonts', () => {
     await follow(third.page, 'Drops');
     await third.page.getByLabel(/^Links of other/).fill(`Anna ${address}\nBob ${changed}`);
     await third.page.getByRole('button', { name: 'Add to this table' }).click();
-    await third.page.getByText('Drops added: 1. Links that cannot be used: 1.').waitFor();
+    await third.page.getByText('1 drop was added.').waitFor();
+    await third.page.getByRole('alert').getByText('This link of a drop cannot be used.').waitFor();
     expect(await third.page.getByLabel(/^Name of /).count()).toBe(1);
     for (const { page } of [{ page: third.page }, other]) await page.context().close();
     await page.context().close();

@@ -20,6 +20,8 @@ import type {
   SimulationRequest,
   SimulationRun,
   SoFar,
+  Studied,
+  StudyRequest,
 } from './engine/types.ts';
 import { LabError } from './error.ts';
 import { listOf } from './pasted.ts';
@@ -209,6 +211,11 @@ export class Lab {
     return result;
   }
 
+  /** Analyses drops that are not those in the workspace: no later call takes its place. */
+  analyseBeside(request: AnalysisRequest): Promise<Analysed> {
+    return this.#back.call('analyse', { request });
+  }
+
   /**
    * A figure of a drop as a chart, by a name from `Analysed.figures`. The worker that made the analysis
    * remembers it.
@@ -258,6 +265,18 @@ export class Lab {
   /** The drop at the end of a link. */
   linkedDrop(code: string): Promise<LinkedDrop> {
     return this.#alone(true, undefined, (connection) => connection.call('linkedDrop', { code }));
+  }
+
+  /** What drops say together. */
+  study(request: StudyRequest): Promise<Studied> {
+    return this.#alone(true, undefined, (connection) => connection.call('study', { request }));
+  }
+
+  /** The report of it as one HTML file. */
+  studyReport(request: StudyRequest): Promise<string> {
+    return this.#alone(true, undefined, (connection) =>
+      connection.call('studyReport', { request }),
+    );
   }
 
   /** Simulates a drop under one or more drag laws. */
