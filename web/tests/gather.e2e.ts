@@ -1,4 +1,4 @@
-/** A class in the table of drops: files, ZIP files and links at once, groups, and what becomes of damaged ones. */
+/** A class in the table of drops: files, ZIP files and links at once, groups, what becomes of damaged ones; lesson sheets. */
 import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { BlobReader, BlobWriter, ZipWriter } from '@zip.js/zip.js/lib/zip-core-custom.js';
@@ -7,7 +7,7 @@ import { afterAll, beforeAll, expect, test } from 'vitest';
 import { launch } from './harness/browser.ts';
 import { folder, synth } from './harness/program.ts';
 import { Site } from './harness/site.ts';
-import { overflow, violations } from './support/layout.ts';
+import { overflow, printedPages, violations } from './support/layout.ts';
 import { keepAs, open, settled, still } from './support/page.ts';
 
 const SHOTS = join(import.meta.dirname, 'screenshots');
@@ -146,6 +146,24 @@ test.each([
   await page.keyboard.press('Space');
   await groups.locator('.notice').waitFor();
   expect(await groups.locator('td', { hasText: 'golf, wood' }).count()).toBe(0);
+  expect(troubles).toEqual([]);
+  await page.context().close();
+});
+
+test.each([
+  ['en-GB', 'How bouncy is a ball?'],
+  ['de-DE', 'Wie gut springt ein Ball?'],
+] as const)('lesson sheets print on two pages, %s', async (locale, title) => {
+  const { page, troubles } = await open(browser, `${site.url}#drops`, { locale });
+  const links = page.locator('a[href^="lessons/"]');
+  expect(await links.first().innerText()).toBe(title);
+  const addresses = await links.evaluateAll((all) => all.map((a) => (a as HTMLAnchorElement).href));
+  expect(addresses.length).toBe(3);
+  for (const address of addresses) {
+    await page.goto(address);
+    expect(await printedPages(page, 'A4'), address).toBe(2);
+    expect(await violations(page), address).toEqual([]);
+  }
   expect(troubles).toEqual([]);
   await page.context().close();
 });

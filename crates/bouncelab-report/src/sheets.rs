@@ -19,6 +19,7 @@ use bouncelab::setup::Settings;
 use maud::{DOCTYPE, Markup, html};
 
 use crate::MARK;
+use crate::digits::with_minus;
 use crate::messages::{Translator, Value};
 
 /// The name of the style, which lies beside the sheets: the page allows no styles within.
@@ -236,7 +237,7 @@ impl Sheet {
             ],
             to_fill: (
                 vec!["ball", "first", "second", "third", "ratio", "restitution"],
-                6,
+                9,
             ),
             expected: (
                 vec!["ball", "terminal", "speed", "share", "first", "ratio"],
@@ -260,7 +261,7 @@ impl Sheet {
                 fixed(first_s, 4),
                 fixed(second_s, 4),
                 fixed(gravity, 2),
-                fixed(percent_off(gravity), 1),
+                with_minus(&fixed(percent_off(gravity), 1)),
             ])
         };
         let rows = BALLS.iter().rev().map(|ball| row(ball, true));

@@ -40,7 +40,7 @@ sheet-bounciness-see = Ein Ball ({ $ball }) aus { $height } cm für mehrere Wert
 sheet-bounciness-talk-1 = Warum verrät die Dauer eines Flugs das Tempo, mit dem er begann?
 sheet-bounciness-talk-2 = Die Höhe eines Sprungs ist das e²-fache der vorigen. Wie hoch ist Sprung 5 deines besten Balls?
 sheet-bounciness-talk-3 = Drei Versuche mit demselben Ball unterscheiden sich. Liegt es am Ball, am Boden oder am Loslassen?
-sheet-bounciness-teacher-1 = Ohne Luft wäre T₂ / T₁ = e. Der Unterschied in der Tabelle ist die Luft allein: { $off } % bei e = 0,90. Die Seite rechnet die Luft aus ihrem e heraus.
+sheet-bounciness-teacher-1 = Ohne Luft wäre T₂ / T₁ = e. Der Unterschied in der Tabelle ist fast nur die Luft: { $off } % bei e = 0,90. Die Seite rechnet die Luft aus ihrem e heraus.
 
 sheet-air-title = Wie viel nimmt die Luft?
 sheet-air-aim = Luft bremst jeden Ball, am meisten einen leichten und großen. Du misst, wie sehr, mit Flugzeiten, die ohne Luft alle im selben Verhältnis kürzer würden.

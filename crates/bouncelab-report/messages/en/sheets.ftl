@@ -40,7 +40,7 @@ sheet-bounciness-see = A { $ball } ball from { $height } cm, for several values 
 sheet-bounciness-talk-1 = Why does the time of a flight tell the speed at which it began?
 sheet-bounciness-talk-2 = The height of a bounce is e² times the one before. How high is bounce 5 of your best ball?
 sheet-bounciness-talk-3 = Three drops of the same ball differ. Is it the ball, the floor or the way you let go?
-sheet-bounciness-teacher-1 = Without air, T₂ / T₁ = e. The difference in the table is the air alone: { $off } % for e = 0.90. The page takes the air out of its e.
+sheet-bounciness-teacher-1 = Without air, T₂ / T₁ = e. The difference in the table is nearly all the air: { $off } % for e = 0.90. The page takes the air out of its e.
 
 sheet-air-title = How much does air take?
 sheet-air-aim = Air slows every ball, a light and large one most. You measure by how much, with flight times that would all shrink by the same factor if there were no air.
