@@ -1,11 +1,11 @@
 /** What kept drops say together, by groups. */
-import { computed, signal } from '@preact/signals';
+import { signal } from '@preact/signals';
 import type { StudyRequest } from '../lab/index.ts';
-import { type KeptDrop, putDrop } from '../store/drops.ts';
+import type { KeptDrop } from '../store/drops.ts';
 import { text } from '../text/language.ts';
 import { ballName } from '../text/names.ts';
 import { catalogue } from './engine.ts';
-import { kept, loadKept } from './keeping.ts';
+import { alter, kept } from './keeping.ts';
 import { measureMarks } from './measuring.ts';
 
 /** What drops can be compared by. */
@@ -59,15 +59,21 @@ export function studyOf(drops: readonly KeptDrop[], made: string | null): StudyR
   };
 }
 
-/** Drops that an earlier version kept, or that were kept before the inference was done. */
-const incomplete = computed(() => kept.value.filter(({ comparable }) => comparable === undefined));
+/** Analyses drops of which it is not known what they add: an earlier version kept them, or others saved them. */
+export function complete(): Promise<void> {
+  completing ??= completeEach().finally(() => {
+    completing = undefined;
+  });
+  return completing;
+}
 
-/** Analyses what must be known of drops to compare them. */
-export async function complete(): Promise<void> {
-  const drops = incomplete.peek();
-  for (const drop of drops) {
-    const measured = await measureMarks([drop.marks], drop.settings).catch(() => []);
-    await putDrop({ ...drop, comparable: measured[0]?.comparable ?? null });
+/** One at a time, however often it is asked for. */
+let completing: Promise<void> | undefined;
+
+async function completeEach(): Promise<void> {
+  for (const { id, marks, settings, comparable } of kept.peek()) {
+    if (comparable !== undefined) continue;
+    const measured = await measureMarks([marks], settings).catch(() => undefined);
+    if (measured) await alter(id, { comparable: measured[0]?.comparable ?? null });
   }
-  if (drops.length > 0) await loadKept();
 }

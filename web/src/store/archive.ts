@@ -146,7 +146,13 @@ export function dropsOfList({ schema, drops }: { schema?: unknown; drops?: unkno
   const [format, version] = String(schema).split('/');
   if (format === LIST_FORMAT && Number(version) > LIST_VERSION) throw new ArchiveError('newer');
   if (format !== LIST_FORMAT || !isListOf(drops, isDrop)) throw new ArchiveError('damaged');
-  return drops.map((drop) => ({ ...upToDate(drop), recording: null }));
+  return drops.map((drop) => ({ ...foreign(drop), recording: null }));
+}
+
+/** A drop that comes from elsewhere: what it adds to a study is found out here. */
+function foreign(drop: KeptDrop): KeptDrop {
+  const { comparable, ...others } = upToDate(drop);
+  return others;
 }
 
 /** The list, if it is one that this version understands. */
@@ -160,7 +166,7 @@ function contentsOf(list: unknown): Contents {
   }
   const known = new Set<string | null>([null, ...recordings.map(({ id }) => id)]);
   if (!drops.every(({ recording }) => known.has(recording))) throw new ArchiveError('damaged');
-  return { drops: drops.map(upToDate), recordings };
+  return { drops: drops.map(foreign), recordings };
 }
 
 const isListOf = <T>(list: unknown, is: (value: unknown) => value is T): list is T[] =>

@@ -118,7 +118,7 @@ test('thirty phones, thirty links, one table: each group holds its truth', async
     expect(low, `${name}: ${row}`).toBeLessThanOrEqual(restitution);
     expect(high, `${name}: ${row}`).toBeGreaterThanOrEqual(restitution);
     // An interval as wide as the truth allows would say nothing.
-    expect(high - low, `${name}: ${row}`).toBeLessThan(0.02);
+    expect(high - low, `${name}: ${row}`).toBeLessThan(0.01);
   }
 
   // Of thirty intervals of 95 % at least 25 hold their truth in 99.7 % of all classes.

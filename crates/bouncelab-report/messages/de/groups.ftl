@@ -75,5 +75,5 @@ session-no-inference = kein Versuch hat eine Auswertung, die sich vergleichen li
 session-no-speed = kein Versuch kennt seine Stoßzahl bei { $speed } m/s: seine Aufpralle sind langsamer oder schneller
 session-unknown-there = er kennt seine Stoßzahl bei { $speed } m/s nicht
 session-one-drop = Ein Versuch allein sagt nichts über die Streuung zwischen Versuchen und darum nichts über den Bereich eines Mittels: Lass den Ball mehrmals fallen.
-session-one-group = Alle Versuche sind in einer Gruppe, es gibt also nichts zu vergleichen. Ein Unterschied braucht zwei Gruppen: mit einem anderen Ball, auf einer anderen Unterlage oder von einer anderen Person.
+session-one-group = Alle Versuche sind in einer Gruppe, es gibt also nichts zu vergleichen. Ein Unterschied braucht zwei Gruppen: mit einem anderen Ball, auf einem anderen Untergrund oder von einer anderen Person.
 session-no-curve = seine Stoßzahl ist bei keinem Tempo bekannt: zu wenige Aufpralle, oder ihr Tempo unterscheidet sich zu wenig

@@ -464,10 +464,10 @@ page-drops-links-do = In diese Tabelle aufnehmen
 page-drops-unavailable = Der Browser hebt hier nichts auf (ein privates Fenster?).
 
 page-class-ball = Ball
-page-class-surface = Unterlage
+page-class-surface = Untergrund
 page-class-student = Schüler
 page-class-ball-of = Ball von { $name }
-page-class-surface-of = Unterlage von { $name }
+page-class-surface-of = Untergrund von { $name }
 page-class-student-of = Schüler von { $name }
 page-class-add = Versuche hinzufügen
 page-class-add-hint = Dateien jeder Art, die diese Seite speichert oder öffnet, beliebig viele, auch als ZIP; und Links. Was beschädigt ist, wird genannt, der Rest hinzugefügt.

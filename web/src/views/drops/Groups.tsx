@@ -1,4 +1,4 @@
-import { useEffect } from 'preact/hooks';
+import { useEffect, useState } from 'preact/hooks';
 import { Blocks, Sections } from '../../app/Blocks.tsx';
 import { saveText } from '../../app/save.ts';
 import { useAnswer } from '../../chart/Figure.tsx';
@@ -9,12 +9,14 @@ import { text } from '../../text/language.ts';
 
 /** What the drops say together, by groups: the study of the program. */
 export function Groups({ drops }: { readonly drops: readonly KeptDrop[] }) {
+  const [tried, setTried] = useState(false);
   const unknown = drops.filter(({ comparable }) => comparable === undefined).length;
-  useEffect(() => void complete(), [unknown]);
+  useEffect(() => void complete().finally(() => setTried(true)), [unknown]);
   const request = studyOf(drops, null);
+  const isReady = tried || unknown === 0;
   const studied = useAnswer(
-    async () => (unknown > 0 ? undefined : engine().study(request)),
-    [unknown, request],
+    async () => (isReady ? engine().study(request) : undefined),
+    [isReady, request],
   );
   return (
     <div class="stack wide groups" aria-busy={!studied}>
