@@ -79,21 +79,23 @@ test('files, a ZIP with damaged ones, and links: each drop once, with its studen
   await keepAs(page, 'Anna');
   await page.goto(`${site.url}#drops`);
   const list = await saved(page, 'Save all (JSON)');
+  const archive = await saved(page, 'Save all with sound (ZIP)');
   await page.context().close();
 
   const wav = readFileSync(golf('2', 0.81));
   const zip = await zipOf([
     ['up/Ben_12_assignsubmission_file_/drop.wav', new Blob([wav])],
-    ['up/Cleo_13_assignsubmission_file_/data.json', blobOf(document)],
+    ['up/Cleo_13_assignsubmission_file_/bouncelab-drops.zip', blobOf(archive)],
     ['up/Dan_14_assignsubmission_file_/essay.pdf', new Blob(['%PDF-1.7 an essay'])],
     ['up/Eve_15_assignsubmission_file_/table.json', new Blob(['{"schema": "bouncelab.kept'])],
+    ['up/Gil_17_assignsubmission_file_/data.json', blobOf(document)],
     ['up/Flo_16_assignsubmission_file_/drop.wav', new Blob([wav.subarray(0, 30)])],
   ]);
   const third = golf('3', 0.805);
   const { page: teacher, troubles } = await open(browser, `${site.url}#lab?ball=golf`);
   await teacher.getByRole('link', { name: 'Drops', exact: true }).click();
   await add(teacher, [zip, list, third]);
-  await teacher.getByText('3 drops were added. 1 is in the table already.').waitFor();
+  await teacher.getByText('3 drops were added. 2 are in the table already.').waitFor();
   const refused = await teacher.getByRole('alert').allInnerTexts();
   expect(refused.map((words) => words.split(':')[0]).sort()).toEqual([
     'up/Dan_14_assignsubmission_file_/essay.pdf',
@@ -104,8 +106,8 @@ test('files, a ZIP with damaged ones, and links: each drop once, with its studen
   await teacher.getByRole('button', { name: 'Add to this table' }).click();
   await teacher.getByText('Nothing in it is new. 1 is in the table already.').waitFor();
   expect(await table(teacher)).toEqual([
+    ['Anna', 'golf', '', 'Cleo'],
     ['drop', 'golf', '', 'Ben'],
-    ['data', 'golf', '', 'Cleo'],
     ['3', 'golf', '', '3'],
   ]);
   expect(troubles).toEqual([]);

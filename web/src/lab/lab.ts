@@ -48,6 +48,19 @@ export interface OpenOptions {
 const LARGEST_FILE_BYTES = 512e6;
 
 /**
+ * Refuses a file of this size if it is too large to be opened.
+ *
+ * @throws LabError
+ */
+export function mustFit(name: string, bytes: number): void {
+  if (bytes <= LARGEST_FILE_BYTES) return;
+  const megabytes = Math.round(bytes / 1e6);
+  throw new LabError('too-long', `${name} is too large for a browser (${megabytes} MB)`, {
+    reason: { code: 'too-large', megabytes },
+  });
+}
+
+/**
  * The laboratory: the science, in workers beside the page.
  *
  * ```ts
@@ -101,12 +114,7 @@ export class Lab {
    */
   async open(file: File | { name: string; blob: Blob }, options: OpenOptions = {}) {
     const blob = file instanceof File ? file : file.blob;
-    if (blob.size > LARGEST_FILE_BYTES) {
-      const megabytes = Math.round(blob.size / 1e6);
-      throw new LabError('too-long', `${file.name} is too large for a browser (${megabytes} MB)`, {
-        reason: { code: 'too-large', megabytes },
-      });
-    }
+    mustFit(file.name, blob.size);
     const bytes = await blob.arrayBuffer().catch((reason: unknown) => {
       throw new LabError('damaged', `${file.name} cannot be read: ${String(reason)}`, {
         reason: { code: 'unreadable' },

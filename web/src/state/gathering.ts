@@ -3,7 +3,7 @@
  * something else is named, the rest is kept; a drop that is in the table already is not added again.
  */
 import { codesIn } from '../address/drop.ts';
-import { type DropMarks, LabError, type Settings } from '../lab/index.ts';
+import { type DropMarks, LabError, mustFit, type Settings } from '../lab/index.ts';
 import {
   ArchiveError,
   dropsOfList,
@@ -34,6 +34,8 @@ export interface Gathered {
 /** A file, wherever it lies. */
 interface Named {
   readonly path: string;
+  /** In bytes, once it is unpacked. */
+  readonly size: number;
   blob(): Promise<Blob>;
 }
 
@@ -90,24 +92,27 @@ async function* sourcesOf(
 ): AsyncGenerator<Source> {
   const named = files.map((file) => ({
     path: file.webkitRelativePath || file.name,
+    size: file.size,
     blob: async () => file,
   }));
-  yield* sourcesIn(named, 0, refused);
+  yield* sourcesIn(named, '', 0, refused);
   yield* codesIn(pasted).map((code) => link(code, ''));
 }
 
 /** A ZIP in a ZIP is what a student saved; deeper ones are not looked into. */
 const DEEPEST = 1;
 
+/** All files are those of `owner`, if one is named. */
 async function* sourcesIn(
   files: readonly Named[],
+  owner: string,
   depth: number,
   refused: Fault[],
 ): AsyncGenerator<Source> {
   const seen = files.filter(({ path }) => !/(^|\/)(\.|__MACOSX\/|Thumbs\.db$)/.test(path));
   const students = studentsOf(seen.map(({ path }) => path));
   for (const [place, file] of seen.entries()) {
-    const student = students[place] ?? '';
+    const student = owner || (students[place] ?? '');
     try {
       yield* sourcesInFile(file, student, depth, refused);
     } catch (error) {
@@ -126,9 +131,14 @@ async function* sourcesInFile(
   if (ending === 'zip' && depth <= DEEPEST) {
     const blob = await file.blob();
     const inside = await filesIn(blob);
-    if (isArchive(inside)) yield archived(file.path, blob);
-    else yield* sourcesIn(inside, depth + 1, refused);
-  } else if (ending === 'json') {
+    // What is not in another ZIP has the name of the class, or of a copy of the table.
+    const owner = depth === 0 ? '' : student;
+    if (isArchive(inside)) yield archived(file.path, blob, owner);
+    else yield* sourcesIn(inside, owner, depth + 1, refused);
+    return;
+  }
+  mustFit(file.path, file.size);
+  if (ending === 'json') {
     yield listed(file, student);
   } else {
     const codes = MAY_HOLD_LINKS.has(ending) ? codesIn(await (await file.blob()).text()) : [];
@@ -140,11 +150,12 @@ async function* sourcesInFile(
 const MAY_HOLD_LINKS = new Set(['txt', 'csv', 'md', 'url', 'html', 'htm']);
 
 /** What this page saved with all sounds. */
-const archived = (name: string, blob: Blob): Source => ({
+const archived = (name: string, blob: Blob, student: string): Source => ({
   name,
   add: async (isNew) => {
     const { drops, sounds } = await unpack(blob);
-    return { added: await keepArchived(drops.filter(isNew), sounds), all: drops };
+    const theirs = drops.map((drop) => ({ ...drop, student: drop.student || student }));
+    return { added: await keepArchived(theirs.filter(isNew), sounds), all: drops };
   },
 });
 
