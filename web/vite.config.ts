@@ -1,12 +1,18 @@
 import { defineConfig } from 'vitest/config';
 import { compressed } from './build/compress.ts';
+import { lessons } from './build/lessons.ts';
 import { contentSecurityPolicy } from './build/policy.ts';
 import { precache } from './build/precache.ts';
 
 export default defineConfig({
   // Static files that work in any folder of any web server.
   base: './',
-  plugins: [contentSecurityPolicy(), precache({ source: 'src/sw.ts' }), compressed()],
+  plugins: [
+    contentSecurityPolicy(),
+    lessons({ folder: '../docs/lessons' }),
+    precache({ source: 'src/sw.ts' }),
+    compressed(),
+  ],
   build: {
     target: 'es2022',
     outDir: 'dist',

@@ -2,7 +2,7 @@
 //! a language.
 //!
 //! What the page in a browser says by itself, it reads by itself. The engine in a browser gets English
-//! only, without what a terminal says; the page loads the other languages when a reader chooses them.
+//! only, without what a terminal or a lesson sheet says; the page loads the other languages when a reader chooses them.
 
 #![expect(clippy::disallowed_methods, reason = "names of files of the project")]
 
@@ -13,7 +13,8 @@ use std::io;
 use std::path::{Path, PathBuf};
 
 const OF_PAGE: &str = "page.ftl";
-const OF_TERMINAL: &str = "terminal.ftl";
+/// What the engine in a browser never says.
+const NOT_OF_ENGINE: [&str; 2] = ["terminal.ftl", "sheets.ftl"];
 
 fn main() -> io::Result<()> {
     let out = env::var_os("OUT_DIR").expect("cargo names it");
@@ -37,7 +38,7 @@ fn messages(out: &Path) -> io::Result<()> {
         write!(code, "({name:?}, &[").expect("a string takes all");
         for file in sorted(&language)? {
             let name = file_name(&file);
-            if name != OF_PAGE && !(browser && name == OF_TERMINAL) {
+            if name != OF_PAGE && !(browser && NOT_OF_ENGINE.contains(&name)) {
                 write!(code, "include_str!(r#\"{}\"#), ", file.display())
                     .expect("a string takes all");
             }

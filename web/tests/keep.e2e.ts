@@ -29,8 +29,7 @@ const demo = async (page: Page): Promise<void> => {
 };
 
 /** Adds a file to the table of drops. */
-const add = (page: Page, file: string) =>
-  page.getByLabel('Saved ZIP with kept drops').setInputFiles(file);
+const add = (page: Page, file: string) => page.getByLabel('Files with drops').setInputFiles(file);
 
 const names = (page: Page) =>
   page

@@ -91,7 +91,7 @@ describe.each(FONT_SETS.map((fonts) => [nameOf(fonts), fonts] as const))(
         await page.locator('.keep [role=status]', { hasText: drop }).waitFor();
       }
       await page.goto(`${site.url}#drops`);
-      await page.locator('tbody tr').nth(2).waitFor();
+      await page.locator('table.wide tbody tr').nth(2).waitFor();
       await look(page, name('drops'));
       expect(troubles).toEqual([]);
       await page.context().close();
@@ -109,7 +109,7 @@ describe('whatever the fonts', () => {
     for (const name of ['Anna', 'Ben']) await keepAs(page, name);
     await page.goto(`${site.url}#drops`);
     await page.reload();
-    const rows = page.locator('tbody tr');
+    const rows = page.locator('table.wide tbody tr');
     await rows.nth(1).waitFor();
     await page.getByRole('button', { name: 'Delete Ben' }).click();
     await page.getByText('“Ben” was deleted.').waitFor();
@@ -184,7 +184,8 @@ describe('whatever the fonts', () => {
     await follow(third.page, 'Drops');
     await third.page.getByLabel(/^Links of other/).fill(`Anna ${address}\nBob ${changed}`);
     await third.page.getByRole('button', { name: 'Add to this table' }).click();
-    await third.page.getByText('Drops added: 1. Links that cannot be used: 1.').waitFor();
+    await third.page.getByText('1 drop was added.').waitFor();
+    await third.page.getByRole('alert').getByText('This link of a drop cannot be used.').waitFor();
     expect(await third.page.getByLabel(/^Name of /).count()).toBe(1);
     for (const { page } of [{ page: third.page }, other]) await page.context().close();
     await page.context().close();

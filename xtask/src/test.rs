@@ -200,12 +200,20 @@ pub(crate) const CHECKS: [Check; 17] = [
 ];
 
 /// Checks that run only where they are named.
-pub(crate) const ON_REQUEST: [Check; 1] = [Check {
-    name: "cluster",
-    about: "Spark and Ray on clusters of this machine",
-    needs: Needs::Engines,
-    run: cluster::check,
-}];
+pub(crate) const ON_REQUEST: [Check; 2] = [
+    Check {
+        name: "cluster",
+        about: "Spark and Ray on clusters of this machine",
+        needs: Needs::Engines,
+        run: cluster::check,
+    },
+    Check {
+        name: "class",
+        about: "thirty phones, thirty links and one page in a browser",
+        needs: Needs::Browser,
+        run: web::class,
+    },
+];
 
 /// Compiles them first, so that it is seen what takes how long. Benchmarks are left to
 /// `cargo xtask bench`.

@@ -10,6 +10,7 @@ use arrow_buffer::{NullBuffer, OffsetBuffer};
 use arrow_schema::{DataType, Field, Fields, Schema};
 use bouncelab::setup::Settings;
 use bouncelab_report::file::Outputs;
+use bouncelab_report::groups::Question;
 use bouncelab_session::batch::{
     Batch, Failure as RowFailure, FailureCode, Given, Kernel as OneByOne, KernelOptions, Row,
     RowTables,
@@ -212,9 +213,11 @@ impl Results {
         Ok(Self {
             batch: py.detach(|| Batch::open(&path))?,
             options: StudyOptions {
-                by: request.by,
-                at_speed_m_s: request.compare_at_m_s,
-                wanted: request.wanted,
+                question: Question {
+                    by: request.by,
+                    at_speed_m_s: request.compare_at_m_s,
+                    wanted: request.wanted,
+                },
                 exclude: request.exclude,
             },
         })

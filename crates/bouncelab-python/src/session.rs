@@ -7,6 +7,7 @@ use std::thread;
 use std::time::Duration;
 
 use bouncelab::setup::Settings;
+use bouncelab_report::groups::Question;
 use bouncelab_report::messages::Translator;
 use bouncelab_report::report::Provenance;
 use bouncelab_session::journal::Journal;
@@ -99,9 +100,11 @@ impl Session {
             done,
             journal,
             options: StudyOptions {
-                by: request.by,
-                at_speed_m_s: request.compare_at_m_s,
-                wanted: request.wanted,
+                question: Question {
+                    by: request.by,
+                    at_speed_m_s: request.compare_at_m_s,
+                    wanted: request.wanted,
+                },
                 exclude: request.exclude,
             },
             title,
@@ -120,8 +123,12 @@ impl Session {
 
     fn outcome(&self, words: &Translator) -> Result<Outcome<'_>> {
         let mut outcome = Outcome::of(&self.results(), &self.options, words)?;
-        outcome.about.title.clone_from(&self.title);
-        outcome.about.remarks.extend(self.remarks.iter().cloned());
+        outcome.groups.about.title.clone_from(&self.title);
+        outcome
+            .groups
+            .about
+            .remarks
+            .extend(self.remarks.iter().cloned());
         Ok(outcome)
     }
 }

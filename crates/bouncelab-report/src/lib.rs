@@ -48,6 +48,8 @@
 //! | [`link`] | a drop as the end of a link |
 //! | [`paper`] | the paper, recomputed |
 //! | [`report`] | an analysis as a page to read, print and repeat |
+//! | [`groups`] | what many drops say together |
+//! | [`sheets`] | lesson sheets |
 //!
 //! All but [`file`](mod@file) and [`save()`] work in a browser. The feature `pictures` (on by default)
 //! adds [`Chart::png`], [`Chart::pdf`] and [`save()`].
@@ -64,6 +66,7 @@ mod error;
 pub mod figure;
 #[cfg(not(target_family = "wasm"))]
 pub mod file;
+pub mod groups;
 pub mod link;
 pub mod messages;
 pub mod paper;
@@ -74,6 +77,8 @@ pub mod rules;
 #[cfg(all(feature = "pictures", not(target_family = "wasm")))]
 mod save;
 mod scale;
+#[cfg(not(target_family = "wasm"))]
+pub mod sheets;
 mod table;
 pub mod tables;
 pub mod theme;

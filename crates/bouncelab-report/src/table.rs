@@ -13,6 +13,7 @@ use crate::messages::Translator;
 
 /// On which side of its column a text stands.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 pub enum Align {
     /// For words.
     Left,
@@ -37,6 +38,7 @@ pub enum Align {
 /// );
 /// ```
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 pub struct Table {
     header: Vec<String>,
     align: Vec<Align>,

@@ -362,7 +362,7 @@ fn each_row(
 ) -> Result<()> {
     let fields = fields(results);
     let english = Translator::english();
-    let study = outcome.study.as_ref().ok();
+    let study = outcome.groups.study.as_ref().ok();
     let scores = outcome.outlier_scores();
     let has_drops = |place: usize| !outcome.drops_of(place).is_empty();
     results.each(has_drops, |place, key, record| {
@@ -405,7 +405,7 @@ pub(crate) fn tables_of_one(recording: &KnownRecording, key: &Key, record: &Reco
                 drop: &SessionDrop {
                     recording: 0,
                     number,
-                    name: String::new(),
+                    name: "".into(),
                     by_hand: false,
                 },
             },

@@ -5,9 +5,8 @@
 use std::collections::BTreeMap;
 
 use bouncelab::groups::{Difference, Factor, Group, Outlier, Study, Trend, VarianceComponent};
+use bouncelab_report::groups::{About, GroupStudy};
 use serde::Serialize;
-
-use crate::study::Outcome;
 
 /// Name and version of the schema.
 pub const SCHEMA: &str = "bouncelab.session/2";
@@ -19,44 +18,8 @@ pub struct SessionDocument<'a> {
     /// Version of the program that made it.
     bouncelab: &'static str,
     #[serde(flatten)]
-    about: &'a AboutSession,
+    about: &'a About,
     study: Option<StudyDocument<'a>>,
-}
-
-/// What is known of a session besides what its drops say together.
-#[derive(Debug, Clone, Default, PartialEq, Serialize)]
-pub struct AboutSession {
-    /// What it is called.
-    pub title: Option<String>,
-    /// How many recordings there are.
-    pub recordings: usize,
-    /// How many drops were detected.
-    pub drops: usize,
-    /// Recordings without a drop, with the reason.
-    pub without_drop: Vec<Reason>,
-    /// Recordings that could not be read, with the reason.
-    pub failed: Vec<Reason>,
-    /// Recordings with the same content as another, which counts, with its name as the reason.
-    pub duplicates: Vec<Reason>,
-    /// Drops that are not in the study, with the reason.
-    pub left_out: Vec<Reason>,
-    /// Drops of which there is something to know, with what it is.
-    pub odd: Vec<Reason>,
-    /// What to know of the session as a whole.
-    pub remarks: Vec<String>,
-    /// What nobody noted, and so was assumed.
-    pub assumptions: Vec<String>,
-    /// Why there is no study.
-    pub no_study: Option<String>,
-}
-
-/// A recording or drop, and something about it.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
-pub struct Reason {
-    /// What it is called.
-    pub name: String,
-    /// What there is to say.
-    pub reason: String,
 }
 
 #[derive(Debug, Clone, Serialize)]
@@ -104,21 +67,21 @@ enum Names<'a> {
 }
 
 impl<'a> SessionDocument<'a> {
-    /// The document of an outcome.
-    pub fn new(outcome: &'a Outcome<'_>) -> Self {
-        let study = outcome.study.as_ref().ok();
+    /// The document of drops.
+    pub fn new(groups: &'a GroupStudy) -> Self {
+        let study = groups.study.as_ref().ok();
         Self {
             schema: SCHEMA,
             bouncelab: env!("CARGO_PKG_VERSION"),
-            about: &outcome.about,
-            study: study.map(|study| StudyDocument::new(study, outcome)),
+            about: &groups.about,
+            study: study.map(|study| StudyDocument::new(study, groups)),
         }
     }
 }
 
 impl<'a> StudyDocument<'a> {
-    fn new(study: &'a Study, outcome: &'a Outcome<'_>) -> Self {
-        let factors = &outcome.factors;
+    fn new(study: &'a Study, groups: &'a GroupStudy) -> Self {
+        let factors = &groups.factors;
         let name = |factor: usize| factors[factor].name.as_str();
         let names = |factors: &[usize]| factors.iter().map(|&factor| name(factor)).collect();
         let differences = study.differences.iter().flat_map(|(factor, differences)| {
@@ -131,7 +94,7 @@ impl<'a> StudyDocument<'a> {
             named(differences, pair)
         });
         let levels = |group: &Group| {
-            let of = std::iter::zip(&outcome.by, &group.levels).map(|(&factor, level)| {
+            let of = std::iter::zip(&groups.by, &group.levels).map(|(&factor, level)| {
                 let level = level.map(|level| factors[factor].levels[level].as_str());
                 (name(factor), level)
             });
@@ -141,7 +104,7 @@ impl<'a> StudyDocument<'a> {
         };
         Self {
             at_speed_m_s: study.at_speed_m_s,
-            by: names(&outcome.by),
+            by: names(&groups.by),
             all: Named {
                 names: Names::Levels {
                     levels: BTreeMap::new(),
@@ -159,7 +122,7 @@ impl<'a> StudyDocument<'a> {
             })
             .collect(),
             outliers: named(&study.outliers, |outlier| Names::Drop {
-                name: outcome.name_of(outlier.drop),
+                name: groups.name_of(outlier.drop),
             })
             .collect(),
         }

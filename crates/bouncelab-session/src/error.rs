@@ -4,6 +4,7 @@ use std::fmt;
 use std::path::{Path, PathBuf};
 
 use bouncelab_report::advice;
+use bouncelab_report::groups::UnknownField;
 
 use crate::name::shown;
 
@@ -166,5 +167,11 @@ impl fmt::Display for AtPlace {
             (Some(line), None) => write!(f, ", line {line}"),
             (None, _) => Ok(()),
         }
+    }
+}
+
+impl From<UnknownField> for Error {
+    fn from(UnknownField { name, known }: UnknownField) -> Self {
+        Self::UnknownField { name, known }
     }
 }

@@ -14,9 +14,8 @@
 //! | [`journal`] | the results so far |
 //! | [`complete`] | analyses one recording if needed |
 //! | [`batch`] | rows of recordings on a cluster |
-//! | [`Outcome`] | statistics of the drops |
+//! | [`Outcome`] | statistics of the drops, which [`bouncelab_report::groups`] shows |
 //! | [`figures()`] | figures of the statistics |
-//! | [`summary`] | tables of the statistics, to read |
 //! | [`report()`] | the report as a page |
 //! | [`SessionDocument`] | the statistics as JSON |
 //! | [`table`] | tables as Parquet, CSV and JSON lines |
@@ -43,17 +42,16 @@ mod recordings;
 mod report;
 mod results;
 mod study;
-pub mod summary;
 pub mod table;
 mod work;
 
 pub use archive::Entry;
 pub use columns::{RecordingTables, tables, write_tables};
-pub use document::{AboutSession, Reason, SCHEMA, SessionDocument};
+pub use document::{SCHEMA, SessionDocument};
 pub use error::{Error, Result};
 pub use figures::figures;
 pub use metadata::{Advice, KnownRecording, Metadata, MetadataOptions, Noted};
-pub use name::{name, some_of};
+pub use name::name;
 pub use notes::{Note, Notes};
 pub use pattern::Pattern;
 pub use record::{DropRecord, FitRecord, ImpactRecord, PosteriorRecord, RECORD, Record};

@@ -5,13 +5,13 @@ use std::sync::Arc;
 
 use bouncelab::setup::{Settings, Setup};
 use bouncelab::{Diagnostic, Options, ball, plausibility};
+use bouncelab_report::groups::some_of;
 use bouncelab_report::messages::Translator;
 use bouncelab_report::units;
 
 use crate::error::{Error, Result};
 use crate::hash::{Hash, hash_of};
 use crate::journal::Key;
-use crate::name::some_of;
 use crate::notes::{Note, Notes};
 use crate::record::{RECORD, Record};
 use crate::recordings::{Recording, Session};

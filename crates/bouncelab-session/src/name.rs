@@ -52,17 +52,6 @@ pub(crate) fn without_name<'a>(message: &'a str, name: &str) -> &'a str {
     }
 }
 
-/// The first few of many names.
-pub fn some_of(names: &[String]) -> String {
-    const SHOWN: usize = 4;
-    match names.len() {
-        count if count > SHOWN + 1 => {
-            format!("{} and {} more", names[..SHOWN].join(", "), count - SHOWN)
-        }
-        _ => names.join(", "),
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -5,11 +5,12 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use bouncelab::{Options, Plain};
+use bouncelab_report::groups::some_of;
 
 use crate::archive::{self, Entry};
 use crate::error::{Error, Result};
 use crate::hash::{Hash, hash, hash_of_file};
-use crate::name::{name, shown, some_of};
+use crate::name::{name, shown};
 use crate::notes::{Listed, Note, Notes, SessionFile, read_csv};
 use crate::pattern::Pattern;
 use crate::record::Record;

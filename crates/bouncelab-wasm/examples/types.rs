@@ -71,6 +71,8 @@ fn declarations() -> String {
     all.declare::<wire::Drawn>();
     all.declare::<LinkedDrop>();
     all.declare::<wire::DropLink>();
+    all.declare::<wire::StudyRequest>();
+    all.declare::<wire::Studied>();
     all.declare::<wire::SimulationRequest>();
     all.declare::<wire::SceneRequest>();
     all.declare::<wire::SimulationRun>();

@@ -12,7 +12,7 @@ use bouncelab_report::{Chart, csv};
 
 use crate::refusal::{Result, unknown};
 use crate::simulator;
-use crate::wire::{Analysed, AnalysisRequest, Drawn, DropMarks, SimulationRequest};
+use crate::wire::{Analysed, AnalysisRequest, Comparable, Drawn, DropMarks, SimulationRequest};
 
 /// So many analyses of single drops are remembered: those of a recording with many drops, and of
 /// the last few edits.
@@ -97,6 +97,7 @@ impl Analysis<'_> {
             ball: &self.setup.ball_label,
             questions,
             figures: self.figures(),
+            comparable: self.result.drops.iter().map(comparable).collect(),
         }
     }
 
@@ -171,6 +172,10 @@ impl Analysis<'_> {
         let header = csv::line(&rows::HEADER);
         header + &rows.iter().map(|row| csv::line(row)).collect::<String>()
     }
+}
+
+fn comparable(drop: &Drop) -> Option<Comparable> {
+    drop.posterior.as_ref().ok().map(Comparable::from)
 }
 
 /// A figure as a picture, and as data.

@@ -10,6 +10,8 @@ use bouncelab_audio::{Source, Warning};
 use bouncelab_report::link::LinkedDrop;
 use wasm_bindgen::prelude::*;
 
+use crate::groups;
+use crate::language::translator;
 use crate::link;
 use crate::refusal::Result;
 
@@ -100,4 +102,31 @@ pub fn drop_link(drop: &str, page: &str) -> Result<String> {
 #[wasm_bindgen(js_name = linkedDrop)]
 pub fn linked_drop(code: &str) -> Result<String> {
     Ok(serde_json::to_string(&LinkedDrop::of_code(code)?)?)
+}
+
+/// What drops say together, in a language by its code and its files.
+#[expect(
+    clippy::needless_pass_by_value,
+    reason = "JavaScript hands over a vector"
+)]
+#[wasm_bindgen]
+pub fn study(request: &str, code: &str, sources: Vec<String>) -> Result<String> {
+    let studied = groups::study(
+        &serde_json::from_str(request)?,
+        &translator(code, &sources)?,
+    )?;
+    Ok(serde_json::to_string(&studied)?)
+}
+
+/// The report of it as one HTML file.
+#[expect(
+    clippy::needless_pass_by_value,
+    reason = "JavaScript hands over a vector"
+)]
+#[wasm_bindgen(js_name = studyReport)]
+pub fn study_report(request: &str, code: &str, sources: Vec<String>) -> Result<String> {
+    groups::report(
+        &serde_json::from_str(request)?,
+        &translator(code, &sources)?,
+    )
 }

@@ -19,8 +19,9 @@ use wasm_bindgen::prelude::*;
 use crate::analyst::{self, Analyst};
 use crate::catalogue::catalogue;
 use crate::detector::{self, RecordingDetector};
+use crate::language::translator;
 use crate::pyramid::Level;
-use crate::refusal::{Refusal, Result};
+use crate::refusal::Result;
 use crate::simulator;
 use crate::spectrogram::{self, FLOOR_DB};
 use crate::wire::{ComparedDrop, SimulationRequest};
@@ -152,13 +153,7 @@ impl JsTranslator {
     )]
     #[wasm_bindgen(constructor)]
     pub fn new(code: &str, sources: Vec<String>) -> Result<Self> {
-        let sources: Vec<&str> = sources.iter().map(String::as_str).collect();
-        let translator = if sources.is_empty() {
-            Translator::english()
-        } else {
-            Translator::of_sources(code, &sources).map_err(Refusal::fault)?
-        };
-        Ok(Self(translator.for_front_end("page")))
+        Ok(Self(translator(code, &sources)?))
     }
 
     /// The sentence of a diagnostic.

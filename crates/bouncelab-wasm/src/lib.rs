@@ -16,8 +16,10 @@
 //! | [`pyramid`] | envelope at any zoom |
 //! | [`spectrogram`] | spectrogram |
 //! | [`detector`] | drops of a recording |
+//! | [`language`] | messages of a language |
 //! | [`link`](mod@link) | a drop as a link and a QR code |
 //! | [`analyst`] | analysis of impacts |
+//! | [`groups`] | what many drops say together |
 //! | [`simulator`] | simulated drops and their sound |
 
 #![allow(
@@ -32,6 +34,8 @@ pub mod decoders;
 pub mod detector;
 #[cfg(all(target_family = "wasm", feature = "engine"))]
 pub mod engine;
+pub mod groups;
+pub mod language;
 pub mod link;
 pub mod pyramid;
 pub mod refusal;

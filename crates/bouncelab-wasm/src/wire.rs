@@ -3,16 +3,21 @@
 //! Everything is SI with the unit in the name, and `null` is what cannot be told. The page has the
 //! same types in `web/src/lab/engine/types.ts`, which is made from these.
 
+use std::collections::BTreeMap;
+
 use serde::{Deserialize, Serialize};
 #[cfg(not(target_family = "wasm"))]
 use ts_rs::TS;
 
 use bouncelab::air::Conditions;
 use bouncelab::analysis::{Drop, DropCandidate, Source, StrongestBand, renumbered};
+use bouncelab::groups::RestitutionCurve;
+use bouncelab::inference::{Measured, Posterior};
 use bouncelab::setup::Settings;
 use bouncelab::{Diagnostic, Impact};
 use bouncelab_report::document::Document;
 use bouncelab_report::figure::DropSummary;
+use bouncelab_report::report::{Block, Section};
 
 /// The choices that a page can offer.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -159,6 +164,69 @@ pub struct Analysed<'a> {
     pub questions: Vec<Diagnostic>,
     /// Names of the figures that there are of each drop.
     pub figures: Vec<Vec<&'static str>>,
+    /// What each drop adds to a study of many; `null` without an inference.
+    pub comparable: Vec<Option<Comparable>>,
+}
+
+/// What a drop adds to a study of many.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(not(target_family = "wasm"), derive(TS))]
+pub struct Comparable {
+    /// Its restitution, at speeds that all drops share.
+    pub curve: RestitutionCurve,
+    /// Scatter of ln e from impact to impact.
+    pub scatter: Option<Measured>,
+}
+
+impl From<&Posterior> for Comparable {
+    fn from(posterior: &Posterior) -> Self {
+        let scatter = posterior.restitution_scatter;
+        Self {
+            curve: RestitutionCurve::from(posterior),
+            scatter: scatter.known_sd().map(|sd| Measured {
+                value: scatter.value,
+                sd,
+            }),
+        }
+    }
+}
+
+/// Drops that are to be compared, in the order in which they were made.
+#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[cfg_attr(not(target_family = "wasm"), derive(TS))]
+pub struct StudyRequest {
+    /// What they are called together.
+    pub title: String,
+    /// The drops.
+    pub drops: Vec<StudiedDrop>,
+    /// The fields that make groups; one of which nothing is noted makes none.
+    pub by: Vec<String>,
+    /// The day on which a report is made, if it is to say so.
+    pub made: Option<String>,
+}
+
+/// A drop that is to be compared with others.
+#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[cfg_attr(not(target_family = "wasm"), derive(TS))]
+pub struct StudiedDrop {
+    /// What it is called.
+    pub name: String,
+    /// What it is compared by: field and level.
+    pub factors: BTreeMap<String, String>,
+    /// What it adds; `null` where that cannot be told.
+    pub comparable: Option<Comparable>,
+    /// Speed in m/s and restitution of each impact.
+    pub impacts: Vec<[f64; 2]>,
+}
+
+/// What drops say together.
+#[derive(Debug, Serialize)]
+#[cfg_attr(not(target_family = "wasm"), derive(TS))]
+pub struct Studied {
+    /// The answer in words.
+    pub lead: Vec<Block>,
+    /// Tables and figures.
+    pub sections: Vec<Section>,
 }
 
 /// A figure as a picture, and as data.

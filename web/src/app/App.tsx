@@ -7,6 +7,7 @@ import { goToLab } from '../state/settings.ts';
 import { busy } from '../state/workspace.ts';
 import { text } from '../text/language.ts';
 import { Drops } from '../views/drops/Drops.tsx';
+import { gatherHere } from '../views/drops/Gather.tsx';
 import { Laboratory } from '../views/laboratory/Laboratory.tsx';
 import { Paper } from '../views/paper/Paper.tsx';
 import { Simulate } from '../views/simulate/Simulate.tsx';
@@ -107,8 +108,12 @@ function DropZone() {
       if (!hasFile(event)) return;
       event.preventDefault();
       setOver(false);
-      const file = event.dataTransfer?.files[0];
+      const [file, ...others] = event.dataTransfer?.files ?? [];
       if (!file || busy.peek()) return;
+      if (route.peek().view === 'drops') {
+        void gatherHere([file, ...others]);
+        return;
+      }
       goToLab();
       void openFile(file);
     });

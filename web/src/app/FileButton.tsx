@@ -4,15 +4,24 @@ import { useRef } from 'preact/hooks';
 interface Props {
   /** What the hidden field is called. */
   readonly label: string;
-  /** Kinds of files, as of the field. */
-  readonly accept: string;
+  /** Kinds of files, as of the field; all if left out. */
+  readonly accept?: string;
   readonly disabled: boolean;
-  readonly onFile: (file: File) => void;
+  /** Whether several may be chosen at once. */
+  readonly multiple?: boolean;
+  readonly onFiles: (files: readonly File[]) => void;
   readonly children: ComponentChildren;
 }
 
-/** A quiet button that lets the reader choose a file. */
-export function FileButton({ label, accept, disabled, onFile, children }: Props) {
+/** A quiet button that lets the reader choose files. */
+export function FileButton({
+  label,
+  accept = '',
+  disabled,
+  multiple = false,
+  onFiles,
+  children,
+}: Props) {
   const input = useRef<HTMLInputElement>(null);
   return (
     <>
@@ -22,11 +31,12 @@ export function FileButton({ label, accept, disabled, onFile, children }: Props)
         hidden
         aria-label={label}
         accept={accept}
+        multiple={multiple}
         onChange={(event) => {
-          const file = event.currentTarget.files?.[0];
+          const files = [...(event.currentTarget.files ?? [])];
           // The same file may be chosen again after it was changed.
           event.currentTarget.value = '';
-          if (file) onFile(file);
+          if (files.length > 0) onFiles(files);
         }}
       />
       <button

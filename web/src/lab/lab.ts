@@ -20,6 +20,8 @@ import type {
   SimulationRequest,
   SimulationRun,
   SoFar,
+  Studied,
+  StudyRequest,
 } from './engine/types.ts';
 import { LabError } from './error.ts';
 import { listOf } from './pasted.ts';
@@ -44,6 +46,19 @@ export interface OpenOptions {
 
 /** The largest file that is opened: what is in memory at once must fit on a phone. */
 const LARGEST_FILE_BYTES = 512e6;
+
+/**
+ * Refuses a file of this size if it is too large to be opened.
+ *
+ * @throws LabError
+ */
+export function mustFit(name: string, bytes: number): void {
+  if (bytes <= LARGEST_FILE_BYTES) return;
+  const megabytes = Math.round(bytes / 1e6);
+  throw new LabError('too-long', `${name} is too large for a browser (${megabytes} MB)`, {
+    reason: { code: 'too-large', megabytes },
+  });
+}
 
 /**
  * The laboratory: the science, in workers beside the page.
@@ -99,12 +114,7 @@ export class Lab {
    */
   async open(file: File | { name: string; blob: Blob }, options: OpenOptions = {}) {
     const blob = file instanceof File ? file : file.blob;
-    if (blob.size > LARGEST_FILE_BYTES) {
-      const megabytes = Math.round(blob.size / 1e6);
-      throw new LabError('too-long', `${file.name} is too large for a browser (${megabytes} MB)`, {
-        reason: { code: 'too-large', megabytes },
-      });
-    }
+    mustFit(file.name, blob.size);
     const bytes = await blob.arrayBuffer().catch((reason: unknown) => {
       throw new LabError('damaged', `${file.name} cannot be read: ${String(reason)}`, {
         reason: { code: 'unreadable' },
@@ -209,6 +219,11 @@ export class Lab {
     return result;
   }
 
+  /** Analyses drops that are not those in the workspace: no later call takes its place. */
+  analyseBeside(request: AnalysisRequest): Promise<Analysed> {
+    return this.#back.call('analyse', { request });
+  }
+
   /**
    * A figure of a drop as a chart, by a name from `Analysed.figures`. The worker that made the analysis
    * remembers it.
@@ -258,6 +273,18 @@ export class Lab {
   /** The drop at the end of a link. */
   linkedDrop(code: string): Promise<LinkedDrop> {
     return this.#alone(true, undefined, (connection) => connection.call('linkedDrop', { code }));
+  }
+
+  /** What drops say together. */
+  study(request: StudyRequest): Promise<Studied> {
+    return this.#alone(true, undefined, (connection) => connection.call('study', { request }));
+  }
+
+  /** The report of it as one HTML file. */
+  studyReport(request: StudyRequest): Promise<string> {
+    return this.#alone(true, undefined, (connection) =>
+      connection.call('studyReport', { request }),
+    );
   }
 
   /** Simulates a drop under one or more drag laws. */

@@ -19,6 +19,8 @@ import type {
   SimulationRequest,
   SimulationRun,
   SoFar,
+  Studied,
+  StudyRequest,
 } from './engine/types.ts';
 import type { LabRefusal } from './error.ts';
 
@@ -121,6 +123,8 @@ export interface Calls {
   csv: { request: { request: AnalysisRequest }; response: string };
   dropLink: { request: { drop: LinkedDrop; page: string }; response: DropLink };
   linkedDrop: { request: { code: string }; response: LinkedDrop };
+  study: { request: { request: StudyRequest }; response: Studied };
+  studyReport: { request: { request: StudyRequest }; response: string };
   onset: {
     request: { samples: Float32Array; sampleRateHz: number; startS: number; timeS: number };
     response: Impact | null;

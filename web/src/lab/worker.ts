@@ -27,6 +27,7 @@ const MOST_SAMPLE_BYTES = 480e6;
 /** What a call may use besides its request. */
 interface Context {
   readonly translator: science.Translator;
+  readonly messages: Messages;
   progress(share: number): void;
 }
 type Answer<C extends Call> = { response: Response<C>; transfer?: Transferable[] };
@@ -158,6 +159,13 @@ const handlers: Handlers = {
     response: JSON.parse(decoding.dropLink(JSON.stringify(drop), page)),
   }),
   linkedDrop: ({ code }) => ({ response: JSON.parse(decoding.linkedDrop(code)) }),
+
+  study: ({ request }, { messages: { code, sources } }) => ({
+    response: JSON.parse(decoding.study(JSON.stringify(request), code, [...sources])),
+  }),
+  studyReport: ({ request }, { messages: { code, sources } }) => ({
+    response: decoding.studyReport(JSON.stringify(request), code, [...sources]),
+  }),
 
   onset: ({ samples, sampleRateHz, startS, timeS }) => ({
     response: JSON.parse(science.onsetNear(samples, sampleRateHz, startS, timeS)),
@@ -339,7 +347,7 @@ function answer<C extends Call>(
 ): void {
   try {
     const progress = (share: number) => send({ kind: 'progress', id, share });
-    const context = { translator: translatorOf(messages), progress };
+    const context = { translator: translatorOf(messages), messages, progress };
     const { response, transfer } = handlers[call](request, context);
     send({ kind: 'done', id, response }, transfer);
   } catch (error) {

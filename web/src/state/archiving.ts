@@ -1,13 +1,11 @@
-/** All kept drops with their sounds as one file: to save it, and to add what was saved elsewhere. */
-import { ArchiveError, pack, unpack } from '../store/archive.ts';
+/** All kept drops with their sounds as one file: to save it, and to keep what was saved elsewhere. */
+import { type ArchivedSound, ArchiveError, pack } from '../store/archive.ts';
 import { joined } from '../store/blocks.ts';
-import { addDrops, allDrops } from '../store/drops.ts';
+import { addDrops, allDrops, type KeptDrop } from '../store/drops.ts';
 import { lock } from '../store/locks.ts';
 import { addRecording, allRecordings, samplesOf } from '../store/recordings.ts';
 import { engine } from './engine.ts';
 import type { Fault } from './faults.ts';
-import { loadKept } from './keeping.ts';
-import { askToLast } from './lasting.ts';
 
 /** Collects everything that was kept. */
 export async function archive(): Promise<Blob> {
@@ -24,18 +22,18 @@ export async function archive(): Promise<Blob> {
   );
 }
 
-/** Adds the drops of a file to those that are here, which stay as they are; says how many are new. */
-export async function addArchive(file: Blob): Promise<number> {
-  const { drops, sounds } = await unpack(file);
-  for (const { recording, samples } of sounds) {
+/** Keeps drops of an archive with their sounds beside those that are here; says how many are new. */
+export async function keepArchived(
+  drops: readonly KeptDrop[],
+  sounds: readonly ArchivedSound[],
+): Promise<number> {
+  const used = new Set(drops.map(({ recording }) => recording));
+  for (const { recording, samples } of sounds.filter(({ recording: { id } }) => used.has(id))) {
     // Other windows shall not take it for one that nobody wants, until its drop is there.
     lock(recording.id);
     await addRecording(recording, await samples());
   }
-  const added = await addDrops(drops);
-  void askToLast();
-  await loadKept();
-  return added;
+  return addDrops(drops);
 }
 
 /** What the page says of a file that could not be added. */

@@ -19,6 +19,7 @@ export type FaultKey =
   | 'huge'
   | 'setting'
   | 'link'
+  | 'no-drop'
   | 'fault'
   | 'keep'
   | 'archive'

@@ -1,16 +1,25 @@
 /** Keeping drops in the browser, and what they show together. */
 import { computed, signal } from '@preact/signals';
-import type { Drop, Estimate } from '../lab/index.ts';
-import { allDrops, deleteDrop, type KeptDrop, type Known, putDrop } from '../store/drops.ts';
+import { allDrops, deleteDrop, type KeptDrop, putDrop } from '../store/drops.ts';
 import { newId } from '../store/id.ts';
 import { lock, locked } from '../store/locks.ts';
 import { addRecording, deleteRecording } from '../store/recordings.ts';
 import { setMarks } from './editing.ts';
 import { askToLast, lookAtLasting } from './lasting.ts';
 import { dropNear, forEngine } from './marks.ts';
+import { type Measured, measureMarks, summaryOf } from './measuring.ts';
 import { openStored, openTimes } from './opening.ts';
 import { goToLab, settings } from './settings.ts';
-import { analysed, drop, edits, lookAt, present, workspace } from './workspace.ts';
+import {
+  type Answer,
+  analysed,
+  drop,
+  edits,
+  lookAt,
+  place,
+  present,
+  workspace,
+} from './workspace.ts';
 
 export const kept = signal<readonly KeptDrop[]>([]);
 /** False where the browser keeps nothing. */
@@ -55,9 +64,12 @@ export async function keepDrop(name: string): Promise<boolean> {
       keptAt: Date.now(),
       ball: analysed.peek()?.ball ?? '',
       ...summaryOf(result),
+      ...comparableOf(analysed.peek()),
       settings: settings.peek(),
       marks: forEngine(marks, result.probability),
       recording: sound,
+      student: '',
+      surface: '',
     };
     await putDrop(keptDrop);
     void askToLast();
@@ -67,6 +79,12 @@ export async function keepDrop(name: string): Promise<boolean> {
   } catch {
     return false;
   }
+}
+
+/** What the drop in the workspace adds to a study; nothing as long as the inference runs. */
+function comparableOf(answer: Answer | null): Pick<KeptDrop, 'comparable'> {
+  if (!answer?.inference) return {};
+  return { comparable: answer.comparable[place.peek()] ?? null };
 }
 
 /** Puts the sound of an opened file or of the demo into the database. */
@@ -81,28 +99,23 @@ async function storeSound(name: string): Promise<string | null> {
   return id;
 }
 
-export function summaryOf(
-  result: Drop,
-): Pick<KeptDrop, 'restitution' | 'dropHeightM' | 'restitutions'> {
-  const best = result.posterior ?? result.log_linear_fit;
-  return {
-    restitution: best && known(best.restitution),
-    dropHeightM: best && known(best.drop_height_m),
-    restitutions: (result.per_impact?.impacts ?? []).map(({ impact_speed_m_s, restitution }) => ({
-      speedMS: impact_speed_m_s,
-      value: restitution.value,
-    })),
-  };
-}
+/** What a reader may write about a kept drop. */
+type Said = Partial<Pick<KeptDrop, 'name' | 'student' | 'surface'>>;
 
-const known = ({ value, sd }: Estimate): Known => ({ value, sd });
-
-export async function rename(id: string, name: string): Promise<void> {
+/** Changes a kept drop. */
+export async function alter(id: string, changes: Said | Partial<Measured>): Promise<void> {
   const found = kept.peek().find((candidate) => candidate.id === id);
   if (!found) return;
-  const renamed = { ...found, name };
-  await putDrop(renamed);
-  kept.value = kept.peek().map((candidate) => (candidate.id === id ? renamed : candidate));
+  const altered = { ...found, ...changes };
+  await putDrop(altered);
+  kept.value = kept.peek().map((candidate) => (candidate.id === id ? altered : candidate));
+}
+
+/** States another ball of a kept drop, which is analysed again. */
+export async function stateBallOf({ id, marks, settings }: KeptDrop, ball: string): Promise<void> {
+  const { mass_kg, diameter_m, contact_time_s, ...others } = settings;
+  const [measured] = await measureMarks([marks], { ...others, ball });
+  if (measured) await alter(id, measured);
 }
 
 /** Drops that were deleted last, until the next deletion or the end of the page. */

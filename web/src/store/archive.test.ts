@@ -27,6 +27,8 @@ const drop = {
   settings: { height_m: 0.5 },
   marks: { edited: false, probability: 1, impacts: [] },
   recording: 'r',
+  student: 'Anna',
+  surface: 'wood',
 };
 const gaps = [{ start_s: 1, duration_s: 0.5, certain: true }];
 const recording = { id: 'r', name: 'r', rateHz: 48_000, startedAt: 0, finished: true, gaps };

@@ -2,13 +2,16 @@
  * Kept drops as one file: a ZIP, not compressed, of `drops.json` and a WAV for each sound,
  * `sounds/ID.wav`. docs/laboratory.md has the format.
  */
-import type { KeptDrop } from './drops.ts';
+import { type KeptDrop, upToDate } from './drops.ts';
 import type { StoredRecording } from './recordings.ts';
 import { floatsOf } from './wav.ts';
 
 export const FORMAT = 'bouncelab.archive';
 export const VERSION = 1;
 const LIST = 'drops.json';
+/** The list of drops alone. */
+export const LIST_FORMAT = 'bouncelab.kept-drops';
+export const LIST_VERSION = 2;
 
 const nameOf = ({ id }: StoredRecording): string => `sounds/${id}.wav`;
 
@@ -92,14 +95,64 @@ async function samplesOf(wav: Blob): Promise<Float32Array<ArrayBuffer>> {
   }
 }
 
-/** The files in a ZIP by their names, each with the checksum that it says. */
-async function checkedFiles(file: Blob): Promise<Map<string, Blob>> {
+/** A file in a ZIP, read when it is due. */
+export interface ZippedFile {
+  readonly path: string;
+  readonly size: number;
+  /** With the checksum that the ZIP says. */
+  blob(): Promise<Blob>;
+}
+
+/**
+ * The files in a ZIP.
+ *
+ * @throws ArchiveError if it has no list of them.
+ */
+export async function filesIn(file: Blob): Promise<readonly ZippedFile[]> {
   const { BlobReader, BlobWriter, ZipReader } = await zipped();
+  const entries = await new ZipReader(new BlobReader(file), CHECKED)
+    .getEntries()
+    .catch((error: unknown) => {
+      throw ArchiveError.of(error);
+    });
+  return entries.flatMap((entry) =>
+    entry.directory
+      ? []
+      : {
+          path: entry.filename,
+          size: entry.uncompressedSize,
+          blob: () => entry.getData(new BlobWriter()),
+        },
+  );
+}
+
+/** Whether it is an archive of kept drops. */
+export const isArchive = (files: readonly ZippedFile[]): boolean =>
+  files.some(({ path }) => path === LIST);
+
+/** The files in a ZIP by their names. */
+async function checkedFiles(file: Blob): Promise<Map<string, Blob>> {
   const files = new Map<string, Blob>();
-  for (const entry of await new ZipReader(new BlobReader(file), CHECKED).getEntries()) {
-    if (!entry.directory) files.set(entry.filename, await entry.getData(new BlobWriter()));
-  }
+  for (const { path, blob } of await filesIn(file)) files.set(path, await blob());
   return files;
+}
+
+/**
+ * The drops of a saved list, which has no sounds.
+ *
+ * @throws ArchiveError
+ */
+export function dropsOfList({ schema, drops }: { schema?: unknown; drops?: unknown }): KeptDrop[] {
+  const [format, version] = String(schema).split('/');
+  if (format === LIST_FORMAT && Number(version) > LIST_VERSION) throw new ArchiveError('newer');
+  if (format !== LIST_FORMAT || !isListOf(drops, isDrop)) throw new ArchiveError('damaged');
+  return drops.map((drop) => ({ ...foreign(drop), recording: null }));
+}
+
+/** A drop that comes from elsewhere: what it adds to a study is found out here. */
+function foreign(drop: KeptDrop): KeptDrop {
+  const { comparable, ...others } = upToDate(drop);
+  return others;
 }
 
 /** The list, if it is one that this version understands. */
@@ -113,7 +166,7 @@ function contentsOf(list: unknown): Contents {
   }
   const known = new Set<string | null>([null, ...recordings.map(({ id }) => id)]);
   if (!drops.every(({ recording }) => known.has(recording))) throw new ArchiveError('damaged');
-  return { drops, recordings };
+  return { drops: drops.map(foreign), recordings };
 }
 
 const isListOf = <T>(list: unknown, is: (value: unknown) => value is T): list is T[] =>

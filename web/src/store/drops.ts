@@ -1,5 +1,5 @@
 /** Drops that were kept: their results, with what set-up, and where their sound is. */
-import type { DropMarks, Impact, Settings } from '../lab/index.ts';
+import type { Comparable, DropMarks, Impact, Settings } from '../lab/index.ts';
 import { addIfNew, transact } from './database.ts';
 
 /** A value with its standard deviation. */
@@ -23,7 +23,17 @@ export interface KeptDrop {
   readonly marks: DropMarks;
   /** Its sound in the database; `null` for a list of times. */
   readonly recording: string | null;
+  /** Who dropped the ball; empty where nobody said so. */
+  readonly student: string;
+  /** On what the ball was dropped; empty where nobody said so. */
+  readonly surface: string;
+  /** What it adds to a study of many drops; `null` where that cannot be told, absent if an earlier version kept it. */
+  readonly comparable?: Comparable | null;
 }
+
+/** What a drop was as it was heard: its impacts in steps of 10 µs, which links keep. */
+export const soundOf = ({ impacts }: DropMarks): string =>
+  impacts.map(({ time_s }) => Math.round(time_s * 1e5)).join();
 
 export async function putDrop(drop: KeptDrop): Promise<void> {
   await transact(['drops'], 'readwrite', (t) => t.objectStore('drops').put(drop));
@@ -52,15 +62,24 @@ export async function allDrops(): Promise<KeptDrop[]> {
   return drops.map(upToDate).sort((a, b) => a.keptAt - b.keptAt);
 }
 
+/** What an earlier version did not keep. */
+type Earlier = Omit<KeptDrop, 'student' | 'surface'> & Partial<KeptDrop>;
+
 /** A drop that an earlier version kept: its impacts had `sigma_s`, and no probability of the drop. */
-export function upToDate(drop: KeptDrop): KeptDrop {
+export function upToDate(drop: Earlier): KeptDrop {
   const impacts = drop.marks.impacts.map(
     ({ sigma_s, ...impact }: Impact & { sigma_s?: number }) => ({
       ...impact,
       time_sd_s: impact.time_sd_s ?? sigma_s ?? null,
     }),
   );
-  return { ...drop, marks: { ...drop.marks, probability: drop.marks.probability ?? 1, impacts } };
+  const { student = '', surface = '' } = drop;
+  return {
+    ...drop,
+    student,
+    surface,
+    marks: { ...drop.marks, probability: drop.marks.probability ?? 1, impacts },
+  };
 }
 
 export async function deleteDrop(id: string): Promise<void> {

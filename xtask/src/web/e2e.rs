@@ -50,6 +50,14 @@ pub(crate) fn run(words: &[&str]) -> Result {
     conclude(&runs)
 }
 
+/// Runs the test of a whole class.
+pub(crate) fn class() -> Result {
+    page()?;
+    let program = built("--bin", "bouncelab")?;
+    let mut command = npm_command(&["run", "class"]);
+    run_command(command.env("BOUNCELAB_PROGRAM", &program))
+}
+
 fn conclude(runs: &[(Result, Time)]) -> Result {
     let failed = runs.iter().filter(|(result, _)| result.is_err()).count();
     if runs.len() > 1 {

@@ -12,6 +12,7 @@ use bouncelab::Plain;
 use bouncelab_report::MARK;
 use bouncelab_report::chart::CSV_HEADER;
 use bouncelab_report::file::{Outputs, remove_drafts};
+use bouncelab_report::groups::Question;
 use bouncelab_session::batch::Batch;
 use bouncelab_session::journal::{JOURNAL, JOURNAL_MARK, Journal};
 use bouncelab_session::table::Form;
@@ -244,8 +245,8 @@ impl<'a> Targets<'a> {
     ) -> Result<(), Failure> {
         let (folder, outputs) = (&arguments.output, self.outputs);
         let mut outcome = Outcome::of(results, &arguments.study(), translator())?;
-        outcome.about.title = title;
-        outcome.about.remarks.extend(remarks);
+        outcome.groups.about.title = title;
+        outcome.groups.about.remarks.extend(remarks);
         let written = write_tables(&outcome, results, folder, &arguments.forms(), outputs)?;
         let json =
             serde_json::to_string_pretty(&outcome.document()).map_err(io::Error::from)? + "\n";
@@ -352,9 +353,11 @@ impl Arguments {
 
     fn study(&self) -> StudyOptions {
         StudyOptions {
-            by: self.by.clone(),
-            at_speed_m_s: self.compare_at,
-            wanted: self.want,
+            question: Question {
+                by: self.by.clone(),
+                at_speed_m_s: self.compare_at,
+                wanted: self.want,
+            },
             exclude: self.exclude.clone(),
         }
     }

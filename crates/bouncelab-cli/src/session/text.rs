@@ -4,8 +4,9 @@ use std::fmt::Write;
 
 use bouncelab::groups::{Difference, Study};
 use bouncelab_report::Table;
+use bouncelab_report::groups::{About, GroupStudy, Reason, tables};
 use bouncelab_report::messages::Value;
-use bouncelab_session::{AboutSession, Outcome, Reason, summary};
+use bouncelab_session::Outcome;
 
 use crate::analyze::note;
 use crate::language::{cannot_tell, text, text_with, translator};
@@ -16,9 +17,9 @@ const SHOWN: usize = 8;
 /// The whole report.
 pub(super) fn report(outcome: &Outcome<'_>, details: bool, wanted: Option<f64>) -> String {
     let mut page = Page::default();
-    page.line(&headline(&outcome.about));
-    match &outcome.study {
-        Ok(study) => page.study(outcome, study, details, wanted),
+    page.line(&headline(&outcome.groups.about));
+    match &outcome.groups.study {
+        Ok(study) => page.study(&outcome.groups, study, details, wanted),
         Err(reason) => page.line(&format!(
             "\n{}",
             cannot_tell("session-restitution", reason.as_str())
@@ -28,9 +29,9 @@ pub(super) fn report(outcome: &Outcome<'_>, details: bool, wanted: Option<f64>) 
     page.0
 }
 
-fn headline(about: &AboutSession) -> String {
+fn headline(about: &About) -> String {
     let title = about.title.clone().unwrap_or_else(|| text("session-title"));
-    format!("{title}: {}", summary::counts(about, translator()))
+    format!("{title}: {}", tables::counts(about, translator()))
 }
 
 #[derive(Default)]
@@ -55,10 +56,10 @@ impl Page {
         }
     }
 
-    fn study(&mut self, outcome: &Outcome<'_>, study: &Study, details: bool, wanted: Option<f64>) {
+    fn study(&mut self, groups: &GroupStudy, study: &Study, details: bool, wanted: Option<f64>) {
         let speed = [("speed", Value::fixed(study.at_speed_m_s, 2))];
         self.heading(&text_with("session-speed", &speed));
-        self.table(&summary::group_table(outcome, study, wanted, translator()));
+        self.table(&tables::group_table(groups, study, wanted, translator()));
         self.line("");
         let wanted = wanted.map_or("none".into(), Value::from);
         for row in text_with("session-legend", &[("wanted", wanted)]).lines() {
@@ -66,25 +67,25 @@ impl Page {
         }
         if details {
             self.heading(&text("session-intervals"));
-            self.table(&summary::interval_table(outcome, study, translator()));
+            self.table(&tables::interval_table(groups, study, translator()));
         }
         if study.varies.len() > 1 {
             self.heading(&text("session-varies"));
-            self.table(&summary::varies_table(outcome, study, translator()));
+            self.table(&tables::varies_table(groups, study, translator()));
         }
         for (factor, differences) in &study.differences {
-            let grouped = outcome.by.contains(factor);
+            let grouped = groups.by.contains(factor);
             if (grouped || details) && !differences.is_empty() {
-                self.differences(outcome, *factor, differences, details);
+                self.differences(groups, *factor, differences, details);
             }
         }
         if !study.trends.is_empty() {
             self.heading(&text("session-trends"));
-            self.table(&summary::trend_table(outcome, study, translator()));
+            self.table(&tables::trend_table(groups, study, translator()));
         }
         if details {
             self.heading(&text("session-laws"));
-            self.table(&summary::law_table(outcome, study, translator()));
+            self.table(&tables::law_table(groups, study, translator()));
         }
         if !study.outliers.is_empty() {
             self.heading(&text("session-outliers"));
@@ -93,10 +94,11 @@ impl Page {
                     .groups
                     .iter()
                     .find(|g| g.drops.contains(&outlier.drop));
-                let group = group.map_or_else(String::new, |g| outcome.group_name(&g.levels));
+                let group =
+                    group.map_or_else(String::new, |g| groups.group_name(&g.levels, translator()));
                 let side = if outlier.off > 0.0 { "above" } else { "below" };
                 let outlier = [
-                    ("name", outcome.name_of(outlier.drop).into()),
+                    ("name", groups.name_of(outlier.drop).into()),
                     ("off", Value::fixed(outlier.off.abs(), 4)),
                     ("side", side.into()),
                     ("group", group.into()),
@@ -105,26 +107,21 @@ impl Page {
                 self.line(&format!("  {}", text_with("session-outlier", &outlier)));
             }
             self.heading(&format!("  {}", text("session-outliers-count")));
-            self.table(&summary::without_table(outcome, study, translator()));
+            self.table(&tables::without_table(groups, study, translator()));
             self.line(&format!("\n  {}", text("session-exclude")));
         }
     }
 
     fn differences(
         &mut self,
-        outcome: &Outcome<'_>,
+        groups: &GroupStudy,
         place: usize,
         differences: &[Difference],
         details: bool,
     ) {
         const MOST: usize = 10;
-        let factor = &outcome.factors[place];
-        let others = outcome
-            .factors
-            .iter()
-            .filter(|f| f.levels.len() > 1)
-            .count()
-            > 1;
+        let factor = &groups.factors[place];
+        let others = groups.factors.iter().filter(|f| f.levels.len() > 1).count() > 1;
         let others = if others { "yes" } else { "no" };
         let by = [
             ("factor", factor.name.as_str().into()),
@@ -136,8 +133,8 @@ impl Page {
         } else {
             MOST.min(differences.len())
         };
-        self.table(&summary::difference_table(
-            outcome,
+        self.table(&tables::difference_table(
+            groups,
             place,
             &differences[..most],
             translator(),
@@ -152,7 +149,7 @@ impl Page {
     }
 
     fn troubles(&mut self, outcome: &Outcome<'_>, details: bool) {
-        let about = &outcome.about;
+        let about = &outcome.groups.about;
         self.line("");
         self.list("session-without-drop", &about.without_drop, details);
         self.list("session-failed", &about.failed, details);

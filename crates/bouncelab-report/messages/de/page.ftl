@@ -143,6 +143,9 @@ page-faults-fault-do = Was aufgenommen wurde, ist aufgehoben. Lade die Seite neu
 page-faults-link-what = Dieser Link eines Versuchs ist nicht zu gebrauchen.
 page-faults-link-do = Kopiere den ganzen Link, oder lies den Code noch einmal ein.
 
+page-faults-no-drop-what = Darin ist kein springender Ball zu finden.
+page-faults-no-drop-do = Öffne sie im Labor: Dort kannst du sie anhören und Aufpralle markieren.
+
 page-faults-archive-what = Das ist keine vollständige Datei aufgehobener Versuche.
 page-faults-archive-do = Kopiere oder lade sie noch einmal und füge diese hinzu. Was hier aufgehoben ist, ist unverändert.
 
@@ -444,8 +447,6 @@ page-drops-scatter-sentence = Im Mittel behielt der Ball { $mean } seines Tempos
 page-drops-csv = Tabelle speichern (CSV)
 page-drops-json = Alles speichern (JSON)
 page-drops-archive = Alles mit Ton speichern (ZIP)
-page-drops-add = Gespeicherte ZIP-Datei hinzufügen
-page-drops-add-label = Gespeicherte ZIP-Datei mit aufgehobenen Versuchen
 page-drops-archiving = Sammle die Töne …
 page-drops-adding = Lese { $name } …
 page-drops-added = { $count ->
@@ -460,8 +461,29 @@ page-drops-deleted-all = { $count ->
   }
 page-drops-links = Links zu Versuchen anderer, beliebig viele
 page-drops-links-do = In diese Tabelle aufnehmen
-page-drops-links-done = Aufgenommene Versuche: { $kept }. Unbrauchbare Links: { $refused }.
 page-drops-unavailable = Der Browser hebt hier nichts auf (ein privates Fenster?).
+
+page-class-ball = Ball
+page-class-surface = Untergrund
+page-class-student = Schüler
+page-class-ball-of = Ball von { $name }
+page-class-surface-of = Untergrund von { $name }
+page-class-student-of = Schüler von { $name }
+page-class-add = Versuche hinzufügen
+page-class-add-hint = Dateien jeder Art, die diese Seite speichert oder öffnet, beliebig viele, auch als ZIP; und Links. Was beschädigt ist, wird genannt, der Rest hinzugefügt.
+page-class-files = Dateien wählen
+page-class-files-label = Dateien mit Versuchen
+page-class-known = { $count ->
+    [one] 1 steht schon in der Tabelle.
+   *[other] { $count } stehen schon in der Tabelle.
+  }
+page-class-groups = Gruppen
+page-class-by = Gruppen nach
+page-class-report = Bericht speichern (HTML)
+page-class-sheets = Arbeitsblätter
+page-class-sheet-bounciness = Wie gut springt ein Ball?
+page-class-sheet-air = Wie viel nimmt die Luft?
+page-class-sheet-gravity = Miss g mit einem Ball
 
 page-reason-empty-content = Kein einziges Byte Ton ist darin.
 page-reason-empty-sound = Sie hat einen Kopf, aber keinen Ton.

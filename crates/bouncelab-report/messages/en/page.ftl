@@ -145,6 +145,9 @@ page-faults-fault-do = What was recorded is kept. Reload the page and open it ag
 page-faults-link-what = This link of a drop cannot be used.
 page-faults-link-do = Copy the whole link, or scan the code again.
 
+page-faults-no-drop-what = No bouncing ball was found in it.
+page-faults-no-drop-do = Open it in the laboratory: there you can listen to it and mark impacts.
+
 page-faults-archive-what = This is no whole file of kept drops.
 page-faults-archive-do = Copy or download it again, and add that one. What is kept here has not changed.
 
@@ -446,8 +449,6 @@ page-drops-scatter-sentence = On average the ball kept { $mean } of its speed. T
 page-drops-csv = Save the table (CSV)
 page-drops-json = Save all (JSON)
 page-drops-archive = Save all with sound (ZIP)
-page-drops-add = Add a saved ZIP
-page-drops-add-label = Saved ZIP with kept drops
 page-drops-archiving = Collecting the sounds …
 page-drops-adding = Reading { $name } …
 page-drops-added = { $count ->
@@ -462,8 +463,29 @@ page-drops-deleted-all = { $count ->
   }
 page-drops-links = Links of other people’s drops, as many as you like
 page-drops-links-do = Add to this table
-page-drops-links-done = Drops added: { $kept }. Links that cannot be used: { $refused }.
 page-drops-unavailable = The browser stores nothing here (a private window?).
+
+page-class-ball = Ball
+page-class-surface = Surface
+page-class-student = Student
+page-class-ball-of = Ball of { $name }
+page-class-surface-of = Surface of { $name }
+page-class-student-of = Student of { $name }
+page-class-add = Add drops
+page-class-add-hint = Files of any kind that this page saves or opens, as many as you like, also as ZIP; and links. What is damaged is named, the rest is added.
+page-class-files = Choose files
+page-class-files-label = Files with drops
+page-class-known = { $count ->
+    [one] 1 is in the table already.
+   *[other] { $count } are in the table already.
+  }
+page-class-groups = Groups
+page-class-by = Group by
+page-class-report = Save the report (HTML)
+page-class-sheets = Lesson sheets
+page-class-sheet-bounciness = How bouncy is a ball?
+page-class-sheet-air = How much does air take?
+page-class-sheet-gravity = Measure g with a ball
 
 page-reason-empty-content = It contains no data.
 page-reason-empty-sound = It has a header, but no sound.

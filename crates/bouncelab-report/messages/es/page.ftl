@@ -146,6 +146,9 @@ page-faults-fault-do = Lo grabado está guardado. Recargue la página y ábralo 
 page-faults-link-what = Este enlace de un ensayo no se puede usar.
 page-faults-link-do = Copie el enlace entero, o lea el código otra vez.
 
+page-faults-no-drop-what = No se halló en él ninguna pelota que rebote.
+page-faults-no-drop-do = Ábralo en el laboratorio: allí puede escucharlo y marcar impactos.
+
 page-faults-archive-what = Esto no es un archivo completo de ensayos guardados.
 page-faults-archive-do = Cópielo o descárguelo otra vez, y añada ese. Lo guardado aquí no ha cambiado.
 
@@ -447,8 +450,6 @@ page-drops-scatter-sentence = En promedio, la pelota conservó { $mean } de su v
 page-drops-csv = Guardar la tabla (CSV)
 page-drops-json = Guardar todo (JSON)
 page-drops-archive = Guardar todo con sonido (ZIP)
-page-drops-add = Añadir un ZIP guardado
-page-drops-add-label = ZIP guardado con ensayos
 page-drops-archiving = Reuniendo los sonidos …
 page-drops-adding = Leyendo { $name } …
 page-drops-added = { $count ->
@@ -463,8 +464,29 @@ page-drops-deleted-all = { $count ->
   }
 page-drops-links = Enlaces de ensayos de otras personas, tantos como quiera
 page-drops-links-do = Añadir a esta tabla
-page-drops-links-done = Ensayos añadidos: { $kept }. Enlaces que no se pueden usar: { $refused }.
 page-drops-unavailable = El navegador no guarda nada aquí (¿una ventana privada?).
+
+page-class-ball = Pelota
+page-class-surface = Superficie
+page-class-student = Alumno
+page-class-ball-of = Pelota de { $name }
+page-class-surface-of = Superficie de { $name }
+page-class-student-of = Alumno de { $name }
+page-class-add = Añadir ensayos
+page-class-add-hint = Archivos de cualquier tipo que esta página guarda o abre, tantos como quiera, también como ZIP; y enlaces. Lo dañado se nombra, el resto se añade.
+page-class-files = Elegir archivos
+page-class-files-label = Archivos con ensayos
+page-class-known = { $count ->
+    [one] 1 ya está en la tabla.
+   *[other] { $count } ya están en la tabla.
+  }
+page-class-groups = Grupos
+page-class-by = Agrupar por
+page-class-report = Guardar el informe (HTML)
+page-class-sheets = Hojas de trabajo
+page-class-sheet-bounciness = ¿Cuánto rebota una pelota?
+page-class-sheet-air = ¿Cuánto se lleva el aire?
+page-class-sheet-gravity = Medir g con una pelota
 
 page-reason-empty-content = No contiene datos.
 page-reason-empty-sound = Tiene una cabecera, pero ningún sonido.

@@ -146,6 +146,9 @@ page-faults-fault-do = Ce qui a été enregistré est conservé. Rechargez la pa
 page-faults-link-what = Ce lien d’un essai ne peut pas être utilisé.
 page-faults-link-do = Copiez le lien entier, ou lisez le code à nouveau.
 
+page-faults-no-drop-what = Aucune balle qui rebondit n’y a été trouvée.
+page-faults-no-drop-do = Ouvrez-le dans le laboratoire : vous pouvez l’y écouter et marquer des impacts.
+
 page-faults-archive-what = Ce n’est pas un fichier complet d’essais conservés.
 page-faults-archive-do = Copiez-le ou téléchargez-le à nouveau, et ajoutez celui-là. Ce qui est conservé ici n’a pas changé.
 
@@ -447,8 +450,6 @@ page-drops-scatter-sentence = En moyenne, la balle a gardé { $mean } de sa vite
 page-drops-csv = Enregistrer le tableau (CSV)
 page-drops-json = Enregistrer tout (JSON)
 page-drops-archive = Enregistrer tout avec le son (ZIP)
-page-drops-add = Ajouter un ZIP enregistré
-page-drops-add-label = ZIP enregistré d’essais conservés
 page-drops-archiving = Collecte des sons …
 page-drops-adding = Lecture de { $name } …
 page-drops-added = { $count ->
@@ -463,8 +464,29 @@ page-drops-deleted-all = { $count ->
   }
 page-drops-links = Liens d’essais d’autres personnes, autant que vous voulez
 page-drops-links-do = Ajouter à ce tableau
-page-drops-links-done = Essais ajoutés : { $kept }. Liens inutilisables : { $refused }.
 page-drops-unavailable = Le navigateur ne conserve rien ici (une fenêtre privée ?).
+
+page-class-ball = Balle
+page-class-surface = Surface
+page-class-student = Élève
+page-class-ball-of = Balle de { $name }
+page-class-surface-of = Surface de { $name }
+page-class-student-of = Élève de { $name }
+page-class-add = Ajouter des essais
+page-class-add-hint = Des fichiers de tout type que cette page enregistre ou ouvre, autant que vous voulez, aussi en ZIP ; et des liens. Ce qui est endommagé est nommé, le reste est ajouté.
+page-class-files = Choisir des fichiers
+page-class-files-label = Fichiers d’essais
+page-class-known = { $count ->
+    [one] { $count } est déjà dans le tableau.
+   *[other] { $count } sont déjà dans le tableau.
+  }
+page-class-groups = Groupes
+page-class-by = Grouper par
+page-class-report = Enregistrer le rapport (HTML)
+page-class-sheets = Fiches de travail
+page-class-sheet-bounciness = Comment une balle rebondit-elle ?
+page-class-sheet-air = Que prend l’air ?
+page-class-sheet-gravity = Mesurer g avec une balle
 
 page-reason-empty-content = Il ne contient aucune donnée.
 page-reason-empty-sound = Il a un en-tête, mais aucun son.

@@ -5,6 +5,7 @@ use serde::{Deserialize, Serialize};
 
 /// A formula of the method.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 #[non_exhaustive]
 pub enum Equation {
     /// Height of a flight from its time, without air (paper, Eq. 5).

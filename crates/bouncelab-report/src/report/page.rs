@@ -58,6 +58,7 @@ impl Language {
 
 /// A heading and what belongs to it.
 #[derive(Debug, Serialize, Deserialize)]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 pub struct Section {
     /// The heading.
     pub heading: String,
@@ -85,6 +86,7 @@ impl Section {
 
 /// A piece of a section.
 #[derive(Debug, Serialize, Deserialize)]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 #[non_exhaustive]
 pub enum Block {
     /// The sentence that everybody reads, in large letters.

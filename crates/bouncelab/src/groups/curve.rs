@@ -5,6 +5,7 @@ use crate::inference::Posterior;
 /// Restitution at one impact speed.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 pub struct CurvePoint {
     /// Impact speed, m/s.
     pub speed_m_s: f64,
@@ -20,6 +21,7 @@ pub struct CurvePoint {
 /// Restitution against impact speed, at increasing speeds.
 #[derive(Debug, Clone, PartialEq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 pub struct RestitutionCurve(pub Vec<CurvePoint>);
 
 impl RestitutionCurve {

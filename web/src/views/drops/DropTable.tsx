@@ -1,7 +1,8 @@
 import { handFocusOn } from '../../app/focus.ts';
 import { lengthUnit, PLAIN, plain, uncertain } from '../../format/quantity.ts';
+import { ballOf, presetOf } from '../../state/comparing.ts';
 import { catalogue } from '../../state/engine.ts';
-import { kept, openKept, remove, rename, tick, ticked } from '../../state/keeping.ts';
+import { alter, kept, openKept, remove, stateBallOf, tick, ticked } from '../../state/keeping.ts';
 import { spreadOf } from '../../state/spread.ts';
 import { busy } from '../../state/workspace.ts';
 import type { KeptDrop } from '../../store/drops.ts';
@@ -21,6 +22,8 @@ export function DropTable({ chosen }: { readonly chosen: readonly KeptDrop[] }) 
             <th class="figure">{text('page-drops-h')}</th>
             <th>{text('page-drops-when')}</th>
             <th>{text('page-drops-ball')}</th>
+            <th>{text('page-class-surface')}</th>
+            <th>{text('page-class-student')}</th>
             <th class="figure">{text('page-drops-impacts')}</th>
             <th>{text('page-drops-actions')}</th>
           </tr>
@@ -34,13 +37,6 @@ export function DropTable({ chosen }: { readonly chosen: readonly KeptDrop[] }) 
       </table>
     </section>
   );
-}
-
-/** The ball by its name in the language of the page, where it has one. */
-function ballOf({ settings, ball }: KeptDrop): string {
-  const isMeasured = settings.mass_kg !== undefined;
-  const name = isMeasured ? undefined : (settings.ball ?? catalogue.value?.balls[0]?.name);
-  return name === undefined ? ball : ballName(name);
 }
 
 function Row({ drop }: { readonly drop: KeptDrop }) {
@@ -66,7 +62,7 @@ function Row({ drop }: { readonly drop: KeptDrop }) {
             const name = event.currentTarget.value.trim();
             // A drop is never nameless: what it was called stands there again.
             if (name === '') event.currentTarget.value = drop.name;
-            else void rename(drop.id, name);
+            else void alter(drop.id, { name });
           }}
         />
       </td>
@@ -78,7 +74,22 @@ function Row({ drop }: { readonly drop: KeptDrop }) {
           timeStyle: 'short',
         })}
       </td>
-      <td>{ballOf(drop)}</td>
+      <td>
+        <Ball drop={drop} />
+      </td>
+      {(['surface', 'student'] as const).map((field) => (
+        <td key={field}>
+          <input
+            class="noted"
+            aria-label={text(`page-class-${field}-of`, { name: drop.name })}
+            value={drop[field]}
+            maxLength={60}
+            onChange={({ currentTarget: { value } }) =>
+              void alter(drop.id, { [field]: value.trim() })
+            }
+          />
+        </td>
+      ))}
       <td class="figure">{drop.marks.impacts.length}</td>
       <td>
         <span class="row tight">
@@ -108,6 +119,28 @@ function Row({ drop }: { readonly drop: KeptDrop }) {
   );
 }
 
+/** The ball of a drop, to be corrected: it decides the drag, so the drop is analysed again. */
+function Ball({ drop }: { readonly drop: KeptDrop }) {
+  const preset = presetOf(drop);
+  const balls = catalogue.value?.balls ?? [];
+  return (
+    <select
+      aria-label={text('page-class-ball-of', { name: drop.name })}
+      value={preset ?? ''}
+      onChange={({ currentTarget: { value } }) => void stateBallOf(drop, value)}
+    >
+      {!balls.some(({ name }) => name === preset) && (
+        <option value={preset ?? ''}>{ballOf(drop)}</option>
+      )}
+      {balls.map(({ name }) => (
+        <option key={name} value={name}>
+          {ballName(name)}
+        </option>
+      ))}
+    </select>
+  );
+}
+
 function Summary({ chosen }: { readonly chosen: readonly KeptDrop[] }) {
   const spoken = language.value;
   const e = spreadOf(chosen.map(({ restitution }) => restitution));
@@ -121,13 +154,13 @@ function Summary({ chosen }: { readonly chosen: readonly KeptDrop[] }) {
         </th>
         <td class="figure">{e && uncertain(e.mean, e.meanSd, PLAIN, spoken)}</td>
         <td class="figure">{h && uncertain(h.mean, h.meanSd, unit, spoken)}</td>
-        <td colSpan={4} />
+        <td colSpan={6} />
       </tr>
       <tr>
         <th colSpan={2}>{text('page-drops-scatter')}</th>
         <td class="figure">{e?.scatter != null && plain(e.scatter, PLAIN, 2, spoken)}</td>
         <td class="figure">{h?.scatter != null && plain(h.scatter, unit, 2, spoken)}</td>
-        <td colSpan={4} />
+        <td colSpan={6} />
       </tr>
     </tfoot>
   );

@@ -19,7 +19,9 @@ import { Archive } from './Archive.tsx';
 import { Comparison } from './Comparison.tsx';
 import { DropTable } from './DropTable.tsx';
 import { saveDropsCsv, saveDropsJson } from './export.ts';
-import { Links } from './Links.tsx';
+import { Gather } from './Gather.tsx';
+import { Groups } from './Groups.tsx';
+import { Sheets } from './Sheets.tsx';
 
 /** The drops that were kept, side by side. */
 export function Drops() {
@@ -39,7 +41,6 @@ export function Drops() {
               {text('page-drops-to-lab')}
             </a>
           </div>
-          <Archive />
         </>
       ) : (
         <>
@@ -67,10 +68,12 @@ export function Drops() {
           <p class="small soft">
             <Lasting />
           </p>
+          <Groups drops={chosen} />
           <Comparison drops={chosen} />
         </>
       )}
-      {canKeep.value && <Links />}
+      {canKeep.value && <Gather />}
+      <Sheets />
     </div>
   );
 }

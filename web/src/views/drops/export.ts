@@ -1,10 +1,13 @@
 import { saveText } from '../../app/save.ts';
+import { LIST_FORMAT, LIST_VERSION } from '../../store/archive.ts';
 import type { KeptDrop } from '../../store/drops.ts';
 
 const COLUMNS = [
   'name',
   'kept_at',
+  'student',
   'ball',
+  'surface',
   'restitution',
   'restitution_sd',
   'drop_height_m',
@@ -17,7 +20,9 @@ export function csvOf(drops: readonly KeptDrop[]): string {
   const rows = drops.map((drop) => [
     quoted(drop.name),
     new Date(drop.keptAt).toISOString(),
+    quoted(drop.student),
     quoted(drop.ball),
+    quoted(drop.surface),
     drop.restitution?.value ?? '',
     drop.restitution?.sd ?? '',
     drop.dropHeightM?.value ?? '',
@@ -38,7 +43,7 @@ export const saveDropsCsv = (drops: readonly KeptDrop[]): void =>
 
 export const saveDropsJson = (drops: readonly KeptDrop[]): void =>
   saveText(
-    JSON.stringify({ schema: 'bouncelab.kept-drops/2', drops }, null, 2),
+    JSON.stringify({ schema: `${LIST_FORMAT}/${LIST_VERSION}`, drops }, null, 2),
     'application/json',
     'bouncelab-drops.json',
   );

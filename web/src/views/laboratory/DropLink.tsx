@@ -10,17 +10,25 @@ import { text } from '../../text/language.ts';
 /** Modules that stay white around a QR code. */
 const MARGIN = 4;
 
-/** The drop for another phone or computer: a link, and a QR code of it. */
+/** What was made of which drop. */
+interface Made {
+  readonly of: unknown;
+  readonly name: string;
+  readonly link?: Link;
+  readonly fault?: Fault;
+}
+
+/** The drop for another phone or computer, with the name that it was given: a link, and a QR code of it. */
 export function DropLink({ name }: { readonly name: string }) {
-  const [made, setMade] = useState<{ readonly of: unknown; readonly link?: Link; fault?: Fault }>();
+  const [made, setMade] = useState<Made>();
   // An answer to other impacts or settings is another drop.
   const of = analysed.value;
   const make = (): Promise<void> =>
     linkOfDrop(name).then(
-      (link) => setMade({ of, link }),
-      (error: unknown) => setMade({ of, fault: { ...faultOf(error), key: 'link' } }),
+      (link) => setMade({ of, name, link }),
+      (error: unknown) => setMade({ of, name, fault: { ...faultOf(error), key: 'link' } }),
     );
-  const shown = made?.of === of ? made : undefined;
+  const shown = made?.of === of && made.name === name ? made : undefined;
   return (
     <>
       <button type="button" class="quiet" onClick={() => void make()}>

@@ -17,11 +17,13 @@ import { SaveSound } from './SaveSound.tsx';
 /** Keep the drop here, save its numbers, share the set-up, print a report. */
 export function Keep() {
   const recording = workspace.value;
+  const [named, setNamed] = useState<{ readonly of: unknown; readonly name: string }>();
   if (!recording) return null;
   const stem = fileName(recording.name);
+  const given = named?.of === recording.recording ? named.name.trim() : '';
   return (
     <section class="stack keep no-print" aria-label={text('page-keep-title')}>
-      {drop.value && <KeepForm />}
+      {drop.value && <KeepForm onName={(name) => setNamed({ of: recording.recording, name })} />}
       <div class="row">
         <SaveSound />
         {drop.value && (
@@ -38,7 +40,7 @@ export function Keep() {
           </>
         )}
         <Share />
-        {drop.value && <DropLink name={recording.name} />}
+        {drop.value && <DropLink name={given || recording.name} />}
       </div>
     </section>
   );
@@ -71,7 +73,7 @@ interface Attempt {
   readonly name: string | null;
 }
 
-function KeepForm() {
+function KeepForm({ onName }: { readonly onName: (name: string) => void }) {
   const input = useRef<HTMLInputElement>(null);
   const [last, setLast] = useState<Attempt>();
   const loaded = workspace.value;
@@ -102,6 +104,7 @@ function KeepForm() {
             defaultValue={name}
             placeholder={text('page-keep-name-hint')}
             maxLength={120}
+            onInput={(event) => onName(event.currentTarget.value)}
           />
           <button type="submit" class="button">
             {text('page-keep-keep')}

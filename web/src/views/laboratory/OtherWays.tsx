@@ -12,7 +12,9 @@ export function OtherWays() {
         label={text('page-lab-open-label')}
         accept="audio/*,video/*,.txt,.csv,.json,.TextGrid,.wav,.flac,.aiff,.caf,.m4a,.ogg,.opus,.webm,.mov,.mp4"
         disabled={busy.value}
-        onFile={(file) => void openFile(file)}
+        onFiles={([file]) => {
+          if (file) void openFile(file);
+        }}
       >
         {text('page-lab-open')}
       </FileButton>

@@ -1,14 +1,14 @@
-//! The statistics of the drops, as tables for the terminal and for reports.
+//! What drops say together, as tables.
 
 use bouncelab::groups::{Difference, Group, Mean, MeanAtSpeed, Study};
-use bouncelab_report::messages::{Translator, Value};
-use bouncelab_report::{Align, Quantity, Table, Unit};
 
-use crate::document::AboutSession;
-use crate::study::Outcome;
+use super::study::{About, GroupStudy};
+use crate::messages::{Translator, Value};
+use crate::quantity::{Quantity, Unit};
+use crate::table::{Align, Table};
 
 /// How many there are of what, in a sentence without its full stop.
-pub fn counts(about: &AboutSession, words: &Translator) -> String {
+pub fn counts(about: &About, words: &Translator) -> String {
     let counts = [
         ("drops", about.drops.into()),
         ("recordings", about.recordings.into()),
@@ -21,12 +21,12 @@ pub fn counts(about: &AboutSession, words: &Translator) -> String {
 
 /// Differences of the levels of a factor.
 pub fn difference_table(
-    outcome: &Outcome<'_>,
+    groups: &GroupStudy,
     factor: usize,
     differences: &[Difference],
     words: &Translator,
 ) -> Table {
-    let factor = &outcome.factors[factor];
+    let factor = &groups.factors[factor];
     let mut table = Table::with_headings(
         words,
         [
@@ -53,7 +53,7 @@ pub fn difference_table(
 
 /// The groups, and all of them together.
 pub fn group_table(
-    outcome: &Outcome<'_>,
+    groups: &GroupStudy,
     study: &Study,
     wanted: Option<f64>,
     words: &Translator,
@@ -70,7 +70,7 @@ pub fn group_table(
             ("session-column-needed", Align::Right),
         ],
     );
-    for (name, group) in named_groups(outcome, study, words) {
+    for (name, group) in named_groups(groups, study, words) {
         let mean = &group.mean;
         table.row([
             name,
@@ -92,7 +92,7 @@ pub fn group_table(
 }
 
 /// The groups with outliers, with and without them.
-pub fn without_table(outcome: &Outcome<'_>, study: &Study, words: &Translator) -> Table {
+pub fn without_table(groups: &GroupStudy, study: &Study, words: &Translator) -> Table {
     let mut table = Table::with_headings(
         words,
         [
@@ -103,7 +103,7 @@ pub fn without_table(outcome: &Outcome<'_>, study: &Study, words: &Translator) -
             ("session-column-drops", Align::Right),
         ],
     );
-    for (name, group) in named_groups(outcome, study, words) {
+    for (name, group) in named_groups(groups, study, words) {
         if let Some(without) = &group.without_outliers {
             table.row([
                 name,
@@ -118,7 +118,7 @@ pub fn without_table(outcome: &Outcome<'_>, study: &Study, words: &Translator) -
 }
 
 /// Slopes against what is noted in numbers.
-pub fn trend_table(outcome: &Outcome<'_>, study: &Study, words: &Translator) -> Table {
+pub fn trend_table(groups: &GroupStudy, study: &Study, words: &Translator) -> Table {
     let mut table = Table::with_headings(
         words,
         [
@@ -131,7 +131,7 @@ pub fn trend_table(outcome: &Outcome<'_>, study: &Study, words: &Translator) -> 
         ],
     );
     for trend in &study.trends {
-        let name = outcome.factors[trend.factor].name.as_str();
+        let name = groups.factors[trend.factor].name.as_str();
         let unit = match name {
             "height" => words.text("session-per-metre"),
             "temperature" => words.text("session-per-kelvin"),
@@ -151,7 +151,7 @@ pub fn trend_table(outcome: &Outcome<'_>, study: &Study, words: &Translator) -> 
 }
 
 /// Restitution of each group at several speeds.
-pub fn law_table(outcome: &Outcome<'_>, study: &Study, words: &Translator) -> Table {
+pub fn law_table(groups: &GroupStudy, study: &Study, words: &Translator) -> Table {
     let mut table = Table::with_headings(
         words,
         [
@@ -167,7 +167,7 @@ pub fn law_table(outcome: &Outcome<'_>, study: &Study, words: &Translator) -> Ta
             let shown = restitution(mean);
             let interval = |ends| shown.interval_text(ends, words);
             table.row([
-                outcome.group_name(&group.levels),
+                groups.group_name(&group.levels, words),
                 words.fixed(*speed_m_s, 3),
                 mean.drops.to_string(),
                 shown.text(words),
@@ -179,7 +179,7 @@ pub fn law_table(outcome: &Outcome<'_>, study: &Study, words: &Translator) -> Ta
 }
 
 /// 95 % intervals of the groups.
-pub fn interval_table(outcome: &Outcome<'_>, study: &Study, words: &Translator) -> Table {
+pub fn interval_table(groups: &GroupStudy, study: &Study, words: &Translator) -> Table {
     let mut table = Table::with_headings(
         words,
         [
@@ -189,7 +189,7 @@ pub fn interval_table(outcome: &Outcome<'_>, study: &Study, words: &Translator) 
             ("session-column-between-drops", Align::Right),
         ],
     );
-    for (name, group) in named_groups(outcome, study, words) {
+    for (name, group) in named_groups(groups, study, words) {
         let interval = |ends: Option<[f64; 2]>| {
             ends.map_or_else(String::new, |ends| shown(group).interval_text(ends, words))
         };
@@ -207,16 +207,16 @@ pub fn interval_table(outcome: &Outcome<'_>, study: &Study, words: &Translator) 
 
 /// The groups with their names, and all drops as one where there are several.
 fn named_groups<'a>(
-    outcome: &Outcome<'_>,
+    groups: &GroupStudy,
     study: &'a Study,
     words: &Translator,
 ) -> Vec<(String, &'a Group)> {
-    let named = |group: &'a Group| (outcome.group_name(&group.levels), group);
-    let mut groups: Vec<_> = study.groups.iter().map(named).collect();
-    if groups.len() > 1 {
-        groups.push((words.text("session-all"), &study.all));
+    let named = |group: &'a Group| (groups.group_name(&group.levels, words), group);
+    let mut all: Vec<_> = study.groups.iter().map(named).collect();
+    if all.len() > 1 {
+        all.push((words.text("session-all"), &study.all));
     }
-    groups
+    all
 }
 
 fn shown(group: &Group) -> Quantity {
@@ -236,7 +236,7 @@ fn needed(group: &Group, wanted: Option<f64>, words: &Translator) -> String {
 }
 
 /// Who varies.
-pub fn varies_table(outcome: &Outcome<'_>, study: &Study, words: &Translator) -> Table {
+pub fn varies_table(groups: &GroupStudy, study: &Study, words: &Translator) -> Table {
     let mut table = Table::with_headings(
         words,
         [
@@ -250,7 +250,7 @@ pub fn varies_table(outcome: &Outcome<'_>, study: &Study, words: &Translator) ->
         let names: Vec<&str> = varies
             .factors
             .iter()
-            .map(|&factor| outcome.factors[factor].name.as_str())
+            .map(|&factor| groups.factors[factor].name.as_str())
             .collect();
         let name = match names.as_slice() {
             [] => words.text("session-drop"),

@@ -1,0 +1,40 @@
+//! What many drops say together: the study of groups as tables, figures and a page.
+//!
+//! Whoever has drops hands over what each adds to a study and what was noted of it ([`NotedDrop`]); the program
+//! takes them from recordings, the page from the table of drops.
+//!
+//! ```
+//! use std::collections::BTreeMap;
+//!
+//! use bouncelab::groups::{CurvePoint, RestitutionCurve};
+//! use bouncelab_report::groups::{About, GroupStudy, NotedDrop, Question, tables};
+//! use bouncelab_report::messages::Translator;
+//!
+//! let noted: Vec<BTreeMap<String, String>> = ["golf", "tennis"]
+//!     .map(|ball| BTreeMap::from([("ball".to_owned(), ball.to_owned())]))
+//!     .into();
+//! let drops = [(0, 0.82), (0, 0.84), (1, 0.73), (1, 0.74)].map(|(of, value)| NotedDrop {
+//!     name: format!("e = {value}").into(),
+//!     factors: &noted[of],
+//!     height_m: None,
+//!     temperature_k: None,
+//!     curve: RestitutionCurve(vec![CurvePoint { speed_m_s: 1.0, value, own_sd: 0.002, shared_sd: 0.001 }]),
+//!     scatter: None,
+//! });
+//! let words = Translator::english();
+//! let groups = GroupStudy::of(About::default(), drops.into(), &Question::default(), &words)?;
+//! let study = groups.study.as_ref().unwrap();
+//! let table = tables::group_table(&groups, study, None, &words).to_string();
+//! let golf = table.lines().find(|line| line.starts_with("golf")).unwrap();
+//! assert!(golf.contains("0.83"), "{table}");
+//! # Ok::<(), bouncelab_report::groups::UnknownField>(())
+//! ```
+
+mod figures;
+mod page;
+mod study;
+pub mod tables;
+
+pub use figures::figures;
+pub use page::{page, some_of};
+pub use study::{About, GroupStudy, NotedDrop, Question, Reason, UnknownField};

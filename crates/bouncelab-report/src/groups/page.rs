@@ -1,0 +1,212 @@
+//! What drops say together, as a page.
+
+use bouncelab::groups::Study;
+
+use super::study::{About, GroupStudy, Reason};
+use super::tables;
+use crate::chart::Chart;
+use crate::messages::{Translator, Value};
+use crate::report::{Block, Language, Page, Provenance, Section, ended, made_by};
+
+/// The page of many drops: the groups in words, tables and figures, what is wrong with which recordings, what was
+/// assumed, the method, and how to repeat it. The charts are its [`figures`](super::figures()).
+pub fn page(
+    groups: &GroupStudy,
+    charts: &[(&'static str, Chart)],
+    provenance: &Provenance,
+    to_repeat: Section,
+    words: &Translator,
+) -> Page {
+    let about = &groups.about;
+    let mut sections = match &groups.study {
+        Ok(study) => of_study(groups, study, charts, words),
+        Err(_) => Vec::new(),
+    };
+    sections.extend([
+        troubles(about, words),
+        assumed(about, words),
+        method(words),
+        to_repeat,
+    ]);
+    sections.retain(|section| !section.is_empty());
+    let untitled = || words.text("session-untitled");
+    Page {
+        title: about.title.clone().unwrap_or_else(untitled),
+        subtitle: made_by(provenance, words),
+        lead: lead(groups, words),
+        sections,
+        details: Vec::new(),
+        unfolded: false,
+        language: Language::new(words),
+    }
+}
+
+fn lead(groups: &GroupStudy, words: &Translator) -> Vec<Block> {
+    let mut lead = vec![Block::Lead(ended(tables::counts(&groups.about, words)))];
+    match &groups.study {
+        Ok(study) => {
+            let speed = [("speed", Value::fixed(study.at_speed_m_s, 2))];
+            lead.push(Block::text(words.text_with("session-compared", &speed)));
+            if !study.outliers.is_empty() {
+                let names: Vec<&str> = study
+                    .outliers
+                    .iter()
+                    .map(|outlier| groups.name_of(outlier.drop))
+                    .collect();
+                let names = [("names", names.join(", ").into())];
+                lead.push(Block::Note(words.text_with("session-unlike", &names)));
+            }
+            lead.extend(untold(study).map(|id| Block::Note(words.text(id))));
+        }
+        Err(reason) => {
+            let reason = [("reason", ended(reason).into())];
+            lead.push(Block::Note(
+                words.text_with("session-incomparable", &reason),
+            ));
+        }
+    }
+    lead
+}
+
+/// What so few drops, or drops of one group only, cannot tell.
+fn untold(study: &Study) -> Option<&'static str> {
+    match (study.all.drops.len(), study.groups.len()) {
+        (1, _) => Some("session-one-drop"),
+        (_, 1) => Some("session-one-group"),
+        _ => None,
+    }
+}
+
+fn of_study(
+    groups: &GroupStudy,
+    study: &Study,
+    charts: &[(&'static str, Chart)],
+    words: &Translator,
+) -> Vec<Section> {
+    let mut charts = charts.iter();
+    let mut figure = || {
+        let (name, chart) = charts.next()?;
+        Some(Block::figure(*name, chart.clone()))
+    };
+    let (laws, intervals, run) = (figure(), figure(), figure());
+    let with = |mut blocks: Vec<Block>, figure: Option<Block>| {
+        blocks.extend(figure);
+        blocks
+    };
+    let mut of_groups = vec![
+        Block::table(
+            words.text("session-groups-table"),
+            tables::group_table(groups, study, None, words),
+        ),
+        Block::table(
+            words.text("session-intervals-table"),
+            tables::interval_table(groups, study, words),
+        ),
+    ];
+    let without = tables::without_table(groups, study, words);
+    if !without.is_empty() {
+        of_groups.push(Block::table(words.text("session-without-table"), without));
+    }
+    let varies = if study.varies.len() > 1 {
+        vec![Block::table(
+            words.text("session-varies-table"),
+            tables::varies_table(groups, study, words),
+        )]
+    } else {
+        Vec::new()
+    };
+    let differences = study
+        .differences
+        .iter()
+        .filter(|(_, differences)| !differences.is_empty())
+        .map(|(factor, differences)| {
+            let name = groups.factors[*factor].name.as_str();
+            let table = tables::difference_table(groups, *factor, differences, words);
+            let caption = words.text_with("session-differences-table", &[("factor", name.into())]);
+            Block::table(caption, table)
+        });
+    let trends = tables::trend_table(groups, study, words);
+    let trends = (!trends.is_empty()).then(|| {
+        let caption = words.text("session-trends-table");
+        Block::table(caption, trends)
+    });
+    vec![
+        Section::new(words.text("session-groups"), with(of_groups, intervals)),
+        Section::new(words.text("session-against-speed"), with(Vec::new(), laws)),
+        Section::new(words.text("session-what-varies"), varies),
+        Section::new(
+            words.text("session-differences-heading"),
+            differences.chain(trends).collect(),
+        ),
+        Section::new(words.text("session-in-order"), with(Vec::new(), run)),
+    ]
+}
+
+fn troubles(about: &About, words: &Translator) -> Section {
+    let parts = [
+        ("session-without-drop", &about.without_drop),
+        ("session-failed", &about.failed),
+        ("session-duplicates", &about.duplicates),
+        ("session-left-out", &about.left_out),
+        ("session-odd", &about.odd),
+    ];
+    let blocks = parts
+        .into_iter()
+        .filter(|(_, reasons)| !reasons.is_empty())
+        .flat_map(|(id, reasons)| {
+            [
+                Block::text(format!("{}:", words.text(id))),
+                Block::List(by_reason(reasons)),
+            ]
+        });
+    Section::new(words.text("session-troubles"), blocks.collect())
+}
+
+/// One line for each reason, with the first of those that it is true of.
+fn by_reason(reasons: &[Reason]) -> Vec<String> {
+    let mut lines: Vec<(&str, Vec<String>)> = Vec::new();
+    for Reason { name, reason } in reasons {
+        match lines.iter_mut().find(|(known, _)| known == reason) {
+            Some((_, names)) => names.push(name.clone()),
+            None => lines.push((reason, vec![name.clone()])),
+        }
+    }
+    let line = |(reason, names): (&str, Vec<String>)| format!("{}: {reason}", some_of(&names));
+    lines.into_iter().map(line).collect()
+}
+
+fn assumed(about: &About, words: &Translator) -> Section {
+    let mut blocks: Vec<Block> = about
+        .remarks
+        .iter()
+        .map(|remark| Block::Note(ended(remark)))
+        .collect();
+    if !about.assumptions.is_empty() {
+        blocks.push(Block::text(words.text("session-assumed")));
+        blocks.push(Block::List(about.assumptions.clone()));
+    }
+    Section::new(words.text("session-conditions"), blocks)
+}
+
+fn method(words: &Translator) -> Section {
+    let ids = [
+        "session-method-drop",
+        "session-method-group",
+        "session-method-factors",
+    ];
+    Section::new(
+        words.text("session-method"),
+        ids.map(|id| Block::text(words.text(id))).into(),
+    )
+}
+
+/// The first few of many names.
+pub fn some_of(names: &[String]) -> String {
+    const SHOWN: usize = 4;
+    match names.len() {
+        count if count > SHOWN + 1 => {
+            format!("{} and {} more", names[..SHOWN].join(", "), count - SHOWN)
+        }
+        _ => names.join(", "),
+    }
+}

@@ -1,0 +1,376 @@
+//! Lesson sheets: two pages of A4 each, the second with what to expect, computed.
+//!
+//! `docs/lessons` has them in every language, beside their [style](style()).
+//!
+//! ```
+//! use bouncelab_report::messages::Translator;
+//! use bouncelab_report::sheets::Sheet;
+//!
+//! let html = Sheet::Gravity.html(&Translator::english())?;
+//! assert!(html.contains("Measure g with a ball"));
+//! # Ok::<(), bouncelab::Error>(())
+//! ```
+
+use bouncelab::Result;
+use bouncelab::drop::{self, Bounce, Start, Stop};
+use bouncelab::gravity::STANDARD_M_S2;
+use bouncelab::impact::{Contact, Restitution};
+use bouncelab::setup::Settings;
+use maud::{DOCTYPE, Markup, html};
+
+use crate::MARK;
+use crate::digits::with_minus;
+use crate::messages::{Translator, Value};
+
+/// The name of the style, which lies beside the sheets: the page allows no styles within.
+pub const STYLE: &str = "sheet.css";
+
+/// The style of the sheets: that of reports, and what they have besides.
+pub fn style() -> String {
+    [include_str!("report/style.css"), include_str!("sheets.css")].concat()
+}
+
+/// The ball of which the sheets speak most.
+const LIGHT: &str = "table-tennis-40";
+/// One that stays long on the floor at each bounce.
+const SOFT: &str = "tennis";
+/// One that hardly feels the air.
+const HEAVY: &str = "steel:0.02";
+/// The balls that are compared.
+const BALLS: [&str; 4] = [LIGHT, SOFT, "golf", HEAVY];
+/// What the compared balls keep of their speed.
+const SHARED: f64 = 0.85;
+/// What one of the examples keeps.
+const EXAMPLE: f64 = 0.9;
+/// Scatter of restitution from bounce to bounce, which is usual for good balls, relative.
+const SCATTER: f64 = 0.005;
+/// How often the ball is dropped to measure gravity.
+const DROPS: f64 = 5.0;
+
+/// A lesson sheet.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Sheet {
+    /// How bouncy is a ball?
+    Bounciness,
+    /// How much does air take?
+    Air,
+    /// Measure g with a ball.
+    Gravity,
+}
+
+/// A table: its headings, and its rows.
+type Rows = (Vec<&'static str>, Vec<Vec<String>>);
+
+/// Values of the messages of a sheet, by name.
+type Values = Vec<(&'static str, Value<'static>)>;
+
+/// What differs from sheet to sheet.
+struct Contents {
+    values: Values,
+    /// Headings and number of rows of the table to fill in.
+    to_fill: (Vec<&'static str>, usize),
+    expected: Rows,
+}
+
+impl Sheet {
+    /// All sheets.
+    pub const ALL: [Self; 3] = [Self::Bounciness, Self::Air, Self::Gravity];
+
+    /// Its name in files and messages.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Bounciness => "bounciness",
+            Self::Air => "air",
+            Self::Gravity => "gravity",
+        }
+    }
+
+    /// The drop height, m.
+    const fn height_m(self) -> f64 {
+        match self {
+            Self::Bounciness | Self::Gravity => 0.5,
+            Self::Air => 1.0,
+        }
+    }
+
+    /// The sheet as HTML, which prints on two pages.
+    ///
+    /// # Errors
+    ///
+    /// None: all numbers of the sheets are within their ranges.
+    pub fn html(self, words: &Translator) -> Result<String> {
+        let contents = self.contents(words)?;
+        let id = |part: &str| format!("sheet-{}-{part}", self.name());
+        let text = |part: &str| words.text_with(&id(part), &contents.values);
+        let all = |part: &str| {
+            let ids = (1..).map(|number| id(&format!("{part}-{number}")));
+            let known = ids.take_while(|id| words.has(id));
+            known
+                .map(|id| words.text_with(&id, &contents.values))
+                .collect::<Vec<_>>()
+        };
+        let (headings, count) = &contents.to_fill;
+        let blank = vec![Vec::new(); *count];
+        let page = html! {
+            (DOCTYPE)
+            html lang=(words.language()) {
+                head {
+                    meta charset="utf-8";
+                    meta name="viewport" content="width=device-width, initial-scale=1";
+                    meta name="color-scheme" content="light dark";
+                    meta name="generator" content=(MARK);
+                    title { (text("title")) }
+                    link rel="icon" href="data:,";
+                    link rel="stylesheet" href=(STYLE);
+                }
+                body {
+                    main {
+                        section {
+                            h1 { (text("title")) }
+                            p .fields { (words.text("sheet-fields")) }
+                            p .first { (text("aim")) }
+                            h2 { (words.text("sheet-need")) }
+                            ul { @for item in all("need") { li { (item) } } }
+                            h2 { (words.text("sheet-do")) }
+                            ol { @for item in all("do") { li { (item) } } }
+                            h2 { (words.text("sheet-write")) }
+                            (table(words, headings, &blank))
+                        }
+                        section .second {
+                            h2 { (words.text("sheet-work")) }
+                            ol { @for item in all("work") { li { (item) } } }
+                            h2 { (words.text("sheet-expected")) }
+                            p { (text("see")) }
+                            (table(words, &contents.expected.0, &contents.expected.1))
+                            p .subtitle { (words.text("sheet-expected-made")) }
+                            h2 { (words.text("sheet-talk")) }
+                            ol { @for item in all("talk") { li { (item) } } }
+                            h2 { (words.text("sheet-teacher")) }
+                            ul {
+                                @for item in all("teacher") { li { (item) } }
+                                li { (words.text("sheet-teacher-quiet")) }
+                                li { (words.text("sheet-teacher-collect")) }
+                            }
+                        }
+                    }
+                }
+            }
+        };
+        Ok(page.into_string())
+    }
+
+    fn contents(self, words: &Translator) -> Result<Contents> {
+        let height = ("height", Value::fixed(100.0 * self.height_m(), 0));
+        let mut contents = match self {
+            Self::Bounciness => self.bounciness(words),
+            Self::Air => self.air(words),
+            Self::Gravity => self.gravity(words),
+        }?;
+        contents.values.push(height);
+        Ok(contents)
+    }
+
+    fn bounciness(self, words: &Translator) -> Result<Contents> {
+        let row = |&restitution: &f64| {
+            let flights = self.flights(LIGHT, restitution, true)?;
+            let height_cm = 100.0 * flights.bounces[0].flight.apex_m;
+            let fixed = |value, digits| words.fixed(value, digits);
+            Ok(vec![
+                fixed(restitution, 2),
+                fixed(flights.time_s(0), 4),
+                fixed(flights.time_s(1), 4),
+                fixed(flights.ratio(), 4),
+                fixed(height_cm, 1),
+            ])
+        };
+        let rows = [0.95, EXAMPLE, 0.85, 0.8, 0.7].iter().map(row);
+        let ratio = self.flights(LIGHT, EXAMPLE, true)?.ratio();
+        Ok(Contents {
+            values: vec![
+                ("ball", ball_name(LIGHT, words).into()),
+                ("off", Value::fixed(100.0 * (1.0 - ratio / EXAMPLE), 1)),
+            ],
+            to_fill: (
+                vec!["ball", "drop", "first", "second", "ratio", "restitution"],
+                9,
+            ),
+            expected: (
+                vec!["restitution", "first", "second", "ratio", "height"],
+                rows.collect::<Result<_>>()?,
+            ),
+        })
+    }
+
+    fn air(self, words: &Translator) -> Result<Contents> {
+        let fixed = |value, digits| words.fixed(value, digits);
+        let row = |ball: &str, air: bool| {
+            let flights = self.flights(ball, SHARED, air)?;
+            let terminal = flights.terminal_speed_m_s.filter(|_| air);
+            let share = flights.drag_share();
+            Ok(vec![
+                if air {
+                    ball_name(ball, words)
+                } else {
+                    words.text("sheet-no-air")
+                },
+                terminal.map_or_else(String::new, |speed| fixed(speed, 1)),
+                fixed(flights.bounces[0].impact_speed_m_s, 3),
+                if air {
+                    fixed(100.0 * share, 1)
+                } else {
+                    fixed(0.0, 0)
+                },
+                fixed(flights.time_s(0), 4),
+                fixed(flights.ratio(), 4),
+            ])
+        };
+        let rows = BALLS.iter().map(|ball| row(ball, true));
+        let light = self.flights(LIGHT, SHARED, true)?;
+        Ok(Contents {
+            values: vec![
+                ("restitution", Value::fixed(SHARED, 2)),
+                ("share", Value::fixed(100.0 * light.drag_share(), 0)),
+                (
+                    "off",
+                    Value::fixed(100.0 * (1.0 - light.ratio() / SHARED), 1),
+                ),
+            ],
+            to_fill: (
+                vec!["ball", "first", "second", "third", "ratio", "restitution"],
+                9,
+            ),
+            expected: (
+                vec!["ball", "terminal", "speed", "share", "first", "ratio"],
+                rows.chain([row(LIGHT, false)]).collect::<Result<_>>()?,
+            ),
+        })
+    }
+
+    fn gravity(self, words: &Translator) -> Result<Contents> {
+        let fixed = |value, digits| words.fixed(value, digits);
+        let row = |ball: &str, air: bool| {
+            let flights = self.flights(ball, SHARED, air)?;
+            let (first_s, second_s) = (flights.time_s(0), flights.time_s(1));
+            let gravity = self.gravity_of(&flights);
+            Ok(vec![
+                if air {
+                    ball_name(ball, words)
+                } else {
+                    words.text("sheet-no-air")
+                },
+                fixed(first_s, 4),
+                fixed(second_s, 4),
+                fixed(gravity, 2),
+                with_minus(&fixed(percent_off(gravity), 1)),
+            ])
+        };
+        let rows = BALLS.iter().rev().map(|ball| row(ball, true));
+        let soft = self.flights(SOFT, SHARED, true)?;
+        // g goes with the square of the restitution of the second bounce over that of the first.
+        let scatter = 2.0 * 2.0_f64.sqrt() * SCATTER;
+        Ok(Contents {
+            values: vec![
+                ("restitution", Value::fixed(SHARED, 2)),
+                ("gravity", Value::fixed(STANDARD_M_S2, 2)),
+                ("share", Value::fixed(0.1 / self.height_m(), 1)),
+                ("contact", Value::fixed(1e3 * soft.contact_s, 0)),
+                (
+                    "soft",
+                    Value::fixed(-percent_off(self.gravity_of(&soft)), 1),
+                ),
+                ("scatter", Value::fixed(100.0 * scatter, 1)),
+                ("mean", Value::fixed(100.0 * scatter / DROPS.sqrt(), 1)),
+            ],
+            to_fill: (vec!["drop", "first", "second", "ratio", "gravity"], 6),
+            expected: (
+                vec!["ball", "first", "second", "gravity", "off"],
+                [row(HEAVY, false)]
+                    .into_iter()
+                    .chain(rows)
+                    .collect::<Result<_>>()?,
+            ),
+        })
+    }
+
+    /// The acceleration of gravity by the height and two flights, as if there were no air and no contact, m/s².
+    fn gravity_of(self, flights: &Flights) -> f64 {
+        8.0 * self.height_m() * flights.time_s(1).powi(2) / flights.time_s(0).powi(4)
+    }
+
+    /// The first flights of a ball from the height of the sheet.
+    fn flights(self, ball: &str, restitution: f64, air: bool) -> Result<Flights> {
+        let settings = Settings {
+            ball: Some(ball.to_owned()),
+            drag: (!air).then(|| "none".to_owned()),
+            ..Settings::default()
+        };
+        let options = settings.resolve(false)?.options;
+        let contact = Contact::new(Restitution::constant(restitution)?, options.contact_time_s)?;
+        let model = options.model()?;
+        let start = Start::Height(self.height_m());
+        let history = drop::simulate(&model, &contact, start, Stop::after(3))?;
+        Ok(Flights {
+            terminal_speed_m_s: model.terminal_speed_m_s(),
+            bounces: history.bounces().to_vec(),
+            contact_s: options.contact_time_s,
+        })
+    }
+}
+
+/// The first flights of a drop.
+struct Flights {
+    terminal_speed_m_s: Option<f64>,
+    bounces: Vec<Bounce>,
+    contact_s: f64,
+}
+
+impl Flights {
+    /// From one impact to the next, as they are heard.
+    fn time_s(&self, flight: usize) -> f64 {
+        self.bounces[flight].flight.time_s() + self.contact_s
+    }
+
+    fn ratio(&self) -> f64 {
+        self.time_s(1) / self.time_s(0)
+    }
+
+    /// Drag at the first impact over the weight.
+    fn drag_share(&self) -> f64 {
+        let terminal = self.terminal_speed_m_s.unwrap_or(f64::INFINITY);
+        (self.bounces[0].impact_speed_m_s / terminal).powi(2)
+    }
+}
+
+/// How far an acceleration of gravity is off, in per cent to one digit.
+fn percent_off(gravity_m_s2: f64) -> f64 {
+    // Adding zero makes of a negative zero a plain one.
+    (1000.0 * (gravity_m_s2 / STANDARD_M_S2 - 1.0)).round() / 10.0 + 0.0
+}
+
+fn ball_name(ball: &str, words: &Translator) -> String {
+    let kind = ball.split(':').next().unwrap_or(ball);
+    words.text(&format!("sheet-ball-{kind}"))
+}
+
+fn table(words: &Translator, headings: &[&str], rows: &[Vec<String>]) -> Markup {
+    html! {
+        div .table {
+            table {
+                thead {
+                    tr { @for id in headings {
+                        th scope="col" { (words.text(&format!("sheet-column-{id}"))) }
+                    } }
+                }
+                tbody {
+                    @for row in rows {
+                        tr {
+                            @for column in 0..headings.len() {
+                                td { (row.get(column).map_or("", String::as_str)) }
+                            }
+                        }
+                    }
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,251 @@
+/**
+ * Many drops at once: files that others saved, recordings, ZIP files of them, and links. What is damaged or
+ * something else is named, the rest is kept; a drop that is in the table already is not added again.
+ */
+import { codesIn } from '../address/drop.ts';
+import { type DropMarks, LabError, mustFit, type Settings } from '../lab/index.ts';
+import {
+  ArchiveError,
+  dropsOfList,
+  filesIn,
+  isArchive,
+  LIST_FORMAT,
+  unpack,
+} from '../store/archive.ts';
+import { addDrops, allDrops, type KeptDrop, soundOf } from '../store/drops.ts';
+import { newId } from '../store/id.ts';
+import { archiveFaultOf, keepArchived } from './archiving.ts';
+import { catalogue, engine, faultOf, messageOf } from './engine.ts';
+import type { Fault } from './faults.ts';
+import { loadKept } from './keeping.ts';
+import { askToLast } from './lasting.ts';
+import { type Measured, measure, measureMarks } from './measuring.ts';
+import { settings } from './settings.ts';
+import { stemOf, studentsOf } from './students.ts';
+
+/** What came of it. */
+export interface Gathered {
+  readonly added: number;
+  /** Drops that were in the table already. */
+  readonly known: number;
+  readonly refused: readonly Fault[];
+}
+
+/** A file, wherever it lies. */
+interface Named {
+  readonly path: string;
+  /** In bytes, once it is unpacked. */
+  readonly size: number;
+  blob(): Promise<Blob>;
+}
+
+/** Something with drops in it, which is read when it is its turn. */
+interface Source {
+  readonly name: string;
+  /** Adds those that are new; says how many, and of how many. */
+  add(isNew: (drop: KeptDrop) => boolean): Promise<{ added: number; all: readonly KeptDrop[] }>;
+}
+
+/** Adds the drops of files and of the links in a text; `onSource` gets the name of what is read. */
+export async function gather(
+  files: readonly File[],
+  pasted: string,
+  onSource: (name: string) => void,
+): Promise<Gathered> {
+  const sounds = new Set((await allDrops()).map(({ marks }) => soundOf(marks)));
+  const isNew = ({ marks }: KeptDrop): boolean => !sounds.has(soundOf(marks));
+  let [added, known] = [0, 0];
+  const refused: Fault[] = [];
+  for await (const source of sourcesOf(files, pasted, refused)) {
+    onSource(source.name);
+    try {
+      const found = await source.add(isNew);
+      added += found.added;
+      known += found.all.length - found.added;
+      for (const { marks } of found.all) sounds.add(soundOf(marks));
+    } catch (error) {
+      refused.push({ about: source.name, ...gatheringFaultOf(error) });
+    }
+  }
+  void askToLast();
+  await loadKept();
+  return { added, known, refused };
+}
+
+/** What the page says of something that could not be added. */
+function gatheringFaultOf(error: unknown): Fault {
+  if (error instanceof NoDrop) return { key: 'no-drop' };
+  if (error instanceof BadLink) return { key: 'link', detail: error.message };
+  if (error instanceof LabError) return faultOf(error);
+  if (error instanceof ArchiveError) return archiveFaultOf(error);
+  const isStorage = error instanceof DOMException;
+  return isStorage ? { key: 'keep' } : { key: 'damaged', detail: messageOf(error) };
+}
+
+class NoDrop extends Error {}
+class BadLink extends Error {}
+
+async function* sourcesOf(
+  files: readonly File[],
+  pasted: string,
+  refused: Fault[],
+): AsyncGenerator<Source> {
+  const named = files.map((file) => ({
+    path: file.webkitRelativePath || file.name,
+    size: file.size,
+    blob: async () => file,
+  }));
+  yield* sourcesIn(named, '', 0, refused);
+  yield* codesIn(pasted).map((code) => link(code, ''));
+}
+
+/** A ZIP in a ZIP is what a student saved; deeper ones are not looked into. */
+const DEEPEST = 1;
+
+/** All files are those of `owner`, if one is named. */
+async function* sourcesIn(
+  files: readonly Named[],
+  owner: string,
+  depth: number,
+  refused: Fault[],
+): AsyncGenerator<Source> {
+  const seen = files.filter(({ path }) => !/(^|\/)(\.|__MACOSX\/|Thumbs\.db$)/.test(path));
+  const students = studentsOf(seen.map(({ path }) => path));
+  for (const [place, file] of seen.entries()) {
+    const student = owner || (students[place] ?? '');
+    try {
+      yield* sourcesInFile(file, student, depth, refused);
+    } catch (error) {
+      refused.push({ about: file.path, ...gatheringFaultOf(error) });
+    }
+  }
+}
+
+async function* sourcesInFile(
+  file: Named,
+  student: string,
+  depth: number,
+  refused: Fault[],
+): AsyncGenerator<Source> {
+  const ending = /\.([^.]+)$/.exec(file.path.toLowerCase())?.[1] ?? '';
+  if (ending === 'zip' && depth <= DEEPEST) {
+    const blob = await file.blob();
+    const inside = await filesIn(blob);
+    // What is not in another ZIP has the name of the class, or of a copy of the table.
+    const owner = depth === 0 ? '' : student;
+    if (isArchive(inside)) yield archived(file.path, blob, owner);
+    else yield* sourcesIn(inside, owner, depth + 1, refused);
+    return;
+  }
+  mustFit(file.path, file.size);
+  if (ending === 'json') {
+    yield listed(file, student);
+  } else {
+    const codes = MAY_HOLD_LINKS.has(ending) ? codesIn(await (await file.blob()).text()) : [];
+    if (codes.length > 0) yield* codes.map((code) => link(code, student));
+    else yield recorded(file, student);
+  }
+}
+
+const MAY_HOLD_LINKS = new Set(['txt', 'csv', 'md', 'url', 'html', 'htm']);
+
+/** What this page saved with all sounds. */
+const archived = (name: string, blob: Blob, student: string): Source => ({
+  name,
+  add: async (isNew) => {
+    const { drops, sounds } = await unpack(blob);
+    const theirs = drops.map((drop) => ({ ...drop, student: drop.student || student }));
+    return { added: await keepArchived(theirs.filter(isNew), sounds), all: drops };
+  },
+});
+
+/** What this page saved as JSON: the table of drops, or one analysis; or a list of times. */
+const listed = (file: Named, student: string): Source =>
+  drops(file.path, async () => {
+    const blob = await file.blob();
+    const content: unknown = JSON.parse(await blob.text());
+    const { schema } = (content ?? {}) as { schema?: unknown };
+    if (String(schema).startsWith(`${LIST_FORMAT}/`)) {
+      const kept = dropsOfList(content as object);
+      return kept.map((drop) => ({ ...drop, student: drop.student || student || drop.name }));
+    }
+    const measured = String(schema).startsWith(`${ANALYSIS}/`)
+      ? await ofAnalysis(content as Analysis)
+      : await measure(await engine().open({ name: file.path, blob }), settings.peek());
+    return named(measured, stemOf(file.path), student);
+  });
+
+/** A recording, or a list of times. */
+const recorded = (file: Named, student: string): Source =>
+  drops(file.path, async () => {
+    const recording = await engine().open({ name: file.path, blob: await file.blob() });
+    return named(await measure(recording, settings.peek()), stemOf(file.path), student);
+  });
+
+function link(code: string, student: string): Source {
+  return drops(`…${code.slice(-8)}`, async () => {
+    const { name, settings, times_s } = await engine()
+      .linkedDrop(code)
+      .catch((error: unknown) => {
+        throw new BadLink(messageOf(error));
+      });
+    const measured = await measure(await engine().paste(times_s.join('\n')), settings);
+    return named(measured, name, student || name);
+  });
+}
+
+const drops = (name: string, read: () => Promise<readonly KeptDrop[]>): Source => ({
+  name,
+  add: async (isNew) => {
+    const all = await read();
+    if (all.length === 0) throw new NoDrop(name);
+    return { added: await addDrops(all.filter(isNew)), all };
+  },
+});
+
+/** Drops of one source, ready to be kept; several are numbered. */
+function named(measured: readonly Measured[], name: string, student: string): KeptDrop[] {
+  return measured.map((drop, place) => ({
+    ...drop,
+    id: newId(),
+    name: measured.length > 1 ? `${name} #${place + 1}` : name,
+    keptAt: Date.now(),
+    recording: null,
+    student,
+    surface: '',
+  }));
+}
+
+/** The document of an analysis, as far as a drop can be analysed again by it. */
+interface Analysis {
+  readonly drops: readonly Omit<DropMarks, 'edited'>[];
+  readonly settings: {
+    readonly ball_mass_kg: number;
+    readonly ball_diameter_m: number;
+    readonly contact_time_s: number;
+    readonly drag: string;
+    readonly gravity_m_s2: number;
+    readonly air_density_kg_m3: number;
+    readonly air_viscosity_pa_s: number;
+    readonly buoyancy: boolean;
+    readonly added_mass: boolean;
+  };
+}
+
+const ANALYSIS = 'bouncelab.analysis';
+
+function ofAnalysis({ drops, settings: used }: Analysis): Promise<readonly Measured[]> {
+  const { ball_mass_kg: mass_kg, ball_diameter_m: diameter_m } = used;
+  const ball = catalogue
+    .peek()
+    ?.balls.find((preset) => preset.mass_kg === mass_kg && preset.diameter_m === diameter_m);
+  const { contact_time_s, drag, gravity_m_s2, buoyancy, added_mass } = used;
+  const { air_density_kg_m3, air_viscosity_pa_s } = used;
+  const stated: Settings = {
+    ...(ball ? { ball: ball.name } : { mass_kg, diameter_m }),
+    ...{ contact_time_s, drag, gravity_m_s2, buoyancy, added_mass },
+    ...{ air_density_kg_m3, air_viscosity_pa_s },
+  };
+  const marks = drops.map(({ impacts, probability }) => ({ impacts, probability, edited: false }));
+  return marks.length === 0 ? Promise.resolve([]) : measureMarks(marks, stated);
+}

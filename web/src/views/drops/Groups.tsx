@@ -1,0 +1,57 @@
+import { useEffect, useState } from 'preact/hooks';
+import { Blocks, Sections } from '../../app/Blocks.tsx';
+import { saveText } from '../../app/save.ts';
+import { useAnswer } from '../../chart/Figure.tsx';
+import { complete, FIELDS, fieldName, grouping, studyOf, toggle } from '../../state/comparing.ts';
+import { engine } from '../../state/engine.ts';
+import type { KeptDrop } from '../../store/drops.ts';
+import { text } from '../../text/language.ts';
+
+/** What the drops say together, by groups: the study of the program. */
+export function Groups({ drops }: { readonly drops: readonly KeptDrop[] }) {
+  const [tried, setTried] = useState(false);
+  const unknown = drops.filter(({ comparable }) => comparable === undefined).length;
+  useEffect(() => void complete().finally(() => setTried(true)), [unknown]);
+  const request = studyOf(drops, null);
+  const isReady = tried || unknown === 0;
+  const studied = useAnswer(
+    async () => (isReady ? engine().study(request) : undefined),
+    [isReady, request],
+  );
+  return (
+    <div class="stack wide groups" aria-busy={!studied}>
+      <h2>{text('page-class-groups')}</h2>
+      <fieldset class="choice">
+        <legend>{text('page-class-by')}</legend>
+        <div class="row">
+          {FIELDS.map((field) => (
+            <label key={field} class="check">
+              <input
+                type="checkbox"
+                checked={grouping.value.has(field)}
+                onChange={() => toggle(field)}
+              />{' '}
+              {fieldName(field)}
+            </label>
+          ))}
+        </div>
+      </fieldset>
+      {studied && (
+        <>
+          <Blocks blocks={studied.lead} />
+          <div>
+            <button type="button" class="quiet" onClick={() => void saveReport(drops)}>
+              {text('page-class-report')}
+            </button>
+          </div>
+          <Sections sections={studied.sections} />
+        </>
+      )}
+    </div>
+  );
+}
+
+async function saveReport(drops: readonly KeptDrop[]): Promise<void> {
+  const request = studyOf(drops, new Date().toISOString().slice(0, 10));
+  saveText(await engine().studyReport(request), 'text/html', 'bouncelab-drops.html');
+}

@@ -1,0 +1,149 @@
+/**
+ * A class: thirty phones hear a drop each, thirty links reach one page, and the groups of that page hold the truth.
+ */
+import { join } from 'node:path';
+import type { Browser, Page } from 'playwright-core';
+import { afterAll, beforeAll, expect, test } from 'vitest';
+import { launch } from '../harness/browser.ts';
+import { folder, synth } from '../harness/program.ts';
+import { Site } from '../harness/site.ts';
+import { open, settled } from '../support/page.ts';
+import { hearing } from '../support/sounds.ts';
+
+/** Three balls, as the page and as the synthesiser call them, and what they keep of their speed on average. */
+const BALLS = [
+  { ball: 'table-tennis-40', name: 'table tennis', voice: 'table-tennis', restitution: 0.88 },
+  { ball: 'golf', name: 'golf', voice: 'steel-ball', restitution: 0.82 },
+  { ball: 'tennis', name: 'tennis', voice: 'tennis', restitution: 0.74 },
+] as const;
+
+/** What the restitutions of the ten drops of a ball are off: their mean is zero, their scatter 0.003. */
+const OFF = [-4.5, -3.5, -2.5, -1.5, -0.5, 0.5, 1.5, 2.5, 3.5, 4.5].map((step) => step * 0.001);
+
+/** Phones that listen at the same time: each keeps a processor busy only now and then. */
+const AT_ONCE = 5;
+
+interface Phone {
+  readonly student: string;
+  readonly ball: (typeof BALLS)[number];
+  readonly restitution: number;
+  readonly wav: string;
+}
+
+let site: Site;
+let browser: Browser;
+let phones: readonly Phone[];
+
+beforeAll(async () => {
+  site = await Site.open();
+  browser = await launch();
+  const place = folder();
+  phones = BALLS.flatMap((ball, kind) =>
+    OFF.map((off, number) => {
+      const student = `Student ${10 * kind + number + 1}`;
+      const restitution = ball.restitution + off;
+      const truth = ['--ball', ball.ball, '--restitution', restitution.toFixed(4)];
+      const scene = ['--height', `${25 + 2 * number}cm`, '--voice', ball.voice, '--snr', '30'];
+      const sound = ['--lead-in', '1s', '--tail', '3s', '--sample-rate', '48000'];
+      const seed = ['--seed', String(100 * kind + number)];
+      const path = join(place, `${student}.wav`);
+      return {
+        student,
+        ball,
+        restitution,
+        wav: synth(path, ...truth, ...scene, ...sound, ...seed).path,
+      };
+    }),
+  );
+});
+afterAll(async () => {
+  await browser.close();
+  await site.close();
+});
+
+/** What a student does: chooses the ball, listens, writes a name, and shares the drop. */
+async function linkOf({ student, ball, wav }: Phone): Promise<string> {
+  const screen = { viewport: { width: 390, height: 844 } };
+  const { page } = await open(browser, site.url, screen, hearing(wav));
+  await page.locator(`.balls label:has(.${ball.ball})`).click();
+  await page.getByRole('button', { name: 'Listen' }).click();
+  await settled(page);
+  await page.getByLabel('Name').fill(student);
+  await page.getByRole('button', { name: 'Share this drop' }).click();
+  const address = await page.locator('.shared code').last().innerText();
+  await page.context().close();
+  return address;
+}
+
+/** Every link of the class, a few phones at a time. */
+async function links(): Promise<string[]> {
+  const waiting = [...phones];
+  const found: string[] = [];
+  const hand = async (): Promise<void> => {
+    for (let phone = waiting.shift(); phone; phone = waiting.shift()) {
+      found.push(await linkOf(phone));
+    }
+  };
+  await Promise.all(Array.from({ length: AT_ONCE }, hand));
+  return found;
+}
+
+/** The rows of the table with this caption, by their first cell. */
+async function rows(page: Page, caption: RegExp): Promise<Map<string, string[]>> {
+  const table = page
+    .locator('table')
+    .filter({ has: page.locator('caption', { hasText: caption }) });
+  const cells = await table
+    .locator('tbody tr')
+    .evaluateAll((found) =>
+      (found as HTMLTableRowElement[]).map((row) => [...row.cells].map((cell) => cell.innerText)),
+    );
+  return new Map(cells.map(([name = '', ...rest]) => [name.toLowerCase(), rest]));
+}
+
+const numbersIn = (text: string): number[] => (text.match(/\d+\.\d+/g) ?? []).map(Number);
+
+test('thirty phones, thirty links, one table: each group holds its truth', async () => {
+  const { page, troubles } = await open(browser, `${site.url}#drops`);
+  await page.getByLabel(/^Links of other/).fill((await links()).join('\n'));
+  await page.getByRole('button', { name: 'Add to this table' }).click();
+  await page.getByText('30 drops were added.').waitFor();
+  const groups = page.locator('.groups[aria-busy=false]');
+  await groups.getByText(/30 drops in 30/).waitFor();
+
+  const intervals = await rows(page, /95 % intervals of the mean/);
+  for (const { name, restitution } of BALLS) {
+    const [row] = [...intervals].filter(([group]) => group.startsWith(name));
+    const [low = 1, high = 0] = numbersIn(row?.[1][0] ?? '');
+    expect(low, `${name}: ${row}`).toBeLessThanOrEqual(restitution);
+    expect(high, `${name}: ${row}`).toBeGreaterThanOrEqual(restitution);
+    // An interval as wide as the truth allows would say nothing.
+    expect(high - low, `${name}: ${row}`).toBeLessThan(0.01);
+  }
+
+  // Of thirty intervals of 95 % at least 25 hold their truth in 99.7 % of all classes.
+  const stated = await statedOf(page);
+  const held = phones.filter(({ student, restitution }) => {
+    const { value = 0, sd = 0 } = stated.get(student) ?? {};
+    return Math.abs(value - restitution) <= 1.96 * sd;
+  });
+  expect(stated.size).toBe(30);
+  expect(held.length).toBeGreaterThanOrEqual(25);
+  expect(troubles).toEqual([]);
+});
+
+/** The restitution of each drop in the table, by its student. */
+async function statedOf(page: Page): Promise<Map<string, { value: number; sd: number }>> {
+  const found = await page.locator('table.wide tbody tr').evaluateAll((drops) =>
+    (drops as HTMLTableRowElement[]).map((row) => ({
+      student: row.querySelector<HTMLInputElement>('[aria-label^=Student]')?.value ?? '',
+      restitution: row.querySelector('td.figure')?.textContent ?? '',
+    })),
+  );
+  return new Map(
+    found.map(({ student, restitution }) => {
+      const [value = 0, sd = 0] = numbersIn(restitution);
+      return [student, { value, sd }];
+    }),
+  );
+}

@@ -1,0 +1,183 @@
+/** A class in the table of drops: files, ZIP files and links at once, groups, what becomes of damaged ones; lesson sheets. */
+import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { BlobReader, BlobWriter, ZipWriter } from '@zip.js/zip.js/lib/zip-core-custom.js';
+import type { Browser, Page } from 'playwright-core';
+import { afterAll, beforeAll, expect, test } from 'vitest';
+import { launch } from './harness/browser.ts';
+import { folder, synth } from './harness/program.ts';
+import { Site } from './harness/site.ts';
+import { overflow, printedPages, violations } from './support/layout.ts';
+import { keepAs, open, settled, still } from './support/page.ts';
+
+const SHOTS = join(import.meta.dirname, 'screenshots');
+
+let site: Site;
+let browser: Browser;
+let place: string;
+
+beforeAll(async () => {
+  site = await Site.open();
+  browser = await launch();
+  place = folder();
+  mkdirSync(SHOTS, { recursive: true });
+});
+afterAll(async () => {
+  await browser.close();
+  await site.close();
+});
+
+/** A drop of a golf ball. */
+function golf(name: string, restitution: number): string {
+  const truth = ['--ball', 'golf', '--height', '40cm', '--restitution', String(restitution)];
+  return synth(join(place, `${name}.wav`), ...truth, '--seed', String(1000 * restitution)).path;
+}
+
+async function zipOf(files: readonly (readonly [string, Blob])[]): Promise<string> {
+  const zip = new ZipWriter(new BlobWriter());
+  for (const [name, blob] of files) await zip.add(name, new BlobReader(blob));
+  const path = join(place, 'class.zip');
+  writeFileSync(path, Buffer.from(await (await zip.close()).arrayBuffer()));
+  return path;
+}
+
+const blobOf = (path: string): Blob => new Blob([readFileSync(path)]);
+
+/** Names, balls, surfaces and students as the table has them. */
+const table = (page: Page): Promise<string[][]> =>
+  page
+    .locator('table.wide tbody tr')
+    .evaluateAll((rows) =>
+      rows.map((row) =>
+        [...row.querySelectorAll<HTMLInputElement>('input.name, select, input.noted')].map(
+          ({ value }) => value,
+        ),
+      ),
+    );
+
+const add = (page: Page, files: string | string[]): Promise<void> =>
+  page.getByLabel('Files with drops').setInputFiles(files);
+
+/** What the page saves after a button. */
+async function saved(page: Page, button: string): Promise<string> {
+  const coming = page.waitForEvent('download');
+  await page.getByRole('button', { name: button, exact: true }).click();
+  const download = await coming;
+  const path = join(folder(), download.suggestedFilename());
+  await download.saveAs(path);
+  return path;
+}
+
+test('files, a ZIP with damaged ones, and links: each drop once, with its student', async () => {
+  const { page } = await open(browser, `${site.url}#lab?ball=golf`);
+  await page.getByLabel('Recording or list of impact times').setInputFiles(golf('1', 0.8));
+  await settled(page);
+  const document = await saved(page, 'All data (JSON)');
+  await page.getByLabel('Name').fill('Anna');
+  await page.getByRole('button', { name: 'Share this drop' }).click();
+  const link = await page.locator('.shared code').last().innerText();
+  await keepAs(page, 'Anna');
+  await page.goto(`${site.url}#drops`);
+  const list = await saved(page, 'Save all (JSON)');
+  const archive = await saved(page, 'Save all with sound (ZIP)');
+  await page.context().close();
+
+  const wav = readFileSync(golf('2', 0.81));
+  const zip = await zipOf([
+    ['up/Ben_12_assignsubmission_file_/drop.wav', new Blob([wav])],
+    ['up/Cleo_13_assignsubmission_file_/bouncelab-drops.zip', blobOf(archive)],
+    ['up/Dan_14_assignsubmission_file_/essay.pdf', new Blob(['%PDF-1.7 an essay'])],
+    ['up/Eve_15_assignsubmission_file_/table.json', new Blob(['{"schema": "bouncelab.kept'])],
+    ['up/Gil_17_assignsubmission_file_/data.json', blobOf(document)],
+    ['up/Flo_16_assignsubmission_file_/drop.wav', new Blob([wav.subarray(0, 30)])],
+  ]);
+  const third = golf('3', 0.805);
+  const { page: teacher, troubles } = await open(browser, `${site.url}#lab?ball=golf`);
+  await teacher.getByRole('link', { name: 'Drops', exact: true }).click();
+  await add(teacher, [zip, list, third]);
+  await teacher.getByText('3 drops were added. 2 are in the table already.').waitFor();
+  const refused = await teacher.getByRole('alert').allInnerTexts();
+  expect(refused.map((words) => words.split(':')[0]).sort()).toEqual([
+    'up/Dan_14_assignsubmission_file_/essay.pdf',
+    'up/Eve_15_assignsubmission_file_/table.json',
+    'up/Flo_16_assignsubmission_file_/drop.wav',
+  ]);
+  await teacher.getByLabel(/^Links of other/).fill(`Anna ${link}`);
+  await teacher.getByRole('button', { name: 'Add to this table' }).click();
+  await teacher.getByText('Nothing in it is new. 1 is in the table already.').waitFor();
+  expect(await table(teacher)).toEqual([
+    ['Anna', 'golf', '', 'Cleo'],
+    ['drop', 'golf', '', 'Ben'],
+    ['3', 'golf', '', '3'],
+  ]);
+  expect(troubles).toEqual([]);
+  await teacher.context().close();
+});
+
+test.each([
+  ['light', 'en-GB'],
+  ['dark', 'de-DE'],
+] as const)('groups by what the table says, %s, %s', async (colorScheme, locale) => {
+  const options = { colorScheme, locale, viewport: { width: 390, height: 844 } };
+  const { page, troubles } = await open(browser, `${site.url}#lab?ball=golf`, options);
+  await page.locator('nav a').last().click();
+  const files = [0.8, 0.802, 0.805, 0.76, 0.765, 0.762].map((e, i) => golf(`g${i}`, e));
+  await page.locator('input[type=file]').setInputFiles(files);
+  const rows = page.locator('table.wide tbody tr');
+  await expect.poll(() => rows.count()).toBe(6);
+  const groups = page.locator('.groups[aria-busy=false]');
+  await groups.locator('.notice').waitFor();
+  for (const [place, surface] of ['stone', 'stone', 'stone', 'wood', 'wood', 'wood'].entries()) {
+    const input = rows.nth(place).locator('input.noted').first();
+    await input.fill(surface);
+    await input.press('Enter');
+  }
+  await groups.locator('td', { hasText: 'golf, wood' }).first().waitFor();
+  await still(page);
+  await page.screenshot({ path: join(SHOTS, `groups-${colorScheme}.png`), fullPage: true });
+  expect(await overflow(page)).toBeLessThanOrEqual(0);
+  expect(await violations(page)).toEqual([]);
+
+  const coming = page.waitForEvent('download');
+  await groups.locator('> div > button').click();
+  const report = readFileSync((await (await coming).path()) as string, 'utf8');
+  expect(report).toMatch(/golf, stone/i);
+  expect(report).toContain('<svg');
+  // The keyboard groups too.
+  await groups.getByRole('checkbox').nth(1).focus();
+  await page.keyboard.press('Space');
+  await groups.locator('.notice').waitFor();
+  expect(await groups.locator('td', { hasText: 'golf, wood' }).count()).toBe(0);
+  expect(troubles).toEqual([]);
+  await page.context().close();
+});
+
+test.each([
+  ['en-GB', 'How bouncy is a ball?'],
+  ['de-DE', 'Wie gut springt ein Ball?'],
+] as const)('lesson sheets print on two pages, %s', async (locale, title) => {
+  const { page, troubles } = await open(browser, `${site.url}#drops`, { locale });
+  const links = page.locator('a[href^="lessons/"]');
+  expect(await links.first().innerText()).toBe(title);
+  const addresses = await links.evaluateAll((all) => all.map((a) => (a as HTMLAnchorElement).href));
+  expect(addresses.length).toBe(3);
+  for (const address of addresses) {
+    await page.goto(address);
+    expect(await printedPages(page, 'A4'), address).toBe(2);
+    expect(await violations(page), address).toEqual([]);
+  }
+  expect(troubles).toEqual([]);
+  await page.context().close();
+});
+
+test('another ball of a drop is another analysis', async () => {
+  const { page } = await open(browser, `${site.url}#lab?ball=golf`);
+  await page.getByRole('link', { name: 'Drops', exact: true }).click();
+  await add(page, golf('4', 0.8));
+  await page.getByText('1 drop was added.').waitFor();
+  const first = page.locator('table.wide tbody td.figure').first();
+  const before = await first.innerText();
+  await page.getByLabel('Ball of 4').selectOption('table-tennis-40');
+  await expect.poll(() => first.innerText()).not.toBe(before);
+  await page.context().close();
+});
