@@ -219,18 +219,26 @@ fn has_extension(path: &Path, extension: &str) -> bool {
 }
 
 /// Of each kind of call the numbers of those that are to fail, as the process counts them that makes them: those that
-/// concern outputs. What the processes of a session tell each other is no file.
+/// concern outputs. What the processes of a session tell each other is no file, so a number that such a call has too is
+/// left out.
 fn faults(calls: &[Call], outputs: &str) -> Vec<(String, usize)> {
     let mut counts = BTreeMap::<(&str, &str), usize>::new();
-    let mut faults = BTreeMap::<&str, BTreeSet<usize>>::new();
+    let [mut output, mut other] = [BTreeMap::new(), BTreeMap::new()];
     for call in calls {
         let count = counts.entry((&call.process, &call.name)).or_default();
         *count += 1;
-        if call.renamed().is_some() || call.file().starts_with(outputs) {
-            faults.entry(&call.name).or_default().insert(*count);
-        }
+        let concerns_outputs = call.renamed().is_some() || call.file().starts_with(outputs);
+        let kinds = if concerns_outputs {
+            &mut output
+        } else {
+            &mut other
+        };
+        let numbers: &mut BTreeSet<usize> = kinds.entry(call.name.as_str()).or_default();
+        numbers.insert(*count);
     }
-    let spread = faults.into_iter().flat_map(|(kind, numbers)| {
+    let spread = output.into_iter().flat_map(|(kind, numbers)| {
+        let others = other.remove(kind).unwrap_or_default();
+        let numbers: Vec<usize> = numbers.difference(&others).copied().collect();
         let step = numbers.len().div_ceil(MOST_FAULTS).max(1);
         let spread = numbers.into_iter().step_by(step);
         spread.map(|number| (kind.to_owned(), number))
