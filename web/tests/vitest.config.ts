@@ -5,8 +5,8 @@ export default defineConfig({
   test: {
     dir: import.meta.dirname,
     include: ['*.e2e.ts'],
-    // A test mostly waits for its browser, which has a page of its own: two keep two cores busy.
-    maxWorkers: 2,
+    // A test mostly waits for its browser: two at a time leave two cores idle for half of the time.
+    maxWorkers: 3,
     // Tests wait for states, so this is only for what hangs: busy machines take long.
     testTimeout: 300_000,
     expect: { poll: { timeout: 240_000 } },
