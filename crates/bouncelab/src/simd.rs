@@ -157,7 +157,7 @@ const WHOLE: f64 = 6_755_399_441_055_744.0;
 
 /// Without a branch or a table, so that the compiler can do several at once: x = m 2^k with m around one, and
 /// ln m = 2 artanh s with s = (m - 1)/(m + 1), by its series.
-#[inline(always)]
+#[cfg_attr(not(target_family = "wasm"), inline(always))]
 fn ln(x: f64) -> f64 {
     const HALF_ROOT: u64 = (0.5 * SQRT_2).to_bits();
     const ONE: u64 = 1.0_f64.to_bits();
@@ -186,7 +186,7 @@ fn ln(x: f64) -> f64 {
 }
 
 /// Without a branch or a table: exp x = 2^n exp r with n whole and r around zero, by its series.
-#[inline(always)]
+#[cfg_attr(not(target_family = "wasm"), inline(always))]
 fn exp(x: f64) -> f64 {
     const LEAST: f64 = -708.0;
     const GREATEST: f64 = 709.0;

@@ -6,13 +6,14 @@ import { openFile } from '../state/opening.ts';
 import { goToLab } from '../state/settings.ts';
 import { busy } from '../state/workspace.ts';
 import { text } from '../text/language.ts';
-import { Drops } from '../views/drops/Drops.tsx';
-import { gatherHere } from '../views/drops/Gather.tsx';
 import { Laboratory } from '../views/laboratory/Laboratory.tsx';
-import { Paper } from '../views/paper/Paper.tsx';
-import { Simulate } from '../views/simulate/Simulate.tsx';
 import { Header } from './Header.tsx';
+import { later } from './later.tsx';
 import { newer, takeOver } from './offline.ts';
+
+const Simulate = later(async () => (await import('../views/simulate/Simulate.tsx')).Simulate);
+const Paper = later(async () => (await import('../views/paper/Paper.tsx')).Paper);
+const Drops = later(async () => (await import('../views/drops/Drops.tsx')).Drops);
 
 export function App() {
   const main = useRef<HTMLElement>(null);
@@ -85,6 +86,11 @@ function Footer() {
   );
 }
 
+async function gather(files: readonly File[]): Promise<void> {
+  const { gatherHere } = await import('../views/drops/Gather.tsx');
+  await gatherHere(files);
+}
+
 /** A file that is dragged anywhere over the page may be dropped anywhere. */
 function DropZone() {
   const [over, setOver] = useState(false);
@@ -111,7 +117,7 @@ function DropZone() {
       const [file, ...others] = event.dataTransfer?.files ?? [];
       if (!file || busy.peek()) return;
       if (route.peek().view === 'drops') {
-        void gatherHere([file, ...others]);
+        void gather([file, ...others]);
         return;
       }
       goToLab();

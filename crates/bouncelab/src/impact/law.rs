@@ -284,8 +284,8 @@ impl Restitution {
         self.at_with_log_slope(impact_speed_m_s).1
     }
 
-    /// Both [`Self::at`] and [`Self::log_slope`].
-    #[inline]
+    /// Both [`Self::at`] and [`Self::log_slope`]; once in the program, since it is long.
+    #[inline(never)]
     pub(crate) fn at_with_log_slope(&self, impact_speed_m_s: f64) -> (f64, f64) {
         let (e, log_slope) =
             Restitutions::of(&[*self]).at_with_log_slope(Lanes([impact_speed_m_s]));

@@ -14,6 +14,8 @@
 //! The scatter of real impacts has heavier tails than a normal distribution (J.-Y. Montaine et al.,
 //! arXiv 1104.0049), so an innovation follows Student's t, and what an odd one seems to say of the
 //! times of its neighbours is taken back.
+//!
+//! Every step waits for the one before, so several vectors are evaluated side by side, in [`Lanes`].
 
 use nalgebra::{DMatrix, DVector};
 
@@ -34,8 +36,9 @@ const ODD: f64 = 3.0;
 /// Steps of Newton's method for a value that need not be exact.
 const ROUGH: usize = 1;
 
-/// So many vectors are evaluated side by side: most of an evaluation waits for the step before.
-const LANES: usize = 8;
+/// So many vectors are evaluated side by side: most of an evaluation waits for the step before. In a browser, where
+/// there are no wide registers, one: eight would make the page a twentieth larger.
+const LANES: usize = if cfg!(target_family = "wasm") { 1 } else { 8 };
 
 /// So many factors of a likelihood are multiplied before their logarithm is taken: none is so small or large
 /// that their product leaves the range of numbers.
@@ -60,7 +63,7 @@ pub(super) struct Details {
     factors: Vec<Factor>,
 }
 
-/// A vector with what it stands for.
+/// A vector that is tried, with what it stands for.
 #[derive(Debug, Clone, Copy)]
 struct Trial<'a, 'v> {
     vector: &'v [f64],
@@ -158,32 +161,28 @@ impl<'a> Model<'a> {
     /// Logarithm of prior times likelihood, but for a constant that all models of the same data
     /// share; `None` where the vector makes no sense.
     pub(super) fn log_posterior(&self, vector: &[f64]) -> Option<f64> {
-        let trial = self.trial(vector)?;
-        self.log_posteriors_of([&trial], |_| {})[0]
+        self.log_posteriors(&DMatrix::from_column_slice(vector.len(), 1, vector))[0]
     }
 
-    /// The same of many vectors: several at once are faster than one after the other.
-    pub(super) fn log_posteriors<'v>(
-        &self,
-        vectors: impl Iterator<Item = &'v [f64]>,
-    ) -> Vec<Option<f64>> {
-        self.log_posteriors_and_residuals(vectors, |_, _, _| {})
+    /// The same of many vectors, each in a column: several at once are faster than one after the other.
+    pub(super) fn log_posteriors(&self, vectors: &DMatrix<f64>) -> Vec<Option<f64>> {
+        self.log_posteriors_and_residuals(vectors, None)
     }
 
-    /// The same, with each residual of each vector told by the numbers of both.
-    fn log_posteriors_and_residuals<'v>(
+    /// The same; fills the residuals of each vector, in a column too, if they are asked for.
+    fn log_posteriors_and_residuals(
         &self,
-        vectors: impl Iterator<Item = &'v [f64]>,
-        mut tell: impl FnMut(usize, usize, f64),
+        vectors: &DMatrix<f64>,
+        mut residuals: Option<&mut DMatrix<f64>>,
     ) -> Vec<Option<f64>> {
-        let mut trials = vectors.map(|vector| self.trial(vector)).enumerate();
-        let mut logs = Vec::new();
+        let columns = vectors.as_slice().chunks_exact(vectors.nrows());
+        let mut trials = columns.map(|vector| self.trial(vector)).enumerate();
+        let mut logs = vec![None; vectors.ncols()];
         loop {
             let group: Vec<_> = trials.by_ref().take(LANES).collect();
             if group.is_empty() {
                 return logs;
             }
-            logs.resize(logs.len() + group.len(), None);
             let sound = group.iter();
             let sound: Vec<(usize, &Trial)> = sound
                 .filter_map(|(place, it)| Some((*place, it.as_ref()?)))
@@ -194,9 +193,11 @@ impl<'a> Model<'a> {
             // The lanes that are left over do the work of the last vector again.
             let lanes = std::array::from_fn::<_, LANES, _>(|lane| sound[lane.min(last)].1);
             let mut row = 0;
-            let found = self.log_posteriors_of(lanes, |step| {
-                for (lane, (place, _)) in sound.iter().enumerate() {
-                    tell(*place, row, step.residual.value.0[lane]);
+            let found = self.log_posteriors_of(lanes, &mut |step| {
+                if let Some(residuals) = &mut residuals {
+                    for (lane, (place, _)) in sound.iter().enumerate() {
+                        residuals[(row, *place)] = step.residual.value.0[lane];
+                    }
                 }
                 row += 1;
             });
@@ -213,7 +214,7 @@ impl<'a> Model<'a> {
 
     fn details_of(&self, trial: &Trial) -> Option<Details> {
         let mut details = Details::default();
-        self.log_posteriors_of([trial], |step| {
+        self.log_posteriors_of([trial], &mut |step| {
             let [second, first, variance] = step.factor.map(|entry| entry.0[0]);
             details.residuals.push(*step.residual);
             details.factors.push(Factor {
@@ -288,7 +289,7 @@ impl<'a> Model<'a> {
     fn log_posteriors_of<const L: usize>(
         &self,
         trials: [&Trial; L],
-        tell: impl FnMut(&Step<L>),
+        tell: &mut dyn FnMut(&Step<L>),
     ) -> [Option<f64>; L] {
         let log_likelihood = dispatch(
             #[inline(always)]
@@ -312,7 +313,7 @@ impl<'a> Model<'a> {
     fn log_likelihood<const L: usize>(
         &self,
         trials: &[&Trial; L],
-        mut tell: impl FnMut(&Step<L>),
+        tell: &mut dyn FnMut(&Step<L>),
     ) -> Lanes<L> {
         let observed = self.observed;
         let points = trials.map(|trial| trial.point);
@@ -408,27 +409,24 @@ impl<'a> Model<'a> {
     /// Derivatives by the unknowns, by central differences.
     pub(super) fn differences(&self, vector: &[f64]) -> Option<Differences> {
         const STEP: f64 = 1e-4;
-        let step = |place: usize| if place.is_multiple_of(2) { STEP } else { -STEP };
-        let moved: Vec<Vec<f64>> = (0..2 * vector.len())
-            .map(|place| {
-                let mut moved = vector.to_vec();
-                moved[place / 2] += step(place);
-                moved
-            })
-            .collect();
-        let share = |place: usize| 0.5 / step(place);
-        let mut residuals = DMatrix::zeros(self.rows_of_data(), vector.len());
-        let moved = moved.iter().map(Vec::as_slice);
-        let logs = self.log_posteriors_and_residuals(moved, |place, row, value| {
-            residuals[(row, place / 2)] += share(place) * value;
+        let unknowns = vector.len();
+        // Above in the first half of the columns, below in the second.
+        let moved = DMatrix::from_fn(unknowns, 2 * unknowns, |unknown, column| {
+            let step = if column < unknowns { STEP } else { -STEP };
+            let moves = column % unknowns == unknown;
+            vector[unknown] + if moves { step } else { 0.0 }
         });
-        let mut posterior = DVector::zeros(vector.len());
-        for (place, log) in logs.into_iter().enumerate() {
-            posterior[place / 2] += share(place) * log?;
-        }
+        let mut residuals = DMatrix::zeros(self.rows_of_data(), moved.ncols());
+        let logs = self.log_posteriors_and_residuals(&moved, Some(&mut residuals));
+        let logs = logs.into_iter().collect::<Option<Vec<f64>>>()?;
+        let (above, below) = (
+            residuals.columns(0, unknowns),
+            residuals.columns(unknowns, unknowns),
+        );
+        let slope = |unknown: usize| (logs[unknown] - logs[unknowns + unknown]) / (2.0 * STEP);
         Some(Differences {
-            residuals,
-            posterior,
+            residuals: (above - below) / (2.0 * STEP),
+            posterior: DVector::from_fn(unknowns, |unknown, _| slope(unknown)),
         })
     }
 
@@ -752,18 +750,14 @@ mod tests {
     #[test]
     fn vectors_side_by_side_are_as_probable_as_alone() {
         with_model(&impacts(), |model, vector| {
-            let mut vectors: Vec<Vec<f64>> = (0..11)
-                .map(|number| {
-                    vector
-                        .iter()
-                        .map(|x| x + 0.01 * f64::from(number))
-                        .collect()
-                })
-                .collect();
-            vectors[4][0] = f64::NAN;
-            let together = model.log_posteriors(vectors.iter().map(Vec::as_slice));
-            for (vector, together) in vectors.iter().zip(together) {
-                assert_eq!(together, model.log_posterior(vector));
+            let mut vectors = DMatrix::from_fn(vector.len(), 11, |unknown, number| {
+                vector[unknown] + 0.01 * number as f64
+            });
+            vectors[(0, 4)] = f64::NAN;
+            let together = model.log_posteriors(&vectors);
+            assert_eq!(together[4], None);
+            for (vector, together) in vectors.column_iter().zip(together) {
+                assert_eq!(together, model.log_posterior(vector.as_slice()));
             }
         });
     }

@@ -160,7 +160,7 @@ pub(super) fn sample(
     let mut best: Option<Sample> = None;
     for _ in 0..MOST_ROUNDS {
         let found = round(model, &proposal, draws, rng)?;
-        let complete = found.effective_draws >= 0.8 * effective_draws as f64;
+        let complete = found.effective_draws >= ENOUGH * effective_draws as f64;
         let done = complete && found.pareto_shape < DOUBTFUL_SHAPE;
         let adapted = if done { None } else { adapted(&found) };
         draws = enough(found.effective_draws / draws as f64).max(draws);
@@ -185,6 +185,9 @@ const USUAL_SHARE: f64 = 0.4;
 /// A proposal that fits badly is not drawn from for ever: at most three draws for one.
 const LEAST_SHARE: f64 = 0.33;
 
+/// This part of the draws that were asked for is not worth another round.
+const ENOUGH: f64 = 0.8;
+
 /// Weights with a heavier tail than this are worth another try, but not for ever.
 const DOUBTFUL_SHAPE: f64 = 0.6;
 const MOST_ROUNDS: usize = 6;
@@ -199,8 +202,7 @@ fn round(model: &Model, proposal: &Proposal, draws: usize, rng: &mut ChaCha8Rng)
     let densities: Vec<f64> = numbered
         .map(|(number, draw)| proposal.draw(&Point { number, seed }, draw))
         .collect();
-    let columns = vectors.as_slice().chunks_exact(vectors.nrows());
-    let logs = model.log_posteriors(columns).into_iter().zip(densities);
+    let logs = model.log_posteriors(&vectors).into_iter().zip(densities);
     let logs: Vec<f64> = logs
         .map(|(log, density)| log.map_or(f64::NEG_INFINITY, |log| log - density))
         .collect();

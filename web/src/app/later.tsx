@@ -1,0 +1,22 @@
+import { signal } from '@preact/signals';
+import type { ComponentType } from 'preact';
+import { useEffect } from 'preact/hooks';
+import { broken, messageOf } from '../state/engine.ts';
+
+/** A view whose code is loaded when it is first shown, so that the page itself loads less. */
+export function later(load: () => Promise<ComponentType>): ComponentType {
+  const loaded = signal<{ readonly View: ComponentType } | null>(null);
+  return function Later() {
+    useEffect(() => {
+      load().then(
+        (View) => {
+          loaded.value = { View };
+        },
+        (error: unknown) => {
+          broken.value = messageOf(error);
+        },
+      );
+    }, []);
+    return loaded.value && <loaded.value.View />;
+  };
+}
