@@ -7,7 +7,6 @@ import {
   type BrowserContext,
   type BrowserContextOptions,
   chromium,
-  firefox,
   type Page,
 } from 'playwright-core';
 import { environment, type FontSet } from './fonts.ts';
@@ -45,15 +44,6 @@ interface Options {
   readonly fonts?: FontSet | undefined;
 }
 
-/**
- * Firefox is spoken to by WebDriver BiDi. Its microphone is a tone of its own, or refused; it has none only if
- * the machine has none.
- */
-const FIREFOX = process.env['BOUNCELAB_FIREFOX'];
-
-/** Whether the tests run in Firefox, which lacks some of what they ask of Chromium. */
-export const IS_FIREFOX = FIREFOX !== undefined;
-
 function chromiumHere(): string {
   const found = process.env['BOUNCELAB_CHROMIUM'] ?? PLACES.find((place) => existsSync(place));
   if (found === undefined) {
@@ -62,20 +52,12 @@ function chromiumHere(): string {
   return found;
 }
 
-/** A browser with this microphone and these fonts. */
+/** A Chromium with this microphone and these fonts. */
 export async function launch({ microphone = 'silence', fonts }: Options = {}): Promise<Browser> {
-  const env = { ...process.env, ...(fonts && environment(fonts)) } as Record<string, string>;
-  if (FIREFOX !== undefined) {
-    const firefoxUserPrefs = {
-      'media.navigator.streams.fake': microphone !== 'missing',
-      'media.navigator.permission.disabled': microphone !== 'refused',
-      'permissions.default.microphone': microphone === 'refused' ? 2 : 0,
-    };
-    const options = { executablePath: FIREFOX, channel: 'moz-firefox', firefoxUserPrefs };
-    return firefox.launch({ ...options, env, timeout: PATIENCE_MS });
-  }
+  const executablePath = chromiumHere();
   const args = ['--no-sandbox', ...QUIET, ...sound(microphone)];
-  return chromium.launch({ executablePath: chromiumHere(), args, env, timeout: PATIENCE_MS });
+  const env = { ...process.env, ...(fonts && environment(fonts)) } as Record<string, string>;
+  return chromium.launch({ executablePath, args, env, timeout: PATIENCE_MS });
 }
 
 /** A context that waits patiently. */

@@ -50,19 +50,6 @@ pub(crate) fn run(words: &[&str]) -> Result {
     conclude(&runs)
 }
 
-/// Runs the tests in Firefox, but for those that take what only Chromium has.
-pub(crate) fn firefox() -> Result {
-    let firefox = system::firefox().ok_or("there is no Firefox")?;
-    page()?;
-    let program = built("--bin", "bouncelab")?;
-    let mut command = npm_command(&["run", "e2e"]);
-    run_command(
-        command
-            .env("BOUNCELAB_PROGRAM", &program)
-            .env("BOUNCELAB_FIREFOX", firefox),
-    )
-}
-
 /// Runs the test of a whole class.
 pub(crate) fn class() -> Result {
     page()?;

@@ -86,21 +86,6 @@ pub(crate) fn has_browser() -> bool {
     true
 }
 
-/// Where Firefox is; it is installed where that is allowed.
-pub(super) fn firefox() -> Option<&'static str> {
-    const PLACES: [&str; 2] = ["/usr/bin/firefox-esr", "/usr/bin/firefox"];
-    let found = || PLACES.into_iter().find(|place| Path::new(place).exists());
-    found().or_else(|| {
-        install(&["firefox-esr"], "the end-to-end tests in Firefox");
-        found()
-    })
-}
-
-/// Whether there is a Firefox.
-pub(crate) fn has_firefox() -> bool {
-    firefox().is_some()
-}
-
 fn has_font(folder: &Path, file: &str) -> bool {
     let entries = fs::read_dir(folder).into_iter().flatten().flatten();
     entries.map(|entry| entry.path()).any(|path| {
