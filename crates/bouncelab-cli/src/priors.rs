@@ -49,10 +49,10 @@ pub(crate) struct PriorArguments {
     #[arg(long)]
     first_heard: bool,
     /// Target number of independent draws of the posterior
-    #[arg(long, value_name = "N", default_value_t = 4000, value_parser = clap::value_parser!(u32).range(100..=100_000))]
+    #[arg(long, value_name = "N", default_value_t = SamplerConfig::default().draws as u32, value_parser = clap::value_parser!(u32).range(100..=100_000))]
     draws: u32,
     /// Seed of the random numbers of the inference
-    #[arg(long, value_name = "N", default_value_t = 1)]
+    #[arg(long, value_name = "N", default_value_t = SamplerConfig::default().seed)]
     seed: u64,
     /// Skip the inference, for speed
     #[arg(long, conflicts_with_all = ["reach", "at_speed", "infer"])]

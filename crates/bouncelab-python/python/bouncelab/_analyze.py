@@ -134,7 +134,7 @@ def analyze(
         reach : list of (bounce, apex_m)
             From which height does a bounce reach an apex?
         draws : int or None
-            Draws of the posterior to aim at, 100 to 100,000 (4,000); ``None`` leaves the inference out.
+            Draws of the posterior to aim at, 100 to 100,000 (2,000); ``None`` leaves the inference out.
         seed : int
             Seed of the random numbers of the inference (1).
         channel : int

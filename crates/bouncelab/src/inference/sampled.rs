@@ -44,15 +44,21 @@ impl Default for SamplerConfig {
 }
 
 impl SamplerConfig {
-    /// Random numbers for each candidate, so that none depends on how many another took. The first
-    /// stream of the seed is left for their pool.
-    fn streams(&self) -> impl Iterator<Item = ChaCha8Rng> + use<> {
-        let seeded = ChaCha8Rng::seed_from_u64(self.seed);
-        (1..).map(move |stream| {
-            let mut rng = seeded.clone();
-            rng.set_stream(stream);
-            rng
-        })
+    /// Random numbers of a candidate alone, so that none depends on what others took nor on its rank, which a
+    /// last digit can change. The first stream of the seed is left for their pool.
+    fn rng_of(&self, candidate: &Candidate) -> ChaCha8Rng {
+        let choices = [
+            candidate.law as usize,
+            candidate.media,
+            candidate.missed_first,
+            candidate.numbering,
+        ];
+        let number = choices
+            .iter()
+            .fold(0, |number, &choice| number << 8 | choice as u64);
+        let mut rng = ChaCha8Rng::seed_from_u64(self.seed);
+        rng.set_stream(1 + number);
+        rng
     }
 }
 
@@ -385,7 +391,7 @@ impl SampledPosterior {
         let mut candidates = std::mem::take(&mut self.candidates);
         candidates.retain(|candidate| candidate.log_evidence > best - 2.0 * PRUNE_BELOW);
         weigh(&mut candidates);
-        for (candidate, mut rng) in candidates.iter_mut().zip(sampler.streams()) {
+        for candidate in &mut candidates {
             if candidate.log_evidence < best - PRUNE_BELOW {
                 continue;
             }
@@ -395,7 +401,7 @@ impl SampledPosterior {
                 &model,
                 &candidate.fit,
                 draws.max(sampler.draws / LEAST_PART),
-                &mut rng,
+                &mut sampler.rng_of(candidate),
             );
             if let Some(sample) = sample {
                 candidate.log_evidence = sample.log_evidence + self.log_prior(candidate);
