@@ -31,7 +31,7 @@ describe.each(FONT_SETS.map((fonts) => [nameOf(fonts), fonts] as const))(
     });
     afterAll(() => browser.close());
 
-    test.each(LANGUAGES)('in the language %s', async (language) => {
+    test.concurrent.each(LANGUAGES)('in the language %s', async (language) => {
       const words = wordsOf(language);
       const options = { viewport: PHONE, locale: language, reducedMotion: 'reduce' } as const;
       const { page } = await open(browser, site.url, options, rememberTexts);

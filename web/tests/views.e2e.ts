@@ -56,7 +56,7 @@ describe.each(FONT_SETS.map((fonts) => [nameOf(fonts), fonts] as const))(
   'with %s',
   (set, fonts) => {
     browse(fonts);
-    test.each(
+    test.concurrent.each(
       SCREENS.flatMap(([screen, viewport]) =>
         READERS.map(([colorScheme, locale]) => ({ screen, viewport, colorScheme, locale })),
       ),
