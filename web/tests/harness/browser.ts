@@ -154,12 +154,13 @@ export async function openPage(
   const page = await context.newPage();
   const troubles: string[] = [];
   page.on('console', (message) => {
-    const isTrouble = message.type() === 'error' || message.type() === 'warning';
-    if (isTrouble && !message.text().includes(STYLE_OF_PLAYWRIGHT)) {
+    if (message.type() === 'error' || message.type() === 'warning') {
       troubles.push(message.text());
     }
   });
-  page.on('pageerror', (error) => troubles.push(String(error)));
+  page.on('pageerror', (error) => {
+    if (!error.message.includes(STYLE_OF_PLAYWRIGHT)) troubles.push(String(error));
+  });
   page.on('request', (request) => {
     const asked = request.url();
     if (/^https?:/.test(asked) && !asked.startsWith(new URL(url).origin)) {
