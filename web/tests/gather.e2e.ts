@@ -8,7 +8,7 @@ import { launch } from './harness/browser.ts';
 import { folder, synth } from './harness/program.ts';
 import { Site } from './harness/site.ts';
 import { overflow, printedPages, violations } from './support/layout.ts';
-import { keepAs, open, settled, still } from './support/page.ts';
+import { keepAs, open, saved, savedBy, settled, still } from './support/page.ts';
 
 const SHOTS = join(import.meta.dirname, 'screenshots');
 
@@ -57,16 +57,6 @@ const table = (page: Page): Promise<string[][]> =>
 
 const add = (page: Page, files: string | string[]): Promise<void> =>
   page.getByLabel('Files with drops').setInputFiles(files);
-
-/** What the page saves after a button. */
-async function saved(page: Page, button: string): Promise<string> {
-  const coming = page.waitForEvent('download');
-  await page.getByRole('button', { name: button, exact: true }).click();
-  const download = await coming;
-  const path = join(folder(), download.suggestedFilename());
-  await download.saveAs(path);
-  return path;
-}
 
 test('files, a ZIP with damaged ones, and links: each drop once, with its student', async () => {
   const { page } = await open(browser, `${site.url}#lab?ball=golf`);
@@ -129,7 +119,7 @@ test.each([
   await groups.locator('.notice').waitFor();
   for (const [place, surface] of ['stone', 'stone', 'stone', 'wood', 'wood', 'wood'].entries()) {
     const input = rows.nth(place).locator('input.noted').first();
-    await input.fill(surface);
+    await input.pressSequentially(surface);
     await input.press('Enter');
   }
   await groups.locator('td', { hasText: 'golf, wood' }).first().waitFor();
@@ -138,9 +128,7 @@ test.each([
   expect(await overflow(page)).toBeLessThanOrEqual(0);
   expect(await violations(page)).toEqual([]);
 
-  const coming = page.waitForEvent('download');
-  await groups.locator('> div > button').click();
-  const report = readFileSync((await (await coming).path()) as string, 'utf8');
+  const report = readFileSync(await savedBy(groups.locator('> div > button')), 'utf8');
   expect(report).toMatch(/golf, stone/i);
   expect(report).toContain('<svg');
   // The keyboard groups too.

@@ -1,5 +1,5 @@
 /** What a reader of another language saves: report and figures in it, whole and valid; data as in English. */
-import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { mkdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import { HtmlValidate } from 'html-validate';
@@ -7,10 +7,9 @@ import type { Browser, Page } from 'playwright-core';
 import { afterAll, beforeAll, describe, expect, test } from 'vitest';
 import { launch, newContext } from './harness/browser.ts';
 import { FONT_SETS, nameOf } from './harness/fonts.ts';
-import { folder } from './harness/program.ts';
 import { Site } from './harness/site.ts';
 import { overflow, unfold } from './support/layout.ts';
-import { open, settled } from './support/page.ts';
+import { open, saved, settled } from './support/page.ts';
 import { drawings, troublesOf } from './support/texts.ts';
 import { LANGUAGES, wordsOf } from './support/words.ts';
 
@@ -46,16 +45,12 @@ describe.each(LANGUAGES.filter((code) => code !== 'en'))('in the language %s', (
     page = (await open(browser, site.url, { locale: language })).page;
     await page.getByRole('button', { name: words('page-lab-demo') }).click();
     await settled(page);
-    report = join(folder(), `report-${language}.html`);
-    writeFileSync(report, await saved(words('page-keep-report')));
+    report = await saved(page, words('page-keep-report'));
   });
   afterAll(() => browser.close());
 
-  async function saved(button: string): Promise<string> {
-    const coming = page.waitForEvent('download');
-    await page.getByRole('button', { name: button, exact: true }).click();
-    return readFileSync(await (await coming).path(), 'utf8');
-  }
+  const content = async (button: string): Promise<string> =>
+    readFileSync(await saved(page, button), 'utf8');
 
   /** The report as a reader opens it, with its details. */
   async function read(by: Browser): Promise<Page> {
@@ -122,14 +117,14 @@ describe.each(LANGUAGES.filter((code) => code !== 'en'))('in the language %s', (
     const tabs = await page.getByRole('tab').all();
     for (const tab of tabs) {
       await tab.click();
-      const svg = await saved('SVG');
+      const svg = await content('SVG');
       const texts = [...svg.matchAll(/<(?:title|desc|text)[^>]*>(?:<tspan[^>]*>)?([^<]+)/g)];
       expect(texts.length).toBeGreaterThan(5);
       for (const [, said] of texts) expect(said).not.toMatch(ENGLISH);
     }
-    expect((await saved('PNG')).slice(1, 4)).toBe('PNG');
-    expect(await saved(words('page-keep-csv'))).toMatch(/^file,drop,/);
-    const document = JSON.parse(await saved(words('page-keep-json')));
+    expect((await content('PNG')).slice(1, 4)).toBe('PNG');
+    expect(await content(words('page-keep-csv'))).toMatch(/^file,drop,/);
+    const document = JSON.parse(await content(words('page-keep-json')));
     expect(document.drops[0].diagnostics[0].message).not.toMatch(ENGLISH);
   });
 

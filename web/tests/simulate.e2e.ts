@@ -4,7 +4,7 @@ import type { Browser, Page } from 'playwright-core';
 import { afterAll, afterEach, beforeAll, beforeEach, expect, test } from 'vitest';
 import { launch } from './harness/browser.ts';
 import { Site } from './harness/site.ts';
-import { follow, open, said, settled } from './support/page.ts';
+import { follow, open, said, saved, settled } from './support/page.ts';
 import { drop, TRUTH } from './support/sounds.ts';
 
 let site: Site;
@@ -68,9 +68,7 @@ test('a simulated drop is analysed as if it were real, and says what was put in'
   await page.getByText('The same as numbers').click();
   await page.getByRole('cell', { name: 'your simulation' }).first().waitFor();
   // What is saved shows what is seen.
-  const coming = page.waitForEvent('download');
-  await page.getByRole('button', { name: 'SVG', exact: true }).click();
-  const drawing = readFileSync(await (await coming).path(), 'utf8');
+  const drawing = readFileSync(await saved(page, 'SVG'), 'utf8');
   expect(drawing).toContain('>your simulation<');
 
   // It says nothing of another recording.

@@ -7,7 +7,7 @@ import { launch } from './harness/browser.ts';
 import { FONT_SETS, type FontSet, nameOf } from './harness/fonts.ts';
 import { Site } from './harness/site.ts';
 import { overflow, violations } from './support/layout.ts';
-import { follow, keepAs, open, said, settled, still } from './support/page.ts';
+import { follow, keepAs, open, said, saved, settled, still } from './support/page.ts';
 
 const SHOTS = join(import.meta.dirname, 'screenshots');
 
@@ -194,22 +194,19 @@ describe('whatever the fonts', () => {
   test('exports: table, document and figures', async () => {
     const { page } = await open(browser, site.url);
     await demo(page);
-    const saved = async (button: string): Promise<string> => {
-      const coming = page.waitForEvent('download');
-      await page.getByRole('button', { name: button, exact: true }).click();
-      return readFileSync(await (await coming).path(), 'utf8');
-    };
-    expect(await saved('Table (CSV)')).toMatch(/^file,drop,/);
-    const document = JSON.parse(await saved('All data (JSON)'));
+    const content = async (button: string): Promise<string> =>
+      readFileSync(await saved(page, button), 'utf8');
+    expect(await content('Table (CSV)')).toMatch(/^file,drop,/);
+    const document = JSON.parse(await content('All data (JSON)'));
     expect(document.schema).toBe('bouncelab.analysis/2');
     expect(document.drops[0].posterior.restitution.value).toBeCloseTo(0.9529, 3);
-    expect(await saved('Report (HTML)')).toMatch(/^<!DOCTYPE html>/i);
+    expect(await content('Report (HTML)')).toMatch(/^<!DOCTYPE html>/i);
     for (const tab of await page.getByRole('tab').all()) {
       await tab.click();
-      expect(await saved('SVG'), await tab.innerText()).toContain('<svg');
+      expect(await content('SVG'), await tab.innerText()).toContain('<svg');
     }
-    expect((await saved('PNG')).slice(1, 4)).toBe('PNG');
-    expect(await saved('CSV')).toMatch(/^panel,x_axis,/);
+    expect((await content('PNG')).slice(1, 4)).toBe('PNG');
+    expect(await content('CSV')).toMatch(/^panel,x_axis,/);
     await page.context().close();
   });
 });

@@ -291,7 +291,34 @@ fn write(path: &Path, text: &str) -> Result {
 
 #[cfg(test)]
 mod tests {
-    use super::{VERSION, notes};
+    use super::{VERSION, notes, read, root};
+
+    /// `cargo release` writes them all; this finds what was written by hand.
+    #[test]
+    fn every_file_states_the_same_version() {
+        for (file, line, count) in [
+            ("CITATION.cff", format!("\nversion: {VERSION}\n"), 1),
+            (
+                "Cargo.toml",
+                format!("{{ version = \"{VERSION}\", path = "),
+                4,
+            ),
+            ("web/package.json", format!("\"version\": \"{VERSION}\""), 1),
+            (
+                "web/package-lock.json",
+                format!("\"name\": \"bouncelab-web\",\n  \"version\": \"{VERSION}\""),
+                1,
+            ),
+            (
+                "fuzz/Cargo.lock",
+                format!("name = \"bouncelab\"\nversion = \"{VERSION}\""),
+                1,
+            ),
+        ] {
+            let text = read(&root().join(file)).unwrap();
+            assert_eq!(text.matches(&line).count(), count, "{file}: {line}");
+        }
+    }
 
     #[test]
     fn the_notes_are_the_section_of_the_version_or_of_what_comes() {

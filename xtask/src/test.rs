@@ -34,6 +34,8 @@ enum Needs {
     Node,
     /// Node.js and a browser, for the end-to-end tests of the page.
     Browser,
+    /// Node.js and Firefox, for the same tests.
+    Firefox,
     /// The history of the repository.
     Git,
     /// cargo-deny.
@@ -58,6 +60,7 @@ impl Needs {
             Self::Engines => cluster::have_engines(),
             Self::Node => web::has_node(),
             Self::Browser => web::has_node() && web::has_browser(),
+            Self::Firefox => web::has_node() && web::has_firefox(),
             Self::Git => fresh::has_repository(),
             Self::Deny => has_deny(),
             Self::MdBook => book::has_mdbook(),
@@ -200,7 +203,7 @@ pub(crate) const CHECKS: [Check; 17] = [
 ];
 
 /// Checks that run only where they are named.
-pub(crate) const ON_REQUEST: [Check; 2] = [
+pub(crate) const ON_REQUEST: [Check; 3] = [
     Check {
         name: "cluster",
         about: "Spark and Ray on clusters of this machine",
@@ -212,6 +215,12 @@ pub(crate) const ON_REQUEST: [Check; 2] = [
         about: "thirty phones, thirty links and one page in a browser",
         needs: Needs::Browser,
         run: web::class,
+    },
+    Check {
+        name: "firefox",
+        about: "the end-to-end tests of the page in Firefox",
+        needs: Needs::Firefox,
+        run: web::firefox,
     },
 ];
 
@@ -303,6 +312,7 @@ pub(crate) fn run(names: &[String]) -> Result {
         Needs::Recordings,
         Needs::Node,
         Needs::Browser,
+        Needs::Firefox,
         Needs::Git,
     ] {
         if checks.iter().any(|check| check.needs == needs) && !needs.are_met() {

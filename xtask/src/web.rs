@@ -12,8 +12,8 @@ use std::sync::OnceLock;
 use crate::cargo::{built, cargo, root, run as run_command};
 use crate::{Result, said};
 
-pub(crate) use e2e::{class, run as e2e};
-pub(crate) use system::{has_browser, has_node};
+pub(crate) use e2e::{class, firefox, run as e2e};
+pub(crate) use system::{has_browser, has_firefox, has_node};
 
 pub(crate) const ABOUT: &str =
     "Build the page into web/dist; or only its engine; or check it; or run its end-to-end tests";

@@ -78,7 +78,7 @@ function axis(of: Axis, language: string, upright: boolean): uPlot.Axis {
     labelSize: LABEL_REM * size,
     font,
     stroke: colour('soft'),
-    size: upright ? widthOf(of, size) : sizeOfX(of),
+    size: upright ? (_plot, numbers) => widthOf(of, numbers ?? []) : sizeOfX(of),
     space: (upright ? 2.2 : 4) * size,
     gap: GAP_PX,
     grid: { show: rows === 0 && of.ticks !== 'hidden', stroke: colour('line'), width: 1 },
@@ -107,11 +107,12 @@ function heightOfNames(names: readonly string[]): number {
 const sizeOfX = ({ ticks }: Axis): number =>
   ({ labelled: 1.9, grid: 0.5, hidden: 0 })[ticks] * rem();
 
-/** The room before a panel: for names as much as the longest line takes. */
-function widthOf(of: Axis, size: number): number {
-  if (of.ticks !== 'labelled') return 0.25 * size;
-  const longest = Math.max(0, ...of.names.flatMap(linesOf).map((line) => line.length));
-  return longest > 0 ? (0.5 * longest + 0.75) * size : 3.25 * size;
+/** The room before a panel: as much as the longest line of the names takes, or the longest number. */
+function widthOf(of: Axis, numbers: readonly string[]): number {
+  if (of.ticks !== 'labelled') return 0.25 * rem();
+  const longest = (texts: readonly string[]) => Math.max(0, ...texts.map(({ length }) => length));
+  const name = longest(of.names.flatMap(linesOf));
+  return (name > 0 ? 0.5 * name + 0.75 : Math.max(3.25, 0.5 * longest(numbers) + 0.5)) * rem();
 }
 
 /** A name in lines: broken between words, and where the engine breaks it. */

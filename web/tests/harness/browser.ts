@@ -7,8 +7,12 @@ import {
   type BrowserContext,
   type BrowserContextOptions,
   chromium,
+  firefox,
+  type LaunchOptions,
   type Page,
 } from 'playwright-core';
+import { hearing } from '../support/sounds.ts';
+import { FIREFOX, firefoxOptions, STYLE_OF_PLAYWRIGHT } from './firefox.ts';
 import { environment, type FontSet } from './fonts.ts';
 
 const PLACES = [
@@ -36,7 +40,7 @@ const QUIET = [
  * How long a state of the page is waited for, in milliseconds: as a test that hangs should end, not as
  * long as it takes. Busy machines take long.
  */
-const PATIENCE_MS = 240_000;
+export const PATIENCE_MS = 240_000;
 
 interface Options {
   readonly microphone?: Microphone;
@@ -52,12 +56,26 @@ function chromiumHere(): string {
   return found;
 }
 
-/** A Chromium with this microphone and these fonts. */
+/** A browser with this microphone and these fonts. */
 export async function launch({ microphone = 'silence', fonts }: Options = {}): Promise<Browser> {
-  const executablePath = chromiumHere();
-  const args = ['--no-sandbox', ...QUIET, ...sound(microphone)];
   const env = { ...process.env, ...(fonts && environment(fonts)) } as Record<string, string>;
-  return chromium.launch({ executablePath, args, env, timeout: PATIENCE_MS });
+  const usual = { env, timeout: PATIENCE_MS };
+  if (FIREFOX) return launchFirefox(FIREFOX, microphone, usual);
+  const args = ['--no-sandbox', ...QUIET, ...sound(microphone)];
+  return chromium.launch({ executablePath: chromiumHere(), args, ...usual });
+}
+
+/** What each Firefox hears: its own microphone plays no file. */
+const heard = new WeakMap<Browser, Preparation>();
+
+async function launchFirefox(
+  which: NonNullable<typeof FIREFOX>,
+  microphone: Microphone,
+  usual: LaunchOptions,
+): Promise<Browser> {
+  const browser = await firefox.launch(firefoxOptions(which, microphone, usual));
+  if (typeof microphone === 'object') heard.set(browser, hearing(microphone.file));
+  return browser;
 }
 
 /** A context that waits patiently. */
@@ -67,6 +85,7 @@ export async function newContext(
 ): Promise<BrowserContext> {
   const context = await browser.newContext(options);
   context.setDefaultTimeout(PATIENCE_MS);
+  await heard.get(browser)?.(context);
   return context;
 }
 
@@ -139,7 +158,9 @@ export async function openPage(
       troubles.push(message.text());
     }
   });
-  page.on('pageerror', (error) => troubles.push(String(error)));
+  page.on('pageerror', (error) => {
+    if (!error.message.includes(STYLE_OF_PLAYWRIGHT)) troubles.push(String(error));
+  });
   page.on('request', (request) => {
     const asked = request.url();
     if (/^https?:/.test(asked) && !asked.startsWith(new URL(url).origin)) {

@@ -1,6 +1,7 @@
 /** Whether a page fits its window, and whether everyone can use it. */
 import { readFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
+import { inflateSync } from 'node:zlib';
 import type { Page } from 'playwright-core';
 
 const AXE = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
@@ -37,5 +38,12 @@ export function unfold(page: Page): Promise<void> {
 /** On how many sheets a page prints. */
 export async function printedPages(page: Page, format: 'A4' | 'Letter'): Promise<number> {
   const pdf = await page.pdf({ format, preferCSSPageSize: false });
-  return pdf.toString('latin1').match(/\/Type ?\/Page\b/g)?.length ?? 0;
+  return plain(pdf.toString('latin1')).match(/\/Type ?\/Page\b/g)?.length ?? 0;
+}
+
+/** A PDF and what is in its compressed streams of objects, where some browsers write of the pages. */
+function plain(pdf: string): string {
+  const streams = [...pdf.matchAll(/\/ObjStm\b.*?stream\r?\n(.*?)endstream/gs)];
+  const content = streams.map(([, bytes = '']) => inflateSync(Buffer.from(bytes, 'latin1')));
+  return [pdf, ...content.map(String)].join('\n');
 }

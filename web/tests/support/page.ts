@@ -1,9 +1,11 @@
 /** What tests do with the page, and read from it. */
-import { mkdtempSync } from 'node:fs';
-import { tmpdir } from 'node:os';
+import { readdirSync, statSync } from 'node:fs';
 import { join } from 'node:path';
-import type { Browser, BrowserContextOptions, Page } from 'playwright-core';
-import { openPage, type Preparation } from '../harness/browser.ts';
+import type { Browser, BrowserContextOptions, Locator, Page } from 'playwright-core';
+import { vi } from 'vitest';
+import { openPage, PATIENCE_MS, type Preparation } from '../harness/browser.ts';
+import { FIREFOX } from '../harness/firefox.ts';
+import { folder } from '../harness/program.ts';
 import { samplesOf } from './sounds.ts';
 
 /** The page in English on a desktop, unless other options are given, ready to be used. */
@@ -59,13 +61,35 @@ export async function keepAs(page: Page, name: string): Promise<void> {
   await page.getByText(`Kept as “${name}”.`).waitFor();
 }
 
+/** The file that the page saves after the button of this name. */
+export const saved = (page: Page, name: string): Promise<string> =>
+  savedBy(page.getByRole('button', { name, exact: true }).first());
+
+/** The file that the page saves after a button, with the name that the page gives it. */
+export async function savedBy(button: Locator): Promise<string> {
+  if (FIREFOX) return savedByFirefox(button, FIREFOX.downloads);
+  const coming = button.page().waitForEvent('download');
+  await button.click();
+  const download = await coming;
+  const path = join(folder(), download.suggestedFilename());
+  await download.saveAs(path);
+  return path;
+}
+
+/** Its file is complete when it is not empty and no part of it is beside it. */
+async function savedByFirefox(button: Locator, place: string): Promise<string> {
+  const before = new Set(readdirSync(place));
+  await button.click();
+  const added = (): string[] => readdirSync(place).filter((name) => !before.has(name));
+  const path = (): string => join(place, added()[0] as string);
+  const isComplete = (): boolean => added().length === 1 && statSync(path()).size > 0;
+  await vi.waitUntil(isComplete, { timeout: PATIENCE_MS });
+  return path();
+}
+
 /** Saves the sound in the workspace. */
 export async function savedWav(page: Page) {
-  const coming = page.waitForEvent('download');
-  await page.getByRole('button', { name: 'Sound (WAV)' }).first().click();
-  const file = join(mkdtempSync(join(tmpdir(), 'bouncelab-saved-')), 'saved.wav');
-  await (await coming).saveAs(file);
-  return samplesOf(file);
+  return samplesOf(await saved(page, 'Sound (WAV)'));
 }
 
 /**

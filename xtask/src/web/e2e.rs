@@ -10,11 +10,11 @@ use crate::Result;
 use crate::cargo::{built, run as run_command};
 use crate::steps::{Time, Watch};
 
-/// Runs the tests, or those whose file has one of the names in it; `--repeat N` times in a row, and with
-/// `--load` while other work keeps every processor busy.
+/// Runs the tests, or those whose file has one of the names in it; in Firefox with `--firefox`; `--repeat N`
+/// times in a row, and with `--load` while other work keeps every processor busy.
 pub(crate) fn run(words: &[&str]) -> Result {
     let mut names = Vec::new();
-    let (mut repeat, mut load) = (1, false);
+    let (mut repeat, mut load, mut firefox) = (1, false, false);
     let mut words = words.iter();
     while let Some(word) = words.next() {
         match *word {
@@ -25,11 +25,15 @@ pub(crate) fn run(words: &[&str]) -> Result {
                     .ok_or("--repeat takes a number")?;
             }
             "--load" => load = true,
+            "--firefox" => firefox = true,
             option if option.starts_with('-') => return Err(format!("'{option}' is no option")),
             name => names.push(name),
         }
     }
-    if !system::has_browser() {
+    if firefox && !system::has_firefox() {
+        return Err("the end-to-end tests in Firefox need Firefox and PulseAudio".into());
+    }
+    if !firefox && !system::has_browser() {
         return Err("the end-to-end tests need Chromium".into());
     }
     page()?;
@@ -43,11 +47,19 @@ pub(crate) fn run(words: &[&str]) -> Result {
             let watch = Watch::start();
             let mut command = npm_command(&["run", "e2e", "--"]);
             command.args(&names).env("BOUNCELAB_PROGRAM", &program);
+            if firefox {
+                command.env("BOUNCELAB_FIREFOX", system::FIREFOX);
+            }
             (run_command(&mut command), watch.time())
         })
         .collect();
     drop(busy);
     conclude(&runs)
+}
+
+/// Runs the tests in Firefox, but for those that `web/tests/harness/firefox.ts` lists.
+pub(crate) fn firefox() -> Result {
+    run(&["--firefox"])
 }
 
 /// Runs the test of a whole class.

@@ -86,6 +86,21 @@ pub(crate) fn has_browser() -> bool {
     true
 }
 
+/// Debian's Firefox.
+pub(super) const FIREFOX: &str = "/usr/bin/firefox-esr";
+
+/// Whether there is a Firefox, and a sound server without which it cannot listen; they are installed where that is
+/// allowed.
+pub(crate) fn has_firefox() -> bool {
+    let are_there = || {
+        [FIREFOX, "pulseaudio"]
+            .iter()
+            .all(|name| succeeds(&[name, "--version"]))
+    };
+    let packages = ["firefox-esr", "pulseaudio"];
+    are_there() || install(&packages, "the end-to-end tests in Firefox") && are_there()
+}
+
 fn has_font(folder: &Path, file: &str) -> bool {
     let entries = fs::read_dir(folder).into_iter().flatten().flatten();
     entries.map(|entry| entry.path()).any(|path| {
