@@ -90,13 +90,13 @@ mod tests {
     use super::*;
     use crate::{damage, hostile};
 
-    /// Whole files have the right checksums already.
+    /// Whole files have the right checksums already, and others than Ogg have no pages.
     #[test]
     fn whole_files_stay_as_they_are() {
         let sound = hostile::flac(48_000, 2, 3);
         assert!(flac(&sound) == sound);
         for (name, sound) in damage::files() {
-            assert!(!name.ends_with(".ogg") || ogg(&sound) == sound, "{name}");
+            assert!(ogg(&sound) == sound, "{name}");
         }
     }
 }
