@@ -1,11 +1,11 @@
-//! `cargo xtask fuzz`: arbitrary bytes for the decoders, arbitrary sound for the detector.
+//! `cargo xtask fuzz`: arbitrary bytes for everything that reads files, arbitrary sound for the detector.
 
 use crate::Result;
 use crate::cargo::{has, root, run as run_command};
 use std::fs;
 use std::process::Command;
 
-pub(crate) const ABOUT: &str = "Fuzz the decoders and the detector (nightly, cargo-fuzz)";
+pub(crate) const ABOUT: &str = "Fuzz what reads files, and the detector (nightly, cargo-fuzz)";
 
 /// Code that is not safe reads the bytes, which is that of Opus alone: faults of memory are sought too.
 const ADDRESS: &str = "address";
@@ -13,7 +13,7 @@ const ADDRESS: &str = "address";
 const NONE: &str = "none";
 
 /// The targets, the ends of the names of the recordings they begin with, and the sanitiser.
-const TARGETS: [(&str, &[&str], &str); 11] = [
+const TARGETS: [(&str, &[&str], &str); 18] = [
     ("wav", &["wav"], NONE),
     ("aiff", &["aiff"], NONE),
     ("caf", &["caf"], NONE),
@@ -25,6 +25,13 @@ const TARGETS: [(&str, &[&str], &str); 11] = [
     ("mkv", &["webm"], ADDRESS),
     ("times", &[], NONE),
     ("detection", &[], NONE),
+    ("long", &[], NONE),
+    ("session", &[], NONE),
+    ("notes", &[], NONE),
+    ("rules", &[], NONE),
+    ("link", &[], NONE),
+    ("record", &[], NONE),
+    ("journal", &[], NONE),
 ];
 const FIXTURES: &str = "crates/bouncelab-audio/tests/fixtures";
 
@@ -64,7 +71,10 @@ fn unpack_corpus() -> Result {
 /// What is new goes to `target/fuzz`; a finding, to `fuzz/artifacts`.
 fn fuzz(target: &str, ends: &[&str], sanitizer: &str, seconds: u32) -> Result {
     let found = root().join("target/fuzz").join(target);
-    fs::create_dir_all(&found).map_err(|reason| format!("{}: {reason}", found.display()))?;
+    let artifacts = root().join("fuzz/artifacts").join(target);
+    for folder in [&found, &artifacts] {
+        fs::create_dir_all(folder).map_err(|reason| format!("{}: {reason}", folder.display()))?;
+    }
     let recordings = fs::read_dir(root().join(FIXTURES)).map_err(|e| format!("{FIXTURES}: {e}"))?;
     for recording in recordings.flatten().map(|entry| entry.path()) {
         let end = recording.extension().and_then(|end| end.to_str());
@@ -82,13 +92,15 @@ fn fuzz(target: &str, ends: &[&str], sanitizer: &str, seconds: u32) -> Result {
         .current_dir(root())
         // The chore runs under the stable compiler, and says so to what it starts.
         .env_remove("RUSTUP_TOOLCHAIN")
-        .args(["+nightly", "fuzz", "run", "-s", sanitizer, target])
+        .env("BOUNCELAB_FUZZ", target)
+        .args(["+nightly", "fuzz", "run", "-s", sanitizer, "target"])
         .arg(found)
         .arg(format!("fuzz/corpus/{target}"))
         .args(["--", "-malloc_limit_mb=256", "-timeout=20"])
         .args([
             format!("-rss_limit_mb={most_mb}"),
             "-max_len=20000".to_owned(),
+            format!("-artifact_prefix={}/", artifacts.display()),
             format!("-max_total_time={seconds}"),
         ]);
     run_command(&mut command)

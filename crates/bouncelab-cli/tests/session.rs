@@ -7,12 +7,24 @@ use std::time::{Duration, Instant};
 
 use assert_cmd::Command;
 use bouncelab::impact::Strike;
-use bouncelab::synth::{self, Scene};
+use bouncelab::synth::{self, Rendered, Scene};
 use bouncelab_audio::{SampleFormat, write_wav};
 use bouncelab_testkit::strikes;
 use predicates::prelude::*;
 use predicates::str::contains;
 use tempfile::TempDir;
+
+/// The sound of a dozen impacts.
+fn drop_of(seed: u16) -> Rendered {
+    let first_speed_m_s = 2.2 + 0.01 * f64::from(seed);
+    let strikes: Vec<Strike> = strikes(first_speed_m_s, 0.9).take(12).collect();
+    let scene = Scene {
+        lead_in_s: 0.2,
+        tail_s: 0.2,
+        ..Scene::default()
+    };
+    synth::render(&strikes, &scene, seed.into()).unwrap()
+}
 
 /// A folder for recordings and one for results.
 struct Workspace(TempDir);
@@ -38,14 +50,7 @@ impl Workspace {
 
     /// Adds a recording of a dozen impacts.
     fn record(&self, name: impl AsRef<Path>, seed: u16) -> &Self {
-        let first_speed_m_s = 2.2 + 0.01 * f64::from(seed);
-        let strikes: Vec<Strike> = strikes(first_speed_m_s, 0.9).take(12).collect();
-        let scene = Scene {
-            lead_in_s: 0.2,
-            tail_s: 0.2,
-            ..Scene::default()
-        };
-        let sound = synth::render(&strikes, &scene, seed.into()).unwrap();
+        let sound = drop_of(seed);
         let path = self.recordings().join(name);
         write_wav(
             path,
@@ -541,6 +546,27 @@ fn a_recording_that_takes_too_much_memory_is_named_and_the_rest_goes_on() {
             "2 of 3 recordings were analysed in an earlier run",
         ))
         .stdout(contains("2 drops in 3 recordings").and(contains("not readable").not()));
+}
+
+/// Twenty drops with the most draws, which take many times as long as they may.
+#[cfg(target_os = "linux")]
+#[test]
+fn a_recording_that_takes_too_long_is_named_and_the_rest_goes_on() {
+    let workspace = Workspace::new(&[]);
+    let sound = drop_of(1);
+    let drops: &[f32] = &sound.samples.repeat(20);
+    let path = workspace.recordings().join("drops.wav");
+    write_wav(path, sound.sample_rate_hz, SampleFormat::Int16, &[drops]).unwrap();
+    fs::write(workspace.recordings().join("empty.wav"), "").unwrap();
+    let mut session = Command::cargo_bin("bouncelab").unwrap();
+    session
+        .current_dir(&workspace.0)
+        .args(["session", "recordings", "--time-limit", "1"])
+        .args(["--draws", "100000"])
+        .assert()
+        .failure()
+        .stdout(contains("drops.wav: its analysis took more than 1 s"))
+        .stdout(contains("empty.wav: "));
 }
 
 /// Starts a session and kills it, if it is still there.

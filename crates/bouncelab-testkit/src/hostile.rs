@@ -1,5 +1,7 @@
 //! Small files that claim much.
 
+use crate::checksum::{FLAC_FRAME, FLAC_HEADER};
+
 /// Samples of each channel in a frame of [`flac`]: the most that a frame can hold.
 const FRAME: u16 = u16::MAX;
 
@@ -30,31 +32,13 @@ fn frame(channels: u8, number: u32) -> Vec<u8> {
     let number_as_text = char::from_u32(number).expect("so few frames");
     frame.extend(number_as_text.encode_utf8(&mut digits).bytes());
     frame.extend((FRAME - 1).to_be_bytes());
-    frame.push(crc(&frame, 0x07, 8) as u8);
+    frame.push(FLAC_HEADER.checksum(&frame));
     for channel in 0..u32::from(channels) {
         // A constant.
         frame.push(0);
         let sample = (number * 7_919 + channel * 104_729) % 60_000;
         frame.extend((sample as u16).wrapping_sub(30_000).to_be_bytes());
     }
-    let check = crc(&frame, 0x8005, 16);
-    frame.extend(check.to_be_bytes());
+    frame.extend(FLAC_FRAME.checksum(&frame).to_be_bytes());
     frame
-}
-
-/// The checksum of so many bits by this polynomial.
-fn crc(bytes: &[u8], polynomial: u16, bits: u32) -> u16 {
-    let top = 1 << (bits - 1);
-    let mask = u16::MAX >> (16 - bits);
-    bytes.iter().fold(0, |crc: u16, &byte| {
-        let mut crc = crc ^ u16::from(byte) << (bits - 8);
-        for _ in 0..8 {
-            crc = if crc & top == 0 {
-                crc << 1
-            } else {
-                crc << 1 ^ polynomial
-            };
-        }
-        crc & mask
-    })
 }

@@ -3,7 +3,9 @@
 //! Only dev-dependencies point here, so no user of the other crates builds it. It panics where a
 //! library would return an error: only tests call it.
 
+mod checksum;
 pub mod damage;
+#[cfg(feature = "fuzz")]
 pub mod fuzz;
 pub mod hostile;
 

@@ -52,8 +52,8 @@ pub(crate) struct Arguments {
         long,
         value_name = "DIR",
         conflicts_with_all = [
-            "inputs", "pattern", "table", "allow_missing", "jobs", "memory", "PhysicsArguments",
-            "PriorArguments"
+            "inputs", "pattern", "table", "allow_missing", "jobs", "memory", "time_limit",
+            "PhysicsArguments", "PriorArguments"
         ]
     )]
     from: Option<PathBuf>,
@@ -126,6 +126,10 @@ pub(crate) struct Arguments {
     /// on (Linux)
     #[arg(long, value_name = "MB", default_value_t = 1024, value_parser = clap::value_parser!(u64).range(1..=1 << 20))]
     memory: u64,
+    /// Processor time for the analysis of one recording, in seconds; one that takes longer is named, and the
+    /// others go on (Linux)
+    #[arg(long, value_name = "SECONDS", default_value_t = 600, value_parser = clap::value_parser!(u64).range(1..=1 << 20))]
+    time_limit: u64,
     /// Analyse recordings for another process
     #[arg(long = worker::WORKER, hide = true)]
     worker: bool,
@@ -192,7 +196,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
     }
     .read(session)?;
     if arguments.worker {
-        return worker::serve(&recordings, arguments.memory);
+        return worker::serve(&recordings, arguments.memory, arguments.time_limit);
     }
     let journal = Journal::open(&arguments.output)?;
     let targets = Targets::new(arguments, &outputs)?;
@@ -201,7 +205,8 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
         let damaged = text_with("session-damaged-journal", &count);
         say(format_args!("bouncelab: {damaged}"));
     }
-    let done = work::analyze_all(&recordings, &journal, arguments.jobs.map(usize::from))?;
+    let jobs = arguments.jobs.map(usize::from);
+    let done = work::analyze_all(&recordings, &journal, jobs, arguments.time_limit)?;
     let kept = done.iter().filter(|done| done.kept).count();
     if kept > 0 {
         let counts = [("kept", kept.into()), ("all", recordings.len().into())];

@@ -18,6 +18,7 @@ pub(super) fn analyze_all(
     recordings: &[KnownRecording],
     journal: &Journal,
     jobs: Option<usize>,
+    time_limit_s: u64,
 ) -> Result<Vec<Done>, Failure> {
     let pool = ThreadPoolBuilder::new()
         .num_threads(jobs.map_or(0, |jobs| jobs.min(recordings.len())))
@@ -26,15 +27,22 @@ pub(super) fn analyze_all(
     let bar = progress(recordings.len());
     let without_drop = AtomicUsize::new(0);
     let workers = Workers::default();
-    let analyze = |place: usize| {
+    // What came of a recording, or how its process ended.
+    let analyze = |place: usize| -> Result<Result<Done, String>, Failure> {
         let answer = |key| workers.record(Request { place, key });
-        complete(&recordings[place], journal, answer)
+        match complete(&recordings[place], journal, answer) {
+            Ok(done) => Ok(Ok(done)),
+            Err(Trouble::OutOfTime) => {
+                let limit = [("seconds", time_limit_s.into())];
+                Ok(Ok(Done::failed(text_with("session-out-of-time", &limit))))
+            }
+            Err(Trouble::Died(how)) => Ok(Err(how)),
+            Err(Trouble::Session(failure)) => Err(failure),
+        }
     };
     let one = |place: usize| {
-        let done = match analyze(place) {
-            Ok(done) => done,
-            Err(Trouble::Died(_)) => return Ok(None),
-            Err(Trouble::Session(failure)) => return Err(failure),
+        let Ok(done) = analyze(place)? else {
+            return Ok(None);
         };
         let without = usize::from(done.without_drop);
         let without = without_drop.fetch_add(without, Ordering::Relaxed) + without;
@@ -47,14 +55,13 @@ pub(super) fn analyze_all(
     let places = (0..recordings.len()).into_par_iter();
     let first: Result<Vec<Option<Done>>, Failure> = pool.install(|| places.map(one).collect());
     // What ended a worker is tried once more, alone: it may have been short of memory for all.
-    let again = |(place, done): (usize, Option<Done>)| match done.map_or_else(|| analyze(place), Ok)
-    {
-        Ok(done) => Ok(done),
-        Err(Trouble::Died(how)) => {
-            let how = [("how", how.into())];
-            Ok(Done::failed(text_with("session-died", &how)))
-        }
-        Err(Trouble::Session(failure)) => Err(failure),
+    let again = |(place, done): (usize, Option<Done>)| match done {
+        Some(done) => Ok(done),
+        None => analyze(place).map(|done| {
+            done.unwrap_or_else(|how| {
+                Done::failed(text_with("session-died", &[("how", how.into())]))
+            })
+        }),
     };
     let done = first.and_then(|first| first.into_iter().enumerate().map(again).collect());
     bar.finish_and_clear();

@@ -1,5 +1,5 @@
-//! Processes that analyse one recording after the other for a session, each within a limit of memory: a
-//! recording that ends its process ends no other.
+//! Processes that analyse one recording after the other for a session, each within a limit of memory and of
+//! processor time: a recording that ends its process ends no other.
 //!
 //! A worker is this program with the same arguments, so that it knows the same recordings and settings. It is
 //! asked for them one by one, by lines of JSON on its stdin, and answers with their records on its stdout.
@@ -7,7 +7,7 @@
 use std::env;
 use std::ffi::OsString;
 use std::io::{self, BufRead, BufReader, Write};
-use std::process::{Child, ChildStdout, Command, Stdio};
+use std::process::{Child, ChildStdout, Command, ExitStatus, Stdio};
 use std::sync::{Mutex, PoisonError};
 
 use bouncelab_session::journal::Key;
@@ -33,6 +33,8 @@ pub(super) struct Request {
 pub(super) enum Trouble {
     /// The worker ended; how.
     Died(String),
+    /// The recording took all the processor time that it may take.
+    OutOfTime,
     /// The session cannot go on.
     Session(Failure),
 }
@@ -64,7 +66,7 @@ impl Workers {
                 self.idle().push(worker);
                 Ok(record)
             }
-            Err(reason) => Err(Trouble::Died(worker.end(&reason))),
+            Err(reason) => Err(worker.end(&reason)),
         }
     }
 
@@ -103,12 +105,13 @@ impl Worker {
     }
 
     /// Ends a worker that gave no answer; how it ended.
-    fn end(mut self, reason: &io::Error) -> String {
+    fn end(mut self, reason: &io::Error) -> Trouble {
         // One that failed has closed its end, and is gone or about to go.
         drop(self.process.stdin.take());
         match self.process.wait() {
-            Ok(status) => status.to_string(),
-            Err(_) => reason.to_string(),
+            Ok(status) if is_out_of_time(status) => Trouble::OutOfTime,
+            Ok(status) => Trouble::Died(status.to_string()),
+            Err(_) => Trouble::Died(reason.to_string()),
         }
     }
 }
@@ -132,7 +135,11 @@ fn arguments(of_session: impl Iterator<Item = OsString>) -> Vec<OsString> {
 }
 
 /// Answers the requests of a session until there are no more.
-pub(super) fn serve(recordings: &[KnownRecording], memory_mb: u64) -> Result<(), Failure> {
+pub(super) fn serve(
+    recordings: &[KnownRecording],
+    memory_mb: u64,
+    time_limit_s: u64,
+) -> Result<(), Failure> {
     confine(memory_mb)?;
     for line in io::stdin().lock().lines() {
         let request: Request = serde_json::from_str(&line?).map_err(io::Error::from)?;
@@ -141,6 +148,7 @@ pub(super) fn serve(recordings: &[KnownRecording], memory_mb: u64) -> Result<(),
         let recording = same.ok_or_else(|| {
             Failure::Input("recordings or notes have changed since the session began".to_owned())
         })?;
+        limit_time(time_limit_s)?;
         let record = serde_json::to_string(&recording.record(request.key.content));
         print_data(record.map_err(io::Error::from)? + "\n")?;
     }
@@ -174,9 +182,46 @@ fn confine(memory_mb: u64) -> Result<(), Failure> {
     Ok(())
 }
 
+/// Has the system end this process after so many more seconds of processor time.
+#[cfg(target_os = "linux")]
+fn limit_time(seconds: u64) -> Result<(), Failure> {
+    use rustix::process::{Resource, Rlimit, getrlimit, setrlimit};
+    use rustix::time::{ClockId, clock_gettime};
+
+    let used_s = clock_gettime(ClockId::ProcessCPUTime)
+        .tv_sec
+        .cast_unsigned();
+    // The system counts whole seconds. A stricter limit of somebody else stays.
+    let end_s = used_s + 1 + seconds;
+    let maximum = getrlimit(Resource::Cpu).maximum;
+    let limit = Rlimit {
+        current: Some(maximum.map_or(end_s, |most_s| most_s.min(end_s))),
+        maximum,
+    };
+    setrlimit(Resource::Cpu, limit)
+        .map_err(|reason| Failure::Input(format!("cannot limit the time to {seconds} s: {reason}")))
+}
+
+#[cfg(target_os = "linux")]
+fn is_out_of_time(status: ExitStatus) -> bool {
+    use std::os::unix::process::ExitStatusExt;
+
+    status.signal() == Some(rustix::process::Signal::XCPU.as_raw())
+}
+
 #[cfg(not(target_os = "linux"))]
 fn confine(_: u64) -> Result<(), Failure> {
     Ok(())
+}
+
+#[cfg(not(target_os = "linux"))]
+fn limit_time(_: u64) -> Result<(), Failure> {
+    Ok(())
+}
+
+#[cfg(not(target_os = "linux"))]
+fn is_out_of_time(_: ExitStatus) -> bool {
+    false
 }
 
 #[cfg(test)]

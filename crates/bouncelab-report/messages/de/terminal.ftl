@@ -288,4 +288,5 @@ session-no-drop = keine Aufnahme enthält einen springenden Ball
 session-damaged-journal = { $count } Zeilen des Journals sind abgeschnitten oder beschädigt und zählen nicht
 session-died = ihre Auswertung hat ihren Prozess zweimal beendet, das zweite Mal allein ({ $how }); ist sie lang, gib ihr mehr mit --memory, sonst melde es bitte
 session-known = { $kept } von { $all } Aufnahmen sind aus einem früheren Lauf ausgewertet
+session-out-of-time = ihre Auswertung hat mehr als { $seconds } s Rechenzeit gebraucht; gib ihr mehr mit --time-limit oder verlange weniger: weniger --draws, eine kürzere Aufnahme
 session-restitution = Stoßzahl

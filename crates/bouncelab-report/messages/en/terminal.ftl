@@ -290,4 +290,5 @@ session-no-drop = no recording holds a drop
 session-damaged-journal = { $count } lines of the journal are truncated or damaged, and are ignored
 session-died = its analysis ended its process twice, the second time alone ({ $how }); if it is long, give it more --memory, else please report it
 session-known = { $kept } of { $all } recordings were analysed in an earlier run
+session-out-of-time = its analysis took more than { $seconds } s of processor time; give it more by --time-limit, or ask for less: fewer --draws, a shorter recording
 session-restitution = Restitution

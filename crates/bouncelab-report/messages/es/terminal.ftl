@@ -289,4 +289,5 @@ session-no-drop = ninguna grabación contiene un ensayo
 session-damaged-journal = { $count } líneas del diario están truncadas o dañadas, y no se tienen en cuenta
 session-died = su análisis terminó su proceso dos veces, la segunda a solas ({ $how }); si es larga, dele más --memory, y si no, comuníquelo, por favor
 session-known = { $kept } de { $all } grabaciones se analizaron en una ejecución anterior
+session-out-of-time = su análisis tomó más de { $seconds } s de tiempo de procesador; dele más con --time-limit, o pida menos: menos --draws, una grabación más corta
 session-restitution = Restitución

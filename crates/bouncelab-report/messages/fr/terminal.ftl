@@ -289,4 +289,5 @@ session-no-drop = aucun enregistrement ne contient d’essai
 session-damaged-journal = { $count } lignes du journal sont tronquées ou endommagées, et sont ignorées
 session-died = son analyse a terminé son processus deux fois, la seconde fois seule ({ $how }) ; s’il est long, donnez-lui plus de --memory, sinon merci de le signaler
 session-known = { $kept } enregistrements sur { $all } ont été analysés lors d’un passage précédent
+session-out-of-time = son analyse a pris plus de { $seconds } s de temps processeur ; donnez-lui plus de --time-limit, ou demandez moins : moins de --draws, un enregistrement plus court
 session-restitution = Restitution

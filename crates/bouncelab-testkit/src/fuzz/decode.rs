@@ -3,15 +3,25 @@
 use bouncelab::diagnostic::Argument;
 use bouncelab_audio::{MAX_BLOCK_FRAMES, Source, times};
 
+use super::mend;
+
 /// Enough of one recording, in frames: a few bytes can stand for hours of silence.
 const ENOUGH: u64 = 1 << 20;
 
+/// Decodes FLAC as it is, and with the right checksums.
+pub(super) fn flac(bytes: &[u8]) {
+    decode_all(bytes);
+    decode_all(&mend::flac(bytes));
+}
+
+/// Decodes Ogg as it is, and with the right checksums.
+pub(super) fn ogg(bytes: &[u8]) {
+    decode_all(bytes);
+    decode_all(&mend::ogg(bytes));
+}
+
 /// Decodes all of it and checks what every recording must keep to.
-///
-/// # Panics
-///
-/// If it does not.
-pub fn decode_all(bytes: &[u8]) {
+pub(super) fn decode_all(bytes: &[u8]) {
     let mut source = match Source::from_bytes(bytes.to_vec(), "fuzz") {
         Ok(source) => source,
         Err(error) => {
@@ -42,11 +52,7 @@ pub fn decode_all(bytes: &[u8]) {
 }
 
 /// Reads a list of times in each of the formats.
-///
-/// # Panics
-///
-/// If the times are not finite or do not increase.
-pub fn read_times(bytes: &[u8]) {
+pub(super) fn read_times(bytes: &[u8]) {
     for name in ["fuzz.txt", "fuzz.csv", "fuzz.json", "fuzz.TextGrid"] {
         if let Ok(times) = times::parse(bytes, name) {
             assert!(times.iter().all(|time| time.is_finite()));

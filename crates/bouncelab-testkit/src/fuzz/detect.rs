@@ -1,6 +1,6 @@
-//! Bytes as sound.
+//! Bytes as sound: short ones, and hours of it.
 //!
-//! The first byte chooses the kind of sound, the second the sample rate, the third the number of
+//! Of a short one, the first byte chooses the kind of sound, the second the sample rate, the third the number of
 //! channels, the fourth the size of the blocks; the rest is the sound.
 
 use bouncelab::detection::{Detection, Detector};
@@ -14,11 +14,7 @@ const RATES_HZ: [u32; 12] = [
 ];
 
 /// Searches the bytes for drops at once and in blocks, and compares.
-///
-/// # Panics
-///
-/// If the blocks make a difference, or if impacts are not in order.
-pub fn detect(bytes: &[u8]) {
+pub(super) fn detect(bytes: &[u8]) {
     let Some((&[kind, rate, channels, block], sound)) = bytes.split_first_chunk() else {
         return;
     };
@@ -42,6 +38,108 @@ pub fn detect(bytes: &[u8]) {
     check(&whole);
     assert_eq!(times(&whole), times(&parts), "the blocks make a difference");
     assert_eq!(whole.onsets, parts.onsets);
+}
+
+/// Enough of a long sound, in samples: 70 minutes at 1 kHz.
+const ENOUGH_LONG: usize = 1 << 22;
+
+/// Searches hours of sound, of which the bytes are the pieces, in blocks of a second and of another length. The
+/// first byte chooses the sample rate, the second the length; each four that follow are a piece, and all pieces come
+/// again until it is long enough.
+pub(super) fn detect_long(bytes: &[u8]) {
+    let Some((&[rate, block], pieces)) = bytes.split_first_chunk() else {
+        return;
+    };
+    let (pieces, _) = pieces.as_chunks();
+    if pieces.is_empty() {
+        return;
+    }
+    let rate_hz = [1_000, 2_000, 4_000, 8_000][usize::from(rate) % 4];
+    let block = 100 + usize::from(block) * 20;
+    let mut whole = Detector::new(rate_hz, 1);
+    let mut parts = Detector::new(rate_hz, 1);
+    let seconds = pieces
+        .iter()
+        .cycle()
+        .flat_map(|piece| Piece::of(*piece).seconds(rate_hz));
+    let most = ENOUGH_LONG / rate_hz as usize;
+    for (number, second) in seconds.take(most).enumerate() {
+        whole.push(&[&second]);
+        second.chunks(block).for_each(|part| parts.push(&[part]));
+        if number == most / 2 {
+            check(&whole.so_far());
+        }
+    }
+    let (whole, parts) = (whole.finish(), parts.finish());
+    check(&whole);
+    assert_eq!(times(&whole), times(&parts), "the blocks make a difference");
+}
+
+/// Strikes that come again after a period, in noise.
+struct Piece {
+    strikes_s: Vec<f64>,
+    period_s: f64,
+    level: f64,
+    noise: f64,
+    seconds: usize,
+}
+
+impl Piece {
+    fn of([kind, level, rate, length]: [u8; 4]) -> Self {
+        let (strikes_s, period_s) = match kind % 3 {
+            0 => (Vec::new(), 1.0),
+            // From 0.1 to 1,000 a second.
+            1 => (vec![0.0], 10_f64.powf(1.0 - f64::from(rate) / 63.75)),
+            _ => {
+                let drop = crate::strikes(2.4, 0.5 + f64::from(rate) / 520.0);
+                let times = drop.take(40).map(|strike| strike.time_s);
+                (times.take_while(|&time_s| time_s < 18.0).collect(), 20.0)
+            }
+        };
+        Self {
+            strikes_s,
+            period_s,
+            level: f64::from(level) / 256.0,
+            noise: 10_f64.powi(-i32::from(kind / 3 % 8)),
+            seconds: 1 + usize::from(length) * usize::from(length) / 16,
+        }
+    }
+
+    fn seconds(self, rate_hz: u32) -> impl Iterator<Item = Vec<f32>> {
+        let rate = rate_hz as usize;
+        let mut noise = Noise(1);
+        (0..self.seconds).map(move |second| {
+            let samples = second * rate..(second + 1) * rate;
+            samples
+                .map(|n| self.sample(n as f64 / f64::from(rate_hz), noise.next()))
+                .collect()
+        })
+    }
+
+    fn sample(&self, time_s: f64, noise: f64) -> f32 {
+        let phase_s = time_s % self.period_s;
+        let before = self
+            .strikes_s
+            .partition_point(|&strike_s| strike_s <= phase_s);
+        let strike_s = before.checked_sub(1).map(|last| self.strikes_s[last]);
+        let click = strike_s.map_or(0.0, |strike_s| ring(phase_s - strike_s));
+        (self.level * (click + self.noise * noise)) as f32
+    }
+}
+
+/// The sound of an impact after a time.
+fn ring(time_s: f64) -> f64 {
+    (-time_s / 0.003).exp() * (20_000.0 * time_s).sin()
+}
+
+/// Noise between -0.5 and 0.5.
+struct Noise(u32);
+
+impl Noise {
+    fn next(&mut self) -> f64 {
+        self.0 = self.0.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+        f64::from(self.0 >> 8) / f64::from(1 << 24) - 0.5
+    }
 }
 
 fn detections(a: &[f32], b: &[f32], rate_hz: u32, channels: usize, block: usize) -> Detection {
@@ -94,7 +192,7 @@ fn integers(bytes: &[u8]) -> Vec<f32> {
 fn clicks(bytes: &[u8], rate_hz: u32) -> Vec<f32> {
     let rate = f64::from(rate_hz);
     let (clicks, _) = bytes.as_chunks();
-    let mut state = 1_u32;
+    let mut noise = Noise(1);
     let mut samples = Vec::new();
     let mut loud = 0.0;
     for &[low, high, level] in clicks {
@@ -103,11 +201,8 @@ fn clicks(bytes: &[u8], rate_hz: u32) -> Vec<f32> {
             if samples.len() >= ENOUGH {
                 return samples;
             }
-            state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
-            let noise = f64::from(state >> 8) / f64::from(1 << 24) - 0.5;
-            let time_s = n as f64 / rate;
-            let click = loud * (-time_s / 0.003).exp() * (20_000.0 * time_s).sin();
-            samples.push((click + 1e-3 * noise) as f32);
+            let click = loud * ring(n as f64 / rate);
+            samples.push((click + 1e-3 * noise.next()) as f32);
         }
         loud = f64::from(level) / 256.0;
     }

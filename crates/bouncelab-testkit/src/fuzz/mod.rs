@@ -1,18 +1,44 @@
-//! The fuzz targets, and their corpus.
+//! What is fuzzed, and the inputs that were worth keeping.
 //!
-//! The tests of the workspace do the same with the corpus, so that a stable compiler checks it too.
+//! `cargo xtask fuzz` mutates inputs for as long as it is told; the test `fuzz` of this crate tries those that were
+//! kept, and some mutations of them, with the stable compiler.
 
 mod decode;
 mod detect;
-
-pub use decode::{decode_all, read_times};
-pub use detect::detect;
+mod kept;
+mod mend;
+mod notes;
 
 use std::io::Read;
 use std::path::Path;
 
 use flate2::read::GzDecoder;
 use tar::Archive;
+
+/// The name of a target, and what it does with bytes; it panics where something does not hold.
+pub type Target = (&'static str, fn(&[u8]));
+
+/// All targets.
+pub const TARGETS: [Target; 18] = [
+    ("wav", decode::decode_all),
+    ("aiff", decode::decode_all),
+    ("caf", decode::decode_all),
+    ("flac", decode::flac),
+    ("mp3", decode::decode_all),
+    ("aac", decode::decode_all),
+    ("ogg", decode::ogg),
+    ("mp4", decode::decode_all),
+    ("mkv", decode::decode_all),
+    ("times", decode::read_times),
+    ("detection", detect::detect),
+    ("long", detect::detect_long),
+    ("session", notes::read_session),
+    ("notes", notes::read_notes),
+    ("rules", notes::read_rules),
+    ("link", kept::read_link),
+    ("record", kept::read_record),
+    ("journal", kept::read_journal),
+];
 
 /// Panics inside a third-party decoder are caught and become errors; only those that get out are
 /// findings. libFuzzer's hook would end the process at each.

@@ -1,0 +1,95 @@
+//! Bytes as what people write of their recordings: a session.toml, a table, a file of rules.
+
+use std::fs;
+use std::path::PathBuf;
+
+use bouncelab::setup::Settings;
+use bouncelab_report::messages::Translator;
+use bouncelab_report::rules;
+use bouncelab_session::{Advice, KnownRecording, MetadataOptions, Result, Session, Sources};
+use tempfile::TempDir;
+
+/// Recordings of a session, which nobody reads.
+const RECORDINGS: [&str; 3] = ["red_30cm_1.wav", "red_30cm_2.wav", "blue_40cm_1.wav"];
+
+/// Reads a session.toml.
+pub(super) fn read_session(bytes: &[u8]) {
+    // It may name folders and files, and so the whole disk.
+    let text = std::str::from_utf8(bytes).unwrap_or_default();
+    let written: toml::Table = text
+        .trim_start_matches('\u{feff}')
+        .parse()
+        .unwrap_or_default();
+    if ["folders", "table"]
+        .iter()
+        .any(|key| written.contains_key(*key))
+    {
+        return;
+    }
+    let folder = folder(&RECORDINGS);
+    fs::write(folder.path().join("session.toml"), bytes).expect("a file in an own folder");
+    check(&gather(vec![folder.path().to_owned()], None, None));
+}
+
+/// Reads a table of notes.
+pub(super) fn read_notes(bytes: &[u8]) {
+    let folder = folder(&RECORDINGS);
+    let table = folder.path().join("notes.csv");
+    fs::write(&table, bytes).expect("a file in an own folder");
+    check(&gather(vec![folder.path().to_owned()], Some(table), None));
+}
+
+/// Reads rules.
+pub(super) fn read_rules(bytes: &[u8]) {
+    let text = String::from_utf8_lossy(bytes);
+    for rule in rules::read(&text, "fuzz.toml").into_iter().flatten() {
+        let words = Translator::english();
+        assert!(rule.drop_height_m.is_none_or(f64::is_finite));
+        assert!(!rules::words::facts(&rule, &words).is_empty());
+    }
+}
+
+/// A folder of recordings.
+pub(super) fn folder(recordings: &[&str]) -> TempDir {
+    let folder = tempfile::tempdir().expect("an own folder");
+    for name in recordings {
+        fs::write(folder.path().join(name), name).expect("a file in an own folder");
+    }
+    folder
+}
+
+/// The recordings with what is noted of them, as the program finds them.
+pub(super) fn gather(
+    inputs: Vec<PathBuf>,
+    table: Option<PathBuf>,
+    pattern: Option<String>,
+) -> Result<Vec<KnownRecording>> {
+    let session = Session::gather(&Sources {
+        inputs,
+        pattern,
+        table,
+    })?;
+    MetadataOptions {
+        resolve: &|noted| {
+            let settings = noted.complete(&Settings::default())?;
+            settings.resolve(false).map_err(|fault| fault.to_string())
+        },
+        ball_is_known: true,
+        allow_implausible: true,
+        allow_missing: true,
+        translator: &Translator::english(),
+        advice: Advice {
+            implausible: "",
+            missing: "",
+            ball: "",
+        },
+    }
+    .read(session)
+}
+
+fn check(read: &Result<Vec<KnownRecording>>) {
+    match read {
+        Ok(recordings) => assert_eq!(recordings.len(), RECORDINGS.len()),
+        Err(problem) => assert!(!problem.to_string().is_empty()),
+    }
+}
