@@ -57,6 +57,16 @@ pub(crate) fn install_into(folder: &Path, wheel: &Path) -> Result {
     run_command(install.arg(wheel))
 }
 
+/// Checks documents against the schemas that check-jsonschema has under these names.
+pub(crate) fn validate(documents: &[(&str, &str)]) -> Result {
+    let venv = first_venv()?;
+    documents.iter().try_for_each(|(schema, document)| {
+        let mut check = venv.tool("check-jsonschema");
+        check.args(["--builtin-schema", schema]);
+        run_command(check.arg(root().join(document)))
+    })
+}
+
 /// The environment of the first interpreter, which builds and checks the package.
 fn first_venv() -> Result<Venv> {
     let found = interpreters();

@@ -18,6 +18,24 @@ pub(crate) const ABOUT: &str =
 /// All crates and packages have the same one.
 const VERSION: &str = env!("CARGO_PKG_VERSION");
 
+/// What other programs read by a schema, with its name.
+const BY_SCHEMA: [(&str, &str); 5] = [
+    ("vendor.citation-file-format", "CITATION.cff"),
+    ("vendor.dependabot", ".github/dependabot.yml"),
+    (
+        "vendor.github-issue-config",
+        ".github/ISSUE_TEMPLATE/config.yml",
+    ),
+    (
+        "vendor.github-issue-forms",
+        ".github/ISSUE_TEMPLATE/fault.yml",
+    ),
+    (
+        "vendor.github-issue-forms",
+        ".github/ISSUE_TEMPLATE/recording.yml",
+    ),
+];
+
 /// What lies beside the program in its archive.
 const DOCUMENTS: [&str; 4] = ["README.md", "CHANGELOG.md", "LICENSE-MIT", "LICENSE-APACHE"];
 
@@ -201,6 +219,14 @@ pub(crate) fn check() -> Result {
         web::check_workflows()?;
     } else {
         println!("SKIPPED for want of Node.js: the check of the workflow files");
+    }
+    if python::interpreters().is_empty() {
+        println!(
+            "SKIPPED: how to cite and the issue forms; {}",
+            python::MISSING
+        );
+    } else {
+        python::validate(&BY_SCHEMA)?;
     }
     built("--bin", "bouncelab")?;
     let folder = target().join("release-check/artefacts");

@@ -190,7 +190,7 @@ pub(crate) const CHECKS: [Check; 17] = [
     },
     Check {
         name: "release",
-        about: "what a release publishes runs from an empty folder; the workflow files are valid",
+        about: "what a release publishes runs from an empty folder; workflow files, issue forms and CITATION.cff are valid",
         needs: Needs::Nothing,
         run: release::check,
     },
