@@ -1,8 +1,17 @@
 import { join } from 'node:path';
 import { defineConfig } from 'vitest/config';
+import { BaseSequencer, type TestSpecification } from 'vitest/node';
 import { FIREFOX } from './harness/firefox.ts';
 
 const setUp = (name: string): string => join(import.meta.dirname, `harness/${name}.ts`);
+
+/** Begins with the file whose tests wait for each other, so that it is not alone at the end. */
+class Sequencer extends BaseSequencer {
+  override async sort(files: TestSpecification[]): Promise<TestSpecification[]> {
+    const isFirst = ({ moduleId }: TestSpecification) => moduleId.endsWith('/kill.e2e.ts');
+    return (await super.sort(files)).toSorted((a, b) => Number(isFirst(b)) - Number(isFirst(a)));
+  }
+}
 
 /** End-to-end tests: what a person does, in a real browser: Chromium, or the Firefox that is named. */
 export default defineConfig({
@@ -10,9 +19,10 @@ export default defineConfig({
     dir: import.meta.dirname,
     include: ['*.e2e.ts'],
     ...(FIREFOX && { globalSetup: setUp('sound-server'), setupFiles: setUp('exceptions') }),
+    sequence: { sequencer: Sequencer },
     // A test mostly waits for its browser: one for each core leaves the cores idle for half of the time.
     maxWorkers: 3,
-    // Of the longest files, which would otherwise be alone at the end.
+    // Of the files whose tests do not wait for each other.
     maxConcurrency: 2,
     // Tests wait for states, so this is only for what hangs: busy machines take long.
     testTimeout: 300_000,
