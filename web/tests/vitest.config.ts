@@ -20,7 +20,7 @@ export default defineConfig({
     include: ['*.e2e.ts'],
     ...(FIREFOX && { globalSetup: setUp('sound-server'), setupFiles: setUp('exceptions') }),
     sequence: { sequencer: Sequencer },
-    // A test mostly waits for its browser: one for each core leaves the cores idle for half of the time.
+    // One more than the cores of the usual machine, because a test waits for its browser now and then.
     maxWorkers: 3,
     // Of the files whose tests do not wait for each other.
     maxConcurrency: 2,

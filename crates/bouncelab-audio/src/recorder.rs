@@ -242,16 +242,18 @@ mod tests {
     use super::*;
     use crate::Source;
 
-    /// A disk with room for so many bytes, on which what is there can be overwritten.
+    /// A disk with a capacity of so many bytes, on which what is there can be overwritten.
     struct Disk {
         content: Cursor<Vec<u8>>,
-        room: usize,
+        capacity: usize,
     }
 
     impl Write for Disk {
         fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
-            let room = self.room.saturating_sub(self.content.position() as usize);
-            match room.min(bytes.len()) {
+            let free = self
+                .capacity
+                .saturating_sub(self.content.position() as usize);
+            match free.min(bytes.len()) {
                 0 if !bytes.is_empty() => Err(io::ErrorKind::StorageFull.into()),
                 count => self.content.write(&bytes[..count]),
             }
@@ -276,10 +278,10 @@ mod tests {
 
     const RATE_HZ: u32 = 8_000;
 
-    fn recorder(room: usize, channels: usize, format: SampleFormat) -> Recorder<Disk> {
+    fn recorder(capacity: usize, channels: usize, format: SampleFormat) -> Recorder<Disk> {
         let disk = Disk {
             content: Cursor::default(),
-            room,
+            capacity,
         };
         let layout = Layout::new("test", RATE_HZ, channels, format).unwrap();
         Recorder::start("test", layout, disk).unwrap()
@@ -319,13 +321,13 @@ mod tests {
 
     #[test]
     fn a_full_disk_leaves_whole_frames_and_says_so_once() {
-        for room in 16_044..16_052 {
-            let mut recorder = recorder(room, 2, SampleFormat::Int16);
+        for capacity in 16_044..16_052 {
+            let mut recorder = recorder(capacity, 2, SampleFormat::Int16);
             let (left, right) = (ramp(10_000), vec![0.0; 10_000]);
             let refusal = recorder.push(&[&left, &right]).unwrap_err();
             assert!(refusal.to_string().starts_with("test: "), "{refusal}");
             // Four bytes a frame behind a header of 44.
-            let frames = (room - 44) / 4;
+            let frames = (capacity - 44) / 4;
             assert_eq!(read(&recorder), left[..frames]);
             assert!((recorder.saved_s() - frames as f64 / 8_000.0).abs() < 1e-12);
             assert!(recorder.push(&[&left, &right]).is_ok());

@@ -103,11 +103,11 @@ function heightOfNames(names: readonly string[]): number {
   return names.length * (LINE_REM * Math.max(0, ...lines) + 0.8) * rem();
 }
 
-/** The room that the numbers below a panel take. */
+/** The height that the numbers below a panel take. */
 const sizeOfX = ({ ticks }: Axis): number =>
   ({ labelled: 1.9, grid: 0.5, hidden: 0 })[ticks] * rem();
 
-/** The room before a panel: as much as the longest line of the names takes, or the longest number. */
+/** The width before a panel: as much as the longest line of the names takes, or the longest number. */
 function widthOf(of: Axis, numbers: readonly string[]): number {
   if (of.ticks !== 'labelled') return 0.25 * rem();
   const longest = (texts: readonly string[]) => Math.max(0, ...texts.map(({ length }) => length));

@@ -84,7 +84,9 @@ pub(super) fn read_journal(bytes: &[u8]) {
             failure: Some("of this run".to_owned()),
             ..Record::default()
         };
-        journal.append("own.wav", &key, &own).expect("room for it");
+        journal
+            .append("own.wav", &key, &own)
+            .expect("a file in an own folder");
         drop(journal);
         let kept = open().read::<Record>("own.wav", &key);
         assert_eq!(kept.ok().flatten(), Some(own), "what follows is kept");

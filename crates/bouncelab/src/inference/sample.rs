@@ -185,7 +185,7 @@ const USUAL_SHARE: f64 = 0.4;
 /// A proposal that fits badly is not drawn from for ever: at most three draws for one.
 const LEAST_SHARE: f64 = 0.33;
 
-/// This part of the draws that were asked for is not worth another round.
+/// With this part of the draws that were asked for, the rest is not worth another round.
 const ENOUGH: f64 = 0.8;
 
 /// Weights with a heavier tail than this are worth another try, but not for ever.

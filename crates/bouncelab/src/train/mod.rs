@@ -5,7 +5,7 @@
 //! So the inference is put as a choice between two explanations of the same onsets: *a drop*, whose
 //! next impact is predicted by the ones before, or *other sounds*, which come when they like. The
 //! logarithm of their probability ratio is the evidence, in nats. It adds up over the impacts
-//! (the room `evidence`), so that the best train of all is found by dynamic programming (`chain`).
+//! (the module `evidence`), so that the best train of all is found by dynamic programming (`chain`).
 //! What is found must then stand against a third explanation: somebody or something that keeps time,
 //! and may speed up (`rhythm`).
 //! There is no threshold on loudness anywhere.
