@@ -143,6 +143,8 @@ test.each([
 test.each([
   ['en-GB', 'How bouncy is a ball?'],
   ['de-DE', 'Wie gut springt ein Ball?'],
+  ['fr-FR', 'Comment une balle rebondit-elle\u202f?'],
+  ['es-ES', '¿Cuánto rebota una pelota?'],
 ] as const)('lesson sheets print on two pages, %s', async (locale, title) => {
   const { page, troubles } = await open(browser, `${site.url}#drops`, { locale });
   const links = page.locator('a[href^="lessons/"]');
