@@ -54,14 +54,21 @@ pub(crate) fn run(words: &[String]) -> Result {
         [] => {
             let page = make_page()?;
             let mut build = cargo(["build", "--release", "--bin", "bouncelab"]);
-            build.args(features(page));
+            build.args(features(page, &host()?));
             run_command(&mut build)?;
             make_all(&folder, "release")?;
         }
         [word] => {
             let triple = word.strip_prefix("target=").ok_or(USAGE)?;
+            // The page is the same for all, so that machines need not build it that cannot.
+            if !has_page() {
+                return Err(
+                    "the page is not built, which is a part of the program".to_owned()
+                        + ": cargo xtask web",
+                );
+            }
             let mut build = cargo(["build", "--release", "--bin", "bouncelab", "--target"]);
-            run_command(build.arg(triple))?;
+            run_command(build.arg(triple).args(features(true, triple)))?;
             let built = target().join(triple).join("release");
             program(&folder, &built, triple)?;
         }
@@ -84,13 +91,17 @@ fn make_page() -> Result<bool> {
     Ok(false)
 }
 
+fn has_page() -> bool {
+    web::web().join("dist/index.html").is_file()
+}
+
 /// The microphone needs a library of the system on Linux only, which not every machine has.
-fn features(page: bool) -> Vec<&'static str> {
+fn features(page: bool, triple: &str) -> Vec<&'static str> {
     let mut features = Vec::new();
     if page {
         features.extend(["--features", "bouncelab-cli/serve"]);
     }
-    if !cfg!(target_os = "linux") {
+    if !triple.contains("linux") {
         features.extend(["--features", "bouncelab-cli/microphone"]);
     }
     features
@@ -111,7 +122,7 @@ fn make_all(folder: &Path, profile: &str) -> Result {
         };
         copy(&wheel, &folder.join(wheel.file_name().unwrap_or_default()))?;
     }
-    if web::web().join("dist/index.html").is_file() {
+    if has_page() {
         let name = format!("bouncelab-page-{VERSION}");
         archive(folder, &name, &web::web(), "dist")?;
     } else {
@@ -128,9 +139,15 @@ fn make_all(folder: &Path, profile: &str) -> Result {
     write(&folder.join("release-notes.md"), &notes)
 }
 
+/// What the archive of the program and the folder in it are called; `cargo binstall` is told so in the `Cargo.toml` of the
+/// program.
+fn name_of(triple: &str) -> String {
+    format!("bouncelab-{VERSION}-{triple}")
+}
+
 /// The archive of the program with its completions, manual pages and documents; returns the folder of its contents.
 fn program(folder: &Path, built: &Path, triple: &str) -> Result<PathBuf> {
-    let name = format!("bouncelab-{VERSION}-{triple}");
+    let name = name_of(triple);
     let staged = target().join("release-staged");
     let contents = staged.join(&name);
     emptied(&contents)?;
@@ -186,14 +203,8 @@ fn checksums(folder: &Path) -> Result {
         .filter_map(|path| Some(path.file_name()?.to_str()?.to_owned()))
         .collect();
     names.sort();
-    let words: &[&str] = if succeeds(&["sha256sum", "--version"]) {
-        &["sha256sum"]
-    } else {
-        &["shasum", "-a", "256"]
-    };
-    let mut sums = Command::new(words[0]);
-    sums.args(&words[1..]).args(names).current_dir(folder);
-    let sums = sums.output().map_err(|reason| reason.to_string())?;
+    let sums = sha256(folder).args(names).output();
+    let sums = sums.map_err(|reason| reason.to_string())?;
     if !sums.status.success() {
         return Err(String::from_utf8_lossy(&sums.stderr).into_owned());
     }
@@ -201,6 +212,19 @@ fn checksums(folder: &Path) -> Result {
         &folder.join("SHA256SUMS"),
         &String::from_utf8_lossy(&sums.stdout),
     )
+}
+
+/// The program of GNU or that of Perl, which macOS has.
+fn sha256(folder: &Path) -> Command {
+    let mut sha256 = if succeeds(&["sha256sum", "--version"]) {
+        Command::new("sha256sum")
+    } else {
+        let mut perl = Command::new("shasum");
+        perl.args(["-a", "256"]);
+        perl
+    };
+    sha256.current_dir(folder);
+    sha256
 }
 
 /// The section of the change log of this version, or that of what is not released yet.
@@ -233,6 +257,7 @@ pub(crate) fn check() -> Result {
     emptied(&folder)?;
     make_all(&folder, "dev")?;
     checksums(&folder)?;
+    verify(&folder)?;
     let installed = target().join("release-check/installed");
     emptied(&installed)?;
     for path in files(&folder)? {
@@ -245,6 +270,7 @@ pub(crate) fn check() -> Result {
         } else if name.ends_with(".deb") {
             run_command(Command::new("dpkg-deb").arg("-x").arg(&path).arg(&place))?;
             demo(&place.join("usr/bin"))?;
+            has_help(&place.join("usr/share"), &HELP_IN_DEBIAN)?;
         } else if name.starts_with("bouncelab-page") {
             unpack(&path, &place)?;
             read(&place.join("dist/index.html"))?;
@@ -253,7 +279,53 @@ pub(crate) fn check() -> Result {
             read(&place.join("book/tutorial.html"))?;
         } else if name.ends_with(".tar.gz") {
             unpack(&path, &place)?;
-            demo(&place.join(name.trim_end_matches(".tar.gz")))?;
+            let program = place.join(name.trim_end_matches(".tar.gz"));
+            demo(&program)?;
+            has_help(&program, &HELP_IN_ARCHIVE)?;
+        }
+    }
+    Ok(())
+}
+
+/// Whether what was published is all listed in `SHA256SUMS`, and is what is listed there.
+fn verify(folder: &Path) -> Result {
+    let listed = read(&folder.join("SHA256SUMS"))?.lines().count();
+    let there = files(folder)?.len() - 1;
+    if listed != there {
+        return Err(format!("SHA256SUMS lists {listed} of {there} files"));
+    }
+    run_command(sha256(folder).args(["--check", "SHA256SUMS"]))
+}
+
+/// Where a shell and `man` find the option of a command: one manual page stands for all.
+const HELP_IN_ARCHIVE: [&str; 4] = [
+    "man/bouncelab-analyze.1",
+    "completions/bouncelab.bash",
+    "completions/_bouncelab",
+    "completions/bouncelab.fish",
+];
+
+/// The same in the folder `usr/share` of the Debian package, whose manual pages are compressed.
+const HELP_IN_DEBIAN: [&str; 4] = [
+    "man/man1/bouncelab-analyze.1.gz",
+    "bash-completion/completions/bouncelab",
+    "zsh/vendor-completions/_bouncelab",
+    "fish/vendor_completions.d/bouncelab.fish",
+];
+
+/// Whether completions and manual are there, and know the option `--cues`.
+fn has_help(folder: &Path, names: &[&str]) -> Result {
+    for name in names {
+        let path = folder.join(name);
+        let text = if path.extension().is_some_and(|ending| ending == "gz") {
+            let unpacked = Command::new("gzip").arg("-dc").arg(&path).output();
+            let unpacked = unpacked.map_err(|reason| said(&path, &reason))?;
+            String::from_utf8_lossy(&unpacked.stdout).into_owned()
+        } else {
+            read(&path)?
+        };
+        if !text.contains("cues") {
+            return Err(format!("{}: no word of --cues", path.display()));
         }
     }
     Ok(())
@@ -317,7 +389,62 @@ fn write(path: &Path, text: &str) -> Result {
 
 #[cfg(test)]
 mod tests {
-    use super::{VERSION, notes, read, root};
+    use super::{VERSION, features, name_of, notes, read, root};
+
+    /// `cargo binstall` fills in these names.
+    #[test]
+    fn binstall_looks_for_the_archives_where_they_are_published() {
+        let manifest = read(&root().join("crates/bouncelab-cli/Cargo.toml")).unwrap();
+        let filled = |key: &str, triple: &str, ending: &str| {
+            let value = manifest
+                .lines()
+                .find_map(|line| line.strip_prefix(key)?.strip_prefix(" = "));
+            let value = value.unwrap().trim_matches('"');
+            [
+                ("{ repo }", "REPO"),
+                ("{ version }", VERSION),
+                ("{ target }", triple),
+                ("{ bin }", "bouncelab"),
+                ("{ binary-ext }", ending),
+            ]
+            .iter()
+            .fold(value.to_owned(), |text, (field, word)| {
+                text.replace(field, word)
+            })
+        };
+        for (triple, ending) in [
+            ("x86_64-unknown-linux-musl", ""),
+            ("x86_64-pc-windows-msvc", ".exe"),
+        ] {
+            let name = name_of(triple);
+            assert_eq!(
+                filled("pkg-url", triple, ending),
+                format!("REPO/releases/download/v{VERSION}/{name}.tar.gz")
+            );
+            assert_eq!(
+                filled("bin-dir", triple, ending),
+                format!("{name}/bouncelab{ending}")
+            );
+        }
+        // The tag that `cargo release` makes, and that starts the workflow.
+        let release = read(&root().join("release.toml")).unwrap();
+        assert!(release.contains("tag-name = \"v{{version}}\""));
+        let workflow = read(&root().join(".github/workflows/release.yml")).unwrap();
+        assert!(workflow.contains("tags: [\"v*\"]"));
+    }
+
+    #[test]
+    fn what_is_published_has_the_page_and_the_microphone_where_it_takes_no_headers() {
+        let serve = "bouncelab-cli/serve";
+        let microphone = "bouncelab-cli/microphone";
+        let has = |triple, feature: &&str| features(true, triple).contains(feature);
+        for triple in ["aarch64-apple-darwin", "x86_64-pc-windows-msvc"] {
+            assert!(has(triple, &serve) && has(triple, &microphone));
+        }
+        let triple = "x86_64-unknown-linux-musl";
+        assert!(has(triple, &serve) && !has(triple, &microphone));
+        assert!(!features(false, triple).contains(&serve));
+    }
 
     /// `cargo release` writes them all; this finds what was written by hand.
     #[test]
