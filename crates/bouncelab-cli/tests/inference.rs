@@ -255,3 +255,29 @@ fn contradictions_are_refused() {
             .stderr(predicate::str::contains(words));
     }
 }
+
+/// Answers for other balls are there only with an inference.
+#[test]
+fn an_assumed_ball_is_named_with_what_others_would_give() {
+    let folder = TempDir::new().unwrap();
+    let said = |arguments: &[&str]| {
+        let mut analyze = bouncelab();
+        analyze
+            .arg("analyze")
+            .arg(written(&folder, &paper_times()))
+            .args(arguments);
+        let output = analyze.assert().success().get_output().stdout.clone();
+        let text = String::from_utf8(output).unwrap();
+        let line = text.lines().find(|line| line.contains("The ball was not"));
+        line.map(|line| line.split_once("ball was ").unwrap().1.to_owned())
+    };
+    let assumed = "not stated: table tennis 40+ is assumed. ";
+    let contrasted = said(&[]).unwrap();
+    assert!(contrasted.starts_with(&format!("{assumed}The answers would be e = ")));
+    assert!(contrasted.contains("for a tennis ball; e = "));
+    assert_eq!(
+        said(&["--no-inference"]),
+        Some(format!("{assumed}State it with --ball."))
+    );
+    assert_eq!(said(&["--ball", "tennis"]), None);
+}

@@ -84,9 +84,13 @@ pub(crate) fn assumed(assumptions: &[Diagnostic]) -> String {
     format!("  {}", text_with("terminal-assumed", &list))
 }
 
-/// How the answers of a drop depend on the ball, which nobody stated.
+/// Which ball was assumed, since nobody stated one, and how the answers of a drop depend on it if it has any.
 fn ball_contrast(drop: &Drop, physics: &Physics) -> String {
+    let assumed = ("assumed", translator().ball(&physics.ball_label).into());
     let contrasts = drop.ball_contrasts(&physics.options);
+    if contrasts.is_empty() {
+        return note(text_with("terminal-ball-assumed", &[assumed]));
+    }
     let contrasts = contrasts.iter().map(|other| {
         let ball = other.ball.split(':').next().unwrap_or_default();
         text_with(
@@ -98,12 +102,9 @@ fn ball_contrast(drop: &Drop, physics: &Physics) -> String {
             ],
         )
     });
-    let contrasts: Vec<String> = contrasts.collect();
-    let contrast = [
-        ("assumed", translator().ball(&physics.ball_label).into()),
-        ("contrasts", contrasts.join("; ").into()),
-    ];
-    note(text_with("terminal-ball-contrast", &contrast))
+    let contrasts = contrasts.collect::<Vec<_>>().join("; ");
+    let contrasts = ("contrasts", contrasts.into());
+    note(text_with("terminal-ball-contrast", &[assumed, contrasts]))
 }
 
 fn line(page: &mut String, words: &str) {
