@@ -46,6 +46,8 @@ enum Needs {
     SoundServer,
     /// strace, which makes calls to the system fail.
     Strace,
+    /// Praat, which reads and writes text grids.
+    Praat,
     /// The folder of real recordings, which is not part of the repository.
     Recordings,
 }
@@ -66,6 +68,7 @@ impl Needs {
             Self::MdBook => book::has_mdbook(),
             Self::SoundServer => has_sound_server(),
             Self::Strace => has_strace(),
+            Self::Praat => has_praat(),
             Self::Recordings => has_recordings(),
         }
     }
@@ -75,7 +78,7 @@ impl Needs {
 /// features: clippy and the documentation use the same metadata of the dependencies, the tests and the
 /// program under the end-to-end tests the same code, so that a dependency is compiled at most twice;
 /// and once more for the browser.
-pub(crate) const CHECKS: [Check; 17] = [
+pub(crate) const CHECKS: [Check; 18] = [
     Check {
         name: "format",
         about: "rustfmt has nothing to change",
@@ -156,6 +159,15 @@ pub(crate) const CHECKS: [Check; 17] = [
         run: || {
             let mut command = cargo_all(&["test"]);
             run_command(command.args(["--test", "faults", "--", "--ignored"]))
+        },
+    },
+    Check {
+        name: "praat",
+        about: "Praat reads the impacts as a text grid, and what it saves is read",
+        needs: Needs::Praat,
+        run: || {
+            let mut command = cargo_all(&["test"]);
+            run_command(command.args(["--test", "labels", "--", "--ignored"]))
         },
     },
     Check {
@@ -279,6 +291,12 @@ fn has_strace() -> bool {
     cfg!(target_os = "linux") && (works() || install(&["strace"], "calls that fail") && works())
 }
 
+fn has_praat() -> bool {
+    let is_there = || succeeds(&["praat", "--version"]);
+    is_there()
+        || cfg!(target_os = "linux") && install(&["praat"], "text grids of Praat") && is_there()
+}
+
 /// Says how to name their folder if nobody did: the tests that read them are ignored then.
 fn has_recordings() -> bool {
     let named = std::env::var_os("BOUNCELAB_RECORDINGS").is_some();
@@ -309,6 +327,7 @@ pub(crate) fn run(names: &[String]) -> Result {
         Needs::MdBook,
         Needs::SoundServer,
         Needs::Strace,
+        Needs::Praat,
         Needs::Recordings,
         Needs::Node,
         Needs::Browser,
