@@ -137,6 +137,28 @@ fn tracker_gets_the_motion_between_the_impacts() {
     );
 }
 
+/// The number of frames per second, and the frames at which the markers of a WAV file stand, as RIFF describes it: `cue `
+/// has their count and 24 bytes for each, of which the last four are the frame.
+fn markers(wav: &[u8]) -> (u32, Vec<u32>) {
+    let number = |at: usize| u32::from_le_bytes(wav[at..at + 4].try_into().unwrap());
+    let (mut rate_hz, mut markers) = (0, Vec::new());
+    let mut at = 12;
+    while at < wav.len() {
+        let (name, length) = (&wav[at..at + 4], number(at + 4) as usize);
+        let content = at + 8;
+        match name {
+            b"fmt " => rate_hz = number(content + 4),
+            b"cue " => {
+                let ends = (1..=number(content) as usize).map(|count| content + 4 + 24 * count);
+                markers = ends.map(|end| number(end - 4)).collect();
+            }
+            _ => {}
+        }
+        at = content + length + length % 2;
+    }
+    (rate_hz, markers)
+}
+
 #[test]
 fn a_copy_has_markers_at_the_impacts() {
     let folder = TempDir::new().unwrap();
@@ -151,6 +173,8 @@ fn a_copy_has_markers_at_the_impacts() {
             "20cm",
             "--restitution",
             "0.8",
+            "--truth",
+            "truth.csv",
         ])
         .assert()
         .success();
@@ -164,8 +188,16 @@ fn a_copy_has_markers_at_the_impacts() {
         samples
     };
     assert_eq!(all(&inside("marked.wav")), all(&inside("drop.wav")));
-    let marked = fs::read(inside("marked.wav")).unwrap();
-    assert!(marked.windows(4).any(|chunk| chunk == b"cue "));
+    let (rate_hz, markers) = markers(&fs::read(inside("marked.wav")).unwrap());
+    let truth_s = times::read(inside("truth.csv")).unwrap();
+    assert!(markers.len() > 5 && markers.len() <= truth_s.len());
+    for (marker, truth_s) in markers.iter().zip(truth_s) {
+        let time_s = f64::from(*marker) / f64::from(rate_hz);
+        assert!(
+            (time_s - truth_s).abs() < 1e-4,
+            "{time_s} s, not {truth_s} s"
+        );
+    }
     // A recording is not replaced.
     analyze(&folder, &["drop.wav", "--cues", "marked.wav"]).success();
     fs::write(inside("other.wav"), "another sound").unwrap();
