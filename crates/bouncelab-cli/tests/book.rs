@@ -1,5 +1,5 @@
-//! The book in `docs`: its commands run and print what it says, its links lead somewhere, its pictures and its
-//! reference of commands are made by the program.
+//! The book in `docs`: the commands of the program in it run and print what it says, its links lead somewhere, and its
+//! reference of commands and the pictures that these commands draw are those of the program.
 //!
 //! With `BOUNCELAB_BOOK=write` (`cargo xtask book`) pictures and reference are written instead of compared.
 
@@ -10,6 +10,8 @@ use std::fs;
 use std::path::{Component, Path, PathBuf};
 use std::process::{Command, Output};
 
+use bouncelab_audio::Source;
+use bouncelab_testkit::damage;
 use pulldown_cmark::{CodeBlockKind, Event, Options, Parser, Tag, TagEnd};
 use tempfile::TempDir;
 
@@ -34,6 +36,12 @@ const RECORDINGS: [(&str, &str); 4] = [
         "recordings/tennis_wood_1m_",
         "--ball tennis --voice tennis --height 1m --restitution 0.74",
     ),
+];
+
+/// What phones and browsers write, of the drops of the test kit, and what the pages call it.
+const ENCODED: [(&str, &str); 2] = [
+    ("aac.m4a", "phone.m4a"),
+    ("opus-stream.webm", "browser.webm"),
 ];
 
 /// A page of the book.
@@ -236,7 +244,40 @@ impl Scene {
             }
         }
         scene.run("bouncelab synth drop.wav --height 30.5cm --seed 4");
+        scene.export();
+        for (name, file) in damage::files() {
+            if let Some((_, copy)) = ENCODED.iter().find(|(of, _)| *of == name) {
+                fs::write(scene.0.path().join(copy), file).unwrap();
+            }
+        }
         scene
+    }
+
+    /// Writes two drops as an app on a phone and a data logger in Germany export them.
+    fn export(&self) {
+        let rows = |name: &str, row: &dyn Fn(usize, f64, f32) -> Option<String>| {
+            let mut source = Source::open(self.0.path().join(name)).unwrap();
+            let step_s = 1.0 / f64::from(source.sample_rate_hz());
+            let mut samples = Vec::new();
+            while let Some(block) = source.next_block().unwrap() {
+                samples.extend_from_slice(block.channel(0));
+            }
+            let numbered = samples.into_iter().enumerate();
+            let rows = numbered.filter_map(|(n, sample)| row(n, n as f64 * step_s, sample));
+            rows.collect::<String>()
+        };
+        let app = rows("drop1.wav", &|_, time_s, sample| {
+            Some(format!("{time_s:.9E},{sample:.9E}\n"))
+        });
+        let app = ["\"Time (s)\",\"Recording (a.u.)\"\n", &app].concat();
+        fs::write(self.0.path().join("app.csv"), app).unwrap();
+        // A quarter of the samples, as slow as such a logger.
+        let logger = rows("floor1.wav", &|n, time_s, sample| {
+            let row = format!("{:.4};{:.5}\n", 1e3 * time_s, 2.0 * sample);
+            (n % 4 == 0).then(|| row.replace('.', ","))
+        });
+        let logger = ["Zeit (ms);Mikrofon (V)\n", &logger].concat();
+        fs::write(self.0.path().join("logger.csv"), logger).unwrap();
     }
 
     /// Runs a command; a verdict may go either way. What it prints.
@@ -298,12 +339,15 @@ impl Scene {
     }
 }
 
-/// The commands of a block that are of this program, or make a file for it. Those of other programs (cargo, pip,
-/// spark-submit) are run by the checks of what they are for.
+/// The commands of a block that are of this program, make a file for it or show one. Those of other programs (cargo,
+/// pip, spark-submit) are left out.
 fn commands(code: &str) -> impl Iterator<Item = String> {
     let code = code.replace("\\\n", " ");
     let lines: Vec<String> = code.lines().map(str::to_owned).collect();
-    let is_ours = |line: &String| line.starts_with("bouncelab ") || line.starts_with("printf ");
+    let is_ours = |line: &String| {
+        let programs = ["bouncelab ", "printf ", "head "];
+        programs.iter().any(|program| line.starts_with(program))
+    };
     let is_elsewhere = |line: &String| {
         ELSEWHERE
             .iter()
