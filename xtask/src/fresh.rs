@@ -1,5 +1,5 @@
 //! The check `fresh`: what the repository holds is enough. A clean clone, in an environment as empty as can
-//! be made on this machine, does what the README promises.
+//! be made on this machine, compiles and runs the demo, and makes a page that works.
 //!
 //! It has a home folder, a target folder, and folders of cargo and npm of its own, all empty; only the
 //! variables of the environment that are needed to find programs and the network; and what was committed. It
@@ -39,7 +39,7 @@ pub(crate) fn run() -> Result {
     let mut check = cargo_all(&["check"]);
     check.args(["--all-targets", "--locked"]);
     place.run_sharing_target(&mut check)?;
-    // The commands of the README.
+    // A command of the README.
     let mut demo = Command::new("cargo");
     demo.args(["run", "--release", "--", "demo"]);
     place.empty(&mut demo);
@@ -130,7 +130,7 @@ impl Place {
         command.current_dir(&self.clone);
     }
 
-    /// The tests are built with the microphone where that is possible; the commands of the README are not.
+    /// The tests are built with the microphone where that is possible; that of the README is not.
     fn check_without_microphone(&self) -> Result {
         let mut listen = Command::new(self.clone.join("target/release/bouncelab"));
         self.empty(listen.arg("listen"));
