@@ -1,0 +1,78 @@
+//! What is said of the ball that was stated: nothing of the right one, and a wrong one is noticed from high drops.
+//!
+//! How often over many drops is a table of `docs/validation.md`; here is one drop of each preset, with errors from
+//! a seed.
+
+use bouncelab::analysis::{Drop, analyze_impacts};
+use bouncelab::ball::{self, Preset};
+use bouncelab::diagnostic::{Argument, Code};
+use bouncelab::inference::SamplerConfig;
+use bouncelab::{Impact, Options, Result};
+use bouncelab_testkit::bouncing;
+use rand::{RngExt, SeedableRng};
+use rand_chacha::ChaCha8Rng;
+use rand_distr::StandardNormal;
+
+const TIME_SD_S: f64 = 5e-5;
+const SCATTER: f64 = 0.003;
+
+/// A drop of one ball, of which another, or the same, is stated, with all presets compared.
+fn compared(fell: &Preset, height_m: f64, restitution: f64, stated: &Preset) -> Result<Drop> {
+    let mut rng = ChaCha8Rng::seed_from_u64(1);
+    let mut normal = || rng.sample::<f64, _>(StandardNormal);
+    let truth = Options::new(fell);
+    let model = truth.model()?;
+    let fall = model.fall(height_m)?;
+    let scattered = |_| restitution * (SCATTER * normal()).exp();
+    let strikes = bouncing(
+        model,
+        truth.contact_time_s,
+        fall.impact_speed_m_s,
+        scattered,
+    );
+    let strikes: Vec<_> = strikes.take(14).collect();
+    let impacts = strikes.iter().zip(1..).map(|(strike, number)| {
+        let time_s = strike.time_s + TIME_SD_S * normal();
+        Impact::new(number, time_s).with_time_sd_s(TIME_SD_S)
+    });
+    // Enough for evidence in the powers of ten.
+    let sampler = SamplerConfig {
+        draws: 500,
+        ..SamplerConfig::default()
+    };
+    let options = Options::new(stated)
+        .with_ball_comparison()
+        .with_sampler(sampler);
+    Ok(analyze_impacts(impacts.collect(), &options))
+}
+
+/// The argument of a diagnostic, if it was given.
+fn said(drop: &Drop, code: Code, argument: &str) -> Option<Argument> {
+    let known = drop.diagnostics.iter().find(|known| known.code == code)?;
+    known.arguments.get(argument).cloned()
+}
+
+#[test]
+fn of_the_right_ball_nothing_is_said() -> Result<()> {
+    for preset in ball::presets() {
+        let drop = compared(preset, 1.0, 0.75, preset)?;
+        assert_eq!(drop.balls.len(), ball::presets().len(), "{}", preset.name);
+        for code in [Code::OtherBallFitsBetter, Code::RestitutionRises] {
+            let given = drop.diagnostics.iter().any(|known| known.code == code);
+            assert!(!given, "{}: {code:?}", preset.name);
+        }
+    }
+    Ok(())
+}
+
+/// As a table-tennis ball such a drop would seem to be from 2.90 m.
+#[test]
+fn a_tennis_ball_from_high_up_is_not_taken_for_a_table_tennis_ball() -> Result<()> {
+    let [tennis, assumed] = ["tennis", "table-tennis-40"].map(ball::preset);
+    let drop = compared(tennis?, 2.5, 0.73, assumed?)?;
+    let Some(Argument::Text(balls)) = said(&drop, Code::OtherBallFitsBetter, "balls") else {
+        panic!("{:?}", drop.diagnostics);
+    };
+    assert!(balls.split(", ").any(|ball| ball == "tennis"), "{balls}");
+    Ok(())
+}
