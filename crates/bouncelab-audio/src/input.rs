@@ -1,3 +1,4 @@
+use std::io::{Read, Seek};
 use std::path::Path;
 use std::sync::Arc;
 
@@ -47,6 +48,21 @@ impl Input {
             return Self::of_text(&bytes, name);
         }
         Source::from_bytes(bytes, name).map(|source| Self::Sound(Box::new(source)))
+    }
+
+    /// As [`Input::open`], for anything that can be read and searched; its end is the end of the content.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`times::parse`] and [`Source::from_reader`].
+    pub fn from_reader<R>(reader: R, name: &str) -> Result<Self>
+    where
+        R: Read + Seek + Send + Sync + 'static,
+    {
+        if times::is_list(name) {
+            return Self::of_text(&times::bytes_of(reader, name)?, name);
+        }
+        Source::from_reader(reader, name).map(|source| Self::Sound(Box::new(source)))
     }
 
     /// A text is a sampled waveform, if it is a table of one, else a list of times.

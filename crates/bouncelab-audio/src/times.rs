@@ -17,7 +17,8 @@ mod audacity;
 mod text_grid;
 
 use std::borrow::Cow;
-use std::fs;
+use std::fs::{self, File};
+use std::io::Read;
 use std::path::Path;
 
 use bouncelab::Plain;
@@ -57,11 +58,19 @@ pub(crate) fn bytes(path: &Path) -> Result<Vec<u8>> {
     if !about.is_file() {
         return list.refuse(None, TimesProblem::NotFile);
     }
-    if about.len() > MOST_BYTES {
+    bytes_of(File::open(path).map_err(failed)?, &name)
+}
+
+/// The content of a list from a reader, if it is no longer than any list or waveform.
+pub(crate) fn bytes_of(reader: impl Read, name: &str) -> Result<Vec<u8>> {
+    let mut content = Vec::new();
+    let read = reader.take(MOST_BYTES + 1).read_to_end(&mut content);
+    read.map_err(|reason| Error::io(name, reason))?;
+    if content.len() as u64 > MOST_BYTES {
         let most_mb = MOST_BYTES >> 20;
-        return list.refuse(None, TimesProblem::TooLong { most_mb });
+        return List { name }.refuse(None, TimesProblem::TooLong { most_mb });
     }
-    fs::read(path).map_err(failed)
+    Ok(content)
 }
 
 /// More text than this is no list, and no waveform that fits in memory.

@@ -495,6 +495,33 @@ fn a_killed_worker_costs_nothing() {
     assert!(workspace.tables() == undisturbed);
 }
 
+/// A worker looks for recordings itself, and may find others than its session did.
+#[test]
+fn a_worker_answers_for_what_it_was_asked() {
+    let workspace = Workspace::new(&[]);
+    workspace.record("b.wav", 1);
+    workspace.session().assert().success();
+    let journal = fs::read_to_string(workspace.results().join("journal.jsonl")).unwrap();
+    let (_, line) = journal.trim().split_once(' ').unwrap();
+    let kept: serde_json::Value = serde_json::from_str(line).unwrap();
+    let ask = |name: &str| -> serde_json::Value {
+        let request = serde_json::json!({"name": name, "key": kept["key"]});
+        let answer = workspace
+            .session()
+            .arg("--worker")
+            .write_stdin(format!("{request}\n"))
+            .assert()
+            .success();
+        serde_json::from_slice(&answer.get_output().stdout).unwrap()
+    };
+    workspace.record("a.wav", 2);
+    assert_eq!(ask("b.wav"), kept["result"], "now it is the second");
+    assert!(ask("a.wav").is_null(), "it has another content");
+    assert!(ask("c.wav").is_null(), "it is not there");
+    workspace.record("b.wav", 3);
+    assert!(ask("b.wav").is_null(), "it was replaced");
+}
+
 /// A process that was started by this one.
 #[cfg(target_os = "linux")]
 fn child_of(parent: u32) -> Option<String> {

@@ -88,6 +88,9 @@ pub enum Error {
         /// The folder.
         path: PathBuf,
     },
+    /// A recording is not what it was when the work began.
+    #[error("the recording or its notes have changed meanwhile; run again")]
+    Changed,
     /// The result of a recording is not in the journal.
     #[error("{name}: its result is lost; run again")]
     NoResult {

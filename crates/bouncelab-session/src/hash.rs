@@ -32,23 +32,29 @@ pub fn hash_of(settings: &impl Serialize) -> Hash {
 /// # Errors
 /// [`Error::Read`] if it cannot be read, or is a device or a pipe, which may have no end.
 pub fn hash_of_file(path: &Path) -> Result<Hash> {
+    open(path).and_then(hash_of_all).map_err(Error::read(path))
+}
+
+/// Opens a file that has an end.
+pub(crate) fn open(path: &Path) -> io::Result<File> {
+    if fs::metadata(path)?.is_file() {
+        return File::open(path);
+    }
+    let problem = "it is a folder, a device or a pipe";
+    Err(io::Error::new(io::ErrorKind::InvalidInput, problem))
+}
+
+/// The hash of all that comes, read in pieces.
+pub(crate) fn hash_of_all(mut reader: impl Read) -> io::Result<Hash> {
     const PIECE: usize = 1 << 16;
-    let read = || -> io::Result<Hash> {
-        if !fs::metadata(path)?.is_file() {
-            let problem = "it is a folder, a device or a pipe";
-            return Err(io::Error::new(io::ErrorKind::InvalidInput, problem));
+    let mut sha = Sha256::new();
+    let mut piece = vec![0; PIECE];
+    loop {
+        match reader.read(&mut piece)? {
+            0 => return Ok(Hash(sha.finalize().into())),
+            length => sha.update(&piece[..length]),
         }
-        let mut file = File::open(path)?;
-        let mut sha = Sha256::new();
-        let mut piece = vec![0; PIECE];
-        loop {
-            match file.read(&mut piece)? {
-                0 => return Ok(Hash(sha.finalize().into())),
-                length => sha.update(&piece[..length]),
-            }
-        }
-    };
-    read().map_err(Error::read(path))
+    }
 }
 
 impl Hash {

@@ -71,8 +71,8 @@ impl KnownRecording {
         hash_of(&(RECORD, BUILD, self.options()))
     }
 
-    /// What it says, if this is its content.
-    pub fn record(&self, content: Hash) -> Record {
+    /// What it says; `None` if this is not its content, or no longer.
+    pub fn record(&self, content: Hash) -> Option<Record> {
         self.recording.record(content, self.options())
     }
 

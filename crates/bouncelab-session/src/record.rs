@@ -1,5 +1,6 @@
 //! The record of one recording, and the analysis that makes it.
 
+use std::io::Seek;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::Path;
 use std::sync::Arc;
@@ -13,7 +14,7 @@ use bouncelab::{Diagnostic, Estimate, Impact, Options, Plain};
 use bouncelab_audio::Input;
 use serde::{Deserialize, Serialize};
 
-use crate::hash::{Hash, hash};
+use crate::hash::{self, Hash, hash, hash_of_all};
 
 /// Name and version of the form of a [`Record`]: another whenever a record of before could not be read,
 /// or would say something else.
@@ -113,13 +114,18 @@ impl Record {
         Self::of(content, name, options, || Input::from_bytes(bytes, name))
     }
 
-    /// What a file with this content says.
-    pub fn of_file(path: &Path, content: Hash, options: &Options) -> Self {
+    /// What a file with this content says; `None` if it has another one, or gets it meanwhile.
+    pub fn of_file(path: &Path, content: Hash, options: &Options) -> Option<Self> {
         let name = String::from(Plain::path(path));
-        Self::of(content, &name, options, || Input::open(path))
+        let file = hash::open(path).ok()?;
+        let mut same = file.try_clone().ok()?;
+        let record = Self::of(content, &name, options, || Input::from_reader(file, &name));
+        // Of what was read, whatever has the name by now; and after it, since it may be written into.
+        same.rewind().ok()?;
+        (hash_of_all(same).ok()? == content).then_some(record)
     }
 
-    fn of(
+    pub(crate) fn of(
         content: Hash,
         name: &str,
         options: &Options,

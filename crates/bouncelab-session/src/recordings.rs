@@ -2,9 +2,11 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
+use std::io::Cursor;
 use std::path::{Path, PathBuf};
 
 use bouncelab::{Options, Plain};
+use bouncelab_audio::Input;
 use bouncelab_report::groups::some_of;
 
 use crate::archive::{self, Entry};
@@ -60,15 +62,14 @@ impl Recording {
         }
     }
 
-    /// What it says, if this is its content.
-    pub(crate) fn record(&self, content: Hash, options: &Options) -> Record {
+    /// What it says; `None` if this is not its content, or no longer.
+    pub(crate) fn record(&self, content: Hash, options: &Options) -> Option<Record> {
         let Some(entry) = &self.entry else {
             return Record::of_file(&self.path, content, options);
         };
-        match archive::read(&self.path, entry) {
-            Ok(bytes) => Record::of_bytes(bytes, &self.name, options),
-            Err(reason) => Record::failed(reason.to_string()),
-        }
+        let bytes = archive::read(&self.path, entry).ok()?;
+        let open = |bytes| Input::from_reader(Cursor::new(bytes), &self.name);
+        (hash(&bytes) == content).then(|| Record::of(content, &self.name, options, || open(bytes)))
     }
 }
 

@@ -19,7 +19,8 @@ pub struct Done {
 
 /// Makes sure that the journal has the result of a recording: the one that is there already, if
 /// content and settings are the same, else a new one, which `analyze` makes of the recording with the
-/// content of this key ([`KnownRecording::record`], here or in another process).
+/// content of this key ([`KnownRecording::record`], here or in another process). Without one, the recording
+/// has changed meanwhile, and nothing is kept.
 ///
 /// Each result depends on the content of its recording and the settings alone, never on the order of
 /// work, so any number of threads may do this side by side, and a run that was interrupted goes on
@@ -30,7 +31,7 @@ pub struct Done {
 pub fn complete<E: From<Error>>(
     recording: &KnownRecording,
     journal: &Journal,
-    analyze: impl FnOnce(Key) -> std::result::Result<Record, E>,
+    analyze: impl FnOnce(Key) -> std::result::Result<Option<Record>, E>,
 ) -> std::result::Result<Done, E> {
     let content = match recording.recording.content() {
         Ok(content) => content,
@@ -40,7 +41,9 @@ pub fn complete<E: From<Error>>(
     let kept = journal.has(name, &key);
     let mut without_drop = false;
     if !kept {
-        let record = analyze(key)?;
+        let Some(record) = analyze(key)? else {
+            return Ok(Done::failed(Error::Changed.to_string()));
+        };
         without_drop = record.drops.is_empty();
         journal.append(name, &key, &record)?;
     }
@@ -66,6 +69,7 @@ impl Done {
 mod tests {
     use std::collections::BTreeMap;
     use std::fs;
+    use std::path::Path;
     use std::sync::Arc;
 
     use bouncelab::setup::Settings;
@@ -76,13 +80,13 @@ mod tests {
     use crate::record::RECORD;
     use crate::recordings::Recording;
 
-    #[test]
-    fn no_result_of_another_build_is_used() {
-        const TIMES: &[u8] = b"0\n0.4605\n0.8877\n1.2854\n";
-        let folder = tempfile::tempdir().unwrap();
-        let path = folder.path().join("drop.txt");
+    const TIMES: &[u8] = b"0\n0.4605\n0.8877\n1.2854\n";
+
+    /// A list of times in a folder.
+    fn recording(folder: &Path) -> KnownRecording {
+        let path = folder.join("drop.txt");
         fs::write(&path, TIMES).unwrap();
-        let recording = KnownRecording {
+        KnownRecording {
             recording: Recording {
                 entry: None,
                 path,
@@ -94,7 +98,38 @@ mod tests {
                 height_m: None,
                 temperature_k: None,
             }),
-        };
+        }
+    }
+
+    /// Whether the file has other bytes or is another file.
+    #[test]
+    fn a_recording_that_is_replaced_meanwhile_has_no_result() {
+        let folder = tempfile::tempdir().unwrap();
+        let journal = Journal::open(&folder.path().join("results")).unwrap();
+        let other = folder.path().join("other");
+        let replace: [&dyn Fn(&Path); 3] = [
+            &|path| fs::write(path, "0\n1\n1.9\n").unwrap(),
+            &|path| {
+                fs::write(&other, "0\n1\n1.9\n").unwrap();
+                fs::rename(&other, path).unwrap();
+            },
+            &|path| fs::remove_file(path).unwrap(),
+        ];
+        for replace in replace {
+            let recording = recording(folder.path());
+            let done = complete(&recording, &journal, |key| {
+                replace(&recording.recording.path);
+                Ok::<_, Error>(recording.record(key.content))
+            });
+            assert_eq!(done.unwrap(), Done::failed(Error::Changed.to_string()));
+            assert!(!journal.has("drop.txt", &recording.key(hash(TIMES))));
+        }
+    }
+
+    #[test]
+    fn no_result_of_another_build_is_used() {
+        let folder = tempfile::tempdir().unwrap();
+        let recording = recording(folder.path());
         let journal = Journal::open(&folder.path().join("results")).unwrap();
         for part in 0..BUILD.len() {
             let mut build = BUILD;

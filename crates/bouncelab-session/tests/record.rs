@@ -26,7 +26,7 @@ fn memory_and_file_say_the_same() {
     let (wav, options) = wav();
     let file = tempfile::NamedTempFile::with_suffix(".wav").unwrap();
     std::fs::write(file.path(), &wav).unwrap();
-    let of_file = Record::of_file(file.path(), hash(&wav), &options);
+    let of_file = Record::of_file(file.path(), hash(&wav), &options).unwrap();
     assert!(of_file == Record::of_bytes(wav, "demo.wav", &options));
     let drop = &of_file.drops[0];
     // The truth of the demonstration.

@@ -29,7 +29,8 @@ pub(super) fn analyze_all(
     let workers = Workers::default();
     // What came of a recording, or how its process ended.
     let analyze = |place: usize| -> Result<Result<Done, String>, Failure> {
-        let answer = |key| workers.record(Request { place, key });
+        let name = recordings[place].name().to_owned();
+        let answer = |key| workers.record(&Request { name, key });
         match complete(&recordings[place], journal, answer) {
             Ok(done) => Ok(Ok(done)),
             Err(Trouble::OutOfTime) => {

@@ -1,8 +1,9 @@
 //! Processes that analyse one recording after the other for a session, each within a limit of memory and of
 //! processor time: a recording that ends its process ends no other.
 //!
-//! A worker is this program with the same arguments, so that it knows the same recordings and settings. It is
-//! asked for them one by one, by lines of JSON on its stdin, and answers with their records on its stdout.
+//! A worker is this program with the same arguments, so that it knows the same recordings and settings, unless
+//! files have changed meanwhile. It is asked for recordings one by one, by lines of JSON on its stdin, and answers
+//! with their records on its stdout.
 
 use std::env;
 use std::ffi::OsString;
@@ -21,10 +22,10 @@ use crate::terminal::print_data;
 pub(super) const WORKER: &str = "worker";
 
 /// A recording to be analysed.
-#[derive(Clone, Copy, Serialize, Deserialize)]
+#[derive(Serialize, Deserialize)]
 pub(super) struct Request {
-    /// Its place among the recordings of the session.
-    pub(super) place: usize,
+    /// What it is called.
+    pub(super) name: String,
     /// Content and settings.
     pub(super) key: Key,
 }
@@ -52,8 +53,9 @@ pub(super) struct Workers {
 }
 
 impl Workers {
-    /// Has a recording analysed by a worker that has nothing else to do.
-    pub(super) fn record(&self, request: Request) -> Result<Record, Trouble> {
+    /// Has a recording analysed by a worker that has nothing else to do; `None` if it is no longer what was
+    /// asked for.
+    pub(super) fn record(&self, request: &Request) -> Result<Option<Record>, Trouble> {
         let mut worker = match self.idle().pop() {
             Some(worker) => worker,
             None => Worker::start().map_err(|reason| {
@@ -95,10 +97,10 @@ impl Worker {
         })
     }
 
-    fn ask(&mut self, request: Request) -> io::Result<Record> {
+    fn ask(&mut self, request: &Request) -> io::Result<Option<Record>> {
         let requests = self.process.stdin.as_mut();
         let requests = requests.ok_or(io::ErrorKind::BrokenPipe)?;
-        writeln!(requests, "{}", serde_json::to_string(&request)?)?;
+        writeln!(requests, "{}", serde_json::to_string(request)?)?;
         let mut answer = String::new();
         self.answers.read_line(&mut answer)?;
         Ok(serde_json::from_str(&answer)?)
@@ -143,16 +145,22 @@ pub(super) fn serve(
     confine(memory_mb)?;
     for line in io::stdin().lock().lines() {
         let request: Request = serde_json::from_str(&line?).map_err(io::Error::from)?;
-        let recording = recordings.get(request.place);
-        let same = recording.filter(|it| it.key(request.key.content) == request.key);
-        let recording = same.ok_or_else(|| {
-            Failure::Input("recordings or notes have changed since the session began".to_owned())
-        })?;
         limit_time(time_limit_s)?;
-        let record = serde_json::to_string(&recording.record(request.key.content));
+        let record = serde_json::to_string(&answer(recordings, &request));
         print_data(record.map_err(io::Error::from)? + "\n")?;
     }
     Ok(())
+}
+
+/// The record of a recording that has this name, content and settings.
+fn answer(recordings: &[KnownRecording], Request { name, key }: &Request) -> Option<Record> {
+    // They are in the order of their names.
+    let first = recordings.partition_point(|it| it.name() < name.as_str());
+    let named = recordings[first..]
+        .iter()
+        .take_while(|it| it.name() == name);
+    let mut same = named.filter(|it| it.key(key.content) == *key);
+    same.next()?.record(key.content)
 }
 
 /// Gives up what an analysis does not need: memory beyond a limit, writing files, the network. What the system

@@ -114,8 +114,14 @@ impl Kernel {
         };
         let options = begun.recording.options();
         let record = match bytes {
-            Some(bytes) => Record::of_bytes(bytes, name, options),
+            Some(bytes) => Some(Record::of_bytes(bytes, name, options)),
             None => begun.recording.record(content),
+        };
+        let Some(record) = record else {
+            return begun.row(Err(Failure {
+                code: FailureCode::Unreadable,
+                message: Error::Changed.to_string(),
+            }));
         };
         let result = match &record.failure {
             None => Ok(record),
