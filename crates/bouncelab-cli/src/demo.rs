@@ -9,7 +9,7 @@ use bouncelab::drop::History;
 use bouncelab::setup::{BallInput, SetupInput};
 use bouncelab::synth::Rendered;
 use bouncelab_audio::{SampleFormat, encode_wav};
-use bouncelab_report::file::Outputs;
+use bouncelab_report::file::{Outputs, create_folder};
 use bouncelab_report::{Align, Quantity, Table, Unit};
 use clap::Args;
 
@@ -65,7 +65,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
 }
 
 fn write_recording(sound: &Rendered, folder: &Path, outputs: &Outputs) -> Result<PathBuf, Failure> {
-    std::fs::create_dir_all(folder).map_err(|reason| {
+    create_folder(folder).map_err(|reason| {
         Failure::Input(format!(
             "cannot make the folder {}: {reason}",
             Plain::path(folder)

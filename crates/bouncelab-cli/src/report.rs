@@ -1,11 +1,10 @@
 //! Reports as files.
 
 use std::ffi::OsStr;
-use std::fs;
 use std::path::{Path, PathBuf};
 
 use bouncelab::Plain;
-use bouncelab_report::file::Outputs;
+use bouncelab_report::file::{Outputs, create_folder};
 use bouncelab_report::report::{Markdown, Page, Provenance};
 use bouncelab_report::{MARK, Saved};
 use clap::Args;
@@ -88,7 +87,7 @@ impl<'a> ReportFile<'a> {
         let name = format!("{stem}-figures");
         let markdown = page.markdown(&name);
         let folder = self.path.with_file_name(&name);
-        let written = fs::create_dir_all(&folder).and_then(|()| {
+        let written = create_folder(&folder).and_then(|()| {
             let mut figures = markdown.figures.iter();
             figures.try_for_each(|(name, svg)| {
                 let path = folder.join(name);
@@ -155,6 +154,8 @@ pub(crate) fn quoted(word: &str) -> String {
 
 #[cfg(test)]
 mod tests {
+    use std::fs;
+
     use super::*;
 
     #[test]

@@ -336,6 +336,50 @@ fn a_name_appears_after_the_bytes_of_its_file_are_on_the_disk() {
     }
 }
 
+/// Names of files that grow and of new folders, too: nothing else would bring them there.
+#[test]
+#[ignore = "needs strace"]
+fn new_names_are_on_the_disk() {
+    let saved = &[
+        "listen",
+        "--fast",
+        "--from",
+        "in/a.wav",
+        "--no-inference",
+        "--save",
+        "saved.wav",
+    ];
+    let studied = &[
+        "session",
+        "in",
+        "--no-inference",
+        "--output",
+        "out/new/results",
+    ];
+    let cases: [(&[&str], &[&str]); 2] = [
+        (saved, &[""]),
+        (studied, &["out", "out/new", "out/new/results"]),
+    ];
+    for (arguments, folders) in cases {
+        let workspace = Workspace::new();
+        let calls = workspace.undisturbed(&Case {
+            arguments,
+            grows: None,
+        });
+        let root = workspace.0.path().canonicalize().unwrap();
+        for folder in folders {
+            let folder: PathBuf = root.join(folder).components().collect();
+            let synced = calls
+                .iter()
+                .any(|call| call.syncs(folder.to_str().unwrap()));
+            assert!(
+                synced,
+                "{arguments:?}: the names in {folder:?} are not on the disk"
+            );
+        }
+    }
+}
+
 /// A session is killed a hundred times, at moments spread over its work, and then finishes with the tables of an
 /// undisturbed one.
 #[test]

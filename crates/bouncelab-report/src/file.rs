@@ -247,9 +247,9 @@ impl Draft {
     /// What the system reports, as when the disk is full; a file of that name is then unchanged.
     pub fn finish(self) -> io::Result<()> {
         self.file().sync_all()?;
-        let folder = folder_of(&self.path).to_owned();
-        self.file.persist(self.path)?;
-        sync_folder(&folder)
+        let path = self.path;
+        self.file.persist(&path)?;
+        sync_name(&path)
     }
 }
 
@@ -260,15 +260,35 @@ fn folder_of(path: &Path) -> &Path {
     }
 }
 
-/// Makes sure that the names in a folder are on the disk. Windows does so by itself.
+/// Makes sure that the name of a file or folder is on the disk. Windows does so by itself.
 ///
 /// # Errors
 /// What the system reports.
-pub fn sync_folder(folder: &Path) -> io::Result<()> {
+pub fn sync_name(path: &Path) -> io::Result<()> {
     if cfg!(unix) {
-        File::open(folder)?.sync_all()?;
+        File::open(folder_of(path))?.sync_all()?;
     }
     Ok(())
+}
+
+/// Makes a folder, and those in which it lies, if they are not there; their names are on the disk when this
+/// returns.
+///
+/// # Errors
+/// What the system reports.
+///
+/// ```
+/// # let folder = tempfile::tempdir()?;
+/// let inner = folder.path().join("results/monday");
+/// bouncelab_report::file::create_folder(&inner)?;
+/// assert!(inner.is_dir());
+/// # Ok::<(), std::io::Error>(())
+/// ```
+pub fn create_folder(folder: &Path) -> io::Result<()> {
+    let outwards = folder.ancestors().filter(|it| !it.as_os_str().is_empty());
+    let made: Vec<&Path> = outwards.take_while(|it| !it.exists()).collect();
+    fs::create_dir_all(folder)?;
+    made.into_iter().try_for_each(sync_name)
 }
 
 /// Removes the drafts that interrupted programs left in a folder. Nobody else may be writing there.

@@ -1,12 +1,11 @@
 //! Figures as files.
 
-use std::fs;
 use std::path::{Path, PathBuf};
 
 use crate::MARK;
 use crate::chart::{CSV_HEADER, Chart};
 use crate::error::{Error, Result};
-use crate::file::Outputs;
+use crate::file::{Outputs, create_folder};
 
 /// Width of a saved picture in pixels: sharp on a page, and small enough to send.
 const PICTURE_WIDTH_PX: u32 = 1600;
@@ -40,7 +39,7 @@ pub fn save(chart: &Chart, folder: &Path, name: &str, outputs: &Outputs) -> Resu
         return Err(Error::Name { name });
     }
     let (picture, page) = (chart.png(PICTURE_WIDTH_PX)?, chart.pdf()?);
-    fs::create_dir_all(folder).map_err(|source| Error::Folder {
+    create_folder(folder).map_err(|source| Error::Folder {
         folder: folder.to_owned(),
         source,
     })?;

@@ -5,11 +5,12 @@
 //! valid for one recording with one content under one set of settings, which its key names.
 
 use std::collections::HashMap;
-use std::fs::{self, File, OpenOptions, TryLockError};
+use std::fs::{File, OpenOptions, TryLockError};
 use std::io::{BufRead, BufReader, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 use std::sync::Mutex;
 
+use bouncelab_report::file::{create_folder, sync_name};
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 
@@ -104,7 +105,7 @@ impl Journal {
     /// [`Error::Output`] if the folder cannot be written into, [`Error::Busy`] if another run has it
     /// open, [`Error::Read`] if the journal cannot be read.
     pub fn open(folder: &Path) -> Result<Self> {
-        fs::create_dir_all(folder).map_err(Error::output(folder))?;
+        create_folder(folder).map_err(Error::output(folder))?;
         let path = folder.join(JOURNAL);
         let file = OpenOptions::new()
             .read(true)
@@ -118,6 +119,7 @@ impl Journal {
                 path: folder.to_owned(),
             });
         }
+        sync_name(&path).map_err(Error::output(folder))?;
         let scan = Scan::of(&file).map_err(Error::read(&path))?;
         // What was cut off at the end is cut away, so that the next line begins a line.
         if scan.whole < scan.length {
@@ -267,6 +269,8 @@ fn check(text: &str) -> String {
 
 #[cfg(test)]
 mod tests {
+    use std::fs;
+
     use super::*;
 
     fn key(content: &str) -> Key {

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use bouncelab_audio::{Error, Recorder, SampleFormat};
-use bouncelab_report::file::sync_folder;
+use bouncelab_report::file::sync_name;
 use bouncelab_report::messages::Value;
 use jiff::Zoned;
 
@@ -60,10 +60,8 @@ impl Saver {
 
     fn open(&mut self, file: PathBuf) -> Result<(), Error> {
         let recorder = Recorder::create(&file, self.sample_rate_hz, self.channels, self.format)?;
-        if let Some(folder) = file.parent() {
-            // Else the name may be lost with the power; some network drives cannot promise more.
-            let _ = sync_folder(folder);
-        }
+        // Else the name may be lost with the power; some network drives cannot promise more.
+        let _ = sync_name(&file);
         self.recorder = Some(recorder);
         self.files.push(file);
         Ok(())
