@@ -657,6 +657,28 @@ fn wishes_that_make_no_sense_are_refused() {
     workspace.session().arg("--jobs=65535").assert().success();
 }
 
+/// What lies in the folder may be of the run that works there.
+#[test]
+fn results_of_a_cluster_wait_for_another_run() {
+    let workspace = Workspace::new(&[]);
+    let running = bouncelab_session::journal::Journal::open(&workspace.results()).unwrap();
+    let draft = workspace.results().join(".bouncelab-1.part");
+    fs::write(&draft, "").unwrap();
+    let mut command = Command::cargo_bin("bouncelab").unwrap();
+    command
+        .args(["session", "--from"])
+        .arg(workspace.recordings());
+    command.arg("--output").arg(workspace.results());
+    command.assert().failure().stderr(contains("another run"));
+    assert!(draft.exists());
+    drop(running);
+    command
+        .assert()
+        .failure()
+        .stderr(contains("no Parquet file"));
+    assert!(!draft.exists());
+}
+
 /// How results of a cluster were analysed was decided there.
 #[test]
 fn results_of_a_cluster_take_no_settings() {

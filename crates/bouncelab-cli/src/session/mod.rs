@@ -4,7 +4,6 @@ mod text;
 mod work;
 mod worker;
 
-use std::fs;
 use std::io;
 use std::path::PathBuf;
 
@@ -161,10 +160,10 @@ enum Format {
 
 pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
     if let Some(from) = &arguments.from {
-        let folder = &arguments.output;
-        fs::create_dir_all(folder).map_err(|reason| Failure::unwritable(folder, &reason))?;
         let outputs = arguments.outputs.outputs([from]);
         arguments.check(&outputs)?;
+        // Nothing is appended to it: it keeps other runs out of the folder.
+        let _journal = Journal::open(&arguments.output)?;
         let targets = Targets::new(arguments, &outputs)?;
         return targets.write(arguments, &Batch::open(from)?.results(), None, Vec::new());
     }
