@@ -16,8 +16,9 @@ static REQUESTED: AtomicBool = AtomicBool::new(false);
 pub(crate) fn watch() -> Result<(), Failure> {
     /// What shells report of a program that ended by Ctrl-C.
     const INTERRUPTED: i32 = 130;
+    #[cfg(target_os = "linux")]
     if hangup_is_ignored() {
-        return Ok(());
+        hold_hangup_back()?;
     }
     ctrlc::set_handler(|| {
         let asked_before = REQUESTED.swap(true, Ordering::Relaxed);
@@ -29,7 +30,20 @@ pub(crate) fn watch() -> Result<(), Failure> {
     .map_err(|reason| Failure::Input(format!("cannot wait for Ctrl-C: {reason}")))
 }
 
+/// Keeps a hangup from this thread and those that it starts: else it would count as any other signal.
+#[cfg(target_os = "linux")]
+fn hold_hangup_back() -> Result<(), Failure> {
+    use nix::sys::signal::{SigSet, Signal};
+
+    let mut hangup = SigSet::empty();
+    hangup.add(Signal::SIGHUP);
+    hangup
+        .thread_block()
+        .map_err(|reason| Failure::Input(format!("cannot ignore that a terminal closes: {reason}")))
+}
+
 /// Whether the program was told to go on when its terminal is closed, as by `nohup`.
+#[cfg(target_os = "linux")]
 fn hangup_is_ignored() -> bool {
     let Ok(status) = std::fs::read_to_string("/proc/self/status") else {
         return false;

@@ -206,16 +206,27 @@ fn a_closed_stderr_changes_nothing() {
     }
 }
 
-/// What is not finished is removed, as the library's own tests show; here, that Ctrl-C gets there.
+/// What is not finished is removed, as the library's own tests show; here, that signals get there, also where a
+/// closed terminal is ignored, as by `nohup`.
 #[cfg(unix)]
 #[test]
-fn ctrl_c_ends_in_order_and_leaves_no_drafts() {
+fn signals_end_in_order_and_leave_no_drafts() {
+    for (before, signal) in [("", "-INT"), ("", "-HUP"), ("trap '' HUP;", "-TERM")] {
+        ends_in_order(before, signal);
+    }
+}
+
+/// Ends a session by a signal; a shell that runs `before` starts it.
+#[cfg(unix)]
+fn ends_in_order(before: &str, signal: &str) {
     let folder = Folder::new();
     let times = (0..400).map(|n| format!("{}\n", f64::from(n) * 0.3));
     let times = times.collect::<Vec<_>>().concat();
     fs::write(folder.path("long.txt"), times).unwrap();
-    let mut run = Plain::new(assert_cmd::cargo::cargo_bin("bouncelab"));
-    run.args(["session", "long.txt", "--ball", "tennis", "--output", "s"]);
+    let mut run = Plain::new("sh");
+    run.args(["-c", &format!("{before} exec \"$0\" \"$@\"")])
+        .arg(assert_cmd::cargo::cargo_bin("bouncelab"))
+        .args(["session", "long.txt", "--ball", "tennis", "--output", "s"]);
     run.current_dir(folder.0.path())
         .stdout(Stdio::null())
         .stderr(Stdio::null());
@@ -228,9 +239,10 @@ fn ctrl_c_ends_in_order_and_leaves_no_drafts() {
     }
     let process = child.id().to_string();
     Plain::new("kill")
-        .args(["-INT", &process])
+        .args([signal, &process])
         .status()
         .unwrap();
-    assert_eq!(child.wait().unwrap().code(), Some(130));
+    let code = child.wait().unwrap().code();
+    assert_eq!(code, Some(130), "{before} {signal}");
     assert_eq!(names(&folder.path("s")), ["journal.jsonl"]);
 }

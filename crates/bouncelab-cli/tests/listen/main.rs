@@ -380,6 +380,30 @@ mod linux {
         assert_eq!(saved, original[..saved.len()]);
     }
 
+    /// As `nohup` starts it: it goes on without its terminal, and ends in order all the same.
+    #[test]
+    fn a_recording_that_ignores_its_terminal_outlives_it() {
+        let folder = TempDir::new().unwrap();
+        let (file, saved) = (one_drop(&folder), folder.path().join("saved.wav"));
+        let child = std::process::Command::new("sh")
+            .args(["-c", "trap '' HUP; exec \"$0\" \"$@\""])
+            .arg(assert_cmd::cargo::cargo_bin("bouncelab"))
+            .args(["listen", "--from", file.to_str().unwrap(), "--save"])
+            .arg(&saved)
+            .stdout(Stdio::piped())
+            .spawn()
+            .unwrap();
+        let second = u64::from(RATE_HZ) * 4;
+        wait_for(&saved, second);
+        signal(&child, "-HUP");
+        wait_for(&saved, 2 * second);
+        signal(&child, "-TERM");
+        let output = child.wait_with_output().unwrap();
+        assert!(output.status.success());
+        let report = String::from_utf8(output.stdout).unwrap();
+        assert!(report.contains("restitution"), "{report}");
+    }
+
     #[test]
     fn after_a_crash_all_but_the_last_second_can_be_read() {
         let folder = TempDir::new().unwrap();
