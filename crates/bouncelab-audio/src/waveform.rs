@@ -144,22 +144,23 @@ fn unit_s(heading: &str, separator: char) -> f64 {
 }
 
 /// How many times there are in a unit, if they are at equal distances.
+///
+/// Times may have been written with too few digits: then several rows have the same one, and the distances between
+/// others are steps of the last digit. The row in which a time changes is known to one row, so the rate is too.
 fn rate(times: &[f64]) -> Option<f64> {
-    let (first, last) = (times.first()?, times.last()?);
-    let step = (last - first) / (times.len() - 1) as f64;
-    // Times may have been written with too few digits: then their distances are multiples of the last one.
-    let written = times
-        .windows(2)
-        .map(|pair| pair[1] - pair[0])
-        .filter(|step| *step > 0.0);
-    let written = written.fold(f64::INFINITY, f64::min);
-    let grid = step.max(written);
+    let mut changes = (1..times.len()).filter(|&row| times[row] != times[row - 1]);
+    let first = changes.next()?;
+    let last = changes.next_back()?;
+    let step = (times[last] - times[first]) / (last - first) as f64;
+    let steps = || times.windows(2).map(|pair| pair[1] - pair[0]);
+    let written = steps().filter(|step| *step > 0.0);
+    let grid = step.max(written.fold(f64::INFINITY, f64::min));
     let is_in_place = |(place, time): (usize, &f64)| {
-        (time - first - step * place as f64).abs() <= OUT_OF_PLACE * grid
+        let expected = times[first] + step * (place as f64 - first as f64);
+        (time - expected).abs() <= OUT_OF_PLACE * grid
     };
-    let mut steps = times.windows(2).map(|pair| pair[1] - pair[0]);
     let is_even = step > 0.0
-        && steps.all(|step| (0.0..=FAR * grid).contains(&step))
+        && steps().all(|step| (0.0..=FAR * grid).contains(&step))
         && times.iter().enumerate().all(is_in_place);
     is_even.then_some(1.0 / step)
 }

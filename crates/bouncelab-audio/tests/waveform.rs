@@ -57,7 +57,7 @@ fn what_instruments_and_apps_export_is_sound() {
     ] {
         let (rate_hz, channels) = read(&text, "drop.csv");
         assert!(
-            (f64::from(rate_hz) / RATE_HZ - 1.0).abs() < 2e-3,
+            (f64::from(rate_hz) / RATE_HZ - 1.0).abs() < 1.0 / 1_900.0,
             "{rate_hz}: {text:.60}"
         );
         assert_eq!(channels, std::slice::from_ref(&expected), "{text:.60}");
@@ -69,6 +69,29 @@ fn what_instruments_and_apps_export_is_sound() {
     );
     assert_eq!(channels.len(), 2);
     assert!(channels[1].iter().all(|sample| sample.abs() <= 1.0));
+}
+
+/// Five seconds with times of two digits, whatever part of a digit is left at both ends, rounded or cut.
+#[test]
+fn a_clock_of_few_digits_is_exact_to_a_row() {
+    const ROWS: u32 = 220_500;
+    for part in 0..10 {
+        let start_s = f64::from(part) * 0.001;
+        for cut_s in [0.0, 0.005] {
+            let rows = (0..ROWS).map(|n| {
+                let time_s = start_s + f64::from(n) / RATE_HZ;
+                format!("{:.2},0\n", time_s - cut_s)
+            });
+            let text = rows.collect::<Vec<_>>().concat();
+            let (rate_hz, _) = read(&text, "drop.csv");
+            // Rounded to a whole number, too.
+            let most = RATE_HZ / f64::from(ROWS - 2_000) + 0.5;
+            assert!(
+                (f64::from(rate_hz) - RATE_HZ).abs() < most,
+                "{part}: {rate_hz}"
+            );
+        }
+    }
 }
 
 #[test]
