@@ -46,13 +46,19 @@ pub(super) struct Clock {
     /// When the next packet is due.
     due_s: Option<f64>,
     is_first: bool,
+    /// Whether it counts frames.
+    is_exact: bool,
     /// Packets that follow each other further apart than this have lost sound between them.
     tolerance_s: f64,
     rate_hz: f64,
 }
 
-/// Browsers write whole milliseconds, and packets last 20 ms.
+/// A packet that is late by more than this share of the one before has lost another of that length; what browsers
+/// write is late by some milliseconds without.
+const MOST_LATE: f64 = 0.6;
 const TOLERANCE_S: f64 = 0.015;
+/// Two times in whole milliseconds are not closer to their distance than one.
+const LEAST_TOLERANCE_S: f64 = 0.0015;
 
 /// A clock that jumps further than this is damaged itself.
 const LONGEST_S: f64 = 600.0;
@@ -67,6 +73,7 @@ impl Clock {
         Self {
             due_s: is_exact.then_some(0.0),
             is_first: true,
+            is_exact,
             tolerance_s: if is_exact { 0.0 } else { TOLERANCE_S },
             rate_hz: f64::from(params.sample_rate.unwrap_or(0)),
         }
@@ -101,7 +108,11 @@ impl Clock {
     ) {
         self.is_first = false;
         self.rate_hz = f64::from(layout.sample_rate_hz.max(1));
-        self.due_s = time_s(info, packet).map(|time_s| time_s + frames as f64 / self.rate_hz);
+        let length_s = frames as f64 / self.rate_hz;
+        self.due_s = time_s(info, packet).map(|time_s| time_s + length_s);
+        if frames > 0 && !self.is_exact {
+            self.tolerance_s = (MOST_LATE * length_s).clamp(LEAST_TOLERANCE_S, TOLERANCE_S);
+        }
     }
 }
 
@@ -115,9 +126,10 @@ mod tests {
 
     use super::*;
 
-    #[test]
-    fn lost_sound_shows_as_a_jump_of_the_clock() {
-        // Matroska: milliseconds, rounded; packets of 960 frames at 48 kHz last 20 ms.
+    /// What is lost before each of the packets of so many frames at 48 kHz, with these times.
+    ///
+    /// The clock is that of Matroska: milliseconds, rounded.
+    fn lost_before(frames: u64) -> impl FnMut(i64) -> Option<Lost> {
         let mut info = TrackInfo::new(1);
         info.with_time_base(TimeBase::try_new(1, 1_000).unwrap());
         let layout = Layout {
@@ -125,12 +137,36 @@ mod tests {
             channels: 1,
         };
         let mut clock = Clock::of(Container::WebM, &AudioCodecParameters::new());
-        let mut lost_before = |time_ms: i64| {
+        move |time_ms: i64| {
             let packet = Packet::new(1, time_ms.into(), Duration::new(20), Vec::new());
             let lost = clock.lost_before(&info, &packet, false);
-            clock.advance(&info, &packet, 960, layout);
+            clock.advance(&info, &packet, frames, layout);
             lost
-        };
+        }
+    }
+
+    /// Opus has packets of 2.5 to 60 ms.
+    #[test]
+    fn one_lost_packet_of_any_length_is_noticed() {
+        for frames in [120, 240, 480, 960, 1_920, 2_880] {
+            for lost in 1..20_u64 {
+                let mut lost_before = lost_before(frames);
+                let time_ms = |number: u64| (number * frames / 48) as i64;
+                for number in (0..20).filter(|&number| number != lost) {
+                    let found = lost_before(time_ms(number));
+                    assert_eq!(found.is_some(), number == lost + 1, "{frames}: {number}");
+                    // To a millisecond.
+                    let missing = found.map_or(frames, |found| found.frames);
+                    assert!(missing.abs_diff(frames) <= 48, "{frames}: {missing}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn lost_sound_shows_as_a_jump_of_the_clock() {
+        // Packets of 20 ms.
+        let mut lost_before = lost_before(960);
         for time_ms in [-7, 13, 34, 53] {
             assert_eq!(lost_before(time_ms), None, "{time_ms} ms");
         }
