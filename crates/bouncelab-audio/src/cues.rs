@@ -68,7 +68,7 @@ fn point(number: u32, frame: u32) -> impl Iterator<Item = u8> {
 }
 
 /// A chunk, padded to an even length.
-fn chunk(name: [u8; 4], content: &[u8]) -> Vec<u8> {
+pub(crate) fn chunk(name: [u8; 4], content: &[u8]) -> Vec<u8> {
     let len = content.len() as u32;
     let padding = &[0][..content.len() % 2];
     [&name, &len.to_le_bytes(), content, padding].concat()

@@ -34,6 +34,7 @@
 mod cues;
 mod error;
 mod input;
+mod lost_chunk;
 #[cfg(feature = "microphone")]
 pub mod microphone;
 mod problem;

@@ -6,8 +6,10 @@ use std::path::Path;
 use std::time::{Duration, Instant};
 
 use bouncelab::Plain;
+use bouncelab::analysis::Gap;
 
 use crate::error::{Error, Result};
+use crate::lost_chunk;
 use crate::wav::{HEADER_LEN, Layout, MOST_DATA, SampleFormat, TOO_LONG};
 
 /// How long sound may be handed over without being on the disk.
@@ -18,7 +20,8 @@ const SYNC_EVERY: Duration = Duration::from_secs(1);
 /// Every second of sound is handed to the system together with a header that counts it, sound
 /// first, and once a second it waits for the disk. So after a crash of the program or a loss of power,
 /// or on a full disk, the file is a whole recording that lacks at most the last two seconds.
-/// [`Recorder::finish`] hands over the rest and waits for the disk.
+/// [`Recorder::finish`] hands over the rest and waits for the disk. Behind the sound stands where some was lost
+/// ([`Recorder::note_gap`]), which [`Source`](crate::Source) reads back.
 ///
 /// ```
 /// use bouncelab_audio::{Recorder, SampleFormat, Source};
@@ -41,6 +44,8 @@ pub struct Recorder<W: Store = File> {
     waiting: Vec<u8>,
     /// How many bytes of samples the header counts.
     data_len: u32,
+    /// Where sound was lost.
+    gaps: Vec<Gap>,
     /// When all that was handed over was last on the disk.
     synced: Instant,
     /// The file took no more.
@@ -100,13 +105,14 @@ impl Recorder {
 
 impl<W: Store> Recorder<W> {
     fn start(name: &str, layout: Layout, mut file: W) -> io::Result<Self> {
-        file.write_all(&layout.header(0))?;
+        file.write_all(&layout.header(0, 0))?;
         Ok(Self {
             name: name.to_owned(),
             layout,
             file,
             waiting: Vec::new(),
             data_len: 0,
+            gaps: Vec::new(),
             synced: Instant::now(),
             is_closed: false,
         })
@@ -125,8 +131,17 @@ impl<W: Store> Recorder<W> {
 
     /// How many frames still fit: a WAV file cannot hold more than 4 GB.
     pub fn room_frames(&self) -> u64 {
-        let taken = u64::from(self.data_len) + self.waiting.len() as u64;
+        let gaps_len = self.gaps.len() * lost_chunk::GAP_LEN;
+        let taken = u64::from(self.data_len) + (self.waiting.len() + gaps_len) as u64;
         u64::from(MOST_DATA).saturating_sub(taken) / u64::from(self.layout.frame_len())
+    }
+
+    /// Notes that sound was lost; the silence in its place is pushed as any other sound. It is in the file with the
+    /// samples that come next, or at the end.
+    pub fn note_gap(&mut self, gap: Gap) {
+        if self.room_frames() > lost_chunk::GAP_LEN as u64 {
+            self.gaps.push(gap);
+        }
     }
 
     /// Takes the next samples of every channel, in `-1.0..1.0`. What is not a number becomes 0.
@@ -187,19 +202,22 @@ impl<W: Store> Recorder<W> {
 
     /// Hands over what waits, then a header that counts it.
     fn hand_over(&mut self) -> Result<()> {
-        let (taken, written) = self.write_waiting();
+        let gaps = lost_chunk::encode(&self.gaps, self.layout.sample_rate_hz);
+        let (taken, written) = self.write_waiting(&gaps);
         let whole = taken - taken % usize::from(self.layout.frame_len());
         self.data_len += whole as u32;
         self.waiting.clear();
-        let counted = self.write_header();
+        let behind = if written.is_ok() { gaps.len() } else { 0 };
+        let counted = self.write_header(behind as u32);
         written.and(counted).map_err(|reason| {
             self.is_closed = true;
             Error::io(&self.name, reason)
         })
     }
 
-    /// Writes what waits behind what the header counts; also tells how many bytes the file took.
-    fn write_waiting(&mut self) -> (usize, io::Result<()>) {
+    /// Writes what waits behind what the header counts, and the gaps behind that, which the next samples replace;
+    /// also tells how many bytes of samples the file took.
+    fn write_waiting(&mut self, gaps: &[u8]) -> (usize, io::Result<()>) {
         let end = u64::from(HEADER_LEN) + u64::from(self.data_len);
         if let Err(reason) = self.file.seek(SeekFrom::Start(end)) {
             return (0, Err(reason));
@@ -215,12 +233,15 @@ impl<W: Store> Recorder<W> {
         }
         // By the rules of the format a chunk of odd length is followed by one more byte.
         let padding = (self.data_len as usize + taken) % 2;
-        (taken, self.file.write_all(&[0][..padding]))
+        let padded = self.file.write_all(&[0][..padding]);
+        (taken, padded.and_then(|()| self.file.write_all(gaps)))
     }
 
-    fn write_header(&mut self) -> io::Result<()> {
+    /// Writes the header of a file with so many bytes behind the samples.
+    fn write_header(&mut self, behind: u32) -> io::Result<()> {
         self.file.seek(SeekFrom::Start(0))?;
-        self.file.write_all(&self.layout.header(self.data_len))?;
+        self.file
+            .write_all(&self.layout.header(self.data_len, behind))?;
         self.file.flush()
     }
 }
@@ -344,6 +365,40 @@ mod tests {
             assert_eq!(recorder.file.content.get_ref().len() % 2, 0);
         }
         assert_eq!(read(&recorder), vec![0.5; 24_003]);
+    }
+
+    /// At any time, in files of even and odd length.
+    #[test]
+    fn where_sound_was_lost_is_in_the_file() {
+        let known = Gap {
+            start_s: 1.5,
+            duration_s: 0.25,
+            certain: true,
+        };
+        let unknown = Gap {
+            start_s: 4.0,
+            duration_s: 0.0,
+            certain: false,
+        };
+        let mut recorder = recorder(usize::MAX, 1, SampleFormat::Int8);
+        let second = vec![0.5; 8_001];
+        for (gap, expected) in [
+            (Some(known), &[known][..]),
+            (None, &[known]),
+            (Some(unknown), &[known, unknown]),
+            (None, &[known, unknown]),
+        ] {
+            if let Some(gap) = gap {
+                recorder.note_gap(gap);
+            }
+            recorder.push(&[&second]).unwrap();
+            let bytes = recorder.file.content.get_ref().clone();
+            let said = u32::from_le_bytes(*bytes[4..].first_chunk().unwrap());
+            assert_eq!(said as usize + 8, bytes.len());
+            let source = Source::from_bytes(bytes, "test.wav").unwrap();
+            assert_eq!(source.gaps(), expected);
+            assert_eq!(source.warnings().len(), expected.len());
+        }
     }
 
     #[test]

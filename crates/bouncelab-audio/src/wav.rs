@@ -136,7 +136,7 @@ impl<'a> Sound<'a> {
     fn encode(&self) -> Vec<u8> {
         let size = HEADER_LEN as usize + self.data_len as usize + 1;
         let mut bytes = Vec::with_capacity(size);
-        bytes.extend_from_slice(&self.layout.header(self.data_len));
+        bytes.extend_from_slice(&self.layout.header(self.data_len, 0));
         for frame in 0..self.channels[0].len() {
             for channel in self.channels {
                 self.layout.format.encode(channel[frame], &mut bytes);
@@ -194,12 +194,12 @@ impl Layout {
         self.channels * (self.format.bits() / 8)
     }
 
-    /// The header of a file with so many bytes of samples.
+    /// The header of a file with so many bytes of samples, and of other chunks behind them.
     ///
     /// It is the plain one of 1991, not the "extensible" one of later: that needs a place in the
     /// room for each channel, which a channel here has not, and some programs refuse mono whose
     /// only channel is "front left".
-    pub(crate) fn header(self, data_len: u32) -> [u8; HEADER_LEN as usize] {
+    pub(crate) fn header(self, data_len: u32, behind: u32) -> [u8; HEADER_LEN as usize] {
         let padding = data_len % 2;
         let is_float = self.format == SampleFormat::Float32;
         let bytes_per_second = self
@@ -208,7 +208,7 @@ impl Layout {
         let mut header = [0; HEADER_LEN as usize];
         let fields: [&[u8]; 13] = [
             b"RIFF",
-            &(HEADER_LEN - 8 + data_len + padding).to_le_bytes(),
+            &(HEADER_LEN - 8 + data_len + padding + behind).to_le_bytes(),
             b"WAVE",
             b"fmt ",
             &16_u32.to_le_bytes(),

@@ -32,6 +32,7 @@ use self::lost::Lost;
 use self::presentation::Presentation;
 use self::track::{Next, Step, Track};
 use crate::error::{Error, Result};
+use crate::lost_chunk;
 use crate::problem::{LayoutProblem, MissingContent, Stage};
 use crate::warning::Warning;
 
@@ -206,8 +207,11 @@ impl Source {
             }
         };
         reader.set_stream(container.is_stream());
+        let mut recorder_lost = Vec::new();
         if container == Container::Wav {
             let start = reader.stream_position().map_err(fail)?;
+            recorder_lost = wave::lost(&mut reader).map_err(fail)?;
+            reader.seek(SeekFrom::Start(start)).map_err(fail)?;
             match wave::mended(&mut reader).map_err(fail)? {
                 Some(wave) => reader.read_behind(wave.header, wave.sound),
                 None => reader.seek(SeekFrom::Start(start)).map(drop),
@@ -225,7 +229,11 @@ impl Source {
             reader.read_only(sound).map_err(fail)?;
         }
         let track = Track::open(container, Box::new(reader), framing, name)?;
-        Self::start(track, name)
+        let mut source = Self::start(track, name)?;
+        for gap in lost_chunk::decode(&recorder_lost, source.sample_rate_hz()) {
+            source.note_gap(gap);
+        }
+        Ok(source)
     }
 
     /// Decodes up to the first sound. A source that exists can be read, and its layout is that of
@@ -304,7 +312,8 @@ impl Source {
         &self.warnings
     }
 
-    /// Where sound was lost, as far as it was read: silence stands in its place.
+    /// Where sound was lost, as far as it was read: silence stands in its place. What a
+    /// [`Recorder`](crate::Recorder) noted of its own file is known at once.
     pub fn gaps(&self) -> &[Gap] {
         &self.gaps
     }
@@ -369,7 +378,7 @@ impl Source {
         let Step { lost, next } = self.track.step(&self.name, &mut self.planes)?;
         let at = self.lose(at, lost);
         match next {
-            _ if self.gaps.len() > MOST_GAPS => self.end(at, true),
+            _ if lost.is_some() && self.gaps.len() > MOST_GAPS => self.end(at, true),
             Next::Sound(layout) if layout != self.layout => {
                 self.warnings.push(Warning::FormatChange {
                     at_s: self.presented_s(at),
@@ -406,9 +415,13 @@ impl Source {
             duration_s: self.presented_s(end) - start_s,
             certain,
         };
+        self.note_gap(gap);
+        end
+    }
+
+    fn note_gap(&mut self, gap: Gap) {
         self.gaps.push(gap);
         Warning::note_gap(&mut self.warnings, gap);
-        end
     }
 
     /// The planes now hold the decoded stream from this frame on.
@@ -429,7 +442,10 @@ impl Source {
     /// it says.
     fn end(&mut self, at: u64, broken: bool) {
         self.stop(at);
-        if let Some((places, first, frames)) = self.blanks.odd() {
+        // A recorder that says where it lost sound has put zeros there.
+        let noted = self.gaps.len() as u64;
+        let blanks = self.blanks.odd().filter(|(places, ..)| *places > noted);
+        if let Some((places, first, frames)) = blanks {
             self.warnings.push(Warning::Blank {
                 places,
                 first_s: self.presented_s(first),

@@ -7,9 +7,13 @@
 use std::io::{self, Read, Seek, SeekFrom};
 use std::ops::Range;
 
+use crate::lost_chunk;
+
 /// No recorder writes so many chunks in front of the sound, nor so long a description of it.
 const MOST_CHUNKS: usize = 64;
 const MOST_FORMAT: u64 = 1 << 10;
+/// Nor loses it sound so often.
+const MOST_LOST: u64 = 1 << 20;
 
 /// The size that says that the real one stands elsewhere, or is not known.
 const UNKNOWN: u32 = u32::MAX;
@@ -64,6 +68,23 @@ pub(super) fn mended<S: Read + Seek>(source: &mut S) -> io::Result<Option<Mended
         }
     }
     Ok(None)
+}
+
+/// The content of the chunk of a file that begins here that says where sound was lost; empty without one.
+pub(super) fn lost<S: Read + Seek>(source: &mut S) -> io::Result<Vec<u8>> {
+    let start = source.stream_position()?;
+    let file_len = source.seek(SeekFrom::End(0))?;
+    let mut chunks = Chunks::new(source, start)?;
+    for _ in 0..MOST_CHUNKS {
+        match chunks.next(file_len)? {
+            Some((lost_chunk::NAME, content)) if content.end - content.start <= MOST_LOST => {
+                return chunks.read(&content);
+            }
+            Some(_) => {}
+            None => break,
+        }
+    }
+    Ok(Vec::new())
 }
 
 impl Mended {

@@ -212,8 +212,11 @@ impl Work {
                     for plane in &mut planes {
                         plane.truncate(left.unwrap_or(usize::MAX));
                     }
-                    self.save(&planes);
                     let gaps = self.sound.gaps().map(<[Gap]>::to_vec);
+                    for gap in gaps.iter().flatten().skip(self.saver.gaps()) {
+                        self.saver.note_gap(*gap);
+                    }
+                    self.save(&planes);
                     let frames = planes.first().map_or(0, Vec::len) as u64;
                     let event = Event::Sound(std::mem::take(&mut planes), gaps);
                     self.outlet.send(event, frames);
@@ -222,6 +225,7 @@ impl Work {
                     let left = usize::try_from(self.last_frame - self.frames);
                     let silence = silence_for(frames, self.sound.info().sample_rate_hz);
                     let silence = silence.min(left.unwrap_or(usize::MAX));
+                    self.note_gap(silence, is_certain(silence, frames));
                     self.save(&vec![vec![0.0; silence]; self.sound.info().channels]);
                     self.outlet.send(Event::Lost(frames), silence as u64);
                 }
@@ -244,6 +248,16 @@ impl Work {
         self.tell(trouble);
     }
 
+    /// Notes that sound was lost, for which so many frames of silence stand.
+    fn note_gap(&mut self, silence: usize, certain: bool) {
+        let rate_hz = f64::from(self.sound.info().sample_rate_hz);
+        self.saver.note_gap(Gap {
+            start_s: self.frames as f64 / rate_hz,
+            duration_s: silence as f64 / rate_hz,
+            certain,
+        });
+    }
+
     fn tell(&self, trouble: Option<String>) {
         let mut troubles = self.troubles.lock().unwrap_or_else(PoisonError::into_inner);
         troubles.extend(trouble);
@@ -255,6 +269,11 @@ pub(super) fn silence_for(lost_frames: u64, sample_rate_hz: u32) -> usize {
     /// No more than this: no drop goes on after it, in seconds.
     const LONGEST_S: u64 = 10;
     lost_frames.min(LONGEST_S * u64::from(sample_rate_hz)) as usize
+}
+
+/// Whether so much silence is as long as the sound that was lost.
+pub(super) fn is_certain(silence: usize, lost_frames: u64) -> bool {
+    silence as u64 == lost_frames && lost_frames > 0
 }
 
 #[cfg(test)]

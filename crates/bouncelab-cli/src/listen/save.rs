@@ -2,6 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
+use bouncelab::analysis::Gap;
 use bouncelab_audio::{Error, Recorder, SampleFormat};
 use bouncelab_report::file::sync_name;
 use bouncelab_report::messages::Value;
@@ -19,6 +20,11 @@ pub(super) struct Saver {
     has_failed: bool,
     /// The files so far.
     files: Vec<PathBuf>,
+    /// Where sound was lost.
+    gaps: Vec<Gap>,
+    /// How many frames came before the file, and how many so far.
+    before: u64,
+    frames: u64,
     sample_rate_hz: u32,
     channels: usize,
     format: SampleFormat,
@@ -36,6 +42,9 @@ impl Saver {
             recorder: None,
             has_failed: false,
             files: Vec::new(),
+            gaps: Vec::new(),
+            before: 0,
+            frames: 0,
             sample_rate_hz: recording.sample_rate_hz,
             channels: recording.channels,
             format,
@@ -72,6 +81,11 @@ impl Saver {
         &self.files
     }
 
+    /// How many gaps were noted.
+    pub(super) fn gaps(&self) -> usize {
+        self.gaps.len()
+    }
+
     /// Whether saving was requested but failed.
     pub(super) fn has_failed(&self) -> bool {
         self.has_failed
@@ -86,7 +100,19 @@ impl Saver {
         } else {
             self.write(channels)
         };
+        self.frames += frames;
         self.heed(saved)
+    }
+
+    /// Notes where sound was lost, at a time of the whole recording; the silence in its place is saved as sound.
+    pub(super) fn note_gap(&mut self, gap: Gap) {
+        self.gaps.push(gap);
+        let before_s = self.before as f64 / f64::from(self.sample_rate_hz);
+        if let Some(recorder) = &mut self.recorder
+            && let Some(gap) = behind(gap, before_s)
+        {
+            recorder.note_gap(gap);
+        }
     }
 
     fn write(&mut self, channels: &[&[f32]]) -> Result<(), Error> {
@@ -98,7 +124,12 @@ impl Saver {
     fn continue_in_next(&mut self) -> Result<(), Error> {
         self.recorder.take().map_or(Ok(()), Recorder::finish)?;
         let next = self.files.first().map(|first| unused(first));
-        next.map_or(Ok(()), |next| self.open(next))
+        next.map_or(Ok(()), |next| self.open(next))?;
+        self.before = self.frames;
+        for gap in std::mem::take(&mut self.gaps) {
+            self.note_gap(gap);
+        }
+        Ok(())
     }
 
     /// Ends the file. If that fails, says why.
@@ -123,6 +154,16 @@ impl Saver {
         ];
         Some(text_with("listen-save-failed", &failed))
     }
+}
+
+/// What of a gap comes after a time, from there on.
+fn behind(gap: Gap, time_s: f64) -> Option<Gap> {
+    let (start_s, end_s) = (gap.start_s - time_s, gap.start_s + gap.duration_s - time_s);
+    (end_s >= 0.0).then(|| Gap {
+        start_s: start_s.max(0.0),
+        duration_s: end_s - start_s.max(0.0),
+        ..gap
+    })
 }
 
 /// This name, or if there is such a file the first of `name-2`, `name-3`, ... that is free.
@@ -150,6 +191,7 @@ fn unused(file: &Path) -> PathBuf {
 mod tests {
     use std::fs;
 
+    use bouncelab_audio::Source;
     use tempfile::TempDir;
 
     use super::*;
@@ -161,22 +203,38 @@ mod tests {
             recorder: None,
             has_failed: false,
             files: Vec::new(),
+            gaps: Vec::new(),
+            before: 0,
+            frames: 0,
             sample_rate_hz: 8000,
             channels: 1,
             format: SampleFormat::Int16,
         };
+        // A hundred frames are an eightieth of a second; what is lost reaches into the second file.
+        let gap = |start_s, duration_s| Gap {
+            start_s,
+            duration_s,
+            certain: true,
+        };
         saver.open(folder.path().join("a.wav")).unwrap();
         assert!(saver.push(&[&[0.25; 100]]).is_none());
+        saver.note_gap(gap(0.01, 0.005));
         saver.continue_in_next().unwrap();
         assert!(saver.push(&[&[0.5; 50]]).is_none());
         assert!(saver.finish().is_none());
         assert!(!saver.has_failed());
-        // 44 bytes of header, two for each sample.
-        let lengths = ["a.wav", "a-2.wav"].map(|name| {
-            let file = folder.path().join(name);
-            fs::metadata(file).unwrap().len()
+        let saved = ["a.wav", "a-2.wav"].map(|name| {
+            let source = Source::open(folder.path().join(name)).unwrap();
+            (
+                source.duration_s().unwrap() * 8000.0,
+                source.gaps().to_vec(),
+            )
         });
-        assert_eq!(lengths, [244, 144]);
+        let expected = [
+            (100.0, vec![gap(0.01, 0.005)]),
+            (50.0, vec![gap(0.0, 0.0025)]),
+        ];
+        assert_eq!(saved, expected);
     }
 
     #[test]

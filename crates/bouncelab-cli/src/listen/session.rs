@@ -9,7 +9,7 @@ use bouncelab::detection::Detection;
 use bouncelab::train::{Train, TrainSearch};
 use bouncelab::{Diagnostic, Options, Plain};
 
-use super::recording::{Ended, Event, Recording, silence_for};
+use super::recording::{Ended, Event, Recording, is_certain, silence_for};
 use super::save::Saver;
 use super::screen::{Screen, Status};
 use super::sound::{Sound, SoundInfo};
@@ -229,7 +229,7 @@ impl<'a> Session<'a> {
     /// Replaces lost sound by silence, so that later times stay right.
     fn lose(&mut self, frames: u64) -> Result<(), Failure> {
         let silence = silence_for(frames, self.recording.sample_rate_hz);
-        self.fill_gap(silence, silence as u64 == frames && frames > 0)?;
+        self.fill_gap(silence, is_certain(silence, frames))?;
         self.lost_frames += frames;
         Ok(())
     }

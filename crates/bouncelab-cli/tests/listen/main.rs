@@ -11,9 +11,10 @@ use std::path::{Path, PathBuf};
 use std::time::Duration;
 
 use assert_cmd::Command;
+use bouncelab::analysis::Gap;
 use bouncelab::impact::Strike;
 use bouncelab::synth::{self, Scene};
-use bouncelab_audio::{SampleFormat, Source, write_wav};
+use bouncelab_audio::{Recorder, SampleFormat, Source, write_wav};
 use bouncelab_testkit::strikes;
 use predicates::prelude::*;
 use serde_json::Value;
@@ -297,6 +298,42 @@ fn without_a_drop_it_says_why_as_analyze_does() {
 }
 
 #[cfg(not(feature = "microphone"))]
+/// Of a length that is known, so that times hold, and of another.
+#[test]
+fn a_saved_recording_says_where_sound_was_lost() {
+    let folder = TempDir::new().unwrap();
+    let sound = samples(&one_drop(&folder));
+    let [lossy, saved] = ["lossy.wav", "saved.wav"].map(|name| folder.path().join(name));
+    for (frames, certain, code) in [(2_400, true, "sound-missing"), (0, false, "clock-lost")] {
+        let gap = Gap {
+            start_s: 1.0,
+            duration_s: f64::from(frames) / f64::from(RATE_HZ),
+            certain,
+        };
+        let mut recorder = Recorder::create(&lossy, RATE_HZ, 1, SampleFormat::Float32).unwrap();
+        let (before, after) = sound.split_at(RATE_HZ as usize);
+        recorder.push(&[before]).unwrap();
+        recorder.note_gap(gap);
+        recorder.push(&[&vec![0.0; frames as usize]]).unwrap();
+        recorder.push(&[after]).unwrap();
+        recorder.finish().unwrap();
+        play(&lossy).arg("--save").arg(&saved).assert().success();
+        assert_eq!(Source::open(&saved).unwrap().gaps(), [gap]);
+        assert_eq!(samples(&saved), samples(&lossy));
+        let analysed = analyze(&saved);
+        assert!(analysed.to_string().contains(code), "{analysed}");
+        let is_across = |drop: &Value| {
+            let impacts = drop["impacts"].as_array().unwrap();
+            let time_s = |impact: &Value| impact["time_s"].as_f64().unwrap();
+            time_s(&impacts[0]) < 1.0 && time_s(&impacts[impacts.len() - 1]) > 1.0
+        };
+        assert!(!drops(&[analysed]).iter().any(is_across));
+        for file in [&lossy, &saved] {
+            fs::remove_file(file).unwrap();
+        }
+    }
+}
+
 #[test]
 fn without_the_microphone_it_says_how_to_build_it_in() {
     for arguments in [&["listen"][..], &["listen", "--devices"]] {
