@@ -3,8 +3,12 @@
 //! A marker is an entry of the chunk `cue ` and its text a chunk `labl` in a list of the type `adtl`; both follow the
 //! samples (Microsoft and IBM, "Multimedia Programming Interface and Data Specifications 1.0", 1991).
 
+use std::io::{BufWriter, Seek, Write};
+
 use crate::error::{Error, Result};
-use crate::wav::{SampleFormat, TOO_LONG, encode_wav};
+use crate::lost_chunk;
+use crate::source::Source;
+use crate::wav::{Layout, MOST_DATA, SampleFormat, TOO_LONG};
 
 /// A marker in a sound.
 #[derive(Debug, Clone, PartialEq)]
@@ -15,48 +19,78 @@ pub struct Cue {
     pub text: String,
 }
 
-/// The bytes of a WAV file as those of [`encode_wav`], with markers.
+/// Copies a recording into a WAV file of 32-bit floats, in which every sample is as it was, with markers. Blocks are
+/// copied as they are read.
 ///
 /// ```
-/// use bouncelab_audio::{Cue, SampleFormat, Source, encode_wav_with_cues};
+/// use std::io::Cursor;
+/// use bouncelab_audio::{Cue, Source, copy_with_cues};
 ///
-/// let cue = Cue { time_s: 0.5, text: "1".to_owned() };
-/// let wav = encode_wav_with_cues(8_000, SampleFormat::Int16, &[&[0.0; 8_000]], &[cue])?;
-/// assert_eq!(Source::from_bytes(wav, "marked.wav")?.duration_s(), Some(1.0));
+/// # let wav = include_bytes!("../tests/fixtures/pcm16.wav").to_vec();
+/// let mut source = Source::from_bytes(wav, "clicks.wav")?;
+/// let mut copy = Cursor::new(Vec::new());
+/// let cue = Cue { time_s: 0.1, text: "1".to_owned() };
+/// copy_with_cues(&mut source, &mut copy, &[cue])?;
+/// assert!(Source::from_bytes(copy.into_inner(), "marked.wav")?.duration_s() > Some(0.1));
 /// # Ok::<(), bouncelab_audio::Error>(())
 /// ```
 ///
 /// # Errors
 ///
-/// [`Error::Unwritable`] as for [`encode_wav`], and if a marker lies outside the sound.
-pub fn encode_wav_with_cues(
-    sample_rate_hz: u32,
-    format: SampleFormat,
-    channels: &[&[f32]],
-    cues: &[Cue],
-) -> Result<Vec<u8>> {
-    let refused = |problem: String| Error::unwritable("WAV in memory", problem);
-    let mut wav = encode_wav(sample_rate_hz, format, channels)?;
-    let frames = channels[0].len() as f64;
+/// Those of [`Source::next_block`], [`Error::Unwritable`] if the copy would exceed 4 GB or a marker lies outside the
+/// sound, [`Error::Io`] if it cannot be written.
+pub fn copy_with_cues(source: &mut Source, copy: impl Write + Seek, cues: &[Cue]) -> Result<()> {
+    let name = format!("copy of {}", source.name());
+    let failed = |reason| Error::io(&name, reason);
+    let refused = |problem: &str| Error::unwritable(&name, problem);
+    let format = SampleFormat::Float32;
+    let (rate_hz, channels) = (source.sample_rate_hz(), source.channels());
+    let layout = Layout::new(&name, rate_hz, channels, format)?;
+    let mut copy = BufWriter::new(copy);
+    copy.write_all(&layout.header(0, 0)).map_err(failed)?;
+    let mut frames = 0;
+    while let Some(block) = source.next_block()? {
+        frames += block.frames() as u64;
+        let mut bytes = Vec::new();
+        for frame in 0..block.frames() {
+            for channel in 0..channels {
+                format.encode(block.channel(channel)[frame], &mut bytes);
+            }
+        }
+        copy.write_all(&bytes).map_err(failed)?;
+        if frames * u64::from(layout.frame_len()) > u64::from(MOST_DATA) {
+            return Err(refused(TOO_LONG));
+        }
+    }
+    let data_len = frames as u32 * u32::from(layout.frame_len());
+    let markers = markers(cues, rate_hz, frames).map_err(|problem| refused(&problem))?;
+    let lost = lost_chunk::encode(source.gaps(), rate_hz);
+    let chunks = [markers, lost].concat();
+    let behind = u32::try_from(chunks.len()).unwrap_or(u32::MAX);
+    if behind > MOST_DATA - data_len {
+        return Err(refused(TOO_LONG));
+    }
+    copy.write_all(&chunks).map_err(failed)?;
+    copy.rewind().map_err(failed)?;
+    let header = layout.header(data_len, behind);
+    copy.write_all(&header).map_err(failed)?;
+    copy.flush().map_err(failed)
+}
+
+/// The chunks of markers in a sound of so many frames.
+fn markers(cues: &[Cue], sample_rate_hz: u32, frames: u64) -> std::result::Result<Vec<u8>, String> {
     let (mut points, mut texts) = (Vec::new(), b"adtl".to_vec());
     points.extend_from_slice(&(cues.len() as u32).to_le_bytes());
     for (cue, number) in cues.iter().zip(1_u32..) {
         let frame = (cue.time_s * f64::from(sample_rate_hz)).round();
-        if !(0.0..frames).contains(&frame) {
-            return Err(refused(format!(
-                "a marker at {} s is outside of it",
-                cue.time_s
-            )));
+        if !(0.0..frames as f64).contains(&frame) {
+            return Err(format!("a marker at {} s is outside of it", cue.time_s));
         }
         points.extend(point(number, frame as u32));
         let text = [&number.to_le_bytes(), cue.text.as_bytes(), b"\0"].concat();
         texts.extend(chunk(*b"labl", &text));
     }
-    wav.extend(chunk(*b"cue ", &points));
-    wav.extend(chunk(*b"LIST", &texts));
-    let len = u32::try_from(wav.len() - 8).map_err(|_| refused(TOO_LONG.to_owned()))?;
-    wav[4..8].copy_from_slice(&len.to_le_bytes());
-    Ok(wav)
+    Ok([chunk(*b"cue ", &points), chunk(*b"LIST", &texts)].concat())
 }
 
 /// An entry of the chunk `cue `: its number, its place in the order of playing, the chunk that it is in, where that

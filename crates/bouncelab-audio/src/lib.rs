@@ -3,7 +3,7 @@
 //! [`Source`] reads a recording of nearly any format as a stream of blocks of `f32` samples, in
 //! memory that does not grow with its length; [`times`] reads impact times that something else
 //! measured; [`Input`] takes either. [`write_wav`] writes a synthesised recording,
-//! [`encode_wav_with_cues`] one with its impacts marked, a [`Recorder`]
+//! [`copy_with_cues`] a copy of a recording with its impacts marked, a [`Recorder`]
 //! one that is still going on. With the feature `microphone`, `microphone::Microphone` listens.
 //!
 //! | format | codecs |
@@ -48,7 +48,7 @@ mod waveform;
 /// The version of this library.
 pub const VERSION: &str = env!("CARGO_PKG_VERSION");
 
-pub use cues::{Cue, encode_wav_with_cues};
+pub use cues::{Cue, copy_with_cues};
 pub use error::{Error, Result};
 pub use input::Input;
 pub use problem::{LayoutProblem, LooksLike, MissingContent, Stage, TimesProblem};

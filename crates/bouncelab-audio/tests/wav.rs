@@ -1,10 +1,11 @@
 //! What is written can be read back, and nothing half-written is left behind.
 
 use std::fs;
+use std::io::Cursor;
 use std::path::PathBuf;
 
 use bouncelab_audio::{
-    Cue, Error, Recorder, SampleFormat, Source, encode_wav, encode_wav_with_cues, write_wav,
+    Cue, Error, Recorder, SampleFormat, Source, copy_with_cues, encode_wav, write_wav,
 };
 
 /// A folder of its own for each test, removed at the end.
@@ -147,12 +148,21 @@ fn cue(time_s: f64, text: &str) -> Cue {
     Cue { time_s, text }
 }
 
+/// The copy of a mono sound with these markers.
+fn copied(sound: &[f32], cues: &[Cue]) -> Result<Vec<u8>, Error> {
+    let wav = encode_wav(8_000, SampleFormat::Float32, &[sound]).unwrap();
+    let mut source = Source::from_bytes(wav, "sound.wav").unwrap();
+    let mut copy = Cursor::new(Vec::new());
+    copy_with_cues(&mut source, &mut copy, cues)?;
+    Ok(copy.into_inner())
+}
+
 #[test]
 fn markers_stand_behind_the_samples_at_their_frames() {
-    // An odd number of bytes, and texts of odd and even length.
+    // Texts of odd and even length.
     let sound = [0.25; 801];
     let cues = [cue(0.01, "1"), cue(0.1, "2?")];
-    let wav = encode_wav_with_cues(8_000, SampleFormat::Int8, &[&sound], &cues).unwrap();
+    let wav = copied(&sound, &cues).unwrap();
     let [("RIFF", riff)] = chunks(&wav)[..] else {
         panic!("one RIFF chunk is the whole file");
     };
@@ -180,7 +190,7 @@ fn markers_stand_behind_the_samples_at_their_frames() {
 fn a_marker_outside_the_sound_is_refused() {
     for time_s in [-0.001, 0.1, f64::NAN] {
         let cues = [cue(time_s, "1")];
-        let wav = encode_wav_with_cues(8_000, SampleFormat::Int16, &[&[0.0; 800]], &cues);
+        let wav = copied(&[0.0; 800], &cues);
         assert!(matches!(wav, Err(Error::Unwritable { .. })), "{time_s}");
     }
 }

@@ -111,9 +111,14 @@ pub(crate) fn write(
 ) -> Result<(), Failure> {
     let written = outputs.write(path, mark, bytes);
     written.map_err(|reason| Failure::unwritable(path, &reason))?;
+    wrote(path);
+    Ok(())
+}
+
+/// Says on stderr that a file was written.
+pub(crate) fn wrote(path: &Path) {
     let file = String::from(Plain::path(path));
     say(text_with("terminal-wrote", &[("file", file.into())]));
-    Ok(())
 }
 
 /// Says on stderr that a figure was written.

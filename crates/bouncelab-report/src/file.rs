@@ -25,7 +25,7 @@
 
 use std::collections::HashSet;
 use std::fs::{self, File};
-use std::io::{self, Read, Seek, SeekFrom, Write};
+use std::io::{self, BufReader, Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
@@ -139,6 +139,36 @@ impl Outputs {
         draft.file().write_all(bytes)?;
         draft.finish()
     }
+
+    /// As [`Self::write`], for a content that is too long for the memory: `fill` writes it.
+    ///
+    /// # Errors
+    /// Those of [`Self::write`] and of `fill`.
+    pub fn fill(
+        &self,
+        path: &Path,
+        mark: &str,
+        fill: impl FnOnce(&File) -> io::Result<()>,
+    ) -> io::Result<()> {
+        let draft = Draft::new(path)?;
+        fill(draft.file())?;
+        if are_alike(draft.file.path(), path)? {
+            return Ok(());
+        }
+        self.check(path, mark)?;
+        draft.finish()
+    }
+}
+
+/// Whether two files have the same content.
+fn are_alike(one: &Path, other: &Path) -> io::Result<bool> {
+    let length = fs::metadata(one)?.len();
+    if !fs::metadata(other).is_ok_and(|about| about.is_file() && about.len() == length) {
+        return Ok(false);
+    }
+    let bytes = |path| File::open(path).map(|file| BufReader::new(file).bytes());
+    let mut pairs = std::iter::zip(bytes(one)?, bytes(other)?);
+    Ok(pairs.all(|pair| matches!(pair, (Ok(a), Ok(b)) if a == b)))
 }
 
 /// Whether there is no such file, which leaves it to the writing to say what is in the way.

@@ -5,13 +5,14 @@
 
 use std::fmt;
 use std::fs::File;
-use std::io::{BufReader, Read};
+use std::io::{self, BufReader, Read};
 use std::path::{Path, PathBuf};
 
 use zip::ZipArchive;
 use zip::result::ZipError;
 
 use crate::error::{Error, Result};
+use crate::hash::{Hash, hash_of_all};
 use crate::name::shown;
 
 /// Files in an archive, folders included.
@@ -76,15 +77,33 @@ pub(crate) fn entries(path: &Path, wanted: impl Fn(&Path) -> bool) -> Result<Vec
 /// # Errors
 /// If it is damaged, encrypted, packed by another method than deflate, or larger than announced.
 pub(crate) fn read(path: &Path, entry: &Entry) -> Result<Vec<u8>> {
+    let mut content = Vec::new();
+    unpack(path, entry, |file| file.read_to_end(&mut content))?;
+    Ok(content)
+}
+
+/// The hash of the content of a recording, which is unpacked in pieces.
+///
+/// # Errors
+/// As for [`read`].
+pub(crate) fn hash(path: &Path, entry: &Entry) -> Result<Hash> {
+    unpack(path, entry, |file| hash_of_all(file))
+}
+
+/// Has a recording read to its end.
+fn unpack<T>(
+    path: &Path,
+    entry: &Entry,
+    read: impl FnOnce(&mut dyn Read) -> io::Result<T>,
+) -> Result<T> {
     let mut archive = open(path)?;
     let file = archive
         .by_index(entry.number)
         .map_err(|reason| refused(path, &reason))?;
     let size = file.size().min(MOST_BYTES);
-    let mut content = Vec::new();
-    let read = file.take(size + 1).read_to_end(&mut content);
-    read.map_err(|reason| refused(path, &reason))?;
-    if content.len() as u64 > size {
+    let mut announced = file.take(size + 1);
+    let content = read(&mut announced).map_err(|reason| refused(path, &reason))?;
+    if announced.limit() == 0 {
         let problem = format!("\"{}\", which is larger than announced", shown(&entry.name));
         return Err(refused(path, &TooMuch(&problem)));
     }
@@ -147,6 +166,7 @@ mod tests {
             for ((name, content), entry) in seen.zip(&found) {
                 prop_assert_eq!(Path::new(name), &*entry.name);
                 prop_assert_eq!(content, &read(packed.path(), entry).unwrap());
+                prop_assert_eq!(crate::hash::hash(content), hash(packed.path(), entry).unwrap());
             }
         }
 
@@ -201,6 +221,10 @@ mod tests {
         let entry = &entries(packed.path(), |_| true).unwrap()[0];
         assert!(matches!(
             read(packed.path(), entry),
+            Err(Error::Archive { .. })
+        ));
+        assert!(matches!(
+            hash(packed.path(), entry),
             Err(Error::Archive { .. })
         ));
     }

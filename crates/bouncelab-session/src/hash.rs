@@ -10,6 +10,9 @@ use sha2::{Digest, Sha256};
 
 use crate::error::{Error, Result};
 
+/// No recording of a day is larger, but a file of nothing may be; what is read of it would take hours.
+const MOST_BYTES: u64 = 1 << 38;
+
 /// A SHA-256 hash, shown and written as hexadecimal digits.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Hash([u8; 32]);
@@ -37,10 +40,12 @@ pub fn hash_of_file(path: &Path) -> Result<Hash> {
 
 /// Opens a file that has an end.
 pub(crate) fn open(path: &Path) -> io::Result<File> {
-    if fs::metadata(path)?.is_file() {
-        return File::open(path);
-    }
-    let problem = "it is a folder, a device or a pipe";
+    let about = fs::metadata(path)?;
+    let problem = match about.len() {
+        _ if !about.is_file() => "it is a folder, a device or a pipe",
+        ..=MOST_BYTES => return File::open(path),
+        _ => "it is larger than 256 GB; cut it into parts",
+    };
     Err(io::Error::new(io::ErrorKind::InvalidInput, problem))
 }
 
@@ -125,6 +130,10 @@ mod tests {
             .unwrap_err()
             .to_string();
         assert!(refused.contains("a device"), "{refused}");
+        let file = tempfile::NamedTempFile::new().unwrap();
+        file.as_file().set_len(MOST_BYTES + 1).unwrap();
+        let refused = hash_of_file(file.path()).unwrap_err().to_string();
+        assert!(refused.contains("256 GB"), "{refused}");
     }
 
     /// FIPS 180-2, appendix B.1, and the empty file of FIPS 180-4's example programs.

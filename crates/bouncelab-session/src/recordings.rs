@@ -58,7 +58,7 @@ impl Recording {
     pub(crate) fn content(&self) -> Result<Hash> {
         match &self.entry {
             None => hash_of_file(&self.path),
-            Some(entry) => Ok(hash(&archive::read(&self.path, entry)?)),
+            Some(entry) => archive::hash(&self.path, entry),
         }
     }
 

@@ -1,15 +1,16 @@
 //! A copy of a recording with its impacts as markers.
 
+use std::io;
 use std::path::Path;
 
-use bouncelab_audio::{Cue, Input, SampleFormat, encode_wav_with_cues};
+use bouncelab_audio::{Cue, Error, Input, copy_with_cues};
 use bouncelab_report::document::labels::{Label, labels};
 use bouncelab_report::file::Outputs;
 
 use super::read::Analysed;
 use crate::failure::Failure;
 use crate::language::text_with;
-use crate::report::{NO_MARK, write};
+use crate::report::{NO_MARK, wrote};
 
 /// Writes the sound of a recording as a WAV file of 32-bit floats, in which every sample is as it was, with a marker
 /// at each impact.
@@ -23,16 +24,15 @@ pub(super) fn write_cues(
         let name = [("name", analysed.name.as_str().into())];
         return Err(Failure::Usage(text_with("analyze-cues-need-sound", &name)));
     };
-    let mut channels = vec![Vec::new(); source.channels()];
-    while let Some(block) = source.next_block()? {
-        for (number, channel) in channels.iter_mut().enumerate() {
-            channel.extend_from_slice(block.channel(number));
-        }
-    }
     let cue = |Label { time_s, text }| Cue { time_s, text };
     let cues: Vec<Cue> = labels(&analysed.result).into_iter().map(cue).collect();
-    let channels: Vec<&[f32]> = channels.iter().map(Vec::as_slice).collect();
-    let rate_hz = source.sample_rate_hz();
-    let wav = encode_wav_with_cues(rate_hz, SampleFormat::Float32, &channels, &cues)?;
-    write(outputs, target, NO_MARK, &wav)
+    let written = outputs.fill(target, NO_MARK, |copy| {
+        copy_with_cues(&mut source, copy, &cues).map_err(|fault| match fault {
+            Error::Io { source, .. } => source,
+            fault => io::Error::other(fault),
+        })
+    });
+    written.map_err(|reason| Failure::unwritable(target, &reason))?;
+    wrote(target);
+    Ok(())
 }
