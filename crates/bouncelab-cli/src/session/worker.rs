@@ -236,6 +236,47 @@ fn is_out_of_time(_: ExitStatus) -> bool {
 mod tests {
     use super::*;
 
+    /// The right of a thread alone, so this one can end with it.
+    #[cfg(target_os = "linux")]
+    #[test]
+    fn a_worker_can_neither_write_nor_connect() {
+        use std::net::{TcpListener, TcpStream};
+        use std::{fs, thread};
+
+        use landlock::{
+            ABI, Access, AccessFs, AccessNet, CompatLevel, Compatible, Ruleset, RulesetAttr,
+        };
+
+        let folder = tempfile::tempdir().unwrap();
+        let file = folder.path().join("file");
+        fs::write(&file, "kept").unwrap();
+        let server = TcpListener::bind("127.0.0.1:0").unwrap();
+        let address = server.local_addr().unwrap();
+        let work = || {
+            const MOST_MB: u64 = 1 << 20;
+            confine(MOST_MB).map_err(|refused| refused.to_string())?;
+            let tries = [
+                ("read", fs::read(&file).map(drop)),
+                ("replaced", fs::write(&file, "lost")),
+                ("made", fs::write(folder.path().join("new"), "")),
+                ("removed", fs::remove_file(&file)),
+                ("connected", TcpStream::connect(address).map(drop)),
+            ];
+            let possible = tries.into_iter().filter(|(_, tried)| tried.is_ok());
+            Ok::<_, String>(possible.map(|(what, _)| what).collect::<Vec<_>>())
+        };
+        let possible = thread::scope(|threads| threads.spawn(work).join().unwrap()).unwrap();
+        let ask = || Ruleset::default().set_compatibility(CompatLevel::HardRequirement);
+        let for_files = ask().handle_access(AccessFs::from_write(ABI::V1)).is_ok();
+        let for_network = ask().handle_access(AccessNet::from_all(ABI::V4)).is_ok();
+        let expected = match (for_files, for_network) {
+            (true, true) => &["read"][..],
+            (true, false) => &["read", "connected"],
+            (false, _) => &["read", "replaced", "made", "removed", "connected"],
+        };
+        assert_eq!(possible, expected);
+    }
+
     #[test]
     fn a_worker_has_the_arguments_of_its_session() {
         let of = |words: &[&str]| arguments(words.iter().map(OsString::from));
