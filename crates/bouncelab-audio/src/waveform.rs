@@ -148,7 +148,7 @@ fn unit_s(heading: &str, separator: char) -> f64 {
 /// Times may have been written with too few digits: then several rows have the same one, and the distances between
 /// others are steps of the last digit. The row in which a time changes is known to one row, so the rate is too.
 fn rate(times: &[f64]) -> Option<f64> {
-    let mut changes = (1..times.len()).filter(|&row| times[row] != times[row - 1]);
+    let mut changes = (1..times.len()).filter(|&row| times[row] > times[row - 1]);
     let first = changes.next()?;
     let last = changes.next_back()?;
     let step = (times[last] - times[first]) / (last - first) as f64;

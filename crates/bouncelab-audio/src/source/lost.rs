@@ -151,7 +151,7 @@ mod tests {
         for frames in [120, 240, 480, 960, 1_920, 2_880] {
             for lost in 1..20_u64 {
                 let mut lost_before = lost_before(frames);
-                let time_ms = |number: u64| (number * frames / 48) as i64;
+                let time_ms = |number: u64| (number * frames / 48).cast_signed();
                 for number in (0..20).filter(|&number| number != lost) {
                     let found = lost_before(time_ms(number));
                     assert_eq!(found.is_some(), number == lost + 1, "{frames}: {number}");
