@@ -168,7 +168,7 @@ impl Analysis<'_> {
 
     /// The impacts as CSV, its first line the names of the columns.
     pub fn csv(&self) -> String {
-        let rows = rows::of(&self.request.name, &self.result);
+        let rows = rows::of(&csv::guarded(self.request.name.clone()), &self.result);
         let header = csv::line(&rows::HEADER);
         header + &rows.iter().map(|row| csv::line(row)).collect::<String>()
     }
