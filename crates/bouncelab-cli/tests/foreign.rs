@@ -85,6 +85,59 @@ fn a_hostile_name_is_written_out_wherever_it_is_shown() {
     }
 }
 
+/// What a title, a ball and a field say comes from others too.
+#[cfg(unix)]
+#[test]
+fn hostile_notes_are_written_out_wherever_they_are_shown() {
+    const HOSTILE: &str = r"\u001b[31m\u0007\u202etxt\nbouncelab: pass\u2066";
+    let folder = TempDir::new().unwrap();
+    let notes = format!("title = \"{HOSTILE}\"\n[all]\nsurface = \"{HOSTILE}\"\n");
+    fs::write(folder.path().join("session.toml"), notes).unwrap();
+    fs::write(folder.path().join("one.wav"), "").unwrap();
+    let times = ["one.txt", "two.txt"];
+    for (name, by_s) in times.iter().zip([1.0, 1.01]) {
+        let seconds = TIMES
+            .lines()
+            .map(|time| time.parse::<f64>().unwrap() * by_s);
+        let scaled: Vec<String> = seconds.map(|time_s| format!("{time_s}\n")).collect();
+        fs::write(folder.path().join(name), scaled.concat()).unwrap();
+    }
+    for ending in ["html", "md"] {
+        let report = format!("report.{ending}");
+        let words = [
+            "session",
+            "session.toml",
+            times[0],
+            times[1],
+            "--output",
+            "s",
+            "--ball",
+        ];
+        let more = [
+            "tennis",
+            "--draws",
+            "100",
+            "--figures",
+            "--details",
+            "--report",
+            &report,
+        ];
+        let (code, out, err) = run(&folder, &[&words[..], &more].concat());
+        assert_eq!(code, Some(0), "{err}");
+        assert!(out.contains(r"\u{1b}[31m"), "{out}");
+        shown(&(out + &err));
+        let report = fs::read_to_string(folder.path().join(report)).unwrap();
+        // Markdown escapes the rest once more.
+        assert!(report.contains("u{1b}"), "{report}");
+        shown(&report);
+    }
+    let made = fs::read_dir(folder.path().join("s")).unwrap();
+    let drawings = made.map(|it| it.unwrap().path());
+    for drawing in drawings.filter(|it| it.extension().is_some_and(|it| it == "svg")) {
+        shown(&fs::read_to_string(drawing).unwrap());
+    }
+}
+
 #[cfg(unix)]
 #[test]
 fn a_spreadsheet_runs_nothing_unless_that_is_wanted() {
