@@ -78,7 +78,7 @@ pub fn analyze_times(times_s: &[f64], options: &Options) -> Recording {
     Plan::of_times(times_s, options).run()
 }
 
-/// So many drops of a recording are analysed at most: a tenth of a second each, and 50 kB.
+/// So many drops of a recording are analysed at most: a tenth of a second each, and less than a megabyte.
 const MOST_DROPS: usize = 1_000;
 
 /// A recording whose drops are yet to be analysed, each of them by itself: side by side where there
