@@ -258,7 +258,9 @@ fn a_call_that_fails_loses_nothing() {
         let outputs = workspace.path("out").canonicalize().unwrap();
         for (kind, number) in faults(&calls, outputs.to_str().unwrap()) {
             workspace.empty_outputs();
-            let inject = format!("inject={kind}:error=ENOSPC:when={number}");
+            // A full disk and a broken one, in turns.
+            let error = ["ENOSPC", "EIO"][number % 2];
+            let inject = format!("inject={kind}:error={error}:when={number}");
             let output = workspace.run(&["-e", &format!("trace={kind}"), "-e", &inject], case);
             let what = format!(
                 "{:?}: {kind} {number}: {}",
