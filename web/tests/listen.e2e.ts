@@ -1,10 +1,11 @@
 /** Listening: a drop into the microphone, its result, its sound; and all that can go wrong with it. */
 import type { Browser, Page } from 'playwright-core';
 import { afterAll, afterEach, beforeAll, expect, test } from 'vitest';
-import { launch, type Microphone, newContext } from './harness/browser.ts';
+import { launch, type Microphone, newContext, type Preparation } from './harness/browser.ts';
 import { Site } from './harness/site.ts';
 import { follow, open, said, savedWav, settled } from './support/page.ts';
 import { drop, hearing, samplesOf, TRUTH } from './support/sounds.ts';
+import { wordsOf } from './support/words.ts';
 
 let site: Site;
 let heard: string;
@@ -41,9 +42,39 @@ const stored = (page: Page): Promise<number[]> =>
       }),
   );
 
+type Told = typeof globalThis & { told: { spoken: string[]; vibrations: number } };
+
+/** Lets the pages of a context hear a drop, and remember what they speak and how often they vibrate. */
+const told: Preparation = async (context) => {
+  await hearing(heard)(context);
+  await context.addInitScript(() => {
+    const told = { spoken: [] as string[], vibrations: 0 };
+    class Utterance {
+      lang = '';
+      constructor(readonly text: string) {}
+    }
+    const voice = {
+      cancel: () => undefined,
+      speak: ({ lang, text }: Utterance) => told.spoken.push(`${lang}: ${text}`),
+    };
+    const given = { told, SpeechSynthesisUtterance: Utterance, speechSynthesis: voice };
+    for (const [name, value] of Object.entries(given)) {
+      Object.defineProperty(globalThis, name, { value });
+    }
+    Object.defineProperty(navigator, 'vibrate', {
+      value: () => {
+        told.vibrations += 1;
+        return true;
+      },
+    });
+  });
+};
+
+const toldBy = (page: Page) => page.evaluate(() => (globalThis as Told).told);
+
 test('a drop is heard, ends by itself, and its result is true within its uncertainty', async () => {
   browser = await launch();
-  const { page, troubles } = await open(browser, site.url, {}, hearing(heard));
+  const { page, troubles } = await open(browser, site.url, {}, told);
   await listen(page);
   await page.getByText(/impacts so far/).waitFor();
   const { kept, fell } = await said(page);
@@ -51,12 +82,48 @@ test('a drop is heard, ends by itself, and its result is true within its uncerta
   expect(Math.abs(kept.value - 100 * TRUTH.restitution)).toBeLessThan(3.5 * kept.sd);
   expect(Math.abs(fell.value - 100 * TRUTH.heightM)).toBeLessThan(3.5 * fell.sd);
   expect(troubles).toEqual([]);
+  // Nobody asked for it.
+  expect(await toldBy(page)).toEqual({ spoken: [], vibrations: 0 });
 
   const wav = await savedWav(page);
   const kepts = await stored(page);
   expect(wav.samples.length).toBe(kepts.length);
   expect(wav.samples.every((sample, i) => sample === kepts[i])).toBe(true);
   expect(likeness(wav, samplesOf(heard))).toBeGreaterThan(0.95);
+});
+
+test('if it is wanted, the page vibrates when the ball rests and speaks the answer, once', async () => {
+  browser = await launch();
+  const words = wordsOf('de');
+  const { page } = await open(browser, site.url, { locale: 'de-DE' }, told);
+  const choose = async (message: string): Promise<void> => {
+    await page.getByText(words('page-rest-title')).press('Enter');
+    await page.getByRole('checkbox', { name: words(message) }).press('Space');
+  };
+  const isChosen = (message: string) =>
+    page.getByLabel(words(message)).evaluate((box) => (box as HTMLInputElement).checked);
+  await choose('page-rest-speech');
+  await page.reload();
+  expect(await isChosen('page-rest-speech')).toBe(true);
+  expect(await isChosen('page-rest-vibration')).toBe(false);
+  await choose('page-rest-vibration');
+  await page.getByRole('button', { name: words('page-lab-listen'), exact: true }).click();
+  await settled(page);
+  const sentences = await page.locator('.summary :is(.first, .second)').allTextContents();
+  const answer = sentences.join(' ').replaceAll('\u202f', ' ');
+  expect(answer).toMatch(/± .* ± /);
+  const once = {
+    spoken: [`de-DE: ${answer.replaceAll('±', words('page-rest-plus-minus'))}`],
+    vibrations: 1,
+  };
+  await expect.poll(() => toldBy(page)).toEqual(once);
+  // Another ball has another answer, but it falls no second time.
+  await page.locator('.balls').getByText(words('page-settings-balls-golf')).click();
+  await expect
+    .poll(() => page.locator('.summary .second').textContent())
+    .not.toBe(sentences.at(-1));
+  await settled(page);
+  expect(await toldBy(page)).toEqual(once);
 });
 
 /**

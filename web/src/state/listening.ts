@@ -12,6 +12,7 @@ import { RecordingWriter } from '../store/recording-writer.ts';
 import { region, text } from '../text/language.ts';
 import { engine, faultOf } from './engine.ts';
 import { askToLast } from './lasting.ts';
+import { hush, tellAnswer, vibrate } from './telling.ts';
 import { busy, fail, fault, phase, put } from './workspace.ts';
 
 /** What runs by while listening. */
@@ -53,6 +54,7 @@ export async function listen(): Promise<void> {
   if (busy.peek()) return;
   // The microphone would record it.
   stop();
+  hush();
   fault.value = null;
   phase.value = { kind: 'starting' };
   // What comes before the engine is ready is not lost.
@@ -155,7 +157,7 @@ async function ask(now: LiveRecording): Promise<void> {
     const answer = await send(now).catch(() => undefined);
     if (current !== now || !answer) continue;
     soFar.value = answer;
-    if (answer.at_rest) void stopListening();
+    if (answer.at_rest) void stopListening(true);
   }
   now.asking = false;
 }
@@ -178,10 +180,12 @@ function noteSound(): void {
   if (fault.peek()?.key === 'silent') fault.value = null;
 }
 
-export async function stopListening(): Promise<void> {
+/** Ends the recording: by hand, or because the ball rests. */
+export async function stopListening(atRest = false): Promise<void> {
   const ended = current;
   if (!ended) return;
   current = undefined;
+  if (atRest) vibrate();
   const { writer, listening, microphone, rest } = ended;
   const { name, id } = writer.recording;
   level.value = 0;
@@ -192,6 +196,7 @@ export async function stopListening(): Promise<void> {
   const stored = await writer.finish();
   try {
     put(name, await finished(listening, name), stored ? id : null);
+    if (atRest) tellAnswer();
     await writer.close();
   } catch (error) {
     // Not closed: the recording is offered again when the page is loaded the next time.

@@ -87,6 +87,11 @@ page-lab-interrupted-hint = Sie ist aufgehoben, höchstens die letzte Sekunde od
 page-lab-interrupted-open = Öffnen
 page-lab-interrupted-drop = Löschen
 
+page-rest-title = Wenn der Ball ruht
+page-rest-speech = Ergebnis vorlesen
+page-rest-vibration = Vibrieren
+page-rest-plus-minus = plus oder minus
+
 page-words-restitution = Die Stoßzahl ist das Tempo gleich nach einem Aufprall geteilt durch das Tempo gleich davor.
 
 page-faults-refused-what = Der Browser darf das Mikrofon nicht benutzen.

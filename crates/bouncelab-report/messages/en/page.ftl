@@ -89,6 +89,11 @@ page-lab-interrupted-hint = It is kept, except perhaps for its last second or tw
 page-lab-interrupted-open = Open it
 page-lab-interrupted-drop = Delete it
 
+page-rest-title = When the ball rests
+page-rest-speech = Speak the answer
+page-rest-vibration = Vibrate
+page-rest-plus-minus = plus or minus
+
 page-words-restitution = Restitution is the speed just after an impact over the speed just before it.
 
 page-faults-refused-what = The browser may not use the microphone.

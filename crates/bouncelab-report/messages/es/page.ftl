@@ -90,6 +90,11 @@ page-lab-interrupted-hint = Está guardada, salvo quizá el último segundo o lo
 page-lab-interrupted-open = Abrir
 page-lab-interrupted-drop = Eliminar
 
+page-rest-title = Cuando la pelota está en reposo
+page-rest-speech = Decir el resultado
+page-rest-vibration = Vibrar
+page-rest-plus-minus = más o menos
+
 page-words-restitution = El coeficiente de restitución es la velocidad justo después de un impacto entre la velocidad justo antes.
 
 page-faults-refused-what = El navegador no puede usar el micrófono.

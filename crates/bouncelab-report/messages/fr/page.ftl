@@ -90,6 +90,11 @@ page-lab-interrupted-hint = Il est conservé, sauf peut-être la dernière secon
 page-lab-interrupted-open = Ouvrir
 page-lab-interrupted-drop = Supprimer
 
+page-rest-title = Quand la balle est au repos
+page-rest-speech = Dire le résultat
+page-rest-vibration = Vibrer
+page-rest-plus-minus = plus ou moins
+
 page-words-restitution = Le coefficient de restitution est le rapport de la vitesse juste après un impact à la vitesse juste avant.
 
 page-faults-refused-what = Le navigateur n’a pas le droit d’utiliser le microphone.

@@ -1,5 +1,6 @@
 import { busy, workspace } from '../../state/workspace.ts';
 import { text } from '../../text/language.ts';
+import { AtRest } from './AtRest.tsx';
 import { BallRow } from './BallRow.tsx';
 import { FigureTabs } from './FigureTabs.tsx';
 import { Keep } from './Keep.tsx';
@@ -34,6 +35,7 @@ function Workspace() {
         <FigureTabs />
         <div class="stack rest">
           <SettingsLine />
+          <AtRest />
           <Keep />
         </div>
       </div>

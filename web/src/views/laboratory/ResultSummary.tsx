@@ -1,7 +1,8 @@
 import { Rich } from '../../app/Rich.tsx';
-import { fixed, lengthUnit, PERCENT, plain, uncertain } from '../../format/quantity.ts';
+import { fixed, lengthUnit, plain } from '../../format/quantity.ts';
 import type { Drop } from '../../lab/index.ts';
 import { drop, edited, marks, refining, workspace } from '../../state/workspace.ts';
+import { answerOf } from '../../text/answer.ts';
 import { language, parts, text } from '../../text/language.ts';
 import { CERTAIN } from '../../wave/mark.ts';
 import { listed } from './ImpactTable.tsx';
@@ -37,28 +38,19 @@ export function ResultSummary() {
   );
 }
 
-/** Restitution and height with their uncertainties: by the inference once it is there. */
+/** Restitution and height with their uncertainties. */
 function Sentences({ result }: { readonly result: Drop }) {
-  const spoken = language.value;
-  const { posterior, per_impact, log_linear_fit } = result;
-  const e = (posterior ?? per_impact)?.restitution ?? log_linear_fit?.restitution;
-  const height = (posterior ?? log_linear_fit)?.drop_height_m;
+  const { share, height } = answerOf(result);
   return (
     <>
-      {e && (
+      {share !== undefined && (
         <p class="first" title={text('page-words-restitution')}>
-          <Rich
-            parts={parts('page-lab-kept', { share: uncertain(e.value, e.sd, PERCENT, spoken) })}
-          />
+          <Rich parts={parts('page-lab-kept', { share })} />
         </p>
       )}
-      {height && (
+      {height !== undefined && (
         <p class="second">
-          <Rich
-            parts={parts('page-lab-fell', {
-              height: uncertain(height.value, height.sd, lengthUnit(height.value), spoken),
-            })}
-          />
+          <Rich parts={parts('page-lab-fell', { height })} />
         </p>
       )}
     </>

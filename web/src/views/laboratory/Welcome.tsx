@@ -1,4 +1,5 @@
 import { text } from '../../text/language.ts';
+import { AtRest } from './AtRest.tsx';
 import { BallRow } from './BallRow.tsx';
 import { ListenButton } from './ListenButton.tsx';
 import { OtherWays } from './OtherWays.tsx';
@@ -8,7 +9,7 @@ import { Troubles } from './Troubles.tsx';
 
 const handheld = globalThis.matchMedia?.('(pointer: coarse)').matches ?? false;
 
-/** Before the first drop: a sentence, a button, the balls and three quiet links. */
+/** Before the first drop: a sentence, a button, the balls, three quiet links and what to do at the end. */
 export function Welcome() {
   return (
     <div class="welcome">
@@ -16,6 +17,7 @@ export function Welcome() {
       <ListenButton />
       <BallRow />
       <OtherWays />
+      <AtRest />
       <Troubles />
       {pasting.value && <Paste />}
     </div>

@@ -1,0 +1,61 @@
+/** What the page does when the ball rests, if the reader wants it: it vibrates and speaks the answer. */
+import { effect, signal } from '@preact/signals';
+import { recall, remember } from '../address/memory.ts';
+import { spokenAnswer } from '../text/answer.ts';
+import { region } from '../text/language.ts';
+import { drop, refining, workspace } from './workspace.ts';
+
+const VIBRATION_MS = 300;
+
+/** A choice that the browser remembers: off, until it is made. */
+export class Option {
+  readonly #key: string;
+  readonly #isOn;
+
+  constructor(
+    name: string,
+    /** Whether the browser can do it. */
+    readonly offered: boolean,
+  ) {
+    this.#key = `bouncelab.${name}`;
+    this.#isOn = signal(recall(this.#key) === 'on');
+  }
+
+  get isOn(): boolean {
+    return this.offered && this.#isOn.value;
+  }
+
+  choose(isOn: boolean): void {
+    remember(this.#key, isOn ? 'on' : null);
+    this.#isOn.value = isOn;
+  }
+}
+
+export const speech = new Option('speech', 'speechSynthesis' in globalThis);
+export const vibration = new Option('vibration', 'vibrate' in navigator);
+
+/** Says that the ball rests, before anything is computed. */
+export function vibrate(): void {
+  if (vibration.isOn) navigator.vibrate(VIBRATION_MS);
+}
+
+/** Speaks the answer of what lies in the workspace as soon as it is there, unless something else lies there by then. */
+export function tellAnswer(): void {
+  if (!speech.isOn) return;
+  const asked = workspace.peek();
+  effect(function () {
+    const isGone = workspace.value !== asked;
+    if (!isGone && refining.value) return;
+    this.dispose();
+    const result = drop.peek();
+    if (isGone || !result) return;
+    const utterance = new SpeechSynthesisUtterance(spokenAnswer(result));
+    utterance.lang = region.peek();
+    speechSynthesis.speak(utterance);
+  });
+}
+
+/** Ends what is spoken: the microphone would hear it. */
+export function hush(): void {
+  if (speech.offered) speechSynthesis.cancel();
+}

@@ -1,0 +1,35 @@
+/** The answer of a drop: restitution and drop height with their uncertainties. */
+import { lengthUnit, PERCENT, uncertain } from '../format/quantity.ts';
+import type { Drop } from '../lab/index.ts';
+import { language, text } from './language.ts';
+
+/** What is known of the answer, in the manner of the language. */
+export interface Answer {
+  /** How much of its speed the ball kept. */
+  readonly share: string | undefined;
+  readonly height: string | undefined;
+}
+
+/** By the inference once it is there. */
+export function answerOf({ posterior, per_impact, log_linear_fit }: Drop): Answer {
+  const e = (posterior ?? per_impact)?.restitution ?? log_linear_fit?.restitution;
+  const height = (posterior ?? log_linear_fit)?.drop_height_m;
+  const spoken = language.value;
+  return {
+    share: e && uncertain(e.value, e.sd, PERCENT, spoken),
+    height: height && uncertain(height.value, height.sd, lengthUnit(height.value), spoken),
+  };
+}
+
+/** The answer for a voice, which may leave out a sign or stumble over a thin space. */
+export function spokenAnswer(result: Drop): string {
+  const { share, height } = answerOf(result);
+  const sentences = [
+    share === undefined ? text('page-lab-cannot-tell') : text('page-lab-kept', { share }),
+    ...(height === undefined ? [] : [text('page-lab-fell', { height })]),
+  ];
+  return sentences
+    .join(' ')
+    .replaceAll('±', text('page-rest-plus-minus'))
+    .replaceAll('\u202f', ' ');
+}
