@@ -12,3 +12,4 @@ terminal-advice-too-many-channels = Die Option ist --channel.
 advice-allow-implausible = Berichtige es, oder bestehe darauf mit --allow-implausible
 
 page-advice-impact-gains-energy = Entferne ihn, wenn er im Schallbild falsch aussieht.
+page-advice-restitution-rises = Wähle ihn in der Reihe „Welcher Ball?“.

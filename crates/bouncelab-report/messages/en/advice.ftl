@@ -14,3 +14,4 @@ terminal-advice-too-many-channels = The option is --channel.
 advice-allow-implausible = Correct it, or accept it with --allow-implausible
 
 page-advice-impact-gains-energy = Remove it if it looks wrong in the waveform.
+page-advice-restitution-rises = Choose it in the row “Which ball?”.

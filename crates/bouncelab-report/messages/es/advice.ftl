@@ -12,3 +12,4 @@ terminal-advice-too-many-channels = La opción es --channel.
 advice-allow-implausible = Corrija el valor, o acéptelo con --allow-implausible
 
 page-advice-impact-gains-energy = Elimínelo si parece falso en la forma de onda.
+page-advice-restitution-rises = Elíjala en la fila «¿Qué pelota?».

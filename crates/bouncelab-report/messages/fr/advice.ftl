@@ -12,3 +12,4 @@ terminal-advice-too-many-channels = L’option est --channel.
 advice-allow-implausible = Corrigez la valeur, ou acceptez-la avec --allow-implausible
 
 page-advice-impact-gains-energy = Supprimez-le s’il paraît faux dans la forme d’onde.
+page-advice-restitution-rises = Choisissez-la dans la rangée « Quelle balle ? ».
