@@ -6,6 +6,20 @@ import { ballName } from '../../text/names.ts';
 /** Radius of the picture of the largest ball. */
 const LARGEST = 13;
 
+const DOTS = 'M-.4-.45h0M.4-.45h0M0 0h0M-.45.4h0M.45.4h0';
+
+/** What tells balls of a colour apart, on a disc of radius 1: seams, panels, dimples, holes. */
+const MARKINGS: Readonly<Record<string, string>> = {
+  tennis: 'M-.6-.8Q.1 0-.6.8M.6-.8Q-.1 0 .6.8',
+  padel: 'M-.8-.6Q0 .1.8-.6M-.8.6Q0-.1.8.6',
+  pickleball: DOTS,
+  golf: DOTS,
+  football:
+    'M0-.4.38-.12.24.32h-.48L-.38-.12ZV-1M.38-.12.95-.3M.24.32.6.8M-.24.32-.6.8M-.38-.12-.95-.3',
+  basketball: 'M-1 0H1M0-1V1M-.7-.7Q0 0-.7.7M.7-.7Q0 0 .7.7',
+  squash: 'M-.3 0h0M.3 0h0',
+};
+
 /** The balls in a row, one tap each: the ball decides drag, so it is asked for where one looks first. */
 export function BallRow() {
   const balls = catalogue.value?.balls ?? [];
@@ -28,7 +42,10 @@ export function BallRow() {
             />
             <svg viewBox="-14 -14 28 28" aria-hidden="true" class={`ball ${name}`}>
               {/* Areas as the diameters: small balls stay visible. */}
-              <circle r={LARGEST * Math.sqrt(diameter_m / largest)} />
+              <g transform={`scale(${LARGEST * Math.sqrt(diameter_m / largest)})`}>
+                <circle r={1} />
+                <path d={MARKINGS[name]} />
+              </g>
             </svg>
             <span class="small">{ballName(name)}</span>
           </label>
