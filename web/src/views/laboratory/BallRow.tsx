@@ -30,7 +30,8 @@ export function BallRow() {
   return (
     <fieldset class="balls no-print">
       <legend class="small soft">{text('page-ball-row')}</legend>
-      <div class="row">
+      {/* Firefox would stop at what scrolls, before the balls themselves. */}
+      <div class="row" tabIndex={-1}>
         {balls.map(({ name, diameter_m }) => (
           <label key={name}>
             <input

@@ -1,0 +1,161 @@
+/** From the start to the table of drops, by the keyboard alone and as a screen reader says it. */
+import type { Browser, Page } from 'playwright-core';
+import { afterAll, beforeAll, expect, test } from 'vitest';
+import { launch } from './harness/browser.ts';
+import { Site } from './harness/site.ts';
+import { dropFile, follow, keepAs, open, settled } from './support/page.ts';
+import { announced, announcing, focused, hiddenFocus } from './support/reader.ts';
+
+let site: Site;
+let browser: Browser;
+
+beforeAll(async () => {
+  site = await Site.open();
+  browser = await launch();
+});
+afterAll(async () => {
+  await browser.close();
+  await site.close();
+});
+
+/** Nothing that can be reached is further away than this. */
+const MOST_STEPS = 80;
+
+/** Presses a key, after which this has the keyboard, and is seen. */
+async function press(page: Page, key: string, expected: string): Promise<void> {
+  await page.keyboard.press(key);
+  await expect.poll(() => focused(page), { message: `after ${key}` }).toBe(expected);
+  expect(await hiddenFocus(page), expected).toEqual([]);
+}
+
+/** Goes on to this with the tab key; whatever has the keyboard on the way is seen, and has a name. */
+async function tabTo(page: Page, expected: string): Promise<void> {
+  const passed: string[] = [];
+  while (passed.at(-1) !== expected) {
+    expect(passed.length, `${expected} was not found: ${passed}`).toBeLessThan(MOST_STEPS);
+    await page.keyboard.press('Tab');
+    const now = await focused(page);
+    expect(now, `after ${passed.at(-1)}`).toMatch(/^\w+ ".+"$/);
+    expect(await hiddenFocus(page), now).toEqual([]);
+    passed.push(now);
+  }
+}
+
+test.for([
+  ['desktop', { width: 1280, height: 900 }],
+  ['phone', { width: 390, height: 700 }],
+] as const)(
+  'the keyboard alone leads from the start to the table of drops, on a %s',
+  async ([, viewport]) => {
+    const { page, troubles } = await open(browser, site.url, { viewport });
+    await press(page, 'Tab', 'button "Skip to the content"');
+    await page.keyboard.press('Enter');
+    await press(page, 'Tab', 'button "Listen"');
+    await press(page, 'Tab', 'radio "table tennis 40+"');
+    await press(page, 'ArrowRight', 'radio "table tennis 38 mm"');
+    expect(page.url()).toContain('ball=table-tennis-38');
+    await press(page, 'ArrowRight', 'radio "tennis"');
+    await tabTo(page, 'button "try the demo"');
+
+    await page.keyboard.press('Enter');
+    await settled(page);
+    // What was pressed went away for a while.
+    expect(await focused(page)).toBe('button "Listen again"');
+    await page.getByRole('radio', { name: 'table tennis 40+', checked: true }).waitFor();
+
+    for (const fold of ['Why?', 'What this recording determines, and what not', 'All numbers']) {
+      const details = page.locator('details', { has: page.getByText(fold, { exact: true }) });
+      await tabTo(page, `summary "${fold}"`);
+      expect(await details.getAttribute('open'), fold).toBeNull();
+      await page.keyboard.press('Enter');
+      await expect.poll(() => details.getAttribute('open'), { message: fold }).not.toBeNull();
+    }
+
+    await tabTo(page, 'tab "Restitution"');
+    await press(page, 'ArrowRight', 'tab "Flights"');
+    await page.getByRole('tabpanel', { name: 'Flights' }).getByRole('img').first().waitFor();
+    await press(page, 'ArrowLeft', 'tab "Restitution"');
+    await press(page, 'ArrowLeft', 'tab "Drag (log)"');
+    await tabTo(page, 'button "SVG"');
+
+    await tabTo(page, 'textbox "Name"');
+    await page.keyboard.type('Anna');
+    await press(page, 'Tab', 'button "Keep this drop"');
+    await page.keyboard.press('Enter');
+    await page.getByText('Kept as “Anna”.').waitFor();
+    expect(await focused(page)).toBe('button "Keep this drop"');
+    await press(page, 'Tab', 'link "Table of drops"');
+    await page.keyboard.press('Enter');
+    await page.getByRole('heading', { name: 'Table of drops' }).waitFor();
+    await tabTo(page, 'button "Open Anna"');
+    expect(troubles).toEqual([]);
+    await page.context().close();
+  },
+);
+
+/** What can be pressed, typed into or looked at, and has no name. */
+const nameless = (snapshot: string): string[] =>
+  snapshot.match(
+    /^ *- (button|link|checkbox|radio|textbox|combobox|slider|tab|img)\b(?! ["/]).*$/gm,
+  ) ?? [];
+
+test('a screen reader finds its way at the start by roles and names', async () => {
+  const { page } = await open(browser, site.url);
+  await page.getByRole('radio').last().waitFor();
+  const heard = await page.locator('body').ariaSnapshot();
+  expect(nameless(heard)).toEqual([]);
+  for (const said of [
+    'banner',
+    'navigation "Pages"',
+    'combobox "Language"',
+    'main',
+    'heading "Drop a ball near your microphone." [level=1]',
+    'button "Listen"',
+    'group "Which ball?"',
+    'radio "table tennis 40+" [checked]',
+    'radio "tennis"',
+    'button "try the demo"',
+    'contentinfo',
+  ]) {
+    expect(heard).toContain(`- ${said}`);
+  }
+  await page.context().close();
+});
+
+test('a screen reader reads the result, and is told of what changes', async () => {
+  const { page } = await open(browser, site.url, {}, announcing);
+  const heard = (role: 'main' | 'region' | 'tabpanel', name?: string): Promise<string> =>
+    page.getByRole(role, name === undefined ? {} : { name }).ariaSnapshot();
+  const told = async (what: RegExp): Promise<number> =>
+    (await announced(page)).filter((words) => what.test(words)).length;
+
+  await page.getByRole('button', { name: 'try the demo' }).click();
+  await settled(page);
+  await expect.poll(() => told(/^The ball kept [\d.]+ ± [\d.]+.% of its speed/)).toBe(1);
+  expect(await told(/It fell from [\d.]+ ± [\d.]+.cm/)).toBe(1);
+
+  await page.locator('#figure .uplot').first().waitFor();
+  const main = await heard('main');
+  expect(nameless(main)).toEqual([]);
+  for (const said of ['region "Waveform"', 'group "Which ball?"', 'region "Known quantities"']) {
+    expect(main).toContain(`- ${said}`);
+  }
+  expect(await heard('region', 'Result')).toMatch(/The ball kept.*± .*It fell from.*± /s);
+  expect(await heard('region', 'Figures')).toMatch(
+    /tablist "Figures".*tab "Restitution" \[selected\]/s,
+  );
+  // A figure has a sentence, and each of its panels a name.
+  expect(await heard('tabpanel', 'Restitution')).toMatch(
+    /figure "Restitution is .*img "restitution: /s,
+  );
+  expect(await heard('region', 'Keep')).toMatch(/textbox "Name".*button "Keep this drop"/s);
+
+  await keepAs(page, 'Anna');
+  expect(await told(/^Kept as “Anna”\./)).toBe(1);
+  await dropFile(page, 'letter.wav', Buffer.from('Dear all, this is no sound.'));
+  await expect.poll(() => told(/^letter\.wav: This is neither a recording nor/)).toBe(1);
+  await follow(page, 'Drops');
+  await page.getByRole('button', { name: 'Delete Anna' }).click();
+  await expect.poll(() => told(/^“Anna” was deleted\./)).toBe(1);
+  await page.context().close();
+});
