@@ -1,4 +1,4 @@
-/** Every view: reachable, readable by everyone, in both languages, on any screen; and what is kept. */
+/** Every view: reachable, readable by everyone, in two languages, on any screen; and what is kept. */
 import { mkdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import type { Browser, Page } from 'playwright-core';
@@ -8,6 +8,7 @@ import { FONT_SETS, type FontSet, nameOf } from './harness/fonts.ts';
 import { Site } from './harness/site.ts';
 import { overflow, violations } from './support/layout.ts';
 import { follow, keepAs, open, said, saved, settled, still } from './support/page.ts';
+import { charts, crampedButtons, rememberTexts, troublesOf } from './support/texts.ts';
 
 const SHOTS = join(import.meta.dirname, 'screenshots');
 
@@ -32,6 +33,29 @@ async function demo(page: Page): Promise<void> {
   await page.goto(`${site.url}#lab`);
   await page.locator('.links button').nth(2).click();
   await settled(page);
+}
+
+/** A simulation beside another one. */
+async function simulate(page: Page): Promise<void> {
+  await page.goto(`${site.url}#simulate`);
+  await page.locator('.uplot').first().waitFor();
+  await page.locator('.button.primary').click();
+  await page.getByRole('slider').nth(1).fill('0.9');
+}
+
+async function unfoldAll(page: Page): Promise<void> {
+  for (const fold of await page.locator('main summary').all()) await fold.click();
+}
+
+/** Keeps the drop in the workspace three times, and goes to the table. */
+async function keepThree(page: Page): Promise<void> {
+  for (const drop of ['Anna', 'Ben', 'Chris']) {
+    await page.locator('.keep form input').fill(drop);
+    await page.locator('.keep form button').click();
+    await page.locator('.keep [role=status]', { hasText: drop }).waitFor();
+  }
+  await page.goto(`${site.url}#drops`);
+  await page.locator('table.wide tbody tr').nth(2).waitFor();
 }
 
 async function look(page: Page, name: string): Promise<void> {
@@ -67,10 +91,7 @@ describe.each(FONT_SETS.map((fonts) => [nameOf(fonts), fonts] as const))(
       });
       const name = (view: string): string => `${screen}-${options.colorScheme}-${set}-${view}`;
       await look(page, name('welcome'));
-      await page.goto(`${site.url}#simulate`);
-      await page.locator('.uplot').first().waitFor();
-      await page.locator('.button.primary').click();
-      await page.getByRole('slider').nth(1).fill('0.9');
+      await simulate(page);
       await look(page, name('simulate'));
       await page.goto(`${site.url}#paper`);
       await page.locator('.article caption').waitFor();
@@ -78,20 +99,14 @@ describe.each(FONT_SETS.map((fonts) => [nameOf(fonts), fonts] as const))(
       await look(page, name('paper'));
       await demo(page);
       await look(page, name('lab'));
-      for (const fold of await page.locator('main summary').all()) await fold.click();
+      await unfoldAll(page);
       await look(page, name('lab-unfolded'));
       // The figures differ less from screen to screen than they take to look at.
       for (const tab of screen === 'desktop' ? await page.getByRole('tab').all() : []) {
         await tab.click();
         await look(page, name(`figure-${await tab.getAttribute('id')}`));
       }
-      for (const drop of ['Anna', 'Ben', 'Chris']) {
-        await page.locator('.keep form input').fill(drop);
-        await page.locator('.keep form button').click();
-        await page.locator('.keep [role=status]', { hasText: drop }).waitFor();
-      }
-      await page.goto(`${site.url}#drops`);
-      await page.locator('table.wide tbody tr').nth(2).waitFor();
+      await keepThree(page);
       await look(page, name('drops'));
       expect(troubles).toEqual([]);
       await page.context().close();
@@ -99,8 +114,69 @@ describe.each(FONT_SETS.map((fonts) => [nameOf(fonts), fonts] as const))(
   },
 );
 
+/** What eases seeing: the colours of the system, and a screen of 1280 by 1024 at 200 %. */
+const AIDS = [
+  {
+    aid: 'contrast-light',
+    forcedColors: 'active',
+    colorScheme: 'light',
+    viewport: { width: 1440, height: 900 },
+  },
+  {
+    aid: 'contrast-dark',
+    forcedColors: 'active',
+    colorScheme: 'dark',
+    viewport: { width: 360, height: 740 },
+  },
+  { aid: 'zoom', viewport: { width: 640, height: 512 }, deviceScaleFactor: 2, locale: 'de-DE' },
+] as const;
+
+/** Another ball than the first, whose choice is seen without the keyboard or the mouse on it. */
+async function chooseAnother(page: Page): Promise<void> {
+  const row = page.locator('.balls');
+  const before = await row.screenshot();
+  await page.goto(`${site.url}#lab?ball=football`);
+  await page
+    .getByRole('radio')
+    .nth(3)
+    .and(page.getByRole('radio', { checked: true }))
+    .waitFor();
+  await still(page);
+  expect((await row.screenshot()).equals(before), 'the choice is not seen').toBe(false);
+}
+
 describe('whatever the fonts', () => {
   browse();
+
+  test.concurrent.each(AIDS)('with the aid of $aid', async ({ aid, ...options }) => {
+    const usual = { reducedMotion: 'reduce' } as const;
+    const { page } = await open(browser, site.url, { ...usual, ...options }, rememberTexts);
+    const lookAt = async (view: string): Promise<void> => {
+      await look(page, `${aid}-${view}`);
+      const cramped = await crampedButtons(page);
+      expect([...(await charts(page)).flatMap(troublesOf), ...cramped], view).toEqual([]);
+    };
+    await lookAt('welcome');
+    await chooseAnother(page);
+    await simulate(page);
+    await lookAt('simulate');
+    await demo(page);
+    await unfoldAll(page);
+    await lookAt('lab');
+    await keepThree(page);
+    await lookAt('drops');
+    await page.context().close();
+  });
+
+  test('where the system states the colours, the page has no theme of its own', async () => {
+    const options = { forcedColors: 'active', colorScheme: 'dark' } as const;
+    const { page } = await open(browser, site.url, options, async (context) => {
+      await context.addInitScript(() => localStorage.setItem('bouncelab.theme', 'light'));
+    });
+    expect(await page.locator('[data-theme]').count()).toBe(0);
+    expect(await page.getByRole('button', { name: /^(Light|Dark)$/ }).count()).toBe(0);
+    await page.context().close();
+  });
 
   test('drops are kept, deleted and brought back with their set-up, and outlive the page', async () => {
     const { page } = await open(browser, `${site.url}#lab?height_cm=30.5`);

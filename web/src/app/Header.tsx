@@ -1,6 +1,6 @@
 import { hashOf, route, VIEWS, type View } from '../address/route.ts';
 import { labAddress } from '../state/settings.ts';
-import { dark, theme } from '../style/colours.ts';
+import { dark, forced, theme } from '../style/colours.ts';
 import { choose, language, languages, nameOf, text } from '../text/language.ts';
 import { HalfMoon, Sun, Wordmark } from './icons.tsx';
 
@@ -25,7 +25,7 @@ export function Header() {
         </nav>
         <div class="tools">
           <LanguageChoice />
-          <ThemeSwitch />
+          {!forced.value && <ThemeSwitch />}
         </div>
       </div>
     </header>

@@ -1,16 +1,12 @@
-import { signal } from '@preact/signals';
 import { useEffect, useMemo, useRef } from 'preact/hooks';
 import type { Axis, Chart as Description, Layer, Panel } from '../lab/index.ts';
 import { dark } from '../style/colours.ts';
+import { media } from '../style/media.ts';
 import { language, text } from '../text/language.ts';
 import { labelOf, legendOf } from './points.ts';
 
 /** Below this width the panels stand one below the other, as in the style sheet. */
-const narrowScreen = globalThis.matchMedia?.('(max-width: 47.99rem)');
-const isNarrow = signal(narrowScreen?.matches ?? false);
-narrowScreen?.addEventListener('change', (event) => {
-  isNarrow.value = event.matches;
-});
+const isNarrow = media('(max-width: 47.99rem)');
 
 /** A panel that does not share the axes of its neighbours. */
 function standingAlone(panel: Panel, { panels }: Description): Panel {

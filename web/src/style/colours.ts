@@ -1,18 +1,18 @@
 import { computed, effect, signal } from '@preact/signals';
 import { recall, remember } from '../address/memory.ts';
+import { media } from './media.ts';
 
 export type Theme = 'system' | 'light' | 'dark';
 
 const KEY = 'bouncelab.theme';
-const prefersDark = globalThis.matchMedia?.('(prefers-color-scheme: dark)');
-const systemDark = signal(prefersDark?.matches ?? false);
-prefersDark?.addEventListener('change', (event) => {
-  systemDark.value = event.matches;
-});
+const systemDark = media('(prefers-color-scheme: dark)');
+/** Whether the system states all colours, as for high contrast: then the page has no theme of its own. */
+export const forced = media('(forced-colors: active)');
 
 export const theme = signal<Theme>(remembered());
+const applied = computed<Theme>(() => (forced.value ? 'system' : theme.value));
 export const dark = computed(() =>
-  theme.value === 'system' ? systemDark.value : theme.value === 'dark',
+  applied.value === 'system' ? systemDark.value : applied.value === 'dark',
 );
 
 function remembered(): Theme {
@@ -23,10 +23,9 @@ function remembered(): Theme {
 /** Keeps the page and the memory of the browser in step with the theme. */
 export function followTheme(): void {
   effect(() => {
-    const chosen = theme.value;
-    if (chosen === 'system') delete document.documentElement.dataset['theme'];
-    else document.documentElement.dataset['theme'] = chosen;
-    remember(KEY, chosen === 'system' ? null : chosen);
+    if (applied.value === 'system') delete document.documentElement.dataset['theme'];
+    else document.documentElement.dataset['theme'] = applied.value;
+    remember(KEY, theme.value === 'system' ? null : theme.value);
   });
 }
 

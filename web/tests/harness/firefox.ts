@@ -42,6 +42,11 @@ const EXCEPTIONS: readonly Exception[] = [
     tests: /^is short on paper/,
     reason: 'Firefox prints the report on six to eight pages',
   },
+  {
+    file: 'views.e2e.ts',
+    tests: /^with the aid of .contrast|^where the system states the colours/,
+    reason: 'only the protocol of Chromium gives the system colours of its own',
+  },
 ];
 
 /** Why a test cannot run in Firefox, if it cannot. */
