@@ -4,6 +4,7 @@ import { basename, join } from 'node:path';
 import type { Browser, Page } from 'playwright-core';
 import { afterAll, beforeAll, expect, test } from 'vitest';
 import { launch, newContext } from './harness/browser.ts';
+import { folder as scratch, synth } from './harness/program.ts';
 import { Site } from './harness/site.ts';
 import { dropFile, open, said } from './support/page.ts';
 import { drop, TRUTH } from './support/sounds.ts';
@@ -40,6 +41,20 @@ test('a file that is dropped anywhere', async () => {
   const on = await page();
   await dropFile(on, basename(recording), readFileSync(recording));
   await isTrue(on);
+});
+
+test('another ball than was assumed is noticed, and chosen where the warning says', async () => {
+  const words = ['--ball', 'tennis', '--height', '2.5m', '--restitution', '0.75'];
+  const { path } = synth(join(scratch(), 'tennis.wav'), ...words);
+  const on = await page();
+  await on.locator('input[type=file]').setInputFiles(path);
+  const warning = on.getByText(/probably another one.*Choose it in the row “Which ball\?”/);
+  await warning.waitFor();
+  const row = on.getByRole('group', { name: 'Which ball?' });
+  await row.getByText('tennis', { exact: true }).click();
+  await warning.waitFor({ state: 'detached' });
+  await said(on);
+  expect(await warning.count()).toBe(0);
 });
 
 test('times that are pasted', async () => {
