@@ -23,12 +23,6 @@ const LEAST_LN_RATIO: f64 = -0.9;
 const GREATEST_LN_RATIO: f64 = -0.005;
 /// A predicted flight time is never further off than this, in its logarithm.
 const FARTHEST: f64 = 0.3;
-/// The ratio follows its trend with at least this gain, and no single odd impact moves it further
-/// than this.
-const LEAST_GAIN: f64 = 0.15;
-const GREATEST_STEP: f64 = 0.05;
-/// Variance of a ratio seen once, as a prediction of the next, over that of the scatter.
-const RATIO_VARIANCE: f64 = 0.6;
 /// The scatter of the ratios is learnt from the drop itself; what is expected of it counts as much
 /// as so many ratios.
 const EXPECTED_COUNTS: f64 = 3.0;
@@ -41,8 +35,8 @@ const KEPT: usize = 4;
 const SAME_RATIO: f64 = 0.04;
 const SAME_SCATTER: f64 = 3.0;
 /// Ways with less evidence than this are not pursued. Drops begin at -9 or so, and in a crowd of like
-/// sounds the third impact takes away more than it adds.
-const PRUNE_BELOW: f64 = -13.0;
+/// sounds the second and third impacts take away more than they add.
+const PRUNE_BELOW: f64 = -16.0;
 
 /// An onset that fits as badly as this is better taken for a missed impact.
 const HOPELESS_STEP: f64 = -4.0;
@@ -66,8 +60,8 @@ pub(super) struct Link {
 struct State {
     evidence: f64,
     ln_flight: f64,
-    ln_ratio: f64,
-    /// How many ratios of flights went into `ln_ratio`.
+    trend: Trend,
+    /// How many ratios of flights went into the trend.
     ratios: u32,
     /// Variance of the ratios about their trend.
     scatter2: f64,
@@ -75,6 +69,74 @@ struct State {
     most: f64,
     /// Logarithm of the next interval over the last flight, with 0, 1, 2 impacts missed in it.
     expected: [f64; MOST_MISSED + 1],
+    /// The same of the last flight in it.
+    expected_last: [f64; MOST_MISSED + 1],
+}
+
+/// How the ratio of successive flights changes as they get shorter: its logarithm is a - b T², with T the
+/// duration of the longer flight. Drag takes a share of the speed that grows with its square, and most
+/// surfaces take more of a fast impact. Learnt by a Kalman filter.
+#[derive(Clone, Copy, Default)]
+struct Trend {
+    /// Of short flights.
+    ln_ratio: f64,
+    /// In 1/s².
+    fall: f64,
+    /// Covariance of the two.
+    covariance: [f64; 3],
+}
+
+impl Trend {
+    /// In 1/s², before anything is seen: drag alone makes it (g / 2 v)², with v the terminal speed, near enough,
+    /// 0.15 of a table-tennis ball, 0.03 of a basketball, and next to nothing of a steel ball.
+    const FALL: f64 = 0.07;
+    const FALL_SD: f64 = 0.07;
+    /// The ratio of short flights wanders by this share of the variance of the ratios from flight to flight, so
+    /// that the filter forgets.
+    const WANDERING: f64 = 0.0265;
+    /// No single odd impact teaches more than this.
+    const GREATEST_STEP: f64 = 0.05;
+
+    /// What the ratio of the first two flights tells.
+    fn new(ln_ratio: f64, ln_flight: f64, scatter2: f64) -> Self {
+        let square = (2.0 * ln_flight).exp();
+        let fall2 = Self::FALL_SD * Self::FALL_SD;
+        Self {
+            ln_ratio: ln_ratio + Self::FALL * square,
+            fall: Self::FALL,
+            covariance: [scatter2 + square * square * fall2, square * fall2, fall2],
+        }
+    }
+
+    /// Logarithm of the next flight over one of this duration.
+    fn ln_ratio(&self, ln_flight: f64) -> f64 {
+        let ln_ratio = self.ln_ratio - self.fall * (2.0 * ln_flight).exp();
+        ln_ratio.clamp(LEAST_LN_RATIO, GREATEST_LN_RATIO)
+    }
+
+    /// Its variance from what is not known of the trend.
+    fn variance(&self, ln_flight: f64) -> f64 {
+        let square = (2.0 * ln_flight).exp();
+        let [ratio, both, fall] = self.covariance;
+        ratio - square * (2.0 * both - square * fall)
+    }
+
+    /// The trend after a ratio that differs by so much from what was expected, with this variance.
+    fn learn(&self, surprise: f64, variance: f64, ln_flight: f64, scatter2: f64) -> Self {
+        let square = (2.0 * ln_flight).exp();
+        let [ratio, both, fall] = self.covariance;
+        let gains = [ratio - square * both, both - square * fall].map(|it| it / variance);
+        let step = surprise.clamp(-Self::GREATEST_STEP, Self::GREATEST_STEP);
+        Self {
+            ln_ratio: self.ln_ratio + gains[0] * step,
+            fall: self.fall + gains[1] * step,
+            covariance: [
+                ratio - gains[0] * gains[0] * variance + Self::WANDERING * scatter2,
+                both - gains[0] * gains[1] * variance,
+                fall - gains[1] * gains[1] * variance,
+            ],
+        }
+    }
 }
 
 /// A step to a pair of onsets.
@@ -123,11 +185,12 @@ impl State {
         surfaces.iter().map(move |surface| Self {
             evidence: evidence + surface.ln_prior,
             ln_flight,
-            ln_ratio: 0.0,
+            trend: Trend::default(),
             ratios: 0,
             scatter2: surface.scatter.powi(2),
             most: evidence::FIRST_RATIO_DENSITY.ln(),
             expected: [0.0; MOST_MISSED + 1],
+            expected_last: [0.0; MOST_MISSED + 1],
         })
     }
 
@@ -149,24 +212,26 @@ impl State {
         let ln_fall = if missed == 0 {
             change
         } else {
-            (missed + 1) as f64 * self.ln_ratio
+            self.expected_last[missed]
         };
-        let seen = f64::from(self.ratios);
         let variance = self.variance(step);
         let evidence = self.evidence
             + step.common
             + (evidence::next_ratio(change, surprise, variance) * step.fall.knowing(ln_fall)).ln()
             + missed as f64 * evidence::LN_MISSED;
         (evidence > least).then(|| {
-            let gain = (1.0 / (seen + 1.0)).max(LEAST_GAIN);
-            let ln_ratio = self.ln_ratio + gain * surprise.clamp(-GREATEST_STEP, GREATEST_STEP);
+            let scatter2 = self.learn(surprise, variance);
             // Of an interval with missed impacts, the last flight alone.
-            let last = missed as f64 * self.ln_ratio + self.ln_ratio - self.expected[missed];
+            let last = self.expected_last[missed] - self.expected[missed];
             Self {
                 evidence,
-                ln_flight: step.ln_interval + last,
                 ratios: self.ratios + 1,
-                ..self.with_ratio(ln_ratio, self.learn(surprise, variance))
+                ..self.with(
+                    step.ln_interval + last,
+                    self.trend
+                        .learn(surprise, variance, self.ln_flight, scatter2),
+                    scatter2,
+                )
             }
         })
     }
@@ -183,7 +248,7 @@ impl State {
 
     /// Variance of the next ratio as it is predicted.
     fn variance(&self, step: &Step) -> f64 {
-        step.variance + self.scatter2 * (1.0 + RATIO_VARIANCE / f64::from(self.ratios))
+        step.variance + self.scatter2 + self.trend.variance(self.ln_flight)
     }
 
     /// The third impact sets the ratio.
@@ -195,9 +260,12 @@ impl State {
             + step.fall.knowing(change).ln();
         (possible.contains(&change) && evidence > least).then(|| Self {
             evidence,
-            ln_flight: step.ln_interval,
             ratios: 1,
-            ..self.with_ratio(change, self.scatter2)
+            ..self.with(
+                step.ln_interval,
+                Trend::new(change, self.ln_flight, self.scatter2),
+                self.scatter2,
+            )
         })
     }
 
@@ -209,22 +277,24 @@ impl State {
         ((counts * self.scatter2 + seen) / (counts + 1.0)).max(evidence::LEAST_SCATTER.powi(2))
     }
 
-    /// The same state with another ratio and scatter of ratios.
-    fn with_ratio(&self, ln_ratio: f64, scatter2: f64) -> Self {
-        let ln_ratio = ln_ratio.clamp(LEAST_LN_RATIO, GREATEST_LN_RATIO);
-        let ratio = ln_ratio.exp();
-        let (mut sum, mut power) = (ratio, ratio);
-        let mut expected = [ln_ratio; MOST_MISSED + 1];
-        for expected in &mut expected[1..] {
-            power *= ratio;
-            sum += power;
-            *expected = sum.ln();
+    /// The same state with another last flight, trend and scatter of ratios.
+    fn with(&self, ln_flight: f64, trend: Trend, scatter2: f64) -> Self {
+        let (mut sum, mut ln_last) = (0.0, 0.0);
+        let mut expected = [0.0; MOST_MISSED + 1];
+        let mut expected_last = expected;
+        for missed in 0..=MOST_MISSED {
+            ln_last += trend.ln_ratio(ln_flight + ln_last);
+            sum += ln_last.exp();
+            expected[missed] = sum.ln();
+            expected_last[missed] = ln_last;
         }
         Self {
-            ln_ratio,
+            ln_flight,
+            trend,
             scatter2,
             most: evidence::most_from_ratio(scatter2).ln(),
             expected,
+            expected_last,
             ..*self
         }
     }
@@ -323,7 +393,7 @@ fn keep(kept: &mut Vec<Node>, node: Node) {
     let alike = |other: &Node| {
         let (a, b) = (&other.state, &node.state);
         let scatter = a.scatter2.max(b.scatter2) / a.scatter2.min(b.scatter2);
-        (a.ln_ratio - b.ln_ratio).abs() < SAME_RATIO && scatter < SAME_SCATTER
+        (a.expected[0] - b.expected[0]).abs() < SAME_RATIO && scatter < SAME_SCATTER
     };
     let place = kept.partition_point(|other| other.state.evidence >= node.state.evidence);
     if kept[..place].iter().any(alike) {
@@ -502,6 +572,7 @@ impl Chain {
             let near = onsets[last.onset + 1..]
                 .iter()
                 .take_while(|o| o.time_s - onsets[last.onset].time_s < LONGEST_S);
+            let enough = state.evidence - evidence::LN_GOES_ON;
             let mut best: Option<(State, Link)> = None;
             for (ahead, _) in near.enumerate() {
                 let onset = last.onset + 1 + ahead;
@@ -513,7 +584,7 @@ impl Chain {
                 step.common += around.any_by_chance(step.interval_s).ln()
                     - around.by_chance(step.interval_s).ln();
                 for missed in 0..=MOST_MISSED {
-                    let least = best.as_ref().map_or(state.evidence, |b| b.0.evidence);
+                    let least = best.as_ref().map_or(enough, |b| b.0.evidence);
                     if let Some(next) = state.next(&step, missed, least) {
                         let number = last.number + 1 + missed as u32;
                         best = Some((next, Link { onset, number }));

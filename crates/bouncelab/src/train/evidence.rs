@@ -30,6 +30,14 @@ const APEX_M: f64 = 9.81 / 8.0;
 /// (0.4) and that of a perfect one.
 pub(super) const FIRST_RATIO_DENSITY: f64 = 1.1;
 
+/// Logarithm of the odds that a drop goes on after an impact that was heard: of five at least, four are not the
+/// last.
+pub(super) const LN_GOES_ON: f64 = 1.4;
+
+/// A drop whose loudest impact stands out of the background by less than this many standard deviations is rarer,
+/// in proportion: balls are let go near a microphone, and noise makes sounds that hardly stand out.
+const LOUD: f64 = 10.0;
+
 /// Logarithm of the ratio for an impact that was not heard.
 pub(crate) const LN_MISSED: f64 = -3.0;
 
@@ -91,6 +99,11 @@ fn student(x: f64, scale2: f64) -> f64 {
 /// Logarithm of how usual a first flight of this duration is.
 pub(super) fn ln_first_flight(flight_s: f64) -> f64 {
     3.0 * (flight_s / SHORT_FIRST_S).min(1.0).ln()
+}
+
+/// Logarithm of how usual a drop is whose loudest impact stands out so far.
+pub(super) fn ln_loudest(strength: f64) -> f64 {
+    (strength / LOUD).min(1.0).ln()
 }
 
 /// The third impact: `change` is the logarithm of the ratio of the first two flights, which tells

@@ -146,6 +146,22 @@ impl Train {
         }
     }
 
+    /// Whether a less sure train is no drop of its own but this ball, heard again before it rests: its flights
+    /// are shorter than the last one here, and if those here went on to shrink evenly, some would be left.
+    fn goes_on_in(&self, later: &Self) -> bool {
+        let flight_s = |pair: &[TrainImpact]| {
+            let flights = f64::from(pair[1].number - pair[0].number);
+            (pair[1].onset.time_s - pair[0].onset.time_s) / flights
+        };
+        let last = self.impacts.len() - 1;
+        let last_s = flight_s(&self.impacts[last - 1..]);
+        let ratio = ratio_near(&self.impacts, last).min(STEADIEST);
+        let rests_s = self.end_s() + last_s * ratio / (1.0 - ratio);
+        later.evidence < self.evidence
+            && later.start_s() < rests_s
+            && flight_s(&later.impacts[..2]) < last_s
+    }
+
     /// Level in dB relative to full scale that an impact at 1 m/s would have, if the amplitude
     /// follows the speed: how near and how hard the surface is, whatever the height of the drop.
     fn level_at_unit_speed_db(&self) -> f64 {
@@ -284,6 +300,9 @@ pub fn number_impacts(times_s: &[f64]) -> Vec<u32> {
     chain::numbers(&onsets).unwrap_or_else(|| (0..times_s.len() as u32).collect())
 }
 
+/// No flight is taken for more than this share of the one before where it is asked how long a ball bounces.
+const STEADIEST: f64 = 0.98;
+
 /// Where missing impacts should be: those between others, and the next after the last.
 fn expected(impacts: &[TrainImpact]) -> Vec<TrainImpact> {
     /// With shorter flights, in seconds, an impact cannot be told from the ringing of another.
@@ -348,7 +367,11 @@ fn ratio_near(impacts: &[TrainImpact], index: usize) -> f64 {
 
 /// Finds the trains among the onsets, which are all that was heard in this span.
 pub(crate) fn search(onsets: &[Onset], span: Span, read: Read, found: &mut TrainSearch) {
+    let known = found.trains.len();
     search_among(&telling(onsets), span, read, found);
+    let mut new = found.trains.split_off(known);
+    new.dedup_by(|later, earlier| earlier.goes_on_in(later));
+    found.trains.append(&mut new);
 }
 
 /// A part of a recording.
@@ -393,7 +416,7 @@ fn search_among(onsets: &[Onset], span: Span, read: Read, found: &mut TrainSearc
     let Some(mut chain) = chain::best(onsets, span) else {
         return;
     };
-    chain.evidence += alone(onsets, &chain);
+    chain.evidence += alone(onsets, &chain) + loudest(onsets, &chain);
     if chain.evidence.abs() < DOUBTFUL {
         chain.evidence += alike(onsets, &chain, read);
     }
@@ -484,6 +507,12 @@ fn follow_beat(onsets: &[Onset], from: usize, interval_s: f64, is_beat: &mut [bo
 /// A ball that falls off a table needs more seconds to the floor, and a hand to the next drop: from
 /// 60 cm it falls so long. What bounces sooner is the same ball, coming to rest or not yet let go.
 const FALL_S: f64 = 0.35;
+
+/// Evidence from how far the loudest impact stands out.
+fn loudest(onsets: &[Onset], chain: &Chain) -> f64 {
+    let strengths = chain.links.iter().map(|link| onsets[link.onset].strength);
+    evidence::ln_loudest(strengths.fold(0.0, f64::max))
+}
 
 /// Evidence from how alone the impacts are.
 ///
