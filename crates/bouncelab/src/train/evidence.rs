@@ -30,13 +30,13 @@ const APEX_M: f64 = 9.81 / 8.0;
 /// (0.4) and that of a perfect one.
 pub(super) const FIRST_RATIO_DENSITY: f64 = 1.1;
 
-/// Logarithm of the odds that a drop goes on after an impact that was heard: of five at least, four are not the
+/// Logarithm of the odds that a drop goes on after an impact that was heard: of three at least, two are not the
 /// last.
-pub(super) const LN_GOES_ON: f64 = 1.4;
+pub(super) const LN_GOES_ON: f64 = 0.7;
 
-/// A drop whose loudest impact stands out of the background by less than this many standard deviations is rarer,
-/// in proportion: balls are let go near a microphone, and noise makes sounds that hardly stand out.
-const LOUD: f64 = 10.0;
+/// A drop whose loudest impact lies below this level, in dB relative to full scale, is rarer in proportion to its
+/// amplitude: recorders are set so that they use their range, and its last bits make sounds of their own.
+const QUIET_DB: f64 = -60.0;
 
 /// Logarithm of the ratio for an impact that was not heard.
 pub(crate) const LN_MISSED: f64 = -3.0;
@@ -101,9 +101,9 @@ pub(super) fn ln_first_flight(flight_s: f64) -> f64 {
     3.0 * (flight_s / SHORT_FIRST_S).min(1.0).ln()
 }
 
-/// Logarithm of how usual a drop is whose loudest impact stands out so far.
-pub(super) fn ln_loudest(strength: f64) -> f64 {
-    (strength / LOUD).min(1.0).ln()
+/// Logarithm of how usual a drop is whose loudest impact has this level.
+pub(super) fn ln_loudest(level_db: f64) -> f64 {
+    (level_db - QUIET_DB).min(0.0) / LEVEL_FALL_DB_A_FOLD
 }
 
 /// The third impact: `change` is the logarithm of the ratio of the first two flights, which tells

@@ -146,20 +146,40 @@ impl Train {
         }
     }
 
-    /// Whether a less sure train is no drop of its own but this ball, heard again before it rests: its flights
-    /// are shorter than the last one here, and if those here went on to shrink evenly, some would be left.
-    fn goes_on_in(&self, later: &Self) -> bool {
+    /// Takes in a later train if that is the same ball, heard again: its first flight is the one to expect, had
+    /// the flights gone on to shrink evenly.
+    fn go_on_with(&mut self, later: &Self) -> bool {
+        /// A flight is never further off than this, in its logarithm.
+        const FARTHEST: f64 = 0.3;
         let flight_s = |pair: &[TrainImpact]| {
             let flights = f64::from(pair[1].number - pair[0].number);
             (pair[1].onset.time_s - pair[0].onset.time_s) / flights
         };
         let last = self.impacts.len() - 1;
-        let last_s = flight_s(&self.impacts[last - 1..]);
-        let ratio = ratio_near(&self.impacts, last).min(STEADIEST);
-        let rests_s = self.end_s() + last_s * ratio / (1.0 - ratio);
-        later.evidence < self.evidence
-            && later.start_s() < rests_s
-            && flight_s(&later.impacts[..2]) < last_s
+        let ratio = ratio_near(&self.impacts, last);
+        if ratio >= 1.0 {
+            return false;
+        }
+        let mut next_s = ratio * flight_s(&self.impacts[last - 1..]);
+        let mut time_s = self.end_s();
+        let mut number = self.impacts[last].number;
+        while next_s > SHORTEST_S && time_s + 0.5 * next_s < later.start_s() {
+            time_s += next_s;
+            next_s *= ratio;
+            number += 1;
+        }
+        let off = (flight_s(&later.impacts[..2]) / next_s).ln();
+        if next_s < SHORTEST_S || off.abs() > FARTHEST {
+            return false;
+        }
+        let impacts = later.impacts.iter().map(|impact| TrainImpact {
+            number: number + impact.number,
+            ..*impact
+        });
+        self.impacts.extend(impacts);
+        self.evidence = self.evidence.max(later.evidence);
+        self.log_bayes_factor += later.log_bayes_factor;
+        true
     }
 
     /// Level in dB relative to full scale that an impact at 1 m/s would have, if the amplitude
@@ -300,13 +320,11 @@ pub fn number_impacts(times_s: &[f64]) -> Vec<u32> {
     chain::numbers(&onsets).unwrap_or_else(|| (0..times_s.len() as u32).collect())
 }
 
-/// No flight is taken for more than this share of the one before where it is asked how long a ball bounces.
-const STEADIEST: f64 = 0.98;
+/// With shorter flights, in seconds, an impact cannot be told from the ringing of another.
+const SHORTEST_S: f64 = 0.012;
 
 /// Where missing impacts should be: those between others, and the next after the last.
 fn expected(impacts: &[TrainImpact]) -> Vec<TrainImpact> {
-    /// With shorter flights, in seconds, an impact cannot be told from the ringing of another.
-    const SHORTEST_S: f64 = 0.012;
     let mut expected = Vec::new();
     for (index, pair) in impacts.windows(2).enumerate() {
         let flights = pair[1].number - pair[0].number;
@@ -370,7 +388,7 @@ pub(crate) fn search(onsets: &[Onset], span: Span, read: Read, found: &mut Train
     let known = found.trains.len();
     search_among(&telling(onsets), span, read, found);
     let mut new = found.trains.split_off(known);
-    new.dedup_by(|later, earlier| earlier.goes_on_in(later));
+    new.dedup_by(|later, earlier| earlier.go_on_with(later));
     found.trains.append(&mut new);
 }
 
@@ -508,10 +526,10 @@ fn follow_beat(onsets: &[Onset], from: usize, interval_s: f64, is_beat: &mut [bo
 /// 60 cm it falls so long. What bounces sooner is the same ball, coming to rest or not yet let go.
 const FALL_S: f64 = 0.35;
 
-/// Evidence from how far the loudest impact stands out.
+/// Evidence from how loud the loudest impact is.
 fn loudest(onsets: &[Onset], chain: &Chain) -> f64 {
-    let strengths = chain.links.iter().map(|link| onsets[link.onset].strength);
-    evidence::ln_loudest(strengths.fold(0.0, f64::max))
+    let levels_db = chain.links.iter().map(|link| onsets[link.onset].level_db);
+    evidence::ln_loudest(levels_db.fold(f64::NEG_INFINITY, f64::max))
 }
 
 /// Evidence from how alone the impacts are.
@@ -696,6 +714,53 @@ mod tests {
     #[test]
     fn impacts_that_are_alike_among_others_like_them_are_less_likely_a_drop() {
         assert!(evidence_in(0.0) < -5.0);
+    }
+
+    /// Impacts of a drop whose flights shrink by 0.92, those of some numbers left out.
+    fn drop_without(missed: Range<u32>) -> Vec<Onset> {
+        let times_s = (0..30).scan(1.0, |time_s, n| {
+            let now_s = *time_s;
+            *time_s += 0.5 * 0.92_f64.powi(n);
+            Some((n as u32, now_s))
+        });
+        let heard = times_s.filter(|(number, _)| !missed.contains(number));
+        heard.map(|(_, time_s)| Onset::click(time_s)).collect()
+    }
+
+    #[test]
+    fn a_drop_with_a_long_gap_is_one_drop() {
+        let found = find(&drop_without(10..17));
+        assert_eq!(found.trains.len(), 1);
+        let numbers: Vec<u32> = found.trains[0].impacts().iter().map(|i| i.number).collect();
+        assert_eq!(numbers, (0..10).chain(17..30).collect::<Vec<_>>());
+    }
+
+    /// What follows is no longer what it would be if the flights had gone on to shrink.
+    #[test]
+    fn a_second_drop_after_the_first_is_another() {
+        let mut onsets = drop_without(12..30);
+        let start_s = onsets[11].time_s + 0.6;
+        onsets.extend(drop_without(30..30).into_iter().map(|onset| Onset {
+            time_s: start_s + onset.time_s,
+            ..onset
+        }));
+        assert_eq!(find(&onsets).trains.len(), 2);
+    }
+
+    /// Sounds of the last bits of a recording, which are as regular as a drop is just enough.
+    #[test]
+    fn a_drop_far_below_full_scale_takes_more_evidence() {
+        let (impacts_s, _) = times_s();
+        let at_level = |level_db: f64| {
+            let clicks = impacts_s.iter().map(|&time_s| Onset {
+                level_db,
+                ..Onset::click(time_s)
+            });
+            find(&clicks.collect::<Vec<_>>()).trains[0].evidence()
+        };
+        assert!((at_level(-20.0) - at_level(-50.0)).abs() < 1e-9);
+        let lost = at_level(-20.0) - at_level(-80.0);
+        assert!((lost - 10.0_f64.ln()).abs() < 0.2, "{lost}");
     }
 
     #[test]
