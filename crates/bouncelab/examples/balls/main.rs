@@ -23,8 +23,8 @@ const SCATTER: f64 = 0.003;
 const MOST_IMPACTS: usize = 30;
 const SHORTEST_FLIGHT_S: f64 = 0.06;
 
-/// From which heights the balls are dropped, in metres.
-const HEIGHTS_M: [(f64, f64); 2] = [(0.3, 1.5), (2.5, 2.5)];
+/// From which heights the balls are dropped: in words, and the lowest and the highest in metres.
+const HEIGHTS: [(&str, f64, f64); 2] = [("0.3 to 1.5 m", 0.3, 1.5), ("2.5 m", 2.5, 2.5)];
 
 fn main() -> Result<()> {
     let count = std::env::args().nth(1).and_then(|count| count.parse().ok());
@@ -35,15 +35,15 @@ fn main() -> Result<()> {
     );
     println!("|---|---|--:|--:|--:|--:|--:|--:|");
     let assumed = &ball::presets()[0];
-    for heights_m in HEIGHTS_M {
-        let from = match heights_m {
-            (low, high) if low == high => format!("{low} m"),
-            (low, high) => format!("{low} to {high} m"),
-        };
+    for (from, lowest_m, highest_m) in HEIGHTS {
         for truth in ball::presets() {
             let (mut right, mut wrong) = (Count::default(), Count::default());
             for seed in 0..count {
-                let impacts = drop(truth, heights_m, &mut ChaCha8Rng::seed_from_u64(seed))?;
+                let impacts = drop(
+                    truth,
+                    (lowest_m, highest_m),
+                    &mut ChaCha8Rng::seed_from_u64(seed),
+                )?;
                 right.add(impacts.clone(), truth, truth);
                 wrong.add(impacts, assumed, truth);
             }
