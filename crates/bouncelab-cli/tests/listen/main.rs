@@ -297,7 +297,6 @@ fn without_a_drop_it_says_why_as_analyze_does() {
     play(&short).assert().code(1);
 }
 
-#[cfg(not(feature = "microphone"))]
 /// Of a length that is known, so that times hold, and of another.
 #[test]
 fn a_saved_recording_says_where_sound_was_lost() {
@@ -334,6 +333,7 @@ fn a_saved_recording_says_where_sound_was_lost() {
     }
 }
 
+#[cfg(not(feature = "microphone"))]
 #[test]
 fn without_the_microphone_it_says_how_to_build_it_in() {
     for arguments in [&["listen"][..], &["listen", "--devices"]] {
