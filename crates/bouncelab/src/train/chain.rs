@@ -91,9 +91,9 @@ impl Trend {
     /// 0.15 of a table-tennis ball, 0.03 of a basketball, and next to nothing of a steel ball.
     const FALL: f64 = 0.07;
     const FALL_SD: f64 = 0.07;
-    /// The ratio of short flights wanders by this share of the variance of the ratios from flight to flight, so
-    /// that the filter forgets.
-    const WANDERING: f64 = 0.0265;
+    /// The ratio of short flights wanders from flight to flight by a tenth of the scatter of the ratios, so that the
+    /// filter forgets: the share of the variance.
+    const WANDERING: f64 = 0.01;
     /// No single odd impact teaches more than this.
     const GREATEST_STEP: f64 = 0.05;
 
@@ -562,8 +562,9 @@ impl Chain {
     }
 
     /// Goes on after the last impact, down to the faintest: what is known of the drop by now says
-    /// when the next one must come and how loud, so that it need not stand out of the other sounds.
-    pub(super) fn extend(&mut self, onsets: &[Onset]) {
+    /// when the next one must come and how loud, so that it need not stand out of the other sounds. `ln_odds` is
+    /// the logarithm of the odds that there is one.
+    pub(super) fn extend(&mut self, onsets: &[Onset], ln_odds: f64) {
         let Some(mut state) = self.state_after(onsets) else {
             return;
         };
@@ -572,7 +573,7 @@ impl Chain {
             let near = onsets[last.onset + 1..]
                 .iter()
                 .take_while(|o| o.time_s - onsets[last.onset].time_s < LONGEST_S);
-            let enough = state.evidence - evidence::LN_GOES_ON;
+            let enough = state.evidence - ln_odds;
             let mut best: Option<(State, Link)> = None;
             for (ahead, _) in near.enumerate() {
                 let onset = last.onset + 1 + ahead;

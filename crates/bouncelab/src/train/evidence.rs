@@ -30,8 +30,8 @@ const APEX_M: f64 = 9.81 / 8.0;
 /// (0.4) and that of a perfect one.
 pub(super) const FIRST_RATIO_DENSITY: f64 = 1.1;
 
-/// Logarithm of the odds that a drop goes on after an impact that was heard: of three at least, two are not the
-/// last.
+/// Logarithm of the odds that a drop, once it is believed, goes on after an impact that was heard: of three at
+/// least, two are not the last.
 pub(super) const LN_GOES_ON: f64 = 0.7;
 
 /// A drop whose loudest impact lies below this level, in dB relative to full scale, is rarer in proportion to its
