@@ -91,9 +91,9 @@ impl Trend {
     /// 0.15 of a table-tennis ball, 0.03 of a basketball, and next to nothing of a steel ball.
     const FALL: f64 = 0.07;
     const FALL_SD: f64 = 0.07;
-    /// The ratio of short flights wanders from flight to flight by a tenth of the scatter of the ratios, so that the
+    /// The ratio of short flights wanders from flight to flight by a sixth of the scatter of the ratios, so that the
     /// filter forgets: the share of the variance.
-    const WANDERING: f64 = 0.01;
+    const WANDERING: f64 = 0.0265;
     /// No single odd impact teaches more than this.
     const GREATEST_STEP: f64 = 0.05;
 
