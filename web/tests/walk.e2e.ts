@@ -25,7 +25,12 @@ const MOST_STEPS = 80;
 async function press(page: Page, key: string, expected: string): Promise<void> {
   await page.keyboard.press(key);
   await expect.poll(() => focused(page), { message: `after ${key}` }).toBe(expected);
-  expect(await hiddenFocus(page), expected).toEqual([]);
+  await isSeen(page, expected);
+}
+
+/** What has the keyboard is seen, once the page has come to rest. */
+async function isSeen(page: Page, focus: string): Promise<void> {
+  await expect.poll(() => hiddenFocus(page), { message: focus }).toEqual([]);
 }
 
 /** Goes on to this with the tab key; whatever has the keyboard on the way is seen, and has a name. */
@@ -36,7 +41,7 @@ async function tabTo(page: Page, expected: string): Promise<void> {
     await page.keyboard.press('Tab');
     const now = await focused(page);
     expect(now, `after ${passed.at(-1)}`).toMatch(/^\w+ ".+"$/);
-    expect(await hiddenFocus(page), now).toEqual([]);
+    await isSeen(page, now);
     passed.push(now);
   }
 }
@@ -53,14 +58,14 @@ test.for([
     await press(page, 'Tab', 'button "Listen"');
     await press(page, 'Tab', 'radio "table tennis 40+"');
     await press(page, 'ArrowRight', 'radio "table tennis 38 mm"');
-    expect(page.url()).toContain('ball=table-tennis-38');
+    await expect.poll(() => page.url()).toContain('ball=table-tennis-38');
     await press(page, 'ArrowRight', 'radio "tennis"');
     await tabTo(page, 'button "try the demo"');
 
     await page.keyboard.press('Enter');
     await settled(page);
     // What was pressed went away for a while.
-    expect(await focused(page)).toBe('button "Listen again"');
+    await expect.poll(() => focused(page)).toBe('button "Listen again"');
     await page.getByRole('radio', { name: 'table tennis 40+', checked: true }).waitFor();
 
     for (const fold of ['Why?', 'What this recording determines, and what not', 'All numbers']) {
@@ -83,7 +88,7 @@ test.for([
     await press(page, 'Tab', 'button "Keep this drop"');
     await page.keyboard.press('Enter');
     await page.getByText('Kept as “Anna”.').waitFor();
-    expect(await focused(page)).toBe('button "Keep this drop"');
+    await expect.poll(() => focused(page)).toBe('button "Keep this drop"');
     await press(page, 'Tab', 'link "Table of drops"');
     await page.keyboard.press('Enter');
     await page.getByRole('heading', { name: 'Table of drops' }).waitFor();
