@@ -46,6 +46,10 @@ async function tabTo(page: Page, expected: string): Promise<void> {
   }
 }
 
+/** Waits for the figure of this tab: what saves it comes with it. */
+const drawn = (page: Page, tab: string): Promise<void> =>
+  page.getByRole('tabpanel', { name: tab }).getByRole('img').first().waitFor();
+
 test.for([
   ['desktop', { width: 1280, height: 900 }],
   ['phone', { width: 390, height: 700 }],
@@ -78,9 +82,10 @@ test.for([
 
     await tabTo(page, 'tab "Restitution"');
     await press(page, 'ArrowRight', 'tab "Flights"');
-    await page.getByRole('tabpanel', { name: 'Flights' }).getByRole('img').first().waitFor();
+    await drawn(page, 'Flights');
     await press(page, 'ArrowLeft', 'tab "Restitution"');
     await press(page, 'ArrowLeft', 'tab "Drag (log)"');
+    await drawn(page, 'Drag (log)');
     await tabTo(page, 'button "SVG"');
 
     await tabTo(page, 'textbox "Name"');
