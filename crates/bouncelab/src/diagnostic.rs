@@ -199,6 +199,8 @@ codes! {
     NothingLeft = "nothing-left", Error, [];
     /// A far fainter ball was detected and left out.
     DistantBall = "distant-ball", Info, ["start_s", "end_s", "impacts"];
+    /// Two drops share their time: two balls bounced at once.
+    DropsAtOnce = "drops-at-once", Warning, ["start_s", "end_s"];
     /// Samples are clipped.
     Clipped = "clipped", Warning, ["samples"];
     /// No impact lies within 20 ms of a time to exclude.

@@ -327,6 +327,84 @@ fn two_drops_are_two_trains() {
     assert_eq!(detected.found.trains[1].impacts().len(), first.len());
 }
 
+/// A ball that begins to bounce this long after the recording begins.
+struct Ball {
+    strikes: Vec<Strike>,
+    voice: Voice,
+    start_s: f64,
+}
+
+impl Ball {
+    fn sound(&self, length: usize, noise: Option<Noise>, seed: u64) -> Rendered {
+        let scene = Scene {
+            voice: self.voice.clone(),
+            noise,
+            lead_in_s: self.start_s,
+            ..Scene::default()
+        };
+        let mut sound = synth::render(&self.strikes, &scene, seed).unwrap();
+        sound.samples.resize(length, 0.0);
+        sound
+    }
+}
+
+/// The share of the audible impacts of a ball that the train with most of them has.
+fn share_found(detected: &Detection, sound: &Rendered) -> f64 {
+    let audible = audible(sound);
+    let of_train = |train: &Train| {
+        let found_s = times(train);
+        let is_found = |time_s: &&f64| found_s.iter().any(|t| (t - **time_s).abs() < SAME_S);
+        audible.iter().filter(is_found).count()
+    };
+    let most = detected.found.trains.iter().map(of_train).max();
+    most.unwrap_or(0) as f64 / audible.len() as f64
+}
+
+/// Two balls that bounce at the same time, of one kind or of two, are two trains, each with the impacts that it has
+/// when it bounces alone.
+#[test]
+fn two_balls_at_once_are_two_trains() {
+    let voices = [Voice::table_tennis(), Voice::steel_ball(), Voice::tennis()];
+    let (mut pairs, mut right, mut lost) = (0, 0, 0.0);
+    for (number, (first, second)) in (0..).zip(
+        voices
+            .iter()
+            .flat_map(|first| voices.iter().map(move |second| (first, second))),
+    ) {
+        for (height_m, start_s) in [(0.3, 0.62), (0.22, 0.75), (0.5, 1.1), (0.8, 1.63)] {
+            let a = Ball {
+                strikes: dropped(0.4, 0.9),
+                voice: first.clone(),
+                start_s: 0.5,
+            };
+            let b = Ball {
+                strikes: dropped(height_m, 0.86),
+                voice: second.clone(),
+                start_s,
+            };
+            let length = 8 * 44_100;
+            let [one, other] =
+                [&a, &b].map(|ball| ball.sound(length, Some(Noise::white(40.0)), number));
+            let [alone, alone_too] = [&one, &other].map(|sound| share_found(&detect(sound), sound));
+            let quiet = b.sound(length, None, number);
+            let mixed = one.samples.iter().zip(&quiet.samples);
+            let detected = detect_in(
+                &mixed.map(|(a, b)| 0.5 * (a + b)).collect::<Vec<_>>(),
+                44_100,
+            );
+            pairs += 1;
+            right += usize::from(detected.found.trains.len() == 2);
+            let [beside, beside_too] = [&one, &other].map(|sound| share_found(&detected, sound));
+            println!("{alone:.2} -> {beside:.2}, {alone_too:.2} -> {beside_too:.2}");
+            lost += alone - beside + alone_too - beside_too;
+        }
+    }
+    let lost = lost / (2 * pairs) as f64;
+    println!("{right} of {pairs} pairs are two trains; {lost:.3} of the impacts are missing");
+    assert!(right * 20 >= pairs * 19, "{right} of {pairs}");
+    assert!(lost < 0.08, "{lost}");
+}
+
 #[test]
 fn every_way_to_record_will_do() {
     let base = scene(40.0);

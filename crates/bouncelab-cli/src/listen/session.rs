@@ -284,7 +284,7 @@ impl<'a> Session<'a> {
         let known = self
             .drops
             .iter()
-            .position(|reported| reported.train.overlaps(&train));
+            .position(|reported| reported.train.is_same_drop(&train));
         let reported = Reported { train, analysis };
         let index = known.unwrap_or(self.drops.len());
         if known.is_some() {
@@ -311,7 +311,7 @@ impl<'a> Session<'a> {
     /// What is stated of a drop among those that were reported.
     fn options_for(&self, train: &Train) -> Options {
         let others = self.drops.iter().map(|reported| &reported.train);
-        let others = others.filter(|other| !other.overlaps(train));
+        let others = others.filter(|other| !other.is_same_drop(train));
         let starts_s: Vec<f64> = others.map(Train::start_s).collect();
         let options = &self.physics.options;
         options.for_drop(train.start_s(), &starts_s)
@@ -422,7 +422,7 @@ impl<'a> Session<'a> {
         }
         let (drops, screen) = (&mut self.drops, &self.screen);
         drops.retain(|reported| {
-            let is_in = |trains: &[Train]| trains.iter().any(|it| it.overlaps(&reported.train));
+            let is_in = |trains: &[Train]| trains.iter().any(|it| it.is_same_drop(&reported.train));
             let remains = is_in(&whole.found.trains);
             let reason = if is_in(&whole.found.distant) {
                 "distant"

@@ -9,6 +9,7 @@ diagnostic-no-pattern = { $count } Laute heben sich ab, aber keine { $needed } d
 diagnostic-too-few-times = Ein Flug braucht zwei Aufprallzeiten, und es sind weniger.
 diagnostic-nothing-left = Es wurden so viele Aufpralle weggelassen, dass kein Flug bleibt.
 diagnostic-distant-ball = Ein viel leiserer Ball wurde von { $start_s } s bis { $end_s } s erkannt ({ $impacts } Aufpralle) und weggelassen.
+diagnostic-drops-at-once = Von { $start_s } s bis { $end_s } s springen zwei Bälle zugleich: Klingen sie gleich, kann ein Aufprall des einen für einen des anderen gehalten werden.
 diagnostic-clipped = { $samples ->
     [one] 1 Abtastwert ist übersteuert
    *[other] { $samples } Abtastwerte sind übersteuert

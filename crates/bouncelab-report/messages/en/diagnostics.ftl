@@ -12,6 +12,7 @@ diagnostic-no-pattern = { $count } sounds stand out from the background, but no 
 diagnostic-too-few-times = A flight needs two impact times, and there are fewer.
 diagnostic-nothing-left = So many impacts were excluded that no flight remains.
 diagnostic-distant-ball = A far fainter ball was detected from { $start_s } s to { $end_s } s ({ $impacts } impacts) and excluded.
+diagnostic-drops-at-once = Two balls bounce at the same time from { $start_s } s to { $end_s } s: if they sound alike, an impact of one may be taken for one of the other.
 diagnostic-clipped = { $samples ->
     [one] 1 sample is clipped
    *[other] { $samples } samples are clipped

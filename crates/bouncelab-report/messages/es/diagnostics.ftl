@@ -9,6 +9,7 @@ diagnostic-no-pattern = { $count } sonidos destacan sobre el ruido de fondo, per
 diagnostic-too-few-times = Un vuelo necesita dos tiempos de impacto, y hay menos.
 diagnostic-nothing-left = Se excluyeron tantos impactos que no queda ningún vuelo.
 diagnostic-distant-ball = Se detectó una pelota mucho más débil de { $start_s } s a { $end_s } s ({ $impacts } impactos) y se excluyó.
+diagnostic-drops-at-once = Dos pelotas botan a la vez de { $start_s } s a { $end_s } s: si suenan igual, un impacto de una puede tomarse por uno de la otra.
 diagnostic-clipped = { $samples ->
     [one] 1 muestra está recortada
    *[other] { $samples } muestras están recortadas

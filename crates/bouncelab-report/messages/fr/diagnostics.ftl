@@ -9,6 +9,7 @@ diagnostic-no-pattern = { $count } sons se détachent du bruit de fond, mais { $
 diagnostic-too-few-times = Un vol demande deux temps d’impact, et il y en a moins.
 diagnostic-nothing-left = Tant d’impacts ont été exclus qu’il ne reste aucun vol.
 diagnostic-distant-ball = Une balle bien plus faible a été détectée de { $start_s } s à { $end_s } s ({ $impacts } impacts) et exclue.
+diagnostic-drops-at-once = Deux balles rebondissent en même temps de { $start_s } s à { $end_s } s : si elles font le même bruit, un impact de l’une peut être pris pour un impact de l’autre.
 diagnostic-clipped = { $samples ->
     [one] { $samples } échantillon est écrêté
    *[other] { $samples } échantillons sont écrêtés

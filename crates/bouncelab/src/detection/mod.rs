@@ -38,7 +38,7 @@ use crate::error::{Error, Result};
 use crate::onset::{self, Onset, OnsetDetector};
 use crate::simd::dispatch;
 use crate::stats::median;
-use crate::train::{self, Recording, Span, TrainSearch};
+use crate::train::{self, Recording, Span, Train, TrainSearch};
 use std::fmt;
 use std::ops::Range;
 use std::sync::Arc;
@@ -157,6 +157,10 @@ impl Detection {
                 .with("impacts", train.impacts().len())
         });
         let mut diagnostics: Vec<Diagnostic> = distant.collect();
+        diagnostics.extend(self.found.at_once().map(|(start_s, end_s)| {
+            let at_once = Diagnostic::new(Code::DropsAtOnce);
+            at_once.with("start_s", start_s).with("end_s", end_s)
+        }));
         if self.clipped_samples > 0 && !self.found.trains.is_empty() {
             let clipped = Diagnostic::new(Code::Clipped);
             diagnostics.push(clipped.with("samples", self.clipped_samples));
@@ -500,11 +504,11 @@ impl ChannelDetector {
     /// least as keep the memory bounded.
     fn judge_the_past(&mut self, now_s: f64) {
         let mut found = self.search(now_s);
-        let open = found.trains.iter().position(|t| t.end_s() > now_s - OPEN_S);
-        let open_from_s = open.map_or(f64::INFINITY, |index| found.trains[index].start_s());
-        found.trains.truncate(open.unwrap_or(found.trains.len()));
+        let open_from_s = open_from_s(&found.trains, now_s);
+        found.trains.retain(|train| train.end_s() < open_from_s);
         // A train that has yet to show itself may have begun at any time since the last one.
-        let last_end_s = found.trains.last().map_or(0.0, train::Train::end_s);
+        let ends_s = found.trains.iter().map(Train::end_s);
+        let last_end_s = ends_s.fold(0.0, f64::max);
         let past_s = last_end_s.max(self.forgotten_before_s(now_s, 2));
         // Nothing that goes on for longer than is remembered is a drop.
         let past_s = past_s.min((open_from_s - 1e-3).max(self.forgotten_before_s(now_s, 4)));
@@ -564,6 +568,20 @@ fn check_channel(channel: Option<usize>, channels: usize) -> Result<Option<usize
         }
         channel => Ok(channel.map(|channel| channel - 1)),
     }
+}
+
+/// When the first train that may go on begins, or one that shares its time with such a train; infinity if
+/// all are over.
+fn open_from_s(trains: &[Train], now_s: f64) -> f64 {
+    let open = trains.iter().filter(|train| train.end_s() > now_s - OPEN_S);
+    let mut from_s = open.map(Train::start_s).fold(f64::INFINITY, f64::min);
+    // In order of their beginnings, so that one look at each does.
+    for train in trains.iter().rev() {
+        if train.end_s() >= from_s {
+            from_s = from_s.min(train.start_s());
+        }
+    }
+    from_s
 }
 
 /// How many of these are sounds that stand out from the background.

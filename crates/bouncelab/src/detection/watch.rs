@@ -116,7 +116,7 @@ impl DropWatch {
 
     /// Whether a drop was told of.
     pub fn was_told(&self, train: &Train) -> bool {
-        self.told.iter().any(|told| told.overlaps(train))
+        self.told.iter().any(|told| told.is_same_drop(train))
     }
 
     /// Looks are at fixed times, so that the same sound gives the same answers whatever the

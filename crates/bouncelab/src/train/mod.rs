@@ -111,9 +111,65 @@ impl Train {
         self.impacts[self.impacts.len() - 1].onset.time_s
     }
 
-    /// Whether it shares a time with another.
-    pub fn overlaps(&self, other: &Self) -> bool {
-        self.start_s() <= other.end_s() && other.start_s() <= self.end_s()
+    /// Whether it is the same drop as another that was found in the same recording: most impacts of the one with
+    /// fewer of them are impacts of the other.
+    pub fn is_same_drop(&self, other: &Self) -> bool {
+        /// Impacts whose times were sharpened are nearer to each other.
+        const SAME_S: f64 = 0.003;
+        let [fewer, more] = if self.impacts.len() < other.impacts.len() {
+            [self, other]
+        } else {
+            [other, self]
+        };
+        let fewer = fewer.impacts.iter();
+        let shared = fewer.filter(|impact| more.distance_s(impact.onset.time_s) < SAME_S);
+        2 * shared.count() > self.impacts.len().min(other.impacts.len())
+    }
+
+    /// How far the nearest impact is from a time, in seconds.
+    fn distance_s(&self, time_s: f64) -> f64 {
+        let after = self.impacts.partition_point(|i| i.onset.time_s < time_s);
+        let near = self.impacts[after.saturating_sub(1)..].iter().take(2);
+        near.map(|impact| (impact.onset.time_s - time_s).abs())
+            .fold(f64::INFINITY, f64::min)
+    }
+
+    /// Whether an onset is one of its impacts.
+    fn has(&self, onset: &Onset) -> bool {
+        self.distance_s(onset.time_s) <= 0.0
+    }
+
+    /// Whether another goes on meanwhile: not only its end or its beginning.
+    fn is_beside(&self, other: &Self) -> bool {
+        /// Three impacts set the ratio of the flights.
+        const ENOUGH: usize = 3;
+        let during = self.start_s()..=self.end_s();
+        let beside = other.impacts.iter();
+        let beside = beside.filter(|impact| during.contains(&impact.onset.time_s));
+        beside.count() >= ENOUGH
+    }
+
+    /// Whether most impacts come equally long after one of another train: echoes, or what rattles.
+    fn echoes(&self, other: &Self) -> bool {
+        const SAME_S: f64 = 0.002;
+        let delays_s: Vec<f64> = self
+            .impacts
+            .iter()
+            .filter_map(|impact| {
+                let after = other
+                    .impacts
+                    .partition_point(|i| i.onset.time_s <= impact.onset.time_s);
+                let before = other.impacts.get(after.checked_sub(1)?)?;
+                Some(impact.onset.time_s - before.onset.time_s)
+            })
+            .collect();
+        let Some(usual_s) = median(delays_s.iter().copied()) else {
+            return false;
+        };
+        let usual = delays_s
+            .iter()
+            .filter(|delay_s| (**delay_s - usual_s).abs() < SAME_S);
+        2 * usual.count() > self.impacts.len()
     }
 
     /// How many impacts between the first and the last were not heard.
@@ -202,7 +258,7 @@ impl Train {
 #[derive(Clone, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct TrainSearch {
-    /// The trains, in order of time; they do not overlap.
+    /// The trains, in the order of their first impacts; those of two balls at once share their time.
     pub trains: Vec<Train>,
     /// Trains left out because they are far fainter than the rest: other balls, farther away.
     pub distant: Vec<Train>,
@@ -239,6 +295,16 @@ impl TrainSearch {
         let mut distant = heard.iter().map(is_distant);
         self.distant
             .extend(self.trains.extract_if(.., |_| distant.next() == Some(true)));
+    }
+
+    /// The times that two trains share, each from when on and until when, in seconds.
+    pub(crate) fn at_once(&self) -> impl Iterator<Item = (f64, f64)> {
+        let trains = self.trains.iter().enumerate();
+        let pairs = trains.flat_map(|(place, one)| {
+            let later = self.trains[place + 1..].iter();
+            later.map(move |other| (other.start_s(), one.end_s().min(other.end_s())))
+        });
+        pairs.filter(|(start_s, end_s)| start_s < end_s)
     }
 
     /// How well all trains together are heard: their evidence against chance, in nats.
@@ -386,9 +452,11 @@ fn ratio_near(impacts: &[TrainImpact], index: usize) -> f64 {
 /// Finds the trains among the onsets, which are all that was heard in this span.
 pub(crate) fn search(onsets: &[Onset], span: Span, read: Read, found: &mut TrainSearch) {
     let known = found.trains.len();
-    search_among(&telling(onsets), span, read, found);
+    let telling = telling(onsets);
+    search_among(&telling, span, read, found);
     let mut new = found.trains.split_off(known);
-    new.dedup_by(|later, earlier| earlier.go_on_with(later));
+    beside(&telling, span, read, &mut new);
+    join(&mut new);
     found.trains.append(&mut new);
 }
 
@@ -428,35 +496,14 @@ fn telling(onsets: &[Onset]) -> Vec<Onset> {
 
 /// Takes the best train and searches again before and after it.
 fn search_among(onsets: &[Onset], span: Span, read: Read, found: &mut TrainSearch) {
-    if onsets.len() < FEWEST_IMPACTS {
-        return;
-    }
-    let Some(mut chain) = chain::best(onsets, span) else {
-        return;
-    };
-    chain.evidence += alone(onsets, &chain) + loudest(onsets, &chain);
-    if chain.evidence.abs() < DOUBTFUL {
-        chain.evidence += alike(onsets, &chain, read);
-    }
-    if chain.evidence < BELIEVED {
-        return;
-    }
-    chain.extend(onsets, 0.0);
-    let beats = beats(onsets, &chain);
-    let against_rhythm =
-        chain.ln_flights(onsets) - rhythm::ln_likelihood(&beats) - rhythm::LN_USUAL;
-    let evidence = against_both(chain.evidence, against_rhythm);
-    if evidence < BELIEVED {
-        let rest = take_periodic(onsets, &chain, &beats, found);
-        search_among(&rest, span, read, found);
-        return;
-    }
-    let log_bayes_factor = chain.evidence;
-    chain.extend(onsets, evidence::LN_GOES_ON);
-    let best = Train {
-        evidence,
-        log_bayes_factor,
-        impacts: impacts(onsets, &chain),
+    let best = match best(onsets, span, read, 0.0) {
+        None => return,
+        Some(Best::Rhythm(chain, beats)) => {
+            let rest = take_periodic(onsets, &chain, &beats, found);
+            search_among(&rest, span, read, found);
+            return;
+        }
+        Some(Best::Drop(train)) => train,
     };
     let before = Span {
         end_s: best.start_s() - FALL_S,
@@ -471,6 +518,88 @@ fn search_among(onsets: &[Onset], span: Span, read: Read, found: &mut TrainSearc
     search_among(&onsets[..first], before, read, found);
     found.trains.push(best);
     search_among(&onsets[rest..], after, read, found);
+}
+
+/// What the best chain among some onsets is.
+enum Best {
+    Drop(Train),
+    Rhythm(Chain, Vec<Beat>),
+}
+
+/// The best chain, if it is more likely than chance; `ln_prior` are the odds of a drop here over those
+/// anywhere.
+fn best(onsets: &[Onset], span: Span, read: Read, ln_prior: f64) -> Option<Best> {
+    if onsets.len() < FEWEST_IMPACTS {
+        return None;
+    }
+    let mut chain = chain::best(onsets, span)?;
+    chain.evidence += ln_prior + alone(onsets, &chain) + loudest(onsets, &chain);
+    if chain.evidence.abs() < DOUBTFUL {
+        chain.evidence += alike(onsets, &chain, read);
+    }
+    if chain.evidence < BELIEVED {
+        return None;
+    }
+    chain.extend(onsets, 0.0);
+    let beats = beats(onsets, &chain);
+    let against_rhythm =
+        chain.ln_flights(onsets) - rhythm::ln_likelihood(&beats) - rhythm::LN_USUAL;
+    let evidence = against_both(chain.evidence, against_rhythm);
+    if evidence < BELIEVED {
+        return Some(Best::Rhythm(chain, beats));
+    }
+    let log_bayes_factor = chain.evidence;
+    chain.extend(onsets, evidence::LN_GOES_ON);
+    Some(Best::Drop(Train {
+        evidence,
+        log_bayes_factor,
+        impacts: impacts(onsets, &chain),
+    }))
+}
+
+/// Adds the drops that share their time with these: other balls that bounce meanwhile.
+fn beside(onsets: &[Onset], span: Span, read: Read, trains: &mut Vec<Train>) {
+    /// Of a hundred drops one has another beside it.
+    const LN_TWO_AT_ONCE: f64 = -4.6;
+    /// So many seconds before and after a drop another may begin or end that shares its time.
+    const REACH_S: f64 = 10.0;
+    let mut place = 0;
+    while let Some(train) = trains.get(place).cloned() {
+        let first = onsets.partition_point(|o| o.time_s < train.start_s() - REACH_S);
+        let end = onsets.partition_point(|o| o.time_s <= train.end_s() + REACH_S);
+        let is_free = |onset: &&Onset| {
+            let mut others = trains
+                .iter()
+                .filter(|it| **it == train || train.is_beside(it));
+            !others.any(|it| it.has(onset))
+        };
+        let rest: Vec<Onset> = onsets[first..end].iter().filter(is_free).copied().collect();
+        match best(&rest, span, read, LN_TWO_AT_ONCE) {
+            Some(Best::Drop(other)) if train.is_beside(&other) && !other.echoes(&train) => {
+                // What was found of it before or after the first one alone is a part of it.
+                trains.retain(|known| !known.is_same_drop(&other));
+                trains.push(other);
+            }
+            _ => place += 1,
+        }
+    }
+    trains.sort_by(|a, b| a.start_s().total_cmp(&b.start_s()));
+}
+
+/// Joins trains, in order of their beginnings, with the one that ended last before them if that is the same ball.
+fn join(trains: &mut Vec<Train>) {
+    let mut place = 1;
+    while place < trains.len() {
+        let (earlier, later) = trains.split_at_mut(place);
+        let later = &later[0];
+        let before = earlier.iter_mut().filter(|it| it.end_s() < later.start_s());
+        let last = before.max_by(|a, b| a.end_s().total_cmp(&b.end_s()));
+        if last.is_some_and(|last| last.go_on_with(later)) {
+            trains.remove(place);
+        } else {
+            place += 1;
+        }
+    }
 }
 
 /// Takes out a sequence that keeps time, with what goes on with its beat before and after; returns the
