@@ -2,7 +2,7 @@
 
 use statrs::distribution::{ContinuousCDF, Normal, StudentsT};
 
-use crate::stats::{quantile, sd, sorted};
+use crate::stats::{quantiles, sd};
 
 /// A number found from data, with its uncertainty.
 ///
@@ -51,13 +51,16 @@ impl Estimate {
     /// assert_eq!(Estimate::of_draws([]), None);
     /// ```
     pub fn of_draws(values: impl IntoIterator<Item = f64>) -> Option<Self> {
-        let sorted = sorted(values.into_iter().filter(|v| v.is_finite()));
-        let at = |share: f64| quantile(&sorted, share);
+        let values = values.into_iter().filter(|v| v.is_finite());
+        let mut values: Vec<f64> = values.collect();
+        let sd = sd(&values);
+        let shares = [TAIL95, TAIL68, 0.5, 1.0 - TAIL68, 1.0 - TAIL95];
+        let [low95, low68, value, high68, high95] = quantiles(&mut values, shares)?;
         Some(Self {
-            value: at(0.5)?,
-            sd: sd(&sorted),
-            interval68: [at(TAIL68)?, at(1.0 - TAIL68)?],
-            interval95: [at(TAIL95)?, at(1.0 - TAIL95)?],
+            value,
+            sd,
+            interval68: [low68, high68],
+            interval95: [low95, high95],
         })
     }
 

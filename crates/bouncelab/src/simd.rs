@@ -45,6 +45,10 @@ where
     sum
 }
 
+/// So many problems are worked on side by side where each step of one waits for the step before. In a browser, where
+/// there are no wide registers, one: eight would make the page a twentieth larger.
+pub(crate) const LANES: usize = if cfg!(target_family = "wasm") { 1 } else { 8 };
+
 /// As many numbers as there are lanes, each of a problem of its own, worked on side by side. Inside
 /// [`dispatch`] an operation on all of them is a few instructions.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -17,6 +17,22 @@ pub(crate) fn quantile(sorted: &[f64], share: f64) -> Option<f64> {
     Some(sorted[low] + (place - low as f64) * (sorted[high] - sorted[low]))
 }
 
+/// The same of values in any order, for shares in rising order; puts the values into another order. `None` without
+/// values. A few quantiles take less than sorting does.
+pub(crate) fn quantiles<const N: usize>(values: &mut [f64], shares: [f64; N]) -> Option<[f64; N]> {
+    let last = values.len().checked_sub(1)?;
+    let mut from = 0;
+    Some(shares.map(|share| {
+        let place = (share * values.len() as f64 - 0.5).clamp(0.0, last as f64);
+        let low = place as usize;
+        let (_, at_low, above) = values[from..].select_nth_unstable_by(low - from, f64::total_cmp);
+        let next = above.iter().copied().fold(f64::INFINITY, f64::min);
+        let high = if above.is_empty() { *at_low } else { next };
+        from = low;
+        *at_low + (place - low as f64) * (high - *at_low)
+    }))
+}
+
 /// The middle value, or the mean of the two in the middle. `None` without values.
 pub(crate) fn median(values: impl IntoIterator<Item = f64>) -> Option<f64> {
     quantile(&sorted(values), 0.5)
@@ -62,6 +78,21 @@ mod tests {
         assert_eq!(median([4.0, 1.0, 2.0, 3.0]), Some(2.5));
         assert_eq!(median([7.0]), Some(7.0));
         assert_eq!(median([]), None);
+    }
+
+    #[test]
+    fn quantiles_without_sorting_are_those_of_sorted_values() {
+        let values: Vec<f64> = (0..997).map(|i| f64::from(i * 571 % 997).sqrt()).collect();
+        let shares = [0.0, 0.025, 0.025, 0.16, 0.5, 0.5003, 0.975, 1.0];
+        for count in [1, 2, 3, 50, 997] {
+            let sorted = sorted(values[..count].iter().copied());
+            let expected = shares.map(|share| quantile(&sorted, share).unwrap());
+            assert_eq!(
+                quantiles(&mut values[..count].to_vec(), shares),
+                Some(expected)
+            );
+        }
+        assert_eq!(quantiles(&mut [], shares), None);
     }
 
     #[test]

@@ -1,7 +1,7 @@
 //! Restitution laws: restitution against impact speed.
 
 use crate::error::{Result, finite, not_negative, positive, require};
-use crate::simd::Lanes;
+use crate::simd::{LANES, Lanes, dispatch};
 
 /// The coefficient of restitution e as a function of the impact speed.
 ///
@@ -119,7 +119,10 @@ impl Restitution {
     /// ```
     pub fn constant(restitution: f64) -> Result<Self> {
         let restitution = fraction("coefficient of restitution", restitution)?;
-        Ok(Self::new(Family::Constant, &[restitution]))
+        Ok(Self::new(
+            Family::Constant,
+            &[restitution, restitution.ln()],
+        ))
     }
 
     /// e(v) = e0 - k v: falling with the impact speed if k is above zero.
@@ -161,7 +164,13 @@ impl Restitution {
         let exponent = finite("exponent of the restitution law", exponent)?;
         Ok(Self::new(
             Family::Power,
-            &[reference, reference_speed_m_s, exponent],
+            &[
+                reference,
+                reference_speed_m_s,
+                exponent,
+                reference.ln(),
+                reference_speed_m_s.ln(),
+            ],
         ))
     }
 
@@ -272,6 +281,21 @@ impl Restitution {
         self.at_with_log_slope(impact_speed_m_s).0
     }
 
+    /// The coefficients of restitution at several speeds, several at once.
+    pub(crate) fn at_each(&self, impact_speeds_m_s: &[f64]) -> Vec<f64> {
+        let laws = Restitutions::of(&[*self; LANES]);
+        let mut found = Vec::with_capacity(impact_speeds_m_s.len());
+        for speeds in impact_speeds_m_s.chunks(LANES) {
+            let lanes = Lanes::of(|lane| speeds[lane.min(speeds.len() - 1)]);
+            let (e, _) = dispatch(
+                #[inline(always)]
+                || laws.at_with_log_slope(lanes),
+            );
+            found.extend_from_slice(&e.0[..speeds.len()]);
+        }
+        found
+    }
+
     /// d ln e / d ln v at an impact speed: how many per cent e changes when the speed changes by
     /// one. Zero where e is held at 0 or 1.
     ///
@@ -333,6 +357,26 @@ impl<const L: usize> Restitutions<L> {
         (bounded, free.if_positive(log_slope, Lanes::all(0.0)))
     }
 
+    /// ln e and d ln e/d ln v, by the logarithm of the impact speed in each lane; not a number where e would be
+    /// below zero. Some laws are straight lines there, so that neither powers nor logarithms are left.
+    #[inline(always)]
+    pub(crate) fn ln_at_with_log_slope(&self, ln_speed: Lanes<L>) -> (Lanes<L>, Lanes<L>) {
+        let [_, b, c, d, e, ..] = self.numbers;
+        let (ln_e, log_slope) = match self.family {
+            Family::Constant => (b, Lanes::all(0.0)),
+            Family::Power => (d - c * (ln_speed - e), -c),
+            Family::Smooth => self.smooth(ln_speed),
+            Family::Linear | Family::Viscoelastic | Family::Knee => {
+                let (e, log_slope) = self.unbounded(ln_speed.exp());
+                (e.ln(), log_slope)
+            }
+        };
+        // Held at 1 it does not change.
+        let zero = Lanes::all(0.0);
+        let free = (-ln_e).if_positive(log_slope, zero);
+        (ln_e.if_positive(zero, ln_e), free)
+    }
+
     /// The same, if e had no bounds.
     #[inline(always)]
     fn unbounded(&self, v: Lanes<L>) -> (Lanes<L>, Lanes<L>) {
@@ -361,26 +405,34 @@ impl<const L: usize> Restitutions<L> {
                 (e, -(c * logistic * v) / e)
             }
             Family::Smooth => {
-                let [
-                    ..,
-                    slow_from,
-                    slow_to,
-                    slow_end,
-                    fast_from,
-                    fast_to,
-                    fast_end,
-                ] = self.numbers;
-                let faster = v.ln() - b;
-                let either = |fast, slow| faster.if_positive(fast, slow);
-                let half = Half {
-                    from: either(fast_from, slow_from),
-                    to: either(fast_to, slow_to),
-                    end: either(fast_end, slow_end),
-                };
-                let (rise, slope) = half.rise(faster.abs());
-                ((a + rise).exp(), either(slope, -slope))
+                let (ln_e, log_slope) = self.smooth(v.ln());
+                (ln_e.exp(), log_slope)
             }
         }
+    }
+
+    /// ln e and its slope of a smooth law.
+    #[inline(always)]
+    fn smooth(&self, ln_speed: Lanes<L>) -> (Lanes<L>, Lanes<L>) {
+        let [
+            ln_e,
+            reference,
+            slow_from,
+            slow_to,
+            slow_end,
+            fast_from,
+            fast_to,
+            fast_end,
+        ] = self.numbers;
+        let faster = ln_speed - reference;
+        let either = |fast, slow| faster.if_positive(fast, slow);
+        let half = Half {
+            from: either(fast_from, slow_from),
+            to: either(fast_to, slow_to),
+            end: either(fast_end, slow_end),
+        };
+        let (rise, slope) = half.rise(faster.abs());
+        (ln_e + rise, either(slope, -slope))
     }
 }
 
@@ -456,6 +508,32 @@ mod tests {
         assert!(Restitution::smooth(0.9, [1.0, 1.0, 2.0], [0.0; 3]).is_err());
         assert!(Restitution::smooth(0.9, [0.5, 1.0, 2.0], [0.0, f64::NAN, 0.0]).is_err());
         assert!(Restitution::knee(0.9, 1.0, f64::INFINITY).is_err());
+    }
+
+    /// The logarithm of e by the logarithm of the speed, of every law, beyond its bounds too.
+    #[test]
+    fn logarithms_are_those_of_the_law() {
+        let laws = [
+            Restitution::constant(0.9).unwrap(),
+            Restitution::linear(0.95, 0.03).unwrap(),
+            Restitution::linear(0.9, -0.1).unwrap(),
+            Restitution::power(0.9, 2.0, 0.1).unwrap(),
+            Restitution::viscoelastic_through(0.9, 2.0).unwrap(),
+            Restitution::knee(0.9, 1.5, 0.1).unwrap(),
+            Restitution::smooth(0.9, [0.5, 1.0, 2.0], [0.0, 0.02, 0.1]).unwrap(),
+        ];
+        for law in laws {
+            for v in [1e-4_f64, 0.1, 0.7, 1.0, 1.6, 4.0, 9.0] {
+                let (e, log_slope) = law.at_with_log_slope(v);
+                let of_logarithm = Restitutions::of(&[law]);
+                let (Lanes([ln_e]), Lanes([slope])) =
+                    of_logarithm.ln_at_with_log_slope(Lanes([v.ln()]));
+                assert!((ln_e - e.ln()).abs() < 1e-14, "{law:?} {v}: {ln_e}");
+                assert!((slope - log_slope).abs() < 1e-12, "{law:?} {v}: {slope}");
+            }
+        }
+        let beyond = Restitutions::of(&[Restitution::linear(0.9, 0.1).unwrap()]);
+        assert!(beyond.ln_at_with_log_slope(Lanes([3.0])).0.0[0].is_nan());
     }
 
     /// C1 = 1.15344 and C2 = 3/5 C1² of the viscoelastic series (T. Schwager, T. Pöschel, Phys.

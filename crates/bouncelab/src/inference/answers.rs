@@ -1,6 +1,7 @@
 //! From the draws of the posterior to the estimates.
 
 use super::likelihood::{DropState, Innovation};
+use super::model::Point;
 use super::posterior::{Draws, ImpactPosterior, Model, Posterior, Sampling};
 use super::predict::Rest;
 use super::priors::Measured;
@@ -21,6 +22,7 @@ struct Drag {
 
 /// The answers of each draw.
 pub(super) struct Answers {
+    points: Vec<Point>,
     at_speed_m_s: f64,
     restitution: Vec<f64>,
     slope: Vec<f64>,
@@ -41,9 +43,10 @@ impl Answers {
         let rows = posterior.each(1, |model, point| {
             let table = model.table(point)?;
             let (gravity_height, ..) = table.apex(point.fall_launch_m_s)?;
-            Some([
-                point.law.at(at_speed_m_s),
-                -point.law.log_slope(at_speed_m_s),
+            let (restitution, log_slope) = point.law.at_with_log_slope(at_speed_m_s);
+            let row = [
+                restitution,
+                -log_slope,
                 gravity_height / point.gravity_m_s2,
                 point.drag_scale,
                 point.drag_strength,
@@ -51,13 +54,15 @@ impl Answers {
                 point.scatter,
                 point.timing * rms_s,
                 point.contact_time_s,
-            ])
+            ];
+            Some((row, *point))
         });
         if rows.len() != posterior.draws.len() || rows.is_empty() {
             return None;
         }
-        let column = |place: usize| rows.iter().map(|row| row[place]).collect();
+        let column = |place: usize| rows.iter().map(|(row, _)| row[place]).collect();
         Some(Self {
+            points: rows.iter().map(|(_, point)| *point).collect(),
             at_speed_m_s,
             restitution: column(0),
             slope: column(1),
@@ -79,7 +84,7 @@ impl Answers {
         let of = |values: &[f64]| Estimate::of_draws(values.iter().copied());
         let innovations = posterior.innovations();
         let prior_contraction = identify::prior_contraction(&posterior);
-        let drops = posterior.drops();
+        let drops = posterior.drops(&self.points);
         let rest: Vec<Rest> = drops.iter().filter_map(|drop| drop.rest).collect();
         let rests = rest.len() * 2 > drops.len();
         let rest = if rests { rest } else { Vec::new() };

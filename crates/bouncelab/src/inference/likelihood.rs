@@ -27,7 +27,7 @@ use super::tail::{FREEDOM, Tail};
 use super::timed_flights::FlightsAtStrength;
 use crate::flight::table::FlightTable;
 use crate::impact::Restitutions;
-use crate::simd::{Lanes, dispatch};
+use crate::simd::{LANES, Lanes, dispatch};
 
 /// Beyond about so many standard deviations an innovation is odd, and says nothing of its
 /// neighbours.
@@ -35,10 +35,6 @@ const ODD: f64 = 3.0;
 
 /// Steps of Newton's method for a value that need not be exact.
 const ROUGH: usize = 1;
-
-/// So many vectors are evaluated side by side: most of an evaluation waits for the step before. In a browser, where
-/// there are no wide registers, one: eight would make the page a twentieth larger.
-const LANES: usize = if cfg!(target_family = "wasm") { 1 } else { 8 };
 
 /// So many factors of a likelihood are multiplied before their logarithm is taken: none is so small or large
 /// that their product leaves the range of numbers.

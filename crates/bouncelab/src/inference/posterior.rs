@@ -199,10 +199,8 @@ impl Posterior {
     /// # Ok::<(), bouncelab::Error>(())
     /// ```
     pub fn restitution_at(&self, speed_m_s: f64) -> Option<Estimate> {
-        Estimate::of_draws(
-            self.sampled
-                .each(1, |_, point| Some(point.law.at(speed_m_s))),
-        )
+        let laws = self.sampled.laws_drawn(1);
+        Estimate::of_draws(laws.map(|law| law.at(speed_m_s)))
     }
 
     /// The apex after the first impact of a drop of this ball from a height, both of the lowest point
@@ -261,10 +259,8 @@ impl Posterior {
 
     /// The restitution law at several speeds, m/s, from a fourth of the draws.
     pub fn restitution_at_each(&self, speeds_m_s: &[f64]) -> Vec<Option<Estimate>> {
-        let draws = self.sampled.each(THINNED, |_, point| {
-            let law = speeds_m_s.iter().map(|&v| point.law.at(v));
-            Some(law.collect::<Vec<f64>>())
-        });
+        let laws = self.sampled.laws_drawn(THINNED);
+        let draws: Vec<Vec<f64>> = laws.map(|law| law.at_each(speeds_m_s)).collect();
         (0..speeds_m_s.len())
             .map(|place| Estimate::of_draws(draws.iter().map(|draw| draw[place])))
             .collect()

@@ -218,12 +218,12 @@ impl<const L: usize> Residual<L> {
         impact: usize,
         laws: &Restitutions<L>,
     ) -> Self {
-        let (restitution, log_slope) = laws.at_with_log_slope(before.log_impact.exp());
+        let (log_restitution, log_slope) = laws.ln_at_with_log_slope(before.log_impact);
         let keeps = log_slope + 1.0;
         let by_before = -(keeps * before.impact_per_s);
         let by_after = after.launch_per_s;
         Self {
-            value: after.log_launch - before.log_impact - restitution.ln(),
+            value: after.log_launch - before.log_impact - log_restitution,
             timing: [-by_before, by_before - by_after, by_after],
             scatter: after.launch_scatter + keeps * keeps * before.impact_scatter + 1.0,
             scatter_before: -(keeps * before.shared_scatter),

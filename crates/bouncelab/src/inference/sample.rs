@@ -11,6 +11,7 @@
 use nalgebra::{Cholesky, DMatrix, DVector, DVectorViewMut};
 use rand::RngExt;
 use rand_chacha::ChaCha8Rng;
+use sobol_burley::{NUM_DIMENSION_SETS_4D, sample_4d};
 use statrs::distribution::{ContinuousCDF, Normal};
 
 use super::fit::Fit;
@@ -78,12 +79,11 @@ impl Proposal {
     /// constant.
     fn draw(&self, point: &Point, mut draw: DVectorViewMut<f64>) -> f64 {
         let dimensions = self.centre.len();
-        let normal = DVector::from_fn(dimensions, |dimension, _| {
-            Normal::standard().inverse_cdf(point.coordinate(dimension))
+        let mut coordinates = point.coordinates();
+        let normal = DVector::from_fn(dimensions, |_, _| {
+            Normal::standard().inverse_cdf(coordinates.next().unwrap_or(0.5))
         });
-        let product: f64 = (0..EXPONENTIALS)
-            .map(|number| point.coordinate(dimensions + number))
-            .product();
+        let product: f64 = coordinates.take(EXPONENTIALS).product();
         let chi_squared = -2.0 * product.ln();
         let stretch = (FREEDOM / chi_squared).sqrt();
         draw.copy_from(&self.centre);
@@ -110,18 +110,16 @@ struct Point {
 }
 
 impl Point {
-    /// A coordinate of the point, above 0 and below 1.
-    fn coordinate(&self, dimension: usize) -> f64 {
+    /// The coordinates of the point, above 0 and below 1, 256 of them.
+    fn coordinates(&self) -> impl Iterator<Item = f64> {
         /// As many points as a sequence has; those beyond belong to another.
         const LENGTH: u32 = 1 << 16;
         /// Half of the last digit: the sequence has zero, but not one.
         const HALF: f64 = 1.0 / (1 << 25) as f64;
         let seed = self.seed.wrapping_add(self.number / LENGTH);
-        f64::from(sobol_burley::sample(
-            self.number % LENGTH,
-            dimension as u32,
-            seed,
-        )) + HALF
+        let number = self.number % LENGTH;
+        let sets = (0..NUM_DIMENSION_SETS_4D).flat_map(move |set| sample_4d(number, set, seed));
+        sets.map(|coordinate| f64::from(coordinate) + HALF)
     }
 }
 

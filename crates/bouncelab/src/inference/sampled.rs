@@ -493,26 +493,34 @@ impl SampledPosterior {
         details.map_or_else(Vec::new, |details| details.innovations)
     }
 
-    /// The drops that every so many of the draws say the times tell.
-    pub(super) fn drops(&self) -> Vec<DrawnDrop> {
-        let thinned = self.draws.iter().step_by(THINNED);
-        let drops = self.each(THINNED, |model, point| {
-            let state = model.state(point)?;
-            let rest = predict::until_rest(model, point, &state);
-            Some((point.law, state, rest))
-        });
-        if drops.len() != thinned.len() {
-            return Vec::new();
-        }
-        let drops = thinned.zip(drops);
-        drops
-            .map(|(draw, (law, state, rest))| DrawnDrop {
-                candidate: draw.candidate,
-                law,
-                state,
-                rest,
+    /// The drops that every so many of the draws say the times tell, by the points that all draws stand for; none
+    /// if one of them makes no sense.
+    pub(super) fn drops(&self, points: &[Point]) -> Vec<DrawnDrop> {
+        let models: Vec<Model> = self.candidates.iter().map(|c| self.model(c)).collect();
+        let drops = self.draws.iter().zip(points).step_by(THINNED);
+        let drops: Option<Vec<DrawnDrop>> = drops
+            .map(|(draw, point)| {
+                let model = &models[draw.candidate];
+                let state = model.state(point)?;
+                Some(DrawnDrop {
+                    candidate: draw.candidate,
+                    law: point.law,
+                    rest: predict::until_rest(model, point, &state),
+                    state,
+                })
             })
-            .collect()
+            .collect();
+        drops.unwrap_or_default()
+    }
+
+    /// The restitution laws of every so many of the draws.
+    pub(super) fn laws_drawn(&self, every: usize) -> impl Iterator<Item = Restitution> {
+        let models: Vec<Model> = self.candidates.iter().map(|c| self.model(c)).collect();
+        let draws = self.draws.iter().step_by(every);
+        draws.filter_map(move |draw| {
+            let values = models[draw.candidate].values(draw.vector.as_slice())?;
+            Some(values.law)
+        })
     }
 
     /// Works out a value for each of the draws, or for every so many of them.
