@@ -38,12 +38,14 @@ MB = 1 << 20
 
 
 class Watch:
-    """Processor time of all processes below this one, driver and cluster, and the most memory of a Python worker."""
+    """Processor time of this process and all below it, driver and cluster, and the most memory of a Python worker."""
 
     def __init__(self) -> None:
         self.before: dict[tuple[int, float], float] = {}
         self.times: dict[tuple[int, float], float] = {}
         self.memory: list[float] = []
+        self.looking = 0.0
+        self.own = time.process_time()
         self._look(self.before)
         self.stopped = threading.Event()
         self.thread = threading.Thread(target=self._watch)
@@ -62,11 +64,14 @@ class Watch:
     def _watch(self) -> None:
         while not self.stopped.wait(0.25):
             self._look(self.times)
+        self.looking = time.thread_time()
 
     def stop(self) -> tuple[float, list[float]]:
         self.stopped.set()
         self.thread.join()
-        return sum(used - self.before.get(process, 0.0) for process, used in self.times.items()), self.memory
+        others = sum(used - self.before.get(process, 0.0) for process, used in self.times.items())
+        # To watch is no part of what is watched.
+        return others + time.process_time() - self.own - self.looking, self.memory
 
 
 def _family(root: int) -> list[psutil.Process]:
@@ -85,13 +90,12 @@ def engine(kind: type[Spark] | type[Ray], count: int, workers: int = 2) -> None:
         os.environ.update(started.environment)
         analyze = _analyze(started)
         analyze(warm, folder / "warm.parquet")
-        watch, start, own = Watch(), time.monotonic(), time.process_time()
+        watch, start = Watch(), time.monotonic()
         analyze(source, folder / "results.parquet")
         seconds = time.monotonic() - start
         processors, memory = watch.stop()
         print(f"{kind.__name__}, {workers} workers: {count} recordings, {count / seconds:.1f} files/s")
         print(f"processor time of cluster and driver: {processors:.1f} s, {1000 * processors / count:.1f} ms a recording")
-        print(f"(of this process, which also watches: {time.process_time() - own:.1f} s)")
         quarters = [max(memory[i * len(memory) // 4 : (i + 1) * len(memory) // 4]) for i in range(4)]
         print("largest Python worker by quarters of the time, MB:", *(f"{used:.0f}" for used in quarters))
         cells, different = differences(_session(source), folder / "results.parquet", folder / "tables")

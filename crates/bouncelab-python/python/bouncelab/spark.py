@@ -21,6 +21,12 @@ if TYPE_CHECKING:
 
     from pyspark.sql import DataFrame, SparkSession
 
+#: A file takes as much of a task as its length and this, bytes: a recording of a minute and what each costs anyway.
+_FILE_COUNTS_AS = 1 << 26
+
+#: Enough for cores to end at about the same time where there are few files.
+_TASKS_PER_CORE = 4
+
 #: What Spark says of a file.
 _FILE = "path string, modificationTime timestamp, length long, content binary"
 
@@ -75,33 +81,48 @@ def analyze(
         start = len(batch.plain(root).rstrip("/")) + 2
         plain = functions.regexp_replace("path", "^file:/+", "/")
         given = given.withColumn("recording", plain.substr(start, 1 << 20)).join(notes, "recording", "left")
-    tasks = -(-files_per_trigger // files_per_task)
-    rows = given.repartition(tasks).mapInArrow(_Task(kernel), from_arrow_schema(kernel.schema))
+        # A join leaves as many tasks as it likes.
+        given = given.repartition(-(-files_per_trigger // files_per_task))
+    rows = given.mapInArrow(_Task(kernel), from_arrow_schema(kernel.schema))
 
     def write(rows: DataFrame, trigger: int) -> None:
         # A trigger that is repeated replaces what it wrote.
         rows.write.mode("overwrite").parquet(f"{fspath(output)}/{trigger:06}")
 
     query = rows.writeStream.foreachBatch(write).option("checkpointLocation", fspath(checkpoint))
-    with _configured(spark):
+    with _configured(spark, files_per_task):
         running = query.trigger(availableNow=True).start()
-    running.awaitTermination()
+        running.awaitTermination()
     return sum(progress.numInputRows for progress in running.recentProgress)
 
 
 @contextmanager
-def _configured(spark: SparkSession) -> Iterator[None]:
-    """Let a listing take as many tasks as there are cores, not one for each file; and a batch few contents."""
+def _configured(spark: SparkSession, files_per_task: int) -> Iterator[None]:
+    """Say how a stream of files is listed and divided, as long as it runs."""
     cores = spark.sparkContext.defaultParallelism
-    options = {"sources.parallelPartitionDiscovery.parallelism": cores, "execution.arrow.maxRecordsPerBatch": 10}
-    before = {option: spark.conf.get(f"spark.sql.{option}") for option in options}
+    options = {
+        # A listing takes as many tasks as there are cores, not one for each file.
+        "sources.parallelPartitionDiscovery.parallelism": cores,
+        # A task takes so many files, fewer if they are long or if some cores had none.
+        "files.openCostInBytes": _FILE_COUNTS_AS,
+        "files.maxPartitionBytes": _FILE_COUNTS_AS * files_per_task,
+        "files.minPartitionNum": _TASKS_PER_CORE * cores,
+        # A batch takes few contents.
+        "execution.arrow.maxRecordsPerBatch": 10,
+        # All triggers count.
+        "streaming.numRecentProgressUpdates": 1 << 20,
+    }
+    before = {option: spark.conf.get(f"spark.sql.{option}", None) for option in options}
     for option, value in options.items():
         spark.conf.set(f"spark.sql.{option}", value)
     try:
         yield
     finally:
         for option, value in before.items():
-            spark.conf.set(f"spark.sql.{option}", value)
+            if value is None:
+                spark.conf.unset(f"spark.sql.{option}")
+            else:
+                spark.conf.set(f"spark.sql.{option}", value)
 
 
 class _Task:
