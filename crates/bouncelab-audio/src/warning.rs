@@ -58,6 +58,13 @@ pub enum Warning {
         /// Where the change is.
         at_s: f64,
     },
+    /// The header states a rate and, by its bytes a second, another.
+    RateInDoubt {
+        /// The rate that is used, in Hz.
+        stated_hz: u32,
+        /// The other, in Hz.
+        implied_hz: f64,
+    },
     /// The edit list plays parts of the sound out of order or at another speed. It was ignored:
     /// the sound is presented as recorded.
     EditsIgnored,
@@ -131,6 +138,12 @@ impl Warning {
                 .with("blank_s", blank_s),
             Self::Altered => new(Code::ChecksumWrong),
             Self::FormatChange { at_s } => new(Code::FormatChanges).with("at_s", at_s),
+            Self::RateInDoubt {
+                stated_hz,
+                implied_hz,
+            } => new(Code::RateInDoubt)
+                .with("stated_hz", f64::from(stated_hz))
+                .with("implied_hz", implied_hz),
             Self::EditsIgnored => new(Code::EditListIgnored),
         }
     }

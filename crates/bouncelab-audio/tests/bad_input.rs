@@ -215,3 +215,16 @@ fn a_wav_that_was_never_finished_is_read_to_its_end() {
     empty.truncate(data + 8);
     refusal(empty, "empty.wav");
 }
+
+/// One flipped bit in the rate makes every time wrong by the same factor; only the bytes a second tell.
+#[test]
+fn a_wav_whose_rate_contradicts_its_bytes_a_second_is_doubted() {
+    let mut wav = fixture("pcm16.wav");
+    let (_, before) = salvage(wav.clone(), "pcm16.wav");
+    assert!(before.is_empty(), "{before:?}");
+    let format = wav.windows(4).position(|word| word == b"fmt ").unwrap();
+    wav[format + 8 + 5] ^= 0x08;
+    let (_, after) = salvage(wav, "flipped.wav");
+    let doubted = |warning: &Warning| matches!(warning, Warning::RateInDoubt { .. });
+    assert!(after.iter().any(doubted), "{after:?}");
+}

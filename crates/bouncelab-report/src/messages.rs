@@ -271,6 +271,7 @@ impl Translator {
                 _ if name.ends_with("_s") => Value::fixed(value, 2),
                 _ if name.ends_with("_m") => quantity(value, 3, Unit::Length),
                 _ if name.ends_with("_kg") => quantity(value, 3, Unit::Mass),
+                _ if name.ends_with("_hz") => Value::fixed(value, 0),
                 _ if name.ends_with("_k") => Value::fixed(value - 273.15, 1),
                 _ => plain(value),
             },

@@ -231,6 +231,8 @@ codes! {
     ChecksumWrong = "checksum-wrong", Warning, [];
     /// The rate or number of channels changes; the recording was read up to there.
     FormatChanges = "format-changes", Warning, ["at_s"];
+    /// The header of the file states one rate and, by its bytes a second, another.
+    RateInDoubt = "rate-in-doubt", Warning, ["stated_hz", "implied_hz"];
     /// The edit list of the file was ignored.
     EditListIgnored = "edit-list-ignored", Info, [];
 

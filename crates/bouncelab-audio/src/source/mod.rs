@@ -207,10 +207,10 @@ impl Source {
             }
         };
         reader.set_stream(container.is_stream());
-        let mut recorder_lost = Vec::new();
+        let mut notes = wave::Notes::default();
         if container == Container::Wav {
             let start = reader.stream_position().map_err(fail)?;
-            recorder_lost = wave::lost(&mut reader).map_err(fail)?;
+            notes = wave::notes(&mut reader).map_err(fail)?;
             reader.seek(SeekFrom::Start(start)).map_err(fail)?;
             match wave::mended(&mut reader).map_err(fail)? {
                 Some(wave) => reader.read_behind(wave.header, wave.sound),
@@ -230,8 +230,14 @@ impl Source {
         }
         let track = Track::open(container, Box::new(reader), framing, name)?;
         let mut source = Self::start(track, name)?;
-        for gap in lost_chunk::decode(&recorder_lost, source.sample_rate_hz()) {
+        for gap in lost_chunk::decode(&notes.lost, source.sample_rate_hz()) {
             source.note_gap(gap);
+        }
+        if let Some(implied_hz) = notes.other_rate_hz {
+            source.warnings.push(Warning::RateInDoubt {
+                stated_hz: source.sample_rate_hz(),
+                implied_hz,
+            });
         }
         Ok(source)
     }

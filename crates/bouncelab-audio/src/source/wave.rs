@@ -70,21 +70,46 @@ pub(super) fn mended<S: Read + Seek>(source: &mut S) -> io::Result<Option<Mended
     Ok(None)
 }
 
-/// The content of the chunk of a file that begins here that says where sound was lost; empty without one.
-pub(super) fn lost<S: Read + Seek>(source: &mut S) -> io::Result<Vec<u8>> {
+/// What the chunks of a file say besides the sound.
+#[derive(Debug, Default, PartialEq)]
+pub(super) struct Notes {
+    /// The content of the chunk that says where sound was lost; empty without one.
+    pub(super) lost: Vec<u8>,
+    /// The rate, in Hz, that the bytes a second are those of, where that is not the rate that is stated.
+    pub(super) other_rate_hz: Option<f64>,
+}
+
+/// The notes in a file that begins here.
+pub(super) fn notes<S: Read + Seek>(source: &mut S) -> io::Result<Notes> {
     let start = source.stream_position()?;
     let file_len = source.seek(SeekFrom::End(0))?;
     let mut chunks = Chunks::new(source, start)?;
+    let mut notes = Notes::default();
     for _ in 0..MOST_CHUNKS {
-        match chunks.next(file_len)? {
-            Some((lost_chunk::NAME, content)) if content.end - content.start <= MOST_LOST => {
-                return chunks.read(&content);
-            }
-            Some(_) => {}
-            None => break,
+        let Some((name, content)) = chunks.next(file_len)? else {
+            break;
+        };
+        let len = content.end - content.start;
+        if &name == b"fmt " && len <= MOST_FORMAT {
+            notes.other_rate_hz = other_rate_hz(&chunks.read(&content)?);
+        } else if name == lost_chunk::NAME && len <= MOST_LOST {
+            notes.lost = chunks.read(&content)?;
         }
     }
-    Ok(Vec::new())
+    Ok(notes)
+}
+
+/// The rate that the bytes a second are those of, if the description of a sound of equal frames contradicts itself.
+fn other_rate_hz(format: &[u8]) -> Option<f64> {
+    /// PCM, floating point, and those of an extensible header.
+    const EQUAL_FRAMES: [u16; 3] = [1, 3, 0xfffe];
+    let word = |at: usize| Some(u16::from_le_bytes(*format.get(at..)?.first_chunk()?));
+    let number = |at: usize| Some(u32::from_le_bytes(*format.get(at..)?.first_chunk()?));
+    let (rate_hz, bytes_per_s, frame_bytes) = (number(4)?, number(8)?, word(12)?);
+    // Some recorders leave zero where they do not know.
+    let states = EQUAL_FRAMES.contains(&word(0)?) && bytes_per_s > 0 && frame_bytes > 0;
+    let implied_hz = f64::from(bytes_per_s) / f64::from(frame_bytes);
+    (states && (implied_hz - f64::from(rate_hz)).abs() >= 1.0).then_some(implied_hz)
 }
 
 impl Mended {
@@ -198,6 +223,24 @@ mod tests {
     use std::io::Cursor;
 
     use super::*;
+
+    /// Format, channels, rate, bytes a second, bytes of a frame, bits: as of 16 bits.
+    fn format(tag: u16, rate_hz: u32, bytes_per_s: u32) -> Vec<u8> {
+        let mut format = [tag, 1].map(u16::to_le_bytes).concat();
+        format.extend([rate_hz, bytes_per_s].map(u32::to_le_bytes).concat());
+        format.extend([2_u16, 16].map(u16::to_le_bytes).concat());
+        format
+    }
+
+    #[test]
+    fn a_rate_that_contradicts_the_bytes_a_second_is_noted() {
+        assert_eq!(other_rate_hz(&format(1, 44_100, 88_200)), None);
+        assert_eq!(other_rate_hz(&format(1, 44_100, 96_000)), Some(48_000.0));
+        assert_eq!(other_rate_hz(&format(3, 44_100, 0)), None);
+        // Frames of other formats are not equal.
+        assert_eq!(other_rate_hz(&format(2, 44_100, 22_311)), None);
+        assert_eq!(other_rate_hz(&format(1, 44_100, 88_200)[..10]), None);
+    }
 
     #[test]
     fn an_ordinary_header_stays_as_it_is() {

@@ -43,6 +43,7 @@ diagnostic-sound-blank = { $places ->
   }, y no en otra parte: quizá se perdió o se sobrescribió allí.
 diagnostic-checksum-wrong = El sonido no es aquel cuya suma de comprobación tiene el archivo: se cambió en alguna parte.
 diagnostic-format-changes = El sonido cambia de frecuencia de muestreo o de canales en { $at_s } s; se leyó hasta allí.
+diagnostic-rate-in-doubt = La cabecera indica { $stated_hz } muestras por segundo, pero sus bytes por segundo corresponden a { $implied_hz }: si la frecuencia es falsa, lo son todos los tiempos.
 diagnostic-edit-list-ignored = La lista de edición del archivo reordena o deforma el sonido; se leyó tal como se grabó.
 
 diagnostic-impacts-missed = { $count ->

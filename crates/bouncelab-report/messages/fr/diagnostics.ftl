@@ -43,6 +43,7 @@ diagnostic-sound-blank = { $places ->
   }, et pas ailleurs : il y a peut-être été perdu ou écrasé.
 diagnostic-checksum-wrong = Le son n’est pas celui dont le fichier donne la somme de contrôle : il a été modifié quelque part.
 diagnostic-format-changes = Le son change de fréquence d’échantillonnage ou de nombre de voies à { $at_s } s ; il a été lu jusque-là.
+diagnostic-rate-in-doubt = L’en-tête indique { $stated_hz } échantillons par seconde, mais son débit en octets correspond à { $implied_hz } : si la fréquence est fausse, tous les temps le sont.
 diagnostic-edit-list-ignored = La liste de montage du fichier réordonne ou déforme le son ; il a été lu tel qu’enregistré.
 
 diagnostic-impacts-missed = { $count ->
