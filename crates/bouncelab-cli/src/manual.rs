@@ -4,7 +4,7 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use bouncelab_report::MARK;
+use bouncelab_report::mark::MANUAL;
 use clap::{Args, Command, CommandFactory};
 use clap_complete::Shell;
 use clap_mangen::Man;
@@ -58,11 +58,11 @@ pub(crate) fn manual(arguments: &ManualArguments) -> Result<(), Failure> {
 fn pages(command: &Command, folder: &Path, outputs: &OutputArguments) -> Result<(), Failure> {
     let name = command.get_display_name().unwrap_or(command.get_name());
     // A comment of the page tells it from what others wrote.
-    let mut page = format!(".\\\" {MARK}\n").into_bytes();
+    let mut page = format!("{MANUAL}\n").into_bytes();
     let man = Man::new(command.clone()).title(name.to_owned());
     man.render(&mut page)?;
     let path = folder.join(format!("{name}.1"));
-    write(&outputs.of_no_input(), &path, MARK, &page)?;
+    write(&outputs.of_no_input(), &path, MANUAL, &page)?;
     let own = command.get_subcommands().filter(|own| !own.is_hide_set());
     own.into_iter()
         .try_for_each(|own| pages(own, folder, outputs))

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use bouncelab::Plain;
 use bouncelab_report::file::{Outputs, create_folder};
 use bouncelab_report::report::{Markdown, Page, Provenance};
-use bouncelab_report::{MARK, Saved};
+use bouncelab_report::{Saved, mark};
 use clap::Args;
 use jiff::Zoned;
 
@@ -41,6 +41,16 @@ enum Form {
     Markdown,
 }
 
+impl Form {
+    /// By what an earlier report is known.
+    const fn mark(self) -> &'static str {
+        match self {
+            Self::Html => mark::HTML,
+            Self::Markdown => mark::MARKDOWN,
+        }
+    }
+}
+
 /// A file for a report, known to be writable before any work is done.
 pub(crate) struct ReportFile<'a> {
     path: PathBuf,
@@ -63,7 +73,7 @@ impl<'a> ReportFile<'a> {
             }
         };
         // Gone at once: who interrupts the work finds nothing lying about.
-        let draft = outputs.draft(path, MARK);
+        let draft = outputs.draft(path, form.mark());
         drop(draft.map_err(|reason| Failure::unwritable(path, &reason))?);
         Ok(Self {
             path: path.to_owned(),
@@ -78,7 +88,7 @@ impl<'a> ReportFile<'a> {
             Form::Html => page.html(),
             Form::Markdown => self.markdown(page)?.text,
         };
-        write(self.outputs, &self.path, MARK, text.as_bytes())
+        write(self.outputs, &self.path, self.form.mark(), text.as_bytes())
     }
 
     /// The page as Markdown, with its figures in a folder beside it.
@@ -91,7 +101,7 @@ impl<'a> ReportFile<'a> {
             let mut figures = markdown.figures.iter();
             figures.try_for_each(|(name, svg)| {
                 let path = folder.join(name);
-                self.outputs.write(&path, MARK, svg.as_bytes())
+                self.outputs.write(&path, mark::SVG, svg.as_bytes())
             })
         });
         written.map_err(|reason| Failure::unwritable(&folder, &reason))?;

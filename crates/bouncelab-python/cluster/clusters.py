@@ -13,6 +13,7 @@ import urllib.request
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
+from typing import Any
 
 import psutil
 import pyspark
@@ -79,6 +80,8 @@ class Spark:
         return subprocess.Popen(command, env=self.environment, stdout=log, stderr=log, start_new_session=True)
 
     def add_worker(self) -> None:
+        # A worker that comes before the master leads is not taken, and does not ask again.
+        until(lambda: self._status().get("status") == "ALIVE", "the master of Spark", self.master)
         count = self._alive() + 1
         options = ["--host", HOST, "--cores", "1", "--memory", "1g", "--webui-port", "0"]
         options += ["--work-dir", str(self.folder / "work"), self.url]
@@ -90,11 +93,16 @@ class Spark:
         end(self.workers.pop(0), signal.SIGKILL)
 
     def _alive(self) -> int:
+        return sum(worker["state"] == "ALIVE" for worker in self._status().get("workers", []))
+
+    def _status(self) -> dict[str, Any]:
+        """What the master says of itself; nothing before it answers."""
         try:
             with urllib.request.urlopen(f"http://{HOST}:{self.web}/json/", timeout=5) as answer:
-                return sum(worker["state"] == "ALIVE" for worker in json.load(answer)["workers"])
+                status: dict[str, Any] = json.load(answer)
+                return status
         except OSError:
-            return 0
+            return {}
 
     def processes(self) -> list[subprocess.Popen[bytes]]:
         return [*self.workers, self.master]

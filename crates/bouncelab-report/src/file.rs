@@ -340,9 +340,9 @@ pub fn remove_drafts(folder: &Path) -> io::Result<()> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::MARK;
+    use crate::mark::MARKDOWN;
 
-    const CONTENT: &[u8] = b"made by bouncelab, and more";
+    const CONTENT: &[u8] = b"<!-- made by bouncelab -->, and more";
 
     fn place(content: &[u8]) -> (tempfile::TempDir, PathBuf) {
         let folder = tempfile::tempdir().unwrap();
@@ -354,14 +354,18 @@ mod tests {
     #[test]
     fn a_file_of_somebody_else_is_replaced_only_on_request() {
         let (_folder, path) = place(b"my notes");
-        let refusal = Outputs::default().write(&path, MARK, CONTENT).unwrap_err();
+        let mention = place(b"The figures were made by bouncelab.");
+        assert!(Outputs::default().check(&mention.1, MARKDOWN).is_err());
+        let refusal = Outputs::default()
+            .write(&path, MARKDOWN, CONTENT)
+            .unwrap_err();
         assert!(refusal.to_string().contains("--force"), "{refusal}");
         assert_eq!(fs::read(&path).unwrap(), b"my notes");
         let force = Outputs::new([""; 0], true);
-        force.write(&path, MARK, CONTENT).unwrap();
+        force.write(&path, MARKDOWN, CONTENT).unwrap();
         assert_eq!(fs::read(&path).unwrap(), CONTENT);
         Outputs::default()
-            .write(&path, MARK, b"made by bouncelab again")
+            .write(&path, MARKDOWN, b"<!-- made by bouncelab --> again")
             .unwrap();
         assert!(Outputs::default().write(&path, "", b"no mark").is_err());
     }
@@ -375,7 +379,7 @@ mod tests {
             (vec![b'x'; 9_000], false),
         ] {
             let (_folder, path) = place(&content);
-            assert_eq!(Outputs::default().check(&path, MARK).is_ok(), own);
+            assert_eq!(Outputs::default().check(&path, MARKDOWN).is_ok(), own);
         }
     }
 
@@ -397,7 +401,7 @@ mod tests {
                 at("./file.md"),
             ] {
                 let refusal = outputs
-                    .write(&output, MARK, b"made by bouncelab")
+                    .write(&output, MARKDOWN, MARKDOWN.as_bytes())
                     .unwrap_err();
                 assert!(refusal.to_string().contains("input"), "{refusal}");
             }
@@ -408,7 +412,7 @@ mod tests {
     #[test]
     fn a_draft_that_is_dropped_leaves_nothing_behind() {
         let (folder, path) = place(b"");
-        drop(Outputs::default().draft(&path, MARK).unwrap());
+        drop(Outputs::default().draft(&path, MARKDOWN).unwrap());
         assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 1);
         assert!(
             !unfinished()

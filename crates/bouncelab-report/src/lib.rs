@@ -68,6 +68,7 @@ pub mod figure;
 pub mod file;
 pub mod groups;
 pub mod link;
+pub mod mark;
 pub mod messages;
 pub mod paper;
 mod quantity;
@@ -83,9 +84,6 @@ mod table;
 pub mod tables;
 pub mod theme;
 pub mod units;
-
-/// The mark in figures and reports, where it is not seen: files that have it may be replaced.
-pub const MARK: &str = "made by bouncelab";
 
 pub use chart::Chart;
 pub use error::{Error, Result, advice};

@@ -2,10 +2,10 @@
 
 use std::path::{Path, PathBuf};
 
-use crate::MARK;
 use crate::chart::{CSV_HEADER, Chart};
 use crate::error::{Error, Result};
 use crate::file::{Outputs, create_folder};
+use crate::mark;
 
 /// Width of a saved picture in pixels: sharp on a page, and small enough to send.
 const PICTURE_WIDTH_PX: u32 = 1600;
@@ -51,9 +51,9 @@ pub fn save(chart: &Chart, folder: &Path, name: &str, outputs: &Outputs) -> Resu
         }
     };
     Ok(Saved {
-        svg: written("svg", MARK, chart.svg().as_bytes())?,
-        png: written("png", MARK, &picture)?,
-        pdf: written("pdf", MARK, &page)?,
+        svg: written("svg", mark::SVG, chart.svg().as_bytes())?,
+        png: written("png", mark::PNG, &picture)?,
+        pdf: written("pdf", mark::PDF, &page)?,
         csv: written("csv", CSV_HEADER, chart.csv().as_bytes())?,
     })
 }

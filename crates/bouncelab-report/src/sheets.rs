@@ -18,8 +18,8 @@ use bouncelab::impact::{Contact, Restitution};
 use bouncelab::setup::Settings;
 use maud::{DOCTYPE, Markup, html};
 
-use crate::MARK;
 use crate::digits::with_minus;
+use crate::mark::MARK;
 use crate::messages::{Translator, Value};
 
 /// The name of the style, which lies beside the sheets: the page allows no styles within.

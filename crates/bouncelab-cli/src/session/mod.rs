@@ -8,10 +8,10 @@ use std::io;
 use std::path::PathBuf;
 
 use bouncelab::Plain;
-use bouncelab_report::MARK;
 use bouncelab_report::chart::CSV_HEADER;
 use bouncelab_report::file::{Outputs, remove_drafts};
 use bouncelab_report::groups::Question;
+use bouncelab_report::mark;
 use bouncelab_session::batch::Batch;
 use bouncelab_session::journal::{JOURNAL, JOURNAL_MARK, Journal};
 use bouncelab_session::table::Form;
@@ -331,7 +331,7 @@ impl Arguments {
         let pictures = ["groups", "intervals", "run"]
             .into_iter()
             .flat_map(|figure| {
-                let marks = ["svg", "png", "pdf"].map(|ending| (ending, MARK));
+                let marks = [("svg", mark::SVG), ("png", mark::PNG), ("pdf", mark::PDF)];
                 let marks = marks.into_iter().chain([("csv", CSV_HEADER)]);
                 marks.map(move |(ending, mark)| {
                     (self.output.join(format!("{figure}.{ending}")), mark)

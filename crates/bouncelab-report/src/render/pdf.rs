@@ -8,7 +8,7 @@ use tiny_skia::{Path, PathSegment, Point};
 use super::canvas::Shape;
 use super::clip::Place;
 use super::paths::{Surface, paint};
-use crate::MARK;
+use crate::mark::MARK;
 use crate::theme::Colour;
 
 /// Points of a PDF in a figure pixel, as on a page of HTML.

@@ -5,7 +5,7 @@ use tiny_skia::{Color, FillRule, LineCap, LineJoin, Paint, Path, Pixmap, Stroke,
 use super::canvas::Shape;
 use super::clip::Place;
 use super::paths::{Surface, paint};
-use crate::MARK;
+use crate::mark::MARK;
 use crate::theme::{self, Colour};
 
 /// Draws shapes of a width and a height, in figure pixels, as a PNG file of the given width.

@@ -5,7 +5,7 @@ use maud::{Markup, html};
 use super::canvas::{Anchor, RIM, Shape};
 use super::clip::Place;
 use super::text::printable;
-use crate::MARK;
+use crate::mark::MARK;
 use crate::theme::{self, Colour};
 
 /// Writes shapes of a width and a height, in figure pixels, with a title and a description for those who

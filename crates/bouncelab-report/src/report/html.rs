@@ -7,8 +7,8 @@ use bouncelab::Plain;
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 
 use super::page::{Block, Language, Page, Section};
-use crate::MARK;
 use crate::chart::Chart;
+use crate::mark::MARK;
 use crate::table::{Align, Table};
 
 const STYLE: &str = include_str!("style.css");

@@ -6,8 +6,8 @@ use std::fmt::Write;
 use bouncelab::Plain;
 
 use super::page::{Block, Language, Page, Section};
-use crate::MARK;
 use crate::chart::Chart;
+use crate::mark;
 use crate::table::{Align, Table};
 
 /// A page as Markdown, and the drawings it shows.
@@ -44,7 +44,7 @@ impl Page {
                 form.section(section, 3);
             }
         }
-        form.block(&format!("<!-- {MARK} -->"));
+        form.block(mark::MARKDOWN);
         Markdown {
             text: form.text,
             figures: form.figures,

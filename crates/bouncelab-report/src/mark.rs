@@ -1,0 +1,20 @@
+//! The mark of figures and reports, where it is not seen: files that have it may be replaced.
+//!
+//! Each kind of file has it at a place of its own, so that a text about bouncelab is not taken for one of its
+//! files.
+
+/// What the mark says.
+pub(crate) const MARK: &str = "made by bouncelab";
+
+/// In a page.
+pub const HTML: &str = r#"<meta name="generator" content="made by bouncelab"#;
+/// In a report for a notebook.
+pub const MARKDOWN: &str = "<!-- made by bouncelab -->";
+/// In a figure.
+pub const SVG: &str = "<metadata>made by bouncelab</metadata>";
+/// In a picture.
+pub const PNG: &str = "tEXtSoftware\0made by bouncelab";
+/// In a figure for print.
+pub const PDF: &str = "/Producer (made by bouncelab)";
+/// In a page of the manual.
+pub const MANUAL: &str = ".\\\" made by bouncelab";
