@@ -378,7 +378,7 @@ impl<const L: usize> Restitutions<L> {
     }
 
     /// The same, if e had no bounds.
-    #[inline(always)]
+    #[cfg_attr(not(target_family = "wasm"), inline(always))]
     fn unbounded(&self, v: Lanes<L>) -> (Lanes<L>, Lanes<L>) {
         let [a, b, c, ..] = self.numbers;
         match self.family {
@@ -412,7 +412,7 @@ impl<const L: usize> Restitutions<L> {
     }
 
     /// ln e and its slope of a smooth law.
-    #[inline(always)]
+    #[cfg_attr(not(target_family = "wasm"), inline(always))]
     fn smooth(&self, ln_speed: Lanes<L>) -> (Lanes<L>, Lanes<L>) {
         let [
             ln_e,
