@@ -21,15 +21,6 @@ if TYPE_CHECKING:
 
     from pyspark.sql import DataFrame, SparkSession
 
-#: A file takes as much of a task as its length and this, bytes: a recording of a minute and what each costs anyway.
-_FILE_COUNTS_AS = 1 << 26
-
-#: Enough for cores to end at about the same time where there are few files.
-_TASKS_PER_CORE = 4
-
-#: What Spark says of a file.
-_FILE = "path string, modificationTime timestamp, length long, content binary"
-
 
 def analyze(
     spark: SparkSession,
@@ -71,18 +62,17 @@ def analyze(
     root = fspath(source)
     kernel = batch.kernel(settings, root=root)
     globs = sorted({form for ending in _core.endings() for form in (ending, ending.upper())})
-    files = spark.readStream.format("binaryFile").schema(_FILE).option("maxFilesPerTrigger", files_per_trigger)
+    files = spark.readStream.format("binaryFile").option("maxFilesPerTrigger", files_per_trigger)
+    files = files.schema("path string, modificationTime timestamp, length long, content binary")
     files = files.option("recursiveFileLookup", True).option("pathGlobFilter", f"*.{{{','.join(globs)}}}")
-    if with_content is None:
-        with_content = not root.startswith(("/", "file:"))
     # Without the content the plan does not read it.
-    given = files.load(root).select("path", *["content"] * with_content)
+    reads = not root.startswith(("/", "file:")) if with_content is None else with_content
+    given = files.load(root).select("path", *["content"] * reads)
     if notes is not None:
         start = len(batch.plain(root).rstrip("/")) + 2
         plain = functions.regexp_replace("path", "^file:/+", "/")
         given = given.withColumn("recording", plain.substr(start, 1 << 20)).join(notes, "recording", "left")
-        # A join leaves as many tasks as it likes.
-        given = given.repartition(-(-files_per_trigger // files_per_task))
+        given = given.repartition(-(-files_per_trigger // files_per_task))  # a join leaves as many as it likes
     rows = given.mapInArrow(_Task(kernel), from_arrow_schema(kernel.schema))
 
     def write(rows: DataFrame, trigger: int) -> None:
@@ -98,31 +88,23 @@ def analyze(
 
 @contextmanager
 def _configured(spark: SparkSession, files_per_task: int) -> Iterator[None]:
-    """Say how a stream of files is listed and divided, as long as it runs."""
-    cores = spark.sparkContext.defaultParallelism
+    """Say how a stream lists files, divides them (long ones count for several), takes contents and counts triggers."""
+    file_bytes = 1 << 26  # added to the length of each: a minute of sound, and what each costs anyway
     options = {
-        # A listing takes as many tasks as there are cores, not one for each file.
-        "sources.parallelPartitionDiscovery.parallelism": cores,
-        # A task takes so many files, fewer if they are long or if some cores had none.
-        "files.openCostInBytes": _FILE_COUNTS_AS,
-        "files.maxPartitionBytes": _FILE_COUNTS_AS * files_per_task,
-        "files.minPartitionNum": _TASKS_PER_CORE * cores,
-        # A batch takes few contents.
+        "sources.parallelPartitionDiscovery.parallelism": spark.sparkContext.defaultParallelism,
+        "files.openCostInBytes": file_bytes,
+        "files.maxPartitionBytes": file_bytes * files_per_task,
         "execution.arrow.maxRecordsPerBatch": 10,
-        # All triggers count.
         "streaming.numRecentProgressUpdates": 1 << 20,
     }
-    before = {option: spark.conf.get(f"spark.sql.{option}", None) for option in options}
+    before = {option: spark.conf.get(f"spark.sql.{option}") for option in options}
     for option, value in options.items():
         spark.conf.set(f"spark.sql.{option}", value)
     try:
         yield
     finally:
         for option, value in before.items():
-            if value is None:
-                spark.conf.unset(f"spark.sql.{option}")
-            else:
-                spark.conf.set(f"spark.sql.{option}", value)
+            spark.conf.set(f"spark.sql.{option}", value)
 
 
 class _Task:
