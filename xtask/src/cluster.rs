@@ -21,7 +21,7 @@ struct End {
 
 const NEWEST: End = End {
     name: "cluster",
-    requirements: "requirements-cluster.txt",
+    requirements: "requirements-cluster-newest.txt",
     recordings: "2000",
     tests: &["cluster"],
 };

@@ -196,8 +196,8 @@ impl Layout {
 
     /// The header of a file with so many bytes of samples, and of other chunks behind them.
     ///
-    /// It is the plain one of 1991, not the "extensible" one of later: that needs a place in the
-    /// room for each channel, which a channel here has not, and some programs refuse mono whose
+    /// It is the plain one of 1991, not the "extensible" one of later: that needs the
+    /// position of a loudspeaker for each channel, which a channel here has not, and some programs refuse mono whose
     /// only channel is "front left".
     pub(crate) fn header(self, data_len: u32, behind: u32) -> [u8; HEADER_LEN as usize] {
         let padding = data_len % 2;

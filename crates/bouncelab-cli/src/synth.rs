@@ -111,7 +111,7 @@ Examples:
 enum Background {
     /// Equal power per hertz
     White,
-    /// Equal power per octave, as in most rooms
+    /// Equal power per octave, like most background noise indoors
     Pink,
 }
 

@@ -11,29 +11,36 @@ pub(crate) fn sorted(values: impl IntoIterator<Item = f64>) -> Vec<f64> {
 /// n stands for the share (i - 1/2)/n. `None` without values.
 pub(crate) fn quantile(sorted: &[f64], share: f64) -> Option<f64> {
     let last = sorted.len().checked_sub(1)?;
-    let place = (share * sorted.len() as f64 - 0.5).clamp(0.0, last as f64);
-    let low = place as usize;
+    let (low, beyond) = place(sorted.len(), share);
     let high = (low + 1).min(last);
-    Some(sorted[low] + (place - low as f64) * (sorted[high] - sorted[low]))
+    Some(sorted[low] + beyond * (sorted[high] - sorted[low]))
+}
+
+/// Where among so many sorted values, one at least, the quantile of a share lies: after this one, by this part of
+/// the way to the next.
+fn place(count: usize, share: f64) -> (usize, f64) {
+    let place = (share * count as f64 - 0.5).clamp(0.0, (count - 1) as f64);
+    (place as usize, place.fract())
 }
 
 /// The same of values in any order, for shares in rising order; puts the values into another order. `None` without
 /// values. A few quantiles take less than sorting does, but more code, of which a page should have little.
 pub(crate) fn quantiles<const N: usize>(values: &mut [f64], shares: [f64; N]) -> Option<[f64; N]> {
-    let last = values.len().checked_sub(1)?;
+    if values.is_empty() {
+        return None;
+    }
     if cfg!(target_family = "wasm") {
         values.sort_unstable_by(f64::total_cmp);
         return Some(shares.map(|share| quantile(values, share).unwrap_or(f64::NAN)));
     }
     let mut from = 0;
     Some(shares.map(|share| {
-        let place = (share * values.len() as f64 - 0.5).clamp(0.0, last as f64);
-        let low = place as usize;
+        let (low, beyond) = place(values.len(), share);
         let (_, at_low, above) = values[from..].select_nth_unstable_by(low - from, f64::total_cmp);
         let next = above.iter().copied().fold(f64::INFINITY, f64::min);
         let high = if above.is_empty() { *at_low } else { next };
         from = low;
-        *at_low + (place - low as f64) * (high - *at_low)
+        *at_low + beyond * (high - *at_low)
     }))
 }
 

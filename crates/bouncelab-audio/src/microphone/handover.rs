@@ -57,10 +57,10 @@ pub enum Arrival {
 
 /// The two sides.
 pub(super) fn handover(sample_rate_hz: u32, channels: usize) -> (Feeder, Taker) {
-    with_room(sample_rate_hz as usize * RING_S, channels)
+    with_capacity(sample_rate_hz as usize * RING_S, channels)
 }
 
-fn with_room(frames: usize, channels: usize) -> (Feeder, Taker) {
+fn with_capacity(frames: usize, channels: usize) -> (Feeder, Taker) {
     let (samples_in, samples_out) = RingBuffer::new(frames * channels);
     let (losses_in, losses_out) = RingBuffer::new(MOST_LOSSES);
     let feeder = Feeder {
@@ -80,12 +80,12 @@ fn with_room(frames: usize, channels: usize) -> (Feeder, Taker) {
 }
 
 impl Feeder {
-    /// Hands over whole frames, channel by channel within each; if there is no room, they are
+    /// Hands over whole frames, channel by channel within each; if the ring is full, they are
     /// lost, and counted.
     pub(super) fn feed(&mut self, samples: impl ExactSizeIterator<Item = f32>) {
         let frames = (samples.len() / self.channels) as u64;
-        let has_room = self.samples.slots() >= samples.len();
-        if !has_room || !self.tell_loss() {
+        let fits = self.samples.slots() >= samples.len();
+        if !fits || !self.tell_loss() {
             self.lose(frames);
             return;
         }
@@ -100,7 +100,7 @@ impl Feeder {
         self.lost = Some(self.lost.unwrap_or(0) + frames);
     }
 
-    /// Passes on what is missing before the next frame; `false` if there is no room for that.
+    /// Passes on what is missing before the next frame; `false` if the ring of losses is full.
     fn tell_loss(&mut self) -> bool {
         let Some(frames) = self.lost else {
             return true;
@@ -162,7 +162,7 @@ mod tests {
 
     #[test]
     fn channels_come_apart_in_order() {
-        let (mut feeder, mut taker) = with_room(4, 2);
+        let (mut feeder, mut taker) = with_capacity(4, 2);
         let mut planes = Vec::new();
         assert_eq!(taker.take(&mut planes), Arrival::Nothing);
         // Six frames through a ring of four: it wraps round.
@@ -179,7 +179,7 @@ mod tests {
 
     #[test]
     fn what_finds_no_room_is_counted_where_it_is_missing() {
-        let (mut feeder, mut taker) = with_room(4, 1);
+        let (mut feeder, mut taker) = with_capacity(4, 1);
         feed(&mut feeder, &[1.0, 2.0, 3.0]);
         feed(&mut feeder, &[4.0, 5.0]);
         feed(&mut feeder, &[6.0, 7.0, 8.0]);
@@ -194,7 +194,7 @@ mod tests {
 
     #[test]
     fn a_fault_of_unknown_length_is_reported_too() {
-        let (mut feeder, mut taker) = with_room(8, 1);
+        let (mut feeder, mut taker) = with_capacity(8, 1);
         feed(&mut feeder, &[1.0]);
         feeder.lose(0);
         feed(&mut feeder, &[2.0]);
@@ -210,7 +210,7 @@ mod tests {
     fn two_threads_agree_on_every_frame() {
         // The feeder counts frames; the taker must see each of them, or a loss of that length.
         const FRAMES: usize = 200_000;
-        let (mut feeder, mut taker) = with_room(512, 2);
+        let (mut feeder, mut taker) = with_capacity(512, 2);
         let feeding = thread::spawn(move || {
             let numbers: Vec<f32> = (0..FRAMES).flat_map(|n| [n as f32, -(n as f32)]).collect();
             for block in numbers.chunks(2 * 37) {

@@ -5,7 +5,7 @@
 const LONG: usize = 64;
 
 /// With more stretches than this, or a greater share of the recording in them, silence belongs to it: of
-/// a gate, or of a room without noise.
+/// a noise gate, or of a source without background noise.
 const MOST: u64 = 3;
 const MOST_SHARE: f64 = 0.1;
 

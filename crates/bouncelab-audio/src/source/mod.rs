@@ -207,12 +207,11 @@ impl Source {
             }
         };
         reader.set_stream(container.is_stream());
-        let mut notes = wave::Notes::default();
+        let mut header = wave::Header::default();
         if container == Container::Wav {
             let start = reader.stream_position().map_err(fail)?;
-            notes = wave::notes(&mut reader).map_err(fail)?;
-            reader.seek(SeekFrom::Start(start)).map_err(fail)?;
-            match wave::mended(&mut reader).map_err(fail)? {
+            header = wave::header(&mut reader).map_err(fail)?;
+            match header.mended.take() {
                 Some(wave) => reader.read_behind(wave.header, wave.sound),
                 None => reader.seek(SeekFrom::Start(start)).map(drop),
             }
@@ -230,10 +229,10 @@ impl Source {
         }
         let track = Track::open(container, Box::new(reader), framing, name)?;
         let mut source = Self::start(track, name)?;
-        for gap in lost_chunk::decode(&notes.lost, source.sample_rate_hz()) {
+        for gap in lost_chunk::decode(&header.lost, source.sample_rate_hz()) {
             source.note_gap(gap);
         }
-        if let Some(implied_hz) = notes.other_rate_hz {
+        if let Some(implied_hz) = header.other_rate_hz {
             source.warnings.push(Warning::RateInDoubt {
                 stated_hz: source.sample_rate_hz(),
                 implied_hz,

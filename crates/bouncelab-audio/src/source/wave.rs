@@ -37,66 +37,51 @@ pub(super) struct Mended {
     pub(super) sound: Range<u64>,
 }
 
-/// The header of a file that begins here, if it has to be another.
-pub(super) fn mended<S: Read + Seek>(source: &mut S) -> io::Result<Option<Mended>> {
-    let start = source.stream_position()?;
-    let file_len = source.seek(SeekFrom::End(0))?;
-    let mut chunks = Chunks::new(source, start)?;
-    let (mut format, mut sizes) = (Vec::new(), None);
-    for _ in 0..MOST_CHUNKS {
-        let Some((name, content)) = chunks.next(file_len)? else {
-            break;
-        };
-        match &name {
-            b"fmt " if content.end - content.start <= MOST_FORMAT => {
-                format = chunks.read(&content)?;
-            }
-            b"ds64" => {
-                sizes = chunks
-                    .read(&(content.start..content.start + 16))?
-                    .last_chunk()
-                    .copied();
-            }
-            b"data" => {
-                let Some(sound) = chunks.sound(content, sizes.map(u64::from_le_bytes), file_len)
-                else {
-                    return Ok(None);
-                };
-                return Ok((!format.is_empty()).then(|| Mended::new(&format, sound)));
-            }
-            _ => {}
-        }
-    }
-    Ok(None)
-}
-
-/// What the chunks of a file say besides the sound.
+/// What a file says in front of its sound and behind it.
 #[derive(Debug, Default, PartialEq)]
-pub(super) struct Notes {
+pub(super) struct Header {
+    /// Another header, if it has to be another.
+    pub(super) mended: Option<Mended>,
     /// The content of the chunk that says where sound was lost; empty without one.
     pub(super) lost: Vec<u8>,
     /// The rate, in Hz, that the bytes a second are those of, where that is not the rate that is stated.
     pub(super) other_rate_hz: Option<f64>,
 }
 
-/// The notes in a file that begins here.
-pub(super) fn notes<S: Read + Seek>(source: &mut S) -> io::Result<Notes> {
+/// The header of a file that begins here.
+pub(super) fn header<S: Read + Seek>(source: &mut S) -> io::Result<Header> {
     let start = source.stream_position()?;
     let file_len = source.seek(SeekFrom::End(0))?;
     let mut chunks = Chunks::new(source, start)?;
-    let mut notes = Notes::default();
+    let mut header = Header::default();
+    let (mut format, mut sizes, mut has_sound) = (Vec::new(), None, false);
     for _ in 0..MOST_CHUNKS {
         let Some((name, content)) = chunks.next(file_len)? else {
             break;
         };
         let len = content.end - content.start;
-        if &name == b"fmt " && len <= MOST_FORMAT {
-            notes.other_rate_hz = other_rate_hz(&chunks.read(&content)?);
-        } else if name == lost_chunk::NAME && len <= MOST_LOST {
-            notes.lost = chunks.read(&content)?;
+        match &name {
+            b"fmt " if !has_sound && len <= MOST_FORMAT => format = chunks.read(&content)?,
+            b"ds64" if !has_sound => {
+                sizes = chunks
+                    .read(&(content.start..content.start + 16))?
+                    .last_chunk()
+                    .copied();
+            }
+            b"data" if !has_sound => {
+                has_sound = true;
+                let sound = chunks.sound(content, sizes.map(u64::from_le_bytes), file_len);
+                let sound = sound.filter(|_| !format.is_empty());
+                header.mended = sound.map(|sound| Mended::new(&format, sound));
+            }
+            name if *name == lost_chunk::NAME && header.lost.is_empty() && len <= MOST_LOST => {
+                header.lost = chunks.read(&content)?;
+            }
+            _ => {}
         }
     }
-    Ok(notes)
+    header.other_rate_hz = other_rate_hz(&format);
+    Ok(header)
 }
 
 /// The rate that the bytes a second are those of, if the description of a sound of equal frames contradicts itself.
@@ -245,6 +230,6 @@ mod tests {
     #[test]
     fn an_ordinary_header_stays_as_it_is() {
         let wav = crate::encode_wav(8_000, crate::SampleFormat::Int16, &[&[0.5; 100]]).unwrap();
-        assert_eq!(mended(&mut Cursor::new(wav)).unwrap(), None);
+        assert_eq!(header(&mut Cursor::new(wav)).unwrap(), Header::default());
     }
 }

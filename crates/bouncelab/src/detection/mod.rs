@@ -138,7 +138,7 @@ impl Detection {
     /// The band in which the impacts of all drops stand out most, by its number in
     /// [`onset::bands_hz`], and by how many dB they do so in the middle; `None` without a drop.
     pub fn strongest_band(&self) -> Option<(usize, f64)> {
-        let impacts = || self.found.trains.iter().flat_map(train::Train::impacts);
+        let impacts = || self.found.trains.iter().flat_map(Train::impacts);
         (0..onset::BANDS)
             .filter_map(|band| {
                 let above_db =
@@ -854,7 +854,7 @@ mod tests {
     fn a_drop_is_found_wherever_the_past_is_cut() {
         for drop_s in [95.0, 98.0, 99.0, 100.5] {
             let found = judged(&clicks_and_drop(110.0, drop_s));
-            let starts_s: Vec<f64> = found.trains.iter().map(train::Train::start_s).collect();
+            let starts_s: Vec<f64> = found.trains.iter().map(Train::start_s).collect();
             assert_eq!(starts_s, [drop_s + 0.4]);
             assert_eq!(found.trains[0].impacts().len(), 15, "{drop_s}");
         }

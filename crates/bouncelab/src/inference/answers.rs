@@ -22,58 +22,38 @@ struct Drag {
 
 /// The answers of each draw.
 pub(super) struct Answers {
-    points: Vec<Point>,
     at_speed_m_s: f64,
+    points: Vec<Point>,
     restitution: Vec<f64>,
     slope: Vec<f64>,
     drop_height_m: Vec<f64>,
-    drag_scale: Vec<f64>,
-    drag_strength: Vec<f64>,
-    gravity_m_s2: Vec<f64>,
-    scatter: Vec<f64>,
-    timing_s: Vec<f64>,
-    contact_time_s: Vec<f64>,
 }
 
 impl Answers {
     pub(super) fn new(posterior: &SampledPosterior, at_speed_m_s: f64) -> Option<Self> {
-        let sigma_s = &posterior.observed().sigma_s;
-        let squares: f64 = sigma_s.iter().map(|s| s * s).sum();
-        let rms_s = (squares / sigma_s.len() as f64).sqrt();
         let rows = posterior.each(1, |model, point| {
             let table = model.table(point)?;
             let (gravity_height, ..) = table.apex(point.fall_launch_m_s)?;
             let (restitution, log_slope) = point.law.at_with_log_slope(at_speed_m_s);
-            let row = [
-                restitution,
-                -log_slope,
-                gravity_height / point.gravity_m_s2,
-                point.drag_scale,
-                point.drag_strength,
-                point.gravity_m_s2,
-                point.scatter,
-                point.timing * rms_s,
-                point.contact_time_s,
-            ];
-            Some((row, *point))
+            let drop_height_m = gravity_height / point.gravity_m_s2;
+            Some((*point, [restitution, -log_slope, drop_height_m]))
         });
         if rows.len() != posterior.draws.len() || rows.is_empty() {
             return None;
         }
-        let column = |place: usize| rows.iter().map(|(row, _)| row[place]).collect();
+        let column = |place: usize| rows.iter().map(|(_, row)| row[place]).collect();
         Some(Self {
-            points: rows.iter().map(|(_, point)| *point).collect(),
             at_speed_m_s,
+            points: rows.iter().map(|(point, _)| *point).collect(),
             restitution: column(0),
             slope: column(1),
             drop_height_m: column(2),
-            drag_scale: column(3),
-            drag_strength: column(4),
-            gravity_m_s2: column(5),
-            scatter: column(6),
-            timing_s: column(7),
-            contact_time_s: column(8),
         })
+    }
+
+    /// A number of the point of each draw.
+    fn of_points(&self, number: impl Fn(&Point) -> f64) -> Vec<f64> {
+        self.points.iter().map(number).collect()
     }
 
     pub(super) fn inference(
@@ -83,6 +63,10 @@ impl Answers {
     ) -> Option<Posterior> {
         let of = |values: &[f64]| Estimate::of_draws(values.iter().copied());
         let innovations = posterior.innovations();
+        let sigma_s = &posterior.observed().sigma_s;
+        let squares: f64 = sigma_s.iter().map(|s| s * s).sum();
+        let rms_s = (squares / sigma_s.len() as f64).sqrt();
+        let contact_time_s = self.of_points(|point| point.contact_time_s);
         let prior_contraction = identify::prior_contraction(&posterior);
         let drops = posterior.drops(&self.points);
         let rest: Vec<Rest> = drops.iter().filter_map(|drop| drop.rest).collect();
@@ -103,9 +87,9 @@ impl Answers {
             drag_coefficient_prior: drag.as_ref().map(|drag| drag.prior),
             terminal_speed_m_s: drag.and_then(|drag| drag.terminal_speed_m_s),
             gravity_m_s2,
-            restitution_scatter: of(&self.scatter)?,
-            timing_s: of(&self.timing_s)?,
-            contact_time_s: of(&self.contact_time_s)?,
+            restitution_scatter: of(&self.of_points(|point| point.scatter))?,
+            timing_s: of(&self.of_points(|point| point.timing * rms_s))?,
+            contact_time_s: of(&contact_time_s)?,
             total_time_s: Estimate::of_draws(rest.iter().map(|rest| rest.time_s)),
             total_path_m: Estimate::of_draws(rest.iter().map(|rest| rest.path_m)),
             missed_first_impacts: missed_first(&posterior),
@@ -117,10 +101,10 @@ impl Answers {
             correlations: identify::correlations(vec![
                 ("restitution", self.restitution.clone()),
                 ("slope", self.slope.clone()),
-                ("drag", self.drag_scale.clone()),
+                ("drag", self.of_points(|point| point.drag_scale)),
                 ("drop-height", self.drop_height_m.clone()),
-                ("gravity", self.gravity_m_s2.clone()),
-                ("contact-time", self.contact_time_s.clone()),
+                ("gravity", self.of_points(|point| point.gravity_m_s2)),
+                ("contact-time", contact_time_s),
             ]),
             budget: budget::budget(&posterior, &drops, self.at_speed_m_s).unwrap_or_default(),
             sampling: Sampling {
@@ -154,9 +138,11 @@ impl Answers {
             .iter()
             .map(|s| s.drag_law.coefficient(reynolds).unwrap_or(f64::NAN))
             .collect();
-        let of_draw = posterior.draws.iter().zip(&self.drag_scale);
+        let of_draw = posterior.draws.iter().zip(&self.points);
         of_draw
-            .map(|(draw, scale)| scale * nominal[posterior.candidates[draw.candidate].media])
+            .map(|(draw, point)| {
+                point.drag_scale * nominal[posterior.candidates[draw.candidate].media]
+            })
             .collect()
     }
 
@@ -177,10 +163,10 @@ impl Answers {
             })
             .collect::<Result<_>>()
             .ok()?;
-        let of_draw = posterior.draws.iter().zip(&self.drag_strength);
-        let terminal = of_draw.step_by(THINNED).filter_map(|(draw, &strength)| {
+        let of_draw = posterior.draws.iter().zip(&self.points);
+        let terminal = of_draw.step_by(THINNED).filter_map(|(draw, point)| {
             let media = posterior.candidates[draw.candidate].media;
-            terminal_speed(&models[media], strength)
+            terminal_speed(&models[media], point.drag_strength)
         });
         Some(Drag {
             coefficient,
@@ -198,12 +184,8 @@ impl Answers {
     fn environment_gravity(&self, posterior: &SampledPosterior) -> Vec<f64> {
         let media = &posterior.media[posterior.candidates[0].media];
         let share = media.inputs.gravity_share();
-        self.gravity_m_s2
-            .iter()
-            .map(|gravity| {
-                posterior.environment.gravity_m_s2 * (gravity / media.gravity_m_s2).powf(share)
-            })
-            .collect()
+        let stated = posterior.environment.gravity_m_s2;
+        self.of_points(|point| stated * (point.gravity_m_s2 / media.gravity_m_s2).powf(share))
     }
 
     /// The table of models, with the numbers of missed impacts added up.

@@ -1,6 +1,6 @@
 //! Prior contraction: what the data determine, and what the priors.
 
-use super::model::{Model, Slot};
+use super::model::Slot;
 use super::priors::LawKind;
 use super::sampled::SampledPosterior;
 use crate::stats::{mean, sd};
@@ -65,11 +65,7 @@ pub(super) fn prior_contraction(posterior: &SampledPosterior) -> Vec<PriorContra
         (Unknown::ContactTime, Slot::Contact),
         (Unknown::Gravity, Slot::Gravity),
     ];
-    let models: Vec<Model> = posterior
-        .candidates
-        .iter()
-        .map(|c| posterior.model(c))
-        .collect();
+    let models = posterior.models();
     unknowns
         .into_iter()
         .filter_map(|(unknown, slot)| {

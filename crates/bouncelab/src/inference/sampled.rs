@@ -241,6 +241,11 @@ impl SampledPosterior {
         self.model_of(law, media, missed_first, numbering)
     }
 
+    /// The models of the candidates, in their order.
+    pub(super) fn models(&self) -> Vec<Model<'_>> {
+        self.candidates.iter().map(|c| self.model(c)).collect()
+    }
+
     /// A model of these data.
     pub(super) fn model_of(
         &self,
@@ -496,7 +501,7 @@ impl SampledPosterior {
     /// The drops that every so many of the draws say the times tell, by the points that all draws stand for; none
     /// if one of them makes no sense.
     pub(super) fn drops(&self, points: &[Point]) -> Vec<DrawnDrop> {
-        let models: Vec<Model> = self.candidates.iter().map(|c| self.model(c)).collect();
+        let models = self.models();
         let drops = self.draws.iter().zip(points).step_by(THINNED);
         let drops: Option<Vec<DrawnDrop>> = drops
             .map(|(draw, point)| {
@@ -515,7 +520,7 @@ impl SampledPosterior {
 
     /// The restitution laws of every so many of the draws.
     pub(super) fn laws_drawn(&self, every: usize) -> impl Iterator<Item = Restitution> {
-        let models: Vec<Model> = self.candidates.iter().map(|c| self.model(c)).collect();
+        let models = self.models();
         let draws = self.draws.iter().step_by(every);
         draws.filter_map(move |draw| {
             let values = models[draw.candidate].values(draw.vector.as_slice())?;
@@ -529,7 +534,7 @@ impl SampledPosterior {
         every: usize,
         mut value: impl FnMut(&Model, &Point) -> Option<T>,
     ) -> Vec<T> {
-        let models: Vec<Model> = self.candidates.iter().map(|c| self.model(c)).collect();
+        let models = self.models();
         self.draws
             .iter()
             .step_by(every.max(1))

@@ -121,9 +121,9 @@ impl Train {
         } else {
             [other, self]
         };
-        let fewer = fewer.impacts.iter();
-        let shared = fewer.filter(|impact| more.distance_s(impact.onset.time_s) < SAME_S);
-        2 * shared.count() > self.impacts.len().min(other.impacts.len())
+        let times_s = fewer.impacts.iter().map(|impact| impact.onset.time_s);
+        let shared = times_s.filter(|time_s| more.distance_s(*time_s) < SAME_S);
+        2 * shared.count() > fewer.impacts.len()
     }
 
     /// How far the nearest impact is from a time, in seconds.
@@ -564,18 +564,15 @@ fn beside(onsets: &[Onset], span: Span, read: Read, trains: &mut Vec<Train>) {
     /// So many seconds before and after a drop another may begin or end that shares its time.
     const REACH_S: f64 = 10.0;
     let mut place = 0;
-    while let Some(train) = trains.get(place).cloned() {
+    while let Some(train) = trains.get(place) {
         let first = onsets.partition_point(|o| o.time_s < train.start_s() - REACH_S);
         let end = onsets.partition_point(|o| o.time_s <= train.end_s() + REACH_S);
-        let is_free = |onset: &&Onset| {
-            let mut others = trains
-                .iter()
-                .filter(|it| **it == train || train.is_beside(it));
-            !others.any(|it| it.has(onset))
-        };
+        // The train itself is among them.
+        let taken: Vec<&Train> = trains.iter().filter(|it| train.is_beside(it)).collect();
+        let is_free = |onset: &&Onset| !taken.iter().any(|it| it.has(onset));
         let rest: Vec<Onset> = onsets[first..end].iter().filter(is_free).copied().collect();
         match best(&rest, span, read, LN_TWO_AT_ONCE) {
-            Some(Best::Drop(other)) if train.is_beside(&other) && !other.echoes(&train) => {
+            Some(Best::Drop(other)) if train.is_beside(&other) && !other.echoes(train) => {
                 // What was found of it before or after the first one alone is a part of it.
                 trains.retain(|known| !known.is_same_drop(&other));
                 trains.push(other);
