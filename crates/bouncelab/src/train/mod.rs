@@ -571,13 +571,22 @@ fn beside(onsets: &[Onset], span: Span, read: Read, trains: &mut Vec<Train>) {
         let taken: Vec<&Train> = trains.iter().filter(|it| train.is_beside(it)).collect();
         let is_free = |onset: &&Onset| !taken.iter().any(|it| it.has(onset));
         let rest: Vec<Onset> = onsets[first..end].iter().filter(is_free).copied().collect();
-        match best(&rest, span, read, LN_TWO_AT_ONCE) {
-            Some(Best::Drop(other)) if train.is_beside(&other) && !other.echoes(train) => {
-                // What was found of it before or after the first one alone is a part of it.
-                trains.retain(|known| !known.is_same_drop(&other));
-                trains.push(other);
+        let found = match best(&rest, span, read, LN_TWO_AT_ONCE) {
+            Some(Best::Drop(other)) if train.is_beside(&other) && !other.echoes(train) => other,
+            _ => {
+                place += 1;
+                continue;
             }
-            _ => place += 1,
+        };
+        // What was found of it before or after the first one alone is a part of it. Only a larger train takes the
+        // place of others, so that no two can take each other's for ever.
+        let grows = |known: &Train| known.impacts.len() < found.impacts.len();
+        let mut same = trains.iter().filter(|known| known.is_same_drop(&found));
+        if same.all(grows) && !train.is_same_drop(&found) {
+            trains.retain(|known| !known.is_same_drop(&found));
+            trains.push(found);
+        } else {
+            place += 1;
         }
     }
     trains.sort_by(|a, b| a.start_s().total_cmp(&b.start_s()));
@@ -873,6 +882,20 @@ mod tests {
             ..onset
         }));
         assert_eq!(find(&onsets).trains.len(), 2);
+    }
+
+    /// Sounds two milliseconds before some impacts and after others are no other drop. Each of the two once took the
+    /// place of the other, for ever.
+    #[test]
+    fn sounds_beside_each_impact_are_no_drop_of_their_own() {
+        let drop = drop_without(30..30);
+        let twins = drop.iter().enumerate().map(|(place, onset)| Onset {
+            time_s: onset.time_s + [-0.0025, 0.0025][place / 8 % 2],
+            ..*onset
+        });
+        let mut onsets: Vec<Onset> = drop.iter().copied().chain(twins).collect();
+        onsets.sort_by(|a, b| a.time_s.total_cmp(&b.time_s));
+        assert_eq!(find(&onsets).trains.len(), 1);
     }
 
     /// Sounds of the last bits of a recording, which are as regular as a drop is just enough.
