@@ -1,5 +1,5 @@
 /** A class in the table of drops: files, ZIP files and links at once, groups, what becomes of damaged ones; lesson sheets. */
-import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { BlobReader, BlobWriter, ZipWriter } from '@zip.js/zip.js/lib/zip-core-custom.js';
 import type { Browser, Page } from 'playwright-core';
@@ -9,8 +9,7 @@ import { folder, synth } from './harness/program.ts';
 import { Site } from './harness/site.ts';
 import { overflow, printedPages, violations } from './support/layout.ts';
 import { keepAs, open, saved, savedBy, settled, still } from './support/page.ts';
-
-const SHOTS = join(import.meta.dirname, 'screenshots');
+import { picture } from './support/pictures.ts';
 
 let site: Site;
 let browser: Browser;
@@ -20,7 +19,6 @@ beforeAll(async () => {
   site = await Site.open();
   browser = await launch();
   place = folder();
-  mkdirSync(SHOTS, { recursive: true });
 });
 afterAll(async () => {
   await browser.close();
@@ -124,7 +122,7 @@ test.each([
   }
   await groups.locator('td', { hasText: 'golf, wood' }).first().waitFor();
   await still(page);
-  await page.screenshot({ path: join(SHOTS, `groups-${colorScheme}.png`), fullPage: true });
+  await picture(page, `groups-${colorScheme}`);
   expect(await overflow(page)).toBeLessThanOrEqual(0);
   expect(await violations(page)).toEqual([]);
 

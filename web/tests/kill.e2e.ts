@@ -4,14 +4,13 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import type { BrowserContext, Page } from 'playwright-core';
 import { afterAll, beforeAll, expect, test } from 'vitest';
-import { launchMortal } from './harness/browser.ts';
+import { launchMortal, PATIENCE_MS } from './harness/browser.ts';
 import { Site } from './harness/site.ts';
 import { keepAs } from './support/page.ts';
 import { drop, hearing } from './support/sounds.ts';
 
 let site: Site;
 let heard: string;
-const profile = mkdtempSync(join(tmpdir(), 'bouncelab-profile-'));
 
 beforeAll(async () => {
   site = await Site.open();
@@ -49,12 +48,16 @@ interface Life {
   savedS: number;
 }
 
-const lives: Life[] = [];
+/** What the browsers of a profile lived through, one after the other; two profiles at a time. */
+const histories: Life[][] = [[], []];
 
 /** Tells what the page says, and when the moment has come. */
-async function watch(context: BrowserContext, moment: Moment, die: () => void): Promise<void> {
-  const life: Life = { beganAt: Date.now(), savedS: 0 };
-  lives.push(life);
+async function watch(
+  context: BrowserContext,
+  moment: Moment,
+  life: Life,
+  die: () => void,
+): Promise<void> {
   await context.exposeFunction('said', (words: string) => {
     const [, name] = /“(.*)”/.exec(words) ?? [];
     if (name !== undefined) life.kept = name;
@@ -129,7 +132,7 @@ const database = (page: Page): Promise<Stored> =>
   );
 
 /** Opens the page again: everything that was said to be kept must be there, whole. */
-async function check(context: BrowserContext): Promise<void> {
+async function check(context: BrowserContext, lives: readonly Life[]): Promise<void> {
   const page = await context.newPage();
   await page.goto(`${site.url}#drops`);
   await page.getByRole('heading', { name: 'Table of drops' }).waitFor();
@@ -157,7 +160,8 @@ async function check(context: BrowserContext): Promise<void> {
   await page.close();
 }
 
-test.each(moments(20, 16))('killed $frames frames after event $event', async (moment) => {
+/** One life more in a profile, which begins with a look at what the earlier ones left. */
+async function live(profile: string, moment: Moment, lives: Life[]): Promise<void> {
   const browser = await launchMortal(profile);
   let isKilled = false;
   const die = (): void => {
@@ -165,19 +169,43 @@ test.each(moments(20, 16))('killed $frames frames after event $event', async (mo
     browser.kill();
   };
   await hearing(heard)(browser.context);
-  await check(browser.context);
-  await watch(browser.context, moment, die);
+  await check(browser.context, lives);
+  const life: Life = { beganAt: Date.now(), savedS: 0 };
+  lives.push(life);
+  await watch(browser.context, moment, life, die);
   await use(await browser.context.newPage(), `drop ${lives.length}`).catch((error: unknown) => {
     if (!isKilled) throw error;
   });
   await browser.death;
-});
+}
 
-test('after all of them everything is there', async () => {
-  const browser = await launchMortal(profile);
-  await check(browser.context);
-  browser.kill();
-  await browser.death;
+const KILLS = moments(20, 16);
+
+/** As long as a test may take for each of its kills. */
+const PATIENCE_OF_ALL_MS = (KILLS.length / histories.length) * PATIENCE_MS;
+
+test.concurrent.each(histories.map((lives, number) => ({ lives, number })))(
+  'killed in profile $number, again and again: everything is there afterwards',
+  async ({ lives, number }) => {
+    const profile = mkdtempSync(join(tmpdir(), 'bouncelab-profile-'));
+    const own = KILLS.filter((_, index) => index % histories.length === number);
+    for (const moment of own) {
+      await live(profile, moment, lives).catch((reason: unknown) => {
+        const { frames, event } = moment;
+        throw new Error(`killed ${frames} frames after event ${event}`, { cause: reason });
+      });
+    }
+    const browser = await launchMortal(profile);
+    await check(browser.context, lives);
+    browser.kill();
+    await browser.death;
+  },
+  PATIENCE_OF_ALL_MS,
+);
+
+test('something was said to be kept before the kills', () => {
+  const lives = histories.flat();
+  expect(lives.length).toBe(KILLS.length);
   expect(lives.filter(({ kept }) => kept !== undefined).length).toBeGreaterThan(5);
   expect(lives.filter(({ savedS }) => savedS > 0).length).toBeGreaterThan(5);
 });

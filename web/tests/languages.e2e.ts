@@ -1,6 +1,5 @@
 /** What a reader of another language saves: report and figures in it, whole and valid; data as in English. */
-import { mkdirSync, readFileSync } from 'node:fs';
-import { join } from 'node:path';
+import { readFileSync } from 'node:fs';
 import { pathToFileURL } from 'node:url';
 import { HtmlValidate } from 'html-validate';
 import type { Browser, Page } from 'playwright-core';
@@ -10,10 +9,10 @@ import { FONT_SETS, nameOf } from './harness/fonts.ts';
 import { Site } from './harness/site.ts';
 import { overflow, unfold } from './support/layout.ts';
 import { open, saved, settled } from './support/page.ts';
+import { picture } from './support/pictures.ts';
 import { drawings, troublesOf } from './support/texts.ts';
 import { LANGUAGES, wordsOf } from './support/words.ts';
 
-const SHOTS = join(import.meta.dirname, 'screenshots');
 /** The width that A4 leaves between the margins of the report, in CSS pixels. */
 const PAPER_PX = Math.floor(((210 - 2 * 17) / 25.4) * 96);
 /** English words that no text here has in another language. */
@@ -27,27 +26,32 @@ const FLOATS: Readonly<Record<string, RegExp>> = {
 };
 
 let site: Site;
+let browser: Browser;
+/** One for each set of fonts. */
+let readers: Browser[];
 
 beforeAll(async () => {
   site = await Site.open();
-  mkdirSync(SHOTS, { recursive: true });
+  browser = await launch();
+  readers = await Promise.all(FONT_SETS.map((fonts) => launch({ fonts })));
 });
-afterAll(() => site.close());
+afterAll(async () => {
+  await Promise.all([browser, ...readers].map((it) => it.close()));
+  await site.close();
+});
 
 describe.each(LANGUAGES.filter((code) => code !== 'en'))('in the language %s', (language) => {
   const words = wordsOf(language);
-  let browser: Browser;
   let page: Page;
   let report: string;
 
   beforeAll(async () => {
-    browser = await launch();
     page = (await open(browser, site.url, { locale: language })).page;
     await page.getByRole('button', { name: words('page-lab-demo') }).click();
     await settled(page);
     report = await saved(page, words('page-keep-report'));
   });
-  afterAll(() => browser.close());
+  afterAll(() => page.context().close());
 
   const content = async (button: string): Promise<string> =>
     readFileSync(await saved(page, button), 'utf8');
@@ -77,24 +81,19 @@ describe.each(LANGUAGES.filter((code) => code !== 'en'))('in the language %s', (
     expect(said.filter((text) => /\d\.\d/.test(text) && !/bouncelab/.test(text))).toEqual([]);
   });
 
-  describe.each(FONT_SETS.map((fonts) => [nameOf(fonts), fonts] as const))(
+  describe.each(FONT_SETS.map((fonts, index) => [nameOf(fonts), index] as const))(
     'with %s',
-    (set, fonts) => {
-      let reader: Browser;
-      beforeAll(async () => {
-        reader = await launch({ fonts });
-      });
-      afterAll(() => reader.close());
+    (set, index) => {
+      const reader = (): Browser => readers[index] as Browser;
 
       test('the report fits a phone and its paper', async () => {
-        const shown = await read(reader);
-        const shot = (name: string) => join(SHOTS, `report-${language}-${set}${name}.png`);
-        await shown.screenshot({ path: shot(''), fullPage: true });
+        const shown = await read(reader());
+        await picture(shown, `report-${language}-${set}`);
         await shown.setViewportSize({ width: 360, height: 740 });
         expect(await overflow(shown)).toBeLessThanOrEqual(0);
         await shown.setViewportSize({ width: PAPER_PX, height: 1000 });
         await shown.emulateMedia({ media: 'print' });
-        await shown.screenshot({ path: shot('-paper'), fullPage: true });
+        await picture(shown, `report-${language}-${set}-paper`);
         const wide = await shown.evaluate(
           (width) =>
             [...document.querySelectorAll('table')]
@@ -106,7 +105,7 @@ describe.each(LANGUAGES.filter((code) => code !== 'en'))('in the language %s', (
       });
 
       test('no words of its figures leave the sheet or lie over each other', async () => {
-        const found = await drawings(await read(reader));
+        const found = await drawings(await read(reader()));
         expect(found.length).toBeGreaterThan(10);
         expect(found.flatMap(troublesOf)).toEqual([]);
       });

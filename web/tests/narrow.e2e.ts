@@ -1,6 +1,4 @@
 /** On a phone of 390 pixels no words of a chart or a button are cut off, in any language. */
-import { mkdirSync } from 'node:fs';
-import { join } from 'node:path';
 import type { Browser, Page } from 'playwright-core';
 import { afterAll, beforeAll, describe, expect, test } from 'vitest';
 import { launch } from './harness/browser.ts';
@@ -8,17 +6,16 @@ import { FONT_SETS, nameOf } from './harness/fonts.ts';
 import { Site } from './harness/site.ts';
 import { overflow, unfold } from './support/layout.ts';
 import { open, settled, still } from './support/page.ts';
+import { picture } from './support/pictures.ts';
 import { charts, crampedButtons, rememberTexts, troublesOf } from './support/texts.ts';
 import { LANGUAGES, wordsOf } from './support/words.ts';
 
-const SHOTS = join(import.meta.dirname, 'screenshots');
 const PHONE = { width: 390, height: 844 };
 
 let site: Site;
 
 beforeAll(async () => {
   site = await Site.open();
-  mkdirSync(SHOTS, { recursive: true });
 });
 afterAll(() => site.close());
 
@@ -40,8 +37,7 @@ describe.each(FONT_SETS.map((fonts) => [nameOf(fonts), fonts] as const))(
       /** Looks at the page as it is, and keeps a picture of it. */
       async function look(name: string): Promise<void> {
         await still(page);
-        const path = join(SHOTS, `narrow-${language}-${set}-${name}.png`);
-        await page.screenshot({ path, fullPage: true });
+        await picture(page, `narrow-${language}-${set}-${name}`);
         if ((await overflow(page)) > 0) troubles.push('the page is wider than the screen');
         const found = [
           ...(await charts(page)).flatMap(troublesOf),

@@ -48,7 +48,8 @@ interface Options {
   readonly fonts?: FontSet | undefined;
 }
 
-function chromiumHere(): string {
+/** The Chromium of the tests. */
+export function chromiumHere(): string {
   const found = process.env['BOUNCELAB_CHROMIUM'] ?? PLACES.find((place) => existsSync(place));
   if (found === undefined) {
     throw new Error('there is no Chromium here; install it, or name it in BOUNCELAB_CHROMIUM');

@@ -8,22 +8,47 @@ const AXE = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.mi
 
 interface Axe {
   getRules(tags: string[]): { ruleId: string }[];
-  run(options: { rules: Record<string, { enabled: boolean }> }): Promise<{
+  run(
+    place: Document | string,
+    options: object,
+  ): Promise<{
     violations: { id: string; nodes: { html: string; failureSummary: string }[] }[];
   }>;
 }
 
-/** What axe finds wrong by its usual rules, and by those of WCAG 2.2 AA, which are off unless they are named. */
-export async function violations(page: Page): Promise<string[]> {
-  await page.evaluate(AXE);
-  return page.evaluate(async () => {
-    const { axe } = globalThis as unknown as { axe: Axe };
-    const named = axe.getRules(['wcag22aa']).map(({ ruleId }) => [ruleId, { enabled: true }]);
-    const { violations: found } = await axe.run({ rules: Object.fromEntries(named) });
-    return found.flatMap(({ id, nodes }) =>
-      nodes.map(({ html, failureSummary }) => `${id}: ${html.slice(0, 120)} ${failureSummary}`),
-    );
-  });
+/** The rules of axe whose answer depends on how large letters and boxes are. */
+const OF_SIZE = ['target-size', 'scrollable-region-focusable'];
+
+interface Looked {
+  /** Only the part of the page that this selector names. */
+  readonly part?: string;
+  /** All rules, unless only those of the size of letters and boxes are asked for. */
+  readonly rules?: 'all' | 'of size';
+}
+
+/**
+ * What axe finds wrong by its usual rules, and by those of WCAG 2.2 AA, which are off unless they are named. Of what
+ * is right nothing is told, and style sheets are not read again, which no rule that is on asks for: both take time.
+ */
+export async function violations(
+  page: Page,
+  { part, rules = 'all' }: Looked = {},
+): Promise<string[]> {
+  const only = rules === 'all' ? undefined : OF_SIZE;
+  if (!(await page.evaluate(() => 'axe' in globalThis))) await page.evaluate(AXE);
+  return page.evaluate(
+    async ({ part, only }) => {
+      const { axe } = globalThis as unknown as { axe: Axe };
+      const named = axe.getRules(['wcag22aa']).map(({ ruleId }) => [ruleId, { enabled: true }]);
+      const chosen = only ? { runOnly: only } : { rules: Object.fromEntries(named) };
+      const options = { ...chosen, resultTypes: ['violations'], preload: false };
+      const { violations: found } = await axe.run(part ?? document, options);
+      return found.flatMap(({ id, nodes }) =>
+        nodes.map(({ html, failureSummary }) => `${id}: ${html.slice(0, 120)} ${failureSummary}`),
+      );
+    },
+    { part, only },
+  );
 }
 
 /** By how many pixels a page is wider than its window: it may scroll down, never sideways. */

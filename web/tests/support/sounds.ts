@@ -22,12 +22,15 @@ export const hearing =
   (file: string): Preparation =>
   async (context) => {
     const { rateHz, samples } = samplesOf(file);
+    const bytes = Buffer.from(samples.buffer).toString('base64');
     await context.addInitScript(
-      ({ rateHz, samples }) => {
+      ({ rateHz, bytes }) => {
+        const raw = Uint8Array.from(atob(bytes), (letter) => letter.charCodeAt(0));
+        const samples = new Float32Array(raw.buffer);
         AudioContext.prototype.createMediaStreamSource = function () {
           const silence = 600 * rateHz;
           const buffer = this.createBuffer(1, samples.length + silence, rateHz);
-          buffer.copyToChannel(Float32Array.from(samples), 0);
+          buffer.copyToChannel(samples, 0);
           const source = this.createBufferSource();
           source.buffer = buffer;
           source.start();
@@ -49,7 +52,7 @@ export const hearing =
           return source as AudioNode as MediaStreamAudioSourceNode;
         };
       },
-      { rateHz, samples: Array.from(samples) },
+      { rateHz, bytes },
     );
   };
 
