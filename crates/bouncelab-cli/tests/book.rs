@@ -1,5 +1,6 @@
 //! The book in `docs`: the commands of the program in it run and print what it says, its links lead somewhere, and its
-//! reference of commands and the pictures that these commands draw are those of the program.
+//! reference of commands and the pictures that these commands draw are those of the program. So do the commands of
+//! `README.md`, whose numbers are those of a real recording.
 //!
 //! With `BOUNCELAB_BOOK=write` (`cargo xtask book`) pictures and reference are written instead of compared.
 
@@ -15,10 +16,62 @@ use bouncelab_testkit::damage;
 use pulldown_cmark::{CodeBlockKind, Event, Options, Parser, Tag, TagEnd};
 use tempfile::TempDir;
 
-/// Commands that need what a test does not have.
-const ELSEWHERE: [(&str, &str); 2] = [
-    ("bouncelab listen --devices", "a microphone"),
-    ("bouncelab session --from", "the rows of a cluster"),
+/// What becomes of a command that this test does not run.
+enum Elsewhere {
+    /// This check of `cargo xtask test` runs it, or one that does the same.
+    Check(&'static str),
+    /// No check runs it, for this reason.
+    Never(&'static str),
+}
+
+use Elsewhere::{Check, Never};
+
+const RIGHTS: Elsewhere = Never("it takes the right to install");
+const MEASURED: Elsewhere =
+    Never("it measures, for minutes or hours, on a machine that does nothing else");
+
+/// How the commands begin that run elsewhere or nowhere. The first that fits holds.
+const ELSEWHERE: [(&str, Elsewhere); 26] = [
+    ("bouncelab listen --devices", Never("it takes a microphone")),
+    (
+        "bouncelab listen --ball tennis --save",
+        Never("it takes a microphone"),
+    ),
+    ("bouncelab session --from", Check("cluster")),
+    ("cargo binstall ", Never("it takes a release")),
+    (
+        "cargo build --release -p bouncelab --example call",
+        MEASURED,
+    ),
+    // It compiles the program, as a user does.
+    ("cargo install --path crates/bouncelab-cli", Check("fresh")),
+    ("cargo run --release -- demo", Check("fresh")),
+    ("cargo xtask damage", MEASURED),
+    ("cargo xtask detection", MEASURED),
+    ("cargo xtask laboratory /tmp/laboratory 10000", MEASURED),
+    ("cargo xtask laboratory target/laboratory 240", MEASURED),
+    ("cargo xtask test ", Never("it runs this test")),
+    ("cargo xtask wheel", Check("python")),
+    ("chromium --headless ", Check("e2e")),
+    ("pip install target/wheels/", Check("python")),
+    ("python -m bouncelab analyze ", Check("python")),
+    ("spark-submit ", Check("cluster")),
+    // The check unpacks the package and runs what is in it.
+    ("sudo apt install ./bouncelab_", Check("release")),
+    ("sudo apt install libasound2-dev", RIGHTS),
+    (
+        "uvx --from target/wheels/",
+        Never("it installs what pip installs"),
+    ),
+    (
+        "/usr/bin/time -v bouncelab session /tmp/laboratory",
+        MEASURED,
+    ),
+    ("cd crates/bouncelab-python", MEASURED),
+    ("python=../../target/", MEASURED),
+    ("../../target/python3.11-venv/bin/uv pip install", MEASURED),
+    ("$python benchmarks/measure.py", MEASURED),
+    ("BOUNCELAB_LABORATORY=", MEASURED),
 ];
 
 /// What the pages assume to be there: recordings of these drops.
@@ -39,8 +92,9 @@ const RECORDINGS: [(&str, &str); 4] = [
 ];
 
 /// What phones and browsers write, of the drops of the test kit, and what the pages call it.
-const ENCODED: [(&str, &str); 2] = [
+const ENCODED: [(&str, &str); 3] = [
     ("aac.m4a", "phone.m4a"),
+    ("aac.m4a", "drop.m4a"),
     ("opus-stream.webm", "browser.webm"),
 ];
 
@@ -246,8 +300,8 @@ impl Scene {
         scene.run("bouncelab synth drop.wav --height 30.5cm --seed 4");
         scene.export();
         for (name, file) in damage::files() {
-            if let Some((_, copy)) = ENCODED.iter().find(|(of, _)| *of == name) {
-                fs::write(scene.0.path().join(copy), file).unwrap();
+            for (_, copy) in ENCODED.iter().filter(|(of, _)| *of == name) {
+                fs::write(scene.0.path().join(copy), &file).unwrap();
             }
         }
         scene
@@ -339,23 +393,30 @@ impl Scene {
     }
 }
 
-/// The commands of a block that are of this program, make a file for it or show one. Those of other programs (cargo,
-/// pip, spark-submit) are left out.
-fn commands(code: &str) -> impl Iterator<Item = String> {
+/// The commands of a block.
+fn lines(code: &str) -> Vec<String> {
     let code = code.replace("\\\n", " ");
-    let lines: Vec<String> = code.lines().map(str::to_owned).collect();
-    let is_ours = |line: &String| {
-        let programs = ["bouncelab ", "printf ", "head "];
-        programs.iter().any(|program| line.starts_with(program))
-    };
-    let is_elsewhere = |line: &String| {
-        ELSEWHERE
-            .iter()
-            .any(|(command, _)| line.starts_with(command))
-    };
-    lines
-        .into_iter()
-        .filter(move |line| is_ours(line) && !is_elsewhere(line))
+    let lines = code.lines().filter(|line| !line.trim().is_empty());
+    lines.map(str::to_owned).collect()
+}
+
+/// Where a command runs that does not run here.
+fn elsewhere(command: &str) -> Option<usize> {
+    ELSEWHERE
+        .iter()
+        .position(|(start, _)| command.starts_with(start))
+}
+
+/// Whether a command is of this program, makes a file for it or shows one.
+fn is_ours(command: &str) -> bool {
+    let programs = ["bouncelab ", "printf ", "head "];
+    programs.iter().any(|program| command.starts_with(program))
+}
+
+/// The commands of a block that run here.
+fn commands(code: &str) -> impl Iterator<Item = String> {
+    let lines = lines(code).into_iter();
+    lines.filter(|line| is_ours(line) && elsewhere(line).is_none())
 }
 
 /// Every line of an excerpt is printed, in this order.
@@ -387,6 +448,56 @@ fn the_commands_of_all_other_pages_run() {
             Scene::set().follow(&page);
         }
     }
+}
+
+#[test]
+fn the_commands_of_the_readme_run() {
+    let scene = Scene::set();
+    for block in readme().blocks().iter().filter(|it| it.language == "sh") {
+        commands(&block.code).for_each(|command| drop(scene.run(&command)));
+    }
+}
+
+fn readme() -> Page {
+    Page::read("../README.md".into())
+}
+
+#[test]
+fn every_command_runs_here_or_it_is_said_where() {
+    let mut used = BTreeSet::new();
+    for page in pages().into_iter().chain([readme()]) {
+        let blocks = page.blocks().into_iter();
+        for command in blocks
+            .filter(|block| block.language == "sh")
+            .flat_map(|block| lines(&block.code))
+        {
+            let found = elsewhere(&command);
+            used.extend(found);
+            let is_known = found.is_some() || is_ours(&command);
+            assert!(is_known, "{}: nothing runs \"{command}\"", name(&page.path));
+            if let Some(rest) = command.strip_prefix("cargo xtask ") {
+                let chore = rest.split(' ').next().unwrap_or_default();
+                assert!(
+                    is_named("main", chore),
+                    "there is no chore {chore}: {command}"
+                );
+            }
+        }
+    }
+    for (index, (start, reason)) in ELSEWHERE.iter().enumerate() {
+        assert!(used.contains(&index), "no page has a command \"{start}\"");
+        match reason {
+            Check(check) => assert!(is_named("test", check), "there is no check {check}"),
+            Never(reason) => assert!(!reason.is_empty(), "{start}"),
+        }
+    }
+}
+
+/// Whether a module of the chores has an entry of this name in its table.
+fn is_named(module: &str, name: &str) -> bool {
+    let file = format!("../../xtask/src/{module}.rs");
+    let code = fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join(file)).unwrap();
+    code.contains(&format!("name: \"{name}\","))
 }
 
 /// The reference has all commands, so it is compared where all are built in.
