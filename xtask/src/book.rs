@@ -3,13 +3,14 @@
 //! That its commands run, its links lead somewhere, and its figures and its reference are those of the program, is
 //! tested by `crates/bouncelab-cli/tests/book.rs`.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use crate::Result;
-use crate::cargo::{cargo_all, root, run as run_command, succeeds, target};
+use crate::cargo::{cargo_all, root, run as run_command, target};
+use crate::tools::MDBOOK;
+use crate::{Result, python, web};
 
-pub(crate) const ABOUT: &str = "Draw the figures of the book, write its reference, and build it into target/book (needs mdBook)";
+pub(crate) const ABOUT: &str = "Draw the figures of the book, take its pictures, write its reference, and build it into target/book";
 
 /// The chore.
 pub(crate) fn run(_: &[String]) -> Result {
@@ -19,25 +20,39 @@ pub(crate) fn run(_: &[String]) -> Result {
             .args(["--test", "book"])
             .env("BOUNCELAB_BOOK", "write"),
     )?;
-    if !has_mdbook() {
-        return Err("the book is not built for want of mdBook".into());
-    }
-    build().map(|folder| println!("made in {}", folder.display()))
+    take_pictures()?;
+    let folder = build(&MDBOOK.find_or_install()?)?;
+    println!("made in {}", folder.display());
+    Ok(())
 }
 
-/// Whether mdBook is there, which takes minutes to compile.
-pub(crate) fn has_mdbook() -> bool {
-    let is_there = succeeds(&["mdbook", "--version"]);
-    if !is_there {
-        println!("mdBook is not installed: cargo install mdbook --locked");
+/// The pictures of the page and of a notebook, as a browser shows them.
+fn take_pictures() -> Result {
+    if !(web::has_node() && web::has_browser()) {
+        println!(
+            "SKIPPED for want of Node.js or a browser: the pictures of the page and of a notebook"
+        );
+        return Ok(());
     }
-    is_there
+    let notebook = if python::interpreters().is_empty() {
+        println!("SKIPPED: the picture of a notebook; {}", python::MISSING);
+        None
+    } else {
+        Some(python::notebook()?)
+    };
+    web::pictures(notebook.as_deref())
+}
+
+/// The check.
+pub(crate) fn check() -> Result {
+    let mdbook = MDBOOK.find().ok_or("there is no mdBook")?;
+    build(&mdbook).map(drop)
 }
 
 /// Builds the book of what is there.
-pub(crate) fn build() -> Result<PathBuf> {
+pub(crate) fn build(mdbook: &Path) -> Result<PathBuf> {
     let folder = target().join("book");
-    let mut build = Command::new("mdbook");
+    let mut build = Command::new(mdbook);
     build
         .arg("build")
         .arg(root())

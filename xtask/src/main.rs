@@ -21,6 +21,7 @@ mod release;
 mod steps;
 mod tables;
 mod test;
+mod tools;
 mod verdicts;
 mod web;
 
@@ -112,7 +113,7 @@ const CHORES: [Chore; 12] = [
     },
     Chore {
         name: "web",
-        arguments: "[engine | check | e2e [FILE...] [--repeat N] [--load]]",
+        arguments: "[engine | check | e2e [FILE...] [--firefox] [--repeat N] [--load] [--pictures]]",
         about: web::ABOUT,
         run: web::run,
     },

@@ -50,6 +50,18 @@ pub(crate) fn checked_wheel() -> Result<PathBuf> {
     first_venv()?.shared_wheel()
 }
 
+/// The first notebook of the package, run with the wheel of the checks and shown as a page of HTML.
+pub(crate) fn notebook() -> Result<PathBuf> {
+    let found = interpreters();
+    let (_, python) = found.first().ok_or(MISSING)?;
+    let venv = Venv::named("book", python, "requirements-book.txt")?;
+    venv.take(&checked_wheel()?)?;
+    let mut convert = venv.python(&["-m", "nbconvert", "--execute", "--to", "html"]);
+    convert.arg("--output-dir").arg(target());
+    run_command(convert.arg("notebooks/1-a-first-drop.ipynb"))?;
+    Ok(target().join("1-a-first-drop.html"))
+}
+
 /// Installs a wheel into a folder of its own.
 pub(crate) fn install_into(folder: &Path, wheel: &Path) -> Result {
     let mut install = first_venv()?.install();

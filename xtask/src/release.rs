@@ -9,7 +9,8 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use crate::cargo::{built, cargo, copy_program, has, root, run as run_command, succeeds, target};
+use crate::cargo::{built, cargo, copy_program, root, run as run_command, succeeds, target};
+use crate::tools::{CARGO_DEB, MDBOOK};
 use crate::{Result, book, python, said, web};
 
 pub(crate) const ABOUT: &str =
@@ -56,6 +57,7 @@ pub(crate) fn run(words: &[String]) -> Result {
             let mut build = cargo(["build", "--release", "--bin", "bouncelab"]);
             build.args(features(page, &host()?));
             run_command(&mut build)?;
+            install_tools()?;
             make_all(&folder, "release")?;
         }
         [word] => {
@@ -80,6 +82,15 @@ pub(crate) fn run(words: &[String]) -> Result {
 }
 
 const USAGE: &str = "it takes at most one word, target=TRIPLE";
+
+/// What makes the Debian package and the book; the check does without where they are missing.
+fn install_tools() -> Result {
+    MDBOOK.find_or_install()?;
+    if cfg!(target_os = "linux") {
+        CARGO_DEB.find_or_install()?;
+    }
+    Ok(())
+}
 
 /// The page is a part of the program where it can be built.
 fn make_page() -> Result<bool> {
@@ -128,8 +139,8 @@ fn make_all(folder: &Path, profile: &str) -> Result {
     } else {
         println!("SKIPPED: the page, which was not built");
     }
-    if book::has_mdbook() {
-        book::build()?;
+    if let Some(mdbook) = MDBOOK.find() {
+        book::build(&mdbook)?;
         let name = format!("bouncelab-book-{VERSION}");
         archive(folder, &name, &target(), "book")?;
     } else {
@@ -171,22 +182,18 @@ fn program(folder: &Path, built: &Path, triple: &str) -> Result<PathBuf> {
 
 /// The package for Debian and its kin, by cargo-deb, whose list of files is in the `Cargo.toml` of the program.
 fn debian(folder: &Path, contents: &Path) -> Result {
-    if !cfg!(target_os = "linux") || !has("deb") {
+    let Some(cargo_deb) = CARGO_DEB.find().filter(|_| cfg!(target_os = "linux")) else {
         println!("SKIPPED for want of cargo-deb (cargo install cargo-deb): the Debian package");
         return Ok(());
-    }
+    };
     // The list names one place, whatever is built.
     let listed = root().join("target/debian-package");
     emptied(&listed)?;
     fs::rename(contents, &listed).map_err(|reason| said(&listed, &reason))?;
-    let mut package = cargo([
-        "deb",
-        "--package",
-        "bouncelab-cli",
-        "--no-build",
-        "--no-strip",
-    ]);
-    run_command(package.arg("--output").arg(folder))
+    let mut package = Command::new(cargo_deb);
+    package.args(["deb", "--package", "bouncelab-cli", "--no-build"]);
+    package.args(["--no-strip", "--output"]).arg(folder);
+    run_command(package.current_dir(root()))
 }
 
 /// Packs a folder that lies in another.

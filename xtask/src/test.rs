@@ -6,7 +6,7 @@ use crate::cargo::{
     cargo, cargo_all, has, has_sound_headers, install, run as run_command, succeeds,
 };
 use crate::steps::{self, Step, Time, Watch};
-use crate::{Result, book, cluster, fresh, package, python, release, tables, web};
+use crate::{Result, book, cluster, fresh, package, python, release, tables, tools, web};
 
 pub(crate) const ABOUT: &str = "Run every check, or only the named ones";
 
@@ -65,7 +65,7 @@ impl Needs {
             Self::Firefox => web::has_node() && web::has_firefox(),
             Self::Git => fresh::has_repository(),
             Self::Deny => has_deny(),
-            Self::MdBook => book::has_mdbook(),
+            Self::MdBook => tools::MDBOOK.find_or_say().is_some(),
             Self::SoundServer => has_sound_server(),
             Self::Strace => has_strace(),
             Self::Praat => has_praat(),
@@ -198,7 +198,7 @@ pub(crate) const CHECKS: [Check; 18] = [
         name: "book",
         about: "the documents make a book; its commands and links are part of the tests",
         needs: Needs::MdBook,
-        run: || book::build().map(drop),
+        run: book::check,
     },
     Check {
         name: "release",

@@ -12,7 +12,7 @@ use std::sync::OnceLock;
 use crate::cargo::{built, cargo, root, run as run_command};
 use crate::{Result, said};
 
-pub(crate) use e2e::{class, firefox, run as e2e};
+pub(crate) use e2e::{class, firefox, pictures, run as e2e};
 pub(crate) use system::{has_browser, has_firefox, has_node};
 
 pub(crate) const ABOUT: &str =

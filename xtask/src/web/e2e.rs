@@ -1,6 +1,7 @@
 //! The end-to-end tests of the page: once, or many times in a row, beside other work if asked.
 
 use std::hint::black_box;
+use std::path::Path;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::thread;
@@ -11,10 +12,11 @@ use crate::cargo::{built, run as run_command};
 use crate::steps::{Time, Watch};
 
 /// Runs the tests, or those whose file has one of the names in it; in Firefox with `--firefox`; `--repeat N`
-/// times in a row, and with `--load` while other work keeps every processor busy.
+/// times in a row, and with `--load` while other work keeps every processor busy. `--pictures` takes pictures of what
+/// they see, into `web/tests/screenshots`.
 pub(crate) fn run(words: &[&str]) -> Result {
     let mut names = Vec::new();
-    let (mut repeat, mut load, mut firefox) = (1, false, false);
+    let (mut repeat, mut load, mut firefox, mut pictures) = (1, false, false, false);
     let mut words = words.iter();
     while let Some(word) = words.next() {
         match *word {
@@ -26,6 +28,7 @@ pub(crate) fn run(words: &[&str]) -> Result {
             }
             "--load" => load = true,
             "--firefox" => firefox = true,
+            "--pictures" => pictures = true,
             option if option.starts_with('-') => return Err(format!("'{option}' is no option")),
             name => names.push(name),
         }
@@ -50,6 +53,9 @@ pub(crate) fn run(words: &[&str]) -> Result {
             if firefox {
                 command.env("BOUNCELAB_FIREFOX", system::FIREFOX);
             }
+            if pictures {
+                command.env("BOUNCELAB_PICTURES", "");
+            }
             (run_command(&mut command), watch.time())
         })
         .collect();
@@ -68,6 +74,16 @@ pub(crate) fn class() -> Result {
     let program = built("--bin", "bouncelab")?;
     let mut command = npm_command(&["run", "class"]);
     run_command(command.env("BOUNCELAB_PROGRAM", &program))
+}
+
+/// Takes the pictures of the page that the book has, and that of a notebook, which is there as HTML.
+pub(crate) fn pictures(notebook: Option<&Path>) -> Result {
+    page()?;
+    let mut command = npm_command(&["run", "pictures"]);
+    if let Some(notebook) = notebook {
+        command.env("BOUNCELAB_NOTEBOOK", notebook);
+    }
+    run_command(&mut command)
 }
 
 fn conclude(runs: &[(Result, Time)]) -> Result {
