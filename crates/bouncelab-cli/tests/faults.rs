@@ -23,7 +23,7 @@ struct Case {
     grows: Option<&'static str>,
 }
 
-const CASES: [Case; 4] = [
+const CASES: [Case; 10] = [
     Case {
         arguments: &[
             "synth",
@@ -72,6 +72,44 @@ const CASES: [Case; 4] = [
             "out/saved.wav",
         ],
         grows: Some("saved.wav"),
+    },
+    Case {
+        arguments: &[
+            "analyze",
+            "in/a.wav",
+            "--no-inference",
+            "--cues",
+            "out/cues.wav",
+            "--force",
+        ],
+        grows: None,
+    },
+    Case {
+        arguments: &[
+            "verdict",
+            "--rule",
+            "ittf-ball",
+            "in/a.wav",
+            "--report",
+            "out/report.html",
+        ],
+        grows: None,
+    },
+    Case {
+        arguments: &["simulate", "--figures", "out"],
+        grows: None,
+    },
+    Case {
+        arguments: &["paper", "--figures", "out"],
+        grows: None,
+    },
+    Case {
+        arguments: &["demo", "--output", "out", "--force"],
+        grows: None,
+    },
+    Case {
+        arguments: &["manual", "out"],
+        grows: None,
     },
 ];
 
