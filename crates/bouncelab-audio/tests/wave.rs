@@ -13,7 +13,7 @@ fn wav() -> Vec<u8> {
     encode_wav(RATE_HZ, SampleFormat::Int16, &[&ramp()]).unwrap()
 }
 
-fn rf64(marker: &[u8; 4], announced: u64, tail: &[u8]) -> Vec<u8> {
+fn rf64(marker: [u8; 4], announced: u64, tail: &[u8]) -> Vec<u8> {
     containers::rf64(marker, &wav(), announced, tail)
 }
 
@@ -35,9 +35,9 @@ fn read(bytes: Vec<u8>) -> (Vec<f32>, Vec<Warning>) {
 fn long_recordings_are_read_up_to_their_end_and_no_farther() {
     let tail = b"LIST\x04\x00\x00\x00INFO";
     for bytes in [
-        rf64(b"RF64", 6_000, tail),
-        rf64(b"BW64", 6_000, tail),
-        rf64(b"RF64", 6_000, b""),
+        rf64(*b"RF64", 6_000, tail),
+        rf64(*b"BW64", 6_000, tail),
+        rf64(*b"RF64", 6_000, b""),
         w64(24 + 6_000, tail),
     ] {
         assert_eq!(read(bytes), (ramp(), Vec::new()));
@@ -46,7 +46,7 @@ fn long_recordings_are_read_up_to_their_end_and_no_farther() {
 
 #[test]
 fn without_a_size_all_that_follows_is_sound() {
-    for bytes in [rf64(b"RF64", 0, b""), w64(0, b""), w64(24, b"")] {
+    for bytes in [rf64(*b"RF64", 0, b""), w64(0, b""), w64(24, b"")] {
         assert_eq!(read(bytes).0, ramp());
     }
     let mut crashed = wav();
@@ -57,7 +57,7 @@ fn without_a_size_all_that_follows_is_sound() {
 
 #[test]
 fn a_size_beyond_the_file_is_a_shorter_recording_with_a_warning() {
-    for bytes in [rf64(b"RF64", 9_000, b""), w64(24 + 9_000, b"")] {
+    for bytes in [rf64(*b"RF64", 9_000, b""), w64(24 + 9_000, b"")] {
         let (samples, warnings) = read(bytes);
         assert_eq!(samples, ramp());
         assert!(!warnings.is_empty());
@@ -67,7 +67,7 @@ fn a_size_beyond_the_file_is_a_shorter_recording_with_a_warning() {
 #[test]
 fn absurd_sizes_are_survived() {
     for size in [1, 23, u64::MAX / 2, u64::MAX - 7, u64::MAX] {
-        for bytes in [rf64(b"RF64", size, b""), w64(size, b"")] {
+        for bytes in [rf64(*b"RF64", size, b""), w64(size, b"")] {
             // Whatever comes of it comes to an end.
             if let Ok(mut source) = Source::from_bytes(bytes, "long.wav") {
                 while let Ok(Some(_)) = source.next_block() {}

@@ -88,8 +88,10 @@ const CASES: [Case; 10] = [
         arguments: &[
             "verdict",
             "--rule",
-            "ittf-ball",
+            "ittf-38-table",
             "in/a.wav",
+            "--drag",
+            "none",
             "--report",
             "out/report.html",
         ],
@@ -177,7 +179,12 @@ impl Workspace {
     fn undisturbed(&self, case: &Case) -> Vec<Call> {
         let traced = format!("trace={}", CALLS.map(|call| format!("?{call}")).join(","));
         let output = self.run(&["-y", "-e", &traced], case);
-        assert!(output.status.success(), "{}", text(&output.stderr));
+        assert!(
+            output.status.success(),
+            "{} {}",
+            text(&output.stderr),
+            text(&output.stdout)
+        );
         let trace = fs::read(self.path("trace")).unwrap();
         text(&trace).lines().filter_map(Call::parse).collect()
     }

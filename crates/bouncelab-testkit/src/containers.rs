@@ -14,7 +14,7 @@ fn chunk(name: &[u8], size: u32, content: &[u8]) -> Vec<u8> {
 }
 
 /// RF64 or BW64, by the marker, with the size of the sound that is announced, and what follows the sound.
-pub fn rf64(marker: &[u8; 4], wav: &[u8], announced: u64, tail: &[u8]) -> Vec<u8> {
+pub fn rf64(marker: [u8; 4], wav: &[u8], announced: u64, tail: &[u8]) -> Vec<u8> {
     let sizes = [0, announced, 0].map(u64::to_le_bytes).concat();
     let sizes = [sizes, vec![0; 4]].concat();
     let chunks = [
@@ -24,7 +24,7 @@ pub fn rf64(marker: &[u8; 4], wav: &[u8], announced: u64, tail: &[u8]) -> Vec<u8
         chunk(b"data", u32::MAX, &wav[SOUND..]),
         tail.to_vec(),
     ];
-    chunk(marker, u32::MAX, &chunks.concat())
+    chunk(&marker, u32::MAX, &chunks.concat())
 }
 
 /// W64, with the size that its sound announces, which counts its own header of 24 bytes.

@@ -118,8 +118,8 @@ fn uncompressed() -> Vec<(String, Vec<u8>)> {
     let wav_16 = wav(SampleFormat::Int16);
     let bytes = 2 * drop.samples.len() as u64;
     let files = [
-        ("rf64.wav", rf64(b"RF64", &wav_16, bytes, b"")),
-        ("bw64.wav", rf64(b"BW64", &wav_16, bytes, b"")),
+        ("rf64.wav", rf64(*b"RF64", &wav_16, bytes, b"")),
+        ("bw64.wav", rf64(*b"BW64", &wav_16, bytes, b"")),
         ("wave64.w64", w64(&wav_16, 24 + bytes, b"")),
         ("pcm.caf", caf(&wav_16, drop.sample_rate_hz)),
         ("wav-24.wav", wav(SampleFormat::Int24)),

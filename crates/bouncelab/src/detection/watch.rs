@@ -283,7 +283,7 @@ mod tests {
     fn dense_clicks_never_overrun_a_live_stream() {
         const RING_S: f64 = 30.0;
         for per_s in [100, 1_000] {
-            let samples = clicks(per_s, 60);
+            let samples = clicks(per_s, 30);
             let mut watch = DropWatch::new(44_100, 1, &DetectionOptions::default()).unwrap();
             let mut busy_until_s: f64 = 0.0;
             let mut judged = 0;

@@ -17,17 +17,17 @@ struct Header {
 /// A recorder that streams writes parts of a film (ISO 14496-12 section 8.8), each of which goes on where
 /// the one before ended: one that cannot be read would move all that follow.
 pub(super) fn mp4<S: Read + Seek>(window: &mut Window<S>, start: u64) -> io::Result<Framing> {
-    const MOVIE: &[u8; 4] = b"moov";
-    const PART: &[u8; 4] = b"moof";
-    const KNOWN: [&[u8; 4]; 16] = [
-        b"ftyp", b"styp", MOVIE, PART, b"mdat", b"free", b"skip", b"wide", b"uuid", b"meta",
-        b"sidx", b"ssix", b"mfra", b"pdin", b"prft", b"emsg",
+    const MOVIE: [u8; 4] = *b"moov";
+    const PART: [u8; 4] = *b"moof";
+    const KNOWN: [[u8; 4]; 16] = [
+        *b"ftyp", *b"styp", MOVIE, PART, *b"mdat", *b"free", *b"skip", *b"wide", *b"uuid",
+        *b"meta", *b"sidx", *b"ssix", *b"mfra", *b"pdin", *b"prft", *b"emsg",
     ];
     let mut has_parts = false;
     let mut at = start;
     while at < window.len {
         let header = atom(window.at(at, 16)?, at);
-        let known = header.filter(|header| KNOWN.iter().any(|name| kind(name) == header.kind));
+        let known = header.filter(|header| KNOWN.iter().any(|name| kind(*name) == header.kind));
         has_parts = has_parts
             || match &known {
                 Some(header) if header.kind == kind(MOVIE) => announces_parts(window, header)?,
@@ -45,8 +45,8 @@ pub(super) fn mp4<S: Read + Seek>(window: &mut Window<S>, start: u64) -> io::Res
 }
 
 /// The number of the name of a box.
-fn kind(name: &[u8; 4]) -> u64 {
-    u64::from(u32::from_be_bytes(*name))
+fn kind(name: [u8; 4]) -> u64 {
+    u64::from(u32::from_be_bytes(name))
 }
 
 /// Whether a film says that parts follow: without this nobody would miss the first one.
@@ -57,7 +57,7 @@ fn announces_parts<S: Read + Seek>(window: &mut Window<S>, movie: &Header) -> io
         let Some(inner) = atom(window.at(at, 16)?, at) else {
             break;
         };
-        if inner.kind == kind(b"mvex") {
+        if inner.kind == kind(*b"mvex") {
             return Ok(true);
         }
         at = inner.end.unwrap_or(end);
