@@ -114,3 +114,49 @@ fn a_flac_whose_checksum_is_wrong_is_said_to_be_altered() {
     while source.next_block().unwrap().is_some() {}
     assert_eq!(source.warnings(), [Warning::Altered]);
 }
+
+/// What a changed bit of MP3 sounds like cannot be told from any other sound, but the tag has a checksum.
+#[test]
+fn an_mp3_whose_checksum_is_wrong_is_said_to_be_altered() {
+    for name in ["constant.mp3", "variable.mp3"] {
+        let mut file = files().into_iter().find(|it| it.0 == name).unwrap().1;
+        let warnings = |file: &[u8]| {
+            let mut source = Source::from_bytes(file, name).unwrap();
+            while source.next_block().unwrap().is_some() {}
+            source.warnings().to_vec()
+        };
+        assert_eq!(warnings(&file), []);
+        // Behind header and side information of a frame.
+        file[5_552] ^= 2;
+        assert_eq!(warnings(&file), [Warning::Altered]);
+    }
+}
+
+/// The first one has none before it that it would have to follow.
+#[test]
+fn a_first_part_of_mp4_that_cannot_be_read_is_missed() {
+    let (name, mut file) = files()
+        .into_iter()
+        .find(|(name, _)| name == "aac-parts.mp4")
+        .unwrap();
+    let part = file.windows(4).position(|it| it == b"moof").unwrap();
+    file[part] ^= 4;
+    let options = Options::default().without_inference();
+    assert!(analyse(&file, &name, &options).is_err());
+}
+
+/// Bits that alter no length of a code, so that the packet ends where it should.
+#[test]
+fn a_packet_of_alac_that_becomes_noise_is_missing() {
+    let mut file = files().into_iter().find(|it| it.0 == "alac.caf").unwrap().1;
+    assert_eq!(read(&file, "alac.caf").1, []);
+    for percent in [13, 26] {
+        file = Damage::Bit.at(percent, &file);
+    }
+    let (_, gaps) = read(&file, "alac.caf");
+    assert_eq!(gaps.len(), 2, "{gaps:?}");
+    for (gap, start_s) in gaps.iter().zip([0.512, 1.024]) {
+        assert!((gap.start_s - start_s).abs() < 1e-3, "{gap:?}");
+        assert!((gap.duration_s - 0.256).abs() < 1e-3, "{gap:?}");
+    }
+}

@@ -1,9 +1,9 @@
 //! `bouncelab completions` and `bouncelab manual`: what shells and `man` know of the program, made from its
 //! arguments.
 
-use std::fs;
 use std::path::{Path, PathBuf};
 
+use bouncelab_report::file::create_folder;
 use bouncelab_report::mark::MANUAL;
 use clap::{Args, Command, CommandFactory};
 use clap_complete::Shell;
@@ -48,7 +48,7 @@ pub(crate) fn completions(arguments: &CompletionArguments) -> Result<(), Failure
 
 pub(crate) fn manual(arguments: &ManualArguments) -> Result<(), Failure> {
     let folder = &arguments.folder;
-    fs::create_dir_all(folder).map_err(|reason| Failure::unwritable(folder, &reason))?;
+    create_folder(folder).map_err(|reason| Failure::unwritable(folder, &reason))?;
     let mut command = Cli::command().disable_help_subcommand(true);
     command.build();
     pages(&command, folder, &arguments.outputs)

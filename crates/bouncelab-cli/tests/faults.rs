@@ -23,7 +23,7 @@ struct Case {
     grows: Option<&'static str>,
 }
 
-const CASES: [Case; 4] = [
+const CASES: [Case; 10] = [
     Case {
         arguments: &[
             "synth",
@@ -72,6 +72,46 @@ const CASES: [Case; 4] = [
             "out/saved.wav",
         ],
         grows: Some("saved.wav"),
+    },
+    Case {
+        arguments: &[
+            "analyze",
+            "in/a.wav",
+            "--no-inference",
+            "--cues",
+            "out/cues.wav",
+            "--force",
+        ],
+        grows: None,
+    },
+    Case {
+        arguments: &[
+            "verdict",
+            "--rule",
+            "ittf-38-table",
+            "in/a.wav",
+            "--drag",
+            "none",
+            "--report",
+            "out/report.html",
+        ],
+        grows: None,
+    },
+    Case {
+        arguments: &["simulate", "--figures", "out"],
+        grows: None,
+    },
+    Case {
+        arguments: &["paper", "--figures", "out"],
+        grows: None,
+    },
+    Case {
+        arguments: &["demo", "--output", "out", "--force"],
+        grows: None,
+    },
+    Case {
+        arguments: &["manual", "out"],
+        grows: None,
     },
 ];
 
@@ -139,7 +179,12 @@ impl Workspace {
     fn undisturbed(&self, case: &Case) -> Vec<Call> {
         let traced = format!("trace={}", CALLS.map(|call| format!("?{call}")).join(","));
         let output = self.run(&["-y", "-e", &traced], case);
-        assert!(output.status.success(), "{}", text(&output.stderr));
+        assert!(
+            output.status.success(),
+            "{} {}",
+            text(&output.stderr),
+            text(&output.stdout)
+        );
         let trace = fs::read(self.path("trace")).unwrap();
         text(&trace).lines().filter_map(Call::parse).collect()
     }

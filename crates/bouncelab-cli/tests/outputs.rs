@@ -154,10 +154,16 @@ fn files_of_others_are_replaced_only_by_force_and_own_ones_always() {
 #[test]
 fn a_full_disk_is_a_failure_of_every_command() {
     let folder = Folder::new();
+    folder.run("synth played.wav --force").assert().success();
     for words in [
         "analyze drop.txt --no-inference",
         "analyze drop.txt --no-inference --format json",
         "analyze drop.txt --no-inference --format csv",
+        "analyze drop.txt --no-inference --format audacity",
+        "analyze drop.txt --no-inference --format textgrid",
+        "analyze drop.txt --no-inference --format tracker",
+        "listen --from played.wav --fast --no-inference",
+        "listen --from played.wav --fast --no-inference --format json",
         "verdict --rule ittf-ball drop.txt",
         "verdict --rule ittf-ball drop.txt --format json",
         "session drop.txt --ball tennis --no-inference",
@@ -171,6 +177,7 @@ fn a_full_disk_is_a_failure_of_every_command() {
         "paper --no-figures",
         "paper --no-figures --format json",
         "demo",
+        "completions bash",
     ] {
         let full = fs::File::options().write(true).open("/dev/full").unwrap();
         let mut run = Plain::new(assert_cmd::cargo::cargo_bin("bouncelab"));

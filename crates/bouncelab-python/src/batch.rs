@@ -16,12 +16,13 @@ use bouncelab_session::batch::{
     RowTables,
 };
 use bouncelab_session::table::{Form, Table as Rows};
-use bouncelab_session::{ENDINGS, Outcome, StudyOptions, write_tables};
+use bouncelab_session::{ENDINGS, Error, Outcome, StudyOptions, write_tables};
 use pyo3::prelude::*;
 use pyo3::pybacked::PyBackedBytes;
 use serde::Deserialize;
 
 use crate::failure::{Failure, Result};
+use crate::output::refusal;
 use crate::physics::translator;
 use crate::table::Table;
 
@@ -232,12 +233,14 @@ impl Results {
         })
     }
 
-    /// Writes the tables of drops and impacts into a folder; returns the files.
+    /// Writes the tables of drops and impacts into a folder, in the place of others only as the gate of outputs
+    /// has it; returns the files.
     fn write_tables(
         &self,
         py: Python<'_>,
         folder: PathBuf,
         forms: Vec<String>,
+        force: bool,
     ) -> Result<Vec<PathBuf>> {
         let is_wanted = |form: &Form| forms.iter().any(|ending| ending == form.ending());
         let forms: Vec<Form> = Form::ALL.into_iter().filter(is_wanted).collect();
@@ -245,8 +248,12 @@ impl Results {
             let results = self.batch.results();
             let english = translator("en")?;
             let outcome = Outcome::of(&results, &self.options, &english)?;
-            let outputs = Outputs::default();
-            Ok(write_tables(&outcome, &results, &folder, &forms, &outputs)?)
+            let outputs = Outputs::new(self.batch.files(), force);
+            let written = write_tables(&outcome, &results, &folder, &forms, &outputs);
+            written.map_err(|error| match error {
+                Error::Output { path, source } => Failure::Output(refusal(&path, &source)),
+                error => error.into(),
+            })
         })
     }
 }

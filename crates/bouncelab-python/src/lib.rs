@@ -34,6 +34,7 @@ mod batch;
 mod chart;
 mod detector;
 mod failure;
+mod output;
 mod page;
 mod physics;
 mod recording;
@@ -54,6 +55,8 @@ mod _core {
     use super::chart::{Chart, colour};
     #[pymodule_export]
     use super::detector::Detector;
+    #[pymodule_export]
+    use super::output::write_file;
     #[pymodule_export]
     use super::page::Page;
     #[pymodule_export]

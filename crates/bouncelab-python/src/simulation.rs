@@ -8,7 +8,6 @@ use bouncelab::synth::{self, BitDepth, Clicks, Hum, Lost, Noise, Reverb, Scene, 
 use bouncelab_audio::{SampleFormat, encode_wav};
 use bouncelab_report::document::simulation::{Document, Run};
 use bouncelab_report::figure;
-use bouncelab_report::file::Outputs;
 use bouncelab_report::theme::Meaning;
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
@@ -17,6 +16,7 @@ use serde::Deserialize;
 use crate::analyzer::Analyzer;
 use crate::chart::Chart;
 use crate::failure::{Failure, Result};
+use crate::output;
 use crate::physics::translator;
 use crate::recording::bytes;
 use crate::samples::Frames;
@@ -179,17 +179,11 @@ pub(crate) fn write_wav(
     path: PathBuf,
     samples: Bound<'_, PyAny>,
     sample_rate_hz: u32,
+    force: bool,
 ) -> Result<()> {
     let frames = Frames::new(&samples)?;
     let samples = frames.read(py, 0..frames.length)?;
     let channels: Vec<&[f32]> = samples.iter().map(Vec::as_slice).collect();
     let wav = encode_wav(sample_rate_hz, SampleFormat::Int16, &channels)?;
-    // As every function of Python that writes a file of this name.
-    let outputs = Outputs::new([""; 0], true);
-    outputs.write(&path, "", &wav).map_err(|reason| {
-        Failure::Output(format!(
-            "{}: {reason}; choose another place",
-            bouncelab::Plain::path(&path)
-        ))
-    })
+    output::write(&path, output::NO_MARK, &wav, &[], force)
 }

@@ -117,6 +117,20 @@ def test_lists_have_the_columns_of_the_tables(results: Path, tmp_path: Path) -> 
         assert [field.name for field in listed] == [name for name in tidy if name not in ("recording", "surface", "height")]
 
 
+def test_exploded_tables_replace_no_file_of_others(results: Path, tmp_path: Path) -> None:
+    drops = tmp_path / "drops.parquet"
+    drops.write_text("notes of years")
+    with pytest.raises(bl.OutputError, match="force=True"):
+        batch.explode(results, tmp_path)
+    assert drops.read_text() == "notes of years"
+    batch.explode(results, tmp_path, force=True)
+    rows = tmp_path / "rows"
+    rows.mkdir()
+    (rows / "drops.parquet").write_bytes((results / "1.parquet").read_bytes())
+    with pytest.raises(bl.OutputError, match="input"):
+        batch.explode(rows, rows, force=True)
+
+
 def test_a_study_is_that_of_a_session(folder: Path, results: Path) -> None:
     expected = bl.session(folder, pattern=PATTERN, ball="table-tennis-40", draws=100).to_dict()
     assert batch.study(results) == expected

@@ -22,15 +22,19 @@ sound 16000 flac.ogg -c:a flac
 sound 16000 flac.mkv -c:a flac
 sound 16000 pcm.mov -c:a pcm_s16le
 sound 16000 alac.m4a -c:a alac
+sound 16000 alac.caf -c:a alac
 sound 48000 aac.m4a -c:a aac -b:a 64k
 sound 48000 aac-front.m4a -c:a aac -b:a 64k -movflags +faststart
 sound 48000 aac-parts.mp4 -c:a aac -b:a 64k -movflags +frag_keyframe+empty_moov+default_base_moof -frag_duration 1000000
 sound 48000 aac.aac -c:a aac -b:a 64k
+sound 48000 aac.mkv -c:a aac -b:a 64k
 sound 48000 constant.mp3 -c:a libmp3lame -b:a 64k
 sound 48000 constant-no-tag.mp3 -c:a libmp3lame -b:a 64k -write_xing 0 -id3v2_version 0
+sound 48000 constant.mkv -c:a libmp3lame -b:a 64k
 sound 48000 variable.mp3 -c:a libmp3lame -q:a 5
 sound 48000 variable-no-tag.mp3 -c:a libmp3lame -q:a 5 -write_xing 0 -id3v2_version 0
 sound 48000 vorbis.ogg -c:a libvorbis -q:a 3
+sound 48000 vorbis.mkv -c:a libvorbis -q:a 3
 sound 48000 opus.ogg -c:a libopus -b:a 64k
 sound 48000 opus.webm -c:a libopus -b:a 64k
 sound 48000 opus-stream.webm -c:a libopus -b:a 64k -f webm -live 1

@@ -4,6 +4,7 @@
 //! library would return an error: only tests call it.
 
 mod checksum;
+pub mod containers;
 pub mod damage;
 #[cfg(feature = "fuzz")]
 pub mod fuzz;

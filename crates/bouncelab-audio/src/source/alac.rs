@@ -34,7 +34,30 @@ impl Alac {
         if has_run(&packet.data, &0) && !is_flat {
             return Err(Error::DecodeError("overwritten ALAC packet"));
         }
+        if self.has_run_away(packet, planes) {
+            return Err(Error::DecodeError("ALAC packet whose predictor runs away"));
+        }
         Ok(layout)
+    }
+
+    /// Whether the sound is noise of full scale, which could not have been compressed: a changed bit that alters no
+    /// length still alters what follows, and each value is predicted from those before.
+    fn has_run_away(&self, packet: &Packet, planes: &[Vec<f32>]) -> bool {
+        /// Of successive values of such noise a quarter differ by more than half of their range.
+        const JUMPS: f64 = 0.1;
+        const HALF_RANGE: f32 = 1.0;
+        const COMPRESSED: f64 = 0.9;
+        let bits = self.inner.codec_params().bits_per_sample.unwrap_or(0);
+        // Not every container says it; recordings have 16 or more.
+        let bits = f64::from(bits.max(16));
+        let values: usize = planes.iter().map(Vec::len).sum();
+        let is_compressed = 8.0 * (packet.data.len() as f64) < COMPRESSED * bits * values as f64;
+        let jumps = |plane: &Vec<f32>| {
+            let pairs = plane.windows(2);
+            let far = pairs.filter(|pair| (pair[1] - pair[0]).abs() > HALF_RANGE);
+            far.count() as f64 > JUMPS * plane.len() as f64
+        };
+        is_compressed && planes.iter().any(jumps)
     }
 
     /// Whether the packet cannot be decoded without its end: behind the sound are no more than an end

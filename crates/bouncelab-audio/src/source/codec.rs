@@ -184,7 +184,12 @@ pub(super) fn has_run<T: PartialEq>(values: &[T], value: &T) -> bool {
 
 /// Whether it is a number for each sample, or a codec without checksum that gives back every sample.
 pub(super) fn is_plain(codec: AudioCodecId) -> bool {
-    codec == CODEC_ID_ALAC || (CODEC_ID_PCM_S32LE..=CODEC_ID_PCM_F64BE).contains(&codec)
+    codec == CODEC_ID_ALAC || is_pcm(codec)
+}
+
+/// Whether it is a number for each sample.
+pub(super) fn is_pcm(codec: AudioCodecId) -> bool {
+    (CODEC_ID_PCM_S32LE..=CODEC_ID_PCM_F64BE).contains(&codec)
 }
 
 /// What people call a codec.

@@ -227,8 +227,12 @@ impl Source {
         if let Some(sound) = framing.sound.take() {
             reader.read_only(sound).map_err(fail)?;
         }
+        let is_altered = framing.is_altered;
         let track = Track::open(container, Box::new(reader), framing, name)?;
         let mut source = Self::start(track, name)?;
+        if is_altered {
+            source.warnings.push(Warning::Altered);
+        }
         for gap in lost_chunk::decode(&header.lost, source.sample_rate_hz()) {
             source.note_gap(gap);
         }

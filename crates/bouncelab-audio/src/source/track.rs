@@ -198,6 +198,7 @@ impl Track {
             Container::Mpeg => self.info.delay.map(|_| ROUGH_S),
             Container::Adts => None,
             Container::Wav | Container::Aiff | Container::Flac => Some(0.0),
+            Container::Caf => Some(self.packet_s()),
             _ => Some(ROUGH_S),
         };
         // A file written as a stream announces nothing, which some readers turn into zero.
@@ -206,6 +207,17 @@ impl Track {
             frames,
             tolerance_s,
         })
+    }
+
+    /// How long a packet lasts that is not a row of samples: some encoders count the last one as whole.
+    fn packet_s(&self) -> f64 {
+        let frames = self.params.max_frames_per_packet.unwrap_or(0);
+        let rate_hz = f64::from(self.params.sample_rate.unwrap_or(0).max(1));
+        if codec::is_pcm(self.params.codec) {
+            0.0
+        } else {
+            frames as f64 / rate_hz
+        }
     }
 
     /// The error for a track that ended before anything was decoded.

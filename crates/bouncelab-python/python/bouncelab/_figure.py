@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Protocol, TypeVar
 
 from bouncelab import _core
 from bouncelab._data import JSON
-from bouncelab._errors import InputError, OutputError
+from bouncelab._errors import InputError
 from bouncelab._settings import text
 from bouncelab._table import Table
 
@@ -25,6 +25,8 @@ class Charted(Protocol):
     """What has figures."""
 
     def _chart(self, name: str, language: str) -> _core.Chart: ...
+
+    def _inputs(self) -> list[str]: ...
 
 
 @dataclass(frozen=True)
@@ -104,8 +106,10 @@ class Figure:
         """
         return self._drawn.pdf()
 
-    def save(self, path: str | PathLike[str], width_px: int = 1600) -> Path:
+    def save(self, path: str | PathLike[str], width_px: int = 1600, *, force: bool = False) -> Path:
         """Save the figure as SVG, PNG or PDF, by the ending of the name.
+
+        Another figure of bouncelab is replaced, a file of others only with ``force``, the recording itself never.
 
         Parameters
         ----------
@@ -113,6 +117,8 @@ class Figure:
             A name that ends in ``.svg``, ``.png`` or ``.pdf``.
         width_px : int
             Width of a PNG in pixels.
+        force : bool
+            Whether it may replace a file that bouncelab did not write.
 
         Returns
         -------
@@ -124,18 +130,15 @@ class Figure:
         InputError
             If the name ends in none of them.
         OutputError
-            If the file cannot be written.
+            If the file cannot be written or may not be replaced.
         """
         file = Path(fspath(path))
-        forms = {".svg": lambda: self.svg().encode(), ".png": lambda: self.png(width_px), ".pdf": self.pdf}
-        drawn = forms.get(file.suffix.lower())
+        forms = {"svg": lambda: self.svg().encode(), "png": lambda: self.png(width_px), "pdf": self.pdf}
+        form = file.suffix.lower().removeprefix(".")
+        drawn = forms.get(form)
         if drawn is None:
             raise InputError(f"{file}: a figure is saved as .svg, .png or .pdf; end the name in one of them")
-        content = drawn()
-        try:
-            file.write_bytes(content)
-        except OSError as reason:
-            raise OutputError(f"{file}: {reason.strerror}; choose another place") from reason
+        _core.write_file(fspath(file), form, drawn(), self._owner._inputs(), bool(force))
         return file
 
     @property

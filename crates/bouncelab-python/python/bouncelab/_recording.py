@@ -135,6 +135,9 @@ class Recording(Documented):
     def _chart(self, name: str, language: str) -> _core.Chart:
         return self._core.figure(name, language)
 
+    def _inputs(self) -> list[str]:
+        return [self.name]
+
     def report(
         self,
         form: Literal["html", "markdown"] = "html",
@@ -315,6 +318,9 @@ class Drop:
 
     def _chart(self, name: str, language: str) -> _core.Chart:
         return self._recording._core.figure(name, language, self._place)
+
+    def _inputs(self) -> list[str]:
+        return self._recording._inputs()
 
     def to_dict(self) -> dict[str, JSON]:
         """Return the drop as in the document of the recording.

@@ -87,6 +87,9 @@ class Reported(Documented):
     def _chart(self, name: str, language: str) -> _core.Chart:
         return named(in_language(self._charts, language), name)
 
+    def _inputs(self) -> list[str]:
+        return []
+
     def report(self, form: Literal["html", "markdown"] = "html", language: str = "en") -> str:
         """Return a report to read and keep: one page of HTML, or Markdown without its figures.
 

@@ -132,6 +132,9 @@ class Simulation(Documented):
     def _chart(self, name: str, language: str) -> _core.Chart:
         return self._core.figure(name, language)
 
+    def _inputs(self) -> list[str]:
+        return []
+
     def _document_in(self, language: str) -> str:
         return self._core.document(language)
 
@@ -173,20 +176,22 @@ class Sound:
     impacts: Table
     simulation: Simulation
 
-    def save(self, path: str | PathLike[str]) -> None:
+    def save(self, path: str | PathLike[str], *, force: bool = False) -> None:
         """Save it as WAV, 16 bits a sample.
 
         Parameters
         ----------
         path : str or path-like
             Where to; a name that ends in ``.wav``.
+        force : bool
+            Whether it may replace another file of this name. One with the same content is left as it is.
 
         Raises
         ------
         OutputError
-            If the file cannot be written.
+            If the file cannot be written, or is there already.
         """
-        _core.write_wav(text("path", fspath(path)), self.samples[:, None], self.sample_rate_hz)
+        _core.write_wav(text("path", fspath(path)), self.samples[:, None], self.sample_rate_hz, bool(force))
 
     def __eq__(self, other: object) -> bool:
         return (

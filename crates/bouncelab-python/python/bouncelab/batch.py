@@ -185,6 +185,8 @@ def manifest(
     source: str | PathLike[str],
     path: str | PathLike[str],
     notes: Mapping[str, Mapping[str, str]] | None = None,
+    *,
+    force: bool = False,
 ) -> int:
     """Write the list of the recordings of a folder as Parquet: ``path``, ``recording`` and what was noted.
 
@@ -196,6 +198,8 @@ def manifest(
         The file to write.
     notes : mapping, optional
         What was noted, by the path of a recording relative to the folder.
+    force : bool
+        Whether it may replace a file that bouncelab did not write. A recording of the folder is never replaced.
 
     Returns
     -------
@@ -212,7 +216,12 @@ def manifest(
     columns: dict[str, list[str | None]] = {"path": [os.path.join(root, name) for name in names]}
     columns["recording"] = list(names)
     columns |= {field: [known.get(name, {}).get(field) for name in names] for field in fields}
-    parquet.write_table(pyarrow.table(columns), fspath(path))
+    content = pyarrow.BufferOutputStream()
+    # Known by it as a file of bouncelab.
+    table = pyarrow.table(columns).replace_schema_metadata({"bouncelab.schema": "bouncelab.manifest/1"})
+    parquet.write_table(table, content)
+    inputs = [name for name in columns["path"] if name is not None]
+    _core.write_file(text("path", fspath(path)), "parquet", content.getvalue().to_pybytes(), inputs, bool(force))
     return len(names)
 
 
@@ -221,6 +230,7 @@ def explode(
     output: str | PathLike[str],
     *,
     forms: Iterable[str] = ("parquet",),
+    force: bool = False,
     **options: object,
 ) -> list[Path]:
     """Write the tables of drops and impacts of :func:`bouncelab.session` from the rows of an engine.
@@ -233,6 +243,8 @@ def explode(
         The folder for ``drops`` and ``impacts``.
     forms : iterable of str
         ``"parquet"``, ``"csv"``, ``"jsonl"``.
+    force : bool
+        Whether they may replace files that bouncelab did not write. The results are never replaced.
     **options
         As of :func:`study`: they decide at which speed drops are compared.
 
@@ -243,7 +255,9 @@ def explode(
     """
     folder = Path(output)
     folder.mkdir(parents=True, exist_ok=True)
-    return _results(results, options).write_tables(fspath(folder), [text("forms", form) for form in forms])
+    return _results(results, options).write_tables(
+        fspath(folder), [text("forms", form) for form in forms], bool(force)
+    )
 
 
 def study(

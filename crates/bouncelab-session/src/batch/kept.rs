@@ -56,6 +56,11 @@ struct Which {
 }
 
 impl Batch {
+    /// The files that have the rows.
+    pub fn files(&self) -> &[PathBuf] {
+        &self.files
+    }
+
     /// Reads which recordings a file or folder of Parquet has rows of. A row that is there twice counts once;
     /// files and folders whose names begin with a dot or an underscore are left out.
     ///

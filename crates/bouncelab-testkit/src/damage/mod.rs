@@ -10,6 +10,8 @@ use bouncelab::synth::{Noise, Rendered, Scene, render};
 use bouncelab_audio::{SampleFormat, encode_wav};
 use flate2::read::GzDecoder;
 
+use crate::containers::{caf, rf64, w64};
+
 pub use judge::{Verdict, analyse, is_warned, judge, words};
 
 /// What happens to a file.
@@ -113,9 +115,16 @@ fn uncompressed() -> Vec<(String, Vec<u8>)> {
     let wav = |format| {
         encode_wav(drop.sample_rate_hz, format, &[&drop.samples]).expect("a sound of seconds")
     };
-    vec![
-        ("wav-16.wav".to_owned(), wav(SampleFormat::Int16)),
-        ("wav-24.wav".to_owned(), wav(SampleFormat::Int24)),
-        ("wav-float.wav".to_owned(), wav(SampleFormat::Float32)),
-    ]
+    let wav_16 = wav(SampleFormat::Int16);
+    let bytes = 2 * drop.samples.len() as u64;
+    let files = [
+        ("rf64.wav", rf64(*b"RF64", &wav_16, bytes, b"")),
+        ("bw64.wav", rf64(*b"BW64", &wav_16, bytes, b"")),
+        ("wave64.w64", w64(&wav_16, 24 + bytes, b"")),
+        ("pcm.caf", caf(&wav_16, drop.sample_rate_hz)),
+        ("wav-24.wav", wav(SampleFormat::Int24)),
+        ("wav-float.wav", wav(SampleFormat::Float32)),
+        ("wav-16.wav", wav_16),
+    ];
+    files.map(|(name, file)| (name.to_owned(), file)).into()
 }

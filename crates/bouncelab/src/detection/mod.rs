@@ -301,6 +301,12 @@ impl Detector {
             .sum()
     }
 
+    /// How much the judgement of the sounds that are not yet judged does.
+    fn work(&self) -> u64 {
+        let channels = self.channels.iter().flatten();
+        channels.map(|channel| train::work(&channel.onsets)).sum()
+    }
+
     /// The detections so far, as if the recording ended here. It takes as long as the judgement of
     /// the sounds that are not yet judged: some milliseconds.
     ///

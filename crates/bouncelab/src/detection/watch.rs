@@ -8,6 +8,10 @@ use crate::train::{Train, TrainSearch, latest_next_s};
 const LOOK_S: f64 = 0.1;
 /// All sounds are judged anew this often at most, in seconds of sound, while no drop is known.
 const JUDGE_S: f64 = 1.0;
+/// Among dense sounds they are judged less often, so that each second of sound brings no more work than this, as
+/// [`Detector::work`] counts it: a tenth of a second or less on an ordinary computer. Steady clicks, 30 a second,
+/// are still judged each second; 100 a second, every ten seconds.
+const WORK_PER_S: f64 = 16e6;
 /// Sounds this much later than a drop, in seconds, no longer change how it is judged: no sound is
 /// compared with others farther away than 3 s, and none is noticed more than half a second late.
 const SETTLED_S: f64 = 3.6;
@@ -36,10 +40,10 @@ pub struct DropWatch {
     /// How many frames were heard, and how many will have been at the next look.
     frames: u64,
     next_look: u64,
-    /// What was heard when all was last judged, when that was, and how many sounds there were.
+    /// What was heard when all was last judged, how many sounds there were, and before when that is not done again.
     heard: Option<Detection>,
-    judged_s: f64,
     judged_onsets: usize,
+    next_judge_s: f64,
     told: Vec<Train>,
     /// What had been heard when a drop was last told of.
     last: Reported,
@@ -66,8 +70,8 @@ impl DropWatch {
             frames: 0,
             next_look: 0,
             heard: None,
-            judged_s: 0.0,
             judged_onsets: 0,
+            next_judge_s: JUDGE_S,
             told: Vec::new(),
             last: Reported::default(),
         };
@@ -130,7 +134,7 @@ impl DropWatch {
     fn look(&mut self) -> Vec<Detection> {
         let now_s = self.now_s();
         let onsets = self.detector.onsets();
-        let is_new = onsets != self.judged_onsets && now_s >= self.judged_s + JUDGE_S;
+        let is_new = onsets != self.judged_onsets && now_s >= self.next_judge_s;
         let is_over = self
             .untold(self.trains())
             .any(|train| self.is_settled(train));
@@ -138,7 +142,8 @@ impl DropWatch {
             return Vec::new();
         }
         self.heard = Some(self.detector.so_far());
-        (self.judged_s, self.judged_onsets) = (now_s, onsets);
+        self.judged_onsets = onsets;
+        self.next_judge_s = now_s + (self.detector.work() as f64 / WORK_PER_S).max(JUDGE_S);
         self.tell()
     }
 
@@ -251,6 +256,55 @@ mod tests {
         let expected = told(&samples, 4096);
         for block in [1, 777, 1_000_000] {
             assert_eq!(told(&samples, block), expected, "blocks of {block}");
+        }
+    }
+
+    /// So many clicks of 1.5 ms a second in faint noise, for so many seconds.
+    fn clicks(per_s: usize, seconds: usize) -> Vec<f32> {
+        let mut state = 1_u32;
+        let mut samples: Vec<f32> = (0..seconds * 44_100)
+            .map(|_| {
+                state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+                1e-3 * ((state >> 8) as f32 / 8e6 - 1.0)
+            })
+            .collect();
+        for first in (0..seconds * per_s).map(|number| number * 44_100 / per_s) {
+            for (n, sample) in samples[first..].iter_mut().take(66).enumerate() {
+                let t = n as f32 / 44_100.0;
+                *sample += 0.3 * (-t / 5e-4).exp() * (std::f32::consts::TAU * 3e3 * t).sin();
+            }
+        }
+        samples
+    }
+
+    /// On a computer that needs a second for the work of a second, one of a tenth of the speed of an ordinary one,
+    /// the sound that comes meanwhile fits into the ring of the microphone.
+    #[test]
+    fn dense_clicks_never_overrun_a_live_stream() {
+        const RING_S: f64 = 30.0;
+        for per_s in [100, 1_000] {
+            let samples = clicks(per_s, 30);
+            let mut watch = DropWatch::new(44_100, 1, &DetectionOptions::default()).unwrap();
+            let mut busy_until_s: f64 = 0.0;
+            let mut judged = 0;
+            for block in samples.chunks(1024) {
+                let before_s = watch.next_judge_s;
+                assert_eq!(
+                    watch.push(&[block]).len(),
+                    0,
+                    "{per_s}: {} s",
+                    watch.now_s()
+                );
+                if watch.next_judge_s > before_s {
+                    let work_s = watch.detector.work() as f64 / WORK_PER_S;
+                    busy_until_s = busy_until_s.max(watch.now_s()) + work_s;
+                    judged += 1;
+                }
+                let behind_s = busy_until_s - watch.now_s();
+                assert!(behind_s < RING_S, "{per_s}: {behind_s} s behind");
+            }
+            assert_eq!(watch.frames, samples.len() as u64);
+            assert!(judged > 0 || watch.detector.onsets() == 0, "{per_s}");
         }
     }
 }

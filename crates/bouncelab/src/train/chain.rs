@@ -308,6 +308,18 @@ struct Node {
     back: Option<u32>,
 }
 
+/// The measure of what a search among onsets does: for each, the pairs of others from which a flight may lead to it.
+pub(crate) fn work(onsets: &[Onset]) -> u64 {
+    let mut first = 0;
+    let before = onsets.iter().enumerate().map(|(later, onset)| {
+        while onset.time_s - onsets[first].time_s > LONGEST_S {
+            first += 1;
+        }
+        (later - first) as u64
+    });
+    before.map(|before| before * before).sum()
+}
+
 /// The chain with the most evidence, if any has enough impacts.
 pub(super) fn best(onsets: &[Onset], span: Span) -> Option<Chain> {
     let around = Surroundings::of(onsets, span);

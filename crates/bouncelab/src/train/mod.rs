@@ -37,6 +37,7 @@ use crate::onset::Onset;
 use crate::stats::median;
 use crate::stats::{logistic, softplus};
 use chain::Chain;
+pub(crate) use chain::work;
 pub(crate) use evidence::{LN_MISSED, Span};
 use rhythm::Beat;
 use statrs::function::beta::ln_beta;

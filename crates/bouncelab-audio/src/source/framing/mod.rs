@@ -25,6 +25,8 @@ pub(super) struct Framing {
     pub(super) breaks: Vec<Break>,
     /// Whether the file ends within a frame.
     pub(super) is_cut: bool,
+    /// Whether a checksum says that frames are not those that were encoded, though none is missing.
+    pub(super) is_altered: bool,
 }
 
 /// A place where frames are missing.

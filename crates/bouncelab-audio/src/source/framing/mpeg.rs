@@ -4,6 +4,9 @@
 use std::io::{self, Read, Seek};
 use std::ops::Range;
 
+use symphonia::core::checksum::Crc16AnsiLe;
+use symphonia::core::io::Monitor;
+
 use super::{Break, Framing, MOST_BREAKS, Missing, Window, keep};
 
 /// What the header of a frame says.
@@ -22,6 +25,9 @@ type Parse = fn(&[u8]) -> Option<Frame>;
 
 /// Enough for the header of a frame.
 const HEADER: u64 = 8;
+
+/// Enough for the tag of an encoder behind header and side information.
+const TAG: u64 = 200;
 
 /// So many headers where each says the next is are no coincidence.
 const CHAIN: usize = 3;
@@ -110,7 +116,11 @@ pub(super) fn survey<S: Read + Seek>(
             },
         }
     }
-    Ok(found.framing(start..first, walk.window.len))
+    let is_altered = walk.is_altered(&found, first)?;
+    Ok(Framing {
+        is_altered,
+        ..found.framing(start..first, walk.window.len)
+    })
 }
 
 /// Steps from frame to frame.
@@ -157,22 +167,78 @@ impl<S: Read + Seek> Walk<'_, '_, S> {
 
     /// Whether the first frame is none but a tag, and how many frames follow according to it.
     fn tag(&mut self, first: u64) -> io::Result<Option<Tag>> {
-        let bytes = self.window.at(first, 64)?;
+        let bytes = self.window.at(first, TAG)?;
         // Behind header and side information, whose length depends on version and channels.
         let tag = [13, 21, 36].into_iter().find_map(|place| {
-            let tag = bytes.get(place..place + 12)?;
+            let tag = bytes.get(place..)?;
             (tag.starts_with(b"Xing") || tag.starts_with(b"Info")).then_some(tag)
         });
-        let frames = tag
-            .filter(|tag| tag[7] & 1 == 1)
-            .and_then(|tag| Some(u64::from(u32::from_be_bytes(*tag.last_chunk()?))));
+        let number = |place: usize| {
+            let bytes = *tag?.get(place..)?.first_chunk()?;
+            Some(u64::from(u32::from_be_bytes(bytes)))
+        };
+        let flags = number(4).unwrap_or(0);
         let is_tag = tag.is_some() || bytes.get(36..40) == Some(b"VBRI");
-        Ok(is_tag.then_some(Tag { frames }))
+        Ok(is_tag.then(|| Tag {
+            frames: number(8).filter(|_| flags & 1 == 1),
+            music: tag.and_then(|tag| Music::of(tag, flags)),
+        }))
+    }
+
+    /// Whether no frame is missing, and the tag has the checksum of others than these.
+    fn is_altered(&mut self, found: &Found, first: u64) -> io::Result<bool> {
+        const AT_ONCE: u64 = 1 << 16;
+        let Some(music) = found.tag.as_ref().and_then(|tag| tag.music.as_ref()) else {
+            return Ok(false);
+        };
+        let Some(tag) = self.frame(first)?.filter(|_| found.holes.is_empty()) else {
+            return Ok(false);
+        };
+        // Of a file that was shortened the tag says nothing.
+        if found.last.end - first != music.len {
+            return Ok(false);
+        }
+        let mut checksum = Crc16AnsiLe::new(0);
+        let mut at = first + tag.len;
+        while at < found.last.end {
+            let bytes = self.window.at(at, AT_ONCE.min(found.last.end - at))?;
+            if bytes.is_empty() {
+                break;
+            }
+            checksum.process_buf_bytes(bytes);
+            at += bytes.len() as u64;
+        }
+        Ok(checksum.crc() != music.checksum)
     }
 }
 
+/// What the encoder says of the stream in the first frame.
 struct Tag {
     frames: Option<u64>,
+    music: Option<Music>,
+}
+
+/// What LAME, and those that write its tag, say of the frames: how long all are, and the checksum of those
+/// behind the tag.
+struct Music {
+    len: u64,
+    checksum: u16,
+}
+
+impl Music {
+    /// Behind the fields of which the flags say that they are there, and 28 bytes that are of no use here.
+    fn of(tag: &[u8], flags: u64) -> Option<Self> {
+        const FIELDS: [(u64, usize); 4] = [(1, 4), (2, 4), (4, 100), (8, 4)];
+        let fields = FIELDS.iter().filter(|(flag, _)| flags & flag != 0);
+        let place = 8 + fields.map(|(_, len)| len).sum::<usize>() + 28;
+        let len = u32::from_be_bytes(*tag.get(place..)?.first_chunk()?);
+        let checksum = u16::from_be_bytes(*tag.get(place + 4..)?.first_chunk()?);
+        // Zero where an encoder does not count.
+        (len > 0 && checksum > 0).then_some(Self {
+            len: len.into(),
+            checksum,
+        })
+    }
 }
 
 /// The frames that were found.
@@ -251,6 +317,7 @@ impl Found {
             sound: (!breaks.is_empty()).then_some(sound),
             breaks,
             is_cut: self.is_cut,
+            is_altered: false,
         }
     }
 

@@ -17,20 +17,23 @@ struct Header {
 /// A recorder that streams writes parts of a film (ISO 14496-12 section 8.8), each of which goes on where
 /// the one before ended: one that cannot be read would move all that follow.
 pub(super) fn mp4<S: Read + Seek>(window: &mut Window<S>, start: u64) -> io::Result<Framing> {
-    const PART: &[u8; 4] = b"moof";
-    const KNOWN: [&[u8; 4]; 16] = [
-        b"ftyp", b"styp", b"moov", PART, b"mdat", b"free", b"skip", b"wide", b"uuid", b"meta",
-        b"sidx", b"ssix", b"mfra", b"pdin", b"prft", b"emsg",
+    const MOVIE: [u8; 4] = *b"moov";
+    const PART: [u8; 4] = *b"moof";
+    const KNOWN: [[u8; 4]; 16] = [
+        *b"ftyp", *b"styp", MOVIE, PART, *b"mdat", *b"free", *b"skip", *b"wide", *b"uuid",
+        *b"meta", *b"sidx", *b"ssix", *b"mfra", *b"pdin", *b"prft", *b"emsg",
     ];
-    let kind = |name: &[u8; 4]| u64::from(u32::from_be_bytes(*name));
     let mut has_parts = false;
     let mut at = start;
     while at < window.len {
         let header = atom(window.at(at, 16)?, at);
-        let known = header.filter(|header| KNOWN.iter().any(|name| kind(name) == header.kind));
-        has_parts |= known
-            .as_ref()
-            .is_some_and(|header| header.kind == kind(PART));
+        let known = header.filter(|header| KNOWN.iter().any(|name| kind(*name) == header.kind));
+        has_parts = has_parts
+            || match &known {
+                Some(header) if header.kind == kind(MOVIE) => announces_parts(window, header)?,
+                Some(header) => header.kind == kind(PART),
+                None => false,
+            };
         let end = known.map(|header| header.end.unwrap_or(window.len));
         match end.filter(|&end| end <= window.len) {
             Some(end) => at = end,
@@ -39,6 +42,27 @@ pub(super) fn mp4<S: Read + Seek>(window: &mut Window<S>, start: u64) -> io::Res
         }
     }
     Ok(Framing::default())
+}
+
+/// The number of the name of a box.
+fn kind(name: [u8; 4]) -> u64 {
+    u64::from(u32::from_be_bytes(name))
+}
+
+/// Whether a film says that parts follow: without this nobody would miss the first one.
+fn announces_parts<S: Read + Seek>(window: &mut Window<S>, movie: &Header) -> io::Result<bool> {
+    let end = movie.end.unwrap_or(window.len).min(window.len);
+    let mut at = movie.content;
+    while at < end {
+        let Some(inner) = atom(window.at(at, 16)?, at) else {
+            break;
+        };
+        if inner.kind == kind(*b"mvex") {
+            return Ok(true);
+        }
+        at = inner.end.unwrap_or(end);
+    }
+    Ok(false)
 }
 
 fn atom(bytes: &[u8], at: u64) -> Option<Header> {

@@ -73,7 +73,7 @@ pub(super) fn survey<S: Read + Seek>(window: &mut Window<S>, start: u64) -> io::
     Ok(Framing {
         sound: (!is_whole).then_some(sound),
         breaks,
-        is_cut: false,
+        ..Framing::default()
     })
 }
 
