@@ -97,8 +97,15 @@ test('two simulated drops', async () => {
   const { page } = await open(browser, `${site.url}#simulate?e=0.9`, DESKTOP);
   await page.getByText(/It bounces/).waitFor();
   await page.getByRole('button', { name: 'Keep this run' }).click();
+  await still(page);
+  const figure = page.locator('.uplot canvas').last();
+  const drawn = (): Promise<string> =>
+    figure.evaluate((canvas) => (canvas as HTMLCanvasElement).toDataURL());
+  const before = await drawn();
   await page.getByLabel(/^Restitution/).fill('0.85');
   await page.getByText(/It bounces 17 times/).waitFor();
+  // The figures follow the words.
+  await expect.poll(drawn).not.toBe(before);
   await save(
     page,
     'laboratory-simulate',
