@@ -8,7 +8,7 @@ use crate::cargo::{cargo, run as run_command, succeeds, target};
 
 /// A program, and the package of that name.
 pub(crate) struct Tool {
-    pub(crate) name: &'static str,
+    name: &'static str,
     /// A subcommand or an option with which it only says its version.
     version: &'static [&'static str],
     /// The chore that installs it.

@@ -9,7 +9,6 @@ use arrow_array::{Array, ArrayRef, ListArray, RecordBatch, StringArray, StructAr
 use arrow_buffer::{NullBuffer, OffsetBuffer};
 use arrow_schema::{DataType, Field, Fields, Schema};
 use bouncelab::setup::Settings;
-use bouncelab_report::file::Outputs;
 use bouncelab_report::groups::Question;
 use bouncelab_session::batch::{
     Batch, Failure as RowFailure, FailureCode, Given, Kernel as OneByOne, KernelOptions, Row,
@@ -22,7 +21,7 @@ use pyo3::pybacked::PyBackedBytes;
 use serde::Deserialize;
 
 use crate::failure::{Failure, Result};
-use crate::output::refusal;
+use crate::output::{outputs, unwritable};
 use crate::physics::translator;
 use crate::table::Table;
 
@@ -248,10 +247,10 @@ impl Results {
             let results = self.batch.results();
             let english = translator("en")?;
             let outcome = Outcome::of(&results, &self.options, &english)?;
-            let outputs = Outputs::new(self.batch.files(), force);
+            let outputs = outputs(self.batch.files(), force);
             let written = write_tables(&outcome, &results, &folder, &forms, &outputs);
             written.map_err(|error| match error {
-                Error::Output { path, source } => Failure::Output(refusal(&path, &source)),
+                Error::Output { path, source } => unwritable(&path, &source),
                 error => error.into(),
             })
         })

@@ -35,22 +35,25 @@ pub(crate) fn write(
     inputs: &[PathBuf],
     force: bool,
 ) -> Result<()> {
-    let written = Outputs::new(inputs, force).write(path, mark, content);
-    written.map_err(|reason| Failure::Output(refusal(path, &reason)))
+    let written = outputs(inputs, force).write(path, mark, content);
+    written.map_err(|reason| unwritable(path, &reason))
 }
 
 fn mark_of(form: &str) -> &'static str {
-    match form {
-        "svg" => mark::SVG,
-        "png" => mark::PNG,
-        "pdf" => mark::PDF,
-        "parquet" => Form::Parquet.mark(),
-        _ => NO_MARK,
-    }
+    let tables = Form::ALL.map(|form| (form.ending(), form.mark()));
+    let mut marks = mark::FIGURES.into_iter().chain(tables);
+    let found = marks.find(|(ending, _)| *ending == form);
+    found.map_or(NO_MARK, |(_, mark)| mark)
 }
 
-/// What the gate says names the option of the command line.
-pub(crate) fn refusal(path: &Path, reason: &io::Error) -> String {
-    let reason = reason.to_string().replace("--force", "force=True");
-    format!("{}: {reason}; choose another place", Plain::path(path))
+/// The gate of a function that reads these files.
+pub(crate) fn outputs(inputs: &[PathBuf], force: bool) -> Outputs {
+    Outputs::new(inputs, force).asked_with("force=True")
+}
+
+pub(crate) fn unwritable(path: &Path, reason: &io::Error) -> Failure {
+    Failure::Output(format!(
+        "{}: {reason}; choose another place",
+        Plain::path(path)
+    ))
 }

@@ -64,12 +64,21 @@ pub fn read_noted(path: &Path) -> io::Result<Vec<u8>> {
 }
 
 /// Which files a command may write.
-#[derive(Debug, Default)]
+#[derive(Debug)]
 pub struct Outputs {
     /// What it reads, by the place on the disk: a file may have several names.
     inputs: HashSet<FileId>,
     /// Whether files of others may be replaced too.
     force: bool,
+    /// What a person writes to ask for that.
+    option: &'static str,
+}
+
+impl Default for Outputs {
+    /// Of a command that reads no files, without `force`.
+    fn default() -> Self {
+        Self::new([""; 0], false)
+    }
 }
 
 impl Outputs {
@@ -81,7 +90,14 @@ impl Outputs {
         Self {
             inputs: ids.collect(),
             force,
+            option: "--force",
         }
+    }
+
+    /// The same where a person asks otherwise than with `--force` for files of others to be replaced.
+    #[must_use]
+    pub fn asked_with(self, option: &'static str) -> Self {
+        Self { option, ..self }
     }
 
     /// Whether a file may be written; one that is there must have the mark at one of its ends. Without a
@@ -105,16 +121,17 @@ impl Outputs {
             let reason = "it is a device or a pipe, not a file";
             return Err(io::Error::new(io::ErrorKind::InvalidInput, reason));
         }
-        let refused = |reason| Err(io::Error::new(io::ErrorKind::AlreadyExists, reason));
+        let refused = |reason: &str| Err(io::Error::new(io::ErrorKind::AlreadyExists, reason));
         if self.inputs.contains(&file_id::get_file_id(path)?) {
             return refused("it is an input of this command; name another file");
         }
         if self.force || about.len() == 0 || has_mark(path, mark)? {
             return Ok(());
         }
-        refused(
-            "it exists, and bouncelab did not write it; name another file, or replace it with --force",
-        )
+        let option = self.option;
+        refused(&format!(
+            "it exists, and bouncelab did not write it; name another file, or replace it with {option}"
+        ))
     }
 
     /// Begins a file that may be written.

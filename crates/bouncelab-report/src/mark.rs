@@ -16,5 +16,7 @@ pub const SVG: &str = "<metadata>made by bouncelab</metadata>";
 pub const PNG: &str = "tEXtSoftware\0made by bouncelab";
 /// In a figure for print.
 pub const PDF: &str = "/Producer (made by bouncelab)";
+/// In a figure, by the ending of its file.
+pub const FIGURES: [(&str, &str); 3] = [("svg", SVG), ("png", PNG), ("pdf", PDF)];
 /// In a page of the manual.
 pub const MANUAL: &str = ".\\\" made by bouncelab";

@@ -178,7 +178,7 @@ mod tests {
     }
 
     #[test]
-    fn what_finds_no_room_is_counted_where_it_is_missing() {
+    fn what_does_not_fit_is_counted_where_it_is_missing() {
         let (mut feeder, mut taker) = with_capacity(4, 1);
         feed(&mut feeder, &[1.0, 2.0, 3.0]);
         feed(&mut feeder, &[4.0, 5.0]);
@@ -216,7 +216,7 @@ mod tests {
             for block in numbers.chunks(2 * 37) {
                 feed(&mut feeder, block);
             }
-            // The last loss is told with the frame after it, for which there is room by and by.
+            // The last loss is told with the frame after it, once the ring is empty again.
             while feeder.samples.slots() < 512 * 2 {
                 thread::yield_now();
             }

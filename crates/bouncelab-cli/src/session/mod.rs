@@ -331,8 +331,7 @@ impl Arguments {
         let pictures = ["groups", "intervals", "run"]
             .into_iter()
             .flat_map(|figure| {
-                let marks = [("svg", mark::SVG), ("png", mark::PNG), ("pdf", mark::PDF)];
-                let marks = marks.into_iter().chain([("csv", CSV_HEADER)]);
+                let marks = mark::FIGURES.into_iter().chain([("csv", CSV_HEADER)]);
                 marks.map(move |(ending, mark)| {
                     (self.output.join(format!("{figure}.{ending}")), mark)
                 })

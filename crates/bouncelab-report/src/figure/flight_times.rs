@@ -142,10 +142,10 @@ fn curves(line: Line, flights: &[TimedFlight], x: &Scale, name: &str) -> Vec<Lay
     ]
 }
 
-/// Shows zero and the flights used, with as much room again for the others.
+/// Shows zero and the flights used, with margins as wide again for the others.
 fn off_line_scale(off_line: &[Layer], flights: &[TimedFlight]) -> Scale {
     let bulk = Scale::bulk(ys(&off_line[..1]));
     let all_used = flights.iter().all(|flight| flight.used);
-    let room = if all_used { 0.12 } else { 0.5 };
-    Scale::linear([bulk.low().min(0.0), bulk.high().max(0.0)]).padded(room, room)
+    let margin = if all_used { 0.12 } else { 0.5 };
+    Scale::linear([bulk.low().min(0.0), bulk.high().max(0.0)]).padded(margin, margin)
 }

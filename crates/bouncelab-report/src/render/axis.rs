@@ -47,7 +47,7 @@ impl Frame {
     }
 }
 
-/// How much room the numbers or names before a panel need.
+/// How wide the numbers or names before a panel are.
 pub(super) fn width_of_labels(panel: &Panel) -> f64 {
     if panel.y.ticks != Ticks::Labelled {
         return 0.0;

@@ -117,10 +117,7 @@ pub(super) fn survey<S: Read + Seek>(
         }
     }
     let is_altered = walk.is_altered(&found, first)?;
-    Ok(Framing {
-        is_altered,
-        ..found.framing(start..first, walk.window.len)
-    })
+    Ok(found.framing(start..first, walk.window.len, is_altered))
 }
 
 /// Steps from frame to frame.
@@ -296,7 +293,7 @@ impl Found {
 
     /// Puts it together. What lies before the first frame and after the last one, tags most often, is
     /// for the demuxer to judge.
-    fn framing(mut self, lead: Range<u64>, end: u64) -> Framing {
+    fn framing(mut self, lead: Range<u64>, end: u64, is_altered: bool) -> Framing {
         self.keep_last();
         let tail = self.last.end..end;
         let mut breaks: Vec<Break> = self.holes.iter().map(|hole| self.missing(hole)).collect();
@@ -317,7 +314,7 @@ impl Found {
             sound: (!breaks.is_empty()).then_some(sound),
             breaks,
             is_cut: self.is_cut,
-            is_altered: false,
+            is_altered,
         }
     }
 
