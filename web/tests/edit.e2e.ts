@@ -1,25 +1,15 @@
 /** Correcting impacts: with the mouse, and with the keyboard alone. */
-import type { Browser, Page } from 'playwright-core';
-import { afterAll, afterEach, beforeAll, beforeEach, expect, test } from 'vitest';
-import { launch } from './harness/browser.ts';
-import { Site } from './harness/site.ts';
+import type { Page } from 'playwright-core';
+import { afterEach, beforeEach, expect, test } from 'vitest';
+import { fixture } from './harness/fixture.ts';
 import { open, said } from './support/page.ts';
 
-let site: Site;
-let browser: Browser;
+const here = fixture();
 let page: Page;
 
-beforeAll(async () => {
-  site = await Site.open();
-  browser = await launch();
-});
-afterAll(async () => {
-  await browser.close();
-  await site.close();
-});
 afterEach(() => page.context().close());
 beforeEach(async () => {
-  page = (await open(browser, site.url)).page;
+  page = (await open(here.browser, here.url)).page;
   await page.getByRole('button', { name: 'try the demo' }).click();
   await said(page);
 });

@@ -2,27 +2,19 @@
 import { readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { BlobReader, BlobWriter, ZipWriter } from '@zip.js/zip.js/lib/zip-core-custom.js';
-import type { Browser, Page } from 'playwright-core';
-import { afterAll, beforeAll, expect, test } from 'vitest';
-import { launch } from './harness/browser.ts';
+import type { Page } from 'playwright-core';
+import { beforeAll, expect, test } from 'vitest';
+import { fixture } from './harness/fixture.ts';
 import { folder, synth } from './harness/program.ts';
-import { Site } from './harness/site.ts';
 import { overflow, printedPages, violations } from './support/layout.ts';
 import { keepAs, open, saved, savedBy, settled, still } from './support/page.ts';
 import { picture } from './support/pictures.ts';
 
-let site: Site;
-let browser: Browser;
+const here = fixture();
 let place: string;
 
-beforeAll(async () => {
-  site = await Site.open();
-  browser = await launch();
+beforeAll(() => {
   place = folder();
-});
-afterAll(async () => {
-  await browser.close();
-  await site.close();
 });
 
 /** A drop of a golf ball. */
@@ -57,7 +49,7 @@ const add = (page: Page, files: string | string[]): Promise<void> =>
   page.getByLabel('Files with drops').setInputFiles(files);
 
 test('files, a ZIP with damaged ones, and links: each drop once, with its student', async () => {
-  const { page } = await open(browser, `${site.url}#lab?ball=golf`);
+  const { page } = await open(here.browser, `${here.url}#lab?ball=golf`);
   await page.getByLabel('Recording or list of impact times').setInputFiles(golf('1', 0.8));
   await settled(page);
   const document = await saved(page, 'All data (JSON)');
@@ -65,7 +57,7 @@ test('files, a ZIP with damaged ones, and links: each drop once, with its studen
   await page.getByRole('button', { name: 'Share this drop' }).click();
   const link = await page.locator('.shared code').last().innerText();
   await keepAs(page, 'Anna');
-  await page.goto(`${site.url}#drops`);
+  await page.goto(`${here.url}#drops`);
   const list = await saved(page, 'Save all (JSON)');
   const archive = await saved(page, 'Save all with sound (ZIP)');
   await page.context().close();
@@ -80,7 +72,7 @@ test('files, a ZIP with damaged ones, and links: each drop once, with its studen
     ['up/Flo_16_assignsubmission_file_/drop.wav', new Blob([wav.subarray(0, 30)])],
   ]);
   const third = golf('3', 0.805);
-  const { page: teacher, troubles } = await open(browser, `${site.url}#lab?ball=golf`);
+  const { page: teacher, troubles } = await open(here.browser, `${here.url}#lab?ball=golf`);
   await teacher.getByRole('link', { name: 'Drops', exact: true }).click();
   await add(teacher, [zip, list, third]);
   await teacher.getByText('3 drops were added. 2 are in the table already.').waitFor();
@@ -107,7 +99,7 @@ test.each([
   ['dark', 'de-DE'],
 ] as const)('groups by what the table says, %s, %s', async (colorScheme, locale) => {
   const options = { colorScheme, locale, viewport: { width: 390, height: 844 } };
-  const { page, troubles } = await open(browser, `${site.url}#lab?ball=golf`, options);
+  const { page, troubles } = await open(here.browser, `${here.url}#lab?ball=golf`, options);
   await page.locator('nav a').last().click();
   const files = [0.8, 0.802, 0.805, 0.76, 0.765, 0.762].map((e, i) => golf(`g${i}`, e));
   await page.locator('input[type=file]').setInputFiles(files);
@@ -144,7 +136,7 @@ test.each([
   ['fr-FR', 'Comment une balle rebondit-elle\u202f?'],
   ['es-ES', '¿Cuánto rebota una pelota?'],
 ] as const)('lesson sheets print on two pages, %s', async (locale, title) => {
-  const { page, troubles } = await open(browser, `${site.url}#drops`, { locale });
+  const { page, troubles } = await open(here.browser, `${here.url}#drops`, { locale });
   const links = page.locator('a[href^="lessons/"]');
   expect(await links.first().innerText()).toBe(title);
   const addresses = await links.evaluateAll((all) => all.map((a) => (a as HTMLAnchorElement).href));
@@ -159,7 +151,7 @@ test.each([
 });
 
 test('another ball of a drop is another analysis', async () => {
-  const { page } = await open(browser, `${site.url}#lab?ball=golf`);
+  const { page } = await open(here.browser, `${here.url}#lab?ball=golf`);
   await page.getByRole('link', { name: 'Drops', exact: true }).click();
   await add(page, golf('4', 0.8));
   await page.getByText('1 drop was added.').waitFor();

@@ -1,30 +1,18 @@
 /** What is kept stays: sounds while the storage fails, all of it as one file, and other deployments. */
 import { readFileSync, writeFileSync } from 'node:fs';
-import type { Browser, Page } from 'playwright-core';
-import { afterAll, beforeAll, expect, test } from 'vitest';
-import { launch, newContext, type Preparation } from './harness/browser.ts';
-import { Site } from './harness/site.ts';
-import { keepAs, open, said, saved, savedWav, settled } from './support/page.ts';
+import type { Page } from 'playwright-core';
+import { beforeAll, expect, test } from 'vitest';
+import { newContext, type Preparation } from './harness/browser.ts';
+import { fixture } from './harness/fixture.ts';
+import { keepAs, open, said, saved, savedWav, settled, tryDemo } from './support/page.ts';
 import { drop, hearing, lagOf, samplesOf } from './support/sounds.ts';
 
-let site: Site;
-let browser: Browser;
+const here = fixture();
 let heard: string;
 
-beforeAll(async () => {
-  site = await Site.open();
-  browser = await launch();
+beforeAll(() => {
   heard = drop('kept');
 });
-afterAll(async () => {
-  await browser.close();
-  await site.close();
-});
-
-const demo = async (page: Page): Promise<void> => {
-  await page.getByRole('button', { name: 'try the demo' }).click();
-  await settled(page);
-};
 
 /** Adds a file to the table of drops. */
 const add = (page: Page, file: string) => page.getByLabel('Files with drops').setInputFiles(file);
@@ -37,12 +25,12 @@ const names = (page: Page) =>
 const archived = (page: Page): Promise<string> => saved(page, 'Save all with sound (ZIP)');
 
 test('all drops are saved with their sounds as one file, and added in another browser', async () => {
-  const { page, troubles } = await open(browser, site.url);
-  await demo(page);
+  const { page, troubles } = await open(here.browser, here.url);
+  await tryDemo(page);
   const before = await said(page);
   const sound = await savedWav(page);
   for (const name of ['Anna', 'Ben']) await keepAs(page, name);
-  await page.goto(`${site.url}#drops`);
+  await page.goto(`${here.url}#drops`);
   const file = await archived(page);
   await page.getByLabel('Name of Anna').press('End');
   await page.getByLabel('Name of Anna').pressSequentially(', renamed');
@@ -52,7 +40,7 @@ test('all drops are saved with their sounds as one file, and added in another br
   expect(await names(page)).toEqual(['Anna, renamed', 'Ben']);
   await page.context().close();
 
-  const { page: elsewhere } = await open(browser, `${site.url}#drops`);
+  const { page: elsewhere } = await open(here.browser, `${here.url}#drops`);
   await add(elsewhere, file);
   await elsewhere.getByText('2 drops were added.').waitFor();
   await elsewhere.reload();
@@ -64,10 +52,10 @@ test('all drops are saved with their sounds as one file, and added in another br
 });
 
 test('a damaged file is refused, and what is kept stays', async () => {
-  const { page } = await open(browser, site.url);
-  await demo(page);
+  const { page } = await open(here.browser, here.url);
+  await tryDemo(page);
   await keepAs(page, 'Anna');
-  await page.goto(`${site.url}#drops`);
+  await page.goto(`${here.url}#drops`);
   const file = await archived(page);
   const bytes = readFileSync(file);
   writeFileSync(file, bytes.subarray(0, bytes.length / 2));
@@ -97,8 +85,8 @@ test.each([
       };
     }, promise);
   };
-  const { page } = await open(browser, site.url, {}, prepare);
-  await demo(page);
+  const { page } = await open(here.browser, here.url, {}, prepare);
+  await tryDemo(page);
   expect(await page.getByText(words).count()).toBe(0);
   await keepAs(page, 'Anna');
   await page.getByText(words).waitFor();
@@ -124,7 +112,7 @@ const clearings: [string, (page: Page) => Promise<unknown>][] = [
     'the browser',
     async (page) => {
       const session = await page.context().newCDPSession(page);
-      const origin = new URL(site.url).origin;
+      const origin = new URL(here.url).origin;
       await session.send('Storage.clearDataForOrigin', { origin, storageTypes: 'indexeddb' });
     },
   ],
@@ -133,7 +121,7 @@ const clearings: [string, (page: Page) => Promise<unknown>][] = [
 test.each(clearings)(
   '%s clears the storage: listening goes on, and all is kept',
   async (_, clear) => {
-    const { page } = await open(browser, site.url, {}, hearing(heard));
+    const { page } = await open(here.browser, here.url, {}, hearing(heard));
     await page.getByRole('button', { name: 'Listen' }).click();
     await page.getByText('2 s are saved.').waitFor();
     await clear(page);
@@ -141,7 +129,7 @@ test.each(clearings)(
     const before = await said(page);
     expect(await page.getByRole('alert').count()).toBe(0);
     await keepAs(page, 'Anna');
-    await page.goto(`${site.url}#drops`);
+    await page.goto(`${here.url}#drops`);
     await page.reload();
     await page.getByRole('button', { name: 'Open Anna' }).click();
     expect(await said(page)).toEqual(before);
@@ -164,7 +152,7 @@ const gapsOf = (page: Page): Promise<{ start_s: number; duration_s: number }[]> 
   );
 
 test('sound that the browser does not deliver is a gap, and later times hold', async () => {
-  const { page } = await open(browser, site.url, {}, hearing(heard));
+  const { page } = await open(here.browser, here.url, {}, hearing(heard));
   await page.getByRole('button', { name: 'Listen' }).click();
   await page.getByText(/1\d impacts so far/).waitFor();
   await page.evaluate(() => dispatchEvent(new CustomEvent('unplug', { detail: 0.3 })));
@@ -190,7 +178,7 @@ test('sound that the browser does not deliver is a gap, and later times hold', a
   // A kept recording knows its gaps.
   const then = await said(page);
   await keepAs(page, 'Anna');
-  await page.goto(`${site.url}#drops`);
+  await page.goto(`${here.url}#drops`);
   await page.reload();
   await page.getByRole('button', { name: 'Open Anna' }).click();
   expect(await said(page)).toEqual(then);
@@ -199,16 +187,16 @@ test('sound that the browser does not deliver is a gap, and later times hold', a
 });
 
 test('the service worker deletes its own old caches only', async () => {
-  const context = await newContext(browser);
+  const context = await newContext(here.browser);
   const page = await context.newPage();
-  await page.goto(`${site.url}icon.svg`);
-  const foreign = [`bouncelab ${site.url}elsewhere/ 0123`, 'bouncelab-0123', 'others'];
-  const old = `bouncelab ${site.url} 0123`;
+  await page.goto(`${here.url}icon.svg`);
+  const foreign = [`bouncelab ${here.url}elsewhere/ 0123`, 'bouncelab-0123', 'others'];
+  const old = `bouncelab ${here.url} 0123`;
   await page.evaluate(
     (caches_) => Promise.all(caches_.map((name) => caches.open(name))),
     [...foreign, old],
   );
-  await page.goto(site.url);
+  await page.goto(here.url);
   await page.waitForFunction(() => navigator.serviceWorker.controller !== null);
   const left = await page.evaluate(() => caches.keys());
   expect(left).toEqual(expect.arrayContaining(foreign));

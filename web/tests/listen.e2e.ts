@@ -3,7 +3,7 @@ import type { Browser, Page } from 'playwright-core';
 import { afterAll, afterEach, beforeAll, expect, test } from 'vitest';
 import { launch, type Microphone, newContext, type Preparation } from './harness/browser.ts';
 import { Site } from './harness/site.ts';
-import { follow, open, said, savedWav, settled } from './support/page.ts';
+import { follow, open, said, savedWav, settled, tryDemo } from './support/page.ts';
 import { drop, hearing, samplesOf, TRUTH } from './support/sounds.ts';
 import { wordsOf } from './support/words.ts';
 
@@ -194,8 +194,7 @@ test('a browser whose sound never starts is not waited for', async () => {
   await page.goto(site.url);
   await listen(page);
   await page.getByText('The microphone could not be opened.').waitFor();
-  await page.getByRole('button', { name: 'try the demo' }).click();
-  await settled(page);
+  await tryDemo(page);
 });
 
 test('a call ends the listening with what was heard; until then nothing comes between', async () => {

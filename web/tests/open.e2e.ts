@@ -1,29 +1,22 @@
 /** Files, dropped and chosen, pasted times, the demo; and files that are none. */
 import { existsSync, readdirSync, readFileSync } from 'node:fs';
 import { basename, join } from 'node:path';
-import type { Browser, Page } from 'playwright-core';
-import { afterAll, beforeAll, expect, test } from 'vitest';
-import { launch, newContext } from './harness/browser.ts';
+import type { Page } from 'playwright-core';
+import { beforeAll, expect, test } from 'vitest';
+import { newContext } from './harness/browser.ts';
+import { fixture } from './harness/fixture.ts';
 import { folder as scratch, synth } from './harness/program.ts';
-import { Site } from './harness/site.ts';
 import { dropFile, open, said } from './support/page.ts';
 import { drop, TRUTH } from './support/sounds.ts';
 
-let site: Site;
-let browser: Browser;
+const here = fixture();
 let recording: string;
 
-beforeAll(async () => {
-  site = await Site.open();
-  browser = await launch();
+beforeAll(() => {
   recording = drop('file');
 });
-afterAll(async () => {
-  await browser.close();
-  await site.close();
-});
 
-const page = async (): Promise<Page> => (await open(browser, site.url)).page;
+const page = async (): Promise<Page> => (await open(here.browser, here.url)).page;
 
 async function isTrue(on: Page): Promise<void> {
   const { kept, fell } = await said(on);
@@ -72,7 +65,7 @@ test('times that are pasted', async () => {
 });
 
 test('a browser that may keep nothing opens the page too', async () => {
-  const context = await newContext(browser, { locale: 'en-GB' });
+  const context = await newContext(here.browser, { locale: 'en-GB' });
   await context.addInitScript(() => {
     const denied = () => {
       throw new DOMException('denied', 'SecurityError');
@@ -81,7 +74,7 @@ test('a browser that may keep nothing opens the page too', async () => {
     Object.defineProperty(globalThis, 'indexedDB', { get: denied });
   });
   const on = await context.newPage();
-  await on.goto(`${site.url}#drops`);
+  await on.goto(`${here.url}#drops`);
   await on.getByText(/stores nothing|cannot keep/).waitFor();
   await context.close();
 });
@@ -114,7 +107,7 @@ test.each([
 });
 
 test('what is wrong with a file is said in the language of the page', async () => {
-  const { page: on } = await open(browser, site.url, { locale: 'de-DE' });
+  const { page: on } = await open(here.browser, here.url, { locale: 'de-DE' });
   const notice = on.getByRole('alert');
   await dropFile(on, 'brief.wav', Buffer.from('Dear all, this is no sound.'));
   await notice.getByText('Sie sieht aus wie Text.').waitFor();

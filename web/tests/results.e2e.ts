@@ -1,35 +1,22 @@
 /** What becomes of a result: it is kept, shared and exported; and what an address says is in the form. */
 import { readFileSync } from 'node:fs';
-import type { Browser, Page } from 'playwright-core';
-import { afterAll, beforeAll, expect, test } from 'vitest';
-import { launch } from './harness/browser.ts';
-import { Site } from './harness/site.ts';
-import { follow, keepAs, open, said, saved, settled } from './support/page.ts';
+import type { Page } from 'playwright-core';
+import { expect, test } from 'vitest';
+import { fixture } from './harness/fixture.ts';
+import { follow, keepAs, open, said, saved, settled, tryDemo } from './support/page.ts';
 
-let site: Site;
-let browser: Browser;
-
-beforeAll(async () => {
-  site = await Site.open();
-  browser = await launch();
-});
-afterAll(async () => {
-  await browser.close();
-  await site.close();
-});
+const here = fixture();
 
 async function demo(page: Page): Promise<void> {
-  await page.goto(`${site.url}#lab`);
-  await page.getByRole('button', { name: 'try the demo' }).click();
-  await settled(page);
+  await page.goto(`${here.url}#lab`);
+  await tryDemo(page);
 }
 
 test('drops are kept, deleted and brought back with their set-up, and outlive the page', async () => {
-  const { page } = await open(browser, `${site.url}#lab?height_cm=30.5`);
-  await page.getByRole('button', { name: 'try the demo' }).click();
-  await settled(page);
+  const { page } = await open(here.browser, `${here.url}#lab?height_cm=30.5`);
+  await tryDemo(page);
   for (const name of ['Anna', 'Ben']) await keepAs(page, name);
-  await page.goto(`${site.url}#drops`);
+  await page.goto(`${here.url}#drops`);
   await page.reload();
   const rows = page.locator('table.wide tbody tr');
   await rows.nth(1).waitFor();
@@ -46,11 +33,11 @@ test('drops are kept, deleted and brought back with their set-up, and outlive th
 
 test('a shared set-up arrives: the address says what the form says', async () => {
   const { page } = await open(
-    browser,
-    `${site.url}#lab?ball=tennis&height_cm=100&temperature_c=25`,
+    here.browser,
+    `${here.url}#lab?ball=tennis&height_cm=100&temperature_c=25`,
   );
   await demo(page);
-  await page.goto(`${site.url}#lab?ball=tennis&temperature_c=25`);
+  await page.goto(`${here.url}#lab?ball=tennis&temperature_c=25`);
   await settled(page);
   await page.getByText(/Ball: tennis · Air: 25 °C/).waitFor();
   await page.locator('.settings summary').click();
@@ -64,7 +51,7 @@ test('a shared set-up arrives: the address says what the form says', async () =>
 });
 
 test('a ball is chosen in the row, changes the result at once and is remembered; the demo has its own', async () => {
-  const { page } = await open(browser, site.url);
+  const { page } = await open(here.browser, here.url);
   const chosen = (name: string) => page.getByRole('radio', { name, checked: true, exact: true });
   const tap = (name: string) => page.locator('.balls').getByText(name, { exact: true }).click();
   await tap('tennis');
@@ -76,26 +63,26 @@ test('a ball is chosen in the row, changes the result at once and is remembered;
   await expect.poll(async () => (await said(page)).fell.value).not.toBe(fell.value);
   expect(page.url()).toContain('ball=golf');
   await page.goto('about:blank');
-  await page.goto(site.url);
+  await page.goto(here.url);
   await chosen('golf').waitFor();
   await page.context().close();
 });
 
 test('a part of the address that makes no sense is named', async () => {
-  const { page } = await open(browser, `${site.url}#lab?height_cm=tall`);
+  const { page } = await open(here.browser, `${here.url}#lab?height_cm=tall`);
   await page.getByText(/are not valid and were ignored: height_cm/).waitFor();
   await page.context().close();
 });
 
 test('a drop travels as a link', async () => {
-  const { page } = await open(browser, site.url);
+  const { page } = await open(here.browser, here.url);
   await demo(page);
   const sent = await said(page);
   await page.getByRole('button', { name: 'Share this drop' }).click();
   await page.getByRole('img', { name: /QR code/ }).waitFor();
   const address = await page.locator('.shared code').last().innerText();
   expect(address.length).toBeLessThanOrEqual(1500);
-  const other = await open(browser, address);
+  const other = await open(here.browser, address);
   const { kept, fell } = await said(other.page);
   expect(kept.value).toBeCloseTo(sent.kept.value, 1);
   expect(fell.value).toBeCloseTo(sent.fell.value, 0);
@@ -103,7 +90,7 @@ test('a drop travels as a link', async () => {
   await other.page.getByRole('button', { name: 'Keep this drop' }).click();
   await other.page.getByText(/Kept as/).waitFor();
   const changed = address.replace(/.$/, (last) => (last === 'A' ? 'Q' : 'A'));
-  const third = await open(browser, changed);
+  const third = await open(here.browser, changed);
   await third.page.getByText('This link of a drop cannot be used.').waitFor();
   await follow(third.page, 'Drops');
   await third.page.getByLabel(/^Links of other/).fill(`Anna ${address}\nBob ${changed}`);
@@ -116,7 +103,7 @@ test('a drop travels as a link', async () => {
 });
 
 test('exports: table, document and figures', async () => {
-  const { page } = await open(browser, site.url);
+  const { page } = await open(here.browser, here.url);
   await demo(page);
   const content = async (button: string): Promise<string> =>
     readFileSync(await saved(page, button), 'utf8');

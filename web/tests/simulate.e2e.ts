@@ -1,27 +1,17 @@
 /** Simulated drops, and the interactive part of the paper. */
 import { readFileSync } from 'node:fs';
-import type { Browser, Page } from 'playwright-core';
-import { afterAll, afterEach, beforeAll, beforeEach, expect, test } from 'vitest';
-import { launch } from './harness/browser.ts';
-import { Site } from './harness/site.ts';
-import { follow, open, said, saved, settled } from './support/page.ts';
+import type { Page } from 'playwright-core';
+import { afterEach, beforeEach, expect, test } from 'vitest';
+import { fixture } from './harness/fixture.ts';
+import { follow, open, said, saved, tryDemo } from './support/page.ts';
 import { drop, TRUTH } from './support/sounds.ts';
 
-let site: Site;
-let browser: Browser;
+const here = fixture();
 let page: Page;
 let troubles: string[];
 
-beforeAll(async () => {
-  site = await Site.open();
-  browser = await launch();
-});
-afterAll(async () => {
-  await browser.close();
-  await site.close();
-});
 beforeEach(async () => {
-  ({ page, troubles } = await open(browser, `${site.url}#simulate?e=0.9`));
+  ({ page, troubles } = await open(here.browser, `${here.url}#simulate?e=0.9`));
 });
 afterEach(async () => {
   await page.context().close();
@@ -36,7 +26,7 @@ test('a slider changes the words and the address, and the address the sliders', 
   await page.getByLabel('Where').selectOption('moon');
   await page.getByText('There is no air, so there is no terminal speed.').waitFor();
   expect(await page.getByLabel('Air pressure').isDisabled()).toBe(true);
-  await page.goto(`${site.url}#simulate?e=0.8&world=mars`);
+  await page.goto(`${here.url}#simulate?e=0.8&world=mars`);
   await expect.poll(() => page.getByLabel(/^Restitution/).inputValue()).toBe('0.8');
   await expect.poll(() => page.getByLabel('Where').inputValue()).toBe('mars');
 });
@@ -72,8 +62,7 @@ test('a simulated drop is analysed as if it were real, and says what was put in'
   expect(drawing).toContain('>your simulation<');
 
   // It says nothing of another recording.
-  await page.getByRole('button', { name: 'try the demo' }).click();
-  await settled(page);
+  await tryDemo(page);
   await page.getByRole('tab', { name: 'Compare' }).click();
   const numbers = page.getByRole('group').filter({ hasText: 'The same as numbers' });
   await numbers.evaluate((details: HTMLDetailsElement) => {
@@ -84,7 +73,7 @@ test('a simulated drop is analysed as if it were real, and says what was put in'
 });
 
 test('a ball that floats is refused in words, and forgetting the settings helps', async () => {
-  await page.goto(`${site.url}#lab?mass_g=0.01&diameter_mm=40`);
+  await page.goto(`${here.url}#lab?mass_g=0.01&diameter_mm=40`);
   await page.locator('input[type=file]').setInputFiles(drop('floating'));
   await page.getByText(/so it floats/).waitFor();
   await page.locator('.settings summary').click();
@@ -94,7 +83,7 @@ test('a ball that floats is refused in words, and forgetting the settings helps'
 });
 
 test('the discrepancy of the paper: drag alone does not explain the height, a falling restitution does', async () => {
-  await page.goto(`${site.url}#paper`);
+  await page.goto(`${here.url}#paper`);
   await page.getByRole('button', { name: 'constant e, ten flights' }).click();
   await page.getByText(/The fit gives e = 0.9375 and h₀ = 28.8.cm/).waitFor();
   const hit = page.getByText('That is the result of the paper, to its last digit.');

@@ -2,23 +2,12 @@
 import { writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
-import type { Browser } from 'playwright-core';
-import { afterAll, beforeAll, expect, test } from 'vitest';
-import { launch, newContext } from './harness/browser.ts';
-import { Site } from './harness/site.ts';
+import { expect, test } from 'vitest';
+import { newContext } from './harness/browser.ts';
+import { fixture } from './harness/fixture.ts';
 import { open } from './support/page.ts';
 
-let site: Site;
-let browser: Browser;
-
-beforeAll(async () => {
-  site = await Site.open();
-  browser = await launch();
-});
-afterAll(async () => {
-  await browser.close();
-  await site.close();
-});
+const here = fixture();
 
 const print = (line: string): boolean => process.stdout.write(`${line}\n`);
 
@@ -26,10 +15,10 @@ test('it can be used as soon as it is open', async () => {
   const times: number[] = [];
   // The best of three: what else the machine does is not the page's fault.
   for (let i = 0; i < 3; i += 1) {
-    const context = await newContext(browser, { locale: 'en-GB' });
+    const context = await newContext(here.browser, { locale: 'en-GB' });
     const page = await context.newPage();
     const start = performance.now();
-    await page.goto(site.url, { waitUntil: 'commit' });
+    await page.goto(here.url, { waitUntil: 'commit' });
     await page.getByRole('button', { name: 'Listen' }).waitFor();
     times.push(performance.now() - start);
     await context.close();
@@ -65,7 +54,7 @@ function tenMinutes(): string {
 }
 
 test('ten minutes of sound can be panned', async () => {
-  const { page } = await open(browser, site.url);
+  const { page } = await open(here.browser, here.url);
   await page.locator('input[type=file]').setInputFiles(tenMinutes());
   await page.locator('.wave-stage').focus();
   for (let i = 0; i < 5; i += 1) await page.keyboard.press('+');

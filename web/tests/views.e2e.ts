@@ -4,7 +4,7 @@ import { afterAll, beforeAll, describe, expect, test } from 'vitest';
 import { launch } from './harness/browser.ts';
 import { FONT_SETS, type FontSet, nameOf } from './harness/fonts.ts';
 import { Site } from './harness/site.ts';
-import { overflow, violations } from './support/layout.ts';
+import { type Looked, overflow, violations } from './support/layout.ts';
 import { open, settled, still } from './support/page.ts';
 import { picture } from './support/pictures.ts';
 import { charts, crampedButtons, rememberTexts, troublesOf } from './support/texts.ts';
@@ -54,18 +54,17 @@ async function keepThree(page: Page): Promise<void> {
   await page.locator('table.wide tbody tr').nth(2).waitFor();
 }
 
-interface Looked {
-  readonly part?: string;
-  readonly rules?: 'all' | 'of size' | 'none';
-}
-
-async function look(page: Page, name: string, { part, rules = 'all' }: Looked = {}): Promise<void> {
+/** Nothing is wider than the screen. */
+async function fits(page: Page, name: string): Promise<void> {
   await still(page);
   await picture(page, name);
   expect(await overflow(page), `${name} is wider than the screen`).toBeLessThanOrEqual(0);
-  if (rules === 'none') return;
-  const found = await violations(page, { rules, ...(part !== undefined && { part }) });
-  expect(found, name).toEqual([]);
+}
+
+/** The same, and everyone can read it. */
+async function look(page: Page, name: string, looked?: Looked): Promise<void> {
+  await fits(page, name);
+  expect(await violations(page, looked), name).toEqual([]);
 }
 
 const SCREENS = [
@@ -105,17 +104,12 @@ describe.each(USES)(
         const { page, troubles } = await open(browser, site.url, options);
         // Another set of fonts has letters of other sizes, and nothing else.
         const rules = fonts === FONT_SETS[0] ? 'all' : 'of size';
-        const nameOn = ({ screen }: Screen, view: string) =>
-          `${screen}-${colorScheme}-${set}-${view}`;
 
         /** On a 4K screen the page is what it is on a desktop, only larger. */
-        async function lookOn(screen: Screen, view: string, part?: string): Promise<void> {
-          await page.setViewportSize(screen);
-          const own = screen.screen === '4k' ? 'none' : rules;
-          await look(page, nameOn(screen, view), {
-            rules: own,
-            ...(part !== undefined && { part }),
-          });
+        async function lookOn(on: Screen, view: string, part?: string): Promise<void> {
+          await page.setViewportSize(on);
+          const name = `${on.screen}-${colorScheme}-${set}-${view}`;
+          await (on.screen === '4k' ? fits(page, name) : look(page, name, { part, rules }));
         }
         async function lookOnAll(view: string): Promise<void> {
           const others = SCREENS.filter((screen) => screen !== used);

@@ -1,22 +1,11 @@
 /** From the start to the table of drops, by the keyboard alone and as a screen reader says it. */
-import type { Browser, Page } from 'playwright-core';
-import { afterAll, beforeAll, expect, test } from 'vitest';
-import { launch } from './harness/browser.ts';
-import { Site } from './harness/site.ts';
-import { dropFile, follow, keepAs, open, settled } from './support/page.ts';
+import type { Page } from 'playwright-core';
+import { expect, test } from 'vitest';
+import { fixture } from './harness/fixture.ts';
+import { dropFile, follow, keepAs, open, settled, tryDemo } from './support/page.ts';
 import { announced, announcing, focused, hiddenFocus } from './support/reader.ts';
 
-let site: Site;
-let browser: Browser;
-
-beforeAll(async () => {
-  site = await Site.open();
-  browser = await launch();
-});
-afterAll(async () => {
-  await browser.close();
-  await site.close();
-});
+const here = fixture();
 
 /** Nothing that can be reached is further away than this. */
 const MOST_STEPS = 80;
@@ -56,7 +45,7 @@ test.for([
 ] as const)(
   'the keyboard alone leads from the start to the table of drops, on a %s',
   async ([, viewport]) => {
-    const { page, troubles } = await open(browser, site.url, { viewport });
+    const { page, troubles } = await open(here.browser, here.url, { viewport });
     await press(page, 'Tab', 'button "Skip to the content"');
     await page.keyboard.press('Enter');
     await press(page, 'Tab', 'button "Listen"');
@@ -110,7 +99,7 @@ const nameless = (snapshot: string): string[] =>
   ) ?? [];
 
 test('a screen reader finds its way at the start by roles and names', async () => {
-  const { page } = await open(browser, site.url);
+  const { page } = await open(here.browser, here.url);
   await page.getByRole('radio').last().waitFor();
   const heard = await page.locator('body').ariaSnapshot();
   expect(nameless(heard)).toEqual([]);
@@ -133,14 +122,13 @@ test('a screen reader finds its way at the start by roles and names', async () =
 });
 
 test('a screen reader reads the result, and is told of what changes', async () => {
-  const { page } = await open(browser, site.url, {}, announcing);
+  const { page } = await open(here.browser, here.url, {}, announcing);
   const heard = (role: 'main' | 'region' | 'tabpanel', name?: string): Promise<string> =>
     page.getByRole(role, name === undefined ? {} : { name }).ariaSnapshot();
   const told = async (what: RegExp): Promise<number> =>
     (await announced(page)).filter((words) => what.test(words)).length;
 
-  await page.getByRole('button', { name: 'try the demo' }).click();
-  await settled(page);
+  await tryDemo(page);
   await expect.poll(() => told(/^The ball kept [\d.]+ ± [\d.]+.% of its speed/)).toBe(1);
   expect(await told(/It fell from [\d.]+ ± [\d.]+.cm/)).toBe(1);
 

@@ -2,29 +2,19 @@
 import { writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
-import type { Browser, BrowserContextOptions, Locator, Page } from 'playwright-core';
-import { afterAll, beforeAll, expect, test } from 'vitest';
-import { launch, newContext } from '../harness/browser.ts';
+import type { BrowserContextOptions, Locator, Page } from 'playwright-core';
+import { expect, test } from 'vitest';
+import { newContext } from '../harness/browser.ts';
+import { fixture } from '../harness/fixture.ts';
 import { FONT_SETS } from '../harness/fonts.ts';
-import { Site } from '../harness/site.ts';
-import { open, settled, still } from '../support/page.ts';
+import { open, still, tryDemo } from '../support/page.ts';
 
 const FOLDER = join(import.meta.dirname, '../../../docs/images');
 
 /** A notebook as HTML. */
 const NOTEBOOK = process.env['BOUNCELAB_NOTEBOOK'];
 
-let site: Site;
-let browser: Browser;
-
-beforeAll(async () => {
-  site = await Site.open();
-  browser = await launch({ fonts: FONT_SETS[0] });
-});
-afterAll(async () => {
-  await browser.close();
-  await site.close();
-});
+const here = fixture({ fonts: FONT_SETS[0] });
 
 interface Area {
   readonly x: number;
@@ -70,9 +60,8 @@ const PHONE: BrowserContextOptions = {
 };
 
 async function demo(options: BrowserContextOptions): Promise<Page> {
-  const { page } = await open(browser, site.url, options);
-  await page.getByRole('button', { name: 'try the demo' }).click();
-  await settled(page);
+  const { page } = await open(here.browser, here.url, options);
+  await tryDemo(page);
   return page;
 }
 
@@ -94,7 +83,7 @@ test('a drop on a phone, in the dark', async () => {
 });
 
 test('two simulated drops', async () => {
-  const { page } = await open(browser, `${site.url}#simulate?e=0.9`, DESKTOP);
+  const { page } = await open(here.browser, `${here.url}#simulate?e=0.9`, DESKTOP);
   await page.getByText(/It bounces/).waitFor();
   await page.getByRole('button', { name: 'Keep this run' }).click();
   await still(page);
@@ -114,7 +103,7 @@ test('two simulated drops', async () => {
 });
 
 test('the paper', async () => {
-  const { page } = await open(browser, `${site.url}#paper`, DESKTOP);
+  const { page } = await open(here.browser, `${here.url}#paper`, DESKTOP);
   await page.getByRole('button', { name: 'e falls with speed, ten flights' }).click();
   await page.getByText('That is the result of the paper, to its last digit.').waitFor();
   const chapter = page.locator('.article > section', { hasText: 'Does drag explain' });
@@ -123,7 +112,7 @@ test('the paper', async () => {
 
 test.skipIf(NOTEBOOK === undefined)('a notebook', async () => {
   const page = await (
-    await newContext(browser, { viewport: { width: 900, height: 1000 } })
+    await newContext(here.browser, { viewport: { width: 900, height: 1000 } })
   ).newPage();
   await page.goto(pathToFileURL(NOTEBOOK as string).href);
   const [title, last] = ['h2#With-bouncelab', '.jp-Cell:has-text("flight-times")'];

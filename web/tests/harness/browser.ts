@@ -42,7 +42,8 @@ const QUIET = [
  */
 export const PATIENCE_MS = 240_000;
 
-interface Options {
+/** How a browser is launched. */
+export interface Options {
   readonly microphone?: Microphone;
   /** Those of the system, unless a set is named. */
   readonly fonts?: FontSet | undefined;

@@ -19,9 +19,10 @@ interface Axe {
 /** The rules of axe whose answer depends on how large letters and boxes are. */
 const OF_SIZE = ['target-size', 'scrollable-region-focusable'];
 
-interface Looked {
+/** What axe looks at. */
+export interface Looked {
   /** Only the part of the page that this selector names. */
-  readonly part?: string;
+  readonly part?: string | undefined;
   /** All rules, unless only those of the size of letters and boxes are asked for. */
   readonly rules?: 'all' | 'of size';
 }

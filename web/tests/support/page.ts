@@ -54,6 +54,12 @@ export async function settled(page: Page): Promise<void> {
   await page.locator('.summary[aria-busy="false"] .first').waitFor();
 }
 
+/** Analyses the demo. */
+export async function tryDemo(page: Page): Promise<void> {
+  await page.getByRole('button', { name: 'try the demo' }).click();
+  await settled(page);
+}
+
 /** Keeps the drop in the workspace, until the page says so. */
 export async function keepAs(page: Page, name: string): Promise<void> {
   await page.getByLabel('Name').fill(name);
