@@ -9,6 +9,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
+use std::thread;
 use std::time::{Duration, Instant};
 
 use bouncelab::synth::{self, Scene};
@@ -291,12 +292,21 @@ fn faults(calls: &[Call], outputs: &str) -> Vec<(String, usize)> {
     spread.collect()
 }
 
+/// Checks the commands side by side: most of the time they wait for strace.
+fn for_each_case(check: impl Fn(&Case) + Sync) {
+    thread::scope(|scope| {
+        for case in &CASES {
+            scope.spawn(|| check(case));
+        }
+    });
+}
+
 /// Each call of each command fails once. What is read stays; what appears is whole; success means that all is
 /// there; and the next run completes it.
 #[test]
 #[ignore = "needs strace"]
 fn a_call_that_fails_loses_nothing() {
-    for case in &CASES {
+    for_each_case(|case| {
         let workspace = Workspace::new();
         let calls = workspace.undisturbed(case);
         let (inputs, expected) = (workspace.files("in"), workspace.files("out"));
@@ -337,7 +347,7 @@ fn a_call_that_fails_loses_nothing() {
             );
             assert!(workspace.files("out") == expected, "again: {what}");
         }
-    }
+    });
 }
 
 /// Whatever a power failure takes is what was not yet on the disk, so the order of the calls decides: a name is
@@ -345,7 +355,7 @@ fn a_call_that_fails_loses_nothing() {
 #[test]
 #[ignore = "needs strace"]
 fn a_name_appears_after_the_bytes_of_its_file_are_on_the_disk() {
-    for case in &CASES {
+    for_each_case(|case| {
         let workspace = Workspace::new();
         let calls = workspace.undisturbed(case);
         let root = workspace.0.path().canonicalize().unwrap();
@@ -380,7 +390,7 @@ fn a_name_appears_after_the_bytes_of_its_file_are_on_the_disk() {
             let synced = calls.iter().rposition(|call| call.syncs(&grows));
             assert!(synced > written, "{grows} was not synchronised");
         }
-    }
+    });
 }
 
 /// Names of files that grow and of new folders, too: nothing else would bring them there.

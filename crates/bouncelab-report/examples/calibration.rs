@@ -186,7 +186,10 @@ fn ranks(scenario: Scenario, seed: u64) -> Option<Ranks> {
     }
     let settings = Options::default();
     let inference = InferenceOptions {
-        sampler: SamplerConfig { draws: 2000, seed },
+        sampler: SamplerConfig {
+            seed,
+            ..SamplerConfig::default()
+        },
         ..InferenceOptions::default()
     };
     let found: Posterior = infer(

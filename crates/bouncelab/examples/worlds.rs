@@ -216,7 +216,10 @@ fn fared(drop: &Drop, laws: &[LawKind], seed: u64) -> Fared {
     let settings = Options::default();
     let impacts: Vec<Impact> = impacts_of_times(&drop.times_s);
     let inference = InferenceOptions {
-        sampler: SamplerConfig { draws: 2000, seed },
+        sampler: SamplerConfig {
+            seed,
+            ..SamplerConfig::default()
+        },
         ..InferenceOptions::default()
     };
     let priors = Priors {

@@ -1,6 +1,8 @@
 //! The best fit of a model, and its curvature.
 
-use nalgebra::{Cholesky, DMatrix, DVector};
+use std::collections::VecDeque;
+
+use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
 
 use super::model::Model;
 
@@ -29,51 +31,136 @@ const NEAR: f64 = 1e-3;
 
 const MOST_STEPS: usize = 40;
 
-/// A step is halved at most so often before the search ends where it is.
-const MOST_HALVES: usize = 10;
+/// Parts of a step that are tried: side by side they take little longer than one.
+const PARTS: [f64; 8] = [
+    1.0 / 64.0,
+    1.0 / 32.0,
+    1.0 / 16.0,
+    0.125,
+    0.25,
+    0.5,
+    1.0,
+    2.0,
+];
+
+/// A step that promises more than this of the log posterior starts too far away for the steps before to tell of
+/// the curvature at the maximum.
+const FAR: f64 = 1.0;
 
 /// Finds the best fit by Fisher scoring: Newton's method with the expected curvature, which is that of
-/// a least-squares fit with weights (M. R. Osborne, Int. Stat. Rev. 60, 99, 1992).
+/// a least-squares fit with weights (M. R. Osborne, Int. Stat. Rev. 60, 99, 1992), corrected by what the
+/// steps before tell of the real one.
 ///
 /// `None` if no vector near the start makes sense.
 pub(super) fn best_fit(model: &Model, start: Vec<f64>) -> Option<Fit> {
     let mut vector = DVector::from_vec(start);
     let mut log_posterior = model.log_posterior(vector.as_slice())?;
-    let mut steps = 0;
-    loop {
-        let (slope, information) = model.slope_and_information(vector.as_slice())?;
-        let information = Cholesky::new(information)?;
-        let step = information.solve(&slope);
-        let better = if slope.dot(&step) < NEAR * NEAR || steps == MOST_STEPS {
-            None
-        } else {
-            uphill(model, &vector, step, log_posterior)
+    let mut secants = Secants::default();
+    let (mut slope, information) = model.slope_and_information(vector.as_slice())?;
+    let mut expected = Cholesky::new(information)?;
+    for _ in 0..MOST_STEPS {
+        let step = expected.solve(&slope);
+        let promise = slope.dot(&step);
+        if promise < NEAR * NEAR {
+            break;
+        }
+        if promise > FAR {
+            secants = Secants::default();
+        }
+        let corrected = secants.corrected(&expected, &slope);
+        let better = uphill(model, &vector, &corrected, log_posterior)
+            .or_else(|| uphill(model, &vector, &step, log_posterior));
+        let Some((next, better)) = better else {
+            break;
         };
-        let Some(better) = better else {
-            return Some(Fit {
-                covariance: information.inverse(),
-                vector,
-                log_posterior,
-            });
-        };
-        (vector, log_posterior) = better;
-        steps += 1;
+        let (next_slope, information) = model.slope_and_information(next.as_slice())?;
+        secants.add(&next - &vector, slope - &next_slope);
+        expected = Cholesky::new(information)?;
+        (vector, slope, log_posterior) = (next, next_slope, better);
+    }
+    Some(Fit {
+        covariance: expected.inverse(),
+        vector,
+        log_posterior,
+    })
+}
+
+/// Steps of a search, each with how much the slope fell along it: they correct an expected curvature (limited-memory
+/// BFGS; D. C. Liu and J. Nocedal, Math. Program. 45, 503, 1989).
+#[derive(Default)]
+struct Secants(VecDeque<Secant>);
+
+struct Secant {
+    step: DVector<f64>,
+    fall: DVector<f64>,
+}
+
+impl Secants {
+    /// Older ones tell of a place too far away.
+    const MOST: usize = 6;
+
+    fn add(&mut self, step: DVector<f64>, fall: DVector<f64>) {
+        // A slope that grows leads to no maximum.
+        if step.dot(&fall) <= 0.0 {
+            return;
+        }
+        self.0.push_back(Secant { step, fall });
+        if self.0.len() > Self::MOST {
+            self.0.pop_front();
+        }
+    }
+
+    /// The step that leads to the maximum by the expected curvature, corrected.
+    fn corrected(&self, expected: &Cholesky<f64, Dyn>, slope: &DVector<f64>) -> DVector<f64> {
+        let mut left = slope.clone();
+        let mut parts = Vec::with_capacity(self.0.len());
+        for Secant { step, fall } in self.0.iter().rev() {
+            let part = step.dot(&left) / step.dot(fall);
+            left.axpy(-part, fall, 1.0);
+            parts.push(part);
+        }
+        let mut corrected = expected.solve(&left);
+        for (Secant { step, fall }, part) in self.0.iter().zip(parts.into_iter().rev()) {
+            let taken = fall.dot(&corrected) / step.dot(fall);
+            corrected.axpy(part - taken, step, 1.0);
+        }
+        corrected
     }
 }
 
-/// The vector after a step, or the greatest part of it that leads to a better fit, and its log posterior.
+/// The vector after the best part of a step, and its log posterior; `None` if none of them leads uphill.
 fn uphill(
     model: &Model,
     from: &DVector<f64>,
-    mut step: DVector<f64>,
+    step: &DVector<f64>,
     log_posterior: f64,
 ) -> Option<(DVector<f64>, f64)> {
-    for _ in 0..MOST_HALVES {
-        let vector = from + &step;
-        match model.log_posterior(vector.as_slice()) {
-            Some(better) if better > log_posterior => return Some((vector, better)),
-            _ => step *= 0.5,
-        }
+    let tried = PARTS.map(|part| from + step * part);
+    let found = model.log_posteriors(&DMatrix::from_columns(&tried));
+    let found = tried.into_iter().zip(found);
+    found
+        .filter_map(|(vector, found)| Some((vector, found?)))
+        .filter(|(_, found)| *found > log_posterior)
+        .max_by(|(_, a), (_, b)| a.total_cmp(b))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// After a step the corrected curvature tells how much the slope fell along it (the secant equation), whatever
+    /// was expected; without one it is the expected one.
+    #[test]
+    fn a_corrected_step_knows_the_last_one() {
+        let expected = Cholesky::new(DMatrix::identity(3, 3)).unwrap();
+        let vector = |values: [f64; 3]| DVector::from_column_slice(&values);
+        let mut secants = Secants::default();
+        let slope = vector([1.0, 2.0, 3.0]);
+        assert_eq!(secants.corrected(&expected, &slope), slope);
+        secants.add(vector([1.0, 0.0, 0.5]), vector([4.0, 1.0, 0.0]));
+        let (step, fall) = (vector([0.1, 0.3, -0.2]), vector([0.3, 0.9, -0.1]));
+        secants.add(step.clone(), fall.clone());
+        secants.add(vector([1.0, 0.0, 0.0]), vector([-1.0, 0.0, 0.0]));
+        assert!((secants.corrected(&expected, &fall) - step).norm() < 1e-12);
     }
-    None
 }

@@ -52,6 +52,7 @@ mod likelihood;
 mod model;
 mod numbering;
 mod observed;
+mod order;
 mod posterior;
 mod predict;
 mod priors;

@@ -333,6 +333,20 @@ impl<'a> Model<'a> {
         self.slots.iter().position(|&s| s == slot)
     }
 
+    /// The places in the vector of the unknowns that are asked for; the others only blur them.
+    pub(super) fn answered(&self) -> Vec<usize> {
+        let slots = self.slots.iter().enumerate();
+        slots
+            .filter(|(_, slot)| {
+                matches!(
+                    slot,
+                    Slot::Restitution | Slot::Shape(_) | Slot::Height | Slot::Drag
+                )
+            })
+            .map(|(place, _)| place)
+            .collect()
+    }
+
     /// What the coordinate of the height means.
     pub(super) fn height(&self) -> Height {
         match self.height_m {

@@ -24,7 +24,7 @@ const FREEDOM: f64 = 2.0 * EXPONENTIALS as f64;
 /// Half of a chi-squared number with so many degrees of freedom is a sum of exponential ones.
 const EXPONENTIALS: usize = 3;
 
-/// The shape of the proposal is that of the posterior, a little wider.
+/// The shape of the proposal is that of the posterior, a little wider, and wider with each round that did not do.
 const WIDENING: f64 = 1.1;
 
 /// Above this Pareto shape the weights say nothing.
@@ -70,8 +70,8 @@ struct Proposal {
 }
 
 impl Proposal {
-    fn new(centre: DVector<f64>, covariance: DMatrix<f64>) -> Option<Self> {
-        let root = Cholesky::new(covariance * (WIDENING * WIDENING))?.unpack();
+    fn new(centre: DVector<f64>, covariance: DMatrix<f64>, widening: f64) -> Option<Self> {
+        let root = Cholesky::new(covariance * (widening * widening))?.unpack();
         Some(Self { centre, root })
     }
 
@@ -153,14 +153,18 @@ pub(super) fn sample(
         (draws as usize).max(FEWEST_DRAWS)
     };
     let pilot = PILOT_DRAWS * fit.vector.len();
-    let mut proposal = Proposal::new(fit.vector.clone(), fit.covariance.clone())?;
+    let mut proposal = Proposal::new(fit.vector.clone(), fit.covariance.clone(), WIDENING)?;
     let mut draws = enough(USUAL_SHARE).min(pilot);
     let mut best: Option<Sample> = None;
-    for _ in 0..MOST_ROUNDS {
+    for tries in 1..=MOST_ROUNDS {
         let found = round(model, &proposal, draws, rng)?;
         let complete = found.effective_draws >= ENOUGH * effective_draws as f64;
         let done = complete && found.pareto_shape < DOUBTFUL_SHAPE;
-        let adapted = if done { None } else { adapted(&found) };
+        let adapted = if done {
+            None
+        } else {
+            adapted(&found, WIDENING.powi(tries))
+        };
         draws = enough(found.effective_draws / draws as f64).max(draws);
         if best.as_ref().is_none_or(|best| found.is_better_than(best)) {
             best = Some(found);
@@ -188,7 +192,7 @@ const ENOUGH: f64 = 0.8;
 
 /// Weights with a heavier tail than this are worth another try, but not for ever.
 const DOUBTFUL_SHAPE: f64 = 0.6;
-const MOST_ROUNDS: usize = 6;
+const MOST_ROUNDS: i32 = 6;
 
 /// The weights of fewer draws have a tail too short to tell its shape.
 const FEWEST_DRAWS: usize = 128;
@@ -232,7 +236,7 @@ fn effective_draws(weights: &[f64]) -> f64 {
 
 /// The proposal with the mean and covariance that a pilot found. Where few draws have all the
 /// weight, the weights are flattened until enough count: a step in the right direction.
-fn adapted(pilot: &Sample) -> Option<Proposal> {
+fn adapted(pilot: &Sample, widening: f64) -> Option<Proposal> {
     let dimensions = pilot.vectors.nrows();
     let flattened = [1.0, 0.5, 0.25]
         .into_iter()
@@ -252,7 +256,7 @@ fn adapted(pilot: &Sample) -> Option<Proposal> {
     for (mut column, &weight) in weighted.column_iter_mut().zip(&flattened) {
         column *= weight;
     }
-    Proposal::new(mean, weighted * off.transpose())
+    Proposal::new(mean, weighted * off.transpose(), widening)
 }
 
 /// Replaces the largest weights by the quantiles of the generalised Pareto distribution that fits

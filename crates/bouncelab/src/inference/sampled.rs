@@ -9,6 +9,7 @@ use super::likelihood::{DropState, Innovation};
 use super::model::{Medium, Model, Point, ReferenceSpeed};
 use super::numbering;
 use super::observed::Observed;
+use super::order;
 use super::predict::{self, Rest};
 use super::priors::{LawKind, Priors};
 use super::sample::{self, GREATEST_PARETO_SHAPE, Sample};
@@ -37,7 +38,7 @@ pub struct SamplerConfig {
 impl Default for SamplerConfig {
     fn default() -> Self {
         Self {
-            draws: 2000,
+            draws: 1000,
             seed: 1,
         }
     }
@@ -422,7 +423,8 @@ impl SampledPosterior {
     }
 
     /// Equally likely draws from all samples, by systematic resampling: one random number places a
-    /// comb over the weights.
+    /// comb over the weights. Each tooth takes one of a few draws that are alike, so the answers scatter less
+    /// over seeds than with any other order (M. Gerber, N. Chopin and N. Whiteley, Ann. Stat. 47, 2236, 2019).
     fn pooled(&self, sampler: &SamplerConfig) -> Vec<Draw> {
         let draws = sampler.draws;
         let sampled: f64 = self
@@ -440,12 +442,13 @@ impl SampledPosterior {
             let Some(sample) = &candidate.sample else {
                 continue;
             };
-            for (vector, weight) in sample.vectors.column_iter().zip(&sample.weights) {
-                sum += candidate.weight * weight;
+            let unknowns = self.model(candidate).answered();
+            for draw in order::order(&sample.vectors, &sample.weights, &unknowns) {
+                sum += candidate.weight * sample.weights[draw];
                 while next < sum && pooled.len() < draws {
                     pooled.push(Draw {
                         candidate: index,
-                        vector: vector.into_owned(),
+                        vector: sample.vectors.column(draw).into_owned(),
                     });
                     next += tooth;
                 }

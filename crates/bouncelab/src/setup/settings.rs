@@ -78,7 +78,7 @@ pub struct Settings {
     pub at_speed_m_s: Option<f64>,
     /// From which height does a bounce reach an apex?
     pub reach: Option<Vec<ApexTarget>>,
-    /// Independent draws of the posterior to aim at, 100 to 100,000; 2,000 if left out.
+    /// Independent draws of the posterior to aim at, 100 to 100,000; 1,000 if left out.
     pub draws: Option<usize>,
     /// Seed of the random numbers of the inference; 1 if left out.
     pub seed: Option<u64>,
