@@ -1,7 +1,5 @@
 //! The best fit of a model, and its curvature.
 
-use std::collections::VecDeque;
-
 use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
 
 use super::model::Model;
@@ -74,7 +72,7 @@ pub(super) fn best_fit(model: &Model, start: Vec<f64>) -> Option<Fit> {
             break;
         };
         let (next_slope, information) = model.slope_and_information(next.as_slice())?;
-        secants.add(&next - &vector, slope - &next_slope);
+        secants.add(&next - &vector, &slope - &next_slope);
         expected = Cholesky::new(information)?;
         (vector, slope, log_posterior) = (next, next_slope, better);
     }
@@ -88,7 +86,7 @@ pub(super) fn best_fit(model: &Model, start: Vec<f64>) -> Option<Fit> {
 /// Steps of a search, each with how much the slope fell along it: they correct an expected curvature (limited-memory
 /// BFGS; D. C. Liu and J. Nocedal, Math. Program. 45, 503, 1989).
 #[derive(Default)]
-struct Secants(VecDeque<Secant>);
+struct Secants(Vec<Secant>);
 
 struct Secant {
     step: DVector<f64>,
@@ -96,18 +94,12 @@ struct Secant {
 }
 
 impl Secants {
-    /// Older ones tell of a place too far away.
-    const MOST: usize = 6;
-
     fn add(&mut self, step: DVector<f64>, fall: DVector<f64>) {
         // A slope that grows leads to no maximum.
         if step.dot(&fall) <= 0.0 {
             return;
         }
-        self.0.push_back(Secant { step, fall });
-        if self.0.len() > Self::MOST {
-            self.0.pop_front();
-        }
+        self.0.push(Secant { step, fall });
     }
 
     /// The step that leads to the maximum by the expected curvature, corrected.
@@ -135,13 +127,17 @@ fn uphill(
     step: &DVector<f64>,
     log_posterior: f64,
 ) -> Option<(DVector<f64>, f64)> {
-    let tried = PARTS.map(|part| from + step * part);
-    let found = model.log_posteriors(&DMatrix::from_columns(&tried));
-    let found = tried.into_iter().zip(found);
-    found
-        .filter_map(|(vector, found)| Some((vector, found?)))
-        .filter(|(_, found)| *found > log_posterior)
-        .max_by(|(_, a), (_, b)| a.total_cmp(b))
+    let tried = DMatrix::from_fn(from.len(), PARTS.len(), |unknown, place| {
+        from[unknown] + PARTS[place] * step[unknown]
+    });
+    let mut best = None;
+    let mut highest = log_posterior;
+    for (place, found) in model.log_posteriors(&tried).into_iter().enumerate() {
+        if let Some(found) = found.filter(|found| *found > highest) {
+            (best, highest) = (Some(place), found);
+        }
+    }
+    best.map(|place| (tried.column(place).into_owned(), highest))
 }
 
 #[cfg(test)]

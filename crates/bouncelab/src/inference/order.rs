@@ -24,45 +24,53 @@ pub(super) fn order(vectors: &DMatrix<f64>, weights: &[f64], unknowns: &[usize])
     };
     draws.variances = unknowns
         .iter()
-        .map(|&u| draws.variance(&order, u))
+        .map(|&u| draws.mean_and_variance(&order, u).1)
         .collect();
-    draws.sort_into_halves(&mut order);
+    draws.sort_into_sides(&mut order);
     order
 }
 
 impl Draws<'_> {
-    /// Sorts draws into two halves by the unknown that varies most among them, and so on within each half.
-    fn sort_into_halves(&self, draws: &mut [usize]) {
-        if draws.len() < 3 {
+    /// Sorts draws into those below and above the mean of the unknown that varies most among them, and so on on
+    /// either side.
+    fn sort_into_sides(&self, draws: &mut [usize]) {
+        let (mut widest, mut middle, mut greatest) = (0, f64::NAN, f64::NEG_INFINITY);
+        for (&unknown, all) in self.unknowns.iter().zip(&self.variances) {
+            let (mean, variance) = self.mean_and_variance(draws, unknown);
+            if variance / all > greatest {
+                (widest, middle, greatest) = (unknown, mean, variance / all);
+            }
+        }
+        let mut below = 0;
+        for place in 0..draws.len() {
+            if self.vectors[(widest, draws[place])] < middle {
+                draws.swap(place, below);
+                below += 1;
+            }
+        }
+        // Alike, or without weight.
+        if below == 0 || below == draws.len() {
             return;
         }
-        let relative = self.unknowns.iter().zip(&self.variances);
-        let relative =
-            relative.map(|(&unknown, all)| (unknown, self.variance(draws, unknown) / all));
-        let Some((widest, _)) = relative.max_by(|(_, a), (_, b)| a.total_cmp(b)) else {
-            return;
-        };
-        let row = self.vectors.row(widest);
-        let middle = draws.len() / 2;
-        draws.select_nth_unstable_by(middle, |&a, &b| row[a].total_cmp(&row[b]).then(a.cmp(&b)));
-        let (lower, upper) = draws.split_at_mut(middle);
-        self.sort_into_halves(lower);
-        self.sort_into_halves(upper);
+        let (lower, upper) = draws.split_at_mut(below);
+        self.sort_into_sides(lower);
+        self.sort_into_sides(upper);
     }
 
-    /// The variance of an unknown among draws.
-    fn variance(&self, draws: &[usize], unknown: usize) -> f64 {
-        let [mut total, mut sum, mut squares] = [0.0; 3];
+    /// The mean and the variance of an unknown among draws.
+    fn mean_and_variance(&self, draws: &[usize], unknown: usize) -> (f64, f64) {
         let first = draws
             .first()
             .map_or(0.0, |&draw| self.vectors[(unknown, draw)]);
+        let [mut total, mut sum, mut squares] = [0.0; 3];
         for &draw in draws {
             let (weight, off) = (self.weights[draw], self.vectors[(unknown, draw)] - first);
             total += weight;
             sum += weight * off;
             squares += weight * off * off;
         }
-        squares / total - (sum / total).powi(2)
+        let mean = sum / total;
+        (first + mean, squares / total - mean * mean)
     }
 }
 
