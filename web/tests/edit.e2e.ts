@@ -2,7 +2,7 @@
 import type { Page } from 'playwright-core';
 import { afterEach, beforeEach, expect, test } from 'vitest';
 import { fixture } from './harness/fixture.ts';
-import { open, said } from './support/page.ts';
+import { open, said, tryDemo } from './support/page.ts';
 
 const here = fixture();
 let page: Page;
@@ -10,7 +10,7 @@ let page: Page;
 afterEach(() => page.context().close());
 beforeEach(async () => {
   page = (await open(here.browser, here.url)).page;
-  await page.getByRole('button', { name: 'try the demo' }).click();
+  await tryDemo(page);
   await said(page);
 });
 

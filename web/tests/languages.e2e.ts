@@ -5,8 +5,8 @@ import { HtmlValidate } from 'html-validate';
 import type { Browser, Page } from 'playwright-core';
 import { afterAll, beforeAll, describe, expect, test } from 'vitest';
 import { launch, newContext } from './harness/browser.ts';
+import { fixture } from './harness/fixture.ts';
 import { FONT_SETS, nameOf } from './harness/fonts.ts';
-import { Site } from './harness/site.ts';
 import { overflow, unfold } from './support/layout.ts';
 import { open, saved, settled } from './support/page.ts';
 import { picture } from './support/pictures.ts';
@@ -25,19 +25,15 @@ const FLOATS: Readonly<Record<string, RegExp>> = {
   fr: /La balle pèse .* elle flotte/,
 };
 
-let site: Site;
-let browser: Browser;
+const here = fixture();
 /** One for each set of fonts. */
 let readers: Browser[];
 
 beforeAll(async () => {
-  site = await Site.open();
-  browser = await launch();
   readers = await Promise.all(FONT_SETS.map((fonts) => launch({ fonts })));
 });
 afterAll(async () => {
-  await Promise.all([browser, ...readers].map((it) => it.close()));
-  await site.close();
+  await Promise.all(readers.map((it) => it.close()));
 });
 
 describe.each(LANGUAGES.filter((code) => code !== 'en'))('in the language %s', (language) => {
@@ -46,7 +42,7 @@ describe.each(LANGUAGES.filter((code) => code !== 'en'))('in the language %s', (
   let report: string;
 
   beforeAll(async () => {
-    page = (await open(browser, site.url, { locale: language })).page;
+    page = (await open(here.browser, here.url, { locale: language })).page;
     await page.getByRole('button', { name: words('page-lab-demo') }).click();
     await settled(page);
     report = await saved(page, words('page-keep-report'));
@@ -68,7 +64,7 @@ describe.each(LANGUAGES.filter((code) => code !== 'en'))('in the language %s', (
     const validator = new HtmlValidate({ extends: ['html-validate:standard'] });
     const { results } = await validator.validateFile(report);
     expect(results.flatMap(({ messages }) => messages.map(({ message }) => message))).toEqual([]);
-    const shown = await read(browser);
+    const shown = await read(here.browser);
     expect(await shown.locator('html').getAttribute('lang')).toBe(language);
     const said = await shown
       .locator(
@@ -128,7 +124,7 @@ describe.each(LANGUAGES.filter((code) => code !== 'en'))('in the language %s', (
   });
 
   test('what is refused is said in it, and in English when that is chosen', async () => {
-    await page.goto(`${site.url}#lab?mass_g=0.01&diameter_mm=100`);
+    await page.goto(`${here.url}#lab?mass_g=0.01&diameter_mm=100`);
     await page.getByText(FLOATS[language] ?? '').waitFor();
     const choice = page.getByRole('combobox', { name: words('page-app-language') });
     await choice.selectOption('en');

@@ -1,9 +1,8 @@
 /** On a phone of 390 pixels no words of a chart or a button are cut off, in any language. */
-import type { Browser, Page } from 'playwright-core';
-import { afterAll, beforeAll, describe, expect, test } from 'vitest';
-import { launch } from './harness/browser.ts';
+import type { Page } from 'playwright-core';
+import { describe, expect, test } from 'vitest';
+import { fixture } from './harness/fixture.ts';
 import { FONT_SETS, nameOf } from './harness/fonts.ts';
-import { Site } from './harness/site.ts';
 import { overflow, unfold } from './support/layout.ts';
 import { open, settled, still } from './support/page.ts';
 import { picture } from './support/pictures.ts';
@@ -12,26 +11,15 @@ import { LANGUAGES, wordsOf } from './support/words.ts';
 
 const PHONE = { width: 390, height: 844 };
 
-let site: Site;
-
-beforeAll(async () => {
-  site = await Site.open();
-});
-afterAll(() => site.close());
-
 describe.each(FONT_SETS.map((fonts) => [nameOf(fonts), fonts] as const))(
   'with %s',
   (set, fonts) => {
-    let browser: Browser;
-    beforeAll(async () => {
-      browser = await launch({ fonts });
-    });
-    afterAll(() => browser.close());
+    const here = fixture({ fonts });
 
     test.concurrent.each(LANGUAGES)('in the language %s', async (language) => {
       const words = wordsOf(language);
       const options = { viewport: PHONE, locale: language, reducedMotion: 'reduce' } as const;
-      const { page } = await open(browser, site.url, options, rememberTexts);
+      const { page } = await open(here.browser, here.url, options, rememberTexts);
       const troubles: string[] = [];
 
       /** Looks at the page as it is, and keeps a picture of it. */
@@ -47,15 +35,15 @@ describe.each(FONT_SETS.map((fonts) => [nameOf(fonts), fonts] as const))(
       }
 
       await look('welcome');
-      await page.goto(`${site.url}#simulate`);
+      await page.goto(`${here.url}#simulate`);
       await page.locator('.uplot').first().waitFor();
       await page.locator('.button.primary').click();
       await look('simulate');
-      await page.goto(`${site.url}#paper`);
+      await page.goto(`${here.url}#paper`);
       await page.locator('.article caption').waitFor();
       await unfold(page);
       await look('paper');
-      await page.goto(`${site.url}#lab`);
+      await page.goto(`${here.url}#lab`);
       await page.getByRole('button', { name: words('page-lab-demo') }).click();
       await settled(page);
       await unfold(page);
@@ -65,7 +53,7 @@ describe.each(FONT_SETS.map((fonts) => [nameOf(fonts), fonts] as const))(
         await look(`lab-${await tab.getAttribute('id')}`);
       }
       await keep(page, ['Anna', 'Ben']);
-      await page.goto(`${site.url}#drops`);
+      await page.goto(`${here.url}#drops`);
       await page.locator('tbody tr').nth(1).waitFor();
       await look('drops');
       expect(troubles).toEqual([]);

@@ -4,7 +4,7 @@ import type { Browser } from 'playwright-core';
 import { afterAll, beforeAll, expect, test } from 'vitest';
 import { launch } from './harness/browser.ts';
 import { Site } from './harness/site.ts';
-import { open, said, settled } from './support/page.ts';
+import { open, said, settled, tryDemo } from './support/page.ts';
 import { LANGUAGES, wordsOf } from './support/words.ts';
 
 let site: Site;
@@ -43,7 +43,7 @@ test('nothing is asked of another origin', async () => {
   const { page } = await open(browser, other.url);
   const asked: string[] = [];
   page.on('request', (request) => asked.push(new URL(request.url()).origin));
-  await page.getByRole('button', { name: 'try the demo' }).click();
+  await tryDemo(page);
   await said(page);
   const strangers = asked.filter((origin) => !other.url.startsWith(origin) && origin !== 'null');
   expect(strangers).toEqual([]);

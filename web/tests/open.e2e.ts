@@ -6,7 +6,7 @@ import { beforeAll, expect, test } from 'vitest';
 import { newContext } from './harness/browser.ts';
 import { fixture } from './harness/fixture.ts';
 import { folder as scratch, synth } from './harness/program.ts';
-import { dropFile, open, said } from './support/page.ts';
+import { dropFile, open, said, tryDemo } from './support/page.ts';
 import { drop, TRUTH } from './support/sounds.ts';
 
 const here = fixture();
@@ -81,7 +81,7 @@ test('a browser that may keep nothing opens the page too', async () => {
 
 test('the demo', async () => {
   const on = await page();
-  await on.getByRole('button', { name: 'try the demo' }).click();
+  await tryDemo(on);
   const { kept } = await said(on);
   expect(kept.value).toBeCloseTo(95.29, 1);
 });
@@ -117,7 +117,7 @@ test('what is wrong with a file is said in the language of the page', async () =
 
 test('a huge file is refused, and what lay in the workspace stays', async () => {
   const on = await page();
-  await on.getByRole('button', { name: 'try the demo' }).click();
+  await tryDemo(on);
   const before = await said(on);
   await dropFile(on, 'day.wav', Buffer.from('RIFF'), 2e9);
   await on.getByText('The file is too large for a browser.').waitFor();

@@ -56,7 +56,7 @@ test('a ball is chosen in the row, changes the result at once and is remembered;
   const tap = (name: string) => page.locator('.balls').getByText(name, { exact: true }).click();
   await tap('tennis');
   await chosen('tennis').waitFor();
-  await page.getByRole('button', { name: 'try the demo' }).click();
+  await tryDemo(page);
   await chosen('table tennis 40+').waitFor();
   const { fell } = await said(page);
   await tap('golf');

@@ -2,11 +2,10 @@
  * A class: thirty phones hear a drop each, thirty links reach one page, and the groups of that page hold the truth.
  */
 import { join } from 'node:path';
-import type { Browser, Page } from 'playwright-core';
-import { afterAll, beforeAll, expect, test } from 'vitest';
-import { launch } from '../harness/browser.ts';
+import type { Page } from 'playwright-core';
+import { beforeAll, expect, test } from 'vitest';
+import { fixture } from '../harness/fixture.ts';
 import { folder, synth } from '../harness/program.ts';
-import { Site } from '../harness/site.ts';
 import { open, settled } from '../support/page.ts';
 import { hearing } from '../support/sounds.ts';
 
@@ -30,13 +29,10 @@ interface Phone {
   readonly wav: string;
 }
 
-let site: Site;
-let browser: Browser;
+const here = fixture();
 let phones: readonly Phone[];
 
-beforeAll(async () => {
-  site = await Site.open();
-  browser = await launch();
+beforeAll(() => {
   const place = folder();
   phones = BALLS.flatMap((ball, kind) =>
     OFF.map((off, number) => {
@@ -56,15 +52,11 @@ beforeAll(async () => {
     }),
   );
 });
-afterAll(async () => {
-  await browser.close();
-  await site.close();
-});
 
 /** What a student does: chooses the ball, listens, writes a name, and shares the drop. */
 async function linkOf({ student, ball, wav }: Phone): Promise<string> {
   const screen = { viewport: { width: 390, height: 844 } };
-  const { page } = await open(browser, site.url, screen, hearing(wav));
+  const { page } = await open(here.browser, here.url, screen, hearing(wav));
   await page.locator(`.balls label:has(.${ball.ball})`).click();
   await page.getByRole('button', { name: 'Listen' }).click();
   await settled(page);
@@ -104,7 +96,7 @@ async function rows(page: Page, caption: RegExp): Promise<Map<string, string[]>>
 const numbersIn = (text: string): number[] => (text.match(/\d+\.\d+/g) ?? []).map(Number);
 
 test('thirty phones, thirty links, one table: each group holds its truth', async () => {
-  const { page, troubles } = await open(browser, `${site.url}#drops`);
+  const { page, troubles } = await open(here.browser, `${here.url}#drops`);
   await page.getByLabel(/^Links of other/).fill((await links()).join('\n'));
   await page.getByRole('button', { name: 'Add to this table' }).click();
   await page.getByText('30 drops were added.').waitFor();
