@@ -83,8 +83,9 @@ pub(super) fn best_fit(model: &Model, start: Vec<f64>) -> Option<Fit> {
     })
 }
 
-/// Steps of a search, each with how much the slope fell along it: they correct an expected curvature (limited-memory
-/// BFGS; D. C. Liu and J. Nocedal, Math. Program. 45, 503, 1989).
+/// Steps of a search, each with how much the slope fell along it: they correct an expected curvature (the recursion of
+/// limited-memory BFGS, D. C. Liu and J. Nocedal, Math. Program. 45, 503, 1989; the steps near a maximum are so few
+/// that all are kept).
 #[derive(Default)]
 struct Secants(Vec<Secant>);
 

@@ -9,7 +9,7 @@ use super::likelihood::{DropState, Innovation};
 use super::model::{Medium, Model, Point, ReferenceSpeed};
 use super::numbering;
 use super::observed::Observed;
-use super::order;
+use super::order::order;
 use super::predict::{self, Rest};
 use super::priors::{LawKind, Priors};
 use super::sample::{self, GREATEST_PARETO_SHAPE, Sample};
@@ -424,7 +424,7 @@ impl SampledPosterior {
 
     /// Equally likely draws from all samples, by systematic resampling: one random number places a
     /// comb over the weights. Each tooth takes one of a few draws that are alike, so the answers scatter less
-    /// over seeds than with any other order (M. Gerber, N. Chopin and N. Whiteley, Ann. Stat. 47, 2236, 2019).
+    /// over seeds than in the order drawn (M. Gerber, N. Chopin and N. Whiteley, Ann. Stat. 47, 2236, 2019).
     fn pooled(&self, sampler: &SamplerConfig) -> Vec<Draw> {
         let draws = sampler.draws;
         let sampled: f64 = self
@@ -443,7 +443,7 @@ impl SampledPosterior {
                 continue;
             };
             let unknowns = self.model(candidate).answered();
-            for draw in order::order(&sample.vectors, &sample.weights, &unknowns) {
+            for draw in order(&sample.vectors, &sample.weights, &unknowns) {
                 sum += candidate.weight * sample.weights[draw];
                 while next < sum && pooled.len() < draws {
                     pooled.push(Draw {
