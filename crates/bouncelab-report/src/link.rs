@@ -34,7 +34,7 @@ use crate::error::Error;
 const STEPS_PER_S: f64 = 1e5;
 /// The last time in steps: ten days, while a recording lasts one at most.
 const LAST_STEP: i64 = 100_000_000_000;
-/// A drop has fewer impacts, and a QR code no room for more.
+/// A drop has fewer impacts, and a QR code holds no more.
 const MOST_IMPACTS: usize = 1000;
 /// Letters of a name; the rest is left out.
 const MOST_LETTERS: usize = 60;

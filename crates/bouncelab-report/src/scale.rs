@@ -80,11 +80,11 @@ impl Scale {
     pub(crate) fn counting(values: impl IntoIterator<Item = f64>) -> Self {
         let (low, high) =
             extent(values.into_iter().filter(|v| v.abs() <= LARGEST)).unwrap_or((0.0, 1.0));
-        let room = if low < high { 0.0 } else { 0.5 };
+        let margin = if low < high { 0.0 } else { 0.5 };
         Self {
             kind: Kind::Counting,
-            low: low - room,
-            high: high + room,
+            low: low - margin,
+            high: high + margin,
         }
     }
 
@@ -107,7 +107,7 @@ impl Scale {
         }
     }
 
-    /// With room below and above, as shares of the length.
+    /// With margins below and above, as shares of the length.
     #[must_use]
     pub(crate) fn padded(self, below: f64, above: f64) -> Self {
         let Self { kind, low, high } = self;
@@ -262,12 +262,12 @@ fn apart(low: f64, high: f64) -> (f64, f64) {
     if high - low > (1e-9 * size).max(LARGEST.recip()) {
         return (low, high);
     }
-    let room = if size > LARGEST.recip() {
+    let margin = if size > LARGEST.recip() {
         0.05 * size
     } else {
         0.5
     };
-    (low - room, high + room)
+    (low - margin, high + margin)
 }
 
 /// The smallest of 1, 2, 5, 10, 20, ... (or 0.5, 0.2, ...) that is not below `least`.

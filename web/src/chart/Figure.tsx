@@ -11,7 +11,7 @@ interface FigureProps {
   readonly numbers?: boolean;
 }
 
-/** A chart with its sentence; room for it until it is there. */
+/** A chart with its sentence; its height is kept free until it is there. */
 export function Figure({ chart, see, numbers = false }: FigureProps) {
   return (
     <figure class="figure-box">

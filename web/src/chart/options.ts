@@ -72,7 +72,7 @@ function axis(of: Axis, language: string, upright: boolean): uPlot.Axis {
   const rows = of.names.length;
   return {
     show: of.ticks !== 'hidden' || rows > 0,
-    // The name of the upright axis stands above the panel, where a long one has room for lines.
+    // The name of the upright axis stands above the panel, where a long one fits in several lines.
     ...(labelled && !upright && of.quantity !== '' ? { label: labelOf(of) } : {}),
     labelFont: font,
     labelSize: LABEL_REM * size,
@@ -97,7 +97,7 @@ function beyondEnds({ scale }: Axis, language: string): number {
   return Math.max(0.75, 0.25 * fixed(scale.high, decimals, language).length);
 }
 
-/** The names of rows one below the other, each with the room of the one with most lines. */
+/** The names of rows one below the other, each as high as the one with most lines. */
 function heightOfNames(names: readonly string[]): number {
   const lines = names.map((name) => linesOf(name).length);
   return names.length * (LINE_REM * Math.max(0, ...lines) + 0.8) * rem();

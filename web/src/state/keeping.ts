@@ -50,7 +50,7 @@ export async function loadKept(): Promise<void> {
   }
 }
 
-/** Keeps the drop in the workspace; false if the browser has no room for it. */
+/** Keeps the drop in the workspace; false if the browser has no storage left for it. */
 export async function keepDrop(name: string): Promise<boolean> {
   const recording = workspace.peek();
   const result = drop.peek();
@@ -136,7 +136,7 @@ export async function bringBack(): Promise<void> {
   await loadKept();
 }
 
-/** Frees the room of what was deleted for good: sounds that no drop uses any more, here or elsewhere. */
+/** Frees the storage of what was deleted for good: sounds that no drop uses any more, here or elsewhere. */
 async function forgetDeleted(): Promise<void> {
   const used = new Set((await allDrops()).map(({ recording }) => recording));
   // What lies in a workspace may be kept once more.

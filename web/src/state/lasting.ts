@@ -1,4 +1,4 @@
-/** Whether the browser keeps its database until the reader deletes it, or only while there is room. */
+/** Whether the browser keeps its database until the reader deletes it, or only while the storage suffices. */
 import { signal } from '@preact/signals';
 
 /** `null` as long as it is not known. */

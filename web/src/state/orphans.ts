@@ -1,6 +1,6 @@
 /**
  * Sounds in the database that no kept drop uses: cut short by a crash, or recorded and not kept. Those cut
- * short wait until the reader decides; of the others the newest waits, and older ones make room.
+ * short wait until the reader decides; of the others the newest waits, and older ones are deleted.
  */
 import { signal } from '@preact/signals';
 import { allDrops } from '../store/drops.ts';

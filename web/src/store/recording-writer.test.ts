@@ -48,7 +48,9 @@ test('a recording counts as unfinished until it came to its end', async () => {
 });
 
 test('a full disk is reported once and stops nothing', async () => {
-  vi.mocked(putBlock).mockRejectedValue(new DOMException('no room', 'QuotaExceededError'));
+  vi.mocked(putBlock).mockRejectedValue(
+    new DOMException('the quota is used up', 'QuotaExceededError'),
+  );
   const faults: string[] = [];
   const keeper = new RecordingWriter(recording, {
     ...silent,

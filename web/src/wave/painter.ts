@@ -4,7 +4,7 @@ import { CERTAIN, type Mark } from './mark.ts';
 import { columnOf, levelFor, type Pyramid } from './pyramid.ts';
 import { tickDecimals, ticks, type Viewport, widthS } from './viewport.ts';
 
-/** Room for the flags of the marks above and the ruler below, and between ticks, as texts of 16 px. */
+/** Space for the flags of the marks above and the ruler below, and between ticks, for texts of 16 px. */
 const FLAGS = 22;
 const RULER = 20;
 const TICK_SPACING = 66;
@@ -99,8 +99,8 @@ function paintRuler(surface: Surface, { view, seconds }: Scene): void {
 
 /** Height of the sound above and below its middle. */
 function frame({ height, scale }: Surface): { middle: number; half: number } {
-  const room = height - (FLAGS + RULER) * scale;
-  return { middle: FLAGS * scale + room / 2, half: room / 2 - 2 };
+  const free = height - (FLAGS + RULER) * scale;
+  return { middle: FLAGS * scale + free / 2, half: free / 2 - 2 };
 }
 
 function paintSound(surface: Surface, scene: Scene): void {

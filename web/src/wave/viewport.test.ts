@@ -30,14 +30,14 @@ test('zooming in ends at a few hundred samples', () => {
   expect(widthS(zoomed(view, 1e9, 3, 10))).toBeCloseTo(0.004);
 });
 
-test('a moment in sight moves nothing; one outside comes in with room beside it', () => {
+test('a moment in sight moves nothing; one outside comes in with a margin beside it', () => {
   expect(revealing(view, 3, 10)).toBe(view);
   const moved = revealing(view, 5, 10);
   expect(moved.startS).toBeLessThan(5);
   expect(moved.endS).toBeGreaterThan(5);
 });
 
-test('a drop is framed with room around it', () => {
+test('a drop is framed with margins around it', () => {
   const framed = framing(1, 3, 10);
   expect(framed.startS).toBeLessThan(1);
   expect(framed.endS).toBeGreaterThan(3);

@@ -41,7 +41,7 @@ export function panned(view: Viewport, byS: number, durationS: number): Viewport
   return clamped({ startS: view.startS + byS, endS: view.endS + byS }, durationS);
 }
 
-/** The smallest move that brings a moment into sight, with some room beside it. */
+/** The smallest move that brings a moment into sight, with a margin beside it. */
 export function revealing(view: Viewport, timeS: number, durationS: number): Viewport {
   const margin = 0.1 * widthS(view);
   if (timeS < view.startS + margin) return panned(view, timeS - margin - view.startS, durationS);
@@ -49,10 +49,10 @@ export function revealing(view: Viewport, timeS: number, durationS: number): Vie
   return view;
 }
 
-/** A stretch with some room around it, as of one drop. */
+/** A stretch with margins around it, as of one drop. */
 export function framing(fromS: number, toS: number, durationS: number): Viewport {
-  const room = 0.06 * (toS - fromS) + 0.02;
-  return clamped({ startS: fromS - room, endS: toS + room }, durationS);
+  const margin = 0.06 * (toS - fromS) + 0.02;
+  return clamped({ startS: fromS - margin, endS: toS + margin }, durationS);
 }
 
 /** Round moments for the ruler, about every `spacing` pixels. */

@@ -172,7 +172,7 @@ pub enum Shape {
         /// A text for each.
         texts: Vec<String>,
     },
-    /// Triangles above the panel that mark places along it, numbered where there is room.
+    /// Triangles above the panel that mark places along it, numbered where the numbers fit.
     Marks {
         /// The horizontal values, in ascending order.
         #[cfg_attr(feature = "typescript", ts(type = "(number | null)[]"))]

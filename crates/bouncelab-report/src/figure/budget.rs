@@ -57,7 +57,7 @@ fn bars(title: String, shares: &[Share], translator: &Translator) -> Option<Pane
         texts.push(translator.number(&format!("{percent:.decimals$}\u{a0}%")));
     }
     let names = sources.into_iter().map(|(name, _)| name);
-    // Room for the share beside the longest bar.
+    // A margin for the share beside the longest bar.
     let scale = Scale::linear([0.0, 100.0]).padded(0.0, 0.15);
     let x = Axis::new(translator.text("figure-budget-axis"), "%", scale);
     let layers = vec![

@@ -35,7 +35,7 @@ pub(super) fn models(found: &Posterior, translator: &Translator) -> Chart {
         format!("{law}, {}", drag_law(model.drag_law, translator))
     });
     let names = Axis::of_names(names.collect());
-    // Room for the share beside the longest bar.
+    // A margin for the share beside the longest bar.
     let probability = Axis::new(text("probability"), "%", Scale::linear([0.0, 160.0]));
     let heights = Scale::linear(intervals.iter().map(|p| p[0])).padded(0.08, 0.08);
     let heights = Axis::new(translator.text("axis-drop-height"), "cm", heights);

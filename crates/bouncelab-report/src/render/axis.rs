@@ -138,11 +138,11 @@ fn draw_name(canvas: &mut Canvas, name: &str, (x, y): Place) {
     let line = line_height(theme::TICK_SIZE);
     let mut parts = parts(name);
     let name = parts.next().unwrap_or_default();
-    let room = (NAME_WIDTH, MOST_LINES);
+    let limits = (NAME_WIDTH, MOST_LINES);
     match parts.next() {
-        None => canvas.text_within(room, (x, y), name, ROW_NAME),
+        None => canvas.text_within(limits, (x, y), name, ROW_NAME),
         Some(below) => {
-            canvas.text_within(room, (x, y - line / 2.0), name, ROW_NAME);
+            canvas.text_within(limits, (x, y - line / 2.0), name, ROW_NAME);
             let down = line * lines_of(name).len() as f64 / 2.0;
             canvas.text((x, y + down), below, BELOW_NAME);
         }
@@ -201,7 +201,7 @@ fn y_ticks(axis: &Axis, height: f64) -> TickMarks {
 }
 
 fn x_ticks(scale: &Scale, width: f64) -> TickMarks {
-    // Wide labels leave room for few of them, and fewer labels may be narrower.
+    // Of wide labels only few fit, and fewer labels may be narrower.
     (2..=10)
         .rev()
         .map(|most| scale.ticks(most))
@@ -214,8 +214,8 @@ fn outermost(scale: &Scale, width: f64) -> TickMarks {
     let mut major = scale.ticks(2).major;
     let last = major.split_off(1.min(major.len())).pop();
     let apart = |a: &Tick, b: &Tick| (scale.share(b.value) - scale.share(a.value)) * width;
-    let room = widest(&major);
-    let last = last.filter(|last| major.iter().all(|first| apart(first, last) >= room));
+    let spacing = widest(&major);
+    let last = last.filter(|last| major.iter().all(|first| apart(first, last) >= spacing));
     major.extend(last);
     TickMarks {
         major,

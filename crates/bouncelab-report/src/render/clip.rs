@@ -57,20 +57,20 @@ pub(super) fn within(rect: Rect, points: &[Place]) -> Vec<Vec<Place>> {
 fn segment_within(rect: Rect, from: Place, to: Place) -> Option<[Place; 2]> {
     let (dx, dy) = (to.0 - from.0, to.1 - from.1);
     let (mut start, mut end) = (0.0_f64, 1.0_f64);
-    for (run, room) in [
+    for (run, distance) in [
         (-dx, from.0 - rect.left),
         (dx, rect.right - from.0),
         (-dy, from.1 - rect.top),
         (dy, rect.bottom - from.1),
     ] {
         if run == 0.0 {
-            if room < 0.0 {
+            if distance < 0.0 {
                 return None;
             }
         } else if run < 0.0 {
-            start = start.max(room / run);
+            start = start.max(distance / run);
         } else {
-            end = end.min(room / run);
+            end = end.min(distance / run);
         }
     }
     let at = |share: f64| match share {

@@ -113,8 +113,8 @@ impl Chart {
                 theme::WIDTH / 2.0,
                 f64::midpoint(BELOW_TITLE, layout.height),
             );
-            let room = (theme::WIDTH - 2.0 * MARGIN, MOST_LINES);
-            canvas.text_within(room, middle, &self.caption, style);
+            let limits = (theme::WIDTH - 2.0 * MARGIN, MOST_LINES);
+            canvas.text_within(limits, middle, &self.caption, style);
         }
         canvas
     }
@@ -213,8 +213,8 @@ fn legend(chart: &Chart) -> (Vec<LegendEntry<'_>>, f64) {
         seen.push(&layer.name);
         let marker = panel::marker_of(layer);
         let before_name = marker.width() + AFTER_MARKER;
-        let room = right - MARGIN - before_name;
-        let lines = wrapped(&layer.name, TEXT.size, room, MOST_LINES);
+        let most = right - MARGIN - before_name;
+        let lines = wrapped(&layer.name, TEXT.size, most, MOST_LINES);
         let widths = lines.iter().map(|line| text_width(line, TEXT.size));
         let width = before_name + widths.fold(0.0, f64::max);
         if x > MARGIN && x + width > right {
@@ -298,7 +298,7 @@ fn above(panel: &Panel) -> f64 {
     } else {
         22.0
     };
-    8.0 + title + name + panel::room_for_marks(panel)
+    8.0 + title + name + panel::height_of_marks(panel)
 }
 
 /// What stands below: the numbers and the name of its horizontal axis.

@@ -12,7 +12,7 @@ use crate::theme::{self, Colour};
 const DOT: f64 = 4.0;
 /// Radius of one of many dots.
 const SPECK: f64 = 1.8;
-/// Half the width of a triangle that has room.
+/// Half the width of a triangle that touches no other.
 const TRIANGLE: f64 = 5.0;
 /// Between a place and the text beside it.
 const BESIDE: f64 = 8.0;
@@ -158,7 +158,7 @@ fn draw_above(canvas: &mut Canvas, layer: &Layer, frame: &Frame) {
     }
 }
 
-/// The name of an upright line beside its top: before it if there is room.
+/// The name of an upright line beside its top: before it if it fits there.
 fn draw_rule_name(canvas: &mut Canvas, layer: &Layer, x: f64, rect: Rect) {
     if !(rect.left..=rect.right).contains(&x) {
         return;
@@ -230,8 +230,8 @@ fn triangle(canvas: &mut Canvas, (x, y): Place, half: f64, colour: Colour, fille
     }
 }
 
-/// How much room the marks above a panel need.
-pub(super) fn room_for_marks(panel: &Panel) -> f64 {
+/// How high the marks above a panel are.
+pub(super) fn height_of_marks(panel: &Panel) -> f64 {
     let groups = panel.layers.iter().filter_map(|layer| match &layer.shape {
         Shape::Marks { places, group, .. } if !places.is_empty() => Some(group.is_empty()),
         _ => None,
@@ -314,7 +314,7 @@ impl<'a> Marks<'a> {
         }
     }
 
-    /// Above the triangles the numbers, where there is room; above those the groups.
+    /// Above the triangles the numbers, where they fit; above those the groups.
     fn draw_numbers(&self, canvas: &mut Canvas) {
         let style = Style::new(theme::TICK_SIZE, theme::SOFT_INK, Anchor::Middle);
         let groups = self.groups();

@@ -181,7 +181,7 @@ impl Medium {
             fastest = fastest.max((2.0 * gravity_m_s2 * height.value).sqrt());
         }
         let dragless = drag_law == DragLaw::None || environment.air.is_vacuum();
-        // Room for drag, and for the fall before a dead first impact.
+        // Higher for drag, and for the fall before a dead first impact.
         let reach = (2.0 / observed.first_ratio()).clamp(2.2, 6.0);
         let steps = (TABLE_STEPS * reach) as usize;
         Ok(Self {

@@ -37,7 +37,7 @@ pub struct Priors {
     /// the law says at the fastest impact detected.
     pub constant_drag_too: bool,
     /// Drag coefficient: how far a real ball may lie from the law. The laws of smooth spheres
-    /// scatter by about 3 % at Reynolds numbers of 1,000 to 10,000; 4 % leaves room for a ball.
+    /// scatter by about 3 % at Reynolds numbers of 1,000 to 10,000; 4 % allows for a ball.
     pub drag_rel_sd: f64,
     /// Gravity.
     pub gravity_rel_sd: f64,

@@ -38,7 +38,7 @@ impl History {
         self.end
     }
 
-    /// Takes as many of these samples as the last piece has room for; how many that is.
+    /// Takes as many of these samples as fit into the last piece; how many that is.
     pub(super) fn push(&mut self, samples: &[f32]) -> usize {
         let size = PIECE_FRAMES * self.frame;
         let is_full = |piece: &Arc<Vec<f32>>| piece.len() == size;
