@@ -187,7 +187,7 @@ const PATIENCE_OF_ALL_MS = (KILLS.length / histories.length) * PATIENCE_MS;
 test.concurrent.each(histories.map((lives, number) => ({ lives, number })))(
   'killed in profile $number, again and again: everything is there afterwards',
   async ({ lives, number }) => {
-    const profile = mkdtempSync(join(tmpdir(), 'bouncelab-profile-'));
+    const profile = mkdtempSync(join(tmpdir(), 'profile-'));
     const own = KILLS.filter((_, index) => index % histories.length === number);
     for (const moment of own) {
       await live(profile, moment, lives).catch((reason: unknown) => {

@@ -18,7 +18,8 @@ export default defineConfig({
   test: {
     dir: import.meta.dirname,
     include: ['*.e2e.ts'],
-    ...(FIREFOX && { globalSetup: setUp('sound-server'), setupFiles: setUp('exceptions') }),
+    globalSetup: [setUp('temporary'), ...(FIREFOX ? [setUp('sound-server')] : [])],
+    ...(FIREFOX && { setupFiles: setUp('exceptions') }),
     sequence: { sequencer: Sequencer },
     // One more than the cores of the usual machine, because a test waits for its browser now and then.
     maxWorkers: 3,

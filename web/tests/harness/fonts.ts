@@ -67,7 +67,7 @@ export const nameOf = (fonts: FontSet | undefined): string => fonts?.name ?? 'fo
 
 /** The variables with which a browser finds these fonts and no others. */
 export function environment(fonts: FontSet): Record<string, string> {
-  const folder = mkdtempSync(join(tmpdir(), 'bouncelab-fonts-'));
+  const folder = mkdtempSync(join(tmpdir(), 'fonts-'));
   const file = join(folder, 'fonts.conf');
   writeFileSync(file, configuration(fonts, folder));
   return { FONTCONFIG_FILE: file };

@@ -27,7 +27,7 @@ export function analysed(file: string, ...words: string[]): unknown {
 
 /** A folder for the recordings of a test. */
 export function folder(): string {
-  return mkdtempSync(join(tmpdir(), 'bouncelab-e2e-'));
+  return mkdtempSync(join(tmpdir(), 'sounds-'));
 }
 
 /** A made-up recording, and its true impact times. */

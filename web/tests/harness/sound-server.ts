@@ -6,7 +6,7 @@ import { join } from 'node:path';
 
 /** Starts a PulseAudio of the tests alone, which goes to the background when it is ready; the answer ends it. */
 export default function setup(): () => void {
-  const folder = mkdtempSync(join(tmpdir(), 'bouncelab-sound-'));
+  const folder = mkdtempSync(join(tmpdir(), 'sound-server-'));
   const socket = join(folder, 'socket');
   const env = { ...process.env, HOME: folder, XDG_RUNTIME_DIR: folder, PULSE_RUNTIME_PATH: folder };
   const pulseaudio = (...words: string[]) =>
