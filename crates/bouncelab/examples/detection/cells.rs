@@ -1,6 +1,7 @@
 //! What is found and what is made up, cell by cell.
 
 use crate::drops::{Cell, Recording, cells};
+use crate::reliability::Reliability;
 use bouncelab::detection::Detection;
 
 /// An impact is found if the times agree within this, in seconds, after the middle of the errors
@@ -22,6 +23,7 @@ struct Tally {
 
 pub(crate) fn print(drops: u64) {
     let mut group = "";
+    let mut reliability = Reliability::default();
     for cell in cells() {
         if cell.group != group {
             group = cell.group;
@@ -30,15 +32,16 @@ pub(crate) fn print(drops: u64) {
             );
             println!("|---|---|---|---|---|---|---|");
         }
-        println!("{}", row(&cell, drops));
+        println!("{}", row(&cell, drops, &mut reliability));
     }
+    reliability.print("drops of all cells");
 }
 
-fn row(cell: &Cell, drops: u64) -> String {
+fn row(cell: &Cell, drops: u64, reliability: &mut Reliability) -> String {
     let mut tally = Tally::default();
     for seed in 0..drops {
         let recording = cell.record(seed);
-        tally.add(&recording, &recording.detect());
+        tally.add(&recording, &recording.detect(), reliability);
     }
     if tally.audible == 0 {
         let Tally {
@@ -80,7 +83,7 @@ pub(crate) fn median(values: &mut [f64]) -> Option<f64> {
 }
 
 impl Tally {
-    fn add(&mut self, recording: &Recording, detection: &Detection) {
+    fn add(&mut self, recording: &Recording, detection: &Detection, reliability: &mut Reliability) {
         let truth: Vec<f64> = recording.sound.impacts.iter().map(|i| i.time_s).collect();
         let audible = recording.audible();
         self.audible += audible.len();
@@ -101,6 +104,7 @@ impl Tally {
                 .filter_map(|impact| nearest(&truth, impact.onset.time_s))
                 .collect();
             self.made_up += train.impacts().len() - errors.len();
+            reliability.add(train, errors.len());
             let Some(middle) = median(&mut errors) else {
                 continue;
             };

@@ -2,7 +2,8 @@
 //!
 //! Parts: `cells` (impacts found, false drops, by what disturbs), `timing` (errors of the times
 //! against the Cramer-Rao bound and against the stated standard errors), `silence` (false drops in
-//! sound without a drop). None means all. `drops=N` drops in each cell, `hours=H` of sound without
+//! sound without a drop); the first and the last also print how many of the drops of each stated
+//! probability are real. None means all. `drops=N` drops in each cell, `hours=H` of sound without
 //! a drop of each kind, `only=WORDS` the rows of silence with these words in their names.
 //! `wav=FOLDER` writes the sounds of the cells and their truth instead.
 //!
@@ -13,6 +14,7 @@ mod cells;
 mod drops;
 mod export;
 mod recorder;
+mod reliability;
 mod silence;
 mod timing;
 

@@ -2,6 +2,7 @@
 
 use crate::backgrounds::Kind;
 use crate::drops::{detect, usual};
+use crate::reliability::Reliability;
 use bouncelab::synth::{self, Clicks, Hum, Noise, Scene};
 
 /// Seconds rendered at a time.
@@ -10,11 +11,13 @@ const PIECE_S: f64 = 600.0;
 pub(crate) fn print(hours: f64, only: &str) {
     println!("\n| without a drop | hours | false drops | an hour | 95 % of |");
     println!("|---|---|---|---|---|");
+    let mut reliability = Reliability::default();
     for (name, scene, background) in rows() {
         if name.contains(only) {
-            row(&name, &scene, background, hours);
+            row(&name, &scene, background, hours, &mut reliability);
         }
     }
+    reliability.print("false drops");
 }
 
 /// What sounds, under which name.
@@ -53,7 +56,13 @@ fn rows() -> Vec<(String, Scene, Option<Kind>)> {
     rows
 }
 
-fn row(name: &str, scene: &Scene, background: Option<Kind>, hours: f64) {
+fn row(
+    name: &str,
+    scene: &Scene,
+    background: Option<Kind>,
+    hours: f64,
+    reliability: &mut Reliability,
+) {
     let pieces = (hours * 3600.0 / PIECE_S).ceil() as u64;
     let scene = Scene {
         tail_s: PIECE_S,
@@ -67,7 +76,10 @@ fn row(name: &str, scene: &Scene, background: Option<Kind>, hours: f64) {
             kind.add(&mut sound, 0.1, seed);
         }
         let detection = detect(&sound.samples, sound.sample_rate_hz);
-        false_drops += detection.found.trains.len() as u32;
+        for train in &detection.found.trains {
+            false_drops += 1;
+            reliability.add(train, 0);
+        }
     }
     let hours = pieces as f64 * PIECE_S / 3600.0;
     let (least, most) = poisson_interval(false_drops);

@@ -6,7 +6,8 @@
 //! does not depend on loudness. It is done twice: the first time tells how the impacts ring, which is
 //! taken out for the second. What a shift leaves unexplained gives its standard error, as the
 //! Cramer-Rao bound for the arrival time of a known waveform in noise:
-//! var(t) = var(noise) / sum (a s'(t))^2.
+//! var(t) = var(noise) / sum (a s'(t))^2. In much noise a shift by a whole period of the sound may fit
+//! as well: the error also holds how far off those shifts are that are nearly as probable.
 
 mod ringing;
 mod sound;
@@ -71,7 +72,8 @@ pub(super) fn align(
         let onset = &mut impacts[sound.impact].onset;
         onset.time_s = start_s + positions[sound.impact] / rate_hz;
         if let Some(doubt) = &sound.doubt {
-            onset.sigma_s = doubt.shift_error(difference) / rate_hz;
+            let error = doubt.shift_error(difference);
+            onset.sigma_s = error.hypot(sound.ambiguity.sqrt()) / rate_hz;
         }
         fits[sound.impact] = sound.begins(&span);
     }
@@ -115,12 +117,16 @@ pub(super) fn agreement(
     for _ in 0..AGREEMENT_ROUNDS {
         let stack = Stack::of(&sounds, &span);
         for (index, sound) in sounds.iter_mut().enumerate() {
-            sound.find(&stack.without(index), &span);
+            sound.find_likest(&stack.without(index), &span);
         }
+    }
+    // Where the impacts have nothing in common there is nothing that others could share.
+    if sounds.iter().filter(|sound| sound.fits).count() < 2 {
+        others.clear();
     }
     let stack = Stack::of(&sounds, &span);
     for sound in &mut others {
-        sound.find(&stack.sum, &span);
+        sound.find_likest(&stack.sum, &span);
     }
     let count = |sounds: &[Sound]| (sounds.iter().filter(|s| s.fits).count(), sounds.len());
     Agreement {

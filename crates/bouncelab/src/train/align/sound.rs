@@ -4,6 +4,7 @@ use super::template::{Doubt, Left, Noise, Template};
 use super::wave::{KERNEL, dot, norm, resample, running_energy};
 use crate::onset::Onset;
 use crate::whiten::{self, Autoregression};
+use std::f64::consts::TAU;
 
 /// What is compared of each impact, in seconds before and after its time: as long as it sounds,
 /// but no longer than this, lest the next one is heard in it.
@@ -20,10 +21,16 @@ const FARTHEST_S: f64 = 0.006;
 /// impact is sought at least so far around its pick, in seconds.
 const NEAREST_S: f64 = 0.003;
 const FARTHEST_SIGMA: f64 = 6.0;
-/// An impact that shares less than this with the others keeps its pick.
-const LEAST_CORRELATION: f64 = 0.6;
-/// After the first round an impact is sought so many samples around where it was found.
-const NEAR: usize = 6;
+/// An impact that correlates with the others by less, or of which it is not so many times likelier that it sounds like
+/// them than that it does not, keeps its pick.
+const LEAST_CORRELATION: f64 = 0.35;
+const LEAST_ODDS: f64 = 8.0;
+/// Sounds agree if they correlate by more than this.
+const LEAST_AGREEMENT: f64 = 0.6;
+/// Of so many samples one counts: what impacts differ by is not white.
+const SAMPLES_ALIKE: f64 = 2.0;
+/// The share of picks that are wrong by anything, and not by their standard errors.
+const WRONG_PICKS: f64 = 0.1;
 
 /// Lengths in samples at one rate.
 pub(super) struct Span {
@@ -86,6 +93,8 @@ pub(super) struct Sound {
     pub(super) pick_sigma: f64,
     /// Where the impact begins, in samples after its pick.
     pub(super) shift: f64,
+    /// Variance of the shift because other shifts fit as well, in samples squared.
+    pub(super) ambiguity: f64,
     /// Whether it fits the others.
     pub(super) fits: bool,
     /// What keeps the shift from being known, once it is settled.
@@ -144,6 +153,7 @@ pub(super) fn whitened(cuts: &[Cut], onsets: &[Onset], rate_hz: f64, span: &Span
                     .ceil() as usize,
                 pick_sigma,
                 shift: 0.0,
+                ambiguity: 0.0,
                 fits: cut.fits,
                 doubt: None,
             }
@@ -168,18 +178,34 @@ impl Sound {
         energy(at) > energy(at.saturating_sub(length))
     }
 
-    /// Finds the shift at which the sound fits the stack of the others best: near where it was
-    /// found before, or else anywhere.
+    /// Finds the most probable shift at which the sound fits the stack of the others, and how sure it is not another.
     pub(super) fn find(&mut self, others: &[f32], span: &Span) {
-        let found = if self.fits {
-            let near = self.shift.round() as isize;
-            self.best_shift(others, span, near, NEAR)
-        } else {
-            None
-        };
-        let found = found.or_else(|| self.best_shift(others, span, 0, self.reach));
-        self.fits = found.is_some();
-        self.shift = found.unwrap_or(0.0);
+        let correlations = self.correlations(others, span);
+        let ln_odds = self.ln_odds(&correlations, span);
+        let peaks = peaks(&correlations);
+        let odds: f64 = ln_odds.iter().map(|ln| ln.exp()).sum();
+        let best = greatest(&peaks, &ln_odds)
+            .filter(|&best| odds > LEAST_ODDS && correlations[best] > LEAST_CORRELATION);
+        self.take(best, &correlations);
+        self.ambiguity = best.map_or(0.0, |best| ambiguity(best, &peaks, &ln_odds));
+    }
+
+    /// Finds the shift at which the sound is most like the stack of the others, wherever that is.
+    pub(super) fn find_likest(&mut self, others: &[f32], span: &Span) {
+        let correlations = self.correlations(others, span);
+        let best = greatest(&peaks(&correlations), &correlations);
+        self.take(
+            best.filter(|&best| correlations[best] > LEAST_AGREEMENT),
+            &correlations,
+        );
+    }
+
+    /// Takes the shift of one of these correlations, if any.
+    fn take(&mut self, best: Option<usize>, correlations: &[f64]) {
+        self.fits = best.is_some();
+        self.shift = best.map_or(0.0, |best| {
+            best as f64 - self.reach as f64 + vertex(&correlations[best - 1..=best + 1])
+        });
     }
 
     /// Settles the shift and what keeps it from being known, by the wave at the shift that was found.
@@ -196,30 +222,69 @@ impl Sound {
         self.doubt = Some(template.doubt(&fit, &noise));
     }
 
-    /// The highest correlation at whole samples around `middle`, and a parabola through it.
-    fn best_shift(&self, others: &[f32], span: &Span, middle: isize, reach: usize) -> Option<f64> {
-        let reach = reach.cast_signed();
-        let farthest = self.reach.cast_signed();
-        let lags = (middle - reach).max(-farthest)..=(middle + reach).min(farthest);
-        let first_lag = *lags.start();
+    /// The correlation with the others for every shift by whole samples that is tried.
+    fn correlations(&self, others: &[f32], span: &Span) -> Vec<f64> {
+        let reach = self.reach.cast_signed();
         let scale = f64::from(norm(others));
-        let fits: Vec<f64> = lags
-            .map(|lag| {
-                let first = (span.origin - span.before).saturating_add_signed(lag);
-                let end = first + span.length;
-                let energy = self.energy[end] - self.energy[first];
-                let product = f64::from(dot(&self.samples[first..end], others));
-                product / (energy.max(f64::MIN_POSITIVE).sqrt() * scale)
-            })
-            .collect();
-        let best = (1..fits.len().saturating_sub(1))
-            .filter(|&i| fits[i] > LEAST_CORRELATION)
-            .filter(|&i| fits[i] >= fits[i - 1] && fits[i] > fits[i + 1])
-            .max_by(|&a, &b| fits[a].total_cmp(&fits[b]))?;
-        let (left, right) = (fits[best - 1], fits[best + 1]);
-        let vertex = 0.5 * (left - right) / (left - 2.0 * fits[best] + right);
-        Some((first_lag + best.cast_signed()) as f64 + vertex)
+        let correlation = |lag| {
+            let first = (span.origin - span.before).saturating_add_signed(lag);
+            let end = first + span.length;
+            let energy = self.energy[end] - self.energy[first];
+            let product = f64::from(dot(&self.samples[first..end], others));
+            product / (energy.max(f64::MIN_POSITIVE).sqrt() * scale)
+        };
+        (-reach..=reach).map(correlation).collect()
     }
+
+    /// For each of these correlations, the logarithm of how much likelier it is that the sound begins there than that
+    /// it does not sound like the others.
+    ///
+    /// With a waveform known but for its level in white noise of unknown power, `n` samples that correlate by `r` are
+    /// `(1 - r^2)^(-n/2)` times as likely as without it.
+    fn ln_odds(&self, correlations: &[f64], span: &Span) -> Vec<f64> {
+        let alike = SAMPLES_ALIKE * (self.density / self.noise.max(f64::MIN_POSITIVE)).max(1.0);
+        let count = span.length as f64 / alike;
+        let sigma = self.pick_sigma.max(1.0);
+        let anywhere = WRONG_PICKS / correlations.len() as f64;
+        let ln_odds = |(index, correlation): (usize, &f64)| {
+            let off = (index as f64 - self.reach as f64) / sigma;
+            let near = (-0.5 * off * off).exp() / (TAU.sqrt() * sigma);
+            let prior = (1.0 - WRONG_PICKS) * near + anywhere;
+            let unexplained = 1.0 - correlation.clamp(0.0, 1.0 - f64::EPSILON).powi(2);
+            prior.ln() - 0.5 * count * unexplained.ln()
+        };
+        correlations.iter().enumerate().map(ln_odds).collect()
+    }
+}
+
+/// The places of the values that are greater than those before and after.
+fn peaks(values: &[f64]) -> Vec<usize> {
+    (1..values.len() - 1)
+        .filter(|&n| values[n] >= values[n - 1] && values[n] > values[n + 1])
+        .collect()
+}
+
+/// The place with the greatest value.
+fn greatest(places: &[usize], values: &[f64]) -> Option<usize> {
+    let places = places.iter().copied();
+    places.max_by(|&a, &b| values[a].total_cmp(&values[b]))
+}
+
+/// Where the parabola through three values has its vertex, in steps from the middle one.
+fn vertex(values: &[f64]) -> f64 {
+    let (left, top, right) = (values[0], values[1], values[2]);
+    0.5 * (left - right) / (left - 2.0 * top + right)
+}
+
+/// The mean square of how far the true shift is from the best one, if it is that of a peak.
+fn ambiguity(best: usize, peaks: &[usize], ln_odds: &[f64]) -> f64 {
+    let (mut weights, mut sum) = (0.0, 0.0);
+    for &peak in peaks {
+        let weight = (ln_odds[peak] - ln_odds[best]).exp();
+        weights += weight;
+        sum += weight * (peak as f64 - best as f64).powi(2);
+    }
+    sum / weights
 }
 
 /// Power of the noise before an impact.
@@ -246,6 +311,7 @@ mod tests {
                 reach: 1,
                 pick_sigma: 1.0,
                 shift,
+                ambiguity: 0.0,
                 fits: false,
                 doubt: None,
             };
