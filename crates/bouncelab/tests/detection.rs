@@ -237,6 +237,30 @@ fn standard_errors_of_times_are_honest() {
     }
 }
 
+/// As loud as the noise, or fainter, an impact is still timed by its whole sound, and where a shift by a period of the
+/// sound fits nearly as well, the stated error says so.
+#[test]
+fn impacts_as_faint_as_the_noise_are_timed_and_their_errors_are_honest() {
+    let mut found = Vec::new();
+    for seed in 0..8 {
+        let sound = synth::render(&usual_strikes(), &scene(5.0), seed).unwrap();
+        found.extend(errors(the_only_train(&detect(&sound)), &sound));
+    }
+    let share = |holds: &dyn Fn(f64, f64) -> bool| {
+        let holds = found
+            .iter()
+            .filter(|(error, sigma)| holds(error.abs(), *sigma));
+        holds.count() as f64 / found.len() as f64
+    };
+    let near = share(&|error_s, _| error_s < 10e-6);
+    assert!(found.len() > 60, "{} impacts", found.len());
+    assert!(near > 0.6, "{near} nearer than 10 us");
+    for (sigmas, least) in [(1.0, 0.55), (2.0, 0.85)] {
+        let within = share(&|error, sigma| error < sigmas * sigma);
+        assert!(within > least, "{within} within {sigmas} sigma");
+    }
+}
+
 /// The last flights of a basketball take 25 to 50 ms, and it rings for longer: with that taken out,
 /// their median error is 4 us and not 22, and an offset changes nothing.
 #[test]
