@@ -182,22 +182,19 @@ impl Sound {
     pub(super) fn find(&mut self, others: &[f32], span: &Span) {
         let correlations = self.correlations(others, span);
         let ln_odds = self.ln_odds(&correlations, span);
-        let peaks = peaks(&correlations);
         let odds: f64 = ln_odds.iter().map(|ln| ln.exp()).sum();
-        let best = greatest(&peaks, &ln_odds)
+        let best = best_peak(&correlations, &ln_odds)
             .filter(|&best| odds > LEAST_ODDS && correlations[best] > LEAST_CORRELATION);
         self.take(best, &correlations);
-        self.ambiguity = best.map_or(0.0, |best| ambiguity(best, &peaks, &ln_odds));
+        self.ambiguity = best.map_or(0.0, |best| ambiguity(best, &correlations, &ln_odds));
     }
 
     /// Finds the shift at which the sound is most like the stack of the others, wherever that is.
     pub(super) fn find_likest(&mut self, others: &[f32], span: &Span) {
         let correlations = self.correlations(others, span);
-        let best = greatest(&peaks(&correlations), &correlations);
-        self.take(
-            best.filter(|&best| correlations[best] > LEAST_AGREEMENT),
-            &correlations,
-        );
+        let best = best_peak(&correlations, &correlations);
+        let best = best.filter(|&best| correlations[best] > LEAST_AGREEMENT);
+        self.take(best, &correlations);
     }
 
     /// Takes the shift of one of these correlations, if any.
@@ -250,24 +247,26 @@ impl Sound {
             let off = (index as f64 - self.reach as f64) / sigma;
             let near = (-0.5 * off * off).exp() / (TAU.sqrt() * sigma);
             let prior = (1.0 - WRONG_PICKS) * near + anywhere;
-            let unexplained = 1.0 - correlation.clamp(0.0, 1.0 - f64::EPSILON).powi(2);
+            let explained = correlation.max(0.0).powi(2);
+            let unexplained = (1.0 - explained).max(f64::EPSILON);
             prior.ln() - 0.5 * count * unexplained.ln()
         };
         correlations.iter().enumerate().map(ln_odds).collect()
     }
 }
 
-/// The places of the values that are greater than those before and after.
-fn peaks(values: &[f64]) -> Vec<usize> {
-    (1..values.len() - 1)
-        .filter(|&n| values[n] >= values[n - 1] && values[n] > values[n + 1])
-        .collect()
+/// The peak of these values that is the best by others.
+fn best_peak(values: &[f64], by: &[f64]) -> Option<usize> {
+    peaks(values).reduce(|best, peak| if by[peak] > by[best] { peak } else { best })
 }
 
-/// The place with the greatest value.
-fn greatest(places: &[usize], values: &[f64]) -> Option<usize> {
-    let places = places.iter().copied();
-    places.max_by(|&a, &b| values[a].total_cmp(&values[b]))
+/// The places of the values that are greater than those before and after.
+fn peaks(values: &[f64]) -> impl Iterator<Item = usize> {
+    let places = values.windows(3).enumerate();
+    places.filter_map(|(before, near)| match *near {
+        [left, top, right] if top >= left && top > right => Some(before + 1),
+        _ => None,
+    })
 }
 
 /// Where the parabola through three values has its vertex, in steps from the middle one.
@@ -277,12 +276,12 @@ fn vertex(values: &[f64]) -> f64 {
 }
 
 /// The mean square of how far the true shift is from the best one, if it is that of a peak.
-fn ambiguity(best: usize, peaks: &[usize], ln_odds: &[f64]) -> f64 {
+fn ambiguity(best: usize, correlations: &[f64], ln_odds: &[f64]) -> f64 {
     let (mut weights, mut sum) = (0.0, 0.0);
-    for &peak in peaks {
-        let weight = (ln_odds[peak] - ln_odds[best]).exp();
+    for place in peaks(correlations) {
+        let weight = (ln_odds[place] - ln_odds[best]).exp();
         weights += weight;
-        sum += weight * (peak as f64 - best as f64).powi(2);
+        sum += weight * (place as f64 - best as f64).powi(2);
     }
     sum / weights
 }
