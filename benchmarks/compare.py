@@ -23,6 +23,8 @@ import numpy as np
 import soundfile
 from obspy.signal.trigger import aic_simple, recursive_sta_lta, trigger_onset
 
+from reliability import drops_in
+
 # A detection belongs to an impact this near, in seconds. A constant delay is forgiven: a detection
 # is right if it is this near after the median offset of the recording is taken out. The truth of
 # real sounds may itself be wrong by milliseconds.
@@ -76,12 +78,7 @@ def by_block_maximum(samples, rate, _path):
 
 
 def by_bouncelab(_samples, _rate, path):
-    command = [sys.argv[2], "analyze", "--format", "json", str(path)]
-    out = subprocess.run(command, capture_output=True, text=True, check=False).stdout
-    try:
-        drops = json.loads(out)["drops"]
-    except (ValueError, KeyError):
-        return []
+    drops = drops_in(sys.argv[2], path)
     return sorted(impact["time_s"] for drop in drops for impact in drop["impacts"])
 
 

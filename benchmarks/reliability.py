@@ -32,6 +32,7 @@ def truth_of(folder):
 
 
 def drops_in(program, file):
+    """What bouncelab finds in a recording; nothing if it refuses it."""
     command = [program, "analyze", "--format", "json", str(file)]
     out = subprocess.run(command, capture_output=True, text=True, check=False).stdout
     try:
@@ -61,4 +62,5 @@ def main():
     print("| drops | " + " | ".join(cells) + " |")
 
 
-main()
+if __name__ == "__main__":
+    main()

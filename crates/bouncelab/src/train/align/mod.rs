@@ -120,17 +120,21 @@ pub(super) fn agreement(
             sound.find_likest(&stack.without(index), &span);
         }
     }
+    let count = |sounds: &[Sound]| (sounds.iter().filter(|s| s.fits).count(), sounds.len());
+    let impacts = count(&sounds);
     // Where the impacts have nothing in common there is nothing that others could share.
-    if sounds.iter().filter(|sound| sound.fits).count() < 2 {
-        others.clear();
+    if impacts.0 < 2 {
+        return Agreement {
+            impacts,
+            others: (0, 0),
+        };
     }
     let stack = Stack::of(&sounds, &span);
     for sound in &mut others {
         sound.find_likest(&stack.sum, &span);
     }
-    let count = |sounds: &[Sound]| (sounds.iter().filter(|s| s.fits).count(), sounds.len());
     Agreement {
-        impacts: count(&sounds),
+        impacts,
         others: count(&others),
     }
 }
