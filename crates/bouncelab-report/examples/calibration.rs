@@ -87,7 +87,7 @@ struct Drop {
     measured_m: f64,
 }
 
-/// One table-tennis ball in a room, known as well as balls and rooms are.
+/// What is known of a table-tennis ball and of the ambient conditions, with one restitution law.
 fn priors() -> Priors {
     Priors {
         restitution_laws: vec![LawKind::Constant],

@@ -25,7 +25,7 @@ pub const DROP_HEIGHT_M: f64 = 0.305;
 pub const RESTITUTION: f64 = 0.9529;
 /// First and last flight of the paper's log-linear fit.
 pub const FLIGHTS: (u32, u32) = (1, 10);
-/// A quiet room, in dB.
+/// Signal-to-noise ratio of the loudest impact in low background noise, in dB.
 const SNR_DB: f64 = 40.0;
 
 /// What a person would say of it; not its height, which is to be found again.

@@ -5,8 +5,8 @@
 //! neither that the errors of neighbouring flights are linked nor that the impacts themselves
 //! scatter. Here a physical model of the whole drop explains the times: a fall from a height, air
 //! that drags, impacts that obey a restitution law but for scatter, and times with errors. The
-//! unknowns have priors that say what is known of balls and rooms ([`Priors`]), and the answer is
-//! the posterior over all of them and over all laws that may be true.
+//! unknowns have priors that say what is known of balls and ambient conditions ([`Priors`]), and the
+//! answer is the posterior over all of them and over all laws that may be true.
 //!
 //! ```
 //! use bouncelab::ball;

@@ -19,7 +19,7 @@ pub struct Measured {
 ///
 /// The shares are relative standard uncertainties: 0.01 is one per cent, 0 is exact, and
 /// [`UNKNOWN`] leaves it to the data. They are the priors of the inference; the defaults say what
-/// one knows of a ball and a room that nobody has measured.
+/// one knows of a ball and of ambient conditions that nobody has measured.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
@@ -88,7 +88,7 @@ impl Default for Priors {
 }
 
 impl Priors {
-    /// What the rules of its sport say of a ball, and what is known of rooms.
+    /// What the rules of its sport say of a ball, and what is known of ambient conditions.
     ///
     /// ```
     /// use bouncelab::ball;
