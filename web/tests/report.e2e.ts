@@ -9,7 +9,7 @@ import { afterAll, beforeAll, describe, expect, test } from 'vitest';
 import { chromiumHere, launch, newContext } from './harness/browser.ts';
 import { FONT_SETS, nameOf } from './harness/fonts.ts';
 import { bouncelab, folder, synth } from './harness/program.ts';
-import { overflow, printedPages, unfold, violations } from './support/layout.ts';
+import { overflow, printed, printedPages, unfold, violations } from './support/layout.ts';
 import { LANGUAGES } from './support/words.ts';
 
 /** Whatever a file system allows in a name and a browser might obey. */
@@ -131,8 +131,8 @@ describe.each(FONT_SETS.map((fonts) => [nameOf(fonts), fonts] as const))('with %
         PAPER_PX,
       );
     expect(wide).toBe(0);
-    for (const format of ['A4', 'Letter']) {
-      const pdf = await page.pdf({ format, preferCSSPageSize: false });
+    for (const format of ['A4', 'Letter'] as const) {
+      const pdf = await printed(page, format);
       expect(pdf.subarray(0, 5).toString()).toBe('%PDF-');
     }
   });

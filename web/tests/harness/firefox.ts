@@ -39,11 +39,6 @@ const EXCEPTIONS: readonly Exception[] = [
   },
   {
     file: 'report.e2e.ts',
-    tests: /^is short on paper/,
-    reason: 'Firefox prints the report on six to eight pages',
-  },
-  {
-    file: 'report.e2e.ts',
     tests: /^the command of the documents/,
     reason: 'it is a command of Chromium',
   },

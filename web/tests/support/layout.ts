@@ -3,6 +3,7 @@ import { readFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { inflateSync } from 'node:zlib';
 import type { Page } from 'playwright-core';
+import { FIREFOX } from '../harness/firefox.ts';
 
 const AXE = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
 
@@ -63,9 +64,24 @@ export function unfold(page: Page): Promise<void> {
   });
 }
 
+/** The width and height of paper in centimetres. */
+const PAPERS_CM = {
+  A4: { width: 21, height: 29.7 },
+  Letter: { width: 21.59, height: 27.94 },
+};
+
+/** The PDF that a page prints to. */
+export function printed(page: Page, format: keyof typeof PAPERS_CM): Promise<Buffer> {
+  // Playwright hands inches to Firefox, which takes them for the centimetres of WebDriver BiDi.
+  const unit = FIREFOX ? 'in' : 'cm';
+  const { width, height } = PAPERS_CM[format];
+  const size = { width: `${width}${unit}`, height: `${height}${unit}` };
+  return page.pdf({ ...size, preferCSSPageSize: false });
+}
+
 /** On how many sheets a page prints. */
-export async function printedPages(page: Page, format: 'A4' | 'Letter'): Promise<number> {
-  const pdf = await page.pdf({ format, preferCSSPageSize: false });
+export async function printedPages(page: Page, format: keyof typeof PAPERS_CM): Promise<number> {
+  const pdf = await printed(page, format);
   return plain(pdf.toString('latin1')).match(/\/Type ?\/Page\b/g)?.length ?? 0;
 }
 
