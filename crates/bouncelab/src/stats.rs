@@ -23,8 +23,8 @@ fn place(count: usize, share: f64) -> (usize, f64) {
     (place as usize, place.fract())
 }
 
-/// The same of values in any order, for shares in rising order; puts the values into another order. `None` without
-/// values. A few quantiles take less than sorting does, but more code, of which a page should have little.
+/// The same of values in any order; puts the values into another order. `None` without values. A few quantiles take
+/// less than sorting does, but more code, of which a page should have little.
 pub(crate) fn quantiles<const N: usize>(values: &mut [f64], shares: [f64; N]) -> Option<[f64; N]> {
     if values.is_empty() {
         return None;
@@ -33,15 +33,44 @@ pub(crate) fn quantiles<const N: usize>(values: &mut [f64], shares: [f64; N]) ->
         values.sort_unstable_by(f64::total_cmp);
         return Some(shares.map(|share| quantile(values, share).unwrap_or(f64::NAN)));
     }
-    let mut from = 0;
+    let ends = sort_into_classes(values);
+    let class_of = |rank: usize| ends.partition_point(|&end| end <= rank);
     Some(shares.map(|share| {
         let (low, beyond) = place(values.len(), share);
-        let (_, at_low, above) = values[from..].select_nth_unstable_by(low - from, f64::total_cmp);
-        let next = above.iter().copied().fold(f64::INFINITY, f64::min);
-        let high = if above.is_empty() { *at_low } else { next };
-        from = low;
-        *at_low + beyond * (high - *at_low)
+        let high = (low + 1).min(values.len() - 1);
+        let from = class_of(low).checked_sub(1).map_or(0, |below| ends[below]);
+        values[from..ends[class_of(high)]].sort_unstable_by(f64::total_cmp);
+        values[low] + beyond * (values[high] - values[low])
     }))
+}
+
+/// So many classes that one of a thousand values has a few.
+const CLASSES: usize = 256;
+
+/// Sorts values into classes of equal width, and says where each ends.
+fn sort_into_classes(values: &mut [f64]) -> [usize; CLASSES] {
+    let unsorted = values.to_vec();
+    let least = unsorted.iter().copied().fold(f64::INFINITY, f64::min);
+    let greatest = unsorted.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+    let classes = (CLASSES - 1) as f64 / (greatest - least);
+    // Of values that are all alike the product is not a number, which counts as zero.
+    let class = |value: f64| (((value - least) * classes) as usize).min(CLASSES - 1);
+    let mut ends = [0; CLASSES];
+    for &value in &unsorted {
+        ends[class(value)] += 1;
+    }
+    let mut end = 0;
+    for count in &mut ends {
+        end += *count;
+        *count = end;
+    }
+    let mut free = ends;
+    for value in unsorted {
+        let place = &mut free[class(value)];
+        *place -= 1;
+        values[*place] = value;
+    }
+    ends
 }
 
 /// The middle value, or the mean of the two in the middle. `None` without values.

@@ -7,7 +7,7 @@
 use nalgebra::{Cholesky, DMatrix, DVector};
 
 use super::banded::Banded;
-use super::likelihood::Details;
+use super::likelihood::{Details, Differences};
 use super::model::{Model, Slot};
 use super::residual::Noise;
 use super::sampled::{DrawnDrop, SampledPosterior};
@@ -83,12 +83,16 @@ struct Linear {
 impl Linear {
     fn new(model: &Model, vector: &[f64]) -> Option<Self> {
         let point = model.point(vector)?;
-        let slopes = model.differences(vector)?.residuals;
+        let Differences {
+            details,
+            residuals: slopes,
+            ..
+        } = model.differences(vector)?;
         let Details {
             residuals,
             innovations,
             ..
-        } = model.details(vector)?;
+        } = details;
         let noise = Noise::new(&model.observed.sigma_s, &[point]);
         let mut by_time = Banded::default();
         let mut by_scatter = Banded::default();

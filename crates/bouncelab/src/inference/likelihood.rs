@@ -69,13 +69,17 @@ struct Trial<'a, 'v> {
     flights: FlightsAtStrength<'a>,
 }
 
-/// Derivatives by the unknowns.
+/// What a vector says, and the derivatives there by the unknowns.
 pub(super) struct Differences {
+    pub(super) details: Details,
     /// Of each residual, in a row.
     pub(super) residuals: DMatrix<f64>,
     /// Of the log posterior.
     posterior: DVector<f64>,
 }
+
+/// Is told, of each vector by its column, each step by its row, in this lane.
+type Observer<'o> = &'o mut dyn FnMut(usize, usize, &Step<LANES>, usize);
 
 /// A row of the Cholesky factors L D L' of the covariance of the residuals.
 #[derive(Debug, Clone, Copy)]
@@ -162,14 +166,13 @@ impl<'a> Model<'a> {
 
     /// The same of many vectors, each in a column: several at once are faster than one after the other.
     pub(super) fn log_posteriors(&self, vectors: &DMatrix<f64>) -> Vec<Option<f64>> {
-        self.log_posteriors_and_residuals(vectors, None)
+        self.log_posteriors_observed(vectors, None)
     }
 
-    /// The same; fills the residuals of each vector, in a column too, if they are asked for.
-    fn log_posteriors_and_residuals(
+    fn log_posteriors_observed(
         &self,
         vectors: &DMatrix<f64>,
-        mut residuals: Option<&mut DMatrix<f64>>,
+        mut observer: Option<Observer>,
     ) -> Vec<Option<f64>> {
         let columns = vectors.as_slice().chunks_exact(vectors.nrows());
         let mut trials = columns.map(|vector| self.trial(vector)).enumerate();
@@ -190,9 +193,9 @@ impl<'a> Model<'a> {
             let lanes = std::array::from_fn::<_, LANES, _>(|lane| sound[lane.min(last)].1);
             let mut row = 0;
             let found = self.log_posteriors_of(lanes, &mut |step| {
-                if let Some(residuals) = &mut residuals {
-                    for (lane, (place, _)) in sound.iter().enumerate() {
-                        residuals[(row, *place)] = step.residual.value.0[lane];
+                if let Some(observer) = &mut observer {
+                    for (lane, (column, _)) in sound.iter().enumerate() {
+                        observer(*column, row, step, lane);
                     }
                 }
                 row += 1;
@@ -205,24 +208,10 @@ impl<'a> Model<'a> {
 
     /// What each impact adds to the likelihood at a vector; `None` where it makes no sense.
     pub(super) fn details(&self, vector: &[f64]) -> Option<Details> {
-        self.details_of(&self.trial(vector)?)
-    }
-
-    fn details_of(&self, trial: &Trial) -> Option<Details> {
         let mut details = Details::default();
-        self.log_posteriors_of([trial], &mut |step| {
-            let [second, first, variance] = step.factor.map(|entry| entry.0[0]);
-            details.residuals.push(*step.residual);
-            details.factors.push(Factor {
-                row: [second, first, variance],
-                scatter_share: step.scatter_share.0[0],
-            });
-            details.innovations.push(Innovation {
-                impact: step.residual.impact,
-                standardised: step.innovation.0[0] / variance.sqrt(),
-                weight: step.tail.weight(step.square).0[0],
-            });
-        })[0]?;
+        let vector = DMatrix::from_column_slice(vector.len(), 1, vector);
+        let mut observe = |_, _, step: &Step<LANES>, lane: usize| details.add(step, lane);
+        self.log_posteriors_observed(&vector, Some(&mut observe))[0]?;
         Some(details)
     }
 
@@ -362,10 +351,10 @@ impl<'a> Model<'a> {
         vector: &[f64],
     ) -> Option<(DVector<f64>, DMatrix<f64>)> {
         let Differences {
+            details,
             residuals,
             posterior,
         } = self.differences(vector)?;
-        let details = self.details(vector)?;
         Some((posterior, self.information(vector, residuals, &details)))
     }
 
@@ -402,26 +391,32 @@ impl<'a> Model<'a> {
         information
     }
 
-    /// Derivatives by the unknowns, by central differences.
+    /// A vector and the derivatives there by the unknowns, by central differences.
     pub(super) fn differences(&self, vector: &[f64]) -> Option<Differences> {
         const STEP: f64 = 1e-4;
         let unknowns = vector.len();
-        // Above in the first half of the columns, below in the second.
-        let moved = DMatrix::from_fn(unknowns, 2 * unknowns, |unknown, column| {
-            let step = if column < unknowns { STEP } else { -STEP };
-            let moves = column % unknowns == unknown;
-            vector[unknown] + if moves { step } else { 0.0 }
-        });
-        let mut residuals = DMatrix::zeros(self.rows_of_data(), moved.ncols());
-        let logs = self.log_posteriors_and_residuals(&moved, Some(&mut residuals));
+        // Above in the first columns, below in as many others, and the vector itself in the last.
+        let sign = |column: usize| if column < unknowns { 1.0 } else { -1.0 };
+        let mut tried = DMatrix::from_fn(unknowns, 2 * unknowns + 1, |unknown, _| vector[unknown]);
+        for column in 0..2 * unknowns {
+            tried[(column % unknowns, column)] += sign(column) * STEP;
+        }
+        let mut residuals = DMatrix::zeros(self.rows_of_data(), unknowns);
+        let mut details = Details::default();
+        let mut observe = |column: usize, row: usize, step: &Step<LANES>, lane: usize| {
+            if column < 2 * unknowns {
+                residuals[(row, column % unknowns)] += sign(column) * step.residual.value.0[lane];
+            } else {
+                details.add(step, lane);
+            }
+        };
+        let logs = self.log_posteriors_observed(&tried, Some(&mut observe));
         let logs = logs.into_iter().collect::<Option<Vec<f64>>>()?;
-        let (above, below) = (
-            residuals.columns(0, unknowns),
-            residuals.columns(unknowns, unknowns),
-        );
+        residuals /= 2.0 * STEP;
         let slope = |unknown: usize| (logs[unknown] - logs[unknowns + unknown]) / (2.0 * STEP);
         Some(Differences {
-            residuals: (above - below) / (2.0 * STEP),
+            details,
+            residuals,
             posterior: DVector::from_fn(unknowns, |unknown, _| slope(unknown)),
         })
     }
@@ -433,6 +428,21 @@ impl<'a> Model<'a> {
 }
 
 impl Details {
+    /// Adds a step in one of its lanes.
+    fn add<const L: usize>(&mut self, step: &Step<L>, lane: usize) {
+        let [second, first, variance] = step.factor.map(|entry| entry.0[lane]);
+        self.residuals.push(step.residual.in_lane(lane));
+        self.factors.push(Factor {
+            row: [second, first, variance],
+            scatter_share: step.scatter_share.0[lane],
+        });
+        self.innovations.push(Innovation {
+            impact: step.residual.impact,
+            standardised: step.innovation.0[lane] / variance.sqrt(),
+            weight: step.tail.weight(step.square).0[lane],
+        });
+    }
+
     /// Turns derivatives of the residuals into those of independent residuals of unit variance.
     fn whiten(&self, slopes: &mut DMatrix<f64>) {
         for mut column in slopes.column_iter_mut() {
@@ -645,7 +655,10 @@ mod tests {
         let trial = model
             .trial_in(&[], point, model.table(&point).unwrap())
             .unwrap();
-        model.details_of(&trial).unwrap()
+        let mut details = Details::default();
+        let log = model.log_posteriors_of([&trial], &mut |step| details.add(step, 0))[0];
+        log.unwrap();
+        details
     }
 
     /// The derivatives by the times, gaps included, against moving each time a little. The middle of

@@ -66,21 +66,28 @@ pub(super) fn plausible(observed: &Observed) -> Vec<Observed> {
 fn follow(durations_s: &[f64], first: usize, ratio: f64) -> Numbering {
     let (mut flights, mut ratio) = (vec![first], ratio);
     let mut cost = missed_cost(first);
-    let last_of = |duration_s: f64, flights: usize, ratio: f64| {
-        duration_s * ratio.powf((flights - 1) as f64) / series(flights, ratio)
-    };
+    // Counted from the last flight each is longer.
+    let last_of =
+        |duration_s: f64, flights: usize, ratio: f64| duration_s / series(flights, ratio.recip());
     let mut last_s = last_of(durations_s[0], first, ratio);
     for &duration_s in &durations_s[1..] {
-        let off = |count: usize| (duration_s / (last_s * ratio * series(count, ratio))).ln();
-        let price = |count: usize| {
-            let sds = off(count) / SPREAD;
-            (0.5 * sds * sds).min(ODD_COST) + missed_cost(count)
+        let priced = |count: usize| {
+            let off = (duration_s / (last_s * ratio * series(count, ratio))).ln();
+            let sds = off / SPREAD;
+            let price = (0.5 * sds * sds).min(ODD_COST) + missed_cost(count);
+            (count, off, price)
         };
-        let best = (1..=MOST_MISSED + 1).min_by(|&a, &b| price(a).total_cmp(&price(b)));
-        let count = best.unwrap_or(1);
-        cost += price(count);
-        if off(count).abs() < 3.0 * SPREAD {
-            ratio = (ratio * (off(count) / (MEMORY * count as f64)).exp()).min(0.999);
+        let others = (2..=MOST_MISSED + 1).map(priced);
+        let (count, off, price) =
+            others.fold(
+                priced(1),
+                |best, other| {
+                    if other.2 < best.2 { other } else { best }
+                },
+            );
+        cost += price;
+        if off.abs() < 3.0 * SPREAD {
+            ratio = (ratio * (off / (MEMORY * count as f64)).exp()).min(0.999);
         }
         last_s = last_of(duration_s, count, ratio);
         flights.push(count);
@@ -110,7 +117,7 @@ fn missed_cost(flights: usize) -> f64 {
 
 /// 1 + r + r² + ..., so many terms.
 fn series(terms: usize, ratio: f64) -> f64 {
-    (0..terms).map(|n| ratio.powf(n as f64)).sum()
+    (0..terms).fold(0.0, |sum, _| sum * ratio + 1.0)
 }
 
 #[cfg(test)]

@@ -210,6 +210,19 @@ impl<const L: usize> Residual<L> {
         }
     }
 
+    /// That of one point.
+    pub(super) fn in_lane(&self, lane: usize) -> Residual<1> {
+        let of = |lanes: Lanes<L>| Lanes([lanes.0[lane]]);
+        Residual {
+            value: of(self.value),
+            timing: self.timing.map(of),
+            scatter: of(self.scatter),
+            scatter_before: of(self.scatter_before),
+            impact: self.impact,
+            own_variance: self.own_variance,
+        }
+    }
+
     /// The residual of the impact between two intervals.
     #[inline(always)]
     pub(super) fn between(

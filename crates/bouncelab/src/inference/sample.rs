@@ -16,6 +16,7 @@ use statrs::distribution::{ContinuousCDF, Normal};
 
 use super::fit::Fit;
 use super::model::Model;
+use crate::stats::sorted;
 
 /// Degrees of freedom of the proposal: tails heavier than those of a posterior, so that no region
 /// is forgotten.
@@ -249,14 +250,11 @@ fn adapted(pilot: &Sample, widening: f64) -> Option<Proposal> {
     let flattened = DVector::from_vec(flattened);
     let mean = &pilot.vectors * &flattened;
     let mut off = pilot.vectors.clone();
-    for mut column in off.column_iter_mut() {
+    for (mut column, weight) in off.column_iter_mut().zip(&flattened) {
         column -= &mean;
+        column *= weight.sqrt();
     }
-    let mut weighted = off.clone();
-    for (mut column, &weight) in weighted.column_iter_mut().zip(&flattened) {
-        column *= weight;
-    }
-    Proposal::new(mean, weighted * off.transpose(), widening)
+    Proposal::new(mean, &off * off.transpose(), widening)
 }
 
 /// Replaces the largest weights by the quantiles of the generalised Pareto distribution that fits
@@ -267,27 +265,24 @@ fn smooth_tail(weights: &mut [f64]) -> f64 {
     if tail < 5 {
         return f64::INFINITY;
     }
-    let mut order: Vec<usize> = (0..count).collect();
-    order.sort_by(|&a, &b| weights[a].total_cmp(&weights[b]));
-    let cutoff = weights[order[count - tail - 1]];
-    let greatest = weights[order[count - 1]];
-    let excesses: Vec<f64> = order[count - tail..]
-        .iter()
-        .map(|&index| weights[index] - cutoff)
-        .collect();
+    let sorted = sorted(weights.iter().copied());
+    let (cutoff, greatest) = (sorted[count - tail - 1], sorted[count - 1]);
+    let largest = sorted[count - tail..].iter();
+    let excesses: Vec<f64> = largest.map(|weight| weight - cutoff).collect();
     if excesses[tail - 1] <= 1e-12 * greatest {
         // All weights alike: nothing to smooth.
         return f64::NEG_INFINITY;
     }
     let (shape, scale) = generalised_pareto(&excesses);
-    for (rank, &index) in order[count - tail..].iter().enumerate() {
+    for weight in weights.iter_mut().filter(|weight| **weight > cutoff) {
+        let rank = excesses.partition_point(|&excess| excess < *weight - cutoff);
         let probability = (rank as f64 + 0.5) / tail as f64;
         let excess = if shape.abs() < 1e-9 {
             -scale * (-probability).ln_1p()
         } else {
             scale * ((-shape * (-probability).ln_1p()).exp_m1()) / shape
         };
-        weights[index] = (cutoff + excess).min(greatest);
+        *weight = (cutoff + excess).min(greatest);
     }
     shape
 }
@@ -304,22 +299,18 @@ fn generalised_pareto(sorted: &[f64]) -> (f64, f64) {
         let sum: f64 = sorted.iter().map(|x| (-theta * x).ln_1p()).sum();
         sum / count
     };
-    let thetas: Vec<f64> = (1..=candidates)
+    let profiles: Vec<(f64, f64)> = (1..=candidates)
         .map(|j| {
             let spread = 1.0 - (candidates as f64 / (j as f64 - 0.5)).sqrt();
-            1.0 / greatest + spread / (3.0 * quartile)
-        })
-        .collect();
-    let profiles: Vec<f64> = thetas
-        .iter()
-        .map(|&theta| {
+            let theta = 1.0 / greatest + spread / (3.0 * quartile);
             let shape = shape_at(theta);
-            count * ((-theta / shape).ln() - shape - 1.0)
+            (theta, count * ((-theta / shape).ln() - shape - 1.0))
         })
         .collect();
-    let best = profiles.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+    let heights = profiles.iter().map(|(_, profile)| *profile);
+    let best = heights.fold(f64::NEG_INFINITY, f64::max);
     let (mut sum, mut total) = (0.0, 0.0);
-    for (&theta, &profile) in thetas.iter().zip(&profiles) {
+    for (theta, profile) in profiles {
         if profile.is_finite() {
             let weight = (profile - best).exp();
             sum += weight * theta;
