@@ -33,7 +33,8 @@ pub(crate) struct PriorArguments {
     law: Vec<LawKind>,
     /// Relative standard uncertainty of an input, as in mass=0.1% or drag=0: mass, diameter,
     /// air-density, gravity, added-mass, drag (around its law), contact-time, timing (of the stated
-    /// errors); scatter=2% is the typical scatter of restitution on this surface
+    /// errors); scatter=2% is the typical scatter of restitution on this surface; slow-losses=0 lets
+    /// restitution follow its law until rest
     #[arg(long, value_name = "WHAT=SHARE", value_delimiter = ',', value_parser = known)]
     known: Vec<(Input, f64)>,
     /// Infer this quantity from the data, with an uninformative prior
@@ -103,6 +104,7 @@ enum Input {
     ContactTime,
     Timing,
     Scatter,
+    SlowLosses,
 }
 
 impl Input {
@@ -124,6 +126,7 @@ impl Input {
             Self::ContactTime => &mut priors.contact_time_rel_sd,
             Self::Timing => &mut priors.timing_rel_sd,
             Self::Scatter => &mut priors.restitution_scatter,
+            Self::SlowLosses => &mut priors.slow_loss_exponent,
         }
     }
 }

@@ -75,6 +75,10 @@ const SHORTEST_FLIGHT_S: f64 = 0.05;
 /// Fewer impacts make no drop for the listener.
 const FEWEST_IMPACTS: usize = 5;
 
+/// From this launch speed on, flights are a geometric series: the ball rests. A few that keep nearly all do not.
+const REST_M_S: f64 = 0.01;
+const MOST_BOUNCES: usize = 100_000;
+
 const DRAG: f64 = 0.4;
 const HEIGHT_SD_M: f64 = 0.002;
 
@@ -84,6 +88,7 @@ struct Drop {
     restitution: f64,
     height_m: f64,
     drag: f64,
+    until_rest_s: f64,
     measured_m: f64,
 }
 
@@ -131,36 +136,69 @@ fn drawn(scenario: Scenario, rng: &mut ChaCha8Rng) -> Option<Drop> {
         },
     )
     .ok()?;
-    let mut speed = model.fall(height_m).ok()?.impact_speed_m_s;
+    let deviation = |rng: &mut ChaCha8Rng| match scenario {
+        Scenario::HeavyTails => two_exponentials(rng),
+        _ => normal(rng),
+    };
+    let fall = model.fall(height_m).ok()?;
+    let mut speed = fall.impact_speed_m_s;
     let mut time_s = 0.0;
+    let mut last = (speed, time_s);
     let mut impacts = Vec::new();
     for number in 1..=MOST_IMPACTS {
         let missed = scenario == Scenario::NoisyWithGaps && rng.random::<f64>() < 0.1;
         let off = normal(rng);
         if number == 1 || !missed {
+            last = (speed, time_s);
             impacts.push(
                 Impact::new(number, time_s + sigma_s * off).with_time_sd_s(scenario.sigma_s()),
             );
         }
-        let deviation = match scenario {
-            Scenario::HeavyTails => two_exponentials(rng),
-            _ => normal(rng),
-        };
-        let kept = restitution * (scatter * deviation).exp();
+        let kept = restitution * (scatter * deviation(rng)).exp();
         let flight = model.launch(speed * kept).ok()?;
-        if flight.time_s() < SHORTEST_FLIGHT_S {
+        if flight.time_s() < SHORTEST_FLIGHT_S || number == MOST_IMPACTS {
             break;
         }
         time_s += flight.time_s() + contact_s;
         speed = flight.impact_speed_m_s;
     }
+    // What comes after the last impact detected is drawn anew, as the inference has it.
+    let (slowest, last_s) = last;
+    let loss_exponent = (known.slow_loss_exponent * normal(rng)).max(0.0);
+    let bounces_s = until_rest_s(&model, slowest, contact_s, |speed| {
+        let losses = (1.0 / restitution - 1.0) * (speed / slowest).powf(-loss_exponent);
+        (scatter * deviation(rng)).exp() / (1.0 + losses)
+    })?;
     (impacts.len() >= FEWEST_IMPACTS).then_some(Drop {
         impacts,
         restitution,
         height_m,
         drag,
+        until_rest_s: fall.time_s + last_s + bounces_s,
         measured_m,
     })
+}
+
+/// The time from an impact at this speed until the ball rests, with what each impact keeps of its speed.
+fn until_rest_s(
+    model: &FlightModel,
+    mut speed: f64,
+    contact_s: f64,
+    mut kept: impl FnMut(f64) -> f64,
+) -> Option<f64> {
+    let mut time_s = 0.0;
+    for _ in 0..MOST_BOUNCES {
+        let kept = kept(speed);
+        let flight = model.launch(speed * kept).ok()?;
+        time_s += contact_s;
+        if speed * kept < REST_M_S {
+            time_s += flight.time_s() / (1.0 - kept);
+            break;
+        }
+        time_s += flight.time_s();
+        speed = flight.impact_speed_m_s;
+    }
+    Some(time_s)
 }
 
 /// The distribution that Montaine et al. found, in its symmetric form, with variance one.
@@ -169,9 +207,10 @@ fn two_exponentials(rng: &mut ChaCha8Rng) -> f64 {
     if rng.random::<bool>() { size } else { -size }
 }
 
-/// Shares of the draws below the truth: of e, drop height and drag coefficient; and whether the sampling converged.
+/// Shares of the draws below the truth: of e, drop height, drag coefficient, and time until rest, if it comes to rest;
+/// and whether the sampling converged.
 struct Ranks {
-    of: [f64; 3],
+    of: [Option<f64>; 4],
     converged: bool,
 }
 
@@ -202,13 +241,15 @@ fn ranks(scenario: Scenario, seed: u64) -> Option<Ranks> {
     )
     .ok()?;
     let below = |draws: &[f64], truth: f64| {
-        draws.iter().filter(|draw| **draw < truth).count() as f64 / draws.len() as f64
+        let below = draws.iter().filter(|draw| **draw < truth).count();
+        (!draws.is_empty()).then(|| below as f64 / draws.len() as f64)
     };
     Some(Ranks {
         of: [
             below(&found.draws.restitution, drop.restitution),
             below(&found.draws.drop_height_m, drop.height_m),
             below(&found.draws.drag_coefficient, drop.drag),
+            below(&found.draws.total_time_s, drop.until_rest_s),
         ],
         converged: found.sampling.converged,
     })
@@ -244,20 +285,21 @@ const BINS: usize = 20;
 
 /// Prints the rows of a scenario and gives its histograms.
 fn report(scenario: Scenario, all: &[Ranks]) -> Vec<RankHistogram> {
-    let count = all.len() as f64;
     let failed = all.iter().filter(|ranks| !ranks.converged).count();
     let mut histograms = Vec::new();
-    for (place, quantity) in ["e", "h0", "C_D"].iter().enumerate() {
+    for (place, quantity) in ["e", "h0", "C_D", "time until rest"].iter().enumerate() {
+        let shares: Vec<f64> = all.iter().filter_map(|ranks| ranks.of[place]).collect();
+        let count = shares.len() as f64;
         let covered = |tail: f64| {
-            let inside = all
+            let inside = shares
                 .iter()
-                .filter(|ranks| (tail..1.0 - tail).contains(&ranks.of[place]))
-                .count();
+                .filter(|share| (tail..1.0 - tail).contains(*share));
+            let inside = inside.count();
             100.0 * inside as f64 / count
         };
         let mut bins = [0_u32; BINS];
-        for ranks in all {
-            bins[((ranks.of[place] * BINS as f64) as usize).min(BINS - 1)] += 1;
+        for share in &shares {
+            bins[((share * BINS as f64) as usize).min(BINS - 1)] += 1;
         }
         let expected = count / BINS as f64;
         let chi_square: f64 = bins
@@ -272,7 +314,7 @@ fn report(scenario: Scenario, all: &[Ranks]) -> Vec<RankHistogram> {
         println!(
             "| {} | {} | {quantity} | {:.1} | {:.1} | {chi_square:.1} | {uniform} | {failed} |",
             scenario.name(),
-            all.len(),
+            shares.len(),
             covered(0.158_655),
             covered(0.025),
         );

@@ -218,7 +218,24 @@ impl Translator {
         text
     }
 
-    /// The same, with the advice that belongs to a front end: `terminal` or `page`.
+    /// Sentences or facts in one line, with the semicolons of the language between them.
+    ///
+    /// ```
+    /// let french = bouncelab_report::messages::Translator::new("fr").unwrap();
+    /// assert_eq!(french.in_one_line(["un".into(), "deux".into()]), "un\u{202f}; deux");
+    /// ```
+    pub fn in_one_line(&self, parts: impl IntoIterator<Item = String>) -> String {
+        let joined = parts.into_iter().reduce(|first, last| {
+            let both = [
+                ("first", first.as_str().into()),
+                ("last", last.as_str().into()),
+            ];
+            self.text_with("list-semicolon", &both)
+        });
+        joined.unwrap_or_default()
+    }
+
+    /// This translator, with the advice that belongs to a front end: `terminal` or `page`.
     #[must_use]
     pub fn for_front_end(self, name: &'static str) -> Self {
         Self {

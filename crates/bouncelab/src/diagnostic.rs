@@ -346,6 +346,8 @@ codes! {
     PriorRestitution = "prior-restitution", Info, [];
     /// Scatter of restitution: about this, within a factor of two.
     PriorScatter = "prior-scatter", Info, ["relative_sd"];
+    /// Impacts slower than those detected may lose more speed than the law says.
+    PriorSlowLosses = "prior-slow-losses", Info, ["exponent"];
     /// An input is exact.
     PriorExact = "prior-exact", Info, ["input"];
     /// An input is unknown, within a factor e.

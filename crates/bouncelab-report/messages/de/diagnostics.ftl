@@ -145,6 +145,7 @@ diagnostic-assumed-gravity = Fallbeschleunigung { $gravity_m_s2 }.
 
 diagnostic-prior-restitution = Stoßzahl: alles von 0 bis 1.
 diagnostic-prior-scatter = Streuung der Stoßzahl: etwa { $relative_sd } %, auf einen Faktor zwei.
+diagnostic-prior-slow-losses = Aufpralle unter dem langsamsten erkannten: wie das Gesetz sagt, oder mit Verlusten, die bei kleinerem Tempo zusätzlich wachsen (mit einer Potenz von etwa { $exponent }).
 diagnostic-prior-exact = { $input }: genau bekannt.
 diagnostic-prior-unknown = { $input }: unbekannt (ein Faktor e nach oben oder unten).
 diagnostic-prior-input = { $input }: auf { $relative_sd } % bekannt.

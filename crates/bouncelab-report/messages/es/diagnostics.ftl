@@ -134,6 +134,7 @@ diagnostic-assumed-gravity = Gravedad { $gravity_m_s2 }.
 
 diagnostic-prior-restitution = Restitución: uniforme de 0 a 1.
 diagnostic-prior-scatter = Dispersión de la restitución: alrededor del { $relative_sd } %, salvo un factor dos.
+diagnostic-prior-slow-losses = Impactos más lentos que los detectados: como dice la ley, o con pérdidas que además crecen al bajar la velocidad (según una potencia de alrededor de { $exponent }).
 diagnostic-prior-exact = { $input }: valor exacto.
 diagnostic-prior-unknown = { $input }: valor desconocido (un factor e en ambos sentidos).
 diagnostic-prior-input = { $input }: valor conocido al { $relative_sd } %.

@@ -134,6 +134,7 @@ diagnostic-assumed-gravity = Pesanteur { $gravity_m_s2 }.
 
 diagnostic-prior-restitution = Restitution : uniforme de 0 à 1.
 diagnostic-prior-scatter = Dispersion de la restitution : environ { $relative_sd } %, à un facteur deux près.
+diagnostic-prior-slow-losses = Impacts plus lents que ceux détectés : comme le dit la loi, ou avec des pertes qui croissent en plus quand la vitesse diminue (selon une puissance d’environ { $exponent }).
 diagnostic-prior-exact = { $input } : exact.
 diagnostic-prior-unknown = { $input } : inconnu (un facteur e dans les deux sens).
 diagnostic-prior-input = { $input } : connu à { $relative_sd } % près.

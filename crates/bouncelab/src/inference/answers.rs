@@ -119,6 +119,7 @@ impl Answers {
                 restitution: self.restitution,
                 drag_coefficient,
                 drop_height_m: self.drop_height_m,
+                total_time_s: rest.iter().map(|rest| rest.time_s).collect(),
             },
             sampled: posterior,
         };

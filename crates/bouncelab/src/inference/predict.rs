@@ -1,15 +1,52 @@
 //! Predictions: the rest of the drop, and other drops of the same ball.
 
+use rand::SeedableRng;
+use rand_chacha::ChaCha8Rng;
+use rand_distr::{Distribution, StandardNormal};
+
 use super::likelihood::DropState;
 use super::model::{Model, Point};
+use super::priors::Priors;
+use super::sample;
 use crate::flight::table::MAX_STEPS;
+use crate::impact::Restitution;
 
 /// A drop that has not come to rest after so many bounces never will: from a height of a metre it would keep 99.75 % of
 /// its speed each time.
 const MOST_BOUNCES: usize = 2000;
 
-/// At this launch speed a ball rises a twentieth of a millimetre: it rests.
-const REST_M_S: f64 = 0.03;
+/// At this launch speed a ball rises five micrometres: what follows is a geometric series, as it is when flights get
+/// shorter than the contact.
+const REST_M_S: f64 = 0.01;
+
+/// One way in which the impacts after the last one detected may go, of which the times say nothing.
+pub(super) struct Future {
+    /// The ratio of speed lost to speed kept grows as the speed to minus this power, besides what the law says.
+    loss_exponent: f64,
+    rng: ChaCha8Rng,
+}
+
+impl Future {
+    /// One of many futures of equal probability, by its number.
+    pub(super) fn new(priors: &Priors, number: u32) -> Self {
+        let exponent = priors.slow_loss_exponent * sample::standard_normal(number);
+        Self {
+            loss_exponent: exponent.max(0.0),
+            rng: ChaCha8Rng::seed_from_u64(number.into()),
+        }
+    }
+
+    fn normal(&mut self) -> f64 {
+        StandardNormal.sample(&mut self.rng)
+    }
+
+    /// What an impact keeps of the speed, slower than the slowest one detected.
+    fn restitution(&mut self, law: &Restitution, speed: f64, slowest: f64, scatter: f64) -> f64 {
+        let expected = law.at(speed);
+        let lost_to_kept = (1.0 / expected - 1.0) * (slowest / speed).powf(self.loss_exponent);
+        (scatter * self.normal()).exp() / (1.0 + lost_to_kept)
+    }
+}
 
 /// Time and path from release to rest.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -18,18 +55,26 @@ pub(super) struct Rest {
     pub(super) path_m: f64,
 }
 
-/// The drop to its end: as detected, and after the last impact by the law.
+/// The drop to its end: as detected, and after the last impact as a future has it.
 ///
 /// `None` if it does not come to rest.
-pub(super) fn until_rest(model: &Model, point: &Point, state: &DropState) -> Option<Rest> {
+pub(super) fn until_rest(
+    model: &Model,
+    point: &Point,
+    state: &DropState,
+    mut future: Future,
+) -> Option<Rest> {
     let observed = model.observed;
     let missed_first = model.missed_first;
     let detected_s =
         observed.impacts[observed.impacts.len() - 1].time_s - observed.impacts[0].time_s;
     let gravity = point.gravity_m_s2;
     let table = model.table(point)?;
+    // Somewhat more than the errors of the two times: neighbouring impacts say something of them, too.
+    let sigma_s = &observed.sigma_s;
+    let error_s = sigma_s[0].hypot(sigma_s[sigma_s.len() - 1]) * point.timing * future.normal();
     let mut rest = Rest {
-        time_s: state.release_to_first_s + detected_s,
+        time_s: state.release_to_first_s + detected_s + error_s,
         path_m: state.drop_height_m,
     };
     // The flights before the first impact detected obey the law too.
@@ -48,17 +93,21 @@ pub(super) fn until_rest(model: &Model, point: &Point, state: &DropState) -> Opt
             rest.path_m += 2.0 * table.apex(launch)?.0 / gravity;
         }
     }
-    let mut impact = state.impact_speeds[state.impact_speeds.len() - 1];
+    let resting = (0.5 * gravity * point.contact_time_s).max(REST_M_S);
+    let slowest = state.impact_speeds[state.impact_speeds.len() - 1];
+    let mut impact = slowest;
     for _ in 0..MOST_BOUNCES {
-        let launch = impact * point.law.at(impact);
-        if launch < REST_M_S {
-            let last = last_bounces(launch, point.law.at(launch), gravity);
-            rest.time_s += last.time_s + point.contact_time_s;
+        let kept = future.restitution(&point.law, impact, slowest, point.scatter);
+        let launch = impact * kept;
+        rest.time_s += point.contact_time_s;
+        if launch < resting {
+            let last = last_bounces(launch, kept, gravity);
+            rest.time_s += last.time_s;
             rest.path_m += last.path_m;
             return rest.time_s.is_finite().then_some(rest);
         }
         let flight = table.rise_and_fall(launch)?;
-        rest.time_s += flight.row.time / gravity + point.contact_time_s;
+        rest.time_s += flight.row.time / gravity;
         rest.path_m += 2.0 * flight.gravity_height / gravity;
         impact = flight.row.impact;
     }

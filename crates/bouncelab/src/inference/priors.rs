@@ -58,6 +58,11 @@ pub struct Priors {
     /// surfaces; the inference takes it to be right within a factor of two (a normal prior of the
     /// logarithm with standard deviation 0.7).
     pub restitution_scatter: f64,
+    /// Losses of speed below the slowest impact detected, on which only time and path until rest depend. Laws of contact
+    /// let them shrink with the speed; what the laws leave out (adhesion, roughness, the weight during contact) takes the
+    /// more, the slower the ball is. With a probability of one half the law goes on, else the ratio of speed lost to speed
+    /// kept grows as v^-k besides, with k half-normal of this scale.
+    pub slow_loss_exponent: f64,
 }
 
 /// So little known that the data decide: a normal prior of the logarithm with standard deviation
@@ -83,6 +88,7 @@ impl Default for Priors {
             contact_time_rel_sd: 0.5,
             timing_rel_sd: 0.3,
             restitution_scatter: 0.004,
+            slow_loss_exponent: 0.5,
         }
     }
 }
@@ -121,6 +127,7 @@ impl Priors {
         let mut diagnostics = vec![
             Diagnostic::new(Code::PriorRestitution),
             scatter.with("relative_sd", self.restitution_scatter),
+            Diagnostic::new(Code::PriorSlowLosses).with("exponent", self.slow_loss_exponent),
             input("drag", self.drag_rel_sd),
             input("gravity", self.gravity_rel_sd),
             input("air-density", self.air_density_rel_sd),
@@ -196,6 +203,10 @@ impl Priors {
             not_negative("relative standard uncertainty of an input", share)?;
         }
         positive("typical scatter of restitution", self.restitution_scatter)?;
+        not_negative(
+            "exponent of the losses of slow impacts",
+            self.slow_loss_exponent,
+        )?;
         Ok(())
     }
 }

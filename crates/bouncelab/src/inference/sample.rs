@@ -124,6 +124,12 @@ impl Point {
     }
 }
 
+/// One of a sequence of numbers that are normal together, evenly so over any part of it.
+pub(super) fn standard_normal(number: u32) -> f64 {
+    let coordinate = Point { number, seed: 0 }.coordinates().next();
+    Normal::standard().inverse_cdf(coordinate.unwrap_or(0.5))
+}
+
 /// ln of the gamma function for arguments of half and whole numbers from 1/2 on.
 fn log_gamma(x: f64) -> f64 {
     let mut sum = 0.0;

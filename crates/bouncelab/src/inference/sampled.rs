@@ -10,7 +10,7 @@ use super::model::{Medium, Model, Point, ReferenceSpeed};
 use super::numbering;
 use super::observed::Observed;
 use super::order::order;
-use super::predict::{self, Rest};
+use super::predict::{self, Future, Rest};
 use super::priors::{LawKind, Priors};
 use super::sample::{self, GREATEST_PARETO_SHAPE, Sample};
 use super::timed_flights::TimedFlights;
@@ -506,14 +506,16 @@ impl SampledPosterior {
     pub(super) fn drops(&self, points: &[Point]) -> Vec<DrawnDrop> {
         let models = self.models();
         let drops = self.draws.iter().zip(points).step_by(THINNED);
-        let drops: Option<Vec<DrawnDrop>> = drops
-            .map(|(draw, point)| {
+        let drops: Option<Vec<DrawnDrop>> = (0..)
+            .zip(drops)
+            .map(|(number, (draw, point))| {
                 let model = &models[draw.candidate];
                 let state = model.state(point)?;
+                let future = Future::new(&self.priors, number);
                 Some(DrawnDrop {
                     candidate: draw.candidate,
                     law: point.law,
-                    rest: predict::until_rest(model, point, &state),
+                    rest: predict::until_rest(model, point, &state, future),
                     state,
                 })
             })
