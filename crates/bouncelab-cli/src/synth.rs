@@ -224,7 +224,7 @@ impl Arguments {
                 Background::Pink => Noise::pink(self.snr),
             }),
             hum: self.hum.map(Hum::mains),
-            reverb: self.reverb.map(Reverb::of_a_room),
+            reverb: self.reverb.map(Reverb::of_time),
             clicks: self.clicks.map(Clicks::often),
             lost: self.lost.map_or(Lost::None, Lost::Chance),
             clip_at: self.clip,

@@ -86,7 +86,7 @@ impl SceneRequest {
             voice: voice.ok_or_else(|| unknown("voice", &self.voice, &Voice::NAMES))?,
             noise: self.snr_db.map(noise),
             hum: self.hum_hz.map(Hum::mains),
-            reverb: self.reverb_s.map(Reverb::of_a_room),
+            reverb: self.reverb_s.map(Reverb::of_time),
             clicks: self.clicks_per_s.map(Clicks::often),
             lost: self.lost.map_or(Lost::None, Lost::Chance),
             clip_at: self.clip_at,

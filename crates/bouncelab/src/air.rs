@@ -56,7 +56,7 @@ impl Air {
 
     /// Moist air: density by the CIPM-2007 equation (Picard et al. 2008, with 400 ppm of carbon
     /// dioxide), viscosity by Sutherland's law (US Standard Atmosphere 1976, which neglects
-    /// humidity: less than 1 % in a room).
+    /// humidity: less than 1 % indoors).
     ///
     /// # Errors
     /// [`Error::OutOfRange`](crate::Error::OutOfRange) outside 250 to 330 K, 30 to 120 kPa or a
@@ -66,9 +66,9 @@ impl Air {
     /// ```
     /// use bouncelab::air::{Air, Conditions};
     ///
-    /// let room = Conditions::default();
-    /// let hot = Conditions { temperature_k: 308.15, ..room };
-    /// assert!(Air::moist(&hot)?.density_kg_m3() < Air::moist(&room)?.density_kg_m3());
+    /// let usual = Conditions::default();
+    /// let hot = Conditions { temperature_k: 308.15, ..usual };
+    /// assert!(Air::moist(&hot)?.density_kg_m3() < Air::moist(&usual)?.density_kg_m3());
     /// # Ok::<(), bouncelab::Error>(())
     /// ```
     pub fn moist(conditions: &Conditions) -> Result<Self> {
@@ -155,7 +155,7 @@ impl Ball {
     }
 }
 
-/// The weather in the room.
+/// Ambient conditions.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
@@ -169,7 +169,7 @@ pub struct Conditions {
 }
 
 impl Default for Conditions {
-    /// A room at sea level: 20 °C, 101 325 Pa, half saturated.
+    /// Indoors at sea level: 20 °C, 101 325 Pa, half saturated.
     fn default() -> Self {
         Self {
             temperature_k: 293.15,
@@ -188,9 +188,9 @@ impl Conditions {
     /// ```
     /// use bouncelab::air::Conditions;
     ///
-    /// let room = Conditions::default();
-    /// let freezing = Conditions { temperature_k: 273.15, ..room };
-    /// assert!(room.within_cipm_range() && !freezing.within_cipm_range());
+    /// let usual = Conditions::default();
+    /// let freezing = Conditions { temperature_k: 273.15, ..usual };
+    /// assert!(usual.within_cipm_range() && !freezing.within_cipm_range());
     /// ```
     pub fn within_cipm_range(&self) -> bool {
         (288.15..=300.15).contains(&self.temperature_k)
@@ -304,23 +304,23 @@ mod tests {
     fn absurd_air_is_refused() {
         assert!(Air::new(-1.2, 1.8e-5).is_err());
         assert!(Air::new(1.2, 0.0).is_err());
-        let room = Conditions::default();
+        let usual = Conditions::default();
         for conditions in [
             Conditions {
                 temperature_k: 20.0,
-                ..room
+                ..usual
             },
             Conditions {
                 pressure_pa: 1013.25,
-                ..room
+                ..usual
             },
             Conditions {
                 relative_humidity: 50.0,
-                ..room
+                ..usual
             },
             Conditions {
                 temperature_k: f64::NAN,
-                ..room
+                ..usual
             },
         ] {
             assert!(Air::moist(&conditions).is_err(), "{conditions:?}");
@@ -329,19 +329,19 @@ mod tests {
 
     #[test]
     fn the_stated_range_of_cipm_is_known() {
-        let room = Conditions::default();
-        assert!(room.within_cipm_range());
+        let usual = Conditions::default();
+        assert!(usual.within_cipm_range());
         assert!(
             !Conditions {
                 temperature_k: 283.15,
-                ..room
+                ..usual
             }
             .within_cipm_range()
         );
         assert!(
             !Conditions {
                 pressure_pa: 55e3,
-                ..room
+                ..usual
             }
             .within_cipm_range()
         );

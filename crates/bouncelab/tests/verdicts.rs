@@ -65,7 +65,7 @@ fn settings(height_m: f64) -> Options {
     settings
 }
 
-/// Eleven impacts of a drop with constant restitution from a height, in a room as it is assumed.
+/// Eleven impacts of a drop with constant restitution from a height, in ambient conditions as they are assumed.
 fn drop(restitution: f64, height_m: f64, settings: &Options) -> Drop {
     let law = Restitution::constant(restitution).unwrap();
     let contact = Contact::new(law, settings.contact_time_s).unwrap();

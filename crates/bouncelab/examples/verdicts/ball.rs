@@ -19,7 +19,7 @@ pub(crate) const LIMITS: Limits = Limits::between(0.24, 0.26);
 
 /// The ball is held by hand beside a ruler.
 const HEIGHT_SD_M: f64 = 0.001;
-/// The timing error of the detector in a quiet room.
+/// The timing error of the detector in low background noise.
 const TIMING_S: f64 = 5e-5;
 /// Scatter of a good surface.
 const SCATTER: f64 = 0.004;

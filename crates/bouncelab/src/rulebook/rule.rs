@@ -230,7 +230,7 @@ pub struct Rule {
     pub formula: Option<Formula>,
 }
 
-/// What is known of the room, as far as rules ask.
+/// What is known of the ambient conditions, as far as rules ask.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Conditions {
     /// Temperature of the air, K.

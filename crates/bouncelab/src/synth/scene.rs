@@ -4,7 +4,7 @@ use super::checks::{positive_up_to, within};
 use super::voice::Voice;
 use crate::Result;
 
-/// Everything between the drop and the file: voice, room, disturbances, recorder.
+/// Everything between the drop and the file: voice, reverberation, noise, disturbances, recorder.
 ///
 /// The default is a clean table-tennis drop at 44.1 kHz and 16 bit, with white noise 60 dB
 /// below the loudest impact. Levels in decibels are all relative to the loudest impact that is
@@ -238,7 +238,7 @@ impl Noise {
 pub enum Colour {
     /// The same power in every hertz.
     White,
-    /// The same power in every octave above 10 Hz: rooms, wind, traffic.
+    /// The same power in every octave above 10 Hz: ambient noise, wind, traffic.
     Pink,
 }
 
@@ -265,7 +265,7 @@ impl Hum {
     }
 }
 
-/// Reverberation: a tail of Gaussian noise that decays exponentially, as in a large room.
+/// Reverberation: a tail of Gaussian noise that decays exponentially, as in a diffuse sound field.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Reverb {
     /// Time in seconds in which the tail falls by 60 dB, 0.01 to 20.
@@ -275,8 +275,8 @@ pub struct Reverb {
 }
 
 impl Reverb {
-    /// As a metre from the ball in a room of this reverberation time in seconds.
-    pub const fn of_a_room(rt60_s: f64) -> Self {
+    /// As a metre from the ball, with this reverberation time in seconds.
+    pub const fn of_time(rt60_s: f64) -> Self {
         Self {
             rt60_s,
             direct_to_reverberant_db: 6.0,

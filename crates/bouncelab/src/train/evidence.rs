@@ -280,7 +280,7 @@ impl Surroundings {
         /// So much is taken for heard at least.
         const LEAST_HEARD_S: f64 = 0.5;
         /// Unrelated sounds that are imagined beside those around, so that a few impacts alone in
-        /// a quiet room are not taken for the rule.
+        /// silence are not taken for the rule.
         const IMAGINED: f64 = 10.0;
         let sounds: Vec<Sound> = onsets.iter().map(Sound::of).collect();
         let (mut first, mut end) = (0, 0);
