@@ -152,6 +152,8 @@ const gapsOf = (page: Page): Promise<{ start_s: number; duration_s: number }[]> 
   );
 
 test('sound that the browser does not deliver is a gap, and later times hold', async () => {
+  // It bounces on for nine seconds after ten impacts, however late a busy machine takes the sound away.
+  const heard = drop('long', 0.965);
   const { page } = await open(here.browser, here.url, {}, hearing(heard));
   await page.getByRole('button', { name: 'Listen' }).click();
   await page.getByText(/1\d impacts so far/).waitFor();

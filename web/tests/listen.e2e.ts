@@ -3,6 +3,7 @@ import type { Browser, Page } from 'playwright-core';
 import { afterAll, afterEach, beforeAll, expect, test } from 'vitest';
 import { launch, type Microphone, newContext, type Preparation } from './harness/browser.ts';
 import { Site } from './harness/site.ts';
+import { violationsInBothThemes } from './support/layout.ts';
 import { follow, open, said, savedWav, settled, tryDemo } from './support/page.ts';
 import { drop, hearing, samplesOf, TRUTH } from './support/sounds.ts';
 import { wordsOf } from './support/words.ts';
@@ -77,6 +78,7 @@ test('a drop is heard, ends by itself, and its result is true within its uncerta
   const { page, troubles } = await open(browser, site.url, {}, told);
   await listen(page);
   await page.getByText(/impacts so far/).waitFor();
+  expect(await violationsInBothThemes(page)).toEqual([]);
   const { kept, fell } = await said(page);
   // Three standard deviations, and half of the last digit that is shown.
   expect(Math.abs(kept.value - 100 * TRUTH.restitution)).toBeLessThan(3.5 * kept.sd);
@@ -233,6 +235,7 @@ test('a page that is closed while it listens loses nothing', async () => {
   await page.getByText(/(\d\d) impacts so far/).waitFor();
   await page.reload();
   await page.getByText(/was interrupted/).waitFor();
+  expect(await violationsInBothThemes(page)).toEqual([]);
   await page.getByRole('button', { name: 'Open it' }).click();
   await settled(page);
   expect(await page.getByText(/\d+ impacts/).count()).toBeGreaterThan(0);

@@ -6,6 +6,7 @@ import { beforeAll, expect, test } from 'vitest';
 import { newContext } from './harness/browser.ts';
 import { fixture } from './harness/fixture.ts';
 import { folder as scratch, synth } from './harness/program.ts';
+import { violationsInBothThemes } from './support/layout.ts';
 import { dropFile, open, said, tryDemo } from './support/page.ts';
 import { drop, TRUTH } from './support/sounds.ts';
 
@@ -57,6 +58,7 @@ test('times that are pasted', async () => {
   const times = Array.from({ length: 12 }, (_, n) => (0.5 * (1 - 0.9 ** n)) / 0.1);
   const written = times.map((time) => time.toFixed(6).replace('.', ','));
   await on.getByRole('textbox').fill(written.join('\n'));
+  expect(await violationsInBothThemes(on)).toEqual([]);
   await on.getByRole('button', { name: 'Analyse' }).click();
   const { kept } = await said(on);
   expect(kept.value).toBeGreaterThan(89);
@@ -104,6 +106,7 @@ test.each([
   const on = await page();
   await dropFile(on, name, content);
   await on.getByRole('alert').getByText(words).first().waitFor();
+  expect(await violationsInBothThemes(on)).toEqual([]);
 });
 
 test('what is wrong with a file is said in the language of the page', async () => {

@@ -3,6 +3,7 @@ import { readFileSync } from 'node:fs';
 import type { Page } from 'playwright-core';
 import { expect, test } from 'vitest';
 import { fixture } from './harness/fixture.ts';
+import { violationsInBothThemes } from './support/layout.ts';
 import { follow, keepAs, open, said, saved, settled, tryDemo } from './support/page.ts';
 
 const here = fixture();
@@ -80,6 +81,7 @@ test('a drop travels as a link', async () => {
   const sent = await said(page);
   await page.getByRole('button', { name: 'Share this drop' }).click();
   await page.getByRole('img', { name: /QR code/ }).waitFor();
+  expect(await violationsInBothThemes(page)).toEqual([]);
   const address = await page.locator('.shared code').last().innerText();
   expect(address.length).toBeLessThanOrEqual(1500);
   const other = await open(here.browser, address);
@@ -92,6 +94,7 @@ test('a drop travels as a link', async () => {
   const changed = address.replace(/.$/, (last) => (last === 'A' ? 'Q' : 'A'));
   const third = await open(here.browser, changed);
   await third.page.getByText('This link of a drop cannot be used.').waitFor();
+  expect(await violationsInBothThemes(third.page)).toEqual([]);
   await follow(third.page, 'Drops');
   await third.page.getByLabel(/^Links of other/).fill(`Anna ${address}\nBob ${changed}`);
   await third.page.getByRole('button', { name: 'Add to this table' }).click();

@@ -5,6 +5,7 @@ use std::path::Path;
 use std::process::ExitCode;
 
 use bouncelab::Plain;
+use bouncelab_audio::LooksLike;
 use bouncelab_report::advice;
 
 use crate::language::translated;
@@ -74,7 +75,14 @@ impl From<csv::Error> for Failure {
 
 impl From<bouncelab_audio::Error> for Failure {
     fn from(fault: bouncelab_audio::Error) -> Self {
-        Self::Input(fault.to_string())
+        let advice = match &fault {
+            bouncelab_audio::Error::NotSound {
+                looks_like: LooksLike::Zip,
+                ..
+            } => "; 'bouncelab session' opens a ZIP archive of recordings",
+            _ => "",
+        };
+        Self::Input(format!("{fault}{advice}"))
     }
 }
 

@@ -364,15 +364,16 @@ impl Scene {
     }
 
     /// Runs the commands of a page in their order. A text right after them is part of what they print, a block of
-    /// TOML the file `own.toml`, and a picture that they draw that of the book.
+    /// TOML the file that its first line names, or else `own.toml`, and a picture that they draw that of the book.
     fn follow(&self, page: &Page) {
-        let blocks = page.blocks();
-        for block in blocks.iter().filter(|block| block.language == "toml") {
-            fs::write(self.0.path().join("own.toml"), &block.code).unwrap();
-        }
         let mut printed = String::new();
-        for block in blocks {
+        for block in page.blocks() {
             match block.language.as_str() {
+                "toml" => {
+                    let first = block.code.lines().next().unwrap_or_default();
+                    let name = first.strip_prefix("# ").unwrap_or("own.toml");
+                    fs::write(self.0.path().join(name), &block.code).unwrap();
+                }
                 "sh" => {
                     printed = commands(&block.code)
                         .map(|command| self.run(&command))
@@ -407,9 +408,9 @@ fn elsewhere(command: &str) -> Option<usize> {
         .position(|(start, _)| command.starts_with(start))
 }
 
-/// Whether a command is of this program, makes a file for it or shows one.
+/// Whether a command is of this program, makes files for it or shows one.
 fn is_ours(command: &str) -> bool {
-    let programs = ["bouncelab ", "printf ", "head "];
+    let programs = ["bouncelab ", "printf ", "head ", "mkdir ", "cp ", "for "];
     programs.iter().any(|program| command.starts_with(program))
 }
 
@@ -456,6 +457,22 @@ fn the_commands_of_the_readme_run() {
     for block in readme().blocks().iter().filter(|it| it.language == "sh") {
         commands(&block.code).for_each(|command| drop(scene.run(&command)));
     }
+}
+
+#[test]
+fn the_readme_says_what_a_real_recording_gives() {
+    let Some(folder) = std::env::var_os("BOUNCELAB_RECORDINGS") else {
+        println!("SKIPPED: BOUNCELAB_RECORDINGS names no folder of real recordings");
+        return;
+    };
+    let recording = Path::new(&folder).join("pingpong-long.wav");
+    let scene = Scene(TempDir::new().unwrap());
+    fs::copy(recording, scene.0.path().join("drop.wav")).unwrap();
+    let page = readme();
+    let blocks = page.blocks();
+    let excerpt = blocks.iter().find(|block| block.language == "text");
+    let printed = scene.run("bouncelab analyze drop.wav --ball table-tennis-40");
+    has_lines(&printed, &excerpt.unwrap().code, &page.path);
 }
 
 fn readme() -> Page {

@@ -8,17 +8,37 @@ from pathlib import Path
 
 import pytest
 
+import bouncelab as bl
+
 ROOT = Path(os.environ.get("BOUNCELAB_ROOT", "."))
 DOCUMENTS = ["README.md", "docs/python.md", "crates/bouncelab-python/README.md"]
 
 
-@pytest.mark.skipif("BOUNCELAB_ROOT" not in os.environ, reason="the documents are part of the repository")
+pytestmark = pytest.mark.skipif("BOUNCELAB_ROOT" not in os.environ, reason="the documents are part of the repository")
+
+
+def run_examples(document: str) -> None:
+    examples = re.findall(r"```python\n(.*?)```", (ROOT / document).read_text(encoding="utf-8"), re.DOTALL)
+    assert examples
+    for example in examples:
+        exec(compile(example, document, "exec"), {})
+
+
 @pytest.mark.parametrize("document", DOCUMENTS)
 def test_the_examples_run(document: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     for package in ("pandas", "pyarrow"):
         pytest.importorskip(package)
     monkeypatch.chdir(tmp_path)
-    examples = re.findall(r"```python\n(.*?)```", (ROOT / document).read_text(encoding="utf-8"), re.DOTALL)
-    assert examples
-    for example in examples:
-        exec(compile(example, document, "exec"), {})
+    run_examples(document)
+
+
+def test_the_query_of_a_session_runs(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    pytest.importorskip("duckdb")
+    parquet = pytest.importorskip("pyarrow.parquet")
+    for number in range(2):
+        bl.synthesize(restitution=0.8, bounces=8, seed=number).save(tmp_path / f"tennis_wood_{number}.wav")
+    study = bl.session(tmp_path, pattern="{ball}_{surface}_{}", draws=None)
+    (tmp_path / "bouncelab-session").mkdir()
+    parquet.write_table(study.drops.to_arrow(), tmp_path / "bouncelab-session" / "drops.parquet")
+    monkeypatch.chdir(tmp_path)
+    run_examples("docs/session.md")

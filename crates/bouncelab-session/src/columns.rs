@@ -73,8 +73,7 @@ impl DropRow<'_> {
     /// The sentences of diagnostics, if there are any.
     fn sentences(&self, diagnostics: &[Diagnostic]) -> Option<String> {
         let sentences = diagnostics.iter().map(|it| self.translator.diagnostic(it));
-        let sentences: Vec<String> = sentences.collect();
-        (!sentences.is_empty()).then(|| sentences.join("; "))
+        (!diagnostics.is_empty()).then(|| self.translator.in_one_line(sentences))
     }
 }
 

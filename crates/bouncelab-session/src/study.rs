@@ -245,8 +245,8 @@ impl SaidDrop {
     ) -> Self {
         let odd = (!record.diagnostics.is_empty()).then(|| {
             let odd = record.diagnostics.iter();
-            let why: Vec<String> = odd.map(|odd| translator.diagnostic(odd)).collect();
-            (why.join("; "), is_doubtful(&record))
+            let why = translator.in_one_line(odd.map(|odd| translator.diagnostic(odd)));
+            (why, is_doubtful(&record))
         });
         let left_out = left_out(&record, drop.by_hand, translator);
         let (studied, left_out) = match (left_out, record.posterior) {
@@ -389,7 +389,14 @@ fn assumptions(recordings: &[KnownRecording], translator: &Translator) -> Vec<St
         .into_iter()
         .map(|(assumption, count)| match count {
             count if count == all => assumption,
-            count => format!("{assumption} (in {count} of {all} recordings)"),
+            count => translator.text_with(
+                "groups-assumed-of-some",
+                &[
+                    ("assumption", assumption.as_str().into()),
+                    ("count", count.into()),
+                    ("all", all.into()),
+                ],
+            ),
         })
         .collect()
 }

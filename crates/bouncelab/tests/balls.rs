@@ -76,3 +76,17 @@ fn a_tennis_ball_from_high_up_is_not_taken_for_a_table_tennis_ball() -> Result<(
     assert!(balls.split(", ").any(|ball| ball == "tennis"), "{balls}");
     Ok(())
 }
+
+/// Of any ball, whatever else is stated, the one that fell is named or none: never only others.
+#[test]
+fn a_wrong_ball_is_never_named_without_the_right_one() -> Result<()> {
+    let assumed = ball::preset("table-tennis-40")?;
+    for preset in ball::presets().iter().filter(|it| it.name != assumed.name) {
+        let drop = compared(preset, 2.5, 0.73, assumed)?;
+        if let Some(Argument::Text(balls)) = said(&drop, Code::OtherBallFitsBetter, "balls") {
+            let named = balls.split(", ").any(|ball| ball == preset.name);
+            assert!(named, "{}: {balls}", preset.name);
+        }
+    }
+    Ok(())
+}

@@ -53,6 +53,16 @@ export async function violations(
   );
 }
 
+/** What axe finds wrong by day and by night. */
+export async function violationsInBothThemes(page: Page): Promise<string[]> {
+  const found: string[] = [];
+  for (const colorScheme of ['dark', 'light'] as const) {
+    await page.emulateMedia({ colorScheme });
+    found.push(...(await violations(page)).map((words) => `${colorScheme}: ${words}`));
+  }
+  return found;
+}
+
 /** By how many pixels a page is wider than its window: it may scroll down, never sideways. */
 export const overflow = (page: Page): Promise<number> =>
   page.evaluate(() => document.documentElement.scrollWidth - document.documentElement.clientWidth);

@@ -52,11 +52,9 @@ impl Answer {
         let value = Quantity::measured(summary.value, summary.sd, unit);
         let interval = value.interval_text(summary.interval95, translator());
         let interval = text_with("analyze-interval", &[("interval", interval.into())]);
-        let notes: Vec<&str> = std::iter::once(&interval)
-            .chain(more)
-            .map(String::as_str)
-            .collect();
-        Self::new(name, symbol, value.text(translator())).noted(format!("({})", notes.join("; ")))
+        let notes = std::iter::once(interval).chain(more.iter().cloned());
+        let notes = translator().in_one_line(notes);
+        Self::new(name, symbol, value.text(translator())).noted(format!("({notes})"))
     }
 }
 

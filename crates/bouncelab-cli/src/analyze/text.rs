@@ -102,8 +102,7 @@ fn ball_contrast(drop: &Drop, physics: &Physics) -> String {
             ],
         )
     });
-    let contrasts = contrasts.collect::<Vec<_>>().join("; ");
-    let contrasts = ("contrasts", contrasts.into());
+    let contrasts = ("contrasts", translator().in_one_line(contrasts).into());
     note(text_with("terminal-ball-contrast", &[assumed, contrasts]))
 }
 

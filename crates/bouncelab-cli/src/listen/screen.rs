@@ -12,7 +12,7 @@ use super::sketch;
 use super::watch::{Going, Watch};
 use crate::analyze;
 use crate::failure::Failure;
-use crate::language::{text, text_with};
+use crate::language::{text, text_with, translator};
 use crate::terminal::{print, print_data, say};
 
 /// A few lines at the bottom of the terminal that are always up to date.
@@ -190,6 +190,6 @@ impl Status<'_> {
             facts.push(text_with("listen-lost-so-far", &lost));
         }
         facts.push(text("listen-ends"));
-        facts.join("; ")
+        translator().in_one_line(facts)
     }
 }

@@ -2,6 +2,7 @@
 
 use std::fmt::Write;
 
+use bouncelab::diagnostic::Code;
 use bouncelab::groups::{Difference, Study};
 use bouncelab_report::Table;
 use bouncelab_report::groups::{About, GroupStudy, Reason, tables};
@@ -168,6 +169,11 @@ impl Page {
         if !about.assumptions.is_empty() {
             let list = [("list", about.assumptions.join(" ").into())];
             self.line(&format!("  {}", text_with("terminal-assumed", &list)));
+        }
+        let recordings = outcome.recordings.iter();
+        let mut assumed = recordings.flat_map(|it| &it.metadata.setup.assumptions);
+        if assumed.any(|assumption| assumption.code == Code::AssumedBall) {
+            self.line(&note(text("session-ball-assumed")));
         }
     }
 

@@ -47,6 +47,7 @@ input-standard-error-of-an-impact-time-in-s = Standardfehler einer Aufprallzeit 
 input-standard-uncertainty-of-the-drop-height-in-m = Unsicherheit der Fallhöhe in m
 input-standard-uncertainty-of-the-release-time-in-s = Unsicherheit der Zeit des Loslassens in s
 input-typical-scatter-of-restitution = übliche Streuung der Stoßzahl
+input-exponent-of-the-losses-of-slow-impacts = Exponent der Verluste langsamer Aufpralle
 input-value-of-a-drop = Wert eines Versuchs
 input-viscosity-of-the-air-in-pa-s = Zähigkeit der Luft in Pa s
 input-share-of-the-reference = Anteil an der Referenz

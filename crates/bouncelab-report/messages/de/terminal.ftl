@@ -260,6 +260,7 @@ listen-device = Name
 listen-device-kind = Art
 listen-device-default = voreingestellt
 
+session-ball-assumed = Der Luftwiderstand hängt vom Ball ab, der nicht angegeben ist: angeben mit --ball, in den Namen der Aufnahmen oder in session.toml.
 session-title = Sitzung
 session-speed = Stoßzahl bei einem Aufpralltempo von { $speed } m/s:
 session-legend =

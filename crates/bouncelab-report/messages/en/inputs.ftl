@@ -50,6 +50,7 @@ input-standard-error-of-an-impact-time-in-s = standard error of an impact time i
 input-standard-uncertainty-of-the-drop-height-in-m = standard uncertainty of the drop height in m
 input-standard-uncertainty-of-the-release-time-in-s = standard uncertainty of the release time in s
 input-typical-scatter-of-restitution = typical scatter of restitution
+input-exponent-of-the-losses-of-slow-impacts = exponent of the losses of slow impacts
 input-value-of-a-drop = value of a drop
 input-viscosity-of-the-air-in-pa-s = viscosity of the air in Pa s
 input-share-of-the-reference = share of the reference

@@ -262,6 +262,7 @@ listen-device = name
 listen-device-kind = what it is
 listen-device-default = default
 
+session-ball-assumed = Drag depends on the ball, which was not stated: state it with --ball, in the names of the recordings or in session.toml.
 session-title = Session
 session-speed = Restitution at an impact speed of { $speed } m/s:
 session-legend =

@@ -49,6 +49,7 @@ input-standard-error-of-an-impact-time-in-s = error típico de un tiempo de impa
 input-standard-uncertainty-of-the-drop-height-in-m = incertidumbre típica de la altura de caída en m
 input-standard-uncertainty-of-the-release-time-in-s = incertidumbre típica del instante de la suelta en s
 input-typical-scatter-of-restitution = dispersión habitual de la restitución
+input-exponent-of-the-losses-of-slow-impacts = exponente de las pérdidas de los impactos lentos
 input-value-of-a-drop = valor de un ensayo
 input-viscosity-of-the-air-in-pa-s = viscosidad del aire en Pa s
 input-share-of-the-reference = parte de la referencia

@@ -261,6 +261,7 @@ listen-device = nombre
 listen-device-kind = qué es
 listen-device-default = por defecto
 
+session-ball-assumed = El arrastre depende de la pelota, que no se indicó: indíquela con --ball, en los nombres de las grabaciones o en session.toml.
 session-title = Serie
 session-speed = Restitución a una velocidad de impacto de { $speed } m/s:
 session-legend =

@@ -4,4 +4,5 @@ decimal-point = ,
 unit-cannot-tell = indéterminé
 interval-ends = { $low } à { $high }
 list-and = { $first } et { $last }
+list-semicolon = { $first } ; { $last }
 list-more = { $first } et { $count } de plus

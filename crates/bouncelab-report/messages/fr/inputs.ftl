@@ -49,6 +49,7 @@ input-standard-error-of-an-impact-time-in-s = erreur-type d’un temps d’impac
 input-standard-uncertainty-of-the-drop-height-in-m = incertitude-type de la hauteur de chute en m
 input-standard-uncertainty-of-the-release-time-in-s = incertitude-type de l’instant du lâcher en s
 input-typical-scatter-of-restitution = dispersion usuelle de la restitution
+input-exponent-of-the-losses-of-slow-impacts = exposant des pertes des impacts lents
 input-value-of-a-drop = valeur d’un essai
 input-viscosity-of-the-air-in-pa-s = viscosité de l’air en Pa s
 input-share-of-the-reference = part de la référence

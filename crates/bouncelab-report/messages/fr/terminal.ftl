@@ -261,6 +261,7 @@ listen-device = nom
 listen-device-kind = ce que c’est
 listen-device-default = par défaut
 
+session-ball-assumed = La traînée dépend de la balle, qui n’a pas été indiquée : indiquez-la avec --ball, dans les noms des enregistrements ou dans session.toml.
 session-title = Série
 session-speed = Restitution à une vitesse d’impact de { $speed } m/s :
 session-legend =
