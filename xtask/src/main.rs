@@ -19,7 +19,6 @@ mod package;
 mod python;
 mod release;
 mod steps;
-mod tables;
 mod test;
 mod tools;
 mod verdicts;

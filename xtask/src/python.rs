@@ -79,6 +79,11 @@ pub(crate) fn validate(documents: &[(&str, &str)]) -> Result {
     })
 }
 
+/// The interpreter of the environment that builds and checks the package.
+pub(crate) fn first_interpreter() -> Result<PathBuf> {
+    Ok(first_venv()?.program("python"))
+}
+
 /// The environment of the first interpreter, which builds and checks the package.
 fn first_venv() -> Result<Venv> {
     let found = interpreters();

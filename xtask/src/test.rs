@@ -6,7 +6,7 @@ use crate::cargo::{
     cargo, cargo_all, has, has_sound_headers, install, run as run_command, succeeds,
 };
 use crate::steps::{self, Step, Time, Watch};
-use crate::{Result, book, cluster, fresh, package, python, release, tables, tools, web};
+use crate::{Result, book, cluster, fresh, package, python, release, tools, web};
 
 pub(crate) const ABOUT: &str = "Run every check, or only the named ones";
 
@@ -24,10 +24,8 @@ pub(crate) struct Check {
 enum Needs {
     /// Nothing but Rust.
     Nothing,
-    /// Python with the programs that open the tables of a session.
+    /// Python with what builds and checks the package for it, and with what opens the tables of a session.
     Python,
-    /// Python with what builds and checks the package for it.
-    PythonPackage,
     /// Java, and Python with Spark and Ray.
     Engines,
     /// Node.js, for the page.
@@ -57,8 +55,7 @@ impl Needs {
     fn are_met(self) -> bool {
         match self {
             Self::Nothing => true,
-            Self::Python => tables::have_readers(),
-            Self::PythonPackage => python::have_package_index(),
+            Self::Python => python::have_package_index(),
             Self::Engines => cluster::have_engines(),
             Self::Node => web::has_node(),
             Self::Browser => web::has_node() && web::has_browser(),
@@ -125,13 +122,13 @@ pub(crate) const CHECKS: [Check; 18] = [
         run: || {
             let mut command = cargo_all(&["test"]);
             command.args(["--test", "tables", "--", "--ignored"]);
-            run_command(command.env("BOUNCELAB_PYTHON", tables::python()))
+            run_command(command.env("BOUNCELAB_PYTHON", python::first_interpreter()?))
         },
     },
     Check {
         name: "python",
         about: "the Python package: its wheel, tests, examples and types",
-        needs: Needs::PythonPackage,
+        needs: Needs::Python,
         run: python::check,
     },
     Check {
@@ -321,7 +318,6 @@ pub(crate) fn run(names: &[String]) -> Result {
     ensure_sound_headers();
     for needs in [
         Needs::Python,
-        Needs::PythonPackage,
         Needs::Engines,
         Needs::Deny,
         Needs::MdBook,
