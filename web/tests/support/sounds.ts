@@ -16,15 +16,16 @@ export function drop(name: string, restitution: number = TRUTH.restitution): str
 /**
  * Makes the pages of a context hear a recording, then silence, whatever the microphone of the browser
  * gives: on a busy machine a browser loses samples between the two, as a computer that is too slow does.
- * An event `unplug` takes the sound away for so many seconds of the sound, its detail.
+ * It is unplugged after `afterS` seconds of the sound, for `forS` seconds or as much longer as a page takes
+ * that is too slow.
  */
 export const hearing =
-  (file: string): Preparation =>
+  (file: string, unplugged?: { afterS: number; forS: number }): Preparation =>
   async (context) => {
     const { rateHz, samples } = samplesOf(file);
     const bytes = Buffer.from(samples.buffer).toString('base64');
     await context.addInitScript(
-      ({ rateHz, bytes }) => {
+      ({ rateHz, bytes, unplugged }) => {
         const raw = Uint8Array.from(atob(bytes), (letter) => letter.charCodeAt(0));
         const samples = new Float32Array(raw.buffer);
         AudioContext.prototype.createMediaStreamSource = function () {
@@ -37,22 +38,26 @@ export const hearing =
           // What leads nowhere stands still: it plays on while it is unplugged.
           source.connect(this.destination);
           const connect = source.connect.bind(source) as (to: AudioNode) => AudioNode;
-          source.connect = ((to: AudioNode) => {
-            addEventListener('unplug', (event) => {
-              const pluggedAt = this.currentTime + (event as CustomEvent<number>).detail;
-              const plug = () => {
-                if (this.currentTime < pluggedAt) requestAnimationFrame(plug);
-                else connect(to);
-              };
-              source.disconnect(to);
-              plug();
+          const until = (timeS: number) =>
+            new Promise<void>((resolve) => {
+              const look = () =>
+                this.currentTime < timeS ? requestAnimationFrame(look) : resolve();
+              look();
             });
+          source.connect = ((to: AudioNode) => {
+            const unplug = async ({ afterS, forS }: { afterS: number; forS: number }) => {
+              await until(afterS);
+              source.disconnect(to);
+              await until(this.currentTime + forS);
+              connect(to);
+            };
+            if (unplugged) void unplug(unplugged);
             return connect(to);
           }) as AudioNode['connect'];
           return source as AudioNode as MediaStreamAudioSourceNode;
         };
       },
-      { rateHz, bytes },
+      { rateHz, bytes, unplugged },
     );
   };
 
