@@ -8,10 +8,11 @@ import { keepAs, open, said, saved, savedWav, settled, tryDemo } from './support
 import { drop, hearing, lagOf, samplesOf } from './support/sounds.ts';
 
 const here = fixture();
-let heard: string;
+/** It bounces for ten seconds after the first are saved, however late a busy page shows that. */
+let long: string;
 
 beforeAll(() => {
-  heard = drop('kept');
+  long = drop('long', 0.965);
 });
 
 /** Adds a file to the table of drops. */
@@ -121,11 +122,11 @@ const clearings: [string, (page: Page) => Promise<unknown>][] = [
 test.each(clearings)(
   '%s clears the storage: listening goes on, and all is kept',
   async (_, clear) => {
-    const { page } = await open(here.browser, here.url, {}, hearing(heard));
+    const { page } = await open(here.browser, here.url, {}, hearing(long));
     await page.getByRole('button', { name: 'Listen' }).click();
-    await page.getByText('2 s are saved.').waitFor();
+    // A busy page does not show each second.
+    await page.getByText(/[1-9]\d* s are saved\./).waitFor();
     await clear(page);
-    await page.getByText('4 s are saved.').waitFor();
     const before = await said(page);
     expect(await page.getByRole('alert').count()).toBe(0);
     await keepAs(page, 'Anna');
@@ -152,14 +153,12 @@ const gapsOf = (page: Page): Promise<{ start_s: number; duration_s: number }[]> 
   );
 
 test('sound that the browser does not deliver is a gap, and later times hold', async () => {
-  // It bounces on for ten seconds, however late a busy machine takes the sound away.
-  const heard = drop('long', 0.965);
-  const unplugged = hearing(heard, { afterS: 5, forS: 0.3 });
+  const unplugged = hearing(long, { afterS: 5, forS: 0.3 });
   const { page } = await open(here.browser, here.url, {}, unplugged);
   await page.getByRole('button', { name: 'Listen' }).click();
   await settled(page);
   await page.getByText(/Sound was lost at/).waitFor();
-  const [{ rateHz, samples }, played] = [await savedWav(page), samplesOf(heard)];
+  const [{ rateHz, samples }, played] = [await savedWav(page), samplesOf(long)];
   // A busy machine may lose sound of its own, before or afterwards.
   const gaps = (await gapsOf(page)).map(
     (gap) => [gap.start_s, gap.start_s + gap.duration_s] as const,
