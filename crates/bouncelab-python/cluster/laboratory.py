@@ -52,8 +52,12 @@ def listed(source: Path) -> Path:
     return path
 
 
-def rows(output: Path) -> pyarrow.Table:
-    """The rows of an engine, sorted."""
+def rows(output: Path) -> bytes:
+    """The rows of an engine, sorted, byte for byte."""
+    return _bytes(_table(output))
+
+
+def _table(output: Path) -> pyarrow.Table:
     files = [path for path in output.rglob("*.parquet") if not any(part[0] in "._" for part in path.parts[-2:])]
     found = pyarrow.concat_tables(parquet.read_table(path) for path in files)
     # Engines have names of their own for what lists hold.
@@ -61,7 +65,7 @@ def rows(output: Path) -> pyarrow.Table:
 
 
 def names(output: Path) -> list[str]:
-    return rows(output)["recording"].to_pylist()
+    return _table(output)["recording"].to_pylist()
 
 
 def with_faults(few: Path, source: Path) -> tuple[Path, list[str]]:
@@ -76,14 +80,22 @@ def with_faults(few: Path, source: Path) -> tuple[Path, list[str]]:
 
 
 def failures(output: Path) -> dict[str, str]:
-    return {row["recording"]: row["failure"]["code"] for row in rows(output).to_pylist() if row["failure"]}
+    return {row["recording"]: row["failure"]["code"] for row in _table(output).to_pylist() if row["failure"]}
 
 
-def alone(source: Path) -> pyarrow.Table:
-    """The rows of the kernel without an engine, sorted."""
+def alone(source: Path) -> bytes:
+    """The rows of the kernel without an engine, sorted, byte for byte."""
     kernel = batch.kernel(SETTINGS, root=source)
     given = parquet.read_table(listed(source), columns=["path"])
-    return pyarrow.Table.from_batches(kernel(given.to_batches()), kernel.schema).sort_by("recording")
+    return _bytes(pyarrow.Table.from_batches(kernel(given.to_batches()), kernel.schema).sort_by("recording"))
+
+
+def _bytes(table: pyarrow.Table) -> bytes:
+    stream = pyarrow.BufferOutputStream()
+    with pyarrow.ipc.new_stream(stream, table.schema) as writer:
+        writer.write_table(table.combine_chunks())
+    content: bytes = stream.getvalue().to_pybytes()
+    return content
 
 
 def differences(session: Path, results: Path, folder: Path) -> tuple[int, int]:

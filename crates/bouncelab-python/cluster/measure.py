@@ -5,6 +5,7 @@ ray COUNT [WORKERS]      the same on Ray
 kernel COUNT             the kernel alone, in one process: files a second, memory
 study COUNT              a study of COUNT simulated drops: time and memory
 listing COUNT            COUNT files without content planned by Spark, one trigger: memory of the driver
+manifest COUNT           COUNT paths planned by Ray, until the first rows are written: memory of the driver
 """
 
 from __future__ import annotations
@@ -38,11 +39,12 @@ MB = 1 << 20
 
 
 class Watch:
-    """Processor time of this process and all below it, driver and cluster, and the most memory of a Python worker."""
+    """Processor time of this process and all below it, driver and cluster, and the most memory of a Python worker with its child."""
 
     def __init__(self) -> None:
         self.before: dict[tuple[int, float], float] = {}
         self.times: dict[tuple[int, float], float] = {}
+        self.roles: dict[tuple[int, float], str] = {}
         self.memory: list[float] = []
         self.looking = 0.0
         self.own = time.process_time()
@@ -52,26 +54,47 @@ class Watch:
         self.thread.start()
 
     def _look(self, times: dict[tuple[int, float], float]) -> None:
-        most = 0.0
+        of_workers = {0: 0.0}
         for process in psutil.Process().children(recursive=True):
             with contextlib.suppress(psutil.Error):
-                used = process.cpu_times()
-                times[process.pid, process.create_time()] = used.user + used.system
-                if "python" in process.name() or "ray::" in process.name():
-                    most = max(most, process.memory_full_info().uss / MB)
-        self.memory.append(most)
+                key, used = (process.pid, process.create_time()), process.cpu_times()
+                times[key] = used.user + used.system
+                role = self.roles[key] = _role(process)
+                if role.startswith(("worker", "child", "pyspark")):
+                    worker = process.ppid() if role.startswith("child") else process.pid
+                    of_workers[worker] = of_workers.get(worker, 0.0) + process.memory_full_info().uss / MB
+        self.memory.append(max(of_workers.values()))
 
     def _watch(self) -> None:
         while not self.stopped.wait(0.25):
             self._look(self.times)
         self.looking = time.thread_time()
 
-    def stop(self) -> tuple[float, list[float]]:
+    def stop(self) -> tuple[dict[str, float], list[float]]:
+        """Processor time by role, and memory by time."""
         self.stopped.set()
         self.thread.join()
-        others = sum(used - self.before.get(process, 0.0) for process, used in self.times.items())
         # To watch is no part of what is watched.
-        return others + time.process_time() - self.own - self.looking, self.memory
+        by_role = {"driver": time.process_time() - self.own - self.looking}
+        for process, used in self.times.items():
+            role = self.roles[process]
+            by_role[role] = by_role.get(role, 0.0) + used - self.before.get(process, 0.0)
+        return by_role, self.memory
+
+
+def _role(process: psutil.Process) -> str:
+    """What a process is for: a worker, its child, or the program, script or class that it runs."""
+    words = " ".join(process.cmdline()).split()
+    if process.name().startswith("ray::"):
+        return "worker"
+    if "bouncelab._isolated" in words:
+        return "child of a worker"
+    if process.name() == "java":
+        return next((word.rsplit(".", 1)[1] for word in words if word.startswith("org.apache.spark.")), "java")
+    if process.name().startswith("python"):
+        scripts = (Path(word).name for word in words if word.endswith(".py") or word.startswith("pyspark."))
+        return next(scripts, process.name())
+    return process.name()
 
 
 def _family(root: int) -> list[psutil.Process]:
@@ -93,9 +116,12 @@ def engine(kind: type[Spark] | type[Ray], count: int, workers: int = 2) -> None:
         watch, start = Watch(), time.monotonic()
         analyze(source, folder / "results.parquet")
         seconds = time.monotonic() - start
-        processors, memory = watch.stop()
+        by_role, memory = watch.stop()
+        processors = sum(by_role.values())
         print(f"{kind.__name__}, {workers} workers: {count} recordings, {count / seconds:.1f} files/s")
         print(f"processor time of cluster and driver: {processors:.1f} s, {1000 * processors / count:.1f} ms a recording")
+        for role, used in sorted(by_role.items(), key=lambda item: -item[1]):
+            print(f"  {role}: {1000 * used / count:.2f} ms")
         quarters = [max(memory[i * len(memory) // 4 : (i + 1) * len(memory) // 4]) for i in range(4)]
         print("largest Python worker by quarters of the time, MB:", *(f"{used:.0f}" for used in quarters))
         cells, different = differences(_session(source), folder / "results.parquet", folder / "tables")
@@ -190,22 +216,34 @@ def listing(count: int) -> None:
         if number % 1000 == 0:
             path.parent.mkdir(parents=True, exist_ok=True)
         path.touch()
-    with tempfile.TemporaryDirectory(dir=TEMPORARY) as folder, cluster(Spark, Path(folder) / "c") as started:
+    _plan(Spark, source, lambda job: (job.checkpoint / "commits" / "0").exists(), "the first trigger of 10,000")
+
+
+def manifest(count: int) -> None:
+    """The same for Ray, which reads all paths from a manifest."""
+    source = TEMPORARY / f"listing-{count}.parquet"
+    names = [f"{number // 1000:04}/{number:07}.wav" for number in range(count)]
+    parquet.write_table(pyarrow.table({"path": [f"/nowhere/{name}" for name in names], "recording": names}), source)
+    _plan(Ray, source, lambda job: any(job.output.glob("*.parquet")), "the first rows")
+
+
+def _plan(kind: type[Spark] | type[Ray], source: Path, is_planned: Callable[[Job], bool], what: str) -> None:
+    """Memory of a driver until its cluster has done a first part of its work."""
+    with tempfile.TemporaryDirectory(dir=TEMPORARY) as folder, cluster(kind, Path(folder) / "c") as started:
         job = Job(started, source, Path(folder) / "results.parquet", settings=SETTINGS, faulty=False)
         most = 0.0
 
-        def is_planned() -> bool:
+        def is_done() -> bool:
             nonlocal most
             for process in _family(job.process.pid):
                 with contextlib.suppress(psutil.Error):
                     most = max(most, process.memory_info().rss / MB)
-            return (job.checkpoint / "commits" / "0").exists()
+            return is_planned(job)
 
         start = time.monotonic()
-        job.until(is_planned, "the first trigger")
+        job.until(is_done, what)
         job.kill()
-        print(f"{count} paths: first trigger of 10,000 done after {time.monotonic() - start:.0f} s")
-        print(f"driver: at most {most:.0f} MB")
+        print(f"{what} are there after {time.monotonic() - start:.0f} s; driver: at most {most:.0f} MB")
 
 
 if __name__ == "__main__":
@@ -217,5 +255,6 @@ if __name__ == "__main__":
         "ray": lambda: engine(Ray, *counts),
         "kernel": lambda: kernel(*counts),
         "listing": lambda: listing(*counts),
+        "manifest": lambda: manifest(*counts),
         "study": lambda: study(*counts),
     }[what]()

@@ -36,9 +36,12 @@ def test_rows_are_those_of_a_session(ray: Ray, recordings: Path, session: Path, 
     assert (count, different) == (len(list(recordings.iterdir())), 0)
 
 
-def test_rows_are_those_of_the_kernel_alone(ray: Ray, few: Path, tmp_path: Path) -> None:
-    analyze(listed(few), tmp_path / "results.parquet", tmp_path / "checkpoint", SETTINGS)
-    assert rows(tmp_path / "results.parquet") == alone(few)
+def test_rows_depend_on_no_partitioning(ray: Ray, few: Path, tmp_path: Path) -> None:
+    expected = alone(few)
+    for count in (50, 7, 300):
+        output = tmp_path / f"{count}.parquet"
+        analyze(listed(few), output, tmp_path / f"{count}.checkpoint", SETTINGS, rows_per_block=count)
+        assert rows(output) == expected
 
 
 def test_what_fails_becomes_a_row(ray: Ray, few: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import pickle
 import subprocess
 from pathlib import Path
@@ -14,8 +15,9 @@ from pyarrow import parquet  # noqa: E402
 
 import bouncelab as bl  # noqa: E402
 from bouncelab import batch  # noqa: E402
+from bouncelab._isolated import child_process  # noqa: E402
 from bouncelab._program import find  # noqa: E402
-from faults import faulty  # noqa: E402
+from faults import Process, faulty  # noqa: E402
 
 PATTERN = "{surface}_{height}_{}"
 SETTINGS: batch.Settings = {"ball": "table-tennis-40", "draws": 100, "pattern": PATTERN}
@@ -199,3 +201,15 @@ def test_only_exceptions_of_the_package_come_out(wrong, tmp_path: Path, monkeypa
     with pytest.raises(bl.BouncelabError) as raised:
         wrong()
     assert len(str(raised.value)) > 15
+
+
+def test_a_child_process_is_kept_until_it_may_owe_a_reply() -> None:
+    def process() -> bytes | tuple[str, str]:
+        with child_process(Process(), None) as child:
+            return child.row(None)
+
+    first, this = process(), str(os.getpid()).encode()
+    assert first != this and process() == first
+    with pytest.raises(KeyboardInterrupt), child_process(Process(), None):
+        raise KeyboardInterrupt
+    assert process() not in (first, this)

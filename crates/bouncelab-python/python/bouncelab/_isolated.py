@@ -2,17 +2,16 @@
 
 from __future__ import annotations
 
+import atexit
 import os
 import pickle
 import signal
 import subprocess
 import sys
 import threading
-from collections.abc import Callable
-from typing import TYPE_CHECKING, Any, Protocol, TypeAlias
-
-if TYPE_CHECKING:
-    from types import TracebackType
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from typing import Any, Protocol, TypeAlias
 
 #: The row of a recording.
 Outcome: TypeAlias = "Callable[[Any], bytes]"
@@ -29,14 +28,14 @@ class Isolated:
 
     Parameters
     ----------
-    analyses : Analyses
-        What the child does.
+    analyses : bytes
+        What the child does, pickled.
     limit_s : float or None
         Longest time for one recording.
     """
 
-    def __init__(self, analyses: Analyses, limit_s: float | None) -> None:
-        self._analyses = pickle.dumps(analyses)
+    def __init__(self, analyses: bytes, limit_s: float | None) -> None:
+        self._analyses = analyses
         self._limit_s = limit_s
         self._child: subprocess.Popen[bytes] | None = None
 
@@ -69,12 +68,12 @@ class Isolated:
                 reason = ("out-of-time", f"it took longer than {self._limit_s:g} s")
             else:
                 reason = ("process-died", f"it ended the process that analysed it, by {_cause(child.wait())}")
-            self._close()
+            self.close()
             return reason
         finally:
             timer.cancel()
         if late.is_set():
-            self._close()
+            self.close()
         if isinstance(outcome, Exception):
             raise outcome
         return outcome
@@ -93,17 +92,42 @@ class Isolated:
             pickle.load(self._child.stdout)
         return self._child
 
-    def _close(self) -> None:
+    def close(self) -> None:
+        """End the child."""
         if self._child is not None:
             self._child.kill()
             self._child.communicate()
             self._child = None
 
-    def __enter__(self) -> Isolated:
-        return self
 
-    def __exit__(self, kind: type[BaseException] | None, _: BaseException | None, __: TracebackType | None) -> None:
-        self._close()
+#: Children that wait for the next call; to start one takes as long as to analyse several recordings.
+_idle: dict[tuple[bytes, float | None], Isolated] = {}
+
+
+@contextmanager
+def child_process(analyses: Analyses, limit_s: float | None) -> Iterator[Isolated]:
+    """Give a child that nobody else uses; it is kept for the next call in this process."""
+    key = (pickle.dumps(analyses), limit_s)
+    child = _idle.pop(key, None) or Isolated(*key)
+    try:
+        yield child
+    except BaseException:
+        # It may still owe a reply.
+        child.close()
+        raise
+    _end_idle()
+    _idle[key] = child
+
+
+def _end_idle() -> None:
+    while _idle:
+        _idle.popitem()[1].close()
+
+
+atexit.register(_end_idle)
+if hasattr(os, "register_at_fork"):
+    # They are children of the process that was forked, which goes on to use them.
+    os.register_at_fork(after_in_child=_idle.clear)
 
 
 def _cause(status: int) -> str:

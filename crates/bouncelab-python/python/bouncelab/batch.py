@@ -20,7 +20,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple, cast
 
 from bouncelab import _core
 from bouncelab._errors import InputError
-from bouncelab._isolated import Isolated, Outcome
+from bouncelab._isolated import Outcome, child_process
 from bouncelab._settings import Options, flag, number, split, text
 
 if TYPE_CHECKING:
@@ -120,7 +120,7 @@ class Kernel:
         if not self._isolates and self._limit_s is None:
             yield self.row
             return
-        with Isolated(self, self._limit_s) as child:
+        with child_process(self, self._limit_s) as child:
 
             def row(given: Given) -> bytes:
                 outcome = child.row(given)

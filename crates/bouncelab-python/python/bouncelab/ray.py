@@ -17,15 +17,13 @@ if TYPE_CHECKING:
 
     from bouncelab.batch import Kernel, Settings
 
-#: So many recordings at most are analysed again after a worker was killed.
-_ROWS = 50
-
-
 def analyze(
     manifest: str | PathLike[str],
     output: str | PathLike[str],
     checkpoint: str | PathLike[str],
     settings: Settings | None = None,
+    *,
+    rows_per_block: int = 50,
 ) -> None:
     """Analyse all recordings of a manifest that were not analysed yet, on the cluster of ``ray.init()``.
 
@@ -44,6 +42,8 @@ def analyze(
         Folder in which Ray keeps what was done.
     settings : Settings, optional
         As of :func:`bouncelab.batch.kernel`.
+    rows_per_block : int
+        At most so many recordings of each worker are analysed again after it was killed.
     """
     kernel = batch.kernel(settings, isolated=True)
     context = ray.data.DataContext.get_current()
@@ -52,8 +52,8 @@ def analyze(
         id_column="recording", checkpoint_path=fspath(checkpoint), delete_checkpoint_on_success=False
     )
     try:
-        recordings = ray.data.read_parquet(fspath(manifest)).repartition(target_num_rows_per_block=_ROWS)
-        rows = recordings.map_batches(_Task(kernel), batch_format="pyarrow", batch_size=_ROWS)
+        recordings = ray.data.read_parquet(fspath(manifest)).repartition(target_num_rows_per_block=rows_per_block)
+        rows = recordings.map_batches(_Task(kernel), batch_format="pyarrow", batch_size=rows_per_block)
         rows.write_parquet(fspath(output))
     finally:
         context.checkpoint_config = before
