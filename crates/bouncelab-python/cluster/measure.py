@@ -39,7 +39,7 @@ MB = 1 << 20
 
 
 class Watch:
-    """Processor time of this process and all below it, driver and cluster, and the most memory of a Python worker with its child."""
+    """Processor time of this process and all below it, and the most memory of a Python worker with its child."""
 
     def __init__(self) -> None:
         self.before: dict[tuple[int, float], float] = {}
