@@ -3,11 +3,10 @@
 //! That its commands run, its links lead somewhere, and its figures and its reference are those of the program, is
 //! tested by `crates/bouncelab-cli/tests/book.rs`.
 
-use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use crate::cargo::{cargo_all, root, run as run_command, target};
-use crate::tools::MDBOOK;
+use crate::steps::skip;
 use crate::{Result, python, web};
 
 pub(crate) const ABOUT: &str = "Draw the figures of the book, take its pictures, write its reference, and build it into target/book";
@@ -21,21 +20,17 @@ pub(crate) fn run(_: &[String]) -> Result {
             .env("BOUNCELAB_BOOK", "write"),
     )?;
     take_pictures()?;
-    let folder = build(&MDBOOK.find_or_install()?)?;
-    println!("made in {}", folder.display());
-    Ok(())
+    build()
 }
 
 /// The pictures of the page and of a notebook, as a browser shows them.
 fn take_pictures() -> Result {
     if !(web::has_node() && web::has_browser()) {
-        println!(
-            "SKIPPED for want of Node.js or a browser: the pictures of the page and of a notebook"
-        );
+        skip("the pictures of the page and of a notebook, for want of Node.js or a browser");
         return Ok(());
     }
     let notebook = if python::interpreters().is_empty() {
-        println!("SKIPPED: the picture of a notebook; {}", python::MISSING);
+        skip(&format!("the picture of a notebook: {}", python::MISSING));
         None
     } else {
         Some(python::notebook()?)
@@ -43,21 +38,13 @@ fn take_pictures() -> Result {
     web::pictures(notebook.as_deref())
 }
 
-/// The check.
-pub(crate) fn check() -> Result {
-    let mdbook = MDBOOK.find().ok_or("there is no mdBook")?;
-    build(&mdbook).map(drop)
-}
-
-/// Builds the book of what is there.
-pub(crate) fn build(mdbook: &Path) -> Result<PathBuf> {
+/// Builds the book of what is there: the check.
+pub(crate) fn build() -> Result {
+    let mdbook = python::program("mdbook").ok_or("there is no mdBook")?;
     let folder = target().join("book");
     let mut build = Command::new(mdbook);
-    build
-        .arg("build")
-        .arg(root())
-        .arg("--dest-dir")
-        .arg(&folder);
-    run_command(&mut build)?;
-    Ok(folder)
+    build.arg("build").arg(root()).arg("--dest-dir");
+    run_command(build.arg(&folder))?;
+    println!("made in {}", folder.display());
+    Ok(())
 }

@@ -48,6 +48,14 @@ pub(crate) fn copy_program(built: &Path, folder: &Path) -> Result<PathBuf> {
     Ok(program)
 }
 
+/// Makes a folder, without what an earlier run left.
+pub(crate) fn emptied(folder: &Path) -> Result {
+    if folder.exists() {
+        fs::remove_dir_all(folder).map_err(|reason| said(folder, &reason))?;
+    }
+    fs::create_dir_all(folder).map_err(|reason| said(folder, &reason))
+}
+
 /// Whether the microphone can be built in: Linux needs the headers of ALSA.
 pub(crate) fn has_sound_headers() -> bool {
     !cfg!(target_os = "linux") || succeeds(&["pkg-config", "--exists", "alsa"])

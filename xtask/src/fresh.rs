@@ -14,7 +14,8 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use crate::cargo::{cargo_all, root, run as run_command, succeeds, target};
+use crate::cargo::{cargo_all, emptied, root, run as run_command, succeeds, target};
+use crate::steps::skip;
 use crate::{Result, said, web};
 
 /// Whether there is something to clone, and something to clone it with.
@@ -78,9 +79,7 @@ impl Place {
     /// Empties what an earlier run left.
     fn make() -> Result<Self> {
         let folder = target().join("fresh");
-        if folder.exists() {
-            fs::remove_dir_all(&folder).map_err(|reason| said(&folder, &reason))?;
-        }
+        emptied(&folder)?;
         let place = Self {
             clone: folder.join("clone"),
             home: folder.join("home"),
@@ -148,7 +147,7 @@ impl Place {
     fn check_page(&self) -> Result {
         let compiled = web::web().join(web::ENGINE);
         if !compiled.is_dir() {
-            println!("SKIPPED: the page, whose science the check `web` compiles");
+            skip("the page of the clone, whose science the check `web` compiles");
             return Ok(());
         }
         let copy = self.clone.join("web").join(web::ENGINE);

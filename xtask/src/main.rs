@@ -20,7 +20,6 @@ mod python;
 mod release;
 mod steps;
 mod test;
-mod tools;
 mod verdicts;
 mod web;
 
@@ -76,7 +75,7 @@ const CHORES: [Chore; 12] = [
     },
     Chore {
         name: "release",
-        arguments: "[target=TRIPLE]",
+        arguments: "[documents | target=TRIPLE]",
         about: release::ABOUT,
         run: release::run,
     },

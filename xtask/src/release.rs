@@ -9,8 +9,10 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use crate::cargo::{built, cargo, copy_program, root, run as run_command, succeeds, target};
-use crate::tools::{CARGO_DEB, MDBOOK};
+use crate::cargo::{
+    built, cargo, copy_program, emptied, install, root, run as run_command, succeeds, target,
+};
+use crate::steps::skip;
 use crate::{Result, book, python, said, web};
 
 pub(crate) const ABOUT: &str =
@@ -41,24 +43,55 @@ const BY_SCHEMA: [(&str, &str); 5] = [
 const DOCUMENTS: [&str; 4] = ["README.md", "CHANGELOG.md", "LICENSE-MIT", "LICENSE-APACHE"];
 
 /// The completions, by the shell and the names that the shells look for.
-const COMPLETIONS: [(&str, &str); 3] = [
+const COMPLETIONS: [(&str, &str); 4] = [
     ("bash", "bouncelab.bash"),
     ("zsh", "_bouncelab"),
     ("fish", "bouncelab.fish"),
+    ("powershell", "_bouncelab.ps1"),
 ];
 
-/// The chore: for this machine, or `target=TRIPLE`, of which there is the program only.
+/// Where the Debian package has what is in the archive; the manual pages besides.
+const IN_DEBIAN: [(&str, &str); 6] = [
+    ("bouncelab", "bin/bouncelab"),
+    (
+        "completions/bouncelab.bash",
+        "share/bash-completion/completions/bouncelab",
+    ),
+    (
+        "completions/_bouncelab",
+        "share/zsh/vendor-completions/_bouncelab",
+    ),
+    (
+        "completions/bouncelab.fish",
+        "share/fish/vendor_completions.d/bouncelab.fish",
+    ),
+    ("README.md", "share/doc/bouncelab/README.md"),
+    ("CHANGELOG.md", "share/doc/bouncelab/changelog"),
+];
+
+const DESCRIPTION: &str = "\
+Description: physics of a bouncing ball from its sound
+ Estimates the coefficient of restitution, the drop height and the air drag of a
+ bouncing ball from a sound recording or from the microphone, each with its
+ uncertainty; also many drops, rules of sports, and simulations.
+";
+
+/// The chore: everything, for this machine; `documents`, which are the same for all machines; or `target=TRIPLE`, the
+/// program for one kind of machine.
 pub(crate) fn run(words: &[String]) -> Result {
     let folder = target().join("release-artefacts");
     emptied(&folder)?;
     match words {
         [] => {
             let page = make_page()?;
-            let mut build = cargo(["build", "--release", "--bin", "bouncelab"]);
-            build.args(features(page, &host()?));
-            run_command(&mut build)?;
-            install_tools()?;
-            make_all(&folder, "release")?;
+            let triple = published()?;
+            program(&folder, &compile(&triple, page)?, &triple)?;
+            wheel(&folder, python::released_wheel)?;
+            documents(&folder)?;
+        }
+        [word] if word == "documents" => {
+            web::build()?;
+            documents(&folder)?;
         }
         [word] => {
             let triple = word.strip_prefix("target=").ok_or(USAGE)?;
@@ -69,10 +102,7 @@ pub(crate) fn run(words: &[String]) -> Result {
                         + ": cargo xtask web",
                 );
             }
-            let mut build = cargo(["build", "--release", "--bin", "bouncelab", "--target"]);
-            run_command(build.arg(triple).args(features(true, triple)))?;
-            let built = target().join(triple).join("release");
-            program(&folder, &built, triple)?;
+            program(&folder, &compile(triple, true)?, triple)?;
         }
         _ => return Err(USAGE.into()),
     }
@@ -81,16 +111,7 @@ pub(crate) fn run(words: &[String]) -> Result {
     Ok(())
 }
 
-const USAGE: &str = "it takes at most one word, target=TRIPLE";
-
-/// What makes the Debian package and the book; the check does without where they are missing.
-fn install_tools() -> Result {
-    MDBOOK.find_or_install()?;
-    if cfg!(target_os = "linux") {
-        CARGO_DEB.find_or_install()?;
-    }
-    Ok(())
-}
+const USAGE: &str = "it takes at most one word, `documents` or target=TRIPLE";
 
 /// The page is a part of the program where it can be built.
 fn make_page() -> Result<bool> {
@@ -98,7 +119,7 @@ fn make_page() -> Result<bool> {
         web::build()?;
         return Ok(true);
     }
-    println!("SKIPPED for want of Node.js: the page, and `bouncelab serve`");
+    skip("the page, and `bouncelab serve`, for want of Node.js");
     Ok(false)
 }
 
@@ -118,33 +139,45 @@ fn features(page: bool, triple: &str) -> Vec<&'static str> {
     features
 }
 
-/// Everything of a profile whose program was built.
-fn make_all(folder: &Path, profile: &str) -> Result {
+/// What this machine makes programs for: on Linux they are static, if the compiler can do that.
+fn published() -> Result<String> {
     let host = host()?;
-    let built = target().join(if profile == "dev" { "debug" } else { profile });
-    let contents = program(folder, &built, &host)?;
-    debian(folder, &contents)?;
+    let without_libraries = host.replace("-linux-gnu", "-linux-musl");
+    let is_possible = without_libraries != host && web::has_target(&without_libraries);
+    Ok(if is_possible { without_libraries } else { host })
+}
+
+/// Compiles the program; the folder in which it is then.
+fn compile(triple: &str, page: bool) -> Result<PathBuf> {
+    let mut build = cargo(["build", "--release", "--bin", "bouncelab", "--target"]);
+    run_command(build.arg(triple).args(features(page, triple)))?;
+    Ok(target().join(triple).join("release"))
+}
+
+/// The wheel that this makes.
+fn wheel(folder: &Path, make: fn() -> Result<PathBuf>) -> Result {
     if python::interpreters().is_empty() {
-        println!("SKIPPED: the wheel; {}", python::MISSING);
-    } else {
-        let wheel = match profile {
-            "dev" => python::checked_wheel()?,
-            _ => python::released_wheel()?,
-        };
-        copy(&wheel, &folder.join(wheel.file_name().unwrap_or_default()))?;
+        skip(&format!("the wheel: {}", python::MISSING));
+        return Ok(());
     }
+    let wheel = make()?;
+    copy(&wheel, &folder.join(wheel.file_name().unwrap_or_default()))
+}
+
+/// The page, the book, and the text of the release.
+fn documents(folder: &Path) -> Result {
     if has_page() {
         let name = format!("bouncelab-page-{VERSION}");
         archive(folder, &name, &web::web(), "dist")?;
     } else {
-        println!("SKIPPED: the page, which was not built");
+        skip("the page, which was not built");
     }
-    if let Some(mdbook) = MDBOOK.find() {
-        book::build(&mdbook)?;
+    if python::program("mdbook").is_some() {
+        book::build()?;
         let name = format!("bouncelab-book-{VERSION}");
         archive(folder, &name, &target(), "book")?;
     } else {
-        println!("SKIPPED for want of mdBook: the book");
+        skip("the book, for want of mdBook");
     }
     let notes = notes(&read(&root().join("CHANGELOG.md"))?)?;
     write(&folder.join("release-notes.md"), &notes)
@@ -156,8 +189,8 @@ fn name_of(triple: &str) -> String {
     format!("bouncelab-{VERSION}-{triple}")
 }
 
-/// The archive of the program with its completions, manual pages and documents; returns the folder of its contents.
-fn program(folder: &Path, built: &Path, triple: &str) -> Result<PathBuf> {
+/// The archive of the program with its completions, manual pages and documents, and for Linux the Debian package of them.
+fn program(folder: &Path, built: &Path, triple: &str) -> Result {
     let name = name_of(triple);
     let staged = target().join("release-staged");
     let contents = staged.join(&name);
@@ -177,23 +210,78 @@ fn program(folder: &Path, built: &Path, triple: &str) -> Result<PathBuf> {
         write(&path, &String::from_utf8_lossy(&script))?;
     }
     archive(folder, &name, &staged, &name)?;
-    Ok(contents)
+    match triple.split_once("-unknown-linux-") {
+        Some(("x86_64", library)) => debian(folder, &contents, "amd64", library),
+        Some(("aarch64", library)) => debian(folder, &contents, "arm64", library),
+        _ => Ok(()),
+    }
 }
 
-/// The package for Debian and its kin, by cargo-deb, whose list of files is in the `Cargo.toml` of the program.
-fn debian(folder: &Path, contents: &Path) -> Result {
-    let Some(cargo_deb) = CARGO_DEB.find().filter(|_| cfg!(target_os = "linux")) else {
-        println!("SKIPPED for want of cargo-deb (cargo install cargo-deb): the Debian package");
+/// The package for Debian and its kin.
+fn debian(folder: &Path, contents: &Path, architecture: &str, library: &str) -> Result {
+    if !succeeds(&["dpkg-deb", "--version"]) {
+        skip("the Debian package, for want of dpkg-deb");
         return Ok(());
+    }
+    let tree = target().join("release-staged/debian");
+    let control = tree.join("DEBIAN/control");
+    emptied(&tree.join("DEBIAN"))?;
+    let put = |file: &str, to: &str| {
+        let mut install = Command::new("install");
+        install.args(["-D", "--mode"]);
+        install.arg(if file == "bouncelab" { "755" } else { "644" });
+        install.arg(contents.join(file));
+        run_command(install.arg(tree.join("usr").join(to)))
     };
-    // The list names one place, whatever is built.
-    let listed = root().join("target/debian-package");
-    emptied(&listed)?;
-    fs::rename(contents, &listed).map_err(|reason| said(&listed, &reason))?;
-    let mut package = Command::new(cargo_deb);
-    package.args(["deb", "--package", "bouncelab-cli", "--no-build"]);
-    package.args(["--no-strip", "--output"]).arg(folder);
-    run_command(package.current_dir(root()))
+    for (file, to) in IN_DEBIAN {
+        put(file, to)?;
+    }
+    for page in files(&contents.join("man"))? {
+        let name = page.file_name().unwrap_or_default().to_string_lossy();
+        put(&format!("man/{name}"), &format!("share/man/man1/{name}"))?;
+    }
+    let documents = tree.join("usr/share/doc/bouncelab");
+    let mut gzip = Command::new("gzip");
+    gzip.arg("-9n").arg(documents.join("changelog"));
+    run_command(gzip.args(files(&tree.join("usr/share/man/man1"))?))?;
+    let terms = read(&contents.join("LICENSE-MIT"))?;
+    let choice = "MIT, as below, or Apache-2.0 (/usr/share/common-licenses/Apache-2.0).\n\n";
+    write(&documents.join("copyright"), &[choice, &terms].concat())?;
+    let depends = match library {
+        "musl" => String::new(),
+        _ => libraries(&tree.join("usr/bin/bouncelab"))?,
+    };
+    // A version that precedes another sorts before it there with this sign.
+    let version = VERSION.replace('-', "~");
+    let fields = format!(
+        "Package: bouncelab\nVersion: {version}\nArchitecture: {architecture}\n{depends}Section: science\n\
+         Priority: optional\nMaintainer: The bouncelab developers\n{DESCRIPTION}"
+    );
+    write(&control, &fields)?;
+    let mut package = Command::new("dpkg-deb");
+    // The usual level takes five times as long to save a seventh.
+    package.args(["-z1", "--root-owner-group", "--build"]);
+    run_command(package.arg(tree).arg(folder))
+}
+
+/// Which packages have the libraries that a program is linked with, as a field of a Debian package.
+fn libraries(program: &Path) -> Result<String> {
+    let is_there = || succeeds(&["dpkg-shlibdeps", "--version"]);
+    if !is_there() {
+        install(&["dpkg-dev"], "the dependencies of the Debian package");
+    }
+    // It takes a folder with the sources of a package.
+    let sources = target().join("release-staged/sources");
+    emptied(&sources.join("debian"))?;
+    let fields = "Source: bouncelab\n\nPackage: bouncelab\nArchitecture: any\n";
+    write(&sources.join("debian/control"), fields)?;
+    let mut ask = Command::new("dpkg-shlibdeps");
+    let found = ask.arg("-O").arg(program).current_dir(sources).output();
+    let found = found.map_err(|reason| format!("dpkg-shlibdeps: {reason}"))?;
+    let list = String::from_utf8_lossy(&found.stdout).into_owned();
+    let list = list.trim_end().strip_prefix("shlibs:Depends=");
+    list.map(|list| format!("Depends: {list}\n"))
+        .ok_or_else(|| String::from_utf8_lossy(&found.stderr).into_owned())
 }
 
 /// Packs a folder that lies in another.
@@ -249,20 +337,22 @@ pub(crate) fn check() -> Result {
     if web::has_node() {
         web::check_workflows()?;
     } else {
-        println!("SKIPPED for want of Node.js: the check of the workflow files");
+        skip("the check of the workflow files, for want of Node.js");
     }
     if python::interpreters().is_empty() {
-        println!(
-            "SKIPPED: how to cite and the issue forms; {}",
+        skip(&format!(
+            "how to cite and the issue forms: {}",
             python::MISSING
-        );
+        ));
     } else {
         python::validate(&BY_SCHEMA)?;
     }
     built("--bin", "bouncelab")?;
     let folder = target().join("release-check/artefacts");
     emptied(&folder)?;
-    make_all(&folder, "dev")?;
+    program(&folder, &target().join("debug"), &host()?)?;
+    wheel(&folder, python::checked_wheel)?;
+    documents(&folder)?;
     checksums(&folder)?;
     verify(&folder)?;
     let installed = target().join("release-check/installed");
@@ -275,7 +365,7 @@ pub(crate) fn check() -> Result {
             python::install_into(&place, &path)?;
             demo(&place.join("bin"))?;
         } else if name.ends_with(".deb") {
-            run_command(Command::new("dpkg-deb").arg("-x").arg(&path).arg(&place))?;
+            install_debian(&place, &path)?;
             demo(&place.join("usr/bin"))?;
             has_help(&place.join("usr/share"), &HELP_IN_DEBIAN)?;
         } else if name.starts_with("bouncelab-page") {
@@ -294,6 +384,30 @@ pub(crate) fn check() -> Result {
     Ok(())
 }
 
+/// Installs a Debian package in a folder, as on a system with what this one has of the packages that it depends on.
+fn install_debian(place: &Path, package: &Path) -> Result {
+    let state = Path::new("var/lib/dpkg");
+    for folder in ["info", "updates"] {
+        emptied(&place.join(state).join(folder))?;
+    }
+    let answer = |ask: &mut Command| -> Result<String> {
+        let answer = ask.output().map_err(|reason| reason.to_string())?;
+        Ok(String::from_utf8_lossy(&answer.stdout).into_owned())
+    };
+    let mut ask = Command::new("dpkg-deb");
+    let depends = answer(ask.arg("--field").arg(package).arg("Depends"))?;
+    let names = depends
+        .trim()
+        .split(", ")
+        .filter_map(|it| it.split(' ').next());
+    let mut ask = Command::new("dpkg-query");
+    let status = answer(ask.arg("--status").args(names))?;
+    write(&place.join(state).join("status"), &status)?;
+    let mut dpkg = Command::new("dpkg");
+    dpkg.args(["--force-not-root", "--log=/dev/null", "--root"]);
+    run_command(dpkg.arg(place).arg("--install").arg(package))
+}
+
 /// Whether what was published is all listed in `SHA256SUMS`, and is what is listed there.
 fn verify(folder: &Path) -> Result {
     let listed = read(&folder.join("SHA256SUMS"))?.lines().count();
@@ -305,8 +419,9 @@ fn verify(folder: &Path) -> Result {
 }
 
 /// Where a shell and `man` find the option of a command: one manual page stands for all.
-const HELP_IN_ARCHIVE: [&str; 4] = [
+const HELP_IN_ARCHIVE: [&str; 5] = [
     "man/bouncelab-analyze.1",
+    "completions/_bouncelab.ps1",
     "completions/bouncelab.bash",
     "completions/_bouncelab",
     "completions/bouncelab.fish",
@@ -365,14 +480,6 @@ fn host() -> Result<String> {
     let host = about.lines().find_map(|line| line.strip_prefix("host: "));
     host.map(str::to_owned)
         .ok_or_else(|| "rustc names no host".to_owned())
-}
-
-/// Makes a folder, without what an earlier run left.
-fn emptied(folder: &Path) -> Result {
-    if folder.exists() {
-        fs::remove_dir_all(folder).map_err(|reason| said(folder, &reason))?;
-    }
-    fs::create_dir_all(folder).map_err(|reason| said(folder, &reason))
 }
 
 fn files(folder: &Path) -> Result<Vec<PathBuf>> {

@@ -91,6 +91,21 @@ pub(crate) fn take() -> Vec<Step> {
     std::mem::take(&mut STEPS.lock().expect("nothing panics while it holds this"))
 }
 
+static SKIPPED: Mutex<Vec<String>> = Mutex::new(Vec::new());
+
+/// Says that something is left out, and why; the summary repeats it.
+pub(crate) fn skip(what: &str) {
+    println!("SKIPPED: {what}");
+    let mut skipped = SKIPPED.lock().expect("nothing panics while it holds this");
+    skipped.push(what.to_owned());
+}
+
+/// All that was left out.
+pub(crate) fn skipped() -> Vec<String> {
+    let skipped = SKIPPED.lock().expect("nothing panics while it holds this");
+    skipped.clone()
+}
+
 /// The program and its words, as far as they fit a line.
 fn name(command: &Command) -> String {
     const LONGEST: usize = 70;

