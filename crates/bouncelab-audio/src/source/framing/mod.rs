@@ -59,7 +59,10 @@ pub(super) fn survey<S: Read + Seek>(
     let framing = match container {
         Container::Mpeg => mpeg::survey(&mut window, start, mpeg::mp3_frame)?,
         Container::Adts => mpeg::survey(&mut window, start, mpeg::adts_frame)?,
-        Container::Ogg => ogg::survey(&mut window, start)?,
+        Container::Ogg => match ogg::survey(&mut window, start)? {
+            Some(framing) => framing,
+            None => return Ok(None),
+        },
         Container::WebM | Container::Matroska => nested::matroska(&mut window, start)?,
         Container::Mp4 | Container::M4a | Container::Mov => nested::mp4(&mut window, start)?,
         Container::Wav | Container::Aiff | Container::Caf | Container::Flac => Framing::default(),

@@ -14,6 +14,10 @@ const PAGE: u64 = 27 + 255 + 255 * 255;
 /// More tracks than this are no recording.
 const MOST_TRACKS: usize = 1_000;
 
+/// How many bytes of pages whose checksum is wrong are read, for each byte of the file and besides: damaged pages
+/// are read once, but each of a row of headers may claim all that follow.
+const WRONG: (u64, u64) = (4, 1 << 20);
+
 /// What the header of a page says.
 struct Page {
     len: u64,
@@ -28,8 +32,9 @@ struct Page {
 }
 
 impl Page {
-    /// The page at the beginning of these bytes, if its checksum is right.
-    fn parse(bytes: &[u8]) -> Option<Self> {
+    /// The page at the beginning of these bytes, if its checksum is right. What is read of one that is wrong is
+    /// taken from what may be.
+    fn parse(bytes: &[u8], wrong: &mut u64) -> Option<Self> {
         let header = bytes.first_chunk::<27>()?;
         let segments = bytes.get(27..27 + usize::from(header[26]))?;
         let len = 27 + segments.len() + segments.iter().map(|&len| usize::from(len)).sum::<usize>();
@@ -40,7 +45,11 @@ impl Page {
         checksum.process_buf_bytes(&[0; 4]);
         checksum.process_buf_bytes(&page[26..]);
         let clock = u64::from_le_bytes(*page.get(6..)?.first_chunk()?);
-        (word(22)? == checksum.crc()).then_some(Self {
+        if word(22)? != checksum.crc() {
+            *wrong = wrong.saturating_sub(len as u64);
+            return None;
+        }
+        Some(Self {
             len: len as u64,
             track: word(14)?,
             number: word(18)?,
@@ -52,17 +61,23 @@ impl Page {
     }
 }
 
-/// The pages that are whole, and where others are missing between them.
-pub(super) fn survey<S: Read + Seek>(window: &mut Window<S>, start: u64) -> io::Result<Framing> {
+/// The pages that are whole, and where others are missing between them; `None` if there are too many wrong ones.
+pub(super) fn survey<S: Read + Seek>(
+    window: &mut Window<S>,
+    start: u64,
+) -> io::Result<Option<Framing>> {
+    let mut wrong = WRONG.0 * window.len + WRONG.1;
     let mut sound = Vec::new();
     let mut tracks: BTreeMap<u32, Track> = BTreeMap::new();
     let mut breaks = Vec::new();
     let mut at = start;
     while at < window.len && breaks.len() < MOST_BREAKS && tracks.len() < MOST_TRACKS {
-        if let Some(page) = Page::parse(window.at(at, PAGE)?) {
+        if let Some(page) = Page::parse(window.at(at, PAGE)?, &mut wrong) {
             keep(&mut sound, at..at + page.len);
             breaks.extend(tracks.entry(page.track).or_default().take(&page));
             at += page.len;
+        } else if wrong == 0 {
+            return Ok(None);
         } else {
             let rest = window.at(at + 1, PAGE)?;
             let next = rest.windows(4).position(|word| word == b"OggS");
@@ -70,11 +85,11 @@ pub(super) fn survey<S: Read + Seek>(window: &mut Window<S>, start: u64) -> io::
         }
     }
     let is_whole = matches!(sound.as_slice(), [all] if *all == (start..window.len));
-    Ok(Framing {
+    Ok(Some(Framing {
         sound: (!is_whole).then_some(sound),
         breaks,
         ..Framing::default()
-    })
+    }))
 }
 
 /// What was read of a track, as the demuxer reads it.
@@ -117,5 +132,26 @@ impl Track {
                 page_packets: packets,
             },
         })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::io::Cursor;
+
+    use super::*;
+
+    /// Each header claims to be of a page of 58 kB: all that the file holds, 2,000 times.
+    #[test]
+    fn headers_of_pages_that_are_none_are_given_up() {
+        const LEN: usize = 27 * 400_000;
+        let mut header = [0xff; 27];
+        header[..4].copy_from_slice(b"OggS");
+        let mut file = Cursor::new(header.repeat(LEN / header.len()));
+        let mut window = Window::new(&mut file).unwrap();
+        assert_eq!(survey(&mut window, 0).unwrap(), None);
+        // Each takes at least 50 kB from what may be wrong.
+        let headers = (WRONG.0 * LEN as u64 + WRONG.1) / 50_000;
+        assert!(window.start <= headers * header.len() as u64);
     }
 }
