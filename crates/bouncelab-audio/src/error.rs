@@ -18,7 +18,9 @@ pub enum Error {
     },
 
     /// It can be read from the beginning to the end only.
-    #[error("{name}: is a pipe, in which no place can be searched; save it as a file first")]
+    #[error(
+        "{name}: is a pipe or a device, in which no place can be searched; save it as a file first"
+    )]
     Pipe {
         /// The pipe as the caller named it.
         name: String,
@@ -99,7 +101,7 @@ pub enum Error {
         problem: LayoutProblem,
     },
 
-    /// The recording goes on for longer than is read.
+    /// The recording goes on for longer than is read with so many samples a second of all channels.
     #[error(
         "{name}: lasts longer than {most_h} hours, which is as much as is read; cut it into parts"
     )]
@@ -107,7 +109,7 @@ pub enum Error {
         /// The file as the caller named it.
         name: String,
         /// How many hours are read at most.
-        most_h: u64,
+        most_h: f64,
     },
 
     /// A list of impact times is not one.

@@ -18,7 +18,7 @@ mod text_grid;
 
 use std::borrow::Cow;
 use std::fs::{self, File};
-use std::io::Read;
+use std::io::{self, Read, Seek, SeekFrom};
 use std::path::Path;
 
 use bouncelab::Plain;
@@ -54,27 +54,30 @@ pub(crate) fn bytes(path: &Path) -> Result<Vec<u8>> {
     if about.is_dir() {
         return Err(Error::Directory { name });
     }
-    let list = List { name: &name };
     if !about.is_file() {
-        return list.refuse(None, TimesProblem::NotFile);
+        return List { name: &name }.refuse(None, TimesProblem::NotFile);
     }
     bytes_of(File::open(path).map_err(failed)?, &name)
 }
 
 /// The content of a list from a reader, if it is no longer than any list or waveform.
-pub(crate) fn bytes_of(reader: impl Read, name: &str) -> Result<Vec<u8>> {
-    let mut content = Vec::new();
-    let read = reader.take(MOST_BYTES + 1).read_to_end(&mut content);
-    read.map_err(|reason| Error::io(name, reason))?;
-    if content.len() as u64 > MOST_BYTES {
-        let most_mb = MOST_BYTES >> 20;
-        return List { name }.refuse(None, TimesProblem::TooLong { most_mb });
-    }
+pub(crate) fn bytes_of(mut reader: impl Read + Seek, name: &str) -> Result<Vec<u8>> {
+    let read = || -> io::Result<Vec<u8>> {
+        let len = reader.seek(SeekFrom::End(0))?.min(MOST_BYTES + 1);
+        reader.rewind()?;
+        // Growing would take twice as much memory.
+        let mut content = Vec::with_capacity(len as usize);
+        reader.take(len).read_to_end(&mut content)?;
+        Ok(content)
+    };
+    let content = read().map_err(|reason| Error::io(name, reason))?;
+    List { name }.check_len(&content, MOST_BYTES)?;
     Ok(content)
 }
 
-/// More text than this is no list, and no waveform that fits in memory.
+/// More text than this is no waveform that fits in memory, and no list.
 const MOST_BYTES: u64 = 1 << 26;
+const MOST_BYTES_OF_LIST: u64 = 1 << 22;
 
 /// More impacts than this are none, nor are many that follow each other as closely as samples do.
 const MOST_TIMES: usize = 10_000;
@@ -97,6 +100,7 @@ pub fn parse(content: &[u8], name: &str) -> Result<Vec<f64>> {
     let Some(format) = Format::of(name) else {
         return list.refuse(None, TimesProblem::Ending);
     };
+    list.check_len(content, MOST_BYTES_OF_LIST)?;
     let Some(text) = decoded(content) else {
         return list.refuse(None, TimesProblem::NotText);
     };
@@ -171,6 +175,14 @@ impl List<'_> {
             line,
             problem,
         })
+    }
+
+    fn check_len(&self, content: &[u8], most: u64) -> Result<()> {
+        if content.len() as u64 <= most {
+            return Ok(());
+        }
+        let most_mb = most >> 20;
+        self.refuse(None, TimesProblem::TooLong { most_mb })
     }
 
     fn lines(&self, text: &str) -> Result<Vec<Entry>> {

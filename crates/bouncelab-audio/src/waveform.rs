@@ -5,7 +5,7 @@
 //! comma, numbers may have a decimal comma. A unit in the heading of the times (`ms`, `us`) holds, else they are
 //! seconds.
 
-use std::sync::Arc;
+use std::io::Cursor;
 
 use crate::error::Result;
 use crate::source::Source;
@@ -13,6 +13,8 @@ use crate::wav::{SampleFormat, encode_wav};
 
 /// Fewer rows are no sound; no list of impacts has so many at equal distances.
 const FEWEST: usize = 1_000;
+/// More samples than this are not kept in memory.
+const MOST_SAMPLES: usize = 1 << 23;
 /// Some instruments write a page of settings first.
 const MOST_HEADINGS: usize = 200;
 /// More columns than any recorder has channels.
@@ -34,8 +36,11 @@ impl Waveform {
     /// among them, or times at unequal distances.
     pub(crate) fn find(text: &str) -> Option<Self> {
         let table = Table::find(text)?;
-        let (mut times, mut channels) = (Vec::new(), vec![Vec::new(); table.columns - 1]);
-        for line in table.rows {
+        // Growing would take twice as much memory.
+        let mut times = Vec::with_capacity(table.rows);
+        let samples = || Vec::with_capacity(table.rows);
+        let mut channels: Vec<Vec<f32>> = (1..table.columns).map(|_| samples()).collect();
+        for line in lines(text).skip(table.headings) {
             let mut cells = numbers(line, table.separator);
             times.push(cells.next()??);
             for channel in &mut channels {
@@ -63,39 +68,46 @@ impl Waveform {
         crate::check_layout(self.sample_rate_hz, self.channels.len(), name)?;
         let channels: Vec<&[f32]> = self.channels.iter().map(Vec::as_slice).collect();
         let wav = encode_wav(self.sample_rate_hz, SampleFormat::Float32, &channels)?;
-        let wav: Arc<[u8]> = wav.into();
-        Ok(Source::from_bytes(wav, name)?.described_as("waveform in text"))
+        Ok(Source::from_reader(Cursor::new(wav), name)?.described_as("waveform in text"))
     }
 }
 
 /// Where the rows of numbers are in a text.
-struct Table<'a> {
+struct Table {
     separator: char,
     columns: usize,
     /// How many seconds the unit of the times is.
     unit_s: f64,
-    rows: Vec<&'a str>,
+    /// How many lines are in front of the rows.
+    headings: usize,
+    rows: usize,
 }
 
-impl<'a> Table<'a> {
-    fn find(text: &'a str) -> Option<Self> {
-        let mut lines = text.lines().filter(|line| !line.trim().is_empty());
+impl Table {
+    fn find(text: &str) -> Option<Self> {
         let mut heading = "";
-        for line in lines.by_ref().take(MOST_HEADINGS) {
+        for (headings, line) in lines(text).take(MOST_HEADINGS).enumerate() {
             let Some((separator, columns)) = layout(line) else {
                 heading = line;
                 continue;
             };
-            let rows: Vec<&str> = std::iter::once(line).chain(lines).collect();
-            return (rows.len() >= FEWEST).then(|| Self {
+            let rows = lines(text).skip(headings).count();
+            let is_sound = rows >= FEWEST && rows * (columns - 1) <= MOST_SAMPLES;
+            return is_sound.then(|| Self {
                 separator,
                 columns,
                 unit_s: unit_s(heading, separator),
+                headings,
                 rows,
             });
         }
         None
     }
+}
+
+/// The lines with something on them.
+fn lines(text: &str) -> impl Iterator<Item = &str> {
+    text.lines().filter(|line| !line.trim().is_empty())
 }
 
 /// Separator and number of columns of a row of numbers.

@@ -5,6 +5,8 @@ mod clicks;
 use std::fs;
 use std::io::{self, Read, Seek, SeekFrom};
 use std::path::PathBuf;
+#[cfg(unix)]
+use std::process::Command;
 
 use bouncelab_audio::{Error, Input, SampleFormat, Source, Warning, encode_wav};
 
@@ -191,6 +193,20 @@ fn damage_in_the_middle_leaves_the_times_behind_it() {
     }
     let (seconds, _) = salvage(bytes, "hit.mp3");
     assert!((seconds - intact).abs() < 0.03, "{seconds} s of {intact} s");
+}
+
+/// To open one waits for somebody who writes.
+#[cfg(unix)]
+#[test]
+fn a_pipe_is_refused_before_anybody_writes() {
+    let pipe = std::env::temp_dir().join(format!("bouncelab-pipe-{}.wav", std::process::id()));
+    let made = Command::new("mkfifo").arg(&pipe).status().unwrap();
+    assert!(made.success());
+    let refused = Source::open(&pipe).map(drop).unwrap_err();
+    fs::remove_file(&pipe).unwrap();
+    assert!(matches!(refused, Error::Pipe { .. }), "{refused}");
+    let refused = Source::open("/dev/zero").map(drop).unwrap_err();
+    assert!(matches!(refused, Error::Pipe { .. }), "{refused}");
 }
 
 /// A WAV as a recorder leaves it that was stopped before it could write the sizes.

@@ -4,10 +4,11 @@
 
 use std::alloc::System;
 use std::io::{self, Read, Seek, SeekFrom};
+use std::iter;
 
 use bouncelab::analysis::Plan;
 use bouncelab::{Detector, Options};
-use bouncelab_audio::{Error, Input, Source};
+use bouncelab_audio::{Error, Input, Source, TimesProblem};
 use bouncelab_testkit::hostile;
 use cap::Cap;
 
@@ -16,16 +17,26 @@ const MEMORY_LIMIT: usize = 256 << 20;
 #[global_allocator]
 static ALLOCATOR: Cap<System> = Cap::new(System, MEMORY_LIMIT);
 
-/// A WAV of bursts of noise, different in all channels, that is made while it is read.
-struct Noise {
+/// A file of this length that is made while it is read: a beginning, and then the same over and over.
+struct Repeated {
     header: Vec<u8>,
-    samples: Vec<u8>,
+    content: Vec<u8>,
     length: u64,
     at: u64,
 }
 
-impl Noise {
-    fn new(sample_rate_hz: u32, channels: u16, seconds: u32) -> Self {
+impl Repeated {
+    fn new(header: Vec<u8>, content: &[u8], length: u64) -> Self {
+        Self {
+            header,
+            content: content.to_vec(),
+            length,
+            at: 0,
+        }
+    }
+
+    /// A WAV of bursts of noise, different in all channels.
+    fn noise(sample_rate_hz: u32, channels: u16, seconds: u32) -> Self {
         let frame = 2 * channels;
         let length = u64::from(seconds) * u64::from(sample_rate_hz) * u64::from(frame);
         let size = u32::try_from(length).unwrap();
@@ -45,20 +56,17 @@ impl Noise {
             let loud = (dice >> 48) as u16;
             if n < 8_000 { loud } else { loud % 64 }
         });
-        Self {
-            samples: samples.flat_map(u16::to_le_bytes).collect(),
-            length: header.len() as u64 + length,
-            header,
-            at: 0,
-        }
+        let samples: Vec<u8> = samples.flat_map(u16::to_le_bytes).collect();
+        let length = header.len() as u64 + length;
+        Self::new(header, &samples, length)
     }
 }
 
-impl Read for Noise {
+impl Read for Repeated {
     fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
         let content = match self.header.get(self.at as usize..) {
             Some(rest) if !rest.is_empty() => rest,
-            _ => &self.samples[(self.at % self.samples.len() as u64) as usize..],
+            _ => &self.content[(self.at % self.content.len() as u64) as usize..],
         };
         let left = (self.length - self.at) as usize;
         let length = content.len().min(buffer.len()).min(left);
@@ -68,7 +76,7 @@ impl Read for Noise {
     }
 }
 
-impl Seek for Noise {
+impl Seek for Repeated {
     fn seek(&mut self, to: SeekFrom) -> io::Result<u64> {
         let at = match to {
             SeekFrom::Start(at) => i128::from(at),
@@ -91,7 +99,7 @@ fn plan(source: Source) -> Result<Plan, Box<dyn std::error::Error>> {
 fn sound_of_any_rate_and_number_of_channels_fits() {
     // Long enough to fill what is remembered.
     for (sample_rate_hz, channels, seconds) in [(48_000, 8, 100), (192_000, 2, 190)] {
-        let noise = Noise::new(sample_rate_hz, channels, seconds);
+        let noise = Repeated::noise(sample_rate_hz, channels, seconds);
         let source = Source::from_reader(noise, "noise.wav").unwrap();
         assert_eq!(source.channels(), usize::from(channels));
         assert!(plan(source).is_ok());
@@ -101,7 +109,7 @@ fn sound_of_any_rate_and_number_of_channels_fits() {
 /// Steps of eight channels at 655 kHz for 20 s, in 8 kB: 420 MB of samples.
 #[test]
 fn a_small_file_that_claims_much_fits() {
-    let flac = hostile::flac(655_350, 8, 200);
+    let flac = hostile::flac(655_350, 8, 0..200);
     assert!(flac.len() < 1 << 13);
     let source = Source::from_bytes(flac, "small.flac").unwrap();
     assert_eq!((source.sample_rate_hz(), source.channels()), (655_350, 8));
@@ -110,7 +118,7 @@ fn a_small_file_that_claims_much_fits() {
 
 #[test]
 fn more_channels_than_fit_are_refused_by_name() {
-    let source = Source::from_reader(Noise::new(10_000_000, 16, 1), "many.wav").unwrap();
+    let source = Source::from_reader(Repeated::noise(10_000_000, 16, 1), "many.wav").unwrap();
     let refused = plan(source).unwrap_err();
     let refused = refused.downcast_ref::<bouncelab::Error>();
     let expected = bouncelab::diagnostic::Code::TooManyChannels;
@@ -123,7 +131,7 @@ fn more_channels_than_fit_are_refused_by_name() {
 /// What is heard so far is judged again and again while a drop is watched.
 #[test]
 fn listening_takes_no_second_memory() {
-    let noise = Noise::new(96_000, 2, 180);
+    let noise = Repeated::noise(96_000, 2, 180);
     let mut source = Source::from_reader(noise, "noise.wav").unwrap();
     let mut detector = Detector::new(96_000, 2);
     while let Some(block) = source.next_block().unwrap() {
@@ -136,14 +144,64 @@ fn listening_takes_no_second_memory() {
 #[test]
 fn no_recording_is_read_for_more_than_a_day() {
     // Frames of 16 s of silence at 4 kHz, 25 hours in 66 kB.
-    let flac = hostile::flac(4_000, 1, 5_500);
+    let flac = hostile::flac(4_000, 1, 0..5_500);
     assert!(flac.len() < 1 << 17);
+    assert_eq!(most_minutes(flac), 1_440);
+}
+
+/// Most of it is missing, and silence stands in its place, which is not decoded: two hours of eight channels.
+#[test]
+fn no_more_samples_are_read_than_a_day_of_a_recorder_has() {
+    // Frames of 0.1 s, each 500 s behind the one before.
+    let flac = hostile::flac(655_350, 8, (0..80_000).step_by(5_000));
+    // 24 hours of two channels at 192 kHz.
+    assert_eq!(most_minutes(flac), 105);
+}
+
+/// How many minutes are read at most, says the refusal of a recording.
+fn most_minutes(flac: Vec<u8>) -> u32 {
     let mut source = Source::from_bytes(flac, "long.flac").unwrap();
-    let refused = loop {
+    loop {
         match source.next_block() {
             Ok(block) => assert!(block.is_some(), "it has an end"),
-            Err(refused) => break refused,
+            Err(Error::TooLong { most_h, .. }) => return (most_h * 60.0).round() as u32,
+            Err(other) => panic!("{other}"),
         }
+    }
+}
+
+/// As many numbers as fit into the most text that is read.
+#[test]
+fn lists_of_any_length_are_refused() {
+    for (name, line) in [
+        ("list.txt", "1\n"),
+        ("list.csv", ",,,,,,,,"),
+        ("list.json", "1,"),
+        ("list.TextGrid", "0 "),
+    ] {
+        let text = Repeated::new(Vec::new(), line.repeat(1_000).as_bytes(), 1 << 26);
+        let refused = Input::from_reader(text, name).err().unwrap();
+        let problem = match refused {
+            Error::Times { problem, .. } => problem,
+            other => panic!("{other}"),
+        };
+        assert_eq!(problem, TimesProblem::TooLong { most_mb: 4 }, "{name}");
+    }
+}
+
+/// Short rows, so that there are as many as fit.
+#[test]
+fn a_waveform_in_text_fits() {
+    let rows = (0..6_000_000).map(|row| format!("{row}\t{}\n", row % 7));
+    let text: String = iter::once("time (us)\tV\n".to_owned())
+        .chain(rows)
+        .collect();
+    assert!(text.len() < 1 << 26 && text.len() > 1 << 25);
+    let length = text.len() as u64;
+    let input = Input::from_reader(Repeated::new(text.into_bytes(), b" ", length), "wave.txt");
+    let Ok(Input::Sound(source)) = input else {
+        panic!("{input:?}");
     };
-    assert!(matches!(refused, Error::TooLong { most_h: 24, .. }));
+    assert_eq!(source.sample_rate_hz(), 1_000_000);
+    assert!(plan(*source).is_ok());
 }

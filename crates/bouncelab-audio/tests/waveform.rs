@@ -135,8 +135,8 @@ fn lists_of_impacts_stay_lists() {
 }
 
 #[test]
-fn a_million_times_are_refused() {
-    let text = (0..1_000_000)
+fn a_hundred_thousand_times_are_refused() {
+    let text = (0..100_000)
         .map(|n| format!("{}\n", f64::from(n) * 0.1))
         .collect::<Vec<_>>()
         .concat();
@@ -145,7 +145,7 @@ fn a_million_times_are_refused() {
             .map(drop)
             .unwrap_err();
         let message = refused.to_string();
-        assert!(message.contains("1000000 times"), "{message}");
+        assert!(message.contains("100000 times"), "{message}");
     }
 }
 

@@ -5,21 +5,20 @@ use crate::checksum::{FLAC_FRAME, FLAC_HEADER};
 /// Samples of each channel in a frame of [`flac`]: the most that a frame can hold.
 const FRAME: u16 = u16::MAX;
 
-/// A FLAC of this many frames of 65,535 samples, each channel constant within a frame and another in the next.
-pub fn flac(sample_rate_hz: u32, channels: u8, frames: u32) -> Vec<u8> {
+/// A FLAC of the frames of these numbers, each of 65,535 samples, each channel constant within a frame and another in
+/// the next.
+pub fn flac(sample_rate_hz: u32, channels: u8, frames: impl IntoIterator<Item = u32>) -> Vec<u8> {
     let mut file = b"fLaC\x80\0\0\x22".to_vec();
     file.extend(FRAME.to_be_bytes());
     file.extend(FRAME.to_be_bytes());
     // Sizes of frames, unknown.
     file.extend([0; 6]);
-    // 20 bits of rate, 3 of channels, 5 of bits less one, 36 of samples.
-    let samples = u64::from(frames) * u64::from(FRAME);
-    let layout =
-        u64::from(sample_rate_hz) << 44 | u64::from(channels - 1) << 41 | 15 << 36 | samples;
+    // 20 bits of rate, 3 of channels, 5 of bits less one, 36 of samples, unknown.
+    let layout = u64::from(sample_rate_hz) << 44 | u64::from(channels - 1) << 41 | 15 << 36;
     file.extend(layout.to_be_bytes());
     // No MD5.
     file.extend([0; 16]);
-    for number in 0..frames {
+    for number in frames {
         file.extend(frame(channels, number));
     }
     file

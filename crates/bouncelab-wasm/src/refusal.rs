@@ -85,7 +85,7 @@ pub enum Reason {
     /// It goes on for longer than is read.
     LastsTooLong {
         /// How many hours are read at most.
-        most_h: u64,
+        most_h: f64,
     },
     /// It is no list of times.
     Times {

@@ -15,7 +15,7 @@ mod track;
 mod wave;
 
 use std::fmt;
-use std::fs::File;
+use std::fs::{self, File};
 use std::io::{Cursor, Read, Seek, SeekFrom};
 use std::ops::Range;
 use std::path::Path;
@@ -47,8 +47,10 @@ pub const MAX_SAMPLE_RATE_HZ: u32 = 10_000_000;
 /// The most frames in one [`Block`].
 pub const MAX_BLOCK_FRAMES: usize = 4_096;
 
-/// No recording is read for longer, in hours: a small file may claim any length.
-const MOST_H: u64 = 24;
+/// No recording is read for longer: a small file may claim any length.
+const MOST_S: u64 = 24 * 3600;
+/// Nor are more samples of all channels read: as many as two channels at 192 kHz have in that time.
+const MOST_SAMPLES: u64 = MOST_S * 2 * 192_000;
 
 /// A recording being read, block by block, in memory that does not grow with its length.
 ///
@@ -162,11 +164,17 @@ impl Source {
     pub fn open(path: impl AsRef<Path>) -> Result<Self> {
         let path = path.as_ref();
         let name = String::from(Plain::path(path));
-        // Opening a folder succeeds on some systems and fails with the strangest errors on others.
-        if path.is_dir() {
+        let failed = |reason| Error::io(&name, reason);
+        let about = fs::metadata(path).map_err(failed)?;
+        // Opening a folder succeeds on some systems and fails with the strangest errors on others; opening a pipe
+        // waits for somebody who writes.
+        if about.is_dir() {
             return Err(Error::Directory { name });
         }
-        let file = File::open(path).map_err(|reason| Error::io(&name, reason))?;
+        if !about.is_file() {
+            return Err(Error::Pipe { name });
+        }
+        let file = File::open(path).map_err(failed)?;
         Self::from_reader(file, &name)
     }
 
@@ -331,13 +339,15 @@ impl Source {
     ///
     /// # Errors
     ///
-    /// [`Error::Io`] if the system fails to read, [`Error::TooLong`] after 24 hours. Damage in the file is no
+    /// [`Error::Io`] if the system fails to read, [`Error::TooLong`] after 24 hours, or less of many
+    /// channels at a high rate. Damage in the file is no
     /// error here: what can be decoded is, and the rest is in [`Source::warnings`].
     pub fn next_block(&mut self) -> Result<Option<Block<'_>>> {
-        if self.presented > MOST_H * 3600 * u64::from(self.layout.sample_rate_hz) {
+        let most = self.most_frames();
+        if self.presented.max(self.pending.end) > most {
             return Err(Error::TooLong {
                 name: self.name.clone(),
-                most_h: MOST_H,
+                most_h: (self.seconds(most) / 36.0).floor() / 100.0,
             });
         }
         loop {
@@ -360,6 +370,12 @@ impl Source {
             }
             self.decode_more()?;
         }
+    }
+
+    /// How many frames are read at most.
+    fn most_frames(&self) -> u64 {
+        let in_time = MOST_S * u64::from(self.layout.sample_rate_hz);
+        in_time.min(MOST_SAMPLES / self.layout.channels as u64)
     }
 
     /// The next block: these frames of the planes, or as many of silence.
