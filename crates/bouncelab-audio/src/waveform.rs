@@ -5,7 +5,7 @@
 //! comma, numbers may have a decimal comma. A unit in the heading of the times (`ms`, `us`) holds, else they are
 //! seconds.
 
-use std::io::Cursor;
+use std::sync::Arc;
 
 use crate::error::Result;
 use crate::source::Source;
@@ -68,7 +68,8 @@ impl Waveform {
         crate::check_layout(self.sample_rate_hz, self.channels.len(), name)?;
         let channels: Vec<&[f32]> = self.channels.iter().map(Vec::as_slice).collect();
         let wav = encode_wav(self.sample_rate_hz, SampleFormat::Float32, &channels)?;
-        Ok(Source::from_reader(Cursor::new(wav), name)?.described_as("waveform in text"))
+        let wav: Arc<[u8]> = wav.into();
+        Ok(Source::from_bytes(wav, name)?.described_as("waveform in text"))
     }
 }
 
