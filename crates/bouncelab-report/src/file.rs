@@ -35,10 +35,7 @@ use tempfile::NamedTempFile;
 /// So much at each end of a file is searched for its mark.
 const ENDS: u64 = 4096;
 
-/// More bytes than any person writes, of notes or rules.
-const MOST_NOTED: u64 = 1 << 24;
-
-/// The content of a file that a person wrote: at most 16 MB, and no device or pipe, which may have no end.
+/// The content of a file that a person wrote: at most so many MB, and no device or pipe, which may have no end.
 ///
 /// # Errors
 ///
@@ -47,18 +44,20 @@ const MOST_NOTED: u64 = 1 << 24;
 /// ```
 /// use bouncelab_report::file::read_noted;
 ///
-/// assert!(read_noted(std::path::Path::new(".")).unwrap_err().to_string().contains("is no file"));
+/// assert!(read_noted(std::path::Path::new("."), 1).unwrap_err().to_string().contains("is no file"));
 /// ```
-pub fn read_noted(path: &Path) -> io::Result<Vec<u8>> {
+pub fn read_noted(path: &Path, most_mb: u64) -> io::Result<Vec<u8>> {
     let about = fs::metadata(path)?;
-    if !about.is_file() || about.len() > MOST_NOTED {
-        let problem = "it is no file of notes: a device, a pipe, a folder, or more than 16 MB";
+    if !about.is_file() || about.len() > most_mb << 20 {
+        let problem = format!(
+            "it is no file of notes: a device, a pipe, a folder, or more than {most_mb} MB"
+        );
         return Err(io::Error::new(io::ErrorKind::InvalidInput, problem));
     }
     let mut content = Vec::new();
     // It may grow meanwhile.
     File::open(path)?
-        .take(MOST_NOTED)
+        .take(most_mb << 20)
         .read_to_end(&mut content)?;
     Ok(content)
 }
@@ -100,8 +99,8 @@ impl Outputs {
         Self { option, ..self }
     }
 
-    /// Whether a file may be written; one that is there must have the mark at one of its ends. Without a
-    /// mark no file is replaced.
+    /// Whether a file may be written; one that is there must have the mark within 4 kB of one of its ends, or begin
+    /// with it if a `^` is in front of it. Without a mark no file is replaced.
     ///
     /// # Errors
     /// [`io::ErrorKind::AlreadyExists`] if it may not be replaced, [`io::ErrorKind::IsADirectory`] if a
@@ -121,17 +120,31 @@ impl Outputs {
             let reason = "it is a device or a pipe, not a file";
             return Err(io::Error::new(io::ErrorKind::InvalidInput, reason));
         }
-        let refused = |reason: &str| Err(io::Error::new(io::ErrorKind::AlreadyExists, reason));
-        if self.inputs.contains(&file_id::get_file_id(path)?) {
-            return refused("it is an input of this command; name another file");
-        }
+        self.check_no_input(path)?;
         if self.force || about.len() == 0 || has_mark(path, mark)? {
             return Ok(());
         }
         let option = self.option;
-        refused(&format!(
+        let reason = format!(
             "it exists, and bouncelab did not write it; name another file, or replace it with {option}"
-        ))
+        );
+        Err(io::Error::new(io::ErrorKind::AlreadyExists, reason))
+    }
+
+    /// Whether a file is none of the inputs, which no command writes.
+    ///
+    /// # Errors
+    /// [`io::ErrorKind::AlreadyExists`] if it is one, and what the system reports if it cannot be read.
+    pub fn check_no_input(&self, path: &Path) -> io::Result<()> {
+        let id = match file_id::get_file_id(path) {
+            Err(reason) if is_absent(&reason) => return Ok(()),
+            id => id?,
+        };
+        if self.inputs.contains(&id) {
+            let reason = "it is an input of this command; name another file";
+            return Err(io::Error::new(io::ErrorKind::AlreadyExists, reason));
+        }
+        Ok(())
     }
 
     /// Begins a file that may be written.
@@ -201,6 +214,11 @@ fn has_mark(path: &Path, mark: &str) -> io::Result<bool> {
         return Ok(false);
     }
     let mut file = File::open(path)?;
+    if let Some(mark) = mark.strip_prefix('^') {
+        let mut beginning = Vec::new();
+        file.take(mark.len() as u64).read_to_end(&mut beginning)?;
+        return Ok(beginning == mark.as_bytes());
+    }
     let length = file.metadata()?.len();
     let mut ends = [0, length.saturating_sub(ENDS)].into_iter();
     ends.try_fold(false, |found, start| {
@@ -388,15 +406,19 @@ mod tests {
     }
 
     #[test]
-    fn the_mark_may_be_at_either_end() {
-        let long = [vec![b'x'; 10_000], CONTENT.to_vec()].concat();
-        for (content, own) in [
-            (long, true),
-            (CONTENT.repeat(1_000), true),
-            (vec![b'x'; 9_000], false),
+    fn the_mark_is_where_the_format_has_it() {
+        const FIRST: &str = "^<!-- made by bouncelab -->";
+        let long = [&[b'x'; 10_000][..], CONTENT].concat();
+        for (content, mark, own) in [
+            (long.clone(), MARKDOWN, true),
+            (CONTENT.repeat(1_000), MARKDOWN, true),
+            (vec![b'x'; 9_000], MARKDOWN, false),
+            (CONTENT.repeat(1_000), FIRST, true),
+            ([b" ", CONTENT].concat(), FIRST, false),
+            (long, FIRST, false),
         ] {
             let (_folder, path) = place(&content);
-            assert_eq!(Outputs::default().check(&path, MARKDOWN).is_ok(), own);
+            assert_eq!(Outputs::default().check(&path, mark).is_ok(), own);
         }
     }
 

@@ -111,7 +111,7 @@ fn unpack<T>(
 }
 
 fn open(path: &Path) -> Result<ZipArchive<BufReader<File>>> {
-    let file = File::open(path).map_err(Error::read(path))?;
+    let file = crate::hash::open(path).map_err(Error::read(path))?;
     ZipArchive::new(BufReader::new(file)).map_err(|reason: ZipError| refused(path, &reason))
 }
 

@@ -3,17 +3,23 @@
 use std::borrow::Cow;
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use bouncelab::Plain;
 use bouncelab_report::file::read_noted;
+use bouncelab_report::rules;
 use serde::Deserialize;
 use toml::Spanned;
 
 use crate::error::{Error, Result};
 use crate::name;
 
-/// No table of notes has more columns.
+/// No table of notes is longer, or has more columns.
+const MOST_MB: u64 = 16;
 const MOST_COLUMNS: usize = 1_000;
+
+/// Nor more cells with something in them, each of which is a note in memory.
+const MOST_CELLS: usize = 500_000;
 
 /// A statement and who made it.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -21,7 +27,7 @@ pub struct Note {
     /// What was said, as it was written.
     pub text: String,
     /// Who said it: "notes.csv, line 3", "the file name".
-    pub said_by: String,
+    pub said_by: Arc<str>,
 }
 
 /// Statements by the name of their field.
@@ -67,9 +73,11 @@ struct Written {
 
 impl SessionFile {
     pub(crate) fn read(path: &Path) -> Result<Self> {
-        let text = text_of(path)?;
+        let text = text_of(path, rules::MOST_MB)?;
         let written: Written = toml::from_str(&text).map_err(|fault| {
-            let place = fault.span().map(|span| place(&text, span.start));
+            let place = fault
+                .span()
+                .map(|span| Lines::new(path, &text).place(span.start));
             Error::Notes {
                 path: path.to_owned(),
                 line: place.map(|(line, _)| line),
@@ -77,9 +85,10 @@ impl SessionFile {
                 problem: fault.message().trim_end().to_owned(),
             }
         })?;
-        let notes = |table: Table| notes_of(path, &text, table);
+        let lines = Lines::new(path, &text);
+        let notes = |table: Table| lines.notes(table);
         let recordings = written.recordings.into_iter().map(|(name, table)| {
-            let line = place(&text, table.span().start).0;
+            let line = lines.number(table.span().start);
             Ok((name, Some(line), notes(table.into_inner())?))
         });
         Ok(Self {
@@ -95,45 +104,69 @@ impl SessionFile {
             balls: written
                 .balls
                 .into_iter()
-                .map(|(ball, table)| Ok((ball, notes(table)?)))
+                .map(|(ball, table)| Ok((Plain::of(&ball).into(), notes(table)?)))
                 .collect::<Result<_>>()?,
         })
     }
 }
 
-fn notes_of(path: &Path, text: &str, table: Table) -> Result<Notes> {
-    table
-        .into_iter()
-        .map(|(field, value)| {
-            let (line, column) = place(text, value.span().start);
-            let said = match value.into_inner() {
-                toml::Value::String(said) => said,
-                toml::Value::Integer(said) => said.to_string(),
-                toml::Value::Float(said) => said.to_string(),
-                toml::Value::Boolean(said) => said.to_string(),
-                toml::Value::Datetime(said) => said.to_string(),
-                toml::Value::Array(_) | toml::Value::Table(_) => {
-                    return Err(Error::Notes {
-                        path: path.to_owned(),
-                        line: Some(line),
-                        column: Some(column),
-                        problem: format!("{field} must be a text or a number, as in \"30.5cm\""),
-                    });
-                }
-            };
-            let said_by = format!("{}, line {line}", name::shown(path));
-            let text = Plain::of(said.trim()).into();
-            Ok((field, Note { text, said_by }))
-        })
-        .collect()
+/// The lines of a file of notes.
+struct Lines<'a> {
+    path: &'a Path,
+    text: &'a str,
+    /// Where each line but the first begins.
+    starts: Vec<usize>,
 }
 
-/// Line and column, counted from 1, of a byte.
-fn place(text: &str, byte: usize) -> (usize, usize) {
-    let before = text.get(..byte).unwrap_or(text);
-    let line = before.matches('\n').count() + 1;
-    let start = before.rfind('\n').map_or(0, |at| at + 1);
-    (line, before[start..].chars().count() + 1)
+impl<'a> Lines<'a> {
+    fn new(path: &'a Path, text: &'a str) -> Self {
+        let starts = text.match_indices('\n').map(|(end, _)| end + 1).collect();
+        Self { path, text, starts }
+    }
+
+    /// The line of a byte, counted from 1.
+    fn number(&self, byte: usize) -> usize {
+        self.starts.partition_point(|&start| start <= byte) + 1
+    }
+
+    /// Line and column, counted from 1, of a byte.
+    fn place(&self, byte: usize) -> (usize, usize) {
+        let line = self.number(byte);
+        let start = line.checked_sub(2).map_or(0, |line| self.starts[line]);
+        let before = self.text.get(start..byte).unwrap_or_default();
+        (line, before.chars().count() + 1)
+    }
+
+    fn notes(&self, table: Table) -> Result<Notes> {
+        table
+            .into_iter()
+            .map(|(field, value)| {
+                let start = value.span().start;
+                let said = match value.into_inner() {
+                    toml::Value::String(said) => said,
+                    toml::Value::Integer(said) => said.to_string(),
+                    toml::Value::Float(said) => said.to_string(),
+                    toml::Value::Boolean(said) => said.to_string(),
+                    toml::Value::Datetime(said) => said.to_string(),
+                    toml::Value::Array(_) | toml::Value::Table(_) => {
+                        let (line, column) = self.place(start);
+                        return Err(Error::Notes {
+                            path: self.path.to_owned(),
+                            line: Some(line),
+                            column: Some(column),
+                            problem: format!(
+                                "{field} must be a text or a number, as in \"30.5cm\""
+                            ),
+                        });
+                    }
+                };
+                let line = self.number(start);
+                let said_by = format!("{}, line {line}", name::shown(self.path)).into();
+                let text = Plain::of(said.trim()).into();
+                Ok((Plain::of(&field).into(), Note { text, said_by }))
+            })
+            .collect()
+    }
 }
 
 /// Reads a CSV with a column `file` and one column for each field.
@@ -141,7 +174,7 @@ fn place(text: &str, byte: usize) -> (usize, usize) {
 /// Commas, semicolons or tabs separate; a heading may end in a unit in brackets, as in
 /// "height (cm)"; an empty cell says nothing.
 pub(crate) fn read_csv(path: &Path) -> Result<Listed> {
-    let text = text_of(path)?;
+    let text = text_of(path, MOST_MB)?;
     let header = text
         .lines()
         .find(|line| !line.is_empty())
@@ -183,13 +216,13 @@ pub(crate) fn read_csv(path: &Path) -> Result<Listed> {
             ),
         )
     })?;
-    let mut rows = Vec::new();
+    let (mut rows, mut noted) = (Vec::new(), 0);
     for record in reader.records() {
         let record = record.map_err(|fault| csv_fault(path, &fault))?;
         let line = record.position().map(|position| position.line() as usize);
-        let said_by = match line {
-            Some(line) => format!("{}, line {line}", name::shown(path)),
-            None => name::shown(path),
+        let said_by: Arc<str> = match line {
+            Some(line) => format!("{}, line {line}", name::shown(path)).into(),
+            None => name::shown(path).into(),
         };
         let cells = headings.iter().zip(&record).enumerate();
         let cells = cells.filter(|(_, (_, cell))| !cell.is_empty());
@@ -201,19 +234,25 @@ pub(crate) fn read_csv(path: &Path) -> Result<Listed> {
             cells
                 .filter(|(column, _)| *column != file)
                 .map(|(_, ((field, unit), cell))| {
-                    let cell = String::from(Plain::of(cell));
+                    let number = match delimiter {
+                        Some(b',') => Cow::Borrowed(cell),
+                        _ => with_point(cell),
+                    };
                     let note = Note {
-                        text: if delimiter == Some(b',') {
-                            format!("{cell}{unit}")
-                        } else {
-                            format!("{}{unit}", with_point(&cell))
-                        },
+                        text: Plain::of(&format!("{number}{unit}")).into(),
                         said_by: said_by.clone(),
                     };
                     (field.clone(), note)
                 });
+        let notes: Notes = notes.collect();
+        noted += notes.len();
+        if noted > MOST_CELLS {
+            let problem =
+                format!("has more than {MOST_CELLS} cells; leave out columns or recordings");
+            return Err(Error::notes(path, line, problem));
+        }
         let named = record.get(file).unwrap_or_default().to_owned();
-        rows.push((named, line, notes.collect()));
+        rows.push((named, line, notes));
     }
     Ok(Listed {
         file: path.to_owned(),
@@ -262,14 +301,17 @@ fn csv_fault(path: &Path, fault: &csv::Error) -> Error {
 }
 
 /// The text of a file of notes, without the mark that some programs put at its beginning.
-fn text_of(path: &Path) -> Result<String> {
-    let bytes = read_noted(path).map_err(Error::read(path))?;
-    let text = String::from_utf8(bytes).map_err(|fault| {
+fn text_of(path: &Path, most_mb: u64) -> Result<String> {
+    let bytes = read_noted(path, most_mb).map_err(Error::read(path))?;
+    let mut text = String::from_utf8(bytes).map_err(|fault| {
         let valid = &fault.as_bytes()[..fault.utf8_error().valid_up_to()];
         let line = valid.split(|&byte| byte == b'\n').count();
         Error::notes(path, Some(line), "is no UTF-8 text; save it as UTF-8")
     })?;
-    Ok(text.trim_start_matches('\u{feff}').to_owned())
+    if text.starts_with('\u{feff}') {
+        text.remove(0);
+    }
+    Ok(text)
 }
 
 #[cfg(test)]

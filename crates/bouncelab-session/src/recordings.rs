@@ -179,7 +179,7 @@ impl Session {
         };
         for (field, text) in self.fields_of_name(place).unwrap_or_default() {
             let text = Plain::of(&text).into();
-            let said_by = "the file name".to_owned();
+            let said_by = "the file name".into();
             say(field, Note { text, said_by });
         }
         for (field, note) in self.listed.get(&place).into_iter().flatten().flatten() {

@@ -23,10 +23,12 @@
 
 pub mod words;
 
+use std::collections::BTreeSet;
 use std::ops::Range;
 #[cfg(not(target_family = "wasm"))]
 use std::path::PathBuf;
 
+use bouncelab::Plain;
 use bouncelab::rulebook::{Averaging, Evenness, Formula, Limits, Point, Requirement, Rule, Status};
 use serde::Deserialize;
 use serde::de::{Deserializer, Error as _};
@@ -37,6 +39,9 @@ use crate::units;
 
 /// Name and version of the format.
 pub const SCHEMA: &str = "bouncelab.rules/1";
+
+/// No file of TOML is longer: in memory it takes many times as much.
+pub const MOST_MB: u64 = 2;
 
 /// The built-in files.
 const BUILT_IN: [(&str, &str); 5] = [
@@ -73,16 +78,16 @@ pub fn all(files: &[PathBuf]) -> Result<Vec<Rule>> {
     let mut all = built_in()?;
     for path in files {
         let file = String::from(bouncelab::Plain::path(path));
-        let bytes = crate::file::read_noted(path);
+        let bytes = crate::file::read_noted(path, MOST_MB);
         let text = bytes.and_then(|bytes| String::from_utf8(bytes).map_err(std::io::Error::other));
         let text = text.map_err(|source| Error::Unreadable {
             file: file.clone(),
             source,
         })?;
-        for rule in read(&text, &file)? {
-            all.retain(|other| other.name != rule.name);
-            all.push(rule);
-        }
+        let rules = read(&text, &file)?;
+        let names: BTreeSet<&str> = rules.iter().map(|rule| rule.name.as_str()).collect();
+        all.retain(|other| !names.contains(other.name.as_str()));
+        all.extend(rules);
     }
     Ok(all)
 }
@@ -108,7 +113,8 @@ pub fn read(text: &str, file: &str) -> Result<Vec<Rule>> {
         let problem = format!("the schema must be \"{SCHEMA}\"");
         return Err(wrong(Some(book.schema.span()), problem));
     }
-    let mut rules: Vec<Rule> = Vec::with_capacity(book.rule.len());
+    let mut rules = Vec::with_capacity(book.rule.len());
+    let mut names = BTreeSet::new();
     for entry in book.rule {
         let span = entry.span();
         let rule = entry
@@ -119,7 +125,7 @@ pub fn read(text: &str, file: &str) -> Result<Vec<Rule>> {
                 Err(refusal) => Err(format!("rule \"{}\": {refusal}", rule.name)),
             })
             .map_err(|problem| wrong(Some(span.clone()), problem))?;
-        if rules.iter().any(|other| other.name == rule.name) {
+        if !names.insert(rule.name.clone()) {
             let problem = format!("the name \"{}\" is there twice", rule.name);
             return Err(wrong(Some(span), problem));
         }
@@ -280,15 +286,17 @@ impl Entry {
                 self.name
             ));
         }
+        // A break of a line in a text is a space in it.
+        let plain = |text: String| String::from(Plain::of(&text.replace('\n', " ")));
         Ok(Rule {
-            requirement: self.requirement()?,
+            requirement: self.requirement(plain)?,
             evenness: self.evenness()?,
-            source: self.source,
-            edition: self.edition,
+            source: plain(self.source),
+            edition: self.edition.map(plain),
             status: self.status.into(),
-            note: self.note,
-            ball: self.ball,
-            surface: self.surface,
+            note: self.note.map(plain),
+            ball: self.ball.map(plain),
+            surface: self.surface.map(plain),
             drop_tolerance_m: self.drop.tolerance.map(|length| length.0),
             or_higher: self.drop.or_higher,
             measured_at: self.measured_at.map(|point| match point {
@@ -310,11 +318,14 @@ impl Entry {
             }),
             drop_height_m: self.drop.height.map(|length| length.0),
             name: self.name,
-            title: self.title,
+            title: plain(self.title),
         })
     }
 
-    fn requirement(&self) -> std::result::Result<Requirement, String> {
+    fn requirement(
+        &self,
+        plain: impl Fn(String) -> String,
+    ) -> std::result::Result<Requirement, String> {
         const EITHER: &str =
             "a rule wants a rebound or a share of a reference: write one of the two";
         match (&self.rebound, &self.share) {
@@ -331,7 +342,7 @@ impl Entry {
                     least: share.least.map(|share| share.0),
                     greatest: share.most.map(|share| share.0),
                 },
-                of: share.of.clone(),
+                of: plain(share.of.clone()),
             }),
             _ => Err(EITHER.to_owned()),
         }

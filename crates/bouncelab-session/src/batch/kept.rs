@@ -6,6 +6,7 @@
 use std::fs::{self, File};
 use std::path::{Path, PathBuf};
 
+use bouncelab::Plain;
 use parquet::column::reader::{ColumnReader, ColumnReaderImpl};
 use parquet::data_type::{ByteArray, ByteArrayType};
 use parquet::errors::{ParquetError, Result as Parquet};
@@ -149,7 +150,9 @@ impl Batch {
                     (Some(record), _) => serde_json::from_str(&record).map_err(|fault| {
                         wrong(format!("the record is not one of this version: {fault}"))
                     })?,
-                    (None, failure) => Record::failed(failure.unwrap_or_default()),
+                    (None, failure) => {
+                        Record::failed(Plain::of(&failure.unwrap_or_default()).into())
+                    }
                 };
                 take(place, &Key { content, settings }, record)
             })?;
@@ -165,9 +168,10 @@ impl Which {
         metadata: &mut KnownMetadata,
     ) -> std::result::Result<Self, String> {
         let name = name.ok_or("a row names no recording")?;
+        let name = String::from(Plain::of(&name));
         let content = match content {
             Some(digits) => Ok(digits.parse()?),
-            None => Err(failure.unwrap_or_default()),
+            None => Err(Plain::of(&failure.unwrap_or_default()).into()),
         };
         Ok(Self {
             recording: KnownRecording {
@@ -185,25 +189,30 @@ impl Which {
     }
 }
 
-/// All Parquet files in a folder and the folders in it, in the order of their names.
+/// All Parquet files in a folder and the folders in it, in the order of their names. Folders that are links are left
+/// out: they may lead round in a circle.
 fn find(path: &Path, files: &mut Vec<PathBuf>) -> Result<()> {
     if path.is_file() {
         files.push(path.to_owned());
         return Ok(());
     }
-    let entries = fs::read_dir(path).and_then(Iterator::collect::<std::io::Result<Vec<_>>>);
-    let mut paths: Vec<PathBuf> = entries
-        .map_err(Error::read(path))?
-        .iter()
-        .map(fs::DirEntry::path)
-        .filter(|path| {
-            let name = path.file_name().unwrap_or_default();
-            !name.as_encoded_bytes().starts_with(b".") && !name.as_encoded_bytes().starts_with(b"_")
-        })
-        .filter(|path| path.is_dir() || path.extension().is_some_and(|ending| ending == "parquet"))
-        .collect();
-    paths.sort();
-    paths.iter().try_for_each(|path| find(path, files))
+    let mut entries = fs::read_dir(path)
+        .and_then(Iterator::collect::<std::io::Result<Vec<_>>>)
+        .map_err(Error::read(path))?;
+    entries.retain(|entry| {
+        let name = entry.file_name();
+        !name.as_encoded_bytes().starts_with(b".") && !name.as_encoded_bytes().starts_with(b"_")
+    });
+    entries.sort_by_key(fs::DirEntry::file_name);
+    for entry in entries {
+        let path = entry.path();
+        let kind = entry.file_type().map_err(Error::read(&path))?;
+        let is_table = path.extension().is_some_and(|ending| ending == "parquet");
+        if kind.is_dir() || (is_table && path.is_file()) {
+            find(&path, files)?;
+        }
+    }
+    Ok(())
 }
 
 /// Reads columns of texts, row by row.
@@ -284,5 +293,25 @@ impl Texts {
             .map(cell)
             .map(Option::transpose)
             .collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[cfg(unix)]
+    #[test]
+    fn folders_that_are_links_are_left_out() {
+        use std::os::unix::fs::symlink;
+
+        let folder = tempfile::tempdir().unwrap();
+        let file = folder.path().join("0.parquet");
+        fs::write(&file, "").unwrap();
+        symlink(".", folder.path().join("round")).unwrap();
+        symlink("0.parquet", folder.path().join("1.parquet")).unwrap();
+        let mut files = Vec::new();
+        find(folder.path(), &mut files).unwrap();
+        assert_eq!(files, [file, folder.path().join("1.parquet")]);
     }
 }

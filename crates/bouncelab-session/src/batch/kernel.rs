@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use std::path::PathBuf;
 use std::sync::Arc;
 
+use bouncelab::Plain;
 use bouncelab::setup::Settings;
 use bouncelab_report::messages::Translator;
 use serde::{Deserialize, Serialize};
@@ -182,9 +183,9 @@ impl Kernel {
         notes: BTreeMap<String, String>,
     ) -> Result<(KnownRecording, Known)> {
         let notes = notes.into_iter().map(|(field, text)| {
-            let said_by = "its notes".to_owned();
-            let text = text.trim().to_owned();
-            (field, Note { text, said_by })
+            let said_by = "its notes".into();
+            let text = Plain::of(text.trim()).into();
+            (Plain::of(&field).into(), Note { text, said_by })
         });
         let recording = Recording {
             path,
