@@ -45,7 +45,7 @@ pub enum Error {
         source: std::io::Error,
     },
     /// A file of rules makes no sense.
-    #[error("{file}, line {line}, column {column}: {problem}")]
+    #[error("{file}, line {line}, column {column}: {}", Plain::of(problem))]
     Rules {
         /// The file, or what the rules are called.
         file: String,

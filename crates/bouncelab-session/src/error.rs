@@ -3,6 +3,7 @@
 use std::fmt;
 use std::path::{Path, PathBuf};
 
+use bouncelab::Plain;
 use bouncelab_report::advice;
 use bouncelab_report::groups::UnknownField;
 
@@ -24,8 +25,9 @@ pub enum Error {
     },
     /// An archive of recordings cannot be read, or holds too much.
     #[error(
-        "cannot read {}: {problem}; unpack it into a folder, and name that",
-        shown(path)
+        "cannot read {}: {}; unpack it into a folder, and name that",
+        shown(path),
+        Plain::of(problem)
     )]
     Archive {
         /// The archive.
@@ -34,7 +36,7 @@ pub enum Error {
         problem: String,
     },
     /// A file of notes is not what it should be.
-    #[error("{}{}: {problem}", shown(path), AtPlace(*line, *column))]
+    #[error("{}{}: {}", shown(path), AtPlace(*line, *column), Plain::of(problem))]
     Notes {
         /// The file.
         path: PathBuf,
@@ -47,7 +49,8 @@ pub enum Error {
     },
     /// A pattern for file names makes no sense.
     #[error(
-        "the pattern \"{pattern}\" {problem}; write it as in {{ball}}_{{surface}}_{{height}}_{{}}"
+        "the pattern \"{}\" {problem}; write it as in {{ball}}_{{surface}}_{{height}}_{{}}",
+        Plain::of(pattern)
     )]
     Pattern {
         /// The pattern.
@@ -98,7 +101,7 @@ pub enum Error {
         name: String,
     },
     /// The results of a cluster are not what they should be.
-    #[error("{}: {problem}", shown(path))]
+    #[error("{}: {}", shown(path), Plain::of(problem))]
     Rows {
         /// The file or folder.
         path: PathBuf,
@@ -106,13 +109,13 @@ pub enum Error {
         problem: String,
     },
     /// A drop to be left out is not there.
-    #[error("there is no drop \"{name}\"")]
+    #[error("there is no drop \"{}\"", Plain::of(name))]
     UnknownDrop {
         /// What was named.
         name: String,
     },
     /// Nothing is noted of a field by which drops were to be grouped.
-    #[error("there are no metadata of \"{name}\"")]
+    #[error("there are no metadata of \"{}\"", Plain::of(name))]
     UnknownField {
         /// The field.
         name: String,

@@ -1,5 +1,7 @@
 //! Reads metadata from file names, by a pattern such as `{ball}_{surface}_{height}_{}`.
 
+use bouncelab::Plain;
+
 use crate::error::{Error, Result};
 
 /// A pattern for the names of recordings, their ending left out.
@@ -50,12 +52,13 @@ impl Pattern {
                 return Err(wrong("has two fields with nothing between them"));
             }
             let (field, unit) = field.split_once(':').unwrap_or((field, ""));
+            let field = String::from(Plain::of(field.trim()));
             if !field.is_empty() && parts.iter().any(|known| known.field == field) {
                 return Err(wrong("names a field twice"));
             }
             parts.push(Part {
                 before: literal.to_owned(),
-                field: field.trim().to_owned(),
+                field,
                 unit: unit.trim().to_owned(),
             });
             rest = after;
@@ -67,13 +70,13 @@ impl Pattern {
             return Err(wrong("has no field"));
         }
         Ok(Self {
-            text: text.to_owned(),
+            text: Plain::of(text).into(),
             parts,
             end: rest.to_owned(),
         })
     }
 
-    /// The pattern as it was written.
+    /// The pattern, to be shown.
     pub fn text(&self) -> &str {
         &self.text
     }

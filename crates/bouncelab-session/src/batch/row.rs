@@ -4,6 +4,7 @@ use std::collections::{BTreeMap, HashMap};
 use std::path::PathBuf;
 use std::sync::Arc;
 
+use bouncelab::Plain;
 use bouncelab::setup::Settings;
 use serde::{Deserialize, Serialize};
 
@@ -99,7 +100,11 @@ impl Known {
     fn metadata(&self) -> bouncelab::Result<Metadata> {
         Ok(Metadata {
             setup: self.settings.resolve(self.inference)?,
-            factors: self.factors.clone(),
+            factors: self
+                .factors
+                .iter()
+                .map(|(field, text)| (Plain::of(field).into(), Plain::of(text).into()))
+                .collect(),
             height_m: self.height_m,
             temperature_k: self.temperature_k,
         })
