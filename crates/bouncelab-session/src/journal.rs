@@ -20,7 +20,7 @@ use crate::hash::{Hash, hash};
 /// Name of the journal in the folder of the results.
 pub const JOURNAL: &str = "journal.jsonl";
 
-/// What is at the beginning of every journal, behind the checksum.
+/// How every line goes on behind its checksum.
 pub const JOURNAL_MARK: &str = " {\"name\":";
 
 /// So many results are at most lost when the power fails.
@@ -102,8 +102,8 @@ impl Journal {
     /// Opens the journal of a folder, which is made if needed, and reads what is in it.
     ///
     /// # Errors
-    /// [`Error::Output`] if the folder cannot be written into, [`Error::Busy`] if another run has it
-    /// open, [`Error::Read`] if the journal cannot be read.
+    /// [`Error::Output`] if the folder cannot be written into, or what has the name of the journal is none,
+    /// [`Error::Busy`] if another run has it open, [`Error::Read`] if the journal cannot be read.
     pub fn open(folder: &Path) -> Result<Self> {
         create_folder(folder).map_err(Error::output(folder))?;
         let path = folder.join(JOURNAL);
@@ -121,6 +121,11 @@ impl Journal {
         }
         sync_name(&path).map_err(Error::output(folder))?;
         let scan = Scan::of(&file).map_err(Error::read(&path))?;
+        if scan.is_foreign {
+            let reason = "it exists, and is no journal of bouncelab";
+            let reason = std::io::Error::new(std::io::ErrorKind::AlreadyExists, reason);
+            return Err(Error::output(&path)(reason));
+        }
         // What was cut off at the end is cut away, so that the next line begins a line.
         if scan.whole < scan.length {
             file.set_len(scan.whole).map_err(Error::output(folder))?;
@@ -221,6 +226,8 @@ impl Journal {
 struct Scan {
     index: HashMap<Id, u64>,
     damaged: usize,
+    /// Whether it has content, but no line that fits its checksum, nor begins as one.
+    is_foreign: bool,
     length: u64,
     /// Where the last line that ends with a line break ends.
     whole: u64,
@@ -238,7 +245,11 @@ impl Scan {
             if read == 0 {
                 return Ok(scan);
             }
+            if scan.length == 0 {
+                scan.is_foreign = !begins_line(&line);
+            }
             let of = checked(&line).and_then(|text| serde_json::from_str::<Of>(text).ok());
+            scan.is_foreign &= of.is_none();
             match of {
                 Some(Of { name, key }) => {
                     let id = Id::of_text(&name, &key.content, &key.settings);
@@ -259,6 +270,14 @@ fn checked(line: &[u8]) -> Option<&str> {
     let line = std::str::from_utf8(line.strip_suffix(b"\n")?).ok()?;
     let (found, text) = line.split_once(' ')?;
     (found == check(text)).then_some(text)
+}
+
+/// Whether this is a line of a journal, or the beginning of one, as far as its first letters say.
+fn begins_line(line: &[u8]) -> bool {
+    let (check, named) = line.split_at(CHECK.min(line.len()));
+    let is_digit = |letter: &u8| matches!(letter, b'0'..=b'9' | b'a'..=b'f');
+    let mut letters = std::iter::zip(named, JOURNAL_MARK.as_bytes());
+    check.iter().all(is_digit) && letters.all(|(letter, expected)| letter == expected)
 }
 
 fn check(text: &str) -> String {
@@ -350,6 +369,24 @@ mod tests {
         let journal = Journal::open(folder.path()).unwrap();
         assert_eq!(journal.damaged(), 1);
         assert!(!journal.has("A.wav", &key("1")) && journal.has("b.wav", &key("1")));
+    }
+
+    /// Of a foreign file nothing is cut away, and nothing is added.
+    #[test]
+    fn what_is_no_journal_stays_as_it_is() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join(JOURNAL);
+        for foreign in [
+            "{\"day\":1}\n{\"entry\": {\"name\":\"Ada\"},",
+            "mine {\"name\":\"a\"}\nand more",
+            "0123456789abcde\n",
+            "\n",
+        ] {
+            fs::write(&path, foreign).unwrap();
+            let refused = Journal::open(folder.path()).unwrap_err();
+            assert!(refused.to_string().contains("no journal of bouncelab"));
+            assert_eq!(fs::read_to_string(&path).unwrap(), foreign);
+        }
     }
 
     #[test]
