@@ -1,7 +1,7 @@
 //! `cargo xtask book` and the check `book`: the documents as a book, static pages with a search.
 //!
 //! That its commands run, its links lead somewhere, and its figures and its reference are those of the program, is
-//! tested by `crates/bouncelab-cli/tests/book.rs`.
+//! tested by `crates/bouncelab-cli/tests/book`.
 
 use std::process::Command;
 

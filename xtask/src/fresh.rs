@@ -40,15 +40,19 @@ pub(crate) fn run() -> Result {
     let mut check = cargo_all(&["check"]);
     check.args(["--all-targets", "--locked"]);
     place.run_sharing_target(&mut check)?;
-    // A command of the README.
-    let mut demo = Command::new("cargo");
-    demo.args(["run", "--release", "--", "demo"]);
-    place.empty(&mut demo);
-    // What is optimised takes twice as long to compile, and says the same.
-    demo.env("CARGO_PROFILE_RELEASE_OPT_LEVEL", "1");
-    demo.env("CARGO_PROFILE_RELEASE_CODEGEN_UNITS", "16");
-    demo.env("CARGO_PROFILE_RELEASE_LTO", "off");
-    run_command(demo.env("RUSTFLAGS", "-D warnings"))?;
+    // Commands of the README; the second finds everything compiled.
+    for words in [
+        "install --locked --path crates/bouncelab-cli --root installed",
+        "run --release -- demo",
+    ] {
+        let mut command = Command::new("cargo");
+        place.empty(command.args(words.split(' ')));
+        // What is optimised takes twice as long to compile, and says the same.
+        command.env("CARGO_PROFILE_RELEASE_OPT_LEVEL", "1");
+        command.env("CARGO_PROFILE_RELEASE_CODEGEN_UNITS", "16");
+        command.env("CARGO_PROFILE_RELEASE_LTO", "off");
+        run_command(command.env("RUSTFLAGS", "-D warnings"))?;
+    }
     place.check_without_microphone()?;
     place.run(Command::new("cargo").args(["xtask", "test", "format"]))?;
     if web::has_node() {
@@ -131,7 +135,7 @@ impl Place {
 
     /// The tests are built with the microphone where that is possible; that of the README is not.
     fn check_without_microphone(&self) -> Result {
-        let mut listen = Command::new(self.clone.join("target/release/bouncelab"));
+        let mut listen = Command::new(self.clone.join("installed/bin/bouncelab"));
         self.empty(listen.arg("listen"));
         let output = listen.output().map_err(|reason| reason.to_string())?;
         let message = String::from_utf8_lossy(&output.stderr);

@@ -15,6 +15,7 @@ mod detection;
 mod fresh;
 mod fuzz;
 mod laboratory;
+mod measurements;
 mod package;
 mod python;
 mod release;

@@ -142,6 +142,15 @@ pub(crate) fn check() -> Result {
     });
     tests.and(types)?;
     run_command(venv.tool("abi3audit").arg("--strict").arg(&wheel))?;
+    // Two commands of the documents.
+    let mut measure = venv.python(&["benchmarks/measure.py", "import", "--wheel"]);
+    run_command(measure.arg(&wheel))?;
+    let mut without_installing = Command::new(program_in(&venv.folder, "uvx"));
+    without_installing
+        .arg("--python")
+        .arg(&first.1)
+        .arg("--from");
+    run_command(without_installing.arg(&wheel).args(["bouncelab", "paper"]))?;
     let missing = VERSIONS
         .iter()
         .filter(|&version| found.iter().all(|(it, _)| it != version));

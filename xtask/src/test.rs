@@ -7,7 +7,7 @@ use crate::cargo::{
     cargo, cargo_all, has, has_sound_headers, install, root, run as run_command, succeeds,
 };
 use crate::steps::{self, Step, Time, Watch};
-use crate::{Result, book, cluster, fresh, package, python, release, web};
+use crate::{Result, book, cluster, fresh, measurements, package, python, release, web};
 
 pub(crate) const ABOUT: &str = "Run every check, or only the named ones";
 
@@ -73,7 +73,7 @@ impl Needs {
 /// features: clippy and the documentation use the same metadata of the dependencies, the tests and the
 /// program under the end-to-end tests the same code, so that a dependency is compiled at most twice;
 /// and once more for the browser.
-pub(crate) const CHECKS: [Check; 18] = [
+pub(crate) const CHECKS: [Check; 19] = [
     Check {
         name: "format",
         about: "rustfmt has nothing to change",
@@ -103,6 +103,12 @@ pub(crate) const CHECKS: [Check; 18] = [
             let mut command = cargo_all(&["test"]);
             run_command(command.arg("--doc").env("RUSTDOCFLAGS", "-D warnings"))
         },
+    },
+    Check {
+        name: "measurements",
+        about: "the commands of the documents that measure for hours, on little",
+        needs: Needs::Nothing,
+        run: measurements::check,
     },
     Check {
         name: "docs",

@@ -8,8 +8,8 @@
 //! cargo xtask calibrate 4000
 //! ```
 //!
-//! prints the table of `docs/validation.md` and draws its figure into the folder that the second
-//! argument names. The first is the number of drops for each scenario.
+//! prints the table of `docs/validation.md` and writes `calibration.csv`, of which `cargo xtask book` draws its
+//! figure, into the folder that the second argument names. The first is the number of drops for each scenario.
 
 use std::path::PathBuf;
 use std::thread;
@@ -23,10 +23,6 @@ use bouncelab::flight::{Environment, FlightModel};
 use bouncelab::inference::{
     InferenceOptions, LawKind, Measured, Posterior, Priors, SamplerConfig, infer,
 };
-use bouncelab_report::figure::{self, RankHistogram};
-use bouncelab_report::file::Outputs;
-use bouncelab_report::messages::Translator;
-use bouncelab_report::save;
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use rand_distr::StandardNormal;
@@ -283,8 +279,8 @@ fn run(scenario: Scenario, drops: usize) -> Vec<Ranks> {
 const CHI_SQUARE_LIMIT: f64 = 36.19;
 const BINS: usize = 20;
 
-/// Prints the rows of a scenario and gives its histograms.
-fn report(scenario: Scenario, all: &[Ranks]) -> Vec<RankHistogram> {
+/// Prints the rows of a scenario and gives its histograms, a line of CSV each.
+fn report(scenario: Scenario, all: &[Ranks]) -> Vec<String> {
     let failed = all.iter().filter(|ranks| !ranks.converged).count();
     let mut histograms = Vec::new();
     for (place, quantity) in ["e", "h0", "C_D", "time until rest"].iter().enumerate() {
@@ -318,16 +314,13 @@ fn report(scenario: Scenario, all: &[Ranks]) -> Vec<RankHistogram> {
             covered(0.158_655),
             covered(0.025),
         );
-        histograms.push(RankHistogram {
-            scenario: scenario.name().to_owned(),
-            quantity: (*quantity).to_owned(),
-            bins: bins.to_vec(),
-        });
+        let bins = bins.map(|bin| bin.to_string()).join(",");
+        histograms.push(format!("{},{quantity},{bins}", scenario.name()));
     }
     histograms
 }
 
-fn main() -> bouncelab_report::Result<()> {
+fn main() -> std::io::Result<()> {
     let mut arguments = std::env::args().skip(1);
     let drops = arguments
         .next()
@@ -338,17 +331,13 @@ fn main() -> bouncelab_report::Result<()> {
         "| scenario | drops | quantity | % in 68 | % in 95 | chi-square of ranks | uniform (p > 0.01) | not converged |"
     );
     println!("|---|---|---|---|---|---|---|---|");
-    let histograms: Vec<RankHistogram> = Scenario::ALL
-        .into_iter()
-        .flat_map(|scenario| report(scenario, &run(scenario, drops)))
-        .collect();
-    if let Some(folder) = folder {
-        save(
-            &figure::calibration(&histograms, &Translator::default()),
-            &folder,
-            "calibration",
-            &Outputs::default(),
-        )?;
+    let bins: Vec<String> = (1..=BINS).map(|bin| bin.to_string()).collect();
+    let mut table = vec![format!("scenario,quantity,{}", bins.join(","))];
+    for scenario in Scenario::ALL {
+        table.extend(report(scenario, &run(scenario, drops)));
     }
-    Ok(())
+    let Some(folder) = folder else {
+        return Ok(());
+    };
+    std::fs::write(folder.join("calibration.csv"), table.join("\n") + "\n")
 }

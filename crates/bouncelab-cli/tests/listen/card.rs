@@ -25,7 +25,9 @@ impl Server {
         let server = Self {
             folder: TempDir::new().unwrap(),
         };
-        fs::write(server.alsa(), "pcm.!default { type pulse }\n").unwrap();
+        let hint = "hint { show on description \"a simulated card\" }";
+        let card = format!("pcm.!default {{ type pulse {hint} }}\n");
+        fs::write(server.alsa(), card).unwrap();
         let mut command = server.command("pulseaudio");
         // It goes to the background when it is ready.
         command.args([
@@ -196,6 +198,17 @@ fn a_card_that_vanishes_ends_the_recording_and_leaves_it() {
     assert_eq!(output.status.code(), Some(1), "{said}");
     assert!(said.contains("still plugged in"), "{said}");
     assert!(samples(&server.path("mic.wav")).len() > RATE_HZ as usize / 3);
+}
+
+#[test]
+#[ignore = "needs PulseAudio: cargo xtask test card"]
+fn a_card_is_in_the_list_of_devices() {
+    let server = Server::start(Some(RATE_HZ));
+    let mut command = server.command(assert_cmd::cargo::cargo_bin("bouncelab"));
+    let output = command.args(["listen", "--devices"]).output().unwrap();
+    let listed = String::from_utf8(output.stdout).unwrap();
+    assert!(output.status.success(), "{listed}");
+    assert!(listed.contains("a simulated card"), "{listed}");
 }
 
 #[test]

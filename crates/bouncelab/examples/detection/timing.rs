@@ -62,8 +62,8 @@ pub(crate) fn print(drops: u64) {
             }
         }
     }
-    println!("\n| ball | level | impacts | late | late by a threshold |");
-    println!("|---|---|---|---|---|");
+    println!("\n| ball | level | late | late by a fixed level |");
+    println!("|---|---|---|---|");
     for (voice, timed) in quietest {
         print_lateness(voice, &timed);
     }
@@ -136,6 +136,8 @@ fn time(voice: &str, snr_db: f64, phase_scatter_rad: f64, seed: u64) -> Vec<Time
 /// the whole sound, and by the first sample above a fixed level.
 fn print_lateness(voice: &str, timed: &[Vec<Timed>]) {
     const STEP_DB: f64 = 5.0;
+    /// A median of fewer impacts says little.
+    const FEWEST: usize = 20;
     let mut later: BTreeMap<i32, (Vec<f64>, Vec<f64>)> = BTreeMap::new();
     for drop in timed {
         let Some(loudest) = drop.iter().max_by(|a, b| a.level_db.total_cmp(&b.level_db)) else {
@@ -149,10 +151,12 @@ fn print_lateness(voice: &str, timed: &[Vec<Timed>]) {
         }
     }
     for (step, (mut errors, mut crossings)) in later {
-        let count = errors.len();
+        if errors.len() < FEWEST {
+            continue;
+        }
         if let (Some(late_s), Some(crossed_s)) = (median(&mut errors), median(&mut crossings)) {
             println!(
-                "| {voice} | {:.0} dB | {count} | {:+.2} us | {:+.1} us |",
+                "| {voice} | {:.0} dB | {:+.1} us | {:+.1} us |",
                 f64::from(step) * STEP_DB,
                 1e6 * late_s,
                 1e6 * crossed_s

@@ -6,6 +6,8 @@
 
 #![cfg(unix)]
 
+mod measured;
+
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Component, Path, PathBuf};
@@ -26,17 +28,13 @@ enum Elsewhere {
 
 use Elsewhere::{Check, Never};
 
-const RIGHTS: Elsewhere = Never("it takes the right to install");
-const MEASURED: Elsewhere =
-    Never("it measures, for minutes or hours, on a machine that does nothing else");
+/// Often on less than on the page, for which it takes hours.
+const MEASURED: Elsewhere = Check("measurements");
 
 /// How the commands begin that run elsewhere or nowhere. The first that fits holds.
 const ELSEWHERE: [(&str, Elsewhere); 26] = [
-    ("bouncelab listen --devices", Never("it takes a microphone")),
-    (
-        "bouncelab listen --ball tennis --save",
-        Never("it takes a microphone"),
-    ),
+    ("bouncelab listen --devices", Check("card")),
+    ("bouncelab listen --ball tennis --save", Check("card")),
     ("bouncelab session --from", Check("cluster")),
     ("cargo binstall ", Never("it takes a release")),
     (
@@ -44,7 +42,10 @@ const ELSEWHERE: [(&str, Elsewhere); 26] = [
         MEASURED,
     ),
     // It compiles the program, as a user does.
-    ("cargo install --path crates/bouncelab-cli", Check("fresh")),
+    (
+        "cargo install --locked --path crates/bouncelab-cli",
+        Check("fresh"),
+    ),
     ("cargo run --release -- demo", Check("fresh")),
     ("cargo xtask damage", MEASURED),
     ("cargo xtask detection", MEASURED),
@@ -58,20 +59,22 @@ const ELSEWHERE: [(&str, Elsewhere); 26] = [
     ("spark-submit ", Check("cluster")),
     // The check unpacks the package and runs what is in it.
     ("sudo apt install ./bouncelab_", Check("release")),
-    ("sudo apt install libasound2-dev", RIGHTS),
-    (
-        "uvx --from target/wheels/",
-        Never("it installs what pip installs"),
-    ),
+    // Where they are missing.
+    ("sudo apt install libasound2-dev", Check("clippy")),
+    ("uvx --from target/wheels/", Check("python")),
     (
         "/usr/bin/time -v bouncelab session /tmp/laboratory",
         MEASURED,
     ),
-    ("cd crates/bouncelab-python", MEASURED),
-    ("python=../../target/", MEASURED),
-    ("../../target/python3.11-venv/bin/uv pip install", MEASURED),
-    ("$python benchmarks/measure.py", MEASURED),
-    ("BOUNCELAB_LABORATORY=", MEASURED),
+    ("cd crates/bouncelab-python", Check("python")),
+    ("python=../../target/", Check("python")),
+    (
+        "../../target/python3.11-venv/bin/uv pip install",
+        Check("python"),
+    ),
+    ("$python benchmarks/measure.py", Check("python")),
+    // A test compares the same tables of fewer recordings.
+    ("BOUNCELAB_LABORATORY=", Check("python")),
 ];
 
 /// What the pages assume to be there: recordings of these drops.
@@ -506,6 +509,47 @@ fn every_command_runs_here_or_it_is_said_where() {
         match reason {
             Check(check) => assert!(is_named("test", check), "there is no check {check}"),
             Never(reason) => assert!(!reason.is_empty(), "{start}"),
+        }
+    }
+}
+
+#[test]
+fn commands_and_options_within_sentences_exist() {
+    let reference = Page::read("reference/commands.md".into()).text;
+    let sections: Vec<&str> = reference.split("\n## `").skip(1).collect();
+    // Options on pages of a cluster are those of its job.
+    let job = "../crates/bouncelab-python/python/bouncelab/spark_job.py";
+    let all = reference.clone() + &fs::read_to_string(docs().join(job)).unwrap();
+    for page in pages().into_iter().chain([readme()]) {
+        let codes = page.events().filter_map(|event| match event {
+            Event::Code(code) => Some(code),
+            _ => None,
+        });
+        for code in codes {
+            let words: Vec<&str> = code.split_whitespace().collect();
+            let wrong = format!("{}: \"{code}\"", name(&page.path));
+            let help = match words.as_slice() {
+                ["cargo", "xtask", chore, ..] => {
+                    assert!(is_named("main", chore), "{wrong}");
+                    continue;
+                }
+                ["bouncelab", "help" | "COMMAND", ..] | ["bouncelab"] | [] => continue,
+                ["bouncelab", ..] => {
+                    let of = |count: usize| {
+                        let heading = words.get(..count)?.join(" ") + "`\n";
+                        sections.iter().find(|it| it.starts_with(&heading))
+                    };
+                    of(3).or_else(|| of(2)).unwrap_or_else(|| panic!("{wrong}"))
+                }
+                [first, ..] if first.starts_with("--") => all.as_str(),
+                _ => continue,
+            };
+            let is_of_option = |c: char| c.is_alphanumeric() || c == '-';
+            for word in words.iter().filter(|word| word.starts_with("--")) {
+                let option = word.split(|c| !is_of_option(c)).next().unwrap();
+                let mut known = help.split(|c| !is_of_option(c));
+                assert!(known.any(|it| it == option), "{wrong}: {option}");
+            }
         }
     }
 }
