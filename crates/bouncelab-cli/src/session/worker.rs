@@ -168,12 +168,16 @@ fn answer(recordings: &[KnownRecording], Request { name, key }: &Request) -> Opt
 #[cfg(target_os = "linux")]
 fn confine(memory_mb: u64) -> Result<(), Failure> {
     use landlock::{ABI, Access, AccessFs, AccessNet, Ruleset, RulesetAttr, RulesetCreated};
-    use rustix::process::{Resource, Rlimit, setrlimit};
+    use rustix::process::{Resource, Rlimit, getrlimit, setrlimit};
 
-    let bytes = Some(memory_mb << 20);
+    // A stricter limit of somebody else stays.
+    let most = memory_mb << 20;
+    let most = getrlimit(Resource::Data)
+        .maximum
+        .map_or(most, |of_others| of_others.min(most));
     let limit = Rlimit {
-        current: bytes,
-        maximum: bytes,
+        current: Some(most),
+        maximum: Some(most),
     };
     setrlimit(Resource::Data, limit).map_err(|reason| {
         Failure::Input(format!(
