@@ -101,8 +101,9 @@ impl From<bouncelab_session::Error> for Failure {
             | Error::NoRecordings { .. }
             | Error::Metadata { .. } => Self::Usage(fault.to_string()),
             Error::UnknownDrop { name } => Self::Usage(format!(
-                "--exclude {name}: there is no such drop; write the recording as in the tables, \
-                 with #2 for its second drop, and --exclude before each of several"
+                "--exclude {}: there is no such drop; write the recording as in the tables, \
+                 with #2 for its second drop, and --exclude before each of several",
+                Plain::of(&name)
             )),
             Error::UnknownField { name, known } => {
                 let known = match known.as_slice() {
@@ -110,7 +111,8 @@ impl From<bouncelab_session::Error> for Failure {
                     _ => known.join(", "),
                 };
                 Self::Usage(format!(
-                    "--by {name}: nothing is noted of that; there is {known}"
+                    "--by {}: nothing is noted of that; there is {known}",
+                    Plain::of(&name)
                 ))
             }
             _ => Self::Input(fault.to_string()),

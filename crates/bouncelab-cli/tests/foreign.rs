@@ -138,6 +138,88 @@ fn hostile_notes_are_written_out_wherever_they_are_shown() {
     }
 }
 
+/// What is refused is named, in one line.
+#[cfg(unix)]
+#[test]
+fn refusals_of_hostile_notes_and_rules_are_one_line() {
+    const HOSTILE: &str = r"x\nbouncelab: pass";
+    let folder = TempDir::new().unwrap();
+    fs::write(folder.path().join("a.wav"), "").unwrap();
+    let rule = "schema = \"bouncelab.rules/1\"\n[[rule]]\nname = \"a\"\nsource = \"us\"\n";
+    let whole = format!("{rule}status = \"verified\"\ndrop = {{}}\nrebound = {{}}\n");
+    let broken = HOSTILE.replace(r"\n", "\n");
+    let session = &["session", ".", "--ball", "tennis", "--no-inference"][..];
+    let table = &[session, &["--table", "notes.csv"]].concat();
+    let rules = &["rules", "show", "a", "--rules", "rules.toml"][..];
+    let cases = [
+        (
+            session,
+            "session.toml",
+            format!("[recordings.\"{HOSTILE}\"]\n"),
+        ),
+        (
+            session,
+            "session.toml",
+            format!("[all]\n\"{HOSTILE}\" = []\n"),
+        ),
+        (session, "session.toml", format!("\"{HOSTILE}\" = 1\n")),
+        (
+            session,
+            "session.toml",
+            format!("pattern = \"{{{HOSTILE}\"\n"),
+        ),
+        (
+            session,
+            "session.toml",
+            format!("pattern = \"{{ball}}_{{{HOSTILE}}}_\"\n"),
+        ),
+        (
+            session,
+            "session.toml",
+            format!("[all]\nball = \"b\"\n[balls.b]\n\"{HOSTILE}\" = 1\n"),
+        ),
+        (
+            session,
+            "session.toml",
+            format!("[all]\nball = \"{HOSTILE}\"\n[balls.\"{HOSTILE}\"]\ncolour = 1\n"),
+        ),
+        (table, "notes.csv", format!("file,ball\n\"{broken}\",b\n")),
+        (table, "notes.csv", format!("file,\na.wav,\"{broken}\"\n")),
+        (
+            table,
+            "notes.csv",
+            format!("file,\"height ({broken})\"\na.wav,1\n"),
+        ),
+        (
+            rules,
+            "rules.toml",
+            format!("{whole}title = \"{HOSTILE}\"\n"),
+        ),
+        (
+            rules,
+            "rules.toml",
+            format!("{whole}title = \"a\"\nsurface = \"{HOSTILE}\"\n"),
+        ),
+        (rules, "rules.toml", format!("{rule}\"{HOSTILE}\" = 1\n")),
+        (
+            rules,
+            "rules.toml",
+            whole.replace("\"a\"", &format!("\"{HOSTILE}\"")) + "title = \"a\"\n",
+        ),
+    ];
+    for (words, name, content) in cases {
+        let file = folder.path().join(name);
+        fs::write(&file, &content).unwrap();
+        let (_, out, err) = run(&folder, words);
+        assert!(
+            (out.clone() + &err).contains("bouncelab: pass"),
+            "{content}: {out}{err}"
+        );
+        shown(&(out + &err));
+        fs::remove_file(file).unwrap();
+    }
+}
+
 #[cfg(unix)]
 #[test]
 fn a_spreadsheet_runs_nothing_unless_that_is_wanted() {
