@@ -62,7 +62,7 @@ fn pages(command: &Command, folder: &Path, outputs: &OutputArguments) -> Result<
     let man = Man::new(command.clone()).title(name.to_owned());
     man.render(&mut page)?;
     let path = folder.join(format!("{name}.1"));
-    write(&outputs.of_no_input(), &path, MANUAL, &page)?;
+    write(&outputs.of_no_input(), &path, &format!("^{MANUAL}"), &page)?;
     let own = command.get_subcommands().filter(|own| !own.is_hide_set());
     own.into_iter()
         .try_for_each(|own| pages(own, folder, outputs))

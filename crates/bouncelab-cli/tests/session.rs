@@ -8,7 +8,7 @@ use std::time::{Duration, Instant};
 use assert_cmd::Command;
 use bouncelab::impact::Strike;
 use bouncelab::synth::{self, Rendered, Scene};
-use bouncelab_audio::{SampleFormat, write_wav};
+use bouncelab_audio::{SampleFormat, encode_wav};
 use bouncelab_testkit::strikes;
 use predicates::prelude::*;
 use predicates::str::contains;
@@ -52,11 +52,9 @@ impl Workspace {
     fn record(&self, name: impl AsRef<Path>, seed: u16) -> &Self {
         let sound = drop_of(seed);
         let path = self.recordings().join(name);
-        write_wav(
+        fs::write(
             path,
-            sound.sample_rate_hz,
-            SampleFormat::Int16,
-            &[&sound.samples],
+            encode_wav(sound.sample_rate_hz, SampleFormat::Int16, &[&sound.samples]).unwrap(),
         )
         .unwrap();
         self
@@ -556,7 +554,11 @@ fn a_recording_that_takes_too_much_memory_is_named_and_the_rest_goes_on() {
     let channels = [noise(), noise()];
     let path = workspace.recordings().join("long.wav");
     let channels: [&[f32]; 2] = [&channels[0], &channels[1]];
-    write_wav(path, RATE_HZ, SampleFormat::Int16, &channels).unwrap();
+    fs::write(
+        path,
+        encode_wav(RATE_HZ, SampleFormat::Int16, &channels).unwrap(),
+    )
+    .unwrap();
     let with_memory = |mb: &str| {
         workspace
             .session()
@@ -583,7 +585,11 @@ fn a_recording_that_takes_too_long_is_named_and_the_rest_goes_on() {
     let sound = drop_of(1);
     let drops: &[f32] = &sound.samples.repeat(20);
     let path = workspace.recordings().join("drops.wav");
-    write_wav(path, sound.sample_rate_hz, SampleFormat::Int16, &[drops]).unwrap();
+    fs::write(
+        path,
+        encode_wav(sound.sample_rate_hz, SampleFormat::Int16, &[drops]).unwrap(),
+    )
+    .unwrap();
     fs::write(workspace.recordings().join("empty.wav"), "").unwrap();
     let mut session = Command::cargo_bin("bouncelab").unwrap();
     session
@@ -657,6 +663,20 @@ fn wishes_that_make_no_sense_are_refused() {
     workspace.session().arg("--jobs=65535").assert().success();
 }
 
+/// As administrators set it for all that somebody runs.
+#[cfg(target_os = "linux")]
+#[test]
+fn a_stricter_limit_of_memory_stays() {
+    let workspace = Workspace::new(&[]);
+    workspace.record("a.wav", 1);
+    let mut command = Command::new("sh");
+    command.args(["-c", "ulimit -d 600000 && exec \"$0\" \"$@\""]);
+    command.arg(assert_cmd::cargo::cargo_bin("bouncelab"));
+    command.args(["session", "--ball", "tennis", "--no-inference", "--output"]);
+    command.arg(workspace.results()).arg(workspace.recordings());
+    command.assert().success();
+}
+
 /// What lies in the folder may be of the run that works there.
 #[test]
 fn results_of_a_cluster_wait_for_another_run() {
@@ -676,7 +696,31 @@ fn results_of_a_cluster_wait_for_another_run() {
         .assert()
         .failure()
         .stderr(contains("no Parquet file"));
-    assert!(!draft.exists());
+}
+
+/// An engine may give its files the names of our tables.
+#[test]
+fn results_of_a_cluster_are_never_replaced_by_tables() {
+    use bouncelab_report::file::Outputs;
+    use bouncelab_session::table::{Form, Schema, TableWriter};
+
+    let workspace = Workspace::new(&[]);
+    let folder = workspace.recordings();
+    let schema = Schema {
+        name: "drops",
+        schema: "none",
+        version: "0",
+        columns: Vec::new(),
+    };
+    let rows = TableWriter::new(&folder, &schema, &[Form::Parquet], &Outputs::default());
+    rows.unwrap().finish().unwrap();
+    let file = folder.join("drops.parquet");
+    let before = fs::read(&file).unwrap();
+    let mut command = Command::cargo_bin("bouncelab").unwrap();
+    command.args(["session", "--force", "--from"]).arg(&folder);
+    command.arg("--output").arg(&folder).assert().code(1);
+    command.assert().stderr(contains("is an input"));
+    assert_eq!(fs::read(&file).unwrap(), before);
 }
 
 /// How results of a cluster were analysed was decided there.

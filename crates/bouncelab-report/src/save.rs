@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use crate::chart::{CSV_HEADER, Chart};
+use crate::chart::Chart;
 use crate::error::{Error, Result};
 use crate::file::{Outputs, create_folder};
 use crate::mark;
@@ -54,6 +54,6 @@ pub fn save(chart: &Chart, folder: &Path, name: &str, outputs: &Outputs) -> Resu
         svg: written("svg", mark::SVG, chart.svg().as_bytes())?,
         png: written("png", mark::PNG, &picture)?,
         pdf: written("pdf", mark::PDF, &page)?,
-        csv: written("csv", CSV_HEADER, chart.csv().as_bytes())?,
+        csv: written("csv", mark::DATA, chart.csv().as_bytes())?,
     })
 }

@@ -11,6 +11,9 @@ use serde::Serialize;
 /// Name and version of the schema.
 pub const SCHEMA: &str = "bouncelab.session/2";
 
+/// The mark of its file: how it begins.
+pub const DOCUMENT_MARK: &str = "^{\n  \"schema\": \"bouncelab.session/2\",";
+
 /// What a session says.
 #[derive(Debug, Clone, Serialize)]
 pub struct SessionDocument<'a> {

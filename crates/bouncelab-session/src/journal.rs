@@ -21,7 +21,7 @@ use crate::hash::{Hash, hash};
 pub const JOURNAL: &str = "journal.jsonl";
 
 /// How every line goes on behind its checksum.
-pub const JOURNAL_MARK: &str = " {\"name\":";
+const NAMED: &str = " {\"name\":";
 
 /// So many results are at most lost when the power fails.
 const SYNC_EVERY: usize = 50;
@@ -276,7 +276,7 @@ fn checked(line: &[u8]) -> Option<&str> {
 fn begins_line(line: &[u8]) -> bool {
     let (check, named) = line.split_at(CHECK.min(line.len()));
     let is_digit = |letter: &u8| matches!(letter, b'0'..=b'9' | b'a'..=b'f');
-    let mut letters = std::iter::zip(named, JOURNAL_MARK.as_bytes());
+    let mut letters = std::iter::zip(named, NAMED.as_bytes());
     check.iter().all(is_digit) && letters.all(|(letter, expected)| letter == expected)
 }
 

@@ -47,7 +47,7 @@ mod work;
 
 pub use archive::Entry;
 pub use columns::{RecordingTables, tables, write_tables};
-pub use document::{SCHEMA, SessionDocument};
+pub use document::{DOCUMENT_MARK, SCHEMA, SessionDocument};
 pub use error::{Error, Result};
 pub use figures::figures;
 pub use metadata::{Advice, KnownRecording, Metadata, MetadataOptions, Noted};

@@ -8,15 +8,14 @@ use std::io;
 use std::path::PathBuf;
 
 use bouncelab::Plain;
-use bouncelab_report::chart::CSV_HEADER;
 use bouncelab_report::file::{Outputs, remove_drafts};
 use bouncelab_report::groups::Question;
 use bouncelab_report::mark;
 use bouncelab_session::batch::Batch;
-use bouncelab_session::journal::{JOURNAL, JOURNAL_MARK, Journal};
+use bouncelab_session::journal::{JOURNAL, Journal};
 use bouncelab_session::table::Form;
 use bouncelab_session::{
-    Advice, MetadataOptions, Noted, Outcome, Results, SCHEMA, Session, Sources, Store,
+    Advice, DOCUMENT_MARK, MetadataOptions, Noted, Outcome, Results, Session, Sources, Store,
     StudyOptions, figures, report, write_tables,
 };
 use clap::builder::{PossibleValuesParser, TypedValueParser};
@@ -160,12 +159,13 @@ enum Format {
 
 pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
     if let Some(from) = &arguments.from {
-        let outputs = arguments.outputs.outputs([from]);
-        arguments.check(&outputs)?;
         // Nothing is appended to it: it keeps other runs out of the folder.
         let _journal = Journal::open(&arguments.output)?;
+        let batch = Batch::open(from)?;
+        let outputs = arguments.outputs.outputs(batch.files());
+        arguments.check(&outputs)?;
         let targets = Targets::new(arguments, &outputs)?;
-        return targets.write(arguments, &Batch::open(from)?.results(), None, Vec::new());
+        return targets.write(arguments, &batch.results(), None, Vec::new());
     }
     arguments.physics.questioned(arguments.priors.questions())?;
     let mut session = Session::gather(&Sources {
@@ -255,7 +255,7 @@ impl<'a> Targets<'a> {
         let json =
             serde_json::to_string_pretty(&outcome.document()).map_err(io::Error::from)? + "\n";
         let place = folder.join(DOCUMENT);
-        let kept = outputs.write(&place, SCHEMA, json.as_bytes());
+        let kept = outputs.write(&place, DOCUMENT_MARK, json.as_bytes());
         kept.map_err(|reason| Failure::unwritable(&place, &reason))?;
         let charts = if arguments.figures || self.report.is_some() {
             figures(&outcome, results, translator())?
@@ -331,19 +331,21 @@ impl Arguments {
         let pictures = ["groups", "intervals", "run"]
             .into_iter()
             .flat_map(|figure| {
-                let marks = mark::FIGURES.into_iter().chain([("csv", CSV_HEADER)]);
+                let marks = mark::FIGURES.into_iter().chain([("csv", mark::DATA)]);
                 marks.map(move |(ending, mark)| {
                     (self.output.join(format!("{figure}.{ending}")), mark)
                 })
             });
         let pictures = pictures.filter(|_| self.figures);
-        let document = (self.output.join(DOCUMENT), SCHEMA);
-        let journal = (self.output.join(JOURNAL), JOURNAL_MARK);
-        let mut files = tables.chain(pictures).chain([document, journal]);
+        let document = (self.output.join(DOCUMENT), DOCUMENT_MARK);
+        let mut files = tables.chain(pictures).chain([document]);
         files.try_for_each(|(path, mark)| {
             let allowed = outputs.check(&path, mark);
             allowed.map_err(|reason| Failure::unwritable(&path, &reason))
-        })
+        })?;
+        let journal = self.output.join(JOURNAL);
+        let allowed = outputs.check_no_input(&journal);
+        allowed.map_err(|reason| Failure::unwritable(&journal, &reason))
     }
 
     /// What was noted of a recording, completed by what the arguments say of all.

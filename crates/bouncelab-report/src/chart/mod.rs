@@ -12,7 +12,7 @@ use serde::{Deserialize, Serialize};
 use crate::messages::Translator;
 pub use crate::scale::Scale;
 use crate::theme::{Colour, Meaning};
-pub use rows::{CSV_HEADER, Row};
+pub use rows::Row;
 
 /// A horizontal and a vertical value. One that is not a number, `null` in JSON, interrupts a line and
 /// leaves a point out.

@@ -77,7 +77,7 @@ impl Chart {
 }
 
 /// The first line of the data of a figure, by which bouncelab knows that the file is its own.
-pub const CSV_HEADER: &str = "panel,x_axis,y_axis,layer,kind,x,x_high,y,y_high,y_sd,text";
+const CSV_HEADER: &str = "panel,x_axis,y_axis,layer,kind,x,x_high,y,y_high,y_sd,text";
 
 fn rows_of(shape: &Shape) -> Vec<Row> {
     let at = |kind, [x, y]: [f64; 2]| Row {

@@ -118,12 +118,12 @@ impl Form {
         folder.join(format!("{table}.{}", self.ending()))
     }
 
-    /// What every table of a session has at its beginning or end, by which it is known to be one.
+    /// The mark of every table of a session, by which it is known to be one.
     pub const fn mark(self) -> &'static str {
         match self {
             Self::Parquet => "bouncelab.schema",
-            Self::Csv | Self::RawCsv => "recording,drop,",
-            Self::JsonLines => "{\"recording\":",
+            Self::Csv | Self::RawCsv => "^recording,drop,",
+            Self::JsonLines => "^{\"recording\":",
         }
     }
 }
