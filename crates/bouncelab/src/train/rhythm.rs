@@ -11,7 +11,8 @@ use super::evidence;
 use crate::stats::softplus;
 use std::f64::consts::TAU;
 
-/// Rhythms are more usual than drops: logarithm of the ratio.
+/// Rhythms are more usual than drops: logarithm of the ratio. People, machines, and voices and strings keep time, and
+/// none of the three is less usual than somebody who drops a ball.
 pub(super) const LN_USUAL: f64 = 1.1;
 
 /// How somebody, or something, keeps time.

@@ -23,6 +23,10 @@ const NEAREST_S: f64 = 0.003;
 const FARTHEST_SIGMA: f64 = 6.0;
 /// An impact that correlates with the others by less, or of which it is not so many times likelier that it sounds like
 /// them than that it does not, keeps its pick.
+///
+/// Of the shortest sounds that are compared some 66 samples are independent at 44.1 kHz, so that noise correlates by 0.12
+/// with them, and at the best of a hundred shifts by 0.3. Of impacts 15 % sound unlike the others (`evidence`): with odds
+/// of 8 before that is counted, one in fifty would be moved to where it does not belong.
 const LEAST_CORRELATION: f64 = 0.35;
 const LEAST_ODDS: f64 = 8.0;
 /// Sounds agree if they correlate by more than this.
