@@ -3,24 +3,28 @@
 use std::fs::File;
 use std::io::{self, Seek, SeekFrom, Write};
 use std::path::Path;
-use std::time::{Duration, Instant};
 
 use bouncelab::Plain;
 use bouncelab::analysis::Gap;
 
+use crate::cues::chunk;
 use crate::error::{Error, Result};
 use crate::lost_chunk;
-use crate::wav::{HEADER_LEN, Layout, MOST_DATA, SampleFormat, TOO_LONG};
+use crate::wav::{self, Layout, MOST_DATA, SampleFormat, TOO_LONG};
 
-/// How long sound may be handed over without being on the disk.
-const SYNC_EVERY: Duration = Duration::from_secs(1);
+/// The length of the header: one page, which is on a disk as it was or as it became, never in part. What the fields of
+/// a WAV leave of it is for the places where sound was lost.
+const HEADER_LEN: usize = 4096;
+
+/// So many places fit.
+const MOST_GAPS: usize = (HEADER_LEN - wav::HEADER_LEN as usize - 2 * 8) / lost_chunk::GAP_LEN;
 
 /// A WAV file that is written while the sound comes, and can be read at any time.
 ///
-/// Every second of sound is handed to the system together with a header that counts it, sound
-/// first, and once a second it waits for the disk. So after a crash of the program or a loss of power,
-/// or on a full disk, the file is a whole recording that lacks at most the last two seconds.
-/// [`Recorder::finish`] hands over the rest and waits for the disk. Behind the sound stands where some was lost
+/// Every second of sound is handed to the system; when it is on the disk, a header that counts it follows. So
+/// after a crash of the program or a loss of power, or on a full disk, the file is a whole recording that lacks at most
+/// the last two seconds, and no header counts what is not there.
+/// [`Recorder::finish`] hands over the rest and waits for the disk. The header also says where sound was lost
 /// ([`Recorder::note_gap`]), which [`Source`](crate::Source) reads back.
 ///
 /// ```
@@ -44,10 +48,10 @@ pub struct Recorder<W: Store = File> {
     waiting: Vec<u8>,
     /// How many bytes of samples the header counts.
     data_len: u32,
+    /// The most bytes of samples.
+    most_data: u32,
     /// Where sound was lost.
     gaps: Vec<Gap>,
-    /// When all that was handed over was last on the disk.
-    synced: Instant,
     /// The file took no more.
     is_closed: bool,
 }
@@ -99,23 +103,33 @@ impl Recorder {
             return Ok(());
         }
         self.hand_over()?;
-        self.sync()
+        self.file
+            .sync()
+            .map_err(|reason| Error::io(&self.name, reason))
     }
 }
 
 impl<W: Store> Recorder<W> {
-    fn start(name: &str, layout: Layout, mut file: W) -> io::Result<Self> {
-        file.write_all(&layout.header(0, 0))?;
-        Ok(Self {
+    fn start(name: &str, layout: Layout, file: W) -> io::Result<Self> {
+        let mut recorder = Self {
             name: name.to_owned(),
             layout,
             file,
             waiting: Vec::new(),
             data_len: 0,
+            most_data: MOST_DATA - HEADER_LEN as u32,
             gaps: Vec::new(),
-            synced: Instant::now(),
             is_closed: false,
-        })
+        };
+        recorder.write_header(0)?;
+        Ok(recorder)
+    }
+
+    /// The same file with fewer bytes of samples at most than the 4 GB that a WAV can have.
+    #[must_use]
+    pub fn with_most_bytes(mut self, bytes: u32) -> Self {
+        self.most_data = self.most_data.min(bytes);
+        self
     }
 
     /// The file as the caller named it.
@@ -131,16 +145,19 @@ impl<W: Store> Recorder<W> {
 
     /// How many frames still fit: a WAV file cannot hold more than 4 GB.
     pub fn room_frames(&self) -> u64 {
-        let gaps_len = self.gaps.len() * lost_chunk::GAP_LEN;
-        let taken = u64::from(self.data_len) + (self.waiting.len() + gaps_len) as u64;
-        u64::from(MOST_DATA).saturating_sub(taken) / u64::from(self.layout.frame_len())
+        let taken = u64::from(self.data_len) + self.waiting.len() as u64;
+        u64::from(self.most_data).saturating_sub(taken) / u64::from(self.layout.frame_len())
     }
 
     /// Notes that sound was lost; the silence in its place is pushed as any other sound. It is in the file with the
-    /// samples that come next, or at the end.
+    /// samples that come next, or at the end. What goes beyond 168 gaps is one of unknown length with the last of them.
     pub fn note_gap(&mut self, gap: Gap) {
-        if self.room_frames() > lost_chunk::GAP_LEN as u64 {
-            self.gaps.push(gap);
+        match self.gaps.get_mut(MOST_GAPS - 1) {
+            Some(last) => {
+                last.duration_s = gap.end_s() - last.start_s;
+                last.certain = false;
+            }
+            None => self.gaps.push(gap),
         }
     }
 
@@ -185,40 +202,26 @@ impl<W: Store> Recorder<W> {
         let second = self.layout.sample_rate_hz as usize * usize::from(self.layout.frame_len());
         if self.waiting.len() >= second {
             self.hand_over()?;
-            if self.synced.elapsed() >= SYNC_EVERY {
-                self.sync()?;
-            }
         }
         Ok(())
     }
 
-    fn sync(&mut self) -> Result<()> {
-        self.synced = Instant::now();
-        self.file.sync().map_err(|reason| {
-            self.is_closed = true;
-            Error::io(&self.name, reason)
-        })
-    }
-
-    /// Hands over what waits, then a header that counts it.
+    /// Hands over what waits and, when that is on the disk, a header that counts it.
     fn hand_over(&mut self) -> Result<()> {
-        let gaps = lost_chunk::encode(&self.gaps, self.layout.sample_rate_hz);
-        let (taken, written) = self.write_waiting(&gaps);
+        let (taken, written) = self.write_waiting();
         let whole = taken - taken % usize::from(self.layout.frame_len());
-        self.data_len += whole as u32;
         self.waiting.clear();
-        let behind = if written.is_ok() { gaps.len() } else { 0 };
-        let counted = self.write_header(behind as u32);
+        let synced = self.file.sync();
+        let counted = synced.and_then(|()| self.write_header(self.data_len + whole as u32));
         written.and(counted).map_err(|reason| {
             self.is_closed = true;
             Error::io(&self.name, reason)
         })
     }
 
-    /// Writes what waits behind what the header counts, and the gaps behind that, which the next samples replace;
-    /// also tells how many bytes of samples the file took.
-    fn write_waiting(&mut self, gaps: &[u8]) -> (usize, io::Result<()>) {
-        let end = u64::from(HEADER_LEN) + u64::from(self.data_len);
+    /// Writes what waits behind what the header counts; also tells how many bytes of samples the file took.
+    fn write_waiting(&mut self) -> (usize, io::Result<()>) {
+        let end = HEADER_LEN as u64 + u64::from(self.data_len);
         if let Err(reason) = self.file.seek(SeekFrom::Start(end)) {
             return (0, Err(reason));
         }
@@ -233,16 +236,23 @@ impl<W: Store> Recorder<W> {
         }
         // By the rules of the format a chunk of odd length is followed by one more byte.
         let padding = (self.data_len as usize + taken) % 2;
-        let padded = self.file.write_all(&[0][..padding]);
-        (taken, padded.and_then(|()| self.file.write_all(gaps)))
+        (taken, self.file.write_all(&[0][..padding]))
     }
 
-    /// Writes the header of a file with so many bytes behind the samples.
-    fn write_header(&mut self, behind: u32) -> io::Result<()> {
+    /// Writes a header that counts so many bytes of samples.
+    fn write_header(&mut self, data_len: u32) -> io::Result<()> {
+        let more = HEADER_LEN - wav::HEADER_LEN as usize;
+        let plain = self.layout.header(data_len, more as u32);
+        // Name and size of the samples come last.
+        let (format, data) = plain.split_at(plain.len() - 8);
+        let lost = lost_chunk::encode(&self.gaps, self.layout.sample_rate_hz);
+        let unused = chunk(*b"JUNK", &vec![0; more - lost.len() - 8]);
         self.file.seek(SeekFrom::Start(0))?;
         self.file
-            .write_all(&self.layout.header(self.data_len, behind))?;
-        self.file.flush()
+            .write_all(&[format, &lost, &unused, data].concat())?;
+        self.file.flush()?;
+        self.data_len = data_len;
+        Ok(())
     }
 }
 
@@ -258,10 +268,11 @@ impl<W: Store> Drop for Recorder<W> {
 
 #[cfg(test)]
 mod tests {
+    use std::cell::RefCell;
     use std::io::Cursor;
 
     use super::*;
-    use crate::Source;
+    use crate::{Source, Warning};
 
     /// A disk with a capacity of so many bytes, on which what is there can be overwritten.
     struct Disk {
@@ -342,13 +353,13 @@ mod tests {
 
     #[test]
     fn a_full_disk_leaves_whole_frames_and_says_so_once() {
-        for capacity in 16_044..16_052 {
+        for capacity in HEADER_LEN + 16_000..HEADER_LEN + 16_008 {
             let mut recorder = recorder(capacity, 2, SampleFormat::Int16);
             let (left, right) = (ramp(10_000), vec![0.0; 10_000]);
             let refusal = recorder.push(&[&left, &right]).unwrap_err();
             assert!(refusal.to_string().starts_with("test: "), "{refusal}");
-            // Four bytes a frame behind a header of 44.
-            let frames = (capacity - 44) / 4;
+            // Four bytes a frame.
+            let frames = (capacity - HEADER_LEN) / 4;
             assert_eq!(read(&recorder), left[..frames]);
             assert!((recorder.saved_s() - frames as f64 / 8_000.0).abs() < 1e-12);
             assert!(recorder.push(&[&left, &right]).is_ok());
@@ -398,6 +409,178 @@ mod tests {
             let source = Source::from_bytes(bytes, "test.wav").unwrap();
             assert_eq!(source.gaps(), expected);
             assert_eq!(source.warnings().len(), expected.len());
+        }
+    }
+
+    /// More than fit are one, of which nothing is believed.
+    #[test]
+    fn gaps_beyond_those_that_fit_are_of_unknown_length() {
+        let mut recorder = recorder(usize::MAX, 1, SampleFormat::Int16);
+        let gap = |number: usize| Gap {
+            start_s: number as f64 / 8.0,
+            duration_s: 0.0625,
+            certain: true,
+        };
+        (0..=MOST_GAPS).for_each(|number| recorder.note_gap(gap(number)));
+        recorder.push(&[&ramp(24 * 8_000)]).unwrap();
+        let bytes = recorder.file.content.get_ref().clone();
+        let source = Source::from_bytes(bytes, "test.wav").unwrap();
+        let (last, before) = source.gaps().split_last().unwrap();
+        let expected: Vec<Gap> = (0..MOST_GAPS - 1).map(gap).collect();
+        assert_eq!(before, expected);
+        let joined = Gap {
+            duration_s: 0.1875,
+            certain: false,
+            ..gap(MOST_GAPS - 1)
+        };
+        assert_eq!(*last, joined);
+    }
+
+    #[test]
+    fn a_file_takes_no_more_than_it_may() {
+        let mut recorder = recorder(usize::MAX, 1, SampleFormat::Int16).with_most_bytes(2 * 10_000);
+        recorder.push(&[&ramp(9_000)]).unwrap();
+        assert_eq!(recorder.room_frames(), 1_000);
+        recorder.push(&[&ramp(1_001)]).unwrap_err();
+        assert_eq!(read(&recorder), ramp(9_000));
+    }
+
+    /// What a recorder asks of a disk.
+    #[derive(Debug)]
+    enum Asked {
+        Write(usize, Vec<u8>),
+        Sync,
+    }
+
+    /// A disk that remembers what was asked of it.
+    #[derive(Default)]
+    struct Log {
+        asked: RefCell<Vec<Asked>>,
+        at: usize,
+    }
+
+    impl Write for Log {
+        fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+            self.asked
+                .get_mut()
+                .push(Asked::Write(self.at, bytes.to_vec()));
+            self.at += bytes.len();
+            Ok(bytes.len())
+        }
+
+        fn flush(&mut self) -> io::Result<()> {
+            Ok(())
+        }
+    }
+
+    impl Seek for Log {
+        fn seek(&mut self, to: SeekFrom) -> io::Result<u64> {
+            let SeekFrom::Start(at) = to else {
+                return Err(io::ErrorKind::Unsupported.into());
+            };
+            self.at = at as usize;
+            Ok(at)
+        }
+    }
+
+    impl Store for Log {
+        fn sync(&self) -> io::Result<()> {
+            self.asked.borrow_mut().push(Asked::Sync);
+            Ok(())
+        }
+    }
+
+    /// Whatever a disk made of it, in whatever order: of each page that was written since it was last waited for it
+    /// has what it had or what it was given.
+    #[test]
+    fn a_loss_of_power_leaves_no_recording_that_looks_whole_and_is_not() {
+        const PAGE: usize = 4096;
+        let overwrite = |disk: &mut Vec<u8>, at: usize, bytes: &[u8]| {
+            disk.resize(disk.len().max(at + bytes.len()), 0);
+            disk[at..at + bytes.len()].copy_from_slice(bytes);
+        };
+        let lost = Gap {
+            start_s: 1.5,
+            duration_s: 0.25,
+            certain: true,
+        };
+        // No sample is zero, as a page is that was never written.
+        let sound: Vec<f32> = ramp(36_001)[1..].iter().map(|it| it / 2.0).collect();
+        let layout = Layout::new("test", RATE_HZ, 1, SampleFormat::Int24).unwrap();
+        let mut recorder = Recorder::start("test", layout, Log::default()).unwrap();
+        for (number, block) in sound.chunks(1_000).enumerate() {
+            if number == 12 {
+                recorder.note_gap(lost);
+            }
+            recorder.push(&[block]).unwrap();
+        }
+        recorder.hand_over().unwrap();
+        recorder.file.sync().unwrap();
+        let asked = recorder.file.asked.take();
+
+        let (mut disk, mut pages) = (Vec::new(), Vec::<(usize, &[u8])>::new());
+        // Sound that was handed over, and how much of it when the disk was last waited for.
+        let (mut handed_over, mut synced, mut tried) = (0, 0, 0);
+        for asked in &asked {
+            match asked {
+                Asked::Sync => {
+                    for (at, page) in std::mem::take(&mut pages) {
+                        overwrite(&mut disk, at, page);
+                    }
+                    let counted = disk[PAGE - 4..PAGE].first_chunk().unwrap();
+                    assert_eq!(u32::from_le_bytes(*counted), synced);
+                    synced = handed_over;
+                }
+                Asked::Write(at, bytes) => {
+                    handed_over += if *at < PAGE { 0 } else { bytes.len() as u32 };
+                    let mut rest = bytes.as_slice();
+                    while !rest.is_empty() {
+                        let at = at + bytes.len() - rest.len();
+                        let page = rest.split_off(..rest.len().min(PAGE - at % PAGE));
+                        pages.push((at, page.unwrap()));
+                    }
+                }
+            }
+            for kept in 0..1_u32 << pages.len() {
+                let mut left = disk.clone();
+                for (number, (at, page)) in pages.iter().enumerate() {
+                    if kept >> number & 1 == 1 {
+                        overwrite(&mut left, *at, page);
+                    }
+                }
+                tried += 1;
+                let certain = match disk.get(PAGE - 4..PAGE) {
+                    Some(counted) => u32::from_le_bytes(*counted.first_chunk().unwrap()) / 3,
+                    None => 0,
+                };
+                assert_is_beginning(left, certain as usize, &sound, lost);
+            }
+        }
+        assert!(tried > 500, "{tried} disks");
+    }
+
+    /// What is left of a recording is its beginning, at least all that is `certain`, with the place where sound was
+    /// lost; or it says that it is not whole, or cannot be read.
+    fn assert_is_beginning(left: Vec<u8>, certain: usize, sound: &[f32], lost: Gap) {
+        let Ok(mut source) = Source::from_bytes(left, "test.wav") else {
+            assert_eq!(certain, 0);
+            return;
+        };
+        let mut samples = Vec::new();
+        while let Some(block) = source.next_block().unwrap() {
+            samples.extend_from_slice(block.channel(0));
+        }
+        let alike = std::iter::zip(&samples, sound).take_while(|(a, b)| (*a - *b).abs() < 1e-6);
+        let alike = alike.count();
+        assert!(alike >= certain, "{alike} of {certain}");
+        let is_warned = source
+            .warnings()
+            .iter()
+            .any(|it| matches!(it, Warning::Truncated { .. }));
+        if !is_warned {
+            assert_eq!(alike, samples.len());
+            let has_gap = samples.len() as f64 / f64::from(RATE_HZ) > lost.start_s;
+            assert_eq!(source.gaps(), &[lost][..usize::from(has_gap)]);
         }
     }
 

@@ -50,8 +50,11 @@ pub enum Warning {
         /// How long all of them are.
         blank_s: f64,
     },
-    /// The decoded sound is not that of which the file has the checksum.
-    Altered,
+    /// The decoded sound is not that of which the file has the checksum: somewhere in all of it it is another.
+    Altered {
+        /// How long the sound is.
+        read_s: f64,
+    },
     /// The rate or the number of channels changes on the way; the sound after the change was not
     /// read.
     FormatChange {
@@ -136,7 +139,9 @@ impl Warning {
                 .with("places", places)
                 .with("first_s", first_s)
                 .with("blank_s", blank_s),
-            Self::Altered => new(Code::ChecksumWrong),
+            Self::Altered { read_s } => new(Code::ChecksumWrong)
+                .with("start_s", 0.0)
+                .with("end_s", read_s),
             Self::FormatChange { at_s } => new(Code::FormatChanges).with("at_s", at_s),
             Self::RateInDoubt {
                 stated_hz,

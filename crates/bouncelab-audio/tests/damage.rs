@@ -3,6 +3,7 @@
 
 use bouncelab::Options;
 use bouncelab::analysis::Gap;
+use bouncelab::diagnostic::Code;
 use bouncelab_audio::{Source, Warning};
 use bouncelab_testkit::damage::{Damage, Verdict, analyse, files, is_warned, judge, words};
 
@@ -112,7 +113,8 @@ fn a_flac_whose_checksum_is_wrong_is_said_to_be_altered() {
     file[8 + 33] ^= 1;
     let mut source = Source::from_bytes(file, &name).unwrap();
     while source.next_block().unwrap().is_some() {}
-    assert_eq!(source.warnings(), [Warning::Altered]);
+    let read_s = source.duration_s().unwrap();
+    assert_eq!(source.warnings(), [Warning::Altered { read_s }]);
 }
 
 /// What a changed bit of MP3 sounds like cannot be told from any other sound, but the tag has a checksum.
@@ -123,13 +125,35 @@ fn an_mp3_whose_checksum_is_wrong_is_said_to_be_altered() {
         let warnings = |file: &[u8]| {
             let mut source = Source::from_bytes(file, name).unwrap();
             while source.next_block().unwrap().is_some() {}
-            source.warnings().to_vec()
+            (source.warnings().to_vec(), source.duration_s().unwrap())
         };
-        assert_eq!(warnings(&file), []);
+        assert_eq!(warnings(&file).0, []);
         // Behind header and side information of a frame.
         file[5_552] ^= 2;
-        assert_eq!(warnings(&file), [Warning::Altered]);
+        let (warnings, read_s) = warnings(&file);
+        assert_eq!(warnings, [Warning::Altered { read_s }]);
     }
+}
+
+/// It costs the first impact, and only the checksum of the whole stream shows it.
+#[test]
+fn a_bit_that_costs_an_impact_puts_all_of_the_sound_in_doubt() {
+    let name = "constant.mp3";
+    let file = files().into_iter().find(|it| it.0 == name).unwrap().1;
+    let options = Options::default().without_inference();
+    let whole = analyse(&file, name, &options).unwrap();
+    let damaged = analyse(&Damage::Bit.at(17, &file), name, &options).unwrap();
+    assert_eq!(
+        damaged.drops[0].impacts.len() + 1,
+        whole.drops[0].impacts.len()
+    );
+    assert_ne!(judge(&whole, Some(&damaged)), Verdict::Wrong);
+    let doubt = damaged
+        .diagnostics
+        .iter()
+        .find(|it| it.code == Code::ChecksumWrong);
+    let [start_s, end_s] = ["start_s", "end_s"].map(|name| doubt.unwrap().number(name).unwrap());
+    assert!(start_s <= 0.0 && end_s >= whole.drops[0].impacts.last().unwrap().time_s);
 }
 
 /// The first one has none before it that it would have to follow.

@@ -227,8 +227,8 @@ codes! {
     ClockLost = "clock-lost", Warning, ["places", "first_s"];
     /// The sound is exactly zero for a while, and not elsewhere: it may have been lost or overwritten.
     SoundBlank = "sound-blank", Warning, ["places", "first_s", "blank_s"];
-    /// The decoded sound is not that of which the file has the checksum.
-    ChecksumWrong = "checksum-wrong", Warning, [];
+    /// The decoded sound is not that of which the file has the checksum, and it is not known where in this stretch.
+    ChecksumWrong = "checksum-wrong", Warning, ["start_s", "end_s"];
     /// The rate or number of channels changes; the recording was read up to there.
     FormatChanges = "format-changes", Warning, ["at_s"];
     /// The header of the file states one rate and, by its bytes a second, another.

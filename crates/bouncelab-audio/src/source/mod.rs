@@ -232,15 +232,12 @@ impl Source {
             stage: Stage::Sound,
             detail: "it is damaged in too many places".to_owned(),
         })?;
+        framing.is_cut |= header.is_unfinished;
         if let Some(sound) = framing.sound.take() {
             reader.read_only(sound).map_err(fail)?;
         }
-        let is_altered = framing.is_altered;
         let track = Track::open(container, Box::new(reader), framing, name)?;
         let mut source = Self::start(track, name)?;
-        if is_altered {
-            source.warnings.push(Warning::Altered);
-        }
         for gap in lost_chunk::decode(&header.lost, source.sample_rate_hz()) {
             source.note_gap(gap);
         }
@@ -397,7 +394,7 @@ impl Source {
     fn decode_more(&mut self) -> Result<()> {
         let at = self.pending.end;
         if at >= self.presentation.end() {
-            self.ended = true;
+            self.stop(at);
             return Ok(());
         }
         let Step { lost, next } = self.track.step(&self.name, &mut self.planes)?;
@@ -420,7 +417,7 @@ impl Source {
                 let known = self.warnings.len();
                 self.end(at, false);
                 if self.warnings.len() == known {
-                    self.warnings.push(Warning::Altered);
+                    self.note_altered(at);
                 }
             }
         }
@@ -461,6 +458,15 @@ impl Source {
     fn stop(&mut self, at: u64) {
         self.ended = true;
         self.pending = at..at;
+        if self.track.is_altered() {
+            self.note_altered(at);
+        }
+    }
+
+    /// Notes that the sound up to this decoded frame is not what was encoded, wherever that is.
+    fn note_altered(&mut self, at: u64) {
+        let read_s = self.presented_s(at);
+        self.warnings.push(Warning::Altered { read_s });
     }
 
     /// Stops, and warns if that is too early: because the file is broken there, or is shorter than
@@ -482,7 +488,7 @@ impl Source {
         let counted = announced.and_then(|it| Some((self.seconds(it.frames), it.tolerance_s?)));
         let is_short = |(expected_s, tolerance_s)| expected_s - read_s > tolerance_s;
         if broken || counted.is_some_and(is_short) {
-            let expected_s = counted.map(|(expected_s, _)| expected_s);
+            let expected_s = counted.filter(|it| is_short(*it)).map(|it| it.0);
             self.warnings
                 .push(Warning::Truncated { read_s, expected_s });
         }

@@ -136,6 +136,11 @@ impl Track {
         codec::is_plain(self.params.codec)
     }
 
+    /// Whether frames of a stream are not those that were encoded, though none is missing.
+    pub(super) fn is_altered(&self) -> bool {
+        self.framing.is_altered
+    }
+
     /// Which decoded frames are heard; `None` if the edit list cannot be followed.
     pub(super) fn presentation(&self, layout: Layout) -> Option<Presentation> {
         let rate = f64::from(layout.sample_rate_hz);

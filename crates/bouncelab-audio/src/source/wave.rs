@@ -42,6 +42,8 @@ pub(super) struct Mended {
 pub(super) struct Header {
     /// Another header, if it has to be another.
     pub(super) mended: Option<Mended>,
+    /// Whether a recorder was stopped before it said how much sound there is.
+    pub(super) is_unfinished: bool,
     /// The content of the chunk that says where sound was lost; empty without one.
     pub(super) lost: Vec<u8>,
     /// The rate, in Hz, that the bytes a second are those of, where that is not the rate that is stated.
@@ -70,9 +72,16 @@ pub(super) fn header<S: Read + Seek>(source: &mut S) -> io::Result<Header> {
             }
             b"data" if !has_sound => {
                 has_sound = true;
-                let sound = chunks.sound(content, sizes.map(u64::from_le_bytes), file_len);
-                let sound = sound.filter(|_| !format.is_empty());
-                header.mended = sound.map(|sound| Mended::new(&format, sound));
+                let said = chunks.said(&content, sizes.map(u64::from_le_bytes));
+                let said = said.filter(|_| !format.is_empty());
+                header.is_unfinished = said == Some(0);
+                header.mended = said.map(|said| {
+                    let end = match said {
+                        0 => file_len,
+                        len => content.start.saturating_add(len),
+                    };
+                    Mended::new(&format, content.start..end)
+                });
             }
             name if *name == lost_chunk::NAME && header.lost.is_empty() && len <= MOST_LOST => {
                 header.lost = chunks.read(&content)?;
@@ -185,21 +194,17 @@ impl<'a, S: Read + Seek> Chunks<'a, S> {
         Ok(bytes)
     }
 
-    /// Where the sound is, if the header does not say it in a way that the demuxer understands.
-    fn sound(&self, content: Range<u64>, size: Option<u64>, file_len: u64) -> Option<Range<u64>> {
+    /// How long the sound is, if the header does not say it in a way that the demuxer understands; 0 if it was not
+    /// known yet.
+    fn said(&self, content: &Range<u64>, size: Option<u64>) -> Option<u64> {
         let len = content.end - content.start;
-        let said = match self.kind {
-            // Nothing at all was said, though much follows: it was not known yet.
-            Kind::Riff if len == 0 && content.start >= self.said + 8 => 0,
-            Kind::Riff => return None,
-            Kind::Rf64 if len == u64::from(UNKNOWN) => size.unwrap_or(0),
-            Kind::Rf64 | Kind::W64 => len,
-        };
-        let end = match said {
-            0 => file_len,
-            len => content.start.saturating_add(len),
-        };
-        Some(content.start..end)
+        match self.kind {
+            // Nothing at all was said, though much follows.
+            Kind::Riff if len == 0 && content.start >= self.said + 8 => Some(0),
+            Kind::Riff => None,
+            Kind::Rf64 if len == u64::from(UNKNOWN) => Some(size.unwrap_or(0)),
+            Kind::Rf64 | Kind::W64 => Some(len),
+        }
     }
 }
 

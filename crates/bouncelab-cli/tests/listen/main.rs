@@ -599,7 +599,7 @@ mod microphone {
             .stderr(theirs)
             .spawn()
             .unwrap();
-        wait_for(&saved, 44 + 3 * 8 * u64::from(RATE_HZ));
+        wait_for(&saved, 4096 + 3 * 8 * u64::from(RATE_HZ));
         drop(reader);
         child.wait().unwrap();
         filling.join().unwrap();

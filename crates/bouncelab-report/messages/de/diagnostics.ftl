@@ -41,7 +41,7 @@ diagnostic-sound-blank = { $places ->
     [one] Der Ton ist bei { $first_s } s für { $blank_s } s genau null
    *[other] Der Ton ist an { $places } Stellen, der ersten bei { $first_s } s, für zusammen { $blank_s } s genau null
   } und sonst nicht: Dort ging er vielleicht verloren oder wurde überschrieben.
-diagnostic-checksum-wrong = Der Ton ist nicht der, von dem die Datei die Prüfsumme hat: Er wurde irgendwo verändert.
+diagnostic-checksum-wrong = Die Ergebnisse können falsch sein: Der Ton ist nicht der, von dem die Datei die Prüfsumme hat. Er wurde irgendwo von { $start_s } s bis { $end_s } s verändert, sodass dort überall Aufpralle fehlen, verschoben oder hinzugekommen sein können.
 diagnostic-format-changes = Der Ton wechselt bei { $at_s } s Rate oder Kanäle; er wurde bis dort gelesen.
 diagnostic-rate-in-doubt = Der Kopf der Datei gibt { $stated_hz } Abtastwerte pro Sekunde an, seine Bytes pro Sekunde aber gehören zu { $implied_hz }: Ist die Rate falsch, sind es alle Zeiten.
 diagnostic-edit-list-ignored = Die Schnittliste der Datei ordnet den Ton um; er wurde gelesen, wie er aufgenommen ist.

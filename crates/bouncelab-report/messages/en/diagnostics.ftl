@@ -44,7 +44,7 @@ diagnostic-sound-blank = { $places ->
     [one] The sound is exactly zero for { $blank_s } s at { $first_s } s
    *[other] The sound is exactly zero for { $blank_s } s in { $places } places, the first at { $first_s } s
   }, and not elsewhere: it may have been lost or overwritten there.
-diagnostic-checksum-wrong = The sound is not that of which the file has the checksum: it was changed somewhere.
+diagnostic-checksum-wrong = The results may be wrong: the sound is not that of which the file has the checksum. It was changed somewhere from { $start_s } s to { $end_s } s, so that impacts anywhere there may be missing, moved or added.
 diagnostic-format-changes = The sound changes its rate or channels at { $at_s } s; it was read up to there.
 diagnostic-rate-in-doubt = The header states { $stated_hz } samples a second, but its bytes a second are those of { $implied_hz }: if the rate is wrong, all times are.
 diagnostic-edit-list-ignored = The file's edit list reorders or warps the sound; it was read as recorded.

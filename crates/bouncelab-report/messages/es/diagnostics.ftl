@@ -41,7 +41,7 @@ diagnostic-sound-blank = { $places ->
     [one] El sonido es exactamente cero durante { $blank_s } s en { $first_s } s
    *[other] El sonido es exactamente cero durante { $blank_s } s en { $places } lugares, el primero en { $first_s } s
   }, y no en otra parte: quizá se perdió o se sobrescribió allí.
-diagnostic-checksum-wrong = El sonido no es aquel cuya suma de comprobación tiene el archivo: se cambió en alguna parte.
+diagnostic-checksum-wrong = Los resultados pueden ser falsos: el sonido no es aquel cuya suma de comprobación tiene el archivo. Se cambió en alguna parte de { $start_s } s a { $end_s } s, de modo que en cualquier punto de ese intervalo pueden faltar impactos, estar desplazados o sobrar.
 diagnostic-format-changes = El sonido cambia de frecuencia de muestreo o de canales en { $at_s } s; se leyó hasta allí.
 diagnostic-rate-in-doubt = La cabecera indica { $stated_hz } muestras por segundo, pero sus bytes por segundo corresponden a { $implied_hz }: si la frecuencia es falsa, lo son todos los tiempos.
 diagnostic-edit-list-ignored = La lista de edición del archivo reordena o deforma el sonido; se leyó tal como se grabó.

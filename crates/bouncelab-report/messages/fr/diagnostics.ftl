@@ -41,7 +41,7 @@ diagnostic-sound-blank = { $places ->
     [one] Le son est exactement nul pendant { $blank_s } s à { $first_s } s
    *[other] Le son est exactement nul pendant { $blank_s } s en { $places } endroits, le premier à { $first_s } s
   }, et pas ailleurs : il y a peut-être été perdu ou écrasé.
-diagnostic-checksum-wrong = Le son n’est pas celui dont le fichier donne la somme de contrôle : il a été modifié quelque part.
+diagnostic-checksum-wrong = Les résultats peuvent être faux : le son n’est pas celui dont le fichier donne la somme de contrôle. Il a été modifié quelque part de { $start_s } s à { $end_s } s ; n’importe où dans cet intervalle, des impacts peuvent manquer, être décalés ou être en trop.
 diagnostic-format-changes = Le son change de fréquence d’échantillonnage ou de nombre de voies à { $at_s } s ; il a été lu jusque-là.
 diagnostic-rate-in-doubt = L’en-tête indique { $stated_hz } échantillons par seconde, mais son débit en octets correspond à { $implied_hz } : si la fréquence est fausse, tous les temps le sont.
 diagnostic-edit-list-ignored = La liste de montage du fichier réordonne ou déforme le son ; il a été lu tel qu’enregistré.

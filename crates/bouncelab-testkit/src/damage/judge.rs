@@ -87,7 +87,8 @@ pub fn words<E>(recording: &Result<Recording, E>) -> String {
     words.collect::<Vec<_>>().join(", ")
 }
 
-/// Whether a diagnostic names the place of the damage.
+/// Whether a diagnostic names the place of the damage. That may be all of the sound, if it says that the results may be
+/// wrong and that impacts anywhere in it may be missing, moved or added.
 pub fn is_warned(recording: &Recording) -> bool {
     recording.diagnostics.iter().any(|known| {
         matches!(
@@ -97,6 +98,7 @@ pub fn is_warned(recording: &Recording) -> bool {
                 | Code::ClockLost
                 | Code::SoundBlank
                 | Code::SamplesNotFinite
+                | Code::ChecksumWrong
         )
     })
 }
