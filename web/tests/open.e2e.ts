@@ -5,10 +5,10 @@ import type { Page } from 'playwright-core';
 import { beforeAll, expect, test } from 'vitest';
 import { newContext } from './harness/browser.ts';
 import { fixture } from './harness/fixture.ts';
-import { folder as scratch, synth } from './harness/program.ts';
+import { bouncelab, folder as scratch, synth } from './harness/program.ts';
 import { violationsInBothThemes } from './support/layout.ts';
 import { dropFile, open, said, tryDemo } from './support/page.ts';
-import { drop, TRUTH } from './support/sounds.ts';
+import { cafOf, drop, samplesOf, TRUTH } from './support/sounds.ts';
 
 const here = fixture();
 let recording: string;
@@ -19,6 +19,10 @@ beforeAll(() => {
 
 const page = async (): Promise<Page> => (await open(here.browser, here.url)).page;
 
+/** The impacts of the recording in the format of another program. */
+const labels = (format: string): Buffer =>
+  Buffer.from(bouncelab('analyze', recording, '--no-inference', '--format', format));
+
 async function isTrue(on: Page): Promise<void> {
   const { kept, fell } = await said(on);
   expect(Math.abs(kept.value - 100 * TRUTH.restitution)).toBeLessThan(3.5 * kept.sd);
@@ -28,6 +32,17 @@ async function isTrue(on: Page): Promise<void> {
 test('a file that is chosen', async () => {
   const on = await page();
   await on.locator('input[type=file]').setInputFiles(recording);
+  await isTrue(on);
+});
+
+test.each([
+  ['CAF', 'drop.caf', () => cafOf(samplesOf(recording))],
+  ['a TextGrid of Praat', 'drop.TextGrid', () => labels('textgrid')],
+  ['labels of Audacity', 'labels.txt', () => labels('audacity')],
+])('%s', async (_, name, content) => {
+  const on = await page();
+  const file = { name, mimeType: '', buffer: content() };
+  await on.locator('input[type=file]').setInputFiles(file);
   await isTrue(on);
 });
 

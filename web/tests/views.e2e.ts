@@ -39,6 +39,13 @@ async function simulate(page: Page): Promise<void> {
   await page.getByRole('slider').nth(1).fill('0.9');
 }
 
+/** The paper with all its chapters. */
+async function openPaper(page: Page): Promise<void> {
+  await page.goto(`${site.url}#paper`);
+  await page.locator('.article caption').waitFor();
+  for (const chapter of await page.locator('.article summary').all()) await chapter.click();
+}
+
 async function unfoldAll(page: Page): Promise<void> {
   for (const fold of await page.locator('main summary').all()) await fold.click();
 }
@@ -52,6 +59,20 @@ async function keepThree(page: Page): Promise<void> {
   }
   await page.goto(`${site.url}#drops`);
   await page.locator('table.wide tbody tr').nth(2).waitFor();
+}
+
+/** Notes other surfaces of the drops in the table, so that there are two groups. */
+async function group(page: Page): Promise<void> {
+  for (const [place, surface] of ['stone', 'wood', 'wood'].entries()) {
+    const row = page.locator('table.wide tbody tr').nth(place);
+    const input = row.locator('input.noted').first();
+    await input.fill(surface);
+    await input.press('Enter');
+  }
+  const groups = page.locator('.groups[aria-busy=false]');
+  for (const surface of ['stone', 'wood']) {
+    await groups.locator('td', { hasText: surface }).first().waitFor();
+  }
 }
 
 /** Nothing is wider than the screen. */
@@ -120,9 +141,7 @@ describe.each(USES)(
         await lookOnAll('welcome');
         await simulate(page);
         await lookOnAll('simulate');
-        await page.goto(`${site.url}#paper`);
-        await page.locator('.article caption').waitFor();
-        for (const chapter of await page.locator('.article summary').all()) await chapter.click();
+        await openPaper(page);
         await lookOnAll('paper');
         await demo(page);
         await lookOnAll('lab');
@@ -182,8 +201,8 @@ describe('whatever the fonts', () => {
   test.concurrent.each(AIDS)('with the aid of $aid', async ({ aid, ...options }) => {
     const usual = { reducedMotion: 'reduce' } as const;
     const { page } = await open(browser, site.url, { ...usual, ...options }, rememberTexts);
-    const lookAt = async (view: string): Promise<void> => {
-      await look(page, `${aid}-${view}`);
+    const lookAt = async (view: string, part?: string): Promise<void> => {
+      await look(page, `${aid}-${view}`, { part });
       const cramped = await crampedButtons(page);
       expect([...(await charts(page)).flatMap(troublesOf), ...cramped], view).toEqual([]);
     };
@@ -191,10 +210,17 @@ describe('whatever the fonts', () => {
     await chooseAnother(page);
     await simulate(page);
     await lookAt('simulate');
+    await openPaper(page);
+    await lookAt('paper');
     await demo(page);
     await unfoldAll(page);
     await lookAt('lab');
+    for (const tab of await page.getByRole('tab').all()) {
+      await tab.click();
+      await lookAt(`figure-${await tab.getAttribute('id')}`, '[role=tabpanel]');
+    }
     await keepThree(page);
+    await group(page);
     await lookAt('drops');
     await page.context().close();
   });

@@ -85,6 +85,29 @@ export function samplesOf(file: string): { rateHz: number; samples: Float32Array
   throw new Error(`${file} holds no samples`);
 }
 
+/**
+ * Samples as a file of the Core Audio Format of Apple (its specification, "CAF file header" and the chunks "desc" and
+ * "data"): 16-bit integers of one channel.
+ */
+export function cafOf({ rateHz, samples }: Sound): Buffer {
+  const head = Buffer.alloc(68);
+  head.write('caff');
+  head.writeUInt16BE(1, 4);
+  head.write('desc', 8);
+  head.writeBigInt64BE(32n, 12);
+  head.writeDoubleBE(rateHz, 20);
+  head.write('lpcm', 28);
+  // Flags: big-endian integers. Then bytes and frames of a packet, channels and bits.
+  for (const [place, value] of [0, 2, 1, 1, 16].entries())
+    head.writeUInt32BE(value, 32 + 4 * place);
+  head.write('data', 52);
+  head.writeBigInt64BE(BigInt(4 + 2 * samples.length), 56);
+  const data = Buffer.alloc(2 * samples.length);
+  for (const [at, sample] of samples.entries())
+    data.writeInt16BE(Math.round(32767 * sample), 2 * at);
+  return Buffer.concat([head, data]);
+}
+
 /** Sound as samples. */
 export type Sound = ReturnType<typeof samplesOf>;
 
