@@ -45,6 +45,8 @@ enum Needs {
     Strace,
     /// Praat, which reads and writes text grids.
     Praat,
+    /// The programs of libsndfile, one of which lists the markers of a sound.
+    Sndfile,
     /// The folder of real recordings, which is not part of the repository.
     Recordings,
 }
@@ -64,6 +66,7 @@ impl Needs {
             Self::SoundServer => has_sound_server(),
             Self::Strace => has_strace(),
             Self::Praat => has_praat(),
+            Self::Sndfile => has_sndfile(),
             Self::Recordings => has_recordings(),
         }
     }
@@ -168,7 +171,16 @@ pub(crate) const CHECKS: [Check; 19] = [
         needs: Needs::Praat,
         run: || {
             let mut command = cargo_all(&["test"]);
-            run_command(command.args(["--test", "labels", "--", "--ignored"]))
+            run_command(command.args(["--test", "labels", "--", "--ignored", "praat"]))
+        },
+    },
+    Check {
+        name: "markers",
+        about: "libsndfile reads the impacts as markers of a sound",
+        needs: Needs::Sndfile,
+        run: || {
+            let mut command = cargo_all(&["test"]);
+            run_command(command.args(["--test", "labels", "--", "--ignored", "markers"]))
         },
     },
     Check {
@@ -297,6 +309,12 @@ fn has_praat() -> bool {
     let is_there = || succeeds(&["praat", "--version"]);
     is_there()
         || cfg!(target_os = "linux") && install(&["praat"], "text grids of Praat") && is_there()
+}
+
+fn has_sndfile() -> bool {
+    let is_there = || succeeds(&["sh", "-c", "command -v sndfile-info"]);
+    let package = ["sndfile-programs"];
+    is_there() || cfg!(target_os = "linux") && install(&package, "markers of a sound") && is_there()
 }
 
 /// Says how to name their folder if nobody did: the tests that read them are ignored then.
