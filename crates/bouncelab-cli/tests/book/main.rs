@@ -96,9 +96,9 @@ const RECORDINGS: [(&str, &str); 4] = [
 
 /// What phones and browsers write, of the drops of the test kit, and what the pages call it.
 const ENCODED: [(&str, &str); 3] = [
-    ("aac.m4a", "phone.m4a"),
+    ("aac.m4a", "sounds/phone.m4a"),
     ("aac.m4a", "drop.m4a"),
-    ("opus-stream.webm", "browser.webm"),
+    ("opus-stream.webm", "sounds/browser.webm"),
 ];
 
 /// A page of the book.
@@ -292,7 +292,9 @@ struct Scene(TempDir);
 impl Scene {
     fn set() -> Self {
         let scene = Self(TempDir::new().unwrap());
-        fs::create_dir(scene.0.path().join("recordings")).unwrap();
+        for folder in ["recordings", "sounds"] {
+            fs::create_dir(scene.0.path().join(folder)).unwrap();
+        }
         for (name, drop) in RECORDINGS {
             for number in 1..=3 {
                 scene.run(&format!(
@@ -310,7 +312,8 @@ impl Scene {
         scene
     }
 
-    /// Writes two drops as an app on a phone and a data logger in Germany export them.
+    /// Writes two drops as `PicoScope` exports them, and as Graphical Analysis of Vernier does where numbers have decimal
+    /// commas.
     fn export(&self) {
         let rows = |name: &str, row: &dyn Fn(usize, f64, f32) -> Option<String>| {
             let mut source = Source::open(self.0.path().join(name)).unwrap();
@@ -323,18 +326,18 @@ impl Scene {
             let rows = numbered.filter_map(|(n, sample)| row(n, n as f64 * step_s, sample));
             rows.collect::<String>()
         };
-        let app = rows("drop1.wav", &|_, time_s, sample| {
-            Some(format!("{time_s:.9E},{sample:.9E}\n"))
+        let scope = rows("drop1.wav", &|_, time_s, sample| {
+            Some(format!("{:.8},{:.8}\n", 1e3 * time_s, 2.0 * sample))
         });
-        let app = ["\"Time (s)\",\"Recording (a.u.)\"\n", &app].concat();
-        fs::write(self.0.path().join("app.csv"), app).unwrap();
+        let scope = ["Time,Channel A\n(ms),(V)\n\n", &scope].concat();
+        fs::write(self.0.path().join("picoscope.csv"), scope).unwrap();
         // A quarter of the samples, as slow as such a logger.
         let logger = rows("floor1.wav", &|n, time_s, sample| {
-            let row = format!("{:.4};{:.5}\n", 1e3 * time_s, 2.0 * sample);
+            let row = format!("{time_s:.6};{:.5}\n", 2.0 * sample);
             (n % 4 == 0).then(|| row.replace('.', ","))
         });
-        let logger = ["Zeit (ms);Mikrofon (V)\n", &logger].concat();
-        fs::write(self.0.path().join("logger.csv"), logger).unwrap();
+        let logger = ["Latest: Time (s);Latest: Potential (V)\n", &logger].concat();
+        fs::write(self.0.path().join("vernier.csv"), logger).unwrap();
     }
 
     /// Runs a command; a verdict may go either way. What it prints.
