@@ -37,12 +37,12 @@ figure-budget-drop-height = hauteur de chute : { $value }
 figure-budget-others = toutes les autres
 figure-budget-restitution = restitution : { $value }
 
-figure-calibration-title = Où se trouve la vraie valeur parmi les tirages
+figure-calibration-title = Où se trouve la valeur vraie parmi les tirages
 figure-calibration-caption = Barres plates : les intervalles sont bien calibrés. Une bosse indiquerait des intervalles trop larges, un creux des intervalles trop étroits, une pente un biais.
 figure-calibration-empty = Il n’y a pas de rang à montrer.
 figure-calibration-drops = essais simulés
 figure-calibration-expected = 99 % des barres finissent ici si tout est calibré
-figure-calibration-rank = rang de la vraie valeur
+figure-calibration-rank = rang de la valeur vraie
 
 figure-comparison-title = L’essai et sa simulation
 figure-comparison-caption = Là où les courbes se séparent, le modèle est incomplet, ou un impact est un autre son.
