@@ -41,7 +41,8 @@ use clap::{Parser, Subcommand};
 struct Cli {
     #[command(subcommand)]
     command: Command,
-    /// Language of the results, as in de (default: that of the system, else English)
+    /// Language of the results, as in de (default: that of the system, else English); help and errors of
+    /// arguments and files are in English
     #[arg(long, global = true, value_name = "CODE", value_parser = language::known)]
     language: Option<String>,
 }

@@ -21,6 +21,7 @@ use tokio::task::JoinSet;
 use tokio::time::{sleep, timeout};
 
 use crate::failure::Failure;
+use crate::language::text_with;
 use crate::terminal::{print, say};
 
 /// Serve the browser laboratory on this computer
@@ -81,15 +82,17 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let port = listeners[0].local_addr()?.port();
     // By its name, not its number: browsers trust "localhost" with the microphone.
     let address = format!("http://localhost:{port}/");
-    print(format_args!(
-        "The laboratory is at {address} (Ctrl-C ends it)\n"
-    ))?;
+    let at = [("address", address.as_str().into())];
+    print(format_args!("{}\n", text_with("serve-address", &at)))?;
     if !arguments.no_open
         && let Err(reason) = open::that_detached(&address)
     {
-        say(format_args!(
-            "bouncelab: no browser could be opened ({reason}); go to {address} yourself"
-        ));
+        let [at] = at;
+        let why = text_with(
+            "serve-no-browser",
+            &[at, ("reason", reason.to_string().into())],
+        );
+        say(format_args!("bouncelab: {why}"));
     }
     let served = serve(listeners, &LIMITS);
     served.map_err(|reason| Failure::Input(format!("cannot serve any longer: {reason}")))

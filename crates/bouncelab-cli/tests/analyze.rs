@@ -58,6 +58,47 @@ fn write_text(folder: &TempDir, name: &str, text: &str) -> PathBuf {
     path
 }
 
+/// A table-tennis ball that was said to be of steel, which the air hardly slows.
+#[test]
+fn balls_are_compared_where_that_is_asked() {
+    let folder = TempDir::new().unwrap();
+    let file = folder.path().join("drop.wav");
+    let mut synth = bouncelab();
+    synth.arg("synth").arg(&file);
+    let truth = [
+        "--ball",
+        "table-tennis-40",
+        "--height",
+        "1m",
+        "--restitution",
+        "0.9",
+    ];
+    synth.args(truth).assert().success();
+    let stated = || {
+        let mut command = analyze(&file);
+        command.args(["--ball", "steel:20mm"]);
+        command
+    };
+    let compared = json(stated().arg("--which-ball"));
+    let balls = compared["drops"][0]["balls"].as_array().unwrap();
+    let evidence = |ball: &Value| ball["log_bayes_factor"].as_f64().unwrap();
+    assert!(balls.is_sorted_by(|a, b| evidence(a) >= evidence(b)));
+    let of_truth = balls.iter().find(|ball| ball["ball"] == "table-tennis-40");
+    assert!(evidence(of_truth.unwrap()) > 10.0_f64.ln(), "{balls:?}");
+    let codes = compared["drops"][0]["diagnostics"].as_array().unwrap();
+    assert!(
+        codes
+            .iter()
+            .any(|it| it["code"] == "other-ball-fits-better")
+    );
+    let unasked = json(&mut stated());
+    assert_eq!(unasked["drops"][0]["balls"], serde_json::json!([]));
+    let table = stated().arg("--which-ball").assert().success();
+    table.stdout(predicate::str::contains(
+        "These times fit another ball better",
+    ));
+}
+
 #[test]
 fn a_recording_gives_restitution_and_height() {
     let folder = TempDir::new().unwrap();

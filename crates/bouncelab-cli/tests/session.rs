@@ -381,6 +381,37 @@ fn a_name_with_a_comma_can_be_excluded() {
         .stdout(contains("three.wav: left out by hand"));
 }
 
+/// Names that do not fit, the same sound noted twice, what is left out by hand, and why nothing is compared.
+#[test]
+fn what_is_said_of_recordings_is_in_the_language_of_the_results() {
+    let workspace = Workspace::new(&[]);
+    for (seed, name) in [(1, "a_rot.wav"), (1, "b_blau.wav"), (2, "c_rot.wav")] {
+        workspace.record(name, seed);
+    }
+    for seed in 3..9 {
+        workspace.record(format!("{seed}.wav"), seed);
+    }
+    let said = |arguments: &[&str]| {
+        let mut session = workspace.session();
+        session.args(["--language", "de", "--ball", "golf"]);
+        session.args(["--pattern", "{}_{surface}", "--allow-missing"]);
+        let run = session.args(arguments).assert().success();
+        String::from_utf8(run.get_output().stdout.clone()).unwrap()
+    };
+    let compared = said(&["--exclude", "c_rot.wav"]);
+    for words in [
+        "6 Namen passen nicht zum Muster „{}_{surface}“: 3.wav, 4.wav, 5.wav, 6.wav und 2 weitere",
+        "a_rot.wav und b_blau.wav sind derselbe Ton",
+        "c_rot.wav: von Hand ausgelassen",
+    ] {
+        assert!(compared.contains(words), "{compared}");
+    }
+    let all = compared + &said(&["--no-inference"]);
+    let english = [" and ", " not ", " the ", " left out "];
+    let found: Vec<_> = english.iter().filter(|it| all.contains(**it)).collect();
+    assert!(found.is_empty(), "{found:?}: {all}");
+}
+
 /// A field of any name may be noted, so a slip would make one more and lose what was meant.
 #[test]
 fn slips_of_the_pen_are_questioned() {

@@ -12,8 +12,8 @@ use bouncelab_report::messages::Translator;
 use bouncelab_report::report::Provenance;
 use bouncelab_session::journal::Journal;
 use bouncelab_session::{
-    Advice, Done, KnownRecording, MetadataOptions, Outcome, Results, Session as Gathered, Sources,
-    Store, StudyOptions, complete, figures, report, tables,
+    Advice, Done, KnownRecording, MetadataOptions, OddNames, Outcome, Results, Session as Gathered,
+    Sources, Store, StudyOptions, complete, figures, report, tables,
 };
 use pyo3::prelude::*;
 use serde::Deserialize;
@@ -55,7 +55,7 @@ pub(crate) struct Session {
     journal: Journal,
     options: StudyOptions,
     title: Option<String>,
-    remarks: Vec<String>,
+    odd_names: OddNames,
     /// Where the journal is, unless somebody wants to keep it.
     _temporary: Option<TempDir>,
 }
@@ -67,7 +67,7 @@ impl Session {
             pattern: request.pattern,
             table: request.table,
         })?;
-        let (title, remarks) = (session.title.take(), std::mem::take(&mut session.remarks));
+        let (title, odd_names) = (session.title.take(), std::mem::take(&mut session.odd_names));
         let english = Translator::english();
         let recordings = MetadataOptions {
             resolve: &|noted| {
@@ -108,7 +108,7 @@ impl Session {
                 exclude: request.exclude,
             },
             title,
-            remarks,
+            odd_names,
             _temporary: temporary,
         })
     }
@@ -124,11 +124,8 @@ impl Session {
     fn outcome(&self, words: &Translator) -> Result<Outcome<'_>> {
         let mut outcome = Outcome::of(&self.results(), &self.options, words)?;
         outcome.groups.about.title.clone_from(&self.title);
-        outcome
-            .groups
-            .about
-            .remarks
-            .extend(self.remarks.iter().cloned());
+        let remarks = &mut outcome.groups.about.remarks;
+        remarks.extend(self.odd_names.remark(words));
         Ok(outcome)
     }
 }

@@ -30,12 +30,6 @@ pub enum Error {
         /// What the drawing library said.
         problem: String,
     },
-    /// A drop cannot be a link, or a link is of no drop.
-    #[error("the link of a drop cannot be used: {problem}")]
-    Link {
-        /// What is wrong, and what to do.
-        problem: String,
-    },
     /// A file of rules cannot be opened.
     #[error("cannot read the rules {file}: {source}; check the name")]
     Unreadable {

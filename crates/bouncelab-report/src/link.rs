@@ -12,14 +12,12 @@
 //! let code = drop.code()?;
 //! assert_eq!(LinkedDrop::of_code(&code)?, drop);
 //! assert!(LinkedDrop::of_code(&code[1..]).is_err());
-//! # Ok::<(), bouncelab_report::Error>(())
+//! # Ok::<(), bouncelab_report::link::LinkProblem>(())
 //! ```
 //!
 //! Times are counted in steps of 10 µs. Written is by how much each flight differs from the one before it: small
 //! numbers, each in as few bytes as it takes. What was stated is JSON without what was
 //! not. A CRC-32 over all of it tells what was changed on the way; the text is Base64 for addresses (RFC 4648, section 5).
-
-use std::fmt::Display;
 
 use base64::Engine;
 use base64::engine::general_purpose::URL_SAFE_NO_PAD;
@@ -27,8 +25,6 @@ use bouncelab::setup::Settings;
 use crc::{CRC_32_ISO_HDLC, Crc};
 use serde::{Deserialize, Serialize, Serializer, ser};
 use serde_json::Value;
-
-use crate::error::Error;
 
 /// Steps of the times in a second.
 const STEPS_PER_S: f64 = 1e5;
@@ -56,6 +52,26 @@ pub struct LinkedDrop {
     pub times_s: Vec<f64>,
 }
 
+/// Why there is no link of a drop, or no drop of a link.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, thiserror::Error)]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
+#[serde(rename_all = "kebab-case")]
+#[non_exhaustive]
+pub enum LinkProblem {
+    /// It is not the whole text, or another.
+    #[error("the link was changed, or is incomplete")]
+    Changed,
+    /// It was packed in another form.
+    #[error("another version of the page made the link")]
+    OtherVersion,
+    /// Impact times that no drop has.
+    #[error("a link holds 2 to 1000 impacts, each at least 10 µs after the one before")]
+    Times,
+    /// The link is too long for a QR code.
+    #[error("the drop has too many impacts for a QR code")]
+    TooLong,
+}
+
 /// What the text holds.
 #[derive(Serialize, Deserialize)]
 struct Packed<'a> {
@@ -71,24 +87,27 @@ impl LinkedDrop {
     ///
     /// # Errors
     ///
-    /// [`Error::Link`] if the times are none, do not increase by 10 µs at least, or are too many.
-    pub fn code(&self) -> Result<String, Error> {
+    /// [`LinkProblem::Times`] if the times are none, do not increase by 10 µs at least, or are too many.
+    ///
+    /// # Panics
+    ///
+    /// Never: what is packed is plain data.
+    pub fn code(&self) -> Result<String, LinkProblem> {
         let steps = self
             .times_s
             .iter()
             .map(|time_s| (time_s * STEPS_PER_S).round() as i64);
         let steps = train(steps.collect())?;
         let name: String = self.name.chars().take(MOST_LETTERS).collect();
-        let settings = stated(&self.settings)
-            .map_err(|fault| refused(&fault))?
-            .to_string();
+        let settings = stated(&self.settings).expect("settings are plain data");
+        let settings = settings.to_string();
         let packed = Packed {
             version: VERSION,
             name: &name,
             settings: &settings,
             steps: differences(&differences(&steps)),
         };
-        let mut bytes = postcard::to_allocvec(&packed).map_err(|fault| refused(&fault))?;
+        let mut bytes = postcard::to_allocvec(&packed).expect("they are plain data");
         bytes.extend(CHECK.checksum(&bytes).to_be_bytes());
         Ok(URL_SAFE_NO_PAD.encode(bytes))
     }
@@ -97,28 +116,22 @@ impl LinkedDrop {
     ///
     /// # Errors
     ///
-    /// [`Error::Link`] if a letter of it was changed, added or lost.
-    pub fn of_code(code: &str) -> Result<Self, Error> {
-        const CHANGED: &str = "it is not complete, or was changed; copy all of it";
-        let bytes = URL_SAFE_NO_PAD
-            .decode(code)
-            .map_err(|_| refused(&CHANGED))?;
-        let (packed, check) = bytes
-            .split_last_chunk::<4>()
-            .ok_or_else(|| refused(&CHANGED))?;
+    /// [`LinkProblem`] if a letter of it was changed, added or lost, or another version made it.
+    pub fn of_code(code: &str) -> Result<Self, LinkProblem> {
+        use LinkProblem::{Changed, OtherVersion};
+        let bytes = URL_SAFE_NO_PAD.decode(code).map_err(|_| Changed)?;
+        let (packed, check) = bytes.split_last_chunk::<4>().ok_or(Changed)?;
         if CHECK.checksum(packed) != u32::from_be_bytes(*check) {
-            return Err(refused(&CHANGED));
+            return Err(Changed);
         }
-        let packed: Packed = postcard::from_bytes(packed).map_err(|fault| refused(&fault))?;
+        let packed: Packed = postcard::from_bytes(packed).map_err(|_| OtherVersion)?;
         if packed.version != VERSION {
-            return Err(refused(
-                &"a newer version of the page made it; reload the page",
-            ));
+            return Err(OtherVersion);
         }
         let steps = train(sums(&sums(&packed.steps)?)?)?;
         Ok(Self {
             name: packed.name.to_owned(),
-            settings: serde_json::from_str(packed.settings).map_err(|fault| refused(&fault))?,
+            settings: serde_json::from_str(packed.settings).map_err(|_| OtherVersion)?,
             times_s: steps
                 .into_iter()
                 .map(|step| step as f64 / STEPS_PER_S)
@@ -128,14 +141,12 @@ impl LinkedDrop {
 }
 
 /// The times of a drop, in steps, if they can be that.
-fn train(steps: Vec<i64>) -> Result<Vec<i64>, Error> {
+fn train(steps: Vec<i64>) -> Result<Vec<i64>, LinkProblem> {
     let is_near = |step: &i64| (-LAST_STEP..=LAST_STEP).contains(step);
     let is_train = (2..=MOST_IMPACTS).contains(&steps.len())
         && steps.iter().all(is_near)
         && steps.is_sorted_by(|a, b| a < b);
-    is_train.then_some(steps).ok_or_else(|| {
-        refused(&"it needs 2 to 1000 impacts, each at least 10 µs after the one before")
-    })
+    is_train.then_some(steps).ok_or(LinkProblem::Times)
 }
 
 /// The first number, and by how much each differs from the one before it.
@@ -149,14 +160,13 @@ fn differences(numbers: &[i64]) -> Vec<i64> {
 }
 
 /// The numbers with these differences.
-fn sums(differences: &[i64]) -> Result<Vec<i64>, Error> {
+fn sums(differences: &[i64]) -> Result<Vec<i64>, LinkProblem> {
     let sums = differences.iter().scan(0_i64, |sum, difference| {
         let next = sum.checked_add(*difference);
         *sum = next.unwrap_or_default();
         Some(next)
     });
-    let sums: Option<Vec<i64>> = sums.collect();
-    sums.ok_or_else(|| refused(&"its times are out of range"))
+    sums.collect::<Option<_>>().ok_or(LinkProblem::Times)
 }
 
 /// Settings as JSON, without what was not stated.
@@ -171,10 +181,4 @@ fn stated(settings: &Settings) -> serde_json::Result<Value> {
 fn as_stated<S: Serializer>(settings: &Settings, serializer: S) -> Result<S::Ok, S::Error> {
     let stated = stated(settings).map_err(ser::Error::custom)?;
     stated.serialize(serializer)
-}
-
-fn refused(problem: &dyn Display) -> Error {
-    Error::Link {
-        problem: problem.to_string(),
-    }
 }

@@ -1,8 +1,8 @@
 //! A drop as the end of a link: it comes back, or what was changed is refused.
 
-use bouncelab::setup::Settings;
-use bouncelab_report::Error;
-use bouncelab_report::link::LinkedDrop;
+use bouncelab::inference::{ApexTarget, LawKind};
+use bouncelab::setup::{Inferred, Settings};
+use bouncelab_report::link::{LinkProblem, LinkedDrop};
 use proptest::prelude::*;
 
 /// Letters of a name that travel.
@@ -30,6 +30,47 @@ fn drops(impacts: impl Into<proptest::collection::SizeRange>) -> impl Strategy<V
     })
 }
 
+/// Every setting that goes with the others, in numbers as people state them: the longest drop that is sent. Digits that
+/// nobody states make it longer, up to 1,600 letters with 17 in every number.
+fn all_stated() -> Settings {
+    Settings {
+        ball: Some("table-tennis-40".to_owned()),
+        mass_kg: Some(0.002_72),
+        diameter_m: Some(0.040_12),
+        contact_time_s: Some(0.000_9),
+        drag: Some("clift-grace-weber".to_owned()),
+        temperature_k: Some(21.5 + 273.15),
+        pressure_pa: Some(98_750.0),
+        relative_humidity: Some(0.47),
+        air_density_kg_m3: None,
+        air_viscosity_pa_s: None,
+        buoyancy: Some(false),
+        added_mass: Some(false),
+        gravity_m_s2: None,
+        latitude_deg: Some(48.137_43),
+        altitude_m: Some(519.5),
+        height_m: Some(0.3048),
+        height_sd_m: Some(0.001_5),
+        release_s: Some(0.123_45),
+        release_sd_s: Some(0.005),
+        first_heard: Some(false),
+        restitution_laws: Some(LawKind::ALL.map(|law| law.name().to_owned()).into()),
+        infer: Some(vec![
+            Inferred::Gravity,
+            Inferred::Drag,
+            Inferred::ContactTime,
+        ]),
+        flights: Some((10, 59)),
+        at_speed_m_s: Some(2.35),
+        reach: Some(vec![ApexTarget {
+            bounce: 10,
+            apex_m: 0.283,
+        }]),
+        draws: Some(100_000),
+        seed: Some(u64::MAX),
+    }
+}
+
 proptest! {
     #[test]
     fn every_drop_comes_back(drop in drops(2..200)) {
@@ -45,11 +86,15 @@ proptest! {
         prop_assert!(LinkedDrop::of_code(&code[..at]).is_err());
     }
 
-    /// Flights that have nothing to do with each other, which no drop has, and the longest name of ASCII.
+    /// Flights that have nothing to do with each other, which no drop has, all that can be stated, and the longest name in
+    /// letters of three bytes.
     #[test]
-    fn sixty_impacts_fit_a_qr_code(drop in drops(60)) {
-        let named = LinkedDrop { name: "x".repeat(MOST_LETTERS), ..drop };
-        prop_assert!(named.code().unwrap().len() <= 700);
+    fn sixty_impacts_with_all_that_can_be_stated_fit_a_link(drop in drops(60)) {
+        const ADDRESS: &str = "https://physics.example.org/bouncelab/#lab?drop=";
+        let named = LinkedDrop { name: "\u{6f22}".repeat(MOST_LETTERS), settings: all_stated(), ..drop };
+        let code = named.code().unwrap();
+        prop_assert!(ADDRESS.len() + code.len() <= 1500, "{}", code.len());
+        prop_assert_eq!(LinkedDrop::of_code(&code).unwrap(), named);
     }
 
     #[test]
@@ -73,6 +118,6 @@ fn what_is_no_drop_is_refused() {
             settings: Settings::default(),
             times_s,
         };
-        assert!(matches!(drop.code(), Err(Error::Link { .. })), "{drop:?}");
+        assert_eq!(drop.code(), Err(LinkProblem::Times), "{drop:?}");
     }
 }

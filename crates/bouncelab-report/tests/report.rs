@@ -1,11 +1,13 @@
 //! Reports as files: whole, self-contained, and safe whatever a name contains.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 use bouncelab::analyze_times;
 use bouncelab::diagnostic::{Code, Diagnostic};
+use bouncelab::groups::{CurvePoint, RestitutionCurve};
 use bouncelab::inference::{InferenceOptions, SamplerConfig};
 use bouncelab::setup::{Setup, SetupInput};
+use bouncelab_report::groups::{self, About, GroupStudy, NotedDrop, Question, Reason};
 use bouncelab_report::messages::Translator;
 use bouncelab_report::report::{self, Markdown, Page, Provenance, Recording};
 
@@ -234,9 +236,75 @@ fn everything_on_a_page_is_a_message() {
         .split("<ul>")
         .find(|list| list.contains("JCGM"))
         .unwrap();
-    let html = html.replace(cited.split("</ul>").next().unwrap(), "");
+    assert_silent(&html.replace(cited.split("</ul>").next().unwrap(), ""));
+}
+
+#[test]
+fn everything_on_a_page_of_groups_is_a_message() {
+    for (drops, speed_m_s) in [(6, None), (6, Some(9.0)), (0, None)] {
+        assert_silent(&group_page(drops, speed_m_s, &silent()).html());
+    }
+    // Of six drops with the same trouble some are named.
+    let german = Translator::new("de").unwrap();
+    let html = group_page(6, None, &german).html();
+    assert!(html.contains("0, 1, 2, 3 und 2 weitere: 7"), "{html}");
+}
+
+/// So many drops of each of two balls, compared at a speed, and six of which there is something to say.
+fn group_page(drops: usize, at_speed_m_s: Option<f64>, words: &Translator) -> Page {
+    let point = |value| {
+        move |speed_m_s| CurvePoint {
+            speed_m_s,
+            value,
+            own_sd: 0.001,
+            shared_sd: 0.0005,
+        }
+    };
+    let balls = ["1", "2"].map(|ball| BTreeMap::from([("0".to_owned(), ball.to_owned())]));
+    let noted = (0..2 * drops).map(|place| NotedDrop {
+        name: place.to_string().into(),
+        factors: &balls[place % 2],
+        height_m: None,
+        temperature_k: None,
+        curve: RestitutionCurve(
+            [0.5, 1.0, 2.0]
+                .map(point(0.8 + 0.001 * place as f64))
+                .into(),
+        ),
+        scatter: None,
+    });
+    let troubles = (0..6).map(|place| Reason {
+        name: place.to_string(),
+        reason: "7".to_owned(),
+    });
+    let troubles: Vec<Reason> = troubles.collect();
+    let about = About {
+        recordings: 2 * drops + 6,
+        drops: 2 * drops,
+        without_drop: troubles.clone(),
+        failed: troubles.clone(),
+        duplicates: troubles.clone(),
+        left_out: troubles.clone(),
+        odd: troubles,
+        remarks: vec!["8".to_owned()],
+        assumptions: vec!["9".to_owned()],
+        ..About::default()
+    };
+    let question = Question {
+        at_speed_m_s,
+        ..Question::default()
+    };
+    let groups = GroupStudy::of(about, noted.collect(), &question, words).unwrap();
+    let charts = groups::figures(&groups, vec![Vec::new(); 2], words);
+    let provenance = Provenance::default();
+    let to_repeat = report::repeat(&provenance, words);
+    groups::page(&groups, &charts, &provenance, to_repeat, words)
+}
+
+/// No word is seen but those of messages, all of which are the same sign.
+fn assert_silent(html: &str) {
     assert!(html.contains("<html lang=\"de\">"));
-    let said = said_in(&html);
+    let said = said_in(html);
     assert!(said.contains('\u{f8}'));
     let english: Vec<&str> = said
         .split(|letter: char| !letter.is_ascii_alphabetic())

@@ -487,6 +487,7 @@ impl Problems {
     }
 
     fn message(self, advice: &str) -> Option<String> {
+        let english = Translator::english();
         let mut lines: Vec<String> = self.general.into_iter().collect();
         for ball in &self.unknown_balls {
             let kinds: Vec<&str> = ball::presets().iter().map(|preset| preset.name).collect();
@@ -501,7 +502,7 @@ impl Problems {
         lines.extend(
             self.recordings
                 .into_iter()
-                .map(|(text, names)| format!("{}: {text}", some_of(&names))),
+                .map(|(text, names)| format!("{}: {text}", some_of(&names, &english))),
         );
         match lines.as_slice() {
             [] => None,

@@ -8,6 +8,7 @@ use std::path::{Path, PathBuf};
 use bouncelab::{Options, Plain};
 use bouncelab_audio::Input;
 use bouncelab_report::groups::some_of;
+use bouncelab_report::messages::Translator;
 
 use crate::archive::{self, Entry};
 use crate::error::{Error, Result};
@@ -82,8 +83,8 @@ pub struct Session {
     pub recordings: Vec<Recording>,
     /// The balls that the session file describes.
     pub balls: BTreeMap<String, Notes>,
-    /// What to know: names that do not fit the pattern, and the like.
-    pub remarks: Vec<String>,
+    /// Names that do not fit the pattern.
+    pub odd_names: OddNames,
     /// What the names of the files say.
     pattern: Option<Pattern>,
     /// What files of notes say of a recording, by its place.
@@ -92,6 +93,25 @@ pub struct Session {
     all: Notes,
     /// The files of notes that were read.
     notes_files: Vec<PathBuf>,
+}
+
+/// Names of files that do not fit the pattern.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct OddNames {
+    pattern: String,
+    names: Vec<String>,
+}
+
+impl OddNames {
+    /// What to say of them, if there are any.
+    pub fn remark(&self, words: &Translator) -> Option<String> {
+        let arguments = [
+            ("count", self.names.len().into()),
+            ("pattern", self.pattern.as_str().into()),
+            ("names", some_of(&self.names, words).into()),
+        ];
+        (!self.names.is_empty()).then(|| words.text_with("session-odd-names", &arguments))
+    }
 }
 
 impl Session {
@@ -131,7 +151,7 @@ impl Session {
             title: file.title,
             recordings,
             balls: file.balls,
-            remarks: Vec::new(),
+            odd_names: OddNames::default(),
             pattern: None,
             listed: BTreeMap::new(),
             all: file.all,
@@ -139,7 +159,7 @@ impl Session {
         };
         if let Some(pattern) = sources.pattern.clone().or(file.pattern) {
             session.pattern = Some(Pattern::new(&pattern)?);
-            session.remark_odd_names();
+            session.odd_names = session.odd_names();
         }
         session.take(file.recordings)?;
         let table = sources.table.clone();
@@ -199,21 +219,14 @@ impl Session {
         self.pattern.as_ref()?.fields(stem)
     }
 
-    fn remark_odd_names(&mut self) {
-        let odd: Vec<String> = (0..self.recordings.len())
-            .filter(|&place| self.fields_of_name(place).is_none())
-            .map(|place| self.recordings[place].name.clone())
-            .collect();
-        if !odd.is_empty() {
-            self.remarks.push(format!(
-                "{} not fit the pattern \"{}\": {}",
-                match odd.len() {
-                    1 => "one name does".to_owned(),
-                    count => format!("{count} names do"),
-                },
-                self.pattern.as_ref().map_or("", Pattern::text),
-                some_of(&odd)
-            ));
+    fn odd_names(&self) -> OddNames {
+        let is_odd = |place: &usize| self.fields_of_name(*place).is_none();
+        let odd = (0..self.recordings.len()).filter(is_odd);
+        OddNames {
+            pattern: self.pattern.as_ref().map_or("", Pattern::text).to_owned(),
+            names: odd
+                .map(|place| self.recordings[place].name.clone())
+                .collect(),
         }
     }
 
@@ -442,11 +455,9 @@ mod tests {
         assert_eq!(said(&session, "sub/blue_40cm_2.wav", "operator"), ["Ada"]);
         assert_eq!(said(&session, "sub/blue_40cm_2.wav", "surface"), ["glass"]);
         assert!(said(&session, "odd.wav", "ball").is_empty());
-        assert!(
-            session.remarks[0].contains("odd.wav"),
-            "{:?}",
-            session.remarks
-        );
+        let remark = session.odd_names.remark(&Translator::english());
+        let expected = "1 name does not fit the pattern \"{ball}_{height}_{}\": odd.wav";
+        assert_eq!(remark.as_deref(), Some(expected));
     }
 
     #[test]

@@ -16,9 +16,6 @@ use crate::name::without_name;
 use crate::record::{DropRecord, PosteriorRecord, Record};
 use crate::results::Results;
 
-/// Why a drop is not compared that was left out by hand.
-const BY_HAND: &str = "left out by hand";
-
 /// What to ask of the drops of a session.
 #[derive(Debug, Clone, Default)]
 pub struct StudyOptions {
@@ -88,7 +85,9 @@ impl<'a> Outcome<'a> {
                 about
                     .duplicates
                     .push(reason(recording.name(), first.name()));
-                about.remarks.extend(noted_otherwise(recording, first));
+                about
+                    .remarks
+                    .extend(noted_otherwise(recording, first, translator));
             }
         }
         let counts =
@@ -222,9 +221,9 @@ impl Said {
         let mut groups = GroupStudy::of(about, noted, question, translator)?;
         let asks = |recording: &KnownRecording| recording.metadata.asks_inference();
         if groups.study.is_err() && !recordings.iter().any(asks) {
-            let why = "drops are compared by the inference, which was left out (--no-inference)";
-            groups.about.no_study = Some(why.to_owned());
-            groups.study = Err(why.to_owned());
+            let why = translator.text("session-inference-left-out");
+            groups.about.no_study = Some(why.clone());
+            groups.study = Err(why);
         }
         Ok(Outcome {
             recordings,
@@ -296,23 +295,27 @@ impl Studied {
 }
 
 /// What to say if the same sound was noted differently: only one of the notes counts.
-fn noted_otherwise(other: &KnownRecording, first: &KnownRecording) -> Option<String> {
+fn noted_otherwise(
+    other: &KnownRecording,
+    first: &KnownRecording,
+    words: &Translator,
+) -> Option<String> {
     let (of_other, of_first) = (&other.metadata.factors, &first.metadata.factors);
     let differs = |field: &&String| of_other.get(*field) != of_first.get(*field);
     let fields = of_other.keys().chain(of_first.keys());
     let field = fields.filter(differs).min()?;
     let said = |noted: Option<&String>| match noted {
         Some(text) => format!("\"{text}\""),
-        None => "not noted".to_owned(),
+        None => words.text("session-not-noted"),
     };
-    Some(format!(
-        "{} and {} are the same sound, but the {field} of the one is {} and that of the other {}; what is \
-         noted of the first counts",
-        first.name(),
-        other.name(),
-        said(of_first.get(field)),
-        said(of_other.get(field)),
-    ))
+    let arguments = [
+        ("first", first.name().into()),
+        ("other", other.name().into()),
+        ("field", field.as_str().into()),
+        ("of-first", said(of_first.get(field)).into()),
+        ("of-other", said(of_other.get(field)).into()),
+    ];
+    Some(words.text_with("session-noted-otherwise", &arguments))
 }
 
 /// Whether its estimate can hardly be believed.
@@ -329,10 +332,10 @@ pub(crate) fn left_out(
 ) -> Option<String> {
     let no_posterior = drop.no_posterior.as_ref();
     match &drop.posterior {
-        _ if by_hand => Some(BY_HAND.to_owned()),
+        _ if by_hand => Some(translator.text("session-by-hand")),
         None => no_posterior.map(|why| translator.diagnostic(why)),
         Some(posterior) if posterior.curve.0.is_empty() => {
-            Some("its impacts span too small a range of speeds".to_owned())
+            Some(translator.text("session-no-curve"))
         }
         Some(_) => None,
     }

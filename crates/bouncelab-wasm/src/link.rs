@@ -1,9 +1,9 @@
 //! A drop as a link and a QR code.
 
-use bouncelab_report::link::LinkedDrop;
+use bouncelab_report::link::{LinkProblem, LinkedDrop};
 use qrcodegen::{QrCode, QrCodeEcc};
 
-use crate::refusal::{Refusal, Result};
+use crate::refusal::Result;
 use crate::wire::DropLink;
 
 /// The link of a drop, for a page at this address, which ends where the drop begins.
@@ -14,7 +14,7 @@ use crate::wire::DropLink;
 pub fn link(drop: &LinkedDrop, page: &str) -> Result<DropLink> {
     let address = [page, &drop.code()?].concat();
     let code = QrCode::encode_text(&address, QrCodeEcc::Low);
-    let code = code.map_err(|problem| Refusal::fault(problem.to_string()))?;
+    let code = code.map_err(|_| LinkProblem::TooLong)?;
     Ok(DropLink {
         address,
         modules: code.size().unsigned_abs(),

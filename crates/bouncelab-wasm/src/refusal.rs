@@ -2,6 +2,7 @@
 
 use bouncelab::Diagnostic;
 use bouncelab_audio::{Error, LayoutProblem, LooksLike, MissingContent, Stage, TimesProblem};
+use bouncelab_report::link::LinkProblem;
 use serde::Serialize;
 #[cfg(not(target_family = "wasm"))]
 use ts_rs::TS;
@@ -16,7 +17,7 @@ pub struct Refusal {
     pub message: String,
     /// The same as data, where the science refused something.
     pub diagnostic: Option<Box<Diagnostic>>,
-    /// The same as data, where a file was refused.
+    /// The same as data, where a file or a link was refused.
     pub reason: Option<Box<Reason>>,
 }
 
@@ -35,13 +36,15 @@ pub enum RefusalKind {
     Times,
     /// A setting that the physics refuses.
     Setting,
+    /// The link of a drop cannot be made or read.
+    Link,
     /// It does not fit into the memory of a browser.
     TooLong,
     /// A fault of the program itself.
     Fault,
 }
 
-/// What exactly is wrong with a file. The page has words for each in every language.
+/// What exactly is wrong with a file or a link. The page has words for each in every language.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(not(target_family = "wasm"), derive(TS))]
 #[serde(tag = "code", rename_all = "kebab-case")]
@@ -93,6 +96,11 @@ pub enum Reason {
         line: Option<usize>,
         /// What is wrong.
         problem: TimesProblem,
+    },
+    /// It is no link of a drop, or cannot be one.
+    Link {
+        /// Why.
+        problem: LinkProblem,
     },
 }
 
@@ -168,6 +176,17 @@ impl From<bouncelab::Error> for Refusal {
 impl From<bouncelab_report::Error> for Refusal {
     fn from(error: bouncelab_report::Error) -> Self {
         Self::fault(error.to_string())
+    }
+}
+
+impl From<LinkProblem> for Refusal {
+    fn from(problem: LinkProblem) -> Self {
+        Self {
+            kind: RefusalKind::Link,
+            message: problem.to_string(),
+            diagnostic: None,
+            reason: Some(Box::new(Reason::Link { problem })),
+        }
     }
 }
 

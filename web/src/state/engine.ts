@@ -47,6 +47,7 @@ const FAULTS: Partial<Record<LabError['kind'], FaultKey>> = {
   damaged: 'damaged',
   times: 'times',
   setting: 'setting',
+  link: 'link',
   'too-long': 'huge',
 };
 

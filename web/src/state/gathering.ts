@@ -75,7 +75,6 @@ export async function gather(
 /** What the page says of something that could not be added. */
 function gatheringFaultOf(error: unknown): Fault {
   if (error instanceof NoDrop) return { key: 'no-drop' };
-  if (error instanceof BadLink) return { key: 'link', detail: error.message };
   if (error instanceof LabError) return faultOf(error);
   if (error instanceof ArchiveError) return archiveFaultOf(error);
   const isStorage = error instanceof DOMException;
@@ -83,7 +82,6 @@ function gatheringFaultOf(error: unknown): Fault {
 }
 
 class NoDrop extends Error {}
-class BadLink extends Error {}
 
 async function* sourcesOf(
   files: readonly File[],
@@ -184,11 +182,7 @@ const recorded = (file: Named, student: string): Source =>
 
 function link(code: string, student: string): Source {
   return drops(`…${code.slice(-8)}`, async () => {
-    const { name, settings, times_s } = await engine()
-      .linkedDrop(code)
-      .catch((error: unknown) => {
-        throw new BadLink(messageOf(error));
-      });
+    const { name, settings, times_s } = await engine().linkedDrop(code);
     const measured = await measure(await engine().paste(times_s.join('\n')), settings);
     return named(measured, name, student || name);
   });

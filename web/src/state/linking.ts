@@ -28,6 +28,6 @@ export async function followLink(): Promise<void> {
     await openLinked(drop);
     writeSettings();
   } catch (error) {
-    fail({ key: 'link', detail: faultOf(error).detail });
+    fail(faultOf(error));
   }
 }

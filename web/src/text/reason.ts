@@ -1,4 +1,4 @@
-/** What exactly is wrong with a file. */
+/** What exactly is wrong with a file or a link. */
 import type { LabReason, LayoutProblem, TimesProblem } from '../lab/index.ts';
 import { text, type Values } from './language.ts';
 
@@ -8,6 +8,8 @@ export function reasonText(reason: LabReason): string {
       return text(`page-reason-empty-${reason.what}`);
     case 'not-sound':
       return text('page-reason-not-sound', { kind: text(`page-looks-${reason.looks_like}`) });
+    case 'link':
+      return text(`page-reason-link-${reason.problem}`);
     case 'unsupported-layout':
       return text(`page-reason-layout-${reason.problem.code}`, valuesOf(reason.problem));
     case 'times': {

@@ -73,9 +73,12 @@ fn progress(duration_s: Option<f64>) -> ProgressBar {
         return ProgressBar::hidden();
     };
     let bar = ProgressBar::new(duration_s as u64);
-    if let Ok(style) =
-        ProgressStyle::with_template("detecting {wide_bar} {pos}/{len} s, {eta} left")
-    {
+    let places = [
+        ("bar", "{wide_bar}".into()),
+        ("done", "{pos}/{len}".into()),
+        ("left", "{eta}".into()),
+    ];
+    if let Ok(style) = ProgressStyle::with_template(&text_with("analyze-detecting", &places)) {
         bar.set_style(style);
     }
     bar.enable_steady_tick(TICK);
@@ -92,9 +95,8 @@ fn inferring(plan: &Plan, options: &Options) -> ProgressBar {
         return ProgressBar::hidden();
     }
     let spinner = ProgressBar::new_spinner();
-    spinner.set_message(format!(
-        "inferring from {impacts} impacts (--no-inference leaves it out)"
-    ));
+    let impacts = [("impacts", impacts.into())];
+    spinner.set_message(text_with("analyze-inferring", &impacts));
     spinner.enable_steady_tick(TICK);
     spinner
 }

@@ -165,7 +165,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
         let outputs = arguments.outputs.outputs(batch.files());
         arguments.check(&outputs)?;
         let targets = Targets::new(arguments, &outputs)?;
-        return targets.write(arguments, &batch.results(), None, Vec::new());
+        return targets.write(arguments, &batch.results(), None, None);
     }
     arguments.physics.questioned(arguments.priors.questions())?;
     let mut session = Session::gather(&Sources {
@@ -176,7 +176,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let outputs = arguments.outputs.outputs(session.inputs());
     arguments.check(&outputs)?;
     let title = session.title.take();
-    let remarks = std::mem::take(&mut session.remarks);
+    let remark = session.odd_names.remark(translator());
     let recordings = MetadataOptions {
         resolve: &|noted| {
             arguments
@@ -217,7 +217,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
         done: &done,
         store: Store::Journal(&journal),
     };
-    targets.write(arguments, &results, title, remarks)
+    targets.write(arguments, &results, title, remark)
 }
 
 /// Where to write, opened before the long work.
@@ -245,12 +245,12 @@ impl<'a> Targets<'a> {
         arguments: &Arguments,
         results: &Results<'_>,
         title: Option<String>,
-        remarks: Vec<String>,
+        remark: Option<String>,
     ) -> Result<(), Failure> {
         let (folder, outputs) = (&arguments.output, self.outputs);
         let mut outcome = Outcome::of(results, &arguments.study(), translator())?;
         outcome.groups.about.title = title;
-        outcome.groups.about.remarks.extend(remarks);
+        outcome.groups.about.remarks.extend(remark);
         let written = write_tables(&outcome, results, folder, &arguments.forms(), outputs)?;
         let json =
             serde_json::to_string_pretty(&outcome.document()).map_err(io::Error::from)? + "\n";

@@ -73,9 +73,14 @@ pub(super) fn analyze_all(
 /// A bar that hides itself when stderr is no terminal.
 fn progress(recordings: usize) -> ProgressBar {
     let bar = ProgressBar::new(recordings as u64);
-    if let Ok(style) = ProgressStyle::with_template(
-        "analysing {wide_bar} {pos}/{len} recordings, {per_sec}, {eta} left{msg}",
-    ) {
+    let places = [
+        ("bar", "{wide_bar}".into()),
+        ("done", "{pos}/{len}".into()),
+        ("rate", "{per_sec}".into()),
+        ("left", "{eta}".into()),
+    ];
+    let template = text_with("session-progress", &places) + "{msg}";
+    if let Ok(style) = ProgressStyle::with_template(&template) {
         bar.set_style(style);
     }
     bar.enable_steady_tick(Duration::from_millis(200));

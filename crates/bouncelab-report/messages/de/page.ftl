@@ -538,3 +538,7 @@ page-reason-too-long = Sie hat mehr als { $minutes } Minuten in { $channels ->
 page-reason-no-memory = Dieses Gerät hat nicht genug Speicher dafür.
 page-reason-breaks-decoder = Sie ist so beschädigt, dass ihr Decoder daran zerbricht.
 page-reason-unreadable = Der Browser kann sie nicht lesen. Wurde sie verschoben oder gelöscht?
+page-reason-link-changed = Er wurde verändert oder ist unvollständig.
+page-reason-link-other-version = Eine andere Version dieser Seite hat ihn gemacht; lade die Seite neu.
+page-reason-link-times = Ein Link fasst 2 bis 1000 Aufpralle.
+page-reason-link-too-long = Der Versuch hat zu viele Aufpralle für einen QR-Code.

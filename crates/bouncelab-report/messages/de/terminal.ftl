@@ -55,6 +55,8 @@ analyze-details-impacts = Aufpralle in der Schätzung:
 analyze-details-priors = Annahmen vor den Daten:
 analyze-details-sampling = Stichprobe: { $draws } unabhängige Ziehungen, Pareto-Form { $shape } (gut unter 0,7).
 analyze-no-drop = { $name }: kein springender Ball gefunden: { $reason }
+analyze-detecting = suche { $bar } { $done } s, noch { $left }
+analyze-inferring = Inferenz aus { $impacts } Aufprallen (--no-inference lässt sie aus)
 analyze-one-report = ein Bericht gilt einer Aufnahme, hier sind es mehrere: bouncelab session macht einen aus vielen
 analyze-one-labelled = Textmarken, Marken im Ton und Bewegung gelten einer Aufnahme, hier sind es mehrere: eine nach der anderen angeben
 analyze-cues-need-sound = { $name } ist eine Liste von Zeiten ohne Ton, in dem Marken stehen könnten; --format audacity oder textgrid schreibt Textmarken
@@ -289,6 +291,18 @@ session-tables = Tabellen: { $list }
 session-no-drop = keine Aufnahme enthält einen springenden Ball
 session-damaged-journal = { $count } Zeilen des Journals sind abgeschnitten oder beschädigt und zählen nicht
 session-died = ihre Auswertung hat ihren Prozess zweimal beendet, das zweite Mal allein ({ $how }); ist sie lang, gib ihr mehr mit --memory, sonst melde es bitte
+session-odd-names = { $count ->
+    [one] 1 Name passt
+   *[other] { $count } Namen passen
+  } nicht zum Muster „{ $pattern }“: { $names }
+session-noted-otherwise = { $first } und { $other } sind derselbe Ton, aber { $field } ist beim einen { $of-first } und beim anderen { $of-other }; es zählt, was zum ersten vermerkt ist
+session-not-noted = nicht vermerkt
+session-by-hand = von Hand ausgelassen
+session-inference-left-out = verglichen werden Versuche durch die Inferenz, und die wurde ausgelassen (--no-inference)
+session-progress = analysiere { $bar } { $done } Aufnahmen, { $rate }, noch { $left }
 session-known = { $kept } von { $all } Aufnahmen sind aus einem früheren Lauf ausgewertet
 session-out-of-time = ihre Auswertung hat mehr als { $seconds } s Rechenzeit gebraucht; gib ihr mehr mit --time-limit oder verlange weniger: weniger --draws, eine kürzere Aufnahme
 session-restitution = Stoßzahl
+
+serve-address = Das Labor ist auf { $address } (Strg-C beendet es)
+serve-no-browser = kein Browser ließ sich öffnen ({ $reason }); öffne { $address } selbst

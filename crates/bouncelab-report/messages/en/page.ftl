@@ -540,3 +540,7 @@ page-reason-too-long = It has more than { $minutes } minutes in { $channels ->
 page-reason-no-memory = This device has not enough memory for it.
 page-reason-breaks-decoder = It is damaged, and its decoder fails on it.
 page-reason-unreadable = The browser cannot read it. Was it moved or deleted?
+page-reason-link-changed = It was changed, or is incomplete.
+page-reason-link-other-version = Another version of this page made it; reload the page.
+page-reason-link-times = A link holds 2 to 1000 impacts.
+page-reason-link-too-long = The drop has too many impacts for a QR code.

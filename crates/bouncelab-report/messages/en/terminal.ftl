@@ -57,6 +57,8 @@ analyze-details-impacts = Impacts in the fit:
 analyze-details-priors = Priors:
 analyze-details-sampling = Sampling: { $draws } independent draws, Pareto shape { $shape } (good below 0.7).
 analyze-no-drop = { $name }: no drop found: { $reason }
+analyze-detecting = detecting { $bar } { $done } s, { $left } left
+analyze-inferring = inferring from { $impacts } impacts (--no-inference leaves it out)
 analyze-one-report = a report is for one recording, and several were given; bouncelab session reports on several
 analyze-one-labelled = labels, markers and motion are of one recording, and several were given; give one at a time
 analyze-cues-need-sound = { $name } is a list of times, which has no sound to mark; --format audacity or textgrid writes labels
@@ -291,6 +293,18 @@ session-tables = Tables: { $list }
 session-no-drop = no recording holds a drop
 session-damaged-journal = { $count } lines of the journal are truncated or damaged, and are ignored
 session-died = its analysis ended its process twice, the second time alone ({ $how }); if it is long, give it more --memory, else please report it
+session-odd-names = { $count ->
+    [one] 1 name does
+   *[other] { $count } names do
+  } not fit the pattern "{ $pattern }": { $names }
+session-noted-otherwise = { $first } and { $other } are the same sound, but the { $field } of the one is { $of-first } and that of the other { $of-other }; what is noted of the first counts
+session-not-noted = not noted
+session-by-hand = left out by hand
+session-inference-left-out = drops are compared by the inference, which was left out (--no-inference)
+session-progress = analysing { $bar } { $done } recordings, { $rate }, { $left } left
 session-known = { $kept } of { $all } recordings were analysed in an earlier run
 session-out-of-time = its analysis took more than { $seconds } s of processor time; give it more by --time-limit, or ask for less: fewer --draws, a shorter recording
 session-restitution = Restitution
+
+serve-address = The laboratory is at { $address } (Ctrl-C ends it)
+serve-no-browser = no browser could be opened ({ $reason }); go to { $address } yourself

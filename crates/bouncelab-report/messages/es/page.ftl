@@ -541,3 +541,7 @@ page-reason-too-long = Tiene más de { $minutes } minutos en { $channels ->
 page-reason-no-memory = Este dispositivo no tiene memoria suficiente para él.
 page-reason-breaks-decoder = Está dañado, y su decodificador falla con él.
 page-reason-unreadable = El navegador no puede leerlo. ¿Se movió o se eliminó?
+page-reason-link-changed = Fue modificado o está incompleto.
+page-reason-link-other-version = Lo hizo otra versión de esta página; recargue la página.
+page-reason-link-times = Un enlace contiene de 2 a 1000 impactos.
+page-reason-link-too-long = El ensayo tiene demasiados impactos para un código QR.

@@ -56,6 +56,8 @@ analyze-details-impacts = Impactos en el ajuste:
 analyze-details-priors = Distribuciones a priori:
 analyze-details-sampling = Muestreo: { $draws } extracciones independientes, índice de Pareto { $shape } (bueno por debajo de 0,7).
 analyze-no-drop = { $name }: no se halló ningún ensayo: { $reason }
+analyze-detecting = detectando { $bar } { $done } s, quedan { $left }
+analyze-inferring = inferencia a partir de { $impacts } impactos (--no-inference la omite)
 analyze-one-report = un informe es de una grabación, y se dieron varias; bouncelab session informa sobre varias
 analyze-one-labelled = etiquetas, marcas y movimiento son de una grabación, y se dieron varias; dé una cada vez
 analyze-cues-need-sound = { $name } es una lista de tiempos, sin sonido que marcar; --format audacity o textgrid escribe etiquetas
@@ -290,6 +292,18 @@ session-tables = Tablas: { $list }
 session-no-drop = ninguna grabación contiene un ensayo
 session-damaged-journal = { $count } líneas del diario están truncadas o dañadas, y no se tienen en cuenta
 session-died = su análisis terminó su proceso dos veces, la segunda a solas ({ $how }); si es larga, dele más --memory, y si no, comuníquelo, por favor
+session-odd-names = { $count ->
+    [one] 1 nombre no se ajusta
+   *[other] { $count } nombres no se ajustan
+  } al patrón «{ $pattern }»: { $names }
+session-noted-otherwise = { $first } y { $other } son el mismo sonido, pero { $field } es { $of-first } en uno y { $of-other } en el otro; vale lo anotado del primero
+session-not-noted = sin anotar
+session-by-hand = excluido a mano
+session-inference-left-out = los ensayos se comparan por la inferencia, que se omitió (--no-inference)
+session-progress = analizando { $bar } { $done } grabaciones, { $rate }, quedan { $left }
 session-known = { $kept } de { $all } grabaciones se analizaron en una ejecución anterior
 session-out-of-time = su análisis tomó más de { $seconds } s de tiempo de procesador; dele más con --time-limit, o pida menos: menos --draws, una grabación más corta
 session-restitution = Restitución
+
+serve-address = El laboratorio está en { $address } (Ctrl-C lo termina)
+serve-no-browser = no se pudo abrir ningún navegador ({ $reason }); abra { $address } usted

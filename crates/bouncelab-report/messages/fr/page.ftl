@@ -541,3 +541,7 @@ page-reason-too-long = Il a plus de { $minutes } minutes en { $channels ->
 page-reason-no-memory = Cet appareil n’a pas assez de mémoire pour lui.
 page-reason-breaks-decoder = Il est endommagé, et son décodeur échoue.
 page-reason-unreadable = Le navigateur ne peut pas le lire. A-t-il été déplacé ou supprimé ?
+page-reason-link-changed = Il a été modifié ou est incomplet.
+page-reason-link-other-version = Une autre version de cette page l’a fait ; rechargez la page.
+page-reason-link-times = Un lien contient de 2 à 1000 impacts.
+page-reason-link-too-long = L’essai a trop d’impacts pour un code QR.

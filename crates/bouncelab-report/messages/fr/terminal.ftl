@@ -56,6 +56,8 @@ analyze-details-impacts = Impacts dans l’ajustement :
 analyze-details-priors = Lois a priori :
 analyze-details-sampling = Échantillonnage : { $draws } tirages indépendants, indice de Pareto { $shape } (bon au-dessous de 0,7).
 analyze-no-drop = { $name } : aucun essai trouvé : { $reason }
+analyze-detecting = détection { $bar } { $done } s, reste { $left }
+analyze-inferring = inférence à partir de { $impacts } impacts (--no-inference l’omet)
 analyze-one-report = un rapport porte sur un enregistrement, et plusieurs ont été donnés ; bouncelab session fait un rapport sur plusieurs
 analyze-one-labelled = étiquettes, marqueurs et mouvement sont d’un seul enregistrement, et plusieurs ont été donnés ; donnez-en un à la fois
 analyze-cues-need-sound = { $name } est une liste de temps, sans son à marquer ; --format audacity ou textgrid écrit des étiquettes
@@ -290,6 +292,18 @@ session-tables = Tableaux : { $list }
 session-no-drop = aucun enregistrement ne contient d’essai
 session-damaged-journal = { $count } lignes du journal sont tronquées ou endommagées, et sont ignorées
 session-died = son analyse a terminé son processus deux fois, la seconde fois seule ({ $how }) ; s’il est long, donnez-lui plus de --memory, sinon merci de le signaler
+session-odd-names = { $count ->
+    [one] { $count } nom ne correspond
+   *[other] { $count } noms ne correspondent
+  } pas au modèle « { $pattern } » : { $names }
+session-noted-otherwise = { $first } et { $other } sont le même son, mais { $field } est { $of-first } pour l’un et { $of-other } pour l’autre ; c’est ce qui est noté du premier qui compte
+session-not-noted = non noté
+session-by-hand = exclu à la main
+session-inference-left-out = les essais sont comparés par l’inférence, qui a été omise (--no-inference)
+session-progress = analyse { $bar } { $done } enregistrements, { $rate }, reste { $left }
 session-known = { $kept } enregistrements sur { $all } ont été analysés lors d’un passage précédent
 session-out-of-time = son analyse a pris plus de { $seconds } s de temps processeur ; donnez-lui plus de --time-limit, ou demandez moins : moins de --draws, un enregistrement plus court
 session-restitution = Restitution
+
+serve-address = Le laboratoire est à l’adresse { $address } (Ctrl-C l’arrête)
+serve-no-browser = aucun navigateur n’a pu être ouvert ({ $reason }) ; ouvrez { $address } vous-même

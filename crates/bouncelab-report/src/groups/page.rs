@@ -156,14 +156,14 @@ fn troubles(about: &About, words: &Translator) -> Section {
         .flat_map(|(id, reasons)| {
             [
                 Block::text(format!("{}:", words.text(id))),
-                Block::List(by_reason(reasons)),
+                Block::List(by_reason(reasons, words)),
             ]
         });
     Section::new(words.text("session-troubles"), blocks.collect())
 }
 
 /// One line for each reason, with the first of those that it is true of.
-fn by_reason(reasons: &[Reason]) -> Vec<String> {
+fn by_reason(reasons: &[Reason], words: &Translator) -> Vec<String> {
     let mut lines: Vec<(&str, Vec<String>)> = Vec::new();
     for Reason { name, reason } in reasons {
         match lines.iter_mut().find(|(known, _)| known == reason) {
@@ -171,7 +171,8 @@ fn by_reason(reasons: &[Reason]) -> Vec<String> {
             None => lines.push((reason, vec![name.clone()])),
         }
     }
-    let line = |(reason, names): (&str, Vec<String>)| format!("{}: {reason}", some_of(&names));
+    let line =
+        |(reason, names): (&str, Vec<String>)| format!("{}: {reason}", some_of(&names, words));
     lines.into_iter().map(line).collect()
 }
 
@@ -201,12 +202,16 @@ fn method(words: &Translator) -> Section {
 }
 
 /// The first few of many names.
-pub fn some_of(names: &[String]) -> String {
+pub fn some_of(names: &[String], words: &Translator) -> String {
     const SHOWN: usize = 4;
     match names.len() {
-        count if count > SHOWN + 1 => {
-            format!("{} and {} more", names[..SHOWN].join(", "), count - SHOWN)
-        }
+        count if count > SHOWN + 1 => words.text_with(
+            "list-more",
+            &[
+                ("first", names[..SHOWN].join(", ").into()),
+                ("count", (count - SHOWN).into()),
+            ],
+        ),
         _ => names.join(", "),
     }
 }

@@ -140,7 +140,7 @@ impl GroupStudy {
         let study = study.map_err(|refusal| match question.at_speed_m_s {
             _ if curves.is_empty() => words.text("session-no-inference"),
             Some(speed) => words.text_with("session-no-speed", &[("speed", speed.into())]),
-            None => refusal.to_string(),
+            None => words.diagnostic(&refusal.diagnostic()),
         });
         let mut groups = Self {
             about,

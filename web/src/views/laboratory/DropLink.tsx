@@ -26,7 +26,7 @@ export function DropLink({ name }: { readonly name: string }) {
   const make = (): Promise<void> =>
     linkOfDrop(name).then(
       (link) => setMade({ of, name, link }),
-      (error: unknown) => setMade({ of, name, fault: { ...faultOf(error), key: 'link' } }),
+      (error: unknown) => setMade({ of, name, fault: faultOf(error) }),
     );
   const shown = made?.of === of && made.name === name ? made : undefined;
   return (
