@@ -51,8 +51,8 @@ impl Estimate {
     /// assert_eq!(Estimate::of_draws([]), None);
     /// ```
     pub fn of_draws(values: impl IntoIterator<Item = f64>) -> Option<Self> {
-        let values = values.into_iter().filter(|v| v.is_finite());
-        let mut values: Vec<f64> = values.collect();
+        let mut values: Vec<f64> = values.into_iter().collect();
+        values.retain(|value| value.is_finite());
         let sd = sd(&values);
         let shares = [TAIL95, TAIL68, 0.5, 1.0 - TAIL68, 1.0 - TAIL95];
         let [low95, low68, value, high68, high95] = quantiles(&mut values, shares)?;

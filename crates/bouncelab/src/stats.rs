@@ -49,15 +49,18 @@ const CLASSES: usize = 256;
 
 /// Sorts values into classes of equal width, and says where each ends.
 fn sort_into_classes(values: &mut [f64]) -> [usize; CLASSES] {
-    let unsorted = values.to_vec();
-    let least = unsorted.iter().copied().fold(f64::INFINITY, f64::min);
-    let greatest = unsorted.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+    let (mut least, mut greatest) = (f64::INFINITY, f64::NEG_INFINITY);
+    for &value in &*values {
+        least = if value < least { value } else { least };
+        greatest = if value > greatest { value } else { greatest };
+    }
     let classes = (CLASSES - 1) as f64 / (greatest - least);
     // Of values that are all alike the product is not a number, which counts as zero.
-    let class = |value: f64| (((value - least) * classes) as usize).min(CLASSES - 1);
+    let class = |&value: &f64| (value, ((value - least) * classes) as u8);
+    let unsorted: Vec<(f64, u8)> = values.iter().map(class).collect();
     let mut ends = [0; CLASSES];
-    for &value in &unsorted {
-        ends[class(value)] += 1;
+    for (_, class) in &unsorted {
+        ends[usize::from(*class)] += 1;
     }
     let mut end = 0;
     for count in &mut ends {
@@ -65,8 +68,8 @@ fn sort_into_classes(values: &mut [f64]) -> [usize; CLASSES] {
         *count = end;
     }
     let mut free = ends;
-    for value in unsorted {
-        let place = &mut free[class(value)];
+    for (value, class) in unsorted {
+        let place = &mut free[usize::from(class)];
         *place -= 1;
         values[*place] = value;
     }
