@@ -300,7 +300,6 @@ impl Translator {
         let key_id = kebab(key);
         let id = match argument {
             "quantity" | "input" => format!("input-{key_id}"),
-            "allowed" => format!("allowed-{key_id}"),
             "kind" | "what" => format!("kind-{key_id}"),
             "ball" => format!("ball-{key_id}"),
             "law" => format!("restitution-law-{key_id}"),
@@ -499,7 +498,7 @@ fn argument<'a, 'b>(
 
 /// A number with all digits that it has.
 fn plain(value: f64) -> Value<'static> {
-    if value.fract() == 0.0 && value.abs() < 1e9 {
+    if !value.is_finite() || (value.fract() == 0.0 && value.abs() < 1e9) {
         Value::Number(value.to_string())
     } else {
         Quantity::measured(value, 0.0, Unit::Number).into()

@@ -9,7 +9,7 @@
 //! ```
 
 use crate::ball::Ball;
-use crate::error::{Result, of_a_size, require};
+use crate::error::{Quantity, Result, of_a_size, within};
 
 /// A still gas (or liquid) of uniform density and viscosity, or nothing at all.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -36,8 +36,8 @@ impl Air {
     /// ```
     pub fn new(density_kg_m3: f64, viscosity_pa_s: f64) -> Result<Self> {
         Ok(Self {
-            density_kg_m3: of_a_size("density of the air in kg/m3", density_kg_m3)?,
-            viscosity_pa_s: of_a_size("viscosity of the air in Pa s", viscosity_pa_s)?,
+            density_kg_m3: of_a_size(Quantity::AirDensity, density_kg_m3)?,
+            viscosity_pa_s: of_a_size(Quantity::AirViscosity, viscosity_pa_s)?,
         })
     }
 
@@ -77,24 +77,9 @@ impl Air {
             pressure_pa,
             relative_humidity,
         } = *conditions;
-        require(
-            (250.0..=330.0).contains(&temperature_k),
-            "temperature of the air in K",
-            temperature_k,
-            "from 250 to 330 (-23 to 57 degrees Celsius)",
-        )?;
-        require(
-            (30e3..=120e3).contains(&pressure_pa),
-            "pressure of the air in Pa",
-            pressure_pa,
-            "from 30000 to 120000",
-        )?;
-        require(
-            (0.0..=1.0).contains(&relative_humidity),
-            "relative humidity",
-            relative_humidity,
-            "from 0 (dry) to 1 (saturated)",
-        )?;
+        within(Quantity::AirTemperature, temperature_k, 250.0..=330.0)?;
+        within(Quantity::AirPressure, pressure_pa, 30e3..=120e3)?;
+        within(Quantity::Humidity, relative_humidity, 0.0..=1.0)?;
         Self::new(
             cipm_2007_density_kg_m3(conditions),
             sutherland_viscosity_pa_s(temperature_k),

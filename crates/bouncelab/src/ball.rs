@@ -11,7 +11,7 @@
 
 use std::f64::consts::PI;
 
-use crate::error::{Error, Result, of_a_size};
+use crate::error::{Error, Quantity, Result, of_a_size};
 
 /// Density of bearing steel (100Cr6, ISO 683-17), kg/m³.
 const STEEL_KG_M3: f64 = 7810.0;
@@ -45,8 +45,8 @@ impl Ball {
     /// ```
     pub fn new(mass_kg: f64, diameter_m: f64) -> Result<Self> {
         Ok(Self {
-            mass_kg: of_a_size("mass of the ball in kg", mass_kg)?,
-            diameter_m: of_a_size("diameter of the ball in m", diameter_m)?,
+            mass_kg: of_a_size(Quantity::BallMass, mass_kg)?,
+            diameter_m: of_a_size(Quantity::BallDiameter, diameter_m)?,
         })
     }
 
@@ -80,7 +80,7 @@ impl Ball {
     }
 
     fn solid(density_kg_m3: f64, diameter_m: f64) -> Result<Self> {
-        let diameter_m = of_a_size("diameter of the ball in m", diameter_m)?;
+        let diameter_m = of_a_size(Quantity::BallDiameter, diameter_m)?;
         Self::new(density_kg_m3 * sphere_volume_m3(diameter_m), diameter_m)
     }
 

@@ -296,7 +296,7 @@ codes! {
 
     // Of input.
     /// A number lies outside the values that make sense.
-    OutOfRange = "out-of-range", Error, ["quantity", "value", "allowed"];
+    OutOfRange = "out-of-range", Error, ["quantity", "value", "unit?", "range", "low?", "high?"];
     /// A name is not in the list.
     UnknownName = "unknown-name", Error, ["kind", "name", "nearest", "known"];
     /// The ball is faster than the drag law is valid for.

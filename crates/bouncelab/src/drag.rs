@@ -15,7 +15,7 @@
 use std::fmt;
 use std::str::FromStr;
 
-use crate::error::{Error, Result, not_negative, require};
+use crate::error::{Error, Quantity, Result, within};
 
 /// How the drag coefficient C<sub>D</sub> of a ball depends on its Reynolds number.
 ///
@@ -132,7 +132,7 @@ impl DragLaw {
     /// ```
     pub fn coefficient(&self, reynolds: f64) -> Result<f64> {
         self.check()?;
-        not_negative("Reynolds number", reynolds)?;
+        within(Quantity::Reynolds, reynolds, 0.0..)?;
         self.check_reynolds(reynolds)?;
         Ok(match *self {
             Self::None => 0.0,
@@ -144,7 +144,7 @@ impl DragLaw {
     /// Refuses a constant that is no coefficient.
     pub(crate) fn check(&self) -> Result<()> {
         match *self {
-            Self::Constant(c) => not_negative("drag coefficient", c).map(drop),
+            Self::Constant(c) => within(Quantity::DragCoefficient, c, 0.0..).map(drop),
             _ => Ok(()),
         }
     }
@@ -287,12 +287,7 @@ impl FromStr for DragLaw {
         }
         if let Some(number) = text.strip_prefix("constant:") {
             let coefficient = number.trim().parse().unwrap_or(f64::NAN);
-            require(
-                coefficient >= 0.0 && f64::is_finite(coefficient),
-                "drag coefficient",
-                coefficient,
-                "a number that is finite and not below 0, as in \"constant:0.4\"",
-            )?;
+            within(Quantity::DragCoefficient, coefficient, 0.0..)?;
             return Ok(Self::Constant(coefficient));
         }
         Self::NAMED

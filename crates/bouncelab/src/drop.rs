@@ -16,7 +16,7 @@
 //! # Ok::<(), bouncelab::Error>(())
 //! ```
 
-use crate::error::{Error, Result, not_negative, of_a_size, positive, require};
+use crate::error::{Error, Quantity, Result, of_a_size, positive, within};
 use crate::flight::{Fall, Flight, FlightModel, State};
 use crate::impact::{Contact, Strike};
 
@@ -207,13 +207,13 @@ pub fn simulate(
     start: Start,
     stop: Stop,
 ) -> Result<History> {
-    not_negative("height in m at which to stop", stop.apex_m)?;
+    within(Quantity::StopHeight, stop.apex_m, 0.0..)?;
     let opening = match start {
         Start::Height(height_m) => {
-            InitialFall::Fall(model.fall(of_a_size("release height in m", height_m)?)?)
+            InitialFall::Fall(model.fall(of_a_size(Quantity::Height, height_m)?)?)
         }
         Start::Launch(speed_m_s) => {
-            InitialFall::Flight(model.launch(of_a_size("launch speed in m/s", speed_m_s)?)?)
+            InitialFall::Flight(model.launch(of_a_size(Quantity::LaunchSpeed, speed_m_s)?)?)
         }
     };
     let mut landing = Strike {
@@ -459,26 +459,16 @@ pub fn restitution_of_total_time(
     drop_height_m: f64,
     gravity_m_s2: f64,
 ) -> Result<f64> {
-    let fall_time_s = fall_time_s(positive("drop height in m", drop_height_m)?, gravity_m_s2)?;
-    require(
-        total_time_s >= fall_time_s && total_time_s.is_finite(),
-        "total time in s",
-        total_time_s,
-        "finite and no shorter than the fall to the first impact",
-    )?;
+    let fall_time_s = fall_time_s(positive(Quantity::Height, drop_height_m)?, gravity_m_s2)?;
+    within(Quantity::TotalTime, total_time_s, fall_time_s..)?;
     Ok((total_time_s - fall_time_s) / (total_time_s + fall_time_s))
 }
 
 fn check_series(restitution: f64, drop_height_m: f64) -> Result<()> {
-    require(
-        (0.0..1.0).contains(&restitution),
-        "coefficient of restitution",
-        restitution,
-        "from 0 to below 1: at 1 the ball never comes to rest",
-    )?;
-    not_negative("drop height in m", drop_height_m).map(drop)
+    within(Quantity::Restitution, restitution, 0.0..1.0)?;
+    within(Quantity::Height, drop_height_m, 0.0..).map(drop)
 }
 
 fn fall_time_s(height_m: f64, gravity_m_s2: f64) -> Result<f64> {
-    Ok((2.0 * height_m / positive("gravity in m/s2", gravity_m_s2)?).sqrt())
+    Ok((2.0 * height_m / positive(Quantity::Gravity, gravity_m_s2)?).sqrt())
 }

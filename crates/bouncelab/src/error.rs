@@ -1,6 +1,11 @@
 //! The errors of this crate.
 
-use std::ops::Range;
+mod refused;
+
+use std::ops::Bound::{Excluded, Included, Unbounded};
+use std::ops::{Range, RangeBounds};
+
+pub use refused::{Bounds, Quantity};
 
 use crate::diagnostic::{Argument, Code, Diagnostic};
 
@@ -24,15 +29,15 @@ pub type Result<T> = std::result::Result<T, Error>;
 #[non_exhaustive]
 pub enum Error {
     /// A number lies outside the values for which the calculation makes sense (this includes NaN).
-    #[error("{quantity} is {}; it must be {allowed}", written(*value))]
+    #[error("{quantity} is {}; it must be {allowed}", quantity.written(*value))]
     #[non_exhaustive]
     OutOfRange {
-        /// The quantity with its unit, as in "mass in kg".
-        quantity: &'static str,
-        /// The value that was given.
+        /// The quantity.
+        quantity: Quantity,
+        /// The value that was given, in the unit of the quantity.
         value: f64,
-        /// The values that are accepted, in words.
-        allowed: &'static str,
+        /// The values that are accepted.
+        allowed: Bounds,
     },
 
     /// A name that is not in one of the crate's lists.
@@ -232,10 +237,23 @@ impl Error {
                 quantity,
                 value,
                 allowed,
-            } => Diagnostic::new(Code::OutOfRange)
-                .with("quantity", *quantity)
-                .with("value", *value)
-                .with("allowed", *allowed),
+            } => {
+                let optional = [
+                    ("unit", quantity.unit().map(Argument::from)),
+                    ("low", allowed.low().map(Argument::from)),
+                    ("high", allowed.high().map(Argument::from)),
+                ];
+                let mut refused = Diagnostic::new(Code::OutOfRange)
+                    .with("quantity", quantity.key())
+                    .with("value", *value)
+                    .with("range", allowed.key());
+                for (name, argument) in optional {
+                    refused
+                        .arguments
+                        .extend(argument.map(|argument| (name.to_owned(), argument)));
+                }
+                refused
+            }
             Self::UnknownName {
                 kind,
                 name,
@@ -283,6 +301,20 @@ impl Error {
             Self::NotInOrder { what, number } => Diagnostic::new(Code::NotInOrder)
                 .with("what", *what)
                 .with("number", *number),
+        }
+    }
+
+    /// An [`Error::OutOfRange`] for a value that is not in the range.
+    pub(crate) fn out_of_range(
+        quantity: Quantity,
+        value: f64,
+        range: impl RangeBounds<f64>,
+    ) -> Self {
+        let allowed = Bounds::from(&range);
+        Self::OutOfRange {
+            quantity,
+            value,
+            allowed,
         }
     }
 
@@ -335,81 +367,30 @@ impl InferenceFailure {
     }
 }
 
-/// A number without the noise of binary fractions, in powers of ten where there would be a row of
-/// zeros.
-fn written(value: f64) -> String {
-    let value = if value.fract() == 0.0 {
-        value
+/// The value back if it is in the range, otherwise an [`Error::OutOfRange`]. Infinite values and
+/// not-a-number are in no range.
+pub(crate) fn within(quantity: Quantity, value: f64, range: impl RangeBounds<f64>) -> Result<f64> {
+    if range.contains(&value) && value.is_finite() {
+        Ok(value)
     } else {
-        format!("{value:.8e}").parse().unwrap_or(value)
-    };
-    let ordinary = value == 0.0 || !value.is_finite() || (1e-9..1e15).contains(&value.abs());
-    if ordinary {
-        format!("{value}")
-    } else {
-        format!("{value:e}")
+        Err(Error::out_of_range(quantity, value, range))
     }
-}
-
-/// `Ok` if `holds`, otherwise an [`Error::OutOfRange`] for the quantity.
-///
-/// Conditions are written so that NaN makes them false.
-pub(crate) fn require(
-    holds: bool,
-    quantity: &'static str,
-    value: f64,
-    allowed: &'static str,
-) -> Result<()> {
-    if holds {
-        Ok(())
-    } else {
-        Err(Error::OutOfRange {
-            quantity,
-            value,
-            allowed,
-        })
-    }
-}
-
-/// The value back if it is finite.
-pub(crate) fn finite(quantity: &'static str, value: f64) -> Result<f64> {
-    require(value.is_finite(), quantity, value, "finite")?;
-    Ok(value)
 }
 
 /// The value back if it is finite and above zero.
-pub(crate) fn positive(quantity: &'static str, value: f64) -> Result<f64> {
-    require(
-        value > 0.0 && value.is_finite(),
-        quantity,
-        value,
-        "finite and above 0",
-    )?;
-    Ok(value)
+pub(crate) fn positive(quantity: Quantity, value: f64) -> Result<f64> {
+    within(quantity, value, (Excluded(0.0), Unbounded))
 }
 
-/// The value back if it is of a size that things have, in SI: far beyond it the physics drowns in
-/// the range of floating-point numbers.
-pub(crate) fn of_a_size(quantity: &'static str, value: f64) -> Result<f64> {
-    let sizes = 1e-20..=1e20;
-    require(
-        sizes.contains(&value),
-        quantity,
-        value,
-        "from 1e-20 to 1e20",
-    )?;
-    Ok(value)
+/// The value back if it is above zero and at most `highest`.
+pub(crate) fn positive_up_to(quantity: Quantity, value: f64, highest: f64) -> Result<f64> {
+    within(quantity, value, (Excluded(0.0), Included(highest)))
 }
 
-/// The value back if it is finite and not negative.
-pub(crate) fn not_negative(quantity: &'static str, value: f64) -> Result<f64> {
-    require(
-        value >= 0.0 && value.is_finite(),
-        quantity,
-        value,
-        "finite and not below 0",
-    )?;
-    Ok(value)
+/// The value back if it is of a size that things have, in SI: the physics of far larger and smaller
+/// ones exceeds the range of floating-point numbers.
+pub(crate) fn of_a_size(quantity: Quantity, value: f64) -> Result<f64> {
+    within(quantity, value, 1e-20..=1e20)
 }
 
 /// `Ok` if each number exceeds the one before, otherwise an [`Error::NotInOrder`].
@@ -426,15 +407,37 @@ pub(crate) fn in_order(what: &'static str, numbers: impl IntoIterator<Item = usi
 
 #[cfg(test)]
 mod tests {
-    use super::positive;
+    use super::*;
 
     #[test]
     fn numbers_are_written_without_rows_of_zeros() {
-        let said = |value: f64| positive("height in m", value).unwrap_err().to_string();
-        assert!(said(-1.5).starts_with("height in m is -1.5;"));
-        assert!(said(0.2 - 0.3).starts_with("height in m is -0.1;"));
-        assert!(said(-1e300).starts_with("height in m is -1e300;"));
-        assert!(said(-1e-300).starts_with("height in m is -1e-300;"));
-        assert!(said(f64::NAN).starts_with("height in m is NaN;"));
+        let refusal = |value: f64| positive(Quantity::Height, value).unwrap_err().to_string();
+        for (value, start) in [
+            (-1.5, "height is -1.5 m;"),
+            (0.2 - 0.3, "height is -0.1 m;"),
+            (-1e300, "height is -1e300 m;"),
+            (-1e-300, "height is -1e-300 m;"),
+            (f64::NAN, "height is NaN m;"),
+        ] {
+            assert!(refusal(value).starts_with(start), "{value}");
+        }
+    }
+
+    #[test]
+    fn ranges_are_written_with_their_ends() {
+        let refusal = |range: (std::ops::Bound<f64>, std::ops::Bound<f64>)| {
+            let refused = within(Quantity::Restitution, f64::NAN, range).unwrap_err();
+            refused
+                .to_string()
+                .replace("restitution is NaN; it must be ", "")
+        };
+        for (range, text) in [
+            ((Unbounded, Unbounded), "finite"),
+            ((Excluded(0.0), Unbounded), "finite and above 0"),
+            ((Included(-1.0), Excluded(0.5)), "at least -1 and below 0.5"),
+            ((Unbounded, Included(1e20)), "finite and at most 1e20"),
+        ] {
+            assert_eq!(refusal(range), text);
+        }
     }
 }

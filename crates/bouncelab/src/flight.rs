@@ -42,7 +42,7 @@ mod tests;
 use crate::air::Air;
 use crate::ball::Ball;
 use crate::drag::DragLaw;
-use crate::error::{Error, Result, not_negative, of_a_size, require};
+use crate::error::{Error, Quantity, Result, of_a_size, positive, within};
 use quadratic::QuadraticDrag;
 use reynolds::ReynoldsDrag;
 
@@ -201,7 +201,7 @@ impl FlightModel {
             buoyancy,
             added_mass,
         } = *environment;
-        of_a_size("gravity in m/s2", gravity_m_s2)?;
+        of_a_size(Quantity::Gravity, gravity_m_s2)?;
         drag.check()?;
         let displaced_kg = air.density_kg_m3() * ball.volume_m3();
         let carried_kg = if buoyancy { displaced_kg } else { 0.0 };
@@ -269,13 +269,10 @@ impl FlightModel {
     /// # Ok::<(), bouncelab::Error>(())
     /// ```
     pub fn with_terminal_speed(gravity_m_s2: f64, terminal_speed_m_s: f64) -> Result<Self> {
-        of_a_size("gravity in m/s2", gravity_m_s2)?;
-        require(
-            terminal_speed_m_s > 0.0,
-            "terminal speed in m/s",
-            terminal_speed_m_s,
-            "above 0 (infinite for no drag)",
-        )?;
+        of_a_size(Quantity::Gravity, gravity_m_s2)?;
+        if terminal_speed_m_s != f64::INFINITY {
+            positive(Quantity::TerminalSpeed, terminal_speed_m_s)?;
+        }
         let drag = QuadraticDrag::new(gravity_m_s2, terminal_speed_m_s.recip());
         Ok(Self {
             resistance: Resistance::Quadratic(drag),
@@ -298,13 +295,13 @@ impl FlightModel {
     /// # Ok::<(), bouncelab::Error>(())
     /// ```
     pub fn launch(&self, speed_m_s: f64) -> Result<Flight> {
-        not_negative("launch speed in m/s", speed_m_s)?;
+        within(Quantity::LaunchSpeed, speed_m_s, 0.0..)?;
         match &self.resistance {
             Resistance::Quadratic(drag) => {
                 let flight = drag.launch(speed_m_s);
-                let in_numbers = flight.apex_m.is_finite();
-                require(in_numbers, "launch speed in m/s", speed_m_s, "below 1e150")?;
-                Ok(flight)
+                let in_numbers = flight.apex_m.is_finite().then_some(flight);
+                in_numbers
+                    .ok_or_else(|| Error::out_of_range(Quantity::LaunchSpeed, speed_m_s, ..1e150))
             }
             Resistance::Reynolds(drag) => drag.launch(speed_m_s),
         }
@@ -325,16 +322,10 @@ impl FlightModel {
     /// # Ok::<(), bouncelab::Error>(())
     /// ```
     pub fn from_flight_time(&self, time_s: f64) -> Result<Flight> {
-        not_negative("flight time in s", time_s)?;
+        within(Quantity::FlightTime, time_s, 0.0..)?;
         match &self.resistance {
             Resistance::Quadratic(drag) => {
                 let speed_m_s = drag.launch_speed_of_time(time_s);
-                require(
-                    speed_m_s.is_finite(),
-                    "flight time in s",
-                    time_s,
-                    "shorter: no launch speed leads to so long a flight with this drag",
-                )?;
                 self.launch(speed_m_s)
             }
             Resistance::Reynolds(drag) => drag.launch_lasting(time_s),
@@ -354,16 +345,10 @@ impl FlightModel {
     /// # Ok::<(), bouncelab::Error>(())
     /// ```
     pub fn from_apex(&self, apex_m: f64) -> Result<Flight> {
-        not_negative("apex in m", apex_m)?;
+        within(Quantity::Apex, apex_m, 0.0..)?;
         match &self.resistance {
             Resistance::Quadratic(drag) => {
                 let speed_m_s = drag.launch_speed_of_apex(apex_m);
-                require(
-                    speed_m_s.is_finite(),
-                    "apex in m",
-                    apex_m,
-                    "lower: no launch speed leads so high with this drag",
-                )?;
                 self.launch(speed_m_s)
             }
             Resistance::Reynolds(drag) => drag.launch_rising_to(apex_m),
@@ -386,17 +371,12 @@ impl FlightModel {
     /// # Ok::<(), bouncelab::Error>(())
     /// ```
     pub fn fall(&self, height_m: f64) -> Result<Fall> {
-        not_negative("height in m", height_m)?;
+        within(Quantity::Height, height_m, 0.0..)?;
         match &self.resistance {
             Resistance::Quadratic(drag) => {
                 let fall = drag.fall(height_m);
-                require(
-                    fall.time_s.is_finite(),
-                    "height in m",
-                    height_m,
-                    "below 1e150",
-                )?;
-                Ok(fall)
+                let in_numbers = fall.time_s.is_finite().then_some(fall);
+                in_numbers.ok_or_else(|| Error::out_of_range(Quantity::Height, height_m, ..1e150))
             }
             Resistance::Reynolds(drag) => drag.fall(height_m),
         }
@@ -492,7 +472,7 @@ impl FlightModel {
     /// # Ok::<(), bouncelab::Error>(())
     /// ```
     pub fn drag_over_weight(&self, speed_m_s: f64) -> Result<f64> {
-        not_negative("speed in m/s", speed_m_s)?;
+        within(Quantity::Speed, speed_m_s, 0.0..)?;
         match &self.resistance {
             Resistance::Quadratic(drag) => Ok(drag.over_weight(speed_m_s)),
             Resistance::Reynolds(drag) => {

@@ -1,6 +1,6 @@
 //! Acceleration of gravity.
 
-use crate::error::{Result, require};
+use crate::error::{Quantity, Result, within};
 
 /// Standard gravity in m/s² (3rd CGPM, 1901).
 pub const STANDARD_M_S2: f64 = 9.806_65;
@@ -28,18 +28,8 @@ pub fn at(latitude_deg: f64, altitude_m: f64) -> Result<f64> {
     const ECCENTRICITY_SQUARED: f64 = 6.694_379_990_14e-3;
     const FREE_AIR_PER_S2: f64 = 3.086e-6;
 
-    require(
-        (-90.0..=90.0).contains(&latitude_deg),
-        "latitude in degrees",
-        latitude_deg,
-        "from -90 (south) to 90 (north)",
-    )?;
-    require(
-        (-1000.0..=10_000.0).contains(&altitude_m),
-        "altitude in m",
-        altitude_m,
-        "from -1000 to 10000",
-    )?;
+    within(Quantity::Latitude, latitude_deg, -90.0..=90.0)?;
+    within(Quantity::Altitude, altitude_m, -1000.0..=10_000.0)?;
     let sine_squared = latitude_deg.to_radians().sin().powi(2);
     let sea_level = EQUATOR_M_S2 * (1.0 + SOMIGLIANA * sine_squared)
         / (1.0 - ECCENTRICITY_SQUARED * sine_squared).sqrt();

@@ -113,7 +113,7 @@ pub const VERSION: &str = env!("CARGO_PKG_VERSION");
 pub use analysis::{Options, Recording, analyze, analyze_channels, analyze_times};
 pub use detection::Detector;
 pub use diagnostic::Diagnostic;
-pub use error::{Error, InferenceFailure, Result};
+pub use error::{Bounds, Error, InferenceFailure, Quantity, Result};
 pub use estimate::Estimate;
 pub use impact::Impact;
 pub use plain::Plain;

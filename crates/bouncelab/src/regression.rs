@@ -24,7 +24,7 @@
 use std::f64::consts::LN_10;
 
 use crate::drop;
-use crate::error::{Error, Result, in_order, positive};
+use crate::error::{Error, Quantity, Result, in_order, positive};
 use crate::estimate::Estimate;
 
 /// A flight time with the number of the bounce that it follows.
@@ -137,14 +137,14 @@ pub fn height_of_flight_m(time_s: f64, gravity_m_s2: f64) -> f64 {
 /// # Ok::<(), bouncelab::Error>(())
 /// ```
 pub fn fit(flights: &[NumberedFlight], gravity_m_s2: f64) -> Result<LogLinearFit> {
-    positive("gravity in m/s2", gravity_m_s2)?;
+    positive(Quantity::Gravity, gravity_m_s2)?;
     if flights.len() < 2 {
         return Err(Error::TooFewFlights {
             flights: flights.len(),
         });
     }
     for flight in flights {
-        positive("flight time in s", flight.time_s)?;
+        positive(Quantity::FlightTime, flight.time_s)?;
     }
     in_order("flight", flights.iter().map(|flight| flight.number))?;
     Ok(least_squares(flights, gravity_m_s2))

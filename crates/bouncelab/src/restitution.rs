@@ -23,7 +23,7 @@
 //! # Ok::<(), bouncelab::Error>(())
 //! ```
 
-use crate::error::{Result, finite, in_order, not_negative, positive};
+use crate::error::{Quantity, Result, in_order, positive, within};
 use crate::estimate::Estimate;
 use crate::flight::{Flight, FlightModel};
 use crate::impact::Impact;
@@ -112,7 +112,7 @@ pub fn of_impacts(
     contact_time_s: f64,
     model: &FlightModel,
 ) -> Result<PerImpact> {
-    not_negative("contact time in s", contact_time_s)?;
+    within(Quantity::ContactTime, contact_time_s, 0.0..)?;
     check(impacts)?;
     let mut per_impact = PerImpact::default();
     let mut before = None;
@@ -156,9 +156,9 @@ fn median_restitution(impacts: &[ImpactRestitution]) -> Option<Estimate> {
 fn check(impacts: &[Impact]) -> Result<()> {
     in_order("impact", impacts.iter().map(|impact| impact.number))?;
     for impact in impacts {
-        finite("impact time in s", impact.time_s)?;
+        within(Quantity::ImpactTime, impact.time_s, ..)?;
         if let Some(error) = impact.time_sd_s {
-            not_negative("standard error of an impact time in s", error)?;
+            within(Quantity::ImpactTimeSd, error, 0.0..)?;
         }
     }
     Ok(())
@@ -188,10 +188,7 @@ impl Interval {
             return Ok(None);
         }
         let time_s = end.time_s - start.time_s - contact_time_s;
-        positive(
-            "time between two impacts less the contact time in s",
-            time_s,
-        )?;
+        positive(Quantity::Interval, time_s)?;
         let flight = model.from_flight_time(time_s)?;
         let slopes = model.launch_derivatives(&flight)?;
         Ok(Some(Self {

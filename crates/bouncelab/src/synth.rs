@@ -33,17 +33,18 @@
 
 mod background;
 mod burst;
-mod checks;
 mod recorder;
 mod reverb;
 mod scene;
 mod voice;
 
+use std::ops::Bound::{Excluded, Unbounded};
+
 use rand::{Rng, RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use rand_distr::{Exp1, StandardNormal};
 
-use crate::error::{Error, Result, positive};
+use crate::error::{Error, Quantity, Result, positive, within};
 use crate::impact::Strike;
 use burst::Burst;
 pub use scene::{BitDepth, Clicks, Colour, Hum, Lost, Noise, Reverb, Scene};
@@ -148,13 +149,8 @@ pub fn render(strikes: &[Strike], scene: &Scene, seed: u64) -> Result<Rendered> 
 fn check_strikes(strikes: &[Strike]) -> Result<()> {
     let mut earliest = 0.0;
     for strike in strikes {
-        checks::within(
-            "time of a strike in s",
-            strike.time_s,
-            earliest..=f64::MAX,
-            "0 or more, and not before the strike it follows",
-        )?;
-        positive("speed of a strike in m/s", strike.speed_m_s)?;
+        within(Quantity::ImpactTime, strike.time_s, earliest..)?;
+        positive(Quantity::ImpactSpeed, strike.speed_m_s)?;
         earliest = strike.time_s;
     }
     Ok(())
@@ -205,11 +201,13 @@ impl<'a> Studio<'a> {
         let mut modes = voice.modes.clone();
         modes.retain(|mode| mode.frequency_hz < sample_rate_hz / 2.0);
         if modes.is_empty() {
-            return Err(Error::OutOfRange {
-                quantity: "sample rate in Hz",
-                value: sample_rate_hz,
-                allowed: "more than twice the lowest mode of the voice",
-            });
+            let frequencies = voice.modes.iter().map(|mode| mode.frequency_hz);
+            let above = Excluded(2.0 * frequencies.fold(f64::INFINITY, f64::min));
+            return Err(Error::out_of_range(
+                Quantity::SampleRate,
+                sample_rate_hz,
+                (above, Unbounded),
+            ));
         }
         let loudest = modes.iter().fold(0.0, |top: f64, mode| top.max(mode.level));
         for mode in &mut modes {
@@ -236,12 +234,7 @@ impl<'a> Studio<'a> {
         let last_s = strikes.last().map_or(0.0, |strike| strike.time_s);
         let duration_s = self.scene.lead_in_s + last_s + self.scene.tail_s;
         let samples = (duration_s * self.sample_rate_hz).ceil();
-        checks::within(
-            "number of samples of the recording",
-            samples,
-            0.0..=MAX_SAMPLES,
-            "at most 172800000, an hour at 48 kHz: shorten it or lower the sample rate",
-        )?;
+        within(Quantity::Samples, samples, 0.0..=MAX_SAMPLES)?;
         Ok(samples as usize)
     }
 
@@ -256,11 +249,8 @@ impl<'a> Studio<'a> {
             }
             Lost::At(indices) => {
                 for &index in indices {
-                    *lost.get_mut(index).ok_or(Error::OutOfRange {
-                        quantity: "index of a lost impact",
-                        value: index as f64,
-                        allowed: "less than the number of strikes",
-                    })? = true;
+                    within(Quantity::LostImpact, index as f64, 0.0..count as f64)?;
+                    lost[index] = true;
                 }
             }
         }
@@ -305,13 +295,7 @@ impl<'a> Studio<'a> {
                 Loudness::of(&burst)
             });
         // Everything is scaled by this, so it must be well above the limits of the samples' type.
-        checks::within(
-            "rms of the loudest impact heard, its loudest mode being 1",
-            loudest.rms,
-            1e-9..=f64::MAX,
-            "at least 1e-9: the modes die out between two samples, swing too slowly to sound, or \
-             all that is heard is over 120 dB below what is lost",
-        )?;
+        within(Quantity::LoudestImpact, loudest.rms, 1e-9..)?;
         Ok(loudest)
     }
 

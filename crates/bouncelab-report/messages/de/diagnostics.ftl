@@ -94,7 +94,20 @@ diagnostic-gains-speed = Der Ball gewänne bei jedem Aufprall an Tempo, was ruhe
 diagnostic-variances-confounded = Die Varianzen dieser Gruppen lassen sich nicht trennen.
 diagnostic-height-out-of-reach = Die Höhe der Regel liegt weit über denen, aus denen der Ball nach seinen Flügen fiel.
 
-diagnostic-out-of-range = { $quantity }: { $value }; erlaubt ist: { $allowed }
+diagnostic-out-of-range = { $quantity }: { $value }{ $unit ->
+    [none] {""}
+   *[other] {" "}{ $unit }
+  }; erlaubt ist: { $range ->
+    [above] endlich und über { $low }
+    [at-least] endlich und mindestens { $low }
+    [below] endlich und unter { $high }
+    [at-most] endlich und höchstens { $high }
+    [above-below] über { $low } und unter { $high }
+    [above-at-most] über { $low } und höchstens { $high }
+    [at-least-below] mindestens { $low } und unter { $high }
+    [at-least-at-most] von { $low } bis { $high }
+   *[finite] endlich
+  }
 diagnostic-unknown-name = { $kind } „{ $name }“ gibt es nicht; am nächsten kommt „{ $nearest }“ (bekannt: { $known }).
 diagnostic-reynolds-too-high = Das Widerstandsgesetz { $law } ist bis zur Reynolds-Zahl { $max_reynolds } bekannt, der Ball erreicht aber { $reynolds }; wähle ein Gesetz, das weiter reicht (clift-grace-weber hat kein Ende), oder einen langsameren Ball.
 diagnostic-ball-floats = Der Ball wiegt { $mass_kg } und verdrängt { $displaced_kg } Luft, er schwebt also; prüfe Masse und Durchmesser, oder lass den Auftrieb weg.

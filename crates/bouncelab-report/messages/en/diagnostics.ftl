@@ -97,7 +97,20 @@ diagnostic-gains-speed = The ball would gain speed at most impacts, which is imp
 diagnostic-variances-confounded = The variances of these groups cannot be separated.
 diagnostic-height-out-of-reach = The height of the rule is far greater than the detected drop heights.
 
-diagnostic-out-of-range = { $quantity } is { $value }; it must be { $allowed }
+diagnostic-out-of-range = { $quantity } is { $value }{ $unit ->
+    [none] {""}
+   *[other] {" "}{ $unit }
+  }; it must be { $range ->
+    [above] finite and above { $low }
+    [at-least] finite and at least { $low }
+    [below] finite and below { $high }
+    [at-most] finite and at most { $high }
+    [above-below] above { $low } and below { $high }
+    [above-at-most] above { $low } and at most { $high }
+    [at-least-below] at least { $low } and below { $high }
+    [at-least-at-most] from { $low } to { $high }
+   *[finite] finite
+  }
 diagnostic-unknown-name = No { $kind } is called “{ $name }”; the nearest is “{ $nearest }” (known: { $known }).
 diagnostic-reynolds-too-high = The drag law { $law } is valid up to Reynolds number { $max_reynolds }, but the ball reaches { $reynolds }; choose a law with a wider range (clift-grace-weber has no upper end) or a slower ball.
 diagnostic-ball-floats = The ball weighs { $mass_kg } and displaces { $displaced_kg } of air, so it floats; check mass and diameter, or neglect buoyancy.

@@ -91,7 +91,20 @@ diagnostic-gains-speed = La pelota ganaría velocidad en la mayoría de los impa
 diagnostic-variances-confounded = Las varianzas de estos grupos no se pueden separar.
 diagnostic-height-out-of-reach = La altura de la regla es mucho mayor que las alturas de caída detectadas.
 
-diagnostic-out-of-range = { $quantity }: { $value }; valor admitido: { $allowed }
+diagnostic-out-of-range = { $quantity }: { $value }{ $unit ->
+    [none] {""}
+   *[other] {" "}{ $unit }
+  }; valor admitido: { $range ->
+    [above] finito y mayor que { $low }
+    [at-least] finito y al menos { $low }
+    [below] finito y menor que { $high }
+    [at-most] finito y como máximo { $high }
+    [above-below] mayor que { $low } y menor que { $high }
+    [above-at-most] mayor que { $low } y como máximo { $high }
+    [at-least-below] al menos { $low } y menor que { $high }
+    [at-least-at-most] de { $low } a { $high }
+   *[finite] finito
+  }
 diagnostic-unknown-name = Nombre desconocido ({ $kind }): «{ $name }»; el más próximo es «{ $nearest }» (conocidos: { $known }).
 diagnostic-reynolds-too-high = La ley de arrastre { $law } es válida hasta el número de Reynolds { $max_reynolds }, pero la pelota alcanza { $reynolds }; elija una ley de intervalo más amplio (clift-grace-weber no tiene límite superior) o una pelota más lenta.
 diagnostic-ball-floats = La pelota pesa { $mass_kg } y desplaza { $displaced_kg } de aire, así que flota; compruebe la masa y el diámetro, o no cuente el empuje.

@@ -91,7 +91,20 @@ diagnostic-gains-speed = La balle gagnerait de la vitesse à la plupart des impa
 diagnostic-variances-confounded = Les variances de ces groupes ne peuvent pas être séparées.
 diagnostic-height-out-of-reach = La hauteur de la règle est très supérieure aux hauteurs de chute détectées.
 
-diagnostic-out-of-range = { $quantity } : { $value } ; valeur admise : { $allowed }
+diagnostic-out-of-range = { $quantity } : { $value }{ $unit ->
+    [none] {""}
+   *[other] {" "}{ $unit }
+  } ; valeur admise : { $range ->
+    [above] finie et supérieure à { $low }
+    [at-least] finie et au moins { $low }
+    [below] finie et inférieure à { $high }
+    [at-most] finie et au plus { $high }
+    [above-below] supérieure à { $low } et inférieure à { $high }
+    [above-at-most] supérieure à { $low } et au plus { $high }
+    [at-least-below] au moins { $low } et inférieure à { $high }
+    [at-least-at-most] de { $low } à { $high }
+   *[finite] finie
+  }
 diagnostic-unknown-name = Nom inconnu ({ $kind }) : « { $name } » ; le plus proche est « { $nearest } » (connus : { $known }).
 diagnostic-reynolds-too-high = La loi de traînée { $law } est valable jusqu’au nombre de Reynolds { $max_reynolds }, mais la balle atteint { $reynolds } ; choisissez une loi de plus large domaine (clift-grace-weber n’a pas de limite supérieure) ou une balle plus lente.
 diagnostic-ball-floats = La balle pèse { $mass_kg } et déplace { $displaced_kg } d’air : elle flotte ; vérifiez la masse et le diamètre, ou négligez la poussée d’Archimède.

@@ -433,8 +433,10 @@ mod tests {
     #[test]
     fn what_makes_no_sense_is_refused() {
         let of = |rest: &str| refused(&book(&format!("{COMMON}{rest}")));
+        let wrong_unit = of("drop = { height = \"30.5m\" }\nrebound = { least = \"24cm\" }");
         assert!(
-            of("drop = { height = \"30.5m\" }\nrebound = { least = \"24cm\" }").contains("unit")
+            wrong_unit.contains("height is 30.5 m; it must be"),
+            "{wrong_unit}"
         );
         assert!(of("drop = { height = \"30cm\" }").contains("rebound or a share"));
         assert!(

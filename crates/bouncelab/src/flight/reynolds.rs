@@ -14,7 +14,7 @@ use super::{Fall, Flight, LaunchDerivatives, State};
 use crate::air::Air;
 use crate::ball::Ball;
 use crate::drag::DragLaw;
-use crate::error::{Result, require};
+use crate::error::{Quantity, Result, within};
 
 /// Tolerance of each integral relative to its value.
 const TOLERANCE: f64 = 1e-12;
@@ -305,12 +305,7 @@ impl ReynoldsDrag {
     pub(super) fn launch(&self, speed: f64) -> Result<Flight> {
         self.check_speed(speed)?;
         let u = speed / self.scale;
-        require(
-            u <= FASTEST_LAUNCH,
-            "launch speed over terminal speed",
-            u,
-            "at most 10000; no ball bounces faster",
-        )?;
+        within(Quantity::SpeedRatio, u, ..=FASTEST_LAUNCH)?;
         let [rise_time, apex] = self.integrate(Leg::Rise, 0.0, u.atan());
         let fall = self.solve(Leg::Fall, Known::Height, apex, u.asinh());
         Ok(Flight {

@@ -1,7 +1,7 @@
 //! The mean of a group of drops, each with its own standard error.
 
 use super::quantile::{chi_squared, student};
-use crate::error::{Error, Result, finite, not_negative};
+use crate::error::{Error, Quantity, Result, within};
 use crate::inference::Measured;
 
 /// The mean of a group under a random-effects model.
@@ -119,8 +119,8 @@ impl Mean {
 
 /// Refuses a drop that has no value or no standard error.
 pub(super) fn check(drop: &Measured) -> Result<()> {
-    finite("value of a drop", drop.value)?;
-    not_negative("standard error of a drop", drop.sd)?;
+    within(Quantity::DropValue, drop.value, ..)?;
+    within(Quantity::DropSd, drop.sd, 0.0..)?;
     Ok(())
 }
 

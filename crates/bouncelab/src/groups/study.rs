@@ -9,7 +9,7 @@ use super::mean::Mean;
 use super::mixed::{Drop, Factor};
 use super::outlier::{Outlier, outliers};
 use super::plan::drops_needed;
-use crate::error::{Error, Result, positive};
+use crate::error::{Error, Quantity, Result, positive};
 use crate::inference::Measured;
 use crate::stats::median;
 
@@ -103,7 +103,7 @@ impl Study {
         wanted: Option<f64>,
     ) -> Result<Self> {
         let speed_m_s = match at_speed_m_s {
-            Some(speed_m_s) => positive("impact speed to compare at in m/s", speed_m_s)?,
+            Some(speed_m_s) => positive(Quantity::ImpactSpeed, speed_m_s)?,
             None => common_speed_m_s(drops).ok_or(Error::TooFewDrops {
                 needed: 1,
                 drops: 0,

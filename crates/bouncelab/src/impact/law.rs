@@ -1,6 +1,8 @@
 //! Restitution laws: restitution against impact speed.
 
-use crate::error::{Result, finite, not_negative, positive, require};
+use std::ops::Bound::{Excluded, Unbounded};
+
+use crate::error::{Quantity, Result, positive, positive_up_to, within};
 use crate::simd::{LANES, Lanes, dispatch};
 
 /// The coefficient of restitution e as a function of the impact speed.
@@ -98,8 +100,6 @@ mod pade {
     }
 }
 
-const LOSS: &str = "loss of restitution with speed in s/m";
-
 /// The knee is rounded over this share of its speed: a real ball has no corner, and neither should
 /// a likelihood.
 const KNEE_WIDTH: f64 = 0.1;
@@ -118,7 +118,7 @@ impl Restitution {
     /// # Ok::<(), bouncelab::Error>(())
     /// ```
     pub fn constant(restitution: f64) -> Result<Self> {
-        let restitution = fraction("coefficient of restitution", restitution)?;
+        let restitution = fraction(restitution)?;
         Ok(Self::new(
             Family::Constant,
             &[restitution, restitution.ln()],
@@ -137,13 +137,8 @@ impl Restitution {
     /// # Ok::<(), bouncelab::Error>(())
     /// ```
     pub fn linear(at_rest: f64, loss_per_speed_s_m: f64) -> Result<Self> {
-        require(
-            (0.0..=2.0).contains(&at_rest),
-            "coefficient of restitution at rest",
-            at_rest,
-            "from 0 to 2",
-        )?;
-        let loss = finite(LOSS, loss_per_speed_s_m)?;
+        within(Quantity::Restitution, at_rest, 0.0..=2.0)?;
+        let loss = within(Quantity::RestitutionLoss, loss_per_speed_s_m, ..)?;
         Ok(Self::new(Family::Linear, &[at_rest, loss]))
     }
 
@@ -159,9 +154,9 @@ impl Restitution {
     /// # Ok::<(), bouncelab::Error>(())
     /// ```
     pub fn power(reference: f64, reference_speed_m_s: f64, exponent: f64) -> Result<Self> {
-        fraction("coefficient of restitution", reference)?;
-        positive("reference speed in m/s", reference_speed_m_s)?;
-        let exponent = finite("exponent of the restitution law", exponent)?;
+        fraction(reference)?;
+        positive(Quantity::ReferenceSpeed, reference_speed_m_s)?;
+        let exponent = within(Quantity::RestitutionExponent, exponent, ..)?;
         Ok(Self::new(
             Family::Power,
             &[
@@ -187,7 +182,7 @@ impl Restitution {
     /// # Ok::<(), bouncelab::Error>(())
     /// ```
     pub fn viscoelastic(dissipation: f64) -> Result<Self> {
-        let dissipation = not_negative("dissipation of a viscoelastic ball", dissipation)?;
+        let dissipation = within(Quantity::Dissipation, dissipation, 0.0..)?;
         Ok(Self::new(Family::Viscoelastic, &[dissipation]))
     }
 
@@ -205,7 +200,7 @@ impl Restitution {
     /// ```
     pub fn viscoelastic_through(restitution: f64, speed_m_s: f64) -> Result<Self> {
         lively(restitution)?;
-        positive("reference speed in m/s", speed_m_s)?;
+        positive(Quantity::ReferenceSpeed, speed_m_s)?;
         let x = pade_argument(restitution);
         Self::viscoelastic(x * x / speed_m_s.powf(0.2))
     }
@@ -224,9 +219,9 @@ impl Restitution {
     /// # Ok::<(), bouncelab::Error>(())
     /// ```
     pub fn knee(below: f64, knee_speed_m_s: f64, loss_per_speed_s_m: f64) -> Result<Self> {
-        fraction("coefficient of restitution below the knee", below)?;
-        positive("speed of the knee in m/s", knee_speed_m_s)?;
-        let loss = finite(LOSS, loss_per_speed_s_m)?;
+        fraction(below)?;
+        positive(Quantity::ReferenceSpeed, knee_speed_m_s)?;
+        let loss = within(Quantity::RestitutionLoss, loss_per_speed_s_m, ..)?;
         Ok(Self::new(Family::Knee, &[below, knee_speed_m_s, loss]))
     }
 
@@ -248,15 +243,14 @@ impl Restitution {
         lively(restitution)?;
         let [slow, middle, fast] = speeds_m_s;
         for (speed_m_s, above) in [(slow, 0.0), (middle, slow), (fast, middle)] {
-            require(
-                speed_m_s > above && speed_m_s.is_finite(),
-                "reference speed in m/s",
+            within(
+                Quantity::ReferenceSpeed,
                 speed_m_s,
-                "above 0 and above the speed before",
+                (Excluded(above), Unbounded),
             )?;
         }
         for slope in slopes {
-            finite("exponent of the restitution law", slope)?;
+            within(Quantity::RestitutionExponent, slope, ..)?;
         }
         let (reference, slowest, fastest) = (middle.ln(), slow.ln(), fast.ln());
         Ok(Self::new(
@@ -459,23 +453,11 @@ fn pade_argument(restitution: f64) -> f64 {
 
 /// Of a ball that bounces at all.
 fn lively(restitution: f64) -> Result<f64> {
-    require(
-        restitution > 0.0 && restitution <= 1.0,
-        "coefficient of restitution",
-        restitution,
-        "above 0 and not above 1 (lossless)",
-    )?;
-    Ok(restitution)
+    positive_up_to(Quantity::Restitution, restitution, 1.0)
 }
 
-fn fraction(quantity: &'static str, value: f64) -> Result<f64> {
-    require(
-        (0.0..=1.0).contains(&value),
-        quantity,
-        value,
-        "from 0 (dead) to 1 (lossless)",
-    )?;
-    Ok(value)
+fn fraction(restitution: f64) -> Result<f64> {
+    within(Quantity::Restitution, restitution, 0.0..=1.0)
 }
 
 #[cfg(test)]

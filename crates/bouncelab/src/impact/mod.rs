@@ -5,7 +5,7 @@ mod law;
 pub use law::Restitution;
 pub(crate) use law::Restitutions;
 
-use crate::error::{Result, not_negative};
+use crate::error::{Quantity, Result, within};
 
 /// How a ball meets a surface: what it keeps of its speed and how long it stays.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -29,7 +29,7 @@ impl Contact {
     /// # Ok::<(), bouncelab::Error>(())
     /// ```
     pub fn new(restitution: Restitution, contact_time_s: f64) -> Result<Self> {
-        let contact_time_s = not_negative("contact time in s", contact_time_s)?;
+        let contact_time_s = within(Quantity::ContactTime, contact_time_s, 0.0..)?;
         Ok(Self {
             restitution,
             contact_time_s,

@@ -70,7 +70,7 @@ pub use sample::GREATEST_PARETO_SHAPE;
 pub use sampled::SamplerConfig;
 
 use crate::ball::Ball;
-use crate::error::{Error, InferenceFailure, Result, positive};
+use crate::error::{Error, InferenceFailure, Quantity, Result, positive};
 use crate::estimate::Estimate;
 use crate::flight::Environment;
 use crate::impact::Impact;
@@ -132,13 +132,10 @@ pub fn infer(
     inference: &InferenceOptions,
 ) -> Result<Posterior> {
     if let Some(speed_m_s) = inference.at_speed_m_s {
-        positive(
-            "impact speed at which to state the restitution in m/s",
-            speed_m_s,
-        )?;
+        positive(Quantity::ImpactSpeed, speed_m_s)?;
     }
     for reach in &inference.reach {
-        positive("apex to reach in m", reach.apex_m)?;
+        positive(Quantity::Apex, reach.apex_m)?;
     }
     let posterior = SampledPosterior::new(
         impacts,

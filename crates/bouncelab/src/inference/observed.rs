@@ -1,6 +1,8 @@
 //! The impact times as the inference sees them: intervals between impacts that were detected.
 
-use crate::error::{Error, InferenceFailure, Result, in_order, not_negative, require};
+use std::ops::Bound::{Excluded, Unbounded};
+
+use crate::error::{Error, InferenceFailure, Quantity, Result, in_order, within};
 use crate::impact::Impact;
 
 /// The time from one detected impact to the next; more than one flight if impacts were missed.
@@ -47,7 +49,7 @@ impl Observed {
         }
         let stated: Option<Vec<f64>> = impacts.iter().map(|i| i.time_sd_s).collect();
         for &sigma_s in stated.iter().flatten() {
-            not_negative("standard error of an impact time in s", sigma_s)?;
+            within(Quantity::ImpactTimeSd, sigma_s, 0.0..)?;
         }
         let sigma_stated = stated.is_some();
         let sigma_s = stated.unwrap_or_else(|| vec![read_off_s(impacts); impacts.len()]);
@@ -103,12 +105,8 @@ impl Observed {
 
 fn interval(from: &Impact, to: &Impact, contact_time_s: f64) -> Result<Interval> {
     let (duration_s, flights) = (to.time_s - from.time_s, to.number - from.number);
-    require(
-        duration_s > contact_time_s * flights as f64 && duration_s.is_finite(),
-        "time between two impacts in s",
-        duration_s,
-        "finite, in order, and longer than the contact time",
-    )?;
+    let shortest_s = Excluded(contact_time_s * flights as f64);
+    within(Quantity::Interval, duration_s, (shortest_s, Unbounded))?;
     if flights > MOST_MISSED + 1 {
         return Err(Error::CannotInfer(InferenceFailure::MissedInARow {
             missed: flights - 1,

@@ -2,7 +2,7 @@
 
 use crate::ball::Preset;
 use crate::diagnostic::{Code, Diagnostic};
-use crate::error::{Result, finite, not_negative, positive};
+use crate::error::{Quantity, Result, positive, within};
 
 /// A measured quantity.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -183,12 +183,12 @@ impl Priors {
     /// above zero, a share below zero, or a number that is none.
     pub fn check(&self) -> Result<()> {
         if let Some(height) = self.drop_height_m {
-            positive("measured drop height in m", height.value)?;
-            positive("standard uncertainty of the drop height in m", height.sd)?;
+            positive(Quantity::Height, height.value)?;
+            positive(Quantity::HeightSd, height.sd)?;
         }
         if let Some(release) = self.release_s {
-            finite("release time in s", release.value)?;
-            positive("standard uncertainty of the release time in s", release.sd)?;
+            within(Quantity::ReleaseTime, release.value, ..)?;
+            positive(Quantity::ReleaseTimeSd, release.sd)?;
         }
         for share in [
             self.drag_rel_sd,
@@ -200,13 +200,10 @@ impl Priors {
             self.contact_time_rel_sd,
             self.timing_rel_sd,
         ] {
-            not_negative("relative standard uncertainty of an input", share)?;
+            within(Quantity::RelativeSd, share, 0.0..)?;
         }
-        positive("typical scatter of restitution", self.restitution_scatter)?;
-        not_negative(
-            "exponent of the losses of slow impacts",
-            self.slow_loss_exponent,
-        )?;
+        positive(Quantity::RestitutionScatter, self.restitution_scatter)?;
+        within(Quantity::SlowLossExponent, self.slow_loss_exponent, 0.0..)?;
         Ok(())
     }
 }

@@ -16,7 +16,7 @@ use super::sample::{self, GREATEST_PARETO_SHAPE, Sample};
 use super::timed_flights::TimedFlights;
 use crate::ball::Ball;
 use crate::drag::DragLaw;
-use crate::error::{Error, InferenceFailure, Result, require};
+use crate::error::{Error, InferenceFailure, Quantity, Result, within};
 use crate::flight::Environment;
 use crate::impact::{Impact, Restitution};
 use crate::train::LN_MISSED;
@@ -161,11 +161,10 @@ impl SampledPosterior {
         priors.check()?;
         let observed = Observed::new(impacts, contact_time_s)?;
         if let Some(release) = priors.release_s {
-            require(
-                release.value < observed.impacts[0].time_s,
-                "release time in s",
+            within(
+                Quantity::ReleaseTime,
                 release.value,
-                "before the first impact",
+                ..observed.impacts[0].time_s,
             )?;
         }
         let mut media = vec![Medium::new(

@@ -2,7 +2,9 @@
 
 use std::fmt;
 
-use crate::error::{Error, Result, positive, require};
+use std::ops::Bound::Excluded;
+
+use crate::error::{Error, Quantity, Result, positive, within};
 
 /// Whether somebody has read the rule where it comes from.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -116,12 +118,12 @@ impl Limits {
         }
     }
 
-    fn check(&self, quantity: &'static str) -> Result<()> {
+    fn check(&self, quantity: Quantity) -> Result<()> {
         for end in [self.least, self.greatest].into_iter().flatten() {
             positive(quantity, end)?;
         }
         if let (Some(least), Some(greatest)) = (self.least, self.greatest) {
-            require(least < greatest, quantity, least, "below the greatest")?;
+            within(quantity, least, ..greatest)?;
         }
         Ok(())
     }
@@ -312,89 +314,44 @@ impl Rule {
     /// [`Error::OutOfRange`] for a height, limit or share that no ball game has; mostly a unit is
     /// wrong.
     pub fn check(&self) -> Result<()> {
-        const HEIGHTS: &str = "from 0.01 to 20 m; is the unit right?";
-        let height = |quantity, value: f64| {
-            require((0.01..=20.0).contains(&value), quantity, value, HEIGHTS)
-        };
         let drop_height_m = self.drop_height_m.unwrap_or(1.0);
-        height("drop height of the rule in m", drop_height_m)?;
+        within(Quantity::Height, drop_height_m, 0.01..=20.0)?;
         if let Some(tolerance) = self.drop_tolerance_m {
-            require(
-                tolerance > 0.0 && tolerance < drop_height_m / 2.0,
-                "tolerance of the drop height in m",
-                tolerance,
-                "above 0 and far below the height; is the unit right?",
-            )?;
+            let below = Excluded(drop_height_m / 2.0);
+            within(Quantity::HeightTolerance, tolerance, (Excluded(0.0), below))?;
         }
         self.check_requirement()?;
         if self.averaging == Averaging::Each && self.needs_reference() {
             return Err(Error::EachOfReference);
         }
-        self.temperature_k.check("temperature of the rule in K")?;
-        self.altitude_m.check("altitude of the rule in m")?;
+        self.temperature_k.check(Quantity::AirTemperature)?;
+        self.altitude_m.check(Quantity::Altitude)?;
         if let Some(Evenness::WithinOfMean(share) | Evenness::Range(share)) = self.evenness {
-            require(
-                share > 0.0 && share < 1.0,
-                "evenness of the places as a share",
-                share,
-                "from 0 to 1, as in 3%",
-            )?;
+            within(Quantity::Evenness, share, (Excluded(0.0), Excluded(1.0)))?;
         }
         if let Some(formula) = self.formula {
-            require(
-                formula.factor_m_s2 > 0.0 && formula.factor_m_s2.is_finite(),
-                "factor of the formula in m/s2",
-                formula.factor_m_s2,
-                "about 1.23, which is g/8",
-            )?;
-            require(
-                (0.0..1.0).contains(&formula.offset_s),
-                "offset of the formula in s",
-                formula.offset_s,
-                "from 0 to 1 s",
-            )?;
+            positive(Quantity::FormulaFactor, formula.factor_m_s2)?;
+            within(Quantity::FormulaOffset, formula.offset_s, 0.0..1.0)?;
         }
-        require(
-            (1..=1000).contains(&self.fewest_drops),
-            "number of drops of the rule",
-            self.fewest_drops as f64,
-            "from 1 to 1000",
-        )
+        within(Quantity::Drops, self.fewest_drops as f64, 1.0..=1000.0).map(drop)
     }
 
     fn check_requirement(&self) -> Result<()> {
-        let below_drop = |end: f64| {
-            require(
-                self.drop_height_m.is_none_or(|height| end < height),
-                "rebound of the rule in m",
-                end,
-                "below the drop height; is the unit right?",
-            )
+        let below_drop = |end| match self.drop_height_m {
+            Some(height_m) => within(Quantity::Rebound, end, ..height_m).map(drop),
+            None => Ok(()),
         };
         match &self.requirement {
             Requirement::Height(limits) => {
-                limits.check("rebound of the rule in m")?;
+                limits.check(Quantity::Rebound)?;
                 let ends = [limits.least, limits.greatest];
                 ends.into_iter().flatten().try_for_each(below_drop)
             }
-            Requirement::About(height_m) => {
-                require(
-                    *height_m > 0.0,
-                    "rebound of the rule in m",
-                    *height_m,
-                    "above 0",
-                )?;
-                below_drop(*height_m)
-            }
+            Requirement::About(height_m) => below_drop(positive(Quantity::Rebound, *height_m)?),
             Requirement::Share { limits, .. } => {
-                limits.check("share of the reference")?;
+                limits.check(Quantity::ReferenceShare)?;
                 for end in [limits.least, limits.greatest].into_iter().flatten() {
-                    require(
-                        end <= 2.0,
-                        "share of the reference",
-                        end,
-                        "a share, as in 80%",
-                    )?;
+                    within(Quantity::ReferenceShare, end, ..=2.0)?;
                 }
                 Ok(())
             }
@@ -456,7 +413,10 @@ mod tests {
     #[test]
     fn a_wrong_unit_is_questioned() {
         let message = Rule::new("a", "", 30.5).check().unwrap_err().to_string();
-        assert!(message.contains("is the unit right"), "{message}");
+        assert_eq!(
+            message,
+            "height is 30.5 m; it must be at least 0.01 and at most 20"
+        );
         let rule = Rule {
             requirement: Requirement::Height(Limits::between(24.0, 26.0)),
             ..Rule::new("a", "", 0.305)
@@ -469,7 +429,11 @@ mod tests {
             },
             ..Rule::new("a", "", 0.305)
         };
-        assert!(rule.check().unwrap_err().to_string().contains("80%"));
+        let message = rule.check().unwrap_err().to_string();
+        assert!(
+            message.starts_with("reference share is 80; it must be"),
+            "{message}"
+        );
     }
 
     #[test]

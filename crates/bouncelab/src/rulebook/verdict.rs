@@ -12,7 +12,7 @@ use super::rule::{Averaging, Conditions, Evenness, Limits, Requirement, Rule};
 use crate::analysis::{Drop, Options};
 use crate::ball::{self, Ball};
 use crate::diagnostic::{Code, Diagnostic};
-use crate::error::{Result, require};
+use crate::error::{Quantity, Result, positive_up_to};
 use crate::estimate::Estimate;
 use crate::stats;
 use crate::stats::{quantile, sorted};
@@ -56,13 +56,7 @@ impl Decision {
     }
 
     fn check(self) -> Result<()> {
-        let risk = self.risk();
-        require(
-            risk > 0.0 && risk <= 0.5,
-            "risk of a wrong decision",
-            risk,
-            "above 0 and at most 0.5, as in 5%",
-        )
+        positive_up_to(Quantity::Risk, self.risk(), 0.5).map(drop)
     }
 }
 

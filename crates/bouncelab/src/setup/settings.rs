@@ -6,7 +6,7 @@ use super::{AirInput, BallInput, DropInput, GravityInput, Inferred, Setup, Setup
 use crate::Result;
 use crate::ball::Ball;
 use crate::diagnostic::Diagnostic;
-use crate::error::require;
+use crate::error::{Quantity, within};
 use crate::inference::{ApexTarget, InferenceOptions, SamplerConfig};
 use crate::plausibility;
 
@@ -110,12 +110,8 @@ impl Settings {
             draws: self.draws.unwrap_or(usual.draws),
             seed: self.seed.unwrap_or(usual.seed),
         };
-        require(
-            DRAWS.contains(&sampler.draws),
-            "number of draws",
-            sampler.draws as f64,
-            "from 100 to 100000",
-        )?;
+        let draws = *DRAWS.start() as f64..=*DRAWS.end() as f64;
+        within(Quantity::Draws, sampler.draws as f64, draws)?;
         Ok(InferenceOptions {
             at_speed_m_s: self.at_speed_m_s,
             reach: self.reach.clone().unwrap_or_default(),

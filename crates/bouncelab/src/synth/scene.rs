@@ -1,8 +1,8 @@
 //! Recording conditions: every setting of [`render`](super::render).
 
-use super::checks::{positive_up_to, within};
 use super::voice::Voice;
 use crate::Result;
+use crate::error::{Quantity, positive_up_to, within};
 
 /// Everything between the drop and the file: voice, reverberation, noise, disturbances, recorder.
 ///
@@ -84,45 +84,23 @@ impl Default for Scene {
 impl Scene {
     pub(super) fn check(&self) -> Result<()> {
         within(
-            "sample rate in Hz",
+            Quantity::SampleRate,
             f64::from(self.sample_rate_hz),
             4e3..=192e3,
-            "from 4000 to 192000",
         )?;
-        within("lead-in in s", self.lead_in_s, 0.0..=f64::MAX, "0 or more")?;
-        within("tail in s", self.tail_s, 0.005..=f64::MAX, "0.005 or more")?;
+        within(Quantity::LeadIn, self.lead_in_s, 0.0..)?;
+        within(Quantity::Tail, self.tail_s, 0.005..)?;
         self.voice.check()?;
+        within(Quantity::LevelScatter, self.level_scatter, 0.0..=1.0)?;
         within(
-            "scatter of the level",
-            self.level_scatter,
-            0.0..=1.0,
-            "from 0 to 1",
-        )?;
-        within(
-            "scatter of the phases in rad",
+            Quantity::PhaseScatter,
             self.phase_scatter_rad,
             0.0..=std::f64::consts::PI,
-            "from 0 to pi",
         )?;
-        positive_up_to(
-            "peak as a fraction of full scale",
-            self.peak,
-            100.0,
-            "above 0, at most 100",
-        )?;
-        within(
-            "DC offset as a fraction of full scale",
-            self.dc_offset,
-            -1.0..=1.0,
-            "from -1 to 1",
-        )?;
+        positive_up_to(Quantity::Peak, self.peak, 100.0)?;
+        within(Quantity::DcOffset, self.dc_offset, -1.0..=1.0)?;
         if let Some(level) = self.clip_at {
-            positive_up_to(
-                "clipping level as a fraction of full scale",
-                level,
-                1.0,
-                "above 0, at most 1",
-            )?;
+            positive_up_to(Quantity::ClippingLevel, level, 1.0)?;
         }
         self.check_disturbances()
     }
@@ -130,63 +108,31 @@ impl Scene {
     fn check_disturbances(&self) -> Result<()> {
         let nyquist_hz = f64::from(self.sample_rate_hz) / 2.0;
         if let Some(noise) = &self.noise {
-            within("SNR in dB", noise.snr_db, -60.0..=200.0, "from -60 to 200")?;
+            within(Quantity::Snr, noise.snr_db, -60.0..=200.0)?;
         }
         if let Some(hum) = &self.hum {
             positive_up_to(
-                "frequency of the hum in Hz",
+                Quantity::HumFrequency,
                 hum.frequency_hz,
                 nyquist_hz.next_down(),
-                "above 0 and below half the sample rate",
             )?;
-            within(
-                "number of harmonics of the hum",
-                hum.harmonics as f64,
-                1.0..=100.0,
-                "from 1 to 100",
-            )?;
-            within(
-                "level of the hum in dB",
-                hum.level_db,
-                -200.0..=60.0,
-                "from -200 to 60",
-            )?;
+            within(Quantity::HumHarmonics, hum.harmonics as f64, 1.0..=100.0)?;
+            within(Quantity::HumLevel, hum.level_db, -200.0..=60.0)?;
         }
         if let Some(reverb) = &self.reverb {
+            within(Quantity::ReverberationTime, reverb.rt60_s, 0.01..=20.0)?;
             within(
-                "reverberation time in s",
-                reverb.rt60_s,
-                0.01..=20.0,
-                "from 0.01 to 20",
-            )?;
-            within(
-                "direct to reverberant ratio in dB",
+                Quantity::DirectToReverberant,
                 reverb.direct_to_reverberant_db,
                 -60.0..=120.0,
-                "from -60 to 120",
             )?;
         }
         if let Some(clicks) = &self.clicks {
-            positive_up_to(
-                "rate of clicks in 1/s",
-                clicks.rate_per_s,
-                1000.0,
-                "above 0, at most 1000",
-            )?;
-            within(
-                "level of the clicks in dB",
-                clicks.level_db,
-                -200.0..=60.0,
-                "from -200 to 60",
-            )?;
+            positive_up_to(Quantity::ClickRate, clicks.rate_per_s, 1000.0)?;
+            within(Quantity::ClickLevel, clicks.level_db, -200.0..=60.0)?;
         }
         if let Lost::Chance(chance) = self.lost {
-            within(
-                "chance of losing an impact",
-                chance,
-                0.0..=1.0,
-                "from 0 to 1",
-            )?;
+            within(Quantity::LossProbability, chance, 0.0..=1.0)?;
         }
         Ok(())
     }

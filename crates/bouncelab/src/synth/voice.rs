@@ -1,7 +1,6 @@
 //! The sound of an impact: decaying modes of ball and surface.
 
-use super::checks::{positive_up_to, within};
-use crate::error::{Result, positive};
+use crate::error::{Quantity, Result, positive, positive_up_to, within};
 
 /// One ringing mode of the ball or of the surface: a sine that decays exponentially.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -153,40 +152,16 @@ impl Voice {
     }
 
     pub(super) fn check(&self) -> Result<()> {
-        within(
-            "number of modes of the voice",
-            self.modes.len() as f64,
-            1.0..=1000.0,
-            "from 1 to 1000",
-        )?;
+        within(Quantity::Modes, self.modes.len() as f64, 1.0..=1000.0)?;
         for mode in &self.modes {
-            positive("frequency of a mode in Hz", mode.frequency_hz)?;
-            positive_up_to(
-                "decay time of a mode in s",
-                mode.decay_s,
-                1.0,
-                "above 0, at most 1",
-            )?;
-            positive("level of a mode", mode.level)?;
+            positive(Quantity::ModeFrequency, mode.frequency_hz)?;
+            positive_up_to(Quantity::DecayTime, mode.decay_s, 1.0)?;
+            positive(Quantity::ModeLevel, mode.level)?;
         }
-        positive_up_to(
-            "contact time in s",
-            self.contact_time_s,
-            0.1,
-            "above 0, at most 0.1",
-        )?;
-        within(
-            "attack as a part of the contact",
-            self.attack,
-            0.0..=1.0,
-            "from 0 to 1",
-        )?;
-        within(
-            "exponent of level against speed",
-            self.level_exponent,
-            0.0..=4.0,
-            "from 0 to 4",
-        )
+        positive_up_to(Quantity::ContactTime, self.contact_time_s, 0.1)?;
+        within(Quantity::Attack, self.attack, 0.0..=1.0)?;
+        within(Quantity::LevelExponent, self.level_exponent, 0.0..=4.0)?;
+        Ok(())
     }
 }
 
