@@ -3,12 +3,11 @@
 use bouncelab::drag::DragLaw;
 use bouncelab::drop::{Start, Stop};
 use bouncelab::impact::Restitution;
-use bouncelab::{Diagnostic, Options};
+use bouncelab::{Diagnostic, Options, plausibility};
 use bouncelab_report::document::simulation::Run;
 use clap::Args;
 
 use crate::failure::Failure;
-use crate::physics::of_quantities;
 use crate::units;
 
 /// Release, surface and end of a simulated drop.
@@ -57,8 +56,8 @@ pub(crate) struct HistoryArguments {
 
 impl HistoryArguments {
     /// What looks like a mistake of units.
-    pub(crate) fn questions(&self) -> Vec<Diagnostic> {
-        of_quantities(&[("height", Some(self.height))])
+    pub(crate) fn question(&self) -> Option<Diagnostic> {
+        plausibility::of_quantity("height", self.height)
     }
 
     /// Simulates the drop under a drag law, all else being as in the options.

@@ -1,11 +1,9 @@
 //! The arguments for ball, air and gravity.
 
-use bouncelab::ball::Ball;
+use bouncelab::Diagnostic;
 use bouncelab::drag::DragLaw;
 use bouncelab::rulebook;
-use bouncelab::setup::{AirInput, BallInput, GravityInput, Setup, SetupInput};
-use bouncelab::{Diagnostic, plausibility};
-use bouncelab_session::Noted;
+use bouncelab::setup::{Settings, Setup};
 use clap::Args;
 
 use crate::failure::Failure;
@@ -17,7 +15,7 @@ use crate::units;
 pub(crate) struct PhysicsArguments {
     /// The ball: a name such as table-tennis-40, tennis or basketball, or steel:10mm, glass:16mm
     /// (default: table-tennis-40)
-    #[arg(long, value_name = "NAME", help_heading = "Ball", conflicts_with_all = ["mass", "diameter"])]
+    #[arg(long, value_name = "NAME", value_parser = units::ball, help_heading = "Ball", conflicts_with_all = ["mass", "diameter"])]
     ball: Option<String>,
     /// Mass of the ball, as in 2.5g; requires --diameter
     #[arg(long, allow_hyphen_values = true, value_parser = units::mass, help_heading = "Ball", requires = "diameter")]
@@ -31,13 +29,12 @@ pub(crate) struct PhysicsArguments {
 
     /// Drag law: none (as if there were no air), constant:0.4, or a sphere law such as clift-grace-weber or morrison
     #[arg(
-        value_parser = drag_law,
         long,
         value_name = "LAW",
         default_value = "clift-grace-weber",
         help_heading = "Air"
     )]
-    drag: DragLaw,
+    drag: String,
     /// Temperature of the air, as in 20C
     #[arg(long, value_parser = units::temperature, allow_hyphen_values = true, help_heading = "Air")]
     temperature: Option<f64>,
@@ -87,35 +84,32 @@ pub(crate) struct PhysicsArguments {
     allow_implausible: bool,
 }
 
-/// The physics of a run, and what of it nobody stated.
-pub(crate) type Physics = Setup;
-
 impl PhysicsArguments {
-    /// Whether they say what ball it is.
-    pub(crate) fn names_ball(&self) -> bool {
-        self.ball.is_some() || self.mass.is_some()
-    }
-
-    /// The same with what was noted of a recording, which goes before what these say.
-    pub(crate) fn with(&self, noted: &Noted) -> Self {
-        let mut both = self.clone();
-        if noted.ball.is_some() {
-            both.ball.clone_from(&noted.ball);
-            both.mass = None;
-            both.diameter = None;
+    /// What they say.
+    pub(crate) fn settings(&self) -> Settings {
+        Settings {
+            ball: self.ball.clone(),
+            mass_kg: self.mass,
+            diameter_m: self.diameter,
+            contact_time_s: self.contact_time,
+            drag: Some(self.drag.clone()),
+            temperature_k: self.temperature,
+            pressure_pa: self.pressure,
+            relative_humidity: self.humidity,
+            air_density_kg_m3: self.air_density,
+            air_viscosity_pa_s: self.air_viscosity,
+            buoyancy: Some(!self.no_buoyancy),
+            added_mass: Some(!self.no_added_mass),
+            gravity_m_s2: self.gravity,
+            latitude_deg: self.latitude,
+            altitude_m: self.altitude,
+            ..Settings::default()
         }
-        both.mass = noted.mass_kg.or(both.mass);
-        both.diameter = noted.diameter_m.or(both.diameter);
-        both.contact_time = noted.contact_time_s.or(both.contact_time);
-        both.temperature = noted.temperature_k.or(both.temperature);
-        both.pressure = noted.pressure_pa.or(both.pressure);
-        both.humidity = noted.relative_humidity.or(both.humidity);
-        both
     }
 
     /// The same with a ball for those who state none; whether they did not.
     pub(crate) fn or_ball(mut self, name: Option<&str>) -> (Self, bool) {
-        let assumed = !self.names_ball();
+        let assumed = self.ball.is_none() && self.mass.is_none();
         if assumed {
             self.ball = name.map(str::to_owned);
         }
@@ -135,113 +129,32 @@ impl PhysicsArguments {
         self.allow_implausible
     }
 
-    /// Values that look like a wrong unit.
-    fn questions(&self) -> Vec<Diagnostic> {
-        let of_ball = self.mass.zip(self.diameter).and_then(|(mass, diameter)| {
-            // What is no ball at all is refused as such.
-            plausibility::of_ball(&Ball::new(mass, diameter).ok()?)
-        });
-        let mut questions = of_quantities(&[
-            ("contact-time", self.contact_time),
-            ("temperature", self.temperature),
-            ("pressure", self.pressure),
-            ("humidity", self.humidity),
-            ("air-density", self.air_density),
-            ("gravity", self.gravity),
-            ("altitude", self.altitude),
-        ]);
-        questions.extend(of_ball);
-        questions
-    }
-
     /// Ball, air and gravity of these arguments, unless something looks like a mistake: one of these
     /// or one of the `others` that were stated beside them.
-    pub(crate) fn questioned(&self, others: Vec<Diagnostic>) -> Result<Physics, Failure> {
-        let mut questions = self.questions();
-        questions.extend(others);
-        settle(&questions, self.allow_implausible)?;
-        self.physics()
+    pub(crate) fn questioned(
+        &self,
+        others: impl IntoIterator<Item = Diagnostic>,
+    ) -> Result<Setup, Failure> {
+        let settings = self.settings();
+        self.settle(settings.questions().into_iter().chain(others))?;
+        Ok(settings.resolve(false)?)
     }
 
-    /// Ball, air and gravity of these arguments.
-    pub(crate) fn physics(&self) -> Result<Physics, Failure> {
-        let stated = SetupInput {
-            ball: self.ball()?,
-            weighed_kg: self.mass.filter(|_| self.ball.is_some()),
-            measured_m: self.diameter.filter(|_| self.ball.is_some()),
-            contact_time_s: self.contact_time,
-            drag: Some(self.drag),
-            air: self.air(),
-            no_buoyancy: self.no_buoyancy,
-            no_added_mass: self.no_added_mass,
-            gravity: self.gravity(),
-        };
-        Ok(stated.resolve()?)
-    }
-
-    fn ball(&self) -> Result<Option<BallInput>, Failure> {
-        if let (None, Some(mass_kg), Some(diameter_m)) = (&self.ball, self.mass, self.diameter) {
-            return Ok(Some(BallInput::Measured {
-                mass_kg,
-                diameter_m,
-            }));
+    /// Refuses to go on while there are questions, unless the person allows implausible values.
+    pub(crate) fn settle(
+        &self,
+        questions: impl IntoIterator<Item = Diagnostic>,
+    ) -> Result<(), Failure> {
+        let questions = questions.into_iter();
+        let questions: Vec<String> = questions
+            .map(|question| translator().diagnostic(&question))
+            .collect();
+        if self.allow_implausible || questions.is_empty() {
+            return Ok(());
         }
-        let Some(name) = &self.ball else {
-            return Ok(None);
-        };
-        let make = match name.split_once(':') {
-            Some(("steel", diameter)) => (BallInput::Steel as fn(f64) -> BallInput, diameter),
-            Some(("glass", diameter)) => (BallInput::Glass as fn(f64) -> BallInput, diameter),
-            _ => return Ok(Some(BallInput::Named(name.clone()))),
-        };
-        let diameter_m = units::length(make.1).map_err(Failure::Usage)?;
-        Ok(Some(make.0(diameter_m)))
+        let advice = text("advice-allow-implausible");
+        Err(Failure::Usage(format!("{} {advice}", questions.join(" "))))
     }
-
-    fn air(&self) -> AirInput {
-        match self.air_density {
-            Some(density_kg_m3) => AirInput::Density {
-                density_kg_m3,
-                viscosity_pa_s: self.air_viscosity,
-            },
-            None => AirInput::Weather {
-                temperature_k: self.temperature,
-                pressure_pa: self.pressure,
-                relative_humidity: self.humidity,
-            },
-        }
-    }
-
-    fn gravity(&self) -> Option<GravityInput> {
-        let place = |latitude_deg| GravityInput::Place {
-            latitude_deg,
-            altitude_m: self.altitude.unwrap_or(0.0),
-        };
-        self.gravity
-            .map(GravityInput::Measured)
-            .or(self.latitude.map(place))
-    }
-}
-
-/// Questions about what was stated of some quantities.
-pub(crate) fn of_quantities(stated: &[(&str, Option<f64>)]) -> Vec<Diagnostic> {
-    let stated = stated.iter();
-    stated
-        .filter_map(|&(quantity, value)| plausibility::of_quantity(quantity, value?))
-        .collect()
-}
-
-/// Refuses to go on while there are questions, unless the person allows implausible values.
-pub(crate) fn settle(questions: &[Diagnostic], allow_implausible: bool) -> Result<(), Failure> {
-    if allow_implausible || questions.is_empty() {
-        return Ok(());
-    }
-    let questions: Vec<String> = questions
-        .iter()
-        .map(|question| translator().diagnostic(question))
-        .collect();
-    let advice = text("advice-allow-implausible");
-    Err(Failure::Usage(format!("{} {advice}", questions.join(" "))))
 }
 
 /// The drag law that an argument names.

@@ -1,14 +1,12 @@
 //! The arguments for measured quantities, priors and options of the inference.
 
-use bouncelab::Diagnostic;
 use bouncelab::analysis::Options;
 use bouncelab::drag::DragLaw;
-use bouncelab::inference::{ApexTarget, InferenceOptions, LawKind, Priors, SamplerConfig};
-use bouncelab::setup::{self, DropInput};
+use bouncelab::inference::{ApexTarget, Priors, SamplerConfig};
+use bouncelab::setup::{self, Settings, Setup};
 use clap::{Args, ValueEnum};
 
 use crate::failure::Failure;
-use crate::physics::of_quantities;
 use crate::units;
 
 /// Measurements, priors and questions.
@@ -29,8 +27,8 @@ pub(crate) struct PriorArguments {
     release_sd: Option<f64>,
     /// Restitution laws to consider: constant, linear, power, viscoelastic, knee, smooth [default:
     /// all that the number of impacts allows]
-    #[arg(long, value_name = "LAWS", value_delimiter = ',', value_parser = law)]
-    law: Vec<LawKind>,
+    #[arg(long, value_name = "LAWS", value_delimiter = ',')]
+    law: Vec<String>,
     /// Relative standard uncertainty of an input, as in mass=0.1% or drag=0: mass, diameter,
     /// air-density, gravity, added-mass, drag (around its law), contact-time, timing (of the stated
     /// errors); scatter=2% is the typical scatter of restitution on this surface; slow-losses=0 lets
@@ -50,8 +48,8 @@ pub(crate) struct PriorArguments {
     #[arg(long)]
     first_heard: bool,
     /// Target number of independent draws of the posterior
-    #[arg(long, value_name = "N", default_value_t = SamplerConfig::default().draws as u32, value_parser = clap::value_parser!(u32).range(100..=100_000))]
-    draws: u32,
+    #[arg(long, value_name = "N", default_value_t = SamplerConfig::default().draws)]
+    draws: usize,
     /// Seed of the random numbers of the inference
     #[arg(long, value_name = "N", default_value_t = SamplerConfig::default().seed)]
     seed: u64,
@@ -132,28 +130,33 @@ impl Input {
 }
 
 impl PriorArguments {
-    /// The same with what was noted of a drop height, which goes before what these say.
-    pub(crate) fn with_height(&self, height: Option<f64>, height_sd: Option<f64>) -> Self {
-        Self {
-            height: height.or(self.height),
-            // The uncertainty of one height is not that of another.
-            height_sd: height_sd.or(self.height_sd.filter(|_| height.is_none())),
-            ..self.clone()
+    /// Adds what these arguments say, and what they ask, to what the physics says.
+    pub(crate) fn complete(&self, physics: Settings) -> Settings {
+        Settings {
+            height_m: self.height,
+            height_sd_m: self.height_sd,
+            release_s: self.release,
+            release_sd_s: self.release_sd,
+            first_heard: Some(self.first_heard),
+            restitution_laws: Some(self.law.clone()),
+            infer: Some(self.infer.iter().map(|&inferred| inferred.into()).collect()),
+            at_speed_m_s: self.at_speed,
+            reach: Some(self.reach.clone()),
+            draws: Some(self.draws),
+            seed: Some(self.seed),
+            ..physics
         }
     }
 
-    /// What looks like a mistake of units.
-    pub(crate) fn questions(&self) -> Vec<Diagnostic> {
-        of_quantities(&[("height", self.height), ("height-sd", self.height_sd)])
-    }
-
-    /// Adds what these arguments say, and what they ask, to what the physics says.
-    pub(crate) fn add_to(&self, settings: &mut Options) -> Result<(), Failure> {
-        self.check_against(settings).map_err(Failure::Usage)?;
-        let of_inputs = std::mem::take(&mut settings.priors);
-        settings.priors = self.priors(of_inputs)?;
-        settings.inference = (!self.no_inference).then(|| self.inference());
-        Ok(())
+    /// What follows from settings that these arguments have completed.
+    pub(crate) fn resolve(&self, settings: &Settings) -> Result<Setup, Failure> {
+        let mut setup = settings.resolve(!self.no_inference)?;
+        self.check_against(&setup.options).map_err(Failure::Usage)?;
+        for &(input, share) in &self.known {
+            *input.of(&mut setup.options.priors) = share;
+        }
+        setup.options.priors.check()?;
+        Ok(setup)
     }
 
     /// Whether no two arguments contradict each other; if some do, which.
@@ -191,39 +194,6 @@ impl PriorArguments {
         }
         Ok(())
     }
-
-    fn priors(&self, physics: Priors) -> Result<Priors, Failure> {
-        let stated = DropInput {
-            height_m: self.height,
-            height_sd_m: self.height_sd,
-            release_s: self.release,
-            release_sd_s: self.release_sd,
-            first_heard: self.first_heard,
-            laws: self.law.clone(),
-            infer: self.infer.iter().map(|&inferred| inferred.into()).collect(),
-        };
-        let mut known = physics;
-        for &(input, share) in &self.known {
-            *input.of(&mut known) = share;
-        }
-        Ok(stated.add_to(&known)?)
-    }
-
-    fn inference(&self) -> InferenceOptions {
-        InferenceOptions {
-            at_speed_m_s: self.at_speed,
-            reach: self.reach.clone(),
-            sampler: SamplerConfig {
-                draws: self.draws as usize,
-                seed: self.seed,
-            },
-        }
-    }
-}
-
-fn law(text: &str) -> Result<LawKind, String> {
-    text.parse()
-        .map_err(|refusal: bouncelab::Error| refusal.to_string())
 }
 
 /// Reads `mass=0.1%`.

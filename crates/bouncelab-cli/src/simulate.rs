@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 
 use bouncelab::drag::DragLaw;
+use bouncelab::setup::Setup;
 use bouncelab_report::document::simulation::{Document, Run};
 use bouncelab_report::figure::{self, Curve};
 use bouncelab_report::messages::Translator;
@@ -14,7 +15,7 @@ use crate::analyze::assumed;
 use crate::failure::Failure;
 use crate::history::HistoryArguments;
 use crate::language::{text, text_with, translator};
-use crate::physics::{Physics, PhysicsArguments, drag_law};
+use crate::physics::{PhysicsArguments, drag_law};
 use crate::report::{OutputArguments, wrote_figure};
 use crate::terminal::{print, print_json, rows};
 
@@ -61,9 +62,7 @@ enum Format {
 const MOST_ROWS: usize = 100;
 
 pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
-    let physics = arguments
-        .physics
-        .questioned(arguments.history.questions())?;
+    let physics = arguments.physics.questioned(arguments.history.question())?;
     let laws = std::iter::once(physics.options.environment.drag).chain(arguments.compare.clone());
     let runs = laws
         .map(|law| arguments.history.run(law, &physics.options))
@@ -87,7 +86,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
     }
 }
 
-fn report(runs: &[Run], physics: &Physics) -> String {
+fn report(runs: &[Run], physics: &Setup) -> String {
     let ball = [("ball", translator().ball(&physics.ball_label).into())];
     let mut parts = vec![text_with("simulate-heading", &ball)];
     parts.push(String::new());

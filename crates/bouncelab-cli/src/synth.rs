@@ -173,9 +173,7 @@ fn voice(name: &str) -> Result<Voice, String> {
 }
 
 pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
-    let physics = arguments
-        .physics
-        .questioned(arguments.history.questions())?;
+    let physics = arguments.physics.questioned(arguments.history.question())?;
     let truth = arguments
         .truth
         .as_deref()

@@ -70,12 +70,11 @@ impl Session {
         let (title, odd_names) = (session.title.take(), std::mem::take(&mut session.odd_names));
         let english = Translator::english();
         let recordings = MetadataOptions {
-            resolve: &|noted| {
-                let of_it = noted.complete(settings)?;
+            settings,
+            resolve: &|of_it| {
                 let setup = of_it.resolve(request.inference);
                 setup.map_err(|refusal| refusal.to_string())
             },
-            ball_is_known: settings.ball.is_some() || settings.mass_kg.is_some(),
             allow_implausible: request.allow_implausible,
             allow_missing: request.allow_missing,
             translator: &english,

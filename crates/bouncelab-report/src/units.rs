@@ -71,6 +71,18 @@ pub fn length(text: &str) -> Result<f64, String> {
     quantity(text, LENGTHS)
 }
 
+/// A ball as settings have it: a name, or what it is made of with the diameter in metres. `steel:10mm` is
+/// `steel:0.01`.
+///
+/// # Errors
+/// What is wrong with the diameter, and what would be right.
+pub fn ball(text: &str) -> Result<String, String> {
+    Ok(match text.split_once(':') {
+        Some((material, diameter)) => format!("{material}:{}", length(diameter)?),
+        None => text.to_owned(),
+    })
+}
+
 /// A mass in kilograms.
 ///
 /// # Errors

@@ -50,7 +50,7 @@ pub use columns::{RecordingTables, tables, write_tables};
 pub use document::{DOCUMENT_MARK, SCHEMA, SessionDocument};
 pub use error::{Error, Result};
 pub use figures::figures;
-pub use metadata::{Advice, KnownRecording, Metadata, MetadataOptions, Noted};
+pub use metadata::{Advice, KnownRecording, Metadata, MetadataOptions};
 pub use name::name;
 pub use notes::{Note, Notes};
 pub use pattern::Pattern;

@@ -107,77 +107,34 @@ impl Metadata {
     }
 }
 
-/// What was noted of ball, air and height of one recording.
-#[derive(Debug, Clone, Default, PartialEq)]
-pub struct Noted {
-    /// The kind of ball: the name of a preset, or `steel:10mm`.
-    pub ball: Option<String>,
-    /// Mass of the ball, kg.
-    pub mass_kg: Option<f64>,
-    /// Diameter of the ball, m.
-    pub diameter_m: Option<f64>,
-    /// How long it touches the surface, s.
-    pub contact_time_s: Option<f64>,
-    /// Temperature of the air, K.
-    pub temperature_k: Option<f64>,
-    /// Pressure of the air, Pa.
-    pub pressure_pa: Option<f64>,
-    /// Relative humidity of the air, 0 to 1.
-    pub relative_humidity: Option<f64>,
-    /// Drop height, m.
-    pub height_m: Option<f64>,
-    /// Standard uncertainty of the drop height, m.
-    pub height_sd_m: Option<f64>,
-}
-
-impl Noted {
-    /// What holds for all recordings, with what was noted of this one, which goes before.
-    ///
-    /// # Errors
-    /// If the diameter of a ball of steel or glass is none.
-    ///
-    /// ```
-    /// use bouncelab::setup::Settings;
-    /// use bouncelab_session::Noted;
-    ///
-    /// let of_all = Settings { height_m: Some(0.3), height_sd_m: Some(0.01), ..Settings::default() };
-    /// let noted = Noted { height_m: Some(0.4), ball: Some("steel:10mm".to_owned()), ..Noted::default() };
-    /// let both = noted.complete(&of_all)?;
-    /// assert_eq!((both.height_m, both.height_sd_m), (Some(0.4), None));
-    /// assert_eq!(both.ball.as_deref(), Some("steel:0.01"));
-    /// # Ok::<(), String>(())
-    /// ```
-    pub fn complete(&self, of_all: &Settings) -> std::result::Result<Settings, String> {
-        let mut both = of_all.clone();
-        if let Some(name) = &self.ball {
-            both.ball = Some(match name.split_once(':') {
-                Some((material, diameter)) => format!("{material}:{}", units::length(diameter)?),
-                None => name.clone(),
-            });
-            both.mass_kg = None;
-            both.diameter_m = None;
-        }
-        both.mass_kg = self.mass_kg.or(both.mass_kg);
-        both.diameter_m = self.diameter_m.or(both.diameter_m);
-        both.contact_time_s = self.contact_time_s.or(both.contact_time_s);
-        both.temperature_k = self.temperature_k.or(both.temperature_k);
-        both.pressure_pa = self.pressure_pa.or(both.pressure_pa);
-        both.relative_humidity = self.relative_humidity.or(both.relative_humidity);
-        // The uncertainty of one height is not that of another.
-        let of_all_sd_m = both.height_sd_m.filter(|_| self.height_m.is_none());
-        both.height_sd_m = self.height_sd_m.or(of_all_sd_m);
-        both.height_m = self.height_m.or(both.height_m);
-        Ok(both)
+/// What holds for all recordings, with what was noted of one, which goes before.
+fn completed(noted: &Settings, of_all: &Settings) -> Settings {
+    let mut both = of_all.clone();
+    if noted.ball.is_some() {
+        both.ball.clone_from(&noted.ball);
+        both.mass_kg = None;
+        both.diameter_m = None;
     }
+    both.mass_kg = noted.mass_kg.or(both.mass_kg);
+    both.diameter_m = noted.diameter_m.or(both.diameter_m);
+    both.contact_time_s = noted.contact_time_s.or(both.contact_time_s);
+    both.temperature_k = noted.temperature_k.or(both.temperature_k);
+    both.pressure_pa = noted.pressure_pa.or(both.pressure_pa);
+    both.relative_humidity = noted.relative_humidity.or(both.relative_humidity);
+    // The uncertainty of one height is not that of another.
+    let of_all_sd_m = both.height_sd_m.filter(|_| noted.height_m.is_none());
+    both.height_sd_m = noted.height_sd_m.or(of_all_sd_m);
+    both.height_m = noted.height_m.or(both.height_m);
+    both
 }
 
 /// How notes are read.
 #[expect(missing_debug_implementations, reason = "a function cannot be shown")]
 pub struct MetadataOptions<'a> {
-    /// Completes what was noted by what holds for all recordings; or says what does not go together.
-    pub resolve: &'a dyn Fn(&Noted) -> std::result::Result<Setup, String>,
-    /// Whether the ball of all recordings is known, so that any name may stand for it.
-    pub ball_is_known: bool,
+    /// What holds for all recordings. If it says the ball, any name in the notes may stand for it.
+    pub settings: &'a Settings,
+    /// What follows from what is known of a recording; or what does not go together.
+    pub resolve: &'a dyn Fn(&Settings) -> std::result::Result<Setup, String>,
     /// Whether to believe what looks like a mistake.
     pub allow_implausible: bool,
     /// Whether recordings may lack what others have.
@@ -249,8 +206,10 @@ impl MetadataOptions<'_> {
         let mut values = one.values(&said);
         let kind = one.ball(&session.balls, &mut values);
         let value = |field: &str| values.get(field).copied();
-        let noted = Noted {
-            ball: kind,
+        let kind = kind.map(|kind| units::ball(&kind)).transpose();
+        let ball = kind.map_err(|problem| one.problem(problem)).ok()?;
+        let noted = Settings {
+            ball,
             mass_kg: value("mass"),
             diameter_m: value("diameter"),
             contact_time_s: value("contact_time"),
@@ -259,14 +218,10 @@ impl MetadataOptions<'_> {
             relative_humidity: value("humidity"),
             height_m: value("height"),
             height_sd_m: value("height_sd"),
+            ..Settings::default()
         };
-        let setup = match (self.resolve)(&noted) {
-            Ok(setup) => setup,
-            Err(problem) => {
-                one.problem(problem);
-                return None;
-            }
-        };
+        let setup = (self.resolve)(&completed(&noted, self.settings));
+        let setup = setup.map_err(|problem| one.problem(problem)).ok()?;
         if let Some(question) = plausibility::of_ball(&setup.options.ball) {
             one.question(&question, "");
         }
@@ -422,7 +377,9 @@ impl One<'_> {
             return Some(label);
         }
         let is_measured = ["mass", "diameter"].map(|field| self.said.contains_key(field));
-        if !self.options.ball_is_known && is_measured != [true, true] {
+        let of_all = self.options.settings;
+        let is_known = of_all.ball.is_some() || of_all.mass_kg.is_some();
+        if !is_known && is_measured != [true, true] {
             self.problems.unknown_balls.insert(label);
         }
         None

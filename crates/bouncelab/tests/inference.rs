@@ -548,5 +548,8 @@ fn times_that_make_no_sense_are_refused() {
         ..Priors::default()
     };
     let refusal = truth.infer(&truth.impacts(15), &priors).unwrap_err();
-    assert!(refusal.to_string().starts_with("height is -0.3 m"), "{refusal}");
+    assert!(
+        refusal.to_string().starts_with("height is -0.3 m"),
+        "{refusal}"
+    );
 }

@@ -3,12 +3,12 @@
 use bouncelab::Estimate;
 use bouncelab::analysis::Drop;
 use bouncelab::inference::{ApexTarget, Posterior, Prediction, UNKNOWN};
+use bouncelab::setup::Setup;
 use bouncelab_report::messages::Value;
 use bouncelab_report::{Quantity, Unit, tables};
 use unicode_width::UnicodeWidthStr;
 
 use crate::language::{cannot_tell, text, text_with, translated, translator};
-use crate::physics::Physics;
 
 /// A quantity with its value: a line of a list.
 pub(super) struct Answer {
@@ -78,7 +78,7 @@ pub(super) fn listed(heading: String, answers: &[Answer]) -> Vec<String> {
 }
 
 /// What the inference answers, one line for each; nothing if it was not asked for.
-pub(super) fn lines(drop: &Drop, physics: &Physics) -> Vec<String> {
+pub(super) fn lines(drop: &Drop, physics: &Setup) -> Vec<String> {
     if physics.options.inference.is_none() {
         return Vec::new();
     }

@@ -3,6 +3,7 @@
 use std::collections::HashSet;
 use std::path::Path;
 
+use bouncelab::setup::Setup;
 use bouncelab_report::figure::{self, Mark, Subject};
 use bouncelab_report::file::Outputs;
 use bouncelab_report::messages::Translator;
@@ -11,7 +12,6 @@ use bouncelab_report::{Chart, save};
 use super::read::Analysed;
 use crate::failure::Failure;
 use crate::language::translator;
-use crate::physics::Physics;
 use crate::report::wrote_figure;
 
 /// Names for figures, another for each recording: those of different folders may have the same name.
@@ -33,7 +33,7 @@ impl Stems {
 /// Writes the figures of a recording into a folder and names them on stderr.
 pub(crate) fn save_figures(
     analysed: &Analysed,
-    physics: &Physics,
+    physics: &Setup,
     folder: &Path,
     stems: &mut Stems,
     outputs: &Outputs,
@@ -47,11 +47,7 @@ pub(crate) fn save_figures(
 }
 
 /// Name and chart of every figure.
-fn figures(
-    analysed: &Analysed,
-    physics: &Physics,
-    translator: &Translator,
-) -> Vec<(String, Chart)> {
+fn figures(analysed: &Analysed, physics: &Setup, translator: &Translator) -> Vec<(String, Chart)> {
     let settings = &physics.options;
     let mut figures = Vec::new();
     if let Some(sound) = &analysed.result.envelope {

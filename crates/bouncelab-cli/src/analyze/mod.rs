@@ -22,6 +22,7 @@ use bouncelab::Diagnostic;
 use bouncelab::Plain;
 use bouncelab::analysis::{DetectionOptions, Edits};
 use bouncelab::diagnostic::Code;
+use bouncelab::setup::Setup;
 use bouncelab_report::csv::guarded;
 use bouncelab_report::document::{Document, FailedDocument, labels, rows, tracker};
 use clap::{Args, ValueEnum};
@@ -29,7 +30,7 @@ use serde::Serialize;
 
 use crate::failure::Failure;
 use crate::language::{text, translator};
-use crate::physics::{Physics, PhysicsArguments};
+use crate::physics::PhysicsArguments;
 use crate::priors::PriorArguments;
 use crate::report::OutputArguments;
 use crate::terminal::{print, print_data, print_json, rows as rows_to_stdout, say};
@@ -197,15 +198,16 @@ pub(crate) fn physics(
     physics: &PhysicsArguments,
     priors: &PriorArguments,
     flights: Option<(usize, usize)>,
-) -> Result<Physics, Failure> {
-    let mut physics = physics.questioned(priors.questions())?;
-    physics.options.flights = flights.map(|(first, last)| RangeInclusive::new(first, last));
-    priors.add_to(&mut physics.options)?;
-    Ok(physics)
+) -> Result<Setup, Failure> {
+    let settings = priors.complete(physics.settings());
+    physics.settle(settings.questions())?;
+    let mut setup = priors.resolve(&settings)?;
+    setup.options.flights = flights.map(|(first, last)| RangeInclusive::new(first, last));
+    Ok(setup)
 }
 
 /// The result for other programs.
-pub(crate) fn document<'a>(analysed: &'a Analysed, physics: &Physics) -> Document<'a> {
+pub(crate) fn document<'a>(analysed: &'a Analysed, physics: &Setup) -> Document<'a> {
     let mut assumptions = physics.assumptions.clone();
     translator().complete_each(&mut assumptions);
     Document::new(
@@ -241,7 +243,7 @@ impl Printer {
         Ok(printer)
     }
 
-    fn print(&mut self, analysed: &Analysed, physics: &Physics) -> Result<(), Failure> {
+    fn print(&mut self, analysed: &Analysed, physics: &Setup) -> Result<(), Failure> {
         match self.format {
             Format::Text if analysed.result.drops.is_empty() => Ok(()),
             Format::Text => print(report(analysed, physics, self.details)),

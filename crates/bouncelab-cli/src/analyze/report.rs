@@ -2,6 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
+use bouncelab::setup::Setup;
 use bouncelab_report::file::Outputs;
 use bouncelab_report::report::{self, Page, Provenance, Recording};
 use bouncelab_session::hash::hash_of_file;
@@ -10,7 +11,6 @@ use clap::Args;
 use super::read::Analysed;
 use crate::failure::Failure;
 use crate::language::{text, translator};
-use crate::physics::Physics;
 use crate::report::{ReportFile, provenance};
 
 /// Whether there is a report, and of which form.
@@ -43,7 +43,7 @@ impl ReportArguments {
         &self,
         path: &Path,
         analysed: &Analysed,
-        physics: &Physics,
+        physics: &Setup,
     ) -> Result<Page, Failure> {
         let recording = Recording {
             name: &analysed.name,

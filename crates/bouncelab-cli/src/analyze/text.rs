@@ -6,6 +6,7 @@ use bouncelab::Diagnostic;
 use bouncelab::Estimate;
 use bouncelab::analysis::{CONFIDENT_PROBABILITY, Drop, Source, StrongestBand};
 use bouncelab::diagnostic::Code;
+use bouncelab::setup::Setup;
 use bouncelab_report::messages::Value;
 use bouncelab_report::report::ended;
 use bouncelab_report::tables::{self, drag_law};
@@ -14,10 +15,9 @@ use bouncelab_report::{Quantity, Unit};
 use super::answers::{self, Answer};
 use super::read::Analysed;
 use crate::language::{cannot_tell, text, text_with, translated, translator};
-use crate::physics::Physics;
 
 /// What a file says, in words and a table for each drop.
-pub(crate) fn report(analysed: &Analysed, physics: &Physics, details: bool) -> String {
+pub(crate) fn report(analysed: &Analysed, physics: &Setup, details: bool) -> String {
     let mut page = String::new();
     line(&mut page, &headline(analysed));
     if details && let Some(choice) = listening(analysed) {
@@ -85,7 +85,7 @@ pub(crate) fn assumed(assumptions: &[Diagnostic]) -> String {
 }
 
 /// Which ball was assumed, since nobody stated one, and how the answers of a drop depend on it if it has any.
-fn ball_contrast(drop: &Drop, physics: &Physics) -> String {
+fn ball_contrast(drop: &Drop, physics: &Setup) -> String {
     let assumed = ("assumed", translator().ball(&physics.ball_label).into());
     let contrasts = drop.ball_contrasts(&physics.options);
     if contrasts.is_empty() {
@@ -198,7 +198,7 @@ fn drop_headline(analysed: &Analysed, index: usize) -> String {
 }
 
 /// The results, one line for each.
-fn findings(drop: &Drop, physics: &Physics) -> Vec<String> {
+fn findings(drop: &Drop, physics: &Setup) -> Vec<String> {
     let mut lines = line_lines(drop);
     let inferred = answers::lines(drop, physics);
     if drop.posterior.is_err() {
@@ -235,7 +235,7 @@ fn line_lines(drop: &Drop) -> Vec<String> {
     answers::listed(text("analyze-line-heading"), &answers)
 }
 
-fn corrected_lines(drop: &Drop, physics: &Physics) -> Vec<String> {
+fn corrected_lines(drop: &Drop, physics: &Setup) -> Vec<String> {
     let found = match &drop.per_impact {
         Ok(found) => found,
         Err(reason) => return vec![cannot_tell("analyze-corrected", translated(reason))],

@@ -6,6 +6,7 @@ use std::path::PathBuf;
 
 use bouncelab::analysis::{Drop, Gap, Plan};
 use bouncelab::detection::Detection;
+use bouncelab::setup::Setup;
 use bouncelab::train::{Train, TrainSearch};
 use bouncelab::{Diagnostic, Options, Plain};
 
@@ -21,7 +22,6 @@ use crate::analyze::{self, Analysed};
 use crate::failure::Failure;
 use crate::interrupt::Stop;
 use crate::language::{text, text_with, translator};
-use crate::physics::Physics;
 use crate::report::quoted;
 use crate::terminal::say;
 
@@ -71,7 +71,7 @@ fn outlived(
 
 struct Session<'a> {
     arguments: &'a Arguments,
-    physics: Physics,
+    physics: Setup,
     recording: SoundInfo,
     /// Where the sound is saved, and whether that failed.
     files: Vec<PathBuf>,
@@ -96,7 +96,7 @@ struct Reported {
 impl<'a> Session<'a> {
     fn new(
         arguments: &'a Arguments,
-        physics: Physics,
+        physics: Setup,
         mut recording: SoundInfo,
         files: Vec<PathBuf>,
     ) -> Result<Self, Failure> {

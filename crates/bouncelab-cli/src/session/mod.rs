@@ -15,7 +15,7 @@ use bouncelab_session::batch::Batch;
 use bouncelab_session::journal::{JOURNAL, Journal};
 use bouncelab_session::table::Form;
 use bouncelab_session::{
-    Advice, DOCUMENT_MARK, MetadataOptions, Noted, Outcome, Results, Session, Sources, Store,
+    Advice, DOCUMENT_MARK, MetadataOptions, Outcome, Results, Session, Sources, Store,
     StudyOptions, figures, report, write_tables,
 };
 use clap::builder::{PossibleValuesParser, TypedValueParser};
@@ -27,7 +27,6 @@ use crate::physics::PhysicsArguments;
 use crate::priors::{PriorArguments, impact_speed};
 use crate::report::{OutputArguments, ReportFile, provenance, wrote_figure};
 use crate::terminal::{print, print_data, say};
-use bouncelab::setup::Setup;
 
 /// Analyse many recordings: means, scatter and differences of their drops
 ///
@@ -167,7 +166,10 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
         let targets = Targets::new(arguments, &outputs)?;
         return targets.write(arguments, &batch.results(), None, None);
     }
-    arguments.physics.questioned(arguments.priors.questions())?;
+    let priors = &arguments.priors;
+    let settings = priors.complete(arguments.physics.settings());
+    arguments.physics.settle(settings.questions())?;
+    priors.resolve(&settings)?;
     let mut session = Session::gather(&Sources {
         inputs: arguments.inputs.clone(),
         pattern: arguments.pattern.clone(),
@@ -178,12 +180,11 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let title = session.title.take();
     let remark = session.odd_names.remark(translator());
     let recordings = MetadataOptions {
-        resolve: &|noted| {
-            arguments
-                .setup(noted)
-                .map_err(|failure| failure.to_string())
+        settings: &settings,
+        resolve: &|settings| {
+            let setup = priors.resolve(settings);
+            setup.map_err(|failure| failure.to_string())
         },
-        ball_is_known: arguments.physics.names_ball(),
         allow_implausible: arguments.physics.allow_implausible(),
         allow_missing: arguments.allow_missing,
         translator: translator(),
@@ -346,14 +347,6 @@ impl Arguments {
         let journal = self.output.join(JOURNAL);
         let allowed = outputs.check_no_input(&journal);
         allowed.map_err(|reason| Failure::unwritable(&journal, &reason))
-    }
-
-    /// What was noted of a recording, completed by what the arguments say of all.
-    fn setup(&self, noted: &Noted) -> Result<Setup, Failure> {
-        let mut setup = self.physics.with(noted).physics()?;
-        let priors = self.priors.with_height(noted.height_m, noted.height_sd_m);
-        priors.add_to(&mut setup.options)?;
-        Ok(setup)
     }
 
     fn study(&self) -> StudyOptions {

@@ -7,6 +7,7 @@ use std::path::PathBuf;
 
 use bouncelab::Plain;
 use bouncelab::rulebook::{self, Decision, Outcome, Place, Rule};
+use bouncelab::setup::Setup;
 use bouncelab_report::document::verdict::{Judgement, VerdictDocument};
 use bouncelab_report::report::Provenance;
 use bouncelab_report::report::verdict::of_verdict;
@@ -16,7 +17,7 @@ use clap::{Args, ValueEnum};
 use crate::analyze::{self, Analysed, read};
 use crate::failure::Failure;
 use crate::language::translator;
-use crate::physics::{Physics, PhysicsArguments};
+use crate::physics::PhysicsArguments;
 use crate::priors::PriorArguments;
 use crate::report::{OutputArguments, ReportFile, provenance};
 use crate::rules::Files;
@@ -92,7 +93,7 @@ struct Surface {
 }
 
 impl Surface {
-    fn new(files: &[PathBuf], physics: &Physics) -> Result<Self, Failure> {
+    fn new(files: &[PathBuf], physics: &Setup) -> Result<Self, Failure> {
         let recordings = files
             .iter()
             .map(|file| {
@@ -221,7 +222,7 @@ fn once_each<'a>(
 }
 
 /// The physics of the arguments, with the ball and the height of the rule where they state none.
-fn physics(arguments: &Arguments, rule: &Rule) -> Result<Physics, Failure> {
+fn physics(arguments: &Arguments, rule: &Rule) -> Result<Setup, Failure> {
     let (of_ball, unstated) = arguments.physics.clone().or_ball(rule.ball.as_deref());
     if unstated && rule.ball.is_none() {
         return Err(Failure::Usage(format!(

@@ -195,13 +195,12 @@ impl Kernel {
         let session = Session::of_one(recording, self.pattern.clone(), notes.collect());
         let stated = RefCell::new(Settings::default());
         let mut read = MetadataOptions {
-            resolve: &|noted| {
-                let settings = noted.complete(&self.settings)?;
+            settings: &self.settings,
+            resolve: &|settings| {
+                stated.borrow_mut().clone_from(settings);
                 let setup = settings.resolve(self.options.inference);
-                *stated.borrow_mut() = settings;
                 setup.map_err(|refusal| refusal.to_string())
             },
-            ball_is_known: self.settings.ball.is_some() || self.settings.mass_kg.is_some(),
             allow_implausible: self.options.allow_implausible,
             allow_missing: true,
             translator: &Translator::english(),

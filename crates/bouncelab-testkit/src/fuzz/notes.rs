@@ -70,11 +70,11 @@ pub(super) fn gather(
         table,
     })?;
     MetadataOptions {
-        resolve: &|noted| {
-            let settings = noted.complete(&Settings::default())?;
-            settings.resolve(false).map_err(|fault| fault.to_string())
+        settings: &Settings {
+            ball: Some("tennis".to_owned()),
+            ..Settings::default()
         },
-        ball_is_known: true,
+        resolve: &|settings| settings.resolve(false).map_err(|fault| fault.to_string()),
         allow_implausible: true,
         allow_missing: true,
         translator: &Translator::english(),
