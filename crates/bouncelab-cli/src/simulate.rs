@@ -87,7 +87,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
 }
 
 fn report(runs: &[Run], physics: &Setup) -> String {
-    let ball = [("ball", translator().ball(&physics.ball_label).into())];
+    let ball = [("ball", translator().ball(&physics.ball).into())];
     let mut parts = vec![text_with("simulate-heading", &ball)];
     parts.push(String::new());
     parts.push(totals(runs).to_string());

@@ -32,7 +32,8 @@ use std::collections::HashMap;
 use std::fmt;
 
 use bouncelab::diagnostic::Argument;
-use bouncelab::{Diagnostic, Recording, ball};
+use bouncelab::setup::BallInput;
+use bouncelab::{Diagnostic, Recording};
 use fluent_syntax::ast::{
     Entry, Expression, InlineExpression, Pattern, PatternElement, VariantKey,
 };
@@ -312,22 +313,20 @@ impl Translator {
         }
     }
 
-    /// A ball by its label in a [`Setup`](bouncelab::setup::Setup): a preset, or what it is made of or weighs and
-    /// its diameter.
-    pub fn ball(&self, label: &str) -> String {
-        let mut presets = ball::presets().iter();
-        if let Some(preset) = presets.find(|preset| preset.label == label) {
-            return self.text(&format!("ball-{}", preset.name));
-        }
-        let sized = label.strip_suffix(" mm");
-        let Some((made_of, diameter)) = sized.and_then(|sized| sized.split_once(", ")) else {
-            return label.to_owned();
-        };
-        let number = |digits: &str| Value::Number(digits.to_owned());
-        let diameter = ("diameter", number(diameter));
-        match made_of.strip_suffix(" g") {
-            Some(mass) => self.text_with("ball-measured", &[("mass", number(mass)), diameter]),
-            None => self.text_with(&format!("ball-{made_of}"), &[diameter]),
+    /// A ball: the name of a preset, or what it is made of or weighs, and its diameter.
+    pub fn ball(&self, ball: &BallInput) -> String {
+        let diameter = |diameter_m| ("diameter", in_thousandths(diameter_m));
+        match *ball {
+            BallInput::Named(ref name) => self.named("ball", name),
+            BallInput::Steel(diameter_m) => self.text_with("ball-steel", &[diameter(diameter_m)]),
+            BallInput::Glass(diameter_m) => self.text_with("ball-glass", &[diameter(diameter_m)]),
+            BallInput::Measured {
+                mass_kg,
+                diameter_m,
+            } => {
+                let mass = ("mass", in_thousandths(mass_kg));
+                self.text_with("ball-measured", &[mass, diameter(diameter_m)])
+            }
         }
     }
 
@@ -496,6 +495,11 @@ fn argument<'a, 'b>(
     named.map(|(_, value)| value)
 }
 
+/// Thousandths of a number, without the noise of binary fractions.
+fn in_thousandths(value: f64) -> Value<'static> {
+    ((value * 1e9).round() / 1e6).into()
+}
+
 /// A number with all digits that it has.
 fn plain(value: f64) -> Value<'static> {
     if !value.is_finite() || (value.fract() == 0.0 && value.abs() < 1e9) {
@@ -609,14 +613,20 @@ mod tests {
 
     #[test]
     fn a_ball_has_a_name_in_every_language() {
-        let named = |language: &str, label: &str| Translator::new(language).unwrap().ball(label);
-        for preset in ball::presets() {
-            assert_eq!(named("en", preset.label), preset.label);
+        let named = |language, ball: BallInput| Translator::new(language).unwrap().ball(&ball);
+        for preset in bouncelab::ball::presets() {
+            let ball = BallInput::Named(preset.name.to_owned());
+            assert_eq!(named("en", ball), preset.label);
         }
-        assert_eq!(named("fr", "football, size 5"), "football, taille 5");
-        assert_eq!(named("es", "steel, 12.7 mm"), "acero, 12,7 mm");
-        assert_eq!(named("de", "2.5 g, 38 mm"), "2,5 g, 38 mm");
-        assert_eq!(named("fr", "of wood"), "of wood");
+        let football = BallInput::Named("football".to_owned());
+        assert_eq!(named("fr", football), "football, taille 5");
+        assert_eq!(named("es", BallInput::Steel(0.0127)), "acero, 12,7 mm");
+        let (mass_kg, diameter_m) = (0.0025, 0.038);
+        let measured = BallInput::Measured {
+            mass_kg,
+            diameter_m,
+        };
+        assert_eq!(named("de", measured), "2,5 g, 38 mm");
     }
 
     /// The rules of CLDR. Its newer versions give a million a form of its own in French and Spanish ("un million de"),

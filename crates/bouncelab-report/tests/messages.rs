@@ -214,7 +214,10 @@ fn a_refusal_has_the_numbers_of_its_language() {
     assert_eq!(german, "Fallhöhe: 30,5 m; erlaubt ist: von 0,01 bis 20");
     let refused = bouncelab::ball::Ball::new(0.0, 0.04).unwrap_err();
     let english = Translator::english().diagnostic(&refused.diagnostic());
-    assert_eq!(english, "Ball mass is 0 kg; it must be from 1e-20 to 1e20");
+    assert_eq!(
+        english,
+        "Ball mass is 0 kg; it must be from 1×10⁻²⁰ to 1×10²⁰"
+    );
 }
 
 /// The lines of the files of a language, without remarks.

@@ -6,7 +6,7 @@ use bouncelab::analyze_times;
 use bouncelab::diagnostic::{Code, Diagnostic};
 use bouncelab::groups::{CurvePoint, RestitutionCurve};
 use bouncelab::inference::{InferenceOptions, SamplerConfig};
-use bouncelab::setup::{Setup, SetupInput};
+use bouncelab::setup::{BallInput, Setup, SetupInput};
 use bouncelab_report::groups::{self, About, GroupStudy, NotedDrop, Question, Reason};
 use bouncelab_report::messages::Translator;
 use bouncelab_report::report::{self, Markdown, Page, Provenance, Recording};
@@ -23,7 +23,7 @@ fn setup(ball: &str) -> Setup {
         },
         ..InferenceOptions::default()
     });
-    ball.clone_into(&mut setup.ball_label);
+    setup.ball = BallInput::Named(ball.to_owned());
     setup
 }
 

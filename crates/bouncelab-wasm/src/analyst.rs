@@ -94,7 +94,7 @@ impl Analysis<'_> {
                 &self.setup.options,
                 &self.setup.assumptions,
             ),
-            ball: &self.setup.ball_label,
+            ball: self.translator.ball(&self.setup.ball),
             questions,
             figures: self.figures(),
             comparable: self.result.drops.iter().map(comparable).collect(),

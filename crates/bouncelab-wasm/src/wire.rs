@@ -159,7 +159,7 @@ pub struct Analysed<'a> {
     /// The document of the program, `bouncelab.analysis/2`.
     pub document: Document<'a>,
     /// The ball in words.
-    pub ball: &'a str,
+    pub ball: String,
     /// Settings that look like mistakes of units.
     pub questions: Vec<Diagnostic>,
     /// Names of the figures that there are of each drop.

@@ -154,7 +154,7 @@ pub(super) fn lines(drop: &Drop, physics: &Setup) -> Vec<String> {
         ));
     }
     answers.extend(found.predictions.iter().map(predicted));
-    let ball = [("ball", translator().ball(&physics.ball_label).into())];
+    let ball = [("ball", translator().ball(&physics.ball).into())];
     listed(text_with("analyze-inference-heading", &ball), &answers)
 }
 

@@ -86,7 +86,7 @@ pub(crate) fn assumed(assumptions: &[Diagnostic]) -> String {
 
 /// Which ball was assumed, since nobody stated one, and how the answers of a drop depend on it if it has any.
 fn ball_contrast(drop: &Drop, physics: &Setup) -> String {
-    let assumed = ("assumed", translator().ball(&physics.ball_label).into());
+    let assumed = ("assumed", translator().ball(&physics.ball).into());
     let contrasts = drop.ball_contrasts(&physics.options);
     if contrasts.is_empty() {
         return note(text_with("terminal-ball-assumed", &[assumed]));
@@ -250,7 +250,7 @@ fn corrected_lines(drop: &Drop, physics: &Setup) -> Vec<String> {
         )];
     };
     let law = drag_law(physics.options.environment.drag, translator());
-    let ball = translator().ball(&physics.ball_label);
+    let ball = translator().ball(&physics.ball);
     let heading = [("ball", ball.into()), ("law", law.into())];
     let impacts = [
         ("count", count.into()),

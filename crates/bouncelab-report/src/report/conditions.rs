@@ -27,7 +27,7 @@ pub fn shared_conditions(setup: &Setup, words: &Translator) -> Section {
 
 fn of_all(mut facts: Vec<Fact>, setup: &Setup, words: &Translator) -> Section {
     let (settings, assumptions) = (&setup.options, &setup.assumptions);
-    facts.extend(known(settings, &setup.ball_label, words));
+    facts.extend(known(settings, words.ball(&setup.ball), words));
     let mut blocks = vec![Block::Facts(facts)];
     if !assumptions.is_empty() {
         blocks.push(Block::text(words.text("report-assumed")));
@@ -87,7 +87,7 @@ fn source(origin: &Source, words: &Translator) -> Vec<Fact> {
     }
 }
 
-fn known(settings: &Options, ball_label: &str, words: &Translator) -> Vec<Fact> {
+fn known(settings: &Options, ball_name: String, words: &Translator) -> Vec<Fact> {
     let (ball, environment) = (&settings.ball, &settings.environment);
     let (air, priors) = (&environment.air, &settings.priors);
     let measured = |id: &str, value: f64, sd: f64, unit| {
@@ -106,7 +106,7 @@ fn known(settings: &Options, ball_label: &str, words: &Translator) -> Vec<Fact> 
     let (contact_s, gravity_m_s2) = (settings.contact_time_s, environment.gravity_m_s2);
     let density_kg_m3 = air.density_kg_m3();
     let mut facts = vec![
-        (words.text("report-ball"), words.ball(ball_label)),
+        (words.text("report-ball"), ball_name),
         known(
             "report-mass",
             ball.mass_kg(),

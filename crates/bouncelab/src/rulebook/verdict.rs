@@ -413,7 +413,6 @@ fn of_drops(places: &[Place], rebounds: &[Rebound]) -> Vec<InconclusiveReason> {
     doubts
 }
 
-/// What to know of the drops against the rule.
 /// A remark if the ball is not of the kind that the rule is for.
 fn other_ball(rule: &Rule, ball: &Ball) -> Option<Remark> {
     /// Balls of one kind differ by less, worn ones too.
@@ -422,7 +421,7 @@ fn other_ball(rule: &Rule, ball: &Ball) -> Option<Remark> {
     let differs = |stated: f64, of_rule: f64| (stated / of_rule - 1.0).abs() > ALIKE;
     let other = differs(ball.mass_kg(), preset.ball.mass_kg())
         || differs(ball.diameter_m(), preset.ball.diameter_m());
-    other.then_some(Remark::OtherBall(preset.label))
+    other.then_some(Remark::OtherBall(preset.name))
 }
 
 fn of_circumstances(

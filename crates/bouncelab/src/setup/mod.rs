@@ -9,7 +9,7 @@
 //!
 //! let stated = SetupInput { ball: Some(BallInput::Named("tennis".to_owned())), ..SetupInput::default() };
 //! let setup = stated.resolve()?;
-//! assert_eq!(setup.ball_label, "tennis");
+//! assert_eq!(setup.ball, BallInput::Named("tennis".to_owned()));
 //! let codes: Vec<_> = setup.assumptions.iter().map(|assumed| assumed.code.name()).collect();
 //! assert!(codes.contains(&"assumed-gravity"));
 //! # Ok::<(), bouncelab::Error>(())
@@ -121,14 +121,14 @@ pub enum GravityInput {
     },
 }
 
-/// What was setup.
+/// What follows from what was stated.
 #[derive(Clone, Debug)]
 #[non_exhaustive]
 pub struct Setup {
     /// The options of the analysis, without the inference.
     pub options: Options,
-    /// The ball in words.
-    pub ball_label: String,
+    /// The ball, stated or assumed.
+    pub ball: BallInput,
     /// What was assumed, one diagnostic for each.
     pub assumptions: Vec<Diagnostic>,
 }
@@ -149,8 +149,8 @@ impl Setup {
     pub fn assume(&mut self, rule: &Rule, is_its_ball: bool) {
         if is_its_ball {
             let ball = Diagnostic::new(Code::AssumedRuleBall);
-            let ball = ball.with("ball", self.ball_label.as_str());
-            self.assumptions.insert(0, ball);
+            let name = rule.ball.as_deref().unwrap_or_default();
+            self.assumptions.insert(0, ball.with("ball", name));
         }
         let fall_m = rule.fall_m(self.options.ball.diameter_m(), None);
         if let (None, Some(fall_m)) = (self.options.priors.drop_height_m, fall_m) {
@@ -171,7 +171,6 @@ impl Setup {
 /// A ball and what goes with it.
 struct KnownBall {
     ball: Ball,
-    label: String,
     contact_time_s: f64,
     priors: Priors,
 }
@@ -187,7 +186,12 @@ impl SetupInput {
     /// together.
     pub fn resolve(&self) -> Result<Setup> {
         let mut assumptions = Vec::new();
-        let known = self.ball(&mut assumptions)?;
+        let ball = self.ball.clone().unwrap_or_else(|| {
+            let usual = ball::usual().name;
+            assumptions.push(Diagnostic::new(Code::AssumedBall).with("ball", usual));
+            BallInput::Named(usual.to_owned())
+        });
+        let known = self.known(&ball, &mut assumptions)?;
         let drag = self.drag.unwrap_or(DragLaw::CliftGraceWeber);
         let environment = Environment {
             gravity_m_s2: self.gravity(&mut assumptions)?,
@@ -209,7 +213,7 @@ impl SetupInput {
         options.model()?;
         Ok(Setup {
             options,
-            ball_label: known.label,
+            ball,
             assumptions,
         })
     }
@@ -241,31 +245,19 @@ impl SetupInput {
         }
     }
 
-    fn ball(&self, assumptions: &mut Vec<Diagnostic>) -> Result<KnownBall> {
-        let mut known = match &self.ball {
-            Some(BallInput::Named(name)) => KnownBall::of_preset(ball::preset(name)?),
-            &Some(BallInput::Steel(diameter_m)) => {
-                let ball = Ball::steel(diameter_m)?;
-                KnownBall::measured(ball, "steel", KnownBall::HARD_CONTACT_S)
+    fn known(&self, ball: &BallInput, assumptions: &mut Vec<Diagnostic>) -> Result<KnownBall> {
+        let mut known = match *ball {
+            BallInput::Named(ref name) => KnownBall::of_preset(ball::preset(name)?),
+            BallInput::Steel(diameter_m) => {
+                KnownBall::measured(Ball::steel(diameter_m)?, KnownBall::HARD_CONTACT_S)
             }
-            &Some(BallInput::Glass(diameter_m)) => {
-                let ball = Ball::glass(diameter_m)?;
-                KnownBall::measured(ball, "glass", KnownBall::HARD_CONTACT_S)
+            BallInput::Glass(diameter_m) => {
+                KnownBall::measured(Ball::glass(diameter_m)?, KnownBall::HARD_CONTACT_S)
             }
-            &Some(BallInput::Measured {
+            BallInput::Measured {
                 mass_kg,
                 diameter_m,
-            }) => {
-                let ball = Ball::new(mass_kg, diameter_m)?;
-                let weight = format!("{} g", rounded(mass_kg * 1e3));
-                KnownBall::measured(ball, &weight, KnownBall::CONTACT_S)
-            }
-            None => {
-                let preset = ball::usual();
-                let assumed = Diagnostic::new(Code::AssumedBall);
-                assumptions.push(assumed.with("ball", preset.name));
-                KnownBall::of_preset(preset)
-            }
+            } => KnownBall::measured(Ball::new(mass_kg, diameter_m)?, KnownBall::CONTACT_S),
         };
         if let Some(mass_kg) = self.weighed_kg {
             known.ball = Ball::new(mass_kg, known.ball.diameter_m())?;
@@ -349,18 +341,15 @@ impl KnownBall {
     fn of_preset(preset: &ball::Preset) -> Self {
         Self {
             ball: preset.ball,
-            label: preset.label.to_owned(),
             contact_time_s: preset.contact_time_s,
             priors: Priors::of_preset(preset),
         }
     }
 
     /// Weighed and measured by the person, or measured and of a known material.
-    fn measured(ball: Ball, weight_or_material: &str, contact_time_s: f64) -> Self {
-        let diameter_mm = rounded(ball.diameter_m() * 1e3);
+    fn measured(ball: Ball, contact_time_s: f64) -> Self {
         Self {
             ball,
-            label: format!("{weight_or_material}, {diameter_mm} mm"),
             contact_time_s,
             priors: Priors {
                 mass_rel_sd: Self::WEIGHED,
@@ -429,9 +418,4 @@ impl DropInput {
         all.check()?;
         Ok(all)
     }
-}
-
-/// A number without the noise of binary fractions.
-fn rounded(value: f64) -> f64 {
-    (value * 1e6).round() / 1e6
 }
