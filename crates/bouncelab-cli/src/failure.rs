@@ -100,6 +100,9 @@ impl From<bouncelab_session::Error> for Failure {
             | Error::Pattern { .. }
             | Error::NoRecordings { .. }
             | Error::Metadata { .. } => Self::Usage(fault.to_string()),
+            Error::Output { .. } | Error::Busy { .. } => {
+                Self::Input(format!("{fault} (--output DIR names another folder)"))
+            }
             Error::UnknownDrop { name } => Self::Usage(format!(
                 "--exclude {}: there is no such drop; write the recording as in the tables, \
                  with #2 for its second drop, and --exclude before each of several",

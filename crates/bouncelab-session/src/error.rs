@@ -71,11 +71,7 @@ pub enum Error {
         what: String,
     },
     /// The folder for the results cannot be used.
-    #[error(
-        "cannot write {}: {source}{} (--output DIR names another folder)",
-        shown(path),
-        advice(source)
-    )]
+    #[error("cannot write {}: {source}{}", shown(path), advice(source))]
     Output {
         /// The folder or file.
         path: PathBuf,
@@ -84,7 +80,7 @@ pub enum Error {
     },
     /// Another run writes there.
     #[error(
-        "another run writes into {}; wait for it, or name another folder with --output",
+        "another run writes into {}; wait for it, or name another folder",
         shown(path)
     )]
     Busy {
