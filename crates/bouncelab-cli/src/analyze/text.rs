@@ -87,16 +87,15 @@ pub(crate) fn assumed(assumptions: &[Diagnostic]) -> String {
 /// Which ball was assumed, since nobody stated one, and how the answers of a drop depend on it if it has any.
 fn ball_contrast(drop: &Drop, physics: &Setup) -> String {
     let assumed = ("assumed", translator().ball(&physics.ball).into());
-    let contrasts = drop.ball_contrasts(&physics.options);
+    let contrasts = physics.ball_contrasts(drop);
     if contrasts.is_empty() {
         return note(text_with("terminal-ball-assumed", &[assumed]));
     }
     let contrasts = contrasts.iter().map(|other| {
-        let ball = other.ball.split(':').next().unwrap_or_default();
         text_with(
             "terminal-if-ball",
             &[
-                ("ball", ball.into()),
+                ("ball", other.ball.into()),
                 ("restitution", shown(other.restitution, Unit::Number).into()),
                 ("height", shown(other.drop_height_m, Unit::Length).into()),
             ],

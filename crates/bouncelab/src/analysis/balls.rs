@@ -4,9 +4,7 @@ use super::{Drop, Options, analyze_impacts};
 use crate::ball::{self, Preset};
 use crate::diagnostic::{Code, Diagnostic};
 use crate::estimate::Estimate;
-use crate::inference::SamplerConfig;
 use crate::restitution::PerImpact;
-use crate::setup::{BallInput, SetupInput};
 
 /// Odds from which on another ball is worth a remark: "strong" evidence on the scale of H. Jeffreys,
 /// *Theory of Probability*, appendix B.
@@ -64,83 +62,13 @@ impl Options {
     }
 
     /// The same with the ball of others.
-    fn with_ball_of(mut self, other: &Self) -> Self {
+    pub(crate) fn with_ball_of(mut self, other: &Self) -> Self {
         self.ball = other.ball;
         self.contact_time_s = other.contact_time_s;
         self.priors.mass_rel_sd = other.priors.mass_rel_sd;
         self.priors.diameter_rel_sd = other.priors.diameter_rel_sd;
         self.priors.drag_rel_sd = other.priors.drag_rel_sd;
         self
-    }
-}
-
-/// What a drop would say if it was a ball that the air slows little: for those who did not say which.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[non_exhaustive]
-pub struct BallContrast {
-    /// The ball, as it is stated.
-    pub ball: &'static str,
-    /// The restitution, if it was this ball.
-    pub restitution: Estimate,
-    /// The drop height in metres, if it was this ball.
-    pub drop_height_m: Estimate,
-}
-
-impl Drop {
-    /// How the answers depend on the ball: what they would be for a tennis ball and for a steel ball of
-    /// 20 mm. Nothing without a posterior.
-    ///
-    /// With few draws of the most probable law alone, which takes a few milliseconds: the intervals are
-    /// good to a tenth.
-    ///
-    /// ```
-    /// use bouncelab::{Options, analyze_times, demo};
-    ///
-    /// let times_s: Vec<f64> = demo::history()?.strikes().map(|strike| strike.time_s).collect();
-    /// let options = Options::default();
-    /// let drop = &analyze_times(&times_s, &options).drops[0];
-    /// let steel = drop.ball_contrasts(&options)[1];
-    /// // Air takes nearly nothing from steel, so that the impacts must have taken more.
-    /// assert!(steel.restitution.value < drop.posterior.as_ref().unwrap().restitution.value);
-    /// # Ok::<(), bouncelab::Error>(())
-    /// ```
-    pub fn ball_contrasts(&self, options: &Options) -> Vec<BallContrast> {
-        const DRAWS: usize = 200;
-        let Some(model) = self
-            .posterior
-            .as_ref()
-            .ok()
-            .and_then(|found| found.models.first())
-        else {
-            return Vec::new();
-        };
-        let with = |(ball, stated): (&'static str, BallInput)| {
-            let stated = SetupInput {
-                ball: Some(stated),
-                ..SetupInput::default()
-            };
-            let mut options = options
-                .clone()
-                .with_ball_of(&stated.resolve().ok()?.options);
-            options.priors.restitution_laws = vec![model.restitution_law];
-            options.compares_balls = false;
-            let sampler = SamplerConfig {
-                draws: DRAWS,
-                ..SamplerConfig::default()
-            };
-            let drop = analyze_impacts(self.impacts.clone(), &options.with_sampler(sampler));
-            let found = drop.posterior.ok()?;
-            Some(BallContrast {
-                ball,
-                restitution: found.restitution,
-                drop_height_m: found.drop_height_m,
-            })
-        };
-        let balls = [
-            ("tennis", BallInput::Named("tennis".to_owned())),
-            ("steel:20mm", BallInput::Steel(0.02)),
-        ];
-        balls.into_iter().filter_map(with).collect()
     }
 }
 

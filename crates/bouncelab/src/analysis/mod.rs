@@ -42,7 +42,7 @@ use crate::train::{self, TrainImpact};
 use crate::{Error, Result};
 
 pub use crate::detection::DetectionOptions;
-pub use balls::{BallComparison, BallContrast};
+pub use balls::BallComparison;
 pub use derived::{DragCurve, HeightHistory, Truncation};
 pub use gap::Gap;
 pub use pipeline::{DropCandidate, DropTask, Plan, analyze, analyze_channels, analyze_times};

@@ -15,6 +15,7 @@
 //! # Ok::<(), bouncelab::Error>(())
 //! ```
 
+mod contrasts;
 mod settings;
 
 use crate::Result;
@@ -28,6 +29,7 @@ use crate::gravity;
 use crate::inference::{LawKind, Measured, Priors, UNKNOWN};
 use crate::rulebook::Rule;
 
+pub use contrasts::BallContrast;
 pub use settings::Settings;
 
 /// Heights are measured with a ruler: standard uncertainty in metres.
