@@ -2,7 +2,7 @@
 import type { Page } from 'playwright-core';
 import { afterEach, beforeEach, expect, test } from 'vitest';
 import { fixture } from './harness/fixture.ts';
-import { open, said, tryDemo } from './support/page.ts';
+import { answers, open, tryDemo } from './support/page.ts';
 
 const here = fixture();
 let page: Page;
@@ -11,7 +11,7 @@ afterEach(() => page.context().close());
 beforeEach(async () => {
   page = (await open(here.browser, here.url)).page;
   await tryDemo(page);
-  await said(page);
+  await answers(page);
 });
 
 const impacts = async (): Promise<number> => {
@@ -25,7 +25,7 @@ const press = async (...keys: string[]): Promise<void> => {
 const counts = (expected: number) => page.getByText(`${expected} impacts`).first().waitFor();
 
 test('with the keyboard alone: find, delete, undo, add, move, snap', async () => {
-  const before = await said(page);
+  const before = await answers(page);
   const all = await impacts();
   await waveform().focus();
   await press('Home', 'PageDown', 'PageDown', 'PageDown');
@@ -33,19 +33,19 @@ test('with the keyboard alone: find, delete, undo, add, move, snap', async () =>
 
   await press('Delete');
   await counts(all - 1);
-  const without = await said(page);
+  const without = await answers(page);
   expect(without.kept.sd).not.toBe(before.kept.sd);
 
   await press('Control+z');
   await counts(all);
-  expect(await said(page)).toEqual(before);
+  expect(await answers(page)).toEqual(before);
 
   await press('Control+Shift+z');
   await counts(all - 1);
   // The cursor still stands where the impact was: Enter sets it again, and it snaps to the sound.
   await press('Enter');
   await counts(all);
-  const again = await said(page);
+  const again = await answers(page);
   expect(Math.abs(again.kept.value - before.kept.value)).toBeLessThan(0.05);
 
   await press('Period', 'Period', 'Period', 'Period');
@@ -53,11 +53,11 @@ test('with the keyboard alone: find, delete, undo, add, move, snap', async () =>
   const nudged = await waveform().getAttribute('aria-valuenow');
   await press('s');
   await expect.poll(() => waveform().getAttribute('aria-valuenow')).not.toBe(nudged);
-  expect(Math.abs((await said(page)).kept.value - before.kept.value)).toBeLessThan(0.05);
+  expect(Math.abs((await answers(page)).kept.value - before.kept.value)).toBeLessThan(0.05);
 });
 
 test('with the mouse: zoom, drag an impact, undo', async () => {
-  const before = await said(page);
+  const before = await answers(page);
   const box = await waveform().boundingBox();
   if (!box) throw new Error('no waveform');
   await waveform().focus();
@@ -71,10 +71,10 @@ test('with the mouse: zoom, drag an impact, undo', async () => {
   await page.mouse.move(x + 150, y, { steps: 8 });
   await page.mouse.up();
   await page.getByText(/Impact \d+ moved to/).waitFor({ state: 'attached' });
-  const moved = await said(page);
+  const moved = await answers(page);
   expect(moved).not.toEqual(before);
   await page.getByRole('button', { name: 'Undo' }).click();
-  expect(await said(page)).toEqual(before);
+  expect(await answers(page)).toEqual(before);
 });
 
 /** Where on the screen the cursor stands: the overview shows nothing smaller, so it is asked for. */

@@ -4,7 +4,7 @@ import type { Page } from 'playwright-core';
 import { beforeAll, expect, test } from 'vitest';
 import { newContext, type Preparation } from './harness/browser.ts';
 import { fixture } from './harness/fixture.ts';
-import { keepAs, open, said, saved, savedWav, settled, tryDemo } from './support/page.ts';
+import { answers, keepAs, open, saved, savedWav, settled, tryDemo } from './support/page.ts';
 import { drop, hearing, lagOf, samplesOf } from './support/sounds.ts';
 
 const here = fixture();
@@ -28,7 +28,7 @@ const archived = (page: Page): Promise<string> => saved(page, 'Save all with sou
 test('all drops are saved with their sounds as one file, and added in another browser', async () => {
   const { page, troubles } = await open(here.browser, here.url);
   await tryDemo(page);
-  const before = await said(page);
+  const before = await answers(page);
   const sound = await savedWav(page);
   for (const name of ['Anna', 'Ben']) await keepAs(page, name);
   await page.goto(`${here.url}#drops`);
@@ -46,7 +46,7 @@ test('all drops are saved with their sounds as one file, and added in another br
   await elsewhere.getByText('2 drops were added.').waitFor();
   await elsewhere.reload();
   await elsewhere.getByRole('button', { name: 'Open Anna' }).click();
-  expect(await said(elsewhere)).toEqual(before);
+  expect(await answers(elsewhere)).toEqual(before);
   expect(await savedWav(elsewhere)).toEqual(sound);
   await elsewhere.context().close();
   expect(troubles).toEqual([]);
@@ -127,13 +127,13 @@ test.each(clearings)(
     // A busy page does not show each second.
     await page.getByText(/[1-9]\d* s are saved\./).waitFor();
     await clear(page);
-    const before = await said(page);
+    const before = await answers(page);
     expect(await page.getByRole('alert').count()).toBe(0);
     await keepAs(page, 'Anna');
     await page.goto(`${here.url}#drops`);
     await page.reload();
     await page.getByRole('button', { name: 'Open Anna' }).click();
-    expect(await said(page)).toEqual(before);
+    expect(await answers(page)).toEqual(before);
     await page.context().close();
   },
 );
@@ -176,12 +176,12 @@ test('sound that the browser does not deliver is a gap, and later times hold', a
   expect(Math.abs(lag(to, until) - lag(since, from))).toBeLessThan(0.003);
 
   // A kept recording knows its gaps.
-  const then = await said(page);
+  const then = await answers(page);
   await keepAs(page, 'Anna');
   await page.goto(`${here.url}#drops`);
   await page.reload();
   await page.getByRole('button', { name: 'Open Anna' }).click();
-  expect(await said(page)).toEqual(then);
+  expect(await answers(page)).toEqual(then);
   await page.getByText(/Sound was lost at/).waitFor();
   await page.context().close();
 });

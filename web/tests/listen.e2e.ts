@@ -4,7 +4,7 @@ import { afterAll, afterEach, beforeAll, expect, test } from 'vitest';
 import { launch, type Microphone, newContext, type Preparation } from './harness/browser.ts';
 import { Site } from './harness/site.ts';
 import { violationsInBothThemes } from './support/layout.ts';
-import { follow, open, said, savedWav, settled, tryDemo } from './support/page.ts';
+import { answers, follow, open, savedWav, settled, tryDemo } from './support/page.ts';
 import { drop, hearing, samplesOf, TRUTH } from './support/sounds.ts';
 import { wordsOf } from './support/words.ts';
 
@@ -46,49 +46,49 @@ const stored = (page: Page): Promise<number[]> =>
       }),
   );
 
-type Told = typeof globalThis & { told: { spoken: string[]; vibrations: number } };
+type Announced = typeof globalThis & { announced: { spoken: string[]; vibrations: number } };
 
 /** Lets the pages of a context hear a drop, and remember what they speak and how often they vibrate. */
-const told: Preparation = async (context) => {
+const announced: Preparation = async (context) => {
   await hearing(heard)(context);
   await context.addInitScript(() => {
-    const told = { spoken: [] as string[], vibrations: 0 };
+    const announced = { spoken: [] as string[], vibrations: 0 };
     class Utterance {
       lang = '';
       constructor(readonly text: string) {}
     }
     const voice = {
       cancel: () => undefined,
-      speak: ({ lang, text }: Utterance) => told.spoken.push(`${lang}: ${text}`),
+      speak: ({ lang, text }: Utterance) => announced.spoken.push(`${lang}: ${text}`),
     };
-    const given = { told, SpeechSynthesisUtterance: Utterance, speechSynthesis: voice };
+    const given = { announced, SpeechSynthesisUtterance: Utterance, speechSynthesis: voice };
     for (const [name, value] of Object.entries(given)) {
       Object.defineProperty(globalThis, name, { value });
     }
     Object.defineProperty(navigator, 'vibrate', {
       value: () => {
-        told.vibrations += 1;
+        announced.vibrations += 1;
         return true;
       },
     });
   });
 };
 
-const toldBy = (page: Page) => page.evaluate(() => (globalThis as Told).told);
+const announcedBy = (page: Page) => page.evaluate(() => (globalThis as Announced).announced);
 
 test('a drop is heard, ends by itself, and its result is true within its uncertainty', async () => {
   browser = await launch();
-  const { page, troubles } = await open(browser, site.url, {}, told);
+  const { page, troubles } = await open(browser, site.url, {}, announced);
   await listen(page);
   await page.getByText(/impacts so far/).waitFor();
   expect(await violationsInBothThemes(page)).toEqual([]);
-  const { kept, fell } = await said(page);
+  const { kept, fell } = await answers(page);
   // Three standard deviations, and half of the last digit that is shown.
   expect(Math.abs(kept.value - 100 * TRUTH.restitution)).toBeLessThan(3.5 * kept.sd);
   expect(Math.abs(fell.value - 100 * TRUTH.heightM)).toBeLessThan(3.5 * fell.sd);
   expect(troubles).toEqual([]);
   // Nobody asked for it.
-  expect(await toldBy(page)).toEqual({ spoken: [], vibrations: 0 });
+  expect(await announcedBy(page)).toEqual({ spoken: [], vibrations: 0 });
 
   const wav = await savedWav(page);
   const kepts = await stored(page);
@@ -100,7 +100,7 @@ test('a drop is heard, ends by itself, and its result is true within its uncerta
 test('if it is wanted, the page vibrates when the ball rests and speaks the answer, once', async () => {
   browser = await launch();
   const words = wordsOf('de');
-  const { page } = await open(browser, site.url, { locale: 'de-DE' }, told);
+  const { page } = await open(browser, site.url, { locale: 'de-DE' }, announced);
   const choose = async (message: string): Promise<void> => {
     await page.getByText(words('page-rest-title')).press('Enter');
     await page.getByRole('checkbox', { name: words(message) }).press('Space');
@@ -121,14 +121,14 @@ test('if it is wanted, the page vibrates when the ball rests and speaks the answ
     spoken: [`de-DE: ${answer.replaceAll('±', words('page-rest-plus-minus'))}`],
     vibrations: 1,
   };
-  await expect.poll(() => toldBy(page)).toEqual(once);
+  await expect.poll(() => announcedBy(page)).toEqual(once);
   // Another ball has another answer, but it falls no second time.
   await page.locator('.balls').getByText(words('page-settings-balls-golf')).click();
   await expect
     .poll(() => page.locator('.summary .second').textContent())
     .not.toBe(sentences.at(-1));
   await settled(page);
-  expect(await toldBy(page)).toEqual(once);
+  expect(await announcedBy(page)).toEqual(once);
 });
 
 /**

@@ -102,7 +102,7 @@ describe('the same document as the command line', () => {
     expectSameDocument(path, {});
   });
 
-  test('of a recording with two drops in noise, with a ball and a room', () => {
+  test('of a recording with two drops in noise, with a stated ball', () => {
     const { path } = synth(
       join(place, 'noisy.wav'),
       ...['--height', '60cm', '--restitution', '0.9', '--snr', '25', '--clicks', '1'],

@@ -4,7 +4,7 @@ import type { Browser } from 'playwright-core';
 import { afterAll, beforeAll, expect, test } from 'vitest';
 import { launch } from './harness/browser.ts';
 import { Site } from './harness/site.ts';
-import { open, said, settled, tryDemo } from './support/page.ts';
+import { answers, open, settled, tryDemo } from './support/page.ts';
 import { LANGUAGES, wordsOf } from './support/words.ts';
 
 let site: Site;
@@ -35,7 +35,7 @@ test('it reloads, speaks every language and analyses without a server', async ()
   await page.getByRole('button', { name: 'Beispiel ansehen' }).click();
   await settled(page);
   await page.getByLabel('Sprache').selectOption('en');
-  expect((await said(page)).kept.value).toBeCloseTo(95.29, 1);
+  expect((await answers(page)).kept.value).toBeCloseTo(95.29, 1);
 });
 
 test('nothing is asked of another origin', async () => {
@@ -44,7 +44,7 @@ test('nothing is asked of another origin', async () => {
   const asked: string[] = [];
   page.on('request', (request) => asked.push(new URL(request.url()).origin));
   await tryDemo(page);
-  await said(page);
+  await answers(page);
   const strangers = asked.filter((origin) => !other.url.startsWith(origin) && origin !== 'null');
   expect(strangers).toEqual([]);
   await other.close();

@@ -7,7 +7,7 @@ import { newContext } from './harness/browser.ts';
 import { fixture } from './harness/fixture.ts';
 import { bouncelab, folder as scratch, synth } from './harness/program.ts';
 import { violationsInBothThemes } from './support/layout.ts';
-import { dropFile, open, said, tryDemo } from './support/page.ts';
+import { answers, dropFile, open, tryDemo } from './support/page.ts';
 import { cafOf, drop, samplesOf, TRUTH } from './support/sounds.ts';
 
 const here = fixture();
@@ -24,7 +24,7 @@ const labels = (format: string): Buffer =>
   Buffer.from(bouncelab('analyze', recording, '--no-inference', '--format', format));
 
 async function isTrue(on: Page): Promise<void> {
-  const { kept, fell } = await said(on);
+  const { kept, fell } = await answers(on);
   expect(Math.abs(kept.value - 100 * TRUTH.restitution)).toBeLessThan(3.5 * kept.sd);
   expect(Math.abs(fell.value - 100 * TRUTH.heightM)).toBeLessThan(3.5 * fell.sd);
 }
@@ -62,7 +62,7 @@ test('another ball than was assumed is noticed, and chosen where the warning say
   const row = on.getByRole('group', { name: 'Which ball?' });
   await row.getByText('tennis', { exact: true }).click();
   await warning.waitFor({ state: 'detached' });
-  await said(on);
+  await answers(on);
   expect(await warning.count()).toBe(0);
 });
 
@@ -75,7 +75,7 @@ test('times that are pasted', async () => {
   await on.getByRole('textbox').fill(written.join('\n'));
   expect(await violationsInBothThemes(on)).toEqual([]);
   await on.getByRole('button', { name: 'Analyse' }).click();
-  const { kept } = await said(on);
+  const { kept } = await answers(on);
   expect(kept.value).toBeGreaterThan(89);
   expect(kept.value).toBeLessThan(93);
   await on.getByText('12 impacts').waitFor();
@@ -99,7 +99,7 @@ test('a browser that may keep nothing opens the page too', async () => {
 test('the demo', async () => {
   const on = await page();
   await tryDemo(on);
-  const { kept } = await said(on);
+  const { kept } = await answers(on);
   expect(kept.value).toBeCloseTo(95.29, 1);
 });
 
@@ -136,10 +136,10 @@ test('what is wrong with a file is said in the language of the page', async () =
 test('a huge file is refused, and what lay in the workspace stays', async () => {
   const on = await page();
   await tryDemo(on);
-  const before = await said(on);
+  const before = await answers(on);
   await dropFile(on, 'day.wav', Buffer.from('RIFF'), 2e9);
   await on.getByText('The file is too large for a browser.').waitFor();
-  expect(await said(on)).toEqual(before);
+  expect(await answers(on)).toEqual(before);
 });
 
 const folder = process.env['BOUNCELAB_RECORDINGS'] ?? '';

@@ -4,7 +4,7 @@ import type { Page } from 'playwright-core';
 import { expect, test } from 'vitest';
 import { fixture } from './harness/fixture.ts';
 import { violationsInBothThemes } from './support/layout.ts';
-import { follow, keepAs, open, said, saved, settled, tryDemo } from './support/page.ts';
+import { answers, follow, keepAs, open, saved, settled, tryDemo } from './support/page.ts';
 
 const here = fixture();
 
@@ -27,7 +27,7 @@ test('drops are kept, deleted and brought back with their set-up, and outlive th
   await page.getByRole('button', { name: 'Undo' }).click();
   await rows.nth(1).waitFor();
   await page.getByRole('button', { name: 'Open Ben' }).click();
-  expect((await said(page)).kept.value).toBeCloseTo(95.29, 1);
+  expect((await answers(page)).kept.value).toBeCloseTo(95.29, 1);
   expect(page.url()).toContain('height_cm=30.5');
   await page.context().close();
 });
@@ -59,9 +59,9 @@ test('a ball is chosen in the row, changes the result at once and is remembered;
   await chosen('tennis').waitFor();
   await tryDemo(page);
   await chosen('table tennis 40+').waitFor();
-  const { fell } = await said(page);
+  const { fell } = await answers(page);
   await tap('golf');
-  await expect.poll(async () => (await said(page)).fell.value).not.toBe(fell.value);
+  await expect.poll(async () => (await answers(page)).fell.value).not.toBe(fell.value);
   expect(page.url()).toContain('ball=golf');
   await page.goto('about:blank');
   await page.goto(here.url);
@@ -78,14 +78,14 @@ test('a part of the address that makes no sense is named', async () => {
 test('a drop travels as a link', async () => {
   const { page } = await open(here.browser, here.url);
   await demo(page);
-  const sent = await said(page);
+  const sent = await answers(page);
   await page.getByRole('button', { name: 'Share this drop' }).click();
   await page.getByRole('img', { name: /QR code/ }).waitFor();
   expect(await violationsInBothThemes(page)).toEqual([]);
   const address = await page.locator('.shared code').last().innerText();
   expect(address.length).toBeLessThanOrEqual(1500);
   const other = await open(here.browser, address);
-  const { kept, fell } = await said(other.page);
+  const { kept, fell } = await answers(other.page);
   expect(kept.value).toBeCloseTo(sent.kept.value, 1);
   expect(fell.value).toBeCloseTo(sent.fell.value, 0);
   expect(other.page.url()).toContain('ball=table-tennis-40');

@@ -3,7 +3,7 @@ import { readFileSync } from 'node:fs';
 import type { Page } from 'playwright-core';
 import { afterEach, beforeEach, expect, test } from 'vitest';
 import { fixture } from './harness/fixture.ts';
-import { follow, open, said, saved, tryDemo } from './support/page.ts';
+import { answers, follow, open, saved, tryDemo } from './support/page.ts';
 import { drop, TRUTH } from './support/sounds.ts';
 
 const here = fixture();
@@ -46,7 +46,7 @@ test('runs are kept, compared and removed', async () => {
 test('a simulated drop is analysed as if it were real, and says what was put in', async () => {
   await page.getByText(/It bounces/).waitFor();
   await page.getByRole('button', { name: 'Analyse its sound' }).click();
-  const { kept, fell } = await said(page);
+  const { kept, fell } = await answers(page);
   expect(Math.abs(kept.value - 90)).toBeLessThan(3.5 * kept.sd);
   expect(Math.abs(fell.value - 30.5)).toBeLessThan(3.5 * fell.sd);
 
@@ -78,7 +78,7 @@ test('a ball that floats is refused in words, and forgetting the settings helps'
   await page.getByText(/so it floats/).waitFor();
   await page.locator('.settings summary').click();
   await page.getByRole('button', { name: 'Reset all settings' }).click();
-  const { kept } = await said(page);
+  const { kept } = await answers(page);
   expect(Math.abs(kept.value - 100 * TRUTH.restitution)).toBeLessThan(3.5 * kept.sd);
 });
 

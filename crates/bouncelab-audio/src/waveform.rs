@@ -22,7 +22,7 @@ const MOST_COLUMNS: usize = 65;
 /// How far a time may be from its place, and from the one before, in sampling intervals or, if that is more, in
 /// steps of the written digits. Rounding moves each time by half a step, and the first and the last as well.
 const OUT_OF_PLACE: f64 = 1.25;
-const FAR: f64 = 1.5;
+const LONGEST_INTERVAL: f64 = 1.5;
 
 /// A waveform that was found in a text.
 #[derive(Debug, PartialEq)]
@@ -173,7 +173,7 @@ fn rate(times: &[f64]) -> Option<f64> {
         (time - expected).abs() <= OUT_OF_PLACE * grid
     };
     let is_even = step > 0.0
-        && steps().all(|step| (0.0..=FAR * grid).contains(&step))
+        && steps().all(|step| (0.0..=LONGEST_INTERVAL * grid).contains(&step))
         && times.iter().enumerate().all(is_in_place);
     is_even.then_some(1.0 / step)
 }

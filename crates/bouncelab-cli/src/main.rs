@@ -29,7 +29,7 @@ use std::process::ExitCode;
 use bouncelab_report::units;
 use clap::{Parser, Subcommand};
 
-/// Drop a ball near a microphone, get the physics out of the silence between the bounces.
+/// Measure restitution, drop height and air drag of a bouncing ball from the sound of its impacts.
 #[derive(Parser)]
 #[command(
     name = "bouncelab",

@@ -45,8 +45,8 @@ pub(crate) struct PriorArguments {
     #[arg(long, value_name = "BOUNCE:APEX", value_parser = reach)]
     reach: Vec<ApexTarget>,
     /// The first impact detected is the first impact of the drop
-    #[arg(long)]
-    first_heard: bool,
+    #[arg(long, alias = "first-heard")]
+    first_detected: bool,
     /// Target number of independent draws of the posterior
     #[arg(long, value_name = "N", default_value_t = SamplerConfig::default().draws)]
     draws: usize,
@@ -61,7 +61,7 @@ pub(crate) struct PriorArguments {
 /// What may be left to the data.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 enum Inferred {
-    /// The acceleration of gravity; implies --first-heard
+    /// The acceleration of gravity; implies --first-detected
     Gravity,
     /// The drag coefficient
     Drag,
@@ -137,7 +137,7 @@ impl PriorArguments {
             height_sd_m: self.height_sd,
             release_s: self.release,
             release_sd_s: self.release_sd,
-            first_heard: Some(self.first_heard),
+            first_detected: Some(self.first_detected),
             restitution_laws: Some(self.law.clone()),
             infer: Some(self.infer.iter().map(|&inferred| inferred.into()).collect()),
             at_speed_m_s: self.at_speed,

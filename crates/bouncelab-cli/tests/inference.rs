@@ -71,7 +71,7 @@ fn the_fixed_paths_of_the_document() {
 }
 
 /// The paper's ball, without buoyancy and contact as there: the inference finds e and the height
-/// that the straight line misses by 1.7 cm.
+/// that the log-linear fit misses by 1.7 cm.
 #[test]
 fn the_papers_drop_is_found_again() {
     let found = posterior(

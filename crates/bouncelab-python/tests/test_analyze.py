@@ -102,7 +102,7 @@ def test_settings_reach_the_physics() -> None:
 
 def test_edits_and_questions_are_heeded() -> None:
     extra = sorted([*TIMES_S, 0.8])
-    recording = bl.analyze_times(extra, draws=200, exclude_s=[0.8], reach=[(2, 0.2)], first_heard=True)
+    recording = bl.analyze_times(extra, draws=200, exclude_s=[0.8], reach=[(2, 0.2)], first_detected=True)
     assert recording.impacts["time_s"].tolist() == TIMES_S
     [prediction] = recording.drops[0].posterior.predictions
     assert prediction.drop_height_m is not None

@@ -78,7 +78,7 @@ fn impact_row(drop: &Drop, index: usize, details: bool, words: &Translator) -> V
     row
 }
 
-/// How far the flight after an impact lies from the straight line, in per cent of its time.
+/// How far the flight after an impact lies from the log-linear fit, in per cent of its time.
 fn residual_percent(drop: &Drop, number: usize) -> Option<f64> {
     let fit = drop.log_linear_fit.as_ref().ok()?;
     let flight = drop.flight(number)?;

@@ -60,7 +60,7 @@ pub enum Meaning {
     Measured,
     /// A model with air drag.
     Drag,
-    /// The straight line, or anything that leaves drag out.
+    /// The log-linear fit, or anything that leaves drag out.
     Plain,
     /// Something to be careful with.
     Warning,

@@ -53,7 +53,7 @@ fn all_stated() -> Settings {
         height_sd_m: Some(0.001_5),
         release_s: Some(0.123_45),
         release_sd_s: Some(0.005),
-        first_heard: Some(false),
+        first_detected: Some(false),
         restitution_laws: Some(LawKind::ALL.map(|law| law.name().to_owned()).into()),
         infer: Some(vec![
             Inferred::Gravity,

@@ -170,10 +170,10 @@ const MORE_OF_A_DROP: &[Fixed<fn(&DropRecord) -> Cell>] = columns! { |row: DropR
     converged: Flag [""] "whether the sampling can be trusted" = Some(row.known()?.converged);
     height_contradicts: Flag [""] "whether the noted height contradicts the flight times"
         = row.known().map(|_| row.height_contradicts());
-    line_restitution: Number [""] "restitution by the straight line, as if there were no air"
+    line_restitution: Number [""] "restitution by the log-linear fit, as if there were no air"
         = Some(row.fit()?.restitution.value);
     line_restitution_sd: Number [""] "its standard error" = row.fit()?.restitution.known_sd();
-    line_drop_height_m: Number ["m"] "drop height by the straight line"
+    line_drop_height_m: Number ["m"] "drop height by the log-linear fit"
         = Some(row.fit()?.drop_height_m.value);
     line_drop_height_sd_m: Number ["m"] "its standard error" = row.fit()?.drop_height_m.known_sd();
 };
@@ -213,7 +213,7 @@ const NUMBER: &[Fixed<fn(&usize) -> Cell>] = columns! { |row: usize|
 const OF_A_FLIGHT: &[Fixed<fn(&MeasuredFlight) -> Cell>] = columns! { |row: MeasuredFlight|
     flight: Count [""] "number of the impact with which it begins" = Some(row.number);
     time_s: Number ["s"] "time between the two impacts, contact included" = Some(row.time_s);
-    in_fit: Flag [""] "whether it goes into the straight line" = Some(row.in_fit);
+    in_fit: Flag [""] "whether it goes into the log-linear fit" = Some(row.in_fit);
     plain_height_m: Number ["m"] "apex by g T^2/8, without drag" = Some(row.drag_free_height_m);
     apex_m: Number ["m"] "apex by the flight model" = row.apex_m;
     apex_sd_m: Number ["m"] "its standard uncertainty by the times" = row.apex_sd_m;

@@ -40,7 +40,7 @@ pub struct DropRecord {
     pub probability: f64,
     /// Its impacts, in order of time.
     pub impacts: Vec<ImpactRecord>,
-    /// The straight line through the logarithms of the flight times.
+    /// The log-linear fit: the straight line through the logarithms of the flight times.
     pub log_linear_fit: Option<FitRecord>,
     /// What all of it says together.
     pub posterior: Option<PosteriorRecord>,

@@ -74,12 +74,12 @@ impl<'a> Outcome<'a> {
             ..About::default()
         };
         let mut excluded = Excluded::new(&options.exclude);
-        let mut said = Said::default();
+        let mut collected = Collected::default();
         let duplicates = results.duplicates();
         for (place, duplicate) in duplicates.iter().enumerate() {
             let recording = &recordings[place];
             if let Err(why) = &results.done[place].content {
-                said.failed.push((place, why.clone()));
+                collected.failed.push((place, why.clone()));
             } else if let Some(first) = duplicate {
                 let first = &recordings[*first];
                 about
@@ -93,11 +93,11 @@ impl<'a> Outcome<'a> {
         let counts =
             |place: usize| results.done[place].content.is_ok() && duplicates[place].is_none();
         results.each(counts, |place, _, record| {
-            said.take(place, &recordings[place], record, &mut excluded, translator);
+            collected.take(place, &recordings[place], record, &mut excluded, translator);
             Ok(())
         })?;
         excluded.check()?;
-        said.outcome(about, recordings, &options.question, translator)
+        collected.outcome(about, recordings, &options.question, translator)
     }
 
     /// The drops of a recording, as a range of places in `drops`.
@@ -127,15 +127,15 @@ impl<'a> Outcome<'a> {
 
 /// What recordings say, as it is read.
 #[derive(Default)]
-struct Said {
+struct Collected {
     /// Recordings that failed, by their place, and why.
     failed: Vec<(usize, String)>,
     /// Recordings without a drop, by their place, and why.
     without_drop: Vec<(usize, String)>,
-    drops: Vec<SaidDrop>,
+    drops: Vec<CollectedDrop>,
 }
 
-struct SaidDrop {
+struct CollectedDrop {
     drop: SessionDrop,
     /// What it adds to the study, if it is in it.
     studied: Option<Studied>,
@@ -145,7 +145,7 @@ struct SaidDrop {
     odd: Option<(String, bool)>,
 }
 
-impl Said {
+impl Collected {
     /// Takes what a recording says.
     fn take(
         &mut self,
@@ -180,7 +180,7 @@ impl Said {
             };
             let asks_inference = recording.metadata.asks_inference();
             self.drops
-                .push(SaidDrop::of(drop, of_drop, asks_inference, translator));
+                .push(CollectedDrop::of(drop, of_drop, asks_inference, translator));
         }
     }
 
@@ -199,24 +199,24 @@ impl Said {
         self.without_drop.sort_by_key(|(place, _)| *place);
         about.without_drop = self.without_drop.into_iter().map(named).collect();
         self.drops
-            .sort_by_key(|said| (said.drop.recording, said.drop.number));
+            .sort_by_key(|one| (one.drop.recording, one.drop.number));
         about.drops = self.drops.len();
         let (mut drops, mut doubtful) = (Vec::new(), Vec::new());
         let (mut places, mut noted) = (Vec::new(), Vec::new());
-        for said in self.drops {
-            let of_drop = |why: &str| reason(&said.drop.name, why);
-            if let Some((why, is_doubtful)) = &said.odd {
+        for one in self.drops {
+            let of_drop = |why: &str| reason(&one.drop.name, why);
+            if let Some((why, is_doubtful)) = &one.odd {
                 if *is_doubtful {
                     doubtful.push(about.odd.len());
                 }
                 about.odd.push(of_drop(why));
             }
-            about.left_out.extend(said.left_out.as_deref().map(of_drop));
-            if let Some(studied) = said.studied {
+            about.left_out.extend(one.left_out.as_deref().map(of_drop));
+            if let Some(studied) = one.studied {
                 places.push(drops.len());
-                noted.push(studied.noted(&said.drop, recordings));
+                noted.push(studied.noted(&one.drop, recordings));
             }
-            drops.push(said.drop);
+            drops.push(one.drop);
         }
         let mut groups = GroupStudy::of(about, noted, question, translator)?;
         let asks = |recording: &KnownRecording| recording.metadata.asks_inference();
@@ -235,7 +235,7 @@ impl Said {
     }
 }
 
-impl SaidDrop {
+impl CollectedDrop {
     fn of(
         drop: SessionDrop,
         record: DropRecord,

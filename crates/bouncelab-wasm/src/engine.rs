@@ -411,13 +411,13 @@ pub fn drop_charts(drops: &str, translator: &JsTranslator) -> Result<String> {
     ])
 }
 
-/// The charts of the lesson about the paper: the straight line, drag, and heights.
+/// The charts of the lesson about the paper: the log-linear fit, drag, and heights.
 #[wasm_bindgen(js_name = lessonCharts)]
 pub fn lesson_charts(translator: &JsTranslator) -> Result<String> {
     json(&lesson::charts(&translator.0)?)
 }
 
-/// What the straight line of the paper makes of a choice of the reader.
+/// What the log-linear fit of the paper makes of a choice of the reader.
 #[wasm_bindgen(js_name = puzzleAnswer)]
 pub fn puzzle_answer(choice: &str, translator: &JsTranslator) -> Result<String> {
     json(&read::<PuzzleChoice>(choice)?.answer(&translator.0)?)

@@ -3,7 +3,7 @@
 //! A flight time gives the launch speed and the impact speed of its flight exactly, once ball and
 //! air are known. Every impact between two heard flights so has its own coefficient of restitution,
 //! at its own speed: launch speed of the flight after it over impact speed of the flight before it.
-//! The bare ratio of flight times that a straight line sees is smaller, because the air slows the
+//! The bare ratio of flight times that a log-linear fit sees is smaller, because the air slows the
 //! ball too.
 //!
 //! ```

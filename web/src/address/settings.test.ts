@@ -16,7 +16,7 @@ test('every setting survives the address', () => {
     gravity_m_s2: 9.81,
     height_m: 0.305,
     height_sd_m: 0.001,
-    first_heard: true,
+    first_detected: true,
     restitution_laws: ['constant', 'power'],
     infer: ['gravity', 'contact-time'],
     flights: [1, 10],

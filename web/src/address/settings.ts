@@ -81,7 +81,7 @@ const FIELDS: readonly Field[] = [
   number('altitude_m', 'altitude_m'),
   number('height_cm', 'height_m', 0.01),
   number('height_sd_mm', 'height_sd_m', 1e-3),
-  flag('first_heard', 'first_heard'),
+  flag('first_detected', 'first_detected'),
   {
     key: 'law',
     write: (settings) => settings.restitution_laws?.join('.'),

@@ -320,7 +320,7 @@ export class Lab {
     return this.#front.call('lessonCharts', {});
   }
 
-  /** What the paper's straight line makes of a choice. */
+  /** What the log-linear fit of the paper makes of a choice. */
   puzzleAnswer(choice: PuzzleChoice): Promise<PuzzleAnswer> {
     return this.#front.call('puzzleAnswer', { choice });
   }

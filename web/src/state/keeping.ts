@@ -100,10 +100,10 @@ async function storeSound(name: string): Promise<string | null> {
 }
 
 /** What a reader may write about a kept drop. */
-type Said = Partial<Pick<KeptDrop, 'name' | 'student' | 'surface'>>;
+type Labels = Partial<Pick<KeptDrop, 'name' | 'student' | 'surface'>>;
 
 /** Changes a kept drop. */
-export async function alter(id: string, changes: Said | Partial<Measured>): Promise<void> {
+export async function alter(id: string, changes: Labels | Partial<Measured>): Promise<void> {
   const found = kept.peek().find((candidate) => candidate.id === id);
   if (!found) return;
   const altered = { ...found, ...changes };

@@ -29,15 +29,15 @@ export async function follow(page: Page, name: string): Promise<void> {
 }
 
 /** A value and its uncertainty as the page writes them, in the unit that it shows. */
-export interface Said {
+export interface Answer {
   readonly value: number;
   readonly sd: number;
 }
 
 /** The numbers in the first two sentences: restitution in per cent, drop height in centimetres. */
-export async function said(page: Page): Promise<{ kept: Said; fell: Said }> {
+export async function answers(page: Page): Promise<{ kept: Answer; fell: Answer }> {
   await settled(page);
-  const read = async (place: string): Promise<Said> => {
+  const read = async (place: string): Promise<Answer> => {
     const words = ((await page.locator(place).first().textContent()) ?? '').replace(/\u2212/g, '-');
     const found = /(\d[\d.]*) ± (\d[\d.]*)/.exec(words);
     if (!found) throw new Error(`no number with its uncertainty in "${words}"`);

@@ -160,7 +160,7 @@ pub(super) fn lines(drop: &Drop, physics: &Setup) -> Vec<String> {
 
 fn height_note(found: &Posterior) -> Option<String> {
     match &found.missed_first_impacts {
-        None if found.first_was_heard() => None,
+        None if found.first_was_detected() => None,
         None => Some(text("analyze-first-fall")),
         Some(probabilities) => {
             let likely: Vec<String> = probabilities

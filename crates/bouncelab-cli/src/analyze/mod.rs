@@ -193,7 +193,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
     }
 }
 
-/// The physics of a run, with what is known and asked, and the flights for the straight line.
+/// The physics of a run, with what is known and asked, and the flights for the log-linear fit.
 pub(crate) fn physics(
     physics: &PhysicsArguments,
     priors: &PriorArguments,

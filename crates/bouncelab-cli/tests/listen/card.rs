@@ -74,14 +74,14 @@ impl Server {
         command
     }
 
-    fn listen(&self, arguments: &[&str]) -> Listener {
+    fn listen(&self, arguments: &[&str]) -> ListenProcess {
         let mut command = self.command(assert_cmd::cargo::cargo_bin("bouncelab"));
         command.args(["listen", "--language", "en", "--save", "mic.wav"]);
         command.args(arguments);
         command.stdout(Stdio::piped()).stderr(Stdio::piped());
         let mut program = command.spawn().unwrap();
         let stderr = BufReader::new(program.stderr.take().unwrap());
-        Listener {
+        ListenProcess {
             program,
             stderr,
             said: String::new(),
@@ -116,13 +116,13 @@ impl Drop for Server {
 }
 
 /// `listen` at work.
-struct Listener {
+struct ListenProcess {
     program: Child,
     stderr: BufReader<ChildStderr>,
     said: String,
 }
 
-impl Listener {
+impl ListenProcess {
     /// Waits until it says that it listens.
     fn listening(mut self) -> Self {
         while !self.said.contains("listening to") {

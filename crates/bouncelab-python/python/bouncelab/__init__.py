@@ -70,7 +70,7 @@ if TYPE_CHECKING:
     )
     from bouncelab._recording import Draws, Drop, Drops, Recording
     from bouncelab._session import Study, session
-    from bouncelab._settings import Air, Ball, Options, Surroundings
+    from bouncelab._settings import Air, Ball, Options, PhysicsSettings
     from bouncelab._simulation import Simulation, Sound, simulate, synthesize
     from bouncelab._table import Column, Table
     from bouncelab._verdict import Rule, Verdict, rules, verdict
@@ -95,7 +95,7 @@ _PLACES = {
     ),
     "_recording": "Draws Drop Drops Recording",
     "_session": "Study session",
-    "_settings": "Air Ball Options Surroundings",
+    "_settings": "Air Ball Options PhysicsSettings",
     "_simulation": "Simulation Sound simulate synthesize",
     "_table": "Column Table",
     "_verdict": "Rule Verdict rules verdict",
@@ -130,6 +130,7 @@ __all__ = [
     "OutputError",
     "PerImpact",
     "PhysicsError",
+    "PhysicsSettings",
     "Posterior",
     "Prediction",
     "PriorContraction",
@@ -148,7 +149,6 @@ __all__ = [
     "Source",
     "StrongestBand",
     "Study",
-    "Surroundings",
     "Table",
     "UnknownNameError",
     "Verdict",

@@ -121,14 +121,14 @@ def analyze(
             Measured drop height, surface to lowest point of the ball, and its uncertainty (2 mm).
         release_s, release_sd_s : float
             When the ball was released, and the uncertainty (5 ms).
-        first_heard : bool
+        first_detected : bool
             Whether the first impact detected is the first there was.
         restitution_laws : list of str
             Laws to weigh: constant, linear, power, viscoelastic, knee; all if left out.
         infer : list of str
             What to leave to the data: gravity, drag, contact-time.
         flights : tuple of int
-            First and last flight of the straight line.
+            First and last flight of the log-linear fit.
         at_speed_m_s : float
             Impact speed at which to state the restitution.
         reach : list of (bounce, apex_m)

@@ -230,7 +230,7 @@ class Settings:
 
 @dataclass(frozen=True, slots=True)
 class LogLinearFit:
-    """The straight line through log10 of the flight times, as without drag (Nagurka 2003, Eqs. 4 to 8).
+    """The log-linear fit: the line through log10 of the flight times, as without drag (Nagurka 2003, Eqs. 4 to 8).
 
     Attributes
     ----------

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Unpack, overload
 from bouncelab import _core
 from bouncelab._analyze import as_numbers
 from bouncelab._errors import InputError
-from bouncelab._settings import Air, Ball, Surroundings, analyzer, number, text
+from bouncelab._settings import Air, Ball, PhysicsSettings, analyzer, number, text
 from bouncelab._table import Table
 
 if TYPE_CHECKING:
@@ -273,7 +273,7 @@ def flights(
     *,
     flight_time_s: ArrayLike | None = None,
     apex_m: ArrayLike | None = None,
-    **surroundings: Unpack[Surroundings],
+    **settings: Unpack[PhysicsSettings],
 ) -> Table:
     """Return flights of a ball from one impact to the next, by one quantity of each.
 
@@ -285,7 +285,7 @@ def flights(
         In place of these, times between the impacts, in s.
     apex_m : array_like of float, shape (flights,)
         In place of these, greatest heights, in m.
-    **surroundings
+    **settings
         Ball, air, drag and gravity, as of :func:`analyze`.
 
     Returns
@@ -319,17 +319,17 @@ def flights(
     if len(given) != 1:
         raise InputError(f"give one of {', '.join(stated)}; it determines the others")
     [(name, values)] = given.items()
-    return Table(_core.flights(analyzer(**surroundings), name, as_numbers(name, values)))
+    return Table(_core.flights(analyzer(**settings), name, as_numbers(name, values)))
 
 
-def falls(height_m: ArrayLike, **surroundings: Unpack[Surroundings]) -> Table:
+def falls(height_m: ArrayLike, **settings: Unpack[PhysicsSettings]) -> Table:
     """Return falls of a ball from rest to the surface.
 
     Parameters
     ----------
     height_m : array_like of float, shape (falls,)
         Heights of the lowest point of the ball above the surface, in m.
-    **surroundings
+    **settings
         Ball, air, drag and gravity, as of :func:`analyze`.
 
     Returns
@@ -354,15 +354,15 @@ def falls(height_m: ArrayLike, **surroundings: Unpack[Surroundings]) -> Table:
     >>> bl.falls([0.1, 0.305], drag="none", gravity_m_s2=9.81)["impact_speed_m_s"].round(3)
     array([1.401, 2.446])
     """
-    return Table(_core.falls(analyzer(**surroundings), as_numbers("height_m", height_m)))
+    return Table(_core.falls(analyzer(**settings), as_numbers("height_m", height_m)))
 
 
-def terminal_speed_m_s(**surroundings: Unpack[Surroundings]) -> float:
+def terminal_speed_m_s(**settings: Unpack[PhysicsSettings]) -> float:
     """Return the speed at which the drag carries the weight.
 
     Parameters
     ----------
-    **surroundings
+    **settings
         Ball, air, drag and gravity, as of :func:`analyze`.
 
     Returns
@@ -383,7 +383,7 @@ def terminal_speed_m_s(**surroundings: Unpack[Surroundings]) -> float:
     >>> bl.terminal_speed_m_s(drag="none")
     inf
     """
-    speed = _core.terminal_speed_m_s(analyzer(**surroundings))
+    speed = _core.terminal_speed_m_s(analyzer(**settings))
     return float("inf") if speed is None else speed
 
 

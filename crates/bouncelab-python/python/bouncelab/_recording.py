@@ -231,7 +231,7 @@ class Drop:
 
     @property
     def log_linear_fit(self) -> LogLinearFit:
-        """The straight line through the logarithms of the flight times, as if there were no air.
+        """The log-linear fit: the line through the logarithms of the flight times, as if there were no air.
 
         Raises
         ------

@@ -68,13 +68,13 @@ class Air:
     viscosity_pa_s: float
 
 
-class Surroundings(TypedDict, total=False):
+class PhysicsSettings(TypedDict, total=False):
     """What is known of ball, air and gravity: keyword arguments, which :func:`bouncelab.analyze` describes.
 
     Examples
     --------
     >>> import bouncelab as bl
-    >>> known: bl.Surroundings = {"ball": "tennis", "temperature_k": 288.15}
+    >>> known: bl.PhysicsSettings = {"ball": "tennis", "temperature_k": 288.15}
     >>> len(bl.simulate(bounces=3, **known).bounces)
     3
     """
@@ -95,7 +95,7 @@ class Surroundings(TypedDict, total=False):
     altitude_m: float | None
 
 
-class Options(Surroundings, total=False):
+class Options(PhysicsSettings, total=False):
     """What is known and asked: keyword arguments, which :func:`bouncelab.analyze` describes.
 
     Examples
@@ -110,7 +110,7 @@ class Options(Surroundings, total=False):
     height_sd_m: float | None
     release_s: float | None
     release_sd_s: float | None
-    first_heard: bool | None
+    first_detected: bool | None
     restitution_laws: Iterable[str] | None
     infer: Iterable[str] | None
     flights: tuple[int, int] | None
@@ -132,7 +132,7 @@ def analyzer(**options: Unpack[Options]) -> _core.Analyzer:
 
 def split(options: Options) -> tuple[dict[str, object], dict[str, object]]:
     """Check the options, and divide them into settings and what else is asked."""
-    known = Surroundings.__annotations__ | Options.__annotations__
+    known = PhysicsSettings.__annotations__ | Options.__annotations__
     unknown = options.keys() - known.keys()
     if unknown:
         raise InputError(f"there is no option {min(unknown)!r}; known: {', '.join(known)}")
@@ -167,7 +167,7 @@ def _of_ball_and_air(given: dict[str, object]) -> dict[str, object]:
 _TEXTS = ("drag",)
 _LISTS_OF_TEXTS = ("restitution_laws", "infer")
 _LISTS_OF_NUMBERS = ("exclude_s", "include_s", "band_hz")
-_FLAGS = ("buoyancy", "added_mass", "first_heard")
+_FLAGS = ("buoyancy", "added_mass", "first_detected")
 _COUNTS = ("draws", "seed", "channel")
 
 

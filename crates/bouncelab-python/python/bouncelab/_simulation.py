@@ -13,7 +13,7 @@ from bouncelab._analyze import as_numbers
 from bouncelab._data import JSON
 from bouncelab._figure import Figure, figure
 from bouncelab._report import Documented
-from bouncelab._settings import Surroundings, analyzer, count, number, text
+from bouncelab._settings import PhysicsSettings, analyzer, count, number, text
 from bouncelab._table import Table
 
 if TYPE_CHECKING:
@@ -215,7 +215,7 @@ def simulate(
     restitution_slope_s_m: float = 0.0,
     until_m: float | None = None,
     bounces: int | None = None,
-    **surroundings: Unpack[Surroundings],
+    **settings: Unpack[PhysicsSettings],
 ) -> Simulation:
     """Simulate a drop.
 
@@ -233,7 +233,7 @@ def simulate(
         Stop when the ball rises no higher; 1 mm, unless ``bounces`` is given.
     bounces : int, optional
         Stop after so many bounces.
-    **surroundings
+    **settings
         Ball, air, drag and gravity, as of :func:`analyze`.
 
     Returns
@@ -265,7 +265,7 @@ def simulate(
         "until_m": _optional("until_m", until_m),
         "bounces": None if bounces is None else count("bounces", bounces),
     }
-    return Simulation(_core.Simulation(analyzer(**surroundings), json.dumps(request)))
+    return Simulation(_core.Simulation(analyzer(**settings), json.dumps(request)))
 
 
 def synthesize(
@@ -288,7 +288,7 @@ def synthesize(
     restitution_slope_s_m: float = 0.0,
     until_m: float | None = None,
     bounces: int | None = None,
-    **surroundings: Unpack[Surroundings],
+    **settings: Unpack[PhysicsSettings],
 ) -> Sound:
     """Synthesise the sound of a drop, whose truth is known.
 
@@ -313,7 +313,7 @@ def synthesize(
         As of :func:`simulate`.
     bounces : int, optional
         As of :func:`simulate`.
-    **surroundings
+    **settings
         Ball, air, drag and gravity, as of :func:`analyze`.
 
     Returns
@@ -339,7 +339,7 @@ def synthesize(
         restitution_slope_s_m=restitution_slope_s_m,
         until_m=until_m,
         bounces=bounces,
-        **surroundings,
+        **settings,
     )
     scene = {
         "sample_rate_hz": count("sample_rate_hz", sample_rate_hz),

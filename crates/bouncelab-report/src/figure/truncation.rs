@@ -11,7 +11,7 @@ use crate::theme::Meaning;
 /// One of the heights of a truncation.
 type Height = fn(&Truncation) -> Option<Estimate>;
 
-/// The drop height by the straight line and by the inference against the number of flights used, and
+/// The drop height by the log-linear fit and by the inference against the number of flights used, and
 /// the stated height if there is one.
 pub(super) fn truncation(subject: &Subject<'_>, translator: &Translator) -> Chart {
     let text = |id: &str| translator.text(&format!("figure-truncation-{id}"));

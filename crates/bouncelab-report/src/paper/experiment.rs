@@ -74,7 +74,7 @@ pub(super) fn flights(history: &History) -> Vec<NumberedFlight> {
         .collect()
 }
 
-/// What the paper's straight line makes of the first flights of a drop with drag.
+/// What the log-linear fit of the paper makes of the first flights of a drop with drag.
 pub(super) fn regressed(restitution: f64, count: usize) -> Result<LogLinearFit> {
     regressed_by(
         Restitution::constant(restitution)?,

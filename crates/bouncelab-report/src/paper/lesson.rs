@@ -81,11 +81,11 @@ pub struct PuzzleChoice {
     pub restitution: f64,
     /// What it loses for each m/s.
     pub loss_per_speed_s_m: f64,
-    /// Flights in the straight line.
+    /// Flights in the log-linear fit.
     pub flights: usize,
 }
 
-/// What the straight line makes of a choice.
+/// What the log-linear fit makes of a choice.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 pub struct PuzzleAnswer {
@@ -118,7 +118,7 @@ impl PuzzleChoice {
         Ok(experiment::flights(&history))
     }
 
-    /// What the straight line says of it.
+    /// What the log-linear fit says of it.
     ///
     /// # Errors
     ///
@@ -207,7 +207,7 @@ impl PuzzleChoice {
     }
 }
 
-/// The straight line through the first flights.
+/// The log-linear fit through the first flights.
 fn fitted(flights: &[NumberedFlight], count: usize) -> Result<LogLinearFit> {
     regression::fit(&flights[..count.min(flights.len())], GRAVITY_M_S2)
 }

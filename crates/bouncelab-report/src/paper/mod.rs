@@ -38,7 +38,7 @@ pub struct Document {
     /// Version of the program that made it.
     bouncelab: &'static str,
     facts: Vec<Row>,
-    /// What would make the straight line say what it says in the paper.
+    /// What would make the log-linear fit say what it says in the paper.
     puzzle: Vec<Explanation>,
 }
 

@@ -21,7 +21,7 @@ const STEEPEST: f64 = 0.1;
 /// A slow impact, to compare with the first.
 const SLOW_M_S: f64 = 0.5;
 
-/// An explanation whose restitution was chosen so that the straight line says e = 0.9375.
+/// An explanation whose restitution was chosen so that the log-linear fit says e = 0.9375.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 pub struct Explanation {
@@ -30,13 +30,13 @@ pub struct Explanation {
     /// The drag: `none`, `constant`, `sphere` (the curve of a sphere) or `all-of-air` (with buoyancy and
     /// added mass too).
     pub drag: String,
-    /// Flights in the straight line.
+    /// Flights in the log-linear fit.
     pub flights: usize,
     /// Restitution at the first impact.
     pub restitution_at_first: f64,
     /// Restitution at 0.5 m/s.
     pub restitution_at_slow: f64,
-    /// The height that the straight line gives, m.
+    /// The height that the log-linear fit gives, m.
     pub drop_height_m: f64,
     /// Whether that is the paper's, to its digits.
     pub reproduces: bool,

@@ -10,7 +10,7 @@ use crate::theme;
 
 /// Points outside are at most this far away, so that curves to them can be cut at the frame in finite
 /// numbers.
-const FAR: f64 = 1e9;
+const MAX_PIXELS: f64 = 1e9;
 /// How wide the names of rows may be.
 const NAME_WIDTH: f64 = 188.0;
 /// Between numbers and the frame.
@@ -34,11 +34,11 @@ pub(super) struct Frame {
 
 impl Frame {
     pub(super) fn x_at(&self, x: f64) -> f64 {
-        (self.rect.left + self.x.share(x) * self.rect.width()).clamp(-FAR, FAR)
+        (self.rect.left + self.x.share(x) * self.rect.width()).clamp(-MAX_PIXELS, MAX_PIXELS)
     }
 
     pub(super) fn y_at(&self, y: f64) -> f64 {
-        (self.rect.bottom - self.y.share(y) * self.rect.height()).clamp(-FAR, FAR)
+        (self.rect.bottom - self.y.share(y) * self.rect.height()).clamp(-MAX_PIXELS, MAX_PIXELS)
     }
 
     /// The place of a point, which may lie outside; not numbers where there is none.

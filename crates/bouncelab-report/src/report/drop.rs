@@ -33,7 +33,7 @@ fn kept(drop: &Drop, words: &Translator) -> String {
         &drop.log_linear_fit,
     ) {
         (Ok(found), ..) => {
-            let is_release = found.first_was_heard() || found.missed_first_impacts.is_some();
+            let is_release = found.first_was_detected() || found.missed_first_impacts.is_some();
             let id = if is_release {
                 "report-kept-and-fell"
             } else {
@@ -95,7 +95,7 @@ fn detected(drop: &Drop, words: &Translator) -> String {
     )
 }
 
-/// What drag does to the straight line of the paper.
+/// What drag does to the log-linear fit of the paper.
 fn against_the_line(found: &Posterior, line: &LogLinearFit, words: &Translator) -> String {
     let points = 100.0 * (found.restitution.value - line.restitution.value);
     let difference = match points {
@@ -157,7 +157,7 @@ pub fn drop_details(drop: &Drop, settings: &Options, words: &Translator) -> Vec<
     parts
 }
 
-/// Inference and straight line side by side.
+/// Inference and log-linear fit side by side.
 fn answers(drop: &Drop, settings: &Options, words: &Translator) -> Table {
     let mut table = Table::with_headings(
         words,

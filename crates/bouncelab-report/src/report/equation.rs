@@ -10,7 +10,7 @@ use serde::{Deserialize, Serialize};
 pub enum Equation {
     /// Height of a flight from its time, without air (paper, Eq. 5).
     PlainHeight,
-    /// The straight line through the logarithms of the flight times (paper, Eqs. 4 and 6).
+    /// The log-linear fit: the straight line through the logarithms of the flight times (paper, Eqs. 4 and 6).
     StraightLine,
     /// A ball in the air.
     Motion,

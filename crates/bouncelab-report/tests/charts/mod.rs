@@ -199,7 +199,7 @@ fn of_sounds(translator: &Translator) -> Unnamed {
     ]
 }
 
-/// Flights a little shorter than the straight line at first, as air makes them.
+/// Flights a little shorter than the log-linear fit at first, as air makes them.
 pub(crate) fn flights(count: usize, used: usize) -> Vec<TimedFlight> {
     let flights = (1..=count).map(|number| {
         let n = number as f64;

@@ -409,7 +409,7 @@ mod tests {
         let factors = [
             factor("ball", &["a", "b", "c"]),
             factor("operator", &["x", "y", "z"]),
-            factor("room", &["one"]),
+            factor("surface", &["one"]),
         ];
         let drops: Vec<StudyDrop> = (0..9)
             .map(|drop| {

@@ -43,7 +43,7 @@ const PARTS: [f64; 8] = [
 
 /// A step that promises more than this of the log posterior starts too far away for the steps before to tell of
 /// the curvature at the maximum.
-const FAR: f64 = 1.0;
+const LARGE_GAIN: f64 = 1.0;
 
 /// Finds the best fit by Fisher scoring: Newton's method with the expected curvature, which is that of
 /// a least-squares fit with weights (M. R. Osborne, Int. Stat. Rev. 60, 99, 1992), corrected by what the
@@ -62,7 +62,7 @@ pub(super) fn best_fit(model: &Model, start: Vec<f64>) -> Option<Fit> {
         if promise < NEAR * NEAR {
             break;
         }
-        if promise > FAR {
+        if promise > LARGE_GAIN {
             secants = Secants::default();
         }
         let corrected = secants.corrected(&expected, &slope);

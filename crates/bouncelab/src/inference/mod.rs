@@ -182,7 +182,7 @@ pub fn best_fit(
     let priors = Priors {
         restitution_laws: vec![law.copied().unwrap_or(LawKind::Constant)],
         constant_drag_too: false,
-        first_was_heard: true,
+        first_was_detected: true,
         ..priors.clone()
     };
     let posterior =

@@ -276,7 +276,7 @@ impl Posterior {
     }
 
     /// Whether the first impact detected was taken to be the first.
-    pub fn first_was_heard(&self) -> bool {
+    pub fn first_was_detected(&self) -> bool {
         let priors = &self.sampled.priors;
         priors.drop_height_m.is_some() && self.missed_first_impacts.is_none()
     }

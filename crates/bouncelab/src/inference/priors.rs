@@ -30,7 +30,7 @@ pub struct Priors {
     pub release_s: Option<Measured>,
     /// Whether the first impact detected is the first there was. With gravity unknown it must be: a
     /// missed impact and a weaker gravity look alike.
-    pub first_was_heard: bool,
+    pub first_was_detected: bool,
     /// Restitution laws to consider; if empty, all that so many impacts can tell from a constant.
     pub restitution_laws: Vec<LawKind>,
     /// Whether to consider a constant drag coefficient too, beside a law of the Reynolds number: what
@@ -74,7 +74,7 @@ impl Default for Priors {
         Self {
             drop_height_m: None,
             release_s: None,
-            first_was_heard: false,
+            first_was_detected: false,
             restitution_laws: Vec::new(),
             constant_drag_too: true,
             drag_rel_sd: 0.04,
@@ -173,7 +173,7 @@ impl Priors {
     /// Whether something would show impacts missed before the first one detected.
     pub(super) fn tells_missed(&self) -> bool {
         let state = self.drop_height_m.is_some() || self.release_s.is_some();
-        state && !self.first_was_heard && self.gravity_rel_sd < UNKNOWN
+        state && !self.first_was_detected && self.gravity_rel_sd < UNKNOWN
     }
 
     /// Whether all of it makes sense.

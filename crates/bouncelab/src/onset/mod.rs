@@ -253,15 +253,15 @@ impl OnsetDetector {
     /// The same for samples known to be finite.
     pub(crate) fn push_finite(&mut self, samples: &[f32], onsets: &mut Vec<Onset>) {
         match self.decimator.take() {
-            None => self.hear(samples, onsets),
+            None => self.detect(samples, onsets),
             Some(mut decimator) => {
-                self.hear(decimator.push(samples), onsets);
+                self.detect(decimator.push(samples), onsets);
                 self.decimator = Some(decimator);
             }
         }
     }
 
-    fn hear(&mut self, samples: &[f32], onsets: &mut Vec<Onset>) {
+    fn detect(&mut self, samples: &[f32], onsets: &mut Vec<Onset>) {
         let mut rest = samples;
         while !rest.is_empty() {
             let taken = self.history.push(rest);
@@ -284,7 +284,7 @@ impl OnsetDetector {
     /// Appends the last candidates; nothing can be pushed after this.
     pub(crate) fn flush(&mut self, onsets: &mut Vec<Onset>) {
         if let Some(mut decimator) = self.decimator.take() {
-            self.hear(decimator.finish(), onsets);
+            self.detect(decimator.finish(), onsets);
         }
         let end = self.history.end();
         let before = onsets.len();
@@ -295,7 +295,7 @@ impl OnsetDetector {
         let look_ahead = (self.spacing + self.precursor) as usize;
         let hops = look_ahead + self.energies.look_ahead() + 1 + FRAME_HOPS;
         let length = hops * self.bank.hop + self.bank.delay();
-        self.hear(&vec![hold; length], onsets);
+        self.detect(&vec![hold; length], onsets);
         // Where the sound breaks off is not an onset.
         let end_s = (end as f64 - 2.0 * self.bank.hop as f64) / self.rate_hz;
         let last = onsets.partition_point(|o| o.time_s < end_s);

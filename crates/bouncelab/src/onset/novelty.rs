@@ -44,10 +44,10 @@ impl Novelty {
     /// earlier one only announced it.
     pub(super) fn dwarfs(&self, earlier: &Self) -> bool {
         /// Coders keep pre-echo below what an ear hears, 10 dB and more below the sound.
-        const FAR: f64 = 10.0;
+        const PRE_ECHO_RATIO: f64 = 10.0;
         let mut rises = (0..BANDS).map(|band| {
             let heard = earlier.gain[band].max(earlier.before[band]);
-            self.gain[band] > FAR * heard
+            self.gain[band] > PRE_ECHO_RATIO * heard
         });
         rises.any(|rise| rise)
     }

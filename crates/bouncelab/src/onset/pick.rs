@@ -16,7 +16,7 @@ const AFTER_S: f64 = 0.004;
 /// Where a sound begins so long before it grows by so much in power, in seconds, something announces it:
 /// pre-echo of a codec, the air that the ball pushes, a noise gate that opens.
 const PRECURSOR_S: f64 = 0.001;
-const FAR: f64 = 10.0;
+const PRECURSOR_RATIO: f64 = 10.0;
 /// The variance on either side is estimated from at least so many samples.
 const LEAST: usize = 4;
 /// A moment that is less likely than the best by so much does not count.
@@ -111,7 +111,7 @@ impl Picker {
             (self.error_energy[to] - self.error_energy[from]) / (to - from).max(1) as f64
         };
         let (from, to) = (place(change), place(later));
-        to >= from + self.precursor && power(to, end) > FAR * power(from, to)
+        to >= from + self.precursor && power(to, end) > PRECURSOR_RATIO * power(from, to)
     }
 
     /// Where the variance changes among the errors from `first` on, the first of which is that of

@@ -374,7 +374,7 @@ pub struct DropInput {
     /// Its standard uncertainty in seconds; if left out, 5 ms.
     pub release_sd_s: Option<f64>,
     /// Whether the first impact heard is the first there was.
-    pub first_heard: bool,
+    pub first_detected: bool,
     /// Restitution laws to consider; all that the impacts can tell apart if empty.
     pub laws: Vec<LawKind>,
     /// What to leave to the data.
@@ -409,7 +409,7 @@ impl DropInput {
         };
         let all = Priors {
             drop_height_m: measured(self.height_m, self.height_sd_m.unwrap_or(HEIGHT_SD_M)),
-            first_was_heard: self.first_heard,
+            first_was_detected: self.first_detected,
             release_s: measured(self.release_s, self.release_sd_s.unwrap_or(RELEASE_SD_S)),
             restitution_laws: self.laws.clone(),
             gravity_rel_sd: unless_inferred(Inferred::Gravity, priors.gravity_rel_sd),

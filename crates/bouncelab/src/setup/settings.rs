@@ -67,12 +67,12 @@ pub struct Settings {
     /// Its standard uncertainty; 5 ms if left out.
     pub release_sd_s: Option<f64>,
     /// Whether the first impact detected is the first there was.
-    pub first_heard: Option<bool>,
+    pub first_detected: Option<bool>,
     /// Families of restitution laws to consider; all that the impacts can tell apart if left out.
     pub restitution_laws: Option<Vec<String>>,
     /// What to leave to the data, as if nothing were known of it.
     pub infer: Option<Vec<Inferred>>,
-    /// First and last flight for the straight line.
+    /// First and last flight for the log-linear fit.
     pub flights: Option<(u32, u32)>,
     /// Impact speed at which to state the restitution.
     pub at_speed_m_s: Option<f64>,
@@ -205,7 +205,7 @@ impl Settings {
             height_sd_m: self.height_sd_m,
             release_s: self.release_s,
             release_sd_s: self.release_sd_s,
-            first_heard: self.first_heard == Some(true),
+            first_detected: self.first_detected == Some(true),
             laws: laws.map(|law| law.parse()).collect::<Result<_>>()?,
             infer: self.infer.clone().unwrap_or_default(),
         })

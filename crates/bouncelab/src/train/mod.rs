@@ -404,9 +404,9 @@ fn expected(impacts: &[TrainImpact]) -> Vec<TrainImpact> {
             time_s += flight_s;
             flight_s *= ratio;
             if n < flights {
-                expected.push(unheard(&pair[0], n, time_s, flight_s));
+                expected.push(missed(&pair[0], n, time_s, flight_s));
             } else if is_last && flight_s > SHORTEST_S {
-                expected.push(unheard(
+                expected.push(missed(
                     &pair[0],
                     n + 1,
                     pair[1].onset.time_s + flight_s,
@@ -419,7 +419,7 @@ fn expected(impacts: &[TrainImpact]) -> Vec<TrainImpact> {
 }
 
 /// An impact so many after another, as if it sounded like it and were a little less sure.
-fn unheard(before: &TrainImpact, steps: u32, time_s: f64, flight_s: f64) -> TrainImpact {
+fn missed(before: &TrainImpact, steps: u32, time_s: f64, flight_s: f64) -> TrainImpact {
     /// Scatter of a predicted flight time.
     const SCATTER: f64 = 0.02;
     TrainImpact {

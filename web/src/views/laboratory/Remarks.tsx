@@ -19,7 +19,7 @@ export function Remarks() {
         <details>
           <summary>{text('page-lab-tells')}</summary>
           <Messages of={others} kind="small" />
-          {narrowed.length > 0 && <Narrowed narrowed={narrowed} />}
+          {narrowed.length > 0 && <PriorContractions narrowed={narrowed} />}
         </details>
       )}
     </>
@@ -52,7 +52,7 @@ const UNKNOWNS: Readonly<Record<Unknown, string>> = {
 };
 
 /** How far the data narrowed what was known: the shorter the bar, the more was learnt. */
-function Narrowed({ narrowed }: { readonly narrowed: readonly PriorContraction[] }) {
+function PriorContractions({ narrowed }: { readonly narrowed: readonly PriorContraction[] }) {
   return (
     <>
       <p class="small">{text('page-lab-narrowed-lead')}</p>

@@ -79,7 +79,7 @@ function Count() {
   );
 }
 
-/** How much of the straight line's loss is the air's. */
+/** How much of the log-linear fit's loss is the air's. */
 function Air({ result }: { readonly result: Drop }) {
   const { posterior, per_impact, log_linear_fit } = result;
   // The quick answer until the inference is there, so that nothing comes and goes.

@@ -8,7 +8,7 @@ import { ballName, lawName, nameIn } from '../../text/names.ts';
 
 const OWN = 'own';
 const ABSOLUTE_ZERO_C = -273.15;
-/** The last flight of the straight line where nobody says: the paper has ten. */
+/** The last flight of the log-linear fit where nobody says: the paper has ten. */
 const USUAL_LAST = 10;
 
 const scaled = (value: number | undefined, factor: number): number | undefined =>

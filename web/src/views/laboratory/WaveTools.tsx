@@ -51,7 +51,7 @@ export function WaveTools() {
       {workspace.value?.pyramid && (
         <>
           <Zooming />
-          <Hearing />
+          <PlaybackTools />
         </>
       )}
       <Correcting />
@@ -92,7 +92,7 @@ function Zooming() {
   );
 }
 
-function Hearing() {
+function PlaybackTools() {
   const sounding = playing.value !== null;
   return (
     <div class="group">
