@@ -1,4 +1,4 @@
-//! Writes what the engine takes and gives as types of TypeScript, to the standard output.
+//! Writes what the engine takes and gives as TypeScript, to the standard output.
 //!
 //! `cargo xtask web` runs it: the page is compiled against what the engine really gives.
 
@@ -6,7 +6,7 @@ use std::any::TypeId;
 use std::collections::{BTreeMap, HashSet};
 
 use bouncelab::Recording;
-use bouncelab::analysis::Gap;
+use bouncelab::analysis::{CONFIDENT_PROBABILITY, Gap};
 use bouncelab::diagnostic::Argument;
 use bouncelab_report::Chart;
 use bouncelab_report::document::simulation;
@@ -83,7 +83,10 @@ fn declarations() -> String {
     all.declare::<PuzzleAnswer>();
     all.declare::<paper::Document>();
     let declarations: String = all.found.into_values().collect();
-    [HEAD, &declarations]
+    let certain = format!(
+        "\n/** An impact below this probability counts as uncertain. */\nexport const CONFIDENT_PROBABILITY = {CONFIDENT_PROBABILITY};\n"
+    );
+    [HEAD, &declarations, &certain]
         .concat()
         .replace("/**\n * ", "/** ")
         .replace("\n */\n", " */\n")

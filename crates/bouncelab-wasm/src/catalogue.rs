@@ -1,7 +1,6 @@
 //! The choices of the settings: balls, laws and others.
 
 use bouncelab::air::{Air, Conditions};
-use bouncelab::analysis::CONFIDENT_PROBABILITY;
 use bouncelab::drag::DragLaw;
 use bouncelab::inference::LawKind;
 use bouncelab::synth::Voice;
@@ -42,7 +41,6 @@ pub fn catalogue() -> bouncelab::Result<Catalogue> {
         worlds: worlds(&Air::moist(&air)?),
         usual_air: air,
         standard_gravity_m_s2: gravity::STANDARD_M_S2,
-        sure: CONFIDENT_PROBABILITY,
     })
 }
 

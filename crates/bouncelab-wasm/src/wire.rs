@@ -41,8 +41,6 @@ pub struct Catalogue {
     pub usual_air: Conditions,
     /// Standard gravity.
     pub standard_gravity_m_s2: f64,
-    /// An impact below this probability counts as uncertain.
-    pub sure: f64,
 }
 
 /// A ball whose rules fix mass and size.

@@ -12,8 +12,7 @@ export interface Mark {
   readonly number: number | null;
 }
 
-/** Below this an impact is marked as uncertain, as everywhere in bouncelab. */
-export const CERTAIN = 0.9;
+export { CONFIDENT_PROBABILITY as CERTAIN } from '../lab/engine/types.ts';
 
 export const inOrder = (marks: readonly Mark[]): readonly Mark[] =>
   marks.toSorted((a, b) => a.timeS - b.timeS);

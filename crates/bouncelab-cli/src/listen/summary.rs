@@ -2,6 +2,8 @@
 
 use bouncelab::Estimate;
 use bouncelab::analysis::Drop;
+use bouncelab::groups::Mean;
+use bouncelab::inference::Measured;
 use bouncelab_report::{Align, Quantity, Table, Unit};
 
 use crate::language::{text, translator};
@@ -48,7 +50,7 @@ fn height(drop: &Drop) -> Option<Estimate> {
     Some(drop.posterior.as_ref().ok()?.drop_height_m)
 }
 
-/// One row for each drop, then mean and scatter (standard deviation).
+/// One row for each drop, then the mean and the scatter (standard deviation of a single drop).
 pub(super) fn table(drops: &[&Drop]) -> Table {
     let mut headings = vec![
         ("column-drop", Align::Right),
@@ -70,70 +72,31 @@ pub(super) fn table(drops: &[&Drop]) -> Table {
         }));
         table.row(row);
     }
-    let spreads = COLUMNS.map(|column| {
-        let values = drops
-            .iter()
-            .filter_map(|drop| Some((column.of)(drop)?.value));
-        (column.unit, Spread::of(&values.collect::<Vec<f64>>()))
+    let means = COLUMNS.map(|column| {
+        let values = drops.iter().filter_map(|drop| (column.of)(drop));
+        let values = values.map(|estimate| Measured {
+            value: estimate.value,
+            sd: estimate.known_sd().unwrap_or(0.0),
+        });
+        let values: Vec<_> = values.filter(|drop| drop.value.is_finite()).collect();
+        let mean = Mean::of(&values).ok();
+        (column.unit, mean.filter(|mean| mean.drops > 1))
     });
     if drops.len() > 1 {
-        let mut conclude = |id: &str, shown: fn(&Spread, Unit) -> Quantity| {
+        let mut conclude = |id: &str, shown: fn(&Mean, Unit) -> Quantity| {
             let mut row = vec![text(id), String::new(), String::new()];
-            row.extend(spreads.iter().map(|(unit, spread)| {
-                let shown = |spread| shown(spread, *unit).text(translator());
-                spread.as_ref().map_or_else(String::new, shown)
+            row.extend(means.iter().map(|(unit, mean)| {
+                let shown = |mean| shown(mean, *unit).text(translator());
+                mean.as_ref().map_or_else(String::new, shown)
             }));
             table.row(row);
         };
-        conclude("listen-mean", |spread, unit| {
-            Quantity::measured(spread.mean, spread.standard_error, unit)
+        conclude("listen-mean", |mean, unit| {
+            Quantity::measured(mean.value, mean.standard_error, unit)
         });
-        conclude("listen-scatter", |spread, unit| {
-            Quantity::rounded(spread.deviation, 2, unit)
+        conclude("listen-scatter", |mean, unit| {
+            Quantity::rounded(mean.of_one_drop(), 2, unit)
         });
     }
     table
-}
-
-/// How values of several drops lie.
-struct Spread {
-    mean: f64,
-    /// Standard deviation of a single value.
-    deviation: f64,
-    /// Of the mean.
-    standard_error: f64,
-}
-
-impl Spread {
-    /// `None` with fewer than two values that are numbers.
-    fn of(values: &[f64]) -> Option<Self> {
-        let values: Vec<f64> = values.iter().copied().filter(|v| v.is_finite()).collect();
-        let count = values.len() as f64;
-        if values.len() < 2 {
-            return None;
-        }
-        let mean = values.iter().sum::<f64>() / count;
-        let squares: f64 = values.iter().map(|value| (value - mean).powi(2)).sum();
-        let deviation = (squares / (count - 1.0)).sqrt();
-        Some(Self {
-            mean,
-            deviation,
-            standard_error: deviation / count.sqrt(),
-        })
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn mean_and_scatter_of_two_heights() {
-        // The standard deviation of two values is their distance over the root of 2.
-        let spread = Spread::of(&[0.30, 0.32]).unwrap();
-        assert!((spread.mean - 0.31).abs() < 1e-12);
-        assert!((spread.deviation - 0.02 / 2.0_f64.sqrt()).abs() < 1e-12);
-        assert!((spread.standard_error - 0.01).abs() < 1e-12);
-        assert!(Spread::of(&[0.3, f64::NAN]).is_none());
-    }
 }
