@@ -513,7 +513,6 @@ impl Sameness {
 mod tests {
     use std::ops::Range;
 
-    use bouncelab::impact::Strike;
     use bouncelab::synth::{self, Scene};
     use clap::Parser;
 
@@ -551,15 +550,7 @@ mod tests {
 
     /// Restitution 0.9, 2.4 m/s at first, 0.5 s before the first impact.
     fn drop_sound() -> Vec<f32> {
-        let mut time_s = 0.0;
-        let strikes: Vec<Strike> = (0..20)
-            .map(|n| {
-                let speed_m_s = 2.4 * 0.9_f64.powi(n);
-                let strike = Strike { time_s, speed_m_s };
-                time_s += 2.0 * 0.9 * speed_m_s / 9.806_65;
-                strike
-            })
-            .collect();
+        let strikes: Vec<_> = bouncelab_testkit::strikes(2.4, 0.9).take(20).collect();
         let scene = Scene {
             tail_s: 5.0,
             ..Scene::default()

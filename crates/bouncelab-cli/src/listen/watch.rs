@@ -72,25 +72,18 @@ impl Glimpse {
 
 #[cfg(test)]
 mod tests {
-    use bouncelab::impact::Strike;
     use bouncelab::synth::{self, Scene};
+    use bouncelab_testkit::strikes;
 
     use super::*;
 
     /// A drop of fifteen impacts, and silence.
     fn one_drop() -> Vec<f32> {
-        let mut time_s = 0.0;
-        let strikes = (0..15).map(|n| {
-            let speed_m_s = 2.4 * 0.88_f64.powi(n);
-            let strike = Strike { time_s, speed_m_s };
-            time_s += 2.0 * 0.88 * speed_m_s / 9.81;
-            strike
-        });
         let scene = Scene {
             tail_s: 6.0,
             ..Scene::default()
         };
-        let strikes: Vec<Strike> = strikes.collect();
+        let strikes: Vec<_> = strikes(2.4, 0.88).take(15).collect();
         synth::render(&strikes, &scene, 2).unwrap().samples
     }
 
