@@ -41,6 +41,10 @@ const PARTS: [f64; 8] = [
     2.0,
 ];
 
+/// Where none of them leads uphill, so much shorter ones are tried: far from the maximum the expected curvature may be that
+/// of another place.
+const SHORT: f64 = 1.0 / 256.0;
+
 /// A step that promises more than this of the log posterior starts too far away for the steps before to tell of
 /// the curvature at the maximum.
 const LARGE_GAIN: f64 = 1.0;
@@ -67,7 +71,8 @@ pub(super) fn best_fit(model: &Model, start: Vec<f64>) -> Option<Fit> {
         }
         let corrected = secants.corrected(&expected, &slope);
         let better = uphill(model, &vector, &corrected, log_posterior)
-            .or_else(|| uphill(model, &vector, &step, log_posterior));
+            .or_else(|| uphill(model, &vector, &step, log_posterior))
+            .or_else(|| uphill(model, &vector, &(SHORT * &step), log_posterior));
         let Some((next, better)) = better else {
             break;
         };
