@@ -1,11 +1,12 @@
 //! From the draws of the posterior to the estimates.
 
-use super::likelihood::{DropState, Innovation};
+use super::likelihood::Innovation;
 use super::model::Point;
 use super::posterior::{Draws, ImpactPosterior, Model, Posterior, Sampling};
 use super::predict::Rest;
 use super::priors::Measured;
 use super::sampled::{DrawnDrop, SampledPosterior, THINNED};
+use super::smoothing::DropState;
 use super::{ApexTarget, InferenceOptions, Prediction, budget, findings, identify, predict};
 use crate::drag::DragLaw;
 use crate::error::Result;
@@ -32,10 +33,8 @@ pub(super) struct Answers {
 impl Answers {
     pub(super) fn new(posterior: &SampledPosterior, at_speed_m_s: f64) -> Option<Self> {
         let rows = posterior.each(1, |model, point| {
-            let table = model.table(point)?;
-            let (gravity_height, ..) = table.apex(point.fall_launch_m_s)?;
             let (restitution, log_slope) = point.law.at_with_log_slope(at_speed_m_s);
-            let drop_height_m = gravity_height / point.gravity_m_s2;
+            let drop_height_m = model.drop_height_m(point)?;
             Some((*point, [restitution, -log_slope, drop_height_m]))
         });
         if rows.len() != posterior.draws.len() || rows.is_empty() {

@@ -21,6 +21,11 @@ impl Banded {
         self.rows.push(row);
     }
 
+    /// An entry of the diagonal.
+    pub(super) fn diagonal(&self, row: usize) -> f64 {
+        self.rows[row][2]
+    }
+
     /// The sum of matrices of the same size.
     pub(super) fn sum(matrices: [&Self; 3]) -> Self {
         let [a, b, c] = matrices.map(|matrix| matrix.rows.iter());

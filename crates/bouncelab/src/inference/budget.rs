@@ -7,7 +7,7 @@
 use nalgebra::{Cholesky, DMatrix, DVector};
 
 use super::banded::Banded;
-use super::likelihood::{Details, Differences};
+use super::likelihood::Differences;
 use super::model::{Model, Slot};
 use super::residual::Noise;
 use super::sampled::{DrawnDrop, SampledPosterior};
@@ -51,11 +51,7 @@ pub(super) fn budget(
     let linear = Linear::new(&model, vector)?;
     let restitution =
         |model: &Model, vector: &[f64]| Some(model.point(vector)?.law.at(at_speed_m_s));
-    let height = |model: &Model, vector: &[f64]| {
-        let point = model.point(vector)?;
-        let (gravity_height, ..) = model.table(&point)?.apex(point.fall_launch_m_s)?;
-        Some(gravity_height / point.gravity_m_s2)
-    };
+    let height = |model: &Model, vector: &[f64]| model.drop_height_m(&model.point(vector)?);
     let [between_laws, between_missed] = between(posterior, drops, at_speed_m_s);
     let mut of_restitution = linear.sources(&gradient(&model, vector, restitution)?, &model);
     of_restitution.push(("choice-of-law", between_laws[0]));
@@ -88,28 +84,8 @@ impl Linear {
             residuals: slopes,
             ..
         } = model.differences(vector)?;
-        let Details {
-            residuals,
-            innovations,
-            ..
-        } = details;
         let noise = Noise::new(&model.observed.sigma_s, &[point]);
-        let mut by_time = Banded::default();
-        let mut by_scatter = Banded::default();
-        let mut by_release = Banded::default();
-        let scatter = noise.scatter.0[0];
-        for (row, residual) in residuals.iter().enumerate() {
-            let shared = |places: usize| {
-                let earlier = row.checked_sub(places).map(|place| &residuals[place]);
-                earlier.map_or(0.0, |earlier| noise.shared_by_time(earlier, residual).0[0])
-            };
-            let own = noise.by_time(residual).0[0];
-            by_time.push([shared(2), shared(1), own]);
-            // An odd impact counts less, as if its scatter were larger.
-            let own = scatter * residual.scatter.0[0] / innovations[row].weight.max(1e-3);
-            by_scatter.push([0.0, scatter * residual.scatter_before.0[0], own]);
-            by_release.push([0.0, 0.0, residual.own_variance]);
-        }
+        let [by_time, by_scatter, by_release] = noise.covariances(&details);
         let covariance = Banded::sum([&by_time, &by_scatter, &by_release]);
         let precise = covariance.solve(slopes.clone())?;
         let priors = model

@@ -134,7 +134,7 @@ fn contradiction(
     let candidate = &posterior.candidates[0];
     let model = posterior.model(candidate);
     let point = model.point(candidate.fit.vector.as_slice())?;
-    let fitted_m = model.state(&point)?.drop_height_m;
+    let fitted_m = model.drop_height_m(&point)?;
     let off = ((fitted_m - measured.value) / measured.sd).abs();
     let first = innovations
         .iter()
@@ -172,5 +172,5 @@ fn detected_height_m(posterior: &SampledPosterior, law: LawKind, media: usize) -
     let model = without.model_of(law, media, 0, 0);
     let fit = fit::best_fit(&model, model.start())?;
     let point = model.point(fit.vector.as_slice())?;
-    Some(model.state(&point)?.drop_height_m)
+    model.drop_height_m(&point)
 }

@@ -101,17 +101,13 @@ struct Step<'r, const L: usize> {
     innovation: Lanes<L>,
 }
 
-/// A drop as the times tell it.
-#[derive(Debug, Clone, PartialEq)]
-pub(super) struct DropState {
-    pub(super) drop_height_m: f64,
-    /// From the release to the first impact detected, s.
-    pub(super) release_to_first_s: f64,
-    /// Speed at each impact detected, m/s.
-    pub(super) impact_speeds: Vec<f64>,
-    /// Launch speed after each impact detected but the last, m/s, and the height to which it rises, m.
-    pub(super) launch_speeds: Vec<f64>,
-    pub(super) apexes_m: Vec<f64>,
+/// A drop as the times tell it, if the unknowns have certain values.
+pub(super) struct Told<'a> {
+    pub(super) fall: InitialFall,
+    pub(super) table: FlightTable<'a>,
+    /// The fall as the first impact detected sees it, and each interval.
+    pub(super) ends: Vec<End<1>>,
+    pub(super) details: Details,
 }
 
 impl<'a> Model<'a> {
@@ -216,30 +212,25 @@ impl<'a> Model<'a> {
     }
 
     /// The drop that the times tell, if the unknowns have these values.
-    pub(super) fn state(&self, point: &Point) -> Option<DropState> {
+    pub(super) fn told(&self, point: &Point) -> Option<Told<'a>> {
         let trial = self.trial_in(&[], *point, self.table(point)?)?;
-        let InitialFall {
-            gravity_height,
-            impact,
-            time_s,
-            ..
-        } = trial.fall;
-        let mut state = DropState {
-            drop_height_m: gravity_height / point.gravity_m_s2,
-            release_to_first_s: time_s,
-            impact_speeds: vec![impact],
-            launch_speeds: Vec::new(),
-            apexes_m: Vec::new(),
+        let mut told = Told {
+            fall: trial.fall,
+            table: trial.table,
+            ends: vec![InitialFall::end(&[trial.fall])],
+            details: Details::default(),
         };
-        for interval in 0..self.observed.intervals.len() {
-            let end = self.end(interval, &[&trial]);
-            let launch = end.log_launch.0[0].exp();
-            let (gravity_height, _) = trial.table.apex(launch)?;
-            state.launch_speeds.push(launch);
-            state.apexes_m.push(gravity_height / point.gravity_m_s2);
-            state.impact_speeds.push(end.log_impact.0[0].exp());
-        }
-        Some(state)
+        self.log_likelihood(&[&trial], &mut |step| told.details.add(step, 0));
+        let intervals = 0..self.observed.intervals.len();
+        told.ends
+            .extend(intervals.map(|interval| self.end(interval, &[&trial])));
+        Some(told)
+    }
+
+    /// The drop height that a point stands for, m.
+    pub(super) fn drop_height_m(&self, point: &Point) -> Option<f64> {
+        let (gravity_height, _) = self.table(point)?.apex(point.fall_launch_m_s)?;
+        Some(gravity_height / point.gravity_m_s2)
     }
 
     /// The flights under the drag of a point; `None` if it is absurd.
@@ -569,7 +560,7 @@ impl<const L: usize> Product<L> {
 }
 
 #[cfg(test)]
-mod tests {
+pub(super) mod tests {
     use super::*;
     use crate::analysis::Options;
     use crate::drag::DragLaw;
@@ -581,7 +572,7 @@ mod tests {
     use crate::inference::timed_flights::TimedFlights;
 
     /// Times of a drop with two gaps, one of them two impacts wide, and a release.
-    fn impacts() -> Vec<Impact> {
+    pub(in super::super) fn impacts() -> Vec<Impact> {
         let times = [
             (1, 0.3),
             (2, 0.8605),
@@ -596,8 +587,11 @@ mod tests {
             .to_vec()
     }
 
-    /// Works with the likelihood of the times above, for a law that changes with speed.
-    fn with_model<T>(impacts: &[Impact], work: impl FnOnce(&Model, &[f64]) -> T) -> T {
+    /// Works with the likelihood of such times, for a law that changes with speed, a release and a first impact missed.
+    pub(in super::super) fn with_model<T>(
+        impacts: &[Impact],
+        work: impl FnOnce(&Model, &[f64]) -> T,
+    ) -> T {
         let settings = Options::default();
         let environment = Environment {
             drag: DragLaw::Constant(0.4),

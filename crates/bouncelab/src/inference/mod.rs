@@ -59,6 +59,7 @@ mod priors;
 mod residual;
 mod sample;
 mod sampled;
+mod smoothing;
 mod tail;
 mod timed_flights;
 
@@ -194,7 +195,7 @@ pub fn best_fit(
         .and_then(|point| {
             Some(BestFit {
                 law: point.law,
-                drop_height_m: model.state(&point)?.drop_height_m,
+                drop_height_m: model.drop_height_m(&point)?,
                 drag_scale: point.drag_scale,
             })
         })

@@ -4,10 +4,10 @@ use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 use rand_distr::{Distribution, StandardNormal};
 
-use super::likelihood::DropState;
 use super::model::{Model, Point};
 use super::priors::Priors;
 use super::sample;
+use super::smoothing::DropState;
 use crate::flight::table::MAX_STEPS;
 use crate::impact::Restitution;
 
@@ -23,7 +23,7 @@ const REST_M_S: f64 = 0.01;
 pub(super) struct Future {
     /// The ratio of speed lost to speed kept grows as the speed to minus this power, besides what the law says.
     loss_exponent: f64,
-    rng: ChaCha8Rng,
+    pub(super) rng: ChaCha8Rng,
 }
 
 impl Future {
@@ -36,15 +36,12 @@ impl Future {
         }
     }
 
-    fn normal(&mut self) -> f64 {
-        StandardNormal.sample(&mut self.rng)
-    }
-
     /// What an impact keeps of the speed, slower than the slowest one detected.
     fn restitution(&mut self, law: &Restitution, speed: f64, slowest: f64, scatter: f64) -> f64 {
         let expected = law.at(speed);
         let lost_to_kept = (1.0 / expected - 1.0) * (slowest / speed).powf(self.loss_exponent);
-        (scatter * self.normal()).exp() / (1.0 + lost_to_kept)
+        let deviation: f64 = StandardNormal.sample(&mut self.rng);
+        (scatter * deviation).exp() / (1.0 + lost_to_kept)
     }
 }
 
@@ -66,15 +63,10 @@ pub(super) fn until_rest(
 ) -> Option<Rest> {
     let observed = model.observed;
     let missed_first = model.missed_first;
-    let detected_s =
-        observed.impacts[observed.impacts.len() - 1].time_s - observed.impacts[0].time_s;
     let gravity = point.gravity_m_s2;
     let table = model.table(point)?;
-    // Somewhat more than the errors of the two times: neighbouring impacts say something of them, too.
-    let sigma_s = &observed.sigma_s;
-    let error_s = sigma_s[0].hypot(sigma_s[sigma_s.len() - 1]) * point.timing * future.normal();
     let mut rest = Rest {
-        time_s: state.release_to_first_s + detected_s + error_s,
+        time_s: state.release_to_first_s + state.first_to_last_s,
         path_m: state.drop_height_m,
     };
     // The flights before the first impact detected obey the law too.

@@ -4,6 +4,8 @@
 //! Neighbours share times, and the scatter of the impacts that were missed between them; here is
 //! what each depends on, and how strongly.
 
+use super::banded::Banded;
+use super::likelihood::Details;
 use super::model::Point;
 use super::priors::Measured;
 use crate::flight::table::{FlightTable, Row};
@@ -106,6 +108,26 @@ impl<const L: usize> End<L> {
 }
 
 impl End<1> {
+    /// What the scatter of missed impacts does to the logarithms of launch and impact speed: variances and covariance,
+    /// for a scatter of one. The fall has its time in place of a launch, with the opposite sign, in s.
+    pub(super) fn gap(&self) -> [f64; 3] {
+        [
+            self.launch_scatter,
+            self.impact_scatter,
+            self.shared_scatter,
+        ]
+        .map(|lanes| lanes.0[0])
+    }
+
+    /// Launch and impact speed, if the interval takes so much longer than it seems.
+    pub(super) fn speeds_after(&self, longer_s: f64) -> [f64; 2] {
+        [
+            (self.log_launch, self.launch_per_s),
+            (self.log_impact, self.impact_per_s),
+        ]
+        .map(|(log, per_s)| (log.0[0] + per_s.0[0] * longer_s).exp())
+    }
+
     /// An interval with missed impacts, which are taken to obey the law; how far they may not is
     /// scatter.
     pub(super) fn of_gap(
@@ -184,6 +206,7 @@ impl InitialFall {
         let lanes = |number: fn(&Self) -> f64| Lanes::of(|lane| number(&falls[lane]));
         End {
             log_impact: lanes(|fall| fall.impact).ln(),
+            launch_scatter: lanes(|fall| fall.time_scatter),
             impact_scatter: lanes(|fall| fall.impact_scatter),
             shared_scatter: lanes(|fall| -fall.shared_scatter),
             ..End::NO_SCATTER
@@ -246,6 +269,14 @@ impl<const L: usize> Residual<L> {
     }
 }
 
+impl Residual<1> {
+    /// Its derivatives by times, 1/s, each with the number of the impact; there may be none of the last number.
+    pub(super) fn by_times(&self) -> impl Iterator<Item = (usize, f64)> {
+        let places = (0..).zip(self.timing);
+        places.filter_map(|(place, by_s)| Some(((self.impact + place).checked_sub(1)?, by_s.0[0])))
+    }
+}
+
 /// The noise of the data at as many points as there are lanes.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Noise<'o, const L: usize> {
@@ -295,6 +326,29 @@ impl<'o, const L: usize> Noise<'o, L> {
             2 => a[2] * b[0] * self.of_time(own - 1),
             _ => Lanes::all(0.0),
         }
+    }
+}
+
+impl Noise<'_, 1> {
+    /// Covariances of the residuals by the times, by the scatter and by a release.
+    pub(super) fn covariances(&self, details: &Details) -> [Banded; 3] {
+        let residuals = &details.residuals;
+        let mut covariances = <[Banded; 3]>::default();
+        let [by_time, by_scatter, by_release] = &mut covariances;
+        for (row, (residual, innovation)) in residuals.iter().zip(&details.innovations).enumerate()
+        {
+            let shared = |places: usize| {
+                let earlier = row.checked_sub(places).map(|place| &residuals[place]);
+                earlier.map_or(0.0, |earlier| self.shared_by_time(earlier, residual).0[0])
+            };
+            by_time.push([shared(2), shared(1), self.by_time(residual).0[0]]);
+            let scatter = self.scatter.0[0];
+            // An odd impact counts less, as if its scatter were larger.
+            let own = scatter * residual.scatter.0[0] / innovation.weight.max(1e-3);
+            by_scatter.push([0.0, scatter * residual.scatter_before.0[0], own]);
+            by_release.push([0.0, 0.0, residual.own_variance]);
+        }
+        covariances
     }
 }
 

@@ -5,7 +5,7 @@ use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
 use super::fit::{self, Fit};
-use super::likelihood::{DropState, Innovation};
+use super::likelihood::Innovation;
 use super::model::{Medium, Model, Point, ReferenceSpeed};
 use super::numbering;
 use super::observed::Observed;
@@ -13,6 +13,7 @@ use super::order::order;
 use super::predict::{self, Future, Rest};
 use super::priors::{LawKind, Priors};
 use super::sample::{self, GREATEST_PARETO_SHAPE, Sample};
+use super::smoothing::DropState;
 use super::timed_flights::TimedFlights;
 use crate::ball::Ball;
 use crate::drag::DragLaw;
@@ -509,8 +510,8 @@ impl SampledPosterior {
             .zip(drops)
             .map(|(number, (draw, point))| {
                 let model = &models[draw.candidate];
-                let state = model.state(point)?;
-                let future = Future::new(&self.priors, number);
+                let mut future = Future::new(&self.priors, number);
+                let state = model.drawn_state(point, &mut future.rng)?;
                 Some(DrawnDrop {
                     candidate: draw.candidate,
                     law: point.law,
