@@ -11,7 +11,7 @@ import pytest
 import bouncelab as bl
 
 ROOT = Path(os.environ.get("BOUNCELAB_ROOT", "."))
-DOCUMENTS = ["README.md", "docs/python.md", "crates/bouncelab-python/README.md"]
+DOCUMENTS = ["docs/python.md", "crates/bouncelab-python/README.md"]
 
 
 pytestmark = pytest.mark.skipif("BOUNCELAB_ROOT" not in os.environ, reason="the documents are part of the repository")

@@ -7,6 +7,7 @@
 
 use bouncelab::Diagnostic;
 use bouncelab_audio::{Source, Warning};
+use bouncelab_report::figure::{self, DropSummary};
 use bouncelab_report::link::LinkedDrop;
 use wasm_bindgen::prelude::*;
 
@@ -14,6 +15,7 @@ use crate::groups;
 use crate::language::translator;
 use crate::link;
 use crate::refusal::Result;
+use crate::wire::ComparedDrop;
 
 /// A recording that is being decoded.
 #[wasm_bindgen]
@@ -116,6 +118,23 @@ pub fn study(request: &str, code: &str, sources: Vec<String>) -> Result<String> 
         &translator(code, &sources)?,
     )?;
     Ok(serde_json::to_string(&studied)?)
+}
+
+/// Charts that compare drops: the restitution of each, and that of their impacts against speed.
+#[expect(
+    clippy::needless_pass_by_value,
+    reason = "JavaScript hands over a vector"
+)]
+#[wasm_bindgen(js_name = dropCharts)]
+pub fn drop_charts(drops: &str, code: &str, sources: Vec<String>) -> Result<String> {
+    let drops: Vec<ComparedDrop> = serde_json::from_str(drops)?;
+    let drops: Vec<DropSummary> = drops.into_iter().map(DropSummary::from).collect();
+    let translator = translator(code, &sources)?;
+    let charts = [
+        figure::drops(&drops, &translator),
+        figure::drop_impacts(&drops, &translator),
+    ];
+    Ok(serde_json::to_string(&charts)?)
 }
 
 /// The report of it as one HTML file.

@@ -8,7 +8,6 @@
 use bouncelab::detection::Envelope;
 use bouncelab_audio::{SampleFormat, encode_wav, times};
 use bouncelab_report::Chart;
-use bouncelab_report::figure::{self, DropSummary};
 use bouncelab_report::messages::Translator;
 use bouncelab_report::paper;
 use bouncelab_report::paper::lesson::{self, PuzzleChoice};
@@ -24,7 +23,7 @@ use crate::pyramid::Level;
 use crate::refusal::Result;
 use crate::simulator;
 use crate::spectrogram::{self, FLOOR_DB};
-use crate::wire::{ComparedDrop, SimulationRequest};
+use crate::wire::SimulationRequest;
 
 fn json<T: Serialize>(value: &T) -> Result<String> {
     Ok(serde_json::to_string(value)?)
@@ -397,18 +396,6 @@ pub fn paper_document(translator: &JsTranslator) -> Result<String> {
 #[wasm_bindgen(js_name = simulationCharts)]
 pub fn simulation_charts(runs: &str, translator: &JsTranslator) -> Result<String> {
     json(&simulator::charts(&read::<Vec<_>>(runs)?, &translator.0)?)
-}
-
-/// Charts that compare drops: the restitution of each, and that of their impacts against speed.
-#[wasm_bindgen(js_name = dropCharts)]
-pub fn drop_charts(drops: &str, translator: &JsTranslator) -> Result<String> {
-    let drops: Vec<ComparedDrop> = read(drops)?;
-    let drops: Vec<DropSummary> = drops.into_iter().map(DropSummary::from).collect();
-    let translator = &translator.0;
-    json(&[
-        figure::drops(&drops, translator),
-        figure::drop_impacts(&drops, translator),
-    ])
 }
 
 /// The charts of the lesson about the paper: the log-linear fit, drag, and heights.

@@ -299,7 +299,7 @@ export class Lab {
 
   /** The restitution of each of several drops, and that of their impacts. */
   dropCharts(drops: ComparedDrop[]): Promise<Chart[]> {
-    return this.#front.call('dropCharts', { drops });
+    return this.#alone(true, undefined, (connection) => connection.call('dropCharts', { drops }));
   }
 
   /** What a simulated drop sounds like. */

@@ -163,6 +163,9 @@ const handlers: Handlers = {
   study: ({ request }, { messages: { code, sources } }) => ({
     response: JSON.parse(decoding.study(JSON.stringify(request), code, [...sources])),
   }),
+  dropCharts: ({ drops }, { messages: { code, sources } }) => ({
+    response: JSON.parse(decoding.dropCharts(JSON.stringify(drops), code, [...sources])),
+  }),
   studyReport: ({ request }, { messages: { code, sources } }) => ({
     response: decoding.studyReport(JSON.stringify(request), code, [...sources]),
   }),
@@ -197,9 +200,6 @@ const handlers: Handlers = {
   },
   simulationCharts: ({ runs }, { translator }) => ({
     response: JSON.parse(science.simulationCharts(JSON.stringify(runs), translator)),
-  }),
-  dropCharts: ({ drops }, { translator }) => ({
-    response: JSON.parse(science.dropCharts(JSON.stringify(drops), translator)),
   }),
   lessonCharts: (_, { translator }) => ({
     response: JSON.parse(science.lessonCharts(translator)),

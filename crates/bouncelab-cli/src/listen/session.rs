@@ -574,10 +574,8 @@ mod tests {
         let failure = outlived(&recording, |_| panic!("a fault")).unwrap_err();
         assert_eq!(failure.to_string(), text("listen-fault"));
         assert!(!recording.ended().is_incomplete);
-        assert_eq!(
-            std::fs::read(saved).unwrap(),
-            std::fs::read(played).unwrap()
-        );
+        let played: Vec<u8> = samples.iter().flat_map(|x| x.to_le_bytes()).collect();
+        assert!(std::fs::read(saved).unwrap().ends_with(&played));
     }
 
     fn restitution(drop: &Drop) -> f64 {

@@ -220,7 +220,7 @@ impl<'a> Model<'a> {
             ends: vec![InitialFall::end(&[trial.fall])],
             details: Details::default(),
         };
-        self.log_likelihood(&[&trial], &mut |step| told.details.add(step, 0));
+        self.log_posteriors_of([&trial], &mut |step| told.details.add(step, 0));
         let intervals = 0..self.observed.intervals.len();
         told.ends
             .extend(intervals.map(|interval| self.end(interval, &[&trial])));
