@@ -66,8 +66,8 @@ class BouncelabError(Exception):
         >>> try:
         ...     bl.gravity_m_s2(latitude_deg=91.0)
         ... except bl.OutOfRangeError as error:
-        ...     print(error.message("de")[:18])
-        Breite in Grad: 91
+        ...     print(error.message("de").split(":")[0])
+        Breite
         """
         if not self._diagnostic:
             return self._message
