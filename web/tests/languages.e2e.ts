@@ -124,10 +124,10 @@ describe.each(LANGUAGES.filter((code) => code !== 'en'))('in the language %s', (
   });
 
   test('what is refused is said in it, and in English when that is chosen', async () => {
-    await page.goto(`${here.url}#lab?mass_g=0.01&diameter_mm=100`);
-    await page.getByText(FLOATS[language] ?? '').waitFor();
     await page.goto(`${here.url}#lab?drop=AAAA`);
     await page.getByRole('alert').getByText(words('page-reason-link-changed')).waitFor();
+    await page.goto(`${here.url}#lab?mass_g=0.01&diameter_mm=100`);
+    await page.getByText(FLOATS[language] ?? '').waitFor();
     const choice = page.getByRole('combobox', { name: words('page-app-language') });
     await choice.selectOption('en');
     await page.getByText(/The ball weighs .* so it floats/).waitFor();
