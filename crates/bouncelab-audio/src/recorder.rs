@@ -192,6 +192,12 @@ impl<W: Store> Recorder<W> {
             self.is_closed = true;
             return Err(Error::unwritable(&self.name, TOO_LONG));
         }
+        let second = self.layout.sample_rate_hz as usize * usize::from(self.layout.frame_len());
+        let more = frames * usize::from(self.layout.frame_len());
+        // No more than a second is on the disk without being counted, unless it comes at once.
+        if !self.waiting.is_empty() && self.waiting.len() + more > second {
+            self.hand_over()?;
+        }
         for frame in 0..frames {
             for channel in channels {
                 let sample = Some(channel[frame]).filter(|sample| sample.is_finite());
@@ -199,7 +205,6 @@ impl<W: Store> Recorder<W> {
                 format.encode(sample.unwrap_or(0.0), &mut self.waiting);
             }
         }
-        let second = self.layout.sample_rate_hz as usize * usize::from(self.layout.frame_len());
         if self.waiting.len() >= second {
             self.hand_over()?;
         }
