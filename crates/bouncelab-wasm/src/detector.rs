@@ -2,7 +2,8 @@
 
 use bouncelab::analysis::{DetectionOptions, DropTask, Gap, Plan};
 use bouncelab::onset::OnsetDetector;
-use bouncelab::{Detector, Diagnostic, Impact, Options, Recording, train};
+use bouncelab::train::{self, Train};
+use bouncelab::{Detector, Diagnostic, Impact, Options, Recording};
 use bouncelab_audio::times;
 
 use crate::pyramid::{Level, Pyramid};
@@ -24,6 +25,8 @@ pub struct RecordingDetector {
     /// How many onsets there were when drops were last searched, and what was found.
     searched_onsets: usize,
     found: SoFar,
+    /// The drop that was found last.
+    last: Option<Train>,
 }
 
 impl RecordingDetector {
@@ -45,6 +48,7 @@ impl RecordingDetector {
             frames: 0,
             searched_onsets: 0,
             found: SoFar::default(),
+            last: None,
         })
     }
 
@@ -67,15 +71,16 @@ impl RecordingDetector {
         if self.detector.onsets() != self.searched_onsets {
             self.searched_onsets = self.detector.onsets();
             let detection = self.detector.so_far();
-            let last = detection.found.trains.last();
-            self.found.rests_at_s = last.map(|train| train::latest_next_s(train.impacts()));
+            self.last = detection.found.trains.last().cloned();
             let plan = Plan::of_detection(detection, &self.options);
             self.found.drops = plan.tasks().len();
             self.found.drop = plan.tasks().last().map(DropTask::run);
         }
         let now_s = self.frames as f64 / f64::from(self.sample_rate_hz);
         self.found.duration_s = now_s;
-        self.found.at_rest = self.found.rests_at_s.is_some_and(|at_s| now_s > at_s);
+        let last = self.last.as_ref();
+        self.found.at_rest =
+            last.is_some_and(|train| now_s > rests_at_s(train, &self.options.edits.gaps));
         &self.found
     }
 
@@ -87,6 +92,22 @@ impl RecordingDetector {
         let plan = Plan::of_detection(detection, &self.options);
         (plan.of_file(format, warnings).run(), levels)
     }
+}
+
+/// When no more impacts of a drop are expected, in seconds. What came in lost sound was not heard, so the wait begins
+/// anew where the sound sets in again.
+fn rests_at_s(train: &Train, gaps: &[Gap]) -> f64 {
+    let at_s = train::latest_next_s(train.impacts());
+    let wait_s = at_s - train.end_s();
+    gaps.iter()
+        .filter(|gap| gap.end_s() > train.end_s())
+        .fold(at_s, |at_s, gap| {
+            if gap.start_s < at_s {
+                at_s.max(gap.end_s() + wait_s)
+            } else {
+                at_s
+            }
+        })
 }
 
 /// Reads a list of times; the extension of its name says how.
@@ -119,4 +140,40 @@ pub fn onset_near(
     });
     let distance = |impact: &Impact| (impact.time_s - time_s).abs();
     impacts.min_by(|a, b| distance(a).total_cmp(&distance(b)))
+}
+
+#[cfg(test)]
+mod tests {
+    use bouncelab::demo;
+
+    use super::*;
+
+    /// After how many seconds a ball seems to rest that was heard for 3 s, before silence.
+    fn rests_after_s(gaps: Vec<Gap>) -> Option<f64> {
+        let sound = demo::sound(&demo::history().unwrap(), 1).unwrap();
+        let rate_hz = sound.sample_rate_hz as usize;
+        let mut detector = RecordingDetector::new(sound.sample_rate_hz, 1, None).unwrap();
+        detector.push(&[&sound.samples[..3 * rate_hz]]);
+        assert!(!detector.so_far().at_rest);
+        detector.lose(gaps);
+        (0..100).find_map(|_| {
+            detector.push(&[&vec![0.0; rate_hz / 10]]);
+            let found = detector.so_far();
+            found.at_rest.then_some(found.duration_s)
+        })
+    }
+
+    #[test]
+    fn a_ball_rests_only_when_no_impact_is_heard() {
+        let gap = |start_s, duration_s| Gap {
+            start_s,
+            duration_s,
+            certain: true,
+        };
+        let silent_s = rests_after_s(vec![]).unwrap();
+        assert!(silent_s < 5.5);
+        assert_eq!(rests_after_s(vec![gap(1.0, 0.2)]), Some(silent_s));
+        let lost_s = rests_after_s(vec![gap(3.0, 4.0)]).unwrap();
+        assert!(lost_s > silent_s + 3.0, "{silent_s} s, {lost_s} s");
+    }
 }

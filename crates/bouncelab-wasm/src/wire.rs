@@ -96,8 +96,6 @@ pub struct SoFar {
     pub drop: Option<Drop>,
     /// How many drops were detected.
     pub drops: usize,
-    /// When the ball will rest, or did, judging by the last impacts.
-    pub rests_at_s: Option<f64>,
     /// Whether the ball rests: no more impacts of this drop will come.
     pub at_rest: bool,
 }
