@@ -101,8 +101,8 @@ struct Step<'r, const L: usize> {
     innovation: Lanes<L>,
 }
 
-/// A drop as the times tell it, if the unknowns have certain values.
-pub(super) struct Told<'a> {
+/// What the likelihood at a point is made of.
+pub(super) struct Evaluation<'a> {
     pub(super) fall: InitialFall,
     pub(super) table: FlightTable<'a>,
     /// The fall as the first impact detected sees it, and each interval.
@@ -188,7 +188,7 @@ impl<'a> Model<'a> {
             // The lanes that are left over do the work of the last vector again.
             let lanes = std::array::from_fn::<_, LANES, _>(|lane| sound[lane.min(last)].1);
             let mut row = 0;
-            let found = self.log_posteriors_of(lanes, &mut |step| {
+            let found = self.log_posteriors_of(lanes, &mut |step, _| {
                 if let Some(observer) = &mut observer {
                     for (lane, (column, _)) in sound.iter().enumerate() {
                         observer(*column, row, step, lane);
@@ -211,20 +211,26 @@ impl<'a> Model<'a> {
         Some(details)
     }
 
-    /// The drop that the times tell, if the unknowns have these values.
-    pub(super) fn told(&self, point: &Point) -> Option<Told<'a>> {
+    /// What the likelihood at a point is made of; `None` where it makes no sense.
+    pub(super) fn evaluate(&self, point: &Point) -> Option<Evaluation<'a>> {
         let trial = self.trial_in(&[], *point, self.table(point)?)?;
-        let mut told = Told {
+        let mut details = Details::default();
+        // A release is compared with the fall; without one the first step is that of the first interval.
+        let fall = self.release_s.is_none();
+        let mut ends: Vec<_> = fall
+            .then(|| InitialFall::end(&[trial.fall]))
+            .into_iter()
+            .collect();
+        self.log_posteriors_of([&trial], &mut |step, end| {
+            details.add(step, 0);
+            ends.push(*end);
+        })[0]?;
+        Some(Evaluation {
             fall: trial.fall,
             table: trial.table,
-            ends: vec![InitialFall::end(&[trial.fall])],
-            details: Details::default(),
-        };
-        self.log_posteriors_of([&trial], &mut |step| told.details.add(step, 0));
-        let intervals = 0..self.observed.intervals.len();
-        told.ends
-            .extend(intervals.map(|interval| self.end(interval, &[&trial])));
-        Some(told)
+            ends,
+            details,
+        })
     }
 
     /// The drop height that a point stands for, m.
@@ -261,11 +267,12 @@ impl<'a> Model<'a> {
         })
     }
 
-    /// Logarithm of prior times likelihood of each trial, with every step told.
+    /// Logarithm of prior times likelihood of each trial, with every step told, and the interval or fall that ends at its
+    /// impact.
     fn log_posteriors_of<const L: usize>(
         &self,
         trials: [&Trial; L],
-        tell: &mut dyn FnMut(&Step<L>),
+        tell: &mut dyn FnMut(&Step<L>, &End<L>),
     ) -> [Option<f64>; L] {
         let log_likelihood = dispatch(
             #[inline(always)]
@@ -289,22 +296,24 @@ impl<'a> Model<'a> {
     fn log_likelihood<const L: usize>(
         &self,
         trials: &[&Trial; L],
-        tell: &mut dyn FnMut(&Step<L>),
+        tell: &mut dyn FnMut(&Step<L>, &End<L>),
     ) -> Lanes<L> {
         let observed = self.observed;
         let points = trials.map(|trial| trial.point);
         let laws = Restitutions::of(&points.map(|point| point.law));
         let falls = trials.map(|trial| trial.fall);
         let mut likelihood = Likelihood::new(Noise::new(&observed.sigma_s, &points));
+        let mut before = InitialFall::end(&falls);
         if let Some(release_s) = self.release_s {
             let first_s = observed.impacts[0].time_s;
-            tell(&likelihood.add(&Residual::of_release(first_s, release_s, &falls)));
+            let residual = Residual::of_release(first_s, release_s, &falls);
+            tell(&likelihood.add(&residual), &before);
         }
         let mut jacobian = Product::default();
-        let mut before = InitialFall::end(&falls);
         for interval in 0..observed.intervals.len() {
             let after = self.end(interval, trials);
-            tell(&likelihood.add(&Residual::between(&before, &after, interval, &laws)));
+            let residual = Residual::between(&before, &after, interval, &laws);
+            tell(&likelihood.add(&residual), &after);
             jacobian.multiply(after.launch_per_s);
             before = after;
         }
@@ -646,13 +655,7 @@ pub(super) mod tests {
     }
 
     fn details_at(model: &Model, point: Point) -> Details {
-        let trial = model
-            .trial_in(&[], point, model.table(&point).unwrap())
-            .unwrap();
-        let mut details = Details::default();
-        let log = model.log_posteriors_of([&trial], &mut |step| details.add(step, 0))[0];
-        log.unwrap();
-        details
+        model.evaluate(&point).unwrap().details
     }
 
     /// The derivatives by the times, gaps included, against moving each time a little. The middle of

@@ -10,9 +10,10 @@ use rand_chacha::ChaCha8Rng;
 use rand_distr::{Distribution, StandardNormal};
 
 use super::banded::Banded;
-use super::likelihood::Told;
+use super::likelihood::Evaluation;
 use super::model::{Model, Point};
-use super::residual::Noise;
+use super::observed::Observed;
+use super::residual::{Noise, Residual};
 
 /// A drop as the times may tell it.
 #[derive(Debug, Clone, PartialEq)]
@@ -28,6 +29,15 @@ pub(super) struct DropState {
     pub(super) apexes_m: Vec<f64>,
 }
 
+/// What may be beside what the unknowns say.
+struct Deviations {
+    /// Errors of the times, s.
+    errors_s: Vec<f64>,
+    /// By how much missed impacts make the logarithms of launch and impact speed larger than the law says, for each end;
+    /// of the fall its time shorter, s, in place of the first.
+    off: Vec<[f64; 2]>,
+}
+
 /// What a residual depends on: the law keeps this part of a change of ln(impact speed) before it.
 struct Row {
     keeps: f64,
@@ -38,90 +48,138 @@ struct Row {
 impl Model<'_> {
     /// A drop that the times may tell, if the unknowns have these values; one of many.
     pub(super) fn drawn_state(&self, point: &Point, rng: &mut ChaCha8Rng) -> Option<DropState> {
-        let Told {
-            fall,
-            table,
-            ends,
-            details,
-        } = self.told(point)?;
-        let observed = self.observed;
-        let residuals = &details.residuals;
-        let noise = Noise::new(&observed.sigma_s, &[*point]);
-        let scatter = noise.scatter.0[0];
-        // The end after the impact of each residual; that of a release has none before.
-        let after = |row: usize| row + ends.len() - residuals.len();
-        let [by_time, by_scatter, by_release] = noise.covariances(&details);
-        let rows: Vec<Row> = (0..residuals.len())
-            .map(|row| {
-                let gaps = ends[after(row)].gap();
-                let mut shared = gaps[0];
-                let mut keeps = 0.0;
-                if let Some(before) = after(row).checked_sub(1) {
-                    keeps = 1.0 + point.law.log_slope(ends[before].log_impact.0[0].exp());
-                    shared += keeps * keeps * ends[before].gap()[1];
-                }
-                let own = by_scatter.diagonal(row) - scatter * shared;
-                Row {
-                    keeps,
-                    own_sd: (own.max(0.0) + by_release.diagonal(row)).sqrt(),
-                }
-            })
-            .collect();
+        let smoother = Smoother::new(self.observed, point, self.evaluate(point)?);
+        let mut deviations = smoother.draw(rng);
+        smoother.correct(&mut deviations, rng)?;
+        smoother.state(&deviations)
+    }
+}
 
+struct Smoother<'a> {
+    observed: &'a Observed,
+    point: &'a Point,
+    evaluation: Evaluation<'a>,
+    scatter: f64,
+    rows: Vec<Row>,
+    covariance: Banded,
+}
+
+impl<'a> Smoother<'a> {
+    fn new(observed: &'a Observed, point: &'a Point, evaluation: Evaluation<'a>) -> Self {
+        let noise = Noise::new(&observed.sigma_s, &[*point]);
+        let [by_time, by_scatter, by_release] = noise.covariances(&evaluation.details);
+        let mut smoother = Self {
+            observed,
+            point,
+            scatter: noise.scatter.0[0],
+            rows: Vec::new(),
+            covariance: Banded::sum([&by_time, &by_scatter, &by_release]),
+            evaluation,
+        };
+        let rows = 0..smoother.evaluation.details.residuals.len();
+        smoother.rows = rows
+            .map(|row| smoother.row(row, by_scatter.diagonal(row), by_release.diagonal(row)))
+            .collect();
+        smoother
+    }
+
+    /// What the residual of a row depends on, by its variances by scatter and by the release.
+    fn row(&self, row: usize, by_scatter: f64, by_release: f64) -> Row {
+        let ends = &self.evaluation.ends;
+        let after = self.end_of(row);
+        let mut shared = ends[after].gap()[0];
+        let mut keeps = 0.0;
+        if let Some(before) = after.checked_sub(1) {
+            keeps = 1.0 + self.point.law.log_slope(ends[before].log_impact.0[0].exp());
+            shared += keeps * keeps * ends[before].gap()[1];
+        }
+        let own = by_scatter - self.scatter * shared;
+        Row {
+            keeps,
+            own_sd: (own.max(0.0) + by_release).sqrt(),
+        }
+    }
+
+    /// The number of the end after the impact of a residual; that of a release has none before.
+    fn end_of(&self, row: usize) -> usize {
+        row + self.evaluation.ends.len() - self.evaluation.details.residuals.len()
+    }
+
+    fn sd_s(&self, impact: usize) -> f64 {
+        self.point.timing * self.observed.sigma_s[impact]
+    }
+
+    /// Rows with their residuals.
+    fn rows(&self) -> impl Iterator<Item = (usize, &Row, &Residual<1>)> {
+        let residuals = &self.evaluation.details.residuals;
+        let rows = self.rows.iter().zip(residuals).enumerate();
+        rows.map(|(row, (of, residual))| (row, of, residual))
+    }
+
+    /// Deviations as they are before the data.
+    fn draw(&self, rng: &mut ChaCha8Rng) -> Deviations {
         let mut normal = || -> f64 { StandardNormal.sample(rng) };
-        let sd_s = |impact: usize| point.timing * observed.sigma_s[impact];
-        let mut errors_s: Vec<f64> = (0..observed.sigma_s.len())
-            .map(|impact| sd_s(impact) * normal())
-            .collect();
-        let mut off: Vec<[f64; 2]> = ends
-            .iter()
-            .map(|end| match end.gap() {
-                [0.0, 0.0, _] => [0.0; 2],
-                [launch, impact, shared] => {
-                    let slope = if launch > 0.0 { shared / launch } else { 0.0 };
-                    let own = (impact - shared * slope).max(0.0);
-                    let off_launch = launch.sqrt() * normal();
-                    [off_launch, slope * off_launch + own.sqrt() * normal()]
-                        .map(|off| point.scatter * off)
-                }
-            })
-            .collect();
-        // What the residuals are beyond those that this noise makes.
-        let beyond = rows.iter().zip(residuals).enumerate();
-        let beyond = beyond.map(|(row, (Row { keeps, own_sd }, residual))| {
-            let mut made = own_sd * normal() - off[after(row)][0];
-            if let Some(before) = after(row).checked_sub(1) {
-                made += keeps * off[before][1];
+        let impacts = 0..self.observed.sigma_s.len();
+        let errors_s = impacts.map(|impact| self.sd_s(impact) * normal()).collect();
+        let off = self.evaluation.ends.iter().map(|end| match end.gap() {
+            [0.0, 0.0, _] => [0.0; 2],
+            [launch, impact, shared] => {
+                let slope = if launch > 0.0 { shared / launch } else { 0.0 };
+                let own = (impact - shared * slope).max(0.0);
+                let off_launch = launch.sqrt() * normal();
+                [off_launch, slope * off_launch + own.sqrt() * normal()]
+                    .map(|off| self.point.scatter * off)
+            }
+        });
+        let off = off.collect();
+        Deviations { errors_s, off }
+    }
+
+    /// Corrects deviations by what the residuals are beyond those that they make.
+    fn correct(&self, deviations: &mut Deviations, rng: &mut ChaCha8Rng) -> Option<()> {
+        let mut normal = || -> f64 { StandardNormal.sample(rng) };
+        let beyond = self.rows().map(|(row, Row { keeps, own_sd }, residual)| {
+            let mut made = own_sd * normal() - deviations.off[self.end_of(row)][0];
+            if let Some(before) = self.end_of(row).checked_sub(1) {
+                made += keeps * deviations.off[before][1];
             }
             for (impact, by_s) in residual.by_times() {
-                made += by_s * errors_s.get(impact).copied().unwrap_or(0.0);
+                made += by_s * deviations.errors_s.get(impact).copied().unwrap_or(0.0);
             }
             residual.value.0[0] - made
         });
-        let beyond = DMatrix::from_iterator(rows.len(), 1, beyond);
-        let pull = Banded::sum([&by_time, &by_scatter, &by_release]).solve(beyond)?;
-        for (row, (Row { keeps, .. }, residual)) in rows.iter().zip(residuals).enumerate() {
+        let beyond = DMatrix::from_iterator(self.rows.len(), 1, beyond);
+        let pull = self.covariance.solve(beyond)?;
+        let Deviations { errors_s, off } = deviations;
+        for (row, Row { keeps, .. }, residual) in self.rows() {
             let pull = pull[row];
             for (impact, by_s) in residual.by_times() {
                 if let Some(error_s) = errors_s.get_mut(impact) {
-                    *error_s += sd_s(impact).powi(2) * by_s * pull;
+                    *error_s += self.sd_s(impact).powi(2) * by_s * pull;
                 }
             }
             let mut correct = |end: usize, by: [f64; 2]| {
-                let [launch, impact, shared] = ends[end].gap();
-                off[end][0] += scatter * (launch * by[0] + shared * by[1]) * pull;
-                off[end][1] += scatter * (shared * by[0] + impact * by[1]) * pull;
+                let [launch, impact, shared] = self.evaluation.ends[end].gap();
+                off[end][0] += self.scatter * (launch * by[0] + shared * by[1]) * pull;
+                off[end][1] += self.scatter * (shared * by[0] + impact * by[1]) * pull;
             };
-            correct(after(row), [-1.0, 0.0]);
-            if let Some(before) = after(row).checked_sub(1) {
+            correct(self.end_of(row), [-1.0, 0.0]);
+            if let Some(before) = self.end_of(row).checked_sub(1) {
                 correct(before, [0.0, *keeps]);
             }
         }
+        Some(())
+    }
 
-        let impacts = &observed.impacts;
+    /// The drop with these deviations.
+    fn state(&self, Deviations { errors_s, off }: &Deviations) -> Option<DropState> {
+        let Evaluation {
+            fall, table, ends, ..
+        } = &self.evaluation;
+        let impacts = &self.observed.impacts;
         let time_s = |impact: usize| impacts[impact].time_s - errors_s[impact];
         let mut state = DropState {
-            drop_height_m: fall.gravity_height / point.gravity_m_s2,
+            drop_height_m: fall.gravity_height / self.point.gravity_m_s2,
             release_to_first_s: fall.time_s - off[0][0],
             first_to_last_s: time_s(impacts.len() - 1) - time_s(0),
             impact_speeds: Vec::with_capacity(ends.len()),
@@ -139,7 +197,9 @@ impl Model<'_> {
                 let launch = launch * off_launch.exp();
                 let (gravity_height, _) = table.apex(launch)?;
                 state.launch_speeds.push(launch);
-                state.apexes_m.push(gravity_height / point.gravity_m_s2);
+                state
+                    .apexes_m
+                    .push(gravity_height / self.point.gravity_m_s2);
             }
         }
         Some(state)
