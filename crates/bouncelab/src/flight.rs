@@ -326,7 +326,9 @@ impl FlightModel {
         match &self.resistance {
             Resistance::Quadratic(drag) => {
                 let speed_m_s = drag.launch_speed_of_time(time_s);
-                self.launch(speed_m_s)
+                let flight = speed_m_s.is_finite().then(|| self.launch(speed_m_s));
+                // No launch speed leads to so long a flight with this drag.
+                flight.ok_or_else(|| Error::out_of_range(Quantity::FlightTime, time_s, ..time_s))?
             }
             Resistance::Reynolds(drag) => drag.launch_lasting(time_s),
         }
@@ -349,7 +351,9 @@ impl FlightModel {
         match &self.resistance {
             Resistance::Quadratic(drag) => {
                 let speed_m_s = drag.launch_speed_of_apex(apex_m);
-                self.launch(speed_m_s)
+                let flight = speed_m_s.is_finite().then(|| self.launch(speed_m_s));
+                // No launch speed leads so high with this drag.
+                flight.ok_or_else(|| Error::out_of_range(Quantity::Apex, apex_m, ..apex_m))?
             }
             Resistance::Reynolds(drag) => drag.launch_rising_to(apex_m),
         }

@@ -251,6 +251,12 @@ fn absurd_flights_are_refused() {
         assert!(nothing.time_s() == 0.0 && nothing.apex_m == 0.0);
         assert_eq!(model.from_flight_time(0.0), Ok(nothing));
     }
+    let constant = paper_model(DragLaw::Constant(0.4));
+    let refusal = constant.from_flight_time(1e6).unwrap_err().to_string();
+    assert!(
+        refusal.starts_with("flight time is 1000000 s;"),
+        "{refusal}"
+    );
     assert!(FlightModel::with_terminal_speed(9.81, 0.0).is_err());
     assert!(FlightModel::drag_free(-9.81).is_err());
 }
