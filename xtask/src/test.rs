@@ -72,6 +72,13 @@ impl Needs {
     }
 }
 
+/// The tests of a file that run only where they are asked for, or those of them with such names.
+fn ignored(file: &str, names: &[&str]) -> Command {
+    let mut command = cargo_all(&["test", "--test", file]);
+    command.args(["--", "--ignored"]).args(names);
+    command
+}
+
 /// All checks, in the order in which they run. They share one target folder, one profile and one set of
 /// features: clippy and the documentation use the same metadata of the dependencies, the tests and the
 /// program under the end-to-end tests the same code, so that a dependency is compiled at most twice;
@@ -127,9 +134,8 @@ pub(crate) const CHECKS: [Check; 20] = [
         about: "other programs read the tables of a session",
         needs: Needs::Python,
         run: || {
-            let mut command = cargo_all(&["test"]);
-            command.args(["--test", "tables", "--", "--ignored"]);
-            run_command(command.env("BOUNCELAB_PYTHON", python::first_interpreter()?))
+            let python = python::first_interpreter()?;
+            run_command(ignored("tables", &[]).env("BOUNCELAB_PYTHON", python))
         },
     },
     Check {
@@ -142,46 +148,31 @@ pub(crate) const CHECKS: [Check; 20] = [
         name: "recordings",
         about: "the tests that read real recordings",
         needs: Needs::Recordings,
-        run: || {
-            let mut command = cargo_all(&["test"]);
-            run_command(command.args(["--test", "recordings", "--", "--ignored"]))
-        },
+        run: || run_command(&mut ignored("recordings", &[])),
     },
     Check {
         name: "card",
         about: "the microphone with a card that a sound server simulates",
         needs: Needs::SoundServer,
-        run: || {
-            let mut command = cargo_all(&["test"]);
-            run_command(command.args(["--test", "listen", "--", "--ignored", "card"]))
-        },
+        run: || run_command(&mut ignored("listen", &["card"])),
     },
     Check {
         name: "faults",
         about: "disks that fail and kills, for every command that writes",
         needs: Needs::Strace,
-        run: || {
-            let mut command = cargo_all(&["test"]);
-            run_command(command.args(["--test", "faults", "--", "--ignored"]))
-        },
+        run: || run_command(&mut ignored("faults", &[])),
     },
     Check {
         name: "praat",
         about: "Praat reads the impacts as a text grid, and what it saves is read",
         needs: Needs::Praat,
-        run: || {
-            let mut command = cargo_all(&["test"]);
-            run_command(command.args(["--test", "labels", "--", "--ignored", "praat"]))
-        },
+        run: || run_command(&mut ignored("labels", &["praat"])),
     },
     Check {
         name: "markers",
         about: "libsndfile reads the impacts as markers of a sound",
         needs: Needs::Sndfile,
-        run: || {
-            let mut command = cargo_all(&["test"]);
-            run_command(command.args(["--test", "labels", "--", "--ignored", "markers"]))
-        },
+        run: || run_command(&mut ignored("labels", &["markers"])),
     },
     Check {
         name: "deny",
