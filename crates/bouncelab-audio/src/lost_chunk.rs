@@ -1,8 +1,8 @@
 //! Where a recorder lost sound, as a chunk of its WAV file.
 //!
-//! The chunk `lost` is in front of the samples, in a copy behind them. For each gap it has three numbers of 64 bits, little-endian: the frame with
-//! which the silence in its place begins, how many frames of silence there are, and 1 if that is the length of what is
-//! missing, else 0. Other programs skip what they do not know.
+//! The chunk `lost` is in front of the samples, in a copy behind them. For each gap it has three numbers of 64 bits,
+//! little-endian: the frame with which the silence in its place begins, how many frames of silence there are, and 1 if
+//! that is the length of what is missing, else 0. Other programs skip what they do not know.
 
 use bouncelab::analysis::Gap;
 

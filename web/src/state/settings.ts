@@ -13,7 +13,7 @@ export function goToLab(): void {
   location.hash = labAddress.peek();
 }
 
-/** Parts of the address that were not understood. */
+/** Parameters of the address that are not valid. */
 export const unreadable = signal<readonly string[]>([]);
 
 /** Under which name the browser remembers the ball that was chosen last. */

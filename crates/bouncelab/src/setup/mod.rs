@@ -373,7 +373,7 @@ pub struct DropInput {
     pub release_s: Option<f64>,
     /// Its standard uncertainty in seconds; if left out, 5 ms.
     pub release_sd_s: Option<f64>,
-    /// Whether the first impact heard is the first there was.
+    /// Whether the first impact detected is the first there was.
     pub first_detected: bool,
     /// Restitution laws to consider; all that the impacts can tell apart if empty.
     pub laws: Vec<LawKind>,

@@ -1,5 +1,7 @@
 //! Recording conditions: every setting of [`render`](super::render).
 
+use std::ops::Bound::Excluded;
+
 use super::voice::Voice;
 use crate::Result;
 use crate::error::{Quantity, positive_up_to, within};
@@ -111,11 +113,8 @@ impl Scene {
             within(Quantity::Snr, noise.snr_db, -60.0..=200.0)?;
         }
         if let Some(hum) = &self.hum {
-            positive_up_to(
-                Quantity::HumFrequency,
-                hum.frequency_hz,
-                nyquist_hz.next_down(),
-            )?;
+            let frequencies = (Excluded(0.0), Excluded(nyquist_hz));
+            within(Quantity::HumFrequency, hum.frequency_hz, frequencies)?;
             within(Quantity::HumHarmonics, hum.harmonics as f64, 1.0..=100.0)?;
             within(Quantity::HumLevel, hum.level_db, -200.0..=60.0)?;
         }
