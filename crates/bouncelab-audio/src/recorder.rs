@@ -127,8 +127,7 @@ impl<W: Store> Recorder<W> {
 
     /// The same file with fewer bytes of samples at most than the 4 GB that a WAV can have.
     #[must_use]
-    #[cfg(test)]
-    fn with_most_bytes(mut self, bytes: u32) -> Self {
+    pub fn with_most_bytes(mut self, bytes: u32) -> Self {
         self.most_data = self.most_data.min(bytes);
         self
     }

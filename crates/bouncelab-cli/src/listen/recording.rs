@@ -56,8 +56,10 @@ pub(super) struct Ended {
     pub(super) files: Vec<PathBuf>,
     /// What the person should know that was not said yet.
     pub(super) troubles: Vec<String>,
-    /// Whether some of the sound was not saved.
+    /// Whether saving failed, so that some of the sound was not saved.
     pub(super) is_incomplete: bool,
+    /// Whether silence was saved for sound that was lost on its way.
+    pub(super) lacks_sound: bool,
     /// What was wrong with a file that was played.
     pub(super) warnings: Vec<Diagnostic>,
     /// Why it ended, if not because it was over.
@@ -89,6 +91,7 @@ impl Recording {
             enough: Arc::clone(&enough),
             troubles: Arc::clone(&troubles),
             frames: 0,
+            has_lost: false,
             last_frame,
         };
         let thread = thread::Builder::new().name("recording".to_owned());
@@ -134,6 +137,7 @@ impl Recording {
             troubles: Vec::new(),
             files: Vec::new(),
             is_incomplete: true,
+            lacks_sound: false,
             warnings: Vec::new(),
             result: Err(Failure::Input(
                 "the recording ended by a fault of the program; please report it".to_owned(),
@@ -186,6 +190,8 @@ struct Work {
     enough: Arc<AtomicBool>,
     troubles: Troubles,
     frames: u64,
+    /// Whether the sound could not be fetched in time.
+    has_lost: bool,
     last_frame: u64,
 }
 
@@ -198,6 +204,7 @@ impl Work {
             troubles: Vec::new(),
             files: self.saver.files().to_vec(),
             is_incomplete: self.saver.has_failed(),
+            lacks_sound: self.has_lost && !self.saver.files().is_empty(),
             warnings: self.sound.warnings(),
             result,
         }
@@ -222,6 +229,7 @@ impl Work {
                     self.outlet.send(event, frames);
                 }
                 Arrival::Lost(frames) => {
+                    self.has_lost = true;
                     let left = usize::try_from(self.last_frame - self.frames);
                     let silence = silence_for(frames, self.sound.info().sample_rate_hz);
                     let silence = silence.min(left.unwrap_or(usize::MAX));

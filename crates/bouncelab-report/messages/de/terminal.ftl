@@ -223,6 +223,7 @@ listen-lost-in-all = { $frames } Abtastwerte jedes Kanals ({ $seconds } s) ginge
     [one] einer Stelle
    *[other] { $count } Stellen
   } verloren
+listen-lacks-sound = nicht der ganze Ton wurde gespeichert: Wo er verloren ging, hat die Datei Stille und sagt es
 listen-not-analysed = ein Versuch lässt sich nicht auswerten: { $reason }
 listen-once-more = Versuch { $number } noch einmal, da nun alles bekannt ist
 listen-heading = Versuch { $number }

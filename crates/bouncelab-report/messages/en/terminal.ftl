@@ -225,6 +225,7 @@ listen-lost-in-all = { $frames } samples of each channel ({ $seconds } s) were l
     [one] 1 place
    *[other] { $count } places
   }
+listen-lacks-sound = not all of the sound was saved: where it was lost, the file has silence and says so
 listen-not-analysed = a drop cannot be analysed: { $reason }
 listen-once-more = drop { $number } again, from the whole recording
 listen-heading = drop { $number }

@@ -224,6 +224,7 @@ listen-lost-in-all = se perdieron { $frames } muestras de cada canal ({ $seconds
     [one] 1 lugar
    *[other] { $count } lugares
   }
+listen-lacks-sound = no se guardó todo el sonido: donde se perdió, el archivo tiene silencio y lo indica
 listen-not-analysed = no se puede analizar un ensayo: { $reason }
 listen-once-more = ensayo { $number } otra vez, con toda la grabación
 listen-heading = ensayo { $number }

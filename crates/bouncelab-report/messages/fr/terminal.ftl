@@ -224,6 +224,7 @@ listen-lost-in-all = { $frames } échantillons de chaque voie ({ $seconds } s) o
     [one] { $count } endroit
    *[other] { $count } endroits
   }
+listen-lacks-sound = tout le son n’a pas été enregistré : là où il a été perdu, le fichier contient du silence et le signale
 listen-not-analysed = un essai ne peut pas être analysé : { $reason }
 listen-once-more = essai { $number } à nouveau, d’après l’enregistrement entier
 listen-heading = essai { $number }
