@@ -1,10 +1,12 @@
 //! `bouncelab serve`: the browser laboratory, on this computer only.
 
 use std::convert::Infallible;
-use std::future::ready;
+use std::future::{poll_fn, ready};
 use std::io;
 use std::net::{Ipv4Addr, Ipv6Addr, TcpListener};
+use std::pin::{Pin, pin};
 use std::sync::Arc;
+use std::task::Poll;
 use std::time::Duration;
 
 use clap::Args;
@@ -18,7 +20,7 @@ use hyper_util::rt::TokioIo;
 use rust_embed::{EmbeddedFile, RustEmbed};
 use tokio::sync::Semaphore;
 use tokio::task::JoinSet;
-use tokio::time::{sleep, timeout};
+use tokio::time::sleep;
 
 use crate::failure::Failure;
 use crate::language::text_with;
@@ -126,14 +128,14 @@ struct Limits {
     clients: usize,
     /// Bytes of the head of a request.
     head: usize,
-    /// From the connection to the end of the answer.
-    time: Duration,
+    /// Ends when a client has taken too long, from the connection to the end of the answer.
+    patience: fn() -> Pin<Box<dyn Future<Output = ()> + Send>>,
 }
 
 const LIMITS: Limits = Limits {
     clients: 64,
     head: 16 << 10,
-    time: Duration::from_secs(30),
+    patience: || Box::pin(sleep(Duration::from_secs(30))),
 };
 
 /// Answers whoever comes; returns only if it cannot go on.
@@ -170,7 +172,17 @@ async fn admit(listener: tokio::net::TcpListener, places: Arc<Semaphore>, limits
                 .max_buf_size(limits.head)
                 .serve_connection(TokioIo::new(stream), service);
             // Who has gone, or takes too long, needs no answer.
-            let _ = timeout(limits.time, connection).await;
+            let (mut connection, mut patience) = (pin!(connection), (limits.patience)());
+            poll_fn(|context| {
+                let is_over = connection.as_mut().poll(context).is_ready()
+                    || patience.as_mut().poll(context).is_ready();
+                if is_over {
+                    Poll::Ready(())
+                } else {
+                    Poll::Pending
+                }
+            })
+            .await;
             drop(place);
         });
     }
@@ -318,6 +330,7 @@ fn set(response: &mut Response<Full<Bytes>>, name: &'static str, value: &str) {
 
 #[cfg(test)]
 mod tests {
+    use std::future::pending;
     use std::io::{Read, Write};
     use std::net::{SocketAddr, TcpStream};
     use std::thread;
@@ -327,27 +340,32 @@ mod tests {
 
     use super::*;
 
-    /// Small, so that they are soon reached.
+    /// Small, so that they are soon reached, but for the patience, which has no end.
     const FEW: Limits = Limits {
         clients: 4,
         head: 16 << 10,
-        time: Duration::from_millis(200),
+        patience: || Box::pin(pending()),
     };
 
-    /// The addresses of a server with few places.
-    fn served() -> Vec<SocketAddr> {
+    /// The addresses of a server with these limits.
+    fn served(limits: &'static Limits) -> Vec<SocketAddr> {
         let listeners = bind(0).unwrap();
         let addresses = listeners.iter().map(|it| it.local_addr().unwrap());
         let addresses = addresses.collect();
-        thread::spawn(move || serve(listeners, &FEW));
+        thread::spawn(move || serve(listeners, limits));
         addresses
     }
 
-    /// What comes back until the server closes the connection.
-    fn said(address: SocketAddr, request: &str) -> String {
+    /// Sends a request.
+    fn sent(address: SocketAddr, request: &str) -> TcpStream {
         let mut stream = TcpStream::connect(address).unwrap();
         // The server may have closed it, with or without an answer.
         let _ = stream.write_all(request.as_bytes());
+        stream
+    }
+
+    /// What comes back until the server closes the connection.
+    fn said(mut stream: TcpStream) -> String {
         let mut answer = Vec::new();
         let _ = stream.read_to_end(&mut answer);
         String::from_utf8(answer).unwrap()
@@ -355,10 +373,10 @@ mod tests {
 
     #[test]
     fn both_addresses_of_localhost_answer() {
-        for address in served() {
+        for address in served(&FEW) {
             for host in ["localhost", "127.0.0.1", "[::1]"] {
                 let request = format!("GET /none HTTP/1.1\r\nHost: {host}:1\r\n\r\n");
-                let answer = said(address, &request);
+                let answer = said(sent(address, &request));
                 assert!(answer.starts_with("HTTP/1.1 404 "), "{address}: {answer}");
             }
         }
@@ -374,28 +392,43 @@ mod tests {
         assert!(refused.to_string().contains("--port 0"), "{refused}");
     }
 
-    /// Each of these would wait for ever, or keep others waiting, without a limit of time.
+    /// Each of these would wait for ever, or keep others waiting, without a limit of time. Here it is over for one
+    /// client after the other, in the order in which they came.
     #[test]
     fn slow_clients_are_left_and_keep_nobody_waiting() {
-        let address = served()[0];
-        let idle: Vec<TcpStream> = (0..2 * FEW.clients)
-            .map(|_| TcpStream::connect(address).unwrap())
-            .collect();
-        assert_eq!(said(address, "GET /none HTTP/1.1\r\nHo"), "");
-        let answer = said(address, "GET /none HTTP/1.1\r\nHost: localhost\r\n\r\n");
+        static OVER: Semaphore = Semaphore::const_new(0);
+        const SLOW: Limits = Limits {
+            patience: || {
+                Box::pin(async {
+                    if let Ok(over) = OVER.acquire().await {
+                        over.forget();
+                    }
+                })
+            },
+            ..FEW
+        };
+        let address = served(&SLOW)[0];
+        let idle = vec![""; 2 * SLOW.clients];
+        let slow = idle.into_iter().chain(["GET /none HTTP/1.1\r\nHo"]);
+        let slow: Vec<TcpStream> = slow.map(|request| sent(address, request)).collect();
+        let waiting = sent(address, "GET /none HTTP/1.1\r\nHost: localhost\r\n\r\n");
+        OVER.add_permits(slow.len());
+        for stream in slow {
+            assert_eq!(said(stream), "");
+        }
+        let answer = said(waiting);
         assert!(answer.starts_with("HTTP/1.1 404 "), "{answer}");
-        drop(idle);
     }
 
     #[test]
     fn long_heads_are_refused() {
-        let address = served()[0];
+        let address = served(&FEW)[0];
         let long = "x".repeat(2 * FEW.head);
         for request in [
             format!("GET /none HTTP/1.1\r\nHost: localhost\r\nLong: {long}\r\n\r\n"),
             format!("GET /{long} HTTP/1.1\r\nHost: localhost\r\n\r\n"),
         ] {
-            let answer = said(address, &request);
+            let answer = said(sent(address, &request));
             let is_refused = answer.starts_with("HTTP/1.1 4") && !answer.contains(" 404 ");
             assert!(answer.is_empty() || is_refused, "{answer}");
         }

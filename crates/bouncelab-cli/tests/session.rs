@@ -2,8 +2,8 @@
 
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::process::{Command as Plain, Stdio};
-use std::time::{Duration, Instant};
+use std::process::{Child, Command as Plain, Stdio};
+use std::thread;
 
 use assert_cmd::Command;
 use bouncelab::impact::Strike;
@@ -64,6 +64,18 @@ impl Workspace {
         let mut command = Command::cargo_bin("bouncelab").unwrap();
         command.args(self.arguments());
         command
+    }
+
+    /// A session in the background.
+    fn start(&self, more: &[&str]) -> Child {
+        let program = Command::cargo_bin("bouncelab").unwrap();
+        Plain::new(program.get_program())
+            .args(self.arguments())
+            .args(more)
+            .stdout(Stdio::null())
+            .stderr(Stdio::null())
+            .spawn()
+            .unwrap()
     }
 
     fn arguments(&self) -> Vec<std::ffi::OsString> {
@@ -461,33 +473,37 @@ fn any_number_of_threads_gives_the_same_tables() {
     assert!(one == workspace.tables());
 }
 
-/// Killed at twenty moments spread over the run in an order that repeats nothing (multiples of the
-/// golden section), and each time resumed: the tables are those of a run that nobody disturbed.
+/// Killed as soon as so many recordings are analysed, and resumed: the tables are those of a run that nobody disturbed.
+/// `cargo xtask test faults` kills at other moments too.
 #[test]
 fn a_killed_run_goes_on_and_ends_the_same() {
-    const KILLS: u32 = 20;
+    const RECORDINGS: u16 = 10;
     let workspace = Workspace::new(&[("session.toml", "pattern = \"{operator}_{}\"\n")]);
-    for seed in 0..10 {
+    for seed in 0..RECORDINGS {
         let operator = if seed % 2 == 0 { "ada" } else { "bob" };
         workspace.record(format!("{operator}_{seed}.wav"), seed);
     }
-    let start = Instant::now();
     workspace.session().assert().success();
-    let whole = start.elapsed();
     let undisturbed = workspace.tables();
-    let mut went_on = 0;
-    for kill in 1..=KILLS {
+    for analysed in 0..=RECORDINGS {
         fs::remove_dir_all(workspace.results()).unwrap();
-        let moment = whole.mul_f64((f64::from(kill) * 0.618_033_988_749_894_9).fract());
-        kill_after(&workspace, moment);
+        let mut session = workspace.start(&[]);
+        let journal = workspace.results().join("journal.jsonl");
+        let lines = || fs::read_to_string(&journal).map_or(0, |text| text.lines().count());
+        while lines() < analysed.into() && session.try_wait().unwrap().is_none() {
+            thread::yield_now();
+        }
+        // It may have ended by itself.
+        let _ = session.kill();
+        session.wait().unwrap();
         let output = workspace.session().output().unwrap();
         assert!(output.status.success());
         let said = String::from_utf8_lossy(&output.stderr);
-        went_on += usize::from(said.contains("analysed in an earlier run"));
-        assert!(workspace.tables() == undisturbed, "killed after {moment:?}");
+        let goes_on = said.contains("analysed in an earlier run");
+        assert!(goes_on || analysed == 0, "{analysed}: {said}");
+        assert!(workspace.tables() == undisturbed, "killed after {analysed}");
         assert_eq!(drafts(&workspace.results()), [""; 0]);
     }
-    assert!(went_on > 0, "no kill hit a run that had begun");
 }
 
 /// The process in which it analyses is killed, whatever that does then: what was lost is analysed again.
@@ -501,26 +517,10 @@ fn a_killed_worker_costs_nothing() {
     workspace.session().assert().success();
     let undisturbed = workspace.tables();
     fs::remove_dir_all(workspace.results()).unwrap();
-    let program = Command::cargo_bin("bouncelab").unwrap();
-    let mut session = Plain::new(program.get_program())
-        .args(workspace.arguments())
-        .args(["--jobs", "1"])
-        .stdout(Stdio::null())
-        .spawn()
-        .unwrap();
-    let mut worker = None;
-    let status = loop {
-        if let Some(status) = session.try_wait().unwrap() {
-            break status;
-        }
-        if worker.is_none() {
-            worker = child_of(session.id());
-            if let Some(worker) = &worker {
-                Plain::new("kill").args(["-9", worker]).status().unwrap();
-            }
-        }
-    };
-    assert!(status.success() && worker.is_some());
+    let mut session = workspace.start(&["--jobs", "1"]);
+    let worker = worker_of(&mut session, |_| true);
+    Plain::new("kill").args(["-9", &worker]).status().unwrap();
+    assert!(session.wait().unwrap().success());
     assert!(workspace.tables() == undisturbed);
 }
 
@@ -549,6 +549,18 @@ fn a_worker_answers_for_what_it_was_asked() {
     assert!(ask("c.wav").is_null(), "it is not there");
     workspace.record("b.wav", 3);
     assert!(ask("b.wav").is_null(), "it was replaced");
+}
+
+/// Waits for a process that a session has started and of which this holds.
+#[cfg(target_os = "linux")]
+fn worker_of(session: &mut Child, holds: impl Fn(&str) -> bool) -> String {
+    while session.try_wait().unwrap().is_none() {
+        if let Some(worker) = child_of(session.id()).filter(|worker| holds(worker)) {
+            return worker;
+        }
+        thread::yield_now();
+    }
+    panic!("the session has ended");
 }
 
 /// A process that was started by this one.
@@ -608,10 +620,12 @@ fn a_recording_that_takes_too_much_memory_is_named_and_the_rest_goes_on() {
         .stdout(contains("2 drops in 3 recordings").and(contains("not readable").not()));
 }
 
-/// Twenty drops with the most draws, which take many times as long as they may.
+/// The system counts the time of a process, and sends it a signal when it is over; here the test does, as soon as it
+/// counts. Twenty drops with the most draws are not analysed before.
 #[cfg(target_os = "linux")]
 #[test]
 fn a_recording_that_takes_too_long_is_named_and_the_rest_goes_on() {
+    const LIMIT_S: u64 = 900;
     let workspace = Workspace::new(&[]);
     let sound = drop_of(1);
     let drops: &[f32] = &sound.samples.repeat(20);
@@ -622,30 +636,36 @@ fn a_recording_that_takes_too_long_is_named_and_the_rest_goes_on() {
     )
     .unwrap();
     fs::write(workspace.recordings().join("empty.wav"), "").unwrap();
-    let mut session = Command::cargo_bin("bouncelab").unwrap();
-    session
-        .current_dir(&workspace.0)
-        .args(["session", "recordings", "--time-limit", "1"])
-        .args(["--draws", "100000"])
-        .assert()
-        .failure()
-        .stdout(contains("drops.wav: its analysis took more than 1 s"))
-        .stdout(contains("empty.wav: "));
-}
-
-/// Starts a session and kills it, if it is still there.
-fn kill_after(workspace: &Workspace, moment: Duration) {
     let program = Command::cargo_bin("bouncelab").unwrap();
-    let mut child = Plain::new(program.get_program())
-        .args(workspace.arguments())
-        .stdout(Stdio::null())
-        .stderr(Stdio::null())
+    let mut session = Plain::new(program.get_program())
+        .current_dir(&workspace.0)
+        .args(["session", "recordings", "--jobs", "1"])
+        .args(["--draws", "100000", "--time-limit", &LIMIT_S.to_string()])
+        .stdout(Stdio::piped())
         .spawn()
         .unwrap();
-    std::thread::sleep(moment);
-    // It may have ended by itself.
-    let _ = child.kill();
-    child.wait().unwrap();
+    let limit_s = |worker: &str| {
+        let limits = fs::read_to_string(format!("/proc/{worker}/limits")).ok()?;
+        let limit = limits
+            .lines()
+            .find_map(|it| it.strip_prefix("Max cpu time"));
+        limit?.split_whitespace().next()?.parse::<u64>().ok()
+    };
+    // A second more, since the system counts whole ones, and what was used before.
+    let is_limited = |worker: &str| limit_s(worker).is_some_and(|it| it > LIMIT_S);
+    let worker = worker_of(&mut session, is_limited);
+    Plain::new("kill")
+        .args(["-XCPU", &worker])
+        .status()
+        .unwrap();
+    let output = session.wait_with_output().unwrap();
+    assert!(!output.status.success());
+    let said = String::from_utf8(output.stdout).unwrap();
+    assert!(
+        said.contains("drops.wav: its analysis took more than 900 s"),
+        "{said}"
+    );
+    assert!(said.contains("empty.wav: "), "{said}");
 }
 
 /// Drafts of tables, which nobody should be left with.
