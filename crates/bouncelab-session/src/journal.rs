@@ -356,6 +356,49 @@ mod tests {
         }
     }
 
+    /// Of what was written since the disk was last waited for, each page may be there or empty, and the file may end
+    /// anywhere: what was waited for is there, what is there is whole, and the next run goes on.
+    #[test]
+    fn a_loss_of_power_takes_only_what_was_not_waited_for() {
+        const PAGE: usize = 100;
+        const RESULTS: usize = 6;
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join(JOURNAL);
+        let journal = Journal::open(folder.path()).unwrap();
+        let mut synced = 0;
+        for number in 0..RESULTS {
+            let name = number.to_string();
+            journal.append(&name, &key("1"), &number).unwrap();
+            if number == 2 {
+                journal.sync().unwrap();
+                synced = fs::metadata(&path).unwrap().len() as usize;
+            }
+        }
+        drop(journal);
+        let whole = fs::read(&path).unwrap();
+        let pages = (whole.len() - synced).div_ceil(PAGE);
+        for kept in 0..1_u32 << pages {
+            let mut left = whole.clone();
+            for (number, page) in left[synced..].chunks_mut(PAGE).enumerate() {
+                if kept >> number & 1 == 0 {
+                    page.fill(0);
+                }
+            }
+            // It is as long as what is there of it.
+            let end = (32 - kept.leading_zeros()) as usize * PAGE;
+            left.truncate(synced + end);
+            fs::write(&path, &left).unwrap();
+            let journal = Journal::open(folder.path()).unwrap();
+            journal.append("next", &key("1"), &7).unwrap();
+            for number in 0..RESULTS {
+                let found = journal.read(&number.to_string(), &key("1")).unwrap();
+                assert!(found.is_none_or(|it: usize| it == number), "{kept:b}");
+                assert!(found.is_some() || number > 2, "{kept:b}: {number}");
+            }
+            assert_eq!(journal.read("next", &key("1")).unwrap(), Some(7));
+        }
+    }
+
     #[test]
     fn a_damaged_line_counts_as_never_written() {
         let folder = tempfile::tempdir().unwrap();
