@@ -1,7 +1,7 @@
 //! The sounds of the cells as files, with their truth, for other detectors.
 
 use crate::drops::cells;
-use bouncelab_audio::{SampleFormat, write_wav};
+use bouncelab_audio::{SampleFormat, encode_wav};
 use std::fmt::Write as _;
 use std::fs;
 use std::path::Path;
@@ -21,11 +21,14 @@ pub(crate) fn write(folder: &str, drops: u64) -> Result<(), String> {
                 .iter()
                 .map(|x| x.clamp(-1.0, 1.0))
                 .collect();
-            write_wav(
+            fs::write(
                 folder.join(&file),
-                recording.sound.sample_rate_hz,
-                SampleFormat::Int16,
-                &[&clipped],
+                encode_wav(
+                    recording.sound.sample_rate_hz,
+                    SampleFormat::Int16,
+                    &[&clipped],
+                )
+                .map_err(|e| e.to_string())?,
             )
             .map_err(|e| e.to_string())?;
             let all = recording.sound.impacts.iter().map(|i| i.time_s);

@@ -2,12 +2,18 @@
 //!
 //! Parts: `cells` (impacts found, false drops, by what disturbs), `timing` (errors of the times
 //! against the Cramer-Rao bound and against the stated standard errors), `silence` (false drops in
-//! sound without a drop); the first and the last also print how many of the drops of each stated
-//! probability are real. None means all. `drops=N` drops in each cell, `hours=H` of sound without
+//! sound without a drop), which with `cells` also prints how many of the drops of each stated
+//! probability are real, `steady` (sounds of a steady rate, alone and with a drop). None means all. `drops=N` drops in each cell, `hours=H` of sound without
 //! a drop of each kind, `only=WORDS` the rows of silence with these words in their names.
 //! `wav=FOLDER` writes the sounds of the cells and their truth instead.
 //!
 //! Every sound comes from a seed: the same command prints the same numbers.
+
+#![expect(
+    clippy::print_stderr,
+    clippy::print_stdout,
+    reason = "it prints for contributors"
+)]
 
 mod backgrounds;
 mod cells;
@@ -16,6 +22,7 @@ mod export;
 mod recorder;
 mod reliability;
 mod silence;
+mod steady;
 mod timing;
 
 use std::process::ExitCode;
@@ -34,7 +41,7 @@ fn main() -> ExitCode {
         Ok(request) => run(&request),
         Err(word) => {
             eprintln!(
-                "'{word}' is none of: cells, timing, silence, drops=N, hours=H, only=WORDS, wav=FOLDER"
+                "'{word}' is none of: cells, timing, silence, steady, drops=N, hours=H, only=WORDS, wav=FOLDER"
             );
             ExitCode::from(2)
         }
@@ -51,7 +58,7 @@ fn parse(words: impl Iterator<Item = String>) -> Result<Request, String> {
     };
     for word in words {
         match word.split_once('=') {
-            None if ["cells", "timing", "silence"].contains(&word.as_str()) => {
+            None if ["cells", "timing", "silence", "steady"].contains(&word.as_str()) => {
                 request.parts.push(word);
             }
             Some(("drops", n)) => request.drops = n.parse().map_err(|_| word.clone())?,
@@ -83,6 +90,10 @@ fn run(request: &Request) -> ExitCode {
     }
     if asked("silence") {
         silence::print(request.hours, &request.only);
+    }
+    if asked("steady") && !steady::print() {
+        eprintln!("a drop is stated without doubt where there is none, or one is not found");
+        return ExitCode::FAILURE;
     }
     ExitCode::SUCCESS
 }
