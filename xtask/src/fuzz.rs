@@ -13,7 +13,7 @@ const ADDRESS: &str = "address";
 const NONE: &str = "none";
 
 /// The targets, the ends of the names of the recordings they begin with, and the sanitiser.
-const TARGETS: [(&str, &[&str], &str); 18] = [
+const TARGETS: [(&str, &[&str], &str); 21] = [
     ("wav", &["wav"], NONE),
     ("aiff", &["aiff"], NONE),
     ("caf", &["caf"], NONE),
@@ -24,13 +24,16 @@ const TARGETS: [(&str, &[&str], &str); 18] = [
     ("mp4", &["m4a", "mp4", "mov"], ADDRESS),
     ("mkv", &["webm"], ADDRESS),
     ("times", &[], NONE),
+    ("waveform", &[], NONE),
     ("detection", &[], NONE),
     ("long", &[], NONE),
     ("session", &[], NONE),
     ("notes", &[], NONE),
+    ("archive", &[], NONE),
     ("rules", &[], NONE),
     ("link", &[], NONE),
     ("record", &[], NONE),
+    ("rows", &[], NONE),
     ("journal", &[], NONE),
 ];
 const FIXTURES: &str = "crates/bouncelab-audio/tests/fixtures";

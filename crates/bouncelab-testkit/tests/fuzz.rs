@@ -22,6 +22,27 @@ fn every_input_of_the_corpus_is_read_or_refused() {
     }
 }
 
+/// As many notes as fit into the longest files that are read.
+#[test]
+fn the_longest_notes_fit() {
+    let run = |target: &str, text: &str| {
+        let (_, run) = TARGETS
+            .into_iter()
+            .find(|(name, _)| *name == target)
+            .unwrap();
+        run(text.as_bytes());
+    };
+    let keys = (0..250_000).map(|key| format!("{key:x}=1"));
+    let keys: Vec<String> = keys.collect();
+    run("session", &format!("[all]\n{}\n", keys.join("\n")));
+    let columns: Vec<String> = (0..999).map(|column| column.to_string()).collect();
+    let row = format!("red_30cm_1.wav{}\n", ",a".repeat(999));
+    run(
+        "notes",
+        &format!("file,{}\n{}", columns.join(","), row.repeat(8_000)),
+    );
+}
+
 #[test]
 fn every_mutation_of_the_corpus_is_read_or_refused() {
     for (name, run) in TARGETS {

@@ -4,6 +4,7 @@
 //! apart, and what was noted.
 
 use std::fs::{self, File};
+use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::{Path, PathBuf};
 
 use bouncelab::Plain;
@@ -223,12 +224,12 @@ fn read<const COLUMNS: usize>(
 ) -> Result<()> {
     let wrong = |fault: ParquetError| Error::rows(path, fault);
     let file = File::open(path).map_err(Error::read(path))?;
-    let reader = SerializedFileReader::new(file).map_err(wrong)?;
+    let reader = contain(|| SerializedFileReader::new(file)).map_err(wrong)?;
     for number in 0..reader.num_row_groups() {
-        let group = reader.get_row_group(number).map_err(wrong)?;
+        let group = contain(|| reader.get_row_group(number)).map_err(wrong)?;
         let mut columns = Vec::new();
         for name in names {
-            let column = Texts::new(&*group, name).map_err(wrong)?;
+            let column = contain(|| Texts::new(&*group, name)).map_err(wrong)?;
             columns.push(column.ok_or_else(|| {
                 let problem =
                     format!("has no column {name} of texts; is it a result of bouncelab?");
@@ -238,7 +239,9 @@ fn read<const COLUMNS: usize>(
         let rows = usize::try_from(group.metadata().num_rows()).unwrap_or_default();
         for start in (0..rows).step_by(ROWS) {
             let count = ROWS.min(rows - start);
-            let read = columns.iter_mut().map(|column| column.next(count));
+            let read = columns
+                .iter_mut()
+                .map(|column| contain(|| column.next(count)));
             let read: Vec<_> = read.collect::<Parquet<_>>().map_err(wrong)?;
             let mut cells: Vec<_> = read.into_iter().map(Vec::into_iter).collect();
             for _ in 0..count {
@@ -247,6 +250,13 @@ fn read<const COLUMNS: usize>(
         }
     }
     Ok(())
+}
+
+/// Runs code of the library, which panics at some damaged files where it should return an error. Nothing that the work
+/// touched may be used after that.
+fn contain<T>(work: impl FnOnce() -> Parquet<T>) -> Parquet<T> {
+    let damaged = || ParquetError::General("the file is damaged".to_owned());
+    catch_unwind(AssertUnwindSafe(work)).unwrap_or_else(|_| Err(damaged()))
 }
 
 /// A column of texts of a row group.

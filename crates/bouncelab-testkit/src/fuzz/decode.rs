@@ -1,7 +1,7 @@
 //! Bytes as recordings and as lists of times.
 
 use bouncelab::diagnostic::Argument;
-use bouncelab_audio::{MAX_BLOCK_FRAMES, Source, times};
+use bouncelab_audio::{Input, MAX_BLOCK_FRAMES, Source, times};
 
 use super::mend;
 
@@ -22,13 +22,28 @@ pub(super) fn ogg(bytes: &[u8]) {
 
 /// Decodes all of it and checks what every recording must keep to.
 pub(super) fn decode_all(bytes: &[u8]) {
-    let mut source = match Source::from_bytes(bytes.to_vec(), "fuzz") {
-        Ok(source) => source,
-        Err(error) => {
-            assert!(!error.to_string().is_empty(), "an error says what is wrong");
-            return;
+    match Source::from_bytes(bytes.to_vec(), "fuzz") {
+        Ok(source) => decode(source),
+        Err(error) => assert!(!error.to_string().is_empty(), "an error says what is wrong"),
+    }
+}
+
+/// Reads a waveform in a text whose last line stands for so many rows that it can be one: `#` in it is the number of
+/// the row.
+pub(super) fn read_waveform(bytes: &[u8]) {
+    const ROWS: usize = 1_200;
+    let text = String::from_utf8_lossy(bytes);
+    let (headings, row) = text.rsplit_once('\n').unwrap_or(("", &text));
+    let rows = (0..ROWS).map(|number| row.replace('#', &number.to_string()) + "\n");
+    let text = format!("{headings}\n{}", rows.collect::<String>());
+    for name in ["fuzz.txt", "fuzz.csv"] {
+        if let Ok(Input::Sound(source)) = Input::from_bytes(text.as_bytes(), name) {
+            decode(*source);
         }
-    };
+    }
+}
+
+fn decode(mut source: Source) {
     let mut at = 0;
     while let Ok(Some(block)) = source.next_block() {
         assert_eq!(block.start_frame(), at, "blocks follow each other");

@@ -1,4 +1,4 @@
-//! Bytes as what the project itself wrote: links, records of recordings, the journal of a session.
+//! Bytes as what the project itself wrote: links, records of recordings, rows of a batch, the journal of a session.
 
 use std::fs;
 
@@ -7,9 +7,12 @@ use base64::engine::general_purpose::URL_SAFE_NO_PAD;
 use bouncelab::analyze_times;
 use bouncelab_report::link::LinkedDrop;
 use bouncelab_report::messages::Translator;
+use bouncelab_session::batch::Batch;
 use bouncelab_session::hash::hash;
 use bouncelab_session::journal::{JOURNAL, Journal, Key};
-use bouncelab_session::{Done, Outcome, Record, Results, Store, StudyOptions, figures, tables};
+use bouncelab_session::{
+    Done, Outcome, Record, Result, Results, Store, StudyOptions, figures, tables,
+};
 use crc::{CRC_32_ISO_HDLC, Crc};
 
 use super::mend;
@@ -58,12 +61,28 @@ pub(super) fn read_record(bytes: &[u8]) {
         recordings: &recordings,
         store: Store::Journal(&journal),
     };
+    study(&results).expect("results that are there");
+}
+
+/// Studies the rows of a Parquet file.
+pub(super) fn read_rows(bytes: &[u8]) {
+    let folder = folder(&[]);
+    let file = folder.path().join("rows.parquet");
+    fs::write(&file, bytes).expect("a file in an own folder");
+    let studied = Batch::open(&file).and_then(|batch| study(&batch.results()));
+    if let Err(problem) = studied {
+        assert!(!problem.to_string().is_empty());
+    }
+}
+
+/// Everything that is made of the results of a session.
+fn study(results: &Results) -> Result<()> {
     let words = Translator::english();
-    let study = StudyOptions::default();
-    let outcome = Outcome::of(&results, &study, &words).expect("results that are there");
-    tables(&outcome, &results).expect("tables of what is there");
-    figures(&outcome, &results, &words).expect("figures of what is there");
+    let outcome = Outcome::of(results, &StudyOptions::default(), &words)?;
+    tables(&outcome, results)?;
+    figures(&outcome, results, &words)?;
     serde_json::to_string(&outcome.document()).expect("a document");
+    Ok(())
 }
 
 /// Goes on with a journal, as it is and with the right checksums.

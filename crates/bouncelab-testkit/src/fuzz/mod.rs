@@ -19,7 +19,7 @@ use tar::Archive;
 pub type Target = (&'static str, fn(&[u8]));
 
 /// All targets.
-pub const TARGETS: [Target; 18] = [
+pub const TARGETS: [Target; 21] = [
     ("wav", decode::decode_all),
     ("aiff", decode::decode_all),
     ("caf", decode::decode_all),
@@ -30,13 +30,16 @@ pub const TARGETS: [Target; 18] = [
     ("mp4", decode::decode_all),
     ("mkv", decode::decode_all),
     ("times", decode::read_times),
+    ("waveform", decode::read_waveform),
     ("detection", detect::detect),
     ("long", detect::detect_long),
     ("session", notes::read_session),
     ("notes", notes::read_notes),
+    ("archive", notes::read_archive),
     ("rules", notes::read_rules),
     ("link", kept::read_link),
     ("record", kept::read_record),
+    ("rows", kept::read_rows),
     ("journal", kept::read_journal),
 ];
 

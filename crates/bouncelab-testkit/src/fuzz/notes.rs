@@ -1,11 +1,12 @@
 //! Bytes as what people write of their recordings: a session.toml, a table, a file of rules.
 
 use std::fs;
-use std::path::PathBuf;
+use std::path::{Component, Path, PathBuf};
 
 use bouncelab::setup::Settings;
 use bouncelab_report::messages::Translator;
 use bouncelab_report::rules;
+use bouncelab_session::hash::hash;
 use bouncelab_session::{Advice, KnownRecording, MetadataOptions, Result, Session, Sources};
 use tempfile::TempDir;
 
@@ -20,15 +21,22 @@ pub(super) fn read_session(bytes: &[u8]) {
         .trim_start_matches('\u{feff}')
         .parse()
         .unwrap_or_default();
-    if ["folders", "table"]
-        .iter()
-        .any(|key| written.contains_key(*key))
-    {
+    let folders = written.get("folders").and_then(toml::Value::as_array);
+    let mut named = folders.into_iter().flatten().chain(written.get("table"));
+    let is_within = |path: &str| {
+        let mut parts = Path::new(path).components();
+        parts.all(|part| matches!(part, Component::Normal(_) | Component::CurDir))
+    };
+    if !named.all(|path| path.as_str().is_none_or(is_within)) {
         return;
     }
     let folder = folder(&RECORDINGS);
     fs::write(folder.path().join("session.toml"), bytes).expect("a file in an own folder");
-    check(&gather(vec![folder.path().to_owned()], None, None));
+    // It may name the folder twice, or none with recordings in it.
+    fs::write(folder.path().join("notes.csv"), "file,surface\n").expect("a file in an own folder");
+    if let Err(problem) = gather(vec![folder.path().to_owned()], None, None) {
+        assert!(!problem.to_string().is_empty());
+    }
 }
 
 /// Reads a table of notes.
@@ -37,6 +45,17 @@ pub(super) fn read_notes(bytes: &[u8]) {
     let table = folder.path().join("notes.csv");
     fs::write(&table, bytes).expect("a file in an own folder");
     check(&gather(vec![folder.path().to_owned()], Some(table), None));
+}
+
+/// Opens an archive of recordings, and unpacks them.
+pub(super) fn read_archive(bytes: &[u8]) {
+    let folder = folder(&[]);
+    let archive = folder.path().join("class.zip");
+    fs::write(&archive, bytes).expect("a file in an own folder");
+    for recording in gather(vec![archive], None, None).into_iter().flatten() {
+        // It is unpacked to be compared with what was asked for.
+        assert!(recording.record(hash(b"another content")).is_none());
+    }
 }
 
 /// Reads rules.
