@@ -67,7 +67,7 @@ mod _core {
     #[pymodule_export]
     use super::recording::Recording;
     #[pymodule_export]
-    use super::session::Session;
+    use super::session::{Session, SessionWork};
     #[pymodule_export]
     use super::simulation::{Simulation, write_wav};
     #[pymodule_export]

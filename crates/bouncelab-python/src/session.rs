@@ -10,12 +10,14 @@ use bouncelab::setup::Settings;
 use bouncelab_report::groups::Question;
 use bouncelab_report::messages::Translator;
 use bouncelab_report::report::Provenance;
-use bouncelab_session::journal::Journal;
+use bouncelab_session::journal::{Journal, Key};
 use bouncelab_session::{
-    Advice, Done, KnownRecording, MetadataOptions, OddNames, Outcome, Results, Session as Gathered,
-    Sources, Store, StudyOptions, complete, figures, report, tables,
+    Advice, Done, KnownRecording, MetadataOptions, OddNames, Outcome, Record, Results,
+    Session as Gathered, Sources, Store, StudyOptions, complete, figures, record_of, report,
+    tables,
 };
 use pyo3::prelude::*;
+use pyo3::pybacked::PyBackedBytes;
 use serde::Deserialize;
 use tempfile::TempDir;
 
@@ -43,8 +45,58 @@ struct Request {
     exclude: Vec<String>,
     allow_missing: bool,
     allow_implausible: bool,
-    jobs: usize,
     inference: bool,
+}
+
+/// The recordings of a session with what is known of them, its title, and which names of files are odd.
+type Gathering = (Vec<KnownRecording>, Option<String>, OddNames);
+
+impl Request {
+    fn gather(&self, settings: &Settings) -> Result<Gathering> {
+        let mut session = Gathered::gather(&Sources {
+            inputs: self.inputs.clone(),
+            pattern: self.pattern.clone(),
+            table: self.table.clone(),
+        })?;
+        let (title, odd_names) = (session.title.take(), std::mem::take(&mut session.odd_names));
+        let english = Translator::english();
+        let recordings = MetadataOptions {
+            settings,
+            resolve: &|of_it| {
+                let setup = of_it.resolve(self.inference);
+                setup.map_err(|refusal| refusal.to_string())
+            },
+            allow_implausible: self.allow_implausible,
+            allow_missing: self.allow_missing,
+            translator: &english,
+            advice: Advice {
+                implausible: "Correct it, or say allow_implausible=True.",
+                missing: "or go on without by allow_missing=True",
+                ball: "or give the kind of all balls by ball=",
+            },
+        };
+        Ok((recordings.read(session)?, title, odd_names))
+    }
+}
+
+/// The recordings of a session in a child process, which analyses those that it is asked for.
+#[pyclass(frozen, module = "bouncelab._core")]
+pub(crate) struct SessionWork(Vec<KnownRecording>);
+
+#[pymethods]
+impl SessionWork {
+    #[new]
+    fn new(py: Python<'_>, settings: &str, request: &str) -> Result<Self> {
+        let settings: Settings = serde_json::from_str(settings)?;
+        let request: Request = serde_json::from_str(request)?;
+        py.detach(|| Ok(Self(request.gather(&settings)?.0)))
+    }
+
+    /// The record of a recording as JSON; `null` if it is no longer what was asked for.
+    fn record(&self, py: Python<'_>, name: &str, key: &str) -> Result<Vec<u8>> {
+        let key: Key = serde_json::from_str(key)?;
+        py.detach(|| Ok(serde_json::to_vec(&record_of(&self.0, name, &key))?))
+    }
 }
 
 /// The recordings of a session, analysed. What they say together is asked while they are there.
@@ -61,30 +113,13 @@ pub(crate) struct Session {
 }
 
 impl Session {
-    fn of(request: Request, settings: &Settings, mut watch: Watch) -> Result<Self> {
-        let mut session = Gathered::gather(&Sources {
-            inputs: request.inputs,
-            pattern: request.pattern,
-            table: request.table,
-        })?;
-        let (title, odd_names) = (session.title.take(), std::mem::take(&mut session.odd_names));
-        let english = Translator::english();
-        let recordings = MetadataOptions {
-            settings,
-            resolve: &|of_it| {
-                let setup = of_it.resolve(request.inference);
-                setup.map_err(|refusal| refusal.to_string())
-            },
-            allow_implausible: request.allow_implausible,
-            allow_missing: request.allow_missing,
-            translator: &english,
-            advice: Advice {
-                implausible: "Correct it, or say allow_implausible=True.",
-                missing: "or go on without by allow_missing=True",
-                ball: "or give the kind of all balls by ball=",
-            },
-        }
-        .read(session)?;
+    fn of(
+        request: Request,
+        settings: &Settings,
+        children: &[Py<PyAny>],
+        mut watch: Watch,
+    ) -> Result<Self> {
+        let (recordings, title, odd_names) = request.gather(settings)?;
         let temporary = match &request.output {
             Some(_) => None,
             None => Some(tempfile::tempdir().map_err(|why| Failure::Output(why.to_string()))?),
@@ -92,7 +127,7 @@ impl Session {
         let own = temporary.as_ref().map(|folder| folder.path().to_owned());
         let folder = request.output.or(own).unwrap_or_default();
         let journal = Journal::open(&folder)?;
-        let done = analyze_all(&recordings, &journal, request.jobs, &mut watch)?;
+        let done = analyze_all(&recordings, &journal, children, &mut watch)?;
         journal.sync()?;
         Ok(Self {
             recordings,
@@ -129,23 +164,59 @@ impl Session {
     }
 }
 
-/// Analyses every recording whose result is not in the journal yet, in threads that end here.
+/// Why a recording has no record.
+enum Trouble {
+    /// Its analysis ended its process, for this reason.
+    Died(String),
+    /// The session cannot go on.
+    Session(Failure),
+}
+
+impl<E: Into<Failure>> From<E> for Trouble {
+    fn from(error: E) -> Self {
+        Self::Session(error.into())
+    }
+}
+
+/// Has a child process analyse a recording.
+fn isolated(
+    child: &Py<PyAny>,
+    name: &str,
+    key: &Key,
+) -> std::result::Result<Option<Record>, Trouble> {
+    let given = (name, serde_json::to_string(key)?);
+    let record = Python::attach(|py| -> std::result::Result<PyBackedBytes, Trouble> {
+        let outcome = child.bind(py).call_method1("row", (given,))?;
+        if let Ok((_, reason)) = outcome.extract::<(String, String)>() {
+            return Err(Trouble::Died(reason));
+        }
+        Ok(outcome.extract().map_err(PyErr::from)?)
+    })?;
+    Ok(serde_json::from_slice(&record)?)
+}
+
+/// Analyses every recording whose result is not in the journal yet, each child in a thread that ends here.
 fn analyze_all(
     recordings: &[KnownRecording],
     journal: &Journal,
-    jobs: usize,
+    children: &[Py<PyAny>],
     watch: &mut Watch,
 ) -> Result<Vec<Done>> {
     let (next, finished) = (AtomicUsize::new(0), AtomicUsize::new(0));
     let stop = AtomicBool::new(false);
     let results = Mutex::new(Vec::new());
-    let work = || {
+    let work = |child: &Py<PyAny>| {
         while !stop.load(Ordering::Relaxed) {
             let place = next.fetch_add(1, Ordering::Relaxed);
             let Some(recording) = recordings.get(place) else {
                 break;
             };
-            let done = complete(recording, journal, |key| Ok(recording.record(key.content)));
+            let analyze = |key| isolated(child, recording.name(), &key);
+            let done = match complete(recording, journal, analyze) {
+                Ok(done) => Ok(done),
+                Err(Trouble::Died(reason)) => Ok(Done::failed(reason)),
+                Err(Trouble::Session(failure)) => Err(failure),
+            };
             if let Ok(mut results) = results.lock() {
                 results.push((place, done));
             }
@@ -153,7 +224,11 @@ fn analyze_all(
         }
     };
     thread::scope(|threads| {
-        let workers: Vec<_> = (0..jobs.max(1)).map(|_| threads.spawn(work)).collect();
+        let work = &work;
+        let workers = children
+            .iter()
+            .map(|child| threads.spawn(move || work(child)));
+        let workers: Vec<_> = workers.collect();
         while workers.iter().any(|worker| !worker.is_finished()) {
             let whole = Some(recordings.len() as f64);
             let count = finished.load(Ordering::Relaxed) as f64;
@@ -168,7 +243,7 @@ fn analyze_all(
     let mut results = results.into_inner().unwrap_or_default();
     results.sort_by_key(|(place, _)| *place);
     let done = results.into_iter().map(|(_, done)| done);
-    Ok(done.collect::<bouncelab_session::Result<_>>()?)
+    done.collect()
 }
 
 #[pymethods]
@@ -179,10 +254,11 @@ impl Session {
         settings: &str,
         request: &str,
         report: Option<Py<PyAny>>,
+        children: Vec<Py<PyAny>>,
     ) -> Result<Self> {
         let settings: Settings = serde_json::from_str(settings)?;
         let request: Request = serde_json::from_str(request)?;
-        py.detach(|| Self::of(request, &settings, Watch::new(report)))
+        py.detach(|| Self::of(request, &settings, &children, Watch::new(report)))
     }
 
     /// The tables of drops and impacts.

@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 import time
 
-from bouncelab import batch
+from bouncelab import _session, batch
 from bouncelab.batch import kernel as sound
 
 
@@ -20,11 +20,24 @@ class Faulty(batch.Kernel):
             line = os.open(work, os.O_WRONLY | os.O_APPEND | os.O_CREAT)
             os.write(line, f"{given.name}\n".encode())
             os.close(line)
-        if "abort" in given.name:
-            os.abort()
-        while "endless" in given.name:
-            time.sleep(1)
+        fail(given.name)
         return super().row(given)
+
+
+class FaultyWork(_session._Work):
+    """The same for the recordings of a session."""
+
+    def row(self, given: tuple[str, str]) -> bytes:
+        fail(given[0])
+        return super().row(given)
+
+
+def fail(name: str) -> None:
+    """End the process, or never return, if the name of a recording says so."""
+    if "abort" in name:
+        os.abort()
+    while "endless" in name:
+        time.sleep(1)
 
 
 def faulty(settings: batch.Settings | None = None, *, root: str = "", isolated: bool = False) -> Faulty:

@@ -11,7 +11,9 @@ from pathlib import Path
 import pytest
 
 import bouncelab as bl
+from bouncelab import _session
 from bouncelab._program import find
+from faults import FaultyWork
 
 PATTERN = "{surface}_{height}_{}"
 
@@ -113,6 +115,20 @@ def test_kept_results_are_taken_up(laboratory: Path, tmp_path: Path) -> None:
     first = bl.session(files, **known)  # type: ignore[arg-type]
     assert bl.session(files, **known) == first  # type: ignore[arg-type]
     assert any(tmp_path.iterdir())
+
+
+def test_a_recording_that_ends_its_process_fails_alone(
+    laboratory: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    names = ("a.wav", "abort.wav", "endless.wav", "z.wav")
+    for name, recording in zip(names, sorted(laboratory.glob("*.wav")), strict=False):
+        (tmp_path / name).write_bytes(recording.read_bytes())
+    monkeypatch.setattr(_session, "_Work", FaultyWork)
+    monkeypatch.setattr(_session, "LONGEST_S", 5.0)
+    study = bl.session(tmp_path, ball="table-tennis-40", draws=None, jobs=2)
+    assert study.drops.to_dict()["recording"] == ["a.wav", "z.wav"]
+    said = str(study.to_dict())
+    assert "SIGABRT" in said and "longer than 5 s" in said
 
 
 @pytest.mark.parametrize(

@@ -22,8 +22,6 @@
 //! | [`write_tables`], [`tables`], [`RecordingTables`] | the tables of a session, and of one recording |
 
 #![warn(missing_docs)]
-// They panic when nobody reads.
-#![warn(clippy::print_stderr, clippy::print_stdout)]
 
 mod archive;
 pub mod batch;
@@ -59,4 +57,4 @@ pub use recordings::{ENDINGS, OddNames, Recording, SESSION_FILE, Session, Source
 pub use report::report;
 pub use results::{Results, Store};
 pub use study::{Outcome, SessionDrop, StudyOptions};
-pub use work::{Done, complete};
+pub use work::{Done, complete, record_of};

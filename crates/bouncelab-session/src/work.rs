@@ -54,6 +54,17 @@ pub fn complete<E: From<Error>>(
     })
 }
 
+/// The record of the recording that has this name, content and settings, among those of a session in the order of
+/// their names; `None` if none has, or no longer.
+pub fn record_of(recordings: &[KnownRecording], name: &str, key: &Key) -> Option<Record> {
+    let first = recordings.partition_point(|it| it.name() < name);
+    let named = recordings[first..]
+        .iter()
+        .take_while(|it| it.name() == name);
+    let mut same = named.filter(|it| it.key(key.content) == *key);
+    same.next()?.record(key.content)
+}
+
 impl Done {
     /// Nothing came of it, for this reason.
     pub fn failed(reason: String) -> Self {

@@ -12,7 +12,7 @@ use std::process::{Child, ChildStdout, Command, ExitStatus, Stdio};
 use std::sync::{Mutex, PoisonError};
 
 use bouncelab_session::journal::Key;
-use bouncelab_session::{KnownRecording, Record};
+use bouncelab_session::{KnownRecording, Record, record_of};
 use serde::{Deserialize, Serialize};
 
 use crate::failure::Failure;
@@ -146,21 +146,10 @@ pub(super) fn serve(
     for line in io::stdin().lock().lines() {
         let request: Request = serde_json::from_str(&line?).map_err(io::Error::from)?;
         limit_time(time_limit_s)?;
-        let record = serde_json::to_string(&answer(recordings, &request));
+        let record = serde_json::to_string(&record_of(recordings, &request.name, &request.key));
         print_data(record.map_err(io::Error::from)? + "\n")?;
     }
     Ok(())
-}
-
-/// The record of a recording that has this name, content and settings.
-fn answer(recordings: &[KnownRecording], Request { name, key }: &Request) -> Option<Record> {
-    // They are in the order of their names.
-    let first = recordings.partition_point(|it| it.name() < name.as_str());
-    let named = recordings[first..]
-        .iter()
-        .take_while(|it| it.name() == name);
-    let mut same = named.filter(|it| it.key(key.content) == *key);
-    same.next()?.record(key.content)
 }
 
 /// Gives up what an analysis does not need: memory beyond a limit, writing files, the network. What the system

@@ -4,6 +4,8 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import final
 
+from bouncelab._isolated import Isolated
+
 __all__ = [
     "Analyzer",
     "Chart",
@@ -14,6 +16,7 @@ __all__ = [
     "Recording",
     "Results",
     "Session",
+    "SessionWork",
     "Simulation",
     "Table",
     "Verdict",
@@ -117,9 +120,14 @@ class Detector:
 
 @final
 class Session:
-    def __new__(cls, settings: str, request: str, report: _Report | None) -> Session: ...
+    def __new__(cls, settings: str, request: str, report: _Report | None, children: list[Isolated]) -> Session: ...
     def tables(self) -> tuple[Table, Table]: ...
     def reported(self, language: str) -> tuple[str, list[tuple[str, Chart]], Page]: ...
+
+@final
+class SessionWork:
+    def __new__(cls, settings: str, request: str) -> SessionWork: ...
+    def record(self, name: str, key: str) -> bytes: ...
 
 _Given = tuple[str, str, bytes | None, dict[str, str]]
 

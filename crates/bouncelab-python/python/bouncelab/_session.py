@@ -5,10 +5,12 @@ from __future__ import annotations
 import csv
 import json
 import os
+import pickle
 import tempfile
 from collections.abc import Iterable, Iterator, Mapping
-from contextlib import contextmanager
+from contextlib import ExitStack, closing, contextmanager
 from dataclasses import dataclass
+from functools import cached_property
 from os import PathLike, fspath
 from pathlib import Path
 from typing import TYPE_CHECKING, TypeAlias, Unpack
@@ -17,12 +19,16 @@ from bouncelab import _core
 from bouncelab._analyze import Bars
 from bouncelab._data import JSON
 from bouncelab._errors import InputError
+from bouncelab._isolated import Isolated
 from bouncelab._report import Reported
 from bouncelab._settings import Options, count, flag, number, split, text
 from bouncelab._table import Table
 
 if TYPE_CHECKING:
     from bouncelab._analyze import Progress
+
+#: Longest time for one recording, in seconds: that of the program.
+LONGEST_S = 600.0
 
 #: What was noted: a CSV file, notes by file, or rows with a column ``file``.
 Notes: TypeAlias = "str | PathLike[str] | Mapping[str, Mapping[str, object]] | Iterable[Mapping[str, object]]"
@@ -126,7 +132,8 @@ def session(
         Folder in which to keep the results of single recordings, so that a session that was ended goes on
         where it was.
     jobs : int, optional
-        Threads, which end before this returns; as many as there are processors if left out.
+        Child processes, which end before this returns; as many as there are processors if left out. A recording
+        that ends two of them, or takes longer than ten minutes, is said to fail, and the others go on.
     progress : optional
         As of :func:`analyze`.
     **options
@@ -171,11 +178,15 @@ def session(
             "exclude": [text("exclude", name) for name in exclude],
             "allow_missing": flag("allow_missing", allow_missing),
             "allow_implausible": flag("allow_implausible", allow_implausible),
-            "jobs": os.cpu_count() or 1 if jobs is None else count("jobs", jobs),
             "inference": question["inference"],
         }
+        work = _Work(json.dumps(settings), json.dumps(request))
+        several = os.cpu_count() or 1 if jobs is None else count("jobs", jobs)
         try:
-            analysed = _core.Session(json.dumps(settings), json.dumps(request), report)
+            with ExitStack() as ends:
+                alike = (Isolated(pickle.dumps(work), LONGEST_S) for _ in range(max(several, 1)))
+                children = [ends.enter_context(closing(child)) for child in alike]
+                analysed = _core.Session(work.settings, work.request, report, children)
         finally:
             if report is not None:
                 report.close()
@@ -188,6 +199,21 @@ def session(
         Table(drops),
         Table(impacts),
     )
+
+
+@dataclass
+class _Work:
+    """What a child process does: it finds the recordings, and analyses those that it is asked for."""
+
+    settings: str
+    request: str
+
+    @cached_property
+    def _known(self) -> _core.SessionWork:
+        return _core.SessionWork(self.settings, self.request)
+
+    def row(self, given: tuple[str, str]) -> bytes:
+        return self._known.record(*given)
 
 
 @contextmanager
