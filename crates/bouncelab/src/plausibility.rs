@@ -151,6 +151,15 @@ const ORDINARY: [Ordinary; 9] = [
 /// A question, if a value in SI units is out of the ordinary. Quantities are `height`, `height-sd`,
 /// `temperature`, `pressure`, `humidity`, `contact-time`, `gravity`, `altitude` and `air-density`; of
 /// any other nothing is asked.
+///
+/// ```
+/// use bouncelab::plausibility::of_quantity;
+///
+/// assert_eq!(of_quantity("height", 0.305), None);
+/// // The height was in centimetres.
+/// let question = of_quantity("height", 30.5).unwrap();
+/// assert_eq!(question.number("meant"), Some(30.5));
+/// ```
 pub fn of_quantity(quantity: &str, value: f64) -> Option<Diagnostic> {
     let ordinary = ORDINARY.iter().find(|known| known.quantity == quantity)?;
     let fits = |value: f64| (ordinary.low..=ordinary.high).contains(&value);
@@ -190,6 +199,16 @@ fn other_scale(kelvin: f64, fits: impl Fn(f64) -> bool) -> Option<(f64, &'static
 }
 
 /// A question, if no ball has this mass and diameter.
+///
+/// ```
+/// use bouncelab::ball::Ball;
+/// use bouncelab::plausibility::of_ball;
+///
+/// assert_eq!(of_ball(&Ball::new(2.5e-3, 0.038)?), None);
+/// // The mass was in grams.
+/// assert!(of_ball(&Ball::new(2.5, 0.038)?).is_some());
+/// # Ok::<(), bouncelab::Error>(())
+/// ```
 pub fn of_ball(ball: &Ball) -> Option<Diagnostic> {
     /// From a beach ball to tungsten, kg/m3.
     const DENSITIES: std::ops::RangeInclusive<f64> = 3.0..=20_000.0;

@@ -331,6 +331,17 @@ fn edit(impacts: &[Impact], exclude_s: &[f64], include_s: &[f64]) -> (Vec<Impact
 }
 
 /// Impacts in any order: in order of time, no two at the same, numbered as [`impacts_of_times`] does.
+///
+/// ```
+/// use bouncelab::Impact;
+/// use bouncelab::analysis::renumbered;
+///
+/// // The third impact was not detected: the flight before the last counts twice.
+/// let times_s = [1.0, 0.5, 0.0, 1.75];
+/// let impacts = renumbered(times_s.map(|time_s| Impact::new(1, time_s)).to_vec());
+/// assert_eq!(impacts.iter().map(|it| it.number).collect::<Vec<_>>(), [1, 2, 3, 5]);
+/// assert_eq!(impacts[1].time_s, 0.5);
+/// ```
 pub fn renumbered(mut impacts: Vec<Impact>) -> Vec<Impact> {
     impacts.sort_by(|a, b| a.time_s.total_cmp(&b.time_s));
     impacts.dedup_by(|a, b| a.time_s <= b.time_s);
@@ -344,6 +355,16 @@ pub fn renumbered(mut impacts: Vec<Impact>) -> Vec<Impact> {
 /// Analyses the impacts of one drop, in order of time.
 ///
 /// What cannot be told is an error in its own place, so that the rest remains.
+///
+/// ```
+/// use bouncelab::Options;
+/// use bouncelab::analysis::{analyze_impacts, impacts_of_times};
+///
+/// let options = Options::default().without_inference();
+/// let drop = analyze_impacts(impacts_of_times(&[0.0, 0.46, 0.8875, 1.2848]), &options);
+/// assert_eq!(drop.flights.len(), 3);
+/// assert!((drop.log_linear_fit.unwrap().restitution.value - 0.929).abs() < 0.001);
+/// ```
 pub fn analyze_impacts(impacts: Vec<Impact>, options: &Options) -> Drop {
     let per_impact = per_impact(&impacts, options);
     let flights = flights(&impacts, options, per_impact.as_ref().ok());

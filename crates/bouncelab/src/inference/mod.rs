@@ -117,7 +117,7 @@ pub struct Prediction {
     pub drop_height_m: Option<Estimate>,
 }
 
-/// Infers everything that the times of one drop can tell.
+/// Infers everything that the times of one drop can tell. The [module](self) has an example.
 ///
 /// # Errors
 ///
@@ -168,6 +168,17 @@ pub struct BestFit {
 ///
 /// It takes the first restitution law of the priors (constant if it names none) and the drag law
 /// of the environment, and every impact from the first one detected.
+///
+/// ```
+/// use bouncelab::analysis::{Options, impacts_of_times};
+/// use bouncelab::inference::best_fit;
+///
+/// let impacts = impacts_of_times(&[0.0, 0.4605, 0.8877, 1.2854, 1.6568, 2.0045, 2.3308]);
+/// let Options { ball, environment, contact_time_s, priors, .. } = Options::default();
+/// let fit = best_fit(&impacts, &ball, &environment, contact_time_s, &priors)?;
+/// assert!((fit.drop_height_m - 0.305).abs() < 0.01);
+/// # Ok::<(), bouncelab::Error>(())
+/// ```
 ///
 /// # Errors
 ///

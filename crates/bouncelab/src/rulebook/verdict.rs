@@ -135,7 +135,7 @@ fn mean_of(drops: &[Rebound], value: impl Fn(&Rebound) -> Option<f64>) -> Option
 /// The seed of what little chance there is: the order in which draws meet.
 const SEED: u64 = 1;
 
-/// Judges drops by a rule.
+/// Judges drops by a rule. The [module](super) has an example.
 ///
 /// `surface` and `reference` are the drops on the surface and, for a rule that compares, on the
 /// reference, by place; they were analysed with the same `settings`, which must ask for the inference.

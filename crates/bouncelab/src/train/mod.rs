@@ -349,6 +349,15 @@ pub fn find(onsets: &[Onset]) -> TrainSearch {
 /// The latest time at which another impact of this drop could be heard, in seconds: no flight is
 /// longer than the one before it, and no more than two impacts in a row escape notice. After it the
 /// ball rests, or was stopped.
+///
+/// ```
+/// use bouncelab::onset::Onset;
+/// use bouncelab::train;
+///
+/// let found = train::find(&[0.0, 0.5, 0.9, 1.2, 1.4].map(Onset::click));
+/// let next_s = train::latest_next_s(found.trains[0].impacts());
+/// assert!(next_s > 1.4 + 3.0 * 0.2);
+/// ```
 pub fn latest_next_s(impacts: &[TrainImpact]) -> f64 {
     /// Two impacts that were missed, and the one that was heard.
     const FLIGHTS: f64 = 3.0;
