@@ -1,13 +1,29 @@
 //! A known drop in every format, damaged at every percent of its length in four ways: how often the
 //! result is the undamaged one, has a diagnostic that names the place, is a refusal, or is wrong.
 //!
-//! `damage [FORMAT] [quick]`; `quick` leaves the inference out.
+//! `damage [FORMAT] [quick]`; `quick` leaves the inference out. On stderr are the cases that are wrong, and those
+//! whose only warning is that all of the sound is in doubt.
+
+#![expect(
+    clippy::print_stderr,
+    clippy::print_stdout,
+    reason = "it prints for contributors"
+)]
 
 use std::error::Error;
 
-use bouncelab::Options;
+use bouncelab::diagnostic::Code;
+use bouncelab::{Options, Recording};
 use bouncelab_testkit::damage::{Damage, Verdict, analyse, files, is_warned, judge, words};
 use rayon::prelude::*;
+
+/// In the order of the columns.
+const VERDICTS: [Verdict; 4] = [
+    Verdict::Right,
+    Verdict::Warned,
+    Verdict::Refused,
+    Verdict::Wrong,
+];
 
 fn main() -> Result<(), Box<dyn Error + Send + Sync>> {
     let mut options = Options::default();
@@ -18,7 +34,9 @@ fn main() -> Result<(), Box<dyn Error + Send + Sync>> {
             _ => only = Some(word),
         }
     }
-    println!("| file | damage | right | warned | refused | wrong |\n|---|---|---|---|---|---|");
+    let damages = Damage::ALL.map(Damage::words).join(" | ");
+    println!("| file | {damages} |\n|---|{}", "---|".repeat(4));
+    let mut sums = [[0; 4]; 4];
     for (name, file) in files() {
         if only.as_ref().is_some_and(|only| !name.contains(only)) {
             continue;
@@ -29,29 +47,39 @@ fn main() -> Result<(), Box<dyn Error + Send + Sync>> {
             "{name}: {:?}",
             whole.diagnostics
         );
-        for damage in Damage::ALL {
+        let mut row = [[0; 4]; 4];
+        for ((damage, counts), sums) in Damage::ALL.into_iter().zip(&mut row).zip(&mut sums) {
             let places: Vec<usize> = (0..100).collect();
-            let verdicts: Vec<Verdict> = places
-                .par_iter()
-                .map(|&percent| {
-                    let damaged = analyse(&damage.at(percent, &file), &name, &options);
-                    let verdict = judge(&whole, damaged.as_ref().ok());
-                    if verdict == Verdict::Wrong {
-                        eprintln!("{name} {damage:?} {percent} %: {}", words(&damaged));
-                    }
-                    verdict
-                })
-                .collect();
-            let count = |what| verdicts.iter().filter(|&&verdict| verdict == what).count();
-            println!(
-                "| `{name}` | {} | {} | {} | {} | {} |",
-                damage.words(),
-                count(Verdict::Right),
-                count(Verdict::Warned),
-                count(Verdict::Refused),
-                count(Verdict::Wrong)
-            );
+            let judged = |&percent: &usize| {
+                let damaged = analyse(&damage.at(percent, &file), &name, &options);
+                let verdict = judge(&whole, damaged.as_ref().ok());
+                let all_in_doubt = damaged.as_ref().is_ok_and(is_all_in_doubt);
+                if verdict == Verdict::Wrong || verdict == Verdict::Warned && all_in_doubt {
+                    let numbers = words(&damaged);
+                    eprintln!("{verdict:?}: {name} {damage:?} {percent} %: {numbers}");
+                }
+                verdict
+            };
+            let verdicts: Vec<Verdict> = places.par_iter().map(judged).collect();
+            *counts = VERDICTS.map(|it| verdicts.iter().filter(|&&verdict| verdict == it).count());
+            for (sum, count) in sums.iter_mut().zip(counts) {
+                *sum += *count;
+            }
         }
+        println!("| `{name}` | {} |", cells(row));
     }
+    println!("| all | {} |", cells(sums));
     Ok(())
+}
+
+/// Numbers of cases that are right, warned of, refused and wrong, for each damage.
+fn cells(row: [[usize; 4]; 4]) -> String {
+    row.map(|counts| counts.map(|count| count.to_string()).join(" · "))
+        .join(" | ")
+}
+
+/// Whether what is said of the file names no place but all of it.
+fn is_all_in_doubt(recording: &Recording) -> bool {
+    let is = |code| recording.diagnostics.iter().any(|it| it.code == code);
+    is(Code::ChecksumWrong) && !is(Code::SoundMissing) && !is(Code::ClockLost)
 }
