@@ -3,7 +3,9 @@
 #[path = "../tests/clicks/mod.rs"]
 mod clicks;
 
-use bouncelab_audio::{SampleFormat, write_wav};
+use std::fs;
+
+use bouncelab_audio::{SampleFormat, encode_wav};
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let folder = std::env::args()
@@ -12,7 +14,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     for rate in [4_000, 8_000, 44_100, 48_000] {
         let sound = clicks::signal(rate);
         let path = format!("{folder}/{rate}.wav");
-        write_wav(path, rate, SampleFormat::Float32, &[&sound])?;
+        fs::write(path, encode_wav(rate, SampleFormat::Float32, &[&sound])?)?;
     }
     Ok(())
 }

@@ -2,7 +2,7 @@
 //!
 //! [`Source`] reads a recording of nearly any format as a stream of blocks of `f32` samples, in
 //! memory that does not grow with its length; [`times`] reads impact times that something else
-//! measured; [`Input`] takes either. [`write_wav`] writes a synthesised recording,
+//! measured; [`Input`] takes either. [`encode_wav`] encodes a synthesised recording,
 //! [`copy_with_cues`] a copy of a recording with its impacts marked, a [`Recorder`]
 //! one that is still going on. With the feature `microphone`, `microphone::Microphone` listens.
 //!
@@ -28,8 +28,6 @@
 //! [`Source::from_bytes`] and [`Input::from_bytes`] take the place of files.
 
 #![warn(missing_docs)]
-// They panic when nobody reads.
-#![warn(clippy::print_stderr, clippy::print_stdout)]
 
 mod cues;
 mod error;
@@ -57,4 +55,4 @@ pub use source::{
     Block, MAX_BLOCK_FRAMES, MAX_SAMPLE_RATE_HZ, MIN_SAMPLE_RATE_HZ, Source, check_layout,
 };
 pub use warning::Warning;
-pub use wav::{SampleFormat, encode_wav, write_wav};
+pub use wav::{SampleFormat, encode_wav};

@@ -1,9 +1,4 @@
-//! Writes WAV files.
-
-use std::fs;
-use std::path::Path;
-
-use bouncelab::Plain;
+//! Encodes WAV files.
 
 use crate::error::{Error, Result};
 
@@ -50,42 +45,24 @@ impl SampleFormat {
     }
 }
 
-/// Writes a WAV file: one slice of samples for each channel, all of the same length.
+/// A WAV file: one slice of samples for each channel, all of the same length.
 ///
 /// Samples are in `-1.0..1.0`; in the integer formats what lies outside is clipped, as a sound
-/// card would. A write that is interrupted may leave part of a file: programs for which that matters
-/// write what [`encode_wav`] returns under another name and rename it.
+/// card would.
 ///
-/// ```no_run
-/// use bouncelab_audio::{SampleFormat, write_wav};
+/// ```
+/// use bouncelab_audio::{SampleFormat, encode_wav};
 ///
 /// let click: Vec<f32> = (0..441).map(|i| (-i as f32 / 50.0).exp()).collect();
-/// write_wav("click.wav", 44_100, SampleFormat::Int16, &[&click])?;
+/// let wav = encode_wav(44_100, SampleFormat::Int16, &[&click])?;
+/// assert!(wav.starts_with(b"RIFF"));
 /// # Ok::<(), bouncelab_audio::Error>(())
 /// ```
 ///
 /// # Errors
 ///
 /// [`Error::Unwritable`] if there is no channel, the channels differ in length, a sample is not
-/// a finite number, the rate is zero or the file would exceed 4 GB; [`Error::NotFound`] or
-/// [`Error::Io`] if the system fails to write.
-pub fn write_wav(
-    path: impl AsRef<Path>,
-    sample_rate_hz: u32,
-    format: SampleFormat,
-    channels: &[&[f32]],
-) -> Result<()> {
-    let path = path.as_ref();
-    let name = String::from(Plain::path(path));
-    let sound = Sound::new(&name, sample_rate_hz, format, channels)?;
-    fs::write(path, sound.encode()).map_err(|reason| Error::io(&name, reason))
-}
-
-/// The bytes that [`write_wav`] writes.
-///
-/// # Errors
-///
-/// [`Error::Unwritable`], as for [`write_wav`].
+/// a finite number, the rate is zero or the file would exceed 4 GB.
 pub fn encode_wav(
     sample_rate_hz: u32,
     format: SampleFormat,

@@ -1,6 +1,8 @@
 //! Makes recordings of ten seconds with known truth, to measure sessions with:
 //! `cargo run --release -p bouncelab-cli --example laboratory -- FOLDER COUNT`.
 
+#![expect(clippy::print_stderr, reason = "it prints for contributors")]
+
 use std::path::PathBuf;
 
 #[path = "../tests/laboratory/world.rs"]

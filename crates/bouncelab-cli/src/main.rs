@@ -1,8 +1,5 @@
 //! The program `bouncelab`: from a recording of a bouncing ball to the physics.
 
-// They panic when nobody reads: `terminal` prints instead.
-#![warn(clippy::print_stderr, clippy::print_stdout)]
-
 mod analyze;
 mod demo;
 mod failure;

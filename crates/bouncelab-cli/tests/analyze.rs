@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 use assert_cmd::Command;
 use bouncelab::impact::Strike;
 use bouncelab::synth::{self, Noise, Scene};
-use bouncelab_audio::{SampleFormat, write_wav};
+use bouncelab_audio::{SampleFormat, encode_wav};
 use bouncelab_testkit::strikes;
 use predicates::prelude::*;
 use serde_json::Value;
@@ -41,7 +41,11 @@ fn times(count: usize) -> Vec<f64> {
 
 fn write_samples(folder: &TempDir, name: &str, samples: &[f32]) -> PathBuf {
     let path = folder.path().join(name);
-    write_wav(&path, RATE_HZ, SampleFormat::Float32, &[samples]).unwrap();
+    fs::write(
+        &path,
+        encode_wav(RATE_HZ, SampleFormat::Float32, &[samples]).unwrap(),
+    )
+    .unwrap();
     path
 }
 

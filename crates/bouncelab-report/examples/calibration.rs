@@ -11,6 +11,8 @@
 //! prints the table of `docs/validation.md` and writes `calibration.csv`, of which `cargo xtask book` draws its
 //! figure, into the folder that the second argument names. The first is the number of drops for each scenario.
 
+#![expect(clippy::print_stdout, reason = "it prints for contributors")]
+
 use std::path::PathBuf;
 use std::thread;
 

@@ -5,6 +5,8 @@
 //! cargo run -p bouncelab-report --example gallery -- FOLDER
 //! ```
 
+#![expect(clippy::print_stdout, reason = "it prints for contributors")]
+
 use std::path::PathBuf;
 
 use bouncelab_report::file::Outputs;

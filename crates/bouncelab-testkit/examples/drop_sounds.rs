@@ -1,6 +1,8 @@
 //! Writes the sounds that `damage/make.sh` encodes, into the folder given.
 
-use bouncelab_audio::{SampleFormat, write_wav};
+use std::fs;
+
+use bouncelab_audio::{SampleFormat, encode_wav};
 use bouncelab_testkit::damage;
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
@@ -8,7 +10,10 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     for rate_hz in [16_000, 48_000] {
         let drop = damage::drop(rate_hz);
         let path = format!("{folder}/{rate_hz}.wav");
-        write_wav(path, rate_hz, SampleFormat::Int16, &[&drop.samples])?;
+        fs::write(
+            path,
+            encode_wav(rate_hz, SampleFormat::Int16, &[&drop.samples])?,
+        )?;
     }
     Ok(())
 }

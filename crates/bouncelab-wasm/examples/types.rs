@@ -2,6 +2,8 @@
 //!
 //! `cargo xtask web` runs it: the page is compiled against what the engine really gives.
 
+#![expect(clippy::print_stdout, reason = "it prints for contributors")]
+
 use std::any::TypeId;
 use std::collections::{BTreeMap, HashSet};
 

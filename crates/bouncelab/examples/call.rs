@@ -2,6 +2,8 @@
 //! file, one channel as 32-bit floats, as often as that with so many draws, and prints the seconds of each.
 //! `crates/bouncelab-python/benchmarks/measure.py` compares them with those of Python.
 
+#![expect(clippy::print_stdout, reason = "it prints for contributors")]
+
 use std::error::Error;
 use std::time::Instant;
 

@@ -1,6 +1,8 @@
 //! A ball, air and a surface become flights, and the flights a result: the round trip without sound.
 //! `cargo run --release --example simulate`.
 
+#![expect(clippy::print_stdout, reason = "it prints for contributors")]
+
 use bouncelab::drop::{self, Start, Stop};
 use bouncelab::impact::{Contact, Restitution};
 use bouncelab::{Options, Result, analyze_times, ball};

@@ -2,6 +2,8 @@
 //!
 //! A synthesised drop arrives in blocks of half a second, as a microphone would hand them over.
 
+#![expect(clippy::print_stdout, reason = "it prints for contributors")]
+
 use bouncelab::analysis::Plan;
 use bouncelab::{Detector, Result, demo};
 

@@ -11,6 +11,8 @@
 //! prints the second table of `docs/validation.md`; the argument is the number of drops for each world,
 //! and names after it leave out all others. Names of restitution laws leave out the others of those.
 
+#![expect(clippy::print_stdout, reason = "it prints for contributors")]
+
 use std::thread;
 
 use bouncelab::analysis::{Options, impacts_of_times};

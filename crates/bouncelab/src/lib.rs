@@ -76,8 +76,6 @@
 //! scope: the ball goes straight up and down.
 
 #![warn(missing_docs)]
-// They panic when nobody reads.
-#![warn(clippy::print_stderr, clippy::print_stdout)]
 
 pub mod air;
 pub mod analysis;

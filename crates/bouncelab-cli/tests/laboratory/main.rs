@@ -7,7 +7,7 @@ use std::fs;
 use std::path::Path;
 
 use assert_cmd::Command;
-use bouncelab_audio::{SampleFormat, write_wav};
+use bouncelab_audio::{SampleFormat, encode_wav};
 use serde_json::Value;
 use tempfile::TempDir;
 use world::Truth;
@@ -53,7 +53,11 @@ fn record(folder: &Path) {
     fs::write(folder.join("blue_wood_20cm_9.wav"), "no sound").unwrap();
     let silence = vec![0.0_f32; 44_100];
     let silent = folder.join("cyan_wood_20cm_9.wav");
-    write_wav(&silent, 44_100, SampleFormat::Int16, &[&silence]).unwrap();
+    fs::write(
+        &silent,
+        encode_wav(44_100, SampleFormat::Int16, &[&silence]).unwrap(),
+    )
+    .unwrap();
     let notes = "title = \"Laboratory\"\npattern = \"{ball}_{surface}_{height}_{}\"\n\
                  [all]\ntemperature = \"20C\"\npressure = \"1013.25hPa\"\n";
     let balls = BALLS.map(|(ball, _)| format!("[balls.{ball}]\nkind = \"table-tennis-40\"\n"));

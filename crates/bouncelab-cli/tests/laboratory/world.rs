@@ -1,12 +1,13 @@
 //! A laboratory in which the truth is known.
 
+use std::fs;
 use std::path::Path;
 
 use bouncelab::analysis::Options;
 use bouncelab::flight::FlightModel;
 use bouncelab::impact::Strike;
 use bouncelab::synth::{self, Noise, Scene};
-use bouncelab_audio::{SampleFormat, write_wav};
+use bouncelab_audio::{SampleFormat, encode_wav};
 use bouncelab_testkit::bouncing;
 
 /// How a ball bounces from a surface: e = at 1 m/s times v^-p, with scatter.
@@ -38,11 +39,9 @@ impl Truth {
             ..Scene::default()
         };
         let sound = synth::render(&strikes, &scene, seed).unwrap();
-        write_wav(
+        fs::write(
             path,
-            sound.sample_rate_hz,
-            SampleFormat::Int16,
-            &[&sound.samples],
+            encode_wav(sound.sample_rate_hz, SampleFormat::Int16, &[&sound.samples]).unwrap(),
         )
         .unwrap();
     }

@@ -9,6 +9,8 @@
 //! or not; scatter 0.3 %, times good to 50 µs) from 0.3 to 1.5 m and as many from 2.5 m, and prints the
 //! table of `docs/validation.md`.
 
+#![expect(clippy::print_stdout, reason = "it prints for contributors")]
+
 use bouncelab::Impact;
 use bouncelab::analysis::{Drop, analyze_impacts};
 use bouncelab::ball::{self, Preset};
