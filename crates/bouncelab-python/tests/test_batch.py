@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import pickle
 import subprocess
+import sys
 from pathlib import Path
 
 import pytest
@@ -213,3 +214,9 @@ def test_a_child_process_is_kept_until_it_may_owe_a_reply() -> None:
     with pytest.raises(KeyboardInterrupt), child_process(Process(), None):
         raise KeyboardInterrupt
     assert process() not in (first, this)
+
+
+def test_the_place_of_the_job_is_one_word_however_long() -> None:
+    command = [sys.executable, "-m", "bouncelab.spark_job", "--place"]
+    printed = subprocess.run(command, env=os.environ | {"COLUMNS": "20"}, capture_output=True, text=True, check=True)
+    assert Path(printed.stdout.rstrip("\n")).is_file()

@@ -14,7 +14,9 @@ from typing import Any
 
 def main() -> None:
     """Analyse a folder of recordings on the cluster of ``spark-submit``."""
-    parser = argparse.ArgumentParser(prog="spark_job.py", description=main.__doc__)
+    # The usual formatter would break a long place into two lines, which are two words of a command.
+    raw = argparse.RawDescriptionHelpFormatter
+    parser = argparse.ArgumentParser(prog="spark_job.py", description=main.__doc__, formatter_class=raw)
     parser.add_argument("--place", action="version", version=str(Path(__file__).resolve()), help="where this is")
     parser.add_argument("source", help="folder of recordings, or whatever else Spark reads")
     parser.add_argument("output", help="folder for the rows")
