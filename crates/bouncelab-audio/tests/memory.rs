@@ -6,7 +6,8 @@ use std::alloc::System;
 use std::io::{self, Read, Seek, SeekFrom};
 use std::iter;
 
-use bouncelab::analysis::Plan;
+use bouncelab::analysis::{Plan, analyze_impacts, impacts_of_times};
+use bouncelab::inference::LawKind;
 use bouncelab::{Detector, Options};
 use bouncelab_audio::{Error, Input, Source, TimesProblem};
 use bouncelab_testkit::hostile;
@@ -204,4 +205,19 @@ fn a_waveform_in_text_fits() {
     };
     assert_eq!(source.sample_rate_hz(), 1_000_000);
     assert!(plan(*source).is_ok());
+}
+
+/// As many drops as are analysed of one recording, with the inference, its draws and all. One law makes as many draws as
+/// all do, and sooner.
+#[test]
+fn a_thousand_inferred_drops_fit() {
+    let times_s = [
+        0.0, 0.4605, 0.8877, 1.2854, 1.6568, 2.0045, 2.3308, 2.6375, 2.9262, 3.1984,
+    ];
+    let mut options = Options::default();
+    options.priors.restitution_laws = vec![LawKind::Constant];
+    options.priors.constant_drag_too = false;
+    let drops = iter::repeat_with(|| analyze_impacts(impacts_of_times(&times_s), &options));
+    let drops: Vec<_> = drops.take(1_000).collect();
+    assert!(drops.iter().all(|drop| drop.posterior.is_ok()));
 }

@@ -4,7 +4,7 @@
 //! that nobody takes is left out, and a result that nobody takes is a failure of the command.
 
 use std::fmt::Display;
-use std::io::{self, Write};
+use std::io::{self, BufWriter, Write};
 
 use bouncelab::Plain;
 use serde::Serialize;
@@ -31,8 +31,22 @@ pub(crate) fn print_data(result: impl Display) -> Result<(), Failure> {
 
 /// Prints a result on stdout as JSON of several lines.
 pub(crate) fn print_json(document: &impl Serialize) -> Result<(), Failure> {
-    let text = serde_json::to_string_pretty(document).map_err(io::Error::from)?;
-    print_data(text + "\n")
+    streamed(|out| serde_json::to_writer_pretty(out, document))
+}
+
+/// Prints a result on stdout as JSON of one line.
+pub(crate) fn print_json_line(document: &impl Serialize) -> Result<(), Failure> {
+    streamed(|out| serde_json::to_writer(out, document))
+}
+
+/// Prints JSON while it is made: that of a thousand drops would take 90 MB.
+fn streamed(
+    write: impl FnOnce(&mut BufWriter<io::StdoutLock>) -> serde_json::Result<()>,
+) -> Result<(), Failure> {
+    let mut out = BufWriter::new(io::stdout().lock());
+    write(&mut out).map_err(io::Error::from)?;
+    writeln!(out)?;
+    Ok(out.flush()?)
 }
 
 /// A writer of rows to stdout, to be flushed at the end.

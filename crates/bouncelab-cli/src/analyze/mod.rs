@@ -33,7 +33,9 @@ use crate::language::{text, translator};
 use crate::physics::PhysicsArguments;
 use crate::priors::PriorArguments;
 use crate::report::OutputArguments;
-use crate::terminal::{print, print_data, print_json, rows as rows_to_stdout, say};
+use crate::terminal::{
+    print, print_data, print_json, print_json_line, rows as rows_to_stdout, say,
+};
 use crate::units;
 
 /// Detect and analyse the drops in recordings, or in lists of impact times
@@ -278,11 +280,11 @@ impl Printer {
     }
 
     fn print_document(&self, document: &impl Serialize) -> Result<(), Failure> {
-        if !self.several {
-            return print_json(document);
+        if self.several {
+            print_json_line(document)
+        } else {
+            print_json(document)
         }
-        let line = serde_json::to_string(document).map_err(io::Error::from)?;
-        print_data(line + "\n")
     }
 
     fn finish(self) -> Result<(), Failure> {

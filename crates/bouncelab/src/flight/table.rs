@@ -202,6 +202,11 @@ impl FlightTables {
         }
     }
 
+    /// Forgets the flights; they are solved again when they are asked for.
+    pub(crate) fn forget(&mut self) {
+        self.marches = vec![OnceLock::new(); STRENGTHS];
+    }
+
     /// The flights with so many times the drag of the profile; `None` for a drag below zero, and for
     /// one some thirty times too strong.
     pub(crate) fn at(&self, strength: f64) -> Option<FlightTable<'_>> {

@@ -123,6 +123,7 @@ impl Answers {
             sampled: posterior,
         };
         inferred.band = inferred.compute_band();
+        inferred.sampled.forget_flights();
         Some(inferred)
     }
 

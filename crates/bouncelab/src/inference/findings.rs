@@ -6,7 +6,7 @@ use super::fit;
 use super::identify::{PriorContraction, UNINFORMATIVE, Unknown};
 use super::likelihood::Innovation;
 use super::priors::{Measured, Priors};
-use super::sampled::{MATTERS, SampledPosterior};
+use super::sampled::{MATTERS, Pool, SampledPosterior};
 use crate::diagnostic::{Code, Diagnostic};
 
 /// An impact with less weight than this is called odd.
@@ -166,7 +166,7 @@ fn detected_height_m(posterior: &SampledPosterior, law: LawKind, media: usize) -
         numberings: vec![posterior.numbering().clone()],
         media: posterior.media.clone(),
         candidates: Vec::new(),
-        draws: Vec::new(),
+        draws: Pool::default(),
         ..*posterior
     };
     let model = without.model_of(law, media, 0, 0);

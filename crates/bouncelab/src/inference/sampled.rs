@@ -1,6 +1,5 @@
 //! All models of a drop, weighted by their evidence.
 
-use nalgebra::DVector;
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
@@ -81,10 +80,46 @@ pub(super) struct Candidate {
 }
 
 /// One draw of the posterior over everything.
-#[derive(Debug, Clone)]
-pub(super) struct Draw {
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Draw<'a> {
     pub(super) candidate: usize,
-    pub(super) vector: DVector<f64>,
+    pub(super) vector: &'a [f64],
+}
+
+/// Equally likely draws, one after the other: a recording may have a million of them.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Pool {
+    /// The candidate of each, and where its vector ends among the values.
+    draws: Vec<(u32, u32)>,
+    values: Vec<f64>,
+}
+
+impl Pool {
+    fn push(&mut self, candidate: usize, vector: impl IntoIterator<Item = f64>) {
+        self.values.extend(vector);
+        self.draws
+            .push((candidate as u32, self.values.len() as u32));
+    }
+
+    pub(super) fn len(&self) -> usize {
+        self.draws.len()
+    }
+
+    pub(super) fn is_empty(&self) -> bool {
+        self.draws.is_empty()
+    }
+
+    pub(super) fn iter(&self) -> impl Iterator<Item = Draw<'_>> {
+        let mut start = 0;
+        self.draws.iter().map(move |&(candidate, end)| {
+            let vector = &self.values[start..end as usize];
+            start = end as usize;
+            Draw {
+                candidate: candidate as usize,
+                vector,
+            }
+        })
+    }
 }
 
 /// The impacts in one numbering, with their flights in each of the media.
@@ -107,8 +142,7 @@ pub(super) struct SampledPosterior {
     pub(super) environment: Environment,
     /// Most probable first.
     pub(super) candidates: Vec<Candidate>,
-    /// Equally likely draws.
-    pub(super) draws: Vec<Draw>,
+    pub(super) draws: Pool,
 }
 
 /// A candidate that is more probable than this matters.
@@ -208,7 +242,7 @@ impl SampledPosterior {
             ball: *ball,
             environment: *environment,
             candidates: Vec::new(),
-            draws: Vec::new(),
+            draws: Pool::default(),
         };
         posterior.keep_likely_numberings();
         posterior.candidates = posterior.fitted();
@@ -422,10 +456,20 @@ impl SampledPosterior {
         }
     }
 
+    /// Forgets the flights, which take as much memory as the draws; a question that comes later makes them again.
+    pub(super) fn forget_flights(&mut self) {
+        for medium in &mut self.media {
+            medium.flights.forget();
+        }
+        for flights in self.numberings.iter_mut().flat_map(|it| &mut it.flights) {
+            flights.forget();
+        }
+    }
+
     /// Equally likely draws from all samples, by systematic resampling: one random number places a
     /// comb over the weights. Each tooth takes one of a few draws that are alike, so the answers scatter less
     /// over seeds than in the order drawn (M. Gerber, N. Chopin and N. Whiteley, Ann. Stat. 47, 2236, 2019).
-    fn pooled(&self, sampler: &SamplerConfig) -> Vec<Draw> {
+    fn pooled(&self, sampler: &SamplerConfig) -> Pool {
         let draws = sampler.draws;
         let sampled: f64 = self
             .candidates
@@ -437,7 +481,10 @@ impl SampledPosterior {
         let tooth = sampled / draws as f64;
         let mut next = offset * tooth;
         let mut sum = 0.0;
-        let mut pooled = Vec::with_capacity(draws);
+        let mut pooled = Pool {
+            draws: Vec::with_capacity(draws),
+            ..Pool::default()
+        };
         for (index, candidate) in self.candidates.iter().enumerate() {
             let Some(sample) = &candidate.sample else {
                 continue;
@@ -446,14 +493,12 @@ impl SampledPosterior {
             for draw in order(&sample.vectors, &sample.weights, &unknowns) {
                 sum += candidate.weight * sample.weights[draw];
                 while next < sum && pooled.len() < draws {
-                    pooled.push(Draw {
-                        candidate: index,
-                        vector: sample.vectors.column(draw).into_owned(),
-                    });
+                    pooled.push(index, sample.vectors.column(draw).iter().copied());
                     next += tooth;
                 }
             }
         }
+        pooled.values.shrink_to_fit();
         pooled
     }
 
@@ -528,7 +573,7 @@ impl SampledPosterior {
         let models = self.models();
         let draws = self.draws.iter().step_by(every);
         draws.filter_map(move |draw| {
-            let values = models[draw.candidate].values(draw.vector.as_slice())?;
+            let values = models[draw.candidate].values(draw.vector)?;
             Some(values.law)
         })
     }
@@ -545,7 +590,7 @@ impl SampledPosterior {
             .step_by(every.max(1))
             .filter_map(|draw| {
                 let model = &models[draw.candidate];
-                let point = model.point(draw.vector.as_slice())?;
+                let point = model.point(draw.vector)?;
                 value(model, &point)
             })
             .collect()

@@ -48,6 +48,11 @@ impl TimedFlights {
         }
     }
 
+    /// Forgets the curves; they are made again when they are asked for.
+    pub(super) fn forget(&mut self) {
+        self.nodes = vec![OnceLock::new(); STRENGTHS];
+    }
+
     /// Nominal 1/(g T) of an interval, s/m.
     #[inline(always)]
     pub(super) fn per_nominal(&self, interval: usize) -> f64 {
