@@ -216,11 +216,10 @@ impl<'a> Model<'a> {
         let trial = self.trial_in(&[], *point, self.table(point)?)?;
         let mut details = Details::default();
         // A release is compared with the fall; without one the first step is that of the first interval.
-        let fall = self.release_s.is_none();
-        let mut ends: Vec<_> = fall
-            .then(|| InitialFall::end(&[trial.fall]))
-            .into_iter()
-            .collect();
+        let mut ends = Vec::new();
+        if self.release_s.is_none() {
+            ends.push(InitialFall::end(&[trial.fall]));
+        }
         self.log_posteriors_of([&trial], &mut |step, end| {
             details.add(step, 0);
             ends.push(*end);
