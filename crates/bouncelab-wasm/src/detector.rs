@@ -1,8 +1,8 @@
 //! Detects the drops of a recording.
 
-use bouncelab::analysis::{DetectionOptions, DropTask, Gap, Plan};
+use bouncelab::analysis::{DetectionOptions, DropTask, Gap, Plan, rests_at_s};
 use bouncelab::onset::OnsetDetector;
-use bouncelab::train::{self, Train};
+use bouncelab::train::Train;
 use bouncelab::{Detector, Diagnostic, Impact, Options, Recording};
 use bouncelab_audio::times;
 
@@ -80,7 +80,7 @@ impl RecordingDetector {
         self.found.duration_s = now_s;
         let last = self.last.as_ref();
         self.found.at_rest =
-            last.is_some_and(|train| now_s > rests_at_s(train, &self.options.edits.gaps));
+            last.is_some_and(|train| now_s > rests_at_s(train.impacts(), &self.options.edits.gaps));
         &self.found
     }
 
@@ -92,22 +92,6 @@ impl RecordingDetector {
         let plan = Plan::of_detection(detection, &self.options);
         (plan.of_file(format, warnings).run(), levels)
     }
-}
-
-/// When no more impacts of a drop are expected, in seconds. What came in lost sound was not heard, so the wait begins
-/// anew where the sound sets in again.
-fn rests_at_s(train: &Train, gaps: &[Gap]) -> f64 {
-    let at_s = train::latest_next_s(train.impacts());
-    let wait_s = at_s - train.end_s();
-    gaps.iter()
-        .filter(|gap| gap.end_s() > train.end_s())
-        .fold(at_s, |at_s, gap| {
-            if gap.start_s < at_s {
-                at_s.max(gap.end_s() + wait_s)
-            } else {
-                at_s
-            }
-        })
 }
 
 /// Reads a list of times; the extension of its name says how.

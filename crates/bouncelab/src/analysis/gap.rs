@@ -2,6 +2,7 @@
 
 use crate::diagnostic::{Code, Diagnostic};
 use crate::impact::Impact;
+use crate::train::{TrainImpact, latest_next_s};
 
 /// Where sound breaks off or sets in again, an onset is detected that is no impact: impacts this near
 /// to a gap, in seconds, are not believed.
@@ -51,6 +52,33 @@ pub(super) fn cut(impacts: &mut Vec<Impact>, gaps: &[Gap]) -> Option<Diagnostic>
             .with("impacts", all)
             .with("kept", impacts.len()),
     )
+}
+
+/// When no more impacts of a drop are expected, in seconds: what came in lost sound was not heard, so the wait of
+/// [`latest_next_s`] begins anew where the sound sets in again.
+///
+/// ```
+/// use bouncelab::analysis::{Gap, rests_at_s};
+/// use bouncelab::onset::Onset;
+/// use bouncelab::train;
+///
+/// let found = train::find(&[0.0, 0.5, 0.9, 1.2, 1.4].map(Onset::click));
+/// let impacts = found.trains[0].impacts();
+/// let lost = Gap { start_s: 1.5, duration_s: 3.0, certain: true };
+/// assert!(rests_at_s(impacts, &[lost]) > rests_at_s(impacts, &[]) + 3.0);
+/// ```
+pub fn rests_at_s(impacts: &[TrainImpact], gaps: &[Gap]) -> f64 {
+    let last_s = impacts.last().map_or(0.0, |impact| impact.onset.time_s);
+    let at_s = latest_next_s(impacts);
+    let wait_s = at_s - last_s;
+    let after = gaps.iter().filter(|gap| gap.end_s() > last_s);
+    after.fold(at_s, |at_s, gap| {
+        if gap.start_s < at_s {
+            at_s.max(gap.end_s() + wait_s)
+        } else {
+            at_s
+        }
+    })
 }
 
 impl Gap {

@@ -44,7 +44,7 @@ use crate::{Error, Result};
 pub use crate::detection::DetectionOptions;
 pub use balls::BallComparison;
 pub use derived::{DragCurve, HeightHistory, Truncation};
-pub use gap::Gap;
+pub use gap::{Gap, rests_at_s};
 pub use pipeline::{DropCandidate, DropTask, Plan, analyze, analyze_channels, analyze_times};
 pub use result::{BounceEnergy, Drop, MeasuredFlight, Recording, Source, StrongestBand};
 
