@@ -125,9 +125,9 @@ impl<W: Store> Recorder<W> {
         Ok(recorder)
     }
 
-    /// The same file with fewer bytes of samples at most than the 4 GB that a WAV can have.
+    /// The same file with a size limit of its samples, in bytes, below the 4 GB that a WAV can have.
     #[must_use]
-    pub fn with_most_bytes(mut self, bytes: u32) -> Self {
+    pub fn with_size_limit(mut self, bytes: u32) -> Self {
         self.most_data = self.most_data.min(bytes);
         self
     }
@@ -443,7 +443,7 @@ mod tests {
 
     #[test]
     fn a_file_takes_no_more_than_it_may() {
-        let mut recorder = recorder(usize::MAX, 1, SampleFormat::Int16).with_most_bytes(2 * 10_000);
+        let mut recorder = recorder(usize::MAX, 1, SampleFormat::Int16).with_size_limit(2 * 10_000);
         recorder.push(&[&ramp(9_000)]).unwrap();
         assert_eq!(recorder.room_frames(), 1_000);
         recorder.push(&[&ramp(1_001)]).unwrap_err();

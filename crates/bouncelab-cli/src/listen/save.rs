@@ -28,8 +28,8 @@ pub(super) struct Saver {
     sample_rate_hz: u32,
     channels: usize,
     format: SampleFormat,
-    /// Of samples in a file.
-    most_bytes: u32,
+    /// The size limit of the samples of a file, in bytes; the sound goes on in the next.
+    size_limit: u32,
 }
 
 impl Saver {
@@ -50,7 +50,7 @@ impl Saver {
             sample_rate_hz: recording.sample_rate_hz,
             channels: recording.channels,
             format,
-            most_bytes: u32::MAX,
+            size_limit: u32::MAX,
         };
         match &arguments.save {
             Some(file) => saver.open(file.clone())?,
@@ -72,7 +72,7 @@ impl Saver {
 
     fn open(&mut self, file: PathBuf) -> Result<(), Error> {
         let recorder = Recorder::create(&file, self.sample_rate_hz, self.channels, self.format)?
-            .with_most_bytes(self.most_bytes);
+            .with_size_limit(self.size_limit);
         // Else the name may be lost with the power; some network drives cannot promise more.
         let _ = sync_name(&file);
         self.recorder = Some(recorder);
@@ -213,8 +213,8 @@ mod tests {
             sample_rate_hz: 8000,
             channels: 1,
             format: SampleFormat::Int16,
-            // A hundred frames and another that no block leaves room for.
-            most_bytes: 202,
+            // 101 frames: the second block does not fit.
+            size_limit: 202,
         };
         // A hundred frames are an eightieth of a second; what is lost reaches into the second file.
         let gap = |start_s, duration_s| Gap {
