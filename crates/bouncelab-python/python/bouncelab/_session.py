@@ -184,7 +184,8 @@ def session(
         several = os.cpu_count() or 1 if jobs is None else count("jobs", jobs)
         try:
             with ExitStack() as ends:
-                alike = (Isolated(pickle.dumps(work), LONGEST_S) for _ in range(max(several, 1)))
+                analyses = pickle.dumps(work)
+                alike = (Isolated(analyses, LONGEST_S) for _ in range(max(several, 1)))
                 children = [ends.enter_context(closing(child)) for child in alike]
                 analysed = _core.Session(work.settings, work.request, report, children)
         finally:
