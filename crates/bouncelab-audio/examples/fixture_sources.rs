@@ -3,9 +3,8 @@
 #[path = "../tests/clicks/mod.rs"]
 mod clicks;
 
-use std::fs;
-
-use bouncelab_audio::{SampleFormat, encode_wav};
+use bouncelab_audio::SampleFormat;
+use bouncelab_testkit::write_wav;
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let folder = std::env::args()
@@ -14,7 +13,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     for rate in [4_000, 8_000, 44_100, 48_000] {
         let sound = clicks::signal(rate);
         let path = format!("{folder}/{rate}.wav");
-        fs::write(path, encode_wav(rate, SampleFormat::Float32, &[&sound])?)?;
+        write_wav(path, rate, SampleFormat::Float32, &[&sound]);
     }
     Ok(())
 }

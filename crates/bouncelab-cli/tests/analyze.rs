@@ -8,8 +8,8 @@ use std::path::{Path, PathBuf};
 use assert_cmd::Command;
 use bouncelab::impact::Strike;
 use bouncelab::synth::{self, Noise, Scene};
-use bouncelab_audio::{SampleFormat, encode_wav};
-use bouncelab_testkit::strikes;
+use bouncelab_audio::SampleFormat;
+use bouncelab_testkit::{strikes, write_wav};
 use predicates::prelude::*;
 use serde_json::Value;
 use tempfile::TempDir;
@@ -41,11 +41,7 @@ fn times(count: usize) -> Vec<f64> {
 
 fn write_samples(folder: &TempDir, name: &str, samples: &[f32]) -> PathBuf {
     let path = folder.path().join(name);
-    fs::write(
-        &path,
-        encode_wav(RATE_HZ, SampleFormat::Float32, &[samples]).unwrap(),
-    )
-    .unwrap();
+    write_wav(&path, RATE_HZ, SampleFormat::Float32, &[samples]);
     path
 }
 

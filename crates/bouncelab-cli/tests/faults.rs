@@ -12,8 +12,8 @@ use std::process::{Command, Output};
 use std::thread;
 
 use bouncelab::synth::{self, Scene};
-use bouncelab_audio::{SampleFormat, Source, encode_wav};
-use bouncelab_testkit::strikes;
+use bouncelab_audio::{SampleFormat, Source};
+use bouncelab_testkit::{strikes, write_wav};
 use tempfile::TempDir;
 
 /// A command that reads from the folder `in` and writes into the folder `out`.
@@ -144,11 +144,7 @@ impl Workspace {
             let sound = synth::render(&impacts, &Scene::default(), seed).unwrap();
             let path = workspace.path("in").join(name);
             let rate_hz = sound.sample_rate_hz;
-            fs::write(
-                &path,
-                encode_wav(rate_hz, SampleFormat::Int16, &[&sound.samples]).unwrap(),
-            )
-            .unwrap();
+            write_wav(&path, rate_hz, SampleFormat::Int16, &[&sound.samples]);
         }
         workspace
     }

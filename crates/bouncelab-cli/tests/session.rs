@@ -8,8 +8,8 @@ use std::thread;
 use assert_cmd::Command;
 use bouncelab::impact::Strike;
 use bouncelab::synth::{self, Rendered, Scene};
-use bouncelab_audio::{SampleFormat, encode_wav};
-use bouncelab_testkit::strikes;
+use bouncelab_audio::SampleFormat;
+use bouncelab_testkit::{strikes, write_wav};
 use predicates::prelude::*;
 use predicates::str::contains;
 use tempfile::TempDir;
@@ -52,11 +52,12 @@ impl Workspace {
     fn record(&self, name: impl AsRef<Path>, seed: u16) -> &Self {
         let sound = drop_of(seed);
         let path = self.recordings().join(name);
-        fs::write(
+        write_wav(
             path,
-            encode_wav(sound.sample_rate_hz, SampleFormat::Int16, &[&sound.samples]).unwrap(),
-        )
-        .unwrap();
+            sound.sample_rate_hz,
+            SampleFormat::Int16,
+            &[&sound.samples],
+        );
         self
     }
 
@@ -597,11 +598,7 @@ fn a_recording_that_takes_too_much_memory_is_named_and_the_rest_goes_on() {
     let channels = [noise(), noise()];
     let path = workspace.recordings().join("long.wav");
     let channels: [&[f32]; 2] = [&channels[0], &channels[1]];
-    fs::write(
-        path,
-        encode_wav(RATE_HZ, SampleFormat::Int16, &channels).unwrap(),
-    )
-    .unwrap();
+    write_wav(path, RATE_HZ, SampleFormat::Int16, &channels);
     let with_memory = |mb: &str| {
         workspace
             .session()
@@ -630,11 +627,7 @@ fn a_recording_that_takes_too_long_is_named_and_the_rest_goes_on() {
     let sound = drop_of(1);
     let drops: &[f32] = &sound.samples.repeat(20);
     let path = workspace.recordings().join("drops.wav");
-    fs::write(
-        path,
-        encode_wav(sound.sample_rate_hz, SampleFormat::Int16, &[drops]).unwrap(),
-    )
-    .unwrap();
+    write_wav(path, sound.sample_rate_hz, SampleFormat::Int16, &[drops]);
     fs::write(workspace.recordings().join("empty.wav"), "").unwrap();
     let program = Command::cargo_bin("bouncelab").unwrap();
     let mut session = Plain::new(program.get_program())

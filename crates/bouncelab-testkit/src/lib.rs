@@ -10,12 +10,29 @@ pub mod damage;
 pub mod fuzz;
 pub mod hostile;
 
+use std::fs;
 use std::iter::successors;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use bouncelab::flight::FlightModel;
 use bouncelab::gravity;
 use bouncelab::impact::Strike;
+use bouncelab_audio::{SampleFormat, encode_wav};
+
+/// Writes a WAV file: one slice of samples for each channel, all of the same length.
+///
+/// # Panics
+///
+/// If it cannot be encoded or written.
+pub fn write_wav(
+    path: impl AsRef<Path>,
+    sample_rate_hz: u32,
+    format: SampleFormat,
+    channels: &[&[f32]],
+) {
+    let wav = encode_wav(sample_rate_hz, format, channels).expect("samples of a WAV file");
+    fs::write(path, wav).expect("a file that can be written");
+}
 
 /// The impacts of a drop without end, the first at time zero. `restitution` is asked at each impact
 /// speed in m/s, so it may scatter, which the laws of the library do not.

@@ -568,11 +568,7 @@ mod tests {
         let (played, saved) = (place("played.wav"), place("saved.wav"));
         let samples = drop_sound();
         let format = bouncelab_audio::SampleFormat::Float32;
-        std::fs::write(
-            &played,
-            bouncelab_audio::encode_wav(RATE_HZ, format, &[&samples]).unwrap(),
-        )
-        .unwrap();
+        bouncelab_testkit::write_wav(&played, RATE_HZ, format, &[&samples]);
         let words = ["listen", "--fast", "--from", &played, "--save", &saved];
         let Only { arguments } = Only::parse_from(words);
         let sound = Sound::open(&arguments).unwrap();

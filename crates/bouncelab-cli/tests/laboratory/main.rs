@@ -7,7 +7,8 @@ use std::fs;
 use std::path::Path;
 
 use assert_cmd::Command;
-use bouncelab_audio::{SampleFormat, encode_wav};
+use bouncelab_audio::SampleFormat;
+use bouncelab_testkit::write_wav;
 use serde_json::Value;
 use tempfile::TempDir;
 use world::Truth;
@@ -53,11 +54,7 @@ fn record(folder: &Path) {
     fs::write(folder.join("blue_wood_20cm_9.wav"), "no sound").unwrap();
     let silence = vec![0.0_f32; 44_100];
     let silent = folder.join("cyan_wood_20cm_9.wav");
-    fs::write(
-        &silent,
-        encode_wav(44_100, SampleFormat::Int16, &[&silence]).unwrap(),
-    )
-    .unwrap();
+    write_wav(&silent, 44_100, SampleFormat::Int16, &[&silence]);
     let notes = "title = \"Laboratory\"\npattern = \"{ball}_{surface}_{height}_{}\"\n\
                  [all]\ntemperature = \"20C\"\npressure = \"1013.25hPa\"\n";
     let balls = BALLS.map(|(ball, _)| format!("[balls.{ball}]\nkind = \"table-tennis-40\"\n"));

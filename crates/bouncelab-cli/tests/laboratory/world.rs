@@ -1,14 +1,13 @@
 //! A laboratory in which the truth is known.
 
-use std::fs;
 use std::path::Path;
 
 use bouncelab::analysis::Options;
 use bouncelab::flight::FlightModel;
 use bouncelab::impact::Strike;
 use bouncelab::synth::{self, Noise, Scene};
-use bouncelab_audio::{SampleFormat, encode_wav};
-use bouncelab_testkit::bouncing;
+use bouncelab_audio::SampleFormat;
+use bouncelab_testkit::{bouncing, write_wav};
 
 /// How a ball bounces from a surface: e = at 1 m/s times v^-p, with scatter.
 #[derive(Debug, Clone, Copy)]
@@ -39,11 +38,12 @@ impl Truth {
             ..Scene::default()
         };
         let sound = synth::render(&strikes, &scene, seed).unwrap();
-        fs::write(
+        write_wav(
             path,
-            encode_wav(sound.sample_rate_hz, SampleFormat::Int16, &[&sound.samples]).unwrap(),
-        )
-        .unwrap();
+            sound.sample_rate_hz,
+            SampleFormat::Int16,
+            &[&sound.samples],
+        );
     }
 
     fn strikes(&self, height_m: f64, seed: u64) -> Vec<Strike> {

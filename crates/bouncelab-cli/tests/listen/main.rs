@@ -14,8 +14,8 @@ use assert_cmd::Command;
 use bouncelab::analysis::Gap;
 use bouncelab::impact::Strike;
 use bouncelab::synth::{self, Scene};
-use bouncelab_audio::{Recorder, SampleFormat, Source, encode_wav};
-use bouncelab_testkit::strikes;
+use bouncelab_audio::{Recorder, SampleFormat, Source};
+use bouncelab_testkit::{strikes, write_wav};
 use predicates::prelude::*;
 use serde_json::Value;
 use tempfile::TempDir;
@@ -74,11 +74,7 @@ fn sound(starts_s: &[f64], restitution: f64, tail_s: f64) -> Vec<f32> {
 
 fn recording(folder: &TempDir, samples: &[f32]) -> PathBuf {
     let path = folder.path().join("drop.wav");
-    fs::write(
-        &path,
-        encode_wav(RATE_HZ, SampleFormat::Float32, &[samples]).unwrap(),
-    )
-    .unwrap();
+    write_wav(&path, RATE_HZ, SampleFormat::Float32, &[samples]);
     path
 }
 
