@@ -425,6 +425,19 @@ fn what_is_said_of_recordings_is_in_the_language_of_the_results() {
     assert!(found.is_empty(), "{found:?}: {all}");
 }
 
+#[test]
+fn what_was_assumed_is_said_of_the_recordings_that_it_concerns() {
+    let workspace = Workspace::new(&[("notes.csv", "file,ball\na.wav,tennis\nb.wav,basketball\n")]);
+    workspace.record("a.wav", 1).record("b.wav", 2);
+    let table = workspace.recordings().join("notes.csv");
+    let mut session = workspace.session();
+    session.arg("--no-inference").arg("--table").arg(table);
+    session.assert().success().stdout(contains(
+        "Assumed: The ball touches the surface for 15.0 ms (in 1 of 2 recordings). The ball touches the surface for \
+         5.00 ms (in 1 of 2 recordings). Air of",
+    ));
+}
+
 /// A field of any name may be noted, so a slip would make one more and lose what was meant.
 #[test]
 fn slips_of_the_pen_are_questioned() {

@@ -114,7 +114,7 @@ fn a_report_says_what_the_screen_says() {
         "ITTF, rules for balls",
         "24 to 26 cm",
         "contact time, which is no flight",
-        "Its lowest point fell",
+        "The lowest point of the ball fell",
         "--report verdict",
     ] {
         assert!(html.contains(words) && markdown.contains(words), "{words}");

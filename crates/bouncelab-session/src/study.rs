@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 use std::ops::Range;
 use std::sync::Arc;
 
+use bouncelab::diagnostic::Code;
 use bouncelab::groups::RestitutionCurve;
 use bouncelab::inference::Measured;
 use bouncelab_report::groups::{About, GroupStudy, NotedDrop, Question, Reason};
@@ -378,24 +379,25 @@ impl<'a> Excluded<'a> {
     }
 }
 
-/// What was assumed of all recordings alike.
+/// What was assumed of all recordings alike, and of some: a sentence each, those about the same together.
 fn assumptions(recordings: &[KnownRecording], translator: &Translator) -> Vec<String> {
-    let mut counts: BTreeMap<String, usize> = BTreeMap::new();
+    let mut counts: BTreeMap<(Code, String), usize> = BTreeMap::new();
     let assumptions = recordings
         .iter()
         .flat_map(|it| &it.metadata.setup.assumptions);
     for assumption in assumptions {
-        *counts.entry(translator.diagnostic(assumption)).or_default() += 1;
+        let sentence = translator.diagnostic(assumption);
+        *counts.entry((assumption.code, sentence)).or_default() += 1;
     }
     let all = recordings.len();
     counts
         .into_iter()
-        .map(|(assumption, count)| match count {
+        .map(|((_, assumption), count)| match count {
             count if count == all => assumption,
             count => translator.text_with(
                 "groups-assumed-of-some",
                 &[
-                    ("assumption", assumption.as_str().into()),
+                    ("assumption", assumption.trim_end_matches('.').into()),
                     ("count", count.into()),
                     ("all", all.into()),
                 ],

@@ -150,9 +150,9 @@ diagnostic-implausible-ball = Ein Ball von { $mass_kg } und { $diameter_m } Durc
   }
 
 diagnostic-assumed-ball = Der Ball: { $ball }.
-diagnostic-assumed-contact-time = Er berührt den Untergrund { $contact_time_s } lang.
+diagnostic-assumed-contact-time = Der Ball berührt den Untergrund { $contact_time_s } lang.
 diagnostic-assumed-rule-ball = Der Ball: { $ball }, wie in der Regel.
-diagnostic-assumed-rule-height = Sein tiefster Punkt fiel { $height_m } ± { $sd_m }, wie in der Regel.
+diagnostic-assumed-rule-height = Der tiefste Punkt des Balls fiel { $height_m } ± { $sd_m }, wie in der Regel.
 diagnostic-assumed-air = Luft von { $temperature_k } °C, { $pressure_pa } hPa, { $relative_humidity } % Feuchte.
 diagnostic-assumed-gravity = Fallbeschleunigung { $gravity_m_s2 }.
 

@@ -77,4 +77,4 @@ session-unknown-there = er kennt seine Stoßzahl bei { $speed } m/s nicht
 session-one-drop = Ein Versuch allein sagt nichts über die Streuung zwischen Versuchen und darum nichts über den Bereich eines Mittels: Lass den Ball mehrmals fallen.
 session-one-group = Alle Versuche sind in einer Gruppe, es gibt also nichts zu vergleichen. Ein Unterschied braucht zwei Gruppen: mit einem anderen Ball, auf einem anderen Untergrund oder von einer anderen Person.
 session-no-curve = seine Stoßzahl ist bei keinem Tempo bekannt: zu wenige Aufpralle, oder ihr Tempo unterscheidet sich zu wenig
-groups-assumed-of-some = { $assumption } (in { $count } von { $all } Aufnahmen)
+groups-assumed-of-some = { $assumption } (in { $count } von { $all } Aufnahmen).

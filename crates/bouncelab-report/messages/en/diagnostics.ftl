@@ -153,9 +153,9 @@ diagnostic-implausible-ball = A ball of { $mass_kg } and { $diameter_m } in diam
   }
 
 diagnostic-assumed-ball = The ball is { $ball }.
-diagnostic-assumed-contact-time = It touches the surface for { $contact_time_s }.
+diagnostic-assumed-contact-time = The ball touches the surface for { $contact_time_s }.
 diagnostic-assumed-rule-ball = The ball is { $ball }, as in the rule.
-diagnostic-assumed-rule-height = Its lowest point fell { $height_m } ± { $sd_m }, as in the rule.
+diagnostic-assumed-rule-height = The lowest point of the ball fell { $height_m } ± { $sd_m }, as in the rule.
 diagnostic-assumed-air = Air of { $temperature_k } °C, { $pressure_pa } hPa, { $relative_humidity } % humidity.
 diagnostic-assumed-gravity = Gravity { $gravity_m_s2 }.
 

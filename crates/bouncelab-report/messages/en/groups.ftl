@@ -77,4 +77,4 @@ session-unknown-there = it does not know its restitution at { $speed } m/s
 session-one-drop = One drop alone says nothing of the scatter between drops, and so nothing of the interval of a mean: drop the ball several times.
 session-one-group = All drops are in one group, so there is nothing to compare. Differences need two groups: of another ball, another surface or another person.
 session-no-curve = it knows its restitution at no speed: too few impacts, or too small a range of speeds
-groups-assumed-of-some = { $assumption } (in { $count } of { $all } recordings)
+groups-assumed-of-some = { $assumption } (in { $count } of { $all } recordings).

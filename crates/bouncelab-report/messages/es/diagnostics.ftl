@@ -139,9 +139,9 @@ diagnostic-implausible-ball = ¿Una pelota de { $mass_kg } y { $diameter_m } de 
   }
 
 diagnostic-assumed-ball = La pelota es: { $ball }.
-diagnostic-assumed-contact-time = Toca la superficie durante { $contact_time_s }.
+diagnostic-assumed-contact-time = La pelota toca la superficie durante { $contact_time_s }.
 diagnostic-assumed-rule-ball = La pelota es la de la regla: { $ball }.
-diagnostic-assumed-rule-height = Su punto más bajo cayó { $height_m } ± { $sd_m }, como en la regla.
+diagnostic-assumed-rule-height = El punto más bajo de la pelota cayó { $height_m } ± { $sd_m }, como en la regla.
 diagnostic-assumed-air = Aire a { $temperature_k } °C, { $pressure_pa } hPa, { $relative_humidity } % de humedad.
 diagnostic-assumed-gravity = Gravedad { $gravity_m_s2 }.
 

@@ -79,4 +79,4 @@ session-unknown-there = no conoce su restitución a { $speed } m/s
 session-one-drop = Un solo ensayo no dice nada de la dispersión entre ensayos, ni por tanto del intervalo de una media: suelte la pelota varias veces.
 session-one-group = Todos los ensayos están en un grupo, así que no hay nada que comparar. Las diferencias necesitan dos grupos: otra pelota, otra superficie u otra persona.
 session-no-curve = no conoce su restitución a ninguna velocidad: demasiado pocos impactos, o un intervalo de velocidades demasiado pequeño
-groups-assumed-of-some = { $assumption } (en { $count } de { $all } grabaciones)
+groups-assumed-of-some = { $assumption } (en { $count } de { $all } grabaciones).

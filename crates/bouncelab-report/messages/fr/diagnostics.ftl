@@ -139,9 +139,9 @@ diagnostic-implausible-ball = Une balle de { $mass_kg } et de { $diameter_m } de
   }
 
 diagnostic-assumed-ball = La balle est : { $ball }.
-diagnostic-assumed-contact-time = Elle touche la surface pendant { $contact_time_s }.
+diagnostic-assumed-contact-time = La balle touche la surface pendant { $contact_time_s }.
 diagnostic-assumed-rule-ball = La balle est celle de la règle : { $ball }.
-diagnostic-assumed-rule-height = Son point le plus bas est tombé de { $height_m } ± { $sd_m }, comme dans la règle.
+diagnostic-assumed-rule-height = Le point le plus bas de la balle est tombé de { $height_m } ± { $sd_m }, comme dans la règle.
 diagnostic-assumed-air = Air à { $temperature_k } °C, { $pressure_pa } hPa, { $relative_humidity } % d’humidité.
 diagnostic-assumed-gravity = Pesanteur { $gravity_m_s2 }.
 

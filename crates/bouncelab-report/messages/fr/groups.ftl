@@ -79,4 +79,4 @@ session-unknown-there = il ne connaît pas sa restitution à { $speed } m/s
 session-one-drop = Un seul essai ne dit rien de la dispersion entre essais, ni donc de l’intervalle d’une moyenne : lâchez la balle plusieurs fois.
 session-one-group = Tous les essais sont dans un seul groupe : il n’y a rien à comparer. Des différences demandent deux groupes : une autre balle, une autre surface ou une autre personne.
 session-no-curve = il ne connaît sa restitution à aucune vitesse : trop peu d’impacts, ou une trop petite plage de vitesses
-groups-assumed-of-some = { $assumption } (dans { $count } des { $all } enregistrements)
+groups-assumed-of-some = { $assumption } (dans { $count } des { $all } enregistrements).
