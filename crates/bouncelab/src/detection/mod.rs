@@ -519,10 +519,16 @@ impl ChannelDetector {
         // Nothing that goes on for longer than is remembered is a drop.
         let past_s = past_s.min((open_from_s - 1e-3).max(self.forgotten_before_s(now_s, 4)));
         found.periodic.retain(|r| r.start_s <= past_s);
+        // Of a drop that is taken nothing is left to be taken for another.
+        let is_judged = |onset: &Onset| {
+            onset.time_s <= past_s || found.trains.iter().any(|train| train.has(onset))
+        };
+        let judged: Vec<Onset> = self
+            .onsets
+            .extract_if(.., |onset| is_judged(onset))
+            .collect();
+        self.onsets_judged += standing_out(&judged);
         self.take(found);
-        let judged = self.onsets.partition_point(|o| o.time_s <= past_s);
-        self.onsets_judged += standing_out(&self.onsets[..judged]);
-        self.onsets.drain(..judged);
         self.judged_s = past_s;
     }
 
@@ -839,6 +845,26 @@ mod tests {
         onsets
     }
 
+    /// Steady clicks for twenty seconds longer than this, when a drop begins whose forty flights shrink to twice their
+    /// interval.
+    fn clicks_and_long_drop(rate_hz: f64, drop_s: f64) -> Vec<Onset> {
+        let mut onsets = clicks_and_drop(rate_hz, drop_s + 20.0, drop_s + 30.0);
+        onsets.truncate(((drop_s + 20.0) * rate_hz) as usize);
+        let flights_s = (0..40).map(|n| 0.6 * 0.935_f64.powi(n));
+        let impacts = flights_s.scan(drop_s, |time_s, flight_s| {
+            let onset = Onset {
+                strength: 60.0,
+                level_db: -10.0 + 20.0 * (flight_s / 0.6).log10(),
+                ..Onset::click(*time_s)
+            };
+            *time_s += flight_s;
+            Some(onset)
+        });
+        onsets.extend(impacts);
+        onsets.sort_by(|a, b| a.time_s.total_cmp(&b.time_s));
+        onsets
+    }
+
     /// What is found among these onsets as they come one by one; never are many remembered.
     fn judged(onsets: &[Onset]) -> TrainSearch {
         let mut channel = ChannelDetector::new(OnsetDetector::new(44_100), 44_100, REMEMBERED_S);
@@ -877,6 +903,25 @@ mod tests {
                     "{rate_hz}: {drop_s}: {impacts}"
                 );
             }
+        }
+    }
+
+    /// They once went on as three hundred impacts, or took the drop with them, or it was found twice.
+    #[test]
+    fn steady_clicks_after_a_drop_are_no_part_of_it() {
+        for (rate_hz, drop_s) in [45.0, 60.0]
+            .into_iter()
+            .flat_map(|rate_hz| [5.0, 40.0, 60.0, 78.0, 90.0].map(|drop_s| (rate_hz, drop_s)))
+        {
+            let found = judged(&clicks_and_long_drop(rate_hz, drop_s));
+            let starts_s: Vec<f64> = found.trains.iter().map(Train::start_s).collect();
+            assert_eq!(starts_s, [drop_s], "{rate_hz}");
+            // As long as the drop may be the beginning of what keeps time, a few clicks are taken for impacts.
+            let impacts = found.trains[0].impacts().len();
+            assert!(
+                (38..=60).contains(&impacts),
+                "{rate_hz}: {drop_s}: {impacts}"
+            );
         }
     }
 }

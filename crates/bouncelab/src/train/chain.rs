@@ -8,6 +8,7 @@
 use std::ops::Range;
 
 use super::evidence::{self, Fall, Span, Surroundings};
+use super::rhythm::{self, Beat, Pulse};
 use super::{FEWEST_IMPACTS, Onset};
 
 /// The longest time between two impacts heard, in seconds: an apex of 4.9 m.
@@ -472,6 +473,19 @@ pub(super) fn numbers(onsets: &[Onset]) -> Option<Vec<u32>> {
     ways.into_iter().next().map(|(_, numbers)| numbers)
 }
 
+/// The intervals between these, each as if all flights in it took equally long.
+pub(super) fn beats(onsets: &[Onset], links: &[Link]) -> Vec<Beat> {
+    let beat = |pair: &[Link]| {
+        let interval_s = onsets[pair[1].onset].time_s - onsets[pair[0].onset].time_s;
+        let (from, to) = (f64::from(pair[0].number), f64::from(pair[1].number));
+        Beat {
+            number: 0.5 * (from + to),
+            ln_interval: (interval_s / (to - from)).ln(),
+        }
+    };
+    links.windows(2).map(beat).collect()
+}
+
 /// A step of a chain, and how many impacts were missed in it.
 struct Stride {
     from: usize,
@@ -545,21 +559,65 @@ impl Chain {
 
     /// Logarithm of how likely these flights are for a ball, given the first.
     pub(super) fn ln_flights(&self, onsets: &[Onset]) -> f64 {
+        let best = self.ln_each_flight(onsets);
+        best.map_or(f64::NEG_INFINITY, |(ln_prior, flights)| {
+            flights.iter().fold(ln_prior, |sum, ln| sum + ln)
+        })
+    }
+
+    /// The same of each flight after the first, on the surface on which they are most likely, and how usual that is.
+    fn ln_each_flight(&self, onsets: &[Onset]) -> Option<(f64, Vec<f64>)> {
         let pairs = self.links.windows(2);
         let strides: Vec<Stride> = pairs.map(|p| self.stride(onsets, p[0], p[1])).collect();
-        let Some((first, rest)) = strides.split_first() else {
-            return f64::NEG_INFINITY;
-        };
+        let (first, rest) = strides.split_first()?;
         let ways = self.initial_states(first).into_iter().flatten();
-        ways.zip(&evidence::SURFACES)
+        let on_each = ways
+            .zip(&evidence::SURFACES)
             .filter_map(|(birth, surface)| {
-                let start = (birth, surface.ln_prior);
-                let end = rest.iter().try_fold(start, |(state, ln), stride| {
-                    Some((state.by(stride)?, ln + state.ln_flight(stride)))
+                let mut state = birth;
+                let flights = rest.iter().map(|stride| {
+                    let ln = state.ln_flight(stride);
+                    state = state.by(stride)?;
+                    Some(ln)
                 });
-                Some(end?.1)
-            })
-            .fold(f64::NEG_INFINITY, f64::max)
+                Some((surface.ln_prior, flights.collect::<Option<Vec<f64>>>()?))
+            });
+        let ln = |(ln_prior, flights): &(f64, Vec<f64>)| ln_prior + flights.iter().sum::<f64>();
+        on_each.max_by(|a, b| ln(a).total_cmp(&ln(b)))
+    }
+
+    /// Ends the chain where its sounds begin to keep time, if that is more likely than that the ball goes on, and
+    /// returns those sounds: the flights of a ball shrink until they are as long as the beat of steady sounds, which
+    /// then look as if it went on.
+    pub(super) fn end_at_rhythm(&mut self, onsets: &[Onset]) -> Option<Vec<Link>> {
+        let (_, flights) = self.ln_each_flight(onsets)?;
+        let beats = beats(onsets, &self.links);
+        let end = rhythm::likeliest_beginning(&beats, &flights, FEWEST_IMPACTS)?;
+        // Its first interval may be any.
+        let rhythm = rhythm::ln_likelihood(&beats[end..]) + rhythm::LN_ANY;
+        let begins = if self.is_heard_before(onsets, end, beats[end].interval_s()) {
+            0.0
+        } else {
+            // The interval after the last impact may be any too, and what begins is as rare as a drop.
+            rhythm::LN_ANY + evidence::LN_BIRTH
+        };
+        let ball: f64 = flights[end - 2..].iter().sum();
+        if rhythm + rhythm::LN_USUAL + begins <= ball {
+            return None;
+        }
+        let whole = self.state_after(onsets)?.evidence;
+        let rest = self.links.split_off(end);
+        self.evidence += self.state_after(onsets)?.evidence - whole;
+        Some(rest)
+    }
+
+    /// Whether other sounds than those of this chain kept the same time before the one at this place.
+    fn is_heard_before(&self, onsets: &[Onset], place: usize, interval_s: f64) -> bool {
+        let mut pulse = Pulse::like(onsets, &self.links[place..]);
+        pulse.follow(self.links[place].onset, -interval_s);
+        let is_other = |index: usize| self.links.iter().all(|link| link.onset != index);
+        let others = pulse.onsets(true).filter(|(index, _)| is_other(*index));
+        others.count() >= FEWEST_IMPACTS
     }
 
     fn stride(&self, onsets: &[Onset], from: Link, to: Link) -> Stride {

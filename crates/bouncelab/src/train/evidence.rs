@@ -9,7 +9,7 @@ use std::f64::consts::{PI, SQRT_2};
 /// Drops are rarer than sounds: logarithm of the ratio at the first pair of impacts. The prior
 /// expectation is one drop among four hundred sounds, and first flights equally likely, on a
 /// logarithmic scale, over a factor of four.
-const LN_BIRTH: f64 = -7.4;
+pub(super) const LN_BIRTH: f64 = -7.4;
 
 /// Nor do more drops begin because more else sounds: the prior expectation is no more than one in
 /// this time, in seconds. Else, the denser the sounds, the more chains of coincidences would pass.

@@ -36,10 +36,10 @@ use crate::diagnostic::{Code, Diagnostic};
 use crate::onset::Onset;
 use crate::stats::median;
 use crate::stats::{logistic, softplus};
-use chain::Chain;
 pub(crate) use chain::work;
+use chain::{Chain, Link};
 pub(crate) use evidence::{LN_MISSED, Span};
-use rhythm::Beat;
+use rhythm::Pulse;
 use statrs::function::beta::ln_beta;
 use std::ops::Range;
 
@@ -136,7 +136,7 @@ impl Train {
     }
 
     /// Whether an onset is one of its impacts.
-    fn has(&self, onset: &Onset) -> bool {
+    pub(crate) fn has(&self, onset: &Onset) -> bool {
         self.distance_s(onset.time_s) <= 0.0
     }
 
@@ -508,8 +508,8 @@ fn telling(onsets: &[Onset]) -> Vec<Onset> {
 fn search_among(onsets: &[Onset], span: Span, read: Read, found: &mut TrainSearch) {
     let best = match best(onsets, span, read, 0.0) {
         None => return,
-        Some(Best::Rhythm(chain, beats)) => {
-            let rest = take_periodic(onsets, &chain, &beats, found);
+        Some(Best::Rhythm(links)) => {
+            let rest = take_periodic(onsets, &links, found);
             search_among(&rest, span, read, found);
             return;
         }
@@ -533,7 +533,7 @@ fn search_among(onsets: &[Onset], span: Span, read: Read, found: &mut TrainSearc
 /// What the best chain among some onsets is.
 enum Best {
     Drop(Train),
-    Rhythm(Chain, Vec<Beat>),
+    Rhythm(Vec<Link>),
 }
 
 /// The best chain, if it is more likely than chance; `ln_prior` are the odds of a drop here over those
@@ -543,23 +543,26 @@ fn best(onsets: &[Onset], span: Span, read: Read, ln_prior: f64) -> Option<Best>
         return None;
     }
     let mut chain = chain::best(onsets, span)?;
+    let rhythm = chain.end_at_rhythm(onsets);
     chain.evidence += ln_prior + alone(onsets, &chain) + loudest(onsets, &chain);
     if chain.evidence.abs() < DOUBTFUL {
         chain.evidence += alike(onsets, &chain, read);
     }
     if chain.evidence < BELIEVED {
-        return None;
+        return rhythm.map(Best::Rhythm);
     }
     chain.extend(onsets, 0.0);
-    let beats = beats(onsets, &chain);
+    chain.end_at_rhythm(onsets);
+    let beats = chain::beats(onsets, &chain.links);
     let against_rhythm =
         chain.ln_flights(onsets) - rhythm::ln_likelihood(&beats) - rhythm::LN_USUAL;
     let evidence = against_both(chain.evidence, against_rhythm);
     if evidence < BELIEVED {
-        return Some(Best::Rhythm(chain, beats));
+        return Some(Best::Rhythm(chain.links));
     }
     let log_bayes_factor = chain.evidence;
     chain.extend(onsets, evidence::LN_GOES_ON);
+    chain.end_at_rhythm(onsets);
     Some(Best::Drop(Train {
         evidence,
         log_bayes_factor,
@@ -620,53 +623,17 @@ fn join(trains: &mut Vec<Train>) {
 
 /// Takes out a sequence that keeps time, with what goes on with its beat before and after; returns the
 /// other sounds.
-fn take_periodic(
-    onsets: &[Onset],
-    chain: &Chain,
-    intervals: &[Beat],
-    found: &mut TrainSearch,
-) -> Vec<Onset> {
-    let mut is_beat = vec![false; onsets.len()];
-    for link in &chain.links {
-        is_beat[link.onset] = true;
-    }
-    let (first, last) = (chain.links[0], chain.links[chain.links.len() - 1]);
-    let interval_s = |index: usize| intervals[index].ln_interval.exp();
-    follow_beat(onsets, first.onset, -interval_s(0), &mut is_beat);
-    let last_s = interval_s(intervals.len() - 1);
-    follow_beat(onsets, last.onset, last_s, &mut is_beat);
-    let ln_interval = intervals.iter().map(|i| i.ln_interval).sum::<f64>() / intervals.len() as f64;
-    let beats = || onsets.iter().zip(&is_beat);
+fn take_periodic(onsets: &[Onset], links: &[Link], found: &mut TrainSearch) -> Vec<Onset> {
+    let mut pulse = Pulse::like(onsets, links);
+    pulse.take(links);
+    let times_s: Vec<f64> = pulse.onsets(true).map(|(_, onset)| onset.time_s).collect();
+    let intervals_s = times_s.windows(2).map(|pair| pair[1] - pair[0]);
     found.periodic.push(PeriodicSequence {
-        start_s: beats().find(|b| *b.1).map_or(0.0, |b| b.0.time_s),
-        interval_s: ln_interval.exp(),
-        count: beats().filter(|b| *b.1).count(),
+        start_s: times_s[0],
+        interval_s: median(intervals_s).unwrap_or(f64::INFINITY),
+        count: times_s.len(),
     });
-    beats().filter(|b| !b.1).map(|b| *b.0).collect()
-}
-
-/// Marks the onsets that go on with a beat from this one on, backwards if the interval is negative.
-fn follow_beat(onsets: &[Onset], from: usize, interval_s: f64, is_beat: &mut [bool]) {
-    /// A beat is found this share of the interval off at most.
-    const OFF: f64 = 0.08;
-    /// After so many that are not found it has ended.
-    const MOST_MISSED: u32 = 2;
-    let mut last_s = onsets[from].time_s;
-    let mut missed = 0;
-    while missed <= MOST_MISSED {
-        let next_s = last_s + f64::from(missed + 1) * interval_s;
-        let off_s = |index: usize| (onsets[index].time_s - next_s).abs();
-        let after = onsets.partition_point(|o| o.time_s < next_s);
-        let near = after.saturating_sub(1)..(after + 1).min(onsets.len());
-        match near.min_by(|&a, &b| off_s(a).total_cmp(&off_s(b))) {
-            Some(index) if off_s(index) < OFF * interval_s.abs() => {
-                is_beat[index] = true;
-                last_s = onsets[index].time_s;
-                missed = 0;
-            }
-            _ => missed += 1,
-        }
-    }
+    pulse.onsets(false).map(|(_, onset)| *onset).collect()
 }
 
 /// A ball that falls off a table needs more seconds to the floor, and a hand to the next drop: from
@@ -776,19 +743,6 @@ fn impacts(onsets: &[Onset], chain: &Chain) -> Vec<TrainImpact> {
             probability: logistic(chain.evidence - without),
         })
         .collect()
-}
-
-/// The intervals of a chain, each as if all flights in it took equally long.
-fn beats(onsets: &[Onset], chain: &Chain) -> Vec<Beat> {
-    let beat = |pair: &[chain::Link]| {
-        let interval_s = onsets[pair[1].onset].time_s - onsets[pair[0].onset].time_s;
-        let (from, to) = (f64::from(pair[0].number), f64::from(pair[1].number));
-        Beat {
-            number: 0.5 * (from + to),
-            ln_interval: (interval_s / (to - from)).ln(),
-        }
-    };
-    chain.links.windows(2).map(beat).collect()
 }
 
 #[cfg(test)]

@@ -7,8 +7,10 @@
 //! percent. An engine, a voice or a string gives pulses of its own rate, which wanders, up as well as
 //! down, where no flight of a ball is longer than the one before.
 
+use super::chain::{self, Link};
 use super::evidence;
-use crate::stats::softplus;
+use crate::onset::Onset;
+use crate::stats::{median, softplus};
 use std::f64::consts::TAU;
 
 /// Rhythms are more usual than drops: logarithm of the ratio. People, machines, and voices and strings keep time, and
@@ -55,11 +57,20 @@ const LN_CHANGE: f64 = std::f64::consts::LN_2;
 /// it may be anything within a factor of e.
 const LN_ODD: f64 = -3.0;
 
+/// Logarithm of how likely the first interval of a rhythm is, which may be anything within a factor of ten.
+pub(super) const LN_ANY: f64 = -0.83;
+
 /// An interval: its place in the rhythm, and its logarithm.
 #[derive(Clone, Copy)]
 pub(super) struct Beat {
     pub(super) number: f64,
     pub(super) ln_interval: f64,
+}
+
+impl Beat {
+    pub(super) fn interval_s(&self) -> f64 {
+        self.ln_interval.exp()
+    }
 }
 
 /// By how much the interval of a pulse changes from one to the next, as a share of it: that of a
@@ -73,6 +84,145 @@ pub(super) fn ln_likelihood(beats: &[Beat]) -> f64 {
     let pulses = WANDERINGS.map(|wandering| ln_pulse(beats, wandering));
     let (keepers, pulses) = (ln_mean(&keepers), ln_mean(&pulses));
     keepers.max(pulses) + softplus(-(keepers - pulses).abs())
+}
+
+/// Where a ball most likely ends and a pulse goes on: how many of the intervals are of the ball, if `ball` are the
+/// logarithms of how likely it makes each change from one interval to the next. At least `fewest` are left to each.
+pub(super) fn likeliest_beginning(beats: &[Beat], ball: &[f64], fewest: usize) -> Option<usize> {
+    let best = |wandering: f64| {
+        let changes = beats.windows(2).zip(ball);
+        let gains = changes.map(|(pair, ball)| {
+            let change = pair[1].ln_interval - pair[0].ln_interval;
+            evidence::ln_ratio(change, wandering * wandering) - ball
+        });
+        let gains: Vec<f64> = gains.collect();
+        let mut gained = 0.0;
+        let from_each = gains.iter().enumerate().rev().map(|(place, gain)| {
+            gained += gain;
+            (gained, place)
+        });
+        let places = fewest..=gains.len().saturating_sub(fewest);
+        let possible = from_each.filter(|(_, place)| places.contains(place));
+        possible.max_by(|a, b| a.0.total_cmp(&b.0))
+    };
+    let best = WANDERINGS.into_iter().filter_map(best);
+    let best = best.max_by(|a, b| a.0.total_cmp(&b.0));
+    best.map(|(_, place)| place)
+}
+
+/// A beat is found this share of the interval off at most.
+const OFF: f64 = 0.08;
+
+/// Sounds that keep time among others.
+pub(super) struct Pulse<'a> {
+    onsets: &'a [Onset],
+    is_beat: Vec<bool>,
+    /// What is louder is another sound over the beat.
+    loudest_db: f64,
+}
+
+impl<'a> Pulse<'a> {
+    /// This much above its usual level a beat is not heard for what is over it.
+    const OVER_DB: f64 = 12.0;
+
+    /// A pulse whose beats sound as loud as these onsets, none of which is taken yet.
+    pub(super) fn like(onsets: &'a [Onset], links: &[Link]) -> Self {
+        let levels_db = links.iter().map(|link| onsets[link.onset].level_db);
+        Self {
+            onsets,
+            is_beat: vec![false; onsets.len()],
+            loudest_db: median(levels_db).unwrap_or(0.0) + Self::OVER_DB,
+        }
+    }
+
+    /// Takes the beats of a chain, those that divide its intervals evenly, and those with which it goes on.
+    pub(super) fn take(&mut self, links: &[Link]) {
+        for link in links {
+            self.mark(link.onset);
+        }
+        let parts = self.parts(links);
+        for pair in links.windows(2) {
+            for (time_s, off_s) in self.divisions(pair, parts) {
+                if let Some(index) = self.find(time_s, off_s) {
+                    self.mark(index);
+                }
+            }
+        }
+        let beats = chain::beats(self.onsets, links);
+        let part_s = |beat: Beat| beat.interval_s() / f64::from(parts);
+        self.follow(links[0].onset, -part_s(beats[0]));
+        let last = links.len() - 1;
+        self.follow(links[last].onset, part_s(beats[last - 1]));
+    }
+
+    /// Into how many parts other sounds of the pulse divide its intervals: a chain takes every second or third of fast
+    /// ones, as no ball begins with such flights.
+    fn parts(&self, links: &[Link]) -> u32 {
+        const MOST: u32 = 6;
+        /// Of the divisions so many are heard.
+        const HEARD: f64 = 0.75;
+        let is_pulse = |parts: &u32| {
+            let divisions = links
+                .windows(2)
+                .flat_map(|pair| self.divisions(pair, *parts));
+            let (mut heard, mut all) = (0.0, 0.0);
+            for (time_s, off_s) in divisions {
+                all += 1.0;
+                heard += f64::from(u8::from(self.find(time_s, off_s).is_some()));
+            }
+            heard > HEARD * all
+        };
+        (2..=MOST).rev().find(is_pulse).unwrap_or(1)
+    }
+
+    /// The times that divide an interval evenly, and how far off a beat may be.
+    fn divisions(&self, pair: &[Link], parts: u32) -> impl Iterator<Item = (f64, f64)> + use<> {
+        let [from_s, to_s] = [pair[0], pair[1]].map(|link| self.onsets[link.onset].time_s);
+        let all = (pair[1].number - pair[0].number) * parts;
+        let part_s = (to_s - from_s) / f64::from(all);
+        (1..all).map(move |n| (from_s + f64::from(n) * part_s, OFF * part_s))
+    }
+
+    /// Goes on with a beat from this onset on, backwards if the interval is negative.
+    pub(super) fn follow(&mut self, from: usize, interval_s: f64) {
+        /// After so many that are not found it has ended, but for as long as a loud sound and its echoes may be over
+        /// it, in seconds.
+        const MOST_MISSED: u32 = 2;
+        const HIDDEN_S: f64 = 0.15;
+        let most_missed = MOST_MISSED.max((HIDDEN_S / interval_s.abs()) as u32);
+        let mut last_s = self.onsets[from].time_s;
+        let mut missed = 0;
+        while missed <= most_missed {
+            let next_s = last_s + f64::from(missed + 1) * interval_s;
+            if let Some(index) = self.find(next_s, OFF * interval_s.abs()) {
+                self.mark(index);
+                last_s = self.onsets[index].time_s;
+                missed = 0;
+            } else {
+                missed += 1;
+            }
+        }
+    }
+
+    /// The onset nearest to this time, if it is no farther off than this.
+    fn find(&self, time_s: f64, off_s: f64) -> Option<usize> {
+        let distance_s = |index: &usize| (self.onsets[*index].time_s - time_s).abs();
+        let after = self.onsets.partition_point(|o| o.time_s < time_s);
+        let near = after.saturating_sub(1)..(after + 1).min(self.onsets.len());
+        near.min_by(|a, b| distance_s(a).total_cmp(&distance_s(b)))
+            .filter(|index| distance_s(index) < off_s)
+    }
+
+    fn mark(&mut self, index: usize) {
+        let is_over = self.onsets[index].level_db > self.loudest_db;
+        self.is_beat[index] = !is_over;
+    }
+
+    /// The onsets that are its beats, or those that are not.
+    pub(super) fn onsets(&self, are_beats: bool) -> impl Iterator<Item = (usize, &Onset)> {
+        let all = self.onsets.iter().enumerate();
+        all.filter(move |(index, _)| self.is_beat[*index] == are_beats)
+    }
 }
 
 /// Logarithm of the mean of numbers that are known by their logarithms.
