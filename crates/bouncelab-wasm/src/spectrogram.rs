@@ -1,11 +1,15 @@
 //! Computes spectrograms.
 
 use rustfft::algorithm::Radix4;
+use rustfft::algorithm::butterflies::Butterfly8;
 use rustfft::num_complex::Complex;
 use rustfft::{Fft, FftDirection};
+use std::sync::Arc;
 
+/// Steps of the transform, each of which makes it four times as long.
+const RADIX_4_STEPS: u32 = 3;
 /// Samples in a window: 12 ms at 44.1 kHz, about as long as an impact sounds.
-const WINDOW: usize = 512;
+const WINDOW: usize = 8 << (2 * RADIX_4_STEPS);
 /// What is fainter than this is not shown, in dB relative to full scale.
 pub const FLOOR_DB: f64 = -120.0;
 /// Steps of a cell for each dB.
@@ -32,7 +36,9 @@ pub fn spectrogram(
     rows: usize,
 ) -> Spectrogram {
     let top_hz = TOP_HZ.min(sample_rate_hz / 2.0);
-    let fft = Radix4::new(WINDOW, FftDirection::Forward);
+    // `Radix4::new` would bring the bases of all other lengths into the page: see docs/decisions/006-page-size.md.
+    let base = Arc::new(Butterfly8::new(FftDirection::Forward));
+    let fft = Radix4::new_with_base(RADIX_4_STEPS, base);
     let window: Vec<f32> = (0..WINDOW)
         .map(|n| {
             let phase = std::f64::consts::TAU * (n as f64 + 0.5) / WINDOW as f64;

@@ -3,8 +3,10 @@
 use rand::{Rng, RngExt};
 use rand_distr::StandardNormal;
 use rustfft::algorithm::Radix4;
+use rustfft::algorithm::butterflies::Butterfly8;
 use rustfft::num_complex::Complex;
-use rustfft::{Fft, FftDirection};
+use rustfft::{Fft, FftDirection, Length};
+use std::sync::Arc;
 
 use super::scene::Reverb;
 
@@ -42,9 +44,9 @@ fn impulse_response(
 
 /// Adds `recording` convolved with `kernel` to itself, block by block (overlap-add).
 fn add_convolved(recording: &mut [f32], kernel: &[f32]) {
-    let size = (2 * kernel.len()).next_power_of_two();
-    let forward = Radix4::new(size, FftDirection::Forward);
-    let inverse = Radix4::new(size, FftDirection::Inverse);
+    let forward = transform(2 * kernel.len(), FftDirection::Forward);
+    let inverse = transform(2 * kernel.len(), FftDirection::Inverse);
+    let size = forward.len();
     let zero = Complex::new(0.0, 0.0);
     let mut response = vec![zero; size];
     let mut sound = vec![zero; size];
@@ -66,6 +68,18 @@ fn add_convolved(recording: &mut [f32], kernel: &[f32]) {
             *out += wet.re;
         }
     }
+}
+
+/// A transform of at least this length. All have the base of which the spectrogram of the page is made too: code for
+/// other bases would only make the page larger.
+fn transform(at_least: usize, direction: FftDirection) -> Radix4<f32> {
+    const BASE: usize = 8;
+    let steps = at_least
+        .div_ceil(BASE)
+        .next_power_of_two()
+        .ilog2()
+        .div_ceil(2);
+    Radix4::new_with_base(steps, Arc::new(Butterfly8::new(direction)))
 }
 
 /// These samples, and silence after them.
