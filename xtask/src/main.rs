@@ -63,7 +63,7 @@ const CHORES: [Chore; 12] = [
     },
     Chore {
         name: "calibrate",
-        arguments: "[DROPS [FOLDER]] | worlds [DROPS] [WORLD...] [LAW...]",
+        arguments: "[DROPS [FOLDER]] | worlds [DROPS] [impacts=N] [WORLD...] [LAW...]",
         about: calibrate::ABOUT,
         run: calibrate::run,
     },

@@ -120,6 +120,8 @@ fn gravity_from_published_times() {
             "none",
             "--contact-time",
             "0",
+            "--law",
+            "constant",
         ],
     );
     let g = number(&found["gravity_m_s2"]["value"]);

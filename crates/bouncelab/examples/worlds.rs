@@ -9,7 +9,8 @@
 //! ```
 //!
 //! prints the second table of `docs/validation.md`; the argument is the number of drops for each world,
-//! and names after it leave out all others. Names of restitution laws leave out the others of those.
+//! and names after it leave out all others. Names of restitution laws leave out the others of those. With
+//! `impacts=4` no drop has more impacts than that.
 
 #![expect(clippy::print_stdout, reason = "it prints for contributors")]
 
@@ -62,10 +63,11 @@ impl World {
     ];
 }
 
-/// Drops end at this many impacts, or when flights get as short as this, as they do in recordings.
+/// Drops end at this many impacts unless asked otherwise, or when flights get as short as this, as they do in
+/// recordings.
 const MOST_IMPACTS: usize = 40;
 const SHORTEST_FLIGHT_S: f64 = 0.05;
-/// Fewer impacts make no drop for the listener.
+/// Fewer impacts make no drop for the listener; only a list of times may have so few.
 const FEWEST_IMPACTS: usize = 5;
 
 /// A drop as heard, and its truth.
@@ -113,7 +115,7 @@ impl Law {
 
 impl Drop {
     /// `None` if it is too short to be heard as a drop.
-    fn drawn(world: World, rng: &mut ChaCha8Rng) -> Option<Self> {
+    fn drawn(world: World, most_impacts: usize, rng: &mut ChaCha8Rng) -> Option<Self> {
         let Options {
             ball,
             environment,
@@ -154,7 +156,7 @@ impl Drop {
         let mut speed = first_impact_m_s;
         let (mut time_s, mut missing) = (0.0, false);
         let (mut times_s, mut numbers) = (Vec::new(), Vec::new());
-        for number in 1..=MOST_IMPACTS {
+        for number in 1..=most_impacts {
             missing = match world {
                 World::Missing => rng.random::<f64>() < 0.1,
                 // In a run it goes on every other time: 10 % of all.
@@ -180,7 +182,7 @@ impl Drop {
             time_s += flight.time_s() + contact_s;
             speed = flight.impact_speed_m_s;
         }
-        (times_s.len() >= FEWEST_IMPACTS).then_some(Self {
+        (times_s.len() >= FEWEST_IMPACTS.min(most_impacts)).then_some(Self {
             times_s,
             law,
             second,
@@ -262,7 +264,7 @@ fn holds(drop: &Drop, found: &Posterior) -> Option<[(bool, bool, f64); QUANTITIE
 }
 
 /// All drops of a world, on all cores.
-fn run(world: World, laws: &[LawKind], drops: usize) -> Vec<Fared> {
+fn run(world: World, laws: &[LawKind], drops: usize, most_impacts: usize) -> Vec<Fared> {
     let threads = thread::available_parallelism().map_or(1, usize::from);
     thread::scope(|scope| {
         let workers: Vec<_> = (0..threads)
@@ -272,7 +274,8 @@ fn run(world: World, laws: &[LawKind], drops: usize) -> Vec<Fared> {
                         .skip(worker)
                         .step_by(threads)
                         .filter_map(|seed| {
-                            let drop = Drop::drawn(world, &mut ChaCha8Rng::seed_from_u64(seed))?;
+                            let mut rng = ChaCha8Rng::seed_from_u64(seed);
+                            let drop = Drop::drawn(world, most_impacts, &mut rng)?;
                             Some(fared(&drop, laws, seed))
                         })
                         .take(drops.div_ceil(threads))
@@ -308,6 +311,10 @@ fn report(name: &str, all: &[Fared]) {
 fn main() {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
     let drops = arguments.iter().find_map(|word| word.parse().ok());
+    let most_impacts = arguments
+        .iter()
+        .find_map(|word| word.strip_prefix("impacts=")?.parse().ok())
+        .unwrap_or(MOST_IMPACTS);
     let laws: Vec<LawKind> = arguments.iter().filter_map(|w| w.parse().ok()).collect();
     let named = |name: &str| arguments.iter().any(|word| word == name);
     let all = !World::ALL.iter().any(|(_, name)| named(name));
@@ -317,7 +324,7 @@ fn main() {
     println!("|---|---|---|---|---|---|---|---|---|");
     for (world, name) in World::ALL {
         if all || named(name) {
-            report(name, &run(world, &laws, drops.unwrap_or(300)));
+            report(name, &run(world, &laws, drops.unwrap_or(300), most_impacts));
         }
     }
 }

@@ -65,7 +65,7 @@ diagnostic-times-in-milliseconds = Flüge von mehr als 30 s: Zeiten werden in Se
 diagnostic-sampling-not-converged = Die Stichprobe ist nicht konvergiert (Pareto-Form { $pareto_shape }; sie sollte unter { $greatest } liegen), darum ist den Bereichen nicht zu trauen; vielleicht gehören die Aufpralle nicht zu einem Versuch.
 diagnostic-few-impacts = { $count ->
     [2] 2 Aufpralle zeigen nur einen Flug und keine Stoßzahl
-    [3] 3 Aufpralle zeigen eine einzige Stoßzahl, die für jedes Tempo gelten soll
+    [3] 3 Aufpralle zeigen eine einzige Stoßzahl und nicht, wie sie sich mit dem Tempo ändert
    *[other] { $count } Aufpralle zeigen nur wenige Stoßzahlen
   }; der Rest der Antwort ist, was man von Bällen überhaupt weiß.
 diagnostic-law-needs-impacts = Das Gesetz der Stoßzahl „{ $law }“ braucht { $needed } Aufpralle zwischen zwei Flügen, um von einer gleichbleibenden Stoßzahl zu unterscheiden zu sein, und hier gibt es { $seen ->

@@ -68,7 +68,7 @@ diagnostic-times-in-milliseconds = There are flights of more than 30 s: times ar
 diagnostic-sampling-not-converged = The sampling did not converge (Pareto shape { $pareto_shape }; it should be below { $greatest }), so the intervals are unreliable; the impacts may not be of one drop.
 diagnostic-few-impacts = { $count ->
     [2] 2 impacts show a single flight and no restitution of the ball
-    [3] 3 impacts show a single restitution, taken to be the same at every speed, of the ball
+    [3] 3 impacts show a single restitution of the ball, and not how it changes with speed
    *[other] { $count } impacts show few restitutions of the ball
   }; the rest of the result comes from the priors.
 diagnostic-law-needs-impacts = The { $law } restitution law needs { $needed } impacts between two flights to be distinguished from a constant, and there { $seen ->

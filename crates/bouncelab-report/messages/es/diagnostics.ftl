@@ -65,7 +65,7 @@ diagnostic-times-in-milliseconds = Hay vuelos de más de 30 s: los tiempos se le
 diagnostic-sampling-not-converged = El muestreo no convergió (índice de Pareto { $pareto_shape }; debería ser menor que { $greatest }), así que los intervalos no son fiables; quizá los impactos no son de un solo ensayo.
 diagnostic-few-impacts = { $count ->
     [2] 2 impactos muestran un solo vuelo y ninguna restitución de la pelota
-    [3] 3 impactos muestran una sola restitución de la pelota, que se toma igual a toda velocidad
+    [3] 3 impactos muestran una sola restitución de la pelota, y no cómo cambia con la velocidad
    *[other] { $count } impactos muestran pocas restituciones de la pelota
   }; el resto del resultado viene de las distribuciones a priori.
 diagnostic-law-needs-impacts = Para distinguirse de una constante, la ley de restitución «{ $law }» necesita { $needed } impactos entre dos vuelos, y hay { $seen }: el cambio de la restitución con la velocidad viene de la distribución a priori.

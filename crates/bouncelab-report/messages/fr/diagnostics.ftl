@@ -65,7 +65,7 @@ diagnostic-times-in-milliseconds = Il y a des vols de plus de 30 s : les temps
 diagnostic-sampling-not-converged = L’échantillonnage n’a pas convergé (indice de Pareto { $pareto_shape } ; il devrait être inférieur à { $greatest }) : les intervalles ne sont pas fiables ; les impacts ne sont peut-être pas d’un seul essai.
 diagnostic-few-impacts = { $count ->
     [2] 2 impacts montrent un seul vol et aucune restitution de la balle
-    [3] 3 impacts montrent une seule restitution de la balle, supposée la même à toute vitesse
+    [3] 3 impacts montrent une seule restitution de la balle, et non comment elle change avec la vitesse
    *[other] { $count } impacts montrent peu de restitutions de la balle
   } ; le reste du résultat vient des lois a priori.
 diagnostic-law-needs-impacts = Pour se distinguer d’une constante, la loi de restitution « { $law } » demande { $needed } impacts entre deux vols, et il y en a { $seen } : la variation de la restitution avec la vitesse vient de la loi a priori.

@@ -38,10 +38,11 @@ pub(super) fn diagnostics(
         diagnostics.push(Diagnostic::new(Code::FewImpacts).with("count", impacts.len()));
     }
     let seen = posterior.observed().restitutions();
-    let considered = posterior.priors.laws(seen).into_iter();
+    let asked = |law: &LawKind| posterior.priors.restitution_laws.contains(law);
     diagnostics.extend(
-        considered
-            .filter(|law| law.needs() > seen.max(1))
+        LawKind::ALL
+            .into_iter()
+            .filter(|law| asked(law) && law.needs() > seen.max(1))
             .map(|law| {
                 Diagnostic::new(Code::LawNeedsImpacts)
                     .with("law", law.name())

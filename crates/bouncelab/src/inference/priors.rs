@@ -31,7 +31,7 @@ pub struct Priors {
     /// Whether the first impact detected is the first there was. With gravity unknown it must be: a
     /// missed impact and a weaker gravity look alike.
     pub first_was_detected: bool,
-    /// Restitution laws to consider; if empty, all that so many impacts can tell from a constant.
+    /// Restitution laws to consider; if empty, all.
     pub restitution_laws: Vec<LawKind>,
     /// Whether to consider a constant drag coefficient too, beside a law of the Reynolds number: what
     /// the law says at the fastest impact detected.
@@ -156,14 +156,15 @@ impl Priors {
         diagnostics
     }
 
-    /// The laws to consider when so many restitutions were seen, each once: a law asked for twice is
+    /// The laws to consider for so many intervals between impacts, each once: a law asked for twice is
     /// no more probable.
-    pub(super) fn laws(&self, restitutions: usize) -> Vec<LawKind> {
+    pub(super) fn laws(&self, intervals: usize) -> Vec<LawKind> {
         let asked = &self.restitution_laws;
         let mut laws = LawKind::ALL.to_vec();
         if asked.is_empty() {
-            // A ball seen to bounce once shows nothing of how its restitution changes.
-            laws.retain(|law| *law == LawKind::Constant || law.needs() <= restitutions);
+            // One interval shows no restitution at all. A few do not tell the laws apart, and so no law may be left
+            // out: the impacts that no interval shows, as the first, may follow any of them.
+            laws.retain(|law| *law == LawKind::Constant || intervals > 1);
         } else {
             laws.retain(|law| asked.contains(law));
         }
@@ -314,10 +315,9 @@ mod tests {
     }
 
     #[test]
-    fn few_restitutions_leave_few_laws() {
-        let laws = |restitutions| Priors::default().laws(restitutions);
-        assert_eq!(laws(0), [LawKind::Constant]);
-        assert_eq!(laws(3).len(), 4);
-        assert_eq!(laws(4), LawKind::ALL);
+    fn one_interval_leaves_one_law() {
+        let laws = |intervals| Priors::default().laws(intervals);
+        assert_eq!(laws(1), [LawKind::Constant]);
+        assert_eq!(laws(2), LawKind::ALL);
     }
 }

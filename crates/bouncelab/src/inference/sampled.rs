@@ -330,7 +330,7 @@ impl SampledPosterior {
 
     /// The laws to consider.
     pub(super) fn laws(&self) -> Vec<LawKind> {
-        self.priors.laws(self.observed().restitutions())
+        self.priors.laws(self.observed().intervals.len())
     }
 
     /// Logarithm of the evidence of all models together, but for a constant of the times.
