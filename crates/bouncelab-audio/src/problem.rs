@@ -186,7 +186,7 @@ pub enum TimesProblem {
         found: String,
     },
     /// The first line names columns, none of which holds times.
-    #[error("no column is named time or time_s; found: {found}")]
+    #[error("no column is named time_s, time_ms or Time (s); found: {found}")]
     NoTimeColumn {
         /// The names that are there.
         found: String,
@@ -195,6 +195,17 @@ pub enum TimesProblem {
     #[error("{columns} columns; name the one with the times in a first line: time_s")]
     NamelessColumns {
         /// How many.
+        columns: usize,
+    },
+    /// A line has cells in columns that the first line does not name.
+    #[error(
+        "{found} columns, but the first line has {columns}; where commas are decimal, separate columns \
+         with semicolons"
+    )]
+    MoreColumns {
+        /// How many.
+        found: usize,
+        /// How many the first line has.
         columns: usize,
     },
     /// A line is too short.

@@ -2,18 +2,18 @@
 //!
 //! | extension | content |
 //! |---|---|
-//! | `.txt` | one time a line; blank lines and lines that start with `#` are skipped; or a label track of Audacity; or columns separated by tabs, as for `.csv` |
-//! | `.csv` | one time a line, or columns with a header, one of them `time` or `time_s`; separated by commas, semicolons or tabs; `#` as above |
+//! | `.txt` | one time a line, perhaps below a heading; blank lines and lines that start with `#` are skipped; or a label track of Audacity; or columns separated by tabs, as for `.csv` |
+//! | `.csv` | one time a line, or columns with a header, one of them a word for time, perhaps with a unit, as in `time_s` and `Time (ms)`; separated by commas, semicolons or tabs; `#` as above |
 //! | `.json` | an array of numbers |
 //! | `.TextGrid` | a point tier of Praat: the only one, or the one named `impacts` |
 //!
 //! Decimals follow a point, or a comma where commas do not separate. Of a label with two ends the first counts.
 //!
-//! Times are in **seconds** on any clock: they may start anywhere, but must increase. Times in
-//! milliseconds cannot be told from times in seconds with certainty and are not guessed at: that
-//! is for the caller, who knows how long a flight can last.
+//! Times are in **seconds**, or in the unit that a heading states, on any clock: they may start anywhere, but must
+//! increase. Other units are not guessed at.
 
 mod audacity;
+mod heading;
 mod text_grid;
 
 use std::borrow::Cow;
@@ -109,6 +109,7 @@ pub fn parse(content: &[u8], name: &str) -> Result<Vec<f64>> {
             audacity::starts(&text).map_or_else(|| list.table(&text), Ok)?
         }
         Format::Txt => list.lines(&text)?,
+        Format::Csv if separator(&text).is_none() => list.lines(&text)?,
         Format::Csv => list.table(&text)?,
         Format::Json => list.array(&text)?,
         Format::TextGrid => list.points(&text)?,
@@ -185,17 +186,24 @@ impl List<'_> {
         self.refuse(None, TimesProblem::TooLong { most_mb })
     }
 
+    /// One time on each line, perhaps below a heading.
     fn lines(&self, text: &str) -> Result<Vec<Entry>> {
-        text.lines()
+        let mut lines = text
+            .lines()
             .map(str::trim)
             .zip(1..)
             .filter(|(content, _)| !content.is_empty() && !content.starts_with('#'))
-            .map(|(content, line)| self.number(content, line, ','))
+            .peekable();
+        let heading = lines.peek().and_then(|(first, _)| heading::unit_s(first));
+        let unit_s = heading.unwrap_or(1.0);
+        lines
+            .skip(usize::from(heading.is_some()))
+            .map(|(content, line)| self.number(content, line, ',', unit_s))
             .collect()
     }
 
     fn table(&self, text: &str) -> Result<Vec<Entry>> {
-        let separator = separator(text);
+        let separator = separator(text).unwrap_or(b',');
         // Where commas do not separate, one in a number is its decimal point.
         let point = if separator == b',' { '.' } else { ',' };
         let mut reader = csv::ReaderBuilder::new()
@@ -206,7 +214,7 @@ impl List<'_> {
             .trim(csv::Trim::All)
             .from_reader(text.as_bytes());
         let mut entries = Vec::new();
-        let mut column = None;
+        let mut heading = None;
         for record in reader.records() {
             let record = match record {
                 Ok(record) => record,
@@ -222,27 +230,38 @@ impl List<'_> {
             let line = record
                 .position()
                 .map_or(0, |position| position.line() as usize);
-            let Some(column) = column else {
+            let Some((column, unit_s, columns)) = heading else {
                 let is_header = record.iter().any(|cell| to_number(cell, point).is_none());
-                column = Some(self.column(&record, line, is_header)?);
+                let (column, unit_s) = self.column(&record, line, is_header)?;
+                heading = Some((column, unit_s, record.len()));
                 if !is_header {
-                    entries.push(self.number(&record[0], line, point)?);
+                    entries.push(self.number(&record[0], line, point, unit_s)?);
                 }
                 continue;
             };
+            // A decimal comma would be taken for a separator.
+            if record.iter().skip(columns).any(|cell| !cell.is_empty()) {
+                let found = record.len();
+                return self.refuse(Some(line), TimesProblem::MoreColumns { found, columns });
+            }
             match record.get(column) {
-                Some(cell) => entries.push(self.number(cell, line, point)?),
+                Some(cell) => entries.push(self.number(cell, line, point, unit_s)?),
                 None => return self.refuse(Some(line), TimesProblem::Missing),
             }
         }
         Ok(entries)
     }
 
-    /// Which column of the table holds the times, from its first line.
-    fn column(&self, first: &csv::StringRecord, line: usize, is_header: bool) -> Result<usize> {
-        let is_time = |cell: &str| matches!(cell.to_ascii_lowercase().as_str(), "time" | "time_s");
-        match first.iter().position(is_time) {
-            Some(column) => Ok(column),
+    /// Which column of the table holds the times, and how many seconds their unit has, from its first line.
+    fn column(
+        &self,
+        first: &csv::StringRecord,
+        line: usize,
+        is_header: bool,
+    ) -> Result<(usize, f64)> {
+        let mut headings = first.iter().map(heading::unit_s).enumerate();
+        match headings.find_map(|(column, unit_s)| Some((column, unit_s?))) {
+            Some(found) => Ok(found),
             None if is_header => self.refuse(
                 Some(line),
                 TimesProblem::NoTimeColumn {
@@ -255,7 +274,7 @@ impl List<'_> {
                     columns: first.len(),
                 },
             ),
-            None => Ok(0),
+            None => Ok((0, 1.0)),
         }
     }
 
@@ -277,9 +296,9 @@ impl List<'_> {
         }
     }
 
-    fn number(&self, cell: &str, line: usize, point: char) -> Result<Entry> {
+    fn number(&self, cell: &str, line: usize, point: char, unit_s: f64) -> Result<Entry> {
         match to_number(cell, point) {
-            Some(time_s) if time_s.is_finite() => Ok((Some(line), time_s)),
+            Some(time) if time.is_finite() => Ok((Some(line), time * unit_s)),
             _ => self.refuse(
                 Some(line),
                 TimesProblem::NotNumber {
@@ -320,16 +339,16 @@ impl List<'_> {
     }
 }
 
-/// The separator of a table: a tab if its first line has one, else what that line has more of.
-fn separator(text: &str) -> u8 {
+/// The separator of a table: a tab if its first line has one, else what that line has more of, if any.
+fn separator(text: &str) -> Option<u8> {
     let first = first_line(text);
     let count = |separator| first.matches(separator).count();
     if count('\t') > 0 {
-        b'\t'
+        Some(b'\t')
     } else if count(';') > 0 && count(';') >= count(',') {
-        b';'
+        Some(b';')
     } else {
-        b','
+        Some(b',').filter(|_| count(',') > 0)
     }
 }
 

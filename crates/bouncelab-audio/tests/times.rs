@@ -36,6 +36,37 @@ fn a_column_is_found_by_its_name() {
 }
 
 #[test]
+fn a_heading_states_the_unit() {
+    let milliseconds = "n;Zeit in ms\n1;100,5\n2;450\n";
+    assert_eq!(parse(milliseconds, "a.csv"), [0.1005, 0.45]);
+    for name in ["a.txt", "a.csv"] {
+        assert_eq!(
+            parse("Time (ms)\n100,5\n450\n", name),
+            [0.1005, 0.45],
+            "{name}"
+        );
+        assert_eq!(
+            parse("# of ball 3\ntime_s\n0.1\n0.45\n", name),
+            [0.1, 0.45],
+            "{name}"
+        );
+    }
+    let (line, message) = blame("n,time (h)\n1,0.1\n", "a.csv");
+    assert_eq!(line, Some(1));
+    assert!(message.contains("time_ms"), "{message}");
+}
+
+/// The comma of a number is no separator of columns: what stood behind it would be lost.
+#[test]
+fn decimal_commas_among_commas_are_refused() {
+    let (line, message) = blame("n,time_s\n1,10,5\n2,11,7\n", "a.csv");
+    assert_eq!(line, Some(2));
+    assert!(message.contains("semicolons"), "{message}");
+    // An empty cell at the end is nothing.
+    assert_eq!(parse("n,time_s\n1,10.5,\n2,11.7,\n", "a.csv"), [10.5, 11.7]);
+}
+
+#[test]
 fn semicolons_separate_tables_with_decimal_commas() {
     assert_eq!(
         parse("n;time_s\n1;0,10\n2;0,45\n", "excel.csv"),

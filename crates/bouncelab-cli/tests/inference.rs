@@ -148,9 +148,10 @@ fn bad_input_is_answered() {
         ("1.0\n", 1, "fewer"),
         ("0.3\n0.86\n", 0, "no restitution of the ball"),
         ("0.3\n0.86\n1.36\n", 0, "a single restitution"),
+        ("time_ms\n0\n460\n888\n1285\n1657\n", 0, "cm"),
         ("0.3\n0.86\n0.86\n1.2\n", 1, "0.86"),
         ("0.3\n1.2\n0.86\n1.5\n", 1, "0.86"),
-        ("0\n460\n888\n1285\n1657\n", 0, "milliseconds"),
+        ("0\n460\n888\n1285\n1657\n", 1, "milliseconds"),
         ("0\n0.2\n0.45\n0.78\n1.2\n", 0, "gain speed"),
     ] {
         let folder = TempDir::new().unwrap();

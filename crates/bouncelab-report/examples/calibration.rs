@@ -341,5 +341,6 @@ fn main() -> std::io::Result<()> {
     let Some(folder) = folder else {
         return Ok(());
     };
+    std::fs::create_dir_all(&folder)?;
     std::fs::write(folder.join("calibration.csv"), table.join("\n") + "\n")
 }

@@ -195,6 +195,8 @@ codes! {
     NoPattern = "no-pattern", Error, ["count", "needed"];
     /// A list has fewer than two times.
     TooFewTimes = "too-few-times", Error, [];
+    /// Impacts are so far apart that the times are probably in milliseconds.
+    TimesInMilliseconds = "times-in-milliseconds", Error, [];
     /// So many impacts were excluded that no flight is left.
     NothingLeft = "nothing-left", Error, [];
     /// A far fainter ball was detected and left out.
@@ -247,8 +249,6 @@ codes! {
     ImpactsDoubtful = "impacts-doubtful", Warning, ["count"];
     /// A flight lasts longer than the one before.
     FlightGrows = "flight-grows", Warning, ["flight"];
-    /// The flights are so long that the times are probably in milliseconds.
-    TimesInMilliseconds = "times-in-milliseconds", Warning, [];
 
     // Of the posterior.
     /// The sampling did not converge: the intervals cannot be trusted.

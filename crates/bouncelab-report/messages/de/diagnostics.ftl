@@ -7,6 +7,7 @@ diagnostic-too-few-sounds = { $count ->
 diagnostic-periodic-sounds = { $count } Laute kommen im Takt, etwa alle { $interval_s } s, wie von einer Uhr, von Schritten oder einer Trommel; die Flüge eines Balls werden kürzer.
 diagnostic-no-pattern = { $count } Laute heben sich ab, aber keine { $needed } davon kommen in schrumpfenden Abständen wie die Aufpralle eines Balls.
 diagnostic-too-few-times = Ein Flug braucht zwei Aufprallzeiten, und es sind weniger.
+diagnostic-times-in-milliseconds = Zwischen Aufprallen liegen mehr als 30 s; so lange fliegt kein Ball. Zeiten sind in Sekunden, unter der Überschrift time_ms in Millisekunden.
 diagnostic-nothing-left = Es wurden so viele Aufpralle weggelassen, dass kein Flug bleibt.
 diagnostic-distant-ball = Ein viel leiserer Ball wurde von { $start_s } s bis { $end_s } s erkannt ({ $impacts } Aufpralle) und weggelassen.
 diagnostic-drops-at-once = Von { $start_s } s bis { $end_s } s springen zwei Bälle zugleich: Klingen sie gleich, kann ein Aufprall des einen für einen des anderen gehalten werden.
@@ -60,7 +61,6 @@ diagnostic-impacts-doubtful = { $count ->
    *[other] { $count } Aufpralle sind
   } eher etwas anderes (Wahrscheinlichkeit unter 1/2).
 diagnostic-flight-grows = Flug { $flight } ist länger als der vor ihm, was auf ruhendem Untergrund nicht geht.
-diagnostic-times-in-milliseconds = Flüge von mehr als 30 s: Zeiten werden in Sekunden gelesen. Sind das Millisekunden?
 
 diagnostic-sampling-not-converged = Die Stichprobe ist nicht konvergiert (Pareto-Form { $pareto_shape }; sie sollte unter { $greatest } liegen), darum ist den Bereichen nicht zu trauen; vielleicht gehören die Aufpralle nicht zu einem Versuch.
 diagnostic-few-impacts = { $count ->

@@ -10,6 +10,7 @@ diagnostic-too-few-sounds = { $count ->
 diagnostic-periodic-sounds = { $count } sounds are periodic, about every { $interval_s } s, like those of a clock, steps or a drum; the flights of a ball become shorter.
 diagnostic-no-pattern = { $count } sounds stand out from the background, but no { $needed } of them have the decreasing intervals of a bouncing ball.
 diagnostic-too-few-times = A flight needs two impact times, and there are fewer.
+diagnostic-times-in-milliseconds = Impacts are more than 30 s apart, and no ball flies so long. Times are in seconds; below the heading time_ms they are in milliseconds.
 diagnostic-nothing-left = So many impacts were excluded that no flight remains.
 diagnostic-distant-ball = A far fainter ball was detected from { $start_s } s to { $end_s } s ({ $impacts } impacts) and excluded.
 diagnostic-drops-at-once = Two balls bounce at the same time from { $start_s } s to { $end_s } s: if they sound alike, an impact of one may be taken for one of the other.
@@ -63,7 +64,6 @@ diagnostic-impacts-doubtful = { $count ->
    *[other] { $count } impacts are
   } more likely something else (probability below 1/2).
 diagnostic-flight-grows = Flight { $flight } is longer than the flight before it, which is impossible on a surface at rest.
-diagnostic-times-in-milliseconds = There are flights of more than 30 s: times are read in seconds; are these milliseconds?
 
 diagnostic-sampling-not-converged = The sampling did not converge (Pareto shape { $pareto_shape }; it should be below { $greatest }), so the intervals are unreliable; the impacts may not be of one drop.
 diagnostic-few-impacts = { $count ->

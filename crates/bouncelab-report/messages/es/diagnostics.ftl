@@ -7,6 +7,7 @@ diagnostic-too-few-sounds = { $count ->
 diagnostic-periodic-sounds = { $count } sonidos son periódicos, cada { $interval_s } s aproximadamente, como los de un reloj, unos pasos o un tambor; los vuelos de una pelota se acortan.
 diagnostic-no-pattern = { $count } sonidos destacan sobre el ruido de fondo, pero no hay { $needed } de ellos con los intervalos decrecientes de una pelota que rebota.
 diagnostic-too-few-times = Un vuelo necesita dos tiempos de impacto, y hay menos.
+diagnostic-times-in-milliseconds = Hay impactos separados por más de 30 s, y ninguna pelota vuela tanto tiempo. Los tiempos son segundos; bajo el título time_ms, milisegundos.
 diagnostic-nothing-left = Se excluyeron tantos impactos que no queda ningún vuelo.
 diagnostic-distant-ball = Se detectó una pelota mucho más débil de { $start_s } s a { $end_s } s ({ $impacts } impactos) y se excluyó.
 diagnostic-drops-at-once = Dos pelotas botan a la vez de { $start_s } s a { $end_s } s: si suenan igual, un impacto de una puede tomarse por uno de la otra.
@@ -60,7 +61,6 @@ diagnostic-impacts-doubtful = { $count ->
    *[other] { $count } impactos son
   } más probablemente otra cosa (probabilidad menor que 1/2).
 diagnostic-flight-grows = El vuelo { $flight } es más largo que el anterior, lo cual es imposible sobre una superficie en reposo.
-diagnostic-times-in-milliseconds = Hay vuelos de más de 30 s: los tiempos se leen en segundos; ¿son milisegundos?
 
 diagnostic-sampling-not-converged = El muestreo no convergió (índice de Pareto { $pareto_shape }; debería ser menor que { $greatest }), así que los intervalos no son fiables; quizá los impactos no son de un solo ensayo.
 diagnostic-few-impacts = { $count ->

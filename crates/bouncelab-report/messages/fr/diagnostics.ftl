@@ -7,6 +7,7 @@ diagnostic-too-few-sounds = { $count ->
 diagnostic-periodic-sounds = { $count } sons sont périodiques, toutes les { $interval_s } s environ, comme ceux d’une horloge, de pas ou d’un tambour ; les vols d’une balle, eux, raccourcissent.
 diagnostic-no-pattern = { $count } sons se détachent du bruit de fond, mais { $needed } d’entre eux n’ont nulle part les intervalles décroissants d’une balle qui rebondit.
 diagnostic-too-few-times = Un vol demande deux temps d’impact, et il y en a moins.
+diagnostic-times-in-milliseconds = Des impacts sont distants de plus de 30 s ; aucune balle ne vole si longtemps. Les temps sont en secondes, sous le titre time_ms en millisecondes.
 diagnostic-nothing-left = Tant d’impacts ont été exclus qu’il ne reste aucun vol.
 diagnostic-distant-ball = Une balle bien plus faible a été détectée de { $start_s } s à { $end_s } s ({ $impacts } impacts) et exclue.
 diagnostic-drops-at-once = Deux balles rebondissent en même temps de { $start_s } s à { $end_s } s : si elles font le même bruit, un impact de l’une peut être pris pour un impact de l’autre.
@@ -60,7 +61,6 @@ diagnostic-impacts-doubtful = { $count ->
    *[other] { $count } impacts sont
   } plutôt autre chose (probabilité inférieure à 1/2).
 diagnostic-flight-grows = Le vol { $flight } est plus long que le précédent, ce qui est impossible sur une surface au repos.
-diagnostic-times-in-milliseconds = Il y a des vols de plus de 30 s : les temps sont lus en secondes ; sont-ce des millisecondes ?
 
 diagnostic-sampling-not-converged = L’échantillonnage n’a pas convergé (indice de Pareto { $pareto_shape } ; il devrait être inférieur à { $greatest }) : les intervalles ne sont pas fiables ; les impacts ne sont peut-être pas d’un seul essai.
 diagnostic-few-impacts = { $count ->

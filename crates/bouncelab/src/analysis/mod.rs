@@ -470,14 +470,9 @@ fn diagnostics(
     flights: &[MeasuredFlight],
     per_impact: Option<&PerImpact>,
 ) -> Vec<Diagnostic> {
-    /// No ball that one drops flies so long, in seconds.
-    const TOO_LONG_S: f64 = 30.0;
     /// A flight longer than the one before by this factor is no error of the times.
     const GROWS: f64 = 1.02;
     let mut diagnostics = Vec::new();
-    if flights.iter().any(|flight| flight.time_s > TOO_LONG_S) {
-        diagnostics.push(Diagnostic::new(Code::TimesInMilliseconds));
-    }
     let span = impacts
         .last()
         .map_or(0, |last| last.number + 1 - impacts[0].number);

@@ -78,6 +78,9 @@ pub fn analyze_times(times_s: &[f64], options: &Options) -> Recording {
     Plan::of_times(times_s, options).run()
 }
 
+/// No ball that one drops flies so long, in seconds: 1.1 km high, or eight missed flights of 14 m.
+const LONGEST_S: f64 = 30.0;
+
 /// So many drops of a recording are analysed at most: a tenth of a second each, and less than a megabyte.
 const MOST_DROPS: usize = 1_000;
 
@@ -151,11 +154,23 @@ impl Plan {
 
     /// The plan for a list of impact times in seconds, in increasing order.
     pub fn of_times(times_s: &[f64], options: &Options) -> Self {
+        let is_far = |pair: &[f64]| pair[1] - pair[0] > LONGEST_S;
+        let no_drop = if times_s.len() < 2 {
+            Some(Code::TooFewTimes)
+        } else if times_s.windows(2).any(is_far) {
+            Some(Code::TimesInMilliseconds)
+        } else {
+            None
+        };
+        let candidates = match no_drop {
+            None => vec![DropCandidate::of_times(times_s)],
+            Some(_) => Vec::new(),
+        };
         let recording = Recording {
-            no_drop: (times_s.len() < 2).then(|| Diagnostic::new(Code::TooFewTimes)),
+            no_drop: no_drop.map(Diagnostic::new),
             ..Recording::of(Source::Times)
         };
-        Self::new(recording, vec![DropCandidate::of_times(times_s)], options)
+        Self::new(recording, candidates, options)
     }
 
     /// The same for the sound of a file: with the name of its format, and with what is odd about the

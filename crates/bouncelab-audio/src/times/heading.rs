@@ -1,0 +1,61 @@
+//! Headings of columns of times: what is in the column, and in which unit.
+
+/// How many seconds the unit of a column of times has, from its heading; `None` if it heads something else.
+///
+/// `time`, `time_ms`, `Time (ms)`, `Zeit in s`, `t / µs`: a word for time comes last in the name, and what follows
+/// is its unit. Without one the times are in seconds.
+pub(super) fn unit_s(heading: &str) -> Option<f64> {
+    let heading = heading.trim().to_ascii_lowercase();
+    let words: Vec<&str> = heading
+        .split(|letter: char| " _/()[],.".contains(letter))
+        .filter(|word| !word.is_empty() && *word != "in")
+        .collect();
+    let place = words.iter().rposition(|word| is_time(word))?;
+    match words[place + 1..] {
+        [] => Some(1.0),
+        [unit] => seconds(unit),
+        _ => None,
+    }
+}
+
+fn is_time(word: &str) -> bool {
+    matches!(word, "time" | "times" | "t" | "zeit" | "temps" | "tiempo")
+}
+
+fn seconds(unit: &str) -> Option<f64> {
+    match unit {
+        "s" | "sec" | "second" | "seconds" | "sekunden" | "secondes" | "segundos" => Some(1.0),
+        "ms" | "msec" | "millisecond" | "milliseconds" => Some(1e-3),
+        "us" | "µs" | "μs" | "microseconds" => Some(1e-6),
+        "min" | "minutes" => Some(60.0),
+        _ => None,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::unit_s;
+
+    #[test]
+    fn a_heading_has_a_word_for_time_and_perhaps_a_unit() {
+        for (heading, expected_s) in [
+            ("time", Some(1.0)),
+            ("time_s", Some(1.0)),
+            ("Time (s)", Some(1.0)),
+            ("Impact time [ms]", Some(1e-3)),
+            ("time_ms", Some(1e-3)),
+            ("Zeit in ms", Some(1e-3)),
+            ("t/s", Some(1.0)),
+            ("t / µs", Some(1e-6)),
+            ("Temps (min)", Some(60.0)),
+            ("flight time", Some(1.0)),
+            ("time (h)", None),
+            ("time of day", None),
+            ("Timer", None),
+            ("impact", None),
+            ("", None),
+        ] {
+            assert_eq!(unit_s(heading), expected_s, "{heading}");
+        }
+    }
+}
