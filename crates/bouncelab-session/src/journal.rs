@@ -5,8 +5,8 @@
 //! valid for one recording with one content under one set of settings, which its key names.
 
 use std::collections::HashMap;
-use std::fs::{File, OpenOptions, TryLockError};
-use std::io::{BufRead, BufReader, Seek, SeekFrom, Write};
+use std::fs::{self, File, OpenOptions, TryLockError};
+use std::io::{BufRead, BufReader, Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 use std::sync::Mutex;
 
@@ -25,6 +25,9 @@ const NAMED: &str = " {\"name\":";
 
 /// So many results are at most lost when the power fails.
 const SYNC_EVERY: usize = 50;
+
+/// A line is no longer than this, in bytes; the result of an hour of drops has some megabytes.
+const LONGEST: u64 = 1 << 26;
 
 /// So many characters of a checksum stand before each line.
 const CHECK: usize = 16;
@@ -107,6 +110,12 @@ impl Journal {
     pub fn open(folder: &Path) -> Result<Self> {
         create_folder(folder).map_err(Error::output(folder))?;
         let path = folder.join(JOURNAL);
+        // A device or a pipe may have no end.
+        if fs::metadata(&path).is_ok_and(|about| !about.is_file()) {
+            let reason = "it is a device, a pipe or a folder, and no journal of bouncelab";
+            let reason = std::io::Error::new(std::io::ErrorKind::InvalidInput, reason);
+            return Err(Error::output(&path)(reason));
+        }
         let file = OpenOptions::new()
             .read(true)
             .append(true)
@@ -206,7 +215,7 @@ impl Journal {
             let mut file = BufReader::new(File::open(&self.path)?);
             file.seek(SeekFrom::Start(start))?;
             let mut line = Vec::new();
-            file.read_until(b'\n', &mut line)?;
+            file.take(LONGEST).read_until(b'\n', &mut line)?;
             let text = checked(&line).ok_or(std::io::ErrorKind::InvalidData)?;
             Ok(serde_json::from_str::<Held<R>>(text)?.result)
         };
@@ -241,7 +250,8 @@ impl Scan {
         let mut line = Vec::new();
         loop {
             line.clear();
-            let read = reader.read_until(b'\n', &mut line)? as u64;
+            let mut bounded = reader.by_ref().take(LONGEST);
+            let read = bounded.read_until(b'\n', &mut line)? as u64;
             if read == 0 {
                 return Ok(scan);
             }
@@ -288,8 +298,6 @@ fn check(text: &str) -> String {
 
 #[cfg(test)]
 mod tests {
-    use std::fs;
-
     use super::*;
 
     fn key(content: &str) -> Key {
@@ -320,6 +328,18 @@ mod tests {
         assert_eq!(read("b.wav", "2"), Some(vec![2.0]));
         assert!(journal.has("b.wav", &key("2")) && !journal.has("c.wav", &key("2")));
         assert_eq!(journal.damaged(), 0);
+    }
+
+    /// A pipe would be waited for, and a device read without end.
+    #[cfg(unix)]
+    #[test]
+    fn a_journal_is_a_file() {
+        for place in ["/dev/zero", "/dev/null", "/tmp"] {
+            let folder = tempfile::tempdir().unwrap();
+            std::os::unix::fs::symlink(place, folder.path().join(JOURNAL)).unwrap();
+            let refused = Journal::open(folder.path()).unwrap_err().to_string();
+            assert!(refused.contains("no journal"), "{place}: {refused}");
+        }
     }
 
     /// Wherever the file is cut, whole lines before the cut are kept and the next run goes on.
