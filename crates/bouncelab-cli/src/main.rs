@@ -21,6 +21,7 @@ mod synth;
 mod terminal;
 mod verdict;
 
+use std::io::{self, Write};
 use std::process::ExitCode;
 
 use bouncelab_report::units;
@@ -72,12 +73,25 @@ enum Command {
 }
 
 fn main() -> ExitCode {
-    let cli = Cli::parse();
+    let cli = match Cli::try_parse() {
+        Ok(cli) => cli,
+        Err(answer) => return tell(&answer),
+    };
     if let Some(language) = cli.language {
         language::choose(language);
     }
     let result = interrupt::watch().and_then(|()| run(cli.command));
     result.map_or_else(|failure| failure.report(), |()| ExitCode::SUCCESS)
+}
+
+/// Prints help, the version, or what is wrong with the arguments.
+fn tell(answer: &clap::Error) -> ExitCode {
+    let printed = answer.print().and_then(|()| io::stdout().flush());
+    match printed {
+        // What was asked for is a result.
+        Err(reason) if !answer.use_stderr() => failure::Failure::from(reason).report(),
+        _ => ExitCode::from(answer.exit_code() as u8),
+    }
 }
 
 fn run(command: Command) -> Result<(), failure::Failure> {

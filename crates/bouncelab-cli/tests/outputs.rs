@@ -184,6 +184,9 @@ fn a_full_disk_is_a_failure_of_every_command() {
         "paper --no-figures --format json",
         "demo",
         "completions bash",
+        "--help",
+        "analyze --help",
+        "--version",
     ] {
         let full = fs::File::options().write(true).open("/dev/full").unwrap();
         let mut run = Plain::new(assert_cmd::cargo::cargo_bin("bouncelab"));
