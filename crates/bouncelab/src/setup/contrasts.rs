@@ -70,7 +70,6 @@ impl Setup {
 
 #[cfg(test)]
 mod tests {
-    use super::*;
     use crate::setup::Settings;
     use crate::{analyze_times, ball, demo};
 
