@@ -47,10 +47,14 @@ enum World {
     TwoSurfaces,
     /// The contact lasts twice as long as stated.
     WrongContact,
+    /// Restitution scatters by 2 % or so, five times as much as is assumed.
+    Rough,
+    /// The same, and that is stated.
+    RoughStated,
 }
 
 impl World {
-    const ALL: [(Self, &str); 9] = [
+    const ALL: [(Self, &str); 11] = [
         (Self::True, "true"),
         (Self::NoLaw, "no-law"),
         (Self::Missing, "missing"),
@@ -60,6 +64,8 @@ impl World {
         (Self::Drifting, "drifting"),
         (Self::TwoSurfaces, "two-surfaces"),
         (Self::WrongContact, "wrong-contact"),
+        (Self::Rough, "rough"),
+        (Self::RoughStated, "rough-stated"),
     ];
 }
 
@@ -67,6 +73,8 @@ impl World {
 /// recordings.
 const MOST_IMPACTS: usize = 40;
 const SHORTEST_FLIGHT_S: f64 = 0.05;
+/// Scatter of the restitution on a rough surface.
+const ROUGH: f64 = 0.02;
 /// Fewer impacts make no drop for the listener; only a list of times may have so few.
 const FEWEST_IMPACTS: usize = 5;
 
@@ -137,7 +145,11 @@ impl Drop {
             ..environment
         };
         let model = FlightModel::new(&ball, &environment).ok()?;
-        let scatter = 0.003 * (0.7 * normal(rng)).exp();
+        let usual = match world {
+            World::Rough | World::RoughStated => ROUGH,
+            _ => 0.003,
+        };
+        let scatter = usual * (0.7 * normal(rng)).exp();
         let sigma_s = 5e-5 * (0.7 * normal(rng)).exp();
         let contact_s = match world {
             World::WrongContact => 2.0 * contact_time_s,
@@ -216,7 +228,7 @@ struct Fared {
     numbered: bool,
 }
 
-fn fared(drop: &Drop, laws: &[LawKind], seed: u64) -> Fared {
+fn fared(world: World, drop: &Drop, laws: &[LawKind], seed: u64) -> Fared {
     let settings = Options::default();
     let impacts: Vec<Impact> = impacts_of_times(&drop.times_s);
     let inference = InferenceOptions {
@@ -226,8 +238,13 @@ fn fared(drop: &Drop, laws: &[LawKind], seed: u64) -> Fared {
         },
         ..InferenceOptions::default()
     };
+    let restitution_scatter = match world {
+        World::RoughStated => ROUGH,
+        _ => settings.priors.restitution_scatter,
+    };
     let priors = Priors {
         restitution_laws: laws.to_vec(),
+        restitution_scatter,
         ..settings.priors
     };
     let found = infer(
@@ -276,7 +293,7 @@ fn run(world: World, laws: &[LawKind], drops: usize, most_impacts: usize) -> Vec
                         .filter_map(|seed| {
                             let mut rng = ChaCha8Rng::seed_from_u64(seed);
                             let drop = Drop::drawn(world, most_impacts, &mut rng)?;
-                            Some(fared(&drop, laws, seed))
+                            Some(fared(world, &drop, laws, seed))
                         })
                         .take(drops.div_ceil(threads))
                         .collect::<Vec<_>>()

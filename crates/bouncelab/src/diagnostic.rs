@@ -259,6 +259,8 @@ codes! {
     LawNeedsImpacts = "law-needs-impacts", Info, ["law", "needed", "seen"];
     /// Impacts are odd and count less.
     ImpactsOdd = "impacts-odd", Warning, ["count", "impacts"];
+    /// Restitution scatters far more than is assumed.
+    ScatterExceedsPrior = "scatter-exceeds-prior", Warning, ["relative_sd", "assumed_relative_sd"];
     /// The measured height contradicts the flight times.
     HeightContradictsTimes = "height-contradicts-times", Warning, ["measured_m", "detected_m", "gravity_m_s2"];
     /// Impacts before the first one detected were missed.

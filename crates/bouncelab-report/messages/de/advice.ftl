@@ -1,5 +1,6 @@
 terminal-advice-impact-gains-energy = Lass ihn von Hand weg (--exclude ZEIT).
 terminal-advice-height-of-first-detected = Gib sie mit --height an.
+terminal-advice-scatter-exceeds-prior = Die Streuung dieser Fläche nennt --known scatter=2%.
 terminal-advice-drag-or-slope = Gib sie mit --height an.
 terminal-advice-ball-floats = Die Option ist --no-buoyancy.
 terminal-advice-rule-needs-reference = Nenne sie nach --reference.

@@ -76,6 +76,7 @@ diagnostic-impacts-odd = { $count ->
     [one] Aufprall { $impacts } ist ein Ausreißer und zählt weniger: Der Ball ist vielleicht weggesprungen, traf eine Kante, oder der Laut ist etwas anderes.
    *[other] Die Aufpralle { $impacts } sind Ausreißer und zählen weniger: Der Ball ist vielleicht weggesprungen, traf eine Kante, oder die Laute sind etwas anderes.
   }
+diagnostic-scatter-exceeds-prior = Die Stoßzahl streut von Aufprall zu Aufprall um etwa { $relative_sd } %, mehr als die angenommenen { $assumed_relative_sd } %: Die Intervalle können zu schmal sein.
 diagnostic-height-contradicts-times = Die gemessene Höhe von { $measured_m } widerspricht den Flugzeiten, aus denen { $detected_m } folgen; beides stimmte bei einer Fallbeschleunigung von { $gravity_m_s2 }. Falsche Abtastrate, falscher Ball oder falsche Höhe?
 diagnostic-first-impacts-missed = Mit der Wahrscheinlichkeit { $probability } fehlen Aufpralle vor dem ersten erkannten.
 diagnostic-height-of-first-detected = Die Fallhöhe ist die vor dem ersten erkannten Aufprall; mit einer gemessenen Höhe fielen verpasste Aufpralle auf.

@@ -2,6 +2,7 @@
 
 terminal-advice-impact-gains-energy = Exclude it with --exclude TIME.
 terminal-advice-height-of-first-detected = State it with --height.
+terminal-advice-scatter-exceeds-prior = State the scatter of this surface with --known scatter=2%.
 terminal-advice-drag-or-slope = State it with --height.
 terminal-advice-ball-floats = The option is --no-buoyancy.
 terminal-advice-rule-needs-reference = Give them after --reference.

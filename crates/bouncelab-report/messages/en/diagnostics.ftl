@@ -79,6 +79,7 @@ diagnostic-impacts-odd = { $count ->
     [one] Impact { $impacts } is an outlier and has less weight: the ball may have drifted or hit an edge, or the sound is something else.
    *[other] Impacts { $impacts } are outliers and have less weight: the ball may have drifted or hit an edge, or the sounds are something else.
   }
+diagnostic-scatter-exceeds-prior = Restitution scatters by about { $relative_sd } % from impact to impact, more than the { $assumed_relative_sd } % that are assumed: the intervals may be too narrow.
 diagnostic-height-contradicts-times = The measured height of { $measured_m } contradicts the flight times, which indicate { $detected_m }; both would agree with a gravity of { $gravity_m_s2 }. The sample rate, the ball or the height may be wrong.
 diagnostic-first-impacts-missed = Impacts before the first one detected were missed, with probability { $probability }.
 diagnostic-height-of-first-detected = The drop height is that of the fall before the first impact detected; a measured height would show whether impacts were missed.

@@ -1,5 +1,6 @@
 terminal-advice-impact-gains-energy = Exclúyalo con --exclude TIME.
 terminal-advice-height-of-first-detected = Indíquela con --height.
+terminal-advice-scatter-exceeds-prior = Indique la dispersión de esta superficie con --known scatter=2%.
 terminal-advice-drag-or-slope = Indíquela con --height.
 terminal-advice-ball-floats = La opción es --no-buoyancy.
 terminal-advice-rule-needs-reference = Délas después de --reference.

@@ -73,6 +73,7 @@ diagnostic-impacts-odd = { $count ->
     [one] El impacto { $impacts } es atípico y pesa menos: la pelota pudo desviarse o dar en un borde, o el sonido es otra cosa.
    *[other] Los impactos { $impacts } son atípicos y pesan menos: la pelota pudo desviarse o dar en un borde, o los sonidos son otra cosa.
   }
+diagnostic-scatter-exceeds-prior = La restitución varía alrededor de un { $relative_sd } % de un impacto a otro, más que el { $assumed_relative_sd } % supuesto: los intervalos pueden ser demasiado estrechos.
 diagnostic-height-contradicts-times = La altura medida de { $measured_m } contradice los tiempos de vuelo, que indican { $detected_m }; ambos concordarían con una gravedad de { $gravity_m_s2 }. La frecuencia de muestreo, la pelota o la altura puede ser errónea.
 diagnostic-first-impacts-missed = Se perdieron impactos antes del primero detectado, con probabilidad { $probability }.
 diagnostic-height-of-first-detected = La altura de caída es la de la caída antes del primer impacto detectado; una altura medida mostraría si se perdieron impactos.

@@ -1,5 +1,6 @@
 terminal-advice-impact-gains-energy = Excluez-le avec --exclude TIME.
 terminal-advice-height-of-first-detected = Indiquez-la avec --height.
+terminal-advice-scatter-exceeds-prior = Indiquez la dispersion de cette surface avec --known scatter=2%.
 terminal-advice-drag-or-slope = Indiquez-la avec --height.
 terminal-advice-ball-floats = L’option est --no-buoyancy.
 terminal-advice-rule-needs-reference = Donnez-les après --reference.

@@ -73,6 +73,7 @@ diagnostic-impacts-odd = { $count ->
     [one] L’impact { $impacts } est aberrant et pèse moins : la balle a pu dévier ou toucher un bord, ou le son est autre chose.
    *[other] Les impacts { $impacts } sont aberrants et pèsent moins : la balle a pu dévier ou toucher un bord, ou les sons sont autre chose.
   }
+diagnostic-scatter-exceeds-prior = La restitution varie d’environ { $relative_sd } % d’un impact à l’autre, plus que les { $assumed_relative_sd } % supposés : les intervalles peuvent être trop étroits.
 diagnostic-height-contradicts-times = La hauteur mesurée de { $measured_m } contredit les temps de vol, qui indiquent { $detected_m } ; les deux s’accorderaient avec une pesanteur de { $gravity_m_s2 }. La fréquence d’échantillonnage, la balle ou la hauteur est peut-être fausse.
 diagnostic-first-impacts-missed = Des impacts avant le premier détecté ont été manqués, avec une probabilité de { $probability }.
 diagnostic-height-of-first-detected = La hauteur de chute est celle de la chute avant le premier impact détecté ; une hauteur mesurée montrerait si des impacts ont été manqués.

@@ -74,8 +74,13 @@ impl Answers {
         let drag_coefficient = self.drag_coefficients(&posterior);
         let drag = self.drag(&posterior, &drag_coefficient);
         let gravity_m_s2 = of(&self.environment_gravity(&posterior))?;
-        let diagnostics =
+        let restitution_scatter = of(&self.of_points(|point| point.scatter))?;
+        let mut diagnostics =
             findings::diagnostics(&posterior, &innovations, &prior_contraction, rests);
+        diagnostics.extend(findings::scattered(
+            restitution_scatter.value,
+            &posterior.priors,
+        ));
         let mut inferred = Posterior {
             at_speed_m_s: self.at_speed_m_s,
             restitution: of(&self.restitution)?,
@@ -86,7 +91,7 @@ impl Answers {
             drag_coefficient_prior: drag.as_ref().map(|drag| drag.prior),
             terminal_speed_m_s: drag.and_then(|drag| drag.terminal_speed_m_s),
             gravity_m_s2,
-            restitution_scatter: of(&self.of_points(|point| point.scatter))?,
+            restitution_scatter,
             timing_s: of(&self.of_points(|point| point.timing * rms_s))?,
             contact_time_s: of(&contact_time_s)?,
             total_time_s: Estimate::of_draws(rest.iter().map(|rest| rest.time_s)),

@@ -88,6 +88,19 @@ pub(super) fn diagnostics(
     diagnostics
 }
 
+/// A diagnostic if restitution scatters far more than the prior says. So few impacts as a drop has do not overcome a
+/// prior, and the intervals are too narrow on such a surface (`docs/validation.md`, worlds).
+pub(super) fn scattered(scatter: f64, priors: &Priors) -> Option<Diagnostic> {
+    /// The prior is right within this factor.
+    const RIGHT_WITHIN: f64 = 2.0;
+    let assumed = priors.restitution_scatter;
+    (scatter > RIGHT_WITHIN * assumed).then(|| {
+        let scattered = Diagnostic::new(Code::ScatterExceedsPrior);
+        let scattered = scattered.with("relative_sd", scatter);
+        scattered.with("assumed_relative_sd", assumed)
+    })
+}
+
 /// Probability of the most probable restitution law.
 fn law_weight(posterior: &SampledPosterior) -> f64 {
     LawKind::ALL
