@@ -560,3 +560,38 @@ fn times_that_make_no_sense_are_refused() {
         "{refusal}"
     );
 }
+
+/// A prior of 0.4 % is not overcome by ten impacts that scatter by 3 %.
+#[test]
+fn a_rough_surface_is_noticed() {
+    let scattered = |scatter: f64| {
+        let Options {
+            ball, environment, ..
+        } = Options::default();
+        let model = FlightModel::new(&ball, &environment).unwrap();
+        let mut speed_m_s = 3.0;
+        let mut time_s = 0.0;
+        let times_s: Vec<f64> = [1.0, -1.0, 0.5, 1.0, -1.5, -0.5, 1.0, 0.5, -1.0, -0.5]
+            .iter()
+            .map(|deviation| {
+                let before_s = time_s;
+                let flight = model.launch(speed_m_s * 0.8 * (scatter * deviation).exp());
+                time_s += flight.as_ref().unwrap().time_s();
+                speed_m_s = flight.unwrap().impact_speed_m_s;
+                before_s
+            })
+            .collect();
+        let found = infer(
+            &times(&times_s),
+            &ball,
+            &environment,
+            0.0,
+            &Priors::default(),
+            &InferenceOptions::default(),
+        );
+        let codes = found.unwrap().diagnostics;
+        codes.iter().any(|it| it.code == Code::ScatterExceedsPrior)
+    };
+    assert!(scattered(0.03));
+    assert!(!scattered(0.003));
+}

@@ -77,10 +77,7 @@ impl Answers {
         let restitution_scatter = of(&self.of_points(|point| point.scatter))?;
         let mut diagnostics =
             findings::diagnostics(&posterior, &innovations, &prior_contraction, rests);
-        diagnostics.extend(findings::scattered(
-            restitution_scatter.value,
-            &posterior.priors,
-        ));
+        diagnostics.extend(findings::scattered(&posterior, restitution_scatter.value));
         let mut inferred = Posterior {
             at_speed_m_s: self.at_speed_m_s,
             restitution: of(&self.restitution)?,

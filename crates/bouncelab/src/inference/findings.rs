@@ -88,13 +88,16 @@ pub(super) fn diagnostics(
     diagnostics
 }
 
-/// A diagnostic if restitution scatters far more than the prior says. So few impacts as a drop has do not overcome a
-/// prior, and the intervals are too narrow on such a surface (`docs/validation.md`, worlds).
-pub(super) fn scattered(scatter: f64, priors: &Priors) -> Option<Diagnostic> {
+/// A diagnostic if restitution scatters far more than the prior says. Few impacts do not overcome a prior, and the
+/// intervals are too narrow on such a surface (`docs/validation.md`, worlds).
+pub(super) fn scattered(posterior: &SampledPosterior, scatter: f64) -> Option<Diagnostic> {
     /// The prior is right within this factor.
     const RIGHT_WITHIN: f64 = 2.0;
-    let assumed = priors.restitution_scatter;
-    (scatter > RIGHT_WITHIN * assumed).then(|| {
+    /// So many know the logarithm of their scatter to 1/6, four times as well as the prior: it takes less than a tenth off.
+    const ENOUGH: usize = 20;
+    let assumed = posterior.priors.restitution_scatter;
+    let few = posterior.observed().restitutions() < ENOUGH;
+    (few && scatter > RIGHT_WITHIN * assumed).then(|| {
         let scattered = Diagnostic::new(Code::ScatterExceedsPrior);
         let scattered = scattered.with("relative_sd", scatter);
         scattered.with("assumed_relative_sd", assumed)
