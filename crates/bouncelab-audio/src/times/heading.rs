@@ -2,18 +2,21 @@
 
 /// How many seconds the unit of a column of times has, from its heading; `None` if it heads something else.
 ///
-/// `time`, `time_ms`, `Time (ms)`, `Zeit in s`, `t / µs`: a word for time comes last in the name, and what follows
-/// is its unit. Without one the times are in seconds.
+/// `time`, `time_ms`, `Impact time (ms)`, `Zeit in s`, `t / µs`: what follows the word for time is its unit. Without one
+/// the times are in seconds. Times of something else, as of a flight, are none of impacts.
 pub(super) fn unit_s(heading: &str) -> Option<f64> {
     let heading = heading.trim().to_ascii_lowercase();
     let words: Vec<&str> = heading
         .split(|letter: char| " _/()[],.".contains(letter))
         .filter(|word| !word.is_empty() && *word != "in")
         .collect();
-    let place = words.iter().rposition(|word| is_time(word))?;
-    match words[place + 1..] {
-        [] => Some(1.0),
-        [unit] => seconds(unit),
+    let words = match words.as_slice() {
+        ["impact" | "impacts", rest @ ..] => rest,
+        all => all,
+    };
+    match words {
+        [word] if is_time(word) => Some(1.0),
+        [word, unit] if is_time(word) => seconds(unit),
         _ => None,
     }
 }
@@ -48,7 +51,8 @@ mod tests {
             ("t/s", Some(1.0)),
             ("t / µs", Some(1e-6)),
             ("Temps (min)", Some(60.0)),
-            ("flight time", Some(1.0)),
+            ("flight time", None),
+            ("flight_time_s", None),
             ("time (h)", None),
             ("time of day", None),
             ("Timer", None),
