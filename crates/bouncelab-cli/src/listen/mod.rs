@@ -72,6 +72,9 @@ pub(crate) struct Arguments {
     /// priors
     #[arg(long)]
     details: bool,
+    /// Compare what the impact times of each drop say of each known ball
+    #[arg(long)]
+    which_ball: bool,
     #[command(flatten)]
     physics: PhysicsArguments,
     #[command(flatten)]
@@ -84,6 +87,7 @@ Examples:
   bouncelab listen --ball tennis --drops 10 --save class.wav
   bouncelab listen --devices                       the microphones of this computer
   bouncelab listen --device USB --seconds 5min --format json
+  bouncelab listen --which-ball                    which of the known balls fits each drop best?
   bouncelab listen --from drop.wav                 play a recording in real time
   bouncelab listen --from drop.wav --fast";
 

@@ -29,6 +29,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let priors = &arguments.priors;
     let mut physics = analyze::physics(&arguments.physics, priors, arguments.flights)?;
     physics.options.detection.channel = arguments.channel.map(usize::from);
+    physics.options.compares_balls = arguments.which_ball;
     let sound = Sound::open(arguments)?;
     let recording = sound.info();
     let saver = Saver::create(arguments, &recording, sound.sample_format())?;

@@ -97,6 +97,22 @@ fn samples(file: &Path) -> Vec<f32> {
 }
 
 #[test]
+fn balls_are_compared_for_each_drop_where_that_is_asked() {
+    let folder = TempDir::new().unwrap();
+    let file = one_drop(&folder);
+    let balls = |arguments: &[&str]| {
+        let played = play(&file)
+            .args(["--format", "json"])
+            .args(arguments)
+            .output();
+        let drop = drops(&lines(&played.unwrap().stdout)).remove(0);
+        drop["balls"].as_array().unwrap().len()
+    };
+    assert!(balls(&["--which-ball"]) > 3);
+    assert_eq!(balls(&[]), 0);
+}
+
+#[test]
 fn what_is_wrong_with_a_played_file_is_said_though_its_drop_is_over() {
     let folder = TempDir::new().unwrap();
     let file = one_drop(&folder);
