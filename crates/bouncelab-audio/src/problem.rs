@@ -177,12 +177,19 @@ pub enum TimesProblem {
     /// It is no `TextGrid` of Praat, or only the beginning of one.
     #[error("not a TextGrid of Praat, or not all of one; save it from Praat again")]
     NotTextGrid,
-    /// No tier of the `TextGrid` can be taken for that of the impacts.
+    /// The `TextGrid` has no point tier.
     #[error(
-        "impacts are one point tier, or the one named impacts among several; point tiers: {found}"
+        "no tier has points; those there have intervals: {found}. In Praat add a tier (Tier > Add point \
+         tier...) with a point at each impact"
     )]
     NoPointTier {
-        /// The names of the point tiers; may be empty.
+        /// The names of the tiers, or a dash.
+        found: String,
+    },
+    /// The `TextGrid` has several point tiers.
+    #[error("several tiers have points: {found}; in Praat name that of the impacts \"impacts\"")]
+    WhichPointTier {
+        /// The names of the point tiers.
         found: String,
     },
     /// The first line names columns, none of which holds times.

@@ -151,14 +151,23 @@ fn a_point_tier_of_praat_is_a_list() {
 fn a_text_grid_without_its_impacts_is_refused() {
     let (_, message) = blame(&LONG.replace("TextTier", "IntervalTier"), "a.TextGrid");
     assert!(message.contains("not a TextGrid of Praat"), "{message}");
+    let intervals = "\"ooTextFile\" \"TextGrid\" 0 1 <exists> 2 \"IntervalTier\" \"words\" 0 1 1 0 1 \"\" \
+                     \"IntervalTier\" \"sounds\" 0 1 0";
+    let (_, message) = blame(intervals, "a.TextGrid");
+    assert!(message.contains("intervals: words, sounds"), "{message}");
+    assert!(message.contains("Add point tier"), "{message}");
     let (line, message) = blame(&LONG[..LONG.len() - 20], "cut.TextGrid");
     assert_eq!(line, Some(LONG.lines().count()));
     assert!(message.contains("not all of one"), "{message}");
     let none = "\"ooTextFile\" \"TextGrid\" 0 1 <absent>";
-    assert!(blame(none, "a.TextGrid").1.contains("point tiers: "));
+    assert!(blame(none, "a.TextGrid").1.contains("intervals: -"));
     let two = "\"ooTextFile\" \"TextGrid\" 0 1 <exists> 2 \"TextTier\" \"left\" 0 1 0 \
                \"TextTier\" \"right\" 0 1 1 0.5 \"\"";
-    assert!(blame(two, "a.TextGrid").1.contains("left, right"));
+    let (_, message) = blame(two, "a.TextGrid");
+    assert!(
+        message.contains("several tiers have points: left, right"),
+        "{message}"
+    );
     assert_eq!(parse(&two.replace("right", "impacts"), "a.TextGrid"), [0.5]);
     assert_eq!(blame("plain", "a.TextGrid").0, Some(1));
 }

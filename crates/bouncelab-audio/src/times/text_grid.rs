@@ -12,8 +12,8 @@ use crate::problem::TimesProblem;
 /// The name of the tier of the impacts among others.
 const TIER: &str = "impacts";
 
-/// A tier of points: its name, and time and line of each.
-type Tier = (String, Vec<Entry>);
+/// A tier: its name, and time and line of each point; `None` if it has intervals.
+type Tier = (String, Option<Vec<Entry>>);
 
 impl List<'_> {
     /// The times of the points of a tier.
@@ -22,20 +22,34 @@ impl List<'_> {
         let Some(mut tiers) = tiers(&mut words) else {
             return self.refuse(Some(words.line), TimesProblem::NotTextGrid);
         };
+        let has_points = tiers.iter().any(|(_, points)| points.is_some());
+        if has_points {
+            tiers.retain(|(_, points)| points.is_some());
+        }
         let place = match tiers.len() {
             1 => Some(0),
             _ => tiers.iter().position(|(name, _)| name == TIER),
         };
-        if let Some(place) = place {
-            return Ok(tiers.swap_remove(place).1);
+        if let Some(points) = place.and_then(|place| tiers[place].1.take()) {
+            return Ok(points);
         }
         let names: Vec<&str> = tiers.iter().map(|(name, _)| name.as_str()).collect();
-        let found = Plain::of(&names.join(", ")).into();
-        self.refuse(None, TimesProblem::NoPointTier { found })
+        let found = match names.as_slice() {
+            [] => "-".to_owned(),
+            _ => Plain::of(&names.join(", ")).into(),
+        };
+        self.refuse(
+            None,
+            if has_points {
+                TimesProblem::WhichPointTier { found }
+            } else {
+                TimesProblem::NoPointTier { found }
+            },
+        )
     }
 }
 
-/// The tiers of points; `None` if something else comes, or the end.
+/// The tiers; `None` if something else comes, or the end.
 fn tiers(words: &mut Words<'_>) -> Option<Vec<Tier>> {
     words.text().filter(|kind| kind == "ooTextFile")?;
     words.text().filter(|class| class == "TextGrid")?;
@@ -49,8 +63,9 @@ fn tiers(words: &mut Words<'_>) -> Option<Vec<Tier>> {
         words.extent()?;
         let items = words.count()?;
         if class == "TextTier" {
-            tiers.push((name, points(words, items)?));
+            tiers.push((name, Some(points(words, items)?)));
         } else {
+            tiers.push((name, None));
             for _ in 0..items {
                 words.extent()?;
                 words.text()?;
