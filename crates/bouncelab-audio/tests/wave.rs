@@ -78,3 +78,45 @@ fn absurd_sizes_are_survived() {
         }
     }
 }
+
+/// A WAV with these sizes of the whole and of its sound.
+fn sized(whole: u32, sound: u32) -> Vec<u8> {
+    let mut bytes = wav();
+    bytes[4..8].copy_from_slice(&whole.to_le_bytes());
+    bytes[40..44].copy_from_slice(&sound.to_le_bytes());
+    bytes
+}
+
+#[test]
+fn sizes_that_contradict_each_other_lose_no_sound() {
+    for whole in [0, 4, 6_000, 6_035] {
+        assert_eq!(read(sized(whole, 6_000)), (ramp(), Vec::new()), "{whole}");
+    }
+    for whole in [0, 6_036, 9_000] {
+        let (samples, warnings) = read(sized(whole, 9_100));
+        assert_eq!(samples, ramp(), "{whole}");
+        assert!(!warnings.is_empty(), "{whole}");
+    }
+}
+
+/// As of a recorder that was stopped since it last wrote the sizes, and of two recordings joined.
+#[test]
+fn sound_behind_what_the_header_counts_is_mentioned() {
+    let whole = encode_wav(RATE_HZ, SampleFormat::Int16, &[&[-0.5; 24_000]]).unwrap();
+    let mut stale = whole.clone();
+    stale[4..8].copy_from_slice(&(36 + 6_000_u32).to_le_bytes());
+    stale[40..44].copy_from_slice(&6_000_u32.to_le_bytes());
+    let joined = [wav(), whole[36..].to_vec()].concat();
+    for bytes in [stale, joined] {
+        let (samples, warnings) = read(bytes);
+        assert_eq!(samples.len(), 3_000);
+        let unfinished = Warning::Truncated {
+            read_s: 3_000.0 / f64::from(RATE_HZ),
+            expected_s: None,
+        };
+        assert_eq!(warnings, [unfinished]);
+    }
+    // A tag behind the sound is no sound.
+    let tagged = [wav(), b"id3 \x00\x50\x00\x00".to_vec(), vec![0; 0x5000]].concat();
+    assert_eq!(read(tagged), (ramp(), Vec::new()));
+}

@@ -42,7 +42,7 @@ pub(super) struct Mended {
 pub(super) struct Header {
     /// Another header, if it has to be another.
     pub(super) mended: Option<Mended>,
-    /// Whether a recorder was stopped before it said how much sound there is.
+    /// Whether a recorder was stopped before it said how much sound there is, or more follows than was said.
     pub(super) is_unfinished: bool,
     /// The content of the chunk that says where sound was lost; empty without one.
     pub(super) lost: Vec<u8>,
@@ -62,6 +62,10 @@ pub(super) fn header<S: Read + Seek>(source: &mut S) -> io::Result<Header> {
             break;
         };
         let len = content.end - content.start;
+        if has_sound && is_uncounted(&name, file_len.saturating_sub(content.start), &format) {
+            header.is_unfinished = true;
+            break;
+        }
         match &name {
             b"fmt " if !has_sound && len <= MOST_FORMAT => format = chunks.read(&content)?,
             b"ds64" if !has_sound => {
@@ -91,6 +95,14 @@ pub(super) fn header<S: Read + Seek>(source: &mut S) -> io::Result<Header> {
     }
     header.other_rate_hz = other_rate_hz(&format);
     Ok(header)
+}
+
+/// Whether what follows the sound is sound too: a second piece, or more than a second of what is no chunk.
+fn is_uncounted(name: &[u8; 4], behind: u64, format: &[u8]) -> bool {
+    let second = format.get(8..12).and_then(|bytes| bytes.first_chunk());
+    let second = second.map_or(0, |&bytes| u32::from_le_bytes(bytes));
+    let is_name = name.iter().all(|letter| (b' '..=b'~').contains(letter));
+    name == b"data" || (!is_name && second > 0 && behind > second.into())
 }
 
 /// The rate that the bytes a second are those of, if the description of a sound of equal frames contradicts itself.
@@ -201,6 +213,8 @@ impl<'a, S: Read + Seek> Chunks<'a, S> {
         match self.kind {
             // Nothing at all was said, though much follows.
             Kind::Riff if len == 0 && content.start >= self.said + 8 => Some(0),
+            // More than the whole file is said to hold: of the two, the size nearer to the sound counts.
+            Kind::Riff if content.end > self.said + 8 => Some(len),
             Kind::Riff => None,
             Kind::Rf64 if len == u64::from(UNKNOWN) => Some(size.unwrap_or(0)),
             Kind::Rf64 | Kind::W64 => Some(len),
