@@ -174,6 +174,15 @@ impl Error {
         }
     }
 
+    /// The error for a line of a list of times, or of a waveform.
+    pub(crate) fn times(name: &str, line: usize, problem: TimesProblem) -> Self {
+        Self::Times {
+            name: name.to_owned(),
+            line: Some(line),
+            problem,
+        }
+    }
+
     /// The error for samples that no WAV file can hold.
     pub(crate) fn unwritable(name: &str, problem: impl Into<String>) -> Self {
         Self::Unwritable {

@@ -68,7 +68,7 @@ impl Input {
     /// A text is a sampled waveform, if it is a table of one, else a list of times.
     fn of_text(bytes: &[u8], name: &str) -> Result<Self> {
         let text = std::str::from_utf8(bytes).unwrap_or_default();
-        match Waveform::find(text.trim_start_matches('\u{feff}')) {
+        match Waveform::find(text.trim_start_matches('\u{feff}'), name)? {
             Some(waveform) => Ok(Self::Sound(Box::new(waveform.source(name)?))),
             None => times::parse(bytes, name).map(Self::Times),
         }

@@ -148,16 +148,33 @@ pub enum TimesProblem {
         /// The most that is read, in MB.
         most_mb: u64,
     },
-    /// More times than impacts can be.
+    /// A cell of a sampled waveform that is no number.
+    #[error("{text:?} is not a number; below its headings a sampled waveform has numbers alone")]
+    NotSample {
+        /// What stands there.
+        text: String,
+    },
+    /// A row of a sampled waveform is too short.
     #[error(
-        "{found} times in {seconds} s are no impacts; a sampled waveform needs a column of times at equal \
-         distances and one for each channel"
+        "{found} of {columns} numbers; a sampled waveform has one for the time and one for each channel in \
+         every row"
     )]
-    TooMany {
+    FewerColumns {
         /// How many.
         found: usize,
-        /// From the first to the last, in seconds.
-        seconds: f64,
+        /// How many the first row has.
+        columns: usize,
+    },
+    /// The times of a sampled waveform are not at equal distances.
+    #[error(
+        "it is {interval_s:.7} s after the row before, but rows are {mean_s:.7} s apart on average; the times of a \
+         sampled waveform have equal distances"
+    )]
+    Uneven {
+        /// From the row before, in seconds.
+        interval_s: f64,
+        /// From row to row on average, in seconds.
+        mean_s: f64,
     },
     /// The content is not UTF-8.
     #[error("not text; save the list as UTF-8")]

@@ -79,11 +79,6 @@ pub(crate) fn bytes_of(mut reader: impl Read + Seek, name: &str) -> Result<Vec<u
 const MOST_BYTES: u64 = 1 << 26;
 const MOST_BYTES_OF_LIST: u64 = 1 << 22;
 
-/// More impacts than this are none, nor are many that follow each other as closely as samples do.
-const MOST_TIMES: usize = 10_000;
-const MANY_TIMES: usize = 500;
-const CLOSEST_S: f64 = 1e-3;
-
 /// Reads the times in the content of a file; the extension of its name says how.
 ///
 /// ```
@@ -114,7 +109,6 @@ pub fn parse(content: &[u8], name: &str) -> Result<Vec<f64>> {
         Format::Json => list.array(&text)?,
         Format::TextGrid => list.points(&text)?,
     };
-    list.check_count(&entries)?;
     list.check(&entries)?;
     Ok(entries.into_iter().map(|(_, time_s)| time_s).collect())
 }
@@ -325,17 +319,6 @@ impl List<'_> {
             }
             _ => Ok(()),
         }
-    }
-
-    /// Whether there can be so many impacts in this time.
-    fn check_count(&self, entries: &[Entry]) -> Result<()> {
-        let found = entries.len();
-        let time_of = |entry: Option<&Entry>| entry.map_or(0.0, |(_, time_s)| *time_s);
-        let seconds = time_of(entries.last()) - time_of(entries.first());
-        if found > MOST_TIMES || (found > MANY_TIMES && seconds < found as f64 * CLOSEST_S) {
-            return self.refuse(None, TimesProblem::TooMany { found, seconds });
-        }
-        Ok(())
     }
 }
 

@@ -7,7 +7,8 @@
 
 use std::sync::Arc;
 
-use crate::error::Result;
+use crate::error::{Error, Result};
+use crate::problem::TimesProblem;
 use crate::source::Source;
 use crate::wav::{SampleFormat, encode_wav};
 
@@ -32,30 +33,42 @@ pub(crate) struct Waveform {
 }
 
 impl Waveform {
-    /// The waveform in a text; `None` if there is none: too few rows or columns, something else than numbers
-    /// among them, or times at unequal distances.
-    pub(crate) fn find(text: &str) -> Option<Self> {
-        let table = Table::find(text)?;
+    /// The waveform in a text; `None` if it is no table of one: too few rows or columns.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Times`] with the line that is none of a waveform: something else than numbers, more or fewer of them, or
+    /// a time at another distance.
+    pub(crate) fn find(text: &str, name: &str) -> Result<Option<Self>> {
+        let Some(table) = Table::find(text) else {
+            return Ok(None);
+        };
         // Growing would take twice as much memory.
         let mut times = Vec::with_capacity(table.rows);
         let samples = || Vec::with_capacity(table.rows);
         let mut channels: Vec<Vec<f32>> = (1..table.columns).map(|_| samples()).collect();
-        for line in lines(text).skip(table.headings) {
-            let mut cells = numbers(line, table.separator);
-            times.push(cells.next()??);
-            for channel in &mut channels {
-                channel.push(cells.next()?? as f32);
-            }
-            if cells.next().is_some() {
-                return None;
-            }
+        for (line, row) in lines(text).skip(table.headings) {
+            let fail = |problem| Error::times(name, line, problem);
+            times.push(table.row(row, &mut channels).map_err(fail)?);
         }
-        let rate_hz = rate(&times)? / table.unit_s;
+        let rate_hz = rate(&times).map_err(
+            |Uneven {
+                 row,
+                 interval,
+                 mean,
+             }| {
+                let line = lines(text)
+                    .nth(table.headings + row)
+                    .map_or(0, |(line, _)| line);
+                let [interval_s, mean_s] = [interval, mean].map(|time| time * table.unit_s);
+                Error::times(name, line, TimesProblem::Uneven { interval_s, mean_s })
+            },
+        )? / table.unit_s;
         let is_rate = (1.0..=f64::from(u32::MAX)).contains(&rate_hz);
-        is_rate.then(|| Self {
+        Ok(is_rate.then(|| Self {
             sample_rate_hz: rate_hz.round() as u32,
             channels,
-        })
+        }))
     }
 
     /// The sound, in full scale at most: units of a voltage or of an app say nothing of loudness.
@@ -87,7 +100,7 @@ struct Table {
 impl Table {
     fn find(text: &str) -> Option<Self> {
         let mut heading = "";
-        for (headings, line) in lines(text).take(MOST_HEADINGS).enumerate() {
+        for (headings, (_, line)) in lines(text).take(MOST_HEADINGS).enumerate() {
             let Some((separator, columns)) = layout(line) else {
                 heading = line;
                 continue;
@@ -104,11 +117,38 @@ impl Table {
         }
         None
     }
+
+    /// Reads a row: adds its samples to the channels, and returns its time.
+    fn row(&self, row: &str, channels: &mut [Vec<f32>]) -> std::result::Result<f64, TimesProblem> {
+        let not_sample = |text: &str| TimesProblem::NotSample {
+            text: text.to_owned(),
+        };
+        let mut time = None;
+        let mut found = 0_usize;
+        for cell in cells(row, self.separator) {
+            let number = number(cell, self.separator).ok_or_else(|| not_sample(cell))?;
+            match found
+                .checked_sub(1)
+                .and_then(|channel| channels.get_mut(channel))
+            {
+                Some(channel) => channel.push(number as f32),
+                None => time = time.or(Some(number)),
+            }
+            found += 1;
+        }
+        let columns = self.columns;
+        match time {
+            Some(time) if found == columns => Ok(time),
+            _ if found > columns => Err(TimesProblem::MoreColumns { found, columns }),
+            _ => Err(TimesProblem::FewerColumns { found, columns }),
+        }
+    }
 }
 
-/// The lines with something on them.
-fn lines(text: &str) -> impl Iterator<Item = &str> {
-    text.lines().filter(|line| !line.trim().is_empty())
+/// The lines with something on them, and their numbers.
+fn lines(text: &str) -> impl Iterator<Item = (usize, &str)> {
+    let lines = (1..).zip(text.lines());
+    lines.filter(|(_, line)| !line.trim().is_empty())
 }
 
 /// Separator and number of columns of a row of numbers.
@@ -125,18 +165,24 @@ fn layout(line: &str) -> Option<(char, usize)> {
 
 /// The numbers of a row; `None` for a cell that is none.
 fn numbers(line: &str, separator: char) -> impl Iterator<Item = Option<f64>> {
+    cells(line, separator).map(move |cell| number(cell, separator))
+}
+
+/// The cells of a row that have something in them.
+fn cells(line: &str, separator: char) -> impl Iterator<Item = &str> {
     let cells = line.trim().split(separator).map(str::trim);
     // Several spaces are one separator, and a separator at the end of a row means nothing.
-    let cells = cells.filter(move |cell| !cell.is_empty());
-    cells.map(move |cell| {
-        let cell = cell.trim_matches('"');
-        let number = if separator == ',' {
-            cell.parse()
-        } else {
-            cell.replace(',', ".").parse()
-        };
-        number.ok().filter(|number: &f64| number.is_finite())
-    })
+    cells.filter(|cell| !cell.is_empty())
+}
+
+fn number(cell: &str, separator: char) -> Option<f64> {
+    let cell = cell.trim_matches('"');
+    let number = if separator == ',' {
+        cell.parse()
+    } else {
+        cell.replace(',', ".").parse()
+    };
+    number.ok().filter(|number: &f64| number.is_finite())
 }
 
 /// The unit of the times, by their heading: "Time (ms)", "`time_us`".
@@ -156,14 +202,40 @@ fn unit_s(heading: &str, separator: char) -> f64 {
         .unwrap_or(1.0)
 }
 
+/// A row whose time is not where it should be: the first whose distance from the row before is odd.
+struct Uneven {
+    row: usize,
+    interval: f64,
+    mean: f64,
+}
+
+impl Uneven {
+    fn of(times: &[f64], mean: f64) -> Self {
+        let intervals = || times.windows(2).map(|pair| pair[1] - pair[0]);
+        let oddness = |interval: f64| (interval - mean).abs();
+        let most = intervals().map(oddness).fold(0.0, f64::max);
+        // A time out of place makes two distances odd.
+        let first = (1..).zip(intervals()).find(|it| oddness(it.1) > 0.5 * most);
+        let (row, interval) = first.unwrap_or_default();
+        Self {
+            row,
+            interval,
+            mean,
+        }
+    }
+}
+
 /// How many times there are in a unit, if they are at equal distances.
 ///
 /// Times may have been written with too few digits: then several rows have the same one, and the distances between
 /// others are steps of the last digit. The row in which a time changes is known to one row, so the rate is too.
-fn rate(times: &[f64]) -> Option<f64> {
+fn rate(times: &[f64]) -> std::result::Result<f64, Uneven> {
     let mut changes = (1..times.len()).filter(|&row| times[row] > times[row - 1]);
-    let first = changes.next()?;
-    let last = changes.next_back()?;
+    let (Some(first), Some(last)) = (changes.next(), changes.next_back()) else {
+        let whole = times.last().zip(times.first());
+        let whole = whole.map_or(0.0, |(last, first)| last - first);
+        return Err(Uneven::of(times, whole / times.len() as f64));
+    };
     let step = (times[last] - times[first]) / (last - first) as f64;
     let steps = || times.windows(2).map(|pair| pair[1] - pair[0]);
     let written = steps().filter(|step| *step > 0.0);
@@ -175,5 +247,9 @@ fn rate(times: &[f64]) -> Option<f64> {
     let is_even = step > 0.0
         && steps().all(|step| (0.0..=LONGEST_INTERVAL * grid).contains(&step))
         && times.iter().enumerate().all(is_in_place);
-    is_even.then_some(1.0 / step)
+    if is_even {
+        Ok(1.0 / step)
+    } else {
+        Err(Uneven::of(times, step))
+    }
 }

@@ -135,17 +135,26 @@ fn lists_of_impacts_stay_lists() {
 }
 
 #[test]
-fn a_hundred_thousand_times_are_refused() {
-    let text = (0..100_000)
-        .map(|n| format!("{}\n", f64::from(n) * 0.1))
-        .collect::<Vec<_>>()
-        .concat();
-    for name in ["drop.txt", "drop.csv"] {
-        let refused = Input::from_bytes(text.as_bytes(), name)
-            .map(drop)
-            .unwrap_err();
-        let message = refused.to_string();
-        assert!(message.contains("100000 times"), "{message}");
+fn what_is_wrong_with_a_waveform_is_said_with_its_line() {
+    let row = |n: u32| format!("{:.6},0.5", f64::from(n) / 8_000.0);
+    let with = |odd: &str| {
+        let rows = (0..2_000).map(|n| if n == 1_500 { odd.to_owned() } else { row(n) });
+        let rows = rows.collect::<Vec<_>>().join("\n");
+        refusal(&format!("time,amplitude\n\n{rows}\n")).to_string()
+    };
+    let later = format!("{:.6},0.5", 1_501.4 / 8_000.0);
+    for (odd, reason) in [
+        ("0.1875", "1 of 2 numbers"),
+        ("0.1875,0.5,0.5", "3 columns"),
+        ("0.1875,nan", "\"nan\" is not a number"),
+        ("clipped", "\"clipped\" is not a number"),
+        (&later, "equal distances"),
+    ] {
+        let refused = with(odd);
+        assert!(
+            refused.contains("line 1503") && refused.contains(reason),
+            "{refused}"
+        );
     }
 }
 

@@ -195,6 +195,8 @@ codes! {
     NoPattern = "no-pattern", Error, ["count", "needed"];
     /// A list has fewer than two times.
     TooFewTimes = "too-few-times", Error, [];
+    /// A list has more times than a drop has impacts.
+    TooManyTimes = "too-many-times", Error, ["count", "most"];
     /// Impacts are so far apart that the times are probably in milliseconds.
     TimesInMilliseconds = "times-in-milliseconds", Error, [];
     /// So many impacts were excluded that no flight is left.

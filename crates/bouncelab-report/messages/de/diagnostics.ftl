@@ -7,6 +7,7 @@ diagnostic-too-few-sounds = { $count ->
 diagnostic-periodic-sounds = { $count } Laute kommen im Takt, etwa alle { $interval_s } s, wie von einer Uhr, von Schritten oder einer Trommel; die Flüge eines Balls werden kürzer.
 diagnostic-no-pattern = { $count } Laute heben sich ab, aber keine { $needed } davon kommen in schrumpfenden Abständen wie die Aufpralle eines Balls.
 diagnostic-too-few-times = Ein Flug braucht zwei Aufprallzeiten, und es sind weniger.
+diagnostic-too-many-times = Die Liste hat { $count } Zeiten; kein Versuch hat mehr als { $most } Aufpralle. Nenne die eines Versuchs. Eine abgetastete Wellenform braucht eine zweite Spalte, die Amplitude.
 diagnostic-times-in-milliseconds = Zwischen Aufprallen liegen mehr als 30 s; so lange fliegt kein Ball. Zeiten sind in Sekunden, unter der Überschrift time_ms in Millisekunden.
 diagnostic-nothing-left = Es wurden so viele Aufpralle weggelassen, dass kein Flug bleibt.
 diagnostic-distant-ball = Ein viel leiserer Ball wurde von { $start_s } s bis { $end_s } s erkannt ({ $impacts } Aufpralle) und weggelassen.

@@ -10,6 +10,7 @@ diagnostic-too-few-sounds = { $count ->
 diagnostic-periodic-sounds = { $count } sounds are periodic, about every { $interval_s } s, like those of a clock, steps or a drum; the flights of a ball become shorter.
 diagnostic-no-pattern = { $count } sounds stand out from the background, but no { $needed } of them have the decreasing intervals of a bouncing ball.
 diagnostic-too-few-times = A flight needs two impact times, and there are fewer.
+diagnostic-too-many-times = The list has { $count } times; no drop has more than { $most } impacts. List those of one drop. A sampled waveform needs a second column, the amplitude.
 diagnostic-times-in-milliseconds = Impacts are more than 30 s apart, and no ball flies so long. Times are in seconds; below the heading time_ms they are in milliseconds.
 diagnostic-nothing-left = So many impacts were excluded that no flight remains.
 diagnostic-distant-ball = A far fainter ball was detected from { $start_s } s to { $end_s } s ({ $impacts } impacts) and excluded.

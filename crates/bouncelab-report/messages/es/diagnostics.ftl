@@ -7,6 +7,7 @@ diagnostic-too-few-sounds = { $count ->
 diagnostic-periodic-sounds = { $count } sonidos son periódicos, cada { $interval_s } s aproximadamente, como los de un reloj, unos pasos o un tambor; los vuelos de una pelota se acortan.
 diagnostic-no-pattern = { $count } sonidos destacan sobre el ruido de fondo, pero no hay { $needed } de ellos con los intervalos decrecientes de una pelota que rebota.
 diagnostic-too-few-times = Un vuelo necesita dos tiempos de impacto, y hay menos.
+diagnostic-too-many-times = La lista tiene { $count } tiempos; ningún ensayo tiene más de { $most } impactos. Indique los de un solo ensayo. Una forma de onda muestreada necesita una segunda columna, la amplitud.
 diagnostic-times-in-milliseconds = Hay impactos separados por más de 30 s, y ninguna pelota vuela tanto tiempo. Los tiempos son segundos; bajo el título time_ms, milisegundos.
 diagnostic-nothing-left = Se excluyeron tantos impactos que no queda ningún vuelo.
 diagnostic-distant-ball = Se detectó una pelota mucho más débil de { $start_s } s a { $end_s } s ({ $impacts } impactos) y se excluyó.

@@ -7,6 +7,7 @@ diagnostic-too-few-sounds = { $count ->
 diagnostic-periodic-sounds = { $count } sons sont périodiques, toutes les { $interval_s } s environ, comme ceux d’une horloge, de pas ou d’un tambour ; les vols d’une balle, eux, raccourcissent.
 diagnostic-no-pattern = { $count } sons se détachent du bruit de fond, mais { $needed } d’entre eux n’ont nulle part les intervalles décroissants d’une balle qui rebondit.
 diagnostic-too-few-times = Un vol demande deux temps d’impact, et il y en a moins.
+diagnostic-too-many-times = La liste a { $count } temps ; aucun essai n’a plus de { $most } impacts. Donnez ceux d’un seul essai. Une forme d’onde échantillonnée demande une seconde colonne, l’amplitude.
 diagnostic-times-in-milliseconds = Des impacts sont distants de plus de 30 s ; aucune balle ne vole si longtemps. Les temps sont en secondes, sous le titre time_ms en millisecondes.
 diagnostic-nothing-left = Tant d’impacts ont été exclus qu’il ne reste aucun vol.
 diagnostic-distant-ball = Une balle bien plus faible a été détectée de { $start_s } s à { $end_s } s ({ $impacts } impacts) et exclue.

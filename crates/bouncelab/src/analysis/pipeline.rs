@@ -81,6 +81,9 @@ pub fn analyze_times(times_s: &[f64], options: &Options) -> Recording {
 /// No ball that one drops flies so long, in seconds: 1.1 km high, or eight missed flights of 14 m.
 const LONGEST_S: f64 = 30.0;
 
+/// More impacts than any drop has: the longest of steel balls have about a hundred. Their inference would take seconds.
+const MOST_IMPACTS: usize = 500;
+
 /// So many drops of a recording are analysed at most: a tenth of a second each, and less than a megabyte.
 const MOST_DROPS: usize = 1_000;
 
@@ -156,18 +159,21 @@ impl Plan {
     pub fn of_times(times_s: &[f64], options: &Options) -> Self {
         let is_far = |pair: &[f64]| pair[1] - pair[0] > LONGEST_S;
         let no_drop = if times_s.len() < 2 {
-            Some(Code::TooFewTimes)
+            Some(Diagnostic::new(Code::TooFewTimes))
+        } else if times_s.len() > MOST_IMPACTS {
+            let too_many = Diagnostic::new(Code::TooManyTimes).with("count", times_s.len());
+            Some(too_many.with("most", MOST_IMPACTS))
         } else if times_s.windows(2).any(is_far) {
-            Some(Code::TimesInMilliseconds)
+            Some(Diagnostic::new(Code::TimesInMilliseconds))
         } else {
             None
         };
-        let candidates = match no_drop {
+        let candidates = match &no_drop {
             None => vec![DropCandidate::of_times(times_s)],
             Some(_) => Vec::new(),
         };
         let recording = Recording {
-            no_drop: no_drop.map(Diagnostic::new),
+            no_drop,
             ..Recording::of(Source::Times)
         };
         Self::new(recording, candidates, options)
@@ -445,6 +451,21 @@ mod tests {
         let all = [5.0, 5.5, 5.9];
         assert_eq!(edited(&all, &[]), [nothing]);
         assert_eq!(edited(&all, &[9.0, 9.5, 9.9]), [(9.0, 1.0), nothing]);
+    }
+
+    #[test]
+    fn a_list_of_more_impacts_than_a_drop_has_is_refused() {
+        let of_length = |count: u32| {
+            let times_s: Vec<f64> = (0..count).map(f64::from).collect();
+            let plan = Plan::of_times(&times_s, &Options::default());
+            (
+                plan.tasks.len(),
+                plan.recording.no_drop.map(|reason| reason.code),
+            )
+        };
+        assert_eq!(of_length(500), (1, None));
+        assert_eq!(of_length(501), (0, Some(Code::TooManyTimes)));
+        assert_eq!(of_length(1_000_000), (0, Some(Code::TooManyTimes)));
     }
 
     /// Of drops that begin at 0 s and 10 s, whether each uses a release at this time (it shows
