@@ -23,6 +23,8 @@ MASS, DIAMETER, DENSITY = 2.7e-3, 40e-3, 1.1993139
 CONTACT = 1e-3
 SIGMA = 5e-5
 C_D, C_D_SD = 0.4, 0.04
+# Scatter of restitution: ln of it over the typical one is A (e^(B z) - 1)/B, z standard normal.
+SCATTER, SCATTER_A, SCATTER_B = 0.006, 0.9, 0.25
 DRAWS = 4000
 
 VOLUME = np.pi * DIAMETER**3 / 6
@@ -33,6 +35,10 @@ GRAVITY = G0 * (1 - R) / (1 + R / 2)
 def terminal_speed(drag):
     area = np.pi * DIAMETER**2 / 4
     return np.sqrt(2 * (MASS - DENSITY * VOLUME) * G0 / (DENSITY * area * drag))
+
+
+def scatter_of(z):
+    return SCATTER * np.exp(SCATTER_A / SCATTER_B * np.expm1(SCATTER_B * z))
 
 
 def launch_speeds(times, terminal):
@@ -64,13 +70,13 @@ def simulate(seed=1):
 
 
 def log_posterior(theta, times):
-    logit_e, log_drag, log_scatter, log_timing, log_contact, off = theta
+    logit_e, log_drag, scatter_z, log_timing, log_contact, off = theta
     # Priors: e flat from 0 to 1; the rest normal in the logarithm.
     prior = -np.logaddexp(0, logit_e) - np.logaddexp(0, -logit_e)
-    prior -= 0.5 * ((log_drag / C_D_SD) ** 2 + (log_scatter / 0.7) ** 2)
+    prior -= 0.5 * ((log_drag / C_D_SD) ** 2 + scatter_z**2)
     prior -= 0.5 * ((log_timing / 0.3) ** 2 + (log_contact / 0.5) ** 2)
     e = 1 / (1 + np.exp(-logit_e))
-    scatter = 0.004 * np.exp(log_scatter)
+    scatter = scatter_of(scatter_z)
     sigma = SIGMA * np.exp(log_timing)
     terminal = terminal_speed(C_D * np.exp(log_drag))
     flights = np.diff(times) - CONTACT * np.exp(log_contact)
@@ -107,12 +113,12 @@ def log_posterior(theta, times):
 
 def heights(chain, times):
     out = []
-    for logit_e, log_drag, log_scatter, _, log_contact, off in chain:
+    for logit_e, log_drag, scatter_z, _, log_contact, off in chain:
         e = 1 / (1 + np.exp(-logit_e))
         terminal = terminal_speed(C_D * np.exp(log_drag))
         first = times[1] - times[0] - CONTACT * np.exp(log_contact)
         launch = launch_speeds(np.array([first]), terminal)[0]
-        impact = launch / e * np.exp(-off * 0.004 * np.exp(log_scatter))
+        impact = launch / e * np.exp(-off * scatter_of(scatter_z))
         out.append(-(terminal**2) / (2 * GRAVITY) * np.log1p(-((impact / terminal) ** 2)))
     return np.array(out)
 

@@ -32,21 +32,24 @@ use rand_distr::StandardNormal;
 /// What is simulated.
 #[derive(Clone, Copy, PartialEq)]
 enum Scenario {
-    /// Times good to 50 µs, normal scatter.
+    /// Times good to 50 µs, scatter as the inference has it.
     Clean,
     /// Times good to 1 ms, one impact in ten missed.
     NoisyWithGaps,
     /// Scatter with two exponential tails.
     HeavyTails,
+    /// Normal scatter.
+    LightTails,
     /// As clean, with the height measured to 2 mm.
     HeightMeasured,
 }
 
 impl Scenario {
-    const ALL: [Self; 4] = [
+    const ALL: [Self; 5] = [
         Self::Clean,
         Self::NoisyWithGaps,
         Self::HeavyTails,
+        Self::LightTails,
         Self::HeightMeasured,
     ];
 
@@ -55,6 +58,7 @@ impl Scenario {
             Self::Clean => "clean",
             Self::NoisyWithGaps => "noisy with gaps",
             Self::HeavyTails => "heavy tails",
+            Self::LightTails => "light tails",
             Self::HeightMeasured => "height measured",
         }
     }
@@ -119,7 +123,7 @@ fn drawn(scenario: Scenario, rng: &mut ChaCha8Rng) -> Option<Drop> {
     let mass_kg = settings.ball.mass_kg() * spread(known.mass_rel_sd, rng);
     let diameter_m = settings.ball.diameter_m() * spread(known.diameter_rel_sd, rng);
     let contact_s = settings.contact_time_s * spread(known.contact_time_rel_sd, rng);
-    let scatter = 0.004 * spread(0.7, rng);
+    let scatter = known.scatter_at(normal(rng));
     let sigma_s = scenario.sigma_s() * spread(known.timing_rel_sd, rng);
     let restitution = 0.5 + 0.5 * rng.random::<f64>();
     let height_m = 0.15 * 10_f64.powf(rng.random());
@@ -136,7 +140,8 @@ fn drawn(scenario: Scenario, rng: &mut ChaCha8Rng) -> Option<Drop> {
     .ok()?;
     let deviation = |rng: &mut ChaCha8Rng| match scenario {
         Scenario::HeavyTails => two_exponentials(rng),
-        _ => normal(rng),
+        Scenario::LightTails => normal(rng),
+        _ => student(rng),
     };
     let fall = model.fall(height_m).ok()?;
     let mut speed = fall.impact_speed_m_s;
@@ -197,6 +202,14 @@ fn until_rest_s(
         speed = flight.impact_speed_m_s;
     }
     Some(time_s)
+}
+
+/// The tails of the inference: Student's t of 6 degrees, with variance one.
+fn student(rng: &mut ChaCha8Rng) -> f64 {
+    const FREEDOM: f64 = 6.0;
+    let squares = (0..6).map(|_| rng.sample::<f64, _>(StandardNormal).powi(2));
+    let chi_squared: f64 = squares.sum();
+    rng.sample::<f64, _>(StandardNormal) * ((FREEDOM - 2.0) / chi_squared).sqrt()
 }
 
 /// The distribution that Montaine et al. found, in its symmetric form, with variance one.

@@ -20,7 +20,8 @@
 use nalgebra::{DMatrix, DVector};
 
 use super::banded::{FactorRow, next_factor};
-use super::model::{Height, LOG_SCATTER_SD, Model, Point, Slot};
+use super::model::{Height, Model, Point, Slot};
+use super::scatter_prior;
 use super::priors::Measured;
 use super::residual::{End, InitialFall, Noise, Residual};
 use super::tail::{FREEDOM, Tail};
@@ -375,8 +376,10 @@ impl<'a> Model<'a> {
         // The noise: the logarithm of a standard deviation is known to 1/2^1/2 from one residual,
         // less from one with tails.
         let tells = 2.0 * FREEDOM / (FREEDOM + 3.0);
+        let scatter = self.place(Slot::Scatter).map(|place| vector[place]);
+        let scatter_slope = scatter.map_or(0.0, scatter_prior::log_slope);
         let shares = |slot: Slot, factor: &Factor| match slot {
-            Slot::Scatter => LOG_SCATTER_SD * factor.scatter_share,
+            Slot::Scatter => scatter_slope * factor.scatter_share,
             Slot::Timing => self.timing_sd * (1.0 - factor.scatter_share),
             _ => 0.0,
         };

@@ -59,6 +59,7 @@ mod priors;
 mod residual;
 mod sample;
 mod sampled;
+mod scatter_prior;
 mod smoothing;
 mod tail;
 mod timed_flights;

@@ -2,6 +2,7 @@
 
 use super::observed::Observed;
 use super::priors::{LawKind, Measured, Priors};
+use super::scatter_prior;
 use super::timed_flights::TimedFlights;
 use crate::ball::Ball;
 use crate::drag::DragLaw;
@@ -11,9 +12,6 @@ use crate::flight::{Environment, FlightModel};
 use crate::impact::Restitution;
 use crate::stats::{logistic, softplus};
 use crate::stats::{median, robust_sd};
-
-/// How far the typical scatter of restitution may be off, as a factor.
-pub(super) const LOG_SCATTER_SD: f64 = 0.7;
 
 /// Prior of the slope -d ln e/d ln v, and of the fall above a knee.
 const SLOPE_SD: f64 = 0.1;
@@ -386,7 +384,7 @@ impl<'a> Model<'a> {
             gravity_m_s2: self.media.gravity_m_s2 * (inputs.gravity_sd * at(Slot::Gravity)).exp(),
             fall_launch_m_s: f64::NAN,
             log_height_unit: 0.0,
-            scatter: self.typical_scatter * (LOG_SCATTER_SD * at(Slot::Scatter)).exp(),
+            scatter: self.typical_scatter * scatter_prior::factor(at(Slot::Scatter)),
             timing: (self.timing_sd * at(Slot::Timing)).exp(),
             contact_time_s: self.media.contact_time_s
                 * (self.media.contact_sd * at(Slot::Contact)).exp(),
@@ -433,7 +431,7 @@ impl<'a> Model<'a> {
             Height::Speed => first.ln(),
         };
         let scatter = self.middle.scatter.map_or(0.0, |scatter| {
-            (scatter / self.typical_scatter).ln() / LOG_SCATTER_SD
+            scatter_prior::normal(scatter / self.typical_scatter)
         });
         self.slots
             .iter()

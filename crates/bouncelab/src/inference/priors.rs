@@ -1,5 +1,6 @@
 //! Measurements and priors besides the impact times.
 
+use super::scatter_prior;
 use crate::ball::Preset;
 use crate::diagnostic::{Code, Diagnostic};
 use crate::error::{Quantity, Result, positive, within};
@@ -54,9 +55,9 @@ pub struct Priors {
     pub contact_time_rel_sd: f64,
     /// The stated standard errors of the impact times, as a common factor.
     pub timing_rel_sd: f64,
-    /// Typical scatter of restitution from impact to impact: 0.2 to 0.5 % is published for good
-    /// surfaces; the inference takes it to be right within a factor of two (a normal prior of the
-    /// logarithm with standard deviation 0.7).
+    /// Typical scatter of restitution from impact to impact. 0.2 to 0.5 % is published for good surfaces, and floors have
+    /// one or more: 0.6 % lies between. That of a drop is half as much to three times as much with a probability of 68 %,
+    /// and a quarter to ten times with 95 %; see [`Self::scatter_at`].
     pub restitution_scatter: f64,
     /// Losses of speed below the slowest impact detected, on which only time and path until rest depend. Laws of contact
     /// let them shrink with the speed; what the laws leave out (adhesion, roughness, the weight during contact) takes the
@@ -87,7 +88,7 @@ impl Default for Priors {
             added_mass_rel_sd: 0.3,
             contact_time_rel_sd: 0.5,
             timing_rel_sd: 0.3,
-            restitution_scatter: 0.004,
+            restitution_scatter: 0.006,
             slow_loss_exponent: 0.5,
         }
     }
@@ -112,6 +113,20 @@ impl Priors {
             drag_rel_sd: preset.drag_sd,
             ..Self::default()
         }
+    }
+
+    /// The scatter of restitution that lies so many standard deviations above the middle of its prior, if that is mapped
+    /// to a normal distribution.
+    ///
+    /// ```
+    /// use bouncelab::inference::Priors;
+    ///
+    /// let [low, middle, high] = [-2.0, 0.0, 2.0].map(|normal| Priors::default().scatter_at(normal));
+    /// assert_eq!(middle, 0.006);
+    /// assert!(low > 0.001 && high < 0.07);
+    /// ```
+    pub fn scatter_at(&self, normal: f64) -> f64 {
+        self.restitution_scatter * scatter_prior::factor(normal)
     }
 
     /// What is assumed before the data, one diagnostic for each.
