@@ -17,9 +17,7 @@ pub(crate) fn watch() -> Result<(), Failure> {
     /// What shells report of a program that ended by Ctrl-C.
     const INTERRUPTED: i32 = 130;
     #[cfg(target_os = "linux")]
-    if hangup_is_ignored() {
-        hold_hangup_back()?;
-    }
+    hold_back()?;
     ctrlc::set_handler(|| {
         let asked_before = REQUESTED.swap(true, Ordering::Relaxed);
         if asked_before || !ONLY_ASKS.load(Ordering::Relaxed) {
@@ -30,16 +28,19 @@ pub(crate) fn watch() -> Result<(), Failure> {
     .map_err(|reason| Failure::Input(format!("cannot wait for Ctrl-C: {reason}")))
 }
 
-/// Keeps a hangup from this thread and those that it starts: else it would count as any other signal.
+/// Keeps from this thread and those that it starts the signal of a file that may not grow further, of which writing then
+/// reports the reason, and a hangup that is to be ignored, which would count as any other signal.
 #[cfg(target_os = "linux")]
-fn hold_hangup_back() -> Result<(), Failure> {
+fn hold_back() -> Result<(), Failure> {
     use nix::sys::signal::{SigSet, Signal};
 
-    let mut hangup = SigSet::empty();
-    hangup.add(Signal::SIGHUP);
-    hangup
-        .thread_block()
-        .map_err(|reason| Failure::Input(format!("cannot ignore that a terminal closes: {reason}")))
+    let mut held = SigSet::empty();
+    held.add(Signal::SIGXFSZ);
+    if hangup_is_ignored() {
+        held.add(Signal::SIGHUP);
+    }
+    held.thread_block()
+        .map_err(|reason| Failure::Input(format!("cannot hold signals back: {reason}")))
 }
 
 /// Whether the program was told to go on when its terminal is closed, as by `nohup`.

@@ -222,6 +222,23 @@ fn a_closed_stderr_changes_nothing() {
     }
 }
 
+/// The limit of the size of files is a full disk, not the end by a signal.
+#[cfg(target_os = "linux")]
+#[test]
+fn a_file_that_may_not_grow_further_is_an_error() {
+    let folder = Folder::new();
+    let run = Plain::new("sh")
+        .args(["-c", "ulimit -f 100; exec \"$0\" synth drop.wav"])
+        .arg(assert_cmd::cargo::cargo_bin("bouncelab"))
+        .current_dir(folder.0.path())
+        .output()
+        .unwrap();
+    assert_eq!(run.status.code(), Some(1));
+    let said = String::from_utf8_lossy(&run.stderr);
+    assert!(said.contains("cannot write drop.wav"), "{said}");
+    assert!(names(folder.0.path()).is_empty());
+}
+
 /// What is not finished is removed, as the library's own tests show; here, that signals get there, also where a
 /// closed terminal is ignored, as by `nohup`.
 #[cfg(unix)]

@@ -54,7 +54,11 @@ impl Plain {
                 // Marks of direction, embeddings, overrides and isolates.
                 '\u{61c}' | '\u{200e}' | '\u{200f}' | '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}'
                 // Separators of lines and paragraphs, and what is not seen at all.
-                | '\u{2028}' | '\u{2029}' | '\u{200b}' | '\u{2060}' | '\u{feff}')
+                | '\u{2028}' | '\u{2029}' | '\u{ad}' | '\u{180e}' | '\u{200b}' | '\u{2060}'..='\u{2064}' | '\u{feff}'
+                // Controls of old ways to shape and annotate text, and tags, which can hide a whole text.
+                | '\u{206a}'..='\u{206f}' | '\u{fff9}'..='\u{fffb}' | '\u{e0000}'..='\u{e007f}'
+                // Letters of Hangul that are blank.
+                | '\u{115f}' | '\u{1160}' | '\u{3164}' | '\u{ffa0}')
     }
 }
 
@@ -98,6 +102,19 @@ mod tests {
             assert_eq!(Plain::of(text).to_string(), text);
             assert_eq!(Plain::path(Path::new(text)).to_string(), text);
         }
+    }
+
+    /// Joiners of letters and of emoji change what is seen, and stay.
+    #[test]
+    fn what_is_not_seen_is_written_out() {
+        for letter in "\u{ad}\u{2062}\u{206c}\u{3164}\u{fff9}\u{e0041}".chars() {
+            let shown = Plain::of(&format!("a{letter}b")).to_string();
+            assert_eq!(shown, format!("a{}b", letter.escape_unicode()));
+        }
+        assert_eq!(
+            Plain::of("می\u{200c}شود ☎\u{fe0f}").to_string(),
+            "می\u{200c}شود ☎\u{fe0f}"
+        );
     }
 
     #[test]
